@@ -1,0 +1,76 @@
+#pragma once
+
+#include "brush_settings.h"
+#include "model_facts.h"
+
+#include <QMainWindow>
+
+#include <functional>
+#include <memory>
+
+class QAction;
+
+namespace ui
+{
+class Settings;
+class Viewport;
+
+/// The desktop window: viewport, menus, tool bar, brush bar, status bar. Decides nothing about the document: it asks by
+/// signals and shows what it is told. Gui thread.
+class MainWindow : public QMainWindow
+{
+    Q_OBJECT
+
+public:
+    explicit MainWindow(QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    Viewport* viewport() const;
+    BrushSettings* brush() const;
+    /// By its id in the action table. "edit.undo" and "edit.redo" start disabled; text and enablement are set by whoever owns
+    /// the undo stack: use setUndoText() for a translated, uniform wording.
+    QAction* action(const QString& id) const;
+    /// `what` names the step ("Pull"), empty if there is none.
+    void setUndoText(const QString& what);
+    void setRedoText(const QString& what);
+
+    /// What the next stroke will be, without modifiers.
+    core::StrokeSettings strokeSettings() const;
+
+    /// Asked before the window closes: false keeps it open. Without one it closes.
+    void setMayClose(std::function<bool()> mayClose);
+
+    /// Save, discard or cancel is not offered yet, for the program only exports: asks whether unsaved changes may be lost.
+    bool askToDiscard();
+
+public Q_SLOTS:
+    /// Another model is shown from now on: title, figures, ground, default radius, and the view frames it.
+    void setModel(const ui::ModelFacts& facts);
+    /// The same model changed: figures only.
+    void updateFacts(const ui::ModelFacts& facts);
+    void setModified(bool modified);
+
+    /// A refusal, one sentence, in a dialog that does not block the caller. A second one replaces the text of the first.
+    void showProblem(const QString& sentence);
+    /// A small word over the view, which goes by itself.
+    void showNotice(const QString& sentence);
+    /// Something long is going on, in the status bar; Open and Export rest meanwhile.
+    void setBusy(const QString& what);
+    void setIdle();
+
+Q_SIGNALS:
+    /// By dialog or by drag and drop. A local path; nothing about it is checked.
+    void openRequested(const QString& path);
+    /// By dialog, which has asked about overwriting. The ending says the format; one is added if it was missing.
+    void exportRequested(const QString& path);
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    struct State;
+    std::unique_ptr<State> m_state;
+};
+} // namespace ui

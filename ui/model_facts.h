@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/geometry.h"
+
+#include <QString>
+
+namespace ui
+{
+/// What the window says about the model that is open.
+struct ModelFacts
+{
+    QString name; ///< file name, or the name of a starter model; shown in the title
+    quint64 vertices = 0;
+    quint64 faces = 0;
+    core::Vec3 size = core::Vec3::Zero(); ///< mm
+    core::Box box;                        ///< mm
+};
+} // namespace ui

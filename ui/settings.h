@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QByteArray>
+#include <QSettings>
+#include <QString>
+
+namespace ui
+{
+/// Every stored preference: its key, type and default in one place. A missing or broken entry gives the default. Reads and
+/// writes go straight to QSettings (organisation and application name are set by the program before). Gui thread.
+class Settings
+{
+public:
+    QByteArray windowGeometry() const;
+    void setWindowGeometry(const QByteArray& geometry);
+    QByteArray windowState() const;
+    void setWindowState(const QByteArray& state);
+
+    /// The folder of the last file opened or exported; the user's home if there is none, or it is gone.
+    QString lastFolder() const;
+    void setLastFolder(const QString& folder);
+
+    double strength() const;
+    void setStrength(double strength);
+    /// The radius as a share of the model's longest side, so that it fits the next model too.
+    double radiusShare() const;
+    void setRadiusShare(double share);
+
+private:
+    QSettings m_settings;
+};
+} // namespace ui

@@ -1,0 +1,103 @@
+#pragma once
+
+#include "brush_settings.h"
+#include "orbit_camera.h"
+
+#include "core/mesh_patch.h"
+#include "core/sculptor.h"
+
+#include <QOpenGLWidget>
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace ui
+{
+/// To be called once, before QApplication is made: surface format, shared contexts, Qt3D's renderer, no compressed
+/// mouse moves. Without it the viewport shows a sentence in place of the clay.
+void prepareGraphics();
+
+/// What the viewport measured. Times in milliseconds.
+struct ViewportStats
+{
+    quint64 frames = 0;
+    quint64 patches = 0;
+    quint64 uploadedBytes = 0; ///< to the clay's buffers, ever
+    quint64 wholeUploads = 0;  ///< patches that replaced the buffers
+    double patchMs = 0;        ///< taking and uploading the last patch, CPU
+    double drawMs = 0;         ///< the clay's draw calls of the last frame, CPU; software GL rasterises in here
+    double sceneMs = 0;        ///< Qt3D's part of the last frame, CPU
+    double frameMs = 0;        ///< the whole last frame, CPU
+    double latencyMs = 0;      ///< from the input to its patch on the way to the screen, last patch that answers one
+    double worstLatencyMs = 0;
+};
+
+/// Shows the clay and turns mouse and pen into strokes. Knows no mesh: it draws the patches it takes and asks where the
+/// surface is. Lives on the gui thread; every signal is emitted there.
+///
+/// A left press is a stroke if it is on the model, else it turns the view. Whether it is on the model is the answer to a
+/// hover question; events that come before the answer wait for it, none is lost.
+class Viewport : public QOpenGLWidget
+{
+    Q_OBJECT
+
+public:
+    /// Neither pointer is owned; `brush` must outlive the viewport.
+    explicit Viewport(BrushSettings* brush, QWidget* parent = nullptr);
+    ~Viewport() override;
+
+    /// Where patches come from: called on the gui thread, once a frame, after patchReady(). An empty answer is fine.
+    void setPatchSource(std::function<std::optional<core::MeshPatch>()> take);
+
+    /// Moves the ground under `box` and frames it. For another model, not for a changed one.
+    void showBox(const core::Box& box);
+    /// Frames the box that was last set; `box` follows the model as it changes.
+    void setBox(const core::Box& box);
+    void frame();
+
+    const OrbitCamera& camera() const;
+    const ViewportStats& stats() const;
+    /// Why nothing can be shown (no OpenGL 3.3), in one translated sentence; empty if all is well. Known after the first show.
+    QString problem() const;
+    bool strokeOpen() const;
+
+public Q_SLOTS:
+    /// There is something to take. Coalesced: at most one frame is scheduled.
+    void patchReady();
+    /// The answer to the hover question in flight. Each hoverRequested() is answered exactly once, in order, at any later
+    /// time: with the surface's point, or with nothing if the ray misses or there is no model.
+    void setHover(const std::optional<core::SurfaceHit>& hit);
+
+Q_SIGNALS:
+    /// At most one is in flight: the next is asked after setHover(), with the newest ray only.
+    void hoverRequested(const core::Ray& ray);
+
+    /// A stroke: began, one sample or more (the first at the press), ended. Placement is Ray. The settings are those at
+    /// the press. Always in this order, never nested.
+    void strokeBegan(const core::StrokeSettings& settings);
+    /// Each event of mouse or pen, none left out. `time`: the event's own, seconds; `position`, `direction`: the ray
+    /// through the pixel, in mm; nothing is rounded to the lattice here.
+    void strokeSampled(const core::StrokeSample& sample);
+    void strokeEnded();
+
+    void viewChanged();
+    /// A file was dropped on the viewport.
+    void fileDropped(const QString& path);
+
+protected:
+    void initializeGL() override;
+    void paintGL() override;
+    void changeEvent(QEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void tabletEvent(QTabletEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+
+private:
+    struct State;
+    std::unique_ptr<State> m_state;
+};
+} // namespace ui
