@@ -1,0 +1,154 @@
+# shellcheck shell=bash disable=SC2034 # the tables are read by the scripts that source this
+# Sourced by run.sh and test.sh: installs what is missing, configures, builds.
+# Everything said here goes to stderr; stdout belongs to the program.
+
+fettle_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+
+# package and reason, one per line
+fettle_build_packages='
+g++                 compiles the program (C++20)
+cmake               describes the build
+ninja-build         runs the build
+qt6-base-dev        Qt: windows, widgets, OpenGL
+libqt6opengl6-dev   Qt: OpenGL classes
+qt6-3d-dev          Qt3D: the view of the model
+qt6-svg-dev         Qt: icons
+qt6-tools-dev       Qt: translations in the build
+qt6-l10n-tools      Qt: translations in the build
+qt6-translations-l10n  Qt: the translations of its own texts
+libopenmesh-dev     OpenMesh: the mesh kernel
+libeigen3-dev       Eigen: vectors and matrices
+nlohmann-json3-dev  JSON: stroke files, reports
+libopenxr-dev       OpenXR: the headset
+libgl-dev           OpenGL
+libgl1-mesa-dri     OpenGL drivers, with one in software
+'
+fettle_test_packages='
+libcgal-dev         CGAL: an independent judge of meshes
+libbenchmark-dev    Google Benchmark
+xvfb                a display without a screen
+xauth               for xvfb-run
+openbox             a window manager for that display
+desktop-file-utils  checks the desktop entry
+appstream           checks the description for software centres
+shared-mime-info    checks the file types
+dpkg-dev            makes the .deb
+file                makes the .deb
+'
+
+fettle_say() { printf '%s\n' "$*" >&2; }
+fettle_fail() { fettle_say "fettle: $*"; exit 3; }
+
+fettle_as_root()
+{
+    if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi
+}
+
+fettle_apt_install()
+{
+    fettle_as_root env DEBIAN_FRONTEND=noninteractive apt-get -q -y \
+        -o Dpkg::Use-Pty=0 -o DPkg::Lock::Timeout=300 install --no-install-recommends "$@" >&2
+}
+
+# fettle_install TABLE: installs the packages of the table that are missing.
+fettle_install()
+{
+    local names missing package reason
+    names=$(awk 'NF {print $1}' <<<"$1")
+    if ! command -v dpkg-query >/dev/null; then
+        fettle_fail "this is not Debian, so nothing can be installed from here. Wanted are (by their Debian names): ${names//$'\n'/ }. Then: cmake --preset release && cmake --build --preset release"
+    fi
+    # shellcheck disable=SC2086 # one word per package
+    missing=$({ dpkg-query -W -f='${Package} ${db:Status-Status}\n' $names 2>/dev/null || true; } |
+        awk -v names="$names" '$2 == "installed" {have[$1]} END {n = split(names, name, "\n"); for (i = 1; i <= n; ++i) if (!(name[i] in have)) print name[i]}')
+    [ -n "$missing" ] || return 0
+
+    fettle_say "Fettle needs these Debian packages, which are not installed yet:"
+    while read -r package reason; do
+        if grep -qxF -- "${package:-none}" <<<"$missing"; then
+            printf '  %-22s %s\n' "$package" "$reason" >&2
+        fi
+    done <<<"$1"
+    command -v apt-get >/dev/null ||
+        fettle_fail "there is no apt-get here to install them with. Install them and start again."
+    if [ "$(id -u)" != 0 ] && ! command -v sudo >/dev/null; then
+        fettle_fail "installing needs root and there is no sudo. As root: apt-get install --no-install-recommends ${missing//$'\n'/ }"
+    fi
+
+    fettle_say "Installing them with apt-get."
+    # shellcheck disable=SC2086
+    if ! apt-get -qq -s install --no-install-recommends $missing >/dev/null 2>&1 || ! fettle_apt_install $missing; then
+        fettle_say "The package list is old or empty: fetching it anew."
+        fettle_as_root apt-get -q -o DPkg::Lock::Timeout=300 update >&2 ||
+            fettle_fail "apt-get update failed (no network?). Still missing: ${missing//$'\n'/ }"
+        fettle_apt_install $missing ||
+            fettle_fail "apt-get could not install these packages: ${missing//$'\n'/ }"
+    fi
+}
+
+# Parallel jobs: one per core, and 1.5 GB of memory for each.
+fettle_jobs()
+{
+    local cores memory limit
+    cores=$(nproc)
+    memory=$(awk '/^MemAvailable:/ {print int($2 / 1024)}' /proc/meminfo 2>/dev/null || true)
+    limit=$(cat /sys/fs/cgroup/memory.max 2>/dev/null || true)
+    case $limit in
+        '' | *[!0-9]*) ;;
+        *) limit=$((limit / 1048576)); [ "$limit" -ge "${memory:-$limit}" ] || memory=$limit ;;
+    esac
+    [ "$((${memory:-1500} / 1500))" -ge "$cores" ] || cores=$((${memory:-1500} / 1500))
+    echo "$((cores > 0 ? cores : 1))"
+}
+
+# fettle_configure PRESET [CMAKE ARGUMENTS]: into build/PRESET.
+fettle_configure()
+{
+    local preset=$1 build=$fettle_root/build/$1 fresh=
+    shift
+    # A tree that was moved or copied would still point to its old place.
+    if [ -e "$build/CMakeCache.txt" ]; then
+        grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$fettle_root" "$build/CMakeCache.txt" || fresh=--fresh
+    fi
+    fettle_say "Configuring build/$preset"
+    mkdir -p "$build"
+    # shellcheck disable=SC2086
+    cmake -S "$fettle_root" --preset "$preset" $fresh "$@" >"$build/configure.log" 2>&1 ||
+        cmake -S "$fettle_root" --preset "$preset" --fresh "$@" >"$build/configure.log" 2>&1 || {
+        cat "$build/configure.log" >&2
+        fettle_fail "CMake could not configure build/$preset; what it said stands above and in build/$preset/configure.log"
+    }
+    touch "$build/configured"
+}
+
+# fettle_is_configured PRESET [CACHE ENTRY]
+fettle_is_configured()
+{
+    local build=$fettle_root/build/$1
+    [ -e "$build/build.ninja" ] && [ -e "$build/configured" ] &&
+        [ ! "$fettle_root/CMakePresets.json" -nt "$build/configured" ] &&
+        grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$fettle_root" "$build/CMakeCache.txt" &&
+        { [ -z "${2-}" ] || grep -qxF "$2" "$build/CMakeCache.txt"; }
+}
+
+# fettle_build PRESET TARGET: silent where there is nothing to do.
+fettle_build()
+{
+    local build=$fettle_root/build/$1 target=$2 jobs
+    if ninja -C "$build" -n "$target" 2>/dev/null | grep -q 'no work to do'; then
+        return 0
+    fi
+    jobs=$(fettle_jobs)
+    fettle_say "Building build/$1 ($jobs at a time)"
+    ninja -C "$build" -j "$jobs" "$target" >&2 || fettle_fail "the build failed; what the compiler said stands above."
+}
+
+# One build at a time in one tree: others wait. Ends with fettle_unlock.
+fettle_lock()
+{
+    mkdir -p "$fettle_root/build"
+    exec 9>"$fettle_root/build/lock"
+    flock 9
+}
+
+fettle_unlock() { exec 9>&-; }
