@@ -1,0 +1,9 @@
+# fettle_add_resources(TARGET): what the program reads at run time as ":/<path below resources>": icons, shaders.
+# On executables only: in a static library resources can be lost when it is linked.
+set(FETTLE_RESOURCE_FILES
+    icons/fettle.svg)
+
+function(fettle_add_resources TARGET)
+    list(TRANSFORM FETTLE_RESOURCE_FILES PREPEND ${PROJECT_SOURCE_DIR}/resources/ OUTPUT_VARIABLE FILES)
+    qt_add_resources(${TARGET} "resources" PREFIX "/" BASE ${PROJECT_SOURCE_DIR}/resources FILES ${FILES})
+endfunction()
