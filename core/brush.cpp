@@ -1,0 +1,84 @@
+#include "brush.h"
+
+#include "stroke.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+namespace core
+{
+namespace
+{
+constexpr std::array<std::string_view, 3> toolTable{"pull", "push", "smooth"};
+constexpr std::array<std::string_view, 3> placementTable{"point", "nearest", "ray"};
+constexpr std::array<std::string_view, 4> outcomeTable{"committed", "careful", "ended_early", "empty"};
+
+constexpr double detailPerRadiusSquared = 0.05; ///< paper, section 3.2.2
+constexpr double minimumPerDetail = 0.5;        ///< square root of the paper's 0.25
+
+template <class Value, std::size_t N>
+std::optional<Value> named(std::string_view name, const std::array<std::string_view, N>& table)
+{
+    const auto found = std::find(table.begin(), table.end(), name);
+    if (found == table.end())
+        return std::nullopt;
+    return static_cast<Value>(found - table.begin());
+}
+
+double power(double x, int n)
+{
+    double result = 1;
+    for (int i = 0; i < n; ++i)
+        result *= x;
+    return result;
+}
+} // namespace
+
+std::span<const std::string_view> toolNames()
+{
+    return toolTable;
+}
+
+std::string_view name(Tool tool)
+{
+    return toolTable[static_cast<std::size_t>(tool)];
+}
+
+std::optional<Tool> toolNamed(std::string_view name)
+{
+    return named<Tool>(name, toolTable);
+}
+
+std::string_view name(Placement placement)
+{
+    return placementTable[static_cast<std::size_t>(placement)];
+}
+
+std::optional<Placement> placementNamed(std::string_view name)
+{
+    return named<Placement>(name, placementTable);
+}
+
+std::string_view name(DabOutcome outcome)
+{
+    return outcomeTable[static_cast<std::size_t>(outcome)];
+}
+
+double falloff(double x, int n)
+{
+    assert(isFalloff(n));
+    if (n == 0)
+        return 1;
+    x = std::clamp(x, 0.0, 1.0);
+    const double lower = power(x, n - 1);
+    return std::clamp((n - 1) * lower * x - n * lower + 1, 0.0, 1.0);
+}
+
+EdgeBounds edgeBounds(double radius, double detail)
+{
+    const double longest = std::sqrt(detailPerRadiusSquared) * radius * detail;
+    return {longest, minimumPerDetail * longest};
+}
+} // namespace core

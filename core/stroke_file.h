@@ -1,0 +1,59 @@
+#pragma once
+
+#include "stroke.h"
+
+#include <cstddef>
+#include <iosfwd>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace core
+{
+/// The stroke file: what `replay` plays, and the form of records and lessons. JSON; lengths in the document's unit.
+///
+///     {"format":"fettle-strokes","version":1,"strokes":[
+///       {"tool":"pull","brush":"sphere","radius":0.25,"strength":1.0,"falloff":4,"detail":1.0,"topology":"adaptive",
+///        "fusion":true,"symmetry":"none","spacing":0,"place":"point","add":false,"turntable_deg_per_s":0,
+///        "samples":[{"t":0,"position":[1,0,0],"direction":[-1,0,0],"pressure":1,"rotation":[0,0,0,1],
+///                    "radius":0.25,"strength":1}]}]}
+///
+/// Required: format, version, strokes, and in a stroke tool, radius and samples, and in a sample position; with
+/// "place":"ray" also direction. The rest has the defaults above (time: 0; a sample's radius and strength: the stroke's).
+struct StrokeFileError : std::runtime_error
+{
+    enum class Kind {
+        CannotRead,   ///< no such file, or not readable
+        TooLarge,     ///< longer than the reader takes
+        Syntax,       ///< not JSON; `line`, `byte` say where
+        DuplicateKey,
+        NotStrokes,   ///< JSON, but not of this format or version
+        UnknownKey,
+        MissingKey,
+        WrongType,
+        UnknownValue, ///< a word that the format does not have
+        NotYet,       ///< a word that the format has and this program does not
+        NotANumber,   ///< NaN or infinite, or too large for a double
+        OutOfRange
+    };
+
+    explicit StrokeFileError(Kind errorKind, std::string keyName = {});
+
+    Kind kind;
+    std::string key;                   ///< the key, or key and value ("tool": "melt"), in question; may be empty
+    std::optional<std::size_t> stroke; ///< counted from 0
+    std::optional<std::size_t> sample; ///< counted from 0, in its stroke
+    std::size_t line = 0;              ///< counted from 1; 0: unknown
+    std::size_t byte = 0;              ///< counted from 1; 0: unknown
+    std::optional<double> least, most; ///< with OutOfRange, where there is a range
+};
+
+/// Throws StrokeFileError. Cost: linear in the text's length, whatever it holds.
+std::vector<Stroke> parseStrokes(std::string_view text);
+std::vector<Stroke> readStrokes(const std::string& path);
+
+/// Writes every key, and numbers with enough digits to come back bit-identical.
+void writeStrokes(std::ostream& out, const std::vector<Stroke>& strokes);
+} // namespace core

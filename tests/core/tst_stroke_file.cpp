@@ -1,0 +1,411 @@
+#include "core/stroke_file.h"
+
+#include <QElapsedTimer>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cmath>
+#include <fstream>
+#include <random>
+#include <sstream>
+
+using namespace core;
+using Kind = StrokeFileError::Kind;
+Q_DECLARE_METATYPE(StrokeFileError::Kind)
+
+namespace
+{
+/// A file of one stroke of one sample; the arguments go into its objects.
+std::string file(const std::string& stroke, const std::string& sample = R"("position":[1,0,0])")
+{
+    return R"({"format":"fettle-strokes","version":1,"strokes":[{"samples":[{)" + sample + "}]," + stroke + "}]}";
+}
+const std::string least = R"("tool":"pull","radius":0.25)";
+
+std::optional<StrokeFileError> errorOf(const std::string& text)
+{
+    try {
+        parseStrokes(text);
+    } catch (const StrokeFileError& error) {
+        return error;
+    }
+    return std::nullopt;
+}
+
+bool same(const Stroke& a, const Stroke& b)
+{
+    std::ostringstream left, right;
+    writeStrokes(left, {a});
+    writeStrokes(right, {b});
+    return left.str() == right.str();
+}
+
+Stroke randomStroke(std::mt19937_64& random)
+{
+    const auto between = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
+    Stroke stroke;
+    stroke.settings.tool = static_cast<Tool>(random() % 3);
+    stroke.settings.place = static_cast<Placement>(random() % 3);
+    stroke.settings.radius = between(1e-3, 10);
+    stroke.settings.strength = between(0, 10);
+    stroke.settings.falloff = random() % 4 == 0 ? 0 : 3 + static_cast<int>(random() % 14);
+    stroke.settings.detail = between(0.1, 4);
+    stroke.settings.spacing = random() % 2 ? 0 : between(0.01, 1);
+    for (int i = 0; i < 5; ++i) {
+        StrokeSample sample;
+        sample.time = between(0, 100);
+        sample.position = Vec3(between(-1, 1), between(-1, 1), between(-1e-300, 1e-300));
+        sample.direction = Vec3(between(-1, 1), 1, between(-1, 1));
+        sample.pressure = between(0, 1);
+        sample.rotation = Eigen::Quaterniond(between(0.1, 1), between(-1, 1), between(-1, 1), between(-1, 1)).normalized();
+        if (random() % 2)
+            sample.radius = between(0.1, 1);
+        if (random() % 2)
+            sample.strength = between(0, 10);
+        stroke.samples.push_back(sample);
+    }
+    return stroke;
+}
+} // namespace
+
+class TestStrokeFile : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void defaults_areTheDesigns();
+    void values_arriveWhereTheyBelong();
+    void keys_mayComeInAnyOrder();
+    void writing_andReadingGivesTheSameBits();
+    void turntable_isRotationAboutY();
+    void rotation_isNormalised();
+    void accepts_data();
+    void accepts();
+    void refuses_data();
+    void refuses();
+    void refusal_namesStrokeAndSample();
+    void refusal_namesLineAndByteOfSyntax();
+    void refusal_ofDepthIsImmediate();
+    void refusal_atEachTruncation();
+    void reads_aMillionSamples();
+    void readStrokes_refusesWhatIsNoFile();
+};
+
+void TestStrokeFile::defaults_areTheDesigns()
+{
+    const std::vector<Stroke> strokes = parseStrokes(file(least));
+    QCOMPARE(strokes.size(), std::size_t(1));
+    const StrokeSettings& settings = strokes[0].settings;
+    QVERIFY(settings.tool == Tool::Pull && settings.brush == BrushShape::Sphere && settings.place == Placement::Point);
+    QCOMPARE(settings.radius, 0.25);
+    QCOMPARE(settings.strength, 1.0);
+    QCOMPARE(settings.falloff, 4);
+    QCOMPARE(settings.detail, 1.0);
+    QCOMPARE(settings.spacing, 0.0);
+    const StrokeSample& sample = strokes[0].samples.at(0);
+    QVERIFY(sample.position == Vec3(1, 0, 0));
+    QCOMPARE(sample.time, 0.0);
+    QCOMPARE(sample.pressure, 1.0);
+    QVERIFY(sample.rotation.coeffs() == Eigen::Quaterniond::Identity().coeffs());
+    QVERIFY(!sample.radius && !sample.strength);
+}
+
+void TestStrokeFile::values_arriveWhereTheyBelong()
+{
+    const Stroke stroke = parseStrokes(file(
+        R"("tool":"smooth","brush":"sphere","radius":2.5,"strength":3,"falloff":16,"detail":0.5,"topology":"adaptive",
+           "fusion":true,"symmetry":"none","spacing":0.25,"place":"ray","add":false,"color":[200,120,80])",
+        R"("t":1.5,"position":[1,2,3],"direction":[0,0,-1],"pressure":0.5,"rotation":[0,1,0,0],"radius":4,"strength":0)"))
+                              .at(0);
+    QVERIFY(stroke.settings.tool == Tool::Smooth && stroke.settings.place == Placement::Ray);
+    QCOMPARE(stroke.settings.radius, 2.5);
+    QCOMPARE(stroke.settings.strength, 3.0);
+    QCOMPARE(stroke.settings.falloff, 16);
+    QCOMPARE(stroke.settings.detail, 0.5);
+    QCOMPARE(stroke.settings.spacing, 0.25);
+    const StrokeSample& sample = stroke.samples.at(0);
+    QCOMPARE(sample.time, 1.5);
+    QVERIFY(sample.position == Vec3(1, 2, 3) && sample.direction == Vec3(0, 0, -1));
+    QCOMPARE(sample.pressure, 0.5);
+    QVERIFY(sample.rotation.coeffs() == Eigen::Vector4d(0, 1, 0, 0));
+    QCOMPARE(sample.radius.value(), 4.0);
+    QCOMPARE(sample.strength.value(), 0.0);
+}
+
+void TestStrokeFile::keys_mayComeInAnyOrder()
+{
+    const auto strokes = parseStrokes(
+        R"({"strokes":[{"samples":[{"t":1,"position":[1,2,3]},{"position":[4,5,6]}],"radius":1,"tool":"push"},
+            {"radius":1,"samples":[],"tool":"pull"}],"version":1.0,"format":"fettle-strokes"})");
+    QCOMPARE(strokes.size(), std::size_t(2));
+    QCOMPARE(strokes[0].samples.size(), std::size_t(2));
+    QVERIFY(strokes[0].samples[1].position == Vec3(4, 5, 6));
+    QVERIFY(strokes[1].samples.empty());
+}
+
+void TestStrokeFile::writing_andReadingGivesTheSameBits()
+{
+    std::mt19937_64 random(1);
+    std::vector<Stroke> strokes;
+    for (int i = 0; i < 100; ++i)
+        strokes.push_back(randomStroke(random));
+    std::ostringstream out;
+    writeStrokes(out, strokes);
+    const std::vector<Stroke> back = parseStrokes(out.str());
+    QCOMPARE(back.size(), strokes.size());
+    for (std::size_t i = 0; i < back.size(); ++i) {
+        QVERIFY(same(back[i], strokes[i]));
+        for (std::size_t j = 0; j < back[i].samples.size(); ++j) {
+            QVERIFY(back[i].samples[j].position == strokes[i].samples[j].position);
+            QVERIFY(back[i].samples[j].rotation.coeffs() == strokes[i].samples[j].rotation.coeffs());
+            QVERIFY(back[i].samples[j].radius == strokes[i].samples[j].radius);
+        }
+    }
+}
+
+void TestStrokeFile::turntable_isRotationAboutY()
+{
+    for (const double t : {0.0, 0.25, 1.0, 7.5, -3.0}) {
+        const Stroke stroke = parseStrokes(file(least + R"(,"turntable_deg_per_s":36)",
+                                                R"("position":[1,0,0],"t":)" + std::to_string(t)))
+                                  .at(0);
+        const double angle = 36 * t * 3.14159265358979323846 / 180;
+        const Vec3 turned = stroke.samples.at(0).rotation * Vec3(1, 0, 0);
+        QVERIFY((turned - Vec3(std::cos(angle), 0, -std::sin(angle))).norm() < 1e-14);
+    }
+    const auto plain = parseStrokes(file(least + R"(,"turntable_deg_per_s":0)")).at(0);
+    QVERIFY(plain.samples[0].rotation.coeffs() == Eigen::Quaterniond::Identity().coeffs());
+}
+
+void TestStrokeFile::rotation_isNormalised()
+{
+    const auto stroke = parseStrokes(file(least, R"("position":[1,0,0],"rotation":[0,0.7071,0,0.7071])")).at(0);
+    QVERIFY(std::abs(stroke.samples[0].rotation.norm() - 1) < 1e-15);
+}
+
+void TestStrokeFile::accepts_data()
+{
+    QTest::addColumn<QString>("stroke");
+    const auto row = [](const char* text) { QTest::newRow(text) << QString::fromUtf8(text); };
+    row(R"("tool":"pull","radius":1e-6)");
+    row(R"("tool":"pull","radius":1,"fusion":false)");
+    row(R"("tool":"pull","radius":1,"fusion":true)");
+    row(R"("tool":"pull","radius":1,"symmetry":false)");
+    row(R"("tool":"pull","radius":1,"falloff":0)");
+    row(R"("tool":"pull","radius":1,"falloff":4.0)");
+    row(R"("tool":"pull","radius":1,"strength":0)");
+    row(R"("tool":"pull","radius":1,"place":"nearest")");
+    row(R"("tool":"\u0070ull","radius":1)");
+}
+
+void TestStrokeFile::accepts()
+{
+    QFETCH(QString, stroke);
+    QVERIFY(!errorOf(file(stroke.toStdString())));
+}
+
+void TestStrokeFile::refuses_data()
+{
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<Kind>("kind");
+    QTest::addColumn<QString>("key");
+    const auto row = [](const std::string& text, Kind kind, const char* key) {
+        QTest::newRow(text.substr(0, 150).c_str()) << QString::fromStdString(text) << kind << QString::fromUtf8(key);
+    };
+    const auto stroke = [&](const std::string& more, Kind kind, const char* key) { row(file(least + "," + more), kind, key); };
+    const auto sample = [&](const std::string& more, Kind kind, const char* key) { row(file(least, more), kind, key); };
+    const std::string at = R"("position":[1,0,0],)";
+
+    row("", Kind::Syntax, "");
+    row("solid pipe\n", Kind::Syntax, "");
+    row("{}", Kind::NotStrokes, "format");
+    for (const char* other : {"[]", "1", "null", "true", "\"fettle-strokes\"", R"({"asset":{}})"})
+        QVERIFY(errorOf(other)->kind == Kind::NotStrokes);
+    row(R"({"format":"gcode"})", Kind::NotStrokes, "format");
+    row(R"({"format":"fettle-strokes","version":2,"strokes":[]})", Kind::NotStrokes, "version");
+    row(R"({"format":"fettle-strokes","strokes":[]})", Kind::MissingKey, "version");
+    row(R"({"format":"fettle-strokes","version":1})", Kind::MissingKey, "strokes");
+    row(R"({"format":"fettle-strokes","version":"1","strokes":[]})", Kind::WrongType, "version");
+    row(R"({"format":"fettle-strokes","version":1,"strokes":{}})", Kind::WrongType, "strokes");
+    row(R"({"format":"fettle-strokes","version":1,"strokes":[1]})", Kind::WrongType, "strokes");
+    row(R"({"format":"fettle-strokes","version":1,"strokes":[[]]})", Kind::WrongType, "strokes");
+    row(R"({"format":"fettle-strokes","version":1,"strokes":[],"more":1})", Kind::UnknownKey, "more");
+    row(R"({"format":"fettle-strokes","version":1,"strokes":[]} x)", Kind::Syntax, "strokes");
+    row(R"({"format":"fettle-strokes","version":1,"version":1,"strokes":[]})", Kind::DuplicateKey, "version");
+
+    row(file(R"("radius":1)"), Kind::MissingKey, "tool");
+    row(file(R"("tool":"pull")"), Kind::MissingKey, "radius");
+    row(R"({"format":"fettle-strokes","version":1,"strokes":[{"tool":"pull","radius":1}]})", Kind::MissingKey, "samples");
+    row(file(R"("radius":1,"tool":"melt")"), Kind::UnknownValue, "tool: \"melt\"");
+    row(file(R"("radius":1,"tool":"flatten")"), Kind::NotYet, "tool: \"flatten\"");
+    row(file(R"("radius":1,"tool":"paint")"), Kind::NotYet, "tool: \"paint\"");
+    row(file(R"("radius":1,"tool":1)"), Kind::WrongType, "tool");
+    row(file(R"("radius":1,"tool":null)"), Kind::WrongType, "tool");
+    for (const char* bad : {"0", "-1", "1e-7", "1e7", "1e300", "1e-320"})
+        row(file(R"("tool":"pull","radius":)" + std::string(bad)), Kind::OutOfRange, "radius");
+    for (const char* bad : {"1e999", "-1e999", "NaN", "Infinity", "-Infinity"})
+        row(file(R"("tool":"pull","radius":)" + std::string(bad)), Kind::NotANumber, "radius");
+    row(file(R"("tool":"pull","radius":"1")"), Kind::WrongType, "radius");
+    row(file(R"("tool":"pull","radius":[1])"), Kind::WrongType, "radius");
+    row(file(R"("tool":"pull","radius":true)"), Kind::WrongType, "radius");
+    row(file(R"("tool":"pull","radius":{})"), Kind::WrongType, "radius");
+
+    stroke(R"("Radius":1)", Kind::UnknownKey, "Radius");
+    stroke(R"("":1)", Kind::UnknownKey, "\"\"");
+    stroke(R"("radius":1)", Kind::DuplicateKey, "radius");
+    stroke(R"("brush":"ray")", Kind::NotYet, "brush: \"ray\"");
+    stroke(R"("brush":"cube")", Kind::UnknownValue, "brush: \"cube\"");
+    stroke(R"("strength":10.5)", Kind::OutOfRange, "strength");
+    stroke(R"("strength":-1)", Kind::OutOfRange, "strength");
+    for (const char* bad : {"1", "2", "17", "-3"})
+        stroke(R"("falloff":)" + std::string(bad), Kind::OutOfRange, "falloff");
+    stroke(R"("falloff":3.5)", Kind::WrongType, "falloff");
+    stroke(R"("detail":0)", Kind::OutOfRange, "detail");
+    stroke(R"("detail_length":1)", Kind::NotYet, "detail_length");
+    stroke(R"("topology":"uniform")", Kind::NotYet, "topology: \"uniform\"");
+    stroke(R"("topology":"none")", Kind::UnknownValue, "topology: \"none\"");
+    stroke(R"("fusion":1)", Kind::WrongType, "fusion");
+    for (const char* plane : {"x", "y", "z"})
+        stroke(R"("symmetry":")" + std::string(plane) + "\"", Kind::NotYet, (R"(symmetry: ")" + std::string(plane) + "\"").c_str());
+    stroke(R"("symmetry":true)", Kind::NotYet, "symmetry: true");
+    stroke(R"("symmetry":"w")", Kind::UnknownValue, "symmetry: \"w\"");
+    stroke(R"("spacing":5)", Kind::OutOfRange, "spacing");
+    stroke(R"("spacing":1e-12)", Kind::OutOfRange, "spacing");
+    stroke(R"("spacing":-0.1)", Kind::OutOfRange, "spacing");
+    stroke(R"("place":"floor")", Kind::UnknownValue, "place: \"floor\"");
+    stroke(R"("add":true)", Kind::NotYet, "add: true");
+    stroke(R"("add":"no")", Kind::WrongType, "add");
+    stroke(R"("color":[1,2])", Kind::WrongType, "color");
+    stroke(R"("color":[1,2,256])", Kind::OutOfRange, "color");
+    stroke(R"("color":[1,2,0.5])", Kind::WrongType, "color");
+    stroke(R"("color":"red")", Kind::WrongType, "color");
+    stroke(R"("turntable_deg_per_s":1e10)", Kind::OutOfRange, "turntable_deg_per_s");
+    stroke(R"("place":"ray","note":1)", Kind::UnknownKey, "note");
+
+    sample("", Kind::MissingKey, "position");
+    sample(R"("position":[1,0])", Kind::WrongType, "position");
+    sample(R"("position":[1,0,0,0])", Kind::WrongType, "position");
+    sample(R"("position":[1,0,"0"])", Kind::WrongType, "position");
+    sample(R"("position":[1,0,[0]])", Kind::WrongType, "position");
+    sample(R"("position":[1,0,null])", Kind::WrongType, "position");
+    sample(R"("position":[1,0,true])", Kind::WrongType, "position");
+    sample(R"("position":[1,0,NaN])", Kind::NotANumber, "position");
+    sample(R"("position":[1,0,1e400])", Kind::NotANumber, "position");
+    sample(R"("position":[1,0,1e40])", Kind::OutOfRange, "position");
+    sample(R"("position":1)", Kind::WrongType, "position");
+    sample(R"("position":{"x":1})", Kind::WrongType, "position");
+    sample(at + R"("pressure":1.5)", Kind::OutOfRange, "pressure");
+    sample(at + R"("pressure":-0.5)", Kind::OutOfRange, "pressure");
+    sample(at + R"("t":"now")", Kind::WrongType, "t");
+    sample(at + R"("t":1e300)", Kind::OutOfRange, "t");
+    sample(at + R"("rotation":[0,0,0,0])", Kind::OutOfRange, "rotation");
+    sample(at + R"("rotation":[0,0,0,2])", Kind::OutOfRange, "rotation");
+    sample(at + R"("rotation":[0,0,0])", Kind::WrongType, "rotation");
+    sample(at + R"("radius":0)", Kind::OutOfRange, "radius");
+    sample(at + R"("strength":11)", Kind::OutOfRange, "strength");
+    sample(at + R"("position":[1,0,0])", Kind::DuplicateKey, "position");
+    sample(at + R"("tilt":1)", Kind::UnknownKey, "tilt");
+    row(file(least + R"(,"place":"ray")", at + R"("direction":[0,0,0])"), Kind::OutOfRange, "direction");
+}
+
+void TestStrokeFile::refuses()
+{
+    QFETCH(QString, text);
+    QFETCH(Kind, kind);
+    QFETCH(QString, key);
+    const auto error = errorOf(text.toStdString());
+    QVERIFY(error);
+    QCOMPARE(static_cast<int>(error->kind), static_cast<int>(kind));
+    if (kind != Kind::Syntax)
+        QCOMPARE(QString::fromStdString(error->key), key);
+}
+
+void TestStrokeFile::refusal_namesStrokeAndSample()
+{
+    const std::string good = R"({"tool":"pull","radius":1,"samples":[{"position":[0,0,1]}]},)";
+    const auto error = errorOf(R"({"format":"fettle-strokes","version":1,"strokes":[)" + good + good
+                               + R"({"tool":"pull","radius":1,"samples":[{"position":[0,0,1]},{"position":[0,0,1],"pressure":2}]}]})");
+    QVERIFY(error && error->kind == Kind::OutOfRange);
+    QCOMPARE(error->stroke.value(), std::size_t(2));
+    QCOMPARE(error->sample.value(), std::size_t(1));
+    QCOMPARE(error->least.value(), 0.0);
+    QCOMPARE(error->most.value(), 1.0);
+
+    const auto late = errorOf(R"({"format":"fettle-strokes","version":1,"strokes":[)" + good
+                              + R"({"samples":[{"position":[0,0,1],"direction":[1,0,0]},{"position":[0,0,1],"direction":[0,0,0]}],
+                                    "tool":"pull","radius":1,"place":"ray"}]})");
+    QVERIFY(late && late->key == "direction");
+    QCOMPARE(late->stroke.value(), std::size_t(1));
+    QCOMPARE(late->sample.value(), std::size_t(1));
+
+    const auto whole = errorOf(R"({"format":"fettle-strokes","version":1,"strokes":[)" + good + R"({"tool":"melt"}]})");
+    QCOMPARE(whole->stroke.value(), std::size_t(1));
+    QVERIFY(!whole->sample);
+}
+
+void TestStrokeFile::refusal_namesLineAndByteOfSyntax()
+{
+    const auto error = errorOf("{\"format\":\"fettle-strokes\",\n\"version\":1,\n  strokes:[]}");
+    QVERIFY(error && error->kind == Kind::Syntax);
+    QCOMPARE(error->line, std::size_t(3));
+    QCOMPARE(error->byte, std::size_t(44));
+}
+
+void TestStrokeFile::refusal_ofDepthIsImmediate()
+{
+    const std::string deep(10'000'000, '[');
+    QVERIFY(errorOf(deep)->kind == Kind::NotStrokes);
+    QVERIFY(errorOf(file(least, R"("position":)" + deep))->kind == Kind::WrongType);
+    std::string objects;
+    for (int i = 0; i < 1'000'000; ++i)
+        objects += R"({"strokes":)";
+    QVERIFY(errorOf(objects));
+}
+
+void TestStrokeFile::refusal_atEachTruncation()
+{
+    std::mt19937_64 random(2);
+    std::ostringstream out;
+    writeStrokes(out, {randomStroke(random), randomStroke(random)});
+    std::string text = out.str();
+    text.pop_back(); // the line's end may go
+    for (std::size_t length = 0; length < text.size(); ++length)
+        QVERIFY(errorOf(text.substr(0, length)));
+    for (int i = 0; i < 3000; ++i) { // a flipped byte is read or refused, never worse
+        std::string broken = text;
+        broken[random() % broken.size()] = static_cast<char>(random());
+        errorOf(broken);
+    }
+}
+
+void TestStrokeFile::reads_aMillionSamples()
+{
+    Stroke stroke;
+    stroke.settings.radius = 1;
+    stroke.samples.resize(1'000'000);
+    for (std::size_t i = 0; i < stroke.samples.size(); ++i)
+        stroke.samples[i].position = Vec3(0.1 * static_cast<double>(i), 1.0 / 3, -7);
+    std::ostringstream out;
+    writeStrokes(out, {stroke});
+    QElapsedTimer timer;
+    timer.start();
+    const auto back = parseStrokes(out.str());
+    qInfo("%zu bytes, 1e6 samples: %lld ms", out.str().size(), timer.elapsed());
+    QCOMPARE(back.at(0).samples.size(), stroke.samples.size());
+    QVERIFY(back[0].samples.back().position == stroke.samples.back().position);
+}
+
+void TestStrokeFile::readStrokes_refusesWhatIsNoFile()
+{
+    QTemporaryDir folder;
+    const std::string base = folder.path().toStdString();
+    QVERIFY_EXCEPTION_THROWN(readStrokes(base + "/missing.json"), StrokeFileError);
+    QVERIFY_EXCEPTION_THROWN(readStrokes(base), StrokeFileError);
+    std::ofstream(base + "/empty.json");
+    QVERIFY_EXCEPTION_THROWN(readStrokes(base + "/empty.json"), StrokeFileError);
+    std::ofstream(base + "/good.json") << file(least);
+    QCOMPARE(readStrokes(base + "/good.json").size(), std::size_t(1));
+}
+
+QTEST_APPLESS_MAIN(TestStrokeFile)
+#include "tst_stroke_file.moc"
