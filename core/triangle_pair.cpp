@@ -1,0 +1,195 @@
+// Do two triangles meet outside what they share? By the number of corners they share:
+//   3  the same triangle: yes
+//   2  only if coplanar with both apexes on one side of the shared edge (folded over)
+//   1  only if the edge opposite to the shared corner, of one or the other, meets the other triangle
+//   0  Guigue and Devillers, "Fast and robust triangle-triangle overlap test using orientation predicates", 2003;
+//      coplanar triangles by separating edges
+
+#include "triangle_pair.h"
+
+#include <cassert>
+#include <utility>
+
+namespace core
+{
+namespace
+{
+template<typename Predicates>
+using Points = std::array<typename Predicates::Point, 3>;
+
+/// Corners of both triangles, turned so that shared ones come first, in the same order in both.
+/// Turning by one corner keeps the winding; exchanging two does not, and nothing here depends on the winding.
+template<typename Predicates>
+struct AlignedPair
+{
+    Points<Predicates> s, t;
+    int shared;
+};
+
+template<typename Predicates>
+AlignedPair<Predicates> align(const CornerTriangle<Predicates>& s, const CornerTriangle<Predicates>& t)
+{
+    int shared = 0;
+    std::array<std::size_t, 3> si{0, 1, 2}, ti{0, 1, 2};
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = static_cast<std::size_t>(shared); j < 3; ++j) {
+            if (s.ids[i] == t.ids[ti[j]]) {
+                std::swap(ti[static_cast<std::size_t>(shared)], ti[j]);
+                std::swap(si[static_cast<std::size_t>(shared)], si[i]);
+                ++shared;
+                break;
+            }
+        }
+    }
+    return {{s.points[si[0]], s.points[si[1]], s.points[si[2]]}, {t.points[ti[0]], t.points[ti[1]], t.points[ti[2]]}, shared};
+}
+
+/// s and t share the edge of their first two corners.
+template<typename Predicates>
+bool meetBesideEdge(const Points<Predicates>& s, const Points<Predicates>& t)
+{
+    const typename Predicates::Plane plane(s[0], s[1], s[2]);
+    if (plane.side(t[2]) != 0)
+        return false;
+    const int axis = plane.projectionAxis();
+    return Predicates::orient2d(s[0], s[1], s[2], axis) == Predicates::orient2d(t[0], t[1], t[2], axis);
+}
+
+/// Coplanar triangles that share their first corner: do their angles there have a ray in common?
+template<typename Predicates>
+bool anglesMeet(Points<Predicates> s, Points<Predicates> t, int axis)
+{
+    for (Points<Predicates>* corners : {&s, &t})
+        if (Predicates::orient2d((*corners)[0], (*corners)[1], (*corners)[2], axis) < 0)
+            std::swap((*corners)[1], (*corners)[2]);
+    const auto inAngle = [axis](const Points<Predicates>& a, const typename Predicates::Point& p) {
+        return Predicates::orient2d(a[0], a[1], p, axis) >= 0 && Predicates::orient2d(a[0], p, a[2], axis) >= 0;
+    };
+    return inAngle(s, t[1]) || inAngle(t, s[1]); // one of them is where the common part begins
+}
+
+/// s and t share their first corner v: s = vpq, t = vrs. An edge, crossing the plane of the other triangle, meets that
+/// triangle if the edge's line passes all its sides in one sense. Of those six orientations four are known from the planes.
+template<typename Predicates>
+bool meetBesideCorner(const Points<Predicates>& s, const Points<Predicates>& t)
+{
+    const typename Predicates::Plane tPlane(t[0], t[1], t[2]);
+    const int p = tPlane.side(s[1]), q = tPlane.side(s[2]);
+    if (p * q > 0)
+        return false;
+    const typename Predicates::Plane sPlane(s[0], s[1], s[2]);
+    if (p == 0 && q == 0)
+        return anglesMeet<Predicates>(s, t, sPlane.projectionAxis());
+    const int r = sPlane.side(t[1]), u = sPlane.side(t[2]);
+    if (r * u > 0)
+        return false;
+    const int across = Predicates::orient3d(s[1], s[2], t[1], t[2]);
+    const auto oneSense = [across](int first, int last) {
+        return (first >= 0 && across >= 0 && last <= 0) || (first <= 0 && across <= 0 && last >= 0);
+    };
+    return oneSense(r, u) || oneSense(p, q);
+}
+
+/// Is each corner of t strictly outside one edge of s? s winds counter-clockwise in the projection.
+template<typename Predicates>
+bool edgeSeparates(const Points<Predicates>& s, const Points<Predicates>& t, int axis)
+{
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto& a = s[i];
+        const auto& b = s[i == 2 ? 0 : i + 1];
+        if (Predicates::orient2d(a, b, t[0], axis) < 0 && Predicates::orient2d(a, b, t[1], axis) < 0
+            && Predicates::orient2d(a, b, t[2], axis) < 0)
+            return true;
+    }
+    return false;
+}
+
+template<typename Predicates>
+bool coplanarMeet(Points<Predicates> s, Points<Predicates> t, int axis)
+{
+    for (Points<Predicates>* corners : {&s, &t})
+        if (Predicates::orient2d((*corners)[0], (*corners)[1], (*corners)[2], axis) < 0)
+            std::swap((*corners)[1], (*corners)[2]);
+    return !edgeSeparates<Predicates>(s, t, axis) && !edgeSeparates<Predicates>(t, s, axis);
+}
+
+/// The corner that lies alone on its closed side of a plane, and whether that side is the positive one.
+struct LoneCorner
+{
+    std::size_t index;
+    bool positive;
+};
+
+/// `sides` are neither all 0 nor all strictly of one sign.
+LoneCorner loneCorner(const std::array<int, 3>& sides)
+{
+    const auto count = [&sides](int side) { return (sides[0] == side) + (sides[1] == side) + (sides[2] == side); };
+    const auto find = [&sides](int side) -> std::size_t { return sides[0] == side ? 0 : sides[1] == side ? 1 : 2; };
+    if (count(1) == 1)
+        return {find(1), true};
+    if (count(-1) == 1)
+        return {find(-1), false};
+    return {find(0), count(-1) == 2};
+}
+
+template<typename Predicates>
+Points<Predicates> turned(const Points<Predicates>& points, std::size_t first)
+{
+    return {points[first], points[(first + 1) % 3], points[(first + 2) % 3]};
+}
+
+template<typename Predicates>
+std::array<int, 3> sidesOf(const typename Predicates::Plane& plane, const Points<Predicates>& points)
+{
+    return {plane.side(points[0]), plane.side(points[1]), plane.side(points[2])};
+}
+
+bool allStrictlyOneSide(const std::array<int, 3>& sides)
+{
+    return sides[0] != 0 && sides[0] == sides[1] && sides[0] == sides[2];
+}
+
+/// The triangles share no corner.
+template<typename Predicates>
+bool meetApart(const Points<Predicates>& s, const Points<Predicates>& t)
+{
+    const typename Predicates::Plane tPlane(t[0], t[1], t[2]);
+    const std::array<int, 3> sSides = sidesOf<Predicates>(tPlane, s);
+    if (allStrictlyOneSide(sSides))
+        return false;
+    const typename Predicates::Plane sPlane(s[0], s[1], s[2]);
+    if (sSides == std::array{0, 0, 0})
+        return coplanarMeet<Predicates>(s, t, sPlane.projectionAxis());
+    const std::array<int, 3> tSides = sidesOf<Predicates>(sPlane, t);
+    if (allStrictlyOneSide(tSides))
+        return false;
+
+    // Each triangle cuts the common line of the planes in an interval that ends on the two edges at its lone corner.
+    // With both lone corners on positive sides, two orientations tell whether the intervals overlap.
+    const LoneCorner sLone = loneCorner(sSides), tLone = loneCorner(tSides);
+    Points<Predicates> a = turned<Predicates>(s, sLone.index), b = turned<Predicates>(t, tLone.index);
+    if (!sLone.positive)
+        std::swap(b[1], b[2]);
+    if (!tLone.positive)
+        std::swap(a[1], a[2]);
+    return Predicates::orient3d(a[0], a[1], b[0], b[1]) <= 0 && Predicates::orient3d(a[0], a[2], b[2], b[0]) <= 0;
+}
+} // namespace
+
+template<typename Predicates>
+bool trianglesMeet(const CornerTriangle<Predicates>& s, const CornerTriangle<Predicates>& t)
+{
+    assert(!Predicates::collinear(s.points[0], s.points[1], s.points[2]));
+    assert(!Predicates::collinear(t.points[0], t.points[1], t.points[2]));
+    const AlignedPair<Predicates> pair = align(s, t);
+    switch (pair.shared) {
+    case 0: return meetApart<Predicates>(pair.s, pair.t);
+    case 1: return meetBesideCorner<Predicates>(pair.s, pair.t);
+    case 2: return meetBesideEdge<Predicates>(pair.s, pair.t);
+    default: return true;
+    }
+}
+
+template bool trianglesMeet(const CornerTriangle<LatticePredicates>&, const CornerTriangle<LatticePredicates>&);
+template bool trianglesMeet(const CornerTriangle<FloatPredicates>&, const CornerTriangle<FloatPredicates>&);
+} // namespace core
