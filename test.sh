@@ -28,7 +28,7 @@ export LIBGL_ALWAYS_SOFTWARE=1
 unset WAYLAND_DISPLAY
 # shellcheck disable=SC2016 # the inner shell expands
 exec xvfb-run -a -s '-screen 0 1600x1000x24' bash -c '
-    openbox 2>/dev/null &
+    openbox >/dev/null 2>&1 &
     manager=$!
     status=0
     ctest "$@" || status=$?

@@ -80,9 +80,9 @@ fettle_install()
     if ! apt-get -qq -s install --no-install-recommends $missing >/dev/null 2>&1 || ! fettle_apt_install $missing; then
         fettle_say "The package list is old or empty: fetching it anew."
         fettle_as_root apt-get -q -o DPkg::Lock::Timeout=300 update >&2 ||
-            fettle_fail "apt-get update failed (no network?). Still missing: ${missing//$'\n'/ }"
+            fettle_fail "apt-get update failed (is there a network?). Still missing: ${missing//$'\n'/ }"
         fettle_apt_install $missing ||
-            fettle_fail "apt-get could not install these packages: ${missing//$'\n'/ }"
+            fettle_fail "apt-get could not install these packages (is there a network?): ${missing//$'\n'/ }"
     fi
 }
 
@@ -140,7 +140,7 @@ fettle_build()
     fi
     jobs=$(fettle_jobs)
     fettle_say "Building build/$1 ($jobs at a time)"
-    ninja -C "$build" -j "$jobs" "$target" >&2 || fettle_fail "the build failed; what the compiler said stands above."
+    cmake --build "$build" -j "$jobs" --target "$target" >&2 || fettle_fail "the build failed; what the compiler said stands above."
 }
 
 # One build at a time in one tree: others wait. Ends with fettle_unlock.

@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# The .deb holds what an installation must bring, and the files it brings are valid.
+#   tst_package.sh SOURCE_DIR BUILD_DIR
+set -euo pipefail
+source=$1
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+failed=0
+expect()
+{
+    local what=$1
+    shift
+    "$@" >"$scratch/said" 2>&1 && return 0
+    printf 'FAIL: %s\n' "$what"
+    cat "$scratch/said"
+    failed=1
+}
+
+packaging=$source/resources/packaging
+expect "the desktop entry is valid" desktop-file-validate "$packaging/org.fettle.Fettle.desktop"
+expect "the metainfo is valid" appstreamcli validate --no-net "$packaging/org.fettle.Fettle.metainfo.xml"
+mkdir -p "$scratch/mime/packages"
+cp "$packaging/org.fettle.Fettle.mime.xml" "$scratch/mime/packages/"
+expect "the file types are valid" update-mime-database "$scratch/mime"
+for type in model/stl model/obj application/x-ply; do
+    expect "the file types know $type" grep -q "^$type\$" "$scratch/mime/types"
+    expect "the desktop entry opens $type" grep -q "^MimeType=.*$type;" "$packaging/org.fettle.Fettle.desktop"
+done
+expect "the shell scripts parse" bash -n "$source/run.sh" "$source/test.sh" "$packaging/prepare.sh"
+
+cpack --config "$2/CPackConfig.cmake" -B "$scratch/package" >"$scratch/cpack.log" 2>&1 ||
+    { cat "$scratch/cpack.log"; exit 1; }
+deb=$(echo "$scratch"/package/fettle_*.deb)
+files=$(dpkg-deb --contents "$deb" | awk '{print $6}')
+for file in usr/bin/fettle usr/share/applications/org.fettle.Fettle.desktop usr/share/icons/hicolor/scalable/apps/fettle.svg \
+    usr/share/mime/packages/org.fettle.Fettle.xml usr/share/metainfo/org.fettle.Fettle.metainfo.xml usr/share/doc/fettle/copyright; do
+    expect "the package brings $file" grep -qx "\./$file" <<<"$files"
+done
+depends=$(dpkg-deb --field "$deb" Depends)
+for library in libqt6widgets6 libqt63drender6 libopenmesh1 libqt6svg6 qt6-translations-l10n libgl1-mesa-dri; do
+    expect "the package depends on $library (Depends: $depends)" grep -q "\b$library\b" <<<"$depends"
+done
+exit $failed
