@@ -38,15 +38,21 @@ struct Include
     bool quoted = false;
 };
 
-/// The room an include of ours leads to, seen from a file of `room`; empty when it is not ours.
-QString roomOf(const QString& room, const Include& include)
+/// A quoted include as a path from the project's root.
+QString fromFile(const QString& room, const QString& file, const Include& include)
+{
+    return QDir::cleanPath(room + '/' + file + "/../" + include.header);
+}
+
+/// The room an include of ours leads to, seen from room/file; empty when it is not ours.
+QString roomOf(const QString& room, const QString& file, const Include& include)
 {
     const QString first = include.header.section('/', 0, 0);
     if (rooms.contains(first))
         return first;
     if (!include.quoted)
         return {};
-    const QString fromRoot = QDir::cleanPath(room + '/' + include.header).section('/', 0, 0);
+    const QString fromRoot = fromFile(room, file, include).section('/', 0, 0);
     return rooms.contains(fromRoot) ? fromRoot : QString();
 }
 
@@ -67,10 +73,10 @@ QString qtModule(const QString& header)
 /// What is wrong with an include in a file of this room; empty when nothing is.
 QString fault(const QString& room, const QString& file, const Include& include)
 {
-    const QString target = roomOf(room, include);
+    const QString target = roomOf(room, file, include);
     if (!target.isEmpty() && !knownRooms[room].contains(target))
         return room + " must not know " + target;
-    if (include.quoted && QFile::exists(QString(FETTLE_SOURCE_DIR "/%1/%2").arg(room, include.header)))
+    if (include.quoted && QFile::exists(FETTLE_SOURCE_DIR "/" + fromFile(room, file, include)))
         return {};
     const QString module = qtModule(include.header);
     if (room == "core" && !module.isEmpty())
@@ -134,6 +140,7 @@ struct Example
 const Example badIncludes[] = {
     {"core to ui", "core", "a.cpp", "#include \"ui/viewport.h\""},
     {"core to app, by the back door", "core", "a.cpp", "#include \"../app/document.h\""},
+    {"core to vr, from a folder below", "core", "mesh_io/a.cpp", "#include \"../../vr/xr_session.h\""},
     {"core to Qt", "core", "a.h", "#include <QString>"},
     {"core to Qt, by module", "core", "a.h", "  #  include <QtCore/qglobal.h>"},
     {"core to Qt, old name", "core", "a.h", "#include <qstring.h>"},
@@ -156,6 +163,7 @@ const Example badIncludes[] = {
 
 const Example goodIncludes[] = {
     {"core to core", "core", "a.cpp", "#include \"geometry.h\""},
+    {"core to core, from a folder below", "core", "mesh_io/a.cpp", "#include \"../geometry.h\""},
     {"core to OpenMesh", "core", "mesh.h", "#include <OpenMesh/Core/Mesh/TriConnectivity.hh>"},
     {"core to standard", "core", "a.cpp", "#include <vector>"},
     {"ui to core", "ui", "a.cpp", "#include \"core/mesh_patch.h\""},
