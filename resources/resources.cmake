@@ -1,7 +1,16 @@
 # fettle_add_resources(TARGET): what the program reads at run time as ":/<path below resources>": icons, shaders.
 # On executables only: in a static library resources can be lost when it is linked.
 set(FETTLE_RESOURCE_FILES
-    icons/fettle.svg)
+    icons/fettle.svg
+    shaders/background.frag
+    shaders/background.vert
+    shaders/clay.frag
+    shaders/clay.vert
+    shaders/cursor.frag
+    shaders/cursor.vert
+    shaders/ground.frag
+    shaders/ground.vert
+    shaders/layer.frag)
 
 function(fettle_add_resources TARGET)
     list(TRANSFORM FETTLE_RESOURCE_FILES PREPEND ${PROJECT_SOURCE_DIR}/resources/ OUTPUT_VARIABLE FILES)

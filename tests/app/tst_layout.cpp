@@ -199,6 +199,7 @@ private slots:
     void includes_goInTheAllowedDirection();
     void sources_areNamedInCMake_data();
     void sources_areNamedInCMake();
+    void resources_areNamedInCMake();
 
 private:
     void addRooms();
@@ -272,6 +273,17 @@ void TestLayout::sources_areNamedInCMake()
             forgotten << room + '/' + file;
     }
     QVERIFY2(forgotten.isEmpty(), qPrintable("not in CMakeLists.txt: " + forgotten.join(", ")));
+}
+
+void TestLayout::resources_areNamedInCMake()
+{
+    const QString list = contents(FETTLE_SOURCE_DIR "/resources/resources.cmake");
+    QStringList forgotten;
+    for (const QString& file : filesOf("resources", {"*.svg", "*.png", "*.vert", "*.frag", "*.glsl", "*.json"})) {
+        if (!list.contains(' ' + file))
+            forgotten << "resources/" + file;
+    }
+    QVERIFY2(forgotten.isEmpty(), qPrintable("not in resources.cmake: " + forgotten.join(", ")));
 }
 
 QTEST_GUILESS_MAIN(TestLayout)
