@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/file_error.h"
+
+#include <QCoreApplication>
+#include <QString>
+
+namespace core
+{
+struct MeshReport;
+}
+
+namespace ui
+{
+/// core's error kinds in words: one sentence each, plain text, for dialogs and for the command line alike. Any thread.
+class Messages
+{
+    Q_DECLARE_TR_FUNCTIONS(ui::Messages)
+
+public:
+    /// File, place and reason.
+    static QString sentence(const core::FileError& error);
+    /// Why a model of that file name is not sculpted, with counts; `report` is not print-ready.
+    static QString refusal(const QString& file, const core::MeshReport& report);
+    /// Nothing is wrong with the model, but that many of its faces would meet where the lattice puts them.
+    static QString tooFine(const QString& file, quint64 faces);
+
+private:
+    static QString reading(const core::FileError& error);
+    static QString content(const core::FileError& error);
+    static QString writing(const core::FileError& error);
+    static QString at(const core::FileError& error);
+};
+} // namespace ui
