@@ -1,0 +1,68 @@
+#pragma once
+
+#include "geometry.h"
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace core
+{
+/// What a dab does to the vertices it selects (paper, section 3.3).
+enum class Tool { Pull, Push, Smooth };
+
+/// How a dab selects vertices (paper, section 3.1).
+enum class BrushShape { Sphere };
+
+/// Where a dab's centre comes from.
+enum class Placement {
+    Point,   ///< the sample's position, as with a wand
+    Nearest, ///< the surface point nearest to it
+    Ray      ///< the first hit of position + direction, as with a mouse; no hit: the dab is empty
+};
+
+/// The tools by their names in stroke files, in palette order.
+std::span<const std::string_view> toolNames();
+std::string_view name(Tool tool);
+std::optional<Tool> toolNamed(std::string_view name);
+std::string_view name(Placement placement);
+std::optional<Placement> placementNamed(std::string_view name);
+
+enum class Unit { None, Millimetres, Radii };
+
+/// One row a parameter of a stroke. Panels, settings, VR, the command line and tests read this table.
+struct ParameterInfo
+{
+    std::string_view key; ///< in stroke files and settings
+    double defaultValue, min, max;
+    Unit unit;
+};
+
+enum class Parameter { Radius, Strength, Falloff, Detail, Spacing };
+inline constexpr ParameterInfo parameterTable[] = {
+    {"radius", 10.0, 1e-6, 1e6, Unit::Millimetres},
+    {"strength", 1.0, 0.0, 10.0, Unit::None},
+    {"falloff", 4.0, 0.0, 16.0, Unit::None}, ///< integer: 0 (no weighting) or 3 to 16
+    {"detail", 1.0, 0.05, 20.0, Unit::None},
+    {"spacing", 0.0, 0.0, 4.0, Unit::Radii},
+};
+constexpr const ParameterInfo& info(Parameter p)
+{
+    return parameterTable[static_cast<int>(p)];
+}
+constexpr bool isFalloff(int n)
+{
+    return n == 0 || (n >= 3 && n <= 16);
+}
+
+/// b(x) = (n-1) x^n - n x^(n-1) + 1 (paper, section 3.3): 1 at x = 0, 0 at x = 1, flat at both ends. n = 0: always 1.
+double falloff(double x, int n);
+
+/// The paper's relation between the brush and the mesh: d_detail^2 = 0.05 r^2, d^2 = 0.25 d_detail^2 (section 3.2.2).
+struct EdgeBounds
+{
+    double detail;  ///< d_detail: no edge under the brush is longer
+    double minimum; ///< d: edges under the brush tend not to be shorter
+};
+EdgeBounds edgeBounds(double radius, double detail);
+} // namespace core

@@ -1,0 +1,258 @@
+// A dab in sub-steps (paper, section 3; DESIGN, section 3):
+//   select   the vertices under the brush                                                      region
+//   plan     how far each is to move, in all                                                   deform
+//   then, for each sub-step no longer than d_move:
+//     optimise   the mesh under the brush becomes quasi-uniform                                remesh
+//     deform     each vertex moves its part of the plan, snapped to the lattice; edges that grew too long are split
+//     verify     exactly, where it changed                                                     verify
+//     index      octree and draw ranges learn what changed                                     face_octree, dirty_slots
+// A sub-step that does not verify is rolled back and taken with care: first the motion alone, vertices that would touch
+// something held back; then each remeshing operation by itself, judged by itself. What cannot be done is left undone.
+
+#include "dab_engine.h"
+
+#include "deform.h"
+
+#include <chrono>
+
+namespace core
+{
+namespace
+{
+/// d_move in terms of d: the paper asks for less than d/2 (section 3.3).
+constexpr double movePerMinimum = 0.45;
+/// Sub-steps of one dab; a dab that would need more ends early.
+constexpr double mostSubsteps = 4096;
+/// A vertex held back this many times stays where it is: 1, 1/2, 1/4, 1/8, 0.
+constexpr double leastHeld = 1.0 / 8;
+constexpr int mostHoldRounds = 64;
+
+using Clock = std::chrono::steady_clock;
+
+/// Adds the time of its scope to a phase.
+class PhaseTimer
+{
+public:
+    explicit PhaseTimer(double& milliseconds) : m_milliseconds(milliseconds) {}
+    ~PhaseTimer() { m_milliseconds += std::chrono::duration<double, std::milli>(Clock::now() - m_start).count(); }
+    PhaseTimer(const PhaseTimer&) = delete;
+    PhaseTimer& operator=(const PhaseTimer&) = delete;
+
+private:
+    double& m_milliseconds;
+    Clock::time_point m_start = Clock::now();
+};
+
+bool runPlainly(const std::function<void()>& operation)
+{
+    operation();
+    return true;
+}
+} // namespace
+
+DabReport DabEngine::apply(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between)
+{
+    DabReport report;
+    const PhaseTimer total(report.totalMs);
+    m_touchedFaces = 0;
+    m_capped = false;
+    {
+        const PhaseTimer timer(report.selectMs);
+        selectSphere(m_region, m_scratch, m_mesh, m_octree, {dab.position, dab.radius});
+    }
+    if (m_region.empty() || !(dab.strength > 0))
+        return report;
+    {
+        const PhaseTimer timer(report.deformMs);
+        report.asked = planDeformation(m_region, m_mesh, settings, dab);
+    }
+    EdgeBounds bounds = edgeBounds(dab.radius, settings.detail);
+    const double coarser = std::max(1.0, m_mesh.lattice().minDetail() / bounds.detail);
+    bounds = {bounds.detail * coarser, bounds.minimum * coarser};
+
+    const double steps = std::max(1.0, std::ceil(report.asked / (movePerMinimum * bounds.minimum)));
+    report.outcome = DabOutcome::Committed;
+    for (double step = 0; step < steps; ++step) {
+        const Substep result = step < mostSubsteps ? substep(bounds, 1 / steps, report) : Substep::Stuck;
+        if (result == Substep::Stuck) {
+            report.outcome = DabOutcome::EndedEarly;
+            break;
+        }
+        ++report.substeps;
+        if (result == Substep::Careful)
+            report.outcome = DabOutcome::Careful;
+        if (between)
+            between();
+    }
+    report.touchedVertices = m_region.size();
+    report.touchedFaces = m_touchedFaces;
+    return report;
+}
+
+DabEngine::Substep DabEngine::substep(const EdgeBounds& bounds, double part, DabReport& report)
+{
+    const Region::Saved saved = m_region.save();
+    if (straight(bounds, part, report))
+        return Substep::Straight;
+    m_region.restore(saved);
+    ++m_totals.rolledBack;
+    return careful(bounds, part, report) ? Substep::Careful : Substep::Stuck;
+}
+
+bool DabEngine::straight(const EdgeBounds& bounds, double part, DabReport& report)
+{
+    const Mesh::Mark mark = m_mesh.mark();
+    RemeshCounts counts;
+    {
+        const PhaseTimer timer(report.optimiseMs);
+        counts = optimise(m_mesh, m_region, bounds, runPlainly);
+    }
+    bool inside = false;
+    double reached = 0;
+    {
+        const PhaseTimer timer(report.deformMs);
+        inside = displace(part, nullptr);
+        reached = farthestPlan(part, nullptr);
+    }
+    if (inside) {
+        const PhaseTimer timer(report.optimiseMs);
+        counts += splitLongEdges(m_mesh, m_region, bounds, runPlainly);
+    }
+    if (!inside || !verifyAndIndex(mark, report)) {
+        m_mesh.rollback(mark);
+        return false;
+    }
+    count(counts);
+    report.reached += reached;
+    return true;
+}
+
+bool DabEngine::careful(const EdgeBounds& bounds, double part, DabReport& report)
+{
+    std::vector<double> held(m_region.slots().size(), 1.0);
+    bool moved = false;
+    for (int round = 0; round < mostHoldRounds && !moved; ++round) {
+        const double reached = farthestPlan(part, &held);
+        if (reached == 0)
+            break;
+        const Mesh::Mark mark = m_mesh.mark();
+        m_lastBadFaces.clear();
+        moved = displace(part, &held) && verifyAndIndex(mark, report);
+        if (moved) {
+            report.reached += reached;
+            break;
+        }
+        m_mesh.rollback(mark);
+        if (!holdBack(held, m_lastBadFaces))
+            break;
+    }
+    const auto judged = [&](const std::function<void()>& operation) {
+        const Mesh::Mark mark = m_mesh.mark();
+        operation();
+        if (verifyAndIndex(mark, report))
+            return true;
+        m_mesh.rollback(mark);
+        return false;
+    };
+    const PhaseTimer timer(report.optimiseMs);
+    count(optimise(m_mesh, m_region, bounds, judged));
+    return moved;
+}
+
+/// Halves the motion of the region's vertices at and around the bad faces. False if none of them can be held back further.
+bool DabEngine::holdBack(std::vector<double>& held, const std::vector<Slot>& badFaces)
+{
+    SparseIndex& around = m_scratch;
+    around.clear();
+    for (Slot f : badFaces) {
+        for (Slot v : m_mesh.corners(f)) {
+            around.add(v);
+            m_mesh.forEachOutgoing(v, [&](Slot h) { around.add(m_mesh.to(h)); });
+        }
+    }
+    bool any = false;
+    for (Slot v : around.slots()) {
+        if (!m_region.contains(v))
+            continue;
+        double& part = held[m_region.position(v)];
+        any = any || part > 0;
+        part = part > leastHeld ? part / 2 : 0;
+    }
+    return any;
+}
+
+/// Moves each vertex of the region by its part of the plan. False if one would leave the working volume.
+bool DabEngine::displace(double part, const std::vector<double>* held)
+{
+    const Lattice& lattice = m_mesh.lattice();
+    bool inside = true;
+    m_region.forEach([&](Slot v) {
+        const double share = held ? part * (*held)[m_region.position(v)] : part;
+        const Vec3f before = m_mesh.point(v);
+        const Vec3f after = lattice.snap(before.cast<double>() + share * m_region.plan(v));
+        inside = inside && lattice.contains(after.cast<double>());
+        if (inside && after != before)
+            m_mesh.setPoint(v, after);
+    });
+    return inside;
+}
+
+double DabEngine::farthestPlan(double part, const std::vector<double>* held) const
+{
+    double farthest2 = 0;
+    m_region.forEach([&](Slot v) {
+        const double share = held ? part * (*held)[m_region.position(v)] : part;
+        farthest2 = std::max(farthest2, share * share * m_region.plan(v).squaredNorm());
+    });
+    return std::sqrt(farthest2);
+}
+
+bool DabEngine::verifyAndIndex(const Mesh::Mark& mark, DabReport& report)
+{
+    const PhaseTimer timer(report.verifyMs);
+    const TouchedSlots touched = m_mesh.touchedSince(mark);
+    VerifyResult result = m_verifier.verify(m_mesh, m_octree, touched);
+    if (!result.ok()) {
+        m_lastBadFaces = std::move(result.badFaces);
+        return false;
+    }
+    ++m_totals.verifyTiers[static_cast<std::size_t>(result.tier)];
+    m_touchedFaces = std::max(m_touchedFaces, static_cast<Slot>(m_verifier.dirtyFaces().size()));
+    m_mesh.commit(mark);
+    reindex(touched, m_verifier.dirtyFaces());
+    return true;
+}
+
+void DabEngine::reindex(const TouchedSlots& touched, std::span<const Slot> dirtyFaces)
+{
+    m_octree.update(m_mesh, touched.faces);
+    m_octree.update(m_mesh, dirtyFaces);
+    m_dirtySlots.add(m_mesh, touched, dirtyFaces);
+}
+
+void DabEngine::follow(const MeshDelta& swapped)
+{
+    TouchedSlots touched;
+    SparseIndex& dirty = m_scratch;
+    dirty.clear();
+    for (const FaceImage& image : swapped.faces) {
+        touched.faces.push_back(image.slot);
+        if (image.slot < m_mesh.slots().faces && m_mesh.isFace(image.slot))
+            dirty.add(image.slot);
+    }
+    for (const VertexImage& image : swapped.vertices) {
+        touched.vertices.push_back(image.slot);
+        if (image.slot < m_mesh.slots().vertices && m_mesh.isVertex(image.slot))
+            m_mesh.forEachOutgoing(image.slot, [&](Slot h) { dirty.add(m_mesh.face(h)); });
+    }
+    reindex(touched, dirty.slots());
+}
+
+void DabEngine::count(const RemeshCounts& counts)
+{
+    m_totals.splits += counts.splits;
+    m_totals.collapses += counts.collapses;
+    m_totals.flips += counts.flips;
+    m_capped = m_capped || counts.capped;
+}
+} // namespace core

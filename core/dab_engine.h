@@ -1,0 +1,53 @@
+#pragma once
+
+#include "dirty_slots.h"
+#include "region.h"
+#include "remesh.h"
+#include "sculptor.h"
+#include "verify.h"
+
+namespace core
+{
+/// One dab, as the paper's section 3 has it: select -> optimise mesh -> deform -> verify -> index, in sub-steps that either
+/// hold or never were. Owns the scratch memory of all steps.
+class DabEngine
+{
+public:
+    explicit DabEngine(Mesh& mesh) : m_mesh(mesh), m_octree(mesh) {}
+
+    /// Precondition: a stroke is open. `between` may be empty.
+    DabReport apply(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between);
+
+    /// Brings octree and patches up to date after Mesh::swap.
+    void follow(const MeshDelta& swapped);
+
+    const Mesh& mesh() const { return m_mesh; }
+    const FaceOctree& octree() const { return m_octree; }
+    DirtySlots& dirtySlots() { return m_dirtySlots; }
+    const SculptorTotals& totals() const { return m_totals; }
+
+private:
+    enum class Substep { Straight, Careful, Stuck };
+
+    Substep substep(const EdgeBounds& bounds, double part, DabReport& report);
+    bool straight(const EdgeBounds& bounds, double part, DabReport& report);
+    bool careful(const EdgeBounds& bounds, double part, DabReport& report);
+    bool holdBack(std::vector<double>& held, const std::vector<Slot>& badFaces);
+    bool displace(double part, const std::vector<double>* held);
+    double farthestPlan(double part, const std::vector<double>* held) const;
+    bool verifyAndIndex(const Mesh::Mark& mark, DabReport& report);
+    void reindex(const TouchedSlots& touched, std::span<const Slot> dirtyFaces);
+    void count(const RemeshCounts& counts);
+
+    Mesh& m_mesh;
+    FaceOctree m_octree;
+    Verifier m_verifier;
+    Region m_region;
+    SparseIndex m_scratch;
+    DirtySlots m_dirtySlots;
+    SculptorTotals m_totals;
+    std::vector<Slot> m_lastBadFaces;
+    Slot m_touchedFaces = 0;
+    bool m_capped = false;
+};
+} // namespace core

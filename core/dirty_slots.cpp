@@ -1,0 +1,89 @@
+#include "dirty_slots.h"
+
+#include "deform.h"
+
+#include <algorithm>
+
+namespace core
+{
+namespace
+{
+/// Values in a gap up to this many slots are sent along: fewer, longer spans cost viewers less than the bytes do.
+constexpr Slot vertexGap = 4, faceGap = 8;
+
+std::vector<SlotSpan> spansOf(std::vector<Slot>& slots, Slot length, Slot gap)
+{
+    std::ranges::sort(slots);
+    std::vector<SlotSpan> spans;
+    for (Slot slot : slots) {
+        if (slot >= length)
+            break;
+        if (!spans.empty() && slot <= spans.back().first + spans.back().count + gap)
+            spans.back().count = std::max(spans.back().count, slot + 1 - spans.back().first);
+        else
+            spans.push_back({slot, 1});
+    }
+    return spans;
+}
+
+DrawVertex drawVertex(const Mesh& mesh, Slot v)
+{
+    if (!mesh.isVertex(v))
+        return {Vec3f::Zero(), {}, {}};
+    const Vec3 normal = vertexNormal(mesh, v);
+    const double length = normal.norm();
+    const Vec3 scaled = length > 0 ? Vec3(normal * (127 / length)) : Vec3::Zero();
+    const auto toByte = [](double x) { return static_cast<std::int8_t>(std::lrint(x)); };
+    const Rgb c = mesh.color(v);
+    return {mesh.point(v), {toByte(scaled.x()), toByte(scaled.y()), toByte(scaled.z()), 0}, {c.r, c.g, c.b, 255}};
+}
+
+void fillValues(MeshPatch& patch, const Mesh& mesh)
+{
+    for (const SlotSpan& span : patch.vertexSpans) {
+        for (Slot v = span.first; v < span.first + span.count; ++v)
+            patch.vertices.push_back(drawVertex(mesh, v));
+    }
+    for (const SlotSpan& span : patch.faceSpans) {
+        for (Slot f = span.first; f < span.first + span.count; ++f)
+            patch.faces.push_back(mesh.corners(f));
+    }
+    patch.vertexSlots = mesh.slots().vertices;
+    patch.faceSlots = mesh.slots().faces;
+    patch.liveVertices = mesh.live().vertices;
+    patch.liveFaces = mesh.live().faces;
+}
+} // namespace
+
+void DirtySlots::add(const Mesh& mesh, const TouchedSlots& touched, std::span<const Slot> dirtyFaces)
+{
+    m_faces.insert(m_faces.end(), touched.faces.begin(), touched.faces.end());
+    m_vertices.insert(m_vertices.end(), touched.vertices.begin(), touched.vertices.end());
+    for (Slot f : dirtyFaces)
+        m_vertices.insert(m_vertices.end(), mesh.corners(f).begin(), mesh.corners(f).end());
+}
+
+MeshPatch DirtySlots::take(const Mesh& mesh)
+{
+    MeshPatch patch;
+    patch.vertexSpans = spansOf(m_vertices, mesh.slots().vertices, vertexGap);
+    patch.faceSpans = spansOf(m_faces, mesh.slots().faces, faceGap);
+    m_vertices.clear();
+    m_faces.clear();
+    fillValues(patch, mesh);
+    patch.epoch = ++m_epoch;
+    return patch;
+}
+
+MeshPatch wholePatchOf(const Mesh& mesh)
+{
+    MeshPatch patch;
+    patch.whole = true;
+    patch.vertexSpans = {{0, mesh.slots().vertices}};
+    patch.faceSpans = {{0, mesh.slots().faces}};
+    patch.vertices.reserve(mesh.slots().vertices);
+    patch.faces.reserve(mesh.slots().faces);
+    fillValues(patch, mesh);
+    return patch;
+}
+} // namespace core

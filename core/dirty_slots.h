@@ -1,0 +1,22 @@
+#pragma once
+
+#include "mesh.h"
+#include "mesh_patch.h"
+
+namespace core
+{
+/// Which slots of the draw arrays changed since a patch was last taken.
+class DirtySlots
+{
+public:
+    /// `dirtyFaces`: alive, relinked or with a moved corner: their corners' normals changed.
+    void add(const Mesh& mesh, const TouchedSlots& touched, std::span<const Slot> dirtyFaces);
+    MeshPatch take(const Mesh& mesh);
+
+private:
+    std::vector<Slot> m_vertices, m_faces; ///< with repetitions
+    std::uint64_t m_epoch = 0;
+};
+
+MeshPatch wholePatchOf(const Mesh& mesh);
+} // namespace core

@@ -1,0 +1,132 @@
+#include "face_octree.h"
+
+namespace core
+{
+namespace
+{
+/// Cells are at least this many times a face's longest extent.
+constexpr int cellPerFace = 2;
+constexpr int smallestUsefulCell = 64; ///< in lattice units; nothing is gained below
+/// A face that shrank stays in its cell until the cell is this many times too large.
+constexpr int tolerance = 4;
+
+int cellSizeFor(const LatticeBox& box)
+{
+    const int extent = (box.max - box.min).maxCoeff();
+    int size = smallestUsefulCell;
+    while (size < cellPerFace * extent && size < 2 * Lattice::limit)
+        size *= 2;
+    return size;
+}
+} // namespace
+
+LatticeBox boxOf(const Mesh& mesh, Slot face)
+{
+    const Triangle& t = mesh.corners(face);
+    const LatticePoint a = mesh.latticePoint(t[0]), b = mesh.latticePoint(t[1]), c = mesh.latticePoint(t[2]);
+    return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
+}
+
+FaceOctree::FaceOctree(const Mesh& mesh)
+{
+    m_nodes.emplace_back();
+    m_cells.push_back(rootBox());
+    const Slot faces = mesh.slots().faces;
+    m_places.reserve(static_cast<std::size_t>(faces) * 4); // address space; no reallocation in a stroke
+    m_places.resize(faces);
+    for (Slot f = 0; f < faces; ++f) {
+        if (mesh.isFace(f))
+            insert(boxOf(mesh, f), f);
+    }
+    m_nodes.reserve(4 * m_nodes.size());
+    m_cells.reserve(4 * m_cells.size());
+}
+
+void FaceOctree::update(const Mesh& mesh, std::span<const Slot> faces)
+{
+    for (Slot f : faces) {
+        if (f >= m_places.size())
+            m_places.resize(f + 1);
+        const bool live = f < mesh.slots().faces && mesh.isFace(f);
+        if (!live) {
+            if (m_places[f].node != noSlot)
+                remove(f);
+            continue;
+        }
+        const LatticeBox box = boxOf(mesh, f);
+        if (m_places[f].node != noSlot) {
+            if (fits(box, f))
+                continue;
+            remove(f);
+        }
+        insert(box, f);
+    }
+}
+
+bool FaceOctree::fits(const LatticeBox& box, Slot face) const
+{
+    const Cell& cell = m_cells[m_places[face].node];
+    return cell.loose().contains(box) && cell.size <= tolerance * cellSizeFor(box);
+}
+
+void FaceOctree::insert(const LatticeBox& box, Slot face)
+{
+    const Cell cell = cellFor(box);
+    Node& node = m_nodes[cell.node];
+    m_places[face] = {cell.node, static_cast<Slot>(node.faces.size())};
+    node.faces.push_back(face);
+    for (Slot n = cell.node; n != noSlot; n = m_nodes[n].parent)
+        ++m_nodes[n].facesBelow;
+    m_smallestCell = std::min(m_smallestCell, cell.size);
+}
+
+void FaceOctree::remove(Slot face)
+{
+    const Place place = m_places[face];
+    std::vector<Slot>& faces = m_nodes[place.node].faces;
+    faces[place.index] = faces.back();
+    m_places[faces.back()].index = place.index;
+    faces.pop_back();
+    m_places[face] = {};
+    for (Slot n = place.node; n != noSlot; n = m_nodes[n].parent)
+        --m_nodes[n].facesBelow;
+}
+
+FaceOctree::Cell FaceOctree::cellFor(const LatticeBox& box)
+{
+    const int size = cellSizeFor(box);
+    const LatticePoint center = ((box.min.cast<std::int64_t>() + box.max.cast<std::int64_t>()) / 2).cast<int>();
+    Cell cell = rootBox();
+    while (cell.size > size) {
+        if (m_nodes[cell.node].firstChild == noSlot) {
+            const Slot first = static_cast<Slot>(m_nodes.size());
+            m_nodes[cell.node].firstChild = first;
+            for (int i = 0; i < 8; ++i) {
+                m_nodes.emplace_back().parent = cell.node;
+                m_cells.push_back(cell.child(m_nodes[cell.node], i));
+            }
+        }
+        const LatticePoint offset = center - cell.min;
+        const int half = cell.size / 2;
+        const int i = (offset.x() >= half ? 1 : 0) + (offset.y() >= half ? 2 : 0) + (offset.z() >= half ? 4 : 0);
+        cell = cell.child(m_nodes[cell.node], i);
+    }
+    return cell;
+}
+
+bool FaceOctree::isConsistent(const Mesh& mesh) const
+{
+    Slot placed = 0;
+    for (Slot n = 0; n < m_nodes.size(); ++n) {
+        for (Slot i = 0; i < m_nodes[n].faces.size(); ++i) {
+            const Slot f = m_nodes[n].faces[i];
+            const bool right = f < mesh.slots().faces && mesh.isFace(f) && m_places[f].node == n && m_places[f].index == i &&
+                               m_cells[n].loose().contains(boxOf(mesh, f));
+            if (!right)
+                return false;
+            ++placed;
+        }
+    }
+    return placed == mesh.live().faces && m_nodes[0].facesBelow == placed;
+}
+} // namespace core

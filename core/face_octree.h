@@ -1,0 +1,117 @@
+#pragma once
+
+#include "mesh.h"
+
+#include <vector>
+
+namespace core
+{
+/// Integer box on the lattice, bounds included. The default box is empty.
+struct LatticeBox
+{
+    LatticePoint min = LatticePoint::Constant(std::numeric_limits<int>::max());
+    LatticePoint max = LatticePoint::Constant(std::numeric_limits<int>::min());
+
+    void extend(const LatticePoint& p) { min = min.cwiseMin(p), max = max.cwiseMax(p); }
+    void extend(const LatticeBox& b) { min = min.cwiseMin(b.min), max = max.cwiseMax(b.max); }
+    bool empty() const { return min.x() > max.x(); }
+    bool meets(const LatticeBox& b) const
+    {
+        return min.x() <= b.max.x() && b.min.x() <= max.x() && min.y() <= b.max.y() && b.min.y() <= max.y() &&
+               min.z() <= b.max.z() && b.min.z() <= max.z();
+    }
+    bool contains(const LatticeBox& b) const
+    {
+        return (min.array() <= b.min.array()).all() && (b.max.array() <= max.array()).all();
+    }
+};
+
+LatticeBox boxOf(const Mesh& mesh, Slot face);
+
+/// Loose octree of faces (paper, section 3.1.1). The root is the whole lattice and never changes. A face lies in a cell two
+/// to four times its own size that holds its box's centre; the cell's loose box is twice the cell, so a face may move or
+/// shrink a little without a word. Cells stay once they exist; a subtree without faces is skipped by its count.
+class FaceOctree
+{
+public:
+    explicit FaceOctree(const Mesh& mesh); ///< O(faces)
+
+    /// Brings faces up to date: created, moved or removed ones. O(faces given).
+    void update(const Mesh& mesh, std::span<const Slot> faces);
+
+    /// Calls visit(face) for every face that may meet the box: a superset, in no useful order. A face that moved since its
+    /// last update() is found where it was.
+    template <class Visit> void query(const LatticeBox& box, Visit visit) const { queryNode(rootBox(), box, visit); }
+
+    /// As query(), for the cells that `enter(loose box)` accepts.
+    template <class Enter, class Visit> void traverse(Enter enter, Visit visit) const
+    {
+        traverseNode(rootBox(), enter, visit);
+    }
+
+    /// Side of the smallest cell that is in use near nothing in particular: a first radius for a nearest search.
+    int smallestCell() const { return m_smallestCell; }
+    /// For tests: every live face is in just one cell, whose loose box holds it.
+    bool isConsistent(const Mesh& mesh) const;
+
+private:
+    struct Node
+    {
+        Slot firstChild = noSlot; ///< of eight, in the order x + 2y + 4z
+        Slot parent = noSlot;
+        Slot facesBelow = 0; ///< here and in the children
+        std::vector<Slot> faces;
+    };
+    struct Cell
+    {
+        Slot node;
+        LatticePoint min;
+        int size;
+
+        LatticeBox loose() const
+        {
+            return {min - LatticePoint::Constant(size / 2), min + LatticePoint::Constant(size + size / 2)};
+        }
+        Cell child(const Node& parent, int i) const
+        {
+            const int half = size / 2;
+            return {parent.firstChild + static_cast<Slot>(i),
+                    min + LatticePoint((i & 1) ? half : 0, (i & 2) ? half : 0, (i & 4) ? half : 0), half};
+        }
+    };
+    static Cell rootBox() { return {0, LatticePoint::Constant(-Lattice::limit), 2 * Lattice::limit}; }
+
+    template <class Visit> void queryNode(const Cell& cell, const LatticeBox& box, Visit& visit) const
+    {
+        traverseNode(
+            cell, [&](const LatticeBox& loose) { return loose.meets(box); }, visit);
+    }
+    template <class Enter, class Visit> void traverseNode(const Cell& cell, Enter&& enter, Visit& visit) const
+    {
+        const Node& node = m_nodes[cell.node];
+        if (node.facesBelow == 0 || !enter(cell.loose()))
+            return;
+        for (Slot f : node.faces)
+            visit(f);
+        if (node.firstChild == noSlot)
+            return;
+        for (int i = 0; i < 8; ++i)
+            traverseNode(cell.child(node, i), enter, visit);
+    }
+
+    bool fits(const LatticeBox& box, Slot face) const;
+    void insert(const LatticeBox& box, Slot face);
+    void remove(Slot face);
+    Cell cellFor(const LatticeBox& box);
+
+    struct Place
+    {
+        Slot node = noSlot;
+        Slot index = 0;
+    };
+    std::vector<Node> m_nodes;
+    std::vector<Place> m_places;  ///< by face
+    std::vector<Cell> m_cells;    ///< by node: where it lies
+    int m_smallestCell = 2 * Lattice::limit;
+};
+} // namespace core

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+
+namespace core
+{
+/// What is wrong with a file. The words for people are made elsewhere; each kind says what data comes with it beyond the path.
+enum class FileErrorKind {
+    // Reading
+    NotFound,             ///< also when writing into a folder that is not there
+    NotReadable,          ///< systemError, if known
+    NotAFile,             ///< a folder, device or pipe; also when writing
+    Empty,                ///< no byte in it
+    TooLarge,             ///< expected: the largest size in bytes that is read; found: its size
+    UnknownFormat,        ///< token: the ending, without dot
+    NotWhatItsEndingSays, ///< token: what the content looks like ("ply", "stl", "obj", "png", ...), or empty
+    CutOff,               ///< place: where something is missing, often the file's end; expected, found: sizes, if known
+    CountMismatch,        ///< place, expected: elements announced; found: elements that the file has room for
+    Malformed,            ///< place, token: what cannot be understood there, or empty
+    NotANumber,           ///< place, token: the word that is not a number, or is infinite or NaN; empty in binary files
+    IndexOutOfRange,      ///< place, token: the index as written, expected: number of vertices
+    TooManyElements,      ///< place, token: what ("vertices", "faces", "corners"), expected: the most that is taken
+    NoFaces,              ///< vertices perhaps, but nothing to sculpt
+    // Writing; nothing has changed on disk
+    NotWritable, ///< not permitted; systemError
+    DiskFull,    ///< systemError
+    WriteFailed  ///< systemError
+};
+
+/// Where in a file.
+struct FilePlace
+{
+    enum class Unit { None, Line, Byte };
+    Unit unit = Unit::None;
+    std::uint64_t number = 0; ///< lines from 1, bytes from 0
+
+    friend bool operator==(const FilePlace&, const FilePlace&) = default;
+};
+
+/// What readers and writers of files throw.
+struct FileError : std::runtime_error
+{
+    FileError(FileErrorKind errorKind, std::filesystem::path filePath)
+        : std::runtime_error("file error")
+        , kind(errorKind)
+        , path(std::move(filePath))
+    {}
+
+    FileErrorKind kind;
+    std::filesystem::path path;
+    FilePlace place;
+    std::string token; ///< at most 40 bytes, printable ASCII
+    std::uint64_t expected = 0;
+    std::uint64_t found = 0;
+    int systemError = 0; ///< errno, or 0
+};
+} // namespace core

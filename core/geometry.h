@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+/// The one place that states units and axes: a document is in millimetres, right-handed, Y up.
+/// Triangles wind counter-clockwise seen from outside; "outside" is where the normal points.
+namespace core
+{
+using Vec3 = Eigen::Vector3d;
+using Vec3f = Eigen::Vector3f;
+
+/// Index of a vertex, edge, half-edge or face in the mesh's arrays; stable while the document has history.
+using Slot = std::uint32_t;
+inline constexpr Slot noSlot = std::numeric_limits<Slot>::max();
+
+/// Corner slots of a face, counter-clockwise from outside.
+using Triangle = std::array<Slot, 3>;
+
+/// 8-bit sRGB.
+struct Rgb
+{
+    std::uint8_t r = 200, g = 200, b = 200;
+    friend bool operator==(const Rgb&, const Rgb&) = default;
+};
+
+struct Ray
+{
+    Vec3 origin = Vec3::Zero();
+    Vec3 direction = -Vec3::UnitZ(); ///< any length but zero
+};
+
+struct Sphere
+{
+    Vec3 center = Vec3::Zero();
+    double radius = 0;
+};
+
+/// Axis-aligned box; the default box is empty and grows with extend().
+using Box = Eigen::AlignedBox3d;
+} // namespace core

@@ -1,0 +1,520 @@
+#include "mesh.h"
+
+#include "mesh_hash.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace core
+{
+using OpenMesh::EdgeHandle;
+using OpenMesh::FaceHandle;
+using OpenMesh::HalfedgeHandle;
+using OpenMesh::VertexHandle;
+
+namespace
+{
+VertexHandle vertexHandle(Slot v) { return VertexHandle(static_cast<int>(v)); }
+EdgeHandle edgeHandle(Slot e) { return EdgeHandle(static_cast<int>(e)); }
+FaceHandle faceHandle(Slot f) { return FaceHandle(static_cast<int>(f)); }
+
+constexpr Triangle freeCorners = {0, 0, 0};
+constexpr Slot leastReserve = 1u << 18;
+} // namespace
+
+// --- building --------------------------------------------------------------------------------------------------------------
+
+Mesh::Mesh(const TriangleMesh& mesh, Lattice lattice) : m_lattice(lattice)
+{
+    m_kernel.request_vertex_colors();
+    const Slot vertices = static_cast<Slot>(mesh.points.size());
+    const Slot faces = static_cast<Slot>(mesh.triangles.size());
+    const SlotCounts counts{vertices, faces / 2 * 3, faces};
+    // Address space is free: room for growth is reserved now, so that nothing is reallocated in a stroke.
+    reserve({std::max(leastReserve, 4 * counts.vertices), std::max(3 * leastReserve, 4 * counts.edges),
+             std::max(2 * leastReserve, 4 * counts.faces)});
+    resize(counts);
+    beginStroke();
+    for (Slot v = 0; v < vertices; ++v) {
+        m_vertexSlots.setFree(v, false);
+        m_kernel.set_point(vertexHandle(v), mesh.points[v]);
+        const Rgb c = mesh.colors.empty() ? Rgb() : mesh.colors[v];
+        m_kernel.set_color(vertexHandle(v), OpenMesh::Vec3uc(c.r, c.g, c.b));
+    }
+
+    // Half-edges are paired in the order of faces, so edges lie along the same curve as the faces.
+    std::unordered_map<std::uint64_t, Slot> open; // (from, to) of the half-edge that still waits for its face
+    open.reserve(counts.edges / 4);
+    Slot edges = 0;
+    const auto claim = [&](Slot from, Slot to) {
+        const auto waiting = open.find((std::uint64_t(from) << 32) | to);
+        if (waiting != open.end()) {
+            const Slot h = waiting->second;
+            open.erase(waiting);
+            return h;
+        }
+        assert(edges < counts.edges && "closed and manifold");
+        const Slot h = 2 * edges++;
+        m_edgeSlots.setFree(h / 2, false);
+        m_kernel.set_vertex_handle(halfedge(h), vertexHandle(to));
+        m_kernel.set_vertex_handle(halfedge(h ^ 1), vertexHandle(from));
+        open.emplace((std::uint64_t(to) << 32) | from, h ^ 1);
+        return h;
+    };
+    for (Slot f = 0; f < faces; ++f) {
+        const Triangle& t = mesh.triangles[f];
+        std::array<Slot, 3> h{};
+        for (int i = 0; i < 3; ++i) {
+            h[i] = claim(t[i], t[(i + 1) % 3]);
+            m_kernel.set_face_handle(halfedge(h[i]), faceHandle(f));
+            m_kernel.set_halfedge_handle(vertexHandle(t[i]), halfedge(h[i]));
+        }
+        for (int i = 0; i < 3; ++i)
+            m_kernel.set_next_halfedge_handle(halfedge(h[i]), halfedge(h[(i + 1) % 3]));
+        m_kernel.set_halfedge_handle(faceHandle(f), halfedge(h[0]));
+        m_corners[f] = t;
+        m_faceSlots.setFree(f, false);
+    }
+    assert(open.empty() && edges == counts.edges);
+    m_strokeOpen = false;
+    m_meshHash = wholeHash(*this);
+}
+
+void Mesh::reserve(const SlotCounts& counts)
+{
+    m_kernel.reserve(counts.vertices, counts.edges, counts.faces);
+    m_corners.reserve(counts.faces);
+    m_vertexSlots.reserve(counts.vertices);
+    m_edgeSlots.reserve(counts.edges);
+    m_faceSlots.reserve(counts.faces);
+    m_vertexStamp.reserve(counts.vertices);
+    m_edgeStamp.reserve(counts.edges);
+    m_faceStamp.reserve(counts.faces);
+}
+
+void Mesh::resize(const SlotCounts& counts)
+{
+    m_kernel.resize(counts.vertices, counts.edges, counts.faces);
+    m_corners.resize(counts.faces, freeCorners);
+    m_vertexSlots.resize(counts.vertices);
+    m_edgeSlots.resize(counts.edges);
+    m_faceSlots.resize(counts.faces);
+    m_vertexStamp.resize(counts.vertices);
+    m_edgeStamp.resize(counts.edges);
+    m_faceStamp.resize(counts.faces);
+}
+
+// --- queries ---------------------------------------------------------------------------------------------------------------
+
+Rgb Mesh::color(Slot v) const
+{
+    const OpenMesh::Vec3uc& c = m_kernel.vertex_colors()[v];
+    return {c[0], c[1], c[2]};
+}
+
+Slot Mesh::findHalfedge(Slot v0, Slot v1) const
+{
+    Slot found = noSlot;
+    forEachOutgoing(v0, [&](Slot h) {
+        if (to(h) == v1)
+            found = h;
+    });
+    return found;
+}
+
+unsigned Mesh::valence(Slot v) const
+{
+    unsigned n = 0;
+    forEachOutgoing(v, [&](Slot) { ++n; });
+    return n;
+}
+
+std::uint64_t Mesh::stateHash() const
+{
+    std::uint64_t hash = 0xcbf29ce484222325u; // FNV-1a over 32-bit words
+    const auto add = [&](std::uint32_t word) { hash = (hash ^ word) * 0x100000001b3u; };
+    for (Slot n : {m_vertexSlots.size(), m_edgeSlots.size(), m_faceSlots.size()})
+        add(n);
+    for (Slot v = 0; v < m_vertexSlots.size(); ++v)
+        add(isVertex(v) ? outgoing(v) : noSlot);
+    for (Slot e = 0; e < m_edgeSlots.size(); ++e) {
+        for (Slot h : {2 * e, 2 * e + 1}) {
+            add(isEdge(e) ? to(h) : noSlot);
+            add(isEdge(e) ? next(h) : noSlot);
+            add(isEdge(e) ? face(h) : noSlot);
+        }
+    }
+    for (Slot f = 0; f < m_faceSlots.size(); ++f) {
+        add(isFace(f) ? faceHalfedge(f) : noSlot);
+        for (Slot corner : m_corners[f])
+            add(corner);
+    }
+    return hash ^ m_meshHash;
+}
+
+// --- the gate: every write below journals first ----------------------------------------------------------------------------
+
+void Mesh::touchVertex(Slot v)
+{
+    assert(m_strokeOpen);
+    if (m_vertexStamp[v] >= m_epoch)
+        return;
+    m_journal.vertices.push_back({v, m_vertexStamp[v], point(v), color(v), isVertex(v), m_kernel.vertex(vertexHandle(v))});
+    m_vertexStamp[v] = m_epoch;
+}
+
+void Mesh::touchEdge(Slot e)
+{
+    assert(m_strokeOpen);
+    if (m_edgeStamp[e] >= m_epoch)
+        return;
+    m_journal.edges.push_back({e, m_edgeStamp[e], isEdge(e), m_kernel.edge(edgeHandle(e))});
+    m_edgeStamp[e] = m_epoch;
+}
+
+void Mesh::touchFace(Slot f)
+{
+    assert(m_strokeOpen);
+    if (m_faceStamp[f] >= m_epoch)
+        return;
+    m_journal.faces.push_back({f, m_faceStamp[f], m_corners[f], m_kernel.face(faceHandle(f))});
+    m_faceStamp[f] = m_epoch;
+}
+
+void Mesh::setPoint(Slot v, const Vec3f& p)
+{
+    assert(m_lattice.isOnLattice(p));
+    touchVertex(v);
+    m_kernel.set_point(vertexHandle(v), p);
+}
+
+void Mesh::setColor(Slot v, Rgb c)
+{
+    touchVertex(v);
+    m_kernel.set_color(vertexHandle(v), OpenMesh::Vec3uc(c.r, c.g, c.b));
+}
+
+void Mesh::setOutgoing(Slot v, Slot h)
+{
+    touchVertex(v);
+    m_kernel.set_halfedge_handle(vertexHandle(v), halfedge(h));
+}
+
+void Mesh::setTo(Slot h, Slot v)
+{
+    touchEdge(h / 2);
+    m_kernel.set_vertex_handle(halfedge(h), vertexHandle(v));
+}
+
+void Mesh::setFace(Slot h, Slot f)
+{
+    touchEdge(h / 2);
+    m_kernel.set_face_handle(halfedge(h), faceHandle(f));
+}
+
+void Mesh::link(Slot f, Slot h0, Slot h1, Slot h2)
+{
+    touchFace(f);
+    const std::array<Slot, 3> loop = {h0, h1, h2};
+    for (int i = 0; i < 3; ++i) {
+        setFace(loop[i], f);
+        touchEdge(loop[(i + 1) % 3] / 2);
+        m_kernel.set_next_halfedge_handle(halfedge(loop[i]), halfedge(loop[(i + 1) % 3]));
+    }
+    m_kernel.set_halfedge_handle(faceHandle(f), halfedge(h0));
+    m_corners[f] = {to(h2), to(h0), to(h1)};
+}
+
+void Mesh::relabelCorner(Slot f, Slot from, Slot to)
+{
+    touchFace(f);
+    std::ranges::replace(m_corners[f], from, to);
+}
+
+Slot Mesh::newVertex(Slot hint, const Vec3f& p, OpenMesh::Vec3uc color)
+{
+    const Slot v = m_vertexSlots.take(hint);
+    if (v == m_vertexStamp.size()) {
+        m_kernel.new_vertex();
+        m_vertexStamp.push_back(0);
+    }
+    m_vertexSlots.setFree(v, true);
+    touchVertex(v); // as a free slot
+    m_vertexSlots.setFree(v, false);
+    m_kernel.set_point(vertexHandle(v), p);
+    m_kernel.set_color(vertexHandle(v), color);
+    return v;
+}
+
+Slot Mesh::newEdge(Slot hint)
+{
+    const Slot e = m_edgeSlots.take(hint);
+    if (e == m_edgeStamp.size()) {
+        m_kernel.new_edge(vertexHandle(0), vertexHandle(0));
+        m_edgeStamp.push_back(0);
+    }
+    m_edgeSlots.setFree(e, true);
+    touchEdge(e);
+    m_edgeSlots.setFree(e, false);
+    return e;
+}
+
+Slot Mesh::newFace(Slot hint)
+{
+    const Slot f = m_faceSlots.take(hint);
+    if (f == m_faceStamp.size()) {
+        m_kernel.new_face();
+        m_faceStamp.push_back(0);
+        m_corners.push_back(freeCorners);
+    }
+    touchFace(f);
+    return f;
+}
+
+void Mesh::freeVertex(Slot v)
+{
+    touchVertex(v);
+    m_vertexSlots.setFree(v, true);
+}
+
+void Mesh::freeEdge(Slot e)
+{
+    touchEdge(e);
+    m_edgeSlots.setFree(e, true);
+}
+
+void Mesh::freeFace(Slot f)
+{
+    touchFace(f);
+    m_corners[f] = freeCorners;
+    m_faceSlots.setFree(f, true);
+}
+
+// --- the three operations --------------------------------------------------------------------------------------------------
+
+Slot Mesh::splitEdge(Slot e, const Vec3f& p)
+{
+    //        c                c
+    //      /   \            / | \        .
+    //     a --- b   ->     a- m -b       e becomes a-m
+    //      \   /            \ | /
+    //        d                d
+    const Slot ab = 2 * e, ba = ab ^ 1;
+    const Slot bc = next(ab), ca = prev(ab), ad = next(ba), db = prev(ba);
+    const Slot a = to(ba), b = to(ab), c = to(bc), d = to(ad);
+    const Slot f0 = face(ab), f1 = face(ba);
+
+    const Rgb ca_ = color(a), cb_ = color(b);
+    const auto mean = [](int x, int y) { return static_cast<std::uint8_t>((x + y + 1) / 2); };
+    const Slot m = newVertex(a, p, {mean(ca_.r, cb_.r), mean(ca_.g, cb_.g), mean(ca_.b, cb_.b)});
+    const Slot mb = 2 * newEdge(e), mc = 2 * newEdge(e), md = 2 * newEdge(e);
+    const Slot f2 = newFace(f0), f3 = newFace(f1);
+    setTo(mb, b), setTo(mb ^ 1, m);
+    setTo(mc, c), setTo(mc ^ 1, m);
+    setTo(md, d), setTo(md ^ 1, m);
+    setTo(ab, m);
+    link(f0, ab, mc, ca);
+    link(f2, mb, bc, mc ^ 1);
+    link(f1, ba, ad, md ^ 1);
+    link(f3, mb ^ 1, md, db);
+    m_faceSlots.setFree(f2, false);
+    m_faceSlots.setFree(f3, false);
+    setOutgoing(m, mb);
+    if (outgoing(b) == ba)
+        setOutgoing(b, mb ^ 1);
+    return m;
+}
+
+bool Mesh::isCollapseOk(Slot h) const
+{
+    const Slot v0 = from(h), v1 = to(h), left = to(next(h)), right = to(next(h ^ 1));
+    if (left == right)
+        return false;
+    unsigned common = 0;
+    unsigned valence0 = 0;
+    forEachOutgoing(v0, [&](Slot g) {
+        ++valence0;
+        if (to(g) != v1 && findHalfedge(v1, to(g)) != noSlot)
+            ++common;
+    });
+    return common == 2 && valence0 > 3 && valence(v1) > 3 && valence(left) > 3 && valence(right) > 3;
+}
+
+void Mesh::collapse(Slot h, const Vec3f& p)
+{
+    assert(isCollapseOk(h));
+    const Slot o = h ^ 1;
+    const Slot v0 = to(o), v1 = to(h);
+    const Slot left1 = next(h), left0 = prev(h);   // v1 -> left, left -> v0
+    const Slot right0 = next(o), right1 = prev(o); // v0 -> right, right -> v1
+    const Slot left = to(left1), right = to(right0);
+    const Slot outerLeft = left0 ^ 1, outerRight = right0 ^ 1; // v0 -> left, right -> v0: their faces stay
+    const Slot fl = face(h), fr = face(o), leftFace = face(outerLeft), rightFace = face(outerRight);
+
+    forEachOutgoing(v0, [&](Slot g) {
+        if (face(g) != fl && face(g) != fr)
+            relabelCorner(face(g), v0, v1);
+        setTo(g ^ 1, v1);
+    });
+    link(leftFace, left1, next(outerLeft), prev(outerLeft));
+    link(rightFace, right1, next(outerRight), prev(outerRight));
+    setOutgoing(v1, left1);
+    if (outgoing(left) == left0)
+        setOutgoing(left, left1 ^ 1);
+    if (outgoing(right) == outerRight)
+        setOutgoing(right, right1);
+    freeFace(fl);
+    freeFace(fr);
+    freeEdge(h / 2);
+    freeEdge(left0 / 2);
+    freeEdge(right0 / 2);
+    freeVertex(v0);
+    setPoint(v1, p);
+}
+
+bool Mesh::isFlipOk(Slot e) const
+{
+    const Slot h = 2 * e;
+    const Slot c = to(next(h)), d = to(next(h ^ 1));
+    return c != d && valence(to(h)) > 3 && valence(from(h)) > 3 && findHalfedge(c, d) == noSlot;
+}
+
+void Mesh::flip(Slot e)
+{
+    assert(isFlipOk(e));
+    const Slot ab = 2 * e, ba = ab ^ 1;
+    const Slot bc = next(ab), ca = prev(ab), ad = next(ba), db = prev(ba);
+    const Slot a = to(ba), b = to(ab), c = to(bc), d = to(ad);
+    const Slot f0 = face(ab), f1 = face(ba);
+    setTo(ab, c); // d -> c
+    setTo(ba, d); // c -> d
+    link(f0, ca, ad, ab);
+    link(f1, db, bc, ba);
+    if (outgoing(a) == ab)
+        setOutgoing(a, ad);
+    if (outgoing(b) == ba)
+        setOutgoing(b, bc);
+}
+
+// --- the journal -----------------------------------------------------------------------------------------------------------
+
+void Mesh::beginStroke()
+{
+    assert(!m_strokeOpen);
+    m_strokeOpen = true;
+    m_strokeEpoch = ++m_epoch;
+    m_journal = {};
+    m_journal.counts = slots();
+    m_journal.meshHash = m_meshHash;
+}
+
+MeshDelta Mesh::endStroke()
+{
+    assert(m_strokeOpen);
+    m_strokeOpen = false;
+    m_meshHash += hashChange(*this, m_journal);
+    return std::move(m_journal);
+}
+
+Mesh::Mark Mesh::mark()
+{
+    assert(m_strokeOpen);
+    ++m_epoch;
+    return {m_journal.vertices.size(), m_journal.edges.size(), m_journal.faces.size(), slots(), m_epoch};
+}
+
+void Mesh::rollback(const Mark& mark)
+{
+    const auto undo = [&](auto& images, std::size_t keep, auto& stamps) {
+        while (images.size() > keep) {
+            auto& image = images.back();
+            stamps[image.slot] = image.stamp;
+            swapImage(image);
+            images.pop_back();
+        }
+    };
+    undo(m_journal.vertices, mark.vertices, m_vertexStamp);
+    undo(m_journal.edges, mark.edges, m_edgeStamp);
+    undo(m_journal.faces, mark.faces, m_faceStamp);
+    resize(mark.counts);
+    ++m_epoch;
+}
+
+void Mesh::commit(const Mark& mark)
+{
+    const auto forget = [&](auto& images, std::size_t from) {
+        const auto known = [&](const auto& image) { return image.stamp >= m_strokeEpoch; };
+        images.erase(std::remove_if(images.begin() + static_cast<std::ptrdiff_t>(from), images.end(), known), images.end());
+    };
+    forget(m_journal.vertices, mark.vertices);
+    forget(m_journal.edges, mark.edges);
+    forget(m_journal.faces, mark.faces);
+}
+
+TouchedSlots Mesh::touchedSince(const Mark& mark) const
+{
+    TouchedSlots touched;
+    for (std::size_t i = mark.vertices; i < m_journal.vertices.size(); ++i) {
+        if (m_journal.vertices[i].stamp < mark.epoch)
+            touched.vertices.push_back(m_journal.vertices[i].slot);
+    }
+    for (std::size_t i = mark.faces; i < m_journal.faces.size(); ++i) {
+        if (m_journal.faces[i].stamp < mark.epoch)
+            touched.faces.push_back(m_journal.faces[i].slot);
+    }
+    return touched;
+}
+
+std::span<const VertexImage> Mesh::vertexImagesSince(const Mark& mark) const
+{
+    return std::span(m_journal.vertices).subspan(mark.vertices);
+}
+
+std::span<const FaceImage> Mesh::faceImagesSince(const Mark& mark) const
+{
+    return std::span(m_journal.faces).subspan(mark.faces);
+}
+
+void Mesh::swap(MeshDelta& delta)
+{
+    assert(!m_strokeOpen);
+    const SlotCounts here = slots();
+    resize({std::max(here.vertices, delta.counts.vertices), std::max(here.edges, delta.counts.edges),
+            std::max(here.faces, delta.counts.faces)});
+    for (VertexImage& image : delta.vertices)
+        swapImage(image);
+    for (EdgeImage& image : delta.edges)
+        swapImage(image);
+    for (FaceImage& image : delta.faces)
+        swapImage(image);
+    resize(delta.counts);
+    delta.counts = here;
+    std::swap(m_meshHash, delta.meshHash);
+}
+
+void Mesh::swapImage(VertexImage& image)
+{
+    const Slot v = image.slot;
+    const VertexImage now = {v, image.stamp, point(v), color(v), isVertex(v), m_kernel.vertex(vertexHandle(v))};
+    m_kernel.set_point(vertexHandle(v), image.point);
+    m_kernel.set_color(vertexHandle(v), OpenMesh::Vec3uc(image.color.r, image.color.g, image.color.b));
+    m_kernel.vertex(vertexHandle(v)) = image.item;
+    m_vertexSlots.setFree(v, !image.live);
+    image = now;
+}
+
+void Mesh::swapImage(EdgeImage& image)
+{
+    const bool live = isEdge(image.slot);
+    std::swap(m_kernel.edge(edgeHandle(image.slot)), image.item);
+    m_edgeSlots.setFree(image.slot, !image.live);
+    image.live = live;
+}
+
+void Mesh::swapImage(FaceImage& image)
+{
+    std::swap(m_kernel.face(faceHandle(image.slot)), image.item);
+    std::swap(m_corners[image.slot], image.corners);
+    m_faceSlots.setFree(image.slot, m_corners[image.slot] == freeCorners);
+}
+} // namespace core

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "geometry.h"
+
+#include <vector>
+
+namespace core
+{
+/// A vertex as viewers draw it: 20 bytes.
+struct DrawVertex
+{
+    Vec3f position;
+    std::array<std::int8_t, 4> normal; ///< unit normal x 127; the fourth is 0
+    std::array<std::uint8_t, 4> color; ///< sRGB, alpha 255
+};
+static_assert(sizeof(DrawVertex) == 20);
+
+/// `count` slots from `first` on; their values follow those of the spans before in the patch's value array.
+struct SlotSpan
+{
+    Slot first = 0;
+    Slot count = 0;
+    friend bool operator==(const SlotSpan&, const SlotSpan&) = default;
+};
+
+/// What viewers must draw anew. The draw arrays are slot-stable: vertex slot i is vertex i of the buffers, face slot f is
+/// index triple f (a free face is 0,0,0). Values are absolute, so a newer patch may be merged into an older one, slot by
+/// slot. Spans are ascending, disjoint and not adjacent. A patch is always the mesh of a sub-step's boundary.
+struct MeshPatch
+{
+    std::vector<SlotSpan> vertexSpans;
+    std::vector<DrawVertex> vertices;
+    std::vector<SlotSpan> faceSpans;
+    std::vector<Triangle> faces;
+    Slot vertexSlots = 0; ///< length of the draw arrays after this patch
+    Slot faceSlots = 0;
+    Slot liveVertices = 0; ///< of the whole mesh, for people
+    Slot liveFaces = 0;
+    std::uint64_t epoch = 0;    ///< grows with each patch of a mesh
+    std::int64_t sampledNs = 0; ///< steady-clock time of the input that this patch answers, 0 if none (latency)
+    bool whole = false;         ///< covers every slot: an earlier patch, or another mesh, need not be known
+
+    bool empty() const { return vertexSpans.empty() && faceSpans.empty() && !whole; }
+
+    /// Lays `newer` over this patch. Cost: the sum of both patches' values.
+    void merge(MeshPatch&& newer);
+};
+} // namespace core

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "lattice.h"
+#include "triangle_mesh.h"
+
+namespace core
+{
+/// The same mesh with vertices along a Morton curve (by their lattice points) and faces by their smallest corner, which
+/// comes first: elements that are near in space are near in memory. Does not depend on the order of the input.
+TriangleMesh inMortonOrder(const TriangleMesh& mesh, const Lattice& lattice);
+} // namespace core

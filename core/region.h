@@ -1,0 +1,66 @@
+#pragma once
+
+#include "brush.h"
+#include "face_octree.h"
+#include "sparse_index.h"
+#include "stroke.h"
+
+namespace core
+{
+/// The vertices that a dab moves, and how far it means to move each: the argument that is passed down the pipeline.
+/// Remeshing changes it in place: a vertex put into an edge of two selected ends joins with the mean of their plans.
+class Region
+{
+public:
+    void clear();
+    bool empty() const { return m_live == 0; }
+    /// Vertices that are still there.
+    Slot size() const { return m_live; }
+    bool contains(Slot v) const { return m_index.contains(v) && m_present[m_index.position(v)]; }
+
+    void add(Slot v, const Vec3& plan);
+    void remove(Slot v);
+    void sort() { m_index.sort(); } ///< only right after the adding, before plans are set
+
+    /// Every slot that ever joined, and where one stands among them (stable).
+    const std::vector<Slot>& slots() const { return m_index.slots(); }
+    Slot position(Slot v) const { return m_index.position(v); }
+
+    const Vec3& plan(Slot v) const { return m_plan[m_index.position(v)]; }
+    void setPlan(Slot v, const Vec3& plan) { m_plan[m_index.position(v)] = plan; }
+
+    /// Vertices around the remeshing of this sub-step.
+    SparseIndex& remeshed() { return m_remeshed; }
+
+    /// To go back after a sub-step that failed. Cost: the region.
+    struct Saved
+    {
+        std::size_t slots;
+        std::vector<Vec3> plan;
+        std::vector<char> present;
+        Slot live;
+    };
+    Saved save() const { return {m_index.size(), m_plan, m_present, m_live}; }
+    void restore(const Saved& saved);
+
+    template <class Visit> void forEach(Visit visit) const
+    {
+        for (std::size_t i = 0; i < m_index.slots().size(); ++i) { // may grow meanwhile: what joins is not visited
+            if (m_present[i])
+                visit(m_index.slots()[i]);
+        }
+    }
+
+private:
+    SparseIndex m_index, m_remeshed;
+    std::vector<Vec3> m_plan;
+    std::vector<char> m_present;
+    Slot m_live = 0;
+};
+
+/// Spherical brush (paper, section 3.1.2): the vertices within the ball, by Euclidean distance, ascending by slot.
+void selectSphere(Region& region, SparseIndex& scratch, const Mesh& mesh, const FaceOctree& octree, const Sphere& ball);
+
+/// The box of lattice points that holds the ball, clipped to the lattice.
+LatticeBox latticeBox(const Lattice& lattice, const Sphere& ball);
+} // namespace core

@@ -1,0 +1,312 @@
+// Quasi-uniform optimisation of a region (paper, section 3.2), in its order:
+//   1. collapse: edges shorter than d, the shortest first, to the midpoint       (3.2.2, Figures 6 and 7)
+//   2. split:    edges longer than d_detail by a queue, at the midpoint           (3.2.1, Figure 5)
+//   3. flip:     edges whose two opposite angles exceed 180 degrees together      (Delaunay's criterion)
+//   4. relax:    vertices around the changes, towards their neighbours' mean, along the surface
+// Keys of each order are total (length, then slots), so that results depend only on the mesh.
+
+#include "remesh.h"
+
+#include "deform.h"
+
+#include <algorithm>
+#include <deque>
+
+namespace core
+{
+namespace
+{
+/// Operations of one kind per sub-step, per vertex of the region and in all: guards against endless work, not a tuning knob.
+constexpr std::uint64_t opsPerVertex = 64, leastOps = 4096;
+/// A collapse may turn a face by at most about 78 degrees (cos > 0.2: notes of El Topo's legality tests, Brochu 2009).
+constexpr double leastTurnCosine = 0.2;
+/// A flip is a change of triangulation, not of shape: only across edges flatter than about 25 degrees.
+constexpr double flatCosine = 0.9;
+/// The smallest angle that an operation may make, unless there was a smaller one before: 5 degrees.
+constexpr double leastAngleSine = 0.0872;
+constexpr double relaxation = 0.5;
+constexpr int flipPasses = 4;
+
+struct Edge
+{
+    double length2;
+    Slot v0, v1; ///< v0 < v1
+    Slot edge;
+};
+
+class Remesher
+{
+public:
+    Remesher(Mesh& mesh, Region& region, const EdgeBounds& bounds, const Attempt& attempt)
+        : m_mesh(mesh), m_region(region), m_detail2(bounds.detail * bounds.detail),
+          m_minimum2(bounds.minimum * bounds.minimum), m_attempt(attempt),
+          m_opsLeft(leastOps + opsPerVertex * region.size()), m_changed(region.remeshed())
+    {
+        m_changed.clear();
+    }
+
+    void collapseShortEdges();
+    void splitLongEdges();
+    void flipEdges();
+    void relax();
+
+    RemeshCounts counts;
+
+private:
+    Vec3 point(Slot v) const { return m_mesh.point(v).cast<double>(); }
+    double length2(Slot e) const { return (point(m_mesh.to(2 * e)) - point(m_mesh.to(2 * e + 1))).squaredNorm(); }
+    Vec3f midpoint(Slot e) const
+    {
+        return m_mesh.lattice().snap(0.5 * (point(m_mesh.to(2 * e)) + point(m_mesh.to(2 * e + 1))));
+    }
+    bool mayGoOn();
+    template <class Wanted> std::vector<Edge> regionEdges(Wanted wanted) const;
+    Edge edgeAt(Slot e) const;
+    bool isCollapseLegal(Slot h, const Vec3f& target) const;
+    bool staysSound(Slot v, Slot ignored, const Vec3& target, bool boundLength) const;
+    bool shouldFlip(Slot e) const;
+    Vec3 relaxed(Slot v) const;
+
+    Mesh& m_mesh;
+    Region& m_region;
+    double m_detail2, m_minimum2;
+    const Attempt& m_attempt;
+    std::uint64_t m_opsLeft;
+    SparseIndex& m_changed; ///< vertices around operations
+};
+
+/// Twice a triangle's area, and the sine of its smallest angle: the one between the two longest sides.
+struct Shape
+{
+    Vec3 normal;
+    double smallestSine;
+};
+
+Shape shapeOf(const Vec3& a, const Vec3& b, const Vec3& c)
+{
+    const Vec3 normal = (b - a).cross(c - a);
+    std::array<double, 3> side2 = {(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()};
+    std::ranges::sort(side2);
+    const double product = std::sqrt(side2[1] * side2[2]);
+    return {normal, product > 0 ? normal.norm() / product : 0};
+}
+
+bool Remesher::mayGoOn()
+{
+    if (m_opsLeft == 0) {
+        counts.capped = true;
+        return false;
+    }
+    --m_opsLeft;
+    return true;
+}
+
+Edge Remesher::edgeAt(Slot e) const
+{
+    const Slot a = m_mesh.to(2 * e), b = m_mesh.to(2 * e + 1);
+    return {length2(e), std::min(a, b), std::max(a, b), e};
+}
+
+/// Edges with both ends in the region that are wanted by their squared length and slot.
+template <class Wanted> std::vector<Edge> Remesher::regionEdges(Wanted wanted) const
+{
+    std::vector<Edge> edges;
+    m_region.forEach([&](Slot v) {
+        const Vec3 p = point(v);
+        m_mesh.forEachOutgoing(v, [&](Slot h) {
+            const Slot other = m_mesh.to(h);
+            if (other < v || !m_region.contains(other))
+                return;
+            const double l2 = (point(other) - p).squaredNorm();
+            if (wanted(l2, h / 2))
+                edges.push_back({l2, v, other, h / 2});
+        });
+    });
+    return edges;
+}
+
+// --- 1. collapse -----------------------------------------------------------------------------------------------------------
+
+/// Whether the faces around v, but those with `ignored`, stay sound when v moves to the target.
+bool Remesher::staysSound(Slot v, Slot ignored, const Vec3& target, bool boundLength) const
+{
+    bool sound = true;
+    const Vec3 p = point(v);
+    m_mesh.forEachOutgoing(v, [&](Slot h) {
+        const Slot b = m_mesh.to(h), c = m_mesh.to(m_mesh.next(h));
+        if (!sound || b == ignored || c == ignored)
+            return;
+        const Vec3 pb = point(b), pc = point(c);
+        const Shape before = shapeOf(p, pb, pc), after = shapeOf(target, pb, pc);
+        const double turn = before.normal.dot(after.normal);
+        const double longest2 = std::max(m_detail2, (p - pb).squaredNorm());
+        if (turn <= leastTurnCosine * before.normal.norm() * after.normal.norm() ||
+            after.smallestSine < std::min(leastAngleSine, before.smallestSine) ||
+            (boundLength && (target - pb).squaredNorm() > longest2))
+            sound = false;
+    });
+    return sound;
+}
+
+bool Remesher::isCollapseLegal(Slot h, const Vec3f& target) const
+{
+    const Slot v0 = m_mesh.from(h), v1 = m_mesh.to(h);
+    const Vec3 p = target.cast<double>();
+    return m_mesh.isCollapseOk(h) && staysSound(v0, v1, p, true) && staysSound(v1, v0, p, true);
+}
+
+void Remesher::collapseShortEdges()
+{
+    std::vector<Edge> edges = regionEdges([&](double l2, Slot) { return l2 < m_minimum2; });
+    std::ranges::sort(edges, [](const Edge& a, const Edge& b) {
+        return std::tie(a.length2, a.v0, a.v1) < std::tie(b.length2, b.v0, b.v1);
+    });
+    for (const Edge& e : edges) {
+        if (!m_mesh.isEdge(e.edge) || length2(e.edge) >= m_minimum2)
+            continue;
+        const Slot h = 2 * e.edge, gone = m_mesh.from(h), stays = m_mesh.to(h);
+        const Vec3f target = midpoint(e.edge);
+        if (!isCollapseLegal(h, target) || !mayGoOn())
+            continue;
+        if (!m_attempt([&] { m_mesh.collapse(h, target); }))
+            continue;
+        ++counts.collapses;
+        m_region.setPlan(stays, 0.5 * (m_region.plan(gone) + m_region.plan(stays)));
+        m_region.remove(gone);
+        m_changed.add(stays);
+        m_mesh.forEachOutgoing(stays, [&](Slot g) { m_changed.add(m_mesh.to(g)); });
+    }
+}
+
+// --- 2. split --------------------------------------------------------------------------------------------------------------
+
+void Remesher::splitLongEdges()
+{
+    std::vector<Edge> edges = regionEdges([&](double l2, Slot) { return l2 > m_detail2; });
+    std::ranges::sort(edges, [](const Edge& a, const Edge& b) {
+        return std::tie(b.length2, a.v0, a.v1) < std::tie(a.length2, b.v0, b.v1);
+    });
+    std::deque<Edge> queue(edges.begin(), edges.end());
+    while (!queue.empty()) {
+        const Edge e = queue.front();
+        queue.pop_front();
+        if (!mayGoOn())
+            return;
+        const Vec3f p = midpoint(e.edge);
+        Slot m = noSlot;
+        if (!m_attempt([&] { m = m_mesh.splitEdge(e.edge, p); }))
+            continue;
+        ++counts.splits;
+        m_region.add(m, 0.5 * (m_region.plan(e.v0) + m_region.plan(e.v1)));
+        m_changed.add(m);
+        m_mesh.forEachOutgoing(m, [&](Slot h) {
+            const Slot other = m_mesh.to(h);
+            m_changed.add(other);
+            if (m_region.contains(other) && length2(h / 2) > m_detail2)
+                queue.push_back(edgeAt(h / 2));
+        });
+    }
+}
+
+// --- 3. flip ---------------------------------------------------------------------------------------------------------------
+
+/// Delaunay's criterion, cot(alpha) + cot(beta) < 0, on faces that lie nearly in one plane before and after.
+bool Remesher::shouldFlip(Slot e) const
+{
+    const Slot h = 2 * e;
+    const Vec3 a = point(m_mesh.from(h)), b = point(m_mesh.to(h));
+    const Vec3 c = point(m_mesh.to(m_mesh.next(h))), d = point(m_mesh.to(m_mesh.next(h ^ 1)));
+    const Vec3 n0 = (b - a).cross(c - a), n1 = (d - a).cross(b - a);
+    const double area0 = n0.norm(), area1 = n1.norm();
+    if (area0 == 0 || area1 == 0)
+        return false;
+    const double cotangents = (a - c).dot(b - c) / area0 + (a - d).dot(b - d) / area1;
+    if (cotangents > -1e-3 || n0.dot(n1) < flatCosine * area0 * area1)
+        return false;
+    const Vec3 m0 = (a - c).cross(d - c), m1 = (d - c).cross(b - c); // the new faces c,a,d and c,d,b
+    const double least = flatCosine * area0;
+    return m0.dot(n0) > least * m0.norm() && m1.dot(n0) > least * m1.norm() && (c - d).squaredNorm() <= m_detail2 &&
+           m_mesh.isFlipOk(e);
+}
+
+void Remesher::flipEdges()
+{
+    for (int pass = 0; pass < flipPasses; ++pass) {
+        const auto wanted = [&](double, Slot e) { return shouldFlip(e); };
+        std::vector<Edge> edges = regionEdges(wanted);
+        std::ranges::sort(edges, [](const Edge& a, const Edge& b) { return std::tie(a.v0, a.v1) < std::tie(b.v0, b.v1); });
+        bool flipped = false;
+        for (const Edge& e : edges) {
+            if (!shouldFlip(e.edge) || !mayGoOn() || !m_attempt([&] { m_mesh.flip(e.edge); }))
+                continue;
+            ++counts.flips;
+            flipped = true;
+            for (Slot h : {2 * e.edge, 2 * e.edge + 1}) {
+                m_changed.add(m_mesh.to(h));
+                m_changed.add(m_mesh.to(m_mesh.next(h)));
+            }
+        }
+        if (!flipped)
+            return;
+    }
+}
+
+// --- 4. relax --------------------------------------------------------------------------------------------------------------
+
+Vec3 Remesher::relaxed(Slot v) const
+{
+    Vec3 sum = Vec3::Zero();
+    int n = 0;
+    m_mesh.forEachOutgoing(v, [&](Slot h) {
+        sum += point(m_mesh.to(h));
+        ++n;
+    });
+    const Vec3 p = point(v), normal = vertexNormal(m_mesh, v);
+    Vec3 step = relaxation * (sum / n - p);
+    const double squared = normal.squaredNorm();
+    if (squared > 0)
+        step -= step.dot(normal) / squared * normal;
+    const double longest2 = 0.25 * m_minimum2;
+    const double step2 = step.squaredNorm();
+    return step2 > longest2 ? Vec3(p + std::sqrt(longest2 / step2) * step) : Vec3(p + step);
+}
+
+void Remesher::relax()
+{
+    m_changed.sort();
+    for (Slot v : m_changed.slots()) {
+        if (!m_mesh.isVertex(v) || !m_region.contains(v))
+            continue;
+        const Vec3f target = m_mesh.lattice().snap(relaxed(v));
+        if (staysSound(v, noSlot, target.cast<double>(), true))
+            m_attempt([&] { m_mesh.setPoint(v, target); });
+    }
+}
+} // namespace
+
+RemeshCounts& RemeshCounts::operator+=(const RemeshCounts& more)
+{
+    splits += more.splits;
+    collapses += more.collapses;
+    flips += more.flips;
+    capped = capped || more.capped;
+    return *this;
+}
+
+RemeshCounts optimise(Mesh& mesh, Region& region, const EdgeBounds& bounds, const Attempt& attempt)
+{
+    Remesher remesher(mesh, region, bounds, attempt);
+    remesher.collapseShortEdges();
+    remesher.splitLongEdges();
+    remesher.flipEdges();
+    remesher.relax();
+    return remesher.counts;
+}
+
+RemeshCounts splitLongEdges(Mesh& mesh, Region& region, const EdgeBounds& bounds, const Attempt& attempt)
+{
+    Remesher remesher(mesh, region, bounds, attempt);
+    remesher.splitLongEdges();
+    return remesher.counts;
+}
+} // namespace core

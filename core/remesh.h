@@ -1,0 +1,29 @@
+#pragma once
+
+#include "region.h"
+
+#include <functional>
+
+namespace core
+{
+struct RemeshCounts
+{
+    std::uint64_t splits = 0, collapses = 0, flips = 0;
+    bool capped = false; ///< the cap on operations was reached; the mesh is legal but not yet quasi-uniform
+
+    bool any() const { return splits + collapses + flips > 0; }
+    RemeshCounts& operator+=(const RemeshCounts& more);
+};
+
+/// Runs one operation; false means that it was judged and taken back. The plain one just runs it.
+using Attempt = std::function<bool(const std::function<void()>& operation)>;
+
+/// Makes the edges with both ends in the region quasi-uniform (paper, section 3.2): collapses those shorter than d, splits
+/// those longer than d_detail, flips those whose opposite angles exceed 180 degrees together, and relaxes vertices around
+/// the changes along the surface. Each operation is legal by itself: closed and manifold, no face turned over or made
+/// degenerate. Whether distant faces meet is not its question. O(region).
+RemeshCounts optimise(Mesh& mesh, Region& region, const EdgeBounds& bounds, const Attempt& attempt);
+
+/// Only the splitting: restores the d_detail tight property after vertices moved.
+RemeshCounts splitLongEdges(Mesh& mesh, Region& region, const EdgeBounds& bounds, const Attempt& attempt);
+} // namespace core

@@ -1,0 +1,106 @@
+#include "sculptor.h"
+
+#include "dab_engine.h"
+#include "stroke_path.h"
+
+namespace core
+{
+class Sculptor::Engine
+{
+public:
+    explicit Engine(Mesh& mesh) : dabs(mesh) {}
+
+    DabEngine dabs;
+    StrokeSettings settings;
+    std::optional<StrokePath> path;
+    std::function<void()> betweenSubsteps;
+
+    std::optional<Vec3> centerOf(const Vec3& position, const Vec3& direction) const;
+};
+
+/// Where a dab's centre comes from (`place`, DESIGN section 4).
+std::optional<Vec3> Sculptor::Engine::centerOf(const Vec3& position, const Vec3& direction) const
+{
+    std::optional<SurfaceHit> hit;
+    switch (settings.place) {
+    case Placement::Point:
+        return position;
+    case Placement::Nearest:
+        hit = nearestPoint(dabs.mesh(), dabs.octree(), position);
+        break;
+    case Placement::Ray:
+        hit = firstHit(dabs.mesh(), dabs.octree(), {position, direction});
+        break;
+    }
+    return hit ? std::optional(hit->position) : std::nullopt;
+}
+
+Sculptor::Sculptor(std::unique_ptr<Mesh> mesh) : m_mesh(std::move(mesh)), m_engine(std::make_unique<Engine>(*m_mesh)) {}
+
+Sculptor::~Sculptor() = default;
+
+void Sculptor::setBetweenSubsteps(std::function<void()> hook)
+{
+    m_engine->betweenSubsteps = std::move(hook);
+}
+
+void Sculptor::beginStroke(const StrokeSettings& settings)
+{
+    m_engine->settings = settings;
+    m_engine->path.emplace(settings);
+    m_mesh->beginStroke();
+}
+
+std::vector<DabReport> Sculptor::addSample(const StrokeSample& sample)
+{
+    std::vector<DabReport> reports;
+    Engine& engine = *m_engine;
+    engine.path->add(sample);
+    const auto centerOf = [&](const Vec3& position, const Vec3& direction) { return engine.centerOf(position, direction); };
+    while (const auto due = engine.path->next(centerOf))
+        reports.push_back(due->hasCenter ? engine.dabs.apply(engine.settings, due->dab, engine.betweenSubsteps) : DabReport());
+    return reports;
+}
+
+MeshDelta Sculptor::endStroke()
+{
+    m_engine->path.reset();
+    return m_mesh->endStroke();
+}
+
+void Sculptor::swap(MeshDelta& delta)
+{
+    m_mesh->swap(delta);
+    m_engine->dabs.follow(delta);
+}
+
+std::optional<SurfaceHit> Sculptor::hit(const Ray& ray) const
+{
+    return firstHit(*m_mesh, m_engine->dabs.octree(), ray);
+}
+
+std::optional<SurfaceHit> Sculptor::nearest(const Vec3& point) const
+{
+    return nearestPoint(*m_mesh, m_engine->dabs.octree(), point);
+}
+
+MeshPatch Sculptor::takePatch()
+{
+    return m_engine->dabs.dirtySlots().take(*m_mesh);
+}
+
+MeshPatch Sculptor::wholePatch() const
+{
+    return wholePatchOf(*m_mesh);
+}
+
+const SculptorTotals& Sculptor::totals() const
+{
+    return m_engine->dabs.totals();
+}
+
+bool Sculptor::indexIsConsistent() const
+{
+    return m_engine->dabs.octree().isConsistent(*m_mesh);
+}
+} // namespace core

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "mesh.h"
+#include "mesh_patch.h"
+#include "stroke.h"
+#include "surface_query.h"
+
+#include <functional>
+#include <memory>
+
+namespace core
+{
+struct SculptorTotals
+{
+    std::uint64_t splits = 0, collapses = 0, flips = 0, fusions = 0, separations = 0, rolledBack = 0;
+    std::array<std::uint64_t, 3> verifyTiers{}; ///< sub-steps proved by patch certificate, by stars, by pairs
+};
+
+/// Sculpts one mesh. Not thread-safe: lives on the mesh thread. After every dab the mesh is closed, manifold, consistently
+/// oriented, free of self-intersections and bounds a solid, if it was before; a dab that would break this ends early.
+class Sculptor
+{
+public:
+    /// Takes a mesh that passed `buildMesh`. Cost: O(faces), for the octree.
+    explicit Sculptor(std::unique_ptr<Mesh> mesh);
+    ~Sculptor();
+
+    const Mesh& mesh() const { return *m_mesh; }
+
+    /// Called between sub-steps, on the thread that called addSample; the mesh is valid then and may be read.
+    void setBetweenSubsteps(std::function<void()> hook);
+
+    void beginStroke(const StrokeSettings& settings);
+    bool strokeOpen() const { return m_mesh->strokeOpen(); }
+    /// Places the dabs that the path up to this sample holds, and applies them. Values must be finite and in range
+    /// (stroke_file checks files, the program clamps).
+    std::vector<DabReport> addSample(const StrokeSample& sample);
+    /// Closes the stroke. The delta is already applied; it is empty if nothing changed.
+    MeshDelta endStroke();
+
+    /// Applies a delta backwards, or forwards again: swaps its images with the mesh's. Cost: the delta's elements.
+    void swap(MeshDelta& delta);
+
+    /// First hit from outside, or nothing. Cost: O(faces near the ray).
+    std::optional<SurfaceHit> hit(const Ray& ray) const;
+    std::optional<SurfaceHit> nearest(const Vec3& point) const;
+
+    /// What changed since the last call.
+    MeshPatch takePatch();
+    /// Everything, for a viewer that comes late. Does not change what takePatch returns next.
+    MeshPatch wholePatch() const;
+
+    const SculptorTotals& totals() const;
+
+    /// For tests: the octree against the mesh.
+    bool indexIsConsistent() const;
+
+private:
+    class Engine;
+    std::unique_ptr<Mesh> m_mesh;
+    std::unique_ptr<Engine> m_engine;
+};
+} // namespace core

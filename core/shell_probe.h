@@ -1,0 +1,29 @@
+#pragma once
+
+#include "face_octree.h"
+
+namespace core
+{
+/// Does a closed, embedded shell face the right way at its depth: outwards (positive volume) inside an even number of other
+/// shells, inwards inside an odd number? Exact: integer volume, and the parity of the faces above one of its vertices.
+class ShellProbe
+{
+public:
+    using Points = std::array<LatticePoint, 3>;
+
+    /// A face of the shell itself.
+    void addFace(const Points& points);
+    /// The other faces that can lie above the probe meet this box. Precondition: the shell has a face.
+    LatticeBox column() const;
+    /// A face of another shell; it does not touch this one.
+    void castAt(const Points& points);
+    bool facesRightly() const { return (m_sixVolumes > 0) == !m_odd; }
+
+private:
+    __extension__ using Int128 = __int128;
+
+    Int128 m_sixVolumes = 0;
+    LatticePoint m_origin = LatticePoint::Constant(std::numeric_limits<int>::min());
+    bool m_odd = false;
+};
+} // namespace core

@@ -1,0 +1,31 @@
+#include "sparse_index.h"
+
+#include <algorithm>
+#include <new>
+
+namespace core
+{
+namespace
+{
+constexpr Slot leastCapacity = 1u << 22;
+}
+
+void SparseIndex::sort()
+{
+    std::ranges::sort(m_slots);
+    for (Slot i = 0; i < m_slots.size(); ++i)
+        m_position[m_slots[i]] = i;
+}
+
+void SparseIndex::grow(Slot slot)
+{
+    const Slot capacity = std::max(leastCapacity, 2 * slot);
+    std::unique_ptr<Slot[], Free> larger(static_cast<Slot*>(std::malloc(capacity * sizeof(Slot))));
+    if (!larger)
+        throw std::bad_alloc();
+    for (Slot i = 0; i < m_slots.size(); ++i)
+        larger[m_slots[i]] = i;
+    m_position = std::move(larger);
+    m_capacity = capacity;
+}
+} // namespace core

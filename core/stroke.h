@@ -1,0 +1,64 @@
+#pragma once
+
+#include "brush.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace core
+{
+/// What stays the same during a stroke. Lengths in the document's unit.
+struct StrokeSettings
+{
+    Tool tool = Tool::Pull;
+    BrushShape brush = BrushShape::Sphere;
+    Placement place = Placement::Point;
+    double radius = info(Parameter::Radius).defaultValue;
+    double strength = info(Parameter::Strength).defaultValue;
+    int falloff = static_cast<int>(info(Parameter::Falloff).defaultValue); ///< n of b(x); 0: no weighting
+    double detail = info(Parameter::Detail).defaultValue;                   ///< scales d_detail
+    double spacing = info(Parameter::Spacing).defaultValue; ///< in radii; 0: each sample is exactly one dab
+};
+
+/// One reading of mouse, pen or wand. After this nobody asks which it was.
+struct StrokeSample
+{
+    double time = 0; ///< seconds; without influence on geometry
+    Vec3 position = Vec3::Zero();
+    Vec3 direction = -Vec3::UnitZ();
+    double pressure = 1; ///< 0 to 1
+    /// The model's orientation in the world at that moment; its inverse is applied to position and direction.
+    Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
+    std::optional<double> radius;   ///< of this sample only
+    std::optional<double> strength; ///< of this sample only
+};
+
+struct Stroke
+{
+    StrokeSettings settings;
+    std::vector<StrokeSample> samples;
+};
+
+/// One application of the brush, in the model's space.
+struct Dab
+{
+    Vec3 position = Vec3::Zero();
+    Vec3 direction = -Vec3::UnitZ();
+    double radius = 0;
+    double strength = 0; ///< times pressure
+};
+
+enum class DabOutcome { Committed, Careful, EndedEarly, Empty };
+std::string_view name(DabOutcome outcome); ///< as in `replay --stats`
+
+/// What a dab did and what it cost.
+struct DabReport
+{
+    double selectMs = 0, optimiseMs = 0, deformMs = 0, fuseMs = 0, verifyMs = 0, totalMs = 0;
+    std::uint32_t touchedVertices = 0; ///< distinct vertices selected after optimisation
+    std::uint32_t touchedFaces = 0;
+    std::uint32_t substeps = 0;
+    double asked = 0, reached = 0; ///< peak displacement
+    DabOutcome outcome = DabOutcome::Empty;
+};
+} // namespace core

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "stroke.h"
+
+#include <functional>
+#include <optional>
+
+namespace core
+{
+/// Turns the samples of a stroke into dabs: one a sample with spacing 0, else evenly along the path of dab centres, which
+/// runs straight between samples.
+class StrokePath
+{
+public:
+    /// More dabs than this between two samples are not placed: the path goes on at the later sample.
+    static constexpr int mostDabsPerSample = 4096;
+
+    /// Where the dab of a sample would stand on the surface as it is now; nothing if it would be empty.
+    using CenterOf = std::function<std::optional<Vec3>(const Vec3& position, const Vec3& direction)>;
+
+    struct Due
+    {
+        Dab dab;
+        bool hasCenter; ///< false: the sample's ray misses, the dab is empty
+    };
+
+    explicit StrokePath(const StrokeSettings& settings) : m_settings(settings) {}
+
+    void add(const StrokeSample& sample);
+    /// The next dab that is due, or nothing until the next sample. Ask again after each dab: it may have moved the surface.
+    std::optional<Due> next(const CenterOf& centerOf);
+
+private:
+    Due due(const StrokeSample& sample, const CenterOf& centerOf) const;
+    Due arriveAtTarget(const Due& due);
+
+    StrokeSettings m_settings;
+    std::optional<StrokeSample> m_target; ///< the newest sample, until the path has reached it
+    StrokeSample m_at;                    ///< where the path has been followed to
+    std::optional<Vec3> m_center;         ///< the dab centre there; nothing before the path has met the surface
+    double m_travelled = 0;               ///< since the last dab
+    int m_dabsLeft = 0;
+};
+} // namespace core

@@ -1,0 +1,137 @@
+#include "surface_query.h"
+
+#include "region.h"
+
+namespace core
+{
+namespace
+{
+struct Corners
+{
+    Vec3 a, b, c;
+};
+
+Corners cornersOf(const Mesh& mesh, Slot f)
+{
+    const Triangle& t = mesh.corners(f);
+    return {mesh.point(t[0]).cast<double>(), mesh.point(t[1]).cast<double>(), mesh.point(t[2]).cast<double>()};
+}
+
+/// Where the ray enters the box, as a multiple of its direction; nothing if it misses. Slab test (Kay and Kajiya 1986).
+bool meetsBox(const Ray& ray, const Box& box)
+{
+    double enter = 0, leave = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 3; ++i) {
+        const double d = ray.direction[i];
+        if (d == 0) {
+            if (ray.origin[i] < box.min()[i] || ray.origin[i] > box.max()[i])
+                return false;
+            continue;
+        }
+        const double t0 = (box.min()[i] - ray.origin[i]) / d, t1 = (box.max()[i] - ray.origin[i]) / d;
+        enter = std::max(enter, std::min(t0, t1));
+        leave = std::min(leave, std::max(t0, t1));
+    }
+    return enter <= leave;
+}
+
+/// Möller and Trumbore 1997, front faces only. Returns the multiple of the direction, negative for a miss.
+double hitTriangle(const Ray& ray, const Corners& t)
+{
+    const Vec3 ab = t.b - t.a, ac = t.c - t.a;
+    const Vec3 p = ray.direction.cross(ac);
+    const double determinant = ab.dot(p);
+    if (!(determinant > 0))
+        return -1;
+    const Vec3 s = ray.origin - t.a;
+    const double u = s.dot(p);
+    if (u < 0 || u > determinant)
+        return -1;
+    const Vec3 q = s.cross(ab);
+    const double v = ray.direction.dot(q);
+    if (v < 0 || u + v > determinant)
+        return -1;
+    return ac.dot(q) / determinant;
+}
+
+/// The point of a triangle nearest to p (Ericson 2005, section 5.1.5).
+Vec3 nearestInTriangle(const Vec3& p, const Corners& t)
+{
+    const Vec3 ab = t.b - t.a, ac = t.c - t.a, ap = p - t.a;
+    const double d1 = ab.dot(ap), d2 = ac.dot(ap);
+    if (d1 <= 0 && d2 <= 0)
+        return t.a;
+    const Vec3 bp = p - t.b;
+    const double d3 = ab.dot(bp), d4 = ac.dot(bp);
+    if (d3 >= 0 && d4 <= d3)
+        return t.b;
+    const double vc = d1 * d4 - d3 * d2;
+    if (vc <= 0 && d1 >= 0 && d3 <= 0)
+        return t.a + d1 / (d1 - d3) * ab;
+    const Vec3 cp = p - t.c;
+    const double d5 = ab.dot(cp), d6 = ac.dot(cp);
+    if (d6 >= 0 && d5 <= d6)
+        return t.c;
+    const double vb = d5 * d2 - d1 * d6;
+    if (vb <= 0 && d2 >= 0 && d6 <= 0)
+        return t.a + d2 / (d2 - d6) * ac;
+    const double va = d3 * d6 - d5 * d4;
+    if (va <= 0 && d4 >= d3 && d5 >= d6)
+        return t.b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (t.c - t.b);
+    const double sum = va + vb + vc;
+    return t.a + vb / sum * ab + vc / sum * ac;
+}
+
+SurfaceHit surfaceHit(const Mesh& mesh, Slot f, const Vec3& position, double distance)
+{
+    const Corners t = cornersOf(mesh, f);
+    return {position, (t.b - t.a).cross(t.c - t.a).normalized(), distance, f};
+}
+} // namespace
+
+std::optional<SurfaceHit> firstHit(const Mesh& mesh, const FaceOctree& octree, const Ray& ray)
+{
+    const double unit = mesh.lattice().unit();
+    double first = std::numeric_limits<double>::infinity();
+    Slot face = noSlot;
+    const auto enter = [&](const LatticeBox& box) {
+        return meetsBox(ray, {box.min.cast<double>() * unit, box.max.cast<double>() * unit});
+    };
+    octree.traverse(enter, [&](Slot f) {
+        const double t = hitTriangle(ray, cornersOf(mesh, f));
+        if (t >= 0 && (t < first || (t == first && f < face))) {
+            first = t;
+            face = f;
+        }
+    });
+    if (face == noSlot)
+        return std::nullopt;
+    return surfaceHit(mesh, face, ray.origin + first * ray.direction, first * ray.direction.norm());
+}
+
+std::optional<SurfaceHit> nearestPoint(const Mesh& mesh, const FaceOctree& octree, const Vec3& point)
+{
+    const double unit = mesh.lattice().unit();
+    const double farthest = (point.cwiseAbs() + Vec3::Constant(mesh.lattice().halfVolume())).norm();
+    double radius = octree.smallestCell() * unit;
+    while (true) {
+        double nearest2 = std::numeric_limits<double>::infinity();
+        Slot face = noSlot;
+        Vec3 position = Vec3::Zero();
+        octree.query(latticeBox(mesh.lattice(), {point, radius}), [&](Slot f) {
+            const Vec3 candidate = nearestInTriangle(point, cornersOf(mesh, f));
+            const double d2 = (candidate - point).squaredNorm();
+            if (d2 < nearest2 || (d2 == nearest2 && f < face)) {
+                nearest2 = d2;
+                face = f;
+                position = candidate;
+            }
+        });
+        if (face != noSlot && nearest2 <= radius * radius)
+            return surfaceHit(mesh, face, position, std::sqrt(nearest2));
+        if (radius > farthest)
+            return std::nullopt; // an empty mesh
+        radius *= 2;
+    }
+}
+} // namespace core

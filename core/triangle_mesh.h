@@ -1,0 +1,19 @@
+#pragma once
+
+#include "geometry.h"
+
+#include <vector>
+
+namespace core
+{
+/// A triangle mesh as files hold it: no connectivity, no promise. What readers return, writers take and check judges.
+struct TriangleMesh
+{
+    std::vector<Vec3f> points;
+    std::vector<Rgb> colors; ///< empty, or one per point
+    std::vector<Triangle> triangles;
+};
+
+/// The paper's sphere (subdivisions 4: 2562 vertices): an icosahedron split 1 to 4 and pushed out to the radius.
+TriangleMesh icosphere(int subdivisions, double radius);
+} // namespace core

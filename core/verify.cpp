@@ -1,0 +1,239 @@
+// The exact local check of a change (DESIGN section 3, step 5):
+//   1. dirty faces:  those the journal says were relinked, and those around a vertex that moved
+//   2. each by itself: linked rightly, not degenerate
+//   3. partners:     every face that meets the box of the dirty ones
+//   4. tier a:       one certificate for the connected patch around the dirty faces
+//      tier b:       certificates for the stars of its vertices, exact tests of the disjoint pairs
+//      tier c:       exact tests of neighbouring pairs too, where a star has no certificate
+//   5. nesting:      a shell wholly inside the box must still face the right way at its depth
+
+#include "verify.h"
+
+#include "box_pairs.h"
+#include "shell_probe.h"
+
+#include <algorithm>
+
+namespace core
+{
+VerifyResult Verifier::verify(const Mesh& mesh, const FaceOctree& octree, const TouchedSlots& touched)
+{
+    m_result = {};
+    collectDirty(mesh, touched);
+    if (m_dirty.size() == 0)
+        return m_result;
+    gather(mesh, octree);
+    findBrokenFaces(mesh);
+    if (m_result.ok()) {
+        floodPatch(mesh);
+        const bool certified = certifyDirtyPatch();
+        const bool alone = m_component.empty() || std::ranges::all_of(m_component, [](Slot c) { return c == 0; });
+        if (!certified || !alone)
+            testPairs(mesh, !certified);
+        if (m_result.ok() && !(certified && alone))
+            checkNesting(mesh, octree);
+    }
+    std::ranges::sort(m_result.badFaces);
+    m_result.badFaces.erase(std::ranges::unique(m_result.badFaces).begin(), m_result.badFaces.end());
+    return m_result;
+}
+
+void Verifier::collectDirty(const Mesh& mesh, const TouchedSlots& touched)
+{
+    m_dirty.clear();
+    for (Slot f : touched.faces) {
+        if (mesh.isFace(f))
+            m_dirty.add(f);
+    }
+    for (Slot v : touched.vertices) {
+        if (mesh.isVertex(v))
+            mesh.forEachOutgoing(v, [&](Slot h) { m_dirty.add(mesh.face(h)); });
+    }
+}
+
+void Verifier::gather(const Mesh& mesh, const FaceOctree& octree)
+{
+    m_gathered.clear();
+    m_faces.clear();
+    m_box = {};
+    for (Slot f : m_dirty.slots()) {
+        const LatticeBox box = boxOf(mesh, f);
+        m_box.extend(box);
+        addFace(mesh, f, box);
+    }
+    m_dirtyCount = static_cast<Slot>(m_faces.size());
+    octree.query(m_box, [&](Slot f) {
+        if (!mesh.isFace(f) || m_dirty.contains(f))
+            return; // the octree knows where they were; where they are is above
+        const LatticeBox box = boxOf(mesh, f);
+        if (box.meets(m_box))
+            addFace(mesh, f, box);
+    });
+}
+
+void Verifier::addFace(const Mesh& mesh, Slot f, const LatticeBox& box)
+{
+    m_gathered.add(f);
+    const Triangle& t = mesh.corners(f);
+    m_faces.push_back({{t, {mesh.latticePoint(t[0]), mesh.latticePoint(t[1]), mesh.latticePoint(t[2])}}, box});
+}
+
+/// Links are checked where they changed: around the loop, to the face, to the corners, and across to a live neighbour.
+void Verifier::findBrokenFaces(const Mesh& mesh)
+{
+    for (Slot i = 0; i < m_dirtyCount; ++i) {
+        const Slot f = m_gathered.slots()[i];
+        const PatchFace& shape = m_faces[i].shape;
+        bool linked = true;
+        Slot h = mesh.faceHalfedge(f);
+        const auto corner = std::ranges::find(shape.corners, mesh.from(h));
+        linked = corner != shape.corners.end();
+        for (int k = 0; linked && k < 3; ++k) {
+            const std::size_t at = static_cast<std::size_t>(corner - shape.corners.begin() + k) % 3;
+            linked = mesh.face(h) == f && mesh.from(h) == shape.corners[at] && mesh.isVertex(shape.corners[at]) &&
+                     mesh.isEdge(h / 2) && mesh.isFace(mesh.face(h ^ 1)) && mesh.prev(mesh.next(h)) == h;
+            h = mesh.next(h);
+        }
+        const bool closes = linked && h == mesh.faceHalfedge(f);
+        if (!closes || LatticePredicates::collinear(shape.points[0], shape.points[1], shape.points[2]))
+            m_result.badFaces.push_back(f);
+    }
+}
+
+/// Labels the gathered faces by component (connected through edges); those of the dirty faces come first.
+void Verifier::floodPatch(const Mesh& mesh)
+{
+    m_component.assign(m_faces.size(), noSlot);
+    m_closed.clear();
+    m_patch.clear();
+    m_boundary.clear();
+    m_patchComponents = 0;
+    std::vector<Slot> front;
+    for (Slot seed = 0; seed < m_faces.size(); ++seed) {
+        if (seed == m_dirtyCount)
+            m_patchComponents = static_cast<Slot>(m_closed.size());
+        if (m_component[seed] != noSlot)
+            continue;
+        const Slot component = static_cast<Slot>(m_closed.size());
+        m_closed.push_back(1);
+        m_component[seed] = component;
+        front.assign(1, seed);
+        while (!front.empty()) {
+            const Slot at = front.back();
+            front.pop_back();
+            if (component == 0)
+                m_patch.push_back(m_faces[at].shape);
+            Slot h = mesh.faceHalfedge(m_gathered.slots()[at]);
+            for (int k = 0; k < 3; ++k, h = mesh.next(h)) {
+                const Slot other = mesh.face(h ^ 1);
+                if (m_gathered.contains(other)) {
+                    const Slot next = m_gathered.position(other);
+                    if (m_component[next] == noSlot) {
+                        m_component[next] = component;
+                        front.push_back(next);
+                    }
+                    continue;
+                }
+                m_closed[component] = 0;
+                if (component == 0) {
+                    const Slot from = mesh.from(h), to = mesh.to(h);
+                    m_boundary.push_back({from, to, mesh.latticePoint(from), mesh.latticePoint(to)});
+                }
+            }
+        }
+    }
+    if (m_faces.size() == m_dirtyCount)
+        m_patchComponents = static_cast<Slot>(m_closed.size());
+}
+
+bool Verifier::certifyDirtyPatch()
+{
+    if (m_patchComponents != 1 || m_closed[0])
+        return false;
+    Vec3 sum = Vec3::Zero(); // exact: integers
+    for (Slot i = 0; i < m_dirtyCount; ++i) {
+        const auto& p = m_faces[i].shape.points;
+        const Vec3 ab = (p[1] - p[0]).cast<double>(), ac = (p[2] - p[0]).cast<double>();
+        sum += ab.cross(ac);
+    }
+    return certifyPatch(m_patch, m_boundary, integerDirection(sum));
+}
+
+/// Tests the pairs with at least one dirty face whose boxes meet. After tier a only those of different components are left.
+void Verifier::testPairs(const Mesh& mesh, bool neighboursToo)
+{
+    m_result.tier = VerifyTier::Stars;
+    m_stars.clear();
+    m_starCertified.clear();
+    if (neighboursToo) {
+        for (Slot i = 0; i < m_dirtyCount; ++i) {
+            for (Slot v : m_faces[i].shape.corners)
+                starIsCertified(mesh, v);
+        }
+        if (std::ranges::find(m_starCertified, 0) != m_starCertified.end())
+            m_result.tier = VerifyTier::Pairs;
+    }
+    std::vector<LatticeBox> boxes(m_faces.size());
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+        boxes[i] = m_faces[i].box;
+    forEachBoxPair(boxes, m_dirtyCount, [&](Slot i, Slot j) { testPair(i, j, neighboursToo); });
+}
+
+bool Verifier::starIsCertified(const Mesh& mesh, Slot v)
+{
+    const Slot position = m_stars.add(v);
+    if (position == m_starCertified.size())
+        m_starCertified.push_back(certifyStar(mesh, v));
+    return m_starCertified[position];
+}
+
+void Verifier::testPair(Slot i, Slot j, bool neighboursToo)
+{
+    if (!neighboursToo && m_component[i] == 0 && m_component[j] == 0)
+        return;
+    const PatchFace& s = m_faces[i].shape;
+    const PatchFace& t = m_faces[j].shape;
+    for (Slot v : s.corners) {
+        const bool shared = v == t.corners[0] || v == t.corners[1] || v == t.corners[2];
+        if (shared && m_stars.contains(v) && m_starCertified[m_stars.position(v)])
+            return;
+    }
+    if (trianglesMeet<LatticePredicates>({s.corners, s.points}, {t.corners, t.points})) {
+        m_result.badFaces.push_back(m_gathered.slots()[i]);
+        m_result.badFaces.push_back(m_gathered.slots()[j]);
+    }
+}
+
+/// A shell wholly inside the box may have been turned over, swallowed or let out without any two faces meeting now.
+void Verifier::checkNesting(const Mesh& mesh, const FaceOctree& octree)
+{
+    for (Slot component = 0; component < m_closed.size(); ++component) {
+        if (!m_closed[component])
+            continue;
+        ShellProbe probe;
+        for (Slot i = 0; i < m_faces.size(); ++i) {
+            if (m_component[i] == component)
+                probe.addFace(m_faces[i].shape.points);
+        }
+        const auto isOwn = [&](Slot f) {
+            return m_gathered.contains(f) && m_component[m_gathered.position(f)] == component;
+        };
+        octree.query(probe.column(), [&](Slot f) {
+            if (!mesh.isFace(f) || m_dirty.contains(f) || isOwn(f))
+                return;
+            const Triangle& t = mesh.corners(f);
+            probe.castAt({mesh.latticePoint(t[0]), mesh.latticePoint(t[1]), mesh.latticePoint(t[2])});
+        });
+        for (Slot i = 0; i < m_dirtyCount; ++i) {
+            if (m_component[i] != component)
+                probe.castAt(m_faces[i].shape.points);
+        }
+        if (probe.facesRightly())
+            continue;
+        for (Slot i = 0; i < m_faces.size(); ++i) {
+            if (m_component[i] == component)
+                m_result.badFaces.push_back(m_gathered.slots()[i]);
+        }
+    }
+}
+} // namespace core

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "face_octree.h"
+#include "patch_certificate.h"
+#include "sparse_index.h"
+#include "triangle_pair.h"
+
+namespace core
+{
+/// What was needed to prove a change sound: one certificate of the whole patch, certificates of all its stars and tests of
+/// disjoint pairs, or tests of neighbouring pairs too.
+enum class VerifyTier { Patch, Stars, Pairs };
+
+struct VerifyResult
+{
+    VerifyTier tier = VerifyTier::Patch;
+    std::vector<Slot> badFaces; ///< ascending; complete: every face of every pair that meets, every face that is degenerate
+                                ///< or wrongly linked, every face of a shell that turned over or was swallowed
+
+    bool ok() const { return badFaces.empty(); }
+};
+
+/// The exact local check (DESIGN section 3, step 5). If the mesh was sound before the change, then it is sound after it if
+/// and only if this finds no bad face. Not thread-safe: owns scratch memory.
+class Verifier
+{
+public:
+    /// `touched` comes from the mesh's journal and holds all that changed since `octree` was last up to date.
+    VerifyResult verify(const Mesh& mesh, const FaceOctree& octree, const TouchedSlots& touched);
+
+    /// The faces of the last verify() that changed: relinked or with a moved corner, and alive.
+    const std::vector<Slot>& dirtyFaces() const { return m_dirty.slots(); }
+
+private:
+    struct LocalFace
+    {
+        PatchFace shape;
+        LatticeBox box;
+    };
+
+    void collectDirty(const Mesh& mesh, const TouchedSlots& touched);
+    void findBrokenFaces(const Mesh& mesh);
+    void gather(const Mesh& mesh, const FaceOctree& octree);
+    void addFace(const Mesh& mesh, Slot f, const LatticeBox& box);
+    void floodPatch(const Mesh& mesh);
+    bool certifyDirtyPatch();
+    void testPairs(const Mesh& mesh, bool neighboursToo);
+    void testPair(Slot i, Slot j, bool neighboursToo);
+    bool starIsCertified(const Mesh& mesh, Slot v);
+    void checkNesting(const Mesh& mesh, const FaceOctree& octree);
+    bool isDirty(Slot local) const { return local < m_dirtyCount; }
+
+    VerifyResult m_result;
+    SparseIndex m_dirty;              ///< changed faces
+    SparseIndex m_gathered;           ///< the dirty ones first, then every other face that meets their box
+    std::vector<LocalFace> m_faces;   ///< of m_gathered, in its order
+    Slot m_dirtyCount = 0;
+    LatticeBox m_box;                 ///< of the dirty faces
+    std::vector<Slot> m_component;    ///< by gathered face
+    std::vector<char> m_closed;       ///< by component: no half-edge leaves the gathered faces
+    Slot m_patchComponents = 0;       ///< components 0 to this hold dirty faces
+    std::vector<PatchFace> m_patch;
+    std::vector<BoundaryEdge> m_boundary;
+    SparseIndex m_stars;              ///< vertices asked about
+    std::vector<char> m_starCertified;
+    std::vector<char> m_degenerate;   ///< by gathered face
+};
+} // namespace core
