@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace core
+{
+/// Writes a file so that at each moment the path holds the whole old file or the whole new one, after a power cut too.
+/// Until commit() nothing is seen under the path; without it nothing remains. Through a link the file it points to is
+/// replaced; its permissions stay. Each member throws FileError.
+class AtomicFile
+{
+public:
+    explicit AtomicFile(const std::filesystem::path& path);
+    ~AtomicFile();
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+
+    /// Buffered.
+    void write(std::string_view bytes);
+    void commit();
+
+private:
+    void openTemporary();
+    void flush();
+    void giveTemporaryName();
+    [[noreturn]] void fail(int systemError) const;
+
+    std::filesystem::path m_path;   ///< as asked, for errors
+    std::filesystem::path m_target; ///< with links followed
+    std::string m_temporary;        ///< empty while the file has no name
+    std::string m_buffer;
+    int m_descriptor = -1;
+};
+} // namespace core

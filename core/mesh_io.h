@@ -1,0 +1,44 @@
+#pragma once
+
+#include "triangle_mesh.h"
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace core
+{
+enum class MeshFormat { Stl, Obj, Ply };
+
+/// The formats by their endings (lower case, without dot), in the order of MeshFormat.
+std::span<const std::string_view> meshEndings();
+/// By the ending, in either case.
+std::optional<MeshFormat> meshFormatOf(const std::filesystem::path& path);
+
+/// Which axis of a file points up. In a document it is Y.
+enum class UpAxis { Y, Z };
+/// STL: Z, the print bed's habit. The others: Y.
+UpAxis usualUp(MeshFormat format);
+
+struct ReadOptions
+{
+    std::optional<UpAxis> up; ///< of the file; missing: usualUp
+};
+
+struct WriteOptions
+{
+    std::optional<UpAxis> up; ///< of the file; missing: usualUp
+    bool ascii = false;       ///< STL and PLY as text. OBJ is text always.
+};
+
+/// Throws FileError. What it returns has at least one face, indices in range and finite points, nothing more: faces may be
+/// degenerate, vertices unused. STL vertices are welded by equal bits (-0 = 0), numbered in order of appearance. Polygons
+/// are cut into triangles, the other formats' vertices and faces keep their order. Text numbers are rounded to the nearest
+/// float32. A file is not read beyond its header when its size contradicts it. Units are the file's.
+TriangleMesh readMesh(const std::filesystem::path& path, const ReadOptions& options = {});
+
+/// Throws FileError; then the path holds what it held before. Read again, points and colours come back bit for bit (STL: no
+/// colours, no unused vertices, no -0).
+void writeMesh(const std::filesystem::path& path, const TriangleMesh& mesh, const WriteOptions& options = {});
+} // namespace core
