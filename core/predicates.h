@@ -9,8 +9,7 @@
 /// asks them can be a template: points of the lattice (the engine), and float32 points as they are (files).
 namespace core
 {
-template<typename Number>
-constexpr int signOf(Number x)
+template <typename Number> constexpr int signOf(Number x)
 {
     return (x > Number(0)) - (x < Number(0));
 }
@@ -37,7 +36,10 @@ struct LatticePredicates
         std::int64_t m_normal[3];
     };
 
-    static int orient3d(const Point& a, const Point& b, const Point& c, const Point& d) { return Plane(a, b, c).side(d); }
+    static int orient3d(const Point& a, const Point& b, const Point& c, const Point& d)
+    {
+        return Plane(a, b, c).side(d);
+    }
 
     /// Sign of twice the area of abc, projected along `axis`: seen from the axis' positive end, 1 is counter-clockwise.
     static int orient2d(const Point& a, const Point& b, const Point& c, int axis);
@@ -64,7 +66,10 @@ struct FloatPredicates
         double m_size[3]; ///< the normal's components with every sign taken positive: what rounding is relative to
     };
 
-    static int orient3d(const Point& a, const Point& b, const Point& c, const Point& d) { return Plane(a, b, c).side(d); }
+    static int orient3d(const Point& a, const Point& b, const Point& c, const Point& d)
+    {
+        return Plane(a, b, c).side(d);
+    }
     static int orient2d(const Point& a, const Point& b, const Point& c, int axis);
     static bool collinear(const Point& a, const Point& b, const Point& c) { return !Plane(a, b, c).isPlane(); }
 

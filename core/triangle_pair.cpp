@@ -14,19 +14,17 @@ namespace core
 {
 namespace
 {
-template<typename Predicates>
-using Points = std::array<typename Predicates::Point, 3>;
+template <typename Predicates> using Points = std::array<typename Predicates::Point, 3>;
 
 /// Corners of both triangles, turned so that shared ones come first, in the same order in both.
 /// Turning by one corner keeps the winding; exchanging two does not, and nothing here depends on the winding.
-template<typename Predicates>
-struct AlignedPair
+template <typename Predicates> struct AlignedPair
 {
     Points<Predicates> s, t;
     int shared;
 };
 
-template<typename Predicates>
+template <typename Predicates>
 AlignedPair<Predicates> align(const CornerTriangle<Predicates>& s, const CornerTriangle<Predicates>& t)
 {
     int shared = 0;
@@ -41,12 +39,13 @@ AlignedPair<Predicates> align(const CornerTriangle<Predicates>& s, const CornerT
             }
         }
     }
-    return {{s.points[si[0]], s.points[si[1]], s.points[si[2]]}, {t.points[ti[0]], t.points[ti[1]], t.points[ti[2]]}, shared};
+    return {{s.points[si[0]], s.points[si[1]], s.points[si[2]]},
+            {t.points[ti[0]], t.points[ti[1]], t.points[ti[2]]},
+            shared};
 }
 
 /// s and t share the edge of their first two corners.
-template<typename Predicates>
-bool meetBesideEdge(const Points<Predicates>& s, const Points<Predicates>& t)
+template <typename Predicates> bool meetBesideEdge(const Points<Predicates>& s, const Points<Predicates>& t)
 {
     const typename Predicates::Plane plane(s[0], s[1], s[2]);
     if (plane.side(t[2]) != 0)
@@ -56,8 +55,7 @@ bool meetBesideEdge(const Points<Predicates>& s, const Points<Predicates>& t)
 }
 
 /// Coplanar triangles that share their first corner: do their angles there have a ray in common?
-template<typename Predicates>
-bool anglesMeet(Points<Predicates> s, Points<Predicates> t, int axis)
+template <typename Predicates> bool anglesMeet(Points<Predicates> s, Points<Predicates> t, int axis)
 {
     for (Points<Predicates>* corners : {&s, &t})
         if (Predicates::orient2d((*corners)[0], (*corners)[1], (*corners)[2], axis) < 0)
@@ -70,8 +68,7 @@ bool anglesMeet(Points<Predicates> s, Points<Predicates> t, int axis)
 
 /// s and t share their first corner v: s = vpq, t = vrs. An edge, crossing the plane of the other triangle, meets that
 /// triangle if the edge's line passes all its sides in one sense. Of those six orientations four are known from the planes.
-template<typename Predicates>
-bool meetBesideCorner(const Points<Predicates>& s, const Points<Predicates>& t)
+template <typename Predicates> bool meetBesideCorner(const Points<Predicates>& s, const Points<Predicates>& t)
 {
     const typename Predicates::Plane tPlane(t[0], t[1], t[2]);
     const int p = tPlane.side(s[1]), q = tPlane.side(s[2]);
@@ -91,21 +88,19 @@ bool meetBesideCorner(const Points<Predicates>& s, const Points<Predicates>& t)
 }
 
 /// Is each corner of t strictly outside one edge of s? s winds counter-clockwise in the projection.
-template<typename Predicates>
-bool edgeSeparates(const Points<Predicates>& s, const Points<Predicates>& t, int axis)
+template <typename Predicates> bool edgeSeparates(const Points<Predicates>& s, const Points<Predicates>& t, int axis)
 {
     for (std::size_t i = 0; i < 3; ++i) {
         const auto& a = s[i];
         const auto& b = s[i == 2 ? 0 : i + 1];
-        if (Predicates::orient2d(a, b, t[0], axis) < 0 && Predicates::orient2d(a, b, t[1], axis) < 0
-            && Predicates::orient2d(a, b, t[2], axis) < 0)
+        if (Predicates::orient2d(a, b, t[0], axis) < 0 && Predicates::orient2d(a, b, t[1], axis) < 0 &&
+            Predicates::orient2d(a, b, t[2], axis) < 0)
             return true;
     }
     return false;
 }
 
-template<typename Predicates>
-bool coplanarMeet(Points<Predicates> s, Points<Predicates> t, int axis)
+template <typename Predicates> bool coplanarMeet(Points<Predicates> s, Points<Predicates> t, int axis)
 {
     for (Points<Predicates>* corners : {&s, &t})
         if (Predicates::orient2d((*corners)[0], (*corners)[1], (*corners)[2], axis) < 0)
@@ -132,13 +127,12 @@ LoneCorner loneCorner(const std::array<int, 3>& sides)
     return {find(0), count(-1) == 2};
 }
 
-template<typename Predicates>
-Points<Predicates> turned(const Points<Predicates>& points, std::size_t first)
+template <typename Predicates> Points<Predicates> turned(const Points<Predicates>& points, std::size_t first)
 {
     return {points[first], points[(first + 1) % 3], points[(first + 2) % 3]};
 }
 
-template<typename Predicates>
+template <typename Predicates>
 std::array<int, 3> sidesOf(const typename Predicates::Plane& plane, const Points<Predicates>& points)
 {
     return {plane.side(points[0]), plane.side(points[1]), plane.side(points[2])};
@@ -150,8 +144,7 @@ bool allStrictlyOneSide(const std::array<int, 3>& sides)
 }
 
 /// The triangles share no corner.
-template<typename Predicates>
-bool meetApart(const Points<Predicates>& s, const Points<Predicates>& t)
+template <typename Predicates> bool meetApart(const Points<Predicates>& s, const Points<Predicates>& t)
 {
     const typename Predicates::Plane tPlane(t[0], t[1], t[2]);
     const std::array<int, 3> sSides = sidesOf<Predicates>(tPlane, s);
@@ -176,17 +169,21 @@ bool meetApart(const Points<Predicates>& s, const Points<Predicates>& t)
 }
 } // namespace
 
-template<typename Predicates>
+template <typename Predicates>
 bool trianglesMeet(const CornerTriangle<Predicates>& s, const CornerTriangle<Predicates>& t)
 {
     assert(!Predicates::collinear(s.points[0], s.points[1], s.points[2]));
     assert(!Predicates::collinear(t.points[0], t.points[1], t.points[2]));
     const AlignedPair<Predicates> pair = align(s, t);
     switch (pair.shared) {
-    case 0: return meetApart<Predicates>(pair.s, pair.t);
-    case 1: return meetBesideCorner<Predicates>(pair.s, pair.t);
-    case 2: return meetBesideEdge<Predicates>(pair.s, pair.t);
-    default: return true;
+    case 0:
+        return meetApart<Predicates>(pair.s, pair.t);
+    case 1:
+        return meetBesideCorner<Predicates>(pair.s, pair.t);
+    case 2:
+        return meetBesideEdge<Predicates>(pair.s, pair.t);
+    default:
+        return true;
     }
 }
 

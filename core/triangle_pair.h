@@ -5,8 +5,7 @@
 namespace core
 {
 /// A triangle with its corners' identities: corners are shared by id, never by position.
-template<typename Predicates>
-struct CornerTriangle
+template <typename Predicates> struct CornerTriangle
 {
     std::array<Slot, 3> ids;
     std::array<typename Predicates::Point, 3> points;
@@ -15,7 +14,7 @@ struct CornerTriangle
 /// Do the two triangles meet anywhere outside the vertices and edges that they share by id? Touching is meeting, and so are
 /// two triangles of the same three ids. Exact. Neither triangle may be degenerate (collinear). Boxes are not compared.
 /// Instantiated for LatticePredicates (10 to 50 ns) and FloatPredicates.
-template<typename Predicates>
+template <typename Predicates>
 bool trianglesMeet(const CornerTriangle<Predicates>& s, const CornerTriangle<Predicates>& t);
 
 extern template bool trianglesMeet(const CornerTriangle<LatticePredicates>&, const CornerTriangle<LatticePredicates>&);

@@ -20,20 +20,17 @@ using core::Vec3f;
 
 constexpr unsigned seed = 20240812;
 
-template<typename Point>
-Kernel::Point_3 judged(const Point& p)
+template <typename Point> Kernel::Point_3 judged(const Point& p)
 {
     return {static_cast<double>(p.x()), static_cast<double>(p.y()), static_cast<double>(p.z())};
 }
 
-template<typename Point>
-int judgedOrient3d(const Point& a, const Point& b, const Point& c, const Point& d)
+template <typename Point> int judgedOrient3d(const Point& a, const Point& b, const Point& c, const Point& d)
 {
     return static_cast<int>(CGAL::orientation(judged(a), judged(b), judged(c), judged(d)));
 }
 
-template<typename Point>
-int judgedOrient2d(const Point& a, const Point& b, const Point& c, int axis)
+template <typename Point> int judgedOrient2d(const Point& a, const Point& b, const Point& c, int axis)
 {
     const int i = (axis + 1) % 3, j = (axis + 2) % 3;
     const auto flat = [i, j](const Point& p) {
@@ -94,8 +91,7 @@ private:
     std::mt19937 m_engine{seed};
 };
 
-template<typename Predicates>
-QByteArray describe(const char* what, const std::array<typename Predicates::Point, 4>& p)
+template <typename Predicates> QByteArray describe(const char* what, const std::array<typename Predicates::Point, 4>& p)
 {
     QByteArray text = QByteArray(what) + " disagrees, seed " + QByteArray::number(seed) + ":";
     for (const auto& q : p)
@@ -105,8 +101,7 @@ QByteArray describe(const char* what, const std::array<typename Predicates::Poin
 }
 
 /// Empty if all predicates agree with the judge on these four points.
-template<typename Predicates>
-QByteArray disagreement(const std::array<typename Predicates::Point, 4>& p)
+template <typename Predicates> QByteArray disagreement(const std::array<typename Predicates::Point, 4>& p)
 {
     if (Predicates::orient3d(p[0], p[1], p[2], p[3]) != judgedOrient3d(p[0], p[1], p[2], p[3]))
         return describe<Predicates>("orient3d", p);
@@ -167,8 +162,10 @@ void TestPredicates::lattice_isExactAtTheCornersOfItsVolume()
 {
     LatticeSource source;
     const auto extreme = [&source] {
-        constexpr std::array values{-core::Lattice::limit, -core::Lattice::limit + 1, core::Lattice::limit - 1, core::Lattice::limit};
-        return LatticePoint(values[static_cast<std::size_t>(source.below(4))], values[static_cast<std::size_t>(source.below(4))],
+        constexpr std::array values{-core::Lattice::limit, -core::Lattice::limit + 1, core::Lattice::limit - 1,
+                                    core::Lattice::limit};
+        return LatticePoint(values[static_cast<std::size_t>(source.below(4))],
+                            values[static_cast<std::size_t>(source.below(4))],
                             values[static_cast<std::size_t>(source.below(4))]);
     };
     for (int i = 0; i < 300'000; ++i) {
@@ -180,7 +177,8 @@ void TestPredicates::lattice_isExactAtTheCornersOfItsVolume()
 void TestPredicates::float_agreesWithJudge_data()
 {
     QTest::addColumn<QString>("kind");
-    for (const char* kind : {"any exponent", "near a plane", "small integers", "tenths", "planes of any exponent", "mixed scales"})
+    for (const char* kind :
+         {"any exponent", "near a plane", "small integers", "tenths", "planes of any exponent", "mixed scales"})
         QTest::newRow(kind) << QString::fromLatin1(kind);
 }
 
@@ -222,7 +220,8 @@ void TestPredicates::float_isExactAtTheEndsOfItsRange()
     constexpr float most = std::numeric_limits<float>::max(), least = std::numeric_limits<float>::denorm_min();
     constexpr std::array values{-most, -1.0f, -least, 0.0f, least, 2 * least, 1.0f, most};
     const auto extreme = [&] {
-        return Vec3f(values[static_cast<std::size_t>(source.below(8))], values[static_cast<std::size_t>(source.below(8))],
+        return Vec3f(values[static_cast<std::size_t>(source.below(8))],
+                     values[static_cast<std::size_t>(source.below(8))],
                      values[static_cast<std::size_t>(source.below(8))]);
     };
     for (int i = 0; i < 200'000; ++i) {

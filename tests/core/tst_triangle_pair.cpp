@@ -23,17 +23,16 @@ using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
 
 constexpr unsigned seed = 20240812;
 
-template<typename Kernel, typename Predicates>
-typename Kernel::Triangle_3 judged(const CornerTriangle<Predicates>& t)
+template <typename Kernel, typename Predicates> typename Kernel::Triangle_3 judged(const CornerTriangle<Predicates>& t)
 {
     const auto point = [](const auto& p) {
-        return typename Kernel::Point_3(static_cast<double>(p.x()), static_cast<double>(p.y()), static_cast<double>(p.z()));
+        return typename Kernel::Point_3(static_cast<double>(p.x()), static_cast<double>(p.y()),
+                                        static_cast<double>(p.z()));
     };
     return {point(t.points[0]), point(t.points[1]), point(t.points[2])};
 }
 
-template<typename Predicates>
-bool judgedMeet(const CornerTriangle<Predicates>& s, const CornerTriangle<Predicates>& t)
+template <typename Predicates> bool judgedMeet(const CornerTriangle<Predicates>& s, const CornerTriangle<Predicates>& t)
 {
     int shared = 0;
     for (const core::Slot id : s.ids)
@@ -46,7 +45,7 @@ bool judgedMeet(const CornerTriangle<Predicates>& s, const CornerTriangle<Predic
     return shared == 1 ? !boost::get<Exact::Point_3>(&*common) : !boost::get<Exact::Segment_3>(&*common);
 }
 
-template<typename Predicates>
+template <typename Predicates>
 QByteArray describe(const CornerTriangle<Predicates>& s, const CornerTriangle<Predicates>& t)
 {
     QByteArray text = "seed " + QByteArray::number(seed) + ":";
@@ -60,8 +59,9 @@ QByteArray describe(const CornerTriangle<Predicates>& s, const CornerTriangle<Pr
 }
 
 /// Two triangles that share `shared` corners, in random places of both.
-template<typename Predicates, typename MakePoint>
-std::pair<CornerTriangle<Predicates>, CornerTriangle<Predicates>> randomPair(std::mt19937& engine, int shared, MakePoint make)
+template <typename Predicates, typename MakePoint>
+std::pair<CornerTriangle<Predicates>, CornerTriangle<Predicates>> randomPair(std::mt19937& engine, int shared,
+                                                                             MakePoint make)
 {
     CornerTriangle<Predicates> s, t;
     do {
@@ -84,8 +84,7 @@ std::pair<CornerTriangle<Predicates>, CornerTriangle<Predicates>> randomPair(std
 }
 
 /// Points of a kind: how many hits and near-hits there are depends on it.
-template<typename Predicates>
-class PointSource
+template <typename Predicates> class PointSource
 {
 public:
     PointSource(QString kind, std::mt19937& engine) : m_kind(std::move(kind)), m_engine(engine) {}
@@ -94,7 +93,9 @@ public:
     {
         using Number = typename Predicates::Point::Scalar;
         using Point = typename Predicates::Point;
-        const auto integer = [this](int n) { return static_cast<Number>(std::uniform_int_distribution<int>(-n, n)(m_engine)); };
+        const auto integer = [this](int n) {
+            return static_cast<Number>(std::uniform_int_distribution<int>(-n, n)(m_engine));
+        };
         if (m_kind == "tiny integers")
             return Point(integer(2), integer(2), integer(2));
         if (m_kind == "flat")
@@ -113,8 +114,7 @@ private:
     std::mt19937& m_engine;
 };
 
-template<typename Predicates>
-QByteArray firstDisagreement(const QString& kind, int shared, int count)
+template <typename Predicates> QByteArray firstDisagreement(const QString& kind, int shared, int count)
 {
     std::mt19937 engine(seed + static_cast<unsigned>(shared));
     PointSource<Predicates> source(kind, engine);
@@ -150,7 +150,8 @@ void TestTrianglePair::agreesWithJudge_data()
     QTest::addColumn<int>("shared");
     for (const char* kind : {"tiny integers", "flat", "slanted flat", "thin", "whole volume"})
         for (int shared = 0; shared < 3; ++shared)
-            QTest::newRow((std::string(kind) + ", " + std::to_string(shared) + " shared").c_str()) << QString::fromLatin1(kind) << shared;
+            QTest::newRow((std::string(kind) + ", " + std::to_string(shared) + " shared").c_str())
+                << QString::fromLatin1(kind) << shared;
 }
 
 void TestTrianglePair::agreesWithJudge()
@@ -189,7 +190,8 @@ void TestTrianglePair::doesNotDependOnWinding()
     PointSource<LatticePredicates> source("tiny integers", engine);
     for (int i = 0; i < 300'000; ++i) {
         const auto [s, t] = randomPair<LatticePredicates>(engine, i % 3, source);
-        const CornerTriangle<LatticePredicates> reversed{{s.ids[0], s.ids[2], s.ids[1]}, {s.points[0], s.points[2], s.points[1]}};
+        const CornerTriangle<LatticePredicates> reversed{{s.ids[0], s.ids[2], s.ids[1]},
+                                                         {s.points[0], s.points[2], s.points[1]}};
         QCOMPARE(core::trianglesMeet(reversed, t), core::trianglesMeet(s, t));
     }
 }

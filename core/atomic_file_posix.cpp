@@ -1,0 +1,155 @@
+#include "atomic_file.h"
+
+#include "file_error.h"
+
+#include <atomic>
+#include <cerrno>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace core
+{
+namespace
+{
+constexpr std::size_t bufferSize = 1 << 20;
+
+FileErrorKind kindOf(int systemError)
+{
+    switch (systemError) {
+    case ENOSPC:
+    case EDQUOT:
+        return FileErrorKind::DiskFull;
+    case EACCES:
+    case EPERM:
+    case EROFS:
+        return FileErrorKind::NotWritable;
+    case ENOENT:
+    case ENOTDIR:
+        return FileErrorKind::NotFound;
+    case EISDIR:
+        return FileErrorKind::NotAFile;
+    default:
+        return FileErrorKind::WriteFailed;
+    }
+}
+
+/// A name beside the target that nobody else uses: of this process and this moment, and created exclusively.
+std::string temporaryName(const std::filesystem::path& target)
+{
+    static std::atomic<unsigned> counter{0};
+    const std::string name = ".fettle-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp";
+    return (target.parent_path() / name).string();
+}
+
+std::string folderOf(const std::filesystem::path& target)
+{
+    const std::filesystem::path folder = target.parent_path();
+    return folder.empty() ? "." : folder.string();
+}
+} // namespace
+
+AtomicFile::AtomicFile(const std::filesystem::path& path) : m_path(path), m_target(path)
+{
+    std::error_code error;
+    if (std::filesystem::is_symlink(path, error)) {
+        m_target = std::filesystem::weakly_canonical(path, error);
+        if (error)
+            fail(error.value());
+    }
+    struct stat status = {};
+    const bool exists = ::stat(m_target.c_str(), &status) == 0;
+    if (exists && !S_ISREG(status.st_mode))
+        throw FileError(FileErrorKind::NotAFile, m_path);
+    if (exists && ::access(m_target.c_str(), W_OK) != 0)
+        fail(errno);
+    openTemporary();
+    if (exists)
+        static_cast<void>(
+            ::fchmod(m_descriptor, status.st_mode & 07777)); // a file system without modes is no reason to fail
+    m_buffer.reserve(bufferSize);
+}
+
+/// At best the file has no name until it is complete: then not even a killed program leaves something behind.
+void AtomicFile::openTemporary()
+{
+#ifdef O_TMPFILE
+    m_descriptor = ::open(folderOf(m_target).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+    if (m_descriptor >= 0)
+        return;
+#endif
+    m_temporary = temporaryName(m_target);
+    m_descriptor = ::open(m_temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (m_descriptor < 0) {
+        const int error = errno;
+        m_temporary.clear();
+        fail(error);
+    }
+}
+
+AtomicFile::~AtomicFile()
+{
+    if (m_descriptor >= 0)
+        ::close(m_descriptor);
+    if (!m_temporary.empty())
+        ::unlink(m_temporary.c_str());
+}
+
+void AtomicFile::write(std::string_view bytes)
+{
+    if (m_buffer.size() + bytes.size() > bufferSize)
+        flush();
+    m_buffer.append(bytes);
+}
+
+void AtomicFile::flush()
+{
+    std::size_t done = 0;
+    while (done < m_buffer.size()) {
+        const ssize_t written = ::write(m_descriptor, m_buffer.data() + done, m_buffer.size() - done);
+        if (written < 0 && errno == EINTR)
+            continue;
+        if (written <= 0)
+            fail(written < 0 ? errno : EIO);
+        done += static_cast<std::size_t>(written);
+    }
+    m_buffer.clear();
+}
+
+void AtomicFile::giveTemporaryName()
+{
+    const std::string self = "/proc/self/fd/" + std::to_string(m_descriptor);
+    std::string name = temporaryName(m_target);
+    if (::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) != 0)
+        fail(errno);
+    m_temporary = std::move(name);
+}
+
+void AtomicFile::commit()
+{
+    flush();
+    if (::fsync(m_descriptor) != 0)
+        fail(errno);
+    if (m_temporary.empty())
+        giveTemporaryName();
+    const int descriptor = m_descriptor;
+    m_descriptor = -1;
+    if (::close(descriptor) != 0) // some network file systems report a full disk only here
+        fail(errno);
+    if (::rename(m_temporary.c_str(), m_target.c_str()) != 0)
+        fail(errno);
+    m_temporary.clear();
+    const int folder = ::open(folderOf(m_target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (folder >= 0) { // the new name, too, outlives a power cut
+        ::fsync(folder);
+        ::close(folder);
+    }
+}
+
+void AtomicFile::fail(int systemError) const
+{
+    FileError error(kindOf(systemError), m_path);
+    error.systemError = systemError;
+    throw error;
+}
+} // namespace core

@@ -1,0 +1,270 @@
+// Reading: look at the start and the size first, refuse what cannot be, then read the whole file and parse it.
+
+#include "mesh_io.h"
+
+#include "mesh_io/format.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cctype>
+#include <fstream>
+#include <memory>
+
+namespace core
+{
+namespace
+{
+using namespace mesh_io;
+
+constexpr std::array<std::string_view, 3> endings{"stl", "obj", "ply"};
+constexpr std::uint64_t maxFileSize = std::uint64_t(1) << 31;
+
+std::string endingOf(const std::filesystem::path& path)
+{
+    std::string ending = path.extension().string();
+    if (!ending.empty())
+        ending.erase(0, 1);
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return ending;
+}
+
+std::string printable(std::string_view text)
+{
+    constexpr std::size_t longest = 40;
+    std::string result(text.substr(0, longest));
+    std::replace_if(
+        result.begin(), result.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+    return result;
+}
+
+MeshFormat requireFormat(const std::filesystem::path& path)
+{
+    if (const auto format = meshFormatOf(path))
+        return *format;
+    FileError error(FileErrorKind::UnknownFormat, path);
+    error.token = printable(endingOf(path));
+    throw error;
+}
+
+std::uint64_t requireFileSize(const std::filesystem::path& path)
+{
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(path, error);
+    if (status.type() == std::filesystem::file_type::not_found)
+        throw FileError(FileErrorKind::NotFound, path);
+    if (!std::filesystem::status_known(status) || status.type() == std::filesystem::file_type::unknown) {
+        FileError unreadable(FileErrorKind::NotReadable, path);
+        unreadable.systemError = error.value();
+        throw unreadable;
+    }
+    if (status.type() != std::filesystem::file_type::regular)
+        throw FileError(FileErrorKind::NotAFile, path);
+    const std::uint64_t size = std::filesystem::file_size(path, error);
+    if (error)
+        throw FileError(FileErrorKind::NotReadable, path);
+    return size;
+}
+
+void refuseSize(const std::filesystem::path& path, std::uint64_t size)
+{
+    if (size == 0)
+        throw FileError(FileErrorKind::Empty, path);
+    if (size > maxFileSize) {
+        FileError error(FileErrorKind::TooLarge, path);
+        error.expected = maxFileSize;
+        error.found = size;
+        throw error;
+    }
+}
+
+void refuseOtherContent(const FileBytes& start, std::uint64_t size, MeshFormat format)
+{
+    const std::string_view looks = looksLike(start.bytes, size);
+    if (looks == endings[static_cast<std::size_t>(format)])
+        return;
+    const bool undecided = looks.empty() || looks == "text";
+    const bool couldBe = format == MeshFormat::Obj   ? undecided && start.bytes.find('\0') == std::string_view::npos
+                         : format == MeshFormat::Stl ? looks.empty()
+                                                     : false;
+    if (!couldBe)
+        throw errorAtByte(FileErrorKind::NotWhatItsEndingSays, start, start.bytes.data(), looks);
+}
+
+void refuseStlSize(const FileBytes& start, std::uint64_t size)
+{
+    if (isBinaryStl(start.bytes, size) || isTextStl(start.bytes))
+        return;
+    if (size < stlHeaderSize)
+        throw errorAtByte(FileErrorKind::CutOff, start, start.bytes.data() + size);
+    const std::uint64_t announced = announcedStlTriangles(start.bytes);
+    const std::uint64_t room = (size - stlHeaderSize) / stlTriangleSize;
+    if (announced == room)
+        return;
+    const bool cut = announced > room;
+    FileError error(cut ? FileErrorKind::CutOff : FileErrorKind::CountMismatch, start.path);
+    error.place = {FilePlace::Unit::Byte, cut ? size : stlHeaderSize - 4};
+    error.expected = cut ? stlHeaderSize + stlTriangleSize * announced : announced;
+    error.found = cut ? size : room;
+    throw error;
+}
+
+/// Reads up to `size` bytes; fewer if the file has become shorter.
+std::string_view readInto(std::ifstream& file, char* buffer, std::uint64_t size, const std::filesystem::path& path)
+{
+    file.clear();
+    file.seekg(0);
+    file.read(buffer, static_cast<std::streamsize>(size));
+    if (file.bad() || (file.gcount() == 0 && size != 0))
+        throw FileError(FileErrorKind::NotReadable, path);
+    return {buffer, static_cast<std::size_t>(file.gcount())};
+}
+
+TriangleMesh parse(const FileBytes& file, MeshFormat format)
+{
+    switch (format) {
+    case MeshFormat::Stl:
+        return readStl(file);
+    case MeshFormat::Obj:
+        return readObj(file);
+    case MeshFormat::Ply:
+        return readPly(file);
+    }
+    return {};
+}
+
+float negated(float x)
+{
+    return x == 0 ? 0 : -x;
+}
+
+/// (x, y, z) of a file with Z up is (x, z, -y) in the document, and (x, y, z) of the document is (x, -z, y) there.
+void fromZUp(std::vector<Vec3f>& points)
+{
+    for (Vec3f& p : points)
+        p = Vec3f(p.x() + 0.0f, p.z() + 0.0f, negated(p.y())); // adding 0 takes the sign from -0
+}
+
+void toZUp(std::vector<Vec3f>& points)
+{
+    for (Vec3f& p : points)
+        p = Vec3f(p.x() + 0.0f, negated(p.z()), p.y() + 0.0f);
+}
+} // namespace
+
+std::span<const std::string_view> meshEndings()
+{
+    return endings;
+}
+
+std::optional<MeshFormat> meshFormatOf(const std::filesystem::path& path)
+{
+    const auto found = std::find(endings.begin(), endings.end(), endingOf(path));
+    if (found == endings.end())
+        return std::nullopt;
+    return static_cast<MeshFormat>(found - endings.begin());
+}
+
+UpAxis usualUp(MeshFormat format)
+{
+    return format == MeshFormat::Stl ? UpAxis::Z : UpAxis::Y;
+}
+
+TriangleMesh readMesh(const std::filesystem::path& path, const ReadOptions& options)
+{
+    const std::uint64_t size = requireFileSize(path);
+    const MeshFormat format = requireFormat(path);
+    refuseSize(path, size);
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream)
+        throw FileError(FileErrorKind::NotReadable, path);
+    std::array<char, startSize> start;
+    const FileBytes first{path, readInto(stream, start.data(), std::min<std::uint64_t>(size, startSize), path)};
+    refuseOtherContent(first, size, format);
+    if (format == MeshFormat::Stl)
+        refuseStlSize(first, size);
+
+    TriangleMesh mesh;
+    {
+        const auto buffer = std::make_unique_for_overwrite<char[]>(size);
+        const FileBytes file{path, readInto(stream, buffer.get(), size, path)};
+        if (file.bytes.size() < size) // it became shorter just now
+            throw errorAtByte(FileErrorKind::CutOff, file, file.bytes.data() + file.bytes.size());
+        mesh = parse(file, format);
+    }
+    if (mesh.triangles.empty())
+        throw FileError(FileErrorKind::NoFaces, path);
+    if (options.up.value_or(usualUp(format)) == UpAxis::Z)
+        fromZUp(mesh.points);
+    return mesh;
+}
+
+void writeMesh(const std::filesystem::path& path, const TriangleMesh& mesh, const WriteOptions& options)
+{
+    const MeshFormat format = requireFormat(path);
+    if (options.up.value_or(usualUp(format)) == UpAxis::Z) {
+        TriangleMesh turned = mesh;
+        toZUp(turned.points);
+        WriteOptions asItIs = options;
+        asItIs.up = UpAxis::Y;
+        return writeMesh(path, turned, asItIs);
+    }
+    AtomicFile out(path);
+    switch (format) {
+    case MeshFormat::Stl:
+        writeStl(out, mesh, options.ascii);
+        break;
+    case MeshFormat::Obj:
+        writeObj(out, mesh);
+        break;
+    case MeshFormat::Ply:
+        writePly(out, mesh, options.ascii);
+        break;
+    }
+    out.commit();
+}
+
+namespace mesh_io
+{
+namespace
+{
+FileError errorWithToken(FileErrorKind kind, const FileBytes& file, std::string_view token)
+{
+    FileError error(kind, file.path);
+    error.token = printable(token);
+    return error;
+}
+
+std::uint64_t lineOf(std::string_view textBefore)
+{
+    const auto feeds = std::count(textBefore.begin(), textBefore.end(), '\n');
+    const auto returns = feeds != 0 ? 0 : std::count(textBefore.begin(), textBefore.end(), '\r');
+    return static_cast<std::uint64_t>(feeds + returns + 1);
+}
+} // namespace
+
+FileError errorAtLine(FileErrorKind kind, const FileBytes& file, const char* at, std::string_view token)
+{
+    FileError error = errorWithToken(kind, file, token);
+    const auto before = static_cast<std::size_t>(at - file.bytes.data());
+    error.place = {FilePlace::Unit::Line, lineOf(file.bytes.substr(0, before))};
+    return error;
+}
+
+FileError errorAtByte(FileErrorKind kind, const FileBytes& file, const char* at, std::string_view token)
+{
+    FileError error = errorWithToken(kind, file, token);
+    error.place = {FilePlace::Unit::Byte, static_cast<std::uint64_t>(at - file.bytes.data())};
+    return error;
+}
+
+FileError tooMany(std::string_view what, std::size_t most, FileError error)
+{
+    error.kind = FileErrorKind::TooManyElements;
+    error.token = what;
+    error.expected = most;
+    return error;
+}
+} // namespace mesh_io
+} // namespace core

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "../atomic_file.h"
+#include "../file_error.h"
+#include "../mesh_io.h"
+
+#include <string_view>
+
+/// What the readers and writers of the formats share; for mesh_io only.
+namespace core::mesh_io
+{
+struct FileBytes
+{
+    const std::filesystem::path& path;
+    std::string_view bytes;
+};
+
+/// Beyond these a file is refused: 2 GiB can hold more, this machine's memory perhaps not.
+inline constexpr std::size_t maxVertices = std::size_t(1) << 27;
+inline constexpr std::size_t maxFaces = std::size_t(1) << 28;
+
+/// So much of a file is looked at before the rest is read.
+inline constexpr std::size_t startSize = 4096;
+
+/// `at` points into the file; the place is its line, or its byte.
+FileError errorAtLine(FileErrorKind kind, const FileBytes& file, const char* at, std::string_view token = {});
+FileError errorAtByte(FileErrorKind kind, const FileBytes& file, const char* at, std::string_view token = {});
+FileError tooMany(std::string_view what, std::size_t most, FileError error);
+
+/// By the first bytes and the size: "stl", "obj", "ply", another format's name ("png", "zip", ...), "text", or empty.
+std::string_view looksLike(std::string_view start, std::uint64_t fileSize);
+
+inline constexpr std::size_t stlHeaderSize = 84;
+inline constexpr std::size_t stlTriangleSize = 50;
+/// `start` holds the header.
+std::uint64_t announcedStlTriangles(std::string_view start);
+/// The size is what the header announces. Text never passes: four of its characters announce more than a file can hold.
+bool isBinaryStl(std::string_view start, std::uint64_t fileSize);
+bool isTextStl(std::string_view start);
+
+/// Vertices as they stand in the file, axes included, but for the weld and -0 of STL.
+TriangleMesh readStl(const FileBytes& file);
+TriangleMesh readObj(const FileBytes& file);
+TriangleMesh readPly(const FileBytes& file);
+
+void writeStl(AtomicFile& out, const TriangleMesh& mesh, bool ascii);
+void writeObj(AtomicFile& out, const TriangleMesh& mesh);
+void writePly(AtomicFile& out, const TriangleMesh& mesh, bool ascii);
+} // namespace core::mesh_io

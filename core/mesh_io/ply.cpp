@@ -1,0 +1,263 @@
+// PLY: the header announces elements and their properties; the vertex and face elements are read, the others passed over.
+
+#include "ply_source.h"
+#include "polygons.h"
+#include "text_writer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace core::mesh_io
+{
+namespace
+{
+enum class Role { X, Y, Z, Red, Green, Blue, Corners, None };
+
+Role roleOf(const PlyProperty& property, bool ofVertex)
+{
+    struct Name
+    {
+        std::string_view name;
+        Role role;
+    };
+    constexpr std::array vertexNames{
+        Name{"x", Role::X},
+        Name{"y", Role::Y},
+        Name{"z", Role::Z},
+        Name{"red", Role::Red},
+        Name{"green", Role::Green},
+        Name{"blue", Role::Blue},
+        Name{"r", Role::Red},
+        Name{"g", Role::Green},
+        Name{"b", Role::Blue},
+        Name{"diffuse_red", Role::Red},
+        Name{"diffuse_green", Role::Green},
+        Name{"diffuse_blue", Role::Blue},
+    };
+    const bool isList = property.countType.has_value();
+    if (!ofVertex)
+        return isList && (property.name == "vertex_indices" || property.name == "vertex_index") ? Role::Corners
+                                                                                                : Role::None;
+    const auto found =
+        std::find_if(vertexNames.begin(), vertexNames.end(), [&](const Name& n) { return n.name == property.name; });
+    return isList || found == vertexNames.end() ? Role::None : found->role;
+}
+
+std::vector<Role> rolesOf(const PlyElement& element, bool ofVertex)
+{
+    std::vector<Role> roles;
+    for (const PlyProperty& property : element.properties)
+        roles.push_back(roleOf(property, ofVertex));
+    return roles;
+}
+
+bool has(const std::vector<Role>& roles, std::initializer_list<Role> wanted)
+{
+    return std::all_of(wanted.begin(), wanted.end(),
+                       [&](Role role) { return std::find(roles.begin(), roles.end(), role) != roles.end(); });
+}
+
+template <typename Source> class BodyReader
+{
+public:
+    BodyReader(const FileBytes& file, const PlyHeader& header) : m_file(file), m_header(header), m_source(file, header)
+    {}
+
+    TriangleMesh read()
+    {
+        for (const PlyElement& element : m_header.elements) {
+            requireRoom(element);
+            if (element.name == "vertex")
+                readVertices(element);
+            else if (element.name == "face")
+                readFaces(element);
+            else
+                skipAll(element);
+        }
+        m_mesh.triangles = m_faces.triangles(m_mesh.points);
+        return std::move(m_mesh);
+    }
+
+private:
+    /// Before anything is allocated by a count, the file must be long enough for it.
+    void requireRoom(const PlyElement& element) const
+    {
+        const std::uint64_t least = element.leastSize(m_header.encoding), left = m_source.bytesLeft() + 1;
+        if (least != 0 && element.count > left / least) { // one byte more: the last line may have no end
+            FileError error = errorAtByte(FileErrorKind::CutOff, m_file, m_file.bytes.data() + m_file.bytes.size());
+            error.expected = element.count;
+            error.found = left / least;
+            throw error;
+        }
+    }
+
+    void requireFew(const PlyElement& element, std::string_view what, std::size_t most) const
+    {
+        if (element.count > most)
+            throw tooMany(what, most, errorAtLine({}, m_file, element.line));
+    }
+
+    void readVertices(const PlyElement& element)
+    {
+        requireFew(element, "vertices", maxVertices);
+        const std::vector<Role> roles = rolesOf(element, true);
+        if (!has(roles, {Role::X, Role::Y, Role::Z}))
+            throw errorAtLine(FileErrorKind::Malformed, m_file, element.line, element.name);
+        const bool colored = has(roles, {Role::Red, Role::Green, Role::Blue});
+        m_mesh.points.reserve(element.count);
+        if (colored)
+            m_mesh.colors.reserve(element.count);
+        for (std::uint64_t i = 0; i < element.count; ++i)
+            readVertex(element, roles, colored);
+    }
+
+    void readVertex(const PlyElement& element, const std::vector<Role>& roles, bool colored)
+    {
+        std::array<float, 3> point{};
+        std::array<std::uint8_t, 3> color{};
+        m_source.beginElement();
+        for (std::size_t i = 0; i < roles.size(); ++i) {
+            const PlyProperty& property = element.properties[i];
+            if (roles[i] <= Role::Z)
+                point[static_cast<std::size_t>(roles[i])] = m_source.number(property.type);
+            else if (roles[i] <= Role::Blue && colored)
+                color[static_cast<std::size_t>(roles[i]) - 3] = readColor(property.type);
+            else
+                skip(property);
+        }
+        m_source.endElement();
+        m_mesh.points.emplace_back(point[0], point[1], point[2]);
+        if (colored)
+            m_mesh.colors.push_back({color[0], color[1], color[2]});
+    }
+
+    std::uint8_t readColor(PlyType type)
+    {
+        constexpr float full = 255.0f;
+        constexpr std::int64_t wideToByte = 257; // 65535 / 255
+        if (!isWhole(type))
+            return static_cast<std::uint8_t>(std::lround(std::clamp(m_source.number(type) * full, 0.0f, full)));
+        const std::int64_t value = m_source.whole(type) / (type == PlyType::Uint16 ? wideToByte : 1);
+        return static_cast<std::uint8_t>(std::clamp<std::int64_t>(value, 0, 255));
+    }
+
+    void readFaces(const PlyElement& element)
+    {
+        requireFew(element, "faces", maxFaces);
+        const std::vector<Role> roles = rolesOf(element, false);
+        if (!has(roles, {Role::Corners}))
+            return skipAll(element);
+        for (std::uint64_t i = 0; i < element.count; ++i) {
+            m_source.beginElement();
+            for (std::size_t k = 0; k < roles.size(); ++k)
+                roles[k] == Role::Corners ? readFace(element.properties[k]) : skip(element.properties[k]);
+            m_source.endElement();
+        }
+    }
+
+    void readFace(const PlyProperty& property)
+    {
+        const std::int64_t count = m_source.whole(*property.countType);
+        if (count < 3)
+            m_source.fail(FileErrorKind::Malformed);
+        if (count > static_cast<std::int64_t>(maxCorners))
+            m_source.fail(FileErrorKind::TooManyElements, maxCorners);
+        const PlyElement* const vertices = m_header.find("vertex");
+        const std::uint64_t most = vertices ? vertices->count : 0;
+        for (std::int64_t i = 0; i < count; ++i) {
+            const std::int64_t index = m_source.whole(property.type);
+            if (index < 0 || static_cast<std::uint64_t>(index) >= most)
+                m_source.fail(FileErrorKind::IndexOutOfRange, most);
+            m_faces.addCorner(static_cast<Slot>(index));
+        }
+        m_faces.endFace();
+    }
+
+    void skipAll(const PlyElement& element)
+    {
+        if (element.properties.empty())
+            return;
+        for (std::uint64_t i = 0; i < element.count; ++i) {
+            m_source.beginElement();
+            for (const PlyProperty& property : element.properties)
+                skip(property);
+            m_source.endElement();
+        }
+    }
+
+    void skip(const PlyProperty& property)
+    {
+        const std::int64_t count = property.countType ? m_source.whole(*property.countType) : 1;
+        if (count < 0)
+            m_source.fail(FileErrorKind::Malformed);
+        m_source.skip(property.type, static_cast<std::uint64_t>(count));
+    }
+
+    FileBytes m_file;
+    const PlyHeader& m_header;
+    Source m_source;
+    TriangleMesh m_mesh;
+    Polygons m_faces;
+};
+
+void writeHeader(TextWriter& text, const TriangleMesh& mesh, bool ascii)
+{
+    text << "ply\nformat " << (ascii ? "ascii" : "binary_little_endian") << " 1.0\n";
+    text << "element vertex " << mesh.points.size() << "\nproperty float x\nproperty float y\nproperty float z\n";
+    if (!mesh.colors.empty())
+        text << "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+    text << "element face " << mesh.triangles.size() << "\nproperty list uchar int vertex_indices\nend_header\n";
+}
+
+void writeText(TextWriter& text, const TriangleMesh& mesh)
+{
+    for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+        const Vec3f& p = mesh.points[i];
+        text << p.x() << ' ' << p.y() << ' ' << p.z();
+        if (!mesh.colors.empty()) {
+            const Rgb c = mesh.colors[i];
+            text << ' ' << unsigned(c.r) << ' ' << unsigned(c.g) << ' ' << unsigned(c.b);
+        }
+        text << '\n';
+    }
+    for (const Triangle& t : mesh.triangles)
+        text << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
+}
+
+void writeBinary(AtomicFile& out, const TriangleMesh& mesh)
+{
+    std::string record;
+    for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+        record.clear();
+        for (int k = 0; k < 3; ++k)
+            append(record, mesh.points[i][k]);
+        if (!mesh.colors.empty())
+            for (const std::uint8_t c : {mesh.colors[i].r, mesh.colors[i].g, mesh.colors[i].b})
+                append(record, c);
+        out.write(record);
+    }
+    for (const Triangle& t : mesh.triangles) {
+        record.assign(1, char(3));
+        for (const Slot corner : t)
+            append(record, static_cast<std::int32_t>(corner));
+        out.write(record);
+    }
+}
+} // namespace
+
+TriangleMesh readPly(const FileBytes& file)
+{
+    const PlyHeader header = readPlyHeader(file);
+    if (header.encoding == PlyEncoding::Ascii)
+        return BodyReader<PlyTextSource>(file, header).read();
+    return BodyReader<PlyBinarySource>(file, header).read();
+}
+
+void writePly(AtomicFile& out, const TriangleMesh& mesh, bool ascii)
+{
+    TextWriter text(out);
+    writeHeader(text, mesh, ascii);
+    ascii ? writeText(text, mesh) : writeBinary(out, mesh);
+}
+} // namespace core::mesh_io

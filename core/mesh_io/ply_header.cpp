@@ -1,0 +1,140 @@
+#include "ply_header.h"
+
+#include "text_scanner.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace core::mesh_io
+{
+namespace
+{
+struct TypeName
+{
+    std::string_view name;
+    PlyType type;
+};
+constexpr std::array typeNames{
+    TypeName{"char", PlyType::Int8},      TypeName{"int8", PlyType::Int8},     TypeName{"uchar", PlyType::Uint8},
+    TypeName{"uint8", PlyType::Uint8},    TypeName{"short", PlyType::Int16},   TypeName{"int16", PlyType::Int16},
+    TypeName{"ushort", PlyType::Uint16},  TypeName{"uint16", PlyType::Uint16}, TypeName{"int", PlyType::Int32},
+    TypeName{"int32", PlyType::Int32},    TypeName{"uint", PlyType::Uint32},   TypeName{"uint32", PlyType::Uint32},
+    TypeName{"float", PlyType::Float},    TypeName{"float32", PlyType::Float}, TypeName{"double", PlyType::Double},
+    TypeName{"float64", PlyType::Double},
+};
+
+class HeaderReader
+{
+public:
+    explicit HeaderReader(const FileBytes& file) : m_text(file, file.bytes.data()) {}
+
+    PlyHeader read()
+    {
+        bool formatSeen = false;
+        while (nextLine()) {
+            const char* const line = m_text.position();
+            const std::string_view keyword = m_text.word();
+            if (keyword == "end_header")
+                break;
+            if (keyword == "format")
+                formatSeen = readFormat();
+            else if (keyword == "element")
+                readElement(line);
+            else if (keyword == "property")
+                readProperty();
+            else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty())
+                m_text.fail(FileErrorKind::Malformed, keyword);
+        }
+        if (!formatSeen)
+            m_text.fail(FileErrorKind::Malformed, {});
+        m_text.nextLine();
+        m_header.body = m_text.position();
+        return std::move(m_header);
+    }
+
+private:
+    bool nextLine()
+    {
+        if (!m_text.nextLine())
+            m_text.fail(FileErrorKind::CutOff, {});
+        return true;
+    }
+
+    bool readFormat()
+    {
+        constexpr std::array<std::string_view, 3> names{"ascii", "binary_little_endian", "binary_big_endian"};
+        const std::string_view word = m_text.word();
+        const auto found = std::find(names.begin(), names.end(), word);
+        if (found == names.end())
+            m_text.fail(FileErrorKind::Malformed, word);
+        m_header.encoding = static_cast<PlyEncoding>(found - names.begin());
+        return true;
+    }
+
+    void readElement(const char* line)
+    {
+        const std::string_view name = m_text.word();
+        const std::string_view count = m_text.word();
+        if (name.empty() || m_header.find(name))
+            m_text.fail(FileErrorKind::Malformed, name);
+        const std::int64_t number = m_text.toInteger(count);
+        if (number < 0)
+            m_text.fail(FileErrorKind::Malformed, count);
+        m_header.elements.push_back({name, static_cast<std::uint64_t>(number), {}, line});
+    }
+
+    void readProperty()
+    {
+        if (m_header.elements.empty())
+            m_text.fail(FileErrorKind::Malformed, "property");
+        PlyProperty property;
+        std::string_view word = m_text.word();
+        if (word == "list") {
+            property.countType = toType(m_text.word());
+            if (!isWhole(*property.countType))
+                m_text.fail(FileErrorKind::Malformed, "list");
+            word = m_text.word();
+        }
+        property.type = toType(word);
+        property.name = m_text.word();
+        if (property.name.empty())
+            m_text.fail(FileErrorKind::Malformed, {});
+        m_header.elements.back().properties.push_back(property);
+    }
+
+    PlyType toType(std::string_view word) const
+    {
+        const auto found =
+            std::find_if(typeNames.begin(), typeNames.end(), [word](const TypeName& t) { return t.name == word; });
+        if (found == typeNames.end())
+            m_text.fail(FileErrorKind::Malformed, word);
+        return found->type;
+    }
+
+    TextScanner m_text;
+    PlyHeader m_header;
+};
+} // namespace
+
+std::uint64_t PlyElement::leastSize(PlyEncoding encoding) const
+{
+    if (encoding == PlyEncoding::Ascii)
+        return 2 * properties.size(); // a digit and a blank each
+    return std::accumulate(
+        properties.begin(), properties.end(), std::uint64_t(0),
+        [](std::uint64_t sum, const PlyProperty& p) { return sum + sizeOf(p.countType.value_or(p.type)); });
+}
+
+const PlyElement* PlyHeader::find(std::string_view name) const
+{
+    const auto found =
+        std::find_if(elements.begin(), elements.end(), [name](const PlyElement& e) { return e.name == name; });
+    return found == elements.end() ? nullptr : &*found;
+}
+
+PlyHeader readPlyHeader(const FileBytes& file)
+{
+    return HeaderReader(file).read();
+}
+} // namespace core::mesh_io

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "format.h"
+
+#include <string>
+#include <vector>
+
+namespace core::mesh_io
+{
+enum class PlyEncoding { Ascii, LittleEndian, BigEndian };
+enum class PlyType { Int8, Uint8, Int16, Uint16, Int32, Uint32, Float, Double };
+
+constexpr std::size_t sizeOf(PlyType type)
+{
+    constexpr std::size_t sizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
+    return sizes[static_cast<int>(type)];
+}
+
+constexpr bool isWhole(PlyType type)
+{
+    return type != PlyType::Float && type != PlyType::Double;
+}
+
+struct PlyProperty
+{
+    std::string_view name; ///< part of the file
+    PlyType type = PlyType::Float;
+    std::optional<PlyType> countType; ///< of a list
+};
+
+struct PlyElement
+{
+    std::string_view name;
+    std::uint64_t count = 0; ///< as announced: nothing is known yet about the file's having so many
+    std::vector<PlyProperty> properties;
+    const char* line = nullptr; ///< where it is announced
+
+    /// The fewest bytes that one of it takes.
+    std::uint64_t leastSize(PlyEncoding encoding) const;
+};
+
+struct PlyHeader
+{
+    PlyEncoding encoding = PlyEncoding::Ascii;
+    std::vector<PlyElement> elements;
+    const char* body = nullptr;
+
+    const PlyElement* find(std::string_view name) const;
+};
+
+/// Each element's name comes once. Throws FileError.
+PlyHeader readPlyHeader(const FileBytes& file);
+} // namespace core::mesh_io

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "../triangle_mesh.h"
+
+#include <span>
+
+namespace core::mesh_io
+{
+/// Ear clipping takes the square of the corners' number at worst.
+inline constexpr std::size_t maxCorners = 4096;
+
+/// Appends the triangles of one face with at least three corners, wound as the polygon is; no new vertices. A quad is cut
+/// at its reflex corner, or along the shorter diagonal; larger polygons by ear clipping in the plane in which they are
+/// largest. A polygon that crosses itself, or has no area, gives triangles too, of whatever use.
+void appendPolygon(std::vector<Triangle>& triangles, const std::vector<Vec3f>& points, std::span<const Slot> corners);
+
+/// Faces as files give them, kept until all points are known.
+class Polygons
+{
+public:
+    void addCorner(Slot corner) { m_corners.push_back(corner); }
+    /// Ends the face whose corners were added since the last.
+    void endFace() { m_ends.push_back(static_cast<Slot>(m_corners.size())); }
+
+    std::size_t cornersOfOpenFace() const { return m_corners.size() - (m_ends.empty() ? 0 : m_ends.back()); }
+    std::size_t faces() const { return m_ends.size(); }
+    std::size_t corners() const { return m_corners.size(); }
+
+    std::vector<Triangle> triangles(const std::vector<Vec3f>& points) const;
+
+private:
+    std::vector<Slot> m_corners;
+    std::vector<Slot> m_ends;
+};
+} // namespace core::mesh_io

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "format.h"
+
+namespace core::mesh_io
+{
+/// Words of a text file, line by line. Lines end with \n, \r\n or \r; a backslash at the end of a line continues it.
+/// Errors name the line. An error at the very end of the file is CutOff.
+class TextScanner
+{
+public:
+    TextScanner(const FileBytes& file, const char* from) : m_file(file), m_at(from), m_end(fileEnd(file)) {}
+
+    /// The next word on this line; empty at its end.
+    std::string_view word();
+    /// The next word on this line or a later one; empty at the end of the file.
+    std::string_view wordAnywhere();
+    /// To the start of the next line. False at the end of the file.
+    bool nextLine();
+    /// No further word on this line. Leaves the position there.
+    bool atLineEnd();
+    const char* position() const { return m_at; }
+
+    /// Next word on this line, as a finite number, rounded to the nearest float32.
+    float number() { return toNumber(word()); }
+    float toNumber(std::string_view word) const;
+    /// The word must be a whole number and nothing else.
+    std::int64_t toInteger(std::string_view word) const;
+
+    /// `word` is what is wrong: a part of the file, or empty for what is missing here.
+    [[noreturn]] void fail(FileErrorKind kind, std::string_view word) const;
+
+private:
+    static const char* fileEnd(const FileBytes& file) { return file.bytes.data() + file.bytes.size(); }
+    void skipBlanks();
+    bool isContinuation(const char* at) const;
+
+    FileBytes m_file;
+    const char* m_at;
+    const char* m_end;
+};
+} // namespace core::mesh_io
