@@ -11,11 +11,11 @@ namespace
 /// Values in a gap up to this many slots are sent along: fewer, longer spans cost viewers less than the bytes do.
 constexpr Slot vertexGap = 4, faceGap = 8;
 
-std::vector<SlotSpan> spansOf(std::vector<Slot>& slots, Slot length, Slot gap)
+std::vector<SlotSpan> spansOf(SparseIndex& dirty, Slot length, Slot gap)
 {
-    std::ranges::sort(slots);
+    dirty.sort();
     std::vector<SlotSpan> spans;
-    for (Slot slot : slots) {
+    for (Slot slot : dirty.slots()) {
         if (slot >= length)
             break;
         if (!spans.empty() && slot <= spans.back().first + spans.back().count + gap)
@@ -57,10 +57,14 @@ void fillValues(MeshPatch& patch, const Mesh& mesh)
 
 void DirtySlots::add(const Mesh& mesh, const TouchedSlots& touched, std::span<const Slot> dirtyFaces)
 {
-    m_faces.insert(m_faces.end(), touched.faces.begin(), touched.faces.end());
-    m_vertices.insert(m_vertices.end(), touched.vertices.begin(), touched.vertices.end());
-    for (Slot f : dirtyFaces)
-        m_vertices.insert(m_vertices.end(), mesh.corners(f).begin(), mesh.corners(f).end());
+    for (Slot f : touched.faces)
+        m_faces.add(f);
+    for (Slot v : touched.vertices)
+        m_vertices.add(v);
+    for (Slot f : dirtyFaces) {
+        for (Slot v : mesh.corners(f))
+            m_vertices.add(v);
+    }
 }
 
 MeshPatch DirtySlots::take(const Mesh& mesh)

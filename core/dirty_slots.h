@@ -2,6 +2,7 @@
 
 #include "mesh.h"
 #include "mesh_patch.h"
+#include "sparse_index.h"
 
 namespace core
 {
@@ -14,7 +15,7 @@ public:
     MeshPatch take(const Mesh& mesh);
 
 private:
-    std::vector<Slot> m_vertices, m_faces; ///< with repetitions
+    SparseIndex m_vertices, m_faces;
     std::uint64_t m_epoch = 0;
 };
 
