@@ -1,7 +1,20 @@
 # fettle_add_resources(TARGET): what the program reads at run time as ":/<path below resources>": icons, shaders.
 # On executables only: in a static library resources can be lost when it is linked.
 set(FETTLE_RESOURCE_FILES
+    icons/about.svg
+    icons/export.svg
     icons/fettle.svg
+    icons/frame.svg
+    icons/headset.svg
+    icons/larger.svg
+    icons/open.svg
+    icons/pull.svg
+    icons/push.svg
+    icons/quit.svg
+    icons/redo.svg
+    icons/smaller.svg
+    icons/smooth.svg
+    icons/undo.svg
     shaders/background.frag
     shaders/background.vert
     shaders/clay.frag

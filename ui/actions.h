@@ -1,29 +1,30 @@
 #pragma once
 
 #include <QHash>
-#include <QIcon>
-#include <QKeySequence>
 #include <QObject>
 
 #include <span>
 
 class QAction;
+class QMenu;
+class QToolBar;
 class QWidget;
 
 namespace ui
 {
-enum class MenuId { File, Edit, Sculpt, View, Help };
+enum class MenuId { File, Edit, Sculpt, View, Vr, Help };
 
 /// One row an action. Menus, tool bar, shortcut sheet, settings and tests read this table.
 struct ActionInfo
 {
+    MenuId menu;
     const char* id;   ///< objectName of the QAction, key in settings, handle in tests
     const char* text; ///< untranslated, context "ui::Actions"
     const char* tip;  ///< one sentence, untranslated
     const char* keys; ///< portable text, several parted by "; "
-    const char* icon; ///< file in :/icons without ending, or empty
-    MenuId menu;
-    bool startsGroup = false; ///< a separator stands before it
+    const char* icon; ///< file in :/icons without ending
+    bool startsGroup = false; ///< a line stands before it, in menu and tool bar
+    bool inToolBar = false;
     bool checkable = false;
 };
 
@@ -39,11 +40,14 @@ public:
 
     /// Asserts that the id is in the table.
     QAction* get(const QString& id) const;
+
     QString menuTitle(MenuId menu) const;
-    /// In table order; a null pointer stands for a separator.
-    QList<QAction*> menu(MenuId menu) const;
+    void fill(QMenu* menu, MenuId which) const;
+    void fill(QToolBar* bar) const;
 
 private:
+    QAction* make(const ActionInfo& row, QWidget* window);
+
     QHash<QString, QAction*> m_actions;
 };
 } // namespace ui

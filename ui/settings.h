@@ -1,13 +1,18 @@
 #pragma once
 
+#include "core/brush.h"
+
 #include <QByteArray>
 #include <QSettings>
 #include <QString>
 
 namespace ui
 {
-/// Every stored preference: its key, type and default in one place. A missing or broken entry gives the default. Reads and
-/// writes go straight to QSettings (organisation and application name are set by the program before). Gui thread.
+/// The radii that make sense, as shares of the model's longest side.
+inline constexpr double minRadiusShare = 0.002, maxRadiusShare = 0.5;
+
+/// Every stored preference: its key, type and default in one place. A missing or broken entry gives the default. The
+/// program sets organisation and application name before. Gui thread.
 class Settings
 {
 public:

@@ -50,16 +50,15 @@ public:
     /// Where patches come from: called on the gui thread, once a frame, after patchReady(). An empty answer is fine.
     void setPatchSource(std::function<std::optional<core::MeshPatch>()> take);
 
-    /// Moves the ground under `box` and frames it. For another model, not for a changed one.
-    void showBox(const core::Box& box);
-    /// Frames the box that was last set; `box` follows the model as it changes.
+    /// Another model: moves the ground under its box and frames it.
+    void showModel(const core::Box& box);
+    /// The same model has another box now.
     void setBox(const core::Box& box);
+    /// Shows the whole box from the present direction.
     void frame();
 
     const OrbitCamera& camera() const;
     const ViewportStats& stats() const;
-    /// Why nothing can be shown (no OpenGL 3.3), in one translated sentence; empty if all is well. Known after the first show.
-    QString problem() const;
     bool strokeOpen() const;
 
 public Q_SLOTS:
@@ -82,11 +81,10 @@ Q_SIGNALS:
     void strokeEnded();
 
     void viewChanged();
-    /// A file was dropped on the viewport.
-    void fileDropped(const QString& path);
 
 protected:
     void initializeGL() override;
+    void resizeGL(int width, int height) override;
     void paintGL() override;
     void changeEvent(QEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
@@ -95,6 +93,7 @@ protected:
     void tabletEvent(QTabletEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    bool event(QEvent* event) override;
 
 private:
     struct State;

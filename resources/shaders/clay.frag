@@ -1,0 +1,50 @@
+#version 330 core
+// Hemisphere of sky and table, a key light over the viewer's left shoulder, a cool rim, a soft highlight. All linear;
+// `encodeSrgb` is 1 where the target is not an sRGB image.
+in vec3 eyePosition;
+in vec3 eyeNormal;
+in vec3 worldNormal;
+in vec3 albedo;
+
+uniform vec3 tint;       // linear; unpainted clay is tint times the default colour
+uniform float encodeSrgb;
+
+out vec4 fragColor;
+
+const vec3 keyDirection = normalize(vec3(-0.45, 0.75, 0.62)); // eye space
+const vec3 fillDirection = normalize(vec3(0.85, -0.10, 0.45));
+const vec3 keyColor = vec3(1.00, 0.955, 0.88) * 0.95;
+const vec3 fillColor = vec3(0.62, 0.74, 0.95) * 0.16;
+const vec3 skyColor = vec3(0.74, 0.80, 0.92) * 0.42;
+const vec3 tableColor = vec3(0.62, 0.50, 0.42) * 0.20;
+
+vec3 toSrgb(vec3 c)
+{
+    return mix(c * 12.92, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
+}
+
+// Rolls highlights off above 0.8 instead of clipping them.
+vec3 soften(vec3 c)
+{
+    vec3 over = max(c - 0.8, 0.0);
+    return min(c, 0.8) + 0.2 * (1.0 - exp(-over / 0.2));
+}
+
+void main()
+{
+    vec3 n = normalize(eyeNormal);
+    vec3 v = normalize(-eyePosition);
+    float key = dot(n, keyDirection);
+    float wrapped = max((key + 0.18) / 1.18, 0.0);
+    float fill = max(dot(n, fillDirection), 0.0);
+    float up = 0.5 + 0.5 * normalize(worldNormal).y;
+    vec3 light = keyColor * wrapped * wrapped + fillColor * fill + mix(tableColor, skyColor, up);
+
+    float facing = max(dot(n, v), 0.0);
+    float highlight = pow(max(dot(n, normalize(keyDirection + v)), 0.0), 28.0) * 0.10;
+    float rim = pow(1.0 - facing, 4.0) * (0.25 + 0.75 * up) * 0.16;
+    vec3 color = albedo * tint * light + keyColor * highlight * step(0.0, key) + skyColor * rim;
+
+    color = soften(color);
+    fragColor = vec4(mix(color, toSrgb(color), encodeSrgb), 1.0);
+}

@@ -1,0 +1,28 @@
+#version 330 core
+// The clay, for the desktop and for the headset alike. Positions in mm; `normal` need not have unit length.
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec4 normal;
+layout(location = 2) in vec4 color; // sRGB
+
+uniform mat4 view;       // mm to eye space
+uniform mat4 projection;
+
+out vec3 eyePosition;
+out vec3 eyeNormal;
+out vec3 worldNormal;
+out vec3 albedo; // linear
+
+vec3 toLinear(vec3 c)
+{
+    return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(0.04045, c));
+}
+
+void main()
+{
+    vec4 eye = view * vec4(position, 1.0);
+    eyePosition = eye.xyz;
+    eyeNormal = mat3(view) * normal.xyz;
+    worldNormal = normal.xyz;
+    albedo = toLinear(color.rgb);
+    gl_Position = projection * eye;
+}

@@ -1,0 +1,41 @@
+#version 330 core
+// Grid lines one pixel wide at every distance, each tenth one stronger, and a soft shade where the model stands.
+// Everything fades before it would shimmer.
+in vec3 world;
+
+uniform vec3 eyePosition; // Qt3D's, world space
+uniform float cell;       // mm between the finest lines
+uniform vec3 center;      // mm; the ground under the model
+uniform float reach;      // mm; where the grid has faded away
+uniform vec2 footprint;   // mm; half width and depth of the model's box
+uniform vec3 lineColor;   // sRGB
+uniform float lineAlpha;
+uniform float shade;
+
+out vec4 fragColor;
+
+float lines(vec2 p, float spacing)
+{
+    vec2 q = p / spacing;
+    vec2 width = fwidth(q);
+    vec2 d = abs(fract(q - 0.5) - 0.5) / width;
+    vec2 cover = clamp(1.0 - d, 0.0, 1.0) * clamp(0.35 / width - 0.5, 0.0, 1.0);
+    return max(cover.x, cover.y);
+}
+
+void main()
+{
+    vec2 p = world.xz;
+    float away = length(p - center.xz) / reach;
+    float fade = pow(clamp(1.0 - away, 0.0, 1.0), 1.5);
+    vec3 toEye = normalize(eyePosition - world);
+    fade *= smoothstep(0.02, 0.22, abs(toEye.y));
+    float line = max(0.45 * lines(p, cell), lines(p, 10.0 * cell)) * lineAlpha * fade;
+
+    float from = length((p - center.xz) / footprint);
+    float shadow = shade * exp(-1.6 * from * from) * smoothstep(0.0, 0.25, toEye.y);
+
+    // The line over the shadow, as one colour with alpha.
+    float alpha = line + shadow * (1.0 - line);
+    fragColor = vec4(lineColor * line / max(alpha, 1e-4), alpha);
+}

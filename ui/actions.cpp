@@ -1,0 +1,126 @@
+#include "actions.h"
+
+#include "themed_icon.h"
+
+#include <QAction>
+#include <QMenu>
+#include <QToolBar>
+
+namespace ui
+{
+namespace
+{
+// clang-format off
+constexpr ActionInfo table[] = {
+    {MenuId::File, "file.open", QT_TRANSLATE_NOOP("ui::Actions", "&Open..."),
+     QT_TRANSLATE_NOOP("ui::Actions", "Opens a model: STL, OBJ or PLY."), "Ctrl+O", "open", false, true},
+    {MenuId::File, "file.exportAs", QT_TRANSLATE_NOOP("ui::Actions", "&Export..."),
+     QT_TRANSLATE_NOOP("ui::Actions", "Writes the model to a file: STL, OBJ or PLY."), "Ctrl+E", "export", false, true},
+    {MenuId::File, "file.quit", QT_TRANSLATE_NOOP("ui::Actions", "&Quit"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Closes the window and ends the program."), "Ctrl+Q", "quit", true},
+
+    {MenuId::Edit, "edit.undo", QT_TRANSLATE_NOOP("ui::Actions", "&Undo"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Takes the last stroke back."), "Ctrl+Z", "undo", true, true},
+    {MenuId::Edit, "edit.redo", QT_TRANSLATE_NOOP("ui::Actions", "&Redo"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Does again what was taken back."), "Ctrl+Shift+Z; Ctrl+Y", "redo", false, true},
+
+    {MenuId::Sculpt, "tool.pull", QT_TRANSLATE_NOOP("ui::Actions", "&Pull"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Draws the surface outwards. Ctrl pushes instead, Shift smooths."), "1", "pull",
+     true, true, true},
+    {MenuId::Sculpt, "tool.push", QT_TRANSLATE_NOOP("ui::Actions", "P&ush"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Presses the surface inwards. Ctrl pulls instead, Shift smooths."), "2", "push",
+     false, true, true},
+    {MenuId::Sculpt, "tool.smooth", QT_TRANSLATE_NOOP("ui::Actions", "&Smooth"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Evens out what is rough."), "3", "smooth", false, true, true},
+    {MenuId::Sculpt, "brush.smaller", QT_TRANSLATE_NOOP("ui::Actions", "S&maller Brush"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Makes the brush's radius a tenth smaller."), "[", "smaller", true},
+    {MenuId::Sculpt, "brush.larger", QT_TRANSLATE_NOOP("ui::Actions", "&Larger Brush"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Makes the brush's radius a tenth larger."), "]", "larger"},
+
+    {MenuId::View, "view.frame", QT_TRANSLATE_NOOP("ui::Actions", "&Frame Model"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Shows the whole model."), "Home; .", "frame", true, true},
+
+    {MenuId::Vr, "vr.status", QT_TRANSLATE_NOOP("ui::Actions", "&Look for a Headset"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Says whether a VR headset is ready."), "", "headset"},
+
+    {MenuId::Help, "help.about", QT_TRANSLATE_NOOP("ui::Actions", "&About Fettle"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Says what this program is, and its version."), "", "about"},
+};
+// clang-format on
+
+/// "Pull (1)" and what it does.
+QString toolTip(const QAction& action)
+{
+    QString name = action.text().remove(QLatin1Char('&')).remove(QStringLiteral("..."));
+    const QString key = action.shortcut().toString(QKeySequence::NativeText);
+    if (!key.isEmpty())
+        name += QStringLiteral(" (%1)").arg(key);
+    return QStringLiteral("%1\n%2").arg(name, action.statusTip());
+}
+} // namespace
+
+std::span<const ActionInfo> actionTable()
+{
+    return table;
+}
+
+Actions::Actions(QWidget* window) : QObject(window)
+{
+    for (const ActionInfo& row : table)
+        m_actions.insert(QLatin1StringView(row.id), make(row, window));
+}
+
+QAction* Actions::make(const ActionInfo& row, QWidget* window)
+{
+    auto* action = new QAction(themedIcon(QLatin1StringView(row.icon)), tr(row.text), this);
+    action->setObjectName(QLatin1StringView(row.id));
+    action->setStatusTip(tr(row.tip));
+    action->setShortcuts(QKeySequence::listFromString(QLatin1StringView(row.keys)));
+    action->setCheckable(row.checkable);
+    action->setToolTip(toolTip(*action));
+    window->addAction(action);
+    return action;
+}
+
+QAction* Actions::get(const QString& id) const
+{
+    QAction* action = m_actions.value(id);
+    Q_ASSERT_X(action, "Actions::get", qPrintable(id));
+    return action;
+}
+
+QString Actions::menuTitle(MenuId menu) const
+{
+    switch (menu) {
+    case MenuId::File: return tr("&File");
+    case MenuId::Edit: return tr("&Edit");
+    case MenuId::Sculpt: return tr("&Sculpt");
+    case MenuId::View: return tr("&View");
+    case MenuId::Vr: return tr("V&R");
+    case MenuId::Help: return tr("&Help");
+    }
+    return {};
+}
+
+void Actions::fill(QMenu* menu, MenuId which) const
+{
+    for (const ActionInfo& row : table) {
+        if (row.menu != which)
+            continue;
+        if (row.startsGroup && !menu->isEmpty())
+            menu->addSeparator();
+        menu->addAction(get(QLatin1StringView(row.id)));
+    }
+}
+
+void Actions::fill(QToolBar* bar) const
+{
+    for (const ActionInfo& row : table) {
+        if (!row.inToolBar)
+            continue;
+        if (row.startsGroup)
+            bar->addSeparator();
+        bar->addAction(get(QLatin1StringView(row.id)));
+    }
+}
+} // namespace ui

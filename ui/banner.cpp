@@ -1,0 +1,54 @@
+#include "banner.h"
+
+#include <QEvent>
+
+#include <algorithm>
+
+namespace ui
+{
+namespace
+{
+constexpr int distance = 16; ///< from the edges
+/// Long enough to be read: a start, and so much a character.
+constexpr int baseMs = 2500, msPerCharacter = 60;
+} // namespace
+
+Banner::Banner(QWidget* parent) : QLabel(parent)
+{
+    setObjectName(QStringLiteral("banner"));
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setTextFormat(Qt::PlainText);
+    setWordWrap(true);
+    setAlignment(Qt::AlignCenter);
+    setStyleSheet(QStringLiteral("background: rgba(28, 30, 33, 225); color: white; border-radius: 8px; padding: 8px 16px;"));
+    hide();
+    m_timer.setSingleShot(true);
+    connect(&m_timer, &QTimer::timeout, this, &QLabel::hide);
+    parent->installEventFilter(this);
+}
+
+void Banner::say(const QString& sentence)
+{
+    setText(sentence);
+    place();
+    show();
+    raise();
+    m_timer.start(baseMs + msPerCharacter * static_cast<int>(sentence.size()));
+}
+
+bool Banner::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::Resize)
+        place();
+    return QLabel::eventFilter(watched, event);
+}
+
+void Banner::place()
+{
+    const int most = std::max(parentWidget()->width() - 2 * distance, 100);
+    const int oneLine = fontMetrics().horizontalAdvance(text()) + 2 * 16 + 4;
+    const int width = std::min(oneLine, most);
+    const int height = heightForWidth(width);
+    setGeometry((parentWidget()->width() - width) / 2, parentWidget()->height() - height - distance, width, height);
+}
+} // namespace ui

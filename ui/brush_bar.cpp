@@ -1,0 +1,120 @@
+#include "brush_bar.h"
+
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSlider>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ui
+{
+namespace
+{
+constexpr int sliderSteps = 1000;
+constexpr int gap = 8; ///< of the window's spacing grid
+
+/// How far a slider goes where the table allows more than a hand wants; the box takes all of it.
+constexpr double strengthOnSlider = 2.0;
+
+bool isLogarithmic(core::Parameter parameter)
+{
+    return core::info(parameter).unit == core::Unit::Millimetres;
+}
+
+double sliderMax(const BrushSettings& brush, core::Parameter parameter)
+{
+    return parameter == core::Parameter::Strength ? strengthOnSlider : brush.maxOf(parameter);
+}
+
+QString label(core::Parameter parameter)
+{
+    switch (parameter) {
+    case core::Parameter::Radius: return BrushBar::tr("Radius");
+    case core::Parameter::Strength: return BrushBar::tr("Strength");
+    case core::Parameter::Falloff: return BrushBar::tr("Falloff");
+    case core::Parameter::Detail: return BrushBar::tr("Detail");
+    case core::Parameter::Spacing: return BrushBar::tr("Spacing");
+    }
+    return {};
+}
+
+/// Three figures that count, whatever the model's size.
+int decimalsFor(double value)
+{
+    return std::clamp(2 - static_cast<int>(std::floor(std::log10(std::max(value, 1e-6)))), 0, 6);
+}
+} // namespace
+
+ParameterControl::ParameterControl(BrushSettings* brush, core::Parameter parameter, QWidget* parent)
+    : QWidget(parent), m_brush(brush), m_parameter(parameter), m_slider(new QSlider(Qt::Horizontal)),
+      m_box(new QDoubleSpinBox)
+{
+    const QString name = QLatin1StringView(core::info(parameter).key.data(), core::info(parameter).key.size());
+    auto* text = new QLabel(label(parameter));
+    text->setBuddy(m_box);
+    m_slider->setObjectName(name + QStringLiteral(".slider"));
+    m_slider->setAccessibleName(label(parameter));
+    m_slider->setRange(0, sliderSteps);
+    m_slider->setFixedWidth(120);
+    m_box->setObjectName(name + QStringLiteral(".box"));
+    m_box->setAccessibleName(label(parameter));
+    m_box->setKeyboardTracking(false);
+    m_box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+    if (core::info(parameter).unit == core::Unit::Millimetres)
+        m_box->setSuffix(tr(" mm"));
+
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(gap);
+    for (QWidget* part : std::initializer_list<QWidget*>{text, m_slider, m_box})
+        row->addWidget(part);
+
+    connect(m_slider, &QSlider::valueChanged, this, [this](int at) {
+        if (!m_isShowing)
+            m_brush->setValue(m_parameter, valueAt(at));
+    });
+    connect(m_box, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+        if (!m_isShowing)
+            m_brush->setValue(m_parameter, value);
+    });
+    connect(brush, &BrushSettings::changed, this, &ParameterControl::showValue);
+    showValue();
+}
+
+void ParameterControl::showValue()
+{
+    m_isShowing = true;
+    const double value = m_brush->value(m_parameter);
+    m_box->setDecimals(isLogarithmic(m_parameter) ? decimalsFor(value) : 2);
+    m_box->setRange(m_brush->minOf(m_parameter), m_brush->maxOf(m_parameter));
+    m_box->setValue(value);
+    m_slider->setValue(position(value));
+    m_isShowing = false;
+}
+
+int ParameterControl::position(double value) const
+{
+    const double min = m_brush->minOf(m_parameter), max = sliderMax(*m_brush, m_parameter);
+    const double share =
+        isLogarithmic(m_parameter) ? std::log(value / min) / std::log(max / min) : (value - min) / (max - min);
+    return static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * sliderSteps));
+}
+
+double ParameterControl::valueAt(int position) const
+{
+    const double min = m_brush->minOf(m_parameter), max = sliderMax(*m_brush, m_parameter);
+    const double share = static_cast<double>(position) / sliderSteps;
+    return isLogarithmic(m_parameter) ? min * std::pow(max / min, share) : min + share * (max - min);
+}
+
+BrushBar::BrushBar(BrushSettings* brush, QWidget* parent) : QWidget(parent)
+{
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(gap, 0, gap, 0);
+    row->setSpacing(2 * gap);
+    row->addWidget(new ParameterControl(brush, core::Parameter::Radius));
+    row->addWidget(new ParameterControl(brush, core::Parameter::Strength));
+}
+} // namespace ui

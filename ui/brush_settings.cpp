@@ -1,0 +1,96 @@
+#include "brush_settings.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ui
+{
+namespace
+{
+/// Of the radius: dense enough for an even furrow, wide enough that a slow hand does not dig a hole.
+constexpr double handSpacing = 0.25;
+
+/// The nearest legal n: 0, or 3 to 16.
+int legalFalloff(double value)
+{
+    const int n = static_cast<int>(std::lround(value));
+    return core::isFalloff(n) ? n : (n < 2 ? 0 : 3);
+}
+} // namespace
+
+BrushSettings::BrushSettings(QObject* parent)
+    : QObject(parent), m_minRadius(core::info(core::Parameter::Radius).min),
+      m_maxRadius(core::info(core::Parameter::Radius).max)
+{
+    m_stroke.place = core::Placement::Ray;
+    m_stroke.spacing = handSpacing;
+}
+
+double BrushSettings::value(core::Parameter parameter) const
+{
+    switch (parameter) {
+    case core::Parameter::Radius: return m_stroke.radius;
+    case core::Parameter::Strength: return m_stroke.strength;
+    case core::Parameter::Falloff: return m_stroke.falloff;
+    case core::Parameter::Detail: return m_stroke.detail;
+    case core::Parameter::Spacing: return m_stroke.spacing;
+    }
+    return 0;
+}
+
+void BrushSettings::setTool(core::Tool tool)
+{
+    if (m_stroke.tool == tool)
+        return;
+    m_stroke.tool = tool;
+    Q_EMIT changed();
+}
+
+void BrushSettings::setValue(core::Parameter parameter, double value)
+{
+    const double before = this->value(parameter);
+    const double clamped = std::clamp(value, minOf(parameter), maxOf(parameter));
+    switch (parameter) {
+    case core::Parameter::Radius: m_stroke.radius = clamped; break;
+    case core::Parameter::Strength: m_stroke.strength = clamped; break;
+    case core::Parameter::Falloff: m_stroke.falloff = legalFalloff(clamped); break;
+    case core::Parameter::Detail: m_stroke.detail = clamped; break;
+    case core::Parameter::Spacing: m_stroke.spacing = clamped; break;
+    }
+    if (this->value(parameter) != before)
+        Q_EMIT changed();
+}
+
+void BrushSettings::scaleRadius(double factor)
+{
+    setValue(core::Parameter::Radius, m_stroke.radius * factor);
+}
+
+void BrushSettings::setRadiusRange(double min, double max)
+{
+    const core::ParameterInfo& row = core::info(core::Parameter::Radius);
+    m_minRadius = std::clamp(min, row.min, row.max);
+    m_maxRadius = std::clamp(max, m_minRadius, row.max);
+    m_stroke.radius = std::clamp(m_stroke.radius, m_minRadius, m_maxRadius);
+    Q_EMIT changed();
+}
+
+double BrushSettings::minOf(core::Parameter parameter) const
+{
+    return parameter == core::Parameter::Radius ? m_minRadius : core::info(parameter).min;
+}
+
+double BrushSettings::maxOf(core::Parameter parameter) const
+{
+    return parameter == core::Parameter::Radius ? m_maxRadius : core::info(parameter).max;
+}
+
+core::Tool toolWith(core::Tool tool, Qt::KeyboardModifiers modifiers)
+{
+    if (modifiers & Qt::ShiftModifier)
+        return core::Tool::Smooth;
+    if (!(modifiers & Qt::ControlModifier) || tool == core::Tool::Smooth)
+        return tool;
+    return tool == core::Tool::Pull ? core::Tool::Push : core::Tool::Pull;
+}
+} // namespace ui

@@ -1,0 +1,54 @@
+#include "facts_bar.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ui
+{
+namespace
+{
+/// Four figures at least, tenths at most for what people hold in their hands.
+QString millimetres(double value)
+{
+    const double size = std::max(std::abs(value), 1e-6);
+    const int decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(size))), 1, 6);
+    return QLocale().toString(value, 'f', decimals);
+}
+} // namespace
+
+FactsBar::FactsBar(const BrushSettings* brush, QWidget* parent)
+    : QWidget(parent), m_brush(brush), m_name(new QLabel), m_vertices(new QLabel), m_size(new QLabel),
+      m_radius(new QLabel)
+{
+    m_name->setObjectName(QStringLiteral("facts.name"));
+    m_vertices->setObjectName(QStringLiteral("facts.vertices"));
+    m_size->setObjectName(QStringLiteral("facts.size"));
+    m_radius->setObjectName(QStringLiteral("facts.radius"));
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(8, 0, 8, 0);
+    row->setSpacing(24);
+    for (QLabel* label : {m_name, m_vertices, m_size, m_radius}) {
+        label->setTextFormat(Qt::PlainText);
+        row->addWidget(label);
+    }
+    connect(brush, &BrushSettings::changed, this, &FactsBar::showRadius);
+    showRadius();
+}
+
+void FactsBar::setFacts(const ModelFacts& facts)
+{
+    m_name->setText(facts.name);
+    m_vertices->setText(tr("%Ln vertices", nullptr, static_cast<int>(facts.vertices)));
+    m_size->setText(tr("%1 x %2 x %3 mm")
+                        .arg(millimetres(facts.size.x()), millimetres(facts.size.y()), millimetres(facts.size.z())));
+}
+
+void FactsBar::showRadius()
+{
+    m_radius->setText(tr("Radius %1 mm").arg(millimetres(m_brush->value(core::Parameter::Radius))));
+}
+} // namespace ui

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "brush_settings.h"
+#include "model_facts.h"
+
+#include <QWidget>
+
+class QLabel;
+
+namespace ui
+{
+/// The right end of the status bar: the model's name, vertices and size, and the brush's radius.
+class FactsBar : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit FactsBar(const BrushSettings* brush, QWidget* parent = nullptr);
+
+    void setFacts(const ModelFacts& facts);
+
+private:
+    void showRadius();
+
+    const BrushSettings* m_brush;
+    QLabel *m_name, *m_vertices, *m_size, *m_radius;
+};
+} // namespace ui

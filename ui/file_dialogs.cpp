@@ -1,0 +1,69 @@
+#include "file_dialogs.h"
+
+#include "core/mesh_io.h"
+
+#include <QCoreApplication>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QStringList>
+
+namespace ui
+{
+namespace
+{
+QStringList endings()
+{
+    QStringList all;
+    for (const std::string_view ending : core::meshEndings())
+        all << QLatin1StringView(ending.data(), static_cast<qsizetype>(ending.size()));
+    return all;
+}
+
+QString tr(const char* text)
+{
+    return QCoreApplication::translate("ui::FileDialogs", text);
+}
+
+/// "STL (*.stl)"
+QString filterOf(const QString& ending)
+{
+    return QStringLiteral("%1 (*.%2)").arg(ending.toUpper(), ending);
+}
+
+void show(QFileDialog* dialog, const PathAnswer& answer)
+{
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    QObject::connect(dialog, &QFileDialog::fileSelected, dialog, [answer](const QString& path) { answer(path); });
+    dialog->open();
+}
+} // namespace
+
+void askForModel(QWidget* parent, const QString& folder, PathAnswer answer)
+{
+    auto* dialog = new QFileDialog(parent, tr("Open a Model"), folder);
+    dialog->setObjectName(QStringLiteral("openDialog"));
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    dialog->setNameFilters({tr("Models (%1)").arg(QStringLiteral("*.") + endings().join(QStringLiteral(" *."))),
+                            tr("All files (*)")});
+    show(dialog, answer);
+}
+
+void askForExport(QWidget* parent, const QString& folder, const QString& modelName, PathAnswer answer)
+{
+    auto* dialog = new QFileDialog(parent, tr("Export the Model"), folder);
+    dialog->setObjectName(QStringLiteral("exportDialog"));
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    QStringList filters;
+    for (const QString& ending : endings())
+        filters << filterOf(ending);
+    dialog->setNameFilters(filters);
+    dialog->setDefaultSuffix(endings().constFirst());
+    dialog->selectFile(QFileInfo(modelName).completeBaseName());
+    QObject::connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
+        for (const QString& ending : endings())
+            if (filter == filterOf(ending))
+                dialog->setDefaultSuffix(ending);
+    });
+    show(dialog, answer);
+}
+} // namespace ui

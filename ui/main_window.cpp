@@ -1,0 +1,359 @@
+#include "main_window.h"
+
+#include "actions.h"
+#include "banner.h"
+#include "brush_bar.h"
+#include "facts_bar.h"
+#include "file_dialogs.h"
+#include "scene.h"
+#include "settings.h"
+#include "viewport.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QCloseEvent>
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPointer>
+#include <QProgressBar>
+#include <QStatusBar>
+#include <QToolBar>
+
+#include <algorithm>
+
+namespace ui
+{
+namespace
+{
+constexpr double smallerRadius = 0.9;
+constexpr QSize defaultSize{1280, 800};
+
+struct ToolAction
+{
+    const char* id;
+    core::Tool tool;
+};
+constexpr ToolAction toolActions[] = {
+    {"tool.pull", core::Tool::Pull}, {"tool.push", core::Tool::Push}, {"tool.smooth", core::Tool::Smooth}};
+
+/// The first local file that is being dragged, or nothing.
+QString droppedFile(const QMimeData* data)
+{
+    for (const QUrl& url : data->urls())
+        if (url.isLocalFile())
+            return url.toLocalFile();
+    return {};
+}
+} // namespace
+
+struct MainWindow::State
+{
+    explicit State(MainWindow* window) : brush(window), actions(window), q(window) {}
+
+    Settings settings;
+    BrushSettings brush;
+    Actions actions;
+    MainWindow* q;
+    std::unique_ptr<Viewport> spareViewport; ///< where there is no OpenGL, the viewport must stay out of the window
+    Viewport* viewport = nullptr;
+    Banner* banner = nullptr;
+    FactsBar* facts = nullptr;
+    QLabel* busyText = nullptr;
+    QProgressBar* busyBar = nullptr;
+    QPointer<QMessageBox> problem;
+    std::function<bool()> mayClose;
+    QString modelName;
+    double modelSize = 0; ///< mm, longest side
+    bool busy = false;
+
+    void buildView();
+    void buildBars();
+    void buildStatusBar();
+    void connectActions();
+    void showTool();
+    void open();
+    void exportAs();
+    void about();
+    void setBusy(bool isBusy);
+    void restore();
+    void save();
+};
+
+/// The viewport, or a sentence in its place.
+void MainWindow::State::buildView()
+{
+    const QString unable = graphicsProblem();
+    viewport = new Viewport(&brush);
+    if (unable.isEmpty()) {
+        q->setCentralWidget(viewport);
+    } else {
+        spareViewport.reset(viewport);
+        auto* sentence = new QLabel(unable);
+        sentence->setObjectName(QStringLiteral("graphicsProblem"));
+        sentence->setAlignment(Qt::AlignCenter);
+        sentence->setWordWrap(true);
+        q->setCentralWidget(sentence);
+    }
+    banner = new Banner(q->centralWidget());
+}
+
+void MainWindow::State::buildBars()
+{
+    for (const MenuId id : {MenuId::File, MenuId::Edit, MenuId::Sculpt, MenuId::View, MenuId::Vr, MenuId::Help})
+        actions.fill(q->menuBar()->addMenu(actions.menuTitle(id)), id);
+
+    auto* bar = q->addToolBar(tr("Tools"));
+    bar->setObjectName(QStringLiteral("toolBar"));
+    bar->setIconSize(QSize(22, 22));
+    actions.fill(bar);
+    bar->addSeparator();
+    bar->addWidget(new BrushBar(&brush));
+}
+
+void MainWindow::State::buildStatusBar()
+{
+    busyText = new QLabel;
+    busyText->setObjectName(QStringLiteral("busyText"));
+    busyBar = new QProgressBar;
+    busyBar->setRange(0, 0);
+    busyBar->setMaximumSize(120, 12);
+    busyBar->setTextVisible(false);
+    facts = new FactsBar(&brush);
+    for (QWidget* part : std::initializer_list<QWidget*>{busyText, busyBar, facts})
+        q->statusBar()->addPermanentWidget(part);
+    busyText->hide();
+    busyBar->hide();
+}
+
+void MainWindow::State::connectActions()
+{
+    const auto on = [this](const char* id, auto&& what) {
+        connect(actions.get(QLatin1StringView(id)), &QAction::triggered, q, std::forward<decltype(what)>(what));
+    };
+    on("file.open", [this] { open(); });
+    on("file.exportAs", [this] { exportAs(); });
+    on("file.quit", [this] { q->close(); });
+    on("brush.smaller", [this] { brush.scaleRadius(smallerRadius); });
+    on("brush.larger", [this] { brush.scaleRadius(1 / smallerRadius); });
+    on("view.frame", [this] { viewport->frame(); });
+    on("help.about", [this] { about(); });
+
+    auto* group = new QActionGroup(q);
+    for (const ToolAction& row : toolActions) {
+        group->addAction(actions.get(QLatin1StringView(row.id)));
+        on(row.id, [this, tool = row.tool] { brush.setTool(tool); });
+    }
+    connect(&brush, &BrushSettings::changed, q, [this] { showTool(); });
+    showTool();
+    q->setUndoText({});
+    q->setRedoText({});
+    actions.get(QStringLiteral("edit.undo"))->setEnabled(false);
+    actions.get(QStringLiteral("edit.redo"))->setEnabled(false);
+}
+
+void MainWindow::State::showTool()
+{
+    for (const ToolAction& row : toolActions)
+        actions.get(QLatin1StringView(row.id))->setChecked(row.tool == brush.tool());
+}
+
+void MainWindow::State::open()
+{
+    askForModel(q, settings.lastFolder(), [this](const QString& path) {
+        settings.setLastFolder(QFileInfo(path).absolutePath());
+        Q_EMIT q->openRequested(path);
+    });
+}
+
+void MainWindow::State::exportAs()
+{
+    askForExport(q, settings.lastFolder(), modelName, [this](const QString& path) {
+        settings.setLastFolder(QFileInfo(path).absolutePath());
+        Q_EMIT q->exportRequested(path);
+    });
+}
+
+void MainWindow::State::about()
+{
+    auto* box = new QMessageBox(QMessageBox::NoIcon, tr("About Fettle"),
+                                tr("Fettle %1\n\nSculpt a model with mouse, pen or VR wands, and export it ready to print.")
+                                    .arg(QCoreApplication::applicationVersion()),
+                                QMessageBox::Ok, q);
+    box->setIconPixmap(QIcon(QStringLiteral(":/icons/fettle.svg")).pixmap(QSize(64, 64), q->devicePixelRatioF()));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->open();
+}
+
+void MainWindow::State::setBusy(bool isBusy)
+{
+    busy = isBusy;
+    busyText->setVisible(busy);
+    busyBar->setVisible(busy);
+    for (const char* id : {"file.open", "file.exportAs"})
+        actions.get(QLatin1StringView(id))->setEnabled(!busy);
+}
+
+void MainWindow::State::restore()
+{
+    q->resize(defaultSize);
+    q->restoreGeometry(settings.windowGeometry());
+    q->restoreState(settings.windowState());
+    brush.setValue(core::Parameter::Strength, settings.strength());
+}
+
+void MainWindow::State::save()
+{
+    settings.setWindowGeometry(q->saveGeometry());
+    settings.setWindowState(q->saveState());
+    settings.setStrength(brush.value(core::Parameter::Strength));
+    if (modelSize > 0)
+        settings.setRadiusShare(brush.value(core::Parameter::Radius) / modelSize);
+}
+
+MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), m_state(std::make_unique<State>(this))
+{
+    setObjectName(QStringLiteral("mainWindow"));
+    setWindowTitle(tr("Fettle"));
+    setWindowIcon(QIcon(QStringLiteral(":/icons/fettle.svg")));
+    setAcceptDrops(true);
+    m_state->buildView();
+    m_state->buildBars();
+    m_state->buildStatusBar();
+    m_state->connectActions();
+    m_state->restore();
+}
+
+/// The viewport goes while the brush that it looks at is there.
+MainWindow::~MainWindow()
+{
+    delete takeCentralWidget();
+}
+
+Viewport* MainWindow::viewport() const
+{
+    return m_state->viewport;
+}
+
+BrushSettings* MainWindow::brush() const
+{
+    return &m_state->brush;
+}
+
+QAction* MainWindow::action(const QString& id) const
+{
+    return m_state->actions.get(id);
+}
+
+void MainWindow::setUndoText(const QString& what)
+{
+    action(QStringLiteral("edit.undo"))->setText(what.isEmpty() ? tr("&Undo") : tr("&Undo %1").arg(what));
+}
+
+void MainWindow::setRedoText(const QString& what)
+{
+    action(QStringLiteral("edit.redo"))->setText(what.isEmpty() ? tr("&Redo") : tr("&Redo %1").arg(what));
+}
+
+core::StrokeSettings MainWindow::strokeSettings() const
+{
+    return m_state->brush.stroke();
+}
+
+void MainWindow::setMayClose(std::function<bool()> mayClose)
+{
+    m_state->mayClose = std::move(mayClose);
+}
+
+bool MainWindow::askToDiscard()
+{
+    QMessageBox box(QMessageBox::Question, tr("Unsaved changes"),
+                    tr("%1 has changes that were not exported. Shall they be lost?").arg(m_state->modelName),
+                    QMessageBox::Discard | QMessageBox::Cancel, this);
+    box.setObjectName(QStringLiteral("discardQuestion"));
+    box.setDefaultButton(QMessageBox::Cancel);
+    return box.exec() == QMessageBox::Discard;
+}
+
+void MainWindow::setModel(const ModelFacts& facts)
+{
+    m_state->modelName = facts.name;
+    m_state->modelSize = facts.size.maxCoeff();
+    setWindowTitle(tr("%1[*] - Fettle").arg(facts.name));
+    setModified(false);
+    if (m_state->modelSize > 0) {
+        m_state->brush.setRadiusRange(minRadiusShare * m_state->modelSize, maxRadiusShare * m_state->modelSize);
+        m_state->brush.setValue(core::Parameter::Radius, m_state->settings.radiusShare() * m_state->modelSize);
+    }
+    m_state->facts->setFacts(facts);
+    m_state->viewport->showModel(facts.box);
+}
+
+void MainWindow::updateFacts(const ModelFacts& facts)
+{
+    m_state->facts->setFacts(facts);
+    m_state->viewport->setBox(facts.box);
+}
+
+void MainWindow::setModified(bool modified)
+{
+    setWindowModified(modified);
+}
+
+void MainWindow::showProblem(const QString& sentence)
+{
+    if (!m_state->problem) {
+        m_state->problem = new QMessageBox(QMessageBox::Warning, tr("Fettle"), {}, QMessageBox::Ok, this);
+        m_state->problem->setObjectName(QStringLiteral("problem"));
+        m_state->problem->setTextFormat(Qt::PlainText);
+        m_state->problem->setAttribute(Qt::WA_DeleteOnClose);
+        m_state->problem->open();
+    }
+    m_state->problem->setText(sentence);
+}
+
+void MainWindow::showNotice(const QString& sentence)
+{
+    m_state->banner->say(sentence);
+}
+
+void MainWindow::setBusy(const QString& what)
+{
+    m_state->busyText->setText(what);
+    m_state->setBusy(true);
+}
+
+void MainWindow::setIdle()
+{
+    m_state->setBusy(false);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+    if (m_state->mayClose && !m_state->mayClose()) {
+        event->ignore();
+        return;
+    }
+    m_state->save();
+    event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event)
+{
+    if (!m_state->busy && !droppedFile(event->mimeData()).isEmpty())
+        event->acceptProposedAction();
+}
+
+/// Asked for after the event, so that whoever dragged need not wait for our questions.
+void MainWindow::dropEvent(QDropEvent* event)
+{
+    const QString path = droppedFile(event->mimeData());
+    if (m_state->busy || path.isEmpty())
+        return;
+    event->acceptProposedAction();
+    QMetaObject::invokeMethod(this, [this, path] { Q_EMIT openRequested(path); }, Qt::QueuedConnection);
+}
+} // namespace ui

@@ -1,0 +1,147 @@
+#include "messages.h"
+
+#include "core/mesh_check.h"
+
+#include <QDir>
+#include <QLocale>
+#include <QStringList>
+
+#include <cstring>
+
+namespace ui
+{
+namespace
+{
+using core::FileErrorKind;
+
+QString nativePath(const std::filesystem::path& path)
+{
+    return QDir::toNativeSeparators(QString::fromStdU16String(path.u16string()));
+}
+
+QString number(std::uint64_t n)
+{
+    return QLocale().toString(static_cast<qulonglong>(n));
+}
+
+QString bytes(std::uint64_t n)
+{
+    return QLocale().formattedDataSize(static_cast<qint64>(n));
+}
+
+QString systemReason(const core::FileError& error)
+{
+    return error.systemError == 0 ? QString() : QStringLiteral(" (%1)").arg(qt_error_string(error.systemError));
+}
+
+QString token(const core::FileError& error)
+{
+    return QString::fromLatin1(error.token);
+}
+} // namespace
+
+QString Messages::sentence(const core::FileError& error)
+{
+    for (const QString& words : {reading(error), content(error), writing(error)})
+        if (!words.isEmpty())
+            return words;
+    return tr("%1 cannot be used.").arg(nativePath(error.path));
+}
+
+QString Messages::refusal(const QString& file, const core::MeshReport& report)
+{
+    QStringList faults;
+    const auto add = [&faults](std::uint64_t count, const QString& fault) {
+        if (count > 0)
+            faults << fault.arg(number(count));
+    };
+    add(report.openEdges.count, tr("open edges: %1"));
+    add(report.nonManifoldEdges.count, tr("edges of more than two faces: %1"));
+    add(report.nonManifoldVertices.count, tr("points at which parts merely touch: %1"));
+    add(report.misorientedEdges.count, tr("edges between faces that look to different sides: %1"));
+    add(report.degenerateFaces.count, tr("faces without area: %1"));
+    add(report.intersections.count, tr("pairs of faces that intersect: %1"));
+    if (faults.isEmpty())
+        faults << tr("it is inside out, or its shells are wrongly nested");
+    return tr("%1 cannot be sculpted yet, because its surface does not bound a solid (%2).")
+        .arg(file, faults.join(tr(", ", "between the faults of a model")));
+}
+
+QString Messages::tooFine(const QString& file, quint64 faces)
+{
+    return tr("%1 cannot be sculpted yet, because some of its faces would meet on the program's working grid (faces: %2).")
+        .arg(file, number(faces));
+}
+
+/// What is wrong with a file before its content matters.
+QString Messages::reading(const core::FileError& error)
+{
+    const QString path = nativePath(error.path);
+    switch (error.kind) {
+    case FileErrorKind::NotFound: return tr("%1: there is no such file or folder.").arg(path);
+    case FileErrorKind::NotReadable: return tr("%1 cannot be read%2.").arg(path, systemReason(error));
+    case FileErrorKind::NotAFile: return tr("%1 is not a file but a folder or a device.").arg(path);
+    case FileErrorKind::Empty: return tr("%1 is empty.").arg(path);
+    case FileErrorKind::TooLarge:
+        return tr("%1 is too large: it has %2, and at most %3 are read.")
+            .arg(path, bytes(error.found), bytes(error.expected));
+    case FileErrorKind::UnknownFormat:
+        return error.token.empty()
+                   ? tr("%1 has no ending that says its format: STL, OBJ and PLY can be used.").arg(path)
+                   : tr("%1: the format \"%2\" is not known; STL, OBJ and PLY can be used.").arg(path, token(error));
+    case FileErrorKind::NotWhatItsEndingSays:
+        return error.token.empty() ? tr("%1 does not hold what its ending says.").arg(path)
+                                   : tr("%1 does not hold what its ending says: it looks like %2.")
+                                         .arg(path, token(error).toUpper());
+    default: return {};
+    }
+}
+
+QString Messages::content(const core::FileError& error)
+{
+    const QString where = nativePath(error.path) + at(error);
+    switch (error.kind) {
+    case FileErrorKind::CutOff:
+        return error.expected == 0 ? tr("%1: the file is cut off here.").arg(where)
+                                   : tr("%1: the file is cut off; %2 are expected, and %3 are there.")
+                                         .arg(where, bytes(error.expected), bytes(error.found));
+    case FileErrorKind::CountMismatch:
+        return tr("%1: %2 elements are announced, but the file has room for %3.")
+            .arg(where, number(error.expected), number(error.found));
+    case FileErrorKind::Malformed:
+        return error.token.empty() ? tr("%1: this cannot be understood.").arg(where)
+                                   : tr("%1: \"%2\" cannot be understood.").arg(where, token(error));
+    case FileErrorKind::NotANumber:
+        return error.token.empty() ? tr("%1: a coordinate is not a finite number.").arg(where)
+                                   : tr("%1: \"%2\" is not a finite number.").arg(where, token(error));
+    case FileErrorKind::IndexOutOfRange:
+        return tr("%1: a face names vertex %2, but there are %3 vertices.")
+            .arg(where, token(error), number(error.expected));
+    case FileErrorKind::TooManyElements:
+        return tr("%1: too many %2; at most %3 are taken.").arg(where, token(error), number(error.expected));
+    case FileErrorKind::NoFaces: return tr("%1 holds no faces.").arg(where);
+    default: return {};
+    }
+}
+
+QString Messages::writing(const core::FileError& error)
+{
+    const QString path = nativePath(error.path), reason = systemReason(error);
+    switch (error.kind) {
+    case FileErrorKind::NotWritable: return tr("%1 cannot be written: it is not permitted%2.").arg(path, reason);
+    case FileErrorKind::DiskFull: return tr("%1 was not written: the disk is full.").arg(path);
+    case FileErrorKind::WriteFailed: return tr("%1 was not written%2.").arg(path, reason);
+    default: return {};
+    }
+}
+
+QString Messages::at(const core::FileError& error)
+{
+    switch (error.place.unit) {
+    case core::FilePlace::Unit::None: return {};
+    case core::FilePlace::Unit::Line: return tr(", line %1").arg(number(error.place.number));
+    case core::FilePlace::Unit::Byte: return tr(", byte %1").arg(number(error.place.number));
+    }
+    return {};
+}
+} // namespace ui

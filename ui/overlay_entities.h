@@ -1,0 +1,53 @@
+#pragma once
+
+#include "core/geometry.h"
+
+#include <QColor>
+#include <Qt3DCore/QEntity>
+
+namespace Qt3DCore
+{
+class QTransform;
+}
+namespace Qt3DRender
+{
+class QParameter;
+}
+
+namespace ui
+{
+/// The ground under the model: a grid in mm and a soft shade. Qt3D, sRGB colours, blended over what is there.
+class Ground : public Qt3DCore::QEntity
+{
+    Q_OBJECT
+
+public:
+    explicit Ground(Qt3DCore::QNode* parent = nullptr);
+
+    /// Puts the ground at the bottom of the box; the lines' distance follows its size.
+    void place(const core::Box& box);
+    void setDark(bool dark);
+
+private:
+    Qt3DCore::QTransform* m_transform;
+    Qt3DRender::QParameter *m_cell, *m_center, *m_reach, *m_footprint, *m_lineColor, *m_lineAlpha, *m_shade;
+};
+
+/// The brush's ring in the tangent plane, with a tick along the normal. Where clay hides it, it is drawn faintly.
+class BrushCursor : public Qt3DCore::QEntity
+{
+    Q_OBJECT
+
+public:
+    explicit BrushCursor(Qt3DCore::QNode* parent = nullptr);
+
+    void place(const core::Vec3& position, const core::Vec3& normal, double radius);
+    void setColor(const QColor& color);
+    /// Physical pixels of the target, and physical pixels to one logical pixel.
+    void setPixels(QSize target, double ratio);
+
+private:
+    Qt3DCore::QTransform* m_transform;
+    Qt3DRender::QParameter *m_viewport, *m_halfWidth, *m_color;
+};
+} // namespace ui

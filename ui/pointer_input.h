@@ -1,0 +1,113 @@
+#pragma once
+
+#include "brush_settings.h"
+#include "orbit_camera.h"
+
+#include "core/mesh_patch.h"
+#include "core/sculptor.h"
+
+#include <QObject>
+
+#include <deque>
+#include <optional>
+
+namespace ui
+{
+/// A reading of mouse or pen. Nobody asks later which it was.
+struct PointerEvent
+{
+    enum class Kind { Press, Move, Release };
+
+    Kind kind = Kind::Move;
+    OrbitCamera::Pixel pixel{0, 0};
+    Qt::MouseButton button = Qt::NoButton;
+    Qt::KeyboardModifiers modifiers;
+    double time = 0; ///< seconds
+    double pressure = 1;
+};
+
+/// Decides what a drag is: a stroke, or a turn or a move of the view. A left press is a stroke if it is on the model; that
+/// is asked by a hover question, and what happens before the answer waits in a queue. Gui thread, no widget, no OpenGL.
+class PointerInput : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// Neither is owned.
+    PointerInput(const BrushSettings* brush, OrbitCamera* camera, QObject* parent = nullptr);
+
+    void handle(const PointerEvent& event);
+    void zoom(double factor, const OrbitCamera::Pixel& toward);
+    /// The pointer left the view.
+    void leave();
+    /// Ends whatever drag is going on, as a release would.
+    void finish();
+    /// The surface changed under the pointer.
+    void askAgain();
+    /// The camera was moved by somebody else.
+    void viewMoved();
+    /// What was known belongs to another model.
+    void forgetHover();
+
+    void setHover(const std::optional<core::SurfaceHit>& hit);
+
+    /// Where the cursor is to lie: the newest answer, unless the pointer left or turns the view.
+    std::optional<core::SurfaceHit> hover() const;
+    bool strokeOpen() const { return m_drag == Drag::Stroke; }
+    /// Of the open stroke, else of one that would begin now.
+    core::Tool tool() const;
+
+Q_SIGNALS:
+    void hoverRequested(const core::Ray& ray);
+    void hoverChanged();
+    void strokeBegan(const core::StrokeSettings& settings);
+    void strokeSampled(const core::StrokeSample& sample);
+    void strokeEnded();
+    void viewChanged();
+
+private:
+    enum class Drag { None, Stroke, Orbit, Pan };
+
+    /// An event with what was true when it came.
+    struct Waiting
+    {
+        PointerEvent event;
+        core::Ray ray;
+        core::StrokeSettings settings; ///< of a press
+    };
+    struct Question
+    {
+        OrbitCamera::Pixel pixel;
+        core::Ray ray;
+        bool forPress = false;
+        quint64 view = 0; ///< m_view when it was asked
+    };
+
+    void process(const Waiting& waiting);
+    void press(const Waiting& waiting);
+    void move(const Waiting& waiting);
+    void begin(const Waiting& press, bool onModel);
+    void end();
+    void drain(bool onModel);
+    bool isUndecided(const PointerEvent& event) const;
+    void ask(Question question);
+    void sample(const Waiting& waiting);
+    void turnView(const OrbitCamera::Pixel& delta);
+
+    const BrushSettings* m_brush;
+    OrbitCamera* m_camera;
+
+    Drag m_drag = Drag::None;
+    Qt::MouseButton m_dragButton = Qt::NoButton;
+    OrbitCamera::Pixel m_last{0, 0};
+    bool m_inside = false;
+    core::Tool m_strokeTool = core::Tool::Pull;
+    Qt::KeyboardModifiers m_modifiers;
+    std::deque<Waiting> m_waiting; ///< the first is a press that nobody knows about yet
+
+    quint64 m_view = 0; ///< grows when an older answer no longer fits
+    std::optional<Question> m_inFlight, m_next;
+    std::optional<OrbitCamera::Pixel> m_answeredPixel; ///< none: the answer is not of this view, or there is none
+    std::optional<core::SurfaceHit> m_hit;
+};
+} // namespace ui

@@ -1,0 +1,185 @@
+#include "qt3d_engine.h"
+
+#include "gl_convert.h"
+
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions_3_3_Core>
+#include <QOpenGLVersionFunctionsFactory>
+#include <Qt3DCore/QAspectEngine>
+#include <Qt3DCore/QCoreAspect>
+#include <Qt3DCore/QTransform>
+#include <Qt3DRender/QCamera>
+#include <Qt3DRender/QCameraSelector>
+#include <Qt3DRender/QClearBuffers>
+#include <Qt3DRender/QNoDraw>
+#include <Qt3DRender/QRenderAspect>
+#include <Qt3DRender/QRenderSettings>
+#include <Qt3DRender/QRenderSurfaceSelector>
+#include <Qt3DRender/QRenderTarget>
+#include <Qt3DRender/QRenderTargetOutput>
+#include <Qt3DRender/QRenderTargetSelector>
+#include <Qt3DRender/QTexture>
+#include <Qt3DRender/QViewport>
+
+namespace ui
+{
+namespace
+{
+Qt3DRender::QTexture2D* attach(Qt3DRender::QRenderTarget* target, Qt3DRender::QRenderTargetOutput::AttachmentPoint point,
+                               Qt3DRender::QAbstractTexture::TextureFormat format)
+{
+    auto* output = new Qt3DRender::QRenderTargetOutput;
+    output->setAttachmentPoint(point);
+    auto* texture = new Qt3DRender::QTexture2D(output);
+    texture->setFormat(format);
+    texture->setGenerateMipMaps(false);
+    output->setTexture(texture);
+    target->addOutput(output);
+    return texture;
+}
+} // namespace
+
+struct Qt3dEngine::State
+{
+    QOffscreenSurface* surface;
+    Target target;
+    Qt3DCore::QEntityPtr root{new Qt3DCore::QEntity};
+    Qt3DCore::QAspectEngine engine;
+    Qt3DRender::QRenderSurfaceSelector* selector = nullptr;
+    Qt3DRender::QClearBuffers* clear = nullptr;
+    Qt3DRender::QCamera* camera = nullptr;
+    Qt3DRender::QTexture2D *color = nullptr, *depth = nullptr;
+    QOpenGLContext* context = nullptr;
+    QSize size;
+    bool started = false;
+
+    void buildFrameGraph();
+    Qt3DCore::QNode* targetBranch();
+};
+
+/// surface -> [own textures, cleared] -> whole view -> camera; and a leaf that draws nothing, for a graph without a live
+/// leaf stalls Qt3D. In the bound framebuffer nothing is cleared: the clay is in it.
+void Qt3dEngine::State::buildFrameGraph()
+{
+    selector = new Qt3DRender::QRenderSurfaceSelector;
+    selector->setSurface(surface);
+    clear = new Qt3DRender::QClearBuffers(selector);
+    clear->setBuffers(Qt3DRender::QClearBuffers::None);
+    new Qt3DRender::QNoDraw(clear);
+    auto* viewport = new Qt3DRender::QViewport;
+    viewport->setParent(targetBranch());
+    viewport->setNormalizedRect({0, 0, 1, 1});
+    camera = new Qt3DRender::QCamera(root.get());
+    (new Qt3DRender::QCameraSelector(viewport))->setCamera(camera);
+
+    auto* settings = new Qt3DRender::QRenderSettings(root.get());
+    settings->setActiveFrameGraph(selector);
+    settings->setRenderPolicy(Qt3DRender::QRenderSettings::Always);
+    root->addComponent(settings);
+}
+
+Qt3DCore::QNode* Qt3dEngine::State::targetBranch()
+{
+    if (target == Target::BoundFramebuffer)
+        return selector;
+    auto* renderTarget = new Qt3DRender::QRenderTarget;
+    color = attach(renderTarget, Qt3DRender::QRenderTargetOutput::Color0, Qt3DRender::QAbstractTexture::RGBA8_UNorm);
+    depth = attach(renderTarget, Qt3DRender::QRenderTargetOutput::Depth, Qt3DRender::QAbstractTexture::D24);
+    auto* targetSelector = new Qt3DRender::QRenderTargetSelector(selector);
+    targetSelector->setTarget(renderTarget);
+    auto* clearOwn = new Qt3DRender::QClearBuffers(targetSelector);
+    clearOwn->setBuffers(Qt3DRender::QClearBuffers::ColorDepthBuffer);
+    clearOwn->setClearColor(Qt::transparent);
+    return clearOwn;
+}
+
+Qt3dEngine::Qt3dEngine(QOffscreenSurface* surface, Target target) : m_state(std::make_unique<State>())
+{
+    m_state->surface = surface;
+    m_state->target = target;
+    m_state->engine.setRunMode(Qt3DCore::QAspectEngine::Manual);
+    m_state->engine.registerAspect(new Qt3DCore::QCoreAspect);
+    m_state->engine.registerAspect(new Qt3DRender::QRenderAspect(Qt3DRender::QRenderAspect::Automatic));
+    m_state->buildFrameGraph();
+}
+
+/// The entities take leave of the engine's scene, so they go first.
+Qt3dEngine::~Qt3dEngine()
+{
+    m_state->engine.setRootEntity({});
+    m_state->root.reset();
+}
+
+Qt3DCore::QEntity* Qt3dEngine::root() const
+{
+    return m_state->root.get();
+}
+
+void Qt3dEngine::start()
+{
+    setView({}, QSize(16, 16));
+    const QOpenGLContextGroup* group = QOpenGLContext::globalShareContext()->shareGroup();
+    const QList<QOpenGLContext*> before = group->shares();
+    m_state->engine.setRootEntity(m_state->root);
+    m_state->started = true;
+    for (QOpenGLContext* context : group->shares())
+        if (!before.contains(context))
+            m_state->context = context;
+    if (m_state->context && !m_state->context->makeCurrent(m_state->surface))
+        m_state->context = nullptr;
+}
+
+QOpenGLContext* Qt3dEngine::context() const
+{
+    return m_state->context;
+}
+
+bool Qt3dEngine::drawsIntoBoundFramebuffer(unsigned int framebuffer)
+{
+    auto* gl = QOpenGLVersionFunctionsFactory::get<QOpenGLFunctions_3_3_Core>(m_state->context);
+    if (!gl)
+        return false;
+    m_state->clear->setClearColor(QColor(30, 140, 250));
+    m_state->clear->setBuffers(Qt3DRender::QClearBuffers::ColorBuffer);
+    for (int i = 0; i < warmUpFrames; ++i) {
+        gl->glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+        gl->glClearColor(0, 0, 0, 0);
+        gl->glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        frame();
+    }
+    GLint bound = 0;
+    gl->glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+    const bool kept =
+        QOpenGLContext::currentContext() == m_state->context && static_cast<unsigned int>(bound) == framebuffer;
+    GLubyte pixel[4] = {};
+    gl->glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+    m_state->clear->setBuffers(Qt3DRender::QClearBuffers::None);
+    return kept && pixel[0] == 30 && pixel[1] == 140 && pixel[2] == 250 && gl->glGetError() == GL_NO_ERROR;
+}
+
+void Qt3dEngine::setView(const OrbitCamera& camera, QSize pixels)
+{
+    m_state->camera->transform()->setMatrix(toQt(Eigen::Matrix4d(camera.viewMatrix().inverse())));
+    m_state->camera->lens()->setProjectionMatrix(toQt(camera.projectionMatrix()));
+    if (pixels == m_state->size)
+        return;
+    m_state->size = pixels;
+    m_state->selector->setExternalRenderTargetSize(pixels);
+    for (Qt3DRender::QTexture2D* texture : {m_state->color, m_state->depth})
+        if (texture)
+            texture->setSize(pixels.width(), pixels.height());
+    if (m_state->color && m_state->started)
+        frame(); // the old texture's name is stale for one frame
+}
+
+void Qt3dEngine::frame()
+{
+    m_state->engine.processFrame();
+}
+
+unsigned int Qt3dEngine::texture() const
+{
+    return m_state->color ? m_state->color->handle().toUInt() : 0;
+}
+} // namespace ui

@@ -1,0 +1,273 @@
+#include "scene.h"
+
+#include "overlay_entities.h"
+#include "qt3d_engine.h"
+#include "render_target.h"
+
+#include <QCoreApplication>
+#include <QElapsedTimer>
+#include <QOffscreenSurface>
+#include <QOpenGLFunctions_3_3_Core>
+#include <QOpenGLShaderProgram>
+#include <QOpenGLVersionFunctionsFactory>
+
+namespace ui
+{
+namespace
+{
+constexpr int samplesPerPixel = 4;
+
+double milliseconds(const QElapsedTimer& since)
+{
+    return static_cast<double>(since.nsecsElapsed()) * 1e-6;
+}
+
+QOpenGLFunctions_3_3_Core* functionsOf(QOpenGLContext* context)
+{
+    return QOpenGLVersionFunctionsFactory::get<QOpenGLFunctions_3_3_Core>(context);
+}
+} // namespace
+
+struct Scene::State
+{
+    QOffscreenSurface surface;                   ///< outlives the engine and the contexts
+    std::unique_ptr<QOpenGLContext> ownContext; ///< Layered only
+    std::unique_ptr<Qt3dEngine> engine;
+    Ground* ground = nullptr;      ///< owned by the engine's root
+    BrushCursor* cursor = nullptr; ///< owned by the engine's root
+    Mode mode = Mode::InQt3dContext;
+    QOpenGLContext* context = nullptr; ///< the one that clay and target live in
+    QOpenGLFunctions_3_3_Core* gl = nullptr;
+    RenderTarget target;
+    ClayPainter painter;
+    std::unique_ptr<QOpenGLShaderProgram> layerProgram;
+    unsigned int noVertices = 0;
+    Backdrop backdrop;
+    bool usable = false;
+
+    void startEngine(Qt3dEngine::Target target);
+    bool startInQt3dContext();
+    bool startLayered();
+    bool createResources();
+    void warmUp();
+    void makeCurrent() { context->makeCurrent(&surface); }
+    void drawOverlay();
+    void layOver(unsigned int texture);
+};
+
+void Scene::State::startEngine(Qt3dEngine::Target wanted)
+{
+    engine = std::make_unique<Qt3dEngine>(&surface, wanted);
+    ground = new Ground(engine->root());
+    ground->setEnabled(false);
+    cursor = new BrushCursor(engine->root());
+    cursor->setEnabled(false);
+    engine->start();
+}
+
+bool Scene::State::startInQt3dContext()
+{
+    startEngine(Qt3dEngine::Target::BoundFramebuffer);
+    context = engine->context();
+    if (!context || !(gl = functionsOf(context)) || !createResources())
+        return false;
+    RenderTarget test; // one sample, for it is read from
+    test.create(gl, 0);
+    const bool works = test.resize({16, 16}) && (test.bind(), engine->drawsIntoBoundFramebuffer(test.framebuffer()));
+    test.destroy();
+    return works;
+}
+
+bool Scene::State::startLayered()
+{
+    if (gl) {
+        painter.destroy();
+        target.destroy();
+    }
+    engine.reset();
+    mode = Mode::Layered;
+    startEngine(Qt3dEngine::Target::OwnTexture);
+    ownContext = std::make_unique<QOpenGLContext>();
+    ownContext->setFormat(surface.requestedFormat());
+    ownContext->setShareContext(QOpenGLContext::globalShareContext());
+    if (!ownContext->create() || !ownContext->makeCurrent(&surface))
+        return false;
+    context = ownContext.get();
+    gl = functionsOf(context);
+    if (!gl || !createResources())
+        return false;
+    layerProgram = std::make_unique<QOpenGLShaderProgram>();
+    gl->glGenVertexArrays(1, &noVertices);
+    return layerProgram->addShaderFromSourceFile(QOpenGLShader::Vertex, QStringLiteral(":/shaders/background.vert")) &&
+           layerProgram->addShaderFromSourceFile(QOpenGLShader::Fragment, QStringLiteral(":/shaders/layer.frag")) &&
+           layerProgram->link();
+}
+
+bool Scene::State::createResources()
+{
+    target.create(gl, samplesPerPixel);
+    return painter.create(gl);
+}
+
+/// What Qt3D draws, over clay and backdrop. Qt3D restores most of the state that others left behind, but not these.
+void Scene::State::drawOverlay()
+{
+    if (mode == Mode::InQt3dContext) {
+        gl->glCullFace(GL_BACK);
+        gl->glFrontFace(GL_CCW);
+        gl->glDisable(GL_FRAMEBUFFER_SRGB);
+        gl->glDisable(GL_RASTERIZER_DISCARD);
+        gl->glEnable(GL_DEPTH_TEST);
+        engine->frame();
+    } else if (cursor->isEnabled()) {
+        engine->frame();
+        makeCurrent();
+        target.bind();
+        layOver(engine->texture());
+    }
+}
+
+void Scene::State::layOver(unsigned int texture)
+{
+    if (!texture)
+        return;
+    gl->glDisable(GL_DEPTH_TEST);
+    gl->glEnable(GL_BLEND);
+    gl->glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    gl->glActiveTexture(GL_TEXTURE0);
+    gl->glBindTexture(GL_TEXTURE_2D, texture);
+    layerProgram->bind();
+    gl->glBindVertexArray(noVertices);
+    gl->glDrawArrays(GL_TRIANGLES, 0, 3);
+    gl->glBindVertexArray(0);
+    layerProgram->release();
+    gl->glBindTexture(GL_TEXTURE_2D, 0);
+    gl->glDisable(GL_BLEND);
+}
+
+/// Everything once, unseen, or ground and cursor would be missing in the first frames. In layers there is no ground: its
+/// depth would not be compared with the clay's.
+void Scene::State::warmUp()
+{
+    ground->setEnabled(mode == Mode::InQt3dContext);
+    cursor->setEnabled(true);
+    for (int i = 0; i < Qt3dEngine::warmUpFrames; ++i) {
+        makeCurrent();
+        target.resize({16, 16});
+        target.bind();
+        drawOverlay();
+    }
+    cursor->setEnabled(false);
+}
+
+Scene::Scene(Mode wanted) : m_state(std::make_unique<State>())
+{
+    m_state->surface.setFormat(QSurfaceFormat::defaultFormat());
+    m_state->surface.create();
+    m_state->usable =
+        (wanted == Mode::InQt3dContext && m_state->startInQt3dContext()) || m_state->startLayered();
+    setDark(false);
+    if (m_state->usable)
+        m_state->warmUp();
+}
+
+Scene::~Scene()
+{
+    if (m_state->context && m_state->context->makeCurrent(&m_state->surface)) {
+        m_state->layerProgram.reset();
+        m_state->painter.destroy();
+        m_state->target.destroy();
+        m_state->context->doneCurrent();
+    }
+    m_state->engine.reset();
+}
+
+bool Scene::usable() const
+{
+    return m_state->usable;
+}
+
+Scene::Mode Scene::mode() const
+{
+    return m_state->mode;
+}
+
+ClayBuffer& Scene::clay()
+{
+    m_state->makeCurrent();
+    return m_state->painter.clay();
+}
+
+void Scene::placeGround(const core::Box& box)
+{
+    m_state->ground->place(box);
+}
+
+void Scene::placeCursor(const core::SurfaceHit& hit, double radius, const QColor& color)
+{
+    m_state->cursor->place(hit.position, hit.normal, radius);
+    m_state->cursor->setColor(color);
+    m_state->cursor->setEnabled(true);
+}
+
+void Scene::hideCursor()
+{
+    m_state->cursor->setEnabled(false);
+}
+
+void Scene::setDark(bool dark)
+{
+    m_state->ground->setDark(dark);
+    m_state->backdrop = dark ? Backdrop{QColor(70, 74, 80), QColor(34, 36, 40)}
+                             : Backdrop{QColor(222, 225, 229), QColor(176, 182, 189)};
+}
+
+Scene::Image Scene::render(const OrbitCamera& camera, QSize pixels, double pixelRatio)
+{
+    State& s = *m_state;
+    Image image;
+    QElapsedTimer timer;
+    s.engine->setView(camera, pixels);
+    s.cursor->setPixels(pixels, pixelRatio);
+    s.makeCurrent();
+    if (!s.target.resize(pixels))
+        return image;
+
+    timer.start();
+    s.target.bind();
+    s.painter.draw(camera, s.backdrop);
+    image.drawMs = milliseconds(timer);
+    timer.start();
+    s.drawOverlay();
+    image.sceneMs = milliseconds(timer);
+    s.target.resolve();
+
+    image.texture = s.target.texture();
+    image.ready = s.gl->glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    s.gl->glFlush();
+    return image;
+}
+
+QString graphicsProblem()
+{
+    static const QString problem = [] {
+        const auto tr = [](const char* text) { return QCoreApplication::translate("ui::Scene", text); };
+        if (!QOpenGLContext::globalShareContext())
+            return tr("The model cannot be shown: this display offers no OpenGL.");
+        QOffscreenSurface surface;
+        surface.setFormat(QSurfaceFormat::defaultFormat());
+        surface.create();
+        QOpenGLContext context;
+        context.setFormat(QSurfaceFormat::defaultFormat());
+        if (!context.create() || !context.makeCurrent(&surface))
+            return tr("The model cannot be shown: OpenGL does not start on this display.");
+        const auto version = context.format().version();
+        if (version < qMakePair(3, 3) || !functionsOf(&context))
+            return tr("The model cannot be shown: OpenGL 3.3 is needed, and this display offers %1.%2.")
+                .arg(version.first)
+                .arg(version.second);
+        return QString();
+    }();
+    return problem;
+}
+} // namespace ui

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "clay_painter.h"
+#include "orbit_camera.h"
+
+#include "core/mesh_patch.h"
+#include "core/sculptor.h"
+
+#include <QOpenGLContext>
+
+#include <memory>
+
+namespace ui
+{
+/// Everything that is drawn, in one image: clay and backdrop by ClayPainter, ground and brush cursor by Qt3D, which renders
+/// on demand and on this thread into our own framebuffer, so that both share one depth buffer.
+///
+/// That rests on Qt3D drawing into whatever framebuffer is bound when its context is current already; it is tested at the
+/// start. Where it does not hold, the clay gets a context of its own and Qt3D's picture, cursor only, is laid over it.
+///
+/// Gui thread, QApplication exists and prepareGraphics() was called before it. No other context may be current during a
+/// call; afterwards the scene's is.
+class Scene
+{
+public:
+    enum class Mode { InQt3dContext, Layered };
+
+    struct Image
+    {
+        unsigned int texture = 0; ///< readable in any context of the share group, once `ready` was waited for
+        void* ready = nullptr;    ///< GLsync; the caller deletes it
+        double drawMs = 0, sceneMs = 0;
+    };
+
+    /// Layered is for tests; else the mode is found out.
+    explicit Scene(Mode wanted = Mode::InQt3dContext);
+    ~Scene();
+
+    /// False if the driver gave no usable context or framebuffer; nothing else may be called then.
+    bool usable() const;
+    Mode mode() const;
+
+    /// Current the scene's context, then use it at once.
+    ClayBuffer& clay();
+
+    void placeGround(const core::Box& box);
+    void placeCursor(const core::SurfaceHit& hit, double radius, const QColor& color);
+    void hideCursor();
+    void setDark(bool dark);
+
+    Image render(const OrbitCamera& camera, QSize pixels, double pixelRatio);
+
+private:
+    struct State;
+    std::unique_ptr<State> m_state;
+};
+
+/// Empty, or why this machine cannot show the clay, in one translated sentence. Makes a context to find out; cheap after
+/// the first call.
+QString graphicsProblem();
+} // namespace ui

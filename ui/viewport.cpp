@@ -1,0 +1,320 @@
+#include "viewport.h"
+
+#include "pointer_input.h"
+#include "scene.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QMouseEvent>
+#include <QOpenGLExtraFunctions>
+#include <QTabletEvent>
+
+#include <chrono>
+#include <cmath>
+
+namespace ui
+{
+namespace
+{
+constexpr double zoomPerNotch = 0.87;
+constexpr double wheelNotch = 120; ///< QWheelEvent's eighths of a degree
+
+double milliseconds(const QElapsedTimer& since)
+{
+    return static_cast<double>(since.nsecsElapsed()) * 1e-6;
+}
+
+std::int64_t steadyNow()
+{
+    return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+OrbitCamera::Pixel pixelOf(const QPointF& position)
+{
+    return {position.x(), position.y()};
+}
+
+PointerEvent pointerEvent(PointerEvent::Kind kind, const QSinglePointEvent& event)
+{
+    PointerEvent made;
+    made.kind = kind;
+    made.pixel = pixelOf(event.position());
+    made.button = event.button();
+    made.modifiers = event.modifiers();
+    made.time = static_cast<double>(event.timestamp()) * 1e-3;
+    return made;
+}
+
+/// The cursor's ring says what the next stroke does.
+QColor cursorColor(core::Tool tool)
+{
+    switch (tool) {
+    case core::Tool::Pull: return {255, 246, 232};
+    case core::Tool::Push: return {150, 205, 255};
+    case core::Tool::Smooth: return {176, 240, 176};
+    }
+    return Qt::white;
+}
+} // namespace
+
+void prepareGraphics()
+{
+    qputenv("QT3D_RENDERER", "opengl");
+    QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+    QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    QSurfaceFormat::setDefaultFormat(format);
+}
+
+struct Viewport::State
+{
+    explicit State(BrushSettings* settings) : brush(settings) {}
+
+    BrushSettings* brush;
+    OrbitCamera camera;
+    PointerInput input{brush, &camera};
+    std::unique_ptr<Scene> scene;
+    core::Box box;
+    std::function<std::optional<core::MeshPatch>()> take;
+    bool patchWaiting = false;
+    unsigned int readFramebuffer = 0;
+    ViewportStats stats;
+
+    bool applyPatch();
+    void placeCursor();
+    void show(const Scene::Image& image, QSize pixels, unsigned int widgetFramebuffer);
+};
+
+bool Viewport::State::applyPatch()
+{
+    if (!patchWaiting || !take)
+        return false;
+    QElapsedTimer timer;
+    timer.start();
+    patchWaiting = false;
+    const std::optional<core::MeshPatch> patch = take();
+    if (!patch || patch->empty())
+        return false;
+    ClayBuffer& clay = scene->clay();
+    clay.apply(*patch);
+
+    ++stats.patches;
+    stats.uploadedBytes = clay.counters().bytes;
+    stats.wholeUploads = clay.counters().wholeUploads;
+    stats.patchMs = milliseconds(timer);
+    if (patch->sampledNs != 0) {
+        stats.latencyMs = static_cast<double>(steadyNow() - patch->sampledNs) * 1e-6;
+        stats.worstLatencyMs = std::max(stats.worstLatencyMs, stats.latencyMs);
+    }
+    return true;
+}
+
+void Viewport::State::placeCursor()
+{
+    if (const std::optional<core::SurfaceHit> hit = input.hover())
+        scene->placeCursor(*hit, brush->value(core::Parameter::Radius), cursorColor(input.tool()));
+    else
+        scene->hideCursor();
+}
+
+/// The widget's context is current.
+void Viewport::State::show(const Scene::Image& image, QSize pixels, unsigned int widgetFramebuffer)
+{
+    QOpenGLExtraFunctions* gl = QOpenGLContext::currentContext()->extraFunctions();
+    const auto ready = static_cast<GLsync>(image.ready);
+    gl->glWaitSync(ready, 0, GL_TIMEOUT_IGNORED);
+    gl->glDeleteSync(ready);
+    if (!readFramebuffer)
+        gl->glGenFramebuffers(1, &readFramebuffer);
+    const int w = pixels.width(), h = pixels.height();
+    gl->glBindFramebuffer(GL_READ_FRAMEBUFFER, readFramebuffer);
+    gl->glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, image.texture, 0);
+    gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, widgetFramebuffer);
+    gl->glBlitFramebuffer(0, 0, w, h, 0, 0, w, h, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    gl->glBindFramebuffer(GL_FRAMEBUFFER, widgetFramebuffer);
+}
+
+Viewport::Viewport(BrushSettings* brush, QWidget* parent)
+    : QOpenGLWidget(parent), m_state(std::make_unique<State>(brush))
+{
+    setMouseTracking(true);
+    setTabletTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
+    setMinimumSize(200, 150);
+    setAccessibleName(tr("Model"));
+
+    PointerInput* input = &m_state->input;
+    connect(input, &PointerInput::hoverRequested, this, &Viewport::hoverRequested);
+    connect(input, &PointerInput::strokeBegan, this, &Viewport::strokeBegan);
+    connect(input, &PointerInput::strokeSampled, this, &Viewport::strokeSampled);
+    connect(input, &PointerInput::strokeEnded, this, &Viewport::strokeEnded);
+    connect(input, &PointerInput::viewChanged, this, &Viewport::viewChanged);
+    connect(this, &Viewport::viewChanged, this, qOverload<>(&Viewport::update));
+    connect(input, &PointerInput::hoverChanged, this, qOverload<>(&Viewport::update));
+    connect(brush, &BrushSettings::changed, this, qOverload<>(&Viewport::update));
+}
+
+Viewport::~Viewport()
+{
+    if (m_state->readFramebuffer) {
+        makeCurrent();
+        context()->functions()->glDeleteFramebuffers(1, &m_state->readFramebuffer);
+        doneCurrent();
+    }
+}
+
+void Viewport::setPatchSource(std::function<std::optional<core::MeshPatch>()> take)
+{
+    m_state->take = std::move(take);
+    patchReady();
+}
+
+void Viewport::patchReady()
+{
+    m_state->patchWaiting = true;
+    update();
+}
+
+void Viewport::showModel(const core::Box& box)
+{
+    m_state->input.finish();
+    m_state->box = box;
+    if (m_state->scene)
+        m_state->scene->placeGround(box);
+    m_state->input.forgetHover();
+    frame();
+}
+
+void Viewport::setBox(const core::Box& box)
+{
+    m_state->box = box;
+    m_state->camera.setScene(box);
+}
+
+void Viewport::frame()
+{
+    m_state->camera.frame(m_state->box);
+    m_state->input.viewMoved();
+}
+
+const OrbitCamera& Viewport::camera() const
+{
+    return m_state->camera;
+}
+
+const ViewportStats& Viewport::stats() const
+{
+    return m_state->stats;
+}
+
+bool Viewport::strokeOpen() const
+{
+    return m_state->input.strokeOpen();
+}
+
+void Viewport::setHover(const std::optional<core::SurfaceHit>& hit)
+{
+    m_state->input.setHover(hit);
+    setCursor(m_state->input.hover() ? Qt::CrossCursor : Qt::ArrowCursor);
+}
+
+/// Also called when the widget moves to another window; the scene has contexts of its own and stays.
+void Viewport::initializeGL()
+{
+    m_state->readFramebuffer = 0;
+    if (!m_state->scene) {
+        m_state->scene = std::make_unique<Scene>();
+        if (m_state->scene->usable() && !m_state->box.isEmpty())
+            m_state->scene->placeGround(m_state->box);
+    }
+    makeCurrent();
+}
+
+void Viewport::resizeGL(int width, int height)
+{
+    m_state->camera.setViewport(width, height);
+    m_state->input.viewMoved();
+}
+
+void Viewport::paintGL()
+{
+    State& s = *m_state;
+    if (!s.scene->usable())
+        return;
+    QElapsedTimer timer;
+    timer.start();
+    const bool surfaceChanged = s.applyPatch();
+    s.placeCursor();
+    s.scene->setDark(palette().window().color().lightness() < 128);
+    const QSize pixels = size() * devicePixelRatioF();
+    const Scene::Image image = s.scene->render(s.camera, pixels, devicePixelRatioF());
+    makeCurrent();
+    if (image.texture)
+        s.show(image, pixels, defaultFramebufferObject());
+
+    ++s.stats.frames;
+    s.stats.drawMs = image.drawMs;
+    s.stats.sceneMs = image.sceneMs;
+    s.stats.frameMs = milliseconds(timer);
+    if (surfaceChanged)
+        s.input.askAgain();
+}
+
+void Viewport::changeEvent(QEvent* event)
+{
+    QOpenGLWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        update();
+}
+
+void Viewport::mousePressEvent(QMouseEvent* event)
+{
+    m_state->input.handle(pointerEvent(PointerEvent::Kind::Press, *event));
+}
+
+void Viewport::mouseMoveEvent(QMouseEvent* event)
+{
+    m_state->input.handle(pointerEvent(PointerEvent::Kind::Move, *event));
+}
+
+void Viewport::mouseReleaseEvent(QMouseEvent* event)
+{
+    m_state->input.handle(pointerEvent(PointerEvent::Kind::Release, *event));
+}
+
+/// Accepted, or Qt would send the same again as a mouse's.
+void Viewport::tabletEvent(QTabletEvent* event)
+{
+    const auto kind = event->type() == QEvent::TabletPress     ? PointerEvent::Kind::Press
+                      : event->type() == QEvent::TabletRelease ? PointerEvent::Kind::Release
+                                                               : PointerEvent::Kind::Move;
+    PointerEvent pen = pointerEvent(kind, *event);
+    pen.pressure = event->pressure();
+    m_state->input.handle(pen);
+    event->accept();
+}
+
+void Viewport::wheelEvent(QWheelEvent* event)
+{
+    const double notches = event->angleDelta().y() / wheelNotch;
+    if (notches != 0)
+        m_state->input.zoom(std::pow(zoomPerNotch, notches), pixelOf(event->position()));
+    event->accept();
+}
+
+void Viewport::leaveEvent(QEvent* event)
+{
+    m_state->input.leave();
+    QOpenGLWidget::leaveEvent(event);
+}
+
+/// A dialog that opens over us, or a view that vanishes, swallows the release.
+bool Viewport::event(QEvent* event)
+{
+    if (event->type() == QEvent::WindowBlocked || event->type() == QEvent::Hide)
+        m_state->input.finish();
+    return QOpenGLWidget::event(event);
+}
+} // namespace ui
