@@ -1,6 +1,114 @@
-#include <cstdio>
+#include "command_line.h"
+#include "document.h"
+#include "wiring.h"
 
-int main()
+#include "ui/main_window.h"
+#include "ui/viewport.h"
+
+#include <QApplication>
+#include <QLibraryInfo>
+#include <QTranslator>
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace
 {
-    std::puts("fettle " FETTLE_VERSION);
+constexpr const char* noDisplay =
+    "fettle: there is no display to open a window on (check, convert and replay work without one; see fettle --help)\n";
+
+void nameProgram()
+{
+    QCoreApplication::setOrganizationName(QStringLiteral("Fettle"));
+    QCoreApplication::setApplicationName(QStringLiteral("Fettle"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(FETTLE_VERSION));
+}
+
+/// Our own words, and Qt's for its dialogs. They must outlive the texts: they belong to the application.
+void loadTranslations(QCoreApplication& application)
+{
+    const std::pair<QString, QString> catalogues[] = {
+        {QStringLiteral("qtbase"), QLibraryInfo::path(QLibraryInfo::TranslationsPath)},
+        {QStringLiteral("fettle"), QStringLiteral(":/i18n")}};
+    for (const auto& [name, folder] : catalogues) {
+        auto* translator = new QTranslator(&application);
+        if (translator->load(QLocale(), name, QStringLiteral("_"), folder))
+            QCoreApplication::installTranslator(translator);
+    }
+}
+
+/// Qt ends a program without a display by abort(). Where X11 or Wayland would be used, we look first and say it in words.
+bool canHaveWindow(int argc, char* argv[])
+{
+#if defined(Q_OS_UNIX) && !defined(Q_OS_MACOS)
+    for (int i = 1; i < argc; ++i)
+        if (qstrcmp(argv[i], "-platform") == 0 || qstrcmp(argv[i], "--platform") == 0)
+            return true;
+    return !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY")
+           || !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
+#else
+    Q_UNUSED(argc)
+    Q_UNUSED(argv)
+    return true;
+#endif
+}
+
+/// While QApplication is made: a display that is named but does not answer is a fatal message, after a few warnings.
+void onlyTellOfMissingDisplay(QtMsgType type, const QMessageLogContext&, const QString&)
+{
+    if (type != QtFatalMsg)
+        return;
+    std::fputs(noDisplay, stderr);
+    std::_Exit(app::BadInput);
+}
+
+int runCommand(int argc, char* argv[])
+{
+    const QCoreApplication application(argc, argv);
+    loadTranslations(const_cast<QCoreApplication&>(application));
+    return app::CommandLine::run(QCoreApplication::arguments().mid(1));
+}
+
+int runWindow(int argc, char* argv[])
+{
+    if (!canHaveWindow(argc, argv)) {
+        std::fputs(noDisplay, stderr);
+        return app::BadInput;
+    }
+    ui::prepareGraphics();
+    const QtMessageHandler usual = qInstallMessageHandler(onlyTellOfMissingDisplay);
+    QApplication application(argc, argv);
+    qInstallMessageHandler(usual);
+    loadTranslations(application);
+
+    QString file;
+    try {
+        file = app::CommandLine::fileToOpen(QCoreApplication::arguments().mid(1));
+    } catch (const app::CommandFailure& failure) {
+        app::CommandLine::printError(failure.sentence);
+        return failure.status;
+    }
+
+    // They go in the order from below: the window, then the mesh thread with the document, then what it worked for.
+    app::SculptWorker worker;
+    const auto inbox = std::make_shared<app::PatchInbox>();
+    app::Document document(&worker);
+    ui::MainWindow window;
+    app::wire(window, document, worker, inbox);
+    window.show();
+    if (file.isEmpty())
+        document.openSphere();
+    else
+        document.open(file);
+    return QApplication::exec();
+}
+} // namespace
+
+int main(int argc, char* argv[])
+{
+    nameProgram();
+    QStringList arguments;
+    for (int i = 1; i < argc; ++i)
+        arguments << QString::fromLocal8Bit(argv[i]);
+    return app::CommandLine::isCommand(arguments) ? runCommand(argc, argv) : runWindow(argc, argv);
 }

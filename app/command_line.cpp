@@ -1,0 +1,161 @@
+#include "command_line.h"
+
+#include "model_loader.h"
+
+#include "core/mesh_io.h"
+
+#include <QFileInfo>
+
+#include <cstdio>
+#include <new>
+
+namespace app
+{
+namespace
+{
+using Command = ExitStatus (*)(const QStringList&);
+
+Command commandNamed(const QString& word)
+{
+    if (word == QLatin1String("check"))
+        return checkCommand;
+    if (word == QLatin1String("convert"))
+        return convertCommand;
+    if (word == QLatin1String("replay"))
+        return replayCommand;
+    return nullptr;
+}
+
+bool isHelp(const QString& word)
+{
+    return word == QLatin1String("--help") || word == QLatin1String("-h") || word == QLatin1String("help");
+}
+
+bool isVersion(const QString& word)
+{
+    return word == QLatin1String("--version") || word == QLatin1String("-v");
+}
+
+void write(std::FILE* stream, const QString& text)
+{
+    const QByteArray bytes = text.toUtf8();
+    std::fwrite(bytes.constData(), 1, static_cast<std::size_t>(bytes.size()), stream);
+    std::fflush(stream);
+}
+} // namespace
+
+bool CommandLine::isCommand(const QStringList& arguments)
+{
+    if (arguments.isEmpty())
+        return false;
+    return commandNamed(arguments.first()) || isHelp(arguments.first()) || isVersion(arguments.first());
+}
+
+ExitStatus CommandLine::run(const QStringList& arguments)
+{
+    try {
+        return dispatch(arguments);
+    } catch (const CommandFailure& failure) {
+        printError(failure.sentence);
+        return failure.status;
+    } catch (const std::bad_alloc&) {
+        printError(tr("There is not enough memory for this."));
+        return BadInput;
+    }
+}
+
+ExitStatus CommandLine::dispatch(const QStringList& arguments)
+{
+    const QString& word = arguments.first();
+    if (const Command command = commandNamed(word))
+        return command(arguments.mid(1));
+    if (isVersion(word)) {
+        print(QStringLiteral("fettle " FETTLE_VERSION "\n"));
+        return Done;
+    }
+    if (arguments.size() > 1) {
+        if (const Command command = commandNamed(arguments.at(1)))
+            return command({QStringLiteral("--help")});
+        fail(tr("There is no help on %1: the commands are check, convert and replay.").arg(arguments.at(1)));
+    }
+    print(help());
+    return Done;
+}
+
+QString CommandLine::fileToOpen(const QStringList& arguments)
+{
+    QStringList files;
+    bool onlyFiles = false;
+    for (const QString& argument : arguments) {
+        if (!onlyFiles && argument == QLatin1String("--"))
+            onlyFiles = true;
+        else if (!onlyFiles && argument.size() > 1 && argument.startsWith(QLatin1Char('-')))
+            fail(tr("Unknown option %1; fettle --help lists them.").arg(argument));
+        else
+            files << argument;
+    }
+    if (files.size() > 1)
+        fail(tr("One file at a time can be opened, but %n were given; fettle --help says more.", nullptr,
+                static_cast<int>(files.size())));
+    return files.isEmpty() ? QString() : QFileInfo(files.first()).absoluteFilePath();
+}
+
+bool CommandLine::parse(QCommandLineParser& parser, const QString& command, const QStringList& arguments)
+{
+    parser.setSingleDashWordOptionMode(QCommandLineParser::ParseAsLongOptions);
+    parser.addHelpOption();
+    if (!parser.parse(QStringList(QStringLiteral("fettle ") + command) + arguments))
+        fail(QStringLiteral("%1: %2").arg(command, parser.errorText()));
+    if (!parser.isSet(QStringLiteral("help")))
+        return true;
+    print(parser.helpText());
+    return false;
+}
+
+void CommandLine::fail(const QString& sentence)
+{
+    throw CommandFailure{sentence};
+}
+
+void CommandLine::requireMeshEnding(const QString& path)
+{
+    static const QStringList later{QStringLiteral("off"), QStringLiteral("glb"), QStringLiteral("gltf"), QStringLiteral("3mf")};
+    const QString ending = QFileInfo(path).suffix().toLower();
+    if (later.contains(ending))
+        fail(tr("%1: the format \"%2\" is not there yet; STL, OBJ and PLY can be written.").arg(path, ending));
+    if (!core::meshFormatOf(toPath(path)))
+        fail(tr("%1: its ending does not say a format; STL, OBJ and PLY can be written.").arg(path));
+}
+
+void CommandLine::print(const QString& text)
+{
+    write(stdout, text);
+}
+
+/// One line, whatever a file's name holds.
+void CommandLine::printError(const QString& sentence)
+{
+    QString line;
+    for (const QChar c : sentence)
+        line += c.isPrint() || c.isSurrogate() ? c : QLatin1Char(' ');
+    write(stderr, QStringLiteral("fettle: %1\n").arg(line.trimmed()));
+}
+
+QString CommandLine::help()
+{
+    return tr("Fettle sculpts closed models that stay ready to print.\n"
+              "\n"
+              "  fettle [FILE]                    open the window, with a model or with a ball of clay\n"
+              "  fettle check FILE... [--json] [--csv]\n"
+              "                                   say whether models are in order; several files or a folder: a table\n"
+              "  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z]\n"
+              "                                   write a model in another format or size\n"
+              "  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--verify local|full|none]\n"
+              "                                   play recorded strokes on a model\n"
+              "  fettle help COMMAND              the options of check, convert or replay\n"
+              "  fettle --version\n"
+              "\n"
+              "Formats: STL, OBJ, PLY. Lengths are in millimetres.\n"
+              "Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standard error).\n");
+}
+} // namespace app

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <QCommandLineParser>
+#include <QCoreApplication>
+#include <QStringList>
+
+#include <functional>
+#include <optional>
+
+namespace app
+{
+/// What a subcommand answers to its caller (DESIGN, section 4).
+enum ExitStatus { Done = 0, AnswerIsNo = 1, BadInput = 2 };
+
+/// Ends a subcommand: one sentence for stderr.
+struct CommandFailure
+{
+    QString sentence;
+    ExitStatus status = BadInput;
+};
+
+/// The command line. Works without a display; standard output carries only answers.
+class CommandLine
+{
+    Q_DECLARE_TR_FUNCTIONS(app::CommandLine)
+
+public:
+    /// Whether the arguments (without the program's name) name a subcommand, --help or --version. These words win over file
+    /// names.
+    static bool isCommand(const QStringList& arguments);
+    /// Runs it. Needs a QCoreApplication.
+    static ExitStatus run(const QStringList& arguments);
+    /// What `fettle` without a subcommand opens: a path, made absolute, or an empty text. Throws CommandFailure.
+    static QString fileToOpen(const QStringList& arguments);
+
+    /// Throws CommandFailure with usage when the arguments do not fit. --help is answered.
+    static bool parse(QCommandLineParser& parser, const QString& command, const QStringList& arguments);
+    [[noreturn]] static void fail(const QString& sentence);
+    /// Throws CommandFailure unless a mesh can be written under that name, by its ending.
+    static void requireMeshEnding(const QString& path);
+    static void print(const QString& text);
+    static void printError(const QString& sentence);
+
+private:
+    static ExitStatus dispatch(const QStringList& arguments);
+    static QString help();
+};
+
+ExitStatus checkCommand(const QStringList& arguments);
+ExitStatus convertCommand(const QStringList& arguments);
+ExitStatus replayCommand(const QStringList& arguments);
+} // namespace app

@@ -1,0 +1,131 @@
+// convert: read, judge, scale if asked to, judge again, write. A model that is not in order is not written.
+#include "command_line.h"
+#include "model_loader.h"
+
+#include "core/mesh_check.h"
+#include "core/mesh_io.h"
+#include "ui/messages.h"
+
+#include <QLocale>
+
+#include <cmath>
+
+namespace app
+{
+namespace
+{
+class ConvertWords
+{
+    Q_DECLARE_TR_FUNCTIONS(app::ConvertCommand)
+};
+
+struct ConvertOptions
+{
+    QString in, out;
+    std::optional<double> unit; ///< of IN, in mm
+    std::optional<double> size; ///< of OUT's longest side, mm
+    std::optional<core::UpAxis> up; ///< of IN
+};
+
+double unitNamed(const QString& word)
+{
+    constexpr std::pair<const char*, double> units[] = {{"mm", 1}, {"cm", 10}, {"m", 1000}, {"in", 25.4}};
+    for (const auto& [name, millimetres] : units)
+        if (word == QLatin1String(name))
+            return millimetres;
+    CommandLine::fail(ConvertWords::tr("convert: --unit is mm, cm, m or in, not %1.").arg(word));
+}
+
+double sizeFrom(const QString& word)
+{
+    bool isNumber = false;
+    const double size = QLocale::c().toDouble(word, &isNumber);
+    if (!isNumber || !std::isfinite(size) || size <= 0)
+        CommandLine::fail(ConvertWords::tr("convert: --size is a length in millimetres, more than 0, not %1.").arg(word));
+    return size;
+}
+
+core::UpAxis upNamed(const QString& word)
+{
+    if (word != QLatin1String("y") && word != QLatin1String("z"))
+        CommandLine::fail(ConvertWords::tr("convert: --up is y or z, not %1.").arg(word));
+    return word == QLatin1String("y") ? core::UpAxis::Y : core::UpAxis::Z;
+}
+
+std::optional<ConvertOptions> parseOptions(const QStringList& arguments)
+{
+    const QString unit = QStringLiteral("unit"), size = QStringLiteral("size"), up = QStringLiteral("up"),
+                  legalise = QStringLiteral("legalise");
+    QCommandLineParser parser;
+    parser.setApplicationDescription(ConvertWords::tr("Writes a model in another format, unit or size."));
+    parser.addPositionalArgument(QStringLiteral("IN"), ConvertWords::tr("The model to read."));
+    parser.addPositionalArgument(QStringLiteral("OUT"), ConvertWords::tr("Where it goes; the ending says the format."));
+    parser.addOptions({{unit, ConvertWords::tr("What IN is measured in; OUT is in mm."), QStringLiteral("mm|cm|m|in")},
+                       {size, ConvertWords::tr("How long the longest side becomes."), QStringLiteral("MM")},
+                       {up, ConvertWords::tr("Which axis of IN points up; else z for STL, y for others."), QStringLiteral("y|z")},
+                       {legalise, ConvertWords::tr("Not there yet.")}});
+    if (!CommandLine::parse(parser, QStringLiteral("convert"), arguments))
+        return std::nullopt;
+    const QStringList files = parser.positionalArguments();
+    if (files.size() != 2)
+        CommandLine::fail(ConvertWords::tr("convert: two files are needed, IN and OUT, but %n were given.", nullptr,
+                                           static_cast<int>(files.size())));
+    if (parser.isSet(legalise))
+        CommandLine::fail(ConvertWords::tr("convert: --legalise is not there yet."));
+    ConvertOptions options{files[0], files[1], {}, {}, {}};
+    if (parser.isSet(unit))
+        options.unit = unitNamed(parser.value(unit));
+    if (parser.isSet(size))
+        options.size = sizeFrom(parser.value(size));
+    if (parser.isSet(up))
+        options.up = upNamed(parser.value(up));
+    return options;
+}
+
+void requireSound(const QString& file, const core::TriangleMesh& mesh)
+{
+    const core::MeshReport report = core::checkMesh(mesh);
+    if (!report.printReady())
+        throw CommandFailure{ui::Messages::refusal(file, report), AnswerIsNo};
+}
+
+double scaleFor(const ConvertOptions& options, const core::TriangleMesh& mesh)
+{
+    if (!options.size)
+        return options.unit.value_or(1);
+    core::Box box;
+    for (const core::Vec3f& point : mesh.points)
+        box.extend(point.cast<double>());
+    return *options.size / box.sizes().maxCoeff();
+}
+
+void scale(core::TriangleMesh& mesh, double factor)
+{
+    for (core::Vec3f& point : mesh.points)
+        point = (point.cast<double>() * factor).cast<float>();
+}
+} // namespace
+
+ExitStatus convertCommand(const QStringList& arguments)
+{
+    const std::optional<ConvertOptions> options = parseOptions(arguments);
+    if (!options)
+        return Done;
+    CommandLine::requireMeshEnding(options->out);
+    try {
+        core::TriangleMesh mesh = core::readMesh(toPath(options->in), {options->up});
+        requireSound(options->in, mesh);
+        if (const double factor = scaleFor(*options, mesh); factor != 1) {
+            scale(mesh, factor);
+            for (const core::Vec3f& point : mesh.points)
+                if (!point.allFinite())
+                    CommandLine::fail(ConvertWords::tr("%1: at that size the coordinates are no numbers any more.").arg(options->in));
+            requireSound(options->in, mesh);
+        }
+        core::writeMesh(toPath(options->out), mesh);
+    } catch (const core::FileError& error) {
+        CommandLine::fail(ui::Messages::sentence(error));
+    }
+    return Done;
+}
+} // namespace app

@@ -1,0 +1,114 @@
+#pragma once
+
+#include "history_store.h"
+#include "sculpt_worker.h"
+
+#include "ui/model_facts.h"
+
+#include <QThreadPool>
+#include <QUndoStack>
+
+#include <deque>
+#include <functional>
+
+namespace app
+{
+struct LoadedModel;
+
+/// The model that is open: its name, its history, what may be done with it. Gui thread; what takes long is done elsewhere,
+/// and signals say when it is.
+///
+/// Undo, redo and jumps are done in the order in which they were asked for, among strokes too: they wait until every stroke
+/// before them has reported, and strokes after them wait for them. Nobody waits by blocking.
+class Document : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// The worker is not owned and must outlive the document.
+    explicit Document(SculptWorker* worker, QObject* parent = nullptr);
+    /// Stops the worker, whose jobs know the document.
+    ~Document() override;
+
+    /// Asked before changes are lost to another model: false keeps the present one.
+    void setMayDiscard(std::function<bool()> mayDiscard);
+    bool mayDiscard() const;
+
+    const QString& path() const { return m_path; } ///< empty: it comes from no file
+    const ui::ModelFacts& facts() const { return m_facts; }
+    bool isModified() const;
+    bool isBusy() const { return m_isBusy; }
+    /// The one answer for actions, wands and history: there is a step back, and its change is still kept.
+    bool canUndo() const;
+    bool canRedo() const;
+    QString undoText() const; ///< empty if there is none
+    QString redoText() const;
+    const QUndoStack& undoStack() const { return m_stack; }
+    HistoryStore& history() { return m_history; }
+
+public Q_SLOTS:
+    void open(const QString& path);
+    void openSphere();
+    void exportTo(const QString& path);
+
+    void beginStroke(const core::StrokeSettings& settings);
+    void addSample(const core::StrokeSample& sample);
+    void endStroke();
+
+    void undo();
+    void redo();
+    void goTo(int index);
+
+Q_SIGNALS:
+    void opened(const ui::ModelFacts& facts);
+    void factsChanged(const ui::ModelFacts& facts);
+    void modifiedChanged(bool modified);
+    void historyChanged();
+    void exported(const QString& path);
+    void refused(const QString& sentence);
+    void noticed(const QString& sentence);
+    void busy(const QString& what);
+    void idle();
+
+private:
+    /// What was asked for and has to wait for its turn.
+    struct Request
+    {
+        bool afterReports; ///< of all strokes begun before
+        std::function<void()> run;
+    };
+
+    void load(const QString& path);
+    void install(std::shared_ptr<LoadedModel> model);
+    void write(const QString& path, std::shared_ptr<core::TriangleMesh> mesh, int index);
+    void request(std::function<void()> run);
+    void strokeRequest(std::function<void()> run);
+    void runRequests();
+    bool hasUnreported() const;
+    void takeReport(const StrokeReport& report);
+    void takeModel(const MeshFacts& facts);
+    void takeFacts(const MeshFacts& facts);
+    void loseHistory();
+    void setBusy(const QString& what);
+    void setIdle();
+    void tellState();
+
+    SculptWorker* m_worker;
+    HistoryStore m_history;
+    QUndoStack m_stack;
+    QString m_path;
+    ui::ModelFacts m_facts;
+    std::function<bool()> m_mayDiscard;
+
+    std::deque<Request> m_requests;
+    std::deque<Request> m_afterStroke; ///< asked for while a stroke is open
+    bool m_strokeOpen = false;         ///< as the person sees it: not yet posted, perhaps
+    core::Tool m_lastTool = core::Tool::Pull;
+    quint64 m_reported = 0;            ///< strokes
+    bool m_isInstalling = false;       ///< the worker has another model than the undo stack knows
+    bool m_isBusy = false;
+    bool m_changedBeyondHistory = false;
+    bool m_toldModified = false;
+    QThreadPool m_aside; ///< one thread for files; last, so that its jobs end first
+};
+} // namespace app

@@ -1,0 +1,211 @@
+#include "history_store.h"
+
+#include "core/sculptor.h"
+
+#include <QDir>
+#include <QFile>
+#include <QStandardPaths>
+#include <QUuid>
+
+#include <algorithm>
+#include <fstream>
+
+namespace app
+{
+StoredDelta::StoredDelta(std::shared_ptr<core::MeshDelta> delta) : m_delta(std::move(delta)) {}
+
+StoredDelta::~StoredDelta()
+{
+    drop();
+}
+
+bool StoredDelta::swap(core::Sculptor& sculptor)
+{
+    if (!m_delta && !load())
+        return false;
+    sculptor.swap(*m_delta);
+    return true;
+}
+
+bool StoredDelta::spill(const QString& folder)
+{
+    if (!m_delta)
+        return true;
+    if (folder.isEmpty())
+        return false;
+    const QString path = QDir(folder).filePath(QUuid::createUuid().toString(QUuid::WithoutBraces));
+    m_file = QFile::encodeName(path).toStdString();
+    std::ofstream out(m_file, std::ios::binary);
+    m_delta->write(out);
+    out.close();
+    if (!out) {
+        QFile::remove(path);
+        m_file.clear();
+        return false;
+    }
+    m_delta.reset();
+    return true;
+}
+
+bool StoredDelta::load()
+{
+    if (m_file.empty())
+        return false;
+    std::ifstream in(m_file, std::ios::binary);
+    auto delta = std::make_shared<core::MeshDelta>(core::MeshDelta::read(in));
+    if (!in)
+        return false;
+    m_delta = std::move(delta);
+    QFile::remove(QFile::decodeName(m_file.c_str()));
+    m_file.clear();
+    return true;
+}
+
+void StoredDelta::drop()
+{
+    m_delta.reset();
+    if (!m_file.empty())
+        QFile::remove(QFile::decodeName(m_file.c_str()));
+    m_file.clear();
+}
+
+std::size_t StoredDelta::bytesInMemory() const
+{
+    return m_delta ? m_delta->bytes() : 0;
+}
+
+HistoryStore::HistoryStore(Post post, QObject* parent)
+    : QObject(parent), m_post(std::move(post)), m_meshSide(std::make_shared<MeshSide>())
+{
+}
+
+HistoryStore::~HistoryStore() = default;
+
+void HistoryStore::setCap(std::size_t bytes)
+{
+    m_cap = bytes;
+    enforceCap();
+}
+
+void HistoryStore::setFolder(const QString& folder)
+{
+    m_folder = folder;
+}
+
+void HistoryStore::add(int index, std::shared_ptr<core::MeshDelta> delta)
+{
+    m_entries.resize(static_cast<std::size_t>(index));
+    const std::size_t bytes = delta->bytes();
+    m_entries.push_back({std::make_shared<StoredDelta>(std::move(delta)), bytes});
+    m_present = m_end = index + 1;
+    enforceCap();
+}
+
+void HistoryStore::swap(int index)
+{
+    const auto& delta = m_entries.at(static_cast<std::size_t>(index)).delta;
+    m_present = index < m_present ? index : index + 1;
+    m_post([this, delta, meshSide = m_meshSide](core::Sculptor& sculptor) {
+        if (meshSide->broken)
+            return;
+        meshSide->broken = !delta->swap(sculptor);
+        const auto tell = [this, delta, bytes = delta->bytesInMemory(), isLost = meshSide->broken] {
+            noteBytes(delta, bytes);
+            if (isLost)
+                Q_EMIT lost();
+        };
+        QMetaObject::invokeMethod(this, tell, Qt::QueuedConnection);
+    });
+}
+
+void HistoryStore::clear()
+{
+    m_entries.clear();
+    m_present = m_first = m_end = 0;
+    m_post([meshSide = m_meshSide](core::Sculptor&) { meshSide->broken = false; });
+}
+
+std::size_t HistoryStore::bytesInMemory() const
+{
+    std::size_t sum = 0;
+    for (const Entry& entry : m_entries)
+        sum += entry.bytes;
+    return sum;
+}
+
+void HistoryStore::noteBytes(const std::shared_ptr<StoredDelta>& delta, std::size_t bytes)
+{
+    for (Entry& entry : m_entries)
+        if (entry.delta == delta)
+            entry.bytes = bytes;
+    enforceCap();
+}
+
+void HistoryStore::enforceCap()
+{
+    while (bytesInMemory() > m_cap) {
+        const int position = farthestInMemory();
+        if (position < 0)
+            break;
+        spill(position);
+    }
+}
+
+/// The entry in memory that takes most steps to reach, or -1. The next undo and redo are never spilled.
+int HistoryStore::farthestInMemory() const
+{
+    int farthest = -1, steps = 1;
+    for (int i = m_first; i < m_end; ++i) {
+        const int away = i < m_present ? m_present - i : i - m_present + 1;
+        if (m_entries[static_cast<std::size_t>(i)].bytes > 0 && away > steps) {
+            farthest = i;
+            steps = away;
+        }
+    }
+    return farthest;
+}
+
+void HistoryStore::spill(int position)
+{
+    Entry& entry = m_entries[static_cast<std::size_t>(position)];
+    entry.bytes = 0;
+    if (m_folder.isEmpty())
+        makeOwnFolder();
+    m_post([this, delta = entry.delta, folder = m_folder](core::Sculptor&) {
+        if (!delta->spill(folder))
+            QMetaObject::invokeMethod(this, [this, delta] { spillFailed(delta); }, Qt::QueuedConnection);
+    });
+}
+
+/// In the cache, for the system's temporary folder is often in memory itself.
+void HistoryStore::makeOwnFolder()
+{
+    const QString cache = QStandardPaths::writableLocation(QStandardPaths::CacheLocation);
+    QDir().mkpath(cache);
+    m_ownFolder = std::make_unique<QTemporaryDir>(cache + QStringLiteral("/history-XXXXXX"));
+    if (m_ownFolder->isValid())
+        m_folder = m_ownFolder->path();
+}
+
+void HistoryStore::spillFailed(const std::shared_ptr<StoredDelta>& delta)
+{
+    const auto found = std::find_if(m_entries.begin(), m_entries.end(), [&](const Entry& e) { return e.delta == delta; });
+    if (found != m_entries.end())
+        expire(static_cast<int>(found - m_entries.begin()));
+}
+
+void HistoryStore::expire(int position)
+{
+    const bool isPast = position < m_present;
+    for (int i = isPast ? m_first : position; i < (isPast ? position + 1 : m_end); ++i) {
+        Entry& entry = m_entries[static_cast<std::size_t>(i)];
+        entry.bytes = 0;
+        m_post([delta = entry.delta](core::Sculptor&) { delta->drop(); });
+    }
+    if (isPast)
+        m_first = position + 1;
+    else
+        m_end = position;
+    Q_EMIT expired();
+}
+} // namespace app

@@ -1,0 +1,80 @@
+#pragma once
+
+#include "core/stroke.h"
+
+#include <array>
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <variant>
+
+namespace app
+{
+/// Whose hand strokes, and whose eyes look: mouse and pen at the window, wands and headset.
+enum class Source { Desktop, Headset };
+inline constexpr std::size_t sourceCount = 2;
+
+struct BeginStroke
+{
+    core::StrokeSettings settings;
+};
+struct Sample
+{
+    core::StrokeSample sample;
+    std::int64_t postedNs = 0; ///< steady clock
+    bool first = false;        ///< of its stroke; set by the queue
+};
+struct EndStroke
+{
+};
+/// Anything else that needs the mesh.
+using Task = std::function<void()>;
+using Job = std::variant<BeginStroke, Sample, EndStroke, Task>;
+
+/// A ray of which a viewer wants to know where it meets the surface.
+struct Question
+{
+    Source source;
+    core::Ray ray;
+};
+
+std::int64_t steadyNs();
+
+/// What the mesh thread has to do: jobs in order, and the newest question of each viewer, which goes before them. Any thread.
+class JobQueue
+{
+public:
+    /// More samples than this never wait: then every other one of those that wait is dropped, but for the stroke's first
+    /// and its last.
+    static constexpr std::size_t maxWaitingSamples = 16;
+
+    void push(Job job);
+    /// Takes the place of the viewer's question before, if that is not answered yet.
+    void ask(const Question& question);
+    /// No job is given out any more.
+    void stop();
+
+    /// Waits for a question or a job; nothing after stop().
+    std::optional<std::variant<Question, Job>> next();
+    /// Does not wait.
+    std::optional<Question> nextQuestion();
+    bool hasSample() const;
+    std::uint64_t droppedSamples() const;
+
+private:
+    void thinSamples();
+    std::optional<Question> popQuestion();
+
+    mutable std::mutex m_mutex;
+    std::condition_variable m_wake;
+    std::deque<Job> m_jobs;
+    std::size_t m_waitingSamples = 0; ///< at the end of m_jobs
+    bool m_strokeBegan = false;       ///< and no sample followed yet
+    std::uint64_t m_dropped = 0;
+    std::array<std::optional<Question>, sourceCount> m_questions;
+    bool m_stopped = false;
+};
+} // namespace app

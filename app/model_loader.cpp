@@ -1,0 +1,83 @@
+#include "model_loader.h"
+
+#include "core/mesh_build.h"
+#include "core/mesh_io.h"
+#include "ui/messages.h"
+
+#include <QFileInfo>
+
+#include <new>
+
+namespace app
+{
+namespace
+{
+constexpr int paperSubdivisions = 4;
+}
+
+std::filesystem::path toPath(const QString& path)
+{
+    return std::filesystem::path(path.toStdU16String());
+}
+
+LoadedModel ModelLoader::load(const QString& path, const Progress& progress)
+{
+    return load(path, false, progress);
+}
+
+LoadedModel ModelLoader::loadInPlace(const QString& path)
+{
+    return load(path, true, {});
+}
+
+LoadedModel ModelLoader::load(const QString& path, bool inPlace, const Progress& progress)
+{
+    LoadedModel loaded;
+    loaded.path = path;
+    loaded.name = QFileInfo(path).fileName();
+    try {
+        const core::TriangleMesh mesh = core::readMesh(toPath(path));
+        if (progress)
+            progress(tr("Checking %1").arg(loaded.name));
+        build(loaded, mesh, inPlace);
+    } catch (const core::FileError& error) {
+        loaded.problem = ui::Messages::sentence(error);
+    } catch (const std::bad_alloc&) {
+        loaded.problem = tr("%1: there is not enough memory for this model.").arg(path);
+    }
+    return loaded;
+}
+
+void ModelLoader::build(LoadedModel& loaded, const core::TriangleMesh& mesh, bool inPlace)
+{
+    core::BuildResult result = core::buildMesh(mesh, inPlace ? core::Placing::IfFar : core::Placing::Centre);
+    if (!result.mesh && !result.report.printReady())
+        loaded.problem = ui::Messages::refusal(loaded.path, result.report);
+    else if (!result.mesh)
+        loaded.problem = ui::Messages::tooFine(loaded.path, result.unsnappable);
+    else if (inPlace && !result.moved.isZero(0))
+        loaded.problem = tr("%1: the model lies too far from the origin for its size to be sculpted where it is.").arg(loaded.path);
+    else
+        loaded.sculptor = std::make_shared<core::Sculptor>(std::move(result.mesh));
+}
+
+LoadedModel ModelLoader::sphere(double radius)
+{
+    LoadedModel loaded;
+    loaded.name = tr("Ball of clay");
+    build(loaded, core::icosphere(paperSubdivisions, radius), true);
+    return loaded;
+}
+
+QString ModelLoader::save(const QString& path, const core::TriangleMesh& mesh)
+{
+    try {
+        core::writeMesh(toPath(path), mesh);
+    } catch (const core::FileError& error) {
+        return ui::Messages::sentence(error);
+    } catch (const std::bad_alloc&) {
+        return tr("%1: there is not enough memory to write this model.").arg(path);
+    }
+    return {};
+}
+} // namespace app

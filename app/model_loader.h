@@ -1,0 +1,47 @@
+#pragma once
+
+#include "core/file_error.h"
+#include "core/sculptor.h"
+
+#include <QCoreApplication>
+#include <QString>
+
+#include <functional>
+#include <memory>
+
+namespace app
+{
+/// A model that may be sculpted, or the reason why not.
+struct LoadedModel
+{
+    std::shared_ptr<core::Sculptor> sculptor; ///< null: refused
+    QString problem;                          ///< then: one sentence with file, place or counts, and reason
+    QString notice;                           ///< what the person should know of a model that was taken; may be empty
+    QString name;
+    QString path; ///< empty: from no file
+};
+
+/// Files to models and back, in words for people. Any thread; takes as long as the model is large. Never throws.
+class ModelLoader
+{
+    Q_DECLARE_TR_FUNCTIONS(app::ModelLoader)
+
+public:
+    using Progress = std::function<void(const QString& what)>;
+
+    /// Reads, judges and builds for the window: the model's centre is put at the origin.
+    static LoadedModel load(const QString& path, const Progress& progress = {});
+    /// The same for scripts: the model stays where it is, or is refused.
+    static LoadedModel loadInPlace(const QString& path);
+    /// The paper's sphere, 2562 vertices.
+    static LoadedModel sphere(double radius);
+    /// Empty, or what is wrong; then no file has changed.
+    static QString save(const QString& path, const core::TriangleMesh& mesh);
+
+private:
+    static LoadedModel load(const QString& path, bool inPlace, const Progress& progress);
+    static void build(LoadedModel& loaded, const core::TriangleMesh& mesh, bool inPlace);
+};
+
+std::filesystem::path toPath(const QString& path);
+} // namespace app

@@ -1,0 +1,26 @@
+#include "process_usage.h"
+
+#include <sys/resource.h>
+#include <time.h>
+
+namespace app
+{
+double threadCpuMs()
+{
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
+}
+
+double peakRssMb()
+{
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+#ifdef __APPLE__
+    constexpr double unitsAMb = 1 << 20; // bytes
+#else
+    constexpr double unitsAMb = 1 << 10; // KiB
+#endif
+    return static_cast<double>(usage.ru_maxrss) / unitsAMb;
+}
+} // namespace app

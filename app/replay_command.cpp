@@ -1,0 +1,167 @@
+// replay: strokes from a file on a model from a file, or on the paper's sphere; what came of it to files. In order: judge all
+// input, sculpt, write. Nothing is written when anything is wrong.
+#include "command_line.h"
+#include "model_loader.h"
+#include "process_usage.h"
+#include "replay_stats.h"
+#include "stroke_words.h"
+
+#include "core/mesh_build.h"
+#include "core/mesh_check.h"
+#include "core/mesh_io.h"
+#include "core/stroke_file.h"
+#include "ui/messages.h"
+
+#include <QFile>
+
+
+namespace app
+{
+namespace
+{
+constexpr double paperRadius = 1;
+
+class ReplayWords
+{
+    Q_DECLARE_TR_FUNCTIONS(app::ReplayCommand)
+};
+
+enum class Verify { Local, Full, None };
+
+struct ReplayOptions
+{
+    QString strokes, in, out, stats;
+    Verify verify = Verify::Local;
+};
+
+Verify verifyNamed(const QString& word)
+{
+    if (word == QLatin1String("full"))
+        return Verify::Full;
+    if (word == QLatin1String("none"))
+        return Verify::None;
+    if (word != QLatin1String("local"))
+        CommandLine::fail(ReplayWords::tr("replay: --verify is local, full or none, not %1.").arg(word));
+    return Verify::Local;
+}
+
+std::optional<ReplayOptions> parseOptions(const QStringList& arguments)
+{
+    QCommandLineParser parser;
+    parser.setApplicationDescription(ReplayWords::tr("Plays recorded strokes on a model, or on the paper's sphere."));
+    parser.addOptions({{QStringLiteral("strokes"), ReplayWords::tr("The strokes, JSON."), QStringLiteral("S.json")},
+                       {QStringLiteral("in"), ReplayWords::tr("The model; without it, a sphere of 2562 vertices, radius 1."), QStringLiteral("FILE")},
+                       {QStringLiteral("out"), ReplayWords::tr("Where the sculpted model goes."), QStringLiteral("FILE")},
+                       {QStringLiteral("stats"), ReplayWords::tr("Where cost and outcome of each dab go, JSON."), QStringLiteral("T.json")},
+                       {QStringLiteral("verify"),
+                        ReplayWords::tr("local: what changed (as in the window); full: the whole mesh after each dab as well; none: nothing is checked."),
+                        QStringLiteral("local|full|none"), QStringLiteral("local")}});
+    if (!CommandLine::parse(parser, QStringLiteral("replay"), arguments))
+        return std::nullopt;
+    ReplayOptions options{parser.value(QStringLiteral("strokes")), parser.value(QStringLiteral("in")),
+                          parser.value(QStringLiteral("out")), parser.value(QStringLiteral("stats")),
+                          verifyNamed(parser.value(QStringLiteral("verify")))};
+    if (!parser.positionalArguments().isEmpty())
+        CommandLine::fail(ReplayWords::tr("replay: %1 is no option; the model is given with --in.").arg(parser.positionalArguments().first()));
+    if (options.strokes.isEmpty())
+        CommandLine::fail(ReplayWords::tr("replay: --strokes is missing."));
+    if (options.verify == Verify::None && parser.isSet(QStringLiteral("out")))
+        CommandLine::fail(ReplayWords::tr("replay: --verify none and --out exclude each other: what is not verified is not kept."));
+    return options;
+}
+
+std::vector<core::Stroke> readStrokes(const QString& path)
+{
+    try {
+        return core::readStrokes(QFile::encodeName(path).toStdString());
+    } catch (const core::StrokeFileError& error) {
+        throw CommandFailure{StrokeWords::sentence(path, error)};
+    }
+}
+
+/// The brush whose edges are the shortest that the lattice takes.
+double leastRadius(const core::Lattice& lattice, double detail)
+{
+    return lattice.minDetail() / core::edgeBounds(1, detail).detail;
+}
+
+/// What only the model's lattice can judge.
+void checkRadii(const QString& path, const std::vector<core::Stroke>& strokes, const core::Lattice& lattice)
+{
+    using core::StrokeFileError;
+    for (std::size_t i = 0; i < strokes.size(); ++i) {
+        const core::StrokeSettings& settings = strokes[i].settings;
+        const double least = leastRadius(lattice, settings.detail), most = lattice.halfVolume();
+        const auto check = [&](double radius, std::optional<std::size_t> sample) {
+            if (radius >= least && radius <= most)
+                return;
+            StrokeFileError error(StrokeFileError::Kind::OutOfRange, "radius");
+            error.stroke = i;
+            error.sample = sample;
+            error.least = least;
+            error.most = most;
+            throw CommandFailure{StrokeWords::sentence(path, error)};
+        };
+        check(settings.radius, std::nullopt);
+        for (std::size_t j = 0; j < strokes[i].samples.size(); ++j)
+            check(strokes[i].samples[j].radius.value_or(settings.radius), j);
+    }
+}
+
+void requireWhole(const core::Sculptor& sculptor, std::size_t dab)
+{
+    if (!core::checkMesh(core::extractMesh(sculptor.mesh())).printReady())
+        throw CommandFailure{ReplayWords::tr("replay: the mesh is not in order after dab %1.").arg(dab), AnswerIsNo};
+}
+
+std::vector<ReplayedDab> play(core::Sculptor& sculptor, const std::vector<core::Stroke>& strokes, Verify verify)
+{
+    std::vector<ReplayedDab> dabs;
+    for (const core::Stroke& stroke : strokes) {
+        sculptor.beginStroke(stroke.settings);
+        for (const core::StrokeSample& sample : stroke.samples) {
+            const double before = threadCpuMs();
+            const std::vector<core::DabReport> reports = sculptor.addSample(sample);
+            const double each = (threadCpuMs() - before) / static_cast<double>(std::max<std::size_t>(reports.size(), 1));
+            for (const core::DabReport& report : reports)
+                dabs.push_back({report, each});
+            if (verify == Verify::Full && !reports.empty())
+                requireWhole(sculptor, dabs.size() - 1);
+        }
+        sculptor.endStroke();
+    }
+    return dabs;
+}
+} // namespace
+
+ExitStatus replayCommand(const QStringList& arguments)
+{
+    const std::optional<ReplayOptions> options = parseOptions(arguments);
+    if (!options)
+        return Done;
+    if (!options->out.isEmpty())
+        CommandLine::requireMeshEnding(options->out);
+    const std::vector<core::Stroke> strokes = readStrokes(options->strokes);
+    const LoadedModel model = options->in.isEmpty() ? ModelLoader::sphere(paperRadius)
+                                                    : ModelLoader::loadInPlace(options->in);
+    if (!model.sculptor)
+        CommandLine::fail(model.problem);
+    core::Sculptor& sculptor = *model.sculptor;
+    checkRadii(options->strokes, strokes, sculptor.mesh().lattice());
+
+    const std::vector<ReplayedDab> dabs = play(sculptor, strokes, options->verify);
+
+    const core::TriangleMesh mesh = core::extractMesh(sculptor.mesh());
+    if (!options->out.isEmpty())
+        if (const QString problem = ModelLoader::save(options->out, mesh); !problem.isEmpty())
+            CommandLine::fail(problem);
+    if (!options->stats.isEmpty()) {
+        try {
+            writeReplayStats(toPath(options->stats), dabs, sculptor, mesh);
+        } catch (const core::FileError& error) {
+            CommandLine::fail(ui::Messages::sentence(error));
+        }
+    }
+    return Done;
+}
+} // namespace app

@@ -1,0 +1,254 @@
+// The thread's loop: the newest question, else the next job. A stroke's jobs are BeginStroke, Sample..., EndStroke; what the
+// engine changed goes to the viewers' inboxes at a sub-step's end, at most once a frame while samples wait.
+#include "sculpt_worker.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace app
+{
+namespace
+{
+constexpr std::int64_t flushIntervalNs = 8'000'000; ///< half a frame of a 60 Hz screen
+constexpr core::Slot slotsAScan = 1 << 16;          ///< well below a millisecond
+} // namespace
+
+SculptWorker::SculptWorker(QObject* parent) : QObject(parent), m_thread([this] { run(); }) {}
+
+SculptWorker::~SculptWorker()
+{
+    stop();
+}
+
+void SculptWorker::stop()
+{
+    m_queue.stop();
+    if (m_thread.joinable())
+        m_thread.join();
+}
+
+void SculptWorker::setInbox(Source source, std::shared_ptr<PatchInbox> inbox)
+{
+    m_queue.push(Task([this, source, inbox = std::move(inbox)] {
+        m_inboxes[static_cast<std::size_t>(source)] = inbox;
+        if (inbox && m_sculptor)
+            inbox->put(m_sculptor->wholePatch());
+    }));
+}
+
+bool SculptWorker::beginStroke(Source source, const core::StrokeSettings& settings)
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        if (!m_openSource) {
+            m_openSource = source;
+            ++m_strokesBegun;
+            m_queue.push(BeginStroke{settings});
+            return true;
+        }
+    }
+    Q_EMIT strokeRefused(source);
+    return false;
+}
+
+void SculptWorker::addSample(Source source, const core::StrokeSample& sample)
+{
+    const std::lock_guard lock(m_mutex);
+    if (m_openSource == source)
+        m_queue.push(Sample{sample, steadyNs()});
+}
+
+void SculptWorker::endStroke(Source source)
+{
+    const std::lock_guard lock(m_mutex);
+    if (m_openSource != source)
+        return;
+    m_openSource.reset();
+    m_queue.push(EndStroke{});
+}
+
+bool SculptWorker::strokeOpen() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_openSource.has_value();
+}
+
+void SculptWorker::ask(Source source, const core::Ray& ray)
+{
+    m_queue.ask({source, ray});
+}
+
+void SculptWorker::setModel(std::shared_ptr<core::Sculptor> sculptor)
+{
+    const std::lock_guard lock(m_mutex);
+    if (std::exchange(m_openSource, std::nullopt))
+        m_queue.push(EndStroke{});
+    m_queue.push(Task([this, sculptor = std::move(sculptor)]() mutable { install(std::move(sculptor)); }));
+}
+
+void SculptWorker::post(std::function<void(core::Sculptor&)> job)
+{
+    m_queue.push(Task([this, job = std::move(job)] {
+        if (!m_sculptor)
+            return;
+        job(*m_sculptor);
+        if (flushPatch())
+            startScan();
+    }));
+}
+
+WorkerStats SculptWorker::stats() const
+{
+    const std::lock_guard lock(m_mutex);
+    WorkerStats stats = m_stats;
+    stats.droppedSamples = m_queue.droppedSamples();
+    return stats;
+}
+
+void SculptWorker::run()
+{
+    while (auto work = m_queue.next()) {
+        if (const auto* question = std::get_if<Question>(&*work))
+            run(*question);
+        else
+            std::visit([this](auto& job) { run(job); }, std::get<Job>(*work));
+    }
+}
+
+void SculptWorker::run(const Question& question)
+{
+    const auto hit = m_sculptor ? m_sculptor->hit(question.ray) : std::nullopt;
+    if (question.source == Source::Desktop)
+        Q_EMIT answeredDesktop(hit, m_epoch);
+    else
+        Q_EMIT answeredHeadset(hit, m_epoch);
+}
+
+void SculptWorker::run(BeginStroke& job)
+{
+    m_report = {};
+    m_report.tool = job.settings.tool;
+    ++m_scanGeneration;
+    if (m_sculptor)
+        m_sculptor->beginStroke(job.settings);
+}
+
+void SculptWorker::run(Sample& job)
+{
+    if (!m_sculptor)
+        return;
+    m_sampledNs = job.postedNs;
+    const std::vector<core::DabReport> dabs = m_sculptor->addSample(job.sample);
+    m_report.dabs += dabs.size();
+    m_report.endedEarly += static_cast<quint64>(
+        std::count_if(dabs.begin(), dabs.end(), [](const auto& dab) { return dab.outcome == core::DabOutcome::EndedEarly; }));
+    {
+        const std::lock_guard lock(m_mutex);
+        ++m_stats.samples;
+    }
+    if (!m_queue.hasSample() || steadyNs() - m_flushedNs > flushIntervalNs)
+        flushPatch();
+    m_sampledNs = 0;
+}
+
+void SculptWorker::run(EndStroke&)
+{
+    if (m_sculptor) {
+        auto delta = std::make_shared<core::MeshDelta>(m_sculptor->endStroke());
+        flushPatch();
+        if (!delta->empty())
+            m_report.delta = std::move(delta);
+        m_report.facts = facts();
+        startScan();
+    }
+    Q_EMIT strokeFinished(std::exchange(m_report, {}));
+}
+
+void SculptWorker::run(Task& job)
+{
+    job();
+}
+
+void SculptWorker::install(std::shared_ptr<core::Sculptor> sculptor)
+{
+    ++m_scanGeneration;
+    m_sculptor = std::move(sculptor);
+    m_sculptor->setBetweenSubsteps([this] { betweenSubsteps(); });
+    m_sculptor->takePatch();
+    m_box = {};
+    core::MeshPatch whole = m_sculptor->wholePatch();
+    for (const core::DrawVertex& vertex : whole.vertices)
+        m_box.extend(vertex.position.cast<double>());
+    m_epoch = whole.epoch;
+    Q_EMIT modelSet(facts());
+    for (const auto& inbox : m_inboxes)
+        if (inbox)
+            inbox->put(whole);
+}
+
+/// The mesh is valid here and its index up to date: viewers may see it and ask.
+void SculptWorker::betweenSubsteps()
+{
+    while (const auto question = m_queue.nextQuestion())
+        run(*question);
+    if (steadyNs() - m_flushedNs > flushIntervalNs)
+        flushPatch();
+}
+
+bool SculptWorker::flushPatch()
+{
+    m_flushedNs = steadyNs();
+    core::MeshPatch patch = m_sculptor->takePatch();
+    if (patch.empty())
+        return false;
+    patch.sampledNs = m_sampledNs;
+    m_epoch = patch.epoch;
+    for (const core::DrawVertex& vertex : patch.vertices)
+        m_box.extend(vertex.position.cast<double>());
+    for (const auto& inbox : m_inboxes)
+        if (inbox)
+            inbox->put(patch);
+    measureLatency(patch.sampledNs);
+    return true;
+}
+
+/// A box only grows by patches. What it really is, is found out in small jobs at the queue's end, which a stroke stops.
+void SculptWorker::startScan()
+{
+    m_scannedBox.setEmpty();
+    m_queue.push(Task([this, generation = ++m_scanGeneration] { scan(0, generation); }));
+}
+
+void SculptWorker::scan(core::Slot first, std::uint64_t generation)
+{
+    if (generation != m_scanGeneration)
+        return;
+    const core::Mesh& mesh = m_sculptor->mesh();
+    const core::Slot end = std::min(mesh.slots().vertices, first + slotsAScan);
+    for (core::Slot v = first; v < end; ++v)
+        if (mesh.isVertex(v))
+            m_scannedBox.extend(mesh.point(v).cast<double>());
+    if (end < mesh.slots().vertices) {
+        m_queue.push(Task([this, end, generation] { scan(end, generation); }));
+        return;
+    }
+    m_box = m_scannedBox;
+    Q_EMIT factsChanged(facts());
+}
+
+void SculptWorker::measureLatency(std::int64_t sampledNs)
+{
+    const std::lock_guard lock(m_mutex);
+    ++m_stats.patches;
+    if (sampledNs == 0)
+        return;
+    m_stats.latencyMs = static_cast<double>(steadyNs() - sampledNs) * 1e-6;
+    m_stats.worstLatencyMs = std::max(m_stats.worstLatencyMs, m_stats.latencyMs);
+}
+
+MeshFacts SculptWorker::facts() const
+{
+    const core::SlotCounts live = m_sculptor->mesh().live();
+    return {live.vertices, live.faces, m_box};
+}
+} // namespace app

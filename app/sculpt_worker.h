@@ -1,0 +1,124 @@
+#pragma once
+
+#include "job_queue.h"
+#include "patch_inbox.h"
+
+#include "core/sculptor.h"
+
+#include <QObject>
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <thread>
+
+namespace app
+{
+/// What people want to know of the mesh.
+struct MeshFacts
+{
+    quint64 vertices = 0;
+    quint64 faces = 0;
+    core::Box box; ///< mm; right after a stroke it may still be larger than the mesh
+};
+
+/// A stroke that has ended, in the order of the strokes' beginnings.
+struct StrokeReport
+{
+    std::shared_ptr<core::MeshDelta> delta; ///< already applied; null if nothing changed
+    core::Tool tool = core::Tool::Pull;
+    quint64 dabs = 0;
+    quint64 endedEarly = 0; ///< of the dabs
+    MeshFacts facts;
+};
+
+struct WorkerStats
+{
+    quint64 samples = 0; ///< that the engine consumed
+    quint64 droppedSamples = 0;
+    quint64 patches = 0;
+    double latencyMs = 0; ///< from a sample's post to its patch in the inbox, the last
+    double worstLatencyMs = 0;
+};
+
+/// The mesh thread. It owns the sculptor, takes jobs in the order in which they were posted, and answers questions between
+/// the engine's sub-steps. Every function but the constructor, stop() and the destructor may be called from any thread and
+/// returns at once; signals are emitted on the mesh thread.
+class SculptWorker : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit SculptWorker(QObject* parent = nullptr);
+    ~SculptWorker() override;
+
+    /// Ends the thread after the job at hand; the others are dropped.
+    void stop();
+
+    /// What viewer `source` draws from. It gets the whole mesh first, then what changes.
+    void setInbox(Source source, std::shared_ptr<PatchInbox> inbox);
+
+    /// One stroke is open at a time: false, and strokeRefused(), if another source's is. Each stroke that was begun is
+    /// reported once by strokeFinished().
+    bool beginStroke(Source source, const core::StrokeSettings& settings);
+    void addSample(Source source, const core::StrokeSample& sample);
+    void endStroke(Source source);
+    bool strokeOpen() const;
+    /// Ever.
+    quint64 strokesBegun() const { return m_strokesBegun; }
+
+    /// The newest question of a source is answered once, by its answered signal; those that it overtook are not.
+    void ask(Source source, const core::Ray& ray);
+
+    /// Puts another model in place of the present one, and into every inbox. A stroke that is open ends before.
+    void setModel(std::shared_ptr<core::Sculptor> sculptor);
+    /// Runs a job on the mesh thread between strokes and samples; viewers get what it changed. Not run without a model.
+    void post(std::function<void(core::Sculptor&)> job);
+
+    WorkerStats stats() const;
+
+Q_SIGNALS:
+    void modelSet(const app::MeshFacts& facts);
+    void strokeFinished(const app::StrokeReport& report);
+    void strokeRefused(app::Source source);
+    /// To ask(Source::Desktop, ...). `epoch`: of the last patch that viewers were given before.
+    void answeredDesktop(const std::optional<core::SurfaceHit>& hit, quint64 epoch);
+    void answeredHeadset(const std::optional<core::SurfaceHit>& hit, quint64 epoch);
+    /// Exact, some time after the last change.
+    void factsChanged(const app::MeshFacts& facts);
+
+private:
+    void run();
+    void run(const Question& question);
+    void run(BeginStroke& job);
+    void run(Sample& job);
+    void run(EndStroke& job);
+    void run(Task& job);
+    void install(std::shared_ptr<core::Sculptor> sculptor);
+    void betweenSubsteps();
+    bool flushPatch(); ///< whether there was anything
+    void startScan();
+    void scan(core::Slot first, std::uint64_t generation);
+    void measureLatency(std::int64_t sampledNs);
+    MeshFacts facts() const;
+
+    JobQueue m_queue;
+    std::atomic<quint64> m_strokesBegun = 0;
+    mutable std::mutex m_mutex; ///< guards the next two
+    std::optional<Source> m_openSource;
+    WorkerStats m_stats;
+
+    // The mesh thread's own.
+    std::shared_ptr<core::Sculptor> m_sculptor;
+    std::array<std::shared_ptr<PatchInbox>, sourceCount> m_inboxes;
+    StrokeReport m_report;
+    core::Box m_box;
+    core::Box m_scannedBox;
+    std::uint64_t m_scanGeneration = 0; ///< a scan of an older one stops
+    quint64 m_epoch = 0;
+    std::int64_t m_sampledNs = 0; ///< of the sample in work
+    std::int64_t m_flushedNs = 0;
+
+    std::thread m_thread; ///< last: it uses the others
+};
+} // namespace app

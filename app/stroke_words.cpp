@@ -1,0 +1,58 @@
+#include "stroke_words.h"
+
+namespace app
+{
+namespace
+{
+/// Six digits: enough to see on which side of a bound a value is.
+QString number(double value)
+{
+    return QString::number(value, 'g', 6);
+}
+} // namespace
+
+QString StrokeWords::sentence(const QString& path, const core::StrokeFileError& error)
+{
+    const QString where = place(error);
+    return where.isEmpty() ? tr("%1: %2", "file: reason").arg(path, reason(error))
+                           : tr("%1: %2: %3", "file: place: reason").arg(path, where, reason(error));
+}
+
+QString StrokeWords::place(const core::StrokeFileError& error)
+{
+    QStringList places;
+    if (error.line > 0)
+        places << tr("line %1, byte %2").arg(error.line).arg(error.byte);
+    if (error.stroke && error.sample)
+        //: counted from 1; in brackets as in the file, counted from 0
+        places << tr("stroke %1, sample %2 (strokes[%3].samples[%4])")
+                      .arg(*error.stroke + 1).arg(*error.sample + 1).arg(*error.stroke).arg(*error.sample);
+    else if (error.stroke)
+        places << tr("stroke %1 (strokes[%2])").arg(*error.stroke + 1).arg(*error.stroke);
+    return places.join(QStringLiteral(", "));
+}
+
+QString StrokeWords::reason(const core::StrokeFileError& error)
+{
+    using Kind = core::StrokeFileError::Kind;
+    const QString key = QString::fromStdString(error.key);
+    switch (error.kind) {
+    case Kind::CannotRead: return tr("this file does not exist or cannot be read");
+    case Kind::TooLarge: return tr("this file is too large for a stroke file");
+    case Kind::Syntax: return tr("this is not JSON");
+    case Kind::DuplicateKey: return tr("\"%1\" stands there twice").arg(key);
+    case Kind::NotStrokes: return tr("this is no stroke file of version 1 (%1)").arg(key.isEmpty() ? tr("no object") : key);
+    case Kind::UnknownKey: return tr("unknown key %1").arg(key);
+    case Kind::MissingKey: return tr("\"%1\" is missing").arg(key);
+    case Kind::WrongType: return tr("\"%1\" is of the wrong type, or holds too few or too many values").arg(key);
+    case Kind::UnknownValue: return tr("unknown value, %1").arg(key);
+    case Kind::NotYet: return tr("%1 is not there yet").arg(key);
+    case Kind::NotANumber: return tr("\"%1\" is not a finite number").arg(key);
+    case Kind::OutOfRange:
+        if (error.least && error.most)
+            return tr("\"%1\" is out of range, %2 to %3").arg(key, number(*error.least), number(*error.most));
+        return tr("\"%1\" is out of range").arg(key);
+    }
+    return {};
+}
+} // namespace app

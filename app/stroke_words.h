@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/stroke_file.h"
+
+#include <QCoreApplication>
+#include <QString>
+
+namespace app
+{
+/// What is wrong with a stroke file, for people: one sentence with file, place and reason.
+class StrokeWords
+{
+    Q_DECLARE_TR_FUNCTIONS(app::StrokeWords)
+
+public:
+    static QString sentence(const QString& path, const core::StrokeFileError& error);
+
+private:
+    static QString place(const core::StrokeFileError& error);
+    static QString reason(const core::StrokeFileError& error);
+};
+} // namespace app

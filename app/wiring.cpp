@@ -1,0 +1,82 @@
+#include "wiring.h"
+
+#include "document.h"
+#include "headset_inquiry.h"
+#include "patch_inbox.h"
+#include "sculpt_worker.h"
+
+#include "ui/main_window.h"
+#include "ui/viewport.h"
+
+#include <QAction>
+
+namespace app
+{
+namespace
+{
+void wireDocument(ui::MainWindow& window, Document& document)
+{
+    using ui::MainWindow;
+    QObject::connect(&window, &MainWindow::openRequested, &document, &Document::open);
+    QObject::connect(&window, &MainWindow::exportRequested, &document, &Document::exportTo);
+    QObject::connect(&document, &Document::opened, &window, &MainWindow::setModel);
+    QObject::connect(&document, &Document::factsChanged, &window, &MainWindow::updateFacts);
+    QObject::connect(&document, &Document::modifiedChanged, &window, &MainWindow::setModified);
+    QObject::connect(&document, &Document::refused, &window, &MainWindow::showProblem);
+    QObject::connect(&document, &Document::noticed, &window, &MainWindow::showNotice);
+    QObject::connect(&document, &Document::busy, &window, &MainWindow::setBusy);
+    QObject::connect(&document, &Document::idle, &window, &MainWindow::setIdle);
+    document.setMayDiscard([&window] { return window.askToDiscard(); });
+    window.setMayClose([&document] { return document.mayDiscard(); });
+}
+
+void wireHistory(ui::MainWindow& window, Document& document)
+{
+    QAction* undo = window.action(QStringLiteral("edit.undo"));
+    QAction* redo = window.action(QStringLiteral("edit.redo"));
+    QObject::connect(undo, &QAction::triggered, &document, &Document::undo);
+    QObject::connect(redo, &QAction::triggered, &document, &Document::redo);
+    QObject::connect(&document, &Document::historyChanged, &window, [&window, &document, undo, redo] {
+        window.setUndoText(document.undoText());
+        window.setRedoText(document.redoText());
+        undo->setEnabled(document.canUndo());
+        redo->setEnabled(document.canRedo());
+    });
+}
+
+void wireStrokes(ui::Viewport& viewport, Document& document)
+{
+    using ui::Viewport;
+    QObject::connect(&viewport, &Viewport::strokeBegan, &document, &Document::beginStroke);
+    QObject::connect(&viewport, &Viewport::strokeSampled, &document, &Document::addSample);
+    QObject::connect(&viewport, &Viewport::strokeEnded, &document, &Document::endStroke);
+}
+
+void wireWorker(ui::Viewport& viewport, SculptWorker& worker, const std::shared_ptr<PatchInbox>& inbox)
+{
+    using ui::Viewport;
+    viewport.setPatchSource([inbox] { return inbox->take(); });
+    QObject::connect(inbox.get(), &PatchInbox::filled, &viewport, &Viewport::patchReady, Qt::QueuedConnection);
+    QObject::connect(&viewport, &Viewport::hoverRequested, &worker,
+                     [&worker](const core::Ray& ray) { worker.ask(Source::Desktop, ray); });
+    QObject::connect(&worker, &SculptWorker::answeredDesktop, &viewport, &Viewport::setHover);
+    worker.setInbox(Source::Desktop, inbox);
+}
+
+void wireHeadset(ui::MainWindow& window)
+{
+    auto* headset = new HeadsetInquiry(&window);
+    QObject::connect(window.action(QStringLiteral("vr.status")), &QAction::triggered, headset, &HeadsetInquiry::ask);
+    QObject::connect(headset, &HeadsetInquiry::answered, &window, &ui::MainWindow::showNotice);
+}
+} // namespace
+
+void wire(ui::MainWindow& window, Document& document, SculptWorker& worker, const std::shared_ptr<PatchInbox>& inbox)
+{
+    wireDocument(window, document);
+    wireHistory(window, document);
+    wireStrokes(*window.viewport(), document);
+    wireWorker(*window.viewport(), worker, inbox);
+    wireHeadset(window);
+}
+} // namespace app

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <memory>
+
+namespace ui
+{
+class MainWindow;
+}
+
+namespace app
+{
+class Document;
+class PatchInbox;
+class SculptWorker;
+
+/// The rooms' lines to each other. All must outlive the event loop; the window goes before the document, and that before
+/// the worker.
+void wire(ui::MainWindow& window, Document& document, SculptWorker& worker, const std::shared_ptr<PatchInbox>& inbox);
+} // namespace app
