@@ -12,9 +12,9 @@ namespace
 {
 // clang-format off
 constexpr ActionInfo table[] = {
-    {MenuId::File, "file.open", QT_TRANSLATE_NOOP("ui::Actions", "&Open..."),
+    {MenuId::File, "file.open", QT_TRANSLATE_NOOP("ui::Actions", "&Open…"),
      QT_TRANSLATE_NOOP("ui::Actions", "Opens a model: STL, OBJ or PLY."), "Ctrl+O", "open", false, true},
-    {MenuId::File, "file.exportAs", QT_TRANSLATE_NOOP("ui::Actions", "&Export..."),
+    {MenuId::File, "file.exportAs", QT_TRANSLATE_NOOP("ui::Actions", "&Export…"),
      QT_TRANSLATE_NOOP("ui::Actions", "Writes the model to a file: STL, OBJ or PLY."), "Ctrl+E", "export", false, true},
     {MenuId::File, "file.quit", QT_TRANSLATE_NOOP("ui::Actions", "&Quit"),
      QT_TRANSLATE_NOOP("ui::Actions", "Closes the window and ends the program."), "Ctrl+Q", "quit", true},
@@ -51,7 +51,7 @@ constexpr ActionInfo table[] = {
 /// "Pull (1)" and what it does.
 QString toolTip(const QAction& action)
 {
-    QString name = action.text().remove(QLatin1Char('&')).remove(QStringLiteral("..."));
+    QString name = action.text().remove(QLatin1Char('&')).remove(QStringLiteral("…"));
     const QString key = action.shortcut().toString(QKeySequence::NativeText);
     if (!key.isEmpty())
         name += QStringLiteral(" (%1)").arg(key);

@@ -111,6 +111,7 @@ double ParameterControl::valueAt(int position) const
 
 BrushBar::BrushBar(BrushSettings* brush, QWidget* parent) : QWidget(parent)
 {
+    setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(gap, 0, gap, 0);
     row->setSpacing(2 * gap);

@@ -9,8 +9,8 @@ namespace ui
 {
 namespace
 {
-/// Linear. Times the default vertex colour (grey 200, linear 0.58) this is the clay: sRGB 205, 164, 140.
-constexpr QVector3D clayTint{1.05F, 0.64F, 0.455F};
+/// Linear. Times the default vertex colour (grey 200, linear 0.58) this is the clay: sRGB 194, 150, 126.
+constexpr QVector3D clayTint{0.93F, 0.527F, 0.361F};
 
 std::unique_ptr<QOpenGLShaderProgram> program(const QString& name)
 {

@@ -43,7 +43,7 @@ void FactsBar::setFacts(const ModelFacts& facts)
 {
     m_name->setText(facts.name);
     m_vertices->setText(tr("%Ln vertices", nullptr, static_cast<int>(facts.vertices)));
-    m_size->setText(tr("%1 x %2 x %3 mm")
+    m_size->setText(tr("%1 × %2 × %3 mm")
                         .arg(millimetres(facts.size.x()), millimetres(facts.size.y()), millimetres(facts.size.z())));
 }
 

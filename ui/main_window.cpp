@@ -22,6 +22,7 @@
 #include <QProgressBar>
 #include <QStatusBar>
 #include <QToolBar>
+#include <QToolButton>
 
 #include <algorithm>
 
@@ -110,6 +111,9 @@ void MainWindow::State::buildBars()
     bar->setObjectName(QStringLiteral("toolBar"));
     bar->setIconSize(QSize(22, 22));
     actions.fill(bar);
+    for (const ToolAction& row : toolActions)
+        if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(actions.get(QLatin1StringView(row.id)))))
+            button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     bar->addSeparator();
     bar->addWidget(new BrushBar(&brush));
 }
@@ -282,7 +286,7 @@ void MainWindow::setModel(const ModelFacts& facts)
 {
     m_state->modelName = facts.name;
     m_state->modelSize = facts.size.maxCoeff();
-    setWindowTitle(tr("%1[*] - Fettle").arg(facts.name));
+    setWindowTitle(tr("%1[*] – Fettle").arg(facts.name));
     setModified(false);
     if (m_state->modelSize > 0) {
         m_state->brush.setRadiusRange(minRadiusShare * m_state->modelSize, maxRadiusShare * m_state->modelSize);

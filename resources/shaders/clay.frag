@@ -13,9 +13,9 @@ out vec4 fragColor;
 
 const vec3 keyDirection = normalize(vec3(-0.45, 0.75, 0.62)); // eye space
 const vec3 fillDirection = normalize(vec3(0.85, -0.10, 0.45));
-const vec3 keyColor = vec3(1.00, 0.955, 0.88) * 0.95;
+const vec3 keyColor = vec3(1.00, 0.955, 0.88) * 1.12;
 const vec3 fillColor = vec3(0.62, 0.74, 0.95) * 0.16;
-const vec3 skyColor = vec3(0.74, 0.80, 0.92) * 0.42;
+const vec3 skyColor = vec3(0.74, 0.80, 0.92) * 0.38;
 const vec3 tableColor = vec3(0.62, 0.50, 0.42) * 0.20;
 
 vec3 toSrgb(vec3 c)
@@ -41,7 +41,7 @@ void main()
     vec3 light = keyColor * wrapped * wrapped + fillColor * fill + mix(tableColor, skyColor, up);
 
     float facing = max(dot(n, v), 0.0);
-    float highlight = pow(max(dot(n, normalize(keyDirection + v)), 0.0), 28.0) * 0.10;
+    float highlight = pow(max(dot(n, normalize(keyDirection + v)), 0.0), 36.0) * 0.11;
     float rim = pow(1.0 - facing, 4.0) * (0.25 + 0.75 * up) * 0.16;
     vec3 color = albedo * tint * light + keyColor * highlight * step(0.0, key) + skyColor * rim;
 
