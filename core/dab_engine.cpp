@@ -55,6 +55,7 @@ DabReport DabEngine::apply(const StrokeSettings& settings, const Dab& dab, const
     DabReport report;
     const PhaseTimer total(report.totalMs);
     m_touchedFaces = 0;
+    m_held.clear();
     m_capped = false;
     {
         const PhaseTimer timer(report.selectMs);
@@ -74,7 +75,7 @@ DabReport DabEngine::apply(const StrokeSettings& settings, const Dab& dab, const
     report.outcome = DabOutcome::Committed;
     for (double step = 0; step < steps; ++step) {
         const Substep result = step < mostSubsteps ? substep(bounds, 1 / steps, report) : Substep::Stuck;
-        if (result == Substep::Stuck) {
+        if (result == Substep::Stuck || m_capped) {
             report.outcome = DabOutcome::EndedEarly;
             break;
         }
@@ -91,11 +92,13 @@ DabReport DabEngine::apply(const StrokeSettings& settings, const Dab& dab, const
 
 DabEngine::Substep DabEngine::substep(const EdgeBounds& bounds, double part, DabReport& report)
 {
-    const Region::Saved saved = m_region.save();
-    if (straight(bounds, part, report))
-        return Substep::Straight;
-    m_region.restore(saved);
-    ++m_totals.rolledBack;
+    if (m_held.empty()) { // what was held back once in a dab stays so in its next sub-steps
+        const Region::Saved saved = m_region.save();
+        if (straight(bounds, part, report))
+            return Substep::Straight;
+        m_region.restore(saved);
+        ++m_totals.rolledBack;
+    }
     return careful(bounds, part, report) ? Substep::Careful : Substep::Stuck;
 }
 
@@ -111,8 +114,8 @@ bool DabEngine::straight(const EdgeBounds& bounds, double part, DabReport& repor
     double reached = 0;
     {
         const PhaseTimer timer(report.deformMs);
-        inside = displace(part, nullptr);
-        reached = farthestPlan(part, nullptr);
+        inside = displace(part);
+        reached = farthestPlan(part);
     }
     if (inside) {
         const PhaseTimer timer(report.optimiseMs);
@@ -129,23 +132,7 @@ bool DabEngine::straight(const EdgeBounds& bounds, double part, DabReport& repor
 
 bool DabEngine::careful(const EdgeBounds& bounds, double part, DabReport& report)
 {
-    std::vector<double> held(m_region.slots().size(), 1.0);
-    bool moved = false;
-    for (int round = 0; round < mostHoldRounds && !moved; ++round) {
-        const double reached = farthestPlan(part, &held);
-        if (reached == 0)
-            break;
-        const Mesh::Mark mark = m_mesh.mark();
-        m_lastBadFaces.clear();
-        moved = displace(part, &held) && verifyAndIndex(mark, report);
-        if (moved) {
-            report.reached += reached;
-            break;
-        }
-        m_mesh.rollback(mark);
-        if (!holdBack(held, m_lastBadFaces))
-            break;
-    }
+    const bool moved = moveHeldBack(part, report);
     const auto judged = [&](const std::function<void()>& operation) {
         const Mesh::Mark mark = m_mesh.mark();
         operation();
@@ -159,8 +146,52 @@ bool DabEngine::careful(const EdgeBounds& bounds, double part, DabReport& report
     return moved;
 }
 
+/// Moves what can be moved without touching anything. Ends: a round without progress holds something back for good.
+bool DabEngine::moveHeldBack(double part, DabReport& report)
+{
+    extendHeld();
+    for (int round = 0; round < mostHoldRounds; ++round) {
+        const double reached = farthestPlan(part);
+        if (reached == 0)
+            return false;
+        const Mesh::Mark mark = m_mesh.mark();
+        m_lastBadFaces.clear();
+        bool inside = false;
+        {
+            const PhaseTimer timer(report.deformMs);
+            inside = displace(part);
+        }
+        if (inside && verifyAndIndex(mark, report)) {
+            report.reached += reached;
+            return true;
+        }
+        m_mesh.rollback(mark);
+        if (!holdBack(m_lastBadFaces))
+            return false;
+    }
+    return false;
+}
+
+/// Vertices that joined the region since are held back as far as their neighbours are.
+void DabEngine::extendHeld()
+{
+    const std::vector<Slot>& slots = m_region.slots();
+    const std::size_t known = m_held.size();
+    m_held.resize(slots.size(), 1.0);
+    if (known == 0)
+        return;
+    for (std::size_t i = known; i < slots.size(); ++i) {
+        if (!m_region.contains(slots[i]))
+            continue;
+        m_mesh.forEachOutgoing(slots[i], [&](Slot h) {
+            if (m_region.contains(m_mesh.to(h)))
+                m_held[i] = std::min(m_held[i], m_held[m_region.position(m_mesh.to(h))]);
+        });
+    }
+}
+
 /// Halves the motion of the region's vertices at and around the bad faces. False if none of them can be held back further.
-bool DabEngine::holdBack(std::vector<double>& held, const std::vector<Slot>& badFaces)
+bool DabEngine::holdBack(const std::vector<Slot>& badFaces)
 {
     SparseIndex& around = m_scratch;
     around.clear();
@@ -174,20 +205,20 @@ bool DabEngine::holdBack(std::vector<double>& held, const std::vector<Slot>& bad
     for (Slot v : around.slots()) {
         if (!m_region.contains(v))
             continue;
-        double& part = held[m_region.position(v)];
-        any = any || part > 0;
-        part = part > leastHeld ? part / 2 : 0;
+        double& share = m_held[m_region.position(v)];
+        any = any || share > 0;
+        share = share > leastHeld ? share / 2 : 0;
     }
     return any;
 }
 
 /// Moves each vertex of the region by its part of the plan. False if one would leave the working volume.
-bool DabEngine::displace(double part, const std::vector<double>* held)
+bool DabEngine::displace(double part)
 {
     const Lattice& lattice = m_mesh.lattice();
     bool inside = true;
     m_region.forEach([&](Slot v) {
-        const double share = held ? part * (*held)[m_region.position(v)] : part;
+        const double share = part * heldShare(v);
         const Vec3f before = m_mesh.point(v);
         const Vec3f after = lattice.snap(before.cast<double>() + share * m_region.plan(v));
         inside = inside && lattice.contains(after.cast<double>());
@@ -197,11 +228,16 @@ bool DabEngine::displace(double part, const std::vector<double>* held)
     return inside;
 }
 
-double DabEngine::farthestPlan(double part, const std::vector<double>* held) const
+double DabEngine::heldShare(Slot v) const
+{
+    return m_held.empty() ? 1 : m_held[m_region.position(v)];
+}
+
+double DabEngine::farthestPlan(double part) const
 {
     double farthest2 = 0;
     m_region.forEach([&](Slot v) {
-        const double share = held ? part * (*held)[m_region.position(v)] : part;
+        const double share = part * heldShare(v);
         farthest2 = std::max(farthest2, share * share * m_region.plan(v).squaredNorm());
     });
     return std::sqrt(farthest2);

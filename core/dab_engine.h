@@ -32,9 +32,12 @@ private:
     Substep substep(const EdgeBounds& bounds, double part, DabReport& report);
     bool straight(const EdgeBounds& bounds, double part, DabReport& report);
     bool careful(const EdgeBounds& bounds, double part, DabReport& report);
-    bool holdBack(std::vector<double>& held, const std::vector<Slot>& badFaces);
-    bool displace(double part, const std::vector<double>* held);
-    double farthestPlan(double part, const std::vector<double>* held) const;
+    bool moveHeldBack(double part, DabReport& report);
+    void extendHeld();
+    bool holdBack(const std::vector<Slot>& badFaces);
+    double heldShare(Slot v) const;
+    bool displace(double part);
+    double farthestPlan(double part) const;
     bool verifyAndIndex(const Mesh::Mark& mark, DabReport& report);
     void reindex(const TouchedSlots& touched, std::span<const Slot> dirtyFaces);
     void count(const RemeshCounts& counts);
@@ -46,8 +49,9 @@ private:
     SparseIndex m_scratch;
     DirtySlots m_dirtySlots;
     SculptorTotals m_totals;
+    std::vector<double> m_held; ///< by position in the region: the share of its motion a vertex may do; empty: all
     std::vector<Slot> m_lastBadFaces;
     Slot m_touchedFaces = 0;
-    bool m_capped = false;
+    bool m_capped = false; ///< a sub-step reached the cap on remeshing operations: the dab ends there
 };
 } // namespace core
