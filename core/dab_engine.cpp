@@ -53,28 +53,33 @@ bool runPlainly(const std::function<void()>& operation)
 DabReport DabEngine::apply(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between)
 {
     DabReport report;
-    const PhaseTimer total(report.totalMs);
+    {
+        const PhaseTimer timer(report.totalMs);
+        run(settings, dab, between, report);
+    }
+    return report;
+}
+
+void DabEngine::run(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between,
+                    DabReport& report)
+{
     m_touchedFaces = 0;
     m_held.clear();
     m_capped = false;
+    if (!(dab.strength > 0))
+        return;
     {
         const PhaseTimer timer(report.selectMs);
-        selectSphere(m_region, m_scratch, m_mesh, m_octree, {dab.position, dab.radius});
+        selectSphere(m_region, m_candidates, m_mesh, m_octree, {dab.position, dab.radius});
     }
-    if (m_region.empty() || !(dab.strength > 0))
-        return report;
-    {
-        const PhaseTimer timer(report.deformMs);
-        report.asked = planDeformation(m_region, m_mesh, settings, dab);
-    }
-    EdgeBounds bounds = edgeBounds(dab.radius, settings.detail);
-    const double coarser = std::max(1.0, m_mesh.lattice().minDetail() / bounds.detail);
-    bounds = {bounds.detail * coarser, bounds.minimum * coarser};
-
-    const double steps = std::max(1.0, std::ceil(report.asked / (movePerMinimum * bounds.minimum)));
+    Task task = {settings, dab, boundsFor(settings, dab)};
     report.outcome = DabOutcome::Committed;
-    for (double step = 0; step < steps; ++step) {
-        const Substep result = step < mostSubsteps ? substep(bounds, 1 / steps, report) : Substep::Stuck;
+    for (double step = 0; step == 0 || step < task.steps; ++step) {
+        const Substep result = step < mostSubsteps ? substep(task, report) : Substep::Stuck;
+        if (result == Substep::Empty) {
+            report.outcome = DabOutcome::Empty;
+            return;
+        }
         if (result == Substep::Stuck || m_capped) {
             report.outcome = DabOutcome::EndedEarly;
             break;
@@ -87,52 +92,81 @@ DabReport DabEngine::apply(const StrokeSettings& settings, const Dab& dab, const
     }
     report.touchedVertices = m_region.size();
     report.touchedFaces = m_touchedFaces;
-    return report;
 }
 
-DabEngine::Substep DabEngine::substep(const EdgeBounds& bounds, double part, DabReport& report)
+EdgeBounds DabEngine::boundsFor(const StrokeSettings& settings, const Dab& dab) const
+{
+    const EdgeBounds bounds = edgeBounds(dab.radius, settings.detail);
+    const double coarser = std::max(1.0, m_mesh.lattice().minDetail() / bounds.detail);
+    return {bounds.detail * coarser, bounds.minimum * coarser};
+}
+
+DabEngine::Substep DabEngine::substep(Task& task, DabReport& report)
 {
     if (m_held.empty()) { // what was held back once in a dab stays so in its next sub-steps
         const Region::Saved saved = m_region.save();
-        if (straight(bounds, part, report))
-            return Substep::Straight;
+        const double steps = task.steps;
+        const Substep result = straight(task, report);
+        if (result != Substep::Stuck)
+            return result;
         m_region.restore(saved);
+        task.steps = steps;
         ++m_totals.rolledBack;
     }
-    return careful(bounds, part, report) ? Substep::Careful : Substep::Stuck;
+    return careful(task, report);
 }
 
-bool DabEngine::straight(const EdgeBounds& bounds, double part, DabReport& report)
+/// The first sub-step begins with this: the mesh under the brush is made fine enough to plan on.
+RemeshCounts DabEngine::refineAndPlan(Task& task, const Attempt& attempt, DabReport& report)
 {
-    const Mesh::Mark mark = m_mesh.mark();
+    const Sphere ball = {task.dab.position, task.dab.radius};
     RemeshCounts counts;
     {
         const PhaseTimer timer(report.optimiseMs);
-        counts = optimise(m_mesh, m_region, bounds, runPlainly);
+        counts = refine(m_mesh, m_region, m_candidates, ball, task.bounds, attempt);
+    }
+    const PhaseTimer timer(report.deformMs);
+    report.asked = planDeformation(m_region, m_mesh, task.settings, task.dab);
+    task.steps = std::max(1.0, std::ceil(report.asked / (movePerMinimum * task.bounds.minimum)));
+    return counts;
+}
+
+DabEngine::Substep DabEngine::straight(Task& task, DabReport& report)
+{
+    const Mesh::Mark mark = m_mesh.mark();
+    RemeshCounts counts;
+    if (task.steps == 0)
+        counts += refineAndPlan(task, runPlainly, report);
+    if (m_region.empty()) {
+        m_mesh.rollback(mark);
+        return Substep::Empty;
+    }
+    {
+        const PhaseTimer timer(report.optimiseMs);
+        counts += optimise(m_mesh, m_region, task.bounds, runPlainly);
     }
     bool inside = false;
     double reached = 0;
     {
         const PhaseTimer timer(report.deformMs);
-        inside = displace(part);
-        reached = farthestPlan(part);
+        inside = displace(1 / task.steps);
+        reached = farthestPlan(1 / task.steps);
     }
     if (inside) {
         const PhaseTimer timer(report.optimiseMs);
-        counts += splitLongEdges(m_mesh, m_region, bounds, runPlainly);
+        counts += splitLongEdges(m_mesh, m_region, task.bounds, runPlainly);
     }
     if (!inside || !verifyAndIndex(mark, report)) {
         m_mesh.rollback(mark);
-        return false;
+        return Substep::Stuck;
     }
     count(counts);
     report.reached += reached;
-    return true;
+    return Substep::Straight;
 }
 
-bool DabEngine::careful(const EdgeBounds& bounds, double part, DabReport& report)
+DabEngine::Substep DabEngine::careful(Task& task, DabReport& report)
 {
-    const bool moved = moveHeldBack(part, report);
     const auto judged = [&](const std::function<void()>& operation) {
         const Mesh::Mark mark = m_mesh.mark();
         operation();
@@ -141,9 +175,12 @@ bool DabEngine::careful(const EdgeBounds& bounds, double part, DabReport& report
         m_mesh.rollback(mark);
         return false;
     };
+    if (task.steps == 0)
+        count(refineAndPlan(task, judged, report));
+    const bool moved = moveHeldBack(1 / task.steps, report);
     const PhaseTimer timer(report.optimiseMs);
-    count(optimise(m_mesh, m_region, bounds, judged));
-    return moved;
+    count(optimise(m_mesh, m_region, task.bounds, judged));
+    return moved ? Substep::Careful : Substep::Stuck;
 }
 
 /// Moves what can be moved without touching anything. Ends: a round without progress holds something back for good.
@@ -193,7 +230,7 @@ void DabEngine::extendHeld()
 /// Halves the motion of the region's vertices at and around the bad faces. False if none of them can be held back further.
 bool DabEngine::holdBack(const std::vector<Slot>& badFaces)
 {
-    SparseIndex& around = m_scratch;
+    SparseIndex& around = m_region.scratch();
     around.clear();
     for (Slot f : badFaces) {
         for (Slot v : m_mesh.corners(f)) {
@@ -269,7 +306,7 @@ void DabEngine::reindex(const TouchedSlots& touched, std::span<const Slot> dirty
 void DabEngine::follow(const MeshDelta& swapped)
 {
     TouchedSlots touched;
-    SparseIndex& dirty = m_scratch;
+    SparseIndex& dirty = m_region.scratch();
     dirty.clear();
     for (const FaceImage& image : swapped.faces) {
         touched.faces.push_back(image.slot);

@@ -27,11 +27,22 @@ public:
     const SculptorTotals& totals() const { return m_totals; }
 
 private:
-    enum class Substep { Straight, Careful, Stuck };
+    enum class Substep { Straight, Careful, Stuck, Empty };
 
-    Substep substep(const EdgeBounds& bounds, double part, DabReport& report);
-    bool straight(const EdgeBounds& bounds, double part, DabReport& report);
-    bool careful(const EdgeBounds& bounds, double part, DabReport& report);
+    struct Task
+    {
+        const StrokeSettings& settings;
+        const Dab& dab;
+        EdgeBounds bounds;
+        double steps = 0; ///< into which the plan is cut; 0: not planned yet
+    };
+
+    void run(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report);
+    EdgeBounds boundsFor(const StrokeSettings& settings, const Dab& dab) const;
+    Substep substep(Task& task, DabReport& report);
+    Substep straight(Task& task, DabReport& report);
+    Substep careful(Task& task, DabReport& report);
+    RemeshCounts refineAndPlan(Task& task, const Attempt& attempt, DabReport& report);
     bool moveHeldBack(double part, DabReport& report);
     void extendHeld();
     bool holdBack(const std::vector<Slot>& badFaces);
@@ -46,7 +57,7 @@ private:
     FaceOctree m_octree;
     Verifier m_verifier;
     Region m_region;
-    SparseIndex m_scratch;
+    std::vector<Slot> m_candidates;
     DirtySlots m_dirtySlots;
     SculptorTotals m_totals;
     std::vector<double> m_held; ///< by position in the region: the share of its motion a vertex may do; empty: all

@@ -47,16 +47,20 @@ LatticeBox latticeBox(const Lattice& lattice, const Sphere& ball)
     return {low.floor().max(-limit).min(limit).matrix().cast<int>(), high.ceil().max(-limit).min(limit).matrix().cast<int>()};
 }
 
-void selectSphere(Region& region, SparseIndex& scratch, const Mesh& mesh, const FaceOctree& octree, const Sphere& ball)
+void selectSphere(Region& region, std::vector<Slot>& candidates, const Mesh& mesh, const FaceOctree& octree,
+                  const Sphere& ball)
 {
     region.clear();
-    scratch.clear();
+    candidates.clear();
+    SparseIndex& corners = region.scratch();
+    corners.clear();
     const double radius2 = ball.radius * ball.radius;
     octree.query(latticeBox(mesh.lattice(), ball), [&](Slot f) {
+        candidates.push_back(f);
         for (Slot v : mesh.corners(f))
-            scratch.add(v);
+            corners.add(v);
     });
-    for (Slot v : scratch.slots()) {
+    for (Slot v : corners.slots()) {
         if ((mesh.point(v).cast<double>() - ball.center).squaredNorm() <= radius2)
             region.add(v, Vec3::Zero());
     }

@@ -31,6 +31,8 @@ public:
 
     /// Vertices around the remeshing of this sub-step.
     SparseIndex& remeshed() { return m_remeshed; }
+    /// For whoever needs a set of slots for a moment.
+    SparseIndex& scratch() { return m_scratch; }
 
     /// To go back after a sub-step that failed. Cost: the region.
     struct Saved
@@ -52,14 +54,16 @@ public:
     }
 
 private:
-    SparseIndex m_index, m_remeshed;
+    SparseIndex m_index, m_remeshed, m_scratch;
     std::vector<Vec3> m_plan;
     std::vector<char> m_present;
     Slot m_live = 0;
 };
 
 /// Spherical brush (paper, section 3.1.2): the vertices within the ball, by Euclidean distance, ascending by slot.
-void selectSphere(Region& region, SparseIndex& scratch, const Mesh& mesh, const FaceOctree& octree, const Sphere& ball);
+/// `candidates` becomes the candidate triangles of section 3.1.1: all that may meet the ball, in no useful order.
+void selectSphere(Region& region, std::vector<Slot>& candidates, const Mesh& mesh, const FaceOctree& octree,
+                  const Sphere& ball);
 
 /// The box of lattice points that holds the ball, clipped to the lattice.
 LatticeBox latticeBox(const Lattice& lattice, const Sphere& ball);

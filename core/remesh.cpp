@@ -1,4 +1,5 @@
 // Quasi-uniform optimisation of a region (paper, section 3.2), in its order:
+//   0. refine:   faces under the brush that are too large for it, whether or not their corners are selected
 //   1. collapse: edges shorter than d, the shortest first, to the midpoint       (3.2.2, Figures 6 and 7)
 //   2. split:    edges longer than d_detail by a queue, at the midpoint           (3.2.1, Figure 5)
 //   3. flip:     edges whose two opposite angles exceed 180 degrees together      (Delaunay's criterion)
@@ -8,6 +9,7 @@
 #include "remesh.h"
 
 #include "deform.h"
+#include "surface_query.h"
 
 #include <algorithm>
 #include <deque>
@@ -34,6 +36,11 @@ struct Edge
     Slot edge;
 };
 
+bool longestFirst(const Edge& a, const Edge& b)
+{
+    return std::tie(b.length2, a.v0, a.v1) < std::tie(a.length2, b.v0, b.v1);
+}
+
 class Remesher
 {
 public:
@@ -45,6 +52,7 @@ public:
         m_changed.clear();
     }
 
+    void refine(std::span<const Slot> candidates, const Sphere& ball);
     void collapseShortEdges();
     void splitLongEdges();
     void flipEdges();
@@ -62,6 +70,8 @@ private:
     bool mayGoOn();
     template <class Wanted> std::vector<Edge> regionEdges(Wanted wanted) const;
     Edge edgeAt(Slot e) const;
+    std::optional<Edge> tooLongIn(Slot f, const Sphere& ball) const;
+    Slot split(const Edge& e);
     bool isCollapseLegal(Slot h, const Vec3f& target) const;
     bool staysSound(Slot v, Slot ignored, const Vec3& target, bool boundLength) const;
     bool shouldFlip(Slot e) const;
@@ -125,6 +135,66 @@ template <class Wanted> std::vector<Edge> Remesher::regionEdges(Wanted wanted) c
     return edges;
 }
 
+// --- 0. refine -------------------------------------------------------------------------------------------------------------
+
+/// The longest edge of a face that meets the ball, if it is longer than d_detail.
+std::optional<Edge> Remesher::tooLongIn(Slot f, const Sphere& ball) const
+{
+    Slot longest = m_mesh.faceHalfedge(f);
+    const Slot second = m_mesh.next(longest), third = m_mesh.next(second);
+    for (Slot h : {second, third}) {
+        if (length2(h / 2) > length2(longest / 2))
+            longest = h;
+    }
+    if (length2(longest / 2) <= m_detail2)
+        return std::nullopt;
+    const Triangle& t = m_mesh.corners(f);
+    const Vec3 nearest = nearestInTriangle(ball.center, {point(t[0]), point(t[1]), point(t[2])});
+    if ((nearest - ball.center).squaredNorm() > ball.radius * ball.radius)
+        return std::nullopt;
+    return edgeAt(longest / 2);
+}
+
+void Remesher::refine(std::span<const Slot> candidates, const Sphere& ball)
+{
+    std::vector<Slot> faces(candidates.begin(), candidates.end());
+    while (!faces.empty()) {
+        std::vector<Edge> edges;
+        for (Slot f : faces) {
+            if (const std::optional<Edge> e = tooLongIn(f, ball))
+                edges.push_back(*e);
+        }
+        std::ranges::sort(edges, longestFirst);
+        edges.erase(std::ranges::unique(edges, {}, &Edge::edge).begin(), edges.end());
+        faces.clear();
+        for (const Edge& e : edges) {
+            if (!mayGoOn())
+                return;
+            const Slot m = split(e);
+            if (m == noSlot)
+                continue;
+            if ((point(m) - ball.center).squaredNorm() <= ball.radius * ball.radius)
+                m_region.add(m, Vec3::Zero());
+            m_mesh.forEachOutgoing(m, [&](Slot h) { faces.push_back(m_mesh.face(h)); });
+        }
+        std::ranges::sort(faces);
+        faces.erase(std::ranges::unique(faces).begin(), faces.end());
+    }
+}
+
+/// The new vertex, or noSlot if the split was judged and taken back.
+Slot Remesher::split(const Edge& e)
+{
+    const Vec3f p = midpoint(e.edge);
+    Slot m = noSlot;
+    if (!m_attempt([&] { m = m_mesh.splitEdge(e.edge, p); }))
+        return noSlot;
+    ++counts.splits;
+    m_changed.add(m);
+    m_mesh.forEachOutgoing(m, [&](Slot h) { m_changed.add(m_mesh.to(h)); });
+    return m;
+}
+
 // --- 1. collapse -----------------------------------------------------------------------------------------------------------
 
 /// Whether the faces around v, but those with `ignored`, stay sound when v moves to the target.
@@ -183,25 +253,19 @@ void Remesher::collapseShortEdges()
 void Remesher::splitLongEdges()
 {
     std::vector<Edge> edges = regionEdges([&](double l2, Slot) { return l2 > m_detail2; });
-    std::ranges::sort(edges, [](const Edge& a, const Edge& b) {
-        return std::tie(b.length2, a.v0, a.v1) < std::tie(a.length2, b.v0, b.v1);
-    });
+    std::ranges::sort(edges, longestFirst);
     std::deque<Edge> queue(edges.begin(), edges.end());
     while (!queue.empty()) {
         const Edge e = queue.front();
         queue.pop_front();
         if (!mayGoOn())
             return;
-        const Vec3f p = midpoint(e.edge);
-        Slot m = noSlot;
-        if (!m_attempt([&] { m = m_mesh.splitEdge(e.edge, p); }))
+        const Slot m = split(e);
+        if (m == noSlot)
             continue;
-        ++counts.splits;
         m_region.add(m, 0.5 * (m_region.plan(e.v0) + m_region.plan(e.v1)));
-        m_changed.add(m);
         m_mesh.forEachOutgoing(m, [&](Slot h) {
             const Slot other = m_mesh.to(h);
-            m_changed.add(other);
             if (m_region.contains(other) && length2(h / 2) > m_detail2)
                 queue.push_back(edgeAt(h / 2));
         });
@@ -291,6 +355,14 @@ RemeshCounts& RemeshCounts::operator+=(const RemeshCounts& more)
     flips += more.flips;
     capped = capped || more.capped;
     return *this;
+}
+
+RemeshCounts refine(Mesh& mesh, Region& region, std::span<const Slot> candidates, const Sphere& ball,
+                    const EdgeBounds& bounds, const Attempt& attempt)
+{
+    Remesher remesher(mesh, region, bounds, attempt);
+    remesher.refine(candidates, ball);
+    return remesher.counts;
 }
 
 RemeshCounts optimise(Mesh& mesh, Region& region, const EdgeBounds& bounds, const Attempt& attempt)

@@ -3,6 +3,7 @@
 #include "region.h"
 
 #include <functional>
+#include <span>
 
 namespace core
 {
@@ -17,6 +18,11 @@ struct RemeshCounts
 
 /// Runs one operation; false means that it was judged and taken back. The plain one just runs it.
 using Attempt = std::function<bool(const std::function<void()>& operation)>;
+
+/// Where the mesh is coarser than the brush: splits the longest edge of each face that meets the ball, until none there is
+/// longer than d_detail. New vertices within the ball join the region. `candidates`: at least the faces that meet the ball.
+RemeshCounts refine(Mesh& mesh, Region& region, std::span<const Slot> candidates, const Sphere& ball,
+                    const EdgeBounds& bounds, const Attempt& attempt);
 
 /// Makes the edges with both ends in the region quasi-uniform (paper, section 3.2): collapses those shorter than d, splits
 /// those longer than d_detail, flips those whose opposite angles exceed 180 degrees together, and relaxes vertices around

@@ -6,10 +6,7 @@ namespace core
 {
 namespace
 {
-struct Corners
-{
-    Vec3 a, b, c;
-};
+using Corners = std::array<Vec3, 3>;
 
 Corners cornersOf(const Mesh& mesh, Slot f)
 {
@@ -38,12 +35,13 @@ bool meetsBox(const Ray& ray, const Box& box)
 /// Möller and Trumbore 1997, front faces only. Returns the multiple of the direction, negative for a miss.
 double hitTriangle(const Ray& ray, const Corners& t)
 {
-    const Vec3 ab = t.b - t.a, ac = t.c - t.a;
+    const auto& [a, b, c] = t;
+    const Vec3 ab = b - a, ac = c - a;
     const Vec3 p = ray.direction.cross(ac);
     const double determinant = ab.dot(p);
     if (!(determinant > 0))
         return -1;
-    const Vec3 s = ray.origin - t.a;
+    const Vec3 s = ray.origin - a;
     const double u = s.dot(p);
     if (u < 0 || u > determinant)
         return -1;
@@ -54,40 +52,40 @@ double hitTriangle(const Ray& ray, const Corners& t)
     return ac.dot(q) / determinant;
 }
 
-/// The point of a triangle nearest to p (Ericson 2005, section 5.1.5).
-Vec3 nearestInTriangle(const Vec3& p, const Corners& t)
-{
-    const Vec3 ab = t.b - t.a, ac = t.c - t.a, ap = p - t.a;
-    const double d1 = ab.dot(ap), d2 = ac.dot(ap);
-    if (d1 <= 0 && d2 <= 0)
-        return t.a;
-    const Vec3 bp = p - t.b;
-    const double d3 = ab.dot(bp), d4 = ac.dot(bp);
-    if (d3 >= 0 && d4 <= d3)
-        return t.b;
-    const double vc = d1 * d4 - d3 * d2;
-    if (vc <= 0 && d1 >= 0 && d3 <= 0)
-        return t.a + d1 / (d1 - d3) * ab;
-    const Vec3 cp = p - t.c;
-    const double d5 = ab.dot(cp), d6 = ac.dot(cp);
-    if (d6 >= 0 && d5 <= d6)
-        return t.c;
-    const double vb = d5 * d2 - d1 * d6;
-    if (vb <= 0 && d2 >= 0 && d6 <= 0)
-        return t.a + d2 / (d2 - d6) * ac;
-    const double va = d3 * d6 - d5 * d4;
-    if (va <= 0 && d4 >= d3 && d5 >= d6)
-        return t.b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (t.c - t.b);
-    const double sum = va + vb + vc;
-    return t.a + vb / sum * ab + vc / sum * ac;
-}
-
 SurfaceHit surfaceHit(const Mesh& mesh, Slot f, const Vec3& position, double distance)
 {
     const Corners t = cornersOf(mesh, f);
-    return {position, (t.b - t.a).cross(t.c - t.a).normalized(), distance, f};
+    return {position, (t[1] - t[0]).cross(t[2] - t[0]).normalized(), distance, f};
 }
 } // namespace
+
+Vec3 nearestInTriangle(const Vec3& p, const std::array<Vec3, 3>& triangle)
+{
+    const auto& [a, b, c] = triangle;
+    const Vec3 ab = b - a, ac = c - a, ap = p - a;
+    const double d1 = ab.dot(ap), d2 = ac.dot(ap);
+    if (d1 <= 0 && d2 <= 0)
+        return a;
+    const Vec3 bp = p - b;
+    const double d3 = ab.dot(bp), d4 = ac.dot(bp);
+    if (d3 >= 0 && d4 <= d3)
+        return b;
+    const double vc = d1 * d4 - d3 * d2;
+    if (vc <= 0 && d1 >= 0 && d3 <= 0)
+        return a + d1 / (d1 - d3) * ab;
+    const Vec3 cp = p - c;
+    const double d5 = ab.dot(cp), d6 = ac.dot(cp);
+    if (d6 >= 0 && d5 <= d6)
+        return c;
+    const double vb = d5 * d2 - d1 * d6;
+    if (vb <= 0 && d2 >= 0 && d6 <= 0)
+        return a + d2 / (d2 - d6) * ac;
+    const double va = d3 * d6 - d5 * d4;
+    if (va <= 0 && d4 >= d3 && d5 >= d6)
+        return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
+    const double sum = va + vb + vc;
+    return a + vb / sum * ab + vc / sum * ac;
+}
 
 std::optional<SurfaceHit> firstHit(const Mesh& mesh, const FaceOctree& octree, const Ray& ray)
 {
