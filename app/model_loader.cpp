@@ -50,7 +50,7 @@ LoadedModel ModelLoader::load(const QString& path, bool inPlace, const Progress&
 
 void ModelLoader::build(LoadedModel& loaded, const core::TriangleMesh& mesh, bool inPlace)
 {
-    core::BuildResult result = core::buildMesh(mesh, inPlace ? core::Placing::IfFar : core::Placing::Centre);
+    core::BuildResult result = core::buildMesh(mesh, !inPlace);
     if (!result.mesh && !result.report.printReady())
         loaded.problem = ui::Messages::refusal(loaded.path, result.report);
     else if (!result.mesh)

@@ -1,12 +1,12 @@
 // From a stranger's triangles to a sculptable mesh:
 //   1. judge      the coordinates as they came, exactly                          mesh_check
-//   2. fit        move, choose the lattice, snap                                 lattice_fit
+//   2. fit        move, choose the lattice, snap                                 lattice_placement
 //   3. judge      again if snapping moved a point; retry neighbouring lattice points where faces came to meet
 //   4. lay out    along a Morton curve, and link                                 morton_order, mesh
 
 #include "mesh_build.h"
 
-#include "lattice_fit.h"
+#include "lattice_placement.h"
 #include "morton_order.h"
 
 #include <algorithm>
@@ -16,6 +16,29 @@ namespace core
 namespace
 {
 constexpr int resnapRounds = 6;
+
+/// A model moved and snapped to its lattice.
+struct Fit
+{
+    TriangleMesh mesh;
+    LatticePlacement placement;
+    bool exact = true; ///< the snapping moved no point
+};
+
+Fit fitToLattice(const TriangleMesh& model, bool centre)
+{
+    Box box;
+    for (const Vec3f& p : model.points)
+        box.extend(p.cast<double>());
+    Fit fit = {model, placeOnLattice(box, centre)};
+    const Lattice& lattice = fit.placement.lattice;
+    for (Vec3f& p : fit.mesh.points) {
+        const Vec3 moved = p.cast<double>() + fit.placement.moved;
+        p = lattice.toPoint(fit.placement.toLattice(p));
+        fit.exact = fit.exact && p.cast<double>() == moved;
+    }
+    return fit;
+}
 
 TriangleMesh withoutUnusedVertices(const TriangleMesh& mesh)
 {
@@ -72,7 +95,7 @@ Vec3f latticeNeighbour(const Lattice& lattice, const Vec3& exact, std::size_t ch
 }
 
 /// Sends the corners of unsound faces to other lattice points nearby until all is sound, or gives up.
-void resnap(LatticeFit& fit, const TriangleMesh& model, BuildResult& result)
+void resnap(Fit& fit, const TriangleMesh& model, BuildResult& result)
 {
     std::vector<std::size_t> choices(model.points.size(), 0);
     MeshReport report = checkMesh(fit.mesh);
@@ -82,7 +105,8 @@ void resnap(LatticeFit& fit, const TriangleMesh& model, BuildResult& result)
             // One corner of each face a round, so that the corners part.
             const Slot v = fit.mesh.triangles[unsound[i]][(i + static_cast<std::size_t>(round)) % 3];
             ++choices[v];
-            fit.mesh.points[v] = latticeNeighbour(fit.lattice, model.points[v].cast<double>() + fit.moved, choices[v]);
+            const Vec3 exact = model.points[v].cast<double>() + fit.placement.moved;
+            fit.mesh.points[v] = latticeNeighbour(fit.placement.lattice, exact, choices[v]);
         }
         report = checkMesh(fit.mesh);
     }
@@ -92,19 +116,21 @@ void resnap(LatticeFit& fit, const TriangleMesh& model, BuildResult& result)
 }
 } // namespace
 
-BuildResult buildMesh(const TriangleMesh& model, Placing placing)
+BuildResult buildMesh(const TriangleMesh& model, bool centre)
 {
     BuildResult result;
     result.report = checkMesh(model);
     if (!result.report.printReady())
         return result;
     const TriangleMesh used = withoutUnusedVertices(model);
-    LatticeFit fit = fitToLattice(used, placing);
-    result.moved = fit.moved;
+    Fit fit = fitToLattice(used, centre);
+    result.moved = fit.placement.moved;
     if (!fit.exact)
         resnap(fit, used, result);
-    if (result.unsnappable == 0)
-        result.mesh = std::make_unique<Mesh>(inMortonOrder(fit.mesh, fit.lattice), fit.lattice);
+    if (result.unsnappable == 0) {
+        const Lattice& lattice = fit.placement.lattice;
+        result.mesh = std::make_unique<Mesh>(inMortonOrder(fit.mesh, lattice), lattice);
+    }
     return result;
 }
 

@@ -7,13 +7,6 @@
 
 namespace core
 {
-/// Where a model's points go before they are snapped.
-enum class Placing {
-    Keep,   ///< where they are
-    IfFar,  ///< its centre to the origin if that is farther away than four times its size: the lattice would be too coarse
-    Centre, ///< its centre to the origin
-};
-
 struct BuildResult
 {
     std::unique_ptr<Mesh> mesh;  ///< nothing if the model was refused
@@ -23,9 +16,10 @@ struct BuildResult
     std::size_t unsnappable = 0; ///< faces that are unsound on the lattice whatever was tried: the model was refused for them
 };
 
-/// Makes the model sculptable: judges it exactly, places and snaps it to its lattice, lays its elements out along a Morton
-/// curve and builds the links. Whole-mesh cost, on all cores. The file's order does not matter for speed afterwards.
-BuildResult buildMesh(const TriangleMesh& model, Placing placing = Placing::Keep);
+/// Makes the model sculptable: judges it exactly, places and snaps it on its lattice, lays its elements out along a Morton
+/// curve and builds the links. With `centre` the middle of its box goes to the origin (see placeOnLattice).
+/// Whole-mesh cost, on all cores. The file's order does not matter for speed afterwards.
+BuildResult buildMesh(const TriangleMesh& model, bool centre = false);
 
 /// The live surface, compact: vertices and faces in the order of their slots. Without colours if no vertex has been coloured.
 TriangleMesh extractMesh(const Mesh& mesh);
