@@ -190,7 +190,7 @@ class TestLayout : public QObject
 {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void scan_findsBadInclude_data();
     void scan_findsBadInclude();
     void scan_passesGoodInclude_data();
