@@ -122,7 +122,7 @@ class TestPredicates : public QObject
 {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void lattice_agreesWithJudge_data();
     void lattice_agreesWithJudge();
     void lattice_isExactAtTheCornersOfItsVolume();

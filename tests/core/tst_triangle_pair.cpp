@@ -135,7 +135,7 @@ class TestTrianglePair : public QObject
 {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void agreesWithJudge_data();
     void agreesWithJudge();
     void sameCorners_meet();
