@@ -75,7 +75,8 @@ QAction* Actions::make(const ActionInfo& row, QWidget* window)
     auto* action = new QAction(themedIcon(QLatin1StringView(row.icon)), tr(row.text), this);
     action->setObjectName(QLatin1StringView(row.id));
     action->setStatusTip(tr(row.tip));
-    action->setShortcuts(QKeySequence::listFromString(QLatin1StringView(row.keys)));
+    if (*row.keys)
+        action->setShortcuts(QKeySequence::listFromString(QLatin1StringView(row.keys)));
     action->setCheckable(row.checkable);
     action->setToolTip(toolTip(*action));
     window->addAction(action);

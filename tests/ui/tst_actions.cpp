@@ -1,0 +1,99 @@
+#include "ui/actions.h"
+
+#include "ui_test.h"
+
+#include <QAction>
+#include <QMainWindow>
+#include <QMenu>
+#include <QSet>
+
+class TestActions : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void idsAreUnique()
+    {
+        QSet<QByteArray> ids;
+        for (const ui::ActionInfo& row : ui::actionTable()) {
+            QVERIFY2(!ids.contains(row.id), row.id);
+            ids << row.id;
+        }
+    }
+
+    void everyRowIsComplete()
+    {
+        for (const ui::ActionInfo& row : ui::actionTable()) {
+            QVERIFY2(*row.text && *row.tip && *row.icon, row.id);
+            QVERIFY2(QByteArray(row.tip).endsWith('.'), row.id);
+        }
+    }
+
+    void shortcutsAreValidAndUnique()
+    {
+        QMainWindow window;
+        const ui::Actions actions(&window);
+        QSet<QKeySequence> keys;
+        for (const ui::ActionInfo& row : ui::actionTable()) {
+            const QList<QKeySequence> own = actions.get(QLatin1StringView(row.id))->shortcuts();
+            QCOMPARE(own.size(), *row.keys ? QByteArray(row.keys).count("; ") + 1 : 0);
+            for (const QKeySequence& key : own) {
+                QVERIFY2(!key.isEmpty() && key[0].key() != Qt::Key_unknown, row.id);
+                QVERIFY2(!keys.contains(key), row.id);
+                keys << key;
+            }
+        }
+    }
+
+    void theFieldsHabitsOfKeysAreKept()
+    {
+        QMainWindow window;
+        const ui::Actions actions(&window);
+        const auto has = [&](const char* id, const char* key) {
+            return actions.get(QLatin1StringView(id))->shortcuts().contains(QKeySequence(QLatin1StringView(key)));
+        };
+        QVERIFY(has("edit.undo", "Ctrl+Z") && has("edit.redo", "Ctrl+Shift+Z") && has("edit.redo", "Ctrl+Y"));
+        QVERIFY(has("brush.smaller", "[") && has("brush.larger", "]"));
+        QVERIFY(has("view.frame", "Home") && has("view.frame", "."));
+    }
+
+    void theTableIsWhatTheActionsAre()
+    {
+        QMainWindow window;
+        const ui::Actions actions(&window);
+        for (const ui::ActionInfo& row : ui::actionTable()) {
+            const QAction* action = actions.get(QLatin1StringView(row.id));
+            QCOMPARE(action->objectName(), QLatin1StringView(row.id));
+            QVERIFY(!action->text().isEmpty() && !action->toolTip().isEmpty());
+            QCOMPARE(action->isCheckable(), row.checkable);
+            QMenu menu;
+            actions.fill(&menu, row.menu);
+            QVERIFY(menu.actions().contains(action));
+            QVERIFY(!actions.menuTitle(row.menu).isEmpty());
+        }
+    }
+
+    void iconsLoadAndFollowThePalette()
+    {
+        QMainWindow window;
+        const ui::Actions actions(&window);
+        const QPalette before = QApplication::palette();
+        for (const ui::ActionInfo& row : ui::actionTable()) {
+            const QIcon icon = actions.get(QLatin1StringView(row.id))->icon();
+            QVERIFY2(!icon.isNull(), row.id);
+            QPalette palette = before;
+            palette.setColor(QPalette::ButtonText, QColor(10, 200, 30));
+            QApplication::setPalette(palette);
+            const QImage image = icon.pixmap(QSize(48, 48)).toImage();
+            QApplication::setPalette(before);
+            int inked = 0;
+            for (int y = 0; y < image.height(); ++y)
+                for (int x = 0; x < image.width(); ++x)
+                    inked += image.pixelColor(x, y) == QColor(10, 200, 30);
+            QVERIFY2(inked > 20, row.id);
+        }
+    }
+};
+
+UI_TEST_MAIN(TestActions)
+#include "tst_actions.moc"

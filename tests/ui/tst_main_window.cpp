@@ -1,0 +1,298 @@
+#include "ui/main_window.h"
+
+#include "ui_test.h"
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QDoubleSpinBox>
+#include <QDragEnterEvent>
+#include <QFile>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QTemporaryDir>
+
+using core::Parameter;
+using ui::MainWindow;
+
+namespace
+{
+ui::ModelFacts facts(const QString& name, double size)
+{
+    const core::Vec3 half = core::Vec3::Constant(size / 2);
+    return {name, 2562, 5120, 2 * half, core::Box(-half, half)};
+}
+
+QAction* act(const MainWindow& window, const char* id)
+{
+    return window.action(QLatin1StringView(id));
+}
+
+template <class Widget>
+Widget* child(const MainWindow& window, const char* name)
+{
+    return window.findChild<Widget*>(QLatin1StringView(name));
+}
+
+/// Whether the window takes it.
+bool drop(MainWindow& window, const QList<QUrl>& urls)
+{
+    QMimeData data;
+    data.setUrls(urls);
+    QDragEnterEvent enter({50, 50}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&window, &enter);
+    if (!enter.isAccepted())
+        return false;
+    QDropEvent event({50, 50}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&window, &event);
+    return event.isAccepted();
+}
+} // namespace
+
+class TestMainWindow : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QSettings().clear(); }
+
+    void itShowsItselfOrSaysWhyNot()
+    {
+        MainWindow window;
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        const bool canDraw = ui::graphicsProblem().isEmpty();
+        QCOMPARE(window.viewport()->isVisible(), canDraw);
+        const auto* sentence = child<QLabel>(window, "graphicsProblem");
+        QCOMPARE(sentence != nullptr, !canDraw);
+        if (sentence)
+            QCOMPARE(sentence->text(), ui::graphicsProblem());
+        window.setModel(facts(QStringLiteral("ball"), 100));
+        window.grab();
+    }
+
+    void aModelIsNamedAndMeasured()
+    {
+        MainWindow window;
+        window.setModel(facts(QStringLiteral("lion.stl"), 80));
+        QVERIFY(window.windowTitle().startsWith(QStringLiteral("lion.stl[*]")));
+        QCOMPARE(child<QLabel>(window, "facts.name")->text(), QStringLiteral("lion.stl"));
+        QVERIFY(child<QLabel>(window, "facts.vertices")->text().contains(QLocale().toString(2562)));
+        QVERIFY(child<QLabel>(window, "facts.size")->text().contains(QLocale().toString(80.0, 'f', 1)));
+        QVERIFY(!window.isWindowModified());
+        window.setModified(true);
+        QVERIFY(window.isWindowModified());
+
+        ui::ModelFacts more = facts(QStringLiteral("lion.stl"), 80);
+        more.vertices = 3000;
+        window.updateFacts(more);
+        QVERIFY(child<QLabel>(window, "facts.vertices")->text().contains(QLocale().toString(3000)));
+        QVERIFY(window.isWindowModified());
+    }
+
+    void theRadiusFitsTheModel()
+    {
+        MainWindow window;
+        window.setModel(facts(QStringLiteral("a"), 100));
+        QCOMPARE(window.strokeSettings().radius, 10.0);
+        window.setModel(facts(QStringLiteral("b"), 2));
+        QCOMPARE(window.strokeSettings().radius, 0.2);
+        window.brush()->scaleRadius(1e9);
+        QCOMPARE(window.strokeSettings().radius, 1.0);
+    }
+
+    void bracketsScaleTheRadius()
+    {
+        MainWindow window;
+        window.setModel(facts(QStringLiteral("a"), 100));
+        act(window, "brush.smaller")->trigger();
+        QCOMPARE(window.strokeSettings().radius, 9.0);
+        act(window, "brush.larger")->trigger();
+        QCOMPARE(window.strokeSettings().radius, 10.0);
+    }
+
+    void theBarAndTheBrushAreOne()
+    {
+        MainWindow window;
+        window.setModel(facts(QStringLiteral("a"), 100));
+        auto* box = child<QDoubleSpinBox>(window, "radius.box");
+        auto* slider = child<QSlider>(window, "radius.slider");
+        QVERIFY(box && slider);
+        box->setValue(25);
+        QCOMPARE(window.strokeSettings().radius, 25.0);
+        slider->setValue(slider->maximum());
+        QCOMPARE(window.strokeSettings().radius, 50.0);
+        QCOMPARE(box->value(), 50.0);
+        window.brush()->setValue(Parameter::Radius, 3.14159);
+        QCOMPARE(box->value(), 3.14);
+        QCOMPARE(window.strokeSettings().radius, 3.14159); // showing is not changing
+        child<QDoubleSpinBox>(window, "strength.box")->setValue(0.5);
+        QCOMPARE(window.strokeSettings().strength, 0.5);
+    }
+
+    void oneToolIsChosen()
+    {
+        MainWindow window;
+        QVERIFY(act(window, "tool.pull")->isChecked());
+        act(window, "tool.smooth")->trigger();
+        QCOMPARE(window.strokeSettings().tool, core::Tool::Smooth);
+        QVERIFY(!act(window, "tool.pull")->isChecked());
+        window.brush()->setTool(core::Tool::Push);
+        QVERIFY(act(window, "tool.push")->isChecked() && !act(window, "tool.smooth")->isChecked());
+    }
+
+    void undoIsWordedFromOutside()
+    {
+        MainWindow window;
+        QVERIFY(!act(window, "edit.undo")->isEnabled() && !act(window, "edit.redo")->isEnabled());
+        window.setUndoText(QStringLiteral("Pull"));
+        QVERIFY(act(window, "edit.undo")->text().contains(QStringLiteral("Pull")));
+        window.setUndoText({});
+        QVERIFY(!act(window, "edit.undo")->text().contains(QStringLiteral("Pull")));
+    }
+
+    void filesAreOpenedByDrop()
+    {
+        MainWindow window;
+        QSignalSpy opened(&window, &MainWindow::openRequested);
+        QVERIFY(drop(window, {QUrl::fromLocalFile(QStringLiteral("/tmp/a model.stl"))}));
+        QTRY_COMPARE(opened.count(), 1);
+        QCOMPARE(opened[0][0].toString(), QStringLiteral("/tmp/a model.stl"));
+        QVERIFY(!drop(window, {QUrl(QStringLiteral("https://example.org/a.stl"))}));
+        QVERIFY(!drop(window, {}));
+        window.setBusy(QStringLiteral("Opening"));
+        QVERIFY(!drop(window, {QUrl::fromLocalFile(QStringLiteral("/tmp/b.stl"))}));
+        QCOMPARE(opened.count(), 1);
+    }
+
+    void filesAreOpenedByDialog()
+    {
+        QTemporaryDir folder;
+        QFile file(folder.filePath(QStringLiteral("cup.stl")));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        MainWindow window;
+        window.show();
+        QSignalSpy opened(&window, &MainWindow::openRequested);
+        act(window, "file.open")->trigger();
+        auto* dialog = child<QFileDialog>(window, "openDialog");
+        QVERIFY(dialog);
+        dialog->setDirectory(folder.path());
+        child<QLineEdit>(window, "fileNameEdit")->setText(QStringLiteral("cup.stl"));
+        dialog->QDialog::accept();
+        Q_EMIT dialog->fileSelected(file.fileName());
+        QCOMPARE(opened.count(), 1);
+        QCOMPARE(opened[0][0].toString(), file.fileName());
+    }
+
+    void theExportsEndingFollowsTheFilter()
+    {
+        QTemporaryDir folder;
+        MainWindow window;
+        window.setModel(facts(QStringLiteral("cup.obj"), 10));
+        window.show();
+        act(window, "file.exportAs")->trigger();
+        auto* dialog = child<QFileDialog>(window, "exportDialog");
+        QVERIFY(dialog);
+        QCOMPARE(dialog->nameFilters().size(), 3);
+        QCOMPARE(dialog->defaultSuffix(), QStringLiteral("stl"));
+        Q_EMIT dialog->filterSelected(dialog->nameFilters().constLast());
+        QCOMPARE(dialog->defaultSuffix(), QStringLiteral("ply"));
+        dialog->setDirectory(folder.path());
+        QVERIFY(dialog->selectedFiles().constFirst().endsWith(QStringLiteral("cup.ply")));
+        dialog->reject();
+    }
+
+    void problemsDoNotStackUp()
+    {
+        MainWindow window;
+        window.show();
+        window.showProblem(QStringLiteral("One."));
+        window.showProblem(QStringLiteral("Two."));
+        const auto boxes = window.findChildren<QMessageBox*>();
+        QCOMPARE(boxes.size(), 1);
+        QCOMPARE(boxes[0]->text(), QStringLiteral("Two."));
+        boxes[0]->button(QMessageBox::Ok)->click();
+        QTRY_VERIFY(window.findChildren<QMessageBox*>().isEmpty());
+        window.showProblem(QStringLiteral("Three."));
+        QCOMPARE(window.findChildren<QMessageBox*>().size(), 1);
+    }
+
+    void noticesGoByThemselves()
+    {
+        MainWindow window;
+        window.show();
+        window.showNotice(QStringLiteral("Done."));
+        auto* banner = child<QLabel>(window, "banner");
+        QVERIFY(banner->isVisible());
+        QCOMPARE(banner->text(), QStringLiteral("Done."));
+        QTRY_VERIFY_WITH_TIMEOUT(!banner->isVisible(), 20000);
+    }
+
+    void busyIsSaid()
+    {
+        MainWindow window;
+        window.show();
+        window.setBusy(QStringLiteral("Opening lion.stl"));
+        QVERIFY(child<QLabel>(window, "busyText")->isVisible());
+        QVERIFY(!act(window, "file.open")->isEnabled());
+        window.setIdle();
+        QVERIFY(!child<QLabel>(window, "busyText")->isVisible());
+        QVERIFY(act(window, "file.open")->isEnabled());
+    }
+
+    void closingAsks()
+    {
+        MainWindow window;
+        window.show();
+        bool may = false;
+        window.setMayClose([&may] { return may; });
+        QVERIFY(!window.close());
+        QVERIFY(window.isVisible());
+        may = true;
+        QVERIFY(window.close());
+    }
+
+    void theBrushIsRemembered()
+    {
+        {
+            MainWindow window;
+            window.setModel(facts(QStringLiteral("a"), 100));
+            window.brush()->setValue(Parameter::Radius, 20);
+            window.brush()->setValue(Parameter::Strength, 0.75);
+            window.close();
+        }
+        MainWindow window;
+        window.setModel(facts(QStringLiteral("b"), 50));
+        QCOMPARE(window.strokeSettings().radius, 10.0);
+        QCOMPARE(window.strokeSettings().strength, 0.75);
+    }
+
+    void aBrokenSettingsFileDoesNoHarm()
+    {
+        QSettings().setValue(QStringLiteral("window/geometry"), QByteArray("rubbish"));
+        QSettings().setValue(QStringLiteral("window/state"), QByteArray("rubbish"));
+        MainWindow window;
+        window.show();
+        QVERIFY(window.width() >= 400 && window.height() >= 300);
+    }
+
+    void nothingIsClippedInASmallWindow()
+    {
+        MainWindow window;
+        window.resize(1280, 720);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        for (const char* name : {"radius.box", "radius.slider", "strength.box", "strength.slider"}) {
+            const auto* widget = child<QWidget>(window, name);
+            QVERIFY2(widget->isVisible() && widget->width() >= widget->minimumSizeHint().width(), name);
+        }
+    }
+};
+
+UI_TEST_MAIN(TestMainWindow)
+#include "tst_main_window.moc"

@@ -1,0 +1,111 @@
+#include "ui/messages.h"
+
+#include "core/mesh_check.h"
+
+#include <QSet>
+#include <QTest>
+
+#include <cerrno>
+
+using core::FileError;
+using core::FileErrorKind;
+
+namespace
+{
+const std::filesystem::path path = std::filesystem::path("models") / "Löwe.stl";
+
+FileError error(FileErrorKind kind)
+{
+    FileError e(kind, path);
+    e.token = "tok";
+    e.expected = 1234;
+    e.found = 77;
+    return e;
+}
+
+void verifySentence(const QString& words)
+{
+    QVERIFY2(words.endsWith(QLatin1Char('.')), qPrintable(words));
+    QVERIFY2(!words.contains(QLatin1Char('%')) && !words.contains(QLatin1Char('<')), qPrintable(words));
+    QVERIFY2(!words.contains(QLatin1Char('\n')), qPrintable(words));
+}
+} // namespace
+
+class TestMessages : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    void everyKindHasWordsOfItsOwn()
+    {
+        QSet<QString> seen;
+        for (int k = 0; k <= static_cast<int>(FileErrorKind::WriteFailed); ++k) {
+            const QString words = ui::Messages::sentence(error(static_cast<FileErrorKind>(k)));
+            verifySentence(words);
+            QVERIFY2(words.contains(QStringLiteral("Löwe.stl")), qPrintable(words));
+            QVERIFY2(!words.contains(QStringLiteral("cannot be used.")), qPrintable(words));
+            QVERIFY2(!seen.contains(words), qPrintable(words));
+            seen << words;
+        }
+    }
+
+    void missingDataLeavesWholeSentences()
+    {
+        for (int k = 0; k <= static_cast<int>(FileErrorKind::WriteFailed); ++k)
+            verifySentence(ui::Messages::sentence(FileError(static_cast<FileErrorKind>(k), path)));
+    }
+
+    void thePlaceIsNamed()
+    {
+        FileError e = error(FileErrorKind::NotANumber);
+        e.place = {core::FilePlace::Unit::Line, 42};
+        QVERIFY(ui::Messages::sentence(e).contains(QStringLiteral("line 42: \"tok\"")));
+        e.place = {core::FilePlace::Unit::Byte, 80};
+        QVERIFY(ui::Messages::sentence(e).contains(QStringLiteral("byte 80:")));
+    }
+
+    void theSystemsReasonIsGiven()
+    {
+        FileError e = error(FileErrorKind::NotWritable);
+        e.systemError = EACCES;
+        QVERIFY(ui::Messages::sentence(e).contains(qt_error_string(EACCES)));
+    }
+
+    /// What a file holds may not be taken for a place in our sentence.
+    void aPercentSignInTheFileIsHarmless()
+    {
+        FileError e = error(FileErrorKind::IndexOutOfRange);
+        e.token = "%1%2%3";
+        QVERIFY(ui::Messages::sentence(e).contains(QStringLiteral("vertex %1%2%3, but there are 1,234")) ||
+                ui::Messages::sentence(e).contains(QStringLiteral("vertex %1%2%3, but there are 1234")));
+        FileError odd(FileErrorKind::CutOff, "100%1.stl");
+        odd.expected = 10;
+        QVERIFY(ui::Messages::sentence(odd).contains(QStringLiteral("100%1.stl")));
+    }
+
+    void aRefusalCountsEachFault()
+    {
+        core::MeshReport report;
+        report.openEdges.count = 12;
+        report.intersections.count = 3;
+        const QString words = ui::Messages::refusal(QStringLiteral("cup.obj"), report);
+        verifySentence(words);
+        QVERIFY(words.startsWith(QStringLiteral("cup.obj cannot be sculpted yet")));
+        QVERIFY(words.contains(QStringLiteral("open edges: 12")));
+        QVERIFY(words.contains(QStringLiteral("intersect: 3")));
+        QVERIFY(!words.contains(QStringLiteral(": 0")));
+    }
+
+    void aRefusalWithoutCountsStillHasAReason()
+    {
+        const QString words = ui::Messages::refusal(QStringLiteral("cup.obj"), {});
+        verifySentence(words);
+        QVERIFY(words.contains(QStringLiteral("inside out")));
+        verifySentence(ui::Messages::tooFine(QStringLiteral("cup.obj"), 5));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestMessages)
+#include "tst_messages.moc"

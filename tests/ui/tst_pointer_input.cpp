@@ -1,0 +1,275 @@
+#include "ui/pointer_input.h"
+
+#include <QTest>
+
+using core::Tool;
+using Kind = ui::PointerEvent::Kind;
+using Pixel = ui::OrbitCamera::Pixel;
+
+namespace
+{
+const core::SurfaceHit somewhere{core::Vec3(0, 0, 50), core::Vec3(0, 0, 1), 100, 0};
+
+/// Writes down what the input says, in order.
+struct Recorder
+{
+    Recorder()
+    {
+        camera.setViewport(800, 600);
+        camera.frame({});
+        QObject::connect(&input, &ui::PointerInput::hoverRequested, &input, [this](const core::Ray& ray) {
+            ++questions;
+            asked = ray;
+        });
+        QObject::connect(&input, &ui::PointerInput::strokeBegan, &input, [this](const core::StrokeSettings& s) {
+            log << QStringLiteral("began");
+            settings = s;
+        });
+        QObject::connect(&input, &ui::PointerInput::strokeSampled, &input, [this](const core::StrokeSample& sample) {
+            log << QStringLiteral("sample");
+            samples.push_back(sample);
+        });
+        QObject::connect(&input, &ui::PointerInput::strokeEnded, &input, [this] { log << QStringLiteral("ended"); });
+    }
+
+    void send(Kind kind, Pixel at, Qt::MouseButton button = Qt::LeftButton, Qt::KeyboardModifiers keys = {})
+    {
+        ui::PointerEvent event{kind, at, kind == Kind::Move ? Qt::NoButton : button, keys};
+        event.time = clock += 0.01;
+        input.handle(event);
+    }
+    /// The pointer rests at `at` and the answer about it is known.
+    void rest(Pixel at, std::optional<core::SurfaceHit> hit)
+    {
+        send(Kind::Move, at);
+        input.setHover(hit);
+    }
+
+    ui::BrushSettings brush;
+    ui::OrbitCamera camera;
+    ui::PointerInput input{&brush, &camera};
+    QStringList log;
+    core::StrokeSettings settings;
+    std::vector<core::StrokeSample> samples;
+    core::Ray asked;
+    int questions = 0;
+    double clock = 0;
+};
+
+const QStringList strokeOf(int samples)
+{
+    return QStringList{QStringLiteral("began")} + QStringList(samples, QStringLiteral("sample")) +
+           QStringList{QStringLiteral("ended")};
+}
+} // namespace
+
+class TestPointerInput : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void aPressWhereTheAnswerIsKnownBeginsAtOnce()
+    {
+        Recorder r;
+        r.rest({400, 300}, somewhere);
+        r.send(Kind::Press, {400, 300});
+        r.send(Kind::Move, {410, 305});
+        r.send(Kind::Release, {410, 305});
+        QCOMPARE(r.log, strokeOf(2));
+        QCOMPARE(r.settings.place, core::Placement::Ray);
+        QVERIFY(r.samples[0].time < r.samples[1].time);
+        QCOMPARE(r.samples[1].direction, r.camera.ray({410, 305}).direction);
+        QCOMPARE(r.samples[1].position, r.camera.ray({410, 305}).origin);
+    }
+
+    void samplesWaitForTheAnswer()
+    {
+        Recorder r;
+        r.send(Kind::Press, {400, 300});
+        QCOMPARE(r.asked.direction, r.camera.ray({400, 300}).direction);
+        r.send(Kind::Move, {410, 300});
+        r.send(Kind::Move, {420, 300});
+        QVERIFY(r.log.isEmpty());
+        r.input.setHover(somewhere);
+        QVERIFY(r.input.strokeOpen());
+        r.send(Kind::Release, {420, 300});
+        QCOMPARE(r.log, strokeOf(3));
+    }
+
+    void aTapThatIsOverBeforeTheAnswerIsAStroke()
+    {
+        Recorder r;
+        r.send(Kind::Press, {400, 300});
+        r.send(Kind::Release, {400, 300});
+        r.input.setHover(somewhere);
+        QCOMPARE(r.log, strokeOf(1));
+    }
+
+    void twoQuickTapsAreTwoStrokes()
+    {
+        Recorder r;
+        for (const Pixel& at : {Pixel(400, 300), Pixel(500, 300)}) {
+            r.send(Kind::Press, at);
+            r.send(Kind::Move, at + Pixel(1, 1));
+            r.send(Kind::Release, at + Pixel(1, 1));
+        }
+        r.input.setHover(somewhere);
+        QCOMPARE(r.log, strokeOf(2));
+        for (int i = 0; i < 3; ++i) // the move's question may stand before the press's
+            r.input.setHover(somewhere);
+        QCOMPARE(r.log, strokeOf(2) + strokeOf(2));
+    }
+
+    void aPressBesideTheModelTurnsTheView()
+    {
+        Recorder r;
+        const core::Vec3 eye = r.camera.eye(), target = r.camera.target();
+        r.send(Kind::Press, {20, 20});
+        r.send(Kind::Move, {60, 40});
+        QCOMPARE(r.camera.eye(), eye); // nobody knows yet
+        r.input.setHover({});
+        QVERIFY((r.camera.eye() - eye).norm() > 1);
+        QCOMPARE(r.camera.target(), target);
+        r.send(Kind::Release, {60, 40});
+        QVERIFY(r.log.isEmpty());
+    }
+
+    void middleTurnsAndMovesWithoutAsking()
+    {
+        Recorder r;
+        r.rest({400, 300}, somewhere);
+        const core::Vec3 eye = r.camera.eye(), target = r.camera.target();
+        r.send(Kind::Press, {400, 300}, Qt::MiddleButton);
+        r.send(Kind::Move, {450, 300});
+        r.send(Kind::Release, {450, 300}, Qt::MiddleButton);
+        QVERIFY((r.camera.eye() - eye).norm() > 1);
+        QCOMPARE(r.camera.target(), target);
+
+        r.send(Kind::Press, {400, 300}, Qt::MiddleButton, Qt::ShiftModifier);
+        r.send(Kind::Move, {450, 300});
+        r.send(Kind::Release, {450, 300}, Qt::MiddleButton);
+        QVERIFY((r.camera.target() - target).norm() > 1);
+        QVERIFY(r.log.isEmpty());
+    }
+
+    void rightMoves()
+    {
+        Recorder r;
+        const core::Vec3 target = r.camera.target();
+        r.send(Kind::Press, {400, 300}, Qt::RightButton);
+        r.send(Kind::Move, {450, 300});
+        QVERIFY((r.camera.target() - target).norm() > 1);
+    }
+
+    void keysAreReadAtThePress_data()
+    {
+        QTest::addColumn<int>("tool");
+        QTest::addColumn<Qt::KeyboardModifiers>("keys");
+        QTest::addColumn<int>("expected");
+        const auto row = [](const char* name, Tool tool, Qt::KeyboardModifiers keys, Tool expected) {
+            QTest::newRow(name) << static_cast<int>(tool) << keys << static_cast<int>(expected);
+        };
+        row("pull", Tool::Pull, Qt::NoModifier, Tool::Pull);
+        row("ctrl inverts pull", Tool::Pull, Qt::ControlModifier, Tool::Push);
+        row("ctrl inverts push", Tool::Push, Qt::ControlModifier, Tool::Pull);
+        row("shift smooths", Tool::Push, Qt::ShiftModifier, Tool::Smooth);
+        row("ctrl leaves smooth", Tool::Smooth, Qt::ControlModifier, Tool::Smooth);
+    }
+
+    void keysAreReadAtThePress()
+    {
+        QFETCH(int, tool);
+        QFETCH(Qt::KeyboardModifiers, keys);
+        QFETCH(int, expected);
+        Recorder r;
+        r.brush.setTool(static_cast<Tool>(tool));
+        r.send(Kind::Press, {400, 300}, Qt::LeftButton, keys);
+        r.brush.setValue(core::Parameter::Radius, 77); // too late for this stroke
+        r.send(Kind::Move, {401, 300}, Qt::LeftButton, Qt::NoModifier);
+        r.input.setHover(somewhere);
+        QCOMPARE(static_cast<int>(r.settings.tool), expected);
+        QVERIFY(r.settings.radius != 77);
+    }
+
+    void onlyOneQuestionIsInFlight()
+    {
+        Recorder r;
+        for (int x = 100; x < 200; ++x)
+            r.send(Kind::Move, Pixel(x, 300));
+        QCOMPARE(r.questions, 1);
+        r.input.setHover({});
+        QCOMPARE(r.questions, 2);
+        QCOMPARE(r.asked.direction, r.camera.ray({199, 300}).direction);
+        r.input.setHover({});
+        QCOMPARE(r.questions, 2);
+    }
+
+    void aPressIsAskedAboutNextWhateverElseWaits()
+    {
+        Recorder r;
+        r.send(Kind::Move, {100, 100}); // in flight
+        r.send(Kind::Move, {110, 100}); // waits
+        r.send(Kind::Press, {400, 300});
+        r.send(Kind::Move, {410, 300});
+        r.input.setHover({});
+        QCOMPARE(r.asked.direction, r.camera.ray({400, 300}).direction);
+        QVERIFY(r.log.isEmpty());
+        r.input.setHover(somewhere);
+        QCOMPARE(r.log.first(3), QStringList({"began", "sample", "sample"}));
+    }
+
+    void anAnswerOfAnEarlierViewDecidesNothing()
+    {
+        Recorder r;
+        r.send(Kind::Move, {400, 300});
+        r.input.zoom(0.5, {10, 10});
+        r.input.setHover(somewhere);
+        QVERIFY(!r.input.hover());
+        r.send(Kind::Press, {400, 300});
+        QVERIFY(r.log.isEmpty());
+    }
+
+    void theCursorGoesWithThePointer()
+    {
+        Recorder r;
+        r.rest({400, 300}, somewhere);
+        QVERIFY(r.input.hover());
+        r.input.leave();
+        QVERIFY(!r.input.hover());
+    }
+
+    void finishEndsTheStroke()
+    {
+        Recorder r;
+        r.rest({400, 300}, somewhere);
+        r.send(Kind::Press, {400, 300});
+        r.input.finish();
+        QCOMPARE(r.log, strokeOf(1));
+        r.send(Kind::Release, {400, 300});
+        QCOMPARE(r.log, strokeOf(1));
+    }
+
+    void finishEndsAStrokeThatIsStillUndecided()
+    {
+        Recorder r;
+        r.send(Kind::Press, {400, 300});
+        r.input.finish();
+        r.input.setHover(somewhere);
+        QCOMPARE(r.log, strokeOf(1));
+    }
+
+    void aSecondButtonMeansNothing()
+    {
+        Recorder r;
+        r.rest({400, 300}, somewhere);
+        r.send(Kind::Press, {400, 300});
+        r.send(Kind::Press, {400, 300}, Qt::RightButton);
+        r.send(Kind::Release, {400, 300}, Qt::RightButton);
+        QVERIFY(r.input.strokeOpen());
+        r.send(Kind::Release, {400, 300});
+        QCOMPARE(r.log, strokeOf(1));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestPointerInput)
+#include "tst_pointer_input.moc"

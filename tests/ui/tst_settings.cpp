@@ -1,0 +1,83 @@
+#include "ui/settings.h"
+
+#include <QDir>
+#include <QTemporaryDir>
+#include <QTest>
+
+class TestSettings : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        QVERIFY(m_home.isValid());
+        QSettings::setDefaultFormat(QSettings::IniFormat);
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_home.path());
+        QCoreApplication::setOrganizationName(QStringLiteral("FettleTest"));
+        QCoreApplication::setApplicationName(QStringLiteral("Settings"));
+    }
+
+    void init() { QSettings().clear(); }
+
+    void nothingStoredGivesDefaults()
+    {
+        const ui::Settings settings;
+        QCOMPARE(settings.strength(), core::info(core::Parameter::Strength).defaultValue);
+        QVERIFY(settings.radiusShare() > ui::minRadiusShare && settings.radiusShare() < ui::maxRadiusShare);
+        QCOMPARE(settings.lastFolder(), QDir::homePath());
+        QVERIFY(settings.windowGeometry().isEmpty() && settings.windowState().isEmpty());
+    }
+
+    void whatIsStoredComesBack()
+    {
+        {
+            ui::Settings settings;
+            settings.setStrength(0.5);
+            settings.setRadiusShare(0.2);
+            settings.setLastFolder(m_home.path());
+            settings.setWindowState("state");
+        }
+        const ui::Settings settings;
+        QCOMPARE(settings.strength(), 0.5);
+        QCOMPARE(settings.radiusShare(), 0.2);
+        QCOMPARE(settings.lastFolder(), m_home.path());
+        QCOMPARE(settings.windowState(), QByteArray("state"));
+    }
+
+    void brokenEntriesGiveDefaults_data()
+    {
+        QTest::addColumn<QVariant>("stored");
+        QTest::newRow("word") << QVariant(QStringLiteral("loud"));
+        QTest::newRow("nan") << QVariant(QStringLiteral("nan"));
+        QTest::newRow("huge") << QVariant(1e300);
+        QTest::newRow("negative") << QVariant(-1);
+        QTest::newRow("list") << QVariant(QStringList{QStringLiteral("1"), QStringLiteral("2")});
+    }
+
+    void brokenEntriesGiveDefaults()
+    {
+        QFETCH(QVariant, stored);
+        QSettings raw;
+        for (const char* key : {"brush/strength", "brush/radiusShare", "files/lastFolder", "window/geometry"})
+            raw.setValue(QLatin1StringView(key), stored);
+        raw.sync();
+        const ui::Settings settings;
+        QCOMPARE(settings.strength(), core::info(core::Parameter::Strength).defaultValue);
+        QVERIFY(settings.radiusShare() <= ui::maxRadiusShare && settings.radiusShare() >= ui::minRadiusShare);
+        QCOMPARE(settings.lastFolder(), QDir::homePath());
+    }
+
+    void aFolderThatIsGoneIsForgotten()
+    {
+        ui::Settings settings;
+        settings.setLastFolder(m_home.filePath(QStringLiteral("gone")));
+        QCOMPARE(settings.lastFolder(), QDir::homePath());
+    }
+
+private:
+    QTemporaryDir m_home;
+};
+
+QTEST_GUILESS_MAIN(TestSettings)
+#include "tst_settings.moc"

@@ -1,0 +1,312 @@
+#include "sphere_model.h"
+#include "ui_test.h"
+
+#include <QPointingDevice>
+#include <QSignalSpy>
+#include <QTabletEvent>
+#include <QWheelEvent>
+
+#include <chrono>
+
+using core::Tool;
+
+namespace
+{
+const QPoint onModel{200, 150}, besideModel{8, 8};
+
+/// A viewport with a ball in it and somebody who answers its questions.
+struct Stage
+{
+    explicit Stage(bool answers = true)
+    {
+        viewport.resize(400, 300);
+        viewport.setPatchSource([this] { return std::exchange(next, std::nullopt); });
+        if (answers)
+            QObject::connect(
+                &viewport, &ui::Viewport::hoverRequested, &viewport,
+                [this](const core::Ray& ray) { viewport.setHover(model.hit(ray)); }, Qt::QueuedConnection);
+        viewport.showModel(model.box());
+        viewport.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&viewport));
+        give(model.whole());
+    }
+
+    void give(core::MeshPatch patch)
+    {
+        const quint64 before = viewport.stats().patches;
+        next = std::move(patch);
+        viewport.patchReady();
+        QTRY_COMPARE(viewport.stats().patches, before + 1);
+    }
+
+    void drag(QPoint from, Qt::MouseButton button = Qt::LeftButton, Qt::KeyboardModifiers keys = Qt::NoModifier)
+    {
+        sendMouse(&viewport, QEvent::MouseButtonPress, from, button, keys);
+        for (int i = 1; i <= 5; ++i)
+            sendMouse(&viewport, QEvent::MouseMove, from + QPoint(4 * i, 2 * i), Qt::NoButton, keys);
+        sendMouse(&viewport, QEvent::MouseButtonRelease, from + QPoint(20, 10), button, keys);
+        QCoreApplication::processEvents();
+    }
+
+    SphereModel model;
+    std::optional<core::MeshPatch> next;
+    ui::BrushSettings brush;
+    ui::Viewport viewport{&brush};
+};
+
+/// Where two pictures differ.
+QRect changed(const QImage& a, const QImage& b)
+{
+    QRect area;
+    for (int y = 0; y < a.height(); ++y)
+        for (int x = 0; x < a.width(); ++x)
+            if (a.pixel(x, y) != b.pixel(x, y))
+                area |= QRect(x, y, 1, 1);
+    return area;
+}
+
+QRect aroundPixel(const ui::OrbitCamera::Pixel& at, int distance)
+{
+    const QPoint p(qRound(at.x()), qRound(at.y()));
+    return QRect(p - QPoint(distance, distance), p + QPoint(distance, distance));
+}
+} // namespace
+
+class TestViewport : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { SKIP_WITHOUT_GRAPHICS(); }
+
+    void theClayIsShown()
+    {
+        Stage s;
+        const QImage picture = s.viewport.grabFramebuffer();
+        QCOMPARE(picture.size(), s.viewport.size() * s.viewport.devicePixelRatioF());
+        const QColor clay = picture.pixelColor(picture.rect().center()), backdrop = picture.pixelColor(2, 2);
+        QVERIFY(clay != backdrop);
+        QVERIFY(clay.red() > clay.blue() + 20);
+        QCOMPARE(s.viewport.stats().wholeUploads, quint64(1));
+        QCOMPARE(s.viewport.stats().uploadedBytes, quint64(s.model.vertices() * 20 + s.model.faces() * 12));
+    }
+
+    void aSmallPatchSendsAndChangesOnlyWhatItSays()
+    {
+        Stage s;
+        const QImage before = s.viewport.grabFramebuffer();
+        const quint64 sent = s.viewport.stats().uploadedBytes;
+
+        const auto hit = s.model.hit(s.viewport.camera().ray({200, 150}));
+        QVERIFY(hit);
+        const core::Slot v = s.model.mesh.triangles[hit->face][0];
+        core::MeshPatch patch = s.model.nothing();
+        patch.vertexSpans = {{v, 1}};
+        patch.vertices = {SphereModel::draw(s.model.mesh.points[v] * 1.06F)};
+        s.give(std::move(patch));
+
+        QCOMPARE(s.viewport.stats().uploadedBytes - sent, quint64(20));
+        QCOMPARE(s.viewport.stats().wholeUploads, quint64(1));
+        const QRect area = changed(before, s.viewport.grabFramebuffer());
+        QVERIFY(area.isValid());
+        QVERIFY(aroundPixel(s.viewport.camera().project(hit->position), 40).contains(area));
+    }
+
+    /// More slots than the buffers were made for: what was there stays, and is not sent again.
+    void theBuffersGrow()
+    {
+        Stage s;
+        const QImage before = s.viewport.grabFramebuffer();
+        core::MeshPatch patch = s.model.nothing();
+        const core::Slot more = 2 * s.model.vertices();
+        patch.vertexSpans = {{s.model.vertices(), more}};
+        patch.vertices.assign(more, SphereModel::draw(core::Vec3f(0, 1, 0)));
+        patch.faceSpans = {{s.model.faces(), 2 * s.model.faces()}};
+        patch.faces.assign(2 * s.model.faces(), core::Triangle{0, 0, 0});
+        patch.vertexSlots += more;
+        patch.faceSlots *= 3;
+        const quint64 sent = s.viewport.stats().uploadedBytes;
+        s.give(std::move(patch));
+        QCOMPARE(s.viewport.stats().uploadedBytes - sent, quint64(more * 20 + 2 * s.model.faces() * 12));
+        QVERIFY(!changed(before, s.viewport.grabFramebuffer()).isValid());
+    }
+
+    void aFreedFaceIsGone()
+    {
+        Stage s;
+        const QImage before = s.viewport.grabFramebuffer();
+        const auto hit = s.model.hit(s.viewport.camera().ray({200, 150}));
+        core::MeshPatch patch = s.model.nothing();
+        patch.faceSpans = {{hit->face, 1}};
+        patch.faces = {{0, 0, 0}};
+        s.give(std::move(patch));
+        QVERIFY(changed(before, s.viewport.grabFramebuffer()).isValid());
+    }
+
+    void manyPatchesAreOneFrame()
+    {
+        Stage s;
+        const quint64 frames = s.viewport.stats().frames;
+        for (int i = 0; i < 100; ++i)
+            s.viewport.patchReady();
+        QTRY_VERIFY(s.viewport.stats().frames > frames);
+        QCoreApplication::processEvents();
+        QVERIFY(s.viewport.stats().frames <= frames + 2);
+    }
+
+    void latencyIsCounted()
+    {
+        Stage s;
+        core::MeshPatch patch = s.model.nothing();
+        patch.vertexSpans = {{0, 1}};
+        patch.vertices = {SphereModel::draw(s.model.mesh.points[0])};
+        const auto earlier = std::chrono::steady_clock::now() - std::chrono::milliseconds(30);
+        patch.sampledNs = std::chrono::nanoseconds(earlier.time_since_epoch()).count();
+        s.give(std::move(patch));
+        QVERIFY(s.viewport.stats().latencyMs >= 30);
+        QCOMPARE(s.viewport.stats().worstLatencyMs, s.viewport.stats().latencyMs);
+    }
+
+    void aDragOnTheModelIsAStroke_data()
+    {
+        QTest::addColumn<Qt::KeyboardModifiers>("keys");
+        QTest::addColumn<int>("tool");
+        QTest::newRow("plain") << Qt::KeyboardModifiers() << static_cast<int>(Tool::Pull);
+        QTest::newRow("ctrl") << Qt::KeyboardModifiers(Qt::ControlModifier) << static_cast<int>(Tool::Push);
+        QTest::newRow("shift") << Qt::KeyboardModifiers(Qt::ShiftModifier) << static_cast<int>(Tool::Smooth);
+    }
+
+    void aDragOnTheModelIsAStroke()
+    {
+        QFETCH(Qt::KeyboardModifiers, keys);
+        QFETCH(int, tool);
+        Stage s;
+        QSignalSpy began(&s.viewport, &ui::Viewport::strokeBegan), ended(&s.viewport, &ui::Viewport::strokeEnded);
+        QSignalSpy sampled(&s.viewport, &ui::Viewport::strokeSampled);
+        const core::Vec3 eye = s.viewport.camera().eye();
+        s.drag(onModel, Qt::LeftButton, keys);
+        QTRY_COMPARE(ended.count(), 1);
+        QCOMPARE(began.count(), 1);
+        QCOMPARE(sampled.count(), 6); // the press and five moves
+        const auto settings = began[0][0].value<core::StrokeSettings>();
+        QCOMPARE(static_cast<int>(settings.tool), tool);
+        QCOMPARE(settings.place, core::Placement::Ray);
+        QCOMPARE(s.viewport.camera().eye(), eye);
+        for (const QList<QVariant>& arguments : sampled) {
+            const auto sample = arguments[0].value<core::StrokeSample>();
+            QVERIFY(s.model.hit({sample.position, sample.direction}));
+            QCOMPARE(sample.pressure, 1.0);
+        }
+    }
+
+    void aDragBesideTheModelTurnsTheView()
+    {
+        Stage s;
+        QSignalSpy began(&s.viewport, &ui::Viewport::strokeBegan);
+        const core::Vec3 eye = s.viewport.camera().eye();
+        s.drag(besideModel);
+        QTRY_VERIFY((s.viewport.camera().eye() - eye).norm() > 1);
+        QCOMPARE(began.count(), 0);
+    }
+
+    void aDialogOverTheViewEndsTheStroke()
+    {
+        Stage s;
+        QSignalSpy ended(&s.viewport, &ui::Viewport::strokeEnded);
+        sendMouse(&s.viewport, QEvent::MouseButtonPress, onModel, Qt::LeftButton);
+        QTRY_VERIFY(s.viewport.strokeOpen());
+        QEvent blocked(QEvent::WindowBlocked);
+        QCoreApplication::sendEvent(&s.viewport, &blocked);
+        QCOMPARE(ended.count(), 1);
+    }
+
+    void thePenGivesItsPressure()
+    {
+        Stage s;
+        QSignalSpy sampled(&s.viewport, &ui::Viewport::strokeSampled), ended(&s.viewport, &ui::Viewport::strokeEnded);
+        const auto send = [&s](QEvent::Type type, QPointF at, double pressure) {
+            const bool moves = type == QEvent::TabletMove;
+            QTabletEvent event(type, QPointingDevice::primaryPointingDevice(), at, s.viewport.mapToGlobal(at), pressure, 0,
+                               0, 0, 0, 0, Qt::NoModifier, moves ? Qt::NoButton : Qt::LeftButton, Qt::LeftButton);
+            QCoreApplication::sendEvent(&s.viewport, &event);
+            QVERIFY(event.isAccepted());
+        };
+        send(QEvent::TabletPress, onModel, 0.25);
+        send(QEvent::TabletMove, onModel + QPointF(3.5, 0), 0.75);
+        send(QEvent::TabletRelease, onModel + QPointF(3.5, 0), 0);
+        QTRY_COMPARE(ended.count(), 1);
+        QCOMPARE(sampled.count(), 2);
+        QCOMPARE(sampled[0][0].value<core::StrokeSample>().pressure, 0.25);
+        QCOMPARE(sampled[1][0].value<core::StrokeSample>().pressure, 0.75);
+    }
+
+    void theWheelZooms()
+    {
+        Stage s;
+        const double distance = s.viewport.camera().distance();
+        QWheelEvent event(onModel, s.viewport.mapToGlobal(onModel), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
+                          Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(&s.viewport, &event);
+        QVERIFY(s.viewport.camera().distance() < distance);
+        s.viewport.frame();
+        QCOMPARE(s.viewport.camera().distance(), distance);
+    }
+
+    void theCursorLiesWhereThePointerIs()
+    {
+        Stage s;
+        s.brush.setValue(core::Parameter::Radius, 8);
+        const QImage before = s.viewport.grabFramebuffer();
+        sendMouse(&s.viewport, QEvent::MouseMove, onModel);
+        QTRY_COMPARE(s.viewport.cursor().shape(), Qt::CrossCursor);
+        const QRect ring = changed(before, s.viewport.grabFramebuffer());
+        QVERIFY(ring.isValid());
+        const double pixels = 8 * s.viewport.camera().pixelsPerMm(core::Vec3(0, 0, 0));
+        QVERIFY(aroundPixel({200, 150}, qRound(1.6 * pixels)).contains(ring));
+        QVERIFY(ring.width() > pixels);
+
+        QEvent left(QEvent::Leave);
+        QCoreApplication::sendEvent(&s.viewport, &left);
+        QVERIFY(!changed(before, s.viewport.grabFramebuffer()).isValid());
+    }
+
+    void theCursorGrowsWithTheRadius()
+    {
+        Stage s;
+        const QImage before = s.viewport.grabFramebuffer();
+        sendMouse(&s.viewport, QEvent::MouseMove, onModel);
+        QTRY_COMPARE(s.viewport.cursor().shape(), Qt::CrossCursor);
+        s.brush.setValue(core::Parameter::Radius, 6);
+        const QRect small = changed(before, s.viewport.grabFramebuffer());
+        s.brush.setValue(core::Parameter::Radius, 12);
+        const QRect large = changed(before, s.viewport.grabFramebuffer());
+        QVERIFY(large.width() > 1.6 * small.width());
+    }
+
+    void theBackdropFollowsThePalette()
+    {
+        Stage s;
+        const int light = qGray(s.viewport.grabFramebuffer().pixel(2, 2));
+        s.viewport.setPalette(QPalette(QColor(60, 60, 60), QColor(40, 40, 40)));
+        QVERIFY(qGray(s.viewport.grabFramebuffer().pixel(2, 2)) < light - 60);
+    }
+
+    void aViewThatMovesToAnotherWindowKeepsItsClay()
+    {
+        Stage s;
+        QWidget window;
+        window.resize(400, 300);
+        s.viewport.setParent(&window);
+        s.viewport.setGeometry(0, 0, 400, 300);
+        window.show();
+        s.viewport.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        const QImage picture = s.viewport.grabFramebuffer();
+        QVERIFY(picture.pixelColor(picture.rect().center()).red() >
+                picture.pixelColor(picture.rect().center()).blue() + 20);
+        s.viewport.setParent(nullptr);
+    }
+};
+
+UI_TEST_MAIN(TestViewport)
+#include "tst_viewport.moc"

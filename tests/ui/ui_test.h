@@ -1,0 +1,34 @@
+#pragma once
+
+#include "ui/scene.h"
+#include "ui/viewport.h"
+
+#include <QApplication>
+#include <QMouseEvent>
+#include <QTest>
+
+/// The program's graphics; without a display Qt's offscreen platform, where tests that need OpenGL skip themselves.
+#define UI_TEST_MAIN(TestClass)                                                                                        \
+    int main(int argc, char* argv[])                                                                                   \
+    {                                                                                                                  \
+        if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY"))                  \
+            qputenv("QT_QPA_PLATFORM", "offscreen");                                                                   \
+        ui::prepareGraphics();                                                                                         \
+        QCoreApplication::setOrganizationName(QStringLiteral("FettleTest"));                                           \
+        QCoreApplication::setApplicationName(QStringLiteral(#TestClass));                                              \
+        QApplication application(argc, argv);                                                                          \
+        TestClass test;                                                                                                \
+        return QTest::qExec(&test, argc, argv);                                                                        \
+    }
+
+#define SKIP_WITHOUT_GRAPHICS()                                                                                        \
+    if (const QString unable = ui::graphicsProblem(); !unable.isEmpty())                                               \
+    QSKIP(qPrintable(unable))
+
+/// QTest::mouseMove moves the real pointer, which the window system may lose; this arrives for certain.
+inline void sendMouse(QWidget* to, QEvent::Type type, QPoint at, Qt::MouseButton button = Qt::NoButton,
+                      Qt::KeyboardModifiers modifiers = Qt::NoModifier)
+{
+    QMouseEvent event(type, at, to->mapToGlobal(at), button, button, modifiers);
+    QCoreApplication::sendEvent(to, &event);
+}
