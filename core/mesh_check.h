@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mesh_topology.h"
 #include "self_intersection.h"
 #include "triangle_mesh.h"
 
@@ -9,18 +10,9 @@
 
 namespace core
 {
-/// How often something was found, and the first faces where, ascending, at most MeshReport::maxFirst.
-struct Finding
-{
-    std::size_t count = 0;
-    std::vector<Slot> firstFaces;
-};
-
 /// What `check` says of a model. Lengths in the model's unit. A value without meaning is missing.
 struct MeshReport
 {
-    static constexpr std::size_t maxFirst = 1000;
-
     std::size_t vertices = 0; ///< that a face uses
     std::size_t unusedVertices = 0;
     std::size_t faces = 0;

@@ -3,6 +3,7 @@
 #include "mesh_io.h"
 
 #include "mesh_io/format.h"
+#include "mesh_io/welder.h"
 
 #include <algorithm>
 #include <array>
@@ -193,6 +194,8 @@ TriangleMesh readMesh(const std::filesystem::path& path, const ReadOptions& opti
             throw errorAtByte(FileErrorKind::CutOff, file, file.bytes.data() + file.bytes.size());
         mesh = parse(file, format);
     }
+    if (format != MeshFormat::Stl) // its reader has done so
+        weld(mesh);
     if (mesh.triangles.empty())
         throw FileError(FileErrorKind::NoFaces, path);
     if (options.up.value_or(usualUp(format)) == UpAxis::Z)

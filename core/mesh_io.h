@@ -33,9 +33,9 @@ struct WriteOptions
 };
 
 /// Throws FileError. What it returns has at least one face, indices in range and finite points, nothing more: faces may be
-/// degenerate, vertices unused. STL vertices are welded by equal bits (-0 = 0), numbered in order of appearance. Polygons
-/// are cut into triangles, the other formats' vertices and faces keep their order. Text numbers are rounded to the nearest
-/// float32. A file is not read beyond its header when its size contradicts it. Units are the file's.
+/// degenerate, vertices unused. Vertices of equal bits (-0 = 0) are one, whatever the format: STL knows no others, and other
+/// files split them along seams. Vertices and faces keep their order; polygons are cut into triangles. Text numbers are
+/// rounded to the nearest float32. A file is not read beyond its header when its size contradicts it. Units are the file's.
 TriangleMesh readMesh(const std::filesystem::path& path, const ReadOptions& options = {});
 
 /// Throws FileError; then the path holds what it held before. Read again, points and colours come back bit for bit (STL: no

@@ -44,6 +44,8 @@ std::string readBytes(const std::filesystem::path& path)
 
 void writeBytes(const std::filesystem::path& path, std::string_view bytes)
 {
+    std::filesystem::remove(
+        path); // some file systems flush a file that is overwritten, a new one not: thousands are written here
     std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
 }
 
@@ -226,7 +228,7 @@ class TestMeshIo : public QObject
 {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void initTestCase();
 
     void roundTrip_isBitIdentical_data();
@@ -242,6 +244,7 @@ private slots:
     void obj_facesMayComeBeforeVertices();
     void ply_textIsRead();
     void ply_bigEndianIsRead();
+    void equalVertices_areWelded();
     void polygons_areCutInside();
 
     void badInput_data();
@@ -425,6 +428,18 @@ void TestMeshIo::ply_bigEndianIsRead()
     QCOMPARE(mesh.colors[1], (Rgb{255, 128, 255}));
     QCOMPARE(mesh.triangles.size(), std::size_t(3));
     QCOMPARE(mesh.triangles[2], (core::Triangle{2, 1, 0}));
+}
+
+void TestMeshIo::equalVertices_areWelded()
+{
+    const TriangleMesh mesh =
+        parsed("a.obj",
+               "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 0 0 0 0 1\nv 0 1 0\nv -0 0 0\nv 1 1 0\nf 1 2 4\nf 4 3 6\nf 5 4 6\n");
+    QCOMPARE(mesh.points.size(), std::size_t(4));
+    const std::vector<core::Triangle> expected{{0, 1, 2}, {2, 1, 3}, {0, 2, 3}};
+    QCOMPARE(mesh.triangles, expected);
+    QCOMPARE(mesh.colors[1], (Rgb{0, 255, 0}));
+    QCOMPARE(mesh.colors.size(), mesh.points.size());
 }
 
 /// Star-shaped polygons, most of them concave: the triangles all face as the polygon does, and cover its area.
@@ -619,15 +634,15 @@ void TestMeshIo::truncatedFiles_areRefused_data()
     QTest::addColumn<QString>("name");
     QTest::addColumn<QByteArray>("bytes");
     QTest::addColumn<bool>("always"); // refused at every length but the last line's end
-    const TriangleMesh ball = core::icosphere(1, 3);
+    const TriangleMesh small = shapes::tetrahedron();
     const auto written = [&](const char* name, bool ascii) {
-        core::writeMesh(file(name), ball, {.up = {}, .ascii = ascii});
+        core::writeMesh(file(name), small, {.up = {}, .ascii = ascii});
         return QByteArray::fromStdString(readBytes(file(name)));
     };
     QTest::newRow("binary stl") << "a.stl" << written("w.stl", false) << true;
     QTest::newRow("text stl") << "a.stl" << written("w.stl", true) << true;
     QTest::newRow("binary ply") << "a.ply" << written("w.ply", false) << true;
-    QTest::newRow("text ply") << "a.ply" << written("w.ply", true) << false; // a last index of 12 may lose its 2
+    QTest::newRow("text ply") << "a.ply" << written("w.ply", true) << true;
     QTest::newRow("big-endian ply") << "a.ply" << QByteArray::fromStdString(bigEndianPly()) << true;
     QTest::newRow("obj") << "a.obj" << written("w.obj", false) << false; // has no end
     QTest::newRow("obj of all kinds") << "a.obj" << QByteArray(smallObj) << false;

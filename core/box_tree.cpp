@@ -1,0 +1,72 @@
+#include "box_tree.h"
+
+#include "parallel.h"
+
+namespace core
+{
+namespace
+{
+constexpr std::size_t chunkSize = 1 << 14;
+constexpr int cellBits = 21; ///< three coordinates in 63 bits
+
+/// Puts two zero bits between the 21 low bits.
+std::uint64_t spread(std::uint64_t x)
+{
+    x = (x | x << 32) & 0x1f00000000ffffu;
+    x = (x | x << 16) & 0x1f0000ff0000ffu;
+    x = (x | x << 8) & 0x100f00f00f00f00fu;
+    x = (x | x << 4) & 0x10c30c30c30c30c3u;
+    x = (x | x << 2) & 0x1249249249249249u;
+    return x;
+}
+
+struct Key
+{
+    std::uint64_t code;
+    Slot box;
+    friend auto operator<=>(const Key&, const Key&) = default;
+};
+
+std::vector<Key> mortonKeys(const std::vector<FaceBox>& boxes)
+{
+    FaceBox all;
+    for (const FaceBox& box : boxes)
+        all.extend(box);
+    const Eigen::Array3d origin = all.min.cast<double>();
+    const double side = (all.max.cast<double>() - origin).maxCoeff();
+    const double scale = side > 0 ? ((1 << cellBits) - 1) / side : 0;
+    std::vector<Key> keys(boxes.size());
+    forEachChunk(boxes.size(), chunkSize, [&](std::size_t, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const Eigen::Array3d centre = (boxes[i].min.cast<double>() + boxes[i].max.cast<double>()) / 2;
+            const Eigen::Array<std::uint64_t, 3, 1> cell = ((centre - origin) * scale).cast<std::uint64_t>();
+            keys[i] = {spread(cell[0]) | spread(cell[1]) << 1 | spread(cell[2]) << 2, static_cast<Slot>(i)};
+        }
+    });
+    return keys;
+}
+
+std::vector<FaceBox> nodesOver(const std::vector<FaceBox>& below)
+{
+    std::vector<FaceBox> nodes(chunksOf(below.size(), BoxTree::nodeSize));
+    for (std::size_t i = 0; i < below.size(); ++i)
+        nodes[i / BoxTree::nodeSize].extend(below[i]);
+    return nodes;
+}
+} // namespace
+
+BoxTree::BoxTree(const std::vector<FaceBox>& boxes)
+{
+    std::vector<Key> keys = mortonKeys(boxes);
+    std::sort(keys.begin(), keys.end());
+    m_order.reserve(keys.size());
+    m_levels.emplace_back().reserve(keys.size());
+    for (const Key& key : keys) {
+        m_order.push_back(key.box);
+        m_levels[0].push_back(boxes[key.box]);
+    }
+    do
+        m_levels.push_back(nodesOver(m_levels.back()));
+    while (m_levels.back().size() > 1);
+}
+} // namespace core

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace core
+{
+/// Counts what is added, and keeps the smallest few, in bounded memory.
+template <typename Item> class FirstFew
+{
+public:
+    explicit FirstFew(std::size_t keep) : m_keep(keep) {}
+
+    void add(const Item& item)
+    {
+        ++m_count;
+        keep(item);
+    }
+    void add(const FirstFew& other)
+    {
+        m_count += other.m_count;
+        for (const Item& item : other.m_items)
+            keep(item);
+    }
+
+    std::uint64_t count() const { return m_count; }
+    /// Ascending, each once.
+    std::vector<Item> take()
+    {
+        std::sort(m_items.begin(), m_items.end());
+        m_items.erase(std::unique(m_items.begin(), m_items.end()), m_items.end());
+        m_items.resize(std::min(m_items.size(), m_keep));
+        return std::move(m_items);
+    }
+
+private:
+    void keep(const Item& item)
+    {
+        if (m_keep == 0)
+            return;
+        m_items.push_back(item);
+        if (m_items.size() / 2 < m_keep)
+            return;
+        std::nth_element(m_items.begin(), m_items.begin() + static_cast<std::ptrdiff_t>(m_keep) - 1, m_items.end());
+        m_items.resize(m_keep);
+    }
+
+    std::size_t m_keep;
+    std::uint64_t m_count = 0;
+    std::vector<Item> m_items;
+};
+} // namespace core

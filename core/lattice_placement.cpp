@@ -1,0 +1,31 @@
+#include "lattice_placement.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace core
+{
+namespace
+{
+constexpr double farthestInSizes = 4;
+} // namespace
+
+LatticePoint LatticePlacement::toLattice(const Vec3f& p) const
+{
+    LatticePoint result;
+    for (int i = 0; i < 3; ++i) {
+        const double x = std::nearbyint((static_cast<double>(p[i]) + moved[i]) / lattice.unit());
+        result[i] = static_cast<int>(std::clamp<double>(x, -Lattice::limit, Lattice::limit));
+    }
+    return result;
+}
+
+LatticePlacement placeOnLattice(const Box& box, bool centre)
+{
+    const Vec3 middle = box.center();
+    if (!centre && std::sqrt(middle.squaredNorm()) <= farthestInSizes * box.sizes().maxCoeff())
+        return {Lattice::forExtent(std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()))};
+    const Lattice lattice = Lattice::forExtent(box.sizes().maxCoeff() / 2);
+    return {lattice, -Vec3(lattice.snap(middle.x()), lattice.snap(middle.y()), lattice.snap(middle.z()))};
+}
+} // namespace core

@@ -1,0 +1,138 @@
+#include "mesh_check.h"
+
+#include "lattice_placement.h"
+#include "nesting.h"
+#include "parallel.h"
+
+#include <cmath>
+
+namespace core
+{
+namespace
+{
+constexpr std::size_t facesPerChunk = 1 << 14;
+
+Box boxOf(const TriangleMesh& mesh)
+{
+    Box box;
+    for (const Triangle& t : mesh.triangles)
+        for (const Slot corner : t)
+            box.extend(mesh.points[corner].cast<double>());
+    return box;
+}
+
+/// Sums over faces; added up chunk by chunk, so that they do not depend on the threads.
+struct Measures
+{
+    double area = 0, volume = 0;
+    double minSquaredEdge = std::numeric_limits<double>::infinity(), maxSquaredEdge = 0;
+
+    void addFace(const Vec3& a, const Vec3& b, const Vec3& c)
+    {
+        const Vec3 ab = b - a, ac = c - a;
+        area += std::sqrt(ab.cross(ac).squaredNorm()) / 2;
+        volume += a.dot(b.cross(c)) / 6;
+        for (const double squared : {ab.squaredNorm(), ac.squaredNorm(), (c - b).squaredNorm()}) {
+            minSquaredEdge = std::min(minSquaredEdge, squared);
+            maxSquaredEdge = std::max(maxSquaredEdge, squared);
+        }
+    }
+    void add(const Measures& other)
+    {
+        area += other.area;
+        volume += other.volume;
+        minSquaredEdge = std::min(minSquaredEdge, other.minSquaredEdge);
+        maxSquaredEdge = std::max(maxSquaredEdge, other.maxSquaredEdge);
+    }
+};
+
+Measures measure(const TriangleMesh& mesh, const Vec3& centre)
+{
+    std::vector<Measures> parts(chunksOf(mesh.triangles.size(), facesPerChunk));
+    forEachChunk(mesh.triangles.size(), facesPerChunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+        const auto point = [&](Slot corner) -> Vec3 { return mesh.points[corner].cast<double>() - centre; };
+        for (std::size_t f = begin; f < end; ++f) {
+            const auto& [a, b, c] = mesh.triangles[f];
+            parts[chunk].addFace(point(a), point(b), point(c));
+        }
+    });
+    Measures all;
+    for (const Measures& part : parts)
+        all.add(part);
+    return all;
+}
+
+void addTopology(MeshReport& report, const TriangleMesh& mesh)
+{
+    MeshTopology topology = topologyOf(mesh.points.size(), mesh.triangles);
+    report.vertices = topology.vertices;
+    report.unusedVertices = mesh.points.size() - topology.vertices;
+    report.closed = topology.openEdges.count == 0;
+    report.manifold = topology.nonManifoldEdges.count == 0 && topology.nonManifoldVertices.count == 0;
+    report.oriented = topology.misorientedEdges.count == 0 && topology.nonManifoldEdges.count == 0;
+    report.components = componentsOf(mesh.points.size(), mesh.triangles).count;
+    if (report.closed && report.manifold && report.oriented) {
+        const auto euler = static_cast<std::int64_t>(topology.vertices + mesh.triangles.size()) -
+                           static_cast<std::int64_t>(topology.edges);
+        report.genus = static_cast<std::int64_t>(report.components) - euler / 2;
+    }
+    report.openEdges = std::move(topology.openEdges);
+    report.nonManifoldEdges = std::move(topology.nonManifoldEdges);
+    report.nonManifoldVertices = std::move(topology.nonManifoldVertices);
+    report.misorientedEdges = std::move(topology.misorientedEdges);
+}
+
+void addMeasures(MeshReport& report, const TriangleMesh& mesh, const Box& box)
+{
+    const Measures measures = measure(mesh, box.center());
+    report.size = box.sizes();
+    report.area = measures.area;
+    report.minEdge = std::sqrt(measures.minSquaredEdge);
+    report.maxEdge = std::sqrt(measures.maxSquaredEdge);
+    if (report.closed && report.oriented)
+        report.volume = measures.volume;
+}
+
+/// Does the model stay valid on its lattice? It has neither degenerate faces nor intersections.
+bool staysValid(const TriangleMesh& mesh, const Box& box, bool isSolid)
+{
+    const LatticePlacement placement = placeOnLattice(box);
+    std::vector<LatticePoint> points;
+    points.reserve(mesh.points.size());
+    bool changed = false;
+    for (const Vec3f& p : mesh.points) {
+        points.push_back(placement.toLattice(p));
+        changed = changed || placement.lattice.toPoint(points.back()) != p;
+    }
+    if (!changed)
+        return true;
+    return degenerateFaces<LatticePredicates>(points, mesh.triangles).empty() &&
+           selfIntersections<LatticePredicates>(points, mesh.triangles, 0).count == 0 &&
+           (!isSolid || boundsSolid(points, mesh.triangles));
+}
+} // namespace
+
+MeshReport checkMesh(const TriangleMesh& mesh)
+{
+    MeshReport report;
+    report.faces = mesh.triangles.size();
+    if (mesh.triangles.empty())
+        return report;
+    const Box box = boxOf(mesh);
+    addTopology(report, mesh);
+    addMeasures(report, mesh, box);
+
+    std::vector<Slot> degenerate = degenerateFaces<FloatPredicates>(mesh.points, mesh.triangles);
+    report.degenerateFaces.count = degenerate.size();
+    degenerate.resize(std::min(degenerate.size(), Finding::maxFirst));
+    report.degenerateFaces.firstFaces = std::move(degenerate);
+    report.intersections = selfIntersections<FloatPredicates>(mesh.points, mesh.triangles, Finding::maxFirst);
+
+    const bool embedded = report.degenerateFaces.count == 0 && report.intersections.count == 0;
+    if (embedded && report.closed && report.manifold && report.oriented)
+        report.boundsSolid = boundsSolid(mesh.points, mesh.triangles);
+    if (embedded)
+        report.latticeOk = staysValid(mesh, box, report.printReady());
+    return report;
+}
+} // namespace core

@@ -1,0 +1,209 @@
+// For each shell: the sign of its volume, in doubles where their rounding cannot decide it, else in an exact sum; and, if
+// there are others, how many of their faces lie above its highest vertex: odd means it lies inside an odd number of them.
+
+#include "nesting.h"
+
+#include "box_tree.h"
+#include "exact_sum.h"
+
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+namespace core
+{
+namespace
+{
+/// Union of vertices, path halving.
+class VertexSets
+{
+public:
+    explicit VertexSets(std::size_t count) : m_parent(count) { std::iota(m_parent.begin(), m_parent.end(), Slot(0)); }
+
+    Slot root(Slot v)
+    {
+        while (m_parent[v] != v)
+            v = m_parent[v] = m_parent[m_parent[v]];
+        return v;
+    }
+    void unite(Slot a, Slot b)
+    {
+        a = root(a);
+        b = root(b);
+        m_parent[std::max(a, b)] = std::min(a, b);
+    }
+
+private:
+    std::vector<Slot> m_parent;
+};
+
+class Shells
+{
+public:
+    Shells(std::span<const Vec3f> points, std::span<const Triangle> triangles)
+        : m_points(points)
+        , m_triangles(triangles)
+        , m_components(componentsOf(points.size(), triangles))
+    {
+        collectFaces();
+    }
+
+    bool boundSolid() const
+    {
+        if (m_components.count == 1)
+            return volumeSign(0) > 0;
+        const BoxTree tree(boxes());
+        for (std::size_t shell = 0; shell < m_components.count; ++shell)
+            if ((volumeSign(shell) > 0) == liesInOdd(shell, tree))
+                return false;
+        return true;
+    }
+
+private:
+    std::span<const Slot> facesOf(std::size_t shell) const
+    {
+        return std::span(m_faces).subspan(m_firstFace[shell], m_firstFace[shell + 1] - m_firstFace[shell]);
+    }
+
+    /// The faces, shell by shell.
+    void collectFaces()
+    {
+        m_firstFace.assign(m_components.count + 1, 0);
+        for (const Slot shell : m_components.ofFace)
+            ++m_firstFace[shell + 1];
+        std::partial_sum(m_firstFace.begin(), m_firstFace.end(), m_firstFace.begin());
+        m_faces.resize(m_triangles.size());
+        std::vector<std::size_t> next(m_firstFace.begin(), m_firstFace.end() - 1);
+        for (Slot f = 0; f < m_triangles.size(); ++f)
+            m_faces[next[m_components.ofFace[f]]++] = f;
+    }
+
+    std::vector<FaceBox> boxes() const
+    {
+        std::vector<FaceBox> result(m_triangles.size());
+        for (std::size_t f = 0; f < result.size(); ++f)
+            for (const Slot corner : m_triangles[f])
+                result[f].extend(m_points[corner].array());
+        return result;
+    }
+
+    /// Each term has a relative error of less than 8 roundings, as in an orientation, and the sum of n terms adds n more.
+    int volumeSign(std::size_t shell) const
+    {
+        const Vec3 origin = m_points[m_triangles[facesOf(shell)[0]][0]].cast<double>();
+        double sum = 0, size = 0;
+        for (const Slot f : facesOf(shell)) {
+            const auto& [a, b, c] = m_triangles[f];
+            const Vec3 u = m_points[a].cast<double>() - origin, v = m_points[b].cast<double>() - origin,
+                       w = m_points[c].cast<double>() - origin;
+            for (int i = 0; i < 3; ++i) {
+                const int j = i == 2 ? 0 : i + 1, k = i == 0 ? 2 : i - 1;
+                const double p = v[j] * w[k], q = v[k] * w[j];
+                sum += u[i] * (p - q);
+                size += std::abs(u[i]) * (std::abs(p) + std::abs(q));
+            }
+        }
+        const double roundings = 2.0 * (3.0 * static_cast<double>(facesOf(shell).size()) + 16);
+        return std::abs(sum) > roundings * 0x1p-53 * size ? signOf(sum) : exactVolumeSign(shell);
+    }
+
+    int exactVolumeSign(std::size_t shell) const
+    {
+        ExactSum sum;
+        for (const Slot f : facesOf(shell)) {
+            const auto& [a, b, c] = m_triangles[f];
+            sum.addDeterminant(m_points[a], m_points[b], m_points[c]);
+        }
+        return sum.sign();
+    }
+
+    Vec3f highestPoint(std::size_t shell) const
+    {
+        Vec3f highest = m_points[m_triangles[facesOf(shell)[0]][0]];
+        for (const Slot f : facesOf(shell))
+            for (const Slot corner : m_triangles[f])
+                if (m_points[corner].z() > highest.z())
+                    highest = m_points[corner];
+        return highest;
+    }
+
+    bool liesInOdd(std::size_t shell, const BoxTree& tree) const
+    {
+        const Vec3f origin = highestPoint(shell);
+        FaceBox ray;
+        ray.extend(origin.array());
+        ray.max.z() = std::numeric_limits<float>::infinity();
+        bool odd = false;
+        tree.forEachMeeting(ray, 0, [&](Slot position) {
+            const Slot face = tree.at(position);
+            if (m_components.ofFace[face] != shell && liesAbove(m_triangles[face], origin))
+                odd = !odd;
+        });
+        return odd;
+    }
+
+    /// Does the ray upwards (+z) from the origin cross the face? The origin is thought moved by (e, e^2, 0) for a tiny e > 0:
+    /// then the ray meets no edge, and no face that is vertical.
+    bool liesAbove(const Triangle& face, const Vec3f& origin) const
+    {
+        constexpr int z = 2;
+        const Vec3f &a = m_points[face[0]], &b = m_points[face[1]], &c = m_points[face[2]];
+        const int facing = FloatPredicates::orient2d(a, b, c, z);
+        if (facing == 0)
+            return false;
+        for (const auto& [p, q] : {std::tie(a, b), std::tie(b, c), std::tie(c, a)})
+            if (sideOfMoved(p, q, origin) != facing)
+                return false;
+        return facing * FloatPredicates::orient3d(a, b, c, origin) < 0;
+    }
+
+    /// orient2d(p, q, moved origin): where it is 0, its derivatives by e and then e^2 decide.
+    static int sideOfMoved(const Vec3f& p, const Vec3f& q, const Vec3f& origin)
+    {
+        const int side = FloatPredicates::orient2d(p, q, origin, 2);
+        if (side != 0)
+            return side;
+        return p.y() != q.y() ? (p.y() > q.y() ? 1 : -1) : (q.x() > p.x() ? 1 : -1);
+    }
+
+    std::span<const Vec3f> m_points;
+    std::span<const Triangle> m_triangles;
+    Components m_components;
+    std::vector<Slot> m_faces;
+    std::vector<std::size_t> m_firstFace; ///< of each shell, in m_faces
+};
+} // namespace
+
+Components componentsOf(std::size_t vertices, std::span<const Triangle> triangles)
+{
+    VertexSets sets(vertices);
+    for (const auto& [a, b, c] : triangles) {
+        sets.unite(a, b);
+        sets.unite(b, c);
+    }
+    Components result;
+    result.ofFace.reserve(triangles.size());
+    std::vector<Slot> number(vertices, noSlot);
+    for (const Triangle& t : triangles) {
+        Slot& component = number[sets.root(t[0])];
+        if (component == noSlot)
+            component = static_cast<Slot>(result.count++);
+        result.ofFace.push_back(component);
+    }
+    return result;
+}
+
+bool boundsSolid(std::span<const Vec3f> points, std::span<const Triangle> triangles)
+{
+    return Shells(points, triangles).boundSolid();
+}
+
+bool boundsSolid(std::span<const LatticePoint> points, std::span<const Triangle> triangles)
+{
+    std::vector<Vec3f> same; // a float32 holds each lattice coordinate
+    same.reserve(points.size());
+    for (const LatticePoint& p : points)
+        same.push_back(p.cast<float>());
+    return boundsSolid(same, triangles);
+}
+} // namespace core

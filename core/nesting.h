@@ -1,0 +1,24 @@
+#pragma once
+
+#include "geometry.h"
+#include "lattice.h"
+
+#include <span>
+#include <vector>
+
+namespace core
+{
+/// Do these shells bound a solid: does each face outwards at even nesting depth and inwards at odd? Exact: signs of volumes
+/// and parities of rays. The triangles must be closed, manifold, consistently oriented within each shell, not degenerate, and
+/// free of intersections. Cost: O(faces), and a tree of boxes if there is more than one shell.
+bool boundsSolid(std::span<const Vec3f> points, std::span<const Triangle> triangles);
+bool boundsSolid(std::span<const LatticePoint> points, std::span<const Triangle> triangles);
+
+/// The sets of faces connected by vertices, numbered by their first faces.
+struct Components
+{
+    std::vector<Slot> ofFace;
+    std::size_t count = 0;
+};
+Components componentsOf(std::size_t vertices, std::span<const Triangle> triangles);
+} // namespace core

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace core
+{
+inline std::size_t chunksOf(std::size_t count, std::size_t chunkSize)
+{
+    return (count + chunkSize - 1) / chunkSize;
+}
+
+/// Calls work(chunk, begin, end) for each chunk of [0, count), on all cores and in any order. Chunks are fixed by index: who
+/// keeps a result for each chunk and joins them in order gets the same on any machine. The first exception is passed on.
+template <typename Work> void forEachChunk(std::size_t count, std::size_t chunkSize, Work work)
+{
+    const std::size_t chunks = chunksOf(count, chunkSize);
+    std::atomic<std::size_t> next{0};
+    std::exception_ptr failure;
+    std::mutex failureMutex;
+    const auto run = [&] {
+        try {
+            for (std::size_t chunk = next++; chunk < chunks; chunk = next++)
+                work(chunk, chunk * chunkSize, std::min(count, (chunk + 1) * chunkSize));
+        } catch (...) {
+            const std::lock_guard lock(failureMutex);
+            failure = failure ? failure : std::current_exception();
+            next = chunks;
+        }
+    };
+    const std::size_t helpers = std::min<std::size_t>(chunks, std::max(1u, std::thread::hardware_concurrency()));
+    {
+        std::vector<std::jthread> threads;
+        for (std::size_t i = 1; i < helpers; ++i)
+            threads.emplace_back(run);
+        run();
+    }
+    if (failure)
+        std::rethrow_exception(failure);
+}
+} // namespace core
