@@ -1,13 +1,15 @@
 // From a stranger's triangles to a sculptable mesh:
 //   1. judge      the coordinates as they came, exactly                          mesh_check
 //   2. fit        move, choose the lattice, snap                                 lattice_placement
-//   3. judge      again if snapping moved a point; retry neighbouring lattice points where faces came to meet
+//   3. judge      again if snapping moved a point and step 1 did not see this lattice; retry neighbouring lattice points
+//                 where faces came to meet
 //   4. lay out    along a Morton curve, and link                                 morton_order, mesh
 
 #include "mesh_build.h"
 
 #include "lattice_placement.h"
 #include "morton_order.h"
+#include "nesting.h"
 
 #include <algorithm>
 
@@ -15,13 +17,13 @@ namespace core
 {
 namespace
 {
-constexpr int resnapRounds = 6;
+constexpr std::size_t resnapRounds = 6;
 
 /// A model moved and snapped to its lattice.
 struct Fit
 {
-    TriangleMesh mesh;
     LatticePlacement placement;
+    std::vector<LatticePoint> points;
     bool exact = true; ///< the snapping moved no point
 };
 
@@ -30,12 +32,14 @@ Fit fitToLattice(const TriangleMesh& model, bool centre)
     Box box;
     for (const Vec3f& p : model.points)
         box.extend(p.cast<double>());
-    Fit fit = {model, placeOnLattice(box, centre)};
+    Fit fit;
+    fit.placement = placeOnLattice(box, centre);
     const Lattice& lattice = fit.placement.lattice;
-    for (Vec3f& p : fit.mesh.points) {
-        const Vec3 moved = p.cast<double>() + fit.placement.moved;
-        p = lattice.toPoint(fit.placement.toLattice(p));
-        fit.exact = fit.exact && p.cast<double>() == moved;
+    fit.points.reserve(model.points.size());
+    for (const Vec3f& p : model.points) {
+        fit.points.push_back(fit.placement.toLattice(p));
+        const Vec3 snapped = lattice.toPoint(fit.points.back()).cast<double>();
+        fit.exact = fit.exact && snapped == p.cast<double>() + fit.placement.moved;
     }
     return fit;
 }
@@ -64,10 +68,11 @@ TriangleMesh withoutUnusedVertices(const TriangleMesh& mesh)
     return result;
 }
 
-std::vector<Slot> unsoundFaces(const MeshReport& report)
+/// Some at least, if the snapped model is not as sound as it was.
+std::vector<Slot> unsoundFaces(const Fit& fit, std::span<const Triangle> triangles)
 {
-    std::vector<Slot> faces = report.degenerateFaces.firstFaces;
-    for (const FacePair& pair : report.intersections.pairs) {
+    std::vector<Slot> faces = degenerateFaces<LatticePredicates>(fit.points, triangles);
+    for (const FacePair& pair : selfIntersections<LatticePredicates>(fit.points, triangles).pairs) {
         faces.push_back(pair.first);
         faces.push_back(pair.second);
     }
@@ -77,42 +82,40 @@ std::vector<Slot> unsoundFaces(const MeshReport& report)
 }
 
 /// Lattice points by distance from where the vertex was before it was snapped; `choice` 0 is the nearest.
-Vec3f latticeNeighbour(const Lattice& lattice, const Vec3& exact, std::size_t choice)
+LatticePoint latticeNeighbour(const Lattice& lattice, const Vec3& exact, std::size_t choice)
 {
-    const Vec3 nearest = lattice.snap(exact).cast<double>();
-    std::vector<std::pair<double, Vec3>> candidates;
+    const LatticePoint nearest = lattice.toLattice(lattice.snap(exact));
+    std::vector<std::pair<double, LatticePoint>> candidates;
     for (int x : {-1, 0, 1}) {
         for (int y : {-1, 0, 1}) {
             for (int z : {-1, 0, 1}) {
-                const Vec3 p = nearest + lattice.unit() * Vec3(x, y, z);
-                if (lattice.contains(p))
-                    candidates.emplace_back((p - exact).squaredNorm(), p);
+                const LatticePoint p = nearest + LatticePoint(x, y, z);
+                if (p.cwiseAbs().maxCoeff() <= Lattice::limit)
+                    candidates.emplace_back((p.cast<double>() * lattice.unit() - exact).squaredNorm(), p);
             }
         }
     }
     std::ranges::stable_sort(candidates, {}, [](const auto& candidate) { return candidate.first; });
-    return candidates[std::min(choice, candidates.size() - 1)].second.cast<float>();
+    return candidates[std::min(choice, candidates.size() - 1)].second;
 }
 
 /// Sends the corners of unsound faces to other lattice points nearby until all is sound, or gives up.
 void resnap(Fit& fit, const TriangleMesh& model, BuildResult& result)
 {
     std::vector<std::size_t> choices(model.points.size(), 0);
-    MeshReport report = checkMesh(fit.mesh);
-    for (int round = 0; round < resnapRounds && !report.printReady(); ++round) {
-        const std::vector<Slot> unsound = unsoundFaces(report);
+    std::vector<Slot> unsound = unsoundFaces(fit, model.triangles);
+    for (std::size_t round = 0; round < resnapRounds && !unsound.empty(); ++round) {
         for (std::size_t i = 0; i < unsound.size(); ++i) {
-            // One corner of each face a round, so that the corners part.
-            const Slot v = fit.mesh.triangles[unsound[i]][(i + static_cast<std::size_t>(round)) % 3];
-            ++choices[v];
+            const Slot v = model.triangles[unsound[i]][(i + round) % 3]; // one corner of each face, so that corners part
             const Vec3 exact = model.points[v].cast<double>() + fit.placement.moved;
-            fit.mesh.points[v] = latticeNeighbour(fit.placement.lattice, exact, choices[v]);
+            fit.points[v] = latticeNeighbour(fit.placement.lattice, exact, ++choices[v]);
         }
-        report = checkMesh(fit.mesh);
+        unsound = unsoundFaces(fit, model.triangles);
     }
     result.resnapped = static_cast<std::size_t>(std::ranges::count_if(choices, [](std::size_t c) { return c > 0; }));
-    if (!report.printReady())
-        result.unsnappable = std::max<std::size_t>(1, unsoundFaces(report).size());
+    result.unsnappable = unsound.size();
+    if (unsound.empty() && !boundsSolid(fit.points, model.triangles))
+        result.unsnappable = model.triangles.size();
 }
 } // namespace
 
@@ -122,15 +125,18 @@ BuildResult buildMesh(const TriangleMesh& model, bool centre)
     result.report = checkMesh(model);
     if (!result.report.printReady())
         return result;
-    const TriangleMesh used = withoutUnusedVertices(model);
+    TriangleMesh used = withoutUnusedVertices(model);
     Fit fit = fitToLattice(used, centre);
-    result.moved = fit.placement.moved;
-    if (!fit.exact)
+    const bool seen = result.report.latticeOk.value_or(false) && fit.placement.moved == Vec3::Zero();
+    if (!fit.exact && !seen)
         resnap(fit, used, result);
-    if (result.unsnappable == 0) {
-        const Lattice& lattice = fit.placement.lattice;
-        result.mesh = std::make_unique<Mesh>(inMortonOrder(fit.mesh, lattice), lattice);
-    }
+    if (result.unsnappable > 0)
+        return result;
+    const Lattice& lattice = fit.placement.lattice;
+    for (Slot v = 0; v < used.points.size(); ++v)
+        used.points[v] = lattice.toPoint(fit.points[v]);
+    result.moved = fit.placement.moved;
+    result.mesh = std::make_unique<Mesh>(inMortonOrder(used, lattice), lattice);
     return result;
 }
 
