@@ -132,6 +132,30 @@ std::vector<ReplayedDab> play(core::Sculptor& sculptor, const std::vector<core::
     }
     return dabs;
 }
+void run(const ReplayOptions& options, const std::vector<core::Stroke>& strokes)
+{
+    // What cannot be written is told before the work, not after it.
+    std::optional<core::AtomicFile> stats;
+    if (!options.stats.isEmpty())
+        stats.emplace(toPath(options.stats));
+    if (!options.out.isEmpty())
+        core::AtomicFile trial(toPath(options.out));
+
+    const LoadedModel model =
+        options.in.isEmpty() ? ModelLoader::sphere(paperRadius) : ModelLoader::loadInPlace(options.in);
+    if (!model.sculptor)
+        CommandLine::fail(model.problem);
+    checkRadii(options.strokes, strokes, model.sculptor->mesh().lattice());
+    const std::vector<ReplayedDab> dabs = play(*model.sculptor, strokes, options.verify);
+
+    const core::TriangleMesh mesh = core::extractMesh(model.sculptor->mesh());
+    if (stats)
+        writeReplayStats(*stats, dabs, *model.sculptor, mesh);
+    if (!options.out.isEmpty())
+        core::writeMesh(toPath(options.out), mesh);
+    if (stats)
+        stats->commit();
+}
 } // namespace
 
 ExitStatus replayCommand(const QStringList& arguments)
@@ -142,25 +166,10 @@ ExitStatus replayCommand(const QStringList& arguments)
     if (!options->out.isEmpty())
         CommandLine::requireMeshEnding(options->out);
     const std::vector<core::Stroke> strokes = readStrokes(options->strokes);
-    const LoadedModel model = options->in.isEmpty() ? ModelLoader::sphere(paperRadius)
-                                                    : ModelLoader::loadInPlace(options->in);
-    if (!model.sculptor)
-        CommandLine::fail(model.problem);
-    core::Sculptor& sculptor = *model.sculptor;
-    checkRadii(options->strokes, strokes, sculptor.mesh().lattice());
-
-    const std::vector<ReplayedDab> dabs = play(sculptor, strokes, options->verify);
-
-    const core::TriangleMesh mesh = core::extractMesh(sculptor.mesh());
-    if (!options->out.isEmpty())
-        if (const QString problem = ModelLoader::save(options->out, mesh); !problem.isEmpty())
-            CommandLine::fail(problem);
-    if (!options->stats.isEmpty()) {
-        try {
-            writeReplayStats(toPath(options->stats), dabs, sculptor, mesh);
-        } catch (const core::FileError& error) {
-            CommandLine::fail(ui::Messages::sentence(error));
-        }
+    try {
+        run(*options, strokes);
+    } catch (const core::FileError& error) {
+        CommandLine::fail(ui::Messages::sentence(error));
     }
     return Done;
 }

@@ -2,8 +2,6 @@
 
 #include "process_usage.h"
 
-#include "core/atomic_file.h"
-
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
@@ -83,15 +81,13 @@ Json totalsOf(const core::Sculptor& sculptor, const core::TriangleMesh& mesh)
 }
 } // namespace
 
-void writeReplayStats(const std::filesystem::path& path, const std::vector<ReplayedDab>& dabs,
-                      const core::Sculptor& sculptor, const core::TriangleMesh& mesh)
+void writeReplayStats(core::AtomicFile& file, const std::vector<ReplayedDab>& dabs, const core::Sculptor& sculptor,
+                      const core::TriangleMesh& mesh)
 {
-    core::AtomicFile file(path);
     file.write("{\"dabs\":[");
     for (std::size_t i = 0; i < dabs.size(); ++i)
         file.write((i == 0 ? "\n" : ",\n") + toJson(dabs[i]).dump());
     const std::string totals = totalsOf(sculptor, mesh).dump();
     file.write("],\n" + totals.substr(1) + "\n"); // the dabs and the totals are one object
-    file.commit();
 }
 } // namespace app

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "core/atomic_file.h"
 #include "core/sculptor.h"
 #include "core/triangle_mesh.h"
 
-#include <filesystem>
 #include <vector>
 
 namespace app
@@ -15,7 +15,7 @@ struct ReplayedDab
     double cpuMs = 0; ///< CPU time of the mesh thread; dabs of one sample share it evenly
 };
 
-/// Writes the object of DESIGN section 4, atomically. `mesh`: the sculptor's, as it is at the end. Throws core::FileError.
-void writeReplayStats(const std::filesystem::path& path, const std::vector<ReplayedDab>& dabs,
-                      const core::Sculptor& sculptor, const core::TriangleMesh& mesh);
+/// Writes one JSON object; not committed. `mesh`: the sculptor's, as it is at the end. Throws core::FileError.
+void writeReplayStats(core::AtomicFile& file, const std::vector<ReplayedDab>& dabs, const core::Sculptor& sculptor,
+                      const core::TriangleMesh& mesh);
 } // namespace app

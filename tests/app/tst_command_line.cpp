@@ -1,0 +1,505 @@
+#include "core/mesh_io.h"
+
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace
+{
+struct Answer
+{
+    int status = -1;
+    QByteArray out, err;
+
+    QJsonObject json() const { return QJsonDocument::fromJson(out).object(); }
+    /// Bad input: one line on stderr, nothing on stdout.
+    bool isRefusal(const QString& with = {}) const
+    {
+        return status == 2 && out.isEmpty() && err.count('\n') == 1 && err.endsWith('\n') && err.startsWith("fettle: ")
+               && QString::fromUtf8(err).contains(with);
+    }
+};
+
+/// The program as a script sees it: no display, the C locale unless told otherwise.
+Answer fettle(const QStringList& arguments, const QMap<QString, QString>& variables = {}, const QString& folder = {})
+{
+    QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
+        environment.remove(QString::fromLatin1(name));
+    environment.insert(QStringLiteral("LC_ALL"), QStringLiteral("C.UTF-8"));
+    for (auto i = variables.begin(); i != variables.end(); ++i)
+        environment.insert(i.key(), i.value());
+    process.setProcessEnvironment(environment);
+    if (!folder.isEmpty())
+        process.setWorkingDirectory(folder);
+    process.start(QStringLiteral(FETTLE_PROGRAM), arguments);
+    Answer answer;
+    if (!process.waitForFinished(-1) || process.exitStatus() != QProcess::NormalExit)
+        return answer;
+    answer.status = process.exitCode();
+    answer.out = process.readAllStandardOutput();
+    answer.err = process.readAllStandardError();
+    return answer;
+}
+
+QByteArray read(const QString& path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+void write(const QString& path, const QByteArray& bytes)
+{
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(bytes);
+}
+
+QByteArray strokes(const QByteArray& stroke, const QByteArray& samples = R"({"position":[1,0,0]})")
+{
+    return R"({"format":"fettle-strokes","version":1,"strokes":[{"samples":[)" + samples + "]," + stroke + "}]}";
+}
+
+const QByteArray cube = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+                        "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+} // namespace
+
+#define VERIFY_REFUSED(answer, with) QVERIFY2((answer).isRefusal(QStringLiteral(with)), ((answer).err + (answer).out).constData())
+
+class TestCommandLine : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init();
+    void version_andHelp();
+    void usage_isRefused_data();
+    void usage_isRefused();
+    void words_winOverFileNames();
+    void window_withoutADisplaySaysSo();
+    void window_withADeadDisplaySaysSo();
+    void check_cube();
+    void check_openModelIsNotReady();
+    void check_severalAndFolders();
+    void check_badFiles_data();
+    void check_badFiles();
+    void check_goesOnAfterABadFile();
+    void convert_keepsCoordinates();
+    void convert_unitAndSize();
+    void convert_up();
+    void convert_brokenModelWritesNothing();
+    void convert_refusals_data();
+    void convert_refusals();
+    void convert_ontoItself();
+    void replay_statsHaveTheFields();
+    void replay_isDeterministic();
+    void replay_outIsInOrder();
+    void replay_fullVerifies();
+    void replay_neverMovesTheModel();
+    void replay_refusals_data();
+    void replay_refusals();
+    void replay_refusalWritesNothing();
+    void replay_radiusHasToFitTheLattice();
+    void numbers_haveNoLocale();
+
+private:
+    QString at(const char* name) const { return m_folder->filePath(QString::fromUtf8(name)); }
+    QStringList left() const { return QDir(m_folder->path()).entryList(QDir::Files | QDir::Hidden, QDir::Name); }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+void TestCommandLine::init()
+{
+    m_folder = std::make_unique<QTemporaryDir>();
+}
+
+void TestCommandLine::version_andHelp()
+{
+    const Answer version = fettle({QStringLiteral("--version")});
+    QCOMPARE(version.status, 0);
+    QVERIFY(version.out.startsWith("fettle ") && version.out.count('\n') == 1 && version.err.isEmpty());
+    for (const QStringList& arguments : {QStringList{QStringLiteral("--help")}, {QStringLiteral("help")}, {QStringLiteral("help"), QStringLiteral("replay")},
+                                         {QStringLiteral("check"), QStringLiteral("--help")}, {QStringLiteral("convert"), QStringLiteral("--help")}}) {
+        const Answer help = fettle(arguments);
+        QCOMPARE(help.status, 0);
+        QVERIFY(help.out.contains("fettle") && help.err.isEmpty());
+    }
+}
+
+void TestCommandLine::usage_isRefused_data()
+{
+    QTest::addColumn<QString>("line");
+    for (const char* line : {"check", "check --jsn a.stl", "check --json --csv a.stl", "convert", "convert a.stl", "convert a.stl b.stl c.stl",
+                             "convert a.stl b.stl --unit ft", "convert a.stl b.stl --size 0", "convert a.stl b.stl --size nan", "convert a.stl b.stl --size 1e999",
+                             "convert a.stl b.stl --size 10mm", "convert a.stl b.stl --up x", "convert a.stl b.stl --legalise", "replay",
+                             "replay s.json", "replay --strokes", "replay --strokes s.json --verify most", "replay --strokes s.json --verify none --out a.stl",
+                             "help me"})
+        QTest::newRow(line) << QString::fromUtf8(line);
+}
+
+void TestCommandLine::usage_isRefused()
+{
+    QFETCH(QString, line);
+    const Answer answer = fettle(line.split(QLatin1Char(' ')), {}, m_folder->path());
+    VERIFY_REFUSED(answer, "");
+    QVERIFY(left().isEmpty());
+}
+
+void TestCommandLine::words_winOverFileNames()
+{
+    write(at("check"), cube);
+    VERIFY_REFUSED(fettle({QStringLiteral("check")}, {}, m_folder->path()), "check: no file");
+}
+
+void TestCommandLine::window_withoutADisplaySaysSo()
+{
+    VERIFY_REFUSED(fettle({}), "display");
+    VERIFY_REFUSED(fettle({QStringLiteral("model.stl")}), "display");
+}
+
+void TestCommandLine::window_withADeadDisplaySaysSo()
+{
+    VERIFY_REFUSED(fettle({}, {{QStringLiteral("DISPLAY"), QStringLiteral(":987")}}), "display");
+}
+
+void TestCommandLine::check_cube()
+{
+    write(at("cube.obj"), cube);
+    const Answer plain = fettle({QStringLiteral("check"), at("cube.obj")});
+    QCOMPARE(plain.status, 0);
+    QVERIFY(plain.err.isEmpty() && plain.out.contains("fine fettle"));
+
+    const Answer answer = fettle({QStringLiteral("check"), at("cube.obj"), QStringLiteral("--json")});
+    QCOMPARE(answer.status, 0);
+    const QJsonObject json = answer.json();
+    const QStringList keys{QStringLiteral("area_mm2"), QStringLiteral("bounds_solid"), QStringLiteral("closed"), QStringLiteral("components"),
+                           QStringLiteral("degenerate_faces"), QStringLiteral("faces"), QStringLiteral("file"), QStringLiteral("genus"),
+                           QStringLiteral("lattice_ok"), QStringLiteral("manifold"), QStringLiteral("max_edge_mm"), QStringLiteral("min_edge_mm"),
+                           QStringLiteral("oriented"), QStringLiteral("print_ready"), QStringLiteral("self_intersections"), QStringLiteral("size_mm"),
+                           QStringLiteral("vertices"), QStringLiteral("volume_mm3")};
+    QCOMPARE(json.keys(), keys);
+    QCOMPARE(json[QStringLiteral("file")].toString(), at("cube.obj"));
+    QCOMPARE(json[QStringLiteral("vertices")].toInt(), 8);
+    QCOMPARE(json[QStringLiteral("faces")].toInt(), 12);
+    QCOMPARE(json[QStringLiteral("components")].toInt(), 1);
+    QCOMPARE(json[QStringLiteral("genus")].toInt(-1), 0);
+    QCOMPARE(json[QStringLiteral("volume_mm3")].toDouble(), 1.0);
+    QCOMPARE(json[QStringLiteral("area_mm2")].toDouble(), 6.0);
+    QCOMPARE(json[QStringLiteral("size_mm")].toArray(), QJsonArray({1, 1, 1}));
+    for (const char* key : {"closed", "manifold", "oriented", "bounds_solid", "lattice_ok", "print_ready"})
+        QVERIFY2(json[QLatin1String(key)].toBool(), key);
+}
+
+void TestCommandLine::check_openModelIsNotReady()
+{
+    write(at("open.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const Answer answer = fettle({QStringLiteral("check"), QStringLiteral("--json"), at("open.obj")});
+    QCOMPARE(answer.status, 1);
+    QVERIFY(answer.err.isEmpty());
+    const QJsonObject json = answer.json();
+    QVERIFY(!json[QStringLiteral("closed")].toBool(true) && !json[QStringLiteral("print_ready")].toBool(true));
+    for (const char* key : {"genus", "bounds_solid", "volume_mm3"})
+        QVERIFY2(json.contains(QLatin1String(key)) && json[QLatin1String(key)].isNull(), key);
+    QCOMPARE(fettle({QStringLiteral("check"), at("open.obj")}).status, 1);
+}
+
+void TestCommandLine::check_severalAndFolders()
+{
+    write(at("a.obj"), cube);
+    write(at("b.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    write(at("note.txt"), "no model");
+    const Answer table = fettle({QStringLiteral("check"), at("a.obj"), at("b.obj")});
+    QCOMPARE(table.status, 1);
+    QCOMPARE(table.out.count('\n'), 3);
+    QCOMPARE(fettle({QStringLiteral("check"), m_folder->path()}).out.count('\n'), 3);
+
+    const Answer lines = fettle({QStringLiteral("check"), QStringLiteral("--json"), m_folder->path()});
+    const QList<QByteArray> objects = lines.out.trimmed().split('\n');
+    QCOMPARE(objects.size(), 2);
+    QVERIFY(QJsonDocument::fromJson(objects[0]).object()[QStringLiteral("print_ready")].toBool());
+    QVERIFY(!QJsonDocument::fromJson(objects[1]).object()[QStringLiteral("print_ready")].toBool(true));
+
+    const Answer csv = fettle({QStringLiteral("check"), QStringLiteral("--csv"), at("a.obj"), at("b.obj")});
+    const QList<QByteArray> rows = csv.out.trimmed().split('\n');
+    QCOMPARE(rows.size(), 3);
+    QVERIFY(rows[0].startsWith("file,vertices,faces,closed"));
+    for (const QByteArray& row : rows)
+        QCOMPARE(row.count(','), rows[0].count(','));
+}
+
+void TestCommandLine::check_badFiles_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QByteArray>("content");
+    QTest::newRow("missing") << QStringLiteral("missing.stl") << QByteArray();
+    QTest::newRow("empty") << QStringLiteral("empty.stl") << QByteArray("");
+    QTest::newRow("not what it says") << QStringLiteral("picture.ply") << QByteArray("\x89PNG\r\n\x1a\n and so on");
+    QTest::newRow("cut off") << QStringLiteral("cut.stl") << QByteArray(84 + 30, '\1');
+    QTest::newRow("NaN") << QStringLiteral("nan.obj") << QByteArray("v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    QTest::newRow("index") << QStringLiteral("index.obj") << QByteArray("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
+    QTest::newRow("no ending") << QStringLiteral("model") << cube;
+    QTest::newRow("unknown ending") << QStringLiteral("model.step") << cube;
+    QTest::newRow("line break in its name") << QStringLiteral("a\nb.stl") << QByteArray("");
+}
+
+void TestCommandLine::check_badFiles()
+{
+    QFETCH(QString, name);
+    QFETCH(QByteArray, content);
+    const QString path = m_folder->filePath(name);
+    if (!content.isNull())
+        write(path, content);
+    for (const char* option : {"", "--json", "--csv"}) {
+        QStringList arguments{QStringLiteral("check"), path};
+        if (*option)
+            arguments << QString::fromLatin1(option);
+        const Answer answer = fettle(arguments);
+        QVERIFY2(answer.isRefusal(QString(name).replace(QLatin1Char('\n'), QLatin1Char(' '))), answer.err.constData());
+    }
+    const QStringList before = left();
+    QVERIFY(fettle({QStringLiteral("convert"), path, at("out.stl")}).isRefusal());
+    write(at("s.json"), strokes(R"("tool":"pull","radius":0.25)"));
+    QVERIFY(fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json"), QStringLiteral("--in"), path, QStringLiteral("--out"), at("out.stl")})
+                .isRefusal());
+    QFile::remove(at("s.json"));
+    QCOMPARE(left(), before);
+}
+
+void TestCommandLine::check_goesOnAfterABadFile()
+{
+    write(at("a.obj"), cube);
+    const Answer answer = fettle({QStringLiteral("check"), QStringLiteral("--json"), at("missing.stl"), at("a.obj")});
+    QCOMPARE(answer.status, 2);
+    QCOMPARE(answer.out.count('\n'), 1);
+    QCOMPARE(answer.err.count('\n'), 1);
+}
+
+void TestCommandLine::convert_keepsCoordinates()
+{
+    const core::TriangleMesh model = core::icosphere(2, 1.0 / 3);
+    core::writeMesh(at("a.ply").toStdString(), model);
+    for (const char* name : {"b.obj", "b.stl", "b.PLY"}) {
+        const Answer answer = fettle({QStringLiteral("convert"), at("a.ply"), at(name)});
+        QCOMPARE(answer.status, 0);
+        QVERIFY(answer.out.isEmpty() && answer.err.isEmpty());
+        QCOMPARE(fettle({QStringLiteral("convert"), at(name), at("back.ply")}).status, 0);
+        const core::TriangleMesh back = core::readMesh(at("back.ply").toStdString());
+        QCOMPARE(back.triangles.size(), model.triangles.size());
+        for (std::size_t f = 0; f < back.triangles.size(); ++f)
+            for (std::size_t c = 0; c < 3; ++c)
+                QVERIFY(back.points[back.triangles[f][c]] == model.points[model.triangles[f][c]]);
+    }
+}
+
+void TestCommandLine::convert_unitAndSize()
+{
+    write(at("a.obj"), cube);
+    const auto sizeAfter = [&](const QStringList& options) {
+        if (fettle(QStringList{QStringLiteral("convert"), at("a.obj"), at("b.obj")} + options).status != 0)
+            return -1.0;
+        return fettle({QStringLiteral("check"), QStringLiteral("--json"), at("b.obj")}).json()[QStringLiteral("size_mm")].toArray()[0].toDouble();
+    };
+    QCOMPARE(sizeAfter({}), 1.0);
+    QCOMPARE(sizeAfter({QStringLiteral("--unit"), QStringLiteral("cm")}), 10.0);
+    QCOMPARE(sizeAfter({QStringLiteral("--unit=m")}), 1000.0);
+    QCOMPARE(float(sizeAfter({QStringLiteral("--unit"), QStringLiteral("in")})), 25.4f);
+    QCOMPARE(sizeAfter({QStringLiteral("--size"), QStringLiteral("80")}), 80.0);
+    QCOMPARE(sizeAfter({QStringLiteral("--size"), QStringLiteral("1e-300")}), -1.0); // nothing would be left of it
+}
+
+void TestCommandLine::convert_up()
+{
+    write(at("a.obj"), QByteArray(cube).replace("v 1 1 1", "v 1 1 3").replace("v 0 1 1", "v 0 1 3").replace("v 1 0 1", "v 1 0 3").replace("v 0 0 1", "v 0 0 3"));
+    const auto sizes = [&](const char* name) {
+        return fettle({QStringLiteral("check"), QStringLiteral("--json"), at(name)}).json()[QStringLiteral("size_mm")].toArray();
+    };
+    QCOMPARE(sizes("a.obj"), QJsonArray({1, 1, 3}));
+    QCOMPARE(fettle({QStringLiteral("convert"), at("a.obj"), at("b.obj"), QStringLiteral("--up"), QStringLiteral("z")}).status, 0);
+    QCOMPARE(sizes("b.obj"), QJsonArray({1, 3, 1}));
+    QCOMPARE(fettle({QStringLiteral("convert"), at("a.obj"), at("c.obj"), QStringLiteral("--up"), QStringLiteral("y")}).status, 0);
+    QCOMPARE(sizes("c.obj"), QJsonArray({1, 1, 3}));
+}
+
+void TestCommandLine::convert_brokenModelWritesNothing()
+{
+    write(at("open.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    write(at("out.stl"), "what was there");
+    const Answer answer = fettle({QStringLiteral("convert"), at("open.obj"), at("out.stl")});
+    QCOMPARE(answer.status, 1);
+    QVERIFY(answer.err.contains("open.obj") && answer.err.count('\n') == 1);
+    QCOMPARE(read(at("out.stl")), QByteArray("what was there"));
+    QCOMPARE(left().size(), 2);
+}
+
+void TestCommandLine::convert_refusals_data()
+{
+    QTest::addColumn<QString>("out");
+    QTest::newRow("later format") << QStringLiteral("b.3mf");
+    QTest::newRow("unknown format") << QStringLiteral("b.step");
+    QTest::newRow("no ending") << QStringLiteral("b");
+    QTest::newRow("no folder") << QStringLiteral("none/b.stl");
+    QTest::newRow("a folder") << QStringLiteral("folder.stl");
+}
+
+void TestCommandLine::convert_refusals()
+{
+    QFETCH(QString, out);
+    write(at("a.obj"), cube);
+    QVERIFY(QDir(m_folder->path()).mkdir(QStringLiteral("folder.stl")));
+    const Answer answer = fettle({QStringLiteral("convert"), at("a.obj"), m_folder->filePath(out)});
+    QVERIFY2(answer.isRefusal(out), answer.err.constData());
+    QCOMPARE(left(), QStringList{QStringLiteral("a.obj")});
+}
+
+void TestCommandLine::convert_ontoItself()
+{
+    core::writeMesh(at("a.stl").toStdString(), core::icosphere(1, 1));
+    const QByteArray before = read(at("a.stl"));
+    QCOMPARE(fettle({QStringLiteral("convert"), at("a.stl"), at("a.stl")}).status, 0);
+    QCOMPARE(core::readMesh(at("a.stl").toStdString()).triangles.size(), std::size_t(80));
+    QCOMPARE(read(at("a.stl")).size(), before.size());
+}
+
+void TestCommandLine::replay_statsHaveTheFields()
+{
+    write(at("s.json"), strokes(R"("tool":"pull","radius":0.25)", R"({"position":[1,0,0]},{"position":[0,1,0]},{"position":[0,9,0]})"));
+    const Answer answer = fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json"), QStringLiteral("--stats"), at("t.json")});
+    QCOMPARE(answer.status, 0);
+    QVERIFY2(answer.err.isEmpty() && answer.out.isEmpty(), answer.err.constData());
+    const QJsonObject stats = QJsonDocument::fromJson(read(at("t.json"))).object();
+    for (const char* key : {"vertices", "faces", "euler", "components", "genus", "splits", "collapses", "flips", "fusions", "separations", "rolled_back",
+                            "verify_tiers", "peak_rss_mb", "mesh_hash", "dabs"})
+        QVERIFY2(stats.contains(QLatin1String(key)), key);
+    QCOMPARE(stats[QStringLiteral("euler")].toInt(), 2);
+    QCOMPARE(stats[QStringLiteral("components")].toInt(), 1);
+    QCOMPARE(stats[QStringLiteral("genus")].toInt(-1), 0);
+    QCOMPARE(stats[QStringLiteral("verify_tiers")].toArray().size(), 3);
+    QVERIFY(stats[QStringLiteral("peak_rss_mb")].toDouble() > 1);
+    QCOMPARE(stats[QStringLiteral("mesh_hash")].toString().size(), 16);
+    const QJsonArray dabs = stats[QStringLiteral("dabs")].toArray();
+    QCOMPARE(dabs.size(), 3);
+    for (const QJsonValue& dab : dabs)
+        for (const char* key : {"select_ms", "optimise_ms", "deform_ms", "fuse_ms", "verify_ms", "total_ms", "touched_vertices", "touched_faces", "substeps",
+                                "asked", "reached", "outcome"})
+            QVERIFY2(dab.toObject().contains(QLatin1String(key)), key);
+    QCOMPARE(dabs[0].toObject()[QStringLiteral("outcome")].toString(), QStringLiteral("committed"));
+    QVERIFY(dabs[0].toObject()[QStringLiteral("touched_vertices")].toInt() > 10);
+    QVERIFY(dabs[0].toObject()[QStringLiteral("reached")].toDouble() > 0.02);
+    QCOMPARE(dabs[2].toObject()[QStringLiteral("outcome")].toString(), QStringLiteral("empty"));
+}
+
+void TestCommandLine::replay_isDeterministic()
+{
+    write(at("s.json"), strokes(R"("tool":"pull","radius":0.3,"spacing":0.1)", R"({"position":[1,0,0]},{"position":[0,1,0]})"));
+    QByteArray hash;
+    for (int i = 0; i < 3; ++i) {
+        QCOMPARE(fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json"), QStringLiteral("--stats"), at("t.json"), QStringLiteral("--out"), at("o.ply")}).status, 0);
+        const QByteArray now = QJsonDocument::fromJson(read(at("t.json"))).object()[QStringLiteral("mesh_hash")].toString().toLatin1() + read(at("o.ply"));
+        QVERIFY(i == 0 || now == hash);
+        hash = now;
+    }
+}
+
+void TestCommandLine::replay_outIsInOrder()
+{
+    for (const char* tool : {"pull", "push", "smooth"}) {
+        write(at("s.json"), strokes("\"tool\":\"" + QByteArray(tool) + "\",\"radius\":0.3,\"spacing\":0.2", R"({"position":[1,0,0]},{"position":[0,1,0]},{"position":[0,0,1]})"));
+        QCOMPARE(fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json"), QStringLiteral("--out"), at("o.stl")}).status, 0);
+        QCOMPARE(fettle({QStringLiteral("check"), at("o.stl")}).status, 0);
+    }
+}
+
+void TestCommandLine::replay_fullVerifies()
+{
+    write(at("s.json"), strokes(R"("tool":"pull","radius":0.25)", R"({"position":[1,0,0]},{"position":[0,1,0]})"));
+    QCOMPARE(fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json"), QStringLiteral("--verify"), QStringLiteral("full")}).status, 0);
+    QCOMPARE(fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json"), QStringLiteral("--verify"), QStringLiteral("none"), QStringLiteral("--stats"), at("t.json")}).status, 0);
+}
+
+void TestCommandLine::replay_neverMovesTheModel()
+{
+    core::TriangleMesh model = core::icosphere(2, 1);
+    for (core::Vec3f& p : model.points)
+        p += core::Vec3f(2, 0, 0);
+    core::writeMesh(at("a.ply").toStdString(), model);
+    write(at("s.json"), strokes(R"("tool":"pull","radius":0.25)", R"({"position":[3,0,0]})"));
+    QCOMPARE(fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json"), QStringLiteral("--in"), at("a.ply"), QStringLiteral("--out"), at("b.ply")}).status, 0);
+    core::Box box;
+    for (const core::Vec3f& p : core::readMesh(at("b.ply").toStdString()).points)
+        box.extend(p.cast<double>());
+    QVERIFY(std::abs(box.min().x() - 1) < 0.01 && box.max().x() > 3.01);
+
+    for (core::Vec3f& p : model.points)
+        p += core::Vec3f(100000, 0, 0);
+    core::writeMesh(at("a.ply").toStdString(), model);
+    VERIFY_REFUSED(fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json"), QStringLiteral("--in"), at("a.ply")}), "a.ply");
+}
+
+void TestCommandLine::replay_refusals_data()
+{
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QString>("with");
+    QTest::newRow("no JSON") << QByteArray("pull the nose") << QStringLiteral("line 1");
+    QTest::newRow("empty") << QByteArray() << QStringLiteral("JSON");
+    QTest::newRow("tool") << strokes(R"("tool":"melt","radius":1)") << QStringLiteral("melt");
+    QTest::newRow("not yet") << strokes(R"("tool":"flatten","radius":1)") << QStringLiteral("not there yet");
+    QTest::newRow("key") << strokes(R"("tool":"pull","radius":1,"size":1)") << QStringLiteral("size");
+    QTest::newRow("NaN") << strokes(R"("tool":"pull","radius":NaN)") << QStringLiteral("radius");
+    QTest::newRow("place") << strokes(R"("tool":"pull","radius":1)", R"({"position":[0,0,1]},{"position":[0,0,1],"pressure":7})")
+                           << QStringLiteral("stroke 1, sample 2");
+    QTest::newRow("cut off") << strokes(R"("tool":"pull","radius":1)").chopped(10) << QStringLiteral("line 1");
+}
+
+void TestCommandLine::replay_refusals()
+{
+    QFETCH(QByteArray, text);
+    QFETCH(QString, with);
+    write(at("s.json"), text);
+    const Answer answer = fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json"), QStringLiteral("--out"), at("o.stl"), QStringLiteral("--stats"), at("t.json")});
+    QVERIFY2(answer.isRefusal(with) && answer.isRefusal(QStringLiteral("s.json")), answer.err.constData());
+    QCOMPARE(left(), QStringList{QStringLiteral("s.json")});
+}
+
+void TestCommandLine::replay_refusalWritesNothing()
+{
+    const QStringList replay{QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json")};
+    VERIFY_REFUSED(fettle(replay), "s.json");
+    write(at("s.json"), strokes(R"("tool":"pull","radius":0.25)"));
+    VERIFY_REFUSED(fettle(replay + QStringList{QStringLiteral("--out"), at("o.3mf")}), "o.3mf");
+    VERIFY_REFUSED(fettle(replay + QStringList{QStringLiteral("--out"), at("none/o.stl")}), "o.stl");
+    VERIFY_REFUSED(fettle(replay + QStringList{QStringLiteral("--stats"), at("none/t.json")}), "t.json");
+    VERIFY_REFUSED(fettle(replay + QStringList{at("a.stl")}), "a.stl");
+    write(at("open.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    VERIFY_REFUSED(fettle(replay + QStringList{QStringLiteral("--in"), at("open.obj"), QStringLiteral("--out"), at("o.stl")}), "open.obj");
+    QCOMPARE(left(), QStringList({QStringLiteral("open.obj"), QStringLiteral("s.json")}));
+}
+
+void TestCommandLine::replay_radiusHasToFitTheLattice()
+{
+    for (const char* stroke : {R"("tool":"pull","radius":0.0005)", R"("tool":"pull","radius":100)", R"("tool":"pull","radius":0.01,"detail":0.05)"}) {
+        write(at("s.json"), strokes(stroke));
+        VERIFY_REFUSED(fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json")}), "stroke 1");
+    }
+    write(at("s.json"), strokes(R"("tool":"pull","radius":0.25)", R"({"position":[1,0,0],"radius":0.0005})"));
+    VERIFY_REFUSED(fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json")}), "sample 1");
+}
+
+void TestCommandLine::numbers_haveNoLocale()
+{
+    write(at("a.obj"), QByteArray(cube).replace("v 1 ", "v 1.5 "));
+    for (const char* locale : {"C", "de_DE.UTF-8"}) {
+        const QMap<QString, QString> variables{{QStringLiteral("LC_ALL"), QString::fromLatin1(locale)}};
+        QCOMPARE(fettle({QStringLiteral("check"), QStringLiteral("--json"), at("a.obj")}, variables).json()[QStringLiteral("size_mm")].toArray()[0].toDouble(), 1.5);
+        QCOMPARE(fettle({QStringLiteral("convert"), at("a.obj"), at("b.obj"), QStringLiteral("--size"), QStringLiteral("2.5")}, variables).status, 0);
+    }
+}
+
+QTEST_GUILESS_MAIN(TestCommandLine)
+#include "tst_command_line.moc"

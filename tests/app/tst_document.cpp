@@ -1,0 +1,465 @@
+#include "app/document.h"
+
+#include "core/mesh_build.h"
+#include "core/mesh_io.h"
+
+#include <QDir>
+#include <QFile>
+#include <QSignalSpy>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <random>
+
+using namespace app;
+
+namespace
+{
+/// A document with a ball of clay, and a way to see the mesh's state.
+struct Session
+{
+    Session()
+    {
+        document.openSphere();
+        wait();
+    }
+
+    /// Until nothing is under way.
+    void wait()
+    {
+        QTRY_VERIFY(!document.isBusy());
+        settle();
+    }
+
+    /// Until the mesh thread and the document's queue have run dry.
+    void settle()
+    {
+        for (int i = 0; i < 3; ++i) {
+            bool reached = false;
+            QObject receiver;
+            worker.post([&](core::Sculptor&) {
+                QMetaObject::invokeMethod(&receiver, [&reached] { reached = true; }, Qt::QueuedConnection);
+            });
+            QTRY_VERIFY(reached);
+            QCoreApplication::processEvents();
+        }
+    }
+
+    std::uint64_t state()
+    {
+        settle();
+        std::optional<std::uint64_t> hash;
+        QObject receiver;
+        worker.post([&](core::Sculptor& sculptor) {
+            const std::uint64_t value = sculptor.mesh().stateHash();
+            QMetaObject::invokeMethod(&receiver, [&hash, value] { hash = value; }, Qt::QueuedConnection);
+        });
+        [&] { QTRY_VERIFY(hash); }();
+        return hash.value_or(0);
+    }
+
+    void stroke(const core::Vec3& where, core::Tool tool = core::Tool::Pull, int samples = 1)
+    {
+        core::StrokeSettings settings;
+        settings.tool = tool;
+        settings.radius = 12;
+        document.beginStroke(settings);
+        core::StrokeSample sample;
+        sample.position = where;
+        for (int i = 0; i < samples; ++i)
+            document.addSample(sample);
+        document.endStroke();
+    }
+
+    void randomStroke(std::mt19937_64& random)
+    {
+        std::uniform_real_distribution<double> between(-1, 1);
+        core::Vec3 p(between(random), between(random), between(random));
+        stroke(50 * p.normalized(), static_cast<core::Tool>(random() % 3));
+    }
+
+    SculptWorker worker;
+    Document document{&worker};
+};
+} // namespace
+
+class TestDocument : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
+    void sphere_isThePapers();
+    void undo_rightAfterAStrokeUndoesThatStroke();
+    void undo_duringAStrokeWaitsForItsEnd();
+    void stroke_rightAfterUndoComesAfterIt();
+    void undoAll_andRedoAllComeBackByState();
+    void jumps_goThere();
+    void stroke_thatDoesNothingIsNoStep();
+    void newStroke_forgetsWhatWasUndone();
+    void modified_followsTheHistory();
+    void spilledDeltas_comeBack();
+    void expiry_whenNothingCanBeSpilled();
+    void lostFile_losesOnlyTheHistory();
+    void open_takesAModelAndCentresIt();
+    void open_refusalLeavesTheDocument_data();
+    void open_refusalLeavesTheDocument();
+    void open_asksBeforeChangesAreLost();
+    void export_writesWhatIsThere();
+    void export_intoNowhereIsRefused();
+};
+
+void TestDocument::sphere_isThePapers()
+{
+    Session session;
+    QCOMPARE(session.document.facts().vertices, quint64(2562));
+    QCOMPARE(session.document.facts().faces, quint64(5120));
+    QVERIFY((session.document.facts().size - core::Vec3(100, 100, 100)).norm() < 1e-3);
+    QVERIFY(!session.document.isModified() && !session.document.canUndo() && !session.document.canRedo());
+}
+
+void TestDocument::undo_rightAfterAStrokeUndoesThatStroke()
+{
+    Session session;
+    const std::uint64_t start = session.state();
+    for (int i = 0; i < 20; ++i) {
+        session.stroke({50, 0, 0}, core::Tool::Pull, 3);
+        QVERIFY(session.document.canUndo());
+        session.document.undo(); // before anything was reported
+        QCOMPARE(session.state(), start);
+        QVERIFY(!session.document.canUndo() && session.document.canRedo());
+    }
+}
+
+void TestDocument::undo_duringAStrokeWaitsForItsEnd()
+{
+    Session session;
+    const std::uint64_t start = session.state();
+    session.document.beginStroke({});
+    core::StrokeSample sample;
+    sample.position = {0, 50, 0};
+    session.document.addSample(sample);
+    session.document.undo();
+    session.document.addSample(sample);
+    session.settle();
+    QVERIFY(session.worker.strokeOpen());
+    session.document.endStroke();
+    QCOMPARE(session.state(), start);
+    QVERIFY(session.document.canRedo());
+    QCOMPARE(session.worker.stats().samples, quint64(2));
+}
+
+void TestDocument::stroke_rightAfterUndoComesAfterIt()
+{
+    Session session;
+    session.stroke({0, 0, 50});
+    const std::uint64_t afterOne = session.state();
+    session.document.undo();
+    session.state();
+
+    // all in one go, nothing reported in between
+    session.stroke({50, 0, 0});
+    session.document.undo();
+    session.stroke({0, 0, 50});
+    QCOMPARE(session.state(), afterOne);
+    QCOMPARE(session.document.undoStack().count(), 1);
+    QVERIFY(session.document.canUndo() && !session.document.canRedo());
+
+    session.stroke({50, 0, 0});
+    session.document.undo();
+    session.document.undo();
+    session.document.redo();
+    QCOMPARE(session.state(), afterOne);
+}
+
+void TestDocument::undoAll_andRedoAllComeBackByState()
+{
+    Session session;
+    std::mt19937_64 random(5);
+    std::vector<std::uint64_t> states{session.state()};
+    while (states.size() < 40) {
+        session.randomStroke(random);
+        const std::uint64_t now = session.state();
+        if (session.document.undoStack().count() == static_cast<int>(states.size()))
+            states.push_back(now);
+    }
+    for (std::size_t i = states.size() - 1; i > 0; --i) {
+        session.document.undo();
+        QCOMPARE(session.state(), states[i - 1]);
+    }
+    QVERIFY(!session.document.canUndo());
+    for (std::size_t i = 1; i < states.size(); ++i) {
+        session.document.redo();
+        QCOMPARE(session.state(), states[i]);
+    }
+    QVERIFY(!session.document.canRedo());
+    for (std::size_t i = 1; i < states.size(); ++i)
+        session.document.undo();
+    QCOMPARE(session.state(), states.front());
+}
+
+void TestDocument::jumps_goThere()
+{
+    Session session;
+    std::vector<std::uint64_t> states{session.state()};
+    for (const core::Vec3& where : {core::Vec3(50, 0, 0), core::Vec3(0, 50, 0), core::Vec3(0, 0, 50), core::Vec3(-50, 0, 0)}) {
+        session.stroke(where);
+        states.push_back(session.state());
+    }
+    for (const int index : {0, 3, 1, 4, 2, 99, -1}) {
+        session.document.goTo(index);
+        QCOMPARE(session.state(), states[static_cast<std::size_t>(std::clamp(index, 0, 4))]);
+    }
+}
+
+void TestDocument::stroke_thatDoesNothingIsNoStep()
+{
+    Session session;
+    session.stroke({0, 500, 0});
+    session.settle();
+    QCOMPARE(session.document.undoStack().count(), 0);
+    QVERIFY(!session.document.isModified() && !session.document.canUndo());
+}
+
+void TestDocument::newStroke_forgetsWhatWasUndone()
+{
+    Session session;
+    session.stroke({50, 0, 0});
+    session.stroke({0, 50, 0});
+    session.document.undo();
+    session.stroke({0, 0, 50});
+    session.settle();
+    QCOMPARE(session.document.undoStack().count(), 2);
+    QVERIFY(!session.document.canRedo());
+    session.document.redo();
+    session.document.undo();
+    session.document.undo();
+    session.document.undo();
+    session.settle();
+    QVERIFY(!session.document.canUndo());
+}
+
+void TestDocument::modified_followsTheHistory()
+{
+    Session session;
+    QSignalSpy modified(&session.document, &Document::modifiedChanged);
+    session.stroke({50, 0, 0});
+    QVERIFY(session.document.isModified());
+    session.document.undo();
+    session.settle();
+    QVERIFY(!session.document.isModified());
+    QVERIFY(modified.size() >= 2);
+    QCOMPARE(modified.first().at(0).toBool(), true);
+    QCOMPARE(modified.last().at(0).toBool(), false);
+}
+
+void TestDocument::spilledDeltas_comeBack()
+{
+    Session session;
+    QTemporaryDir folder;
+    session.document.history().setFolder(folder.path());
+    session.document.history().setCap(1);
+    std::mt19937_64 random(6);
+    std::vector<std::uint64_t> states{session.state()};
+    while (states.size() < 15) {
+        session.randomStroke(random);
+        const std::uint64_t now = session.state();
+        if (session.document.undoStack().count() == static_cast<int>(states.size()))
+            states.push_back(now);
+    }
+    // all but the last, which the next undo needs
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 13);
+    for (int round = 0; round < 2; ++round) {
+        for (std::size_t i = states.size() - 1; i > 0; --i) {
+            QVERIFY(session.document.canUndo());
+            session.document.undo();
+            QCOMPARE(session.state(), states[i - 1]);
+        }
+        for (std::size_t i = 1; i < states.size(); ++i) {
+            session.document.redo();
+            QCOMPARE(session.state(), states[i]);
+        }
+    }
+    session.document.goTo(0);
+    session.stroke({50, 0, 0});
+    session.settle();
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 0); // what was undone is gone
+}
+
+void TestDocument::expiry_whenNothingCanBeSpilled()
+{
+    Session session;
+    session.document.history().setFolder(QStringLiteral("/proc/no such folder"));
+    std::vector<std::uint64_t> states{session.state()};
+    for (const core::Vec3& where : {core::Vec3(50, 0, 0), core::Vec3(0, 50, 0), core::Vec3(0, 0, 50)}) {
+        session.stroke(where);
+        states.push_back(session.state());
+    }
+    session.document.history().setCap(1);
+    session.settle();
+    QVERIFY(session.document.canUndo());
+    session.document.undo();
+    QCOMPARE(session.state(), states[2]);
+    QVERIFY(!session.document.canUndo()); // though QUndoStack would
+    QVERIFY(session.document.undoText().isEmpty());
+    QVERIFY(session.document.undoStack().canUndo());
+    session.document.undo();
+    session.document.goTo(0);
+    QCOMPARE(session.state(), states[2]);
+    session.document.redo();
+    QCOMPARE(session.state(), states[3]);
+}
+
+void TestDocument::lostFile_losesOnlyTheHistory()
+{
+    Session session;
+    QTemporaryDir folder;
+    session.document.history().setFolder(folder.path());
+    session.document.history().setCap(1);
+    session.stroke({50, 0, 0});
+    session.stroke({0, 50, 0});
+    session.stroke({0, 0, 50});
+    session.settle();
+    for (const QString& name : QDir(folder.path()).entryList(QDir::Files))
+        QVERIFY(QFile::resize(folder.filePath(name), 7));
+    session.document.undo();
+    const std::uint64_t state = session.state();
+    QSignalSpy refused(&session.document, &Document::refused);
+    session.document.undo();
+    session.document.undo();
+    session.stroke({-50, 0, 0}, core::Tool::Pull, 1);
+    session.document.undo();
+    QCOMPARE(session.state(), state);
+    QCOMPARE(refused.size(), 1);
+    QVERIFY(!session.document.canUndo() && session.document.isModified());
+    session.stroke({-50, 0, 0});
+    session.document.undo();
+    QCOMPARE(session.state(), state);
+}
+
+void TestDocument::open_takesAModelAndCentresIt()
+{
+    QTemporaryDir folder;
+    core::TriangleMesh model = core::icosphere(2, 10);
+    for (core::Vec3f& p : model.points)
+        p += core::Vec3f(30, 5, -7);
+    const QString path = folder.filePath(QStringLiteral("ball.ply"));
+    core::writeMesh(path.toStdString(), model);
+
+    Session session;
+    session.stroke({50, 0, 0});
+    QSignalSpy opened(&session.document, &Document::opened);
+    session.document.open(path);
+    session.wait();
+    QCOMPARE(opened.size(), 1);
+    const auto facts = opened.at(0).at(0).value<ui::ModelFacts>();
+    QCOMPARE(facts.name, QStringLiteral("ball.ply"));
+    QCOMPARE(facts.vertices, quint64(162));
+    QVERIFY(facts.box.center().norm() < 1e-3);
+    QVERIFY(!session.document.isModified() && !session.document.canUndo());
+    QCOMPARE(session.document.path(), path);
+    const std::uint64_t start = session.state();
+    session.stroke({10, 0, 0});
+    session.document.undo();
+    QCOMPARE(session.state(), start);
+}
+
+void TestDocument::open_refusalLeavesTheDocument_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QByteArray>("content");
+    QTest::newRow("missing") << QStringLiteral("missing.stl") << QByteArray();
+    QTest::newRow("empty") << QStringLiteral("empty.stl") << QByteArray("");
+    QTest::newRow("not what its ending says") << QStringLiteral("picture.obj") << QByteArray("\x89PNG\r\n\x1a\n and so on");
+    QTest::newRow("open") << QStringLiteral("open.obj") << QByteArray("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    QTest::newRow("NaN") << QStringLiteral("nan.obj") << QByteArray("v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    QTest::newRow("index") << QStringLiteral("index.obj") << QByteArray("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n");
+    QTest::newRow("unknown") << QStringLiteral("part.step") << QByteArray("ISO-10303-21;");
+}
+
+void TestDocument::open_refusalLeavesTheDocument()
+{
+    QFETCH(QString, name);
+    QFETCH(QByteArray, content);
+    QTemporaryDir folder;
+    const QString path = folder.filePath(name);
+    if (!content.isNull()) {
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(content);
+    }
+    Session session;
+    session.stroke({50, 0, 0});
+    const std::uint64_t state = session.state();
+    QSignalSpy refused(&session.document, &Document::refused);
+    session.document.open(path);
+    session.wait();
+    QTRY_COMPARE(refused.size(), 1);
+    const QString sentence = refused.at(0).at(0).toString();
+    QVERIFY2(sentence.contains(name) && !sentence.contains(QLatin1Char('\n')), qPrintable(sentence));
+    QCOMPARE(session.state(), state);
+    QVERIFY(session.document.isModified() && session.document.canUndo());
+    QCOMPARE(session.document.facts().name.isEmpty(), false);
+    QVERIFY(session.document.path().isEmpty());
+}
+
+void TestDocument::open_asksBeforeChangesAreLost()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("ball.stl"));
+    core::writeMesh(path.toStdString(), core::icosphere(1, 10));
+    Session session;
+    int asked = 0;
+    bool answer = false;
+    session.document.setMayDiscard([&] {
+        ++asked;
+        return answer;
+    });
+    session.document.openSphere(); // nothing to lose
+    session.wait();
+    QCOMPARE(asked, 0);
+    session.stroke({50, 0, 0});
+    session.document.open(path);
+    session.wait();
+    QCOMPARE(asked, 1);
+    QCOMPARE(session.document.facts().vertices > 1000, true);
+    answer = true;
+    session.document.open(path);
+    session.wait();
+    QCOMPARE(asked, 2);
+    QCOMPARE(session.document.facts().vertices, quint64(42));
+}
+
+void TestDocument::export_writesWhatIsThere()
+{
+    QTemporaryDir folder;
+    for (const char* ending : {"stl", "obj", "ply"}) {
+        Session session;
+        session.stroke({50, 0, 0});
+        const QString path = folder.filePath(QStringLiteral("model.") + QLatin1String(ending));
+        QSignalSpy exported(&session.document, &Document::exported);
+        session.document.exportTo(path);
+        QTRY_COMPARE(exported.size(), 1);
+        QVERIFY(!session.document.isModified());
+        const core::TriangleMesh mesh = core::readMesh(path.toStdString());
+        QCOMPARE(mesh.triangles.size(), std::size_t(session.document.facts().faces));
+        QVERIFY(core::checkMesh(mesh).printReady());
+        session.document.undo();
+        session.settle();
+        QVERIFY(session.document.isModified()); // the file has the stroke
+    }
+}
+
+void TestDocument::export_intoNowhereIsRefused()
+{
+    Session session;
+    QSignalSpy refused(&session.document, &Document::refused);
+    session.document.exportTo(QStringLiteral("/no such folder/model.stl"));
+    QTRY_COMPARE(refused.size(), 1);
+    QVERIFY(refused.at(0).at(0).toString().contains(QStringLiteral("model.stl")));
+    QVERIFY(!session.document.isBusy());
+}
+
+QTEST_GUILESS_MAIN(TestDocument)
+#include "tst_document.moc"

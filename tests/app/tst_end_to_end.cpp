@@ -1,0 +1,186 @@
+#include "app/document.h"
+#include "app/wiring.h"
+
+#include "core/mesh_check.h"
+#include "core/mesh_io.h"
+#include "ui/main_window.h"
+#include "ui/viewport.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace app;
+
+namespace
+{
+/// The program as main() puts it together.
+struct Program
+{
+    Program() { wire(window, document, worker, inbox); }
+
+    SculptWorker worker;
+    std::shared_ptr<PatchInbox> inbox = std::make_shared<PatchInbox>();
+    Document document{&worker};
+    ui::MainWindow window;
+};
+
+QPoint middle(const QWidget* widget)
+{
+    return widget->rect().center();
+}
+
+void drag(QWidget* widget, const QPoint& by, Qt::KeyboardModifiers modifiers = {})
+{
+    constexpr int steps = 12;
+    const QPoint from = middle(widget);
+    QTest::mousePress(widget, Qt::LeftButton, modifiers, from);
+    for (int i = 1; i <= steps; ++i) {
+        QMouseEvent move(QEvent::MouseMove, from + by * i / steps, widget->mapToGlobal(from + by * i / steps), Qt::NoButton,
+                         Qt::LeftButton, modifiers);
+        QApplication::sendEvent(widget, &move);
+        QTest::qWait(5);
+    }
+    QTest::mouseRelease(widget, Qt::LeftButton, modifiers, from + by);
+}
+} // namespace
+
+class TestEndToEnd : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void openPullUndoExport();
+    void toolsByModifier();
+    void refusedFileLeavesTheModel();
+    void closing_asksOnlyWithChanges();
+};
+
+void TestEndToEnd::openPullUndoExport()
+{
+    QTemporaryDir folder;
+    const QString in = folder.filePath(QStringLiteral("ball.stl")), out = folder.filePath(QStringLiteral("out.stl"));
+    core::writeMesh(in.toStdString(), core::icosphere(4, 30));
+
+    Program program;
+    program.window.resize(900, 700);
+    program.window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&program.window));
+    Q_EMIT program.window.openRequested(in);
+    QTRY_COMPARE(program.document.path(), in);
+    QTRY_VERIFY(!program.document.isBusy());
+    QVERIFY(program.window.windowTitle().contains(QStringLiteral("ball.stl")));
+    QTRY_VERIFY(program.window.viewport()->stats().patches > 0);
+
+    QAction* undo = program.window.action(QStringLiteral("edit.undo"));
+    QVERIFY(!undo->isEnabled());
+    drag(program.window.viewport(), {40, 20});
+    QTRY_COMPARE(program.document.undoStack().count(), 1);
+    QVERIFY(undo->isEnabled() && program.window.isWindowModified());
+    QVERIFY(program.document.facts().size.maxCoeff() > 60.01);
+
+    QTest::keyClick(&program.window, Qt::Key_Z, Qt::ControlModifier);
+    QTRY_COMPARE(program.document.undoStack().index(), 0);
+    QTRY_VERIFY(!program.window.isWindowModified());
+    QTest::keyClick(&program.window, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QTRY_COMPARE(program.document.undoStack().index(), 1);
+    QTest::keyClick(&program.window, Qt::Key_Z, Qt::ControlModifier);
+    QTRY_COMPARE(program.document.undoStack().index(), 0);
+    QTest::keyClick(&program.window, Qt::Key_Y, Qt::ControlModifier);
+    QTRY_COMPARE(program.document.undoStack().index(), 1);
+
+    QSignalSpy exported(&program.document, &Document::exported);
+    Q_EMIT program.window.exportRequested(out);
+    QTRY_COMPARE(exported.size(), 1);
+    const core::TriangleMesh mesh = core::readMesh(out.toStdString());
+    const core::MeshReport report = core::checkMesh(mesh);
+    QVERIFY(report.printReady());
+    QCOMPARE(quint64(report.faces), program.document.facts().faces);
+    QVERIFY(report.volume.value_or(0) > core::checkMesh(core::readMesh(in.toStdString())).volume.value_or(0));
+    QTRY_VERIFY(!program.window.isWindowModified());
+    const ui::ViewportStats stats = program.window.viewport()->stats();
+    qInfo("input to patch %.1f ms, worst %.1f ms; to the screen %.1f ms", program.worker.stats().latencyMs,
+          program.worker.stats().worstLatencyMs, stats.latencyMs);
+}
+
+void TestEndToEnd::toolsByModifier()
+{
+    Program program;
+    program.window.resize(900, 700);
+    program.window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&program.window));
+    program.document.openSphere();
+    QTRY_VERIFY(!program.document.isBusy());
+    QTRY_VERIFY(program.window.viewport()->stats().patches > 0);
+    int steps = 0;
+    for (const Qt::KeyboardModifiers modifiers : {Qt::NoModifier, Qt::ControlModifier, Qt::ShiftModifier}) {
+        drag(program.window.viewport(), {30, 10}, modifiers);
+        QTRY_COMPARE(program.document.undoStack().count(), ++steps);
+    }
+    QVERIFY(program.document.undoStack().text(0) != program.document.undoStack().text(1));
+    QVERIFY(program.document.undoStack().text(1) != program.document.undoStack().text(2));
+}
+
+void TestEndToEnd::refusedFileLeavesTheModel()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("open.obj"));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    file.close();
+
+    Program program;
+    program.window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&program.window));
+    program.document.openSphere();
+    QTRY_VERIFY(!program.document.isBusy());
+    QSignalSpy refused(&program.document, &Document::refused);
+    Q_EMIT program.window.openRequested(path);
+    QTRY_COMPARE(refused.size(), 1);
+    QCOMPARE(program.document.facts().vertices, quint64(2562));
+    QVERIFY(program.document.path().isEmpty());
+    for (QWidget* widget : QApplication::topLevelWidgets())
+        if (widget != &program.window)
+            widget->close();
+}
+
+void TestEndToEnd::closing_asksOnlyWithChanges()
+{
+    Program program;
+    program.window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&program.window));
+    program.document.openSphere();
+    QTRY_VERIFY(!program.document.isBusy());
+    int asked = 0;
+    program.document.setMayDiscard([&] { return ++asked > 1; });
+    core::StrokeSample sample;
+    sample.position = {50, 0, 0};
+    program.document.beginStroke({});
+    program.document.addSample(sample);
+    program.document.endStroke();
+    QVERIFY(!program.window.close()); // the stroke has not even reported yet
+    QCOMPARE(asked, 1);
+    QTRY_COMPARE(program.document.undoStack().count(), 1);
+    program.document.undo();
+    QTRY_VERIFY(!program.document.isModified());
+    QVERIFY(program.window.close());
+    QCOMPARE(asked, 1);
+}
+
+int main(int argc, char* argv[])
+{
+    if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY")) {
+        qInfo("SKIP: no display");
+        return 0;
+    }
+    ui::prepareGraphics();
+    QApplication application(argc, argv);
+    QCoreApplication::setOrganizationName(QStringLiteral("Fettle"));
+    QCoreApplication::setApplicationName(QStringLiteral("tst_end_to_end"));
+    TestEndToEnd test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "tst_end_to_end.moc"

@@ -1,0 +1,431 @@
+#include "app/job_queue.h"
+#include "app/sculpt_worker.h"
+
+#include "core/mesh_build.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include <random>
+
+using namespace app;
+
+namespace
+{
+std::shared_ptr<core::Sculptor> sphere(int subdivisions = 3)
+{
+    return std::make_shared<core::Sculptor>(core::buildMesh(core::icosphere(subdivisions, 50)).mesh);
+}
+
+core::StrokeSettings settings(core::Tool tool = core::Tool::Pull)
+{
+    core::StrokeSettings result;
+    result.tool = tool;
+    result.radius = 15;
+    return result;
+}
+
+core::StrokeSample sampleAt(const core::Vec3& position)
+{
+    core::StrokeSample sample;
+    sample.position = position;
+    sample.direction = -position;
+    return sample;
+}
+
+core::Vec3 onSphere(std::mt19937_64& random)
+{
+    std::uniform_real_distribution<double> between(-1, 1);
+    core::Vec3 p;
+    do
+        p = {between(random), between(random), between(random)};
+    while (p.norm() > 1 || p.norm() < 0.1);
+    return 50 * p.normalized();
+}
+
+/// The draw arrays that a viewer has.
+struct Arrays
+{
+    std::vector<core::DrawVertex> vertices;
+    std::vector<core::Triangle> faces;
+
+    void take(const core::MeshPatch& patch)
+    {
+        vertices.resize(patch.vertexSlots);
+        faces.resize(patch.faceSlots);
+        lay(patch.vertexSpans, patch.vertices, vertices);
+        lay(patch.faceSpans, patch.faces, faces);
+    }
+
+    template <class Value>
+    static void lay(const std::vector<core::SlotSpan>& spans, const std::vector<Value>& values, std::vector<Value>& onto)
+    {
+        auto from = values.begin();
+        for (const core::SlotSpan& span : spans) {
+            std::copy(from, from + span.count, onto.begin() + span.first);
+            from += span.count;
+        }
+        QCOMPARE(from, values.end());
+    }
+
+    /// Of live faces, what is drawn: the values of vertices that no face uses do not matter.
+    bool drawsLike(const Arrays& other) const
+    {
+        if (faces != other.faces)
+            return false;
+        for (const core::Triangle& face : faces)
+            for (const core::Slot v : face)
+                if (vertices[v].position != other.vertices[v].position || vertices[v].normal != other.vertices[v].normal
+                    || vertices[v].color != other.vertices[v].color)
+                    return false;
+        return true;
+    }
+};
+
+std::vector<Job> drain(JobQueue& queue)
+{
+    std::vector<Job> jobs;
+    queue.push(Task());
+    for (;;) {
+        Job job = std::get<Job>(*queue.next());
+        if (std::holds_alternative<Task>(job))
+            return jobs;
+        jobs.push_back(std::move(job));
+    }
+}
+} // namespace
+
+class TestSculptWorker : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void queue_keepsOrder();
+    void queue_thinsSamplesThatPileUp();
+    void queue_neverThinsAcrossStrokes();
+    void queue_answersTheNewestQuestionFirst();
+    void worker_reportsEachStrokeOnce();
+    void worker_refusesASecondSource();
+    void worker_ignoresSamplesOutsideAStroke();
+    void worker_answersDuringAStroke();
+    void worker_answersTheNewestQuestion();
+    void worker_answersWithoutAModel();
+    void worker_endsTheStrokeWhenTheModelChanges();
+    void worker_findsTheExactBoxAfterwards();
+    void worker_stopsWithWorkLeft();
+    void inbox_mergedEqualsWhole_data();
+    void inbox_mergedEqualsWhole();
+    void inbox_announcesOncePerFill();
+    void inbox_survivesTwoThreads();
+};
+
+void TestSculptWorker::queue_keepsOrder()
+{
+    JobQueue queue;
+    queue.push(BeginStroke{settings(core::Tool::Smooth)});
+    queue.push(Sample{sampleAt({1, 0, 0})});
+    queue.push(EndStroke{});
+    const auto jobs = drain(queue);
+    QCOMPARE(jobs.size(), std::size_t(3));
+    QVERIFY(std::get<BeginStroke>(jobs[0]).settings.tool == core::Tool::Smooth);
+    QVERIFY(std::get<Sample>(jobs[1]).sample.position.x() == 1);
+    QVERIFY(std::holds_alternative<EndStroke>(jobs[2]));
+}
+
+void TestSculptWorker::queue_thinsSamplesThatPileUp()
+{
+    JobQueue queue;
+    queue.push(BeginStroke{});
+    for (int i = 0; i < 1000; ++i)
+        queue.push(Sample{sampleAt({double(i), 0, 0})});
+    queue.push(EndStroke{});
+    const auto jobs = drain(queue);
+    QVERIFY(jobs.size() <= JobQueue::maxWaitingSamples + 2);
+    QVERIFY(jobs.size() >= JobQueue::maxWaitingSamples / 2);
+    QCOMPARE(queue.droppedSamples(), quint64(1000 - (jobs.size() - 2)));
+    QCOMPARE(std::get<Sample>(jobs[1]).sample.position.x(), 0.0);
+    QCOMPARE(std::get<Sample>(jobs[jobs.size() - 2]).sample.position.x(), 999.0);
+    for (std::size_t i = 2; i + 1 < jobs.size(); ++i)
+        QVERIFY(std::get<Sample>(jobs[i]).sample.position.x() > std::get<Sample>(jobs[i - 1]).sample.position.x());
+}
+
+void TestSculptWorker::queue_neverThinsAcrossStrokes()
+{
+    JobQueue queue;
+    for (int stroke = 0; stroke < 10; ++stroke) {
+        queue.push(BeginStroke{});
+        for (int i = 0; i < 5; ++i)
+            queue.push(Sample{sampleAt({double(i), 0, 0})});
+        queue.push(EndStroke{});
+    }
+    QCOMPARE(drain(queue).size(), std::size_t(70));
+    QCOMPARE(queue.droppedSamples(), quint64(0));
+}
+
+void TestSculptWorker::queue_answersTheNewestQuestionFirst()
+{
+    JobQueue queue;
+    queue.push(BeginStroke{});
+    for (int i = 1; i <= 3; ++i)
+        queue.ask({Source::Desktop, {core::Vec3(i, 0, 0), core::Vec3(1, 0, 0)}});
+    queue.ask({Source::Headset, {core::Vec3(9, 0, 0), core::Vec3(1, 0, 0)}});
+    QCOMPARE(std::get<Question>(*queue.next()).ray.origin.x(), 3.0);
+    QCOMPARE(std::get<Question>(*queue.next()).ray.origin.x(), 9.0);
+    QVERIFY(!queue.nextQuestion());
+    QVERIFY(std::holds_alternative<Job>(*queue.next()));
+    queue.stop();
+    QVERIFY(!queue.next());
+}
+
+void TestSculptWorker::worker_reportsEachStrokeOnce()
+{
+    SculptWorker worker;
+    QSignalSpy modelSet(&worker, &SculptWorker::modelSet), finished(&worker, &SculptWorker::strokeFinished);
+    worker.setModel(sphere());
+    QTRY_COMPARE(modelSet.size(), 1);
+    std::mt19937_64 random(1);
+    for (int i = 0; i < 20; ++i) {
+        QVERIFY(worker.beginStroke(Source::Desktop, settings(static_cast<core::Tool>(i % 3))));
+        worker.addSample(Source::Desktop, sampleAt(onSphere(random)));
+        worker.endStroke(Source::Desktop);
+    }
+    // a stroke that touches nothing is reported too
+    QVERIFY(worker.beginStroke(Source::Desktop, settings()));
+    worker.addSample(Source::Desktop, sampleAt({0, 300, 0}));
+    worker.endStroke(Source::Desktop);
+    QCOMPARE(worker.strokesBegun(), quint64(21));
+    QTRY_COMPARE(finished.size(), 21);
+    for (int i = 0; i < 20; ++i) {
+        const auto report = finished.at(i).at(0).value<StrokeReport>();
+        QVERIFY(report.tool == static_cast<core::Tool>(i % 3));
+        QCOMPARE(report.dabs, quint64(1));
+        QVERIFY(report.facts.faces > 0 && !report.facts.box.isEmpty());
+    }
+    QVERIFY(finished.at(0).at(0).value<StrokeReport>().delta);
+    QVERIFY(!finished.at(20).at(0).value<StrokeReport>().delta);
+}
+
+void TestSculptWorker::worker_refusesASecondSource()
+{
+    SculptWorker worker;
+    QSignalSpy refused(&worker, &SculptWorker::strokeRefused), finished(&worker, &SculptWorker::strokeFinished);
+    worker.setModel(sphere());
+    QVERIFY(worker.beginStroke(Source::Headset, settings()));
+    QVERIFY(!worker.beginStroke(Source::Desktop, settings()));
+    QCOMPARE(refused.size(), 1);
+    QVERIFY(refused.at(0).at(0).value<Source>() == Source::Desktop);
+    worker.addSample(Source::Desktop, sampleAt({50, 0, 0}));
+    worker.endStroke(Source::Desktop); // not its stroke
+    QVERIFY(worker.strokeOpen());
+    worker.endStroke(Source::Headset);
+    QVERIFY(!worker.strokeOpen());
+    QTRY_COMPARE(finished.size(), 1);
+    QCOMPARE(finished.at(0).at(0).value<StrokeReport>().dabs, quint64(0));
+    QVERIFY(worker.beginStroke(Source::Desktop, settings()));
+    worker.endStroke(Source::Desktop);
+    QTRY_COMPARE(finished.size(), 2);
+}
+
+void TestSculptWorker::worker_ignoresSamplesOutsideAStroke()
+{
+    SculptWorker worker;
+    QSignalSpy finished(&worker, &SculptWorker::strokeFinished);
+    worker.setModel(sphere());
+    worker.addSample(Source::Desktop, sampleAt({50, 0, 0}));
+    worker.endStroke(Source::Desktop);
+    QVERIFY(worker.beginStroke(Source::Desktop, settings()));
+    worker.endStroke(Source::Desktop);
+    QTRY_COMPARE(finished.size(), 1);
+    QCOMPARE(worker.stats().samples, quint64(0));
+}
+
+void TestSculptWorker::worker_answersDuringAStroke()
+{
+    SculptWorker worker;
+    QSignalSpy modelSet(&worker, &SculptWorker::modelSet), answered(&worker, &SculptWorker::answeredDesktop);
+    worker.setModel(sphere());
+    QTRY_COMPARE(modelSet.size(), 1);
+    QVERIFY(worker.beginStroke(Source::Desktop, settings()));
+    worker.addSample(Source::Desktop, sampleAt({50, 0, 0}));
+    worker.ask(Source::Desktop, {core::Vec3(0, 0, 200), core::Vec3(0, 0, -1)});
+    QTRY_COMPARE(answered.size(), 1);
+    const auto hit = answered.at(0).at(0).value<std::optional<core::SurfaceHit>>();
+    QVERIFY(hit);
+    QVERIFY((hit->position - core::Vec3(0, 0, 50)).norm() < 2);
+    QVERIFY(hit->normal.z() > 0.9);
+    worker.endStroke(Source::Desktop);
+    worker.ask(Source::Desktop, {core::Vec3(0, 100, 200), core::Vec3(0, 0, -1)});
+    QTRY_COMPARE(answered.size(), 2);
+    QVERIFY(!answered.at(1).at(0).value<std::optional<core::SurfaceHit>>());
+}
+
+void TestSculptWorker::worker_answersTheNewestQuestion()
+{
+    SculptWorker worker;
+    QSignalSpy modelSet(&worker, &SculptWorker::modelSet), answered(&worker, &SculptWorker::answeredHeadset);
+    worker.setModel(sphere());
+    QTRY_COMPARE(modelSet.size(), 1);
+    for (int i = 0; i <= 1000; ++i)
+        worker.ask(Source::Headset, {core::Vec3(0.01 * i, 0, 200), core::Vec3(0, 0, -1)});
+    const auto lastIsNewest = [&] {
+        const auto hit = answered.isEmpty() ? std::nullopt : answered.last().at(0).value<std::optional<core::SurfaceHit>>();
+        return hit && std::abs(hit->position.x() - 10) < 1e-6;
+    };
+    QTRY_VERIFY(lastIsNewest());
+    QVERIFY(answered.size() <= 1001);
+}
+
+void TestSculptWorker::worker_answersWithoutAModel()
+{
+    SculptWorker worker;
+    QSignalSpy answered(&worker, &SculptWorker::answeredDesktop), finished(&worker, &SculptWorker::strokeFinished);
+    worker.ask(Source::Desktop, {});
+    QTRY_COMPARE(answered.size(), 1);
+    QVERIFY(!answered.at(0).at(0).value<std::optional<core::SurfaceHit>>());
+    worker.beginStroke(Source::Desktop, settings());
+    worker.addSample(Source::Desktop, sampleAt({50, 0, 0}));
+    worker.endStroke(Source::Desktop);
+    QTRY_COMPARE(finished.size(), 1);
+}
+
+void TestSculptWorker::worker_endsTheStrokeWhenTheModelChanges()
+{
+    SculptWorker worker;
+    QSignalSpy modelSet(&worker, &SculptWorker::modelSet), finished(&worker, &SculptWorker::strokeFinished);
+    worker.setModel(sphere());
+    worker.beginStroke(Source::Headset, settings());
+    worker.addSample(Source::Headset, sampleAt({50, 0, 0}));
+    worker.setModel(sphere(2));
+    worker.addSample(Source::Headset, sampleAt({50, 0, 0}));
+    worker.endStroke(Source::Headset);
+    QTRY_COMPARE(modelSet.size(), 2);
+    QCOMPARE(finished.size(), 1);
+    QCOMPARE(modelSet.at(1).at(0).value<MeshFacts>().vertices, quint64(162));
+    QCOMPARE(worker.stats().samples, quint64(1));
+}
+
+void TestSculptWorker::worker_findsTheExactBoxAfterwards()
+{
+    SculptWorker worker;
+    QSignalSpy modelSet(&worker, &SculptWorker::modelSet), finished(&worker, &SculptWorker::strokeFinished);
+    QSignalSpy facts(&worker, &SculptWorker::factsChanged);
+    worker.setModel(sphere());
+    QTRY_COMPARE(modelSet.size(), 1);
+    const core::Box before = modelSet.at(0).at(0).value<MeshFacts>().box;
+    QVERIFY((before.sizes() - core::Vec3(100, 100, 100)).norm() < 2);
+    worker.beginStroke(Source::Desktop, settings());
+    for (int i = 0; i < 5; ++i)
+        worker.addSample(Source::Desktop, sampleAt({51, 0, 0}));
+    worker.endStroke(Source::Desktop);
+    QTRY_VERIFY(!facts.isEmpty());
+    QVERIFY(facts.last().at(0).value<MeshFacts>().box.max().x() > before.max().x() + 1);
+    const auto delta = finished.at(0).at(0).value<StrokeReport>().delta;
+    facts.clear();
+    worker.post([delta](core::Sculptor& sculptor) { sculptor.swap(*delta); });
+    QTRY_VERIFY(!facts.isEmpty());
+    QVERIFY(facts.last().at(0).value<MeshFacts>().box.isApprox(before, 0));
+}
+
+void TestSculptWorker::worker_stopsWithWorkLeft()
+{
+    SculptWorker worker;
+    worker.setModel(sphere());
+    std::mt19937_64 random(1);
+    worker.beginStroke(Source::Desktop, settings());
+    for (int i = 0; i < 100; ++i)
+        worker.addSample(Source::Desktop, sampleAt(onSphere(random)));
+    worker.stop();
+    worker.stop();
+    worker.endStroke(Source::Desktop); // too late, harmless
+}
+
+void TestSculptWorker::inbox_mergedEqualsWhole_data()
+{
+    QTest::addColumn<int>("patchesPerTake");
+    for (const int n : {1, 2, 7, 1000})
+        QTest::newRow(qPrintable(QString::number(n))) << n;
+}
+
+/// A viewer that draws every n-th patch, or only the last, has what the mesh is.
+void TestSculptWorker::inbox_mergedEqualsWhole()
+{
+    QFETCH(int, patchesPerTake);
+    const auto sculptor = sphere();
+    PatchInbox inbox;
+    Arrays seen, whole;
+    inbox.put(sculptor->wholePatch());
+    sculptor->takePatch();
+    if (patchesPerTake < 1000)
+        seen.take(*inbox.take());
+
+    std::mt19937_64 random(3);
+    std::vector<core::MeshDelta> deltas;
+    for (int i = 0; i < 60; ++i) {
+        if (i % 5 == 4 && !deltas.empty()) {
+            sculptor->swap(deltas.back());
+            deltas.pop_back();
+        } else {
+            core::StrokeSettings stroke = settings(static_cast<core::Tool>(i % 3));
+            stroke.detail = i % 2 ? 0.5 : 2;
+            sculptor->beginStroke(stroke);
+            sculptor->addSample(sampleAt(onSphere(random)));
+            deltas.push_back(sculptor->endStroke());
+        }
+        if (core::MeshPatch patch = sculptor->takePatch(); !patch.empty())
+            inbox.put(std::move(patch));
+        if (i % patchesPerTake == patchesPerTake - 1)
+            if (const auto patch = inbox.take())
+                seen.take(*patch);
+    }
+    if (const auto patch = inbox.take())
+        seen.take(*patch);
+    whole.take(sculptor->wholePatch());
+    QVERIFY(seen.drawsLike(whole));
+}
+
+void TestSculptWorker::inbox_announcesOncePerFill()
+{
+    const auto sculptor = sphere(1);
+    PatchInbox inbox;
+    QSignalSpy filled(&inbox, &PatchInbox::filled);
+    QVERIFY(!inbox.take());
+    for (int i = 0; i < 3; ++i)
+        inbox.put(sculptor->wholePatch());
+    QCOMPARE(filled.size(), 1);
+    QVERIFY(inbox.take());
+    QVERIFY(!inbox.take());
+    inbox.put(sculptor->wholePatch());
+    QCOMPARE(filled.size(), 2);
+}
+
+void TestSculptWorker::inbox_survivesTwoThreads()
+{
+    const auto sculptor = sphere(1);
+    PatchInbox inbox;
+    std::atomic<bool> done = false;
+    std::thread producer([&] {
+        std::mt19937_64 random(4);
+        inbox.put(sculptor->wholePatch());
+        for (int i = 0; i < 300; ++i) {
+            core::StrokeSettings stroke = settings(core::Tool::Smooth);
+            stroke.detail = 4;
+            sculptor->beginStroke(stroke);
+            sculptor->addSample(sampleAt(onSphere(random)));
+            sculptor->endStroke();
+            inbox.put(sculptor->takePatch());
+        }
+        done = true;
+    });
+    Arrays seen, whole;
+    while (!done)
+        if (const auto patch = inbox.take())
+            seen.take(*patch);
+    producer.join();
+    if (const auto patch = inbox.take())
+        seen.take(*patch);
+    whole.take(sculptor->wholePatch());
+    QVERIFY(seen.drawsLike(whole));
+}
+
+QTEST_GUILESS_MAIN(TestSculptWorker)
+#include "tst_sculpt_worker.moc"
