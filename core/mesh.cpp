@@ -412,6 +412,7 @@ MeshDelta Mesh::endStroke()
 {
     assert(m_strokeOpen);
     m_strokeOpen = false;
+    commit({0, 0, 0, {}, 0}); // what was edited after a mark that was neither rolled back nor committed has several images
     m_meshHash += hashChange(*this, m_journal);
     return std::move(m_journal);
 }
