@@ -1,0 +1,68 @@
+#include "core/sparse_index.h"
+
+#include <QTest>
+
+#include <map>
+#include <random>
+
+using core::Slot;
+using core::SparseIndex;
+
+class TestSparseIndex : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void add_tellsThePosition();
+    void randomUse_agreesWithAMap();
+    void sort_movesPositions();
+};
+
+void TestSparseIndex::add_tellsThePosition()
+{
+    SparseIndex index;
+    QVERIFY(!index.contains(7));
+    QCOMPARE(index.add(7), 0u);
+    QCOMPARE(index.add(50'000'000), 1u); // past the first capacity
+    QCOMPARE(index.add(7), 0u);
+    QCOMPARE(index.position(50'000'000), 1u);
+    index.truncate(1);
+    QVERIFY(index.contains(7) && !index.contains(50'000'000));
+    index.clear();
+    QVERIFY(!index.contains(7));
+}
+
+void TestSparseIndex::randomUse_agreesWithAMap()
+{
+    std::mt19937 engine(20240812);
+    SparseIndex index;
+    std::map<Slot, Slot> known;
+    for (int i = 0; i < 200'000; ++i) {
+        if (engine() % 500 == 0) {
+            const std::size_t keep = engine() % (index.size() + 1);
+            index.truncate(keep);
+            std::erase_if(known, [&](const auto& entry) { return entry.second >= keep; });
+        }
+        const Slot slot = static_cast<Slot>(engine() % 1000);
+        QCOMPARE(index.contains(slot), known.contains(slot));
+        if (engine() % 2 == 0) {
+            const Slot position = known.try_emplace(slot, static_cast<Slot>(known.size())).first->second;
+            QCOMPARE(index.add(slot), position);
+            QCOMPARE(index.slots()[position], slot);
+        }
+    }
+}
+
+void TestSparseIndex::sort_movesPositions()
+{
+    SparseIndex index;
+    for (Slot slot : {9u, 3u, 70u, 1u})
+        index.add(slot);
+    index.sort();
+    QCOMPARE(index.slots(), (std::vector<Slot>{1, 3, 9, 70}));
+    for (Slot i = 0; i < 4; ++i)
+        QCOMPARE(index.position(index.slots()[i]), i);
+}
+
+QTEST_APPLESS_MAIN(TestSparseIndex)
+#include "tst_sparse_index.moc"

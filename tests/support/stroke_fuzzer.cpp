@@ -1,0 +1,70 @@
+#include "stroke_fuzzer.h"
+
+#include <cmath>
+
+using core::Slot;
+using core::Vec3;
+
+Vec3 StrokeFuzzer::direction()
+{
+    while (true) {
+        const Vec3 p(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1));
+        if (p.squaredNorm() > 0.01 && p.squaredNorm() <= 1)
+            return p / std::sqrt(p.squaredNorm());
+    }
+}
+
+Slot StrokeFuzzer::liveVertex(const core::Mesh& mesh)
+{
+    while (true) {
+        const Slot v = static_cast<Slot>(below(mesh.slots().vertices));
+        if (mesh.isVertex(v))
+            return v;
+    }
+}
+
+core::Stroke StrokeFuzzer::stroke(const core::Mesh& mesh)
+{
+    const auto point = [&](Slot v) { return mesh.point(v).cast<double>(); };
+    core::Box box;
+    for (Slot v = 0; v < mesh.slots().vertices; ++v) {
+        if (mesh.isVertex(v))
+            box.extend(point(v));
+    }
+    const Slot start = liveVertex(mesh);
+    const double edge = (point(mesh.to(mesh.outgoing(start))) - point(start)).norm();
+    const double size = box.sizes().maxCoeff();
+    const double least = std::min(3 * edge, 0.5 * size);
+
+    core::Stroke stroke;
+    core::StrokeSettings& s = stroke.settings;
+    constexpr core::Tool tools[] = {core::Tool::Pull, core::Tool::Push, core::Tool::Smooth};
+    constexpr core::Placement placements[] = {core::Placement::Point, core::Placement::Nearest, core::Placement::Ray};
+    constexpr int falloffs[] = {4, 4, 4, 3, 8, 16, 0};
+    s.tool = tools[below(3)];
+    s.place = placements[below(3)];
+    const double large = uniform(); // small ones more often; no std::pow: libraries round it differently
+    s.radius = least + (0.5 * size - least) * large * large * large;
+    s.strength = below(3) == 0 ? uniform(0, 10) : uniform(0, 2);
+    s.falloff = falloffs[below(7)];
+    s.detail = uniform(0.3, 3);
+    s.spacing = below(2) == 0 ? 0 : uniform(0.05, 1);
+
+    const std::uint64_t samples = 1 + below(s.spacing == 0 ? 10 : 4);
+    Vec3 at = point(start) + uniform(0, 0.3) * s.radius * direction();
+    const Vec3 heading = direction();
+    for (std::uint64_t i = 0; i < samples; ++i) {
+        core::StrokeSample sample;
+        sample.time = 0.01 * static_cast<double>(i);
+        sample.position = at;
+        if (s.place == core::Placement::Ray) {
+            const Vec3 view = direction();
+            sample.position = at - 2 * size * view;
+            sample.direction = view;
+        }
+        sample.pressure = below(2) == 0 ? 1 : uniform();
+        stroke.samples.push_back(sample);
+        at += uniform(0, 0.6) * s.radius * (heading + 0.5 * direction());
+    }
+    return stroke;
+}

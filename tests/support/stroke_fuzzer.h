@@ -1,0 +1,27 @@
+#pragma once
+
+#include "core/sculptor.h"
+
+#include <random>
+#include <string>
+
+/// Strokes drawn at random, the same on every machine: no distribution of the standard library, whose results may differ.
+class StrokeFuzzer
+{
+public:
+    explicit StrokeFuzzer(std::uint64_t seed) : m_engine(seed) {}
+
+    double uniform() { return static_cast<double>(m_engine() >> 11) * 0x1p-53; } ///< in [0, 1)
+    double uniform(double low, double high) { return low + (high - low) * uniform(); }
+    std::uint64_t below(std::uint64_t n) { return m_engine() % n; }
+    core::Vec3 direction();
+
+    /// A stroke near the mesh as it is now: any tool, placement, spacing, falloff and detail (0.3 to 3), a radius from three
+    /// edges to half the model's size, a strength up to 10.
+    core::Stroke stroke(const core::Mesh& mesh);
+
+private:
+    core::Slot liveVertex(const core::Mesh& mesh);
+
+    std::mt19937_64 m_engine;
+};
