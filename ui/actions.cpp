@@ -93,12 +93,18 @@ QAction* Actions::get(const QString& id) const
 QString Actions::menuTitle(MenuId menu) const
 {
     switch (menu) {
-    case MenuId::File: return tr("&File");
-    case MenuId::Edit: return tr("&Edit");
-    case MenuId::Sculpt: return tr("&Sculpt");
-    case MenuId::View: return tr("&View");
-    case MenuId::Vr: return tr("V&R");
-    case MenuId::Help: return tr("&Help");
+    case MenuId::File:
+        return tr("&File");
+    case MenuId::Edit:
+        return tr("&Edit");
+    case MenuId::Sculpt:
+        return tr("&Sculpt");
+    case MenuId::View:
+        return tr("&View");
+    case MenuId::Vr:
+        return tr("V&R");
+    case MenuId::Help:
+        return tr("&Help");
     }
     return {};
 }

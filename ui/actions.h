@@ -18,11 +18,11 @@ enum class MenuId { File, Edit, Sculpt, View, Vr, Help };
 struct ActionInfo
 {
     MenuId menu;
-    const char* id;   ///< objectName of the QAction, key in settings, handle in tests
-    const char* text; ///< untranslated, context "ui::Actions"
-    const char* tip;  ///< one sentence, untranslated
-    const char* keys; ///< portable text, several parted by "; "
-    const char* icon; ///< file in :/icons without ending
+    const char* id;           ///< objectName of the QAction, key in settings, handle in tests
+    const char* text;         ///< untranslated, context "ui::Actions"
+    const char* tip;          ///< one sentence, untranslated
+    const char* keys;         ///< portable text, several parted by "; "
+    const char* icon;         ///< file in :/icons without ending
     bool startsGroup = false; ///< a line stands before it, in menu and tool bar
     bool inToolBar = false;
     bool checkable = false;

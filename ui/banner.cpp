@@ -20,7 +20,8 @@ Banner::Banner(QWidget* parent) : QLabel(parent)
     setTextFormat(Qt::PlainText);
     setWordWrap(true);
     setAlignment(Qt::AlignCenter);
-    setStyleSheet(QStringLiteral("background: rgba(28, 30, 33, 225); color: white; border-radius: 8px; padding: 8px 16px;"));
+    setStyleSheet(QStringLiteral("background: rgba(28, 30, 33, 225); color: white; border: 1px solid rgba(255, 255, "
+                                 "255, 45); border-radius: 8px; padding: 8px 16px;"));
     hide();
     m_timer.setSingleShot(true);
     connect(&m_timer, &QTimer::timeout, this, &QLabel::hide);

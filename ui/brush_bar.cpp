@@ -31,11 +31,16 @@ double sliderMax(const BrushSettings& brush, core::Parameter parameter)
 QString label(core::Parameter parameter)
 {
     switch (parameter) {
-    case core::Parameter::Radius: return BrushBar::tr("Radius");
-    case core::Parameter::Strength: return BrushBar::tr("Strength");
-    case core::Parameter::Falloff: return BrushBar::tr("Falloff");
-    case core::Parameter::Detail: return BrushBar::tr("Detail");
-    case core::Parameter::Spacing: return BrushBar::tr("Spacing");
+    case core::Parameter::Radius:
+        return BrushBar::tr("Radius");
+    case core::Parameter::Strength:
+        return BrushBar::tr("Strength");
+    case core::Parameter::Falloff:
+        return BrushBar::tr("Falloff");
+    case core::Parameter::Detail:
+        return BrushBar::tr("Detail");
+    case core::Parameter::Spacing:
+        return BrushBar::tr("Spacing");
     }
     return {};
 }
@@ -48,8 +53,11 @@ int decimalsFor(double value)
 } // namespace
 
 ParameterControl::ParameterControl(BrushSettings* brush, core::Parameter parameter, QWidget* parent)
-    : QWidget(parent), m_brush(brush), m_parameter(parameter), m_slider(new QSlider(Qt::Horizontal)),
-      m_box(new QDoubleSpinBox)
+    : QWidget(parent)
+    , m_brush(brush)
+    , m_parameter(parameter)
+    , m_slider(new QSlider(Qt::Horizontal))
+    , m_box(new QDoubleSpinBox)
 {
     const QString name = QLatin1StringView(core::info(parameter).key.data(), core::info(parameter).key.size());
     auto* text = new QLabel(label(parameter));

@@ -19,8 +19,9 @@ int legalFalloff(double value)
 } // namespace
 
 BrushSettings::BrushSettings(QObject* parent)
-    : QObject(parent), m_minRadius(core::info(core::Parameter::Radius).min),
-      m_maxRadius(core::info(core::Parameter::Radius).max)
+    : QObject(parent)
+    , m_minRadius(core::info(core::Parameter::Radius).min)
+    , m_maxRadius(core::info(core::Parameter::Radius).max)
 {
     m_stroke.place = core::Placement::Ray;
     m_stroke.spacing = handSpacing;
@@ -29,11 +30,16 @@ BrushSettings::BrushSettings(QObject* parent)
 double BrushSettings::value(core::Parameter parameter) const
 {
     switch (parameter) {
-    case core::Parameter::Radius: return m_stroke.radius;
-    case core::Parameter::Strength: return m_stroke.strength;
-    case core::Parameter::Falloff: return m_stroke.falloff;
-    case core::Parameter::Detail: return m_stroke.detail;
-    case core::Parameter::Spacing: return m_stroke.spacing;
+    case core::Parameter::Radius:
+        return m_stroke.radius;
+    case core::Parameter::Strength:
+        return m_stroke.strength;
+    case core::Parameter::Falloff:
+        return m_stroke.falloff;
+    case core::Parameter::Detail:
+        return m_stroke.detail;
+    case core::Parameter::Spacing:
+        return m_stroke.spacing;
     }
     return 0;
 }
@@ -51,11 +57,21 @@ void BrushSettings::setValue(core::Parameter parameter, double value)
     const double before = this->value(parameter);
     const double clamped = std::clamp(value, minOf(parameter), maxOf(parameter));
     switch (parameter) {
-    case core::Parameter::Radius: m_stroke.radius = clamped; break;
-    case core::Parameter::Strength: m_stroke.strength = clamped; break;
-    case core::Parameter::Falloff: m_stroke.falloff = legalFalloff(clamped); break;
-    case core::Parameter::Detail: m_stroke.detail = clamped; break;
-    case core::Parameter::Spacing: m_stroke.spacing = clamped; break;
+    case core::Parameter::Radius:
+        m_stroke.radius = clamped;
+        break;
+    case core::Parameter::Strength:
+        m_stroke.strength = clamped;
+        break;
+    case core::Parameter::Falloff:
+        m_stroke.falloff = legalFalloff(clamped);
+        break;
+    case core::Parameter::Detail:
+        m_stroke.detail = clamped;
+        break;
+    case core::Parameter::Spacing:
+        m_stroke.spacing = clamped;
+        break;
     }
     if (this->value(parameter) != before)
         Q_EMIT changed();

@@ -20,8 +20,8 @@ public:
     void create(QOpenGLFunctions_3_3_Core* gl);
     void destroy();
 
-    /// Cost: one glBufferSubData a span. Past the capacity, which has half as much again in reserve, the buffer's contents
-    /// are copied within the GPU once.
+    /// Cost: one glBufferSubData a span. Past the capacity, which has half as much again in reserve, the buffer's
+    /// contents are copied within the GPU once.
     void apply(const core::MeshPatch& patch);
 
     /// Every face slot; free ones (0,0,0) cover no pixel. Attributes: 0 position, 1 normal, 2 colour.

@@ -21,8 +21,12 @@ QString millimetres(double value)
 } // namespace
 
 FactsBar::FactsBar(const BrushSettings* brush, QWidget* parent)
-    : QWidget(parent), m_brush(brush), m_name(new QLabel), m_vertices(new QLabel), m_size(new QLabel),
-      m_radius(new QLabel)
+    : QWidget(parent)
+    , m_brush(brush)
+    , m_name(new QLabel)
+    , m_vertices(new QLabel)
+    , m_size(new QLabel)
+    , m_radius(new QLabel)
 {
     m_name->setObjectName(QStringLiteral("facts.name"));
     m_vertices->setObjectName(QStringLiteral("facts.vertices"));

@@ -43,8 +43,8 @@ void askForModel(QWidget* parent, const QString& folder, PathAnswer answer)
     auto* dialog = new QFileDialog(parent, tr("Open a Model"), folder);
     dialog->setObjectName(QStringLiteral("openDialog"));
     dialog->setFileMode(QFileDialog::ExistingFile);
-    dialog->setNameFilters({tr("Models (%1)").arg(QStringLiteral("*.") + endings().join(QStringLiteral(" *."))),
-                            tr("All files (*)")});
+    dialog->setNameFilters(
+        {tr("Models (%1)").arg(QStringLiteral("*.") + endings().join(QStringLiteral(" *."))), tr("All files (*)")});
     show(dialog, answer);
 }
 

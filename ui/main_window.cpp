@@ -183,10 +183,11 @@ void MainWindow::State::exportAs()
 
 void MainWindow::State::about()
 {
-    auto* box = new QMessageBox(QMessageBox::NoIcon, tr("About Fettle"),
-                                tr("Fettle %1\n\nSculpt a model with mouse, pen or VR wands, and export it ready to print.")
-                                    .arg(QCoreApplication::applicationVersion()),
-                                QMessageBox::Ok, q);
+    auto* box =
+        new QMessageBox(QMessageBox::NoIcon, tr("About Fettle"),
+                        tr("Fettle %1\n\nSculpt a model with mouse, pen or VR wands, and export it ready to print.")
+                            .arg(QCoreApplication::applicationVersion()),
+                        QMessageBox::Ok, q);
     box->setIconPixmap(QIcon(QStringLiteral(":/icons/fettle.svg")).pixmap(QSize(64, 64), q->devicePixelRatioF()));
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->open();
@@ -358,6 +359,7 @@ void MainWindow::dropEvent(QDropEvent* event)
     if (m_state->busy || path.isEmpty())
         return;
     event->acceptProposedAction();
-    QMetaObject::invokeMethod(this, [this, path] { Q_EMIT openRequested(path); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        this, [this, path] { Q_EMIT openRequested(path); }, Qt::QueuedConnection);
 }
 } // namespace ui

@@ -27,8 +27,8 @@ public:
 
     Viewport* viewport() const;
     BrushSettings* brush() const;
-    /// By its id in the action table. "edit.undo" and "edit.redo" start disabled; text and enablement are set by whoever owns
-    /// the undo stack: use setUndoText() for a translated, uniform wording.
+    /// By its id in the action table. "edit.undo" and "edit.redo" start disabled; text and enablement are set by
+    /// whoever owns the undo stack: use setUndoText() for a translated, uniform wording.
     QAction* action(const QString& id) const;
     /// `what` names the step ("Pull"), empty if there is none.
     void setUndoText(const QString& what);
@@ -40,7 +40,8 @@ public:
     /// Asked before the window closes: false keeps it open. Without one it closes.
     void setMayClose(std::function<bool()> mayClose);
 
-    /// Save, discard or cancel is not offered yet, for the program only exports: asks whether unsaved changes may be lost.
+    /// Save, discard or cancel is not offered yet, for the program only exports: asks whether unsaved changes may be
+    /// lost.
     bool askToDiscard();
 
 public Q_SLOTS:
@@ -50,7 +51,8 @@ public Q_SLOTS:
     void updateFacts(const ui::ModelFacts& facts);
     void setModified(bool modified);
 
-    /// A refusal, one sentence, in a dialog that does not block the caller. A second one replaces the text of the first.
+    /// A refusal, one sentence, in a dialog that does not block the caller. A second one replaces the text of the
+    /// first.
     void showProblem(const QString& sentence);
     /// A small word over the view, which goes by itself.
     void showNotice(const QString& sentence);

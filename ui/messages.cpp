@@ -69,7 +69,8 @@ QString Messages::refusal(const QString& file, const core::MeshReport& report)
 
 QString Messages::tooFine(const QString& file, quint64 faces)
 {
-    return tr("%1 cannot be sculpted yet, because some of its faces would meet on the program's working grid (faces: %2).")
+    return tr("%1 cannot be sculpted yet, because some of its faces would meet on the program's working grid (faces: "
+              "%2).")
         .arg(file, number(faces));
 }
 
@@ -78,10 +79,14 @@ QString Messages::reading(const core::FileError& error)
 {
     const QString path = nativePath(error.path);
     switch (error.kind) {
-    case FileErrorKind::NotFound: return tr("%1: there is no such file or folder.").arg(path);
-    case FileErrorKind::NotReadable: return tr("%1 cannot be read%2.").arg(path, systemReason(error));
-    case FileErrorKind::NotAFile: return tr("%1 is not a file but a folder or a device.").arg(path);
-    case FileErrorKind::Empty: return tr("%1 is empty.").arg(path);
+    case FileErrorKind::NotFound:
+        return tr("%1: there is no such file or folder.").arg(path);
+    case FileErrorKind::NotReadable:
+        return tr("%1 cannot be read%2.").arg(path, systemReason(error));
+    case FileErrorKind::NotAFile:
+        return tr("%1 is not a file but a folder or a device.").arg(path);
+    case FileErrorKind::Empty:
+        return tr("%1 is empty.").arg(path);
     case FileErrorKind::TooLarge:
         return tr("%1 is too large: it has %2, and at most %3 are read.")
             .arg(path, bytes(error.found), bytes(error.expected));
@@ -90,10 +95,11 @@ QString Messages::reading(const core::FileError& error)
                    ? tr("%1 has no ending that says its format: STL, OBJ and PLY can be used.").arg(path)
                    : tr("%1: the format \"%2\" is not known; STL, OBJ and PLY can be used.").arg(path, token(error));
     case FileErrorKind::NotWhatItsEndingSays:
-        return error.token.empty() ? tr("%1 does not hold what its ending says.").arg(path)
-                                   : tr("%1 does not hold what its ending says: it looks like %2.")
-                                         .arg(path, token(error).toUpper());
-    default: return {};
+        return error.token.empty()
+                   ? tr("%1 does not hold what its ending says.").arg(path)
+                   : tr("%1 does not hold what its ending says: it looks like %2.").arg(path, token(error).toUpper());
+    default:
+        return {};
     }
 }
 
@@ -119,8 +125,10 @@ QString Messages::content(const core::FileError& error)
             .arg(where, token(error), number(error.expected));
     case FileErrorKind::TooManyElements:
         return tr("%1: too many %2; at most %3 are taken.").arg(where, token(error), number(error.expected));
-    case FileErrorKind::NoFaces: return tr("%1 holds no faces.").arg(where);
-    default: return {};
+    case FileErrorKind::NoFaces:
+        return tr("%1 holds no faces.").arg(where);
+    default:
+        return {};
     }
 }
 
@@ -128,19 +136,26 @@ QString Messages::writing(const core::FileError& error)
 {
     const QString path = nativePath(error.path), reason = systemReason(error);
     switch (error.kind) {
-    case FileErrorKind::NotWritable: return tr("%1 cannot be written: it is not permitted%2.").arg(path, reason);
-    case FileErrorKind::DiskFull: return tr("%1 was not written: the disk is full.").arg(path);
-    case FileErrorKind::WriteFailed: return tr("%1 was not written%2.").arg(path, reason);
-    default: return {};
+    case FileErrorKind::NotWritable:
+        return tr("%1 cannot be written: it is not permitted%2.").arg(path, reason);
+    case FileErrorKind::DiskFull:
+        return tr("%1 was not written: the disk is full.").arg(path);
+    case FileErrorKind::WriteFailed:
+        return tr("%1 was not written%2.").arg(path, reason);
+    default:
+        return {};
     }
 }
 
 QString Messages::at(const core::FileError& error)
 {
     switch (error.place.unit) {
-    case core::FilePlace::Unit::None: return {};
-    case core::FilePlace::Unit::Line: return tr(", line %1").arg(number(error.place.number));
-    case core::FilePlace::Unit::Byte: return tr(", byte %1").arg(number(error.place.number));
+    case core::FilePlace::Unit::None:
+        return {};
+    case core::FilePlace::Unit::Line:
+        return tr(", line %1").arg(number(error.place.number));
+    case core::FilePlace::Unit::Byte:
+        return tr(", byte %1").arg(number(error.place.number));
     }
     return {};
 }

@@ -41,7 +41,8 @@ void OrbitCamera::frame(const core::Box& box)
     for (int i = 0; i < 8; ++i) {
         const core::Vec3 corner = shown.corner(static_cast<core::Box::CornerType>(i)) - m_target;
         const double nearer = -corner.dot(viewDirection());
-        const double aside = std::max(std::abs(corner.dot(up())) / vertical, std::abs(corner.dot(right())) / horizontal);
+        const double aside =
+            std::max(std::abs(corner.dot(up())) / vertical, std::abs(corner.dot(right())) / horizontal);
         distance = std::max(distance, nearer + aside);
     }
     m_distance = std::max(distance * frameMargin, m_sceneRadius * nearestZoom);
@@ -62,8 +63,7 @@ void OrbitCamera::pan(const Pixel& delta)
 
 void OrbitCamera::zoom(double factor, const Pixel& toward)
 {
-    const double distance =
-        std::clamp(m_distance * factor, m_sceneRadius * nearestZoom, m_sceneRadius * farthestZoom);
+    const double distance = std::clamp(m_distance * factor, m_sceneRadius * nearestZoom, m_sceneRadius * farthestZoom);
     const double applied = distance / m_distance;
     const core::Ray through = ray(toward);
     const core::Vec3 held = through.origin + through.direction * (m_distance / through.direction.dot(viewDirection()));

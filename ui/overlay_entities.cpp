@@ -33,6 +33,8 @@ namespace
 {
 using Qt3DRender::QParameter;
 
+constexpr double ringHalfWidth = 2.4; ///< logical pixels, dark edges included
+
 /// One attribute of an interleaved float array.
 struct Field
 {
@@ -52,10 +54,9 @@ Qt3DRender::QGeometryRenderer* triangles(const std::vector<float>& values, std::
     unsigned int offset = 0;
     const auto count = static_cast<unsigned int>(values.size()) / perVertex;
     for (const Field& field : fields) {
-        geometry->addAttribute(new Qt3DCore::QAttribute(buffer, QLatin1StringView(field.name),
-                                                        Qt3DCore::QAttribute::Float, field.floats, count,
-                                                        offset * static_cast<unsigned int>(sizeof(float)),
-                                                        perVertex * static_cast<unsigned int>(sizeof(float))));
+        geometry->addAttribute(new Qt3DCore::QAttribute(
+            buffer, QLatin1StringView(field.name), Qt3DCore::QAttribute::Float, field.floats, count,
+            offset * static_cast<unsigned int>(sizeof(float)), perVertex * static_cast<unsigned int>(sizeof(float))));
         offset += field.floats;
     }
     auto* renderer = new Qt3DRender::QGeometryRenderer;
@@ -80,8 +81,8 @@ Qt3DRender::QRenderPass* blendedPass(Qt3DRender::QShaderProgram* program, Qt3DRe
     equation->setBlendFunction(Qt3DRender::QBlendEquation::Add);
     auto* cull = new Qt3DRender::QCullFace;
     cull->setMode(Qt3DRender::QCullFace::NoCulling);
-    for (Qt3DRender::QRenderState* state : std::initializer_list<Qt3DRender::QRenderState*>{
-             test, factors, equation, cull, new Qt3DRender::QNoDepthMask})
+    for (Qt3DRender::QRenderState* state :
+         std::initializer_list<Qt3DRender::QRenderState*>{test, factors, equation, cull, new Qt3DRender::QNoDepthMask})
         pass->addRenderState(state);
     return pass;
 }
@@ -199,7 +200,7 @@ BrushCursor::BrushCursor(Qt3DCore::QNode* parent) : Qt3DCore::QEntity(parent), m
     hidden->addParameter(new QParameter(QStringLiteral("alpha"), 0.22F));
     auto* look = material({hidden, seen});
     m_viewport = parameter(look, "viewport", QVector2D(1, 1));
-    m_halfWidth = parameter(look, "halfWidth", 2.4F);
+    m_halfWidth = parameter(look, "halfWidth", static_cast<float>(ringHalfWidth));
     m_color = parameter(look, "color", QVector3D(1, 1, 1));
     addComponent(triangles(ringAndTick(), {{"vertexPosition", 3}, {"vertexNext", 3}, {"vertexSide", 1}}));
     addComponent(m_transform);
@@ -221,6 +222,6 @@ void BrushCursor::setColor(const QColor& color)
 void BrushCursor::setPixels(QSize target, double ratio)
 {
     m_viewport->setValue(QVector2D(static_cast<float>(target.width()), static_cast<float>(target.height())));
-    m_halfWidth->setValue(static_cast<float>(2.4 * ratio));
+    m_halfWidth->setValue(static_cast<float>(ringHalfWidth * ratio));
 }
 } // namespace ui

@@ -3,9 +3,10 @@
 namespace ui
 {
 PointerInput::PointerInput(const BrushSettings* brush, OrbitCamera* camera, QObject* parent)
-    : QObject(parent), m_brush(brush), m_camera(camera)
-{
-}
+    : QObject(parent)
+    , m_brush(brush)
+    , m_camera(camera)
+{}
 
 void PointerInput::handle(const PointerEvent& event)
 {
@@ -126,8 +127,12 @@ void PointerInput::ask(Question question)
 void PointerInput::process(const Waiting& waiting)
 {
     switch (waiting.event.kind) {
-    case PointerEvent::Kind::Press: press(waiting); break;
-    case PointerEvent::Kind::Move: move(waiting); break;
+    case PointerEvent::Kind::Press:
+        press(waiting);
+        break;
+    case PointerEvent::Kind::Move:
+        move(waiting);
+        break;
     case PointerEvent::Kind::Release:
         if (waiting.event.button == m_dragButton)
             end();

@@ -26,8 +26,9 @@ struct PointerEvent
     double pressure = 1;
 };
 
-/// Decides what a drag is: a stroke, or a turn or a move of the view. A left press is a stroke if it is on the model; that
-/// is asked by a hover question, and what happens before the answer waits in a queue. Gui thread, no widget, no OpenGL.
+/// Decides what a drag is: a stroke, or a turn or a move of the view. A left press is a stroke if it is on the model;
+/// that is asked by a hover question, and what happens before the answer waits in a queue. Gui thread, no widget, no
+/// OpenGL.
 class PointerInput : public QObject
 {
     Q_OBJECT

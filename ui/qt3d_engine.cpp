@@ -26,7 +26,8 @@ namespace ui
 {
 namespace
 {
-Qt3DRender::QTexture2D* attach(Qt3DRender::QRenderTarget* target, Qt3DRender::QRenderTargetOutput::AttachmentPoint point,
+Qt3DRender::QTexture2D* attach(Qt3DRender::QRenderTarget* target,
+                               Qt3DRender::QRenderTargetOutput::AttachmentPoint point,
                                Qt3DRender::QAbstractTexture::TextureFormat format)
 {
     auto* output = new Qt3DRender::QRenderTargetOutput;
@@ -58,8 +59,8 @@ struct Qt3dEngine::State
     Qt3DCore::QNode* targetBranch();
 };
 
-/// surface -> [own textures, cleared] -> whole view -> camera; and a leaf that draws nothing, for a graph without a live
-/// leaf stalls Qt3D. In the bound framebuffer nothing is cleared: the clay is in it.
+/// surface -> [own textures, cleared] -> whole view -> camera; and a leaf that draws nothing, for a graph without a
+/// live leaf stalls Qt3D. In the bound framebuffer nothing is cleared: the clay is in it.
 void Qt3dEngine::State::buildFrameGraph()
 {
     selector = new Qt3DRender::QRenderSurfaceSelector;

@@ -31,8 +31,8 @@ public:
     void start();
     /// Null if it was not found.
     QOpenGLContext* context() const;
-    /// Whether Qt3D draws into the framebuffer that is bound, a small one, and leaves it bound. Context current, no entity
-    /// enabled.
+    /// Whether Qt3D draws into the framebuffer that is bound, a small one, and leaves it bound. Context current, no
+    /// entity enabled.
     bool drawsIntoBoundFramebuffer(unsigned int framebuffer);
 
     void setView(const OrbitCamera& camera, QSize pixels);

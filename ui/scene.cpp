@@ -30,7 +30,7 @@ QOpenGLFunctions_3_3_Core* functionsOf(QOpenGLContext* context)
 
 struct Scene::State
 {
-    QOffscreenSurface surface;                   ///< outlives the engine and the contexts
+    QOffscreenSurface surface;                  ///< outlives the engine and the contexts
     std::unique_ptr<QOpenGLContext> ownContext; ///< Layered only
     std::unique_ptr<Qt3dEngine> engine;
     Ground* ground = nullptr;      ///< owned by the engine's root
@@ -145,8 +145,8 @@ void Scene::State::layOver(unsigned int texture)
     gl->glDisable(GL_BLEND);
 }
 
-/// Everything once, unseen, or ground and cursor would be missing in the first frames. In layers there is no ground: its
-/// depth would not be compared with the clay's.
+/// Everything once, unseen, or ground and cursor would be missing in the first frames. In layers there is no ground:
+/// its depth would not be compared with the clay's.
 void Scene::State::warmUp()
 {
     ground->setEnabled(mode == Mode::InQt3dContext);
@@ -164,8 +164,7 @@ Scene::Scene(Mode wanted) : m_state(std::make_unique<State>())
 {
     m_state->surface.setFormat(QSurfaceFormat::defaultFormat());
     m_state->surface.create();
-    m_state->usable =
-        (wanted == Mode::InQt3dContext && m_state->startInQt3dContext()) || m_state->startLayered();
+    m_state->usable = (wanted == Mode::InQt3dContext && m_state->startInQt3dContext()) || m_state->startLayered();
     setDark(false);
     if (m_state->usable)
         m_state->warmUp();

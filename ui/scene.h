@@ -12,11 +12,12 @@
 
 namespace ui
 {
-/// Everything that is drawn, in one image: clay and backdrop by ClayPainter, ground and brush cursor by Qt3D, which renders
-/// on demand and on this thread into our own framebuffer, so that both share one depth buffer.
+/// Everything that is drawn, in one image: clay and backdrop by ClayPainter, ground and brush cursor by Qt3D, which
+/// renders on demand and on this thread into our own framebuffer, so that both share one depth buffer.
 ///
-/// That rests on Qt3D drawing into whatever framebuffer is bound when its context is current already; it is tested at the
-/// start. Where it does not hold, the clay gets a context of its own and Qt3D's picture, cursor only, is laid over it.
+/// That rests on Qt3D drawing into whatever framebuffer is bound when its context is current already; it is tested at
+/// the start. Where it does not hold, the clay gets a context of its own and Qt3D's picture, cursor only, is laid over
+/// it.
 ///
 /// Gui thread, QApplication exists and prepareGraphics() was called before it. No other context may be current during a
 /// call; afterwards the scene's is.
@@ -55,7 +56,7 @@ private:
     std::unique_ptr<State> m_state;
 };
 
-/// Empty, or why this machine cannot show the clay, in one translated sentence. Makes a context to find out; cheap after
-/// the first call.
+/// Empty, or why this machine cannot show the clay, in one translated sentence. Makes a context to find out; cheap
+/// after the first call.
 QString graphicsProblem();
 } // namespace ui

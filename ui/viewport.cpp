@@ -49,9 +49,12 @@ PointerEvent pointerEvent(PointerEvent::Kind kind, const QSinglePointEvent& even
 QColor cursorColor(core::Tool tool)
 {
     switch (tool) {
-    case core::Tool::Pull: return {255, 246, 232};
-    case core::Tool::Push: return {150, 205, 255};
-    case core::Tool::Smooth: return {176, 240, 176};
+    case core::Tool::Pull:
+        return {255, 246, 232};
+    case core::Tool::Push:
+        return {150, 205, 255};
+    case core::Tool::Smooth:
+        return {176, 240, 176};
     }
     return Qt::white;
 }
@@ -137,7 +140,8 @@ void Viewport::State::show(const Scene::Image& image, QSize pixels, unsigned int
 }
 
 Viewport::Viewport(BrushSettings* brush, QWidget* parent)
-    : QOpenGLWidget(parent), m_state(std::make_unique<State>(brush))
+    : QOpenGLWidget(parent)
+    , m_state(std::make_unique<State>(brush))
 {
     setMouseTracking(true);
     setTabletTracking(true);

@@ -36,8 +36,8 @@ struct ViewportStats
 /// Shows the clay and turns mouse and pen into strokes. Knows no mesh: it draws the patches it takes and asks where the
 /// surface is. Lives on the gui thread; every signal is emitted there.
 ///
-/// A left press is a stroke if it is on the model, else it turns the view. Whether it is on the model is the answer to a
-/// hover question; events that come before the answer wait for it, none is lost.
+/// A left press is a stroke if it is on the model, else it turns the view. Whether it is on the model is the answer to
+/// a hover question; events that come before the answer wait for it, none is lost.
 class Viewport : public QOpenGLWidget
 {
     Q_OBJECT
@@ -64,8 +64,8 @@ public:
 public Q_SLOTS:
     /// There is something to take. Coalesced: at most one frame is scheduled.
     void patchReady();
-    /// The answer to the hover question in flight. Each hoverRequested() is answered exactly once, in order, at any later
-    /// time: with the surface's point, or with nothing if the ray misses or there is no model.
+    /// The answer to the hover question in flight. Each hoverRequested() is answered exactly once, in order, at any
+    /// later time: with the surface's point, or with nothing if the ray misses or there is no model.
     void setHover(const std::optional<core::SurfaceHit>& hit);
 
 Q_SIGNALS:

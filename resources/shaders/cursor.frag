@@ -11,7 +11,7 @@ out vec4 fragColor;
 void main()
 {
     float pixels = abs(side) * halfWidth;
-    float core = clamp(halfWidth - 1.4 - pixels + 0.5, 0.0, 1.0);
+    float core = clamp(0.42 * halfWidth - pixels + 0.5, 0.0, 1.0);
     float outer = clamp(halfWidth - pixels, 0.0, 1.0);
     fragColor = vec4(color * core, alpha * mix(0.45 * outer, 1.0, core));
 }

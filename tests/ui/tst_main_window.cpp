@@ -33,8 +33,7 @@ QAction* act(const MainWindow& window, const char* id)
     return window.action(QLatin1StringView(id));
 }
 
-template <class Widget>
-Widget* child(const MainWindow& window, const char* name)
+template <class Widget> Widget* child(const MainWindow& window, const char* name)
 {
     return window.findChild<Widget*>(QLatin1StringView(name));
 }

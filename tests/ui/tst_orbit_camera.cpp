@@ -13,7 +13,8 @@ namespace
 {
 constexpr double tolerance = 1e-6;
 
-OrbitCamera framed(double width = 1280, double height = 720, const Box& box = Box(Vec3(-30, -10, -50), Vec3(40, 60, 20)))
+OrbitCamera framed(double width = 1280, double height = 720,
+                   const Box& box = Box(Vec3(-30, -10, -50), Vec3(40, 60, 20)))
 {
     OrbitCamera camera;
     camera.setViewport(width, height);

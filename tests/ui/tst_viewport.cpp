@@ -226,8 +226,8 @@ private Q_SLOTS:
         QSignalSpy sampled(&s.viewport, &ui::Viewport::strokeSampled), ended(&s.viewport, &ui::Viewport::strokeEnded);
         const auto send = [&s](QEvent::Type type, QPointF at, double pressure) {
             const bool moves = type == QEvent::TabletMove;
-            QTabletEvent event(type, QPointingDevice::primaryPointingDevice(), at, s.viewport.mapToGlobal(at), pressure, 0,
-                               0, 0, 0, 0, Qt::NoModifier, moves ? Qt::NoButton : Qt::LeftButton, Qt::LeftButton);
+            QTabletEvent event(type, QPointingDevice::primaryPointingDevice(), at, s.viewport.mapToGlobal(at), pressure,
+                               0, 0, 0, 0, 0, Qt::NoModifier, moves ? Qt::NoButton : Qt::LeftButton, Qt::LeftButton);
             QCoreApplication::sendEvent(&s.viewport, &event);
             QVERIFY(event.isAccepted());
         };
