@@ -1,5 +1,6 @@
 #include "box_tree.h"
 
+#include "morton_code.h"
 #include "parallel.h"
 
 namespace core
@@ -7,18 +8,6 @@ namespace core
 namespace
 {
 constexpr std::size_t chunkSize = 1 << 14;
-constexpr int cellBits = 21; ///< three coordinates in 63 bits
-
-/// Puts two zero bits between the 21 low bits.
-std::uint64_t spread(std::uint64_t x)
-{
-    x = (x | x << 32) & 0x1f00000000ffffu;
-    x = (x | x << 16) & 0x1f0000ff0000ffu;
-    x = (x | x << 8) & 0x100f00f00f00f00fu;
-    x = (x | x << 4) & 0x10c30c30c30c30c3u;
-    x = (x | x << 2) & 0x1249249249249249u;
-    return x;
-}
 
 struct Key
 {
@@ -34,13 +23,13 @@ std::vector<Key> mortonKeys(const std::vector<FaceBox>& boxes)
         all.extend(box);
     const Eigen::Array3d origin = all.min.cast<double>();
     const double side = (all.max.cast<double>() - origin).maxCoeff();
-    const double scale = side > 0 ? ((1 << cellBits) - 1) / side : 0;
+    const double scale = side > 0 ? ((1 << mortonBits) - 1) / side : 0;
     std::vector<Key> keys(boxes.size());
     forEachChunk(boxes.size(), chunkSize, [&](std::size_t, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const Eigen::Array3d centre = (boxes[i].min.cast<double>() + boxes[i].max.cast<double>()) / 2;
             const Eigen::Array<std::uint64_t, 3, 1> cell = ((centre - origin) * scale).cast<std::uint64_t>();
-            keys[i] = {spread(cell[0]) | spread(cell[1]) << 1 | spread(cell[2]) << 2, static_cast<Slot>(i)};
+            keys[i] = {mortonCode({cell[0], cell[1], cell[2]}), static_cast<Slot>(i)};
         }
     });
     return keys;

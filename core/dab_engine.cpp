@@ -23,8 +23,8 @@ namespace
 constexpr double movePerMinimum = 0.45;
 /// Sub-steps of one dab; a dab that would need more ends early.
 constexpr double mostSubsteps = 4096;
-/// A vertex held back this many times stays where it is: 1, 1/2, 1/4, 1/8, 0.
-constexpr double leastHeld = 1.0 / 8;
+/// A vertex that would touch something does this part of its motion instead, then nothing.
+constexpr double heldShareOnce = 0.25;
 constexpr int mostHoldRounds = 64;
 
 using Clock = std::chrono::steady_clock;
@@ -178,9 +178,30 @@ DabEngine::Substep DabEngine::careful(Task& task, DabReport& report)
     if (task.steps == 0)
         count(refineAndPlan(task, judged, report));
     const bool moved = moveHeldBack(1 / task.steps, report);
-    const PhaseTimer timer(report.optimiseMs);
-    count(optimise(m_mesh, m_region, task.bounds, judged));
+    if (!optimiseAtOnce(task, report)) {
+        const PhaseTimer timer(report.optimiseMs);
+        count(optimise(m_mesh, m_region, task.bounds, judged));
+    }
     return moved ? Substep::Careful : Substep::Stuck;
+}
+
+/// All operations in one transaction: what stopped the straight path was most likely the motion, not one of them.
+bool DabEngine::optimiseAtOnce(Task& task, DabReport& report)
+{
+    const Region::Saved saved = m_region.save();
+    const Mesh::Mark mark = m_mesh.mark();
+    RemeshCounts counts;
+    {
+        const PhaseTimer timer(report.optimiseMs);
+        counts = optimise(m_mesh, m_region, task.bounds, runPlainly);
+    }
+    if (!verifyAndIndex(mark, report)) {
+        m_mesh.rollback(mark);
+        m_region.restore(saved);
+        return false;
+    }
+    count(counts);
+    return true;
 }
 
 /// Moves what can be moved without touching anything. Ends: a round without progress holds something back for good.
@@ -227,7 +248,7 @@ void DabEngine::extendHeld()
     }
 }
 
-/// Halves the motion of the region's vertices at and around the bad faces. False if none of them can be held back further.
+/// Shortens the motion of the region's vertices at and around the bad faces. False if none of them can be held back further.
 bool DabEngine::holdBack(const std::vector<Slot>& badFaces)
 {
     SparseIndex& around = m_region.scratch();
@@ -244,7 +265,7 @@ bool DabEngine::holdBack(const std::vector<Slot>& badFaces)
             continue;
         double& share = m_held[m_region.position(v)];
         any = any || share > 0;
-        share = share > leastHeld ? share / 2 : 0;
+        share = share == 1 ? heldShareOnce : 0;
     }
     return any;
 }

@@ -43,6 +43,7 @@ private:
     Substep straight(Task& task, DabReport& report);
     Substep careful(Task& task, DabReport& report);
     RemeshCounts refineAndPlan(Task& task, const Attempt& attempt, DabReport& report);
+    bool optimiseAtOnce(Task& task, DabReport& report);
     bool moveHeldBack(double part, DabReport& report);
     void extendHeld();
     bool holdBack(const std::vector<Slot>& badFaces);

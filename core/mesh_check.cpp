@@ -70,7 +70,8 @@ void addTopology(MeshReport& report, const TriangleMesh& mesh)
     report.closed = topology.openEdges.count == 0;
     report.manifold = topology.nonManifoldEdges.count == 0 && topology.nonManifoldVertices.count == 0;
     report.oriented = topology.misorientedEdges.count == 0 && topology.nonManifoldEdges.count == 0;
-    report.components = componentsOf(mesh.points.size(), mesh.triangles).count;
+    report.components = report.manifold ? componentsOf(mesh.points.size(), mesh.triangles).count
+                                        : edgeComponents(mesh.triangles);
     if (report.closed && report.manifold && report.oriented) {
         const auto euler = static_cast<std::int64_t>(topology.vertices + mesh.triangles.size()) -
                            static_cast<std::int64_t>(topology.edges);

@@ -1,5 +1,7 @@
 #include "morton_order.h"
 
+#include "morton_code.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -7,23 +9,11 @@ namespace core
 {
 namespace
 {
-/// Puts two zero bits between the 21 low bits.
-std::uint64_t spread(std::uint64_t x)
-{
-    x &= 0x1fffff;
-    x = (x | x << 32) & 0x1f00000000ffffu;
-    x = (x | x << 16) & 0x1f0000ff0000ffu;
-    x = (x | x << 8) & 0x100f00f00f00f00fu;
-    x = (x | x << 4) & 0x10c30c30c30c30c3u;
-    x = (x | x << 2) & 0x1249249249249249u;
-    return x;
-}
-
 /// Of the upper 21 of the 24 bits of each coordinate.
-std::uint64_t mortonCode(const LatticePoint& p)
+std::uint64_t codeOf(const LatticePoint& p)
 {
-    const auto upper = [](int x) { return static_cast<std::uint64_t>(x + Lattice::limit) >> 3; };
-    return spread(upper(p.x())) | spread(upper(p.y())) << 1 | spread(upper(p.z())) << 2;
+    const auto upper = [](int x) { return static_cast<std::uint64_t>(x + Lattice::limit) >> (24 - mortonBits); };
+    return mortonCode({upper(p.x()), upper(p.y()), upper(p.z())});
 }
 
 std::vector<Slot> vertexOrder(const TriangleMesh& mesh, const Lattice& lattice)
@@ -38,7 +28,7 @@ std::vector<Slot> vertexOrder(const TriangleMesh& mesh, const Lattice& lattice)
     keys.reserve(mesh.points.size());
     for (Slot v = 0; v < mesh.points.size(); ++v) {
         const LatticePoint p = lattice.toLattice(mesh.points[v]);
-        keys.push_back({mortonCode(p), p, v});
+        keys.push_back({codeOf(p), p, v});
     }
     std::ranges::sort(keys, [](const Key& a, const Key& b) {
         return std::tie(a.code, a.point.x(), a.point.y(), a.point.z()) <

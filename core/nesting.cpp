@@ -15,10 +15,10 @@ namespace core
 namespace
 {
 /// Union of vertices, path halving.
-class VertexSets
+class DisjointSets
 {
 public:
-    explicit VertexSets(std::size_t count) : m_parent(count) { std::iota(m_parent.begin(), m_parent.end(), Slot(0)); }
+    explicit DisjointSets(std::size_t count) : m_parent(count) { std::iota(m_parent.begin(), m_parent.end(), Slot(0)); }
 
     Slot root(Slot v)
     {
@@ -176,7 +176,7 @@ private:
 
 Components componentsOf(std::size_t vertices, std::span<const Triangle> triangles)
 {
-    VertexSets sets(vertices);
+    DisjointSets sets(vertices);
     for (const auto& [a, b, c] : triangles) {
         sets.unite(a, b);
         sets.unite(b, c);
@@ -191,6 +191,30 @@ Components componentsOf(std::size_t vertices, std::span<const Triangle> triangle
         result.ofFace.push_back(component);
     }
     return result;
+}
+
+std::size_t edgeComponents(std::span<const Triangle> triangles)
+{
+    std::vector<std::pair<std::uint64_t, Slot>> edges; // the two ends, the face
+    edges.reserve(3 * triangles.size());
+    for (Slot f = 0; f < triangles.size(); ++f) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Slot a = triangles[f][i], b = triangles[f][(i + 1) % 3];
+            edges.emplace_back(std::uint64_t(std::min(a, b)) << 32 | std::max(a, b), f);
+        }
+    }
+    std::ranges::sort(edges);
+    DisjointSets faces(triangles.size());
+    for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
+        while (end < edges.size() && edges[end].first == edges[begin].first)
+            ++end;
+        if (end - begin == 2)
+            faces.unite(edges[begin].second, edges[begin + 1].second);
+    }
+    std::size_t count = 0;
+    for (Slot f = 0; f < triangles.size(); ++f)
+        count += faces.root(f) == f ? 1 : 0;
+    return count;
 }
 
 bool boundsSolid(std::span<const Vec3f> points, std::span<const Triangle> triangles)

@@ -14,11 +14,14 @@ namespace core
 bool boundsSolid(std::span<const Vec3f> points, std::span<const Triangle> triangles);
 bool boundsSolid(std::span<const LatticePoint> points, std::span<const Triangle> triangles);
 
-/// The sets of faces connected by vertices, numbered by their first faces.
+/// The sets of faces connected by vertices, numbered by their first faces. In a manifold mesh these are its shells.
 struct Components
 {
     std::vector<Slot> ofFace;
     std::size_t count = 0;
 };
 Components componentsOf(std::size_t vertices, std::span<const Triangle> triangles);
+
+/// How many sets of faces are connected by edges of just two faces: parts that merely touch are parts. Slower.
+std::size_t edgeComponents(std::span<const Triangle> triangles);
 } // namespace core

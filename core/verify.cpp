@@ -176,7 +176,7 @@ void Verifier::testPairs(const Mesh& mesh, bool neighboursToo)
     std::vector<LatticeBox> boxes(m_faces.size());
     for (std::size_t i = 0; i < boxes.size(); ++i)
         boxes[i] = m_faces[i].box;
-    forEachBoxPair(boxes, m_dirtyCount, [&](Slot i, Slot j) { testPair(i, j, neighboursToo); });
+    BoxPairs(boxes, m_dirtyCount).forEach([&](Slot i, Slot j) { testPair(i, j, neighboursToo); });
 }
 
 bool Verifier::starIsCertified(const Mesh& mesh, Slot v)
