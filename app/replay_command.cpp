@@ -26,6 +26,7 @@ class ReplayWords
     Q_DECLARE_TR_FUNCTIONS(app::ReplayCommand)
 };
 
+/// The engine has no way around its own verification yet: None keeps its word about --out, and costs what Local does.
 enum class Verify { Local, Full, None };
 
 struct ReplayOptions
@@ -54,7 +55,7 @@ std::optional<ReplayOptions> parseOptions(const QStringList& arguments)
                        {QStringLiteral("out"), ReplayWords::tr("Where the sculpted model goes."), QStringLiteral("FILE")},
                        {QStringLiteral("stats"), ReplayWords::tr("Where cost and outcome of each dab go, JSON."), QStringLiteral("T.json")},
                        {QStringLiteral("verify"),
-                        ReplayWords::tr("local: what changed (as in the window); full: the whole mesh after each dab as well; none: nothing is checked."),
+                        ReplayWords::tr("local: what changed (as in the window); full: the whole mesh after each dab as well; none: for measurements, excludes --out."),
                         QStringLiteral("local|full|none"), QStringLiteral("local")}});
     if (!CommandLine::parse(parser, QStringLiteral("replay"), arguments))
         return std::nullopt;
