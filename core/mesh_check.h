@@ -24,7 +24,7 @@ struct MeshReport
     /// degenerate faces or intersections.
     std::optional<bool> boundsSolid;
 
-    std::size_t components = 0;        ///< sets of faces connected by edges of two faces
+    std::size_t components = 0;        ///< sets of faces connected by edges
     std::optional<std::int64_t> genus; ///< summed over components; missing unless closed, manifold and oriented
     std::optional<double> volume;      ///< missing unless closed and oriented
     double area = 0;

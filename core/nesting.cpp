@@ -206,10 +206,8 @@ std::size_t edgeComponents(std::span<const Triangle> triangles)
     std::ranges::sort(edges);
     DisjointSets faces(triangles.size());
     for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
-        while (end < edges.size() && edges[end].first == edges[begin].first)
-            ++end;
-        if (end - begin == 2)
-            faces.unite(edges[begin].second, edges[begin + 1].second);
+        for (; end < edges.size() && edges[end].first == edges[begin].first; ++end)
+            faces.unite(edges[begin].second, edges[end].second);
     }
     std::size_t count = 0;
     for (Slot f = 0; f < triangles.size(); ++f)

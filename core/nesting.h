@@ -22,6 +22,6 @@ struct Components
 };
 Components componentsOf(std::size_t vertices, std::span<const Triangle> triangles);
 
-/// How many sets of faces are connected by edges of just two faces: parts that merely touch are parts. Slower.
+/// How many sets of faces are connected by edges: parts that touch at a point are parts. Slower.
 std::size_t edgeComponents(std::span<const Triangle> triangles);
 } // namespace core
