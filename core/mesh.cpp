@@ -456,8 +456,12 @@ TouchedSlots Mesh::touchedSince(const Mark& mark) const
 {
     TouchedSlots touched;
     for (std::size_t i = mark.vertices; i < m_journal.vertices.size(); ++i) {
-        if (m_journal.vertices[i].stamp < mark.epoch)
-            touched.vertices.push_back(m_journal.vertices[i].slot);
+        const VertexImage& image = m_journal.vertices[i];
+        if (image.stamp >= mark.epoch)
+            continue;
+        touched.vertices.push_back(image.slot);
+        if (image.live)
+            touched.before.extend(image.point);
     }
     for (std::size_t i = mark.faces; i < m_journal.faces.size(); ++i) {
         if (m_journal.faces[i].stamp < mark.epoch)

@@ -20,6 +20,7 @@ struct TouchedSlots
 {
     std::vector<Slot> vertices; ///< moved, relinked, created or removed
     std::vector<Slot> faces;    ///< relinked, created or removed; not those of which only a corner moved
+    Eigen::AlignedBox3f before; ///< of the vertices that were there, where they were then
 };
 
 /// The surface: an OpenMesh kernel whose elements are recycled slots, and the one gate through which it is written. The gate

@@ -1,7 +1,7 @@
 // The exact local check of a change (DESIGN section 3, step 5):
 //   1. dirty faces:  those the journal says were relinked, and those around a vertex that moved
 //   2. each by itself: linked rightly, not degenerate
-//   3. partners:     every face that meets the box of the dirty ones
+//   3. partners:     every face that meets the box of the dirty ones, where they are and where they were
 //   4. tier a:       one certificate for the connected patch around the dirty faces
 //      tier b:       certificates for the stars of its vertices, exact tests of the disjoint pairs
 //      tier c:       exact tests of neighbouring pairs too, where a star has no certificate
@@ -22,7 +22,7 @@ VerifyResult Verifier::verify(const Mesh& mesh, const FaceOctree& octree, const 
     collectDirty(mesh, touched);
     if (m_dirty.size() == 0)
         return m_result;
-    gather(mesh, octree);
+    gather(mesh, octree, touched.before);
     findBrokenFaces(mesh);
     if (m_result.ok()) {
         floodPatch(mesh);
@@ -51,7 +51,8 @@ void Verifier::collectDirty(const Mesh& mesh, const TouchedSlots& touched)
     }
 }
 
-void Verifier::gather(const Mesh& mesh, const FaceOctree& octree)
+/// The box of the change holds where its faces are and where they were: what lay between has been swept over.
+void Verifier::gather(const Mesh& mesh, const FaceOctree& octree, const Eigen::AlignedBox3f& before)
 {
     m_gathered.clear();
     m_faces.clear();
@@ -62,6 +63,8 @@ void Verifier::gather(const Mesh& mesh, const FaceOctree& octree)
         addFace(mesh, f, box);
     }
     m_dirtyCount = static_cast<Slot>(m_faces.size());
+    if (!before.isEmpty())
+        m_box.extend(LatticeBox{mesh.lattice().toLattice(before.min()), mesh.lattice().toLattice(before.max())});
     octree.query(m_box, [&](Slot f) {
         if (!mesh.isFace(f) || m_dirty.contains(f))
             return; // the octree knows where they were; where they are is above

@@ -40,7 +40,7 @@ private:
 
     void collectDirty(const Mesh& mesh, const TouchedSlots& touched);
     void findBrokenFaces(const Mesh& mesh);
-    void gather(const Mesh& mesh, const FaceOctree& octree);
+    void gather(const Mesh& mesh, const FaceOctree& octree, const Eigen::AlignedBox3f& before);
     void addFace(const Mesh& mesh, Slot f, const LatticeBox& box);
     void floodPatch(const Mesh& mesh);
     bool certifyDirtyPatch();
@@ -52,10 +52,10 @@ private:
 
     VerifyResult m_result;
     SparseIndex m_dirty;              ///< changed faces
-    SparseIndex m_gathered;           ///< the dirty ones first, then every other face that meets their box
+    SparseIndex m_gathered;           ///< the dirty ones first, then every other face that meets the box
     std::vector<LocalFace> m_faces;   ///< of m_gathered, in its order
     Slot m_dirtyCount = 0;
-    LatticeBox m_box;                 ///< of the dirty faces
+    LatticeBox m_box;                 ///< of the change: the dirty faces, and where their vertices were
     std::vector<Slot> m_component;    ///< by gathered face
     std::vector<char> m_closed;       ///< by component: no half-edge leaves the gathered faces
     Slot m_patchComponents = 0;       ///< components 0 to this hold dirty faces
