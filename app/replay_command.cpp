@@ -109,15 +109,19 @@ void checkRadii(const QString& path, const std::vector<core::Stroke>& strokes, c
     }
 }
 
+/// `dab`: the one that is being done, from 0.
 void requireWhole(const core::Sculptor& sculptor, std::size_t dab)
 {
     if (!core::checkMesh(core::extractMesh(sculptor.mesh())).printReady())
-        throw CommandFailure{ReplayWords::tr("replay: the mesh is not in order after dab %1.").arg(dab), AnswerIsNo};
+        throw CommandFailure{ReplayWords::tr("replay: the mesh is not in order in dab %1.").arg(dab), AnswerIsNo};
 }
 
 std::vector<ReplayedDab> play(core::Sculptor& sculptor, const std::vector<core::Stroke>& strokes, Verify verify)
 {
     std::vector<ReplayedDab> dabs;
+    sculptor.setVerification(verify != Verify::None);
+    if (verify == Verify::Full)
+        sculptor.setBetweenSubsteps([&] { requireWhole(sculptor, dabs.size()); });
     for (const core::Stroke& stroke : strokes) {
         sculptor.beginStroke(stroke.settings);
         for (const core::StrokeSample& sample : stroke.samples) {
@@ -126,13 +130,13 @@ std::vector<ReplayedDab> play(core::Sculptor& sculptor, const std::vector<core::
             const double each = (threadCpuMs() - before) / static_cast<double>(std::max<std::size_t>(reports.size(), 1));
             for (const core::DabReport& report : reports)
                 dabs.push_back({report, each});
-            if (verify == Verify::Full && !reports.empty())
-                requireWhole(sculptor, dabs.size() - 1);
         }
         sculptor.endStroke();
     }
+    sculptor.setBetweenSubsteps({});
     return dabs;
 }
+
 void run(const ReplayOptions& options, const std::vector<core::Stroke>& strokes)
 {
     // What cannot be written is told before the work, not after it.

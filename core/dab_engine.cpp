@@ -305,12 +305,16 @@ bool DabEngine::verifyAndIndex(const Mesh::Mark& mark, DabReport& report)
 {
     const PhaseTimer timer(report.verifyMs);
     const TouchedSlots touched = m_mesh.touchedSince(mark);
-    VerifyResult result = m_verifier.verify(m_mesh, m_octree, touched);
-    if (!result.ok()) {
-        m_lastBadFaces = std::move(result.badFaces);
-        return false;
+    if (m_verification) {
+        VerifyResult result = m_verifier.verify(m_mesh, m_octree, touched);
+        if (!result.ok()) {
+            m_lastBadFaces = std::move(result.badFaces);
+            return false;
+        }
+        ++m_totals.verifyTiers[static_cast<std::size_t>(result.tier)];
+    } else {
+        m_verifier.collectDirty(m_mesh, touched);
     }
-    ++m_totals.verifyTiers[static_cast<std::size_t>(result.tier)];
     m_touchedFaces = std::max(m_touchedFaces, static_cast<Slot>(m_verifier.dirtyFaces().size()));
     m_mesh.commit(mark);
     reindex(touched, m_verifier.dirtyFaces());

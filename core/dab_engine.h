@@ -18,6 +18,9 @@ public:
     /// Precondition: a stroke is open. `between` may be empty.
     DabReport apply(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between);
 
+    /// See Sculptor::setVerification.
+    void setVerification(bool on) { m_verification = on; }
+
     /// Brings octree and patches up to date after Mesh::swap.
     void follow(const MeshDelta& swapped);
 
@@ -64,6 +67,7 @@ private:
     std::vector<double> m_held; ///< by position in the region: the share of its motion a vertex may do; empty: all
     std::vector<Slot> m_lastBadFaces;
     Slot m_touchedFaces = 0;
+    bool m_verification = true;
     bool m_capped = false; ///< a sub-step reached the cap on remeshing operations: the dab ends there
 };
 } // namespace core

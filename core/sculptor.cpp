@@ -39,6 +39,11 @@ Sculptor::Sculptor(std::unique_ptr<Mesh> mesh) : m_mesh(std::move(mesh)), m_engi
 
 Sculptor::~Sculptor() = default;
 
+void Sculptor::setVerification(bool on)
+{
+    m_engine->dabs.setVerification(on);
+}
+
 void Sculptor::setBetweenSubsteps(std::function<void()> hook)
 {
     m_engine->betweenSubsteps = std::move(hook);

@@ -27,6 +27,8 @@ public:
 
     const Mesh& mesh() const { return *m_mesh; }
 
+    /// On from the start. Off only to learn what verification costs: then the promise is not kept.
+    void setVerification(bool on);
     /// Called between sub-steps, on the thread that called addSample; the mesh is valid then and may be read.
     void setBetweenSubsteps(std::function<void()> hook);
 

@@ -28,7 +28,10 @@ public:
     /// `touched` comes from the mesh's journal and holds all that changed since `octree` was last up to date.
     VerifyResult verify(const Mesh& mesh, const FaceOctree& octree, const TouchedSlots& touched);
 
-    /// The faces of the last verify() that changed: relinked or with a moved corner, and alive.
+    /// Only finds out which faces changed.
+    void collectDirty(const Mesh& mesh, const TouchedSlots& touched);
+
+    /// The faces of the last verify() or collectDirty() that changed: relinked or with a moved corner, and alive.
     const std::vector<Slot>& dirtyFaces() const { return m_dirty.slots(); }
 
 private:
@@ -38,7 +41,6 @@ private:
         LatticeBox box;
     };
 
-    void collectDirty(const Mesh& mesh, const TouchedSlots& touched);
     void findBrokenFaces(const Mesh& mesh);
     void gather(const Mesh& mesh, const FaceOctree& octree, const Eigen::AlignedBox3f& before);
     void addFace(const Mesh& mesh, Slot f, const LatticeBox& box);
