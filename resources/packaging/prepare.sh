@@ -46,8 +46,10 @@ fettle_as_root()
 
 fettle_apt_install()
 {
+    # of a hundred packages that could not be fetched, one tells the story
     fettle_as_root env DEBIAN_FRONTEND=noninteractive apt-get -q -y \
-        -o Dpkg::Use-Pty=0 -o DPkg::Lock::Timeout=300 install --no-install-recommends "$@" >&2
+        -o Dpkg::Use-Pty=0 -o DPkg::Lock::Timeout=300 install --no-install-recommends "$@" 2>&1 |
+        awk '/^(E: Failed to fetch|Err:|Ign:)/ && n++ {next} {print; fflush()}' >&2
 }
 
 # fettle_install TABLE: installs the packages of the table that are missing.
@@ -112,6 +114,7 @@ fettle_configure()
     fi
     fettle_say "Configuring build/$preset"
     mkdir -p "$build"
+    rm -f "$build/configured"
     # shellcheck disable=SC2086
     cmake -S "$fettle_root" --preset "$preset" $fresh "$@" >"$build/configure.log" 2>&1 ||
         cmake -S "$fettle_root" --preset "$preset" --fresh "$@" >"$build/configure.log" 2>&1 || {
