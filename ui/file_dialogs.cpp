@@ -19,10 +19,10 @@ QStringList endings()
     return all;
 }
 
-QString tr(const char* text)
+class FileDialogs
 {
-    return QCoreApplication::translate("ui::FileDialogs", text);
-}
+    Q_DECLARE_TR_FUNCTIONS(ui::FileDialogs)
+};
 
 /// "STL (*.stl)"
 QString filterOf(const QString& ending)
@@ -40,17 +40,17 @@ void show(QFileDialog* dialog, const PathAnswer& answer)
 
 void askForModel(QWidget* parent, const QString& folder, PathAnswer answer)
 {
-    auto* dialog = new QFileDialog(parent, tr("Open a Model"), folder);
+    auto* dialog = new QFileDialog(parent, FileDialogs::tr("Open a Model"), folder);
     dialog->setObjectName(QStringLiteral("openDialog"));
     dialog->setFileMode(QFileDialog::ExistingFile);
     dialog->setNameFilters(
-        {tr("Models (%1)").arg(QStringLiteral("*.") + endings().join(QStringLiteral(" *."))), tr("All files (*)")});
+        {FileDialogs::tr("Models (%1)").arg(QStringLiteral("*.") + endings().join(QStringLiteral(" *."))), FileDialogs::tr("All files (*)")});
     show(dialog, answer);
 }
 
 void askForExport(QWidget* parent, const QString& folder, const QString& modelName, PathAnswer answer)
 {
-    auto* dialog = new QFileDialog(parent, tr("Export the Model"), folder);
+    auto* dialog = new QFileDialog(parent, FileDialogs::tr("Export the Model"), folder);
     dialog->setObjectName(QStringLiteral("exportDialog"));
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     QStringList filters;

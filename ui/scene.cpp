@@ -15,6 +15,11 @@ namespace ui
 {
 namespace
 {
+class SceneWords
+{
+    Q_DECLARE_TR_FUNCTIONS(ui::Scene)
+};
+
 constexpr int samplesPerPixel = 4;
 
 double milliseconds(const QElapsedTimer& since)
@@ -250,19 +255,18 @@ Scene::Image Scene::render(const OrbitCamera& camera, QSize pixels, double pixel
 QString graphicsProblem()
 {
     static const QString problem = [] {
-        const auto tr = [](const char* text) { return QCoreApplication::translate("ui::Scene", text); };
         if (!QOpenGLContext::globalShareContext())
-            return tr("The model cannot be shown: this display offers no OpenGL.");
+            return SceneWords::tr("The model cannot be shown: this display offers no OpenGL.");
         QOffscreenSurface surface;
         surface.setFormat(QSurfaceFormat::defaultFormat());
         surface.create();
         QOpenGLContext context;
         context.setFormat(QSurfaceFormat::defaultFormat());
         if (!context.create() || !context.makeCurrent(&surface))
-            return tr("The model cannot be shown: OpenGL does not start on this display.");
+            return SceneWords::tr("The model cannot be shown: OpenGL does not start on this display.");
         const auto version = context.format().version();
         if (version < qMakePair(3, 3) || !functionsOf(&context))
-            return tr("The model cannot be shown: OpenGL 3.3 is needed, and this display offers %1.%2.")
+            return SceneWords::tr("The model cannot be shown: OpenGL 3.3 is needed, and this display offers %1.%2.")
                 .arg(version.first)
                 .arg(version.second);
         return QString();

@@ -5,6 +5,7 @@
 
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QLabel>
 #include <QMouseEvent>
 #include <QOpenGLExtraFunctions>
 #include <QTabletEvent>
@@ -156,7 +157,10 @@ Viewport::Viewport(BrushSettings* brush, QWidget* parent)
     connect(input, &PointerInput::strokeEnded, this, &Viewport::strokeEnded);
     connect(input, &PointerInput::viewChanged, this, &Viewport::viewChanged);
     connect(this, &Viewport::viewChanged, this, qOverload<>(&Viewport::update));
-    connect(input, &PointerInput::hoverChanged, this, qOverload<>(&Viewport::update));
+    connect(input, &PointerInput::hoverChanged, this, [this, input] {
+        setCursor(input->hover() ? Qt::CrossCursor : Qt::ArrowCursor);
+        update();
+    });
     connect(brush, &BrushSettings::changed, this, qOverload<>(&Viewport::update));
 }
 
@@ -185,7 +189,7 @@ void Viewport::showModel(const core::Box& box)
 {
     m_state->input.finish();
     m_state->box = box;
-    if (m_state->scene)
+    if (m_state->scene && m_state->scene->usable())
         m_state->scene->placeGround(box);
     m_state->input.forgetHover();
     frame();
@@ -221,7 +225,6 @@ bool Viewport::strokeOpen() const
 void Viewport::setHover(const std::optional<core::SurfaceHit>& hit)
 {
     m_state->input.setHover(hit);
-    setCursor(m_state->input.hover() ? Qt::CrossCursor : Qt::ArrowCursor);
 }
 
 /// Also called when the widget moves to another window; the scene has contexts of its own and stays.
@@ -230,10 +233,22 @@ void Viewport::initializeGL()
     m_state->readFramebuffer = 0;
     if (!m_state->scene) {
         m_state->scene = std::make_unique<Scene>();
-        if (m_state->scene->usable() && !m_state->box.isEmpty())
+        if (!m_state->scene->usable())
+            sayThatNothingCanBeShown();
+        else if (!m_state->box.isEmpty())
             m_state->scene->placeGround(m_state->box);
     }
     makeCurrent();
+}
+
+/// The driver promised OpenGL 3.3 (graphicsProblem() was empty) and did not keep it.
+void Viewport::sayThatNothingCanBeShown()
+{
+    auto* sentence = new QLabel(tr("The model cannot be shown: the graphics driver does not do what it offers."), this);
+    sentence->setObjectName(QStringLiteral("driverProblem"));
+    sentence->setMargin(16);
+    sentence->adjustSize();
+    sentence->show();
 }
 
 void Viewport::resizeGL(int width, int height)

@@ -96,6 +96,8 @@ protected:
     bool event(QEvent* event) override;
 
 private:
+    void sayThatNothingCanBeShown();
+
     struct State;
     std::unique_ptr<State> m_state;
 };
