@@ -55,8 +55,8 @@ public:
     Slot prev(Slot h) const { return slot(m_kernel.prev_halfedge_handle(halfedge(h))); }
     Slot face(Slot h) const { return slot(m_kernel.face_handle(halfedge(h))); }
     /// An outgoing half-edge of a live vertex.
-    Slot outgoing(Slot v) const { return slot(m_kernel.halfedge_handle(OpenMesh::VertexHandle(static_cast<int>(v)))); }
-    Slot faceHalfedge(Slot f) const { return slot(m_kernel.halfedge_handle(OpenMesh::FaceHandle(static_cast<int>(f)))); }
+    Slot outgoing(Slot v) const { return slot(m_kernel.halfedge_handle(vertexHandle(v))); }
+    Slot faceHalfedge(Slot f) const { return slot(m_kernel.halfedge_handle(faceHandle(f))); }
     /// The next outgoing half-edge of the same vertex, counter-clockwise.
     Slot rotate(Slot h) const { return prev(h) ^ 1; }
     /// The half-edge v0 -> v1, or noSlot. Cost: the valence of v0.
@@ -132,7 +132,11 @@ private:
     };
     using Kernel = OpenMesh::TriMesh_ArrayKernelT<Traits>;
 
+    static constexpr Triangle freeCorners = {0, 0, 0};
+    static OpenMesh::VertexHandle vertexHandle(Slot v) { return OpenMesh::VertexHandle(static_cast<int>(v)); }
     static OpenMesh::HalfedgeHandle halfedge(Slot h) { return OpenMesh::HalfedgeHandle(static_cast<int>(h)); }
+    static OpenMesh::EdgeHandle edgeHandle(Slot e) { return OpenMesh::EdgeHandle(static_cast<int>(e)); }
+    static OpenMesh::FaceHandle faceHandle(Slot f) { return OpenMesh::FaceHandle(static_cast<int>(f)); }
     static Slot slot(OpenMesh::BaseHandle handle) { return static_cast<Slot>(handle.idx()); }
 
     void touchVertex(Slot v);
