@@ -1,0 +1,163 @@
+#include "core/stroke_path.h"
+
+#include <QTest>
+
+using core::StrokePath;
+using core::StrokeSample;
+using core::StrokeSettings;
+using core::Vec3;
+
+namespace
+{
+const StrokePath::CenterOf whereItIs = [](const Vec3& position, const Vec3&) { return std::optional(position); };
+
+StrokeSample at(const Vec3& position)
+{
+    StrokeSample sample;
+    sample.position = position;
+    return sample;
+}
+
+std::vector<core::Dab> dabsOf(StrokePath& path, const StrokeSample& sample, const StrokePath::CenterOf& centerOf = whereItIs)
+{
+    std::vector<core::Dab> dabs;
+    path.add(sample);
+    while (const auto due = path.next(centerOf)) {
+        if (due->hasCenter)
+            dabs.push_back(due->dab);
+    }
+    return dabs;
+}
+
+StrokeSettings spaced(double spacing, double radius = 1)
+{
+    StrokeSettings settings;
+    settings.radius = radius;
+    settings.spacing = spacing;
+    return settings;
+}
+} // namespace
+
+class TestStrokePath : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void spacingZero_isOneDabASample();
+    void firstSample_isADab();
+    void straightLine_hasEvenDabsWhereverSamplesFall();
+    void corner_isMeasuredAlongThePath();
+    void pressureAndRadius_areInterpolated();
+    void rotation_turnsBack();
+    void miss_isEmptyAndStartsAnew();
+    void rest_makesNoDabs();
+    void longJump_ends();
+};
+
+void TestStrokePath::spacingZero_isOneDabASample()
+{
+    StrokePath path(spaced(0));
+    for (int i = 0; i < 5; ++i) {
+        const auto dabs = dabsOf(path, at(Vec3(i % 2, 0, 0)));
+        QCOMPARE(dabs.size(), std::size_t(1));
+        QVERIFY(dabs.front().position == Vec3(i % 2, 0, 0));
+    }
+    QCOMPARE(dabsOf(path, at({0, 0, 0})).size(), std::size_t(1)); // where the last one was
+}
+
+void TestStrokePath::firstSample_isADab()
+{
+    StrokePath path(spaced(0.5));
+    const auto dabs = dabsOf(path, at({3, 4, 5}));
+    QCOMPARE(dabs.size(), std::size_t(1));
+    QVERIFY(dabs.front().position == Vec3(3, 4, 5));
+}
+
+void TestStrokePath::straightLine_hasEvenDabsWhereverSamplesFall()
+{
+    for (double sampleStep : {0.01, 0.1, 0.37, 1.0, 7.3, 20.0}) {
+        StrokePath path(spaced(0.25, 2)); // every 0.5
+        std::vector<core::Dab> dabs;
+        for (double x = 0; x <= 20; x += sampleStep) {
+            for (const core::Dab& dab : dabsOf(path, at({x, 0, 0})))
+                dabs.push_back(dab);
+        }
+        QVERIFY(dabs.size() >= 29);
+        for (std::size_t i = 0; i < dabs.size(); ++i)
+            QVERIFY((dabs[i].position - Vec3(0.5 * static_cast<double>(i), 0, 0)).norm() < 1e-9);
+    }
+}
+
+void TestStrokePath::corner_isMeasuredAlongThePath()
+{
+    StrokePath path(spaced(1));
+    dabsOf(path, at({0, 0, 0}));
+    auto dabs = dabsOf(path, at({2.4, 0, 0}));
+    QCOMPARE(dabs.size(), std::size_t(2)); // at 1 and 2; 0.4 remain
+    dabs = dabsOf(path, at({2.4, 3, 0}));
+    QCOMPARE(dabs.size(), std::size_t(3));
+    QVERIFY((dabs[0].position - Vec3(2.4, 0.6, 0)).norm() < 1e-12);
+    QVERIFY((dabs[2].position - Vec3(2.4, 2.6, 0)).norm() < 1e-12);
+}
+
+void TestStrokePath::pressureAndRadius_areInterpolated()
+{
+    StrokePath path(spaced(1));
+    StrokeSample a = at({0, 0, 0}), b = at({4, 0, 0});
+    a.pressure = 0;
+    b.strength = a.strength = 2;
+    dabsOf(path, a);
+    const auto dabs = dabsOf(path, b);
+    QCOMPARE(dabs.size(), std::size_t(4));
+    for (std::size_t i = 0; i < 4; ++i)
+        QVERIFY(std::abs(dabs[i].strength - 0.5 * static_cast<double>(i + 1)) < 1e-12);
+}
+
+void TestStrokePath::rotation_turnsBack()
+{
+    StrokePath path(spaced(0));
+    StrokeSample sample = at({1, 0, 0});
+    sample.direction = {0, 0, -1};
+    sample.rotation = Eigen::Quaterniond(std::sqrt(0.5), 0, std::sqrt(0.5), 0); // a quarter turn about y
+    const auto dabs = dabsOf(path, sample);
+    QVERIFY((dabs.front().position - Vec3(0, 0, 1)).norm() < 1e-12); // the model's point that is there now
+    QVERIFY((dabs.front().direction - Vec3(1, 0, 0)).norm() < 1e-12);
+}
+
+void TestStrokePath::miss_isEmptyAndStartsAnew()
+{
+    const StrokePath::CenterOf onlyRight = [](const Vec3& p, const Vec3&) { return p.x() >= 0 ? std::optional(p) : std::nullopt; };
+    StrokePath single(spaced(0));
+    single.add(at({-1, 0, 0}));
+    const auto due = single.next(onlyRight);
+    QVERIFY(due && !due->hasCenter);
+    QVERIFY(!single.next(onlyRight));
+
+    StrokePath path(spaced(1));
+    QCOMPARE(dabsOf(path, at({-5, 0, 0}), onlyRight).size(), std::size_t(0));
+    QCOMPARE(dabsOf(path, at({0, 0, 0}), onlyRight).size(), std::size_t(1)); // meets the surface
+    QCOMPARE(dabsOf(path, at({2.5, 0, 0}), onlyRight).size(), std::size_t(2));
+    QCOMPARE(dabsOf(path, at({-2, 0, 0}), onlyRight).size(), std::size_t(0));
+    QCOMPARE(dabsOf(path, at({3, 0, 0}), onlyRight).size(), std::size_t(1)); // not drawn across the gap
+}
+
+void TestStrokePath::rest_makesNoDabs()
+{
+    StrokePath path(spaced(0.1));
+    dabsOf(path, at({1, 1, 1}));
+    for (int i = 0; i < 100; ++i)
+        QVERIFY(dabsOf(path, at({1, 1, 1})).empty());
+}
+
+void TestStrokePath::longJump_ends()
+{
+    StrokePath path(spaced(0.05, 0.01));
+    dabsOf(path, at({0, 0, 0}));
+    QCOMPARE(dabsOf(path, at({1e7, 0, 0})).size(), std::size_t(StrokePath::mostDabsPerSample)); // 10 km
+    const auto dabs = dabsOf(path, at({1e7 + 0.01, 0, 0})); // goes on where the sample was
+    QVERIFY(dabs.size() > 10 && dabs.size() < 30);
+    QVERIFY(dabs.front().position.x() >= 1e7 - 1e-3);
+}
+
+QTEST_APPLESS_MAIN(TestStrokePath)
+#include "tst_stroke_path.moc"
