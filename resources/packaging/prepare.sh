@@ -49,7 +49,7 @@ fettle_apt_install()
     # of a hundred packages that could not be fetched, one tells the story
     fettle_as_root env DEBIAN_FRONTEND=noninteractive apt-get -q -y \
         -o Dpkg::Use-Pty=0 -o DPkg::Lock::Timeout=300 install --no-install-recommends "$@" 2>&1 |
-        awk '/^(E: Failed to fetch|Err:|Ign:)/ && n++ {next} {print; fflush()}' >&2
+        awk '/^(E: Failed to fetch|Err:|Ign:)/ && n++ {next} /^  / && seen[$0]++ {next} {print; fflush()}' >&2
 }
 
 # fettle_install TABLE: installs the packages of the table that are missing.
