@@ -53,7 +53,7 @@ public:
     }
 
     void refine(std::span<const Slot> candidates, const Sphere& ball);
-    void collapseShortEdges();
+    void boundEdges();
     void splitLongEdges();
     void flipEdges();
     void relax();
@@ -72,6 +72,8 @@ private:
     Edge edgeAt(Slot e) const;
     std::optional<Edge> tooLongIn(Slot f, const Sphere& ball) const;
     Slot split(const Edge& e);
+    void collapse(std::vector<Edge> edges);
+    void splitQueue(std::vector<Edge> edges);
     bool isCollapseLegal(Slot h, const Vec3f& target) const;
     bool staysSound(Slot v, Slot ignored, const Vec3& target, bool boundLength) const;
     bool shouldFlip(Slot e) const;
@@ -140,19 +142,24 @@ template <class Wanted> std::vector<Edge> Remesher::regionEdges(Wanted wanted) c
 /// The longest edge of a face that meets the ball, if it is longer than d_detail.
 std::optional<Edge> Remesher::tooLongIn(Slot f, const Sphere& ball) const
 {
-    Slot longest = m_mesh.faceHalfedge(f);
-    const Slot second = m_mesh.next(longest), third = m_mesh.next(second);
-    for (Slot h : {second, third}) {
-        if (length2(h / 2) > length2(longest / 2))
-            longest = h;
-    }
-    if (length2(longest / 2) <= m_detail2)
-        return std::nullopt;
     const Triangle& t = m_mesh.corners(f);
-    const Vec3 nearest = nearestInTriangle(ball.center, {point(t[0]), point(t[1]), point(t[2])});
-    if ((nearest - ball.center).squaredNorm() > ball.radius * ball.radius)
+    const std::array<Vec3, 3> p = {point(t[0]), point(t[1]), point(t[2])};
+    std::size_t longest = 0;
+    double longest2 = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double l2 = (p[(i + 1) % 3] - p[i]).squaredNorm();
+        if (l2 > longest2) {
+            longest2 = l2;
+            longest = i;
+        }
+    }
+    if (longest2 <= m_detail2 ||
+        (nearestInTriangle(ball.center, p) - ball.center).squaredNorm() > ball.radius * ball.radius)
         return std::nullopt;
-    return edgeAt(longest / 2);
+    Slot h = m_mesh.faceHalfedge(f);
+    while (m_mesh.from(h) != t[longest])
+        h = m_mesh.next(h);
+    return edgeAt(h / 2);
 }
 
 void Remesher::refine(std::span<const Slot> candidates, const Sphere& ball)
@@ -225,9 +232,22 @@ bool Remesher::isCollapseLegal(Slot h, const Vec3f& target) const
     return m_mesh.isCollapseOk(h) && staysSound(v0, v1, p, true) && staysSound(v1, v0, p, true);
 }
 
-void Remesher::collapseShortEdges()
+/// Steps 1 and 2 with one look at the region. No collapse makes an edge longer than d_detail.
+void Remesher::boundEdges()
 {
-    std::vector<Edge> edges = regionEdges([&](double l2, Slot) { return l2 < m_minimum2; });
+    std::vector<Edge> tooShort = regionEdges([&](double l2, Slot) { return l2 < m_minimum2 || l2 > m_detail2; });
+    const auto firstLong = std::ranges::partition(tooShort, [&](const Edge& e) { return e.length2 < m_minimum2; });
+    std::vector<Edge> tooLong(firstLong.begin(), firstLong.end());
+    tooShort.erase(firstLong.begin(), firstLong.end());
+    collapse(std::move(tooShort));
+    std::erase_if(tooLong, [&](const Edge& e) { return !m_mesh.isEdge(e.edge) || length2(e.edge) <= m_detail2; });
+    for (Edge& e : tooLong)
+        e = edgeAt(e.edge);
+    splitQueue(std::move(tooLong));
+}
+
+void Remesher::collapse(std::vector<Edge> edges)
+{
     std::ranges::sort(edges, [](const Edge& a, const Edge& b) {
         return std::tie(a.length2, a.v0, a.v1) < std::tie(b.length2, b.v0, b.v1);
     });
@@ -252,7 +272,11 @@ void Remesher::collapseShortEdges()
 
 void Remesher::splitLongEdges()
 {
-    std::vector<Edge> edges = regionEdges([&](double l2, Slot) { return l2 > m_detail2; });
+    splitQueue(regionEdges([&](double l2, Slot) { return l2 > m_detail2; }));
+}
+
+void Remesher::splitQueue(std::vector<Edge> edges)
+{
     std::ranges::sort(edges, longestFirst);
     std::deque<Edge> queue(edges.begin(), edges.end());
     while (!queue.empty()) {
@@ -280,11 +304,14 @@ bool Remesher::shouldFlip(Slot e) const
     const Slot h = 2 * e;
     const Vec3 a = point(m_mesh.from(h)), b = point(m_mesh.to(h));
     const Vec3 c = point(m_mesh.to(m_mesh.next(h))), d = point(m_mesh.to(m_mesh.next(h ^ 1)));
+    const double dot0 = (a - c).dot(b - c), dot1 = (a - d).dot(b - d);
+    if (dot0 >= 0 && dot1 >= 0)
+        return false; // neither angle is obtuse
     const Vec3 n0 = (b - a).cross(c - a), n1 = (d - a).cross(b - a);
     const double area0 = n0.norm(), area1 = n1.norm();
     if (area0 == 0 || area1 == 0)
         return false;
-    const double cotangents = (a - c).dot(b - c) / area0 + (a - d).dot(b - d) / area1;
+    const double cotangents = dot0 / area0 + dot1 / area1;
     if (cotangents > -1e-3 || n0.dot(n1) < flatCosine * area0 * area1)
         return false;
     const Vec3 m0 = (a - c).cross(d - c), m1 = (d - c).cross(b - c); // the new faces c,a,d and c,d,b
@@ -368,8 +395,7 @@ RemeshCounts refine(Mesh& mesh, Region& region, std::span<const Slot> candidates
 RemeshCounts optimise(Mesh& mesh, Region& region, const EdgeBounds& bounds, const Attempt& attempt)
 {
     Remesher remesher(mesh, region, bounds, attempt);
-    remesher.collapseShortEdges();
-    remesher.splitLongEdges();
+    remesher.boundEdges();
     remesher.flipEdges();
     remesher.relax();
     return remesher.counts;
