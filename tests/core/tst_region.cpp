@@ -1,0 +1,117 @@
+#include "core/region.h"
+#include "tests/support/mesh_asserts.h"
+#include "tests/support/shapes.h"
+#include "tests/support/stroke_fuzzer.h"
+
+#include <QTest>
+
+#include <algorithm>
+
+using core::FaceOctree;
+using core::Region;
+using core::Slot;
+using core::Sphere;
+using core::Vec3;
+using mesh_asserts::sculptable;
+
+class TestRegion : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void selectSphere_takesTheVerticesInTheBall();
+    void candidates_holdAllFacesThatMayMeetTheBall();
+    void addAndRemove_keepPositions();
+    void restore_goesBack();
+    void latticeBox_holdsTheBallAndIsClipped();
+};
+
+void TestRegion::selectSphere_takesTheVerticesInTheBall()
+{
+    const auto mesh = sculptable(shapes::torus());
+    const FaceOctree octree(*mesh);
+    StrokeFuzzer random(20240812);
+    Region region;
+    std::vector<Slot> candidates;
+    for (int i = 0; i < 500; ++i) {
+        const Sphere ball = {random.uniform(0, 5) * random.direction(), random.uniform(0.01, 3)};
+        selectSphere(region, candidates, *mesh, octree, ball);
+        std::vector<Slot> expected;
+        for (Slot v = 0; v < mesh->slots().vertices; ++v) {
+            if ((mesh->point(v).cast<double>() - ball.center).squaredNorm() <= ball.radius * ball.radius)
+                expected.push_back(v);
+        }
+        QCOMPARE(region.slots(), expected); // ascending
+        QCOMPARE(region.size(), static_cast<Slot>(expected.size()));
+    }
+}
+
+void TestRegion::candidates_holdAllFacesThatMayMeetTheBall()
+{
+    const auto mesh = sculptable(shapes::torus());
+    const FaceOctree octree(*mesh);
+    Region region;
+    std::vector<Slot> candidates;
+    const Sphere ball = {{3, 1, 0}, 0.7};
+    selectSphere(region, candidates, *mesh, octree, ball);
+    for (Slot f = 0; f < mesh->slots().faces; ++f) {
+        const bool meets = boxOf(*mesh, f).meets(latticeBox(mesh->lattice(), ball));
+        QVERIFY(!meets || std::ranges::count(candidates, f) == 1);
+    }
+}
+
+void TestRegion::addAndRemove_keepPositions()
+{
+    Region region;
+    QVERIFY(region.empty());
+    region.add(9, {1, 0, 0});
+    region.add(4, {2, 0, 0});
+    QCOMPARE(region.size(), 2u);
+    region.remove(9);
+    QVERIFY(!region.contains(9) && region.contains(4));
+    QCOMPARE(region.size(), 1u);
+    region.add(9, {3, 0, 0}); // the slot was taken again
+    QCOMPARE(region.size(), 2u);
+    QVERIFY(region.plan(9) == Vec3(3, 0, 0) && region.plan(4) == Vec3(2, 0, 0));
+    QCOMPARE(region.position(9), 0u);
+    std::vector<Slot> visited;
+    region.forEach([&](Slot v) {
+        visited.push_back(v);
+        if (v == 4)
+            region.setPlan(v, {5, 0, 0});
+    });
+    QCOMPARE(visited, (std::vector<Slot>{9, 4}));
+    QVERIFY(region.plan(4) == Vec3(5, 0, 0));
+    region.clear();
+    QVERIFY(region.empty() && !region.contains(9));
+}
+
+void TestRegion::restore_goesBack()
+{
+    Region region;
+    for (Slot v = 0; v < 20; ++v)
+        region.add(3 * v, {double(v), 0, 0});
+    region.remove(6);
+    const Region::Saved saved = region.save();
+    region.remove(9);
+    region.add(6, {77, 0, 0});
+    region.add(100, {1, 1, 1});
+    region.setPlan(0, {8, 8, 8});
+    region.restore(saved);
+    QCOMPARE(region.size(), 19u);
+    QVERIFY(!region.contains(100) && !region.contains(6) && region.contains(9));
+    QVERIFY(region.plan(0) == Vec3::Zero() && region.plan(9) == Vec3(3, 0, 0));
+}
+
+void TestRegion::latticeBox_holdsTheBallAndIsClipped()
+{
+    const core::Lattice lattice(10);
+    const core::LatticeBox box = latticeBox(lattice, {{1, 2, 3}, 0.5});
+    QVERIFY(box.min == core::LatticePoint(512, 1536, 2560) && box.max == core::LatticePoint(1536, 2560, 3584));
+    const core::LatticeBox all = latticeBox(lattice, {{0, 0, 0}, 1e30});
+    QVERIFY(all.min == core::LatticePoint::Constant(-core::Lattice::limit));
+    QVERIFY(all.max == core::LatticePoint::Constant(core::Lattice::limit));
+}
+
+QTEST_APPLESS_MAIN(TestRegion)
+#include "tst_region.moc"
