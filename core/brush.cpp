@@ -11,7 +11,9 @@ namespace core
 {
 namespace
 {
-constexpr std::array<std::string_view, 3> toolTable{"pull", "push", "smooth"};
+constexpr std::array<std::string_view, 5> toolTable{"pull", "push", "flatten", "smooth", "paint"};
+constexpr std::array<std::string_view, 2> brushTable{"sphere", "ray"};
+constexpr std::array<std::string_view, 2> topologyTable{"adaptive", "uniform"};
 constexpr std::array<std::string_view, 3> placementTable{"point", "nearest", "ray"};
 constexpr std::array<std::string_view, 4> outcomeTable{"committed", "careful", "ended_early", "empty"};
 
@@ -51,6 +53,26 @@ std::optional<Tool> toolNamed(std::string_view name)
     return named<Tool>(name, toolTable);
 }
 
+std::string_view name(BrushShape brush)
+{
+    return brushTable[static_cast<std::size_t>(brush)];
+}
+
+std::optional<BrushShape> brushNamed(std::string_view name)
+{
+    return named<BrushShape>(name, brushTable);
+}
+
+std::string_view name(Topology topology)
+{
+    return topologyTable[static_cast<std::size_t>(topology)];
+}
+
+std::optional<Topology> topologyNamed(std::string_view name)
+{
+    return named<Topology>(name, topologyTable);
+}
+
 std::string_view name(Placement placement)
 {
     return placementTable[static_cast<std::size_t>(placement)];
@@ -78,7 +100,11 @@ double falloff(double x, int n)
 
 EdgeBounds edgeBounds(double radius, double detail)
 {
-    const double longest = std::sqrt(detailPerRadiusSquared) * radius * detail;
-    return {longest, minimumPerDetail * longest};
+    return edgeBounds(std::sqrt(detailPerRadiusSquared) * radius * detail);
+}
+
+EdgeBounds edgeBounds(double detailLength)
+{
+    return {detailLength, minimumPerDetail * detailLength};
 }
 } // namespace core

@@ -9,10 +9,19 @@
 namespace core
 {
 /// What a dab does to the vertices it selects (paper, section 3.3).
-enum class Tool { Pull, Push, Smooth };
+enum class Tool { Pull, Push, Flatten, Smooth, Paint };
 
 /// How a dab selects vertices (paper, section 3.1).
-enum class BrushShape { Sphere };
+enum class BrushShape {
+    Sphere, ///< within the radius of the centre, by Euclidean distance
+    Ray     ///< within the radius of the point that a ray hits, by geodesic distance along the surface
+};
+
+/// What decides how fine the mesh under the brush is.
+enum class Topology {
+    Adaptive, ///< the brush's radius
+    Uniform   ///< one length for the whole model
+};
 
 /// Where a dab's centre comes from.
 enum class Placement {
@@ -25,6 +34,10 @@ enum class Placement {
 std::span<const std::string_view> toolNames();
 std::string_view name(Tool tool);
 std::optional<Tool> toolNamed(std::string_view name);
+std::string_view name(BrushShape brush);
+std::optional<BrushShape> brushNamed(std::string_view name);
+std::string_view name(Topology topology);
+std::optional<Topology> topologyNamed(std::string_view name);
 std::string_view name(Placement placement);
 std::optional<Placement> placementNamed(std::string_view name);
 
@@ -65,4 +78,6 @@ struct EdgeBounds
     double minimum; ///< d: edges under the brush tend not to be shorter
 };
 EdgeBounds edgeBounds(double radius, double detail);
+/// For a given d_detail.
+EdgeBounds edgeBounds(double detailLength);
 } // namespace core

@@ -26,6 +26,8 @@ constexpr double mostSubsteps = 4096;
 /// A vertex that would touch something does this part of its motion instead, then nothing.
 constexpr double heldShareOnce = 0.25;
 constexpr int mostHoldRounds = 64;
+/// The uniform d_detail (Botsch and Kobbelt 2004).
+constexpr double detailPerMeanEdge = 4.0 / 3;
 
 using Clock = std::chrono::steady_clock;
 
@@ -43,12 +45,24 @@ private:
     Clock::time_point m_start = Clock::now();
 };
 
+double meanEdge(const Mesh& mesh)
+{
+    double sum = 0;
+    for (Slot e = 0; e < mesh.slots().edges; ++e) {
+        if (mesh.isEdge(e))
+            sum += (mesh.point(mesh.to(2 * e)) - mesh.point(mesh.to(2 * e + 1))).cast<double>().norm();
+    }
+    return sum / mesh.live().edges;
+}
+
 bool runPlainly(const std::function<void()>& operation)
 {
     operation();
     return true;
 }
 } // namespace
+
+DabEngine::DabEngine(Mesh& mesh) : m_mesh(mesh), m_octree(mesh), m_uniformDetail(detailPerMeanEdge * meanEdge(mesh)) {}
 
 DabReport DabEngine::apply(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between)
 {
@@ -70,8 +84,10 @@ void DabEngine::run(const StrokeSettings& settings, const Dab& dab, const std::f
         return;
     {
         const PhaseTimer timer(report.selectMs);
-        selectSphere(m_region, m_candidates, m_mesh, m_octree, {dab.position, dab.radius});
+        select(settings.brush, {dab.position, dab.radius});
     }
+    if (settings.tool == Tool::Paint)
+        return paint(settings, dab, report);
     Task task = {settings, dab, boundsFor(settings, dab)};
     report.outcome = DabOutcome::Committed;
     for (double step = 0; step == 0 || step < task.steps; ++step) {
@@ -94,11 +110,69 @@ void DabEngine::run(const StrokeSettings& settings, const Dab& dab, const std::f
     report.touchedFaces = m_touchedFaces;
 }
 
+/// The candidate triangles and the region (paper, section 3.1).
+void DabEngine::select(BrushShape brush, const Sphere& ball)
+{
+    if (brush == BrushShape::Sphere) {
+        selectSphere(m_region, m_candidates, m_mesh, m_octree, ball);
+        return;
+    }
+    m_candidates.clear();
+    m_region.clear();
+    if (const std::optional<SurfaceHit> hit = nearestPoint(m_mesh, m_octree, ball.center)) {
+        m_candidates.push_back(hit->face);
+        selectAlongSurface(ball);
+    }
+}
+
+/// Ray brush: from the candidate that holds the ball's centre. The faces it reaches become the candidates.
+void DabEngine::selectAlongSurface(const Sphere& ball)
+{
+    Slot face = noSlot;
+    double nearest2 = 0;
+    for (Slot f : m_candidates) {
+        const Triangle& t = m_mesh.corners(f);
+        const auto point = [&](Slot v) -> Vec3 { return m_mesh.point(v).cast<double>(); };
+        const double d2 = (nearestInTriangle(ball.center, {point(t[0]), point(t[1]), point(t[2])}) - ball.center).squaredNorm();
+        if (face == noSlot || d2 < nearest2 || (d2 == nearest2 && f < face)) {
+            face = f;
+            nearest2 = d2;
+        }
+    }
+    selectGeodesic(m_region, m_mesh, face, ball);
+    SparseIndex& faces = m_region.scratch();
+    faces.clear();
+    faces.add(face);
+    m_region.forEach([&](Slot v) { m_mesh.forEachOutgoing(v, [&](Slot h) { faces.add(m_mesh.face(h)); }); });
+    m_candidates = faces.slots();
+}
+
+/// Colours the region (paper, section 3.5.3); moves nothing and remeshes nothing.
+void DabEngine::paint(const StrokeSettings& settings, const Dab& dab, DabReport& report)
+{
+    const Mesh::Mark mark = m_mesh.mark();
+    m_region.forEach([&](Slot v) {
+        const double x = std::min(m_region.distance(v) / dab.radius, 1.0);
+        const double share = std::min(dab.strength, 1.0) * falloff(x, settings.falloff);
+        const Rgb before = m_mesh.color(v);
+        const auto mix = [&](int from, int to) { return static_cast<std::uint8_t>(from + share * (to - from) + 0.5); };
+        const Rgb after = {mix(before.r, settings.color.r), mix(before.g, settings.color.g), mix(before.b, settings.color.b)};
+        if (after != before)
+            m_mesh.setColor(v, after);
+    });
+    const TouchedSlots touched = m_mesh.touchedSince(mark);
+    m_mesh.commit(mark);
+    reindex(touched, {});
+    report.touchedVertices = m_region.size();
+    report.outcome = m_region.empty() ? DabOutcome::Empty : DabOutcome::Committed;
+}
+
 EdgeBounds DabEngine::boundsFor(const StrokeSettings& settings, const Dab& dab) const
 {
-    const EdgeBounds bounds = edgeBounds(dab.radius, settings.detail);
-    const double coarser = std::max(1.0, m_mesh.lattice().minDetail() / bounds.detail);
-    return {bounds.detail * coarser, bounds.minimum * coarser};
+    const double uniform = settings.detailLength > 0 ? settings.detailLength : m_uniformDetail;
+    const EdgeBounds bounds =
+        settings.topology == Topology::Uniform ? edgeBounds(uniform) : edgeBounds(dab.radius, settings.detail);
+    return edgeBounds(std::max(bounds.detail, m_mesh.lattice().minDetail()));
 }
 
 DabEngine::Substep DabEngine::substep(Task& task, DabReport& report)
@@ -124,6 +198,12 @@ RemeshCounts DabEngine::refineAndPlan(Task& task, const Attempt& attempt, DabRep
     {
         const PhaseTimer timer(report.optimiseMs);
         counts = refine(m_mesh, m_region, m_candidates, ball, task.bounds, attempt);
+    }
+    if (task.settings.brush == BrushShape::Ray && counts.splits > 0) {
+        const PhaseTimer timer(report.selectMs);
+        for (Slot v : m_region.remeshed().slots())
+            m_mesh.forEachOutgoing(v, [&](Slot h) { m_candidates.push_back(m_mesh.face(h)); });
+        selectAlongSurface(ball);
     }
     const PhaseTimer timer(report.deformMs);
     report.asked = planDeformation(m_region, m_mesh, task.settings, task.dab);

@@ -13,7 +13,7 @@ namespace core
 class DabEngine
 {
 public:
-    explicit DabEngine(Mesh& mesh) : m_mesh(mesh), m_octree(mesh) {}
+    explicit DabEngine(Mesh& mesh);
 
     /// Precondition: a stroke is open. `between` may be empty.
     DabReport apply(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between);
@@ -41,6 +41,9 @@ private:
     };
 
     void run(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report);
+    void select(BrushShape brush, const Sphere& ball);
+    void selectAlongSurface(const Sphere& ball);
+    void paint(const StrokeSettings& settings, const Dab& dab, DabReport& report);
     EdgeBounds boundsFor(const StrokeSettings& settings, const Dab& dab) const;
     Substep substep(Task& task, DabReport& report);
     Substep straight(Task& task, DabReport& report);
@@ -59,6 +62,7 @@ private:
 
     Mesh& m_mesh;
     FaceOctree m_octree;
+    double m_uniformDetail; ///< 4/3 of the mean edge when the model was opened
     Verifier m_verifier;
     Region m_region;
     std::vector<Slot> m_candidates;

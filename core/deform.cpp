@@ -1,5 +1,8 @@
 #include "deform.h"
 
+#include <cassert>
+#include <functional>
+
 namespace core
 {
 namespace
@@ -17,6 +20,48 @@ Vec3 neighbourMean(const Mesh& mesh, Slot v)
         ++n;
     });
     return sum / n;
+}
+Vec3 unitNormal(const Mesh& mesh, Slot v)
+{
+    const Vec3 normal = vertexNormal(mesh, v);
+    const double length = normal.norm();
+    return length > 0 ? Vec3(normal / length) : Vec3::Zero();
+}
+
+/// The displacement of a vertex at full strength and weight 1, in units of what the tool's strength scales.
+using Field = std::function<Vec3(Slot)>;
+
+/// Onto the plane through the mean point (P_center) along the mean normal (N_avg) of the region.
+Field flattenField(const Region& region, const Mesh& mesh)
+{
+    Vec3 center = Vec3::Zero(), normal = Vec3::Zero();
+    region.forEach([&](Slot v) {
+        center += mesh.point(v).cast<double>();
+        normal += unitNormal(mesh, v);
+    });
+    center /= region.size();
+    const double length = normal.norm();
+    normal = length > 0 ? Vec3(normal / length) : Vec3::Zero();
+    return [&mesh, center, normal](Slot v) -> Vec3 { return (center - mesh.point(v).cast<double>()).dot(normal) * normal; };
+}
+
+/// One field a tool (paper, section 3.3).
+Field fieldOf(Tool tool, const Region& region, const Mesh& mesh)
+{
+    switch (tool) {
+    case Tool::Pull:
+        return [&mesh](Slot v) { return unitNormal(mesh, v); };
+    case Tool::Push:
+        return [&mesh](Slot v) -> Vec3 { return -unitNormal(mesh, v); };
+    case Tool::Flatten:
+        return flattenField(region, mesh);
+    case Tool::Smooth:
+        return [&mesh](Slot v) -> Vec3 { return neighbourMean(mesh, v) - mesh.point(v).cast<double>(); };
+    case Tool::Paint:
+        break;
+    }
+    assert(false && "Paint moves nothing");
+    return [](Slot) -> Vec3 { return Vec3::Zero(); };
 }
 } // namespace
 
@@ -39,24 +84,13 @@ Vec3 vertexNormal(const Mesh& mesh, Slot v)
 
 double planDeformation(Region& region, const Mesh& mesh, const StrokeSettings& settings, const Dab& dab)
 {
-    const double sign = settings.tool == Tool::Push ? -1 : 1;
-    const double amount = settings.tool == Tool::Smooth ? std::min(dab.strength, 1.0)
-                                                        : sign * peakPerRadius * dab.radius * dab.strength;
+    const Field field = fieldOf(settings.tool, region, mesh);
+    const bool saturates = settings.tool == Tool::Flatten || settings.tool == Tool::Smooth;
+    const double amount = saturates ? std::min(dab.strength, 1.0) : peakPerRadius * dab.radius * dab.strength;
     double longest2 = 0;
     region.forEach([&](Slot v) {
-        const Vec3 p = mesh.point(v).cast<double>();
-        const double x = std::min((p - dab.position).norm() / dab.radius, 1.0);
-        const double weight = amount * falloff(x, settings.falloff);
-        Vec3 direction = Vec3::Zero();
-        if (settings.tool == Tool::Smooth) {
-            direction = neighbourMean(mesh, v) - p;
-        } else {
-            const Vec3 normal = vertexNormal(mesh, v);
-            const double length = normal.norm();
-            if (length > 0)
-                direction = normal / length;
-        }
-        const Vec3 plan = weight * direction;
+        const double weight = falloff(std::min(region.distance(v) / dab.radius, 1.0), settings.falloff);
+        const Vec3 plan = amount * weight * field(v);
         region.setPlan(v, plan);
         longest2 = std::max(longest2, plan.squaredNorm());
     });

@@ -10,7 +10,8 @@ Vec3 vertexNormal(const Mesh& mesh, Slot v);
 
 /// Plans where the dab moves each vertex of the region (paper, section 3.3). With b = falloff(r_i / R), s = strength:
 ///   Pull, Push   +-0.1 R s b N_i
+///   Flatten      min(s, 1) b ((P_center - p_i) . N_avg) N_avg, of the region's mean point and mean normal
 ///   Smooth       min(s, 1) b (mean of the neighbours - p_i)
-/// Returns the longest displacement planned.
+/// r_i is the region's distance. Returns the longest displacement planned. Precondition: not Paint.
 double planDeformation(Region& region, const Mesh& mesh, const StrokeSettings& settings, const Dab& dab);
 } // namespace core

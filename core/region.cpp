@@ -1,25 +1,31 @@
 #include "region.h"
 
+#include <algorithm>
+#include <queue>
+
 namespace core
 {
 void Region::clear()
 {
     m_index.clear();
+    m_distance.clear();
     m_plan.clear();
     m_present.clear();
     m_live = 0;
 }
 
-void Region::add(Slot v, const Vec3& plan)
+void Region::add(Slot v, double distance, const Vec3& plan)
 {
     const Slot i = m_index.add(v);
     if (i == m_plan.size()) {
+        m_distance.push_back(distance);
         m_plan.push_back(plan);
         m_present.push_back(1);
         ++m_live;
         return;
     }
     m_live += m_present[i] ? 0 : 1;
+    m_distance[i] = distance;
     m_plan[i] = plan;
     m_present[i] = 1;
 }
@@ -33,6 +39,7 @@ void Region::remove(Slot v)
 void Region::restore(const Saved& saved)
 {
     m_index.truncate(saved.slots);
+    m_distance = saved.distance;
     m_plan = saved.plan;
     m_present = saved.present;
     m_live = saved.live;
@@ -60,10 +67,43 @@ void selectSphere(Region& region, std::vector<Slot>& candidates, const Mesh& mes
         for (Slot v : mesh.corners(f))
             corners.add(v);
     });
+    corners.sort();
     for (Slot v : corners.slots()) {
-        if ((mesh.point(v).cast<double>() - ball.center).squaredNorm() <= radius2)
-            region.add(v, Vec3::Zero());
+        const double distance2 = (mesh.point(v).cast<double>() - ball.center).squaredNorm();
+        if (distance2 <= radius2)
+            region.add(v, std::sqrt(distance2));
     }
-    region.sort();
+}
+
+void selectGeodesic(Region& region, const Mesh& mesh, Slot face, const Sphere& ball)
+{
+    using Reached = std::pair<double, Slot>; // equal distances: the lower slot first
+    std::priority_queue<Reached, std::vector<Reached>, std::greater<>> front;
+    const auto reach = [&](Slot v, double distance) {
+        if (distance <= ball.radius) // so it lies within the ball: no path is shorter than the straight line
+            front.emplace(distance, v);
+    };
+    const auto point = [&](Slot v) { return Vec3(mesh.point(v).cast<double>()); };
+    for (Slot v : mesh.corners(face))
+        reach(v, (point(v) - ball.center).norm());
+    SparseIndex& done = region.scratch();
+    done.clear();
+    std::vector<std::pair<Slot, double>> selected;
+    while (!front.empty()) {
+        const auto [distance, v] = front.top();
+        front.pop();
+        if (done.contains(v))
+            continue;
+        done.add(v);
+        selected.emplace_back(v, distance);
+        mesh.forEachOutgoing(v, [&](Slot h) {
+            if (!done.contains(mesh.to(h)))
+                reach(mesh.to(h), distance + (point(mesh.to(h)) - point(v)).norm());
+        });
+    }
+    std::ranges::sort(selected);
+    region.clear();
+    for (const auto& [v, distance] : selected)
+        region.add(v, distance);
 }
 } // namespace core

@@ -71,6 +71,7 @@ private:
     template <class Wanted> std::vector<Edge> regionEdges(Wanted wanted) const;
     Edge edgeAt(Slot e) const;
     std::optional<Edge> tooLongIn(Slot f, const Sphere& ball) const;
+    void joinRefined(Slot m, const Sphere& ball);
     Slot split(const Edge& e);
     void collapse(std::vector<Edge> edges);
     void splitQueue(std::vector<Edge> edges);
@@ -180,13 +181,20 @@ void Remesher::refine(std::span<const Slot> candidates, const Sphere& ball)
             const Slot m = split(e);
             if (m == noSlot)
                 continue;
-            if ((point(m) - ball.center).squaredNorm() <= ball.radius * ball.radius)
-                m_region.add(m, Vec3::Zero());
+            joinRefined(m, ball);
             m_mesh.forEachOutgoing(m, [&](Slot h) { faces.push_back(m_mesh.face(h)); });
         }
         std::ranges::sort(faces);
         faces.erase(std::ranges::unique(faces).begin(), faces.end());
     }
+}
+
+/// A vertex of refine() within the ball joins the region. (The ray brush selects anew when the mesh is fine enough.)
+void Remesher::joinRefined(Slot m, const Sphere& ball)
+{
+    const double distance2 = (point(m) - ball.center).squaredNorm();
+    if (distance2 <= ball.radius * ball.radius)
+        m_region.add(m, std::sqrt(distance2));
 }
 
 /// The new vertex, or noSlot if the split was judged and taken back.
@@ -287,7 +295,8 @@ void Remesher::splitQueue(std::vector<Edge> edges)
         const Slot m = split(e);
         if (m == noSlot)
             continue;
-        m_region.add(m, 0.5 * (m_region.plan(e.v0) + m_region.plan(e.v1)));
+        m_region.add(m, 0.5 * (m_region.distance(e.v0) + m_region.distance(e.v1)),
+                     0.5 * (m_region.plan(e.v0) + m_region.plan(e.v1)));
         m_mesh.forEachOutgoing(m, [&](Slot h) {
             const Slot other = m_mesh.to(h);
             if (m_region.contains(other) && length2(h / 2) > m_detail2)

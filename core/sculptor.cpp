@@ -22,7 +22,7 @@ public:
 std::optional<Vec3> Sculptor::Engine::centerOf(const Vec3& position, const Vec3& direction) const
 {
     std::optional<SurfaceHit> hit;
-    switch (settings.place) {
+    switch (settings.brush == BrushShape::Ray ? Placement::Ray : settings.place) {
     case Placement::Point:
         return position;
     case Placement::Nearest:

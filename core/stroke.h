@@ -12,12 +12,15 @@ struct StrokeSettings
 {
     Tool tool = Tool::Pull;
     BrushShape brush = BrushShape::Sphere;
-    Placement place = Placement::Point;
+    Placement place = Placement::Point; ///< of the spherical brush
+    Topology topology = Topology::Adaptive;
     double radius = info(Parameter::Radius).defaultValue;
     double strength = info(Parameter::Strength).defaultValue;
     int falloff = static_cast<int>(info(Parameter::Falloff).defaultValue); ///< n of b(x); 0: no weighting
     double detail = info(Parameter::Detail).defaultValue;                   ///< scales d_detail
+    double detailLength = 0; ///< d_detail of the uniform topology; 0: 4/3 of the model's mean edge when it was opened
     double spacing = info(Parameter::Spacing).defaultValue; ///< in radii; 0: each sample is exactly one dab
+    Rgb color;                                              ///< of Paint
 };
 
 /// One reading of mouse, pen or wand. After this nobody asks which it was.

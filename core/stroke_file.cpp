@@ -50,7 +50,6 @@ constexpr Keys<16> strokeKeys{{"tool", "radius", "samples", "brush", "strength",
 enum SampleKey { PositionKey, TimeKey, DirectionKey, PressureKey, RotationKey, SampleRadiusKey, SampleStrengthKey };
 constexpr Keys<7> sampleKeys{{"position", "t", "direction", "pressure", "rotation", "radius", "strength"}, 1};
 
-constexpr std::array<std::string_view, 2> laterTools{"flatten", "paint"};
 constexpr std::array<std::string_view, 3> mirrorNames{"x", "y", "z"};
 
 bool among(std::string_view word, auto& words)
@@ -304,8 +303,11 @@ void StrokeReader::endVector()
     m_inVector = false;
     if (m_count != vectorLength())
         refuse(Kind::WrongType);
-    if (m_level == Level::Stroke)
-        return; // a colour is for tools to come
+    if (m_level == Level::Stroke) {
+        const auto byte = [](double value) { return static_cast<std::uint8_t>(value); };
+        m_strokes.back().settings.color = {byte(m_vector[0]), byte(m_vector[1]), byte(m_vector[2])};
+        return;
+    }
     StrokeSample& sample = m_strokes.back().samples.back();
     if (m_key == RotationKey) {
         sample.rotation = Eigen::Quaterniond(m_vector[3], m_vector[0], m_vector[1], m_vector[2]);
@@ -351,7 +353,7 @@ void StrokeReader::strokeNumber(double value)
     case RadiusKey: settings.radius = inRange(value, Parameter::Radius); break;
     case StrengthKey: settings.strength = inRange(value, Parameter::Strength); break;
     case DetailKey: settings.detail = inRange(value, Parameter::Detail); break;
-    case DetailLengthKey: refuse(Kind::NotYet); break;
+    case DetailLengthKey: settings.detailLength = inRange(value, info(Parameter::Radius).min, info(Parameter::Radius).max); break;
     case TurntableKey: m_turntable = inRange(value, -farthest, farthest); break;
     case SpacingKey:
         settings.spacing = inRange(value, value == 0 ? 0 : leastSpacing, info(Parameter::Spacing).max);
@@ -411,17 +413,16 @@ void StrokeReader::strokeWord(const std::string& word)
     bool known = true, later = false;
     switch (m_key) {
     case ToolKey:
-        later = among(word, laterTools);
-        known = later || toolNamed(word).has_value();
+        known = toolNamed(word).has_value();
         settings.tool = toolNamed(word).value_or(settings.tool);
         break;
     case BrushKey:
-        later = word == "ray";
-        known = later || word == "sphere";
+        known = brushNamed(word).has_value();
+        settings.brush = brushNamed(word).value_or(settings.brush);
         break;
     case TopologyKey:
-        later = word == "uniform";
-        known = later || word == "adaptive";
+        known = topologyNamed(word).has_value();
+        settings.topology = topologyNamed(word).value_or(settings.topology);
         break;
     case SymmetryKey:
         later = among(word, mirrorNames);
@@ -440,7 +441,7 @@ void StrokeReader::strokeWord(const std::string& word)
 void StrokeReader::endStroke()
 {
     Stroke& stroke = m_strokes.back();
-    const bool alongRays = stroke.settings.place == Placement::Ray;
+    const bool alongRays = stroke.settings.place == Placement::Ray || stroke.settings.brush == BrushShape::Ray;
     for (std::size_t i = 0; i < stroke.samples.size(); ++i) {
         StrokeSample& sample = stroke.samples[i];
         if (alongRays && sample.direction.cwiseAbs().maxCoeff() < leastDirection) {

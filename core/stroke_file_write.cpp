@@ -41,11 +41,16 @@ void writeSample(std::ostream& out, const StrokeSample& sample)
 void writeStroke(std::ostream& out, const Stroke& stroke)
 {
     const StrokeSettings& settings = stroke.settings;
-    out << "{\"tool\":\"" << name(settings.tool) << "\",\"brush\":\"sphere\",\"radius\":" << shortest(settings.radius)
+    out << "{\"tool\":\"" << name(settings.tool) << "\",\"brush\":\"" << name(settings.brush)
+        << "\",\"radius\":" << shortest(settings.radius)
         << ",\"strength\":" << shortest(settings.strength) << ",\"falloff\":" << settings.falloff
-        << ",\"detail\":" << shortest(settings.detail) << ",\"topology\":\"adaptive\",\"fusion\":true"
+        << ",\"detail\":" << shortest(settings.detail) << ",\"topology\":\"" << name(settings.topology) << "\",\"fusion\":true"
         << ",\"symmetry\":\"none\",\"spacing\":" << shortest(settings.spacing) << ",\"place\":\""
-        << name(settings.place) << "\",\"add\":false,\"samples\":[";
+        << name(settings.place) << "\",\"add\":false,\"color\":"
+        << list({double(settings.color.r), double(settings.color.g), double(settings.color.b)});
+    if (settings.detailLength > 0)
+        out << ",\"detail_length\":" << shortest(settings.detailLength);
+    out << ",\"samples\":[";
     for (std::size_t i = 0; i < stroke.samples.size(); ++i) {
         out << (i == 0 ? "\n" : ",\n");
         writeSample(out, stroke.samples[i]);
