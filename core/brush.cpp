@@ -15,7 +15,8 @@ constexpr std::array<std::string_view, 5> toolTable{"pull", "push", "flatten", "
 constexpr std::array<std::string_view, 2> brushTable{"sphere", "ray"};
 constexpr std::array<std::string_view, 2> topologyTable{"adaptive", "uniform"};
 constexpr std::array<std::string_view, 3> placementTable{"point", "nearest", "ray"};
-constexpr std::array<std::string_view, 4> outcomeTable{"committed", "careful", "ended_early", "empty"};
+constexpr std::array<std::string_view, 6> outcomeTable{"committed", "careful", "ended_early",
+                                                     "empty",     "added",   "refused"};
 
 constexpr double detailPerRadiusSquared = 0.05; ///< paper, section 3.2.2
 constexpr double minimumPerDetail = 0.5;        ///< square root of the paper's 0.25

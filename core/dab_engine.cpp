@@ -12,6 +12,7 @@
 #include "dab_engine.h"
 
 #include "deform.h"
+#include "shell_probe.h"
 
 #include <chrono>
 
@@ -28,6 +29,10 @@ constexpr double heldShareOnce = 0.25;
 constexpr int mostHoldRounds = 64;
 /// The uniform d_detail (Botsch and Kobbelt 2004).
 constexpr double detailPerMeanEdge = 4.0 / 3;
+/// Of an added sphere: edges of 0.13 to 0.16 radii, between d and d_detail of its brush.
+constexpr int sphereSubdivisions = 3;
+/// d_thickness in terms of d_detail: an added sphere keeps at least this distance from every triangle.
+constexpr double clearPerDetail = 0.735;
 
 using Clock = std::chrono::steady_clock;
 
@@ -86,6 +91,8 @@ void DabEngine::run(const StrokeSettings& settings, const Dab& dab, const std::f
         const PhaseTimer timer(report.selectMs);
         select(settings.brush, {dab.position, dab.radius});
     }
+    if (wantsSphere(settings, dab))
+        return addSphere(dab, report);
     if (settings.tool == Tool::Paint)
         return paint(settings, dab, report);
     Task task = {settings, dab, boundsFor(settings, dab)};
@@ -145,6 +152,56 @@ void DabEngine::selectAlongSurface(const Sphere& ball)
     faces.add(face);
     m_region.forEach([&](Slot v) { m_mesh.forEachOutgoing(v, [&](Slot h) { faces.add(m_mesh.face(h)); }); });
     m_candidates = faces.slots();
+}
+
+bool DabEngine::wantsSphere(const StrokeSettings& settings, const Dab& dab) const
+{
+    if (!settings.add || settings.tool != Tool::Pull || settings.brush != BrushShape::Sphere ||
+        settings.place != Placement::Point || !m_region.empty())
+        return false;
+    const std::optional<SurfaceHit> nearest = nearestPoint(m_mesh, m_octree, dab.position);
+    return !nearest || nearest->distance > dab.radius; // else a face is under the brush, if no vertex is
+}
+
+/// Free topology (paper, section 3.5.1): a sphere of the brush's radius, if it lies outside the model and clear of it.
+void DabEngine::addSphere(const Dab& dab, DabReport& report)
+{
+    const double detail = edgeBounds(dab.radius, 1).detail;
+    report.outcome = DabOutcome::Refused;
+    report.refusal = refusalOf({dab.position, dab.radius}, clearPerDetail * detail);
+    if (report.refusal != Refusal::None)
+        return;
+    TriangleMesh sphere = icosphere(sphereSubdivisions, dab.radius);
+    for (Vec3f& p : sphere.points)
+        p = m_mesh.lattice().snap(dab.position + p.cast<double>());
+    const Slot hint = m_mesh.corners(nearestPoint(m_mesh, m_octree, dab.position)->face)[0];
+    const Mesh::Mark mark = m_mesh.mark();
+    m_mesh.addShell(sphere, hint);
+    if (!verifyAndIndex(mark, report)) {
+        m_mesh.rollback(mark);
+        report.refusal = Refusal::TooClose;
+        return;
+    }
+    report.outcome = DabOutcome::Added;
+    report.touchedVertices = static_cast<std::uint32_t>(sphere.points.size());
+    report.touchedFaces = static_cast<std::uint32_t>(sphere.triangles.size());
+}
+
+/// By ray parity, as the paper has it, and by distance: a large triangle may be near though no vertex is.
+Refusal DabEngine::refusalOf(const Sphere& ball, double clearance) const
+{
+    const Lattice& lattice = m_mesh.lattice();
+    if (!lattice.contains(ball.center.cwiseAbs() + Vec3::Constant(ball.radius)))
+        return Refusal::Wall;
+    ShellProbe probe(lattice.toLattice(lattice.snap(ball.center)));
+    m_octree.query(probe.column(), [&](Slot f) {
+        const Triangle& t = m_mesh.corners(f);
+        probe.castAt({m_mesh.latticePoint(t[0]), m_mesh.latticePoint(t[1]), m_mesh.latticePoint(t[2])});
+    });
+    if (probe.isInside())
+        return Refusal::Inside;
+    const std::optional<SurfaceHit> nearest = nearestPoint(m_mesh, m_octree, ball.center);
+    return nearest && nearest->distance < ball.radius + clearance ? Refusal::TooClose : Refusal::None;
 }
 
 /// Colours the region (paper, section 3.5.3); moves nothing and remeshes nothing.

@@ -43,6 +43,9 @@ private:
     void run(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report);
     void select(BrushShape brush, const Sphere& ball);
     void selectAlongSurface(const Sphere& ball);
+    bool wantsSphere(const StrokeSettings& settings, const Dab& dab) const;
+    void addSphere(const Dab& dab, DabReport& report);
+    Refusal refusalOf(const Sphere& ball, double clearance) const;
     void paint(const StrokeSettings& settings, const Dab& dab, DabReport& report);
     EdgeBounds boundsFor(const StrokeSettings& settings, const Dab& dab) const;
     Substep substep(Task& task, DabReport& report);

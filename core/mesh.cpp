@@ -10,7 +10,30 @@ namespace core
 namespace
 {
 constexpr Slot leastReserve = 1u << 18;
-}
+
+/// Half-edges that still wait for their face, by their ends.
+class OpenHalfedges
+{
+public:
+    /// The waiting half-edge from -> to, which then waits no more, or noSlot.
+    Slot take(Slot from, Slot to)
+    {
+        const auto waiting = m_waiting.find(key(from, to));
+        if (waiting == m_waiting.end())
+            return noSlot;
+        const Slot h = waiting->second;
+        m_waiting.erase(waiting);
+        return h;
+    }
+    void add(Slot from, Slot to, Slot h) { m_waiting.emplace(key(from, to), h); }
+    void reserve(std::size_t count) { m_waiting.reserve(count); }
+    bool empty() const { return m_waiting.empty(); }
+
+private:
+    static std::uint64_t key(Slot from, Slot to) { return std::uint64_t(from) << 32 | to; }
+    std::unordered_map<std::uint64_t, Slot> m_waiting;
+};
+} // namespace
 
 // --- building --------------------------------------------------------------------------------------------------------------
 
@@ -32,22 +55,18 @@ Mesh::Mesh(const TriangleMesh& mesh, Lattice lattice) : m_lattice(lattice)
     }
 
     // Half-edges are paired in the order of faces, so edges lie along the same curve as the faces.
-    std::unordered_map<std::uint64_t, Slot> open; // (from, to) of the half-edge that still waits for its face
+    OpenHalfedges open;
     open.reserve(counts.edges / 4);
     Slot edges = 0;
     const auto claim = [&](Slot from, Slot to) {
-        const auto waiting = open.find((std::uint64_t(from) << 32) | to);
-        if (waiting != open.end()) {
-            const Slot h = waiting->second;
-            open.erase(waiting);
-            return h;
-        }
+        if (const Slot waiting = open.take(from, to); waiting != noSlot)
+            return waiting;
         assert(edges < counts.edges && "closed and manifold");
         const Slot h = 2 * edges++;
         m_edgeSlots.setFree(h / 2, false);
         m_kernel.set_vertex_handle(halfedge(h), vertexHandle(to));
         m_kernel.set_vertex_handle(halfedge(h ^ 1), vertexHandle(from));
-        open.emplace((std::uint64_t(to) << 32) | from, h ^ 1);
+        open.add(to, from, h ^ 1);
         return h;
     };
     for (Slot f = 0; f < faces; ++f) {
@@ -278,12 +297,39 @@ Slot Mesh::splitEdge(Slot e, const Vec3f& p)
     link(f2, mb, bc, mc ^ 1);
     link(f1, ba, ad, md ^ 1);
     link(f3, mb ^ 1, md, db);
-    m_faceSlots.setFree(f2, false);
-    m_faceSlots.setFree(f3, false);
     setOutgoing(m, mb);
     if (outgoing(b) == ba)
         setOutgoing(b, mb ^ 1);
     return m;
+}
+
+void Mesh::addShell(const TriangleMesh& shell, Slot hint)
+{
+    const Slot edgeHint = outgoing(hint) / 2, faceHint = face(outgoing(hint));
+    std::vector<Slot> vertices;
+    for (std::size_t i = 0; i < shell.points.size(); ++i) {
+        const Rgb c = shell.colors.empty() ? Rgb() : shell.colors[i];
+        vertices.push_back(newVertex(hint, shell.points[i], {c.r, c.g, c.b}));
+    }
+    OpenHalfedges open;
+    const auto claim = [&](Slot from, Slot to) {
+        if (const Slot waiting = open.take(from, to); waiting != noSlot)
+            return waiting;
+        const Slot h = 2 * newEdge(edgeHint);
+        setTo(h, to);
+        setTo(h ^ 1, from);
+        open.add(to, from, h ^ 1);
+        return h;
+    };
+    for (const Triangle& t : shell.triangles) {
+        const Slot a = vertices[t[0]], b = vertices[t[1]], c = vertices[t[2]];
+        const Slot ab = claim(a, b), bc = claim(b, c), ca = claim(c, a);
+        link(newFace(faceHint), ab, bc, ca);
+        setOutgoing(a, ab);
+        setOutgoing(b, bc);
+        setOutgoing(c, ca);
+    }
+    assert(open.empty() && "closed");
 }
 
 bool Mesh::isCollapseOk(Slot h) const

@@ -11,12 +11,17 @@ class ShellProbe
 public:
     using Points = std::array<LatticePoint, 3>;
 
+    ShellProbe() = default;
+    /// Of a point instead of a shell: then isInside() is the question.
+    explicit ShellProbe(const LatticePoint& origin) : m_origin(origin) {}
+
     /// A face of the shell itself.
     void addFace(const Points& points);
     /// The other faces that can lie above the probe meet this box. Precondition: the shell has a face.
     LatticeBox column() const;
     /// A face of another shell; it does not touch this one.
     void castAt(const Points& points);
+    bool isInside() const { return m_odd; }
     bool facesRightly() const { return (m_sixVolumes > 0) == !m_odd; }
 
 private:

@@ -20,6 +20,7 @@ struct StrokeSettings
     double detail = info(Parameter::Detail).defaultValue;                   ///< scales d_detail
     double detailLength = 0; ///< d_detail of the uniform topology; 0: 4/3 of the model's mean edge when it was opened
     double spacing = info(Parameter::Spacing).defaultValue; ///< in radii; 0: each sample is exactly one dab
+    bool add = false; ///< a pull dab at a point with nothing under the brush adds a sphere (paper, section 3.5.1)
     Rgb color;                                              ///< of Paint
 };
 
@@ -51,7 +52,10 @@ struct Dab
     double strength = 0; ///< times pressure
 };
 
-enum class DabOutcome { Committed, Careful, EndedEarly, Empty };
+enum class DabOutcome { Committed, Careful, EndedEarly, Empty, Added, Refused };
+
+/// Why a sphere was not added.
+enum class Refusal { None, Inside, TooClose, Wall };
 std::string_view name(DabOutcome outcome); ///< as in `replay --stats`
 
 /// What a dab did and what it cost.
@@ -63,5 +67,6 @@ struct DabReport
     std::uint32_t substeps = 0;
     double asked = 0, reached = 0; ///< peak displacement
     DabOutcome outcome = DabOutcome::Empty;
+    Refusal refusal = Refusal::None;
 };
 } // namespace core

@@ -388,9 +388,10 @@ bool StrokeReader::boolean(bool value)
         refuse(Kind::NotStrokes);
     if (m_level != Level::Stroke || m_inVector || (m_key != FusionKey && m_key != SymmetryKey && m_key != AddKey))
         refuse(Kind::WrongType);
-    // The surface stops at contact, with "fusion" and without.
-    if (value && m_key != FusionKey)
+    if (value && m_key == SymmetryKey)
         refuse(Kind::NotYet, "true");
+    if (m_key == AddKey)
+        m_strokes.back().settings.add = value;
     return true;
 }
 

@@ -46,7 +46,7 @@ void writeStroke(std::ostream& out, const Stroke& stroke)
         << ",\"strength\":" << shortest(settings.strength) << ",\"falloff\":" << settings.falloff
         << ",\"detail\":" << shortest(settings.detail) << ",\"topology\":\"" << name(settings.topology) << "\",\"fusion\":true"
         << ",\"symmetry\":\"none\",\"spacing\":" << shortest(settings.spacing) << ",\"place\":\""
-        << name(settings.place) << "\",\"add\":false,\"color\":"
+        << name(settings.place) << "\",\"add\":" << (settings.add ? "true" : "false") << ",\"color\":"
         << list({double(settings.color.r), double(settings.color.g), double(settings.color.b)});
     if (settings.detailLength > 0)
         out << ",\"detail_length\":" << shortest(settings.detailLength);
