@@ -33,6 +33,12 @@ using mesh_asserts::sculptable;
 constexpr core::Slot mostFaces = 10'000; ///< a run whose mesh has grown past this ends: more would only take longer
 constexpr int dabsPerPairCheck = 8, dabsPerJudge = 100;
 
+#if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+constexpr std::uint64_t usualDabs = 3'000;
+#else
+constexpr std::uint64_t usualDabs = 300; // 5 to 30 times slower
+#endif
+
 struct NamedShape
 {
     const char* name;
@@ -315,7 +321,7 @@ core::Box boundsOf(const Mesh& mesh)
 void TestSculptor::randomStrokes_keepThePromise()
 {
     const bool soak = qEnvironmentVariableIntValue("FETTLE_SOAK") != 0;
-    const std::uint64_t dabs = numberFromEnvironment("FETTLE_DABS", soak ? 1'000'000 : 3'000);
+    const std::uint64_t dabs = numberFromEnvironment("FETTLE_DABS", soak ? 1'000'000 : usualDabs);
     const std::uint64_t seed = numberFromEnvironment("FETTLE_SEED", 20240812);
     const std::vector<NamedShape> shapes = fuzzShapes();
     Tally tally;
