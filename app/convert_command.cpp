@@ -14,6 +14,8 @@ namespace app
 {
 namespace
 {
+using core::UpAxis; // lupdate would lose its place at a function that returns a core::UpAxis
+
 class ConvertWords
 {
     Q_DECLARE_TR_FUNCTIONS(app::ConvertCommand)
@@ -24,7 +26,7 @@ struct ConvertOptions
     QString in, out;
     std::optional<double> unit; ///< of IN, in mm
     std::optional<double> size; ///< of OUT's longest side, mm
-    std::optional<core::UpAxis> up; ///< of IN
+    std::optional<UpAxis> up; ///< of IN
 };
 
 double unitNamed(const QString& word)
@@ -45,11 +47,11 @@ double sizeFrom(const QString& word)
     return size;
 }
 
-core::UpAxis upNamed(const QString& word)
+UpAxis upNamed(const QString& word)
 {
     if (word != QLatin1String("y") && word != QLatin1String("z"))
         CommandLine::fail(ConvertWords::tr("convert: --up is y or z, not %1.").arg(word));
-    return word == QLatin1String("y") ? core::UpAxis::Y : core::UpAxis::Z;
+    return word == QLatin1String("y") ? UpAxis::Y : UpAxis::Z;
 }
 
 std::optional<ConvertOptions> parseOptions(const QStringList& arguments)

@@ -1,4 +1,811 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>app::CheckCommand</name>
+    <message>
+        <source>%1 is in fine fettle.</source>
+        <translation>%1 ist bestens in Form.</translation>
+    </message>
+    <message>
+        <source>file</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>faces</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
+        <source>size, mm</source>
+        <translation>Größe, mm</translation>
+    </message>
+    <message>
+        <source>print-ready</source>
+        <translation>druckfertig</translation>
+    </message>
+    <message>
+        <source>%1: there is no STL, OBJ or PLY file in this folder.</source>
+        <translation>%1: In diesem Ordner liegt keine STL-, OBJ- oder PLY-Datei.</translation>
+    </message>
+    <message>
+        <source>Says whether models are closed, manifold, oriented, free of self-intersections, and bound a solid. Status 0: all are; 1: not all.</source>
+        <translation>Sagt, ob Modelle geschlossen, mannigfaltig, einheitlich orientiert und frei von Selbstdurchdringungen sind und einen Körper umschließen. Status 0: alle; 1: nicht alle.</translation>
+    </message>
+    <message>
+        <source>Models, or folders of models.</source>
+        <translation>Modelle oder Ordner mit Modellen.</translation>
+    </message>
+    <message>
+        <source>One JSON object per file, each on its line.</source>
+        <translation>Ein JSON-Objekt je Datei, jedes in einer eigenen Zeile.</translation>
+    </message>
+    <message>
+        <source>Comma-separated values, with a head line.</source>
+        <translation>Durch Kommas getrennte Werte mit Kopfzeile.</translation>
+    </message>
+    <message>
+        <source>check: --json and --csv exclude each other.</source>
+        <translation>check: --json und --csv schließen einander aus.</translation>
+    </message>
+    <message>
+        <source>check: no file was given.</source>
+        <translation>check: Es wurde keine Datei angegeben.</translation>
+    </message>
+</context>
+<context>
+    <name>app::CommandLine</name>
+    <message>
+        <source>There is not enough memory for this.</source>
+        <translation>Dafür reicht der Speicher nicht.</translation>
+    </message>
+    <message>
+        <source>There is no help on %1: the commands are check, convert and replay.</source>
+        <translation>Zu %1 gibt es keine Hilfe: Die Befehle sind check, convert und replay.</translation>
+    </message>
+    <message>
+        <source>Unknown option %1; fettle --help lists them.</source>
+        <translation>Unbekannte Option %1; fettle --help zählt alle auf.</translation>
+    </message>
+    <message numerus="yes">
+        <source>One file at a time can be opened, but %n were given; fettle --help says more.</source>
+        <translation>
+            <numerusform>Es kann nur eine Datei geöffnet werden, angegeben wurde %n; mehr dazu mit fettle --help.</numerusform>
+            <numerusform>Es kann nur eine Datei geöffnet werden, angegeben wurden %n; mehr dazu mit fettle --help.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: the format &quot;%2&quot; is not there yet; STL, OBJ and PLY can be written.</source>
+        <translation>%1: Das Format „%2“ gibt es noch nicht; geschrieben werden STL, OBJ und PLY.</translation>
+    </message>
+    <message>
+        <source>%1: its ending does not say a format; STL, OBJ and PLY can be written.</source>
+        <translation>%1: Die Endung nennt kein Format; geschrieben werden STL, OBJ und PLY.</translation>
+    </message>
+    <message>
+        <source>Fettle sculpts closed models that stay ready to print.
+
+  fettle [FILE]                    open the window, with a model or with a ball of clay
+  fettle check FILE... [--json] [--csv]
+                                   say whether models are in order; several files or a folder: a table
+  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z]
+                                   write a model in another format or size
+  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--verify local|full|none]
+                                   play recorded strokes on a model
+  fettle help COMMAND              the options of check, convert or replay
+  fettle --version
+
+Formats: STL, OBJ, PLY. Lengths are in millimetres.
+Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standard error).
+</source>
+        <translation>Fettle formt geschlossene Modelle, die druckfertig bleiben.
+
+  fettle [FILE]                    das Fenster öffnen, mit einem Modell oder einer Tonkugel
+  fettle check FILE... [--json] [--csv]
+                                   sagen, ob Modelle in Ordnung sind; mehrere Dateien oder ein Ordner: eine Tabelle
+  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z]
+                                   ein Modell in anderem Format oder anderer Größe schreiben
+  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--verify local|full|none]
+                                   aufgezeichnete Striche auf einem Modell abspielen
+  fettle help COMMAND              die Optionen von check, convert oder replay
+  fettle --version
+
+Formate: STL, OBJ, PLY. Längen in Millimetern.
+Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mit einer Zeile auf der Standardfehlerausgabe).
+</translation>
+    </message>
+</context>
+<context>
+    <name>app::ConvertCommand</name>
+    <message>
+        <source>convert: --unit is mm, cm, m or in, not %1.</source>
+        <translation>convert: --unit ist mm, cm, m oder in, nicht %1.</translation>
+    </message>
+    <message>
+        <source>convert: --size is a length in millimetres, more than 0, not %1.</source>
+        <translation>convert: --size ist eine Länge in Millimetern, größer als 0, nicht %1.</translation>
+    </message>
+    <message>
+        <source>Writes a model in another format, unit or size.</source>
+        <translation>Schreibt ein Modell in anderem Format, anderer Einheit oder Größe.</translation>
+    </message>
+    <message>
+        <source>The model to read.</source>
+        <translation>Das Modell, das gelesen wird.</translation>
+    </message>
+    <message>
+        <source>Where it goes; the ending says the format.</source>
+        <translation>Wohin es kommt; die Endung bestimmt das Format.</translation>
+    </message>
+    <message>
+        <source>What IN is measured in; OUT is in mm.</source>
+        <translation>Die Einheit von IN; OUT ist in mm.</translation>
+    </message>
+    <message>
+        <source>How long the longest side becomes.</source>
+        <translation>Wie lang die längste Seite wird.</translation>
+    </message>
+    <message>
+        <source>Which axis of IN points up; else z for STL, y for others.</source>
+        <translation>Welche Achse von IN nach oben zeigt; sonst z bei STL, y bei anderen.</translation>
+    </message>
+    <message>
+        <source>Not there yet.</source>
+        <translation>Gibt es noch nicht.</translation>
+    </message>
+    <message numerus="yes">
+        <source>convert: two files are needed, IN and OUT, but %n were given.</source>
+        <translation>
+            <numerusform>convert: Zwei Dateien sind nötig, IN und OUT, angegeben wurde %n.</numerusform>
+            <numerusform>convert: Zwei Dateien sind nötig, IN und OUT, angegeben wurden %n.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>convert: --legalise is not there yet.</source>
+        <translation>convert: --legalise gibt es noch nicht.</translation>
+    </message>
+    <message>
+        <source>%1: at that size the coordinates are no numbers any more.</source>
+        <translation>%1: In dieser Größe sind die Koordinaten keine Zahlen mehr.</translation>
+    </message>
+    <message>
+        <source>convert: --up is y or z, not %1.</source>
+        <translation>convert: --up ist y oder z, nicht %1.</translation>
+    </message>
+</context>
+<context>
+    <name>app::Document</name>
+    <message>
+        <source>One file at a time: %1 waits until the other is done.</source>
+        <translation>Eine Datei nach der anderen: %1 wartet, bis die andere fertig ist.</translation>
+    </message>
+    <message>
+        <source>Preparing the clay</source>
+        <translation>Der Ton wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>%1 wird exportiert</translation>
+    </message>
+    <message>
+        <source>Nothing happened here: the surface would have met itself, or the wall of the working volume.</source>
+        <translation>Hier ist nichts geschehen: Die Oberfläche wäre auf sich selbst oder an den Rand des Arbeitsraums gestoßen.</translation>
+    </message>
+    <message>
+        <source>The earlier steps cannot be undone any more: their file on disk cannot be read. The model is in order.</source>
+        <translation>Die früheren Schritte lassen sich nicht mehr rückgängig machen: Ihre Datei auf der Festplatte ist nicht lesbar. Das Modell ist in Ordnung.</translation>
+    </message>
+</context>
+<context>
+    <name>app::ModelLoader</name>
+    <message>
+        <source>Checking %1</source>
+        <translation>%1 wird geprüft</translation>
+    </message>
+    <message>
+        <source>%1: there is not enough memory for this model.</source>
+        <translation>%1: Für dieses Modell reicht der Speicher nicht.</translation>
+    </message>
+    <message>
+        <source>%1: the model lies too far from the origin for its size to be sculpted where it is.</source>
+        <translation>%1: Das Modell liegt für seine Größe zu weit vom Ursprung entfernt, um dort geformt zu werden.</translation>
+    </message>
+    <message>
+        <source>Ball of clay</source>
+        <translation>Tonkugel</translation>
+    </message>
+    <message>
+        <source>%1: there is not enough memory to write this model.</source>
+        <translation>%1: Zum Schreiben dieses Modells reicht der Speicher nicht.</translation>
+    </message>
+</context>
+<context>
+    <name>app::ReplayCommand</name>
+    <message>
+        <source>replay: --verify is local, full or none, not %1.</source>
+        <translation>replay: --verify ist local, full oder none, nicht %1.</translation>
+    </message>
+    <message>
+        <source>Plays recorded strokes on a model, or on the paper&apos;s sphere.</source>
+        <translation>Spielt aufgezeichnete Striche auf einem Modell ab oder auf der Kugel der Veröffentlichung.</translation>
+    </message>
+    <message>
+        <source>The strokes, JSON.</source>
+        <translation>Die Striche, JSON.</translation>
+    </message>
+    <message>
+        <source>The model; without it, a sphere of 2562 vertices, radius 1.</source>
+        <translation>Das Modell; ohne Angabe eine Kugel mit 2562 Eckpunkten und Radius 1.</translation>
+    </message>
+    <message>
+        <source>Where the sculpted model goes.</source>
+        <translation>Wohin das geformte Modell kommt.</translation>
+    </message>
+    <message>
+        <source>Where cost and outcome of each dab go, JSON.</source>
+        <translation>Wohin Aufwand und Ergebnis jedes Tupfers kommen, JSON.</translation>
+    </message>
+    <message>
+        <source>local: what changed (as in the window); full: the whole mesh after each dab as well; none: for measurements, excludes --out.</source>
+        <translation>local: was sich geändert hat (wie im Fenster); full: nach jedem Tupfer auch das ganze Netz; none: für Messungen, schließt --out aus.</translation>
+    </message>
+    <message>
+        <source>replay: %1 is no option; the model is given with --in.</source>
+        <translation>replay: %1 ist keine Option; das Modell wird mit --in angegeben.</translation>
+    </message>
+    <message>
+        <source>replay: --strokes is missing.</source>
+        <translation>replay: --strokes fehlt.</translation>
+    </message>
+    <message>
+        <source>replay: --verify none and --out exclude each other: what is not verified is not kept.</source>
+        <translation>replay: --verify none und --out schließen einander aus: Was nicht geprüft ist, wird nicht aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>replay: the mesh is not in order in dab %1.</source>
+        <translation>replay: Das Netz ist in Tupfer %1 nicht in Ordnung.</translation>
+    </message>
+</context>
+<context>
+    <name>app::StrokeCommand</name>
+    <message>
+        <source>Pull</source>
+        <comment>undo step</comment>
+        <translation>Ziehen</translation>
+    </message>
+    <message>
+        <source>Push</source>
+        <comment>undo step</comment>
+        <translation>Drücken</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <comment>undo step</comment>
+        <translation>Glätten</translation>
+    </message>
+</context>
+<context>
+    <name>app::StrokeWords</name>
+    <message>
+        <source>%1: %2</source>
+        <comment>file: reason</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2: %3</source>
+        <comment>file: place: reason</comment>
+        <translation>%1: %2: %3</translation>
+    </message>
+    <message>
+        <source>line %1, byte %2</source>
+        <translation>Zeile %1, Byte %2</translation>
+    </message>
+    <message>
+        <source>stroke %1, sample %2 (strokes[%3].samples[%4])</source>
+        <extracomment>counted from 1; in brackets as in the file, counted from 0</extracomment>
+        <translation>Strich %1, Messpunkt %2 (strokes[%3].samples[%4])</translation>
+    </message>
+    <message>
+        <source>stroke %1 (strokes[%2])</source>
+        <translation>Strich %1 (strokes[%2])</translation>
+    </message>
+    <message>
+        <source>this file does not exist or cannot be read</source>
+        <translation>diese Datei gibt es nicht, oder sie ist nicht lesbar</translation>
+    </message>
+    <message>
+        <source>this file is too large for a stroke file</source>
+        <translation>diese Datei ist zu groß für eine Strichdatei</translation>
+    </message>
+    <message>
+        <source>this is not JSON</source>
+        <translation>das ist kein JSON</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; stands there twice</source>
+        <translation>„%1“ steht zweimal da</translation>
+    </message>
+    <message>
+        <source>this is no stroke file of version 1 (%1)</source>
+        <translation>das ist keine Strichdatei der Version 1 (%1)</translation>
+    </message>
+    <message>
+        <source>no object</source>
+        <translation>kein Objekt</translation>
+    </message>
+    <message>
+        <source>unknown key %1</source>
+        <translation>unbekannter Schlüssel %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is missing</source>
+        <translation>„%1“ fehlt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is of the wrong type, or holds too few or too many values</source>
+        <translation>„%1“ ist vom falschen Typ oder hat zu wenige oder zu viele Werte</translation>
+    </message>
+    <message>
+        <source>unknown value, %1</source>
+        <translation>unbekannter Wert, %1</translation>
+    </message>
+    <message>
+        <source>%1 is not there yet</source>
+        <translation>%1 gibt es noch nicht</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a finite number</source>
+        <translation>„%1“ ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is out of range, %2 to %3</source>
+        <translation>„%1“ liegt außerhalb des Bereichs, %2 bis %3</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is out of range</source>
+        <translation>„%1“ liegt außerhalb des Bereichs</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Actions</name>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>Opens a model: STL, OBJ or PLY.</source>
+        <translation>Öffnet ein Modell: STL, OBJ oder PLY.</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>E&amp;xportieren…</translation>
+    </message>
+    <message>
+        <source>Writes the model to a file: STL, OBJ or PLY.</source>
+        <translation>Schreibt das Modell in eine Datei: STL, OBJ oder PLY.</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Closes the window and ends the program.</source>
+        <translation>Schließt das Fenster und beendet das Programm.</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>Takes the last stroke back.</source>
+        <translation>Nimmt den letzten Strich zurück.</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Does again what was taken back.</source>
+        <translation>Stellt wieder her, was zurückgenommen wurde.</translation>
+    </message>
+    <message>
+        <source>&amp;Pull</source>
+        <translation>&amp;Ziehen</translation>
+    </message>
+    <message>
+        <source>Draws the surface outwards. Ctrl pushes instead, Shift smooths.</source>
+        <translation>Zieht die Oberfläche nach außen. Mit Strg wird gedrückt, mit Umschalt geglättet.</translation>
+    </message>
+    <message>
+        <source>P&amp;ush</source>
+        <translation>&amp;Drücken</translation>
+    </message>
+    <message>
+        <source>Presses the surface inwards. Ctrl pulls instead, Shift smooths.</source>
+        <translation>Drückt die Oberfläche nach innen. Mit Strg wird gezogen, mit Umschalt geglättet.</translation>
+    </message>
+    <message>
+        <source>&amp;Smooth</source>
+        <translation>&amp;Glätten</translation>
+    </message>
+    <message>
+        <source>Evens out what is rough.</source>
+        <translation>Ebnet Unebenheiten ein.</translation>
+    </message>
+    <message>
+        <source>S&amp;maller Brush</source>
+        <translation>&amp;Kleinerer Pinsel</translation>
+    </message>
+    <message>
+        <source>Makes the brush&apos;s radius a tenth smaller.</source>
+        <translation>Verkleinert den Pinselradius um ein Zehntel.</translation>
+    </message>
+    <message>
+        <source>&amp;Larger Brush</source>
+        <translation>G&amp;rößerer Pinsel</translation>
+    </message>
+    <message>
+        <source>Makes the brush&apos;s radius a tenth larger.</source>
+        <translation>Vergrößert den Pinselradius um ein Zehntel.</translation>
+    </message>
+    <message>
+        <source>&amp;Frame Model</source>
+        <translation>Modell &amp;einpassen</translation>
+    </message>
+    <message>
+        <source>Shows the whole model.</source>
+        <translation>Zeigt das ganze Modell.</translation>
+    </message>
+    <message>
+        <source>&amp;Look for a Headset</source>
+        <translation>VR-&amp;Brille suchen</translation>
+    </message>
+    <message>
+        <source>Says whether a VR headset is ready.</source>
+        <translation>Sagt, ob eine VR-Brille bereit ist.</translation>
+    </message>
+    <message>
+        <source>&amp;About Fettle</source>
+        <translation>Ü&amp;ber Fettle</translation>
+    </message>
+    <message>
+        <source>Says what this program is, and its version.</source>
+        <translation>Sagt, was dieses Programm ist und in welcher Version.</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Sculpt</source>
+        <translation>&amp;Formen</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>V&amp;R</source>
+        <translation>V&amp;R</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+</context>
+<context>
+    <name>ui::BrushBar</name>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Stärke</translation>
+    </message>
+    <message>
+        <source>Falloff</source>
+        <translation>Abnahme</translation>
+    </message>
+    <message>
+        <source>Detail</source>
+        <translation>Detail</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Abstand</translation>
+    </message>
+</context>
+<context>
+    <name>ui::FactsBar</name>
+    <message numerus="yes">
+        <source>%Ln vertices</source>
+        <translation>
+            <numerusform>%Ln Eckpunkt</numerusform>
+            <numerusform>%Ln Eckpunkte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 mm</source>
+        <translation>%1 × %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>Radius %1 mm</source>
+        <translation>Radius %1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>ui::FileDialogs</name>
+    <message>
+        <source>Open a Model</source>
+        <translation>Modell öffnen</translation>
+    </message>
+    <message>
+        <source>Models (%1)</source>
+        <translation>Modelle (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Export the Model</source>
+        <translation>Modell exportieren</translation>
+    </message>
+</context>
+<context>
+    <name>ui::MainWindow</name>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>About Fettle</source>
+        <translation>Über Fettle</translation>
+    </message>
+    <message>
+        <source>Fettle %1
+
+Sculpt a model with mouse, pen or VR wands, and export it ready to print.</source>
+        <translation>Fettle %1
+
+Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.</translation>
+    </message>
+    <message>
+        <source>Fettle</source>
+        <translation>Fettle</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation>&amp;Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>&amp;Redo %1</source>
+        <translation>&amp;Wiederherstellen: %1</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Nicht gespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>%1 has changes that were not exported. Shall they be lost?</source>
+        <translation>%1 hat Änderungen, die nicht exportiert wurden. Sollen sie verworfen werden?</translation>
+    </message>
+    <message>
+        <source>%1[*] – Fettle</source>
+        <translation>%1[*] – Fettle</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Messages</name>
+    <message>
+        <source>%1 cannot be used.</source>
+        <translation>%1 ist nicht verwendbar.</translation>
+    </message>
+    <message>
+        <source>open edges: %1</source>
+        <translation>offene Kanten: %1</translation>
+    </message>
+    <message>
+        <source>edges of more than two faces: %1</source>
+        <translation>Kanten mit mehr als zwei Flächen: %1</translation>
+    </message>
+    <message>
+        <source>points at which parts merely touch: %1</source>
+        <translation>Punkte, an denen sich Teile nur berühren: %1</translation>
+    </message>
+    <message>
+        <source>edges between faces that look to different sides: %1</source>
+        <translation>Kanten zwischen Flächen, die zu verschiedenen Seiten zeigen: %1</translation>
+    </message>
+    <message>
+        <source>faces without area: %1</source>
+        <translation>Flächen ohne Flächeninhalt: %1</translation>
+    </message>
+    <message>
+        <source>pairs of faces that intersect: %1</source>
+        <translation>Flächenpaare, die sich durchdringen: %1</translation>
+    </message>
+    <message>
+        <source>it is inside out, or its shells are wrongly nested</source>
+        <translation>Innen und Außen sind vertauscht, oder die Hüllen sind falsch verschachtelt</translation>
+    </message>
+    <message>
+        <source>%1 cannot be sculpted yet, because its surface does not bound a solid (%2).</source>
+        <translation>%1 lässt sich noch nicht formen, weil die Oberfläche keinen Körper umschließt (%2).</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between the faults of a model</comment>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>%1 cannot be sculpted yet, because some of its faces would meet on the program&apos;s working grid (faces: %2).</source>
+        <translation>%1 lässt sich noch nicht formen, weil sich auf dem Arbeitsraster des Programms einige Flächen treffen würden (Flächen: %2).</translation>
+    </message>
+    <message>
+        <source>%1: there is no such file or folder.</source>
+        <translation>%1: Diese Datei oder diesen Ordner gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read%2.</source>
+        <translation>%1 ist nicht lesbar%2.</translation>
+    </message>
+    <message>
+        <source>%1 is not a file but a folder or a device.</source>
+        <translation>%1 ist keine Datei, sondern ein Ordner oder ein Gerät.</translation>
+    </message>
+    <message>
+        <source>%1 is empty.</source>
+        <translation>%1 ist leer.</translation>
+    </message>
+    <message>
+        <source>%1 is too large: it has %2, and at most %3 are read.</source>
+        <translation>%1 ist zu groß: Die Datei hat %2, gelesen werden höchstens %3.</translation>
+    </message>
+    <message>
+        <source>%1 has no ending that says its format: STL, OBJ and PLY can be used.</source>
+        <translation>%1 hat keine Endung, die das Format nennt: Verwendbar sind STL, OBJ und PLY.</translation>
+    </message>
+    <message>
+        <source>%1: the format &quot;%2&quot; is not known; STL, OBJ and PLY can be used.</source>
+        <translation>%1: Das Format „%2“ ist unbekannt; verwendbar sind STL, OBJ und PLY.</translation>
+    </message>
+    <message>
+        <source>%1 does not hold what its ending says.</source>
+        <translation>%1 enthält nicht, was die Endung sagt.</translation>
+    </message>
+    <message>
+        <source>%1 does not hold what its ending says: it looks like %2.</source>
+        <translation>%1 enthält nicht, was die Endung sagt: Es sieht nach %2 aus.</translation>
+    </message>
+    <message>
+        <source>%1: the file is cut off here.</source>
+        <translation>%1: Die Datei bricht hier ab.</translation>
+    </message>
+    <message>
+        <source>%1: the file is cut off; %2 are expected, and %3 are there.</source>
+        <translation>%1: Die Datei ist abgeschnitten; erwartet werden %2, vorhanden sind %3.</translation>
+    </message>
+    <message>
+        <source>%1: %2 elements are announced, but the file has room for %3.</source>
+        <translation>%1: Angekündigt sind %2 Elemente, die Datei hat aber nur Platz für %3.</translation>
+    </message>
+    <message>
+        <source>%1: this cannot be understood.</source>
+        <translation>%1: Diese Stelle ist unverständlich.</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; cannot be understood.</source>
+        <translation>%1: „%2“ ist unverständlich.</translation>
+    </message>
+    <message>
+        <source>%1: a coordinate is not a finite number.</source>
+        <translation>%1: Eine Koordinate ist keine endliche Zahl.</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; is not a finite number.</source>
+        <translation>%1: „%2“ ist keine endliche Zahl.</translation>
+    </message>
+    <message>
+        <source>%1: a face names vertex %2, but there are %3 vertices.</source>
+        <translation>%1: Eine Fläche nennt Eckpunkt %2, es gibt aber %3 Eckpunkte.</translation>
+    </message>
+    <message>
+        <source>%1: too many %2; at most %3 are taken.</source>
+        <translation>%1: zu viele Elemente (%2); höchstens %3 sind möglich.</translation>
+    </message>
+    <message>
+        <source>%1 holds no faces.</source>
+        <translation>%1 enthält keine Flächen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: it is not permitted%2.</source>
+        <translation>%1 lässt sich nicht schreiben: keine Berechtigung%2.</translation>
+    </message>
+    <message>
+        <source>%1 was not written: the disk is full.</source>
+        <translation>%1 wurde nicht geschrieben: Der Datenträger ist voll.</translation>
+    </message>
+    <message>
+        <source>%1 was not written%2.</source>
+        <translation>%1 wurde nicht geschrieben%2.</translation>
+    </message>
+    <message>
+        <source>, line %1</source>
+        <translation>, Zeile %1</translation>
+    </message>
+    <message>
+        <source>, byte %1</source>
+        <translation>, Byte %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ParameterControl</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Scene</name>
+    <message>
+        <source>The model cannot be shown: this display offers no OpenGL.</source>
+        <translation>Das Modell lässt sich nicht anzeigen: Diese Anzeige bietet kein OpenGL.</translation>
+    </message>
+    <message>
+        <source>The model cannot be shown: OpenGL does not start on this display.</source>
+        <translation>Das Modell lässt sich nicht anzeigen: OpenGL startet auf dieser Anzeige nicht.</translation>
+    </message>
+    <message>
+        <source>The model cannot be shown: OpenGL 3.3 is needed, and this display offers %1.%2.</source>
+        <translation>Das Modell lässt sich nicht anzeigen: Nötig ist OpenGL 3.3, diese Anzeige bietet %1.%2.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Viewport</name>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>The model cannot be shown: the graphics driver does not do what it offers.</source>
+        <translation>Das Modell lässt sich nicht anzeigen: Der Grafiktreiber leistet nicht, was er anbietet.</translation>
+    </message>
+</context>
+<context>
+    <name>vr::OpenXrRuntime</name>
+    <message>
+        <source>No OpenXR runtime answers (%1). Start SteamVR, Monado or the headset&apos;s own program, then ask again.</source>
+        <extracomment>%1: a name from OpenXR, such as XR_ERROR_RUNTIME_UNAVAILABLE</extracomment>
+        <translation>Es antwortet keine OpenXR-Laufzeit (%1). Bitte SteamVR, Monado oder das Programm der VR-Brille starten und erneut suchen.</translation>
+    </message>
+    <message>
+        <source>%1 is running, but no headset is ready (%2). Plug it in and switch it on, then ask again.</source>
+        <translation>%1 läuft, aber keine VR-Brille ist bereit (%2). Bitte anschließen, einschalten und erneut suchen.</translation>
+    </message>
+    <message>
+        <source>%1 shows %2, but takes no OpenGL pictures.</source>
+        <translation>%1 zeigt %2, nimmt aber keine OpenGL-Bilder an.</translation>
+    </message>
+    <message>
+        <source>%1 is ready, through %2.</source>
+        <translation>%1 ist bereit, über %2.</translation>
+    </message>
+</context>
 </TS>

@@ -1,4 +1,808 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
+<context>
+    <name>app::CheckCommand</name>
+    <message>
+        <source>%1 is in fine fettle.</source>
+        <translation>%1 一切完好。</translation>
+    </message>
+    <message>
+        <source>file</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>faces</source>
+        <translation>面数</translation>
+    </message>
+    <message>
+        <source>size, mm</source>
+        <translation>尺寸，毫米</translation>
+    </message>
+    <message>
+        <source>print-ready</source>
+        <translation>可打印</translation>
+    </message>
+    <message>
+        <source>%1: there is no STL, OBJ or PLY file in this folder.</source>
+        <translation>%1：此文件夹中没有 STL、OBJ 或 PLY 文件。</translation>
+    </message>
+    <message>
+        <source>Says whether models are closed, manifold, oriented, free of self-intersections, and bound a solid. Status 0: all are; 1: not all.</source>
+        <translation>检查模型是否封闭、是流形、朝向一致、无自相交，并围成实体。状态 0：全部符合；1：并非全部符合。</translation>
+    </message>
+    <message>
+        <source>Models, or folders of models.</source>
+        <translation>模型，或存放模型的文件夹。</translation>
+    </message>
+    <message>
+        <source>One JSON object per file, each on its line.</source>
+        <translation>每个文件一个 JSON 对象，各占一行。</translation>
+    </message>
+    <message>
+        <source>Comma-separated values, with a head line.</source>
+        <translation>逗号分隔值，带表头。</translation>
+    </message>
+    <message>
+        <source>check: --json and --csv exclude each other.</source>
+        <translation>check：--json 和 --csv 不能同时使用。</translation>
+    </message>
+    <message>
+        <source>check: no file was given.</source>
+        <translation>check：未指定文件。</translation>
+    </message>
+</context>
+<context>
+    <name>app::CommandLine</name>
+    <message>
+        <source>There is not enough memory for this.</source>
+        <translation>内存不足，无法完成。</translation>
+    </message>
+    <message>
+        <source>There is no help on %1: the commands are check, convert and replay.</source>
+        <translation>没有关于 %1 的帮助：可用命令为 check、convert 和 replay。</translation>
+    </message>
+    <message>
+        <source>Unknown option %1; fettle --help lists them.</source>
+        <translation>未知选项 %1；可用选项见 fettle --help。</translation>
+    </message>
+    <message numerus="yes">
+        <source>One file at a time can be opened, but %n were given; fettle --help says more.</source>
+        <translation>
+            <numerusform>一次只能打开一个文件，但指定了 %n 个；详见 fettle --help。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: the format &quot;%2&quot; is not there yet; STL, OBJ and PLY can be written.</source>
+        <translation>%1：尚不支持“%2”格式；可写入 STL、OBJ 和 PLY。</translation>
+    </message>
+    <message>
+        <source>%1: its ending does not say a format; STL, OBJ and PLY can be written.</source>
+        <translation>%1：无法从扩展名得知格式；可写入 STL、OBJ 和 PLY。</translation>
+    </message>
+    <message>
+        <source>Fettle sculpts closed models that stay ready to print.
+
+  fettle [FILE]                    open the window, with a model or with a ball of clay
+  fettle check FILE... [--json] [--csv]
+                                   say whether models are in order; several files or a folder: a table
+  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z]
+                                   write a model in another format or size
+  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--verify local|full|none]
+                                   play recorded strokes on a model
+  fettle help COMMAND              the options of check, convert or replay
+  fettle --version
+
+Formats: STL, OBJ, PLY. Lengths are in millimetres.
+Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standard error).
+</source>
+        <translation>Fettle 用于雕刻封闭模型，并使其始终可以打印。
+
+  fettle [FILE]                    打开窗口，载入模型或一个黏土球
+  fettle check FILE... [--json] [--csv]
+                                   检查模型是否完好；多个文件或文件夹则输出表格
+  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z]
+                                   以其他格式或尺寸写出模型
+  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--verify local|full|none]
+                                   在模型上回放录制的笔触
+  fettle help COMMAND              check、convert 或 replay 的选项
+  fettle --version
+
+格式：STL、OBJ、PLY。长度单位为毫米。
+状态：0 完成，1 结果为否，2 输入或用法有误（标准错误输出一行说明）。
+</translation>
+    </message>
+</context>
+<context>
+    <name>app::ConvertCommand</name>
+    <message>
+        <source>convert: --unit is mm, cm, m or in, not %1.</source>
+        <translation>convert：--unit 应为 mm、cm、m 或 in，而不是 %1。</translation>
+    </message>
+    <message>
+        <source>convert: --size is a length in millimetres, more than 0, not %1.</source>
+        <translation>convert：--size 应为大于 0 的长度（毫米），而不是 %1。</translation>
+    </message>
+    <message>
+        <source>Writes a model in another format, unit or size.</source>
+        <translation>以其他格式、单位或尺寸写出模型。</translation>
+    </message>
+    <message>
+        <source>The model to read.</source>
+        <translation>要读取的模型。</translation>
+    </message>
+    <message>
+        <source>Where it goes; the ending says the format.</source>
+        <translation>输出位置；扩展名决定格式。</translation>
+    </message>
+    <message>
+        <source>What IN is measured in; OUT is in mm.</source>
+        <translation>IN 的单位；OUT 以毫米为单位。</translation>
+    </message>
+    <message>
+        <source>How long the longest side becomes.</source>
+        <translation>最长边的目标长度。</translation>
+    </message>
+    <message>
+        <source>Which axis of IN points up; else z for STL, y for others.</source>
+        <translation>IN 的哪个轴朝上；默认 STL 为 z，其他为 y。</translation>
+    </message>
+    <message>
+        <source>Not there yet.</source>
+        <translation>尚未实现。</translation>
+    </message>
+    <message numerus="yes">
+        <source>convert: two files are needed, IN and OUT, but %n were given.</source>
+        <translation>
+            <numerusform>convert：需要 IN 和 OUT 两个文件，但指定了 %n 个。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>convert: --legalise is not there yet.</source>
+        <translation>convert：--legalise 尚未实现。</translation>
+    </message>
+    <message>
+        <source>%1: at that size the coordinates are no numbers any more.</source>
+        <translation>%1：以此尺寸，坐标将超出数值范围。</translation>
+    </message>
+    <message>
+        <source>convert: --up is y or z, not %1.</source>
+        <translation>convert：--up 应为 y 或 z，而不是 %1。</translation>
+    </message>
+</context>
+<context>
+    <name>app::Document</name>
+    <message>
+        <source>One file at a time: %1 waits until the other is done.</source>
+        <translation>一次只处理一个文件：%1 需等待另一个完成。</translation>
+    </message>
+    <message>
+        <source>Preparing the clay</source>
+        <translation>正在准备黏土</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>正在打开 %1</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>正在导出 %1</translation>
+    </message>
+    <message>
+        <source>Nothing happened here: the surface would have met itself, or the wall of the working volume.</source>
+        <translation>此处未作更改：否则表面会碰到自身或工作空间的边界。</translation>
+    </message>
+    <message>
+        <source>The earlier steps cannot be undone any more: their file on disk cannot be read. The model is in order.</source>
+        <translation>无法再撤销更早的步骤：磁盘上的记录文件无法读取。模型完好。</translation>
+    </message>
+</context>
+<context>
+    <name>app::ModelLoader</name>
+    <message>
+        <source>Checking %1</source>
+        <translation>正在检查 %1</translation>
+    </message>
+    <message>
+        <source>%1: there is not enough memory for this model.</source>
+        <translation>%1：内存不足，无法载入此模型。</translation>
+    </message>
+    <message>
+        <source>%1: the model lies too far from the origin for its size to be sculpted where it is.</source>
+        <translation>%1：相对于模型的尺寸，其位置离原点太远，无法就地雕刻。</translation>
+    </message>
+    <message>
+        <source>Ball of clay</source>
+        <translation>黏土球</translation>
+    </message>
+    <message>
+        <source>%1: there is not enough memory to write this model.</source>
+        <translation>%1：内存不足，无法写入此模型。</translation>
+    </message>
+</context>
+<context>
+    <name>app::ReplayCommand</name>
+    <message>
+        <source>replay: --verify is local, full or none, not %1.</source>
+        <translation>replay：--verify 应为 local、full 或 none，而不是 %1。</translation>
+    </message>
+    <message>
+        <source>Plays recorded strokes on a model, or on the paper&apos;s sphere.</source>
+        <translation>在模型或论文所用的球体上回放录制的笔触。</translation>
+    </message>
+    <message>
+        <source>The strokes, JSON.</source>
+        <translation>笔触，JSON 格式。</translation>
+    </message>
+    <message>
+        <source>The model; without it, a sphere of 2562 vertices, radius 1.</source>
+        <translation>模型；省略时为半径 1、有 2562 个顶点的球体。</translation>
+    </message>
+    <message>
+        <source>Where the sculpted model goes.</source>
+        <translation>雕刻后模型的输出位置。</translation>
+    </message>
+    <message>
+        <source>Where cost and outcome of each dab go, JSON.</source>
+        <translation>每个笔点的开销和结果的输出位置，JSON 格式。</translation>
+    </message>
+    <message>
+        <source>local: what changed (as in the window); full: the whole mesh after each dab as well; none: for measurements, excludes --out.</source>
+        <translation>local：检查有变化之处（与窗口中相同）；full：每个笔点后还检查整个网格；none：仅供测量，不能与 --out 同用。</translation>
+    </message>
+    <message>
+        <source>replay: %1 is no option; the model is given with --in.</source>
+        <translation>replay：%1 不是选项；请用 --in 指定模型。</translation>
+    </message>
+    <message>
+        <source>replay: --strokes is missing.</source>
+        <translation>replay：缺少 --strokes。</translation>
+    </message>
+    <message>
+        <source>replay: --verify none and --out exclude each other: what is not verified is not kept.</source>
+        <translation>replay：--verify none 和 --out 不能同时使用：未经检查的结果不予保存。</translation>
+    </message>
+    <message>
+        <source>replay: the mesh is not in order in dab %1.</source>
+        <translation>replay：网格在笔点 %1 处出错。</translation>
+    </message>
+</context>
+<context>
+    <name>app::StrokeCommand</name>
+    <message>
+        <source>Pull</source>
+        <comment>undo step</comment>
+        <translation>拉出</translation>
+    </message>
+    <message>
+        <source>Push</source>
+        <comment>undo step</comment>
+        <translation>推入</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <comment>undo step</comment>
+        <translation>平滑</translation>
+    </message>
+</context>
+<context>
+    <name>app::StrokeWords</name>
+    <message>
+        <source>%1: %2</source>
+        <comment>file: reason</comment>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1: %2: %3</source>
+        <comment>file: place: reason</comment>
+        <translation>%1：%2：%3</translation>
+    </message>
+    <message>
+        <source>line %1, byte %2</source>
+        <translation>第 %1 行，第 %2 字节</translation>
+    </message>
+    <message>
+        <source>stroke %1, sample %2 (strokes[%3].samples[%4])</source>
+        <extracomment>counted from 1; in brackets as in the file, counted from 0</extracomment>
+        <translation>笔触 %1，采样点 %2 (strokes[%3].samples[%4])</translation>
+    </message>
+    <message>
+        <source>stroke %1 (strokes[%2])</source>
+        <translation>笔触 %1 (strokes[%2])</translation>
+    </message>
+    <message>
+        <source>this file does not exist or cannot be read</source>
+        <translation>此文件不存在或无法读取</translation>
+    </message>
+    <message>
+        <source>this file is too large for a stroke file</source>
+        <translation>此文件过大，不可能是笔触文件</translation>
+    </message>
+    <message>
+        <source>this is not JSON</source>
+        <translation>不是有效的 JSON</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; stands there twice</source>
+        <translation>“%1”重复出现</translation>
+    </message>
+    <message>
+        <source>this is no stroke file of version 1 (%1)</source>
+        <translation>不是版本 1 的笔触文件 (%1)</translation>
+    </message>
+    <message>
+        <source>no object</source>
+        <translation>不是对象</translation>
+    </message>
+    <message>
+        <source>unknown key %1</source>
+        <translation>未知的键 %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is missing</source>
+        <translation>缺少“%1”</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is of the wrong type, or holds too few or too many values</source>
+        <translation>“%1”类型有误，或值的数量过少或过多</translation>
+    </message>
+    <message>
+        <source>unknown value, %1</source>
+        <translation>未知的值 %1</translation>
+    </message>
+    <message>
+        <source>%1 is not there yet</source>
+        <translation>尚不支持 %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a finite number</source>
+        <translation>“%1”不是有限数</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is out of range, %2 to %3</source>
+        <translation>“%1”超出范围（%2 至 %3）</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is out of range</source>
+        <translation>“%1”超出范围</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Actions</name>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>打开(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Opens a model: STL, OBJ or PLY.</source>
+        <translation>打开模型：STL、OBJ 或 PLY。</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>导出(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Writes the model to a file: STL, OBJ or PLY.</source>
+        <translation>将模型写入文件：STL、OBJ 或 PLY。</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>退出(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Closes the window and ends the program.</source>
+        <translation>关闭窗口并退出程序。</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>撤销(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Takes the last stroke back.</source>
+        <translation>撤销上一笔。</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>重做(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Does again what was taken back.</source>
+        <translation>恢复撤销的操作。</translation>
+    </message>
+    <message>
+        <source>&amp;Pull</source>
+        <translation>拉出(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Draws the surface outwards. Ctrl pushes instead, Shift smooths.</source>
+        <translation>将表面向外拉。按住 Ctrl 推入，按住 Shift 平滑。</translation>
+    </message>
+    <message>
+        <source>P&amp;ush</source>
+        <translation>推入(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Presses the surface inwards. Ctrl pulls instead, Shift smooths.</source>
+        <translation>将表面向内推。按住 Ctrl 拉出，按住 Shift 平滑。</translation>
+    </message>
+    <message>
+        <source>&amp;Smooth</source>
+        <translation>平滑(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Evens out what is rough.</source>
+        <translation>抚平粗糙之处。</translation>
+    </message>
+    <message>
+        <source>S&amp;maller Brush</source>
+        <translation>缩小笔刷(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Makes the brush&apos;s radius a tenth smaller.</source>
+        <translation>将笔刷半径缩小十分之一。</translation>
+    </message>
+    <message>
+        <source>&amp;Larger Brush</source>
+        <translation>放大笔刷(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Makes the brush&apos;s radius a tenth larger.</source>
+        <translation>将笔刷半径放大十分之一。</translation>
+    </message>
+    <message>
+        <source>&amp;Frame Model</source>
+        <translation>框显模型(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Shows the whole model.</source>
+        <translation>显示整个模型。</translation>
+    </message>
+    <message>
+        <source>&amp;Look for a Headset</source>
+        <translation>查找头显(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Says whether a VR headset is ready.</source>
+        <translation>查看 VR 头显是否就绪。</translation>
+    </message>
+    <message>
+        <source>&amp;About Fettle</source>
+        <translation>关于 Fettle(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Says what this program is, and its version.</source>
+        <translation>显示程序简介和版本。</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>文件(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>编辑(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Sculpt</source>
+        <translation>雕刻(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>视图(&amp;V)</translation>
+    </message>
+    <message>
+        <source>V&amp;R</source>
+        <translation>VR(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>帮助(&amp;H)</translation>
+    </message>
+</context>
+<context>
+    <name>ui::BrushBar</name>
+    <message>
+        <source>Radius</source>
+        <translation>半径</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>强度</translation>
+    </message>
+    <message>
+        <source>Falloff</source>
+        <translation>衰减</translation>
+    </message>
+    <message>
+        <source>Detail</source>
+        <translation>细节</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>间距</translation>
+    </message>
+</context>
+<context>
+    <name>ui::FactsBar</name>
+    <message numerus="yes">
+        <source>%Ln vertices</source>
+        <translation>
+            <numerusform>%Ln 个顶点</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 mm</source>
+        <translation>%1 × %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>Radius %1 mm</source>
+        <translation>半径 %1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>ui::FileDialogs</name>
+    <message>
+        <source>Open a Model</source>
+        <translation>打开模型</translation>
+    </message>
+    <message>
+        <source>Models (%1)</source>
+        <translation>模型 (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Export the Model</source>
+        <translation>导出模型</translation>
+    </message>
+</context>
+<context>
+    <name>ui::MainWindow</name>
+    <message>
+        <source>Tools</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>About Fettle</source>
+        <translation>关于 Fettle</translation>
+    </message>
+    <message>
+        <source>Fettle %1
+
+Sculpt a model with mouse, pen or VR wands, and export it ready to print.</source>
+        <translation>Fettle %1
+
+用鼠标、手写笔或 VR 手柄雕刻模型，并导出为可直接打印的文件。</translation>
+    </message>
+    <message>
+        <source>Fettle</source>
+        <translation>Fettle</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>撤销(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation>撤销 %1(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>重做(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo %1</source>
+        <translation>重做 %1(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>未保存的更改</translation>
+    </message>
+    <message>
+        <source>%1 has changes that were not exported. Shall they be lost?</source>
+        <translation>%1 有尚未导出的更改。要放弃这些更改吗？</translation>
+    </message>
+    <message>
+        <source>%1[*] – Fettle</source>
+        <translation>%1[*] – Fettle</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Messages</name>
+    <message>
+        <source>%1 cannot be used.</source>
+        <translation>无法使用 %1。</translation>
+    </message>
+    <message>
+        <source>open edges: %1</source>
+        <translation>开放边：%1</translation>
+    </message>
+    <message>
+        <source>edges of more than two faces: %1</source>
+        <translation>连接两个以上面的边：%1</translation>
+    </message>
+    <message>
+        <source>points at which parts merely touch: %1</source>
+        <translation>各部分仅有点接触的顶点：%1</translation>
+    </message>
+    <message>
+        <source>edges between faces that look to different sides: %1</source>
+        <translation>两侧面朝向不一致的边：%1</translation>
+    </message>
+    <message>
+        <source>faces without area: %1</source>
+        <translation>面积为零的面：%1</translation>
+    </message>
+    <message>
+        <source>pairs of faces that intersect: %1</source>
+        <translation>相交的面对：%1</translation>
+    </message>
+    <message>
+        <source>it is inside out, or its shells are wrongly nested</source>
+        <translation>内外翻转，或壳体嵌套有误</translation>
+    </message>
+    <message>
+        <source>%1 cannot be sculpted yet, because its surface does not bound a solid (%2).</source>
+        <translation>尚无法雕刻 %1，因为其表面未围成实体（%2）。</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between the faults of a model</comment>
+        <translation>；</translation>
+    </message>
+    <message>
+        <source>%1 cannot be sculpted yet, because some of its faces would meet on the program&apos;s working grid (faces: %2).</source>
+        <translation>尚无法雕刻 %1，因为部分面在程序的工作格点上会相互接触（面数：%2）。</translation>
+    </message>
+    <message>
+        <source>%1: there is no such file or folder.</source>
+        <translation>%1：没有此文件或文件夹。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read%2.</source>
+        <translation>无法读取 %1%2。</translation>
+    </message>
+    <message>
+        <source>%1 is not a file but a folder or a device.</source>
+        <translation>%1 不是文件，而是文件夹或设备。</translation>
+    </message>
+    <message>
+        <source>%1 is empty.</source>
+        <translation>%1 是空文件。</translation>
+    </message>
+    <message>
+        <source>%1 is too large: it has %2, and at most %3 are read.</source>
+        <translation>%1 过大：文件大小为 %2，最多可读取 %3。</translation>
+    </message>
+    <message>
+        <source>%1 has no ending that says its format: STL, OBJ and PLY can be used.</source>
+        <translation>%1 没有表明格式的扩展名：可使用 STL、OBJ 和 PLY。</translation>
+    </message>
+    <message>
+        <source>%1: the format &quot;%2&quot; is not known; STL, OBJ and PLY can be used.</source>
+        <translation>%1：未知格式“%2”；可使用 STL、OBJ 和 PLY。</translation>
+    </message>
+    <message>
+        <source>%1 does not hold what its ending says.</source>
+        <translation>%1 的内容与扩展名不符。</translation>
+    </message>
+    <message>
+        <source>%1 does not hold what its ending says: it looks like %2.</source>
+        <translation>%1 的内容与扩展名不符：看起来是 %2。</translation>
+    </message>
+    <message>
+        <source>%1: the file is cut off here.</source>
+        <translation>%1：文件在此处中断。</translation>
+    </message>
+    <message>
+        <source>%1: the file is cut off; %2 are expected, and %3 are there.</source>
+        <translation>%1：文件不完整；应有 %2，实有 %3。</translation>
+    </message>
+    <message>
+        <source>%1: %2 elements are announced, but the file has room for %3.</source>
+        <translation>%1：声明了 %2 个元素，但文件只能容纳 %3 个。</translation>
+    </message>
+    <message>
+        <source>%1: this cannot be understood.</source>
+        <translation>%1：此处内容无法解析。</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; cannot be understood.</source>
+        <translation>%1：无法解析“%2”。</translation>
+    </message>
+    <message>
+        <source>%1: a coordinate is not a finite number.</source>
+        <translation>%1：有坐标不是有限数。</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; is not a finite number.</source>
+        <translation>%1：“%2”不是有限数。</translation>
+    </message>
+    <message>
+        <source>%1: a face names vertex %2, but there are %3 vertices.</source>
+        <translation>%1：有面引用了顶点 %2，但只有 %3 个顶点。</translation>
+    </message>
+    <message>
+        <source>%1: too many %2; at most %3 are taken.</source>
+        <translation>%1：元素 (%2) 过多；最多允许 %3 个。</translation>
+    </message>
+    <message>
+        <source>%1 holds no faces.</source>
+        <translation>%1 不含任何面。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: it is not permitted%2.</source>
+        <translation>无法写入 %1：没有权限%2。</translation>
+    </message>
+    <message>
+        <source>%1 was not written: the disk is full.</source>
+        <translation>未写入 %1：磁盘已满。</translation>
+    </message>
+    <message>
+        <source>%1 was not written%2.</source>
+        <translation>未写入 %1%2。</translation>
+    </message>
+    <message>
+        <source>, line %1</source>
+        <translation>，第 %1 行</translation>
+    </message>
+    <message>
+        <source>, byte %1</source>
+        <translation>，第 %1 字节</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ParameterControl</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Scene</name>
+    <message>
+        <source>The model cannot be shown: this display offers no OpenGL.</source>
+        <translation>无法显示模型：此显示环境不提供 OpenGL。</translation>
+    </message>
+    <message>
+        <source>The model cannot be shown: OpenGL does not start on this display.</source>
+        <translation>无法显示模型：OpenGL 无法在此显示环境中启动。</translation>
+    </message>
+    <message>
+        <source>The model cannot be shown: OpenGL 3.3 is needed, and this display offers %1.%2.</source>
+        <translation>无法显示模型：需要 OpenGL 3.3，而此显示环境仅提供 %1.%2。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Viewport</name>
+    <message>
+        <source>Model</source>
+        <translation>模型</translation>
+    </message>
+    <message>
+        <source>The model cannot be shown: the graphics driver does not do what it offers.</source>
+        <translation>无法显示模型：显卡驱动未能实现其声明的功能。</translation>
+    </message>
+</context>
+<context>
+    <name>vr::OpenXrRuntime</name>
+    <message>
+        <source>No OpenXR runtime answers (%1). Start SteamVR, Monado or the headset&apos;s own program, then ask again.</source>
+        <extracomment>%1: a name from OpenXR, such as XR_ERROR_RUNTIME_UNAVAILABLE</extracomment>
+        <translation>没有 OpenXR 运行时响应 (%1)。请启动 SteamVR、Monado 或头显自带的程序，然后再次查找。</translation>
+    </message>
+    <message>
+        <source>%1 is running, but no headset is ready (%2). Plug it in and switch it on, then ask again.</source>
+        <translation>%1 正在运行，但没有就绪的头显 (%2)。请接好并打开头显，然后再次查找。</translation>
+    </message>
+    <message>
+        <source>%1 shows %2, but takes no OpenGL pictures.</source>
+        <translation>%1 检测到 %2，但不接受 OpenGL 图像。</translation>
+    </message>
+    <message>
+        <source>%1 is ready, through %2.</source>
+        <translation>%1 已就绪（通过 %2）。</translation>
+    </message>
+</context>
 </TS>

@@ -4,6 +4,7 @@
 
 #include <QAction>
 #include <QMenu>
+#include <QRegularExpression>
 #include <QToolBar>
 
 namespace ui
@@ -48,10 +49,17 @@ constexpr ActionInfo table[] = {
 };
 // clang-format on
 
+/// Without what only a menu shows. "拉出(&P)": where the script has no letters for keys, the key stands behind in brackets.
+QString plainName(const QAction& action)
+{
+    static const QRegularExpression menuOnly(QStringLiteral("\\(&.\\)|&|…"));
+    return action.text().remove(menuOnly);
+}
+
 /// "Pull (1)" and what it does.
 QString toolTip(const QAction& action)
 {
-    QString name = action.text().remove(QLatin1Char('&')).remove(QStringLiteral("…"));
+    QString name = plainName(action);
     const QString key = action.shortcut().toString(QKeySequence::NativeText);
     if (!key.isEmpty())
         name += QStringLiteral(" (%1)").arg(key);
@@ -78,6 +86,7 @@ QAction* Actions::make(const ActionInfo& row, QWidget* window)
     if (*row.keys)
         action->setShortcuts(QKeySequence::listFromString(QLatin1StringView(row.keys)));
     action->setCheckable(row.checkable);
+    action->setIconText(plainName(*action));
     action->setToolTip(toolTip(*action));
     window->addAction(action);
     return action;

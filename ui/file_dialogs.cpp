@@ -43,8 +43,8 @@ void askForModel(QWidget* parent, const QString& folder, PathAnswer answer)
     auto* dialog = new QFileDialog(parent, FileDialogs::tr("Open a Model"), folder);
     dialog->setObjectName(QStringLiteral("openDialog"));
     dialog->setFileMode(QFileDialog::ExistingFile);
-    dialog->setNameFilters(
-        {FileDialogs::tr("Models (%1)").arg(QStringLiteral("*.") + endings().join(QStringLiteral(" *."))), FileDialogs::tr("All files (*)")});
+    const QString patterns = QStringLiteral("*.") + endings().join(QStringLiteral(" *."));
+    dialog->setNameFilters({FileDialogs::tr("Models (%1)").arg(patterns), FileDialogs::tr("All files (*)")});
     show(dialog, answer);
 }
 

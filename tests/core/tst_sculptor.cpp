@@ -33,6 +33,12 @@ using mesh_asserts::sculptable;
 constexpr core::Slot mostFaces = 10'000; ///< a run whose mesh has grown past this ends: more would only take longer
 constexpr int dabsPerPairCheck = 8, dabsPerJudge = 100;
 
+#if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+constexpr std::uint64_t usualDabs = 3'000;
+#else
+constexpr std::uint64_t usualDabs = 300; // 5 to 30 times slower
+#endif
+
 struct NamedShape
 {
     const char* name;
@@ -57,6 +63,7 @@ struct Tally
 {
     std::uint64_t dabs = 0, committed = 0, careful = 0, endedEarly = 0, empty = 0, whole = 0, judged = 0;
     std::uint64_t strokes = 0, runs = 0;
+    std::uint64_t digest = 0; ///< of all end states: the same on every machine and in every build
     std::array<std::uint64_t, 3> tiers{};
 
     void add(const DabReport& report)
@@ -76,7 +83,7 @@ struct Tally
                   << committed << " committed (" << percent(committed) << " %), " << careful << " careful (" << percent(careful)
                   << " %), " << endedEarly << " ended early (" << percent(endedEarly) << " %), " << empty << " empty; " << whole
                   << " reached 95 % of what was asked (" << percent(whole) << " %); proved by patch, stars, pairs: " << tiers[0]
-                  << " " << tiers[1] << " " << tiers[2] << std::endl;
+                  << " " << tiers[1] << " " << tiers[2] << "; digest " << std::hex << digest << std::dec << std::endl;
     }
 };
 
@@ -106,6 +113,7 @@ public:
         checkAll("at the end");
         walkHistory();
         replay();
+        m_tally.digest = m_tally.digest * 31 + m_sculptor.mesh().stateHash();
         for (std::size_t i = 0; i < 3; ++i)
             m_tally.tiers[i] += m_sculptor.totals().verifyTiers[i];
     }
@@ -265,6 +273,8 @@ private Q_SLOTS:
     void dabOnNothing_changesNothing();
     void rayThatMisses_changesNothing();
     void strengthZero_changesNothing();
+    void extremeRadii_haveAnAnswer_data();
+    void extremeRadii_haveAnAnswer();
     void peersStroke_commitsOnTheStraightPath();
     void reports_tellWhatTheDabDid();
     void hook_runsBetweenSubsteps();
@@ -311,7 +321,7 @@ core::Box boundsOf(const Mesh& mesh)
 void TestSculptor::randomStrokes_keepThePromise()
 {
     const bool soak = qEnvironmentVariableIntValue("FETTLE_SOAK") != 0;
-    const std::uint64_t dabs = numberFromEnvironment("FETTLE_DABS", soak ? 1'000'000 : 3'000);
+    const std::uint64_t dabs = numberFromEnvironment("FETTLE_DABS", soak ? 1'000'000 : usualDabs);
     const std::uint64_t seed = numberFromEnvironment("FETTLE_SEED", 20240812);
     const std::vector<NamedShape> shapes = fuzzShapes();
     Tally tally;
@@ -430,6 +440,41 @@ void TestSculptor::strengthZero_changesNothing()
         const DabReport report = dabOnce(sculptor, {tool, {0, 0, 1}, 0.25, 0});
         QVERIFY(report.outcome == DabOutcome::Empty);
         QCOMPARE(sculptor.mesh().stateHash(), state);
+    }
+}
+
+void TestSculptor::extremeRadii_haveAnAnswer_data()
+{
+    QTest::addColumn<double>("radius");
+    QTest::addColumn<double>("detail");
+    for (double radius : {1e-6, 1e-3, 2.0, 100.0, 1e6}) {
+        for (double detail : {0.05, 1.0, 20.0})
+            QTest::addRow("radius %g, detail %g", radius, detail) << radius << detail;
+    }
+}
+
+void TestSculptor::extremeRadii_haveAnAnswer()
+{
+    QFETCH(double, radius);
+    QFETCH(double, detail);
+    for (Tool tool : {Tool::Pull, Tool::Push, Tool::Smooth}) {
+        Sculptor sculptor(sculptable(core::icosphere(2, 1)));
+        const std::uint64_t start = sculptor.mesh().stateHash();
+        core::StrokeSettings settings;
+        settings.tool = tool;
+        settings.radius = radius;
+        settings.detail = detail;
+        settings.strength = 10;
+        settings.place = core::Placement::Nearest;
+        sculptor.beginStroke(settings);
+        core::StrokeSample sample;
+        sample.position = {0.3, 0.2, 1.1};
+        QCOMPARE(sculptor.addSample(sample).size(), std::size_t(1));
+        MeshDelta delta = sculptor.endStroke();
+        VERIFY_VALID(sculptor.mesh());
+        QVERIFY(sculptor.indexIsConsistent());
+        sculptor.swap(delta);
+        QCOMPARE(sculptor.mesh().stateHash(), start);
     }
 }
 

@@ -1,0 +1,359 @@
+// Every language says everything: the files in translations/ against the sources, against themselves, and in the program.
+#include "ui/actions.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QDir>
+#include <QMainWindow>
+#include <QMenu>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTranslator>
+#include <QXmlStreamReader>
+
+namespace
+{
+struct Message
+{
+    QString context, source, comment, type;
+    QStringList translations; ///< more than one: plural forms
+    bool isPlural = false;
+
+    QString key() const { return context + QStringLiteral(" | ") + source + QStringLiteral(" | ") + comment; }
+};
+
+struct Catalogue
+{
+    QString language, error;
+    QList<Message> messages;
+
+    QStringList keys() const
+    {
+        QStringList all;
+        for (const Message& message : messages)
+            all << message.key();
+        all.sort();
+        return all;
+    }
+};
+
+Message readMessage(QXmlStreamReader& xml, const QString& context)
+{
+    Message message;
+    message.context = context;
+    message.isPlural = xml.attributes().value(QStringLiteral("numerus")) == QStringLiteral("yes");
+    while (xml.readNextStartElement()) {
+        if (xml.name() == QStringLiteral("source")) {
+            message.source = xml.readElementText();
+        } else if (xml.name() == QStringLiteral("comment")) {
+            message.comment = xml.readElementText();
+        } else if (xml.name() == QStringLiteral("translation")) {
+            message.type = xml.attributes().value(QStringLiteral("type")).toString();
+            if (!message.isPlural)
+                message.translations << xml.readElementText();
+            else
+                while (xml.readNextStartElement())
+                    message.translations << xml.readElementText();
+        } else {
+            xml.skipCurrentElement();
+        }
+    }
+    return message;
+}
+
+Catalogue readCatalogue(const QString& path)
+{
+    Catalogue catalogue;
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly)) {
+        catalogue.error = file.errorString();
+        return catalogue;
+    }
+    QXmlStreamReader xml(&file);
+    QString context;
+    while (!xml.atEnd()) {
+        if (xml.readNext() != QXmlStreamReader::StartElement)
+            continue;
+        if (xml.name() == QStringLiteral("TS"))
+            catalogue.language = xml.attributes().value(QStringLiteral("language")).toString();
+        else if (xml.name() == QStringLiteral("name"))
+            context = xml.readElementText();
+        else if (xml.name() == QStringLiteral("message"))
+            catalogue.messages << readMessage(xml, context);
+    }
+    catalogue.error = xml.error() == QXmlStreamReader::NoError ? QString() : xml.errorString();
+    return catalogue;
+}
+
+QString pathOf(const QString& language)
+{
+    return QStringLiteral(FETTLE_SOURCE_DIR "/translations/fettle_%1.ts").arg(language);
+}
+
+QStringList languages()
+{
+    QStringList all;
+    for (const QString& name : QDir(QStringLiteral(FETTLE_SOURCE_DIR "/translations")).entryList({QStringLiteral("*.ts")}))
+        all << name.mid(7).chopped(3);
+    return all;
+}
+
+/// "%1", "%L2", "%n", "[*]", the patterns of a file filter: what must be there as often as in the source.
+QStringList marks(const QString& text)
+{
+    static const QRegularExpression mark(QStringLiteral(R"(%L?(\d|n)|\[\*\]|\(\*\)|…)"));
+    QStringList found;
+    for (auto i = mark.globalMatch(text); i.hasNext();)
+        found << i.next().captured();
+    found.sort();
+    return found;
+}
+
+/// The letters after a '&'; "&&" is none.
+QStringList mnemonics(const QString& text)
+{
+    static const QRegularExpression mnemonic(QStringLiteral("&(\\w)"), QRegularExpression::UseUnicodePropertiesOption);
+    QStringList found;
+    for (auto i = mnemonic.globalMatch(QString(text).remove(QStringLiteral("&&"))); i.hasNext();)
+        found << i.next().captured(1).toUpper();
+    return found;
+}
+
+QString edges(const QString& text)
+{
+    return QStringLiteral("%1%2").arg(text.startsWith(u' ') ? 1 : 0).arg(text.endsWith(u'\n') ? 1 : 0);
+}
+
+QString fault(const Message& message, const QString& translation)
+{
+    if (translation.trimmed().isEmpty())
+        return QStringLiteral("is empty");
+    if (marks(translation) != marks(message.source))
+        return QStringLiteral("has other marks (%1, [*], …) than its source");
+    if (mnemonics(translation).size() != mnemonics(message.source).size())
+        return QStringLiteral("has other mnemonics than its source");
+    if (edges(translation) != edges(message.source))
+        return QStringLiteral("begins or ends with other space than its source");
+    return {};
+}
+
+qsizetype formsIn(const QString& language)
+{
+    return language.startsWith(QStringLiteral("zh")) ? 1 : 2;
+}
+
+/// What the program says in a language; the language need not be installed.
+QString fettle(const QStringList& arguments, const QString& language)
+{
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.remove(QStringLiteral("LC_ALL"));
+    environment.insert(QStringLiteral("LANG"), QStringLiteral("C.UTF-8"));
+    environment.insert(QStringLiteral("LANGUAGE"), language);
+    QProcess process;
+    process.setProcessEnvironment(environment);
+    process.setProcessChannelMode(QProcess::MergedChannels);
+    process.start(QStringLiteral(FETTLE_PROGRAM), arguments);
+    process.waitForFinished();
+    return QString::fromUtf8(process.readAll());
+}
+} // namespace
+
+class TestTranslations : public QObject
+{
+    Q_OBJECT
+
+public:
+    static void initMain() { qputenv("QT_QPA_PLATFORM", "offscreen"); }
+
+private Q_SLOTS:
+    void languages_areThere();
+    void fault_isFound_data();
+    void fault_isFound();
+    void everySource_isThere_data() { addLanguages(); }
+    void everySource_isThere();
+    void everyMessage_isTranslated_data() { addLanguages(); }
+    void everyMessage_isTranslated();
+    void everyContext_isAClass_data() { addLanguages(); }
+    void everyContext_isAClass();
+    void mnemonics_areUniqueInAMenu_data() { addLanguages(); }
+    void mnemonics_areUniqueInAMenu();
+    void menuKeys_areInMenusOnly();
+    void theProgram_speaksIt_data();
+    void theProgram_speaksIt();
+    void theProgram_countsInEnglish();
+
+private:
+    static void addLanguages();
+};
+
+void TestTranslations::addLanguages()
+{
+    QTest::addColumn<QString>("language");
+    for (const QString& language : languages())
+        QTest::newRow(qPrintable(language)) << language;
+}
+
+void TestTranslations::languages_areThere()
+{
+    QCOMPARE(languages(), QStringList({QStringLiteral("de"), QStringLiteral("en"), QStringLiteral("zh_CN")}));
+    for (const QString& language : languages()) {
+        const Catalogue catalogue = readCatalogue(pathOf(language));
+        QCOMPARE(catalogue.error, QString());
+        QCOMPARE(catalogue.language, language);
+    }
+}
+
+void TestTranslations::fault_isFound_data()
+{
+    QTest::addColumn<QString>("source");
+    QTest::addColumn<QString>("translation");
+    QTest::addColumn<bool>("isFault");
+    const auto row = [](const char* name, const char* source, const char* translation, bool isFault) {
+        QTest::newRow(name) << QString::fromUtf8(source) << QString::fromUtf8(translation) << isFault;
+    };
+    row("good", "&Undo %1", "&Rückgängig: %1", false);
+    row("in another order", "%1 of %2", "%2: %1", false);
+    row("key in brackets", "&Open…", "打开(&O)…", false);
+    row("empty", "Undo", " ", true);
+    row("lost", "%1 of %2", "%1", true);
+    row("twice", "%1 of %2", "%1 %2 %1", true);
+    row("not localised", "%Ln vertices", "%n Eckpunkte", true);
+    row("no key", "&Undo", "Rückgängig", true);
+    row("key to nothing", "&Undo", "Rückgängig& ", true);
+    row("no ellipsis", "&Open…", "Ö&ffnen", true);
+    row("no place for the star", "%1[*] – Fettle", "%1 – Fettle", true);
+    row("filter", "All files (*)", "Alle Dateien", true);
+    row("no space before the unit", " mm", "mm", true);
+}
+
+void TestTranslations::fault_isFound()
+{
+    QFETCH(QString, source);
+    QFETCH(QString, translation);
+    QFETCH(bool, isFault);
+    Message message;
+    message.source = source;
+    QCOMPARE(!fault(message, translation).isEmpty(), isFault);
+}
+
+/// What lupdate finds in the sources now is what the file has: to be mended with the target update_translations.
+void TestTranslations::everySource_isThere()
+{
+    QFETCH(QString, language);
+    const QTemporaryDir folder;
+    const QString fresh = folder.filePath(QStringLiteral("fettle_%1.ts").arg(language));
+    QStringList arguments{QStringLiteral("-silent"), QStringLiteral("-locations"), QStringLiteral("none"), QStringLiteral("-I"),
+                          QStringLiteral(FETTLE_SOURCE_DIR)};
+    if (language == QStringLiteral("en"))
+        arguments << QStringLiteral("-pluralonly");
+    for (const char* room : {"ui", "vr", "app"})
+        arguments << QStringLiteral(FETTLE_SOURCE_DIR "/") + QString::fromLatin1(room);
+    QProcess lupdate;
+    lupdate.setProcessChannelMode(QProcess::MergedChannels);
+    lupdate.start(QStringLiteral(FETTLE_LUPDATE), arguments << QStringLiteral("-ts") << fresh);
+    QVERIFY(lupdate.waitForFinished());
+    QVERIFY2(lupdate.exitCode() == 0, lupdate.readAll().constData());
+    const QStringList wanted = readCatalogue(fresh).keys();
+    QVERIFY(!wanted.isEmpty());
+    for (const QString& key : wanted)
+        QVERIFY2(readCatalogue(pathOf(language)).keys().contains(key), qPrintable(QStringLiteral("not in the file: ") + key));
+    QCOMPARE(readCatalogue(pathOf(language)).keys(), wanted);
+}
+
+void TestTranslations::everyMessage_isTranslated()
+{
+    QFETCH(QString, language);
+    for (const Message& message : readCatalogue(pathOf(language)).messages) {
+        QVERIFY2(message.type.isEmpty(), qPrintable(message.key() + QStringLiteral(": ") + message.type));
+        QCOMPARE(message.translations.size(), message.isPlural ? formsIn(language) : 1);
+        for (const QString& translation : message.translations) {
+            const QString found = fault(message, translation);
+            QVERIFY2(found.isEmpty(), qPrintable(QStringLiteral("\"%1\", for \"%2\", %3").arg(translation, message.source, found)));
+        }
+    }
+}
+
+/// Texts are looked up under the name of their class. Where lupdate misread the sources it wrote something else.
+void TestTranslations::everyContext_isAClass()
+{
+    QFETCH(QString, language);
+    static const QRegularExpression ofARoom(QStringLiteral("^(ui|vr|app)::[A-Z]\\w+$"));
+    for (const Message& message : readCatalogue(pathOf(language)).messages)
+        QVERIFY2(ofARoom.match(message.context).hasMatch(), qPrintable(message.key()));
+}
+
+void TestTranslations::mnemonics_areUniqueInAMenu()
+{
+    QFETCH(QString, language);
+    QTranslator translator;
+    QVERIFY(translator.load(QStringLiteral("fettle_") + language, QStringLiteral(FETTLE_QM_DIR)));
+    QCoreApplication::installTranslator(&translator);
+    QMainWindow window;
+    const ui::Actions actions(&window);
+    QStringList titles;
+    for (const ui::MenuId id : {ui::MenuId::File, ui::MenuId::Edit, ui::MenuId::Sculpt, ui::MenuId::View, ui::MenuId::Vr, ui::MenuId::Help}) {
+        titles += mnemonics(actions.menuTitle(id));
+        QMenu menu;
+        actions.fill(&menu, id);
+        QStringList keys;
+        for (const QAction* action : menu.actions())
+            keys += mnemonics(action->text());
+        QVERIFY(!keys.isEmpty());
+        QVERIFY2(keys.removeDuplicates() == 0, qPrintable(actions.menuTitle(id)));
+    }
+    QCOMPARE(titles.size(), 6);
+    QCOMPARE(titles.removeDuplicates(), 0);
+}
+
+void TestTranslations::menuKeys_areInMenusOnly()
+{
+    QTranslator translator;
+    QVERIFY(translator.load(QStringLiteral("fettle_zh_CN"), QStringLiteral(FETTLE_QM_DIR)));
+    QCoreApplication::installTranslator(&translator);
+    QMainWindow window;
+    const ui::Actions actions(&window);
+    for (const ui::ActionInfo& row : ui::actionTable()) {
+        const QAction* action = actions.get(QLatin1StringView(row.id));
+        QVERIFY2(action->text().contains(QStringLiteral("(&")), qPrintable(action->text()));
+        QVERIFY2(!action->iconText().contains(QLatin1Char('(')), qPrintable(action->iconText()));
+        const QString key = action->shortcut().toString(QKeySequence::NativeText);
+        const QString name = action->iconText() + (key.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(key));
+        QVERIFY2(action->toolTip().startsWith(name + QLatin1Char('\n')), qPrintable(action->toolTip()));
+    }
+}
+
+/// English is in the sources, all but its plurals.
+void TestTranslations::theProgram_speaksIt_data()
+{
+    QTest::addColumn<QString>("language");
+    for (const QString& language : languages())
+        if (language != QStringLiteral("en"))
+            QTest::newRow(qPrintable(language)) << language;
+}
+
+/// From ":/i18n", by the way main() takes.
+void TestTranslations::theProgram_speaksIt()
+{
+    QFETCH(QString, language);
+    for (const Message& message : readCatalogue(pathOf(language)).messages) {
+        if (!message.source.startsWith(QStringLiteral("Fettle sculpts")))
+            continue;
+        QVERIFY(message.translations.first() != message.source);
+        QVERIFY(fettle({QStringLiteral("--help")}, language).contains(message.translations.first()));
+        return;
+    }
+    QFAIL("the help is missing");
+}
+
+void TestTranslations::theProgram_countsInEnglish()
+{
+    const QStringList one{QStringLiteral("convert"), QStringLiteral("a")}, three = one + QStringList{QStringLiteral("b"), QStringLiteral("c")};
+    QVERIFY(fettle(one, QStringLiteral("en")).contains(QStringLiteral("but 1 was given")));
+    QVERIFY(fettle(three, QStringLiteral("en")).contains(QStringLiteral("but 3 were given")));
+    QVERIFY(fettle(one, QStringLiteral("en:de")).contains(QStringLiteral("but 1 was given")));
+}
+
+QTEST_MAIN(TestTranslations)
+#include "tst_translations.moc"

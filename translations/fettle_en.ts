@@ -1,0 +1,34 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en" sourcelanguage="en">
+<context>
+    <name>app::CommandLine</name>
+    <message numerus="yes">
+        <source>One file at a time can be opened, but %n were given; fettle --help says more.</source>
+        <translation>
+            <numerusform>One file at a time can be opened, but %n was given; fettle --help says more.</numerusform>
+            <numerusform>One file at a time can be opened, but %n were given; fettle --help says more.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>app::ConvertCommand</name>
+    <message numerus="yes">
+        <source>convert: two files are needed, IN and OUT, but %n were given.</source>
+        <translation>
+            <numerusform>convert: two files are needed, IN and OUT, but %n was given.</numerusform>
+            <numerusform>convert: two files are needed, IN and OUT, but %n were given.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ui::FactsBar</name>
+    <message numerus="yes">
+        <source>%Ln vertices</source>
+        <translation>
+            <numerusform>%Ln vertex</numerusform>
+            <numerusform>%Ln vertices</numerusform>
+        </translation>
+    </message>
+</context>
+</TS>
