@@ -1,4 +1,6 @@
 #include "core/region.h"
+#include "core/surface_query.h"
+#include "tests/support/clay.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/shapes.h"
 #include "tests/support/stroke_fuzzer.h"
@@ -20,6 +22,8 @@ class TestRegion : public QObject
 
 private Q_SLOTS:
     void selectSphere_takesTheVerticesInTheBall();
+    void selectGeodesic_takesTheNearSheetOnly();
+    void selectGeodesic_isTheShortestPathAlongEdges();
     void candidates_holdAllFacesThatMayMeetTheBall();
     void addAndRemove_keepPositions();
     void restore_goesBack();
@@ -46,6 +50,51 @@ void TestRegion::selectSphere_takesTheVerticesInTheBall()
     }
 }
 
+/// Figure 4 of the paper: next to a fold the ray brush takes the near sheet, the spherical brush takes both.
+void TestRegion::selectGeodesic_takesTheNearSheetOnly()
+{
+    const auto mesh = sculptable(clay::slab(1, 0.05, 40));
+    const FaceOctree octree(*mesh);
+    const auto top = nearestPoint(*mesh, octree, {0, 1, 0});
+    QVERIFY(top);
+    const Sphere ball = {top->position, 0.2};
+    Region region;
+    std::vector<Slot> candidates;
+    const auto below = [&] {
+        return std::ranges::count_if(region.slots(), [&](Slot v) { return mesh->point(v).y() < 0; });
+    };
+    selectSphere(region, candidates, *mesh, octree, ball);
+    QVERIFY(below() > 0);
+    selectGeodesic(region, *mesh, top->face, ball);
+    QVERIFY(region.size() > 100);
+    QCOMPARE(below(), 0);
+}
+
+void TestRegion::selectGeodesic_isTheShortestPathAlongEdges()
+{
+    const auto mesh = sculptable(shapes::torus());
+    const FaceOctree octree(*mesh);
+    StrokeFuzzer random(20241205);
+    Region region;
+    for (int i = 0; i < 50; ++i) {
+        const auto start = nearestPoint(*mesh, octree, 4 * random.direction());
+        const Sphere ball = {start->position, random.uniform(0.1, 3)};
+        selectGeodesic(region, *mesh, start->face, ball);
+        // Bellman and Ford: no edge shortens a path any more, and every vertex in reach is there.
+        for (Slot v = 0; v < mesh->slots().vertices; ++v) {
+            const Vec3 p = mesh->point(v).cast<double>();
+            double best = std::ranges::count(mesh->corners(start->face), v) ? (p - ball.center).norm() : 1e9;
+            mesh->forEachOutgoing(v, [&](Slot h) {
+                const Slot other = mesh->to(h);
+                if (region.contains(other))
+                    best = std::min(best, region.distance(other) + (mesh->point(other).cast<double>() - p).norm());
+            });
+            QCOMPARE(region.contains(v), best <= ball.radius);
+            QVERIFY(!region.contains(v) || std::abs(region.distance(v) - best) < 1e-9);
+        }
+    }
+}
+
 void TestRegion::candidates_holdAllFacesThatMayMeetTheBall()
 {
     const auto mesh = sculptable(shapes::torus());
@@ -64,13 +113,13 @@ void TestRegion::addAndRemove_keepPositions()
 {
     Region region;
     QVERIFY(region.empty());
-    region.add(9, {1, 0, 0});
-    region.add(4, {2, 0, 0});
+    region.add(9, 0, {1, 0, 0});
+    region.add(4, 0, {2, 0, 0});
     QCOMPARE(region.size(), 2u);
     region.remove(9);
     QVERIFY(!region.contains(9) && region.contains(4));
     QCOMPARE(region.size(), 1u);
-    region.add(9, {3, 0, 0}); // the slot was taken again
+    region.add(9, 0, {3, 0, 0}); // the slot was taken again
     QCOMPARE(region.size(), 2u);
     QVERIFY(region.plan(9) == Vec3(3, 0, 0) && region.plan(4) == Vec3(2, 0, 0));
     QCOMPARE(region.position(9), 0u);
@@ -90,12 +139,12 @@ void TestRegion::restore_goesBack()
 {
     Region region;
     for (Slot v = 0; v < 20; ++v)
-        region.add(3 * v, {double(v), 0, 0});
+        region.add(3 * v, 0, {double(v), 0, 0});
     region.remove(6);
     const Region::Saved saved = region.save();
     region.remove(9);
-    region.add(6, {77, 0, 0});
-    region.add(100, {1, 1, 1});
+    region.add(6, 0, {77, 0, 0});
+    region.add(100, 0, {1, 1, 1});
     region.setPlan(0, {8, 8, 8});
     region.restore(saved);
     QCOMPARE(region.size(), 19u);

@@ -38,10 +38,15 @@ core::Stroke StrokeFuzzer::stroke(const core::Mesh& mesh)
 
     core::Stroke stroke;
     core::StrokeSettings& s = stroke.settings;
-    constexpr core::Tool tools[] = {core::Tool::Pull, core::Tool::Push, core::Tool::Smooth};
+    constexpr core::Tool tools[] = {core::Tool::Pull, core::Tool::Push, core::Tool::Flatten, core::Tool::Smooth,
+                                    core::Tool::Paint};
     constexpr core::Placement placements[] = {core::Placement::Point, core::Placement::Nearest, core::Placement::Ray};
     constexpr int falloffs[] = {4, 4, 4, 3, 8, 16, 0};
-    s.tool = tools[below(3)];
+    s.tool = tools[below(5)];
+    s.brush = below(3) == 0 ? core::BrushShape::Ray : core::BrushShape::Sphere;
+    s.topology = below(4) == 0 ? core::Topology::Uniform : core::Topology::Adaptive;
+    s.add = below(2) == 0;
+    s.color = {static_cast<std::uint8_t>(below(256)), static_cast<std::uint8_t>(below(256)), 90};
     s.place = placements[below(3)];
     const double large = uniform(); // small ones more often; no std::pow: libraries round it differently
     s.radius = least + (0.5 * size - least) * large * large * large;
@@ -57,7 +62,7 @@ core::Stroke StrokeFuzzer::stroke(const core::Mesh& mesh)
         core::StrokeSample sample;
         sample.time = 0.01 * static_cast<double>(i);
         sample.position = at;
-        if (s.place == core::Placement::Ray) {
+        if (s.place == core::Placement::Ray || s.brush == core::BrushShape::Ray) {
             const Vec3 view = direction();
             sample.position = at - 2 * size * view;
             sample.direction = view;

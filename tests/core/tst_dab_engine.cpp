@@ -1,0 +1,268 @@
+#include "core/mesh_build.h"
+#include "core/sculptor.h"
+#include "tests/support/cgal_judge.h"
+#include "tests/support/clay.h"
+#include "tests/support/mesh_asserts.h"
+#include "tests/support/shapes.h"
+
+#include <QTest>
+
+using core::DabOutcome;
+using core::DabReport;
+using core::Mesh;
+using core::Sculptor;
+using core::Slot;
+using core::StrokeSettings;
+using core::Tool;
+using core::Vec3;
+
+namespace
+{
+std::unique_ptr<Sculptor> sphere()
+{
+    return std::make_unique<Sculptor>(mesh_asserts::sculptable(core::icosphere(4, 1)));
+}
+
+DabReport dabOnce(Sculptor& sculptor, const StrokeSettings& settings, const Vec3& position,
+                  const Vec3& direction = -Vec3::UnitZ())
+{
+    core::StrokeSample sample;
+    sample.position = position;
+    sample.direction = direction;
+    sculptor.beginStroke(settings);
+    const DabReport report = sculptor.addSample(sample).at(0);
+    sculptor.endStroke();
+    return report;
+}
+
+StrokeSettings settingsFor(Tool tool, double radius = 0.3)
+{
+    StrokeSettings settings;
+    settings.tool = tool;
+    settings.radius = radius;
+    return settings;
+}
+
+bool isSound(const Sculptor& sculptor)
+{
+    const auto verdict = judgedByCgal(core::extractMesh(sculptor.mesh()));
+    return verdict && verdict->allWell() &&
+           mesh_asserts::brokenLinks(sculptor.mesh()).empty() && sculptor.indexIsConsistent();
+}
+
+template <class Visit> void forEachVertex(const Mesh& mesh, Visit visit)
+{
+    for (Slot v = 0; v < mesh.slots().vertices; ++v) {
+        if (mesh.isVertex(v))
+            visit(v, Vec3(mesh.point(v).cast<double>()));
+    }
+}
+} // namespace
+
+/// The tools and modes of a dab, seen from outside.
+class TestDabEngine : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void flatten_leavesAPlatform();
+    void paint_coloursTheRegionAndMovesNothing();
+    void paint_withoutFalloff_setsTheFullColour();
+    void colours_areCarriedThroughRemeshing();
+    void rayBrush_leavesTheOtherSheetAlone();
+    void rayBrush_refinesACoarseFace();
+    void uniformTopology_keepsItsLength();
+    void addedSphere_isPartOfTheModel();
+    void addedSphere_insideIsRefused();
+    void addedSphere_tooCloseIsRefused();
+    void addedSphere_beyondTheWallIsRefused();
+};
+
+void TestDabEngine::flatten_leavesAPlatform()
+{
+    const auto sculptor = sphere();
+    StrokeSettings settings = settingsFor(Tool::Flatten);
+    settings.falloff = 0;
+    for (int i = 0; i < 8; ++i)
+        dabOnce(*sculptor, settings, {0, 0, 1});
+    double lowest = 2, highest = -2;
+    forEachVertex(sculptor->mesh(), [&](Slot, const Vec3& p) {
+        if ((p - Vec3(0, 0, 0.98)).norm() < 0.2) {
+            lowest = std::min(lowest, p.z());
+            highest = std::max(highest, p.z());
+        }
+    });
+    QVERIFY2(highest - lowest < 0.002, qPrintable(QString::number(highest - lowest))); // the ball's: 0.02
+    QVERIFY(isSound(*sculptor));
+}
+
+void TestDabEngine::paint_coloursTheRegionAndMovesNothing()
+{
+    const auto sculptor = sphere();
+    const core::TriangleMesh before = core::extractMesh(sculptor->mesh());
+    StrokeSettings settings = settingsFor(Tool::Paint);
+    settings.color = {255, 0, 0};
+    const DabReport report = dabOnce(*sculptor, settings, {0, 0, 1});
+    QCOMPARE(core::name(report.outcome), core::name(DabOutcome::Committed));
+    const core::TriangleMesh after = core::extractMesh(sculptor->mesh());
+    QVERIFY(after.points == before.points && after.triangles == before.triangles);
+    std::size_t painted = 0;
+    forEachVertex(sculptor->mesh(), [&](Slot v, const Vec3& p) {
+        const bool inside = (p - Vec3(0, 0, 1)).norm() < 0.3;
+        painted += sculptor->mesh().color(v) == core::Rgb() ? 0 : 1;
+        QVERIFY(inside || sculptor->mesh().color(v) == core::Rgb());
+    });
+    QVERIFY(painted > 20);
+}
+
+void TestDabEngine::paint_withoutFalloff_setsTheFullColour()
+{
+    const auto sculptor = sphere();
+    StrokeSettings settings = settingsFor(Tool::Paint);
+    settings.color = {10, 20, 30};
+    settings.falloff = 0;
+    const DabReport report = dabOnce(*sculptor, settings, {0, 0, 1});
+    std::uint32_t painted = 0;
+    forEachVertex(sculptor->mesh(), [&](Slot v, const Vec3&) { painted += sculptor->mesh().color(v) == settings.color; });
+    QCOMPARE(painted, report.touchedVertices);
+}
+
+void TestDabEngine::colours_areCarriedThroughRemeshing()
+{
+    const auto sculptor = sphere();
+    StrokeSettings settings = settingsFor(Tool::Paint, 0.5);
+    settings.color = {10, 20, 30};
+    settings.falloff = 0;
+    dabOnce(*sculptor, settings, {0, 0, 1});
+    dabOnce(*sculptor, settingsFor(Tool::Pull, 0.1), {0, 0, 1}); // refines inside the painted part
+    forEachVertex(sculptor->mesh(), [&](Slot v, const Vec3& p) {
+        if (p.normalized().z() > 0.95)
+            QVERIFY(sculptor->mesh().color(v) == settings.color);
+    });
+}
+
+void TestDabEngine::rayBrush_leavesTheOtherSheetAlone()
+{
+    const double thickness = 0.05;
+    Sculptor sculptor(mesh_asserts::sculptable(clay::slab(1, thickness, 40)));
+    const auto undersideMoved = [&] {
+        bool moved = false;
+        forEachVertex(sculptor.mesh(), [&](Slot, const Vec3& p) {
+            const bool inside = Vec3(p.x(), 0, p.z()).norm() < 0.2;
+            moved = moved || (inside && p.y() < 0 && std::abs(p.y() + thickness / 2) > 1e-3);
+        });
+        return moved;
+    };
+    StrokeSettings settings = settingsFor(Tool::Pull, 0.15);
+    settings.brush = core::BrushShape::Ray;
+    const DabReport report = dabOnce(sculptor, settings, {0, 2, 0}, -Vec3::UnitY());
+    QVERIFY(report.touchedVertices > 20);
+    QVERIFY(!undersideMoved());
+    settings.brush = core::BrushShape::Sphere;
+    dabOnce(sculptor, settings, {0, thickness / 2, 0});
+    QVERIFY(undersideMoved());
+    QVERIFY(isSound(sculptor));
+}
+
+void TestDabEngine::rayBrush_refinesACoarseFace()
+{
+    Sculptor sculptor(mesh_asserts::sculptable(shapes::cube(2)));
+    const core::Box box = [&] {
+        core::Box result;
+        forEachVertex(sculptor.mesh(), [&](Slot, const Vec3& p) { result.extend(p); });
+        return result;
+    }();
+    StrokeSettings settings = settingsFor(Tool::Pull, 0.2);
+    settings.brush = core::BrushShape::Ray;
+    const Vec3 above = box.center() + Vec3(0.13, 5, 0.21);
+    const DabReport report = dabOnce(sculptor, settings, above, -Vec3::UnitY());
+    QCOMPARE(core::name(report.outcome), core::name(DabOutcome::Committed));
+    QVERIFY(report.touchedVertices > 20);
+    QVERIFY(report.reached > 0.95 * report.asked && report.asked > 0.01);
+    QVERIFY(isSound(sculptor));
+}
+
+void TestDabEngine::uniformTopology_keepsItsLength()
+{
+    const auto sculptor = sphere();
+    const double before = static_cast<double>(sculptor->mesh().live().vertices);
+    StrokeSettings settings = settingsFor(Tool::Smooth, 0.1); // adaptive, this radius would refine; 0.8 would coarsen
+    settings.topology = core::Topology::Uniform;
+    dabOnce(*sculptor, settings, {0, 0, 1});
+    settings.radius = 0.8;
+    dabOnce(*sculptor, settings, {0, 1, 0});
+    const double after = static_cast<double>(sculptor->mesh().live().vertices);
+    QVERIFY2(std::abs(after / before - 1) < 0.05, qPrintable(QString::number(after / before)));
+    settings.detailLength = 0.03;
+    dabOnce(*sculptor, settings, {0, 0, 1});
+    double longest = 0;
+    const Mesh& mesh = sculptor->mesh();
+    for (Slot e = 0; e < mesh.slots().edges; ++e) {
+        if (!mesh.isEdge(e))
+            continue;
+        const Vec3 a = mesh.point(mesh.to(2 * e)).cast<double>(), b = mesh.point(mesh.to(2 * e + 1)).cast<double>();
+        if ((a - Vec3(0, 0, 1)).norm() < 0.7 && (b - Vec3(0, 0, 1)).norm() < 0.7)
+            longest = std::max(longest, (a - b).norm());
+    }
+    QVERIFY(longest <= 0.03);
+    QVERIFY(isSound(*sculptor));
+}
+
+void TestDabEngine::addedSphere_isPartOfTheModel()
+{
+    const auto sculptor = sphere();
+    const std::uint64_t start = sculptor->mesh().stateHash();
+    StrokeSettings settings = settingsFor(Tool::Pull);
+    settings.add = true;
+    sculptor->beginStroke(settings);
+    core::StrokeSample sample;
+    sample.position = {0, 0, 1.6};
+    QCOMPARE(core::name(sculptor->addSample(sample).at(0).outcome), core::name(DabOutcome::Added));
+    sample.radius = 0.1;
+    QCOMPARE(core::name(sculptor->addSample(sample).at(0).outcome), core::name(DabOutcome::Refused)); // inside the new one
+    sample.radius.reset();
+    sample.position = {0, 0, 1.9};
+    QVERIFY(sculptor->addSample(sample).at(0).touchedVertices > 20); // pulls the new one
+    core::MeshDelta delta = sculptor->endStroke();
+    QCOMPARE(mesh_asserts::eulerNumber(sculptor->mesh()), 4);
+    QVERIFY(isSound(*sculptor));
+    const std::uint64_t end = sculptor->mesh().stateHash();
+    sculptor->swap(delta);
+    QCOMPARE(sculptor->mesh().stateHash(), start);
+    sculptor->swap(delta);
+    QCOMPARE(sculptor->mesh().stateHash(), end);
+}
+
+void TestDabEngine::addedSphere_insideIsRefused()
+{
+    const auto sculptor = sphere();
+    const std::uint64_t start = sculptor->mesh().stateHash();
+    StrokeSettings settings = settingsFor(Tool::Pull);
+    settings.add = true;
+    const DabReport report = dabOnce(*sculptor, settings, {0.1, 0.2, 0});
+    QVERIFY(report.outcome == DabOutcome::Refused && report.refusal == core::Refusal::Inside);
+    QCOMPARE(sculptor->mesh().stateHash(), start);
+}
+
+void TestDabEngine::addedSphere_tooCloseIsRefused()
+{
+    const auto sculptor = sphere();
+    StrokeSettings settings = settingsFor(Tool::Pull);
+    settings.add = true;
+    const DabReport report = dabOnce(*sculptor, settings, {0, 0, 1.32});
+    QVERIFY(report.outcome == DabOutcome::Refused && report.refusal == core::Refusal::TooClose);
+    QVERIFY(isSound(*sculptor));
+}
+
+void TestDabEngine::addedSphere_beyondTheWallIsRefused()
+{
+    const auto sculptor = sphere();
+    StrokeSettings settings = settingsFor(Tool::Pull);
+    settings.add = true;
+    const double wall = sculptor->mesh().lattice().halfVolume();
+    const DabReport report = dabOnce(*sculptor, settings, {0, wall - 0.1, 0});
+    QVERIFY(report.outcome == DabOutcome::Refused && report.refusal == core::Refusal::Wall);
+}
+
+QTEST_GUILESS_MAIN(TestDabEngine)
+#include "tst_dab_engine.moc"
