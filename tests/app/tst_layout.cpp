@@ -279,7 +279,7 @@ void TestLayout::resources_areNamedInCMake()
 {
     const QString list = contents(FETTLE_SOURCE_DIR "/resources/resources.cmake");
     QStringList forgotten;
-    for (const QString& folder : {"icons/", "shaders/"}) {
+    for (const QString& folder : QStringList{"icons/", "shaders/"}) {
         for (const QString& file : filesOf("resources/" + folder, {"*"})) {
             if (!list.contains(' ' + folder + file))
                 forgotten << "resources/" + folder + file;
