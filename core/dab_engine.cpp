@@ -121,10 +121,12 @@ RemeshCounts DabEngine::refineAndPlan(Task& task, const Attempt& attempt, DabRep
 {
     const Sphere ball = {task.dab.position, task.dab.radius};
     RemeshCounts counts;
+    const double verifyBefore = report.verifyMs;
     {
         const PhaseTimer timer(report.optimiseMs);
         counts = refine(m_mesh, m_region, m_candidates, ball, task.bounds, attempt);
     }
+    report.optimiseMs -= report.verifyMs - verifyBefore; // operations that are judged are verified inside
     const PhaseTimer timer(report.deformMs);
     report.asked = planDeformation(m_region, m_mesh, task.settings, task.dab);
     task.steps = std::max(1.0, std::ceil(report.asked / (movePerMinimum * task.bounds.minimum)));
@@ -179,8 +181,12 @@ DabEngine::Substep DabEngine::careful(Task& task, DabReport& report)
         count(refineAndPlan(task, judged, report));
     const bool moved = moveHeldBack(1 / task.steps, report);
     if (!optimiseAtOnce(task, report)) {
-        const PhaseTimer timer(report.optimiseMs);
-        count(optimise(m_mesh, m_region, task.bounds, judged));
+        const double verifyBefore = report.verifyMs;
+        {
+            const PhaseTimer timer(report.optimiseMs);
+            count(optimise(m_mesh, m_region, task.bounds, judged));
+        }
+        report.optimiseMs -= report.verifyMs - verifyBefore;
     }
     return moved ? Substep::Careful : Substep::Stuck;
 }
