@@ -27,7 +27,9 @@ QString StrokeCommand::textOf(core::Tool tool)
     switch (tool) {
     case core::Tool::Pull: return tr("Pull", "undo step");
     case core::Tool::Push: return tr("Push", "undo step");
+    case core::Tool::Flatten: return tr("Flatten", "undo step");
     case core::Tool::Smooth: return tr("Smooth", "undo step");
+    case core::Tool::Paint: return tr("Paint", "undo step");
     }
     return {};
 }

@@ -252,10 +252,12 @@ RemeshCounts DabEngine::refineAndPlan(Task& task, const Attempt& attempt, DabRep
 {
     const Sphere ball = {task.dab.position, task.dab.radius};
     RemeshCounts counts;
+    const double verifyBefore = report.verifyMs;
     {
         const PhaseTimer timer(report.optimiseMs);
         counts = refine(m_mesh, m_region, m_candidates, ball, task.bounds, attempt);
     }
+    report.optimiseMs -= report.verifyMs - verifyBefore; // operations that are judged are verified inside
     if (task.settings.brush == BrushShape::Ray && counts.splits > 0) {
         const PhaseTimer timer(report.selectMs);
         for (Slot v : m_region.remeshed().slots())
@@ -316,8 +318,12 @@ DabEngine::Substep DabEngine::careful(Task& task, DabReport& report)
         count(refineAndPlan(task, judged, report));
     const bool moved = moveHeldBack(1 / task.steps, report);
     if (!optimiseAtOnce(task, report)) {
-        const PhaseTimer timer(report.optimiseMs);
-        count(optimise(m_mesh, m_region, task.bounds, judged));
+        const double verifyBefore = report.verifyMs;
+        {
+            const PhaseTimer timer(report.optimiseMs);
+            count(optimise(m_mesh, m_region, task.bounds, judged));
+        }
+        report.optimiseMs -= report.verifyMs - verifyBefore;
     }
     return moved ? Substep::Careful : Substep::Stuck;
 }

@@ -72,7 +72,7 @@ void addTopology(MeshReport& report, const TriangleMesh& mesh)
     report.oriented = topology.misorientedEdges.count == 0 && topology.nonManifoldEdges.count == 0;
     report.components = report.manifold ? componentsOf(mesh.points.size(), mesh.triangles).count
                                         : edgeComponents(mesh.triangles);
-    if (report.closed && report.manifold && report.oriented) {
+    if (report.closed && report.manifold && report.oriented && report.degenerateFaces.count == 0) {
         const auto euler = static_cast<std::int64_t>(topology.vertices + mesh.triangles.size()) -
                            static_cast<std::int64_t>(topology.edges);
         report.genus = static_cast<std::int64_t>(report.components) - euler / 2;
@@ -120,13 +120,12 @@ MeshReport checkMesh(const TriangleMesh& mesh)
     if (mesh.triangles.empty())
         return report;
     const Box box = boxOf(mesh);
-    addTopology(report, mesh);
-    addMeasures(report, mesh, box);
-
     std::vector<Slot> degenerate = degenerateFaces<FloatPredicates>(mesh.points, mesh.triangles);
     report.degenerateFaces.count = degenerate.size();
     degenerate.resize(std::min(degenerate.size(), Finding::maxFirst));
     report.degenerateFaces.firstFaces = std::move(degenerate);
+    addTopology(report, mesh);
+    addMeasures(report, mesh, box);
     report.intersections = selfIntersections<FloatPredicates>(mesh.points, mesh.triangles, Finding::maxFirst);
 
     const bool embedded = report.degenerateFaces.count == 0 && report.intersections.count == 0;

@@ -25,7 +25,7 @@ struct MeshReport
     std::optional<bool> boundsSolid;
 
     std::size_t components = 0;        ///< sets of faces connected by edges
-    std::optional<std::int64_t> genus; ///< summed over components; missing unless closed, manifold and oriented
+    std::optional<std::int64_t> genus; ///< summed over components; missing unless closed, manifold, oriented and without degenerate faces
     std::optional<double> volume;      ///< missing unless closed and oriented
     double area = 0;
     Vec3 size = Vec3::Zero(); ///< of the bounding box

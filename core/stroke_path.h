@@ -12,8 +12,9 @@ namespace core
 class StrokePath
 {
 public:
-    /// More dabs than this between two samples are not placed: the path goes on at the later sample.
-    static constexpr int mostDabsPerSample = 4096;
+    /// More dabs than this between two samples are not placed: the path goes on at the later sample. A jump of kilometres
+    /// would ask for more.
+    static constexpr int mostDabsPerSample = 1'000'000;
 
     /// Where the dab of a sample would stand on the surface as it is now; nothing if it would be empty.
     using CenterOf = std::function<std::optional<Vec3>(const Vec3& position, const Vec3& direction)>;

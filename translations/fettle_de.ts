@@ -282,9 +282,19 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Drücken</translation>
     </message>
     <message>
+        <source>Flatten</source>
+        <comment>undo step</comment>
+        <translation>Abflachen</translation>
+    </message>
+    <message>
         <source>Smooth</source>
         <comment>undo step</comment>
         <translation>Glätten</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <comment>undo step</comment>
+        <translation>Bemalen</translation>
     </message>
 </context>
 <context>

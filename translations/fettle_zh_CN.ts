@@ -280,9 +280,19 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>推入</translation>
     </message>
     <message>
+        <source>Flatten</source>
+        <comment>undo step</comment>
+        <translation>压平</translation>
+    </message>
+    <message>
         <source>Smooth</source>
         <comment>undo step</comment>
         <translation>平滑</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <comment>undo step</comment>
+        <translation>绘色</translation>
     </message>
 </context>
 <context>

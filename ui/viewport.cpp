@@ -54,8 +54,12 @@ QColor cursorColor(core::Tool tool)
         return {255, 246, 232};
     case core::Tool::Push:
         return {150, 205, 255};
+    case core::Tool::Flatten:
+        return {246, 224, 140};
     case core::Tool::Smooth:
         return {176, 240, 176};
+    case core::Tool::Paint:
+        return {236, 176, 236};
     }
     return Qt::white;
 }

@@ -279,9 +279,11 @@ void TestLayout::resources_areNamedInCMake()
 {
     const QString list = contents(FETTLE_SOURCE_DIR "/resources/resources.cmake");
     QStringList forgotten;
-    for (const QString& file : filesOf("resources", {"*.svg", "*.png", "*.vert", "*.frag", "*.glsl", "*.json"})) {
-        if (!file.startsWith("readme/") && !list.contains(' ' + file)) // the README's picture is not in the program
-            forgotten << "resources/" + file;
+    for (const QString& folder : QStringList{"icons/", "shaders/"}) {
+        for (const QString& file : filesOf("resources/" + folder, {"*"})) {
+            if (!list.contains(' ' + folder + file))
+                forgotten << "resources/" + folder + file;
+        }
     }
     QVERIFY2(forgotten.isEmpty(), qPrintable("not in resources.cmake: " + forgotten.join(", ")));
 }
