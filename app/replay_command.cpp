@@ -14,6 +14,10 @@
 
 #include <QFile>
 
+#include <filesystem>
+#include <map>
+#include <utility>
+
 
 namespace app
 {
@@ -69,6 +73,25 @@ std::optional<ReplayOptions> parseOptions(const QStringList& arguments)
     if (options.verify == Verify::None && parser.isSet(QStringLiteral("out")))
         CommandLine::fail(ReplayWords::tr("replay: --verify none and --out exclude each other: what is not verified is not kept."));
     return options;
+}
+
+/// A slip that would cost the strokes or the model.
+void requireDifferentFiles(const ReplayOptions& options)
+{
+    const std::pair<QString, QString> files[] = {{QStringLiteral("--strokes"), options.strokes},
+                                                 {QStringLiteral("--in"), options.in},
+                                                 {QStringLiteral("--out"), options.out},
+                                                 {QStringLiteral("--stats"), options.stats}};
+    std::map<std::filesystem::path, QString> seen;
+    for (const auto& [option, file] : files) {
+        if (file.isEmpty())
+            continue;
+        std::error_code problem; // then the path is empty: what is wrong with it is told where it is used
+        const std::filesystem::path path = std::filesystem::weakly_canonical(toPath(file), problem);
+        const auto [other, isNew] = seen.emplace(path, option);
+        if (!isNew && !path.empty())
+            CommandLine::fail(ReplayWords::tr("replay: %1 and %2 name the same file, %3.").arg(other->second, option, file));
+    }
 }
 
 std::vector<core::Stroke> readStrokes(const QString& path)
@@ -168,6 +191,7 @@ ExitStatus replayCommand(const QStringList& arguments)
     const std::optional<ReplayOptions> options = parseOptions(arguments);
     if (!options)
         return Done;
+    requireDifferentFiles(*options);
     if (!options->out.isEmpty())
         CommandLine::requireMeshEnding(options->out);
     const std::vector<core::Stroke> strokes = readStrokes(options->strokes);

@@ -1,5 +1,9 @@
 #include "stroke_words.h"
 
+#include <QLocale>
+
+#include <cerrno>
+
 namespace app
 {
 namespace
@@ -37,8 +41,14 @@ QString StrokeWords::reason(const core::StrokeFileError& error)
     using Kind = core::StrokeFileError::Kind;
     const QString key = QString::fromStdString(error.key);
     switch (error.kind) {
-    case Kind::CannotRead: return tr("this file does not exist or cannot be read");
-    case Kind::TooLarge: return tr("this file is too large for a stroke file");
+    case Kind::CannotRead:
+        if (error.systemError == 0)
+            return tr("this file cannot be read");
+        return error.systemError == ENOENT ? tr("there is no such file")
+                                           : tr("this file cannot be read (%1)").arg(qt_error_string(error.systemError));
+    case Kind::TooLarge:
+        return tr("this file is too large for a stroke file: at most %1 are read")
+            .arg(QLocale().formattedDataSize(static_cast<qint64>(error.most.value_or(0))));
     case Kind::Syntax: return tr("this is not JSON");
     case Kind::DuplicateKey: return tr("\"%1\" stands there twice").arg(key);
     case Kind::NotStrokes: return tr("this is no stroke file of version 1 (%1)").arg(key.isEmpty() ? tr("no object") : key);

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 
 namespace core
@@ -126,6 +128,7 @@ private:
     std::size_t m_count = 0; ///< of them so far
     std::array<double, 4> m_vector{};
     double m_turntable = 0;
+    std::optional<std::size_t> m_undirected; ///< the stroke's first sample without a direction
 };
 
 void StrokeReader::refuse(Kind kind, std::string_view value) const
@@ -223,6 +226,7 @@ bool StrokeReader::start_object(std::size_t)
         m_strokes.emplace_back();
         m_level = Level::Stroke;
         m_turntable = 0;
+        m_undirected.reset();
         m_seenOuter = std::exchange(m_seen, 0);
         break;
     case Level::Samples:
@@ -250,6 +254,8 @@ bool StrokeReader::end_object()
         break;
     default:
         requireKeys(sampleKeys);
+        if (!(m_seen & (1u << DirectionKey)) && !m_undirected)
+            m_undirected = m_strokes.back().samples.size() - 1;
         m_level = Level::Samples;
         m_seen = m_seenStroke;
         break;
@@ -443,6 +449,11 @@ void StrokeReader::endStroke()
 {
     Stroke& stroke = m_strokes.back();
     const bool alongRays = stroke.settings.place == Placement::Ray || stroke.settings.brush == BrushShape::Ray;
+    if (alongRays && m_undirected) {
+        StrokeFileError error = errorHere(Kind::MissingKey, "direction");
+        error.sample = m_undirected;
+        throw error;
+    }
     for (std::size_t i = 0; i < stroke.samples.size(); ++i) {
         StrokeSample& sample = stroke.samples[i];
         if (alongRays && sample.direction.cwiseAbs().maxCoeff() < leastDirection) {
@@ -484,6 +495,12 @@ std::vector<Stroke> parseStrokes(std::string_view text)
 
 std::vector<Stroke> readStrokes(const std::string& path)
 {
+    StrokeFileError tooLarge(Kind::TooLarge);
+    tooLarge.most = static_cast<double>(maxFileBytes);
+    std::error_code noSize; // of a pipe
+    if (const auto size = std::filesystem::file_size(path, noSize); !noSize && size > maxFileBytes)
+        throw tooLarge;
+    errno = 0;
     std::ifstream file(path, std::ios::binary);
     std::string text;
     std::array<char, 1 << 16> chunk;
@@ -492,9 +509,12 @@ std::vector<Stroke> readStrokes(const std::string& path)
         text.append(chunk.data(), static_cast<std::size_t>(file.gcount()));
     }
     if (text.size() > maxFileBytes)
-        throw StrokeFileError(Kind::TooLarge);
-    if (!file.eof())
-        throw StrokeFileError(Kind::CannotRead);
+        throw tooLarge;
+    if (!file.eof()) {
+        StrokeFileError error(Kind::CannotRead);
+        error.systemError = errno;
+        throw error;
+    }
     return parseStrokes(text);
 }
 } // namespace core

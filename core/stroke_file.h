@@ -26,7 +26,7 @@ struct StrokeFileError : std::runtime_error
 {
     enum class Kind {
         CannotRead,   ///< no such file, or not readable
-        TooLarge,     ///< longer than the reader takes
+        TooLarge,     ///< longer than the reader takes, `most` bytes
         Syntax,       ///< not JSON; `line`, `byte` say where
         DuplicateKey,
         NotStrokes,   ///< JSON, but not of this format or version
@@ -48,6 +48,7 @@ struct StrokeFileError : std::runtime_error
     std::size_t line = 0;              ///< counted from 1; 0: unknown
     std::size_t byte = 0;              ///< counted from 1; 0: unknown
     std::optional<double> least, most; ///< with OutOfRange, where there is a range
+    int systemError = 0;               ///< errno, with CannotRead, where it is known
 };
 
 /// Throws StrokeFileError. Cost: linear in the text's length, whatever it holds.

@@ -261,6 +261,10 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>replay: --strokes fehlt.</translation>
     </message>
     <message>
+        <source>replay: %1 and %2 name the same file, %3.</source>
+        <translation>replay: %1 und %2 nennen dieselbe Datei, %3.</translation>
+    </message>
+    <message>
         <source>replay: --verify none and --out exclude each other: what is not verified is not kept.</source>
         <translation>replay: --verify none und --out schließen einander aus: Was nicht geprüft ist, wird nicht aufbewahrt.</translation>
     </message>
@@ -323,12 +327,20 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Strich %1 (strokes[%2])</translation>
     </message>
     <message>
-        <source>this file does not exist or cannot be read</source>
-        <translation>diese Datei gibt es nicht, oder sie ist nicht lesbar</translation>
+        <source>this file cannot be read</source>
+        <translation>diese Datei ist nicht lesbar</translation>
     </message>
     <message>
-        <source>this file is too large for a stroke file</source>
-        <translation>diese Datei ist zu groß für eine Strichdatei</translation>
+        <source>there is no such file</source>
+        <translation>diese Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>this file cannot be read (%1)</source>
+        <translation>diese Datei ist nicht lesbar (%1)</translation>
+    </message>
+    <message>
+        <source>this file is too large for a stroke file: at most %1 are read</source>
+        <translation>diese Datei ist zu groß für eine Strichdatei: höchstens %1 werden gelesen</translation>
     </message>
     <message>
         <source>this is not JSON</source>

@@ -259,6 +259,10 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>replay：缺少 --strokes。</translation>
     </message>
     <message>
+        <source>replay: %1 and %2 name the same file, %3.</source>
+        <translation>replay：%1 与 %2 指的是同一个文件 %3。</translation>
+    </message>
+    <message>
         <source>replay: --verify none and --out exclude each other: what is not verified is not kept.</source>
         <translation>replay：--verify none 和 --out 不能同时使用：未经检查的结果不予保存。</translation>
     </message>
@@ -321,12 +325,20 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>笔触 %1 (strokes[%2])</translation>
     </message>
     <message>
-        <source>this file does not exist or cannot be read</source>
-        <translation>此文件不存在或无法读取</translation>
+        <source>this file cannot be read</source>
+        <translation>无法读取此文件</translation>
     </message>
     <message>
-        <source>this file is too large for a stroke file</source>
-        <translation>此文件过大，不可能是笔触文件</translation>
+        <source>there is no such file</source>
+        <translation>没有此文件</translation>
+    </message>
+    <message>
+        <source>this file cannot be read (%1)</source>
+        <translation>无法读取此文件 (%1)</translation>
+    </message>
+    <message>
+        <source>this file is too large for a stroke file: at most %1 are read</source>
+        <translation>此文件过大，不可能是笔触文件：最多读取 %1</translation>
     </message>
     <message>
         <source>this is not JSON</source>

@@ -140,6 +140,7 @@ void TestCommandLine::usage_isRefused_data()
                              "convert a.stl b.stl --unit ft", "convert a.stl b.stl --size 0", "convert a.stl b.stl --size nan", "convert a.stl b.stl --size 1e999",
                              "convert a.stl b.stl --size 10mm", "convert a.stl b.stl --up x", "convert a.stl b.stl --legalise", "replay",
                              "replay s.json", "replay --strokes", "replay --strokes s.json --verify most", "replay --strokes s.json --verify none --out a.stl",
+                             "replay --strokes s.json --stats ./s.json", "replay --strokes s.json --in a.stl --out b/../a.stl",
                              "help me"})
         QTest::newRow(line) << QString::fromUtf8(line);
 }

@@ -310,6 +310,8 @@ void TestStrokeFile::refuses_data()
     sample(at + R"("position":[1,0,0])", Kind::DuplicateKey, "position");
     sample(at + R"("tilt":1)", Kind::UnknownKey, "tilt");
     row(file(least + R"(,"place":"ray")", at + R"("direction":[0,0,0])"), Kind::OutOfRange, "direction");
+    row(file(least + R"(,"place":"ray")"), Kind::MissingKey, "direction");
+    row(file(least + R"(,"brush":"ray")"), Kind::MissingKey, "direction");
 }
 
 void TestStrokeFile::refuses()
