@@ -86,8 +86,8 @@ private:
         const std::uint64_t least = element.leastSize(m_header.encoding), left = m_source.bytesLeft() + 1;
         if (least != 0 && element.count > left / least) { // one byte more: the last line may have no end
             FileError error = errorAtByte(FileErrorKind::CutOff, m_file, m_file.bytes.data() + m_file.bytes.size());
-            error.expected = element.count;
-            error.found = left / least;
+            error.expected = element.count > ~std::uint64_t(0) / least ? ~std::uint64_t(0) : element.count * least;
+            error.found = left - 1;
             throw error;
         }
     }
@@ -162,13 +162,13 @@ private:
         if (count < 3)
             m_source.fail(FileErrorKind::Malformed);
         if (count > static_cast<std::int64_t>(maxCorners))
-            m_source.fail(FileErrorKind::TooManyElements, maxCorners);
+            m_source.fail(FileErrorKind::TooManyElements, maxCorners, "corners");
         const PlyElement* const vertices = m_header.find("vertex");
         const std::uint64_t most = vertices ? vertices->count : 0;
         for (std::int64_t i = 0; i < count; ++i) {
             const std::int64_t index = m_source.whole(property.type);
             if (index < 0 || static_cast<std::uint64_t>(index) >= most)
-                m_source.fail(FileErrorKind::IndexOutOfRange, most);
+                m_source.fail(FileErrorKind::IndexOutOfRange, most, std::to_string(index));
             m_faces.addCorner(static_cast<Slot>(index));
         }
         m_faces.endFace();

@@ -39,9 +39,9 @@ public:
     }
 
     /// About the value read last.
-    [[noreturn]] void fail(FileErrorKind kind, std::uint64_t expected = 0) const
+    [[noreturn]] void fail(FileErrorKind kind, std::uint64_t expected = 0, std::string_view token = {}) const
     {
-        FileError error = errorAtLine(kind, m_file, m_text.position(), m_last);
+        FileError error = errorAtLine(kind, m_file, m_text.position(), token.empty() ? m_last : token);
         error.expected = expected;
         throw error;
     }
@@ -109,9 +109,10 @@ public:
         m_at += count * sizeOf(type);
     }
 
-    [[noreturn]] void fail(FileErrorKind kind, std::uint64_t expected = 0) const
+    [[noreturn]] void fail(FileErrorKind kind, std::uint64_t expected = 0, std::string_view token = {}) const
     {
         FileError error = errorAtByte(kind, m_file, m_last);
+        error.token = token;
         error.expected = expected;
         throw error;
     }

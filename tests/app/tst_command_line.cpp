@@ -450,7 +450,7 @@ void TestCommandLine::replay_refusals_data()
     QTest::newRow("no JSON") << QByteArray("pull the nose") << QStringLiteral("line 1");
     QTest::newRow("empty") << QByteArray() << QStringLiteral("JSON");
     QTest::newRow("tool") << strokes(R"("tool":"melt","radius":1)") << QStringLiteral("melt");
-    QTest::newRow("not yet") << strokes(R"("tool":"flatten","radius":1)") << QStringLiteral("not there yet");
+    QTest::newRow("not yet") << strokes(R"("tool":"pull","radius":1,"symmetry":"x")") << QStringLiteral("not there yet");
     QTest::newRow("key") << strokes(R"("tool":"pull","radius":1,"size":1)") << QStringLiteral("size");
     QTest::newRow("NaN") << strokes(R"("tool":"pull","radius":NaN)") << QStringLiteral("radius");
     QTest::newRow("place") << strokes(R"("tool":"pull","radius":1)", R"({"position":[0,0,1]},{"position":[0,0,1],"pressure":7})")
