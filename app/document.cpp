@@ -53,8 +53,11 @@ void Document::open(const QString& path)
 {
     if (m_isBusy)
         Q_EMIT noticed(tr("One file at a time: %1 waits until the other is done.").arg(QFileInfo(path).fileName()));
-    else if (mayDiscard())
-        load(path);
+    else // changes are what they are when all strokes have reported
+        request([this, path] {
+            if (!m_isBusy && mayDiscard())
+                load(path);
+        });
 }
 
 void Document::openSphere()
@@ -252,6 +255,11 @@ void Document::loseHistory()
 bool Document::isModified() const
 {
     return m_changedBeyondHistory || !m_stack.isClean() || hasUnreported();
+}
+
+bool Document::isSettled() const
+{
+    return !m_strokeOpen && m_requests.empty() && !hasUnreported();
 }
 
 bool Document::canUndo() const

@@ -38,6 +38,8 @@ public:
     const ui::ModelFacts& facts() const { return m_facts; }
     bool isModified() const;
     bool isBusy() const { return m_isBusy; }
+    /// Nothing that was asked for waits, every stroke has ended and reported. historyChanged() says when to look again.
+    bool isSettled() const;
     /// The one answer for actions, wands and history: there is a step back, and its change is still kept.
     bool canUndo() const;
     bool canRedo() const;

@@ -1,5 +1,6 @@
 #include "model_loader.h"
 
+#include "core/lattice_placement.h"
 #include "core/mesh_build.h"
 #include "core/mesh_io.h"
 #include "ui/messages.h"
@@ -13,6 +14,14 @@ namespace app
 namespace
 {
 constexpr int paperSubdivisions = 4;
+
+core::Box boxOf(const core::TriangleMesh& mesh)
+{
+    core::Box box;
+    for (const core::Vec3f& p : mesh.points)
+        box.extend(p.cast<double>());
+    return box;
+}
 }
 
 std::filesystem::path toPath(const QString& path)
@@ -59,6 +68,8 @@ void ModelLoader::build(LoadedModel& loaded, const core::TriangleMesh& mesh, boo
         loaded.problem = tr("%1: the model lies too far from the origin for its size to be sculpted where it is.").arg(loaded.path);
     else
         loaded.sculptor = std::make_shared<core::Sculptor>(std::move(result.mesh));
+    if (loaded.sculptor && !result.moved.isZero(0) && core::liesFar(boxOf(mesh)))
+        loaded.notice = tr("%1 lay far from the origin and was moved there.").arg(loaded.name);
 }
 
 LoadedModel ModelLoader::sphere(double radius)

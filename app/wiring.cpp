@@ -17,7 +17,6 @@ namespace
 void wireDocument(ui::MainWindow& window, Document& document)
 {
     using ui::MainWindow;
-    QObject::connect(&window, &MainWindow::openRequested, &document, &Document::open);
     QObject::connect(&window, &MainWindow::exportRequested, &document, &Document::exportTo);
     QObject::connect(&document, &Document::opened, &window, &MainWindow::setModel);
     QObject::connect(&document, &Document::factsChanged, &window, &MainWindow::updateFacts);
@@ -28,6 +27,28 @@ void wireDocument(ui::MainWindow& window, Document& document)
     QObject::connect(&document, &Document::idle, &window, &MainWindow::setIdle);
     document.setMayDiscard([&window] { return window.askToDiscard(); });
     window.setMayClose([&document] { return document.mayDiscard(); });
+}
+
+/// What the hand did last counts among the changes, though it may not have come to the document yet.
+void wireSettling(ui::MainWindow& window, Document& document)
+{
+    using ui::MainWindow;
+    using ui::Viewport;
+    Viewport& viewport = *window.viewport();
+    QObject::connect(&window, &MainWindow::openRequested, &document, [&viewport, &document](const QString& path) {
+        viewport.finish();
+        if (!viewport.pressWaits())
+            return document.open(path);
+        const auto open = [&document, path] { document.open(path); };
+        const auto how = static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection);
+        QObject::connect(&viewport, &Viewport::pressDecided, &document, open, how);
+    });
+    window.setIsSettled([&viewport, &document] {
+        viewport.finish();
+        return !viewport.pressWaits() && document.isSettled();
+    });
+    QObject::connect(&viewport, &Viewport::pressDecided, &window, &MainWindow::settle, Qt::QueuedConnection);
+    QObject::connect(&document, &Document::historyChanged, &window, &MainWindow::settle, Qt::QueuedConnection);
 }
 
 void wireHistory(ui::MainWindow& window, Document& document)
@@ -74,6 +95,7 @@ void wireHeadset(ui::MainWindow& window)
 void wire(ui::MainWindow& window, Document& document, SculptWorker& worker, const std::shared_ptr<PatchInbox>& inbox)
 {
     wireDocument(window, document);
+    wireSettling(window, document);
     wireHistory(window, document);
     wireStrokes(*window.viewport(), document);
     wireWorker(*window.viewport(), worker, inbox);

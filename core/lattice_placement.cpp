@@ -20,10 +20,15 @@ LatticePoint LatticePlacement::toLattice(const Vec3f& p) const
     return result;
 }
 
+bool liesFar(const Box& box)
+{
+    return std::sqrt(box.center().squaredNorm()) > farthestInSizes * box.sizes().maxCoeff();
+}
+
 LatticePlacement placeOnLattice(const Box& box, bool centre)
 {
     const Vec3 middle = box.center();
-    if (!centre && std::sqrt(middle.squaredNorm()) <= farthestInSizes * box.sizes().maxCoeff())
+    if (!centre && !liesFar(box))
         return {Lattice::forExtent(std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()))};
     const Lattice lattice = Lattice::forExtent(box.sizes().maxCoeff() / 2);
     return {lattice, -Vec3(lattice.snap(middle.x()), lattice.snap(middle.y()), lattice.snap(middle.z()))};

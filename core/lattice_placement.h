@@ -14,7 +14,10 @@ struct LatticePlacement
     LatticePoint toLattice(const Vec3f& p) const;
 };
 
-/// The finest lattice for a model with this bounding box (not a single point). A model whose centre is farther from the
-/// origin than four times its longest side is moved there: the lattice would be too coarse for it. With `centre` any model.
+/// The box's centre is farther from the origin than four times its longest side.
+bool liesFar(const Box& box);
+
+/// The finest lattice for a model with this bounding box (not a single point). A model that lies far from the origin is
+/// moved there: the lattice would be too coarse for it. With `centre` any model.
 LatticePlacement placeOnLattice(const Box& box, bool centre = false);
 } // namespace core

@@ -221,6 +221,10 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>%1: there is not enough memory to write this model.</source>
         <translation>%1: Zum Schreiben dieses Modells reicht der Speicher nicht.</translation>
     </message>
+    <message>
+        <source>%1 lay far from the origin and was moved there.</source>
+        <translation>%1 lag weit vom Ursprung entfernt und wurde dorthin verschoben.</translation>
+    </message>
 </context>
 <context>
     <name>app::ReplayCommand</name>

@@ -219,6 +219,10 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>%1: there is not enough memory to write this model.</source>
         <translation>%1：内存不足，无法写入此模型。</translation>
     </message>
+    <message>
+        <source>%1 lay far from the origin and was moved there.</source>
+        <translation>%1 离原点很远，已移至原点。</translation>
+    </message>
 </context>
 <context>
     <name>app::ReplayCommand</name>

@@ -87,6 +87,10 @@ ParameterControl::ParameterControl(BrushSettings* brush, core::Parameter paramet
         if (!m_isShowing)
             m_brush->setValue(m_parameter, value);
     });
+    connect(m_box, &QDoubleSpinBox::editingFinished, this, [this] {
+        if (m_box->hasFocus()) // else the focus went elsewhere by itself
+            Q_EMIT entered();
+    });
     connect(brush, &BrushSettings::changed, this, &ParameterControl::showValue);
     showValue();
 }
@@ -123,7 +127,10 @@ BrushBar::BrushBar(BrushSettings* brush, QWidget* parent) : QWidget(parent)
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(gap, 0, gap, 0);
     row->setSpacing(2 * gap);
-    row->addWidget(new ParameterControl(brush, core::Parameter::Radius));
-    row->addWidget(new ParameterControl(brush, core::Parameter::Strength));
+    for (const core::Parameter parameter : {core::Parameter::Radius, core::Parameter::Strength}) {
+        auto* control = new ParameterControl(brush, parameter);
+        connect(control, &ParameterControl::entered, this, &BrushBar::entered);
+        row->addWidget(control);
+    }
 }
 } // namespace ui

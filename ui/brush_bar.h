@@ -18,6 +18,10 @@ public:
     /// Logarithmic for lengths: each step is the same factor.
     ParameterControl(BrushSettings* brush, core::Parameter parameter, QWidget* parent = nullptr);
 
+Q_SIGNALS:
+    /// A number was typed, and Return.
+    void entered();
+
 private:
     void showValue();
     int position(double value) const;
@@ -37,5 +41,9 @@ class BrushBar : public QWidget
 
 public:
     explicit BrushBar(BrushSettings* brush, QWidget* parent = nullptr);
+
+Q_SIGNALS:
+    /// A number was typed, and Return: the keys belong to the model again.
+    void entered();
 };
 } // namespace ui

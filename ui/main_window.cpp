@@ -20,11 +20,14 @@
 #include <QMimeData>
 #include <QPointer>
 #include <QProgressBar>
+#include <QScreen>
 #include <QStatusBar>
+#include <QStyle>
 #include <QToolBar>
 #include <QToolButton>
 
 #include <algorithm>
+#include <utility>
 
 namespace ui
 {
@@ -66,7 +69,8 @@ struct MainWindow::State
     QLabel* busyText = nullptr;
     QProgressBar* busyBar = nullptr;
     QPointer<QMessageBox> problem;
-    std::function<bool()> mayClose;
+    std::function<bool()> mayClose, isSettled;
+    bool closesLater = false;
     QString modelName;
     double modelSize = 0; ///< mm, longest side
     bool busy = false;
@@ -81,6 +85,7 @@ struct MainWindow::State
     void about();
     void setBusy(bool isBusy);
     void restore();
+    void keepOnScreen();
     void save();
 };
 
@@ -115,7 +120,9 @@ void MainWindow::State::buildBars()
         if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(actions.get(QLatin1StringView(row.id)))))
             button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     bar->addSeparator();
-    bar->addWidget(new BrushBar(&brush));
+    auto* brushBar = new BrushBar(&brush);
+    bar->addWidget(brushBar);
+    connect(brushBar, &BrushBar::entered, viewport, qOverload<>(&Viewport::setFocus));
 }
 
 void MainWindow::State::buildStatusBar()
@@ -206,8 +213,20 @@ void MainWindow::State::restore()
 {
     q->resize(defaultSize);
     q->restoreGeometry(settings.windowGeometry());
+    keepOnScreen();
     q->restoreState(settings.windowState());
     brush.setValue(core::Parameter::Strength, settings.strength());
+}
+
+/// A window that was never shown does not know its frame; the title bar is the most of it.
+void MainWindow::State::keepOnScreen()
+{
+    if (q->isMaximized() || q->isFullScreen())
+        return;
+    const QRect room = q->screen()->availableGeometry();
+    const int title = q->style()->pixelMetric(QStyle::PM_TitleBarHeight);
+    if (q->width() > room.width() || q->height() > room.height() - title)
+        q->setGeometry({room.topLeft() + QPoint(0, title), q->size().boundedTo(room.size() - QSize(0, title))});
 }
 
 void MainWindow::State::save()
@@ -273,6 +292,11 @@ void MainWindow::setMayClose(std::function<bool()> mayClose)
     m_state->mayClose = std::move(mayClose);
 }
 
+void MainWindow::setIsSettled(std::function<bool()> isSettled)
+{
+    m_state->isSettled = std::move(isSettled);
+}
+
 bool MainWindow::askToDiscard()
 {
     QMessageBox box(QMessageBox::Question, tr("Unsaved changes"),
@@ -336,8 +360,19 @@ void MainWindow::setIdle()
     m_state->setBusy(false);
 }
 
+void MainWindow::settle()
+{
+    if (std::exchange(m_state->closesLater, false))
+        close();
+}
+
 void MainWindow::closeEvent(QCloseEvent* event)
 {
+    m_state->closesLater = m_state->isSettled && !m_state->isSettled();
+    if (m_state->closesLater) {
+        event->ignore();
+        return;
+    }
     if (m_state->mayClose && !m_state->mayClose()) {
         event->ignore();
         return;

@@ -40,6 +40,9 @@ public:
     /// Asked before the window closes: false keeps it open. Without one it closes.
     void setMayClose(std::function<bool()> mayClose);
 
+    /// Asked before that: false while what the hand did is still on its way. The window then closes after settle().
+    void setIsSettled(std::function<bool()> isSettled);
+
     /// Save, discard or cancel is not offered yet, for the program only exports: asks whether unsaved changes may be
     /// lost.
     bool askToDiscard();
@@ -59,6 +62,8 @@ public Q_SLOTS:
     /// Something long is going on, in the status bar; Open and Export rest meanwhile.
     void setBusy(const QString& what);
     void setIdle();
+    /// Something that closing may wait for is done.
+    void settle();
 
 Q_SIGNALS:
     /// By dialog or by drag and drop. A local path; nothing about it is checked.

@@ -59,6 +59,14 @@ void PointerInput::finish()
     end();
 }
 
+void PointerInput::setModifiers(Qt::KeyboardModifiers modifiers)
+{
+    if (m_modifiers == modifiers)
+        return;
+    m_modifiers = modifiers;
+    Q_EMIT hoverChanged();
+}
+
 void PointerInput::askAgain()
 {
     if (m_inside && m_waiting.empty() && (m_drag == Drag::None || m_drag == Drag::Stroke))
@@ -84,8 +92,10 @@ void PointerInput::setHover(const std::optional<core::SurfaceHit>& hit)
         m_hit = hit;
         m_answeredPixel = answered.pixel;
     }
-    if (answered.forPress)
+    if (answered.forPress) {
         drain(hit.has_value());
+        Q_EMIT pressDecided();
+    }
     if (m_next && !m_inFlight) {
         const Question next = *m_next;
         m_next.reset();

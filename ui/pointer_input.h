@@ -43,6 +43,8 @@ public:
     void leave();
     /// Ends whatever drag is going on, as a release would.
     void finish();
+    /// The keys changed while the pointer rests.
+    void setModifiers(Qt::KeyboardModifiers modifiers);
     /// The surface changed under the pointer.
     void askAgain();
     /// The camera was moved by somebody else.
@@ -55,6 +57,8 @@ public:
     /// Where the cursor is to lie: the newest answer, unless the pointer left or turns the view.
     std::optional<core::SurfaceHit> hover() const;
     bool strokeOpen() const { return m_drag == Drag::Stroke; }
+    /// A press waits for its answer: a stroke may still come of it.
+    bool pressWaits() const { return !m_waiting.empty(); }
     /// Of the open stroke, else of one that would begin now.
     core::Tool tool() const;
 
@@ -64,6 +68,7 @@ Q_SIGNALS:
     void strokeBegan(const core::StrokeSettings& settings);
     void strokeSampled(const core::StrokeSample& sample);
     void strokeEnded();
+    void pressDecided();
     void viewChanged();
 
 private:

@@ -163,6 +163,7 @@ void Scene::State::warmUp()
         drawOverlay();
     }
     cursor->setEnabled(false);
+    ground->setEnabled(false); // until there is a model
 }
 
 Scene::Scene(Mode wanted) : m_state(std::make_unique<State>())
@@ -205,6 +206,7 @@ ClayBuffer& Scene::clay()
 void Scene::placeGround(const core::Box& box)
 {
     m_state->ground->place(box);
+    m_state->ground->setEnabled(m_state->mode == Mode::InQt3dContext);
 }
 
 void Scene::placeCursor(const core::SurfaceHit& hit, double radius, const QColor& color)

@@ -159,6 +159,7 @@ Viewport::Viewport(BrushSettings* brush, QWidget* parent)
     connect(input, &PointerInput::strokeBegan, this, &Viewport::strokeBegan);
     connect(input, &PointerInput::strokeSampled, this, &Viewport::strokeSampled);
     connect(input, &PointerInput::strokeEnded, this, &Viewport::strokeEnded);
+    connect(input, &PointerInput::pressDecided, this, &Viewport::pressDecided);
     connect(input, &PointerInput::viewChanged, this, &Viewport::viewChanged);
     connect(this, &Viewport::viewChanged, this, qOverload<>(&Viewport::update));
     connect(input, &PointerInput::hoverChanged, this, [this, input] {
@@ -166,6 +167,7 @@ Viewport::Viewport(BrushSettings* brush, QWidget* parent)
         update();
     });
     connect(brush, &BrushSettings::changed, this, qOverload<>(&Viewport::update));
+    QCoreApplication::instance()->installEventFilter(this);
 }
 
 Viewport::~Viewport()
@@ -191,7 +193,7 @@ void Viewport::patchReady()
 
 void Viewport::showModel(const core::Box& box)
 {
-    m_state->input.finish();
+    finish();
     m_state->box = box;
     if (m_state->scene && m_state->scene->usable())
         m_state->scene->placeGround(box);
@@ -224,6 +226,16 @@ const ViewportStats& Viewport::stats() const
 bool Viewport::strokeOpen() const
 {
     return m_state->input.strokeOpen();
+}
+
+bool Viewport::pressWaits() const
+{
+    return m_state->input.pressWaits();
+}
+
+void Viewport::finish()
+{
+    m_state->input.finish();
 }
 
 void Viewport::setHover(const std::optional<core::SurfaceHit>& hit)
@@ -337,7 +349,15 @@ void Viewport::leaveEvent(QEvent* event)
 bool Viewport::event(QEvent* event)
 {
     if (event->type() == QEvent::WindowBlocked || event->type() == QEvent::Hide)
-        m_state->input.finish();
+        finish();
     return QOpenGLWidget::event(event);
+}
+
+/// Whoever has the focus: the cursor says what a press would do now.
+bool Viewport::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease)
+        m_state->input.setModifiers(static_cast<QKeyEvent*>(event)->modifiers());
+    return QOpenGLWidget::eventFilter(watched, event);
 }
 } // namespace ui

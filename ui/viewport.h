@@ -60,6 +60,10 @@ public:
     const OrbitCamera& camera() const;
     const ViewportStats& stats() const;
     bool strokeOpen() const;
+    /// A press waits for its answer: a stroke may still come of it, before pressDecided().
+    bool pressWaits() const;
+    /// Ends whatever drag is going on, as a release would.
+    void finish();
 
 public Q_SLOTS:
     /// There is something to take. Coalesced: at most one frame is scheduled.
@@ -79,6 +83,7 @@ Q_SIGNALS:
     /// through the pixel, in mm; nothing is rounded to the lattice here.
     void strokeSampled(const core::StrokeSample& sample);
     void strokeEnded();
+    void pressDecided();
 
     void viewChanged();
 
@@ -94,6 +99,7 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
     void leaveEvent(QEvent* event) override;
     bool event(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void sayThatNothingCanBeShown();

@@ -56,6 +56,8 @@ private Q_SLOTS:
     void toolsByModifier();
     void refusedFileLeavesTheModel();
     void closing_asksOnlyWithChanges();
+    void closing_waitsForThePress();
+    void farModelIsMovedAndItIsSaid();
 };
 
 void TestEndToEnd::openPullUndoExport()
@@ -164,12 +166,57 @@ void TestEndToEnd::closing_asksOnlyWithChanges()
     program.document.addSample(sample);
     program.document.endStroke();
     QVERIFY(!program.window.close()); // the stroke has not even reported yet
-    QCOMPARE(asked, 1);
-    QTRY_COMPARE(program.document.undoStack().count(), 1);
+    QTRY_COMPARE(asked, 1);
+    QCOMPARE(program.document.undoStack().count(), 1);
     program.document.undo();
     QTRY_VERIFY(!program.document.isModified());
     QVERIFY(program.window.close());
     QCOMPARE(asked, 1);
+}
+
+/// Nobody has said yet that the press is on the model when the window is to close.
+void TestEndToEnd::closing_waitsForThePress()
+{
+    Program program;
+    program.window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&program.window));
+    program.document.openSphere();
+    QTRY_VERIFY(!program.document.isBusy());
+    QTRY_VERIFY(program.window.viewport()->stats().patches > 0);
+    int asked = 0;
+    program.document.setMayDiscard([&] { return ++asked > 1; });
+    QTest::mousePress(program.window.viewport(), Qt::LeftButton, {}, middle(program.window.viewport()));
+    QVERIFY(program.window.viewport()->pressWaits());
+    QVERIFY(!program.window.close());
+    QCOMPARE(asked, 0);
+    QTRY_COMPARE(asked, 1);
+    QCOMPARE(program.document.undoStack().count(), 1);
+    QVERIFY(program.window.isVisible());
+    QVERIFY(program.window.close());
+    QCOMPARE(asked, 2);
+}
+
+void TestEndToEnd::farModelIsMovedAndItIsSaid()
+{
+    QTemporaryDir folder;
+    const QString near = folder.filePath(QStringLiteral("near.stl")), far = folder.filePath(QStringLiteral("far.stl"));
+    core::TriangleMesh mesh = core::icosphere(3, 10);
+    for (core::Vec3f& p : mesh.points)
+        p.x() += 50;
+    core::writeMesh(near.toStdString(), mesh);
+    for (core::Vec3f& p : mesh.points)
+        p.x() += 50;
+    core::writeMesh(far.toStdString(), mesh);
+
+    Program program;
+    QSignalSpy noticed(&program.document, &Document::noticed);
+    program.document.open(near);
+    QTRY_COMPARE(program.document.path(), near);
+    QTRY_VERIFY(!program.document.isBusy());
+    QVERIFY(noticed.isEmpty());
+    program.document.open(far);
+    QTRY_COMPARE(noticed.size(), 1);
+    QVERIFY(noticed[0][0].toString().contains(QStringLiteral("far.stl")));
 }
 
 int main(int argc, char* argv[])

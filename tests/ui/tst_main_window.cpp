@@ -12,6 +12,7 @@
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QScreen>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QSlider>
@@ -254,6 +255,56 @@ private Q_SLOTS:
         QVERIFY(window.isVisible());
         may = true;
         QVERIFY(window.close());
+    }
+
+    void closingWaitsUntilAllIsSettled()
+    {
+        MainWindow window;
+        window.show();
+        bool settled = false;
+        int asked = 0;
+        window.setIsSettled([&settled] { return settled; });
+        window.setMayClose([&asked] { return ++asked > 1; });
+        QVERIFY(!window.close());
+        window.settle();
+        QCOMPARE(asked, 0);
+        settled = true;
+        window.settle();
+        QCOMPARE(asked, 1);
+        window.settle(); // the person chose to stay
+        QVERIFY(window.isVisible());
+        QCOMPARE(asked, 1);
+    }
+
+    void returnGivesTheKeysBack()
+    {
+        if (!ui::graphicsProblem().isEmpty())
+            QSKIP("no viewport");
+        MainWindow window;
+        window.setModel(facts(QStringLiteral("a"), 100));
+        window.show();
+        window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        auto* box = child<QDoubleSpinBox>(window, "radius.box");
+        box->setFocus();
+        box->selectAll();
+        QTest::keyClicks(box, QLocale().toString(25));
+        QTest::keyClick(box, Qt::Key_Return);
+        QCOMPARE(window.strokeSettings().radius, 25.0);
+        QVERIFY(window.viewport()->hasFocus());
+        box->setFocus();
+        QTest::keyClick(box, Qt::Key_Tab);
+        QVERIFY(!box->hasFocus() && !window.viewport()->hasFocus());
+    }
+
+    void itFitsTheScreen()
+    {
+        MainWindow big;
+        big.resize(big.screen()->availableSize() * 2);
+        big.close(); // remembers it
+        MainWindow window;
+        const QSize room = window.screen()->availableSize();
+        QVERIFY(window.width() <= room.width() && window.height() <= room.height());
     }
 
     void theBrushIsRemembered()

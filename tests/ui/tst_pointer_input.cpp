@@ -1,5 +1,6 @@
 #include "ui/pointer_input.h"
 
+#include <QSignalSpy>
 #include <QTest>
 
 using core::Tool;
@@ -256,6 +257,19 @@ private Q_SLOTS:
         r.input.finish();
         r.input.setHover(somewhere);
         QCOMPARE(r.log, strokeOf(1));
+    }
+
+    void aKeyAloneChangesTheTool()
+    {
+        Recorder r;
+        r.rest({400, 300}, somewhere);
+        QSignalSpy changed(&r.input, &ui::PointerInput::hoverChanged);
+        r.input.setModifiers(Qt::ControlModifier);
+        QCOMPARE(r.input.tool(), Tool::Push);
+        QCOMPARE(changed.size(), 1);
+        r.input.setModifiers(Qt::NoModifier);
+        QCOMPARE(r.input.tool(), Tool::Pull);
+        QVERIFY(r.log.isEmpty());
     }
 
     void aSecondButtonMeansNothing()
