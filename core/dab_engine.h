@@ -1,10 +1,10 @@
 #pragma once
 
-#include "dirty_slots.h"
+#include "held_back.h"
+#include "judged_mesh.h"
 #include "region.h"
 #include "remesh.h"
 #include "sculptor.h"
-#include "verify.h"
 
 namespace core
 {
@@ -19,15 +19,15 @@ public:
     DabReport apply(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between);
 
     /// See Sculptor::setVerification.
-    void setVerification(bool on) { m_verification = on; }
+    void setVerification(bool on) { m_surface.setVerification(on); }
 
     /// Brings octree and patches up to date after Mesh::swap.
-    void follow(const MeshDelta& swapped);
+    void follow(const MeshDelta& swapped) { m_surface.follow(swapped); }
 
     const Mesh& mesh() const { return m_mesh; }
-    const FaceOctree& octree() const { return m_octree; }
-    DirtySlots& dirtySlots() { return m_dirtySlots; }
-    const SculptorTotals& totals() const { return m_totals; }
+    const FaceOctree& octree() const { return m_surface.octree(); }
+    DirtySlots& dirtySlots() { return m_surface.dirtySlots(); }
+    SculptorTotals totals() const;
 
 private:
     enum class Substep { Straight, Careful, Stuck, Empty };
@@ -42,10 +42,7 @@ private:
 
     void run(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report);
     void select(BrushShape brush, const Sphere& ball);
-    void selectAlongSurface(const Sphere& ball);
     bool wantsSphere(const StrokeSettings& settings, const Dab& dab) const;
-    void addSphere(const Dab& dab, DabReport& report);
-    Refusal refusalOf(const Sphere& ball, double clearance) const;
     void paint(const StrokeSettings& settings, const Dab& dab, DabReport& report);
     EdgeBounds boundsFor(const StrokeSettings& settings, const Dab& dab) const;
     Substep substep(Task& task, DabReport& report);
@@ -54,27 +51,17 @@ private:
     RemeshCounts refineAndPlan(Task& task, const Attempt& attempt, DabReport& report);
     bool optimiseAtOnce(Task& task, DabReport& report);
     bool moveHeldBack(double part, DabReport& report);
-    void extendHeld();
-    bool holdBack(const std::vector<Slot>& badFaces);
-    double heldShare(Slot v) const;
     bool displace(double part);
     double farthestPlan(double part) const;
-    bool verifyAndIndex(const Mesh::Mark& mark, DabReport& report);
-    void reindex(const TouchedSlots& touched, std::span<const Slot> dirtyFaces);
     void count(const RemeshCounts& counts);
 
     Mesh& m_mesh;
-    FaceOctree m_octree;
+    JudgedMesh m_surface;
     double m_uniformDetail; ///< 4/3 of the mean edge when the model was opened
-    Verifier m_verifier;
     Region m_region;
     std::vector<Slot> m_candidates;
-    DirtySlots m_dirtySlots;
+    HeldBack m_held;
     SculptorTotals m_totals;
-    std::vector<double> m_held; ///< by position in the region: the share of its motion a vertex may do; empty: all
-    std::vector<Slot> m_lastBadFaces;
-    Slot m_touchedFaces = 0;
-    bool m_verification = true;
     bool m_capped = false; ///< a sub-step reached the cap on remeshing operations: the dab ends there
 };
 } // namespace core

@@ -1,5 +1,7 @@
 #include "region.h"
 
+#include "surface_query.h"
+
 #include <algorithm>
 #include <queue>
 
@@ -75,8 +77,29 @@ void selectSphere(Region& region, std::vector<Slot>& candidates, const Mesh& mes
     }
 }
 
-void selectGeodesic(Region& region, const Mesh& mesh, Slot face, const Sphere& ball)
+namespace
 {
+/// Of the candidates, the one that holds the ball's centre.
+Slot faceUnder(const Vec3& center, const std::vector<Slot>& candidates, const Mesh& mesh)
+{
+    Slot face = noSlot;
+    double nearest2 = 0;
+    for (Slot f : candidates) {
+        const Triangle& t = mesh.corners(f);
+        const auto point = [&](Slot v) -> Vec3 { return mesh.point(v).cast<double>(); };
+        const double d2 = (nearestInTriangle(center, {point(t[0]), point(t[1]), point(t[2])}) - center).squaredNorm();
+        if (face == noSlot || d2 < nearest2 || (d2 == nearest2 && f < face)) {
+            face = f;
+            nearest2 = d2;
+        }
+    }
+    return face;
+}
+} // namespace
+
+void selectGeodesic(Region& region, std::vector<Slot>& candidates, const Mesh& mesh, const Sphere& ball)
+{
+    const Slot face = faceUnder(ball.center, candidates, mesh);
     using Reached = std::pair<double, Slot>; // equal distances: the lower slot first
     std::priority_queue<Reached, std::vector<Reached>, std::greater<>> front;
     const auto reach = [&](Slot v, double distance) {
@@ -105,5 +128,10 @@ void selectGeodesic(Region& region, const Mesh& mesh, Slot face, const Sphere& b
     region.clear();
     for (const auto& [v, distance] : selected)
         region.add(v, distance);
+    SparseIndex& faces = region.scratch();
+    faces.clear();
+    faces.add(face);
+    region.forEach([&](Slot v) { mesh.forEachOutgoing(v, [&](Slot h) { faces.add(mesh.face(h)); }); });
+    candidates = faces.slots();
 }
 } // namespace core

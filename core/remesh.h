@@ -1,8 +1,8 @@
 #pragma once
 
+#include "judged_mesh.h"
 #include "region.h"
 
-#include <functional>
 #include <span>
 
 namespace core
@@ -15,9 +15,6 @@ struct RemeshCounts
     bool any() const { return splits + collapses + flips > 0; }
     RemeshCounts& operator+=(const RemeshCounts& more);
 };
-
-/// Runs one operation; false means that it was judged and taken back. The plain one just runs it.
-using Attempt = std::function<bool(const std::function<void()>& operation)>;
 
 /// Where the mesh is coarser than the brush: splits the longest edge of each face that meets the ball, until none there is
 /// longer than d_detail. New vertices within the ball join the region. `candidates`: at least the faces that meet the ball.

@@ -99,7 +99,7 @@ MeshPatch Sculptor::wholePatch() const
     return wholePatchOf(*m_mesh);
 }
 
-const SculptorTotals& Sculptor::totals() const
+SculptorTotals Sculptor::totals() const
 {
     return m_engine->dabs.totals();
 }

@@ -52,7 +52,7 @@ public:
     /// Everything, for a viewer that comes late. Does not change what takePatch returns next.
     MeshPatch wholePatch() const;
 
-    const SculptorTotals& totals() const;
+    SculptorTotals totals() const;
 
     /// For tests: the octree against the mesh.
     bool indexIsConsistent() const;

@@ -65,7 +65,8 @@ void TestRegion::selectGeodesic_takesTheNearSheetOnly()
     };
     selectSphere(region, candidates, *mesh, octree, ball);
     QVERIFY(below() > 0);
-    selectGeodesic(region, *mesh, top->face, ball);
+    candidates = {top->face};
+    selectGeodesic(region, candidates, *mesh, ball);
     QVERIFY(region.size() > 100);
     QCOMPARE(below(), 0);
 }
@@ -79,7 +80,8 @@ void TestRegion::selectGeodesic_isTheShortestPathAlongEdges()
     for (int i = 0; i < 50; ++i) {
         const auto start = nearestPoint(*mesh, octree, 4 * random.direction());
         const Sphere ball = {start->position, random.uniform(0.1, 3)};
-        selectGeodesic(region, *mesh, start->face, ball);
+        std::vector<Slot> candidates = {start->face};
+        selectGeodesic(region, candidates, *mesh, ball);
         // Bellman and Ford: no edge shortens a path any more, and every vertex in reach is there.
         for (Slot v = 0; v < mesh->slots().vertices; ++v) {
             const Vec3 p = mesh->point(v).cast<double>();

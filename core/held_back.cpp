@@ -1,0 +1,49 @@
+#include "held_back.h"
+
+#include <algorithm>
+
+namespace core
+{
+namespace
+{
+constexpr double shortenedOnce = 0.25;
+} // namespace
+
+void HeldBack::extend(const Region& region, const Mesh& mesh)
+{
+    const std::vector<Slot>& slots = region.slots();
+    const std::size_t known = m_share.size();
+    m_share.resize(slots.size(), 1.0);
+    if (known == 0)
+        return;
+    for (std::size_t i = known; i < slots.size(); ++i) {
+        if (!region.contains(slots[i]))
+            continue;
+        mesh.forEachOutgoing(slots[i], [&](Slot h) {
+            if (region.contains(mesh.to(h)))
+                m_share[i] = std::min(m_share[i], m_share[region.position(mesh.to(h))]);
+        });
+    }
+}
+
+bool HeldBack::shorten(Region& region, const Mesh& mesh, const std::vector<Slot>& badFaces)
+{
+    SparseIndex& around = region.scratch();
+    around.clear();
+    for (Slot f : badFaces) {
+        for (Slot v : mesh.corners(f)) {
+            around.add(v);
+            mesh.forEachOutgoing(v, [&](Slot h) { around.add(mesh.to(h)); });
+        }
+    }
+    bool any = false;
+    for (Slot v : around.slots()) {
+        if (!region.contains(v))
+            continue;
+        double& share = m_share[region.position(v)];
+        any = any || share > 0;
+        share = share == 1 ? shortenedOnce : 0;
+    }
+    return any;
+}
+} // namespace core

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "region.h"
+
+namespace core
+{
+/// How far each vertex of a region may go: the share of its plan that it may do before it would touch something. What was
+/// held back once in a dab stays so in its next sub-steps.
+class HeldBack
+{
+public:
+    void clear() { m_share.clear(); }
+    /// Whether anything has been asked of it in this dab.
+    bool inUse() const { return !m_share.empty(); }
+
+    double share(const Region& region, Slot v) const { return m_share.empty() ? 1 : m_share[region.position(v)]; }
+
+    /// Vertices that joined the region since are held back as far as their neighbours are.
+    void extend(const Region& region, const Mesh& mesh);
+    /// Shortens the motion of the region's vertices at and around the bad faces: 1 -> 1/4 -> 0. False if none of them can
+    /// be held back further.
+    bool shorten(Region& region, const Mesh& mesh, const std::vector<Slot>& badFaces);
+
+private:
+    std::vector<double> m_share; ///< by position in the region; empty: all of it
+};
+} // namespace core

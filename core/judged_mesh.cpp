@@ -1,0 +1,74 @@
+#include "judged_mesh.h"
+
+#include "phase_timer.h"
+
+namespace core
+{
+bool JudgedMesh::judge(const Mesh::Mark& mark)
+{
+    const PhaseTimer timer(m_verifyMs);
+    const TouchedSlots touched = m_mesh.touchedSince(mark);
+    if (!isSound(touched))
+        return false;
+    m_mostDirtyFaces = std::max(m_mostDirtyFaces, static_cast<Slot>(m_verifier.dirtyFaces().size()));
+    m_mesh.commit(mark);
+    index(touched, m_verifier.dirtyFaces());
+    return true;
+}
+
+bool JudgedMesh::isSound(const TouchedSlots& touched)
+{
+    if (!m_verification) {
+        m_verifier.collectDirty(m_mesh, touched);
+        return true;
+    }
+    VerifyResult result = m_verifier.verify(m_mesh, m_octree, touched);
+    if (!result.ok()) {
+        m_badFaces = std::move(result.badFaces);
+        return false;
+    }
+    ++m_tiers[static_cast<std::size_t>(result.tier)];
+    return true;
+}
+
+bool JudgedMesh::attempt(const std::function<void()>& operation)
+{
+    const Mesh::Mark mark = m_mesh.mark();
+    operation();
+    if (judge(mark))
+        return true;
+    m_mesh.rollback(mark);
+    return false;
+}
+
+void JudgedMesh::commitUnjudged(const Mesh::Mark& mark)
+{
+    const TouchedSlots touched = m_mesh.touchedSince(mark);
+    m_mesh.commit(mark);
+    index(touched, {});
+}
+
+void JudgedMesh::index(const TouchedSlots& touched, std::span<const Slot> dirtyFaces)
+{
+    m_octree.update(m_mesh, touched.faces);
+    m_octree.update(m_mesh, dirtyFaces);
+    m_dirtySlots.add(m_mesh, touched, dirtyFaces);
+}
+
+void JudgedMesh::follow(const MeshDelta& swapped)
+{
+    TouchedSlots touched;
+    m_swappedFaces.clear();
+    for (const FaceImage& image : swapped.faces) {
+        touched.faces.push_back(image.slot);
+        if (image.slot < m_mesh.slots().faces && m_mesh.isFace(image.slot))
+            m_swappedFaces.add(image.slot);
+    }
+    for (const VertexImage& image : swapped.vertices) {
+        touched.vertices.push_back(image.slot);
+        if (image.slot < m_mesh.slots().vertices && m_mesh.isVertex(image.slot))
+            m_mesh.forEachOutgoing(image.slot, [&](Slot h) { m_swappedFaces.add(m_mesh.face(h)); });
+    }
+    index(touched, m_swappedFaces.slots());
+}
+} // namespace core
