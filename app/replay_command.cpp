@@ -139,24 +139,29 @@ void requireWhole(const core::Sculptor& sculptor, std::size_t dab)
         throw CommandFailure{ReplayWords::tr("replay: the mesh is not in order in dab %1.").arg(dab), AnswerIsNo};
 }
 
-std::vector<ReplayedDab> play(core::Sculptor& sculptor, const std::vector<core::Stroke>& strokes, Verify verify)
+std::vector<ReplayedDab> play(core::Sculptor& sculptor, const std::vector<core::Stroke>& strokes, const ReplayOptions& options)
 {
     std::vector<ReplayedDab> dabs;
-    sculptor.setVerification(verify != Verify::None);
-    if (verify == Verify::Full)
+    double dabStart = 0;
+    sculptor.setVerification(options.verify != Verify::None);
+    if (options.verify == Verify::Full)
         sculptor.setBetweenSubsteps([&] { requireWhole(sculptor, dabs.size()); });
+    sculptor.setAfterDab([&](const core::DabReport& report) {
+        dabs.push_back({report, threadCpuMs() - dabStart, std::nullopt});
+        if (!options.stats.isEmpty() && report.touchedVertices > 0)
+            dabs.back().quality = sculptor.selectionQuality();
+        dabStart = threadCpuMs();
+    });
     for (const core::Stroke& stroke : strokes) {
         sculptor.beginStroke(stroke.settings);
         for (const core::StrokeSample& sample : stroke.samples) {
-            const double before = threadCpuMs();
-            const std::vector<core::DabReport> reports = sculptor.addSample(sample);
-            const double each = (threadCpuMs() - before) / static_cast<double>(std::max<std::size_t>(reports.size(), 1));
-            for (const core::DabReport& report : reports)
-                dabs.push_back({report, each});
+            dabStart = threadCpuMs();
+            sculptor.addSample(sample);
         }
         sculptor.endStroke();
     }
     sculptor.setBetweenSubsteps({});
+    sculptor.setAfterDab({});
     return dabs;
 }
 
@@ -174,7 +179,7 @@ void run(const ReplayOptions& options, const std::vector<core::Stroke>& strokes)
     if (!model.sculptor)
         CommandLine::fail(model.problem);
     checkRadii(options.strokes, strokes, model.sculptor->mesh().lattice());
-    const std::vector<ReplayedDab> dabs = play(*model.sculptor, strokes, options.verify);
+    const std::vector<ReplayedDab> dabs = play(*model.sculptor, strokes, options);
 
     const core::TriangleMesh mesh = core::extractMesh(model.sculptor->mesh());
     if (stats)

@@ -4,7 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <numeric>
 
 namespace app
@@ -16,6 +18,7 @@ using Json = nlohmann::ordered_json;
 Json toJson(const ReplayedDab& dab)
 {
     const core::DabReport& report = dab.report;
+    const auto quality = [&](auto figure) { return dab.quality ? Json(figure(*dab.quality)) : Json(); };
     return {{"select_ms", report.selectMs},
             {"optimise_ms", report.optimiseMs},
             {"deform_ms", report.deformMs},
@@ -28,6 +31,10 @@ Json toJson(const ReplayedDab& dab)
             {"substeps", report.substeps},
             {"asked", report.asked},
             {"reached", report.reached},
+            {"longest_edge", quality([](const core::MeshQuality& q) { return q.longestEdge; })},
+            {"conforming_share", quality([](const core::MeshQuality& q) { return q.conformingShare; })},
+            {"smallest_angle_deg",
+             quality([](const core::MeshQuality& q) { return std::asin(std::min(q.smallestAngleSine, 1.0)) * 180 / std::numbers::pi; })},
             {"outcome", std::string(core::name(report.outcome))}};
 }
 

@@ -12,7 +12,8 @@ namespace app
 struct ReplayedDab
 {
     core::DabReport report;
-    double cpuMs = 0; ///< CPU time of the mesh thread; dabs of one sample share it evenly
+    double cpuMs = 0; ///< CPU time of the mesh thread
+    std::optional<core::MeshQuality> quality;
 };
 
 /// Writes one JSON object; not committed. `mesh`: the sculptor's, as it is at the end. Throws core::FileError.

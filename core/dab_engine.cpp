@@ -67,6 +67,7 @@ void DabEngine::run(const StrokeSettings& settings, const Dab& dab, const std::f
 {
     m_held.clear();
     m_capped = false;
+    m_bounds.reset();
     if (!(dab.strength > 0))
         return;
     {
@@ -80,6 +81,7 @@ void DabEngine::run(const StrokeSettings& settings, const Dab& dab, const std::f
     if (settings.tool == Tool::Paint)
         return paint(settings, dab, report);
     Task task = {settings, dab, boundsFor(settings, dab)};
+    m_bounds = task.bounds;
     report.outcome = DabOutcome::Committed;
     for (double step = 0; step == 0 || step < task.steps; ++step) {
         const Substep result = step < mostSubsteps ? substep(task, report) : Substep::Stuck;

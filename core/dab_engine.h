@@ -26,6 +26,11 @@ public:
 
     const Mesh& mesh() const { return m_mesh; }
     const FaceOctree& octree() const { return m_surface.octree(); }
+    /// See Sculptor::selectionQuality.
+    std::optional<MeshQuality> selectionQuality() const
+    {
+        return m_bounds ? core::selectionQuality(m_mesh, m_region, *m_bounds) : std::nullopt;
+    }
     DirtySlots& dirtySlots() { return m_surface.dirtySlots(); }
     SculptorTotals totals() const;
 
@@ -62,6 +67,7 @@ private:
     std::vector<Slot> m_candidates;
     HeldBack m_held;
     SculptorTotals m_totals;
+    std::optional<EdgeBounds> m_bounds; ///< of the last dab, if it remeshes
     bool m_capped = false; ///< a sub-step reached the cap on remeshing operations: the dab ends there
 };
 } // namespace core

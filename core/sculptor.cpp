@@ -14,6 +14,7 @@ public:
     StrokeSettings settings;
     std::optional<StrokePath> path;
     std::function<void()> betweenSubsteps;
+    std::function<void(const DabReport&)> afterDab;
 
     std::optional<Vec3> centerOf(const Vec3& position, const Vec3& direction) const;
 };
@@ -49,6 +50,11 @@ void Sculptor::setBetweenSubsteps(std::function<void()> hook)
     m_engine->betweenSubsteps = std::move(hook);
 }
 
+void Sculptor::setAfterDab(std::function<void(const DabReport&)> hook)
+{
+    m_engine->afterDab = std::move(hook);
+}
+
 void Sculptor::beginStroke(const StrokeSettings& settings)
 {
     m_engine->settings = settings;
@@ -62,8 +68,11 @@ std::vector<DabReport> Sculptor::addSample(const StrokeSample& sample)
     Engine& engine = *m_engine;
     engine.path->add(sample);
     const auto centerOf = [&](const Vec3& position, const Vec3& direction) { return engine.centerOf(position, direction); };
-    while (const auto due = engine.path->next(centerOf))
+    while (const auto due = engine.path->next(centerOf)) {
         reports.push_back(due->hasCenter ? engine.dabs.apply(engine.settings, due->dab, engine.betweenSubsteps) : DabReport());
+        if (engine.afterDab)
+            engine.afterDab(reports.back());
+    }
     return reports;
 }
 
@@ -87,6 +96,11 @@ std::optional<SurfaceHit> Sculptor::hit(const Ray& ray) const
 std::optional<SurfaceHit> Sculptor::nearest(const Vec3& point) const
 {
     return nearestPoint(*m_mesh, m_engine->dabs.octree(), point);
+}
+
+std::optional<MeshQuality> Sculptor::selectionQuality() const
+{
+    return m_engine->dabs.selectionQuality();
 }
 
 MeshPatch Sculptor::takePatch()

@@ -2,6 +2,7 @@
 
 #include "mesh.h"
 #include "mesh_patch.h"
+#include "mesh_quality.h"
 #include "stroke.h"
 #include "surface_query.h"
 
@@ -31,6 +32,8 @@ public:
     void setVerification(bool on);
     /// Called between sub-steps, on the thread that called addSample; the mesh is valid then and may be read.
     void setBetweenSubsteps(std::function<void()> hook);
+    /// Called after each dab, on the same thread, outside the times that the report tells.
+    void setAfterDab(std::function<void(const DabReport&)> hook);
 
     void beginStroke(const StrokeSettings& settings);
     bool strokeOpen() const { return m_mesh->strokeOpen(); }
@@ -51,6 +54,9 @@ public:
     MeshPatch takePatch();
     /// Everything, for a viewer that comes late. Does not change what takePatch returns next.
     MeshPatch wholePatch() const;
+
+    /// Of what the last dab selected, as the mesh is now; nothing if that dab remeshes nothing. Cost: O(selection).
+    std::optional<MeshQuality> selectionQuality() const;
 
     SculptorTotals totals() const;
 

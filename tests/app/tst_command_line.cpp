@@ -388,8 +388,13 @@ void TestCommandLine::replay_statsHaveTheFields()
     QCOMPARE(dabs.size(), 3);
     for (const QJsonValue& dab : dabs)
         for (const char* key : {"select_ms", "optimise_ms", "deform_ms", "fuse_ms", "verify_ms", "total_ms", "touched_vertices", "touched_faces", "substeps",
-                                "asked", "reached", "outcome"})
+                                "asked", "reached", "longest_edge", "conforming_share", "smallest_angle_deg", "outcome"})
             QVERIFY2(dab.toObject().contains(QLatin1String(key)), key);
+    QVERIFY(dabs[0].toObject()[QStringLiteral("longest_edge")].toDouble(2) <= 1);
+    QVERIFY(dabs[0].toObject()[QStringLiteral("conforming_share")].toDouble() > 0.9);
+    QVERIFY(dabs[0].toObject()[QStringLiteral("smallest_angle_deg")].toDouble() > 20);
+    QVERIFY(dabs[0].toObject()[QStringLiteral("smallest_angle_deg")].toDouble(90) <= 60);
+    QVERIFY(dabs[2].toObject()[QStringLiteral("longest_edge")].isNull());
     QCOMPARE(dabs[0].toObject()[QStringLiteral("outcome")].toString(), QStringLiteral("committed"));
     QVERIFY(dabs[0].toObject()[QStringLiteral("touched_vertices")].toInt() > 10);
     QVERIFY(dabs[0].toObject()[QStringLiteral("reached")].toDouble() > 0.02);
