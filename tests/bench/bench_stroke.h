@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/sculptor.h"
+
+#include <benchmark/benchmark.h>
+
+namespace bench
+{
+/// The strokes that peers were measured on: pull dabs on a great circle of the sphere of radius 1, 0.126 radii apart.
+struct GreatCircle
+{
+    double radius = 0.25;
+    double strength = 0.2; ///< 0.2: dabs of 0.02 radii
+    double detail = 1;     ///< scales d_detail, sqrt(0.05) radii
+    int dabs = 200;
+};
+
+/// Times of the calling thread, of all threads of the program, and on the wall, in microseconds.
+struct Clocks
+{
+    double thread = 0, program = 0, wall = 0;
+    static Clocks now();
+    Clocks since(const Clocks& start) const;
+};
+
+/// Does the stroke and sets counters, in microseconds a dab: cpu, cpu_p99, cpu_first, cpu_all (of all threads), wall,
+/// wall_p99, per_vertex, verify, patch, stroke (to begin and to end it); touched; whole (share of dabs that committed on
+/// the straight path with all of their displacement); vertices. All that a dab needs is in them, its patch for viewers too.
+void measure(benchmark::State& state, core::Sculptor& sculptor, const GreatCircle& stroke);
+} // namespace bench
