@@ -88,6 +88,66 @@ TriangleMesh bowl()
     return revolved(profile, 32);
 }
 
+TriangleMesh tube(const std::vector<Vec3>& path, double radius, Slot around)
+{
+    struct Ring
+    {
+        Vec3 center, side;
+        double radius;
+    };
+    constexpr int capRings = 6;
+    const auto direction = [&](std::size_t i) {
+        return (path[std::min(i + 1, path.size() - 1)] - path[i > 0 ? i - 1 : 0]).normalized();
+    };
+    const auto across = [](const Vec3& d) { return Vec3(-d.y(), d.x(), 0); };
+    std::vector<Ring> rings;
+    const auto addCap = [&](const Vec3& end, const Vec3& outward, const Vec3& side, int first, int step) {
+        for (int k = first; k > 0 && k < capRings; k += step) {
+            const double a = 0.5 * std::numbers::pi * k / capRings;
+            rings.push_back({end + radius * std::cos(a) * outward, side, radius * std::sin(a)});
+        }
+    };
+    const Vec3 startward = direction(0), endward = direction(path.size() - 1);
+    addCap(path.front(), -startward, across(startward), 1, 1);
+    for (std::size_t i = 0; i < path.size(); ++i)
+        rings.push_back({path[i], across(direction(i)), radius});
+    addCap(path.back(), endward, across(endward), capRings - 1, -1);
+
+    TriangleMesh mesh;
+    for (const Ring& ring : rings) {
+        for (Slot i = 0; i < around; ++i) {
+            const double a = 2 * std::numbers::pi * i / around;
+            mesh.points.push_back((ring.center + ring.radius * (std::cos(a) * ring.side + std::sin(a) * Vec3::UnitZ())).cast<float>());
+        }
+    }
+    const auto vertex = [&](Slot ring, Slot i) { return ring * around + i % around; };
+    const Slot start = static_cast<Slot>(mesh.points.size()), last = static_cast<Slot>(rings.size()) - 1;
+    mesh.points.push_back((path.front() - radius * startward).cast<float>());
+    mesh.points.push_back((path.back() + radius * endward).cast<float>());
+    for (Slot i = 0; i < around; ++i) {
+        mesh.triangles.push_back({start, vertex(0, i + 1), vertex(0, i)});
+        mesh.triangles.push_back({start + 1, vertex(last, i), vertex(last, i + 1)});
+        for (Slot r = 0; r < last; ++r) {
+            mesh.triangles.push_back({vertex(r, i), vertex(r, i + 1), vertex(r + 1, i + 1)});
+            mesh.triangles.push_back({vertex(r, i), vertex(r + 1, i + 1), vertex(r + 1, i)});
+        }
+    }
+    return mesh;
+}
+
+TriangleMesh cutRing(double gap)
+{
+    constexpr double radius = 0.25;
+    constexpr int steps = 64;
+    const double start = radius + gap / 2; // the arc that an end and half of the gap take
+    std::vector<Vec3> path;
+    for (int i = 0; i <= steps; ++i) {
+        const double a = start + (2 * std::numbers::pi - 2 * start) * i / steps;
+        path.emplace_back(std::cos(a), std::sin(a), 0);
+    }
+    return tube(path, radius, 24);
+}
+
 TriangleMesh twoFingers(double gap)
 {
     TriangleMesh one = core::icosphere(3, 1);

@@ -14,6 +14,10 @@ TriangleMesh slab(double side, double thickness, Slot cells);
 /// poles, with radius 0, included.
 TriangleMesh revolved(const std::vector<core::Vec3>& profile, Slot around);
 TriangleMesh bowl();
+/// A round tube around a path in the plane z = 0, with round ends. Parts of the path farther apart than twice the radius.
+TriangleMesh tube(const std::vector<core::Vec3>& path, double radius, Slot around);
+/// A ring of radius 1 and thickness 0.5 that was cut: its round ends face each other at angle 0, `gap` apart.
+TriangleMesh cutRing(double gap);
 /// Two long balls side by side, `gap` apart at their nearest.
 TriangleMesh twoFingers(double gap);
 } // namespace clay

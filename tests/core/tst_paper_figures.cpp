@@ -1,0 +1,253 @@
+// What the figures of the paper show. Of those that are shown elsewhere: Figures 5 and 6 in tst_remesh, 16 in tst_dab_engine.
+
+#include "core/remesh.h"
+#include "core/sculptor.h"
+#include "tests/support/clay.h"
+#include "tests/support/shapes.h"
+#include "tests/support/solid_asserts.h"
+
+#include <QTest>
+
+using core::BrushShape;
+using core::DabReport;
+using core::Mesh;
+using core::Sculptor;
+using core::Slot;
+using core::StrokeSettings;
+using core::Tool;
+using core::TriangleMesh;
+using core::Vec3;
+using mesh_asserts::sculptable;
+
+namespace
+{
+constexpr double gap = 0.06; ///< between the ends of the cut ring, the ear and the neck of Figure 4
+
+/// One dab from above `target`, along -direction, whichever the brush.
+DabReport dabAt(Sculptor& sculptor, const StrokeSettings& settings, const Vec3& target, const Vec3& outward)
+{
+    core::StrokeSample sample;
+    sample.position = settings.brush == BrushShape::Ray ? Vec3(target + 0.01 * outward) : target;
+    sample.direction = -outward;
+    sculptor.beginStroke(settings);
+    const DabReport report = sculptor.addSample(sample).at(0);
+    sculptor.endStroke();
+    return report;
+}
+
+std::vector<Vec3> pointsWhere(const Mesh& mesh, const std::function<bool(const Vec3&)>& takes)
+{
+    std::vector<Vec3> points;
+    for (Slot v = 0; v < mesh.slots().vertices; ++v) {
+        if (mesh.isVertex(v) && takes(mesh.point(v).cast<double>()))
+            points.push_back(mesh.point(v).cast<double>());
+    }
+    std::ranges::sort(points, [](const Vec3& a, const Vec3& b) { return std::ranges::lexicographical_compare(a, b); });
+    return points;
+}
+
+double volume(const Mesh& mesh)
+{
+    const TriangleMesh surface = mesh_asserts::surfaceOf(mesh);
+    double sum = 0;
+    for (const core::Triangle& t : surface.triangles) {
+        const auto point = [&](std::size_t i) -> Vec3 { return surface.points[t[i]].cast<double>(); };
+        sum += point(0).dot(point(1).cross(point(2))) / 6;
+    }
+    return sum;
+}
+
+/// The mean distance of the vertices in the ball from the mean of their neighbours.
+double roughness(const Mesh& mesh, const core::Sphere& ball)
+{
+    double sum = 0;
+    int count = 0;
+    for (Slot v = 0; v < mesh.slots().vertices; ++v) {
+        if (!mesh.isVertex(v) || (mesh.point(v).cast<double>() - ball.center).norm() > ball.radius)
+            continue;
+        Vec3 around = Vec3::Zero();
+        mesh.forEachOutgoing(v, [&](Slot h) { around += mesh.point(mesh.to(h)).cast<double>(); });
+        sum += (mesh.point(v).cast<double>() - around / mesh.valence(v)).norm();
+        ++count;
+    }
+    return sum / count;
+}
+
+/// How far apart along z the vertices in the ball lie.
+double relief(const Mesh& mesh, const core::Sphere& ball)
+{
+    const std::vector<Vec3> points = pointsWhere(mesh, [&](const Vec3& p) { return (p - ball.center).norm() <= ball.radius; });
+    const auto [low, high] = std::ranges::minmax(points, {}, [](const Vec3& p) { return p.z(); });
+    return high.z() - low.z();
+}
+} // namespace
+
+class TestPaperFigures : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void figure4_onASimpleSurfaceBothBrushesDoTheSame();
+    void figure4_nextToAFoldTheRayBrushTakesTheNearSheet();
+    void figure7_illegalCollapsesAreRefused_data();
+    void figure7_illegalCollapsesAreRefused();
+    void figure7_neckIsNotCollapsed();
+    void figure11_fourToolsOnOnePart_data();
+    void figure11_fourToolsOnOnePart();
+};
+
+/// (a, b, c): the back of the dog. A path along edges may be longer than the straight way, so the ray brush's rim lies inside.
+void TestPaperFigures::figure4_onASimpleSurfaceBothBrushesDoTheSame()
+{
+    const Vec3 top(0, 0, 1);
+    std::map<BrushShape, DabReport> reports;
+    for (BrushShape brush : {BrushShape::Sphere, BrushShape::Ray}) {
+        Sculptor sculptor(sculptable(core::icosphere(5, 1)));
+        StrokeSettings settings;
+        settings.radius = 0.2;
+        settings.brush = brush;
+        reports[brush] = dabAt(sculptor, settings, top, top);
+        const std::vector<Vec3> raised = pointsWhere(sculptor.mesh(), [](const Vec3& p) { return p.norm() > 1.001; });
+        QVERIFY(raised.size() > 50);
+        for (const Vec3& p : raised)
+            QVERIFY((p - top).norm() < 0.22);
+        VERIFY_VALID(sculptor.mesh());
+    }
+    const DabReport &sphere = reports[BrushShape::Sphere], &ray = reports[BrushShape::Ray];
+    QVERIFY(ray.touchedVertices <= sphere.touchedVertices);
+    QVERIFY2(ray.touchedVertices >= 0.7 * sphere.touchedVertices, qPrintable(QString::number(ray.touchedVertices)));
+    QVERIFY(std::abs(ray.reached / sphere.reached - 1) < 0.05);
+}
+
+/// (d, e, f): the collar beside the ear. Both ends of the ring are one connected surface, but only the long way round.
+void TestPaperFigures::figure4_nextToAFoldTheRayBrushTakesTheNearSheet()
+{
+    const Vec3 neck(1, gap / 2, 0), outward(0, -1, 0); // the pole of one end, facing the other
+    const auto ear = [](const Vec3& p) { return p.x() > 0.5 && p.y() < 0; };
+    const auto neckSide = [](const Vec3& p) { return p.x() > 0.5 && p.y() > 0; };
+    const TriangleMesh ring = clay::cutRing(gap);
+    for (BrushShape brush : {BrushShape::Ray, BrushShape::Sphere}) {
+        Sculptor sculptor(sculptable(ring));
+        const std::vector<Vec3> earBefore = pointsWhere(sculptor.mesh(), ear), neckBefore = pointsWhere(sculptor.mesh(), neckSide);
+        StrokeSettings settings;
+        settings.tool = Tool::Push; // away from the other sheet
+        settings.radius = 0.15;
+        settings.strength = 0.5;
+        settings.brush = brush;
+        const DabReport report = dabAt(sculptor, settings, neck, outward);
+        QVERIFY(report.outcome == core::DabOutcome::Committed && report.touchedVertices > 20);
+        QVERIFY(pointsWhere(sculptor.mesh(), neckSide) != neckBefore);
+        QCOMPARE(pointsWhere(sculptor.mesh(), ear) == earBefore, brush == BrushShape::Ray);
+        VERIFY_VALID(sculptor.mesh());
+    }
+}
+
+/// A flat star of two vertices p and q, 0.3 apart, on top of a solid; only they are selected.
+void TestPaperFigures::figure7_illegalCollapsesAreRefused_data()
+{
+    QTest::addColumn<double>("ax"); // a common neighbour of p and q; its edge to b points past p or between them
+    QTest::addColumn<double>("detail");
+    QTest::addColumn<int>("collapses");
+    QTest::newRow("legal") << 0.25 << 2.0 << 1;
+    QTest::newRow("a face would turn over") << 0.1 << 2.0 << 0;
+    QTest::newRow("an edge would exceed d_detail") << 0.25 << 0.72 << 0;
+}
+
+void TestPaperFigures::figure7_illegalCollapsesAreRefused()
+{
+    QFETCH(double, ax);
+    QFETCH(double, detail);
+    enum { P, Q, A, B, C, D, E, Apex };
+    TriangleMesh shape;
+    shape.points = {{0, 0, 0},           {0.3f, 0, 0},     {static_cast<float>(ax), -0.35f, 0},
+                    {0.15f, -0.7f, 0},   {-0.6f, 0, 0},    {0.15f, 0.6f, 0},
+                    {0.9f, 0, 0},        {0.15f, 0, -0.7f}};
+    if (ax < 0.15)
+        shape.points[B].y() = -1; // the line from b through a passes between p and the middle of p and q
+    shape.triangles = {{P, A, Q}, {P, B, A}, {P, C, B}, {P, D, C}, {P, Q, D}, {Q, E, D}, {Q, A, E}, {A, B, E},
+                       {E, B, Apex}, {D, E, Apex}, {C, D, Apex}, {B, C, Apex}};
+    const auto mesh = sculptable(shape);
+    VERIFY_VALID(*mesh);
+    core::Region region;
+    region.add(P, 0);
+    region.add(Q, 0);
+    mesh->beginStroke();
+    const auto plainly = [](const std::function<void()>& operation) {
+        operation();
+        return true;
+    };
+    const core::RemeshCounts counts = optimise(*mesh, region, {detail, 0.32}, plainly);
+    QTEST(static_cast<int>(counts.collapses), "collapses");
+    VERIFY_VALID(*mesh);
+}
+
+/// Three edges around a neck bound no face: to collapse one would pinch the surface to an edge of four faces.
+void TestPaperFigures::figure7_neckIsNotCollapsed()
+{
+    std::vector<Vec3> hourglass = {{0, -1, 0}, {0.6, -0.8, 0}, {0.1, 0, 0}, {0.6, 0.8, 0}, {0, 1, 0}};
+    const auto mesh = sculptable(clay::revolved(hourglass, 3));
+    core::Region region;
+    for (Slot v = 0; v < mesh->slots().vertices; ++v) {
+        if (mesh->point(v).y() == 0)
+            region.add(v, 0);
+    }
+    QCOMPARE(region.size(), 3u);
+    mesh->beginStroke();
+    const auto plainly = [](const std::function<void()>& operation) {
+        operation();
+        return true;
+    };
+    const core::RemeshCounts counts = optimise(*mesh, region, {5, 1}, plainly);
+    QCOMPARE(counts.collapses, std::uint64_t(0));
+    VERIFY_VALID(*mesh);
+}
+
+void TestPaperFigures::figure11_fourToolsOnOnePart_data()
+{
+    QTest::addColumn<Tool>("tool");
+    QTest::newRow("pull") << Tool::Pull;
+    QTest::newRow("push") << Tool::Push;
+    QTest::newRow("flatten") << Tool::Flatten;
+    QTest::newRow("smooth") << Tool::Smooth;
+}
+
+/// Each is gradual, "can be halted at any time": the surface is valid between sub-steps and goes one way from dab to dab.
+void TestPaperFigures::figure11_fourToolsOnOnePart()
+{
+    QFETCH(Tool, tool);
+    constexpr int dabs = 5;
+    const Vec3 top(0, 0, 1);
+    const core::Sphere inner = {top, 0.3};
+    Sculptor sculptor(sculptable(shapes::noisy(core::icosphere(4, 1), 0.008f, 11)));
+    const auto measure = [&](const Mesh& mesh) {
+        switch (tool) {
+        case Tool::Pull: return -volume(mesh);
+        case Tool::Push: return volume(mesh);
+        case Tool::Flatten: return relief(mesh, inner);
+        default: return roughness(mesh, inner);
+        }
+    };
+    StrokeSettings settings;
+    settings.tool = tool;
+    settings.radius = 0.5;
+    settings.strength = tool == Tool::Flatten ? 0.15 : 0.5;
+    std::string unsound;
+    sculptor.setBetweenSubsteps([&] { unsound += mesh_asserts::unsoundness(sculptor.mesh()); });
+    const double start = measure(sculptor.mesh());
+    double before = start;
+    for (int i = 0; i < dabs; ++i) {
+        dabAt(sculptor, settings, top, top);
+        const double after = measure(sculptor.mesh());
+        QVERIFY2(after < before, qPrintable(QStringLiteral("%1 after %2").arg(after).arg(before)));
+        before = after;
+    }
+    if (tool == Tool::Flatten || tool == Tool::Smooth)
+        QVERIFY2(before < 0.6 * start, qPrintable(QStringLiteral("%1 of %2").arg(before).arg(start)));
+    else
+        QVERIFY(std::abs(before - start) > 0.01); // of 4.19
+    QVERIFY2(unsound.empty(), unsound.c_str());
+    VERIFY_VALID(sculptor.mesh());
+}
+
+QTEST_GUILESS_MAIN(TestPaperFigures)
+#include "tst_paper_figures.moc"
