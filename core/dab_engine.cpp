@@ -25,18 +25,6 @@ constexpr double movePerMinimum = 0.45;
 /// Sub-steps of one dab; a dab that would need more ends early.
 constexpr double mostSubsteps = 4096;
 constexpr int mostHoldRounds = 64;
-/// The uniform d_detail (Botsch and Kobbelt 2004).
-constexpr double detailPerMeanEdge = 4.0 / 3;
-
-double meanEdge(const Mesh& mesh)
-{
-    double sum = 0;
-    for (Slot e = 0; e < mesh.slots().edges; ++e) {
-        if (mesh.isEdge(e))
-            sum += (mesh.point(mesh.to(2 * e)) - mesh.point(mesh.to(2 * e + 1))).cast<double>().norm();
-    }
-    return sum / mesh.live().edges;
-}
 
 bool runPlainly(const std::function<void()>& operation)
 {
@@ -45,7 +33,7 @@ bool runPlainly(const std::function<void()>& operation)
 }
 } // namespace
 
-DabEngine::DabEngine(Mesh& mesh) : m_mesh(mesh), m_surface(mesh), m_uniformDetail(detailPerMeanEdge * meanEdge(mesh)) {}
+DabEngine::DabEngine(Mesh& mesh) : m_mesh(mesh), m_surface(mesh) {}
 
 DabReport DabEngine::apply(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between)
 {
@@ -146,7 +134,7 @@ void DabEngine::paint(const StrokeSettings& settings, const Dab& dab, DabReport&
 
 EdgeBounds DabEngine::boundsFor(const StrokeSettings& settings, const Dab& dab) const
 {
-    const double uniform = settings.detailLength > 0 ? settings.detailLength : m_uniformDetail;
+    const double uniform = settings.detailLength > 0 ? settings.detailLength : m_mesh.uniformDetail();
     const EdgeBounds bounds =
         settings.topology == Topology::Uniform ? edgeBounds(uniform) : edgeBounds(dab.radius, settings.detail);
     return edgeBounds(std::max(bounds.detail, m_mesh.lattice().minDetail()));

@@ -62,7 +62,6 @@ private:
 
     Mesh& m_mesh;
     JudgedMesh m_surface;
-    double m_uniformDetail; ///< 4/3 of the mean edge when the model was opened
     Region m_region;
     std::vector<Slot> m_candidates;
     HeldBack m_held;

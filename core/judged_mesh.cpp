@@ -57,6 +57,8 @@ void JudgedMesh::index(const TouchedSlots& touched, std::span<const Slot> dirtyF
 
 void JudgedMesh::follow(const MeshDelta& swapped)
 {
+    if (swapped.frame.lattice != m_mesh.lattice())
+        m_octree = FaceOctree(m_mesh);
     TouchedSlots touched;
     m_swappedFaces.clear();
     for (const FaceImage& image : swapped.faces) {

@@ -3,6 +3,7 @@
 #include "mesh_hash.h"
 
 #include <algorithm>
+#include <bit>
 #include <unordered_map>
 
 namespace core
@@ -10,6 +11,8 @@ namespace core
 namespace
 {
 constexpr Slot leastReserve = 1u << 18;
+/// The uniform d_detail (Botsch and Kobbelt 2004).
+constexpr double detailPerMeanEdge = 4.0 / 3;
 
 /// Half-edges that still wait for their face, by their ends.
 class OpenHalfedges
@@ -37,7 +40,7 @@ private:
 
 // --- building --------------------------------------------------------------------------------------------------------------
 
-Mesh::Mesh(const TriangleMesh& mesh, Lattice lattice) : m_lattice(lattice)
+Mesh::Mesh(const TriangleMesh& mesh, Lattice lattice) : m_frame{lattice}
 {
     m_kernel.request_vertex_colors();
     const Slot vertices = static_cast<Slot>(mesh.points.size());
@@ -84,7 +87,18 @@ Mesh::Mesh(const TriangleMesh& mesh, Lattice lattice) : m_lattice(lattice)
         m_faceSlots.setFree(f, false);
     }
     assert(open.empty() && edges == counts.edges);
+    m_frame.uniformDetail = detailPerMeanEdge * meanEdge();
     m_meshHash = wholeHash(*this);
+}
+
+double Mesh::meanEdge() const
+{
+    double sum = 0;
+    for (Slot e = 0; e < m_edgeSlots.size(); ++e) {
+        if (isEdge(e))
+            sum += (point(to(2 * e)) - point(to(2 * e + 1))).cast<double>().norm();
+    }
+    return sum / live().edges;
 }
 
 void Mesh::reserve(const SlotCounts& counts)
@@ -156,6 +170,10 @@ std::uint64_t Mesh::stateHash() const
         for (Slot corner : m_corners[f])
             add(corner);
     }
+    add(static_cast<std::uint32_t>(m_frame.lattice.exponent()));
+    const auto detail = std::bit_cast<std::uint64_t>(m_frame.uniformDetail);
+    add(static_cast<std::uint32_t>(detail));
+    add(static_cast<std::uint32_t>(detail >> 32));
     return hash ^ m_meshHash;
 }
 
@@ -163,7 +181,7 @@ std::uint64_t Mesh::stateHash() const
 
 void Mesh::setPoint(Slot v, const Vec3f& p)
 {
-    assert(m_lattice.isOnLattice(p));
+    assert(m_frame.lattice.isOnLattice(p));
     touchVertex(v);
     m_kernel.set_point(vertexHandle(v), p);
 }
@@ -401,5 +419,44 @@ void Mesh::flip(Slot e)
         setOutgoing(a, ad);
     if (outgoing(b) == ba)
         setOutgoing(b, bc);
+}
+
+// --- the whole -------------------------------------------------------------------------------------------------------------
+
+void Mesh::relocate(const Lattice& lattice, std::span<const Vec3f> points)
+{
+    assert(m_strokeOpen);
+    m_frame.lattice = lattice;
+    for (Slot v = 0; v < m_vertexSlots.size(); ++v) {
+        if (isVertex(v) && points[v] != point(v))
+            setPoint(v, points[v]);
+    }
+}
+
+void Mesh::turnOver()
+{
+    for (Slot e = 0; e < m_edgeSlots.size(); ++e) {
+        if (!isEdge(e))
+            continue;
+        const Slot a = to(2 * e), b = to(2 * e + 1);
+        setTo(2 * e, b);
+        setTo(2 * e + 1, a);
+    }
+    for (Slot v = 0; v < m_vertexSlots.size(); ++v) {
+        if (isVertex(v))
+            setOutgoing(v, outgoing(v) ^ 1);
+    }
+    for (Slot f = 0; f < m_faceSlots.size(); ++f) {
+        if (!isFace(f))
+            continue;
+        const Slot h0 = faceHalfedge(f), h1 = next(h0), h2 = next(h1);
+        link(f, h0, h2, h1);
+    }
+}
+
+void Mesh::setUniformDetail(double length)
+{
+    assert(m_strokeOpen);
+    m_frame.uniformDetail = length;
 }
 } // namespace core

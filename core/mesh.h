@@ -35,7 +35,10 @@ public:
     /// lattice and each vertex has a face; slots are the indices.
     Mesh(const TriangleMesh& mesh, Lattice lattice);
 
-    const Lattice& lattice() const { return m_lattice; }
+    const MeshFrame& frame() const { return m_frame; }
+    const Lattice& lattice() const { return m_frame.lattice; }
+    /// d_detail of the uniform topology: at first 4/3 of the mean edge (Botsch and Kobbelt 2004).
+    double uniformDetail() const { return m_frame.uniformDetail; }
 
     // --- queries -------------------------------------------------------------------------------------------------------
     SlotCounts slots() const { return {m_vertexSlots.size(), m_edgeSlots.size(), m_faceSlots.size()}; }
@@ -45,7 +48,7 @@ public:
     bool isFace(Slot f) const { return !m_faceSlots.isFree(f); }
 
     const Vec3f& point(Slot v) const { return m_kernel.points()[v]; }
-    LatticePoint latticePoint(Slot v) const { return m_lattice.toLattice(point(v)); }
+    LatticePoint latticePoint(Slot v) const { return m_frame.lattice.toLattice(point(v)); }
     Rgb color(Slot v) const;
     const Triangle& corners(Slot f) const { return m_corners[f]; }
 
@@ -87,6 +90,11 @@ public:
     /// Whether the opposite corners of e are not neighbours already and its ends keep valence 3.
     bool isFlipOk(Slot e) const;
     void flip(Slot e);
+    /// Puts every vertex elsewhere, on another lattice perhaps: `points`, by slot, lie on it. O(mesh), as the next two.
+    void relocate(const Lattice& lattice, std::span<const Vec3f> points);
+    /// Every face looks to the other side. Twice is the identity.
+    void turnOver();
+    void setUniformDetail(double length);
 
     // --- the journal ---------------------------------------------------------------------------------------------------
     void beginStroke();
@@ -100,6 +108,7 @@ public:
         std::size_t vertices, edges, faces;
         SlotCounts counts;
         std::uint32_t epoch;
+        MeshFrame frame = {};
     };
     Mark mark();
     /// Restores the state of the mark bit for bit. The mark stays usable.
@@ -119,7 +128,7 @@ public:
 
     /// Digest of the live surface, independent of slots and order (DESIGN: `mesh_hash`). O(1): kept up by the journal.
     std::uint64_t meshHash() const { return m_meshHash; }
-    /// Digest of slots, links and free slots too. O(mesh).
+    /// Digest of slots, links, free slots and frame too. O(mesh).
     std::uint64_t stateHash() const;
 
 private:
@@ -141,6 +150,7 @@ private:
     static OpenMesh::FaceHandle faceHandle(Slot f) { return OpenMesh::FaceHandle(static_cast<int>(f)); }
     static Slot slot(OpenMesh::BaseHandle handle) { return static_cast<Slot>(handle.idx()); }
 
+    double meanEdge() const;
     void touchVertex(Slot v);
     void touchEdge(Slot e);
     void touchFace(Slot f);
@@ -162,7 +172,7 @@ private:
     void swapImage(EdgeImage& image);
     void swapImage(FaceImage& image);
 
-    Lattice m_lattice;
+    MeshFrame m_frame;
     Kernel m_kernel;
     std::vector<Triangle> m_corners;
     SlotMap m_vertexSlots, m_edgeSlots, m_faceSlots;

@@ -1,15 +1,15 @@
 // From a stranger's triangles to a sculptable mesh:
 //   1. judge      the coordinates as they came, exactly                          mesh_check
-//   2. fit        move, choose the lattice, snap                                 lattice_placement
-//   3. judge      again if snapping moved a point and step 1 did not see this lattice; retry neighbouring lattice points
-//                 where faces came to meet
+//   2. place      move, choose the lattice                                       lattice_placement
+//   3. fit        snap, and judge again if that moved a point and step 1 did not see this lattice; retry neighbouring
+//                 lattice points where faces came to meet                        lattice_fit
 //   4. lay out    along a Morton curve, and link                                 morton_order, mesh
 
 #include "mesh_build.h"
 
+#include "lattice_fit.h"
 #include "lattice_placement.h"
 #include "morton_order.h"
-#include "nesting.h"
 
 #include <algorithm>
 
@@ -17,32 +17,33 @@ namespace core
 {
 namespace
 {
-constexpr std::size_t resnapRounds = 6;
+/// Shares of the time that a build takes.
+constexpr double afterCheck = 0.5, afterFit = 0.8;
 
-/// A model moved and snapped to its lattice.
-struct Fit
+/// Where the model goes on its lattice.
+struct Placed
 {
     LatticePlacement placement;
-    std::vector<LatticePoint> points;
-    bool exact = true; ///< the snapping moved no point
+    std::vector<Vec3> points; ///< moved, not snapped
+    bool exact = true;        ///< all lie on the lattice as they are
 };
 
-Fit fitToLattice(const TriangleMesh& model, bool centre)
+Placed place(const TriangleMesh& model, bool centre)
 {
     Box box;
     for (const Vec3f& p : model.points)
         box.extend(p.cast<double>());
-    Fit fit;
-    fit.placement = placeOnLattice(box, centre);
-    const Lattice& lattice = fit.placement.lattice;
-    fit.points.reserve(model.points.size());
+    Placed placed;
+    placed.placement = placeOnLattice(box, centre);
+    placed.points.reserve(model.points.size());
     for (const Vec3f& p : model.points) {
-        fit.points.push_back(fit.placement.toLattice(p));
-        const Vec3 snapped = lattice.toPoint(fit.points.back()).cast<double>();
-        fit.exact = fit.exact && snapped == p.cast<double>() + fit.placement.moved;
+        const Vec3 moved = p.cast<double>() + placed.placement.moved;
+        placed.points.push_back(moved);
+        placed.exact = placed.exact && placed.placement.lattice.snap(moved).cast<double>() == moved;
     }
-    return fit;
+    return placed;
 }
+} // namespace
 
 TriangleMesh withoutUnusedVertices(const TriangleMesh& mesh)
 {
@@ -68,74 +69,30 @@ TriangleMesh withoutUnusedVertices(const TriangleMesh& mesh)
     return result;
 }
 
-/// Some at least, if the snapped model is not as sound as it was.
-std::vector<Slot> unsoundFaces(const Fit& fit, std::span<const Triangle> triangles)
-{
-    std::vector<Slot> faces = degenerateFaces<LatticePredicates>(fit.points, triangles);
-    for (const FacePair& pair : selfIntersections<LatticePredicates>(fit.points, triangles).pairs) {
-        faces.push_back(pair.first);
-        faces.push_back(pair.second);
-    }
-    std::ranges::sort(faces);
-    faces.erase(std::ranges::unique(faces).begin(), faces.end());
-    return faces;
-}
-
-/// Lattice points by distance from where the vertex was before it was snapped; `choice` 0 is the nearest.
-LatticePoint latticeNeighbour(const Lattice& lattice, const Vec3& exact, std::size_t choice)
-{
-    const LatticePoint nearest = lattice.toLattice(lattice.snap(exact));
-    std::vector<std::pair<double, LatticePoint>> candidates;
-    for (int x : {-1, 0, 1}) {
-        for (int y : {-1, 0, 1}) {
-            for (int z : {-1, 0, 1}) {
-                const LatticePoint p = nearest + LatticePoint(x, y, z);
-                if (p.cwiseAbs().maxCoeff() <= Lattice::limit)
-                    candidates.emplace_back((p.cast<double>() * lattice.unit() - exact).squaredNorm(), p);
-            }
-        }
-    }
-    std::ranges::stable_sort(candidates, {}, [](const auto& candidate) { return candidate.first; });
-    return candidates[std::min(choice, candidates.size() - 1)].second;
-}
-
-/// Sends the corners of unsound faces to other lattice points nearby until all is sound, or gives up.
-void resnap(Fit& fit, const TriangleMesh& model, BuildResult& result)
-{
-    std::vector<std::size_t> choices(model.points.size(), 0);
-    std::vector<Slot> unsound = unsoundFaces(fit, model.triangles);
-    for (std::size_t round = 0; round < resnapRounds && !unsound.empty(); ++round) {
-        for (std::size_t i = 0; i < unsound.size(); ++i) {
-            const Slot v = model.triangles[unsound[i]][(i + round) % 3]; // one corner of each face, so that corners part
-            const Vec3 exact = model.points[v].cast<double>() + fit.placement.moved;
-            fit.points[v] = latticeNeighbour(fit.placement.lattice, exact, ++choices[v]);
-        }
-        unsound = unsoundFaces(fit, model.triangles);
-    }
-    result.resnapped = static_cast<std::size_t>(std::ranges::count_if(choices, [](std::size_t c) { return c > 0; }));
-    result.unsnappable = unsound.size();
-    if (unsound.empty() && !boundsSolid(fit.points, model.triangles))
-        result.unsnappable = model.triangles.size();
-}
-} // namespace
-
-BuildResult buildMesh(const TriangleMesh& model, bool centre)
+BuildResult buildMesh(const TriangleMesh& model, bool centre, const JobWatch& watch)
 {
     BuildResult result;
-    result.report = checkMesh(model);
-    if (!result.report.printReady())
+    result.report = checkMesh(model, watch.stop);
+    watch.reached(afterCheck);
+    if (watch.stopped() || !result.report.printReady())
         return result;
     TriangleMesh used = withoutUnusedVertices(model);
-    Fit fit = fitToLattice(used, centre);
-    const bool seen = result.report.latticeOk.value_or(false) && fit.placement.moved == Vec3::Zero();
-    if (!fit.exact && !seen)
-        resnap(fit, used, result);
-    if (result.unsnappable > 0)
+    const Placed placed = place(used, centre);
+    const Lattice& lattice = placed.placement.lattice;
+    const bool seen = result.report.latticeOk.value_or(false) && placed.placement.moved == Vec3::Zero();
+    LatticeFit fit;
+    if (placed.exact || seen)
+        fit.points = snappedTo(lattice, placed.points);
+    else
+        fit = fitToLattice(lattice, placed.points, used.triangles, watch);
+    watch.reached(afterFit);
+    result.resnapped = fit.resnapped;
+    result.unsnappable = fit.unsnappable;
+    if (watch.stopped() || result.unsnappable > 0)
         return result;
-    const Lattice& lattice = fit.placement.lattice;
     for (Slot v = 0; v < used.points.size(); ++v)
         used.points[v] = lattice.toPoint(fit.points[v]);
-    result.moved = fit.placement.moved;
+    result.moved = placed.placement.moved;
     result.mesh = std::make_unique<Mesh>(inMortonOrder(used, lattice), lattice);
     return result;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "job_watch.h"
 #include "mesh.h"
 #include "mesh_check.h"
 
@@ -18,8 +19,10 @@ struct BuildResult
 
 /// Makes the model sculptable: judges it exactly, places and snaps it on its lattice, lays its elements out along a Morton
 /// curve and builds the links. With `centre` the middle of its box goes to the origin (see placeOnLattice).
-/// Whole-mesh cost, on all cores. The file's order does not matter for speed afterwards.
-BuildResult buildMesh(const TriangleMesh& model, bool centre = false);
+/// Whole-mesh cost, on all cores; who stops it gets no mesh. The file's order does not matter for speed afterwards.
+BuildResult buildMesh(const TriangleMesh& model, bool centre = false, const JobWatch& watch = {});
+
+TriangleMesh withoutUnusedVertices(const TriangleMesh& mesh);
 
 /// The live surface, compact: vertices and faces in the order of their slots. Without colours if no vertex has been coloured.
 TriangleMesh extractMesh(const Mesh& mesh);

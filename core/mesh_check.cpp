@@ -95,7 +95,7 @@ void addMeasures(MeshReport& report, const TriangleMesh& mesh, const Box& box)
 }
 
 /// Does the model stay valid on its lattice? It has neither degenerate faces nor intersections.
-bool staysValid(const TriangleMesh& mesh, const Box& box, bool isSolid)
+bool staysValid(const TriangleMesh& mesh, const Box& box, bool isSolid, const std::stop_token& stop)
 {
     const LatticePlacement placement = placeOnLattice(box);
     std::vector<LatticePoint> points;
@@ -108,12 +108,12 @@ bool staysValid(const TriangleMesh& mesh, const Box& box, bool isSolid)
     if (!changed)
         return true;
     return degenerateFaces<LatticePredicates>(points, mesh.triangles).empty() &&
-           selfIntersections<LatticePredicates>(points, mesh.triangles, 0).count == 0 &&
+           selfIntersections<LatticePredicates>(points, mesh.triangles, 0, stop).count == 0 &&
            (!isSolid || boundsSolid(points, mesh.triangles));
 }
 } // namespace
 
-MeshReport checkMesh(const TriangleMesh& mesh)
+MeshReport checkMesh(const TriangleMesh& mesh, const std::stop_token& stop)
 {
     MeshReport report;
     report.faces = mesh.triangles.size();
@@ -126,13 +126,15 @@ MeshReport checkMesh(const TriangleMesh& mesh)
     report.degenerateFaces.firstFaces = std::move(degenerate);
     addTopology(report, mesh);
     addMeasures(report, mesh, box);
-    report.intersections = selfIntersections<FloatPredicates>(mesh.points, mesh.triangles, Finding::maxFirst);
+    report.intersections = selfIntersections<FloatPredicates>(mesh.points, mesh.triangles, Finding::maxFirst, stop);
+    if (stop.stop_requested())
+        return report;
 
     const bool embedded = report.degenerateFaces.count == 0 && report.intersections.count == 0;
     if (embedded && report.closed && report.manifold && report.oriented)
         report.boundsSolid = boundsSolid(mesh.points, mesh.triangles);
     if (embedded)
-        report.latticeOk = staysValid(mesh, box, report.printReady());
+        report.latticeOk = staysValid(mesh, box, report.printReady(), stop);
     return report;
 }
 } // namespace core

@@ -46,6 +46,6 @@ struct MeshReport
 };
 
 /// Judges the mesh's float32 coordinates exactly, not snapped. Indices in range, points finite. All cores; the result does
-/// not depend on their number. About 1 s a million faces on two.
-MeshReport checkMesh(const TriangleMesh& mesh);
+/// not depend on their number. Who asked it to stop must not use the result. About 1 s a million faces on two.
+MeshReport checkMesh(const TriangleMesh& mesh, const std::stop_token& stop = {});
 } // namespace core

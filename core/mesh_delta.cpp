@@ -41,6 +41,7 @@ void MeshDelta::write(std::ostream& out) const
     writeVector(out, faces);
     out.write(reinterpret_cast<const char*>(&counts), sizeof counts);
     out.write(reinterpret_cast<const char*>(&meshHash), sizeof meshHash);
+    out.write(reinterpret_cast<const char*>(&frame), sizeof frame);
 }
 
 MeshDelta MeshDelta::read(std::istream& in)
@@ -51,6 +52,7 @@ MeshDelta MeshDelta::read(std::istream& in)
     readVector(in, delta.faces);
     in.read(reinterpret_cast<char*>(&delta.counts), sizeof delta.counts);
     in.read(reinterpret_cast<char*>(&delta.meshHash), sizeof delta.meshHash);
+    in.read(reinterpret_cast<char*>(&delta.frame), sizeof delta.frame);
     return delta;
 }
 } // namespace core

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry.h"
+#include "lattice.h"
 
 #include <OpenMesh/Core/Mesh/ArrayItems.hh>
 
@@ -37,6 +37,15 @@ struct FaceImage
     bool live() const { return corners[0] != corners[1]; }
 };
 
+/// What a mesh keeps as a whole.
+struct MeshFrame
+{
+    Lattice lattice = Lattice();
+    double uniformDetail = 0; ///< d_detail of the uniform topology (DESIGN section 3), document's unit
+
+    friend bool operator==(const MeshFrame&, const MeshFrame&) = default;
+};
+
 /// Lengths of the element arrays.
 struct SlotCounts
 {
@@ -53,6 +62,7 @@ struct MeshDelta
     std::vector<FaceImage> faces;
     SlotCounts counts;          ///< lengths of the arrays on the other side
     std::uint64_t meshHash = 0; ///< Mesh::meshHash on the other side
+    MeshFrame frame;            ///< on the other side
 
     bool empty() const { return vertices.empty() && edges.empty() && faces.empty(); }
     std::size_t bytes() const;

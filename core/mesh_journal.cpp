@@ -43,6 +43,7 @@ void Mesh::beginStroke()
     m_journal = {};
     m_journal.counts = slots();
     m_journal.meshHash = m_meshHash;
+    m_journal.frame = m_frame;
 }
 
 MeshDelta Mesh::endStroke()
@@ -58,7 +59,7 @@ Mesh::Mark Mesh::mark()
 {
     assert(m_strokeOpen);
     ++m_epoch;
-    return {m_journal.vertices.size(), m_journal.edges.size(), m_journal.faces.size(), slots(), m_epoch};
+    return {m_journal.vertices.size(), m_journal.edges.size(), m_journal.faces.size(), slots(), m_epoch, m_frame};
 }
 
 void Mesh::rollback(const Mark& mark)
@@ -75,6 +76,7 @@ void Mesh::rollback(const Mark& mark)
     undo(m_journal.edges, mark.edges, m_edgeStamp);
     undo(m_journal.faces, mark.faces, m_faceStamp);
     resize(mark.counts);
+    m_frame = mark.frame;
     ++m_epoch;
 }
 
@@ -132,6 +134,7 @@ void Mesh::swap(MeshDelta& delta)
     resize(delta.counts);
     delta.counts = here;
     std::swap(m_meshHash, delta.meshHash);
+    std::swap(m_frame, delta.frame);
 }
 
 void Mesh::swapImage(VertexImage& image)

@@ -28,11 +28,11 @@ public:
         , m_tree(boxes())
     {}
 
-    Pairs find(std::size_t keep) const
+    Pairs find(std::size_t keep, const std::stop_token& stop) const
     {
         std::vector<Pairs> found(chunksOf(m_tree.nodes(), nodesPerChunk), Pairs(keep));
         forEachChunk(m_tree.nodes(), nodesPerChunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-            for (std::size_t node = begin; node < end; ++node)
+            for (std::size_t node = begin; node < end && !stop.stop_requested(); ++node)
                 findFrom(static_cast<Slot>(node), found[chunk]);
         });
         Pairs all(keep);
@@ -108,10 +108,11 @@ std::vector<Slot> facesThatAre(bool degenerate, std::span<const typename Predica
 
 template <typename Predicates>
 IntersectionReport selfIntersections(std::span<const typename Predicates::Point> points,
-                                     std::span<const Triangle> triangles, std::size_t keep)
+                                     std::span<const Triangle> triangles, std::size_t keep,
+                                     const std::stop_token& stop)
 {
     std::vector<Slot> faces = facesThatAre<Predicates>(false, points, triangles);
-    auto found = PairSearch<Predicates>(points, triangles, std::move(faces)).find(keep);
+    auto found = PairSearch<Predicates>(points, triangles, std::move(faces)).find(keep, stop);
     return {found.count(), found.take()};
 }
 
@@ -123,9 +124,10 @@ std::vector<Slot> degenerateFaces(std::span<const typename Predicates::Point> po
 }
 
 template IntersectionReport selfIntersections<LatticePredicates>(std::span<const LatticePoint>,
-                                                                 std::span<const Triangle>, std::size_t);
+                                                                 std::span<const Triangle>, std::size_t,
+                                                                 const std::stop_token&);
 template IntersectionReport selfIntersections<FloatPredicates>(std::span<const Vec3f>, std::span<const Triangle>,
-                                                               std::size_t);
+                                                               std::size_t, const std::stop_token&);
 template std::vector<Slot> degenerateFaces<LatticePredicates>(std::span<const LatticePoint>, std::span<const Triangle>);
 template std::vector<Slot> degenerateFaces<FloatPredicates>(std::span<const Vec3f>, std::span<const Triangle>);
 } // namespace core

@@ -5,6 +5,7 @@
 #include <compare>
 #include <cstdint>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 namespace core
@@ -22,10 +23,12 @@ struct IntersectionReport
 };
 
 /// Exact; touching is meeting. Faces that are degenerate take no part. All cores, memory bounded whatever the count; the
-/// result does not depend on the number of cores. Instantiated for both sets of predicates.
+/// result does not depend on the number of cores. Who asked it to stop must not use the result. Instantiated for both sets
+/// of predicates.
 template <typename Predicates>
 IntersectionReport selfIntersections(std::span<const typename Predicates::Point> points,
-                                     std::span<const Triangle> triangles, std::size_t keep = 1000);
+                                     std::span<const Triangle> triangles, std::size_t keep = 1000,
+                                     const std::stop_token& stop = {});
 
 /// Faces whose corners are collinear, or not three, ascending.
 template <typename Predicates>
@@ -33,9 +36,10 @@ std::vector<Slot> degenerateFaces(std::span<const typename Predicates::Point> po
                                   std::span<const Triangle> triangles);
 
 extern template IntersectionReport selfIntersections<LatticePredicates>(std::span<const LatticePoint>,
-                                                                        std::span<const Triangle>, std::size_t);
+                                                                        std::span<const Triangle>, std::size_t,
+                                                                        const std::stop_token&);
 extern template IntersectionReport selfIntersections<FloatPredicates>(std::span<const Vec3f>, std::span<const Triangle>,
-                                                                      std::size_t);
+                                                                      std::size_t, const std::stop_token&);
 extern template std::vector<Slot> degenerateFaces<LatticePredicates>(std::span<const LatticePoint>,
                                                                      std::span<const Triangle>);
 extern template std::vector<Slot> degenerateFaces<FloatPredicates>(std::span<const Vec3f>, std::span<const Triangle>);

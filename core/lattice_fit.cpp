@@ -1,0 +1,82 @@
+// A surface onto its lattice (DESIGN section 3, "The lattice"):
+//   1. snap     each vertex to the nearest lattice point
+//   2. judge    degenerate faces and faces that meet, exactly
+//   3. resnap   a corner of each unsound face to the next lattice point nearby, and judge again, a few times
+//   4. nesting  the whole must bound a solid
+
+#include "lattice_fit.h"
+
+#include "nesting.h"
+#include "self_intersection.h"
+
+#include <algorithm>
+
+namespace core
+{
+namespace
+{
+constexpr std::size_t resnapRounds = 6;
+
+/// Some at least, if the snapped surface is not sound.
+std::vector<Slot> unsoundFaces(std::span<const LatticePoint> points, std::span<const Triangle> triangles,
+                               const std::stop_token& stop)
+{
+    std::vector<Slot> faces = degenerateFaces<LatticePredicates>(points, triangles);
+    for (const FacePair& pair : selfIntersections<LatticePredicates>(points, triangles, 1000, stop).pairs) {
+        faces.push_back(pair.first);
+        faces.push_back(pair.second);
+    }
+    std::ranges::sort(faces);
+    faces.erase(std::ranges::unique(faces).begin(), faces.end());
+    return faces;
+}
+
+/// Lattice points by distance from where the vertex was before it was snapped; `choice` 0 is the nearest.
+LatticePoint latticeNeighbour(const Lattice& lattice, const Vec3& exact, std::size_t choice)
+{
+    const LatticePoint nearest = lattice.toLattice(lattice.snap(exact));
+    std::vector<std::pair<double, LatticePoint>> candidates;
+    for (int x : {-1, 0, 1}) {
+        for (int y : {-1, 0, 1}) {
+            for (int z : {-1, 0, 1}) {
+                const LatticePoint p = nearest + LatticePoint(x, y, z);
+                if (p.cwiseAbs().maxCoeff() <= Lattice::limit)
+                    candidates.emplace_back((p.cast<double>() * lattice.unit() - exact).squaredNorm(), p);
+            }
+        }
+    }
+    std::ranges::stable_sort(candidates, {}, [](const auto& candidate) { return candidate.first; });
+    return candidates[std::min(choice, candidates.size() - 1)].second;
+}
+} // namespace
+
+std::vector<LatticePoint> snappedTo(const Lattice& lattice, std::span<const Vec3> points)
+{
+    std::vector<LatticePoint> result;
+    result.reserve(points.size());
+    for (const Vec3& p : points)
+        result.push_back(lattice.toLattice(lattice.snap(p)));
+    return result;
+}
+
+LatticeFit fitToLattice(const Lattice& lattice, std::span<const Vec3> points, std::span<const Triangle> triangles,
+                        const JobWatch& watch)
+{
+    LatticeFit fit;
+    fit.points = snappedTo(lattice, points);
+    std::vector<std::size_t> choices(points.size(), 0);
+    std::vector<Slot> unsound = unsoundFaces(fit.points, triangles, watch.stop);
+    for (std::size_t round = 0; round < resnapRounds && !unsound.empty() && !watch.stopped(); ++round) {
+        for (std::size_t i = 0; i < unsound.size(); ++i) {
+            const Slot v = triangles[unsound[i]][(i + round) % 3]; // one corner of each face, so that corners part
+            fit.points[v] = latticeNeighbour(lattice, points[v], ++choices[v]);
+        }
+        unsound = unsoundFaces(fit.points, triangles, watch.stop);
+    }
+    fit.resnapped = static_cast<std::size_t>(std::ranges::count_if(choices, [](std::size_t c) { return c > 0; }));
+    fit.unsnappable = unsound.size();
+    if (unsound.empty() && !watch.stopped() && !boundsSolid(fit.points, triangles))
+        fit.unsnappable = triangles.size();
+    return fit;
+}
+} // namespace core

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "job_watch.h"
+#include "lattice.h"
+
+#include <span>
+#include <vector>
+
+namespace core
+{
+/// A surface put on a lattice.
+struct LatticeFit
+{
+    std::vector<LatticePoint> points;
+    std::size_t resnapped = 0;   ///< vertices that went to a neighbouring lattice point, so that no faces meet
+    std::size_t unsnappable = 0; ///< faces that are unsound on the lattice whatever was tried
+};
+
+/// Each point to the lattice point nearest to it. Precondition: the lattice contains them.
+std::vector<LatticePoint> snappedTo(const Lattice& lattice, std::span<const Vec3> points);
+
+/// Snaps the surface and judges it exactly: no face degenerate, no two meeting, the boundary of a solid. Where faces came to
+/// meet, corners are sent to other lattice points nearby. The triangles are closed, manifold and oriented; points that none
+/// of them uses are only snapped. Whole-mesh cost, on all cores. Who stopped it must not use the result.
+LatticeFit fitToLattice(const Lattice& lattice, std::span<const Vec3> points, std::span<const Triangle> triangles,
+                        const JobWatch& watch = {});
+} // namespace core
