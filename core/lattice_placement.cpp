@@ -8,6 +8,13 @@ namespace core
 namespace
 {
 constexpr double farthestInSizes = 4;
+/// An import leaves room for eight times the model; a lattice is kept down to twice, and up to 32 times.
+constexpr int mostStepsOff = 2;
+
+double largestCoordinate(const Box& box)
+{
+    return std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+}
 } // namespace
 
 LatticePoint LatticePlacement::toLattice(const Vec3f& p) const
@@ -29,8 +36,14 @@ LatticePlacement placeOnLattice(const Box& box, bool centre)
 {
     const Vec3 middle = box.center();
     if (!centre && !liesFar(box))
-        return {Lattice::forExtent(std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()))};
+        return {Lattice::forExtent(largestCoordinate(box))};
     const Lattice lattice = Lattice::forExtent(box.sizes().maxCoeff() / 2);
     return {lattice, -Vec3(lattice.snap(middle.x()), lattice.snap(middle.y()), lattice.snap(middle.z()))};
+}
+
+Lattice latticeFor(const Box& box, const Lattice& present)
+{
+    const Lattice best = Lattice::forExtent(largestCoordinate(box));
+    return std::abs(best.exponent() - present.exponent()) <= mostStepsOff ? present : best;
 }
 } // namespace core

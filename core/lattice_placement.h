@@ -20,4 +20,8 @@ bool liesFar(const Box& box);
 /// The finest lattice for a model with this bounding box (not a single point). A model that lies far from the origin is
 /// moved there: the lattice would be too coarse for it. With `centre` any model.
 LatticePlacement placeOnLattice(const Box& box, bool centre = false);
+
+/// For a model that has a lattice and comes to this box: the same one while there is room to sculpt on it, and detail, else
+/// the one that an import would choose.
+Lattice latticeFor(const Box& box, const Lattice& present);
 } // namespace core

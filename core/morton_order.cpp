@@ -9,13 +9,6 @@ namespace core
 {
 namespace
 {
-/// Of the upper 21 of the 24 bits of each coordinate.
-std::uint64_t codeOf(const LatticePoint& p)
-{
-    const auto upper = [](int x) { return static_cast<std::uint64_t>(x + Lattice::limit) >> (24 - mortonBits); };
-    return mortonCode({upper(p.x()), upper(p.y()), upper(p.z())});
-}
-
 std::vector<Slot> vertexOrder(const TriangleMesh& mesh, const Lattice& lattice)
 {
     struct Key
@@ -28,7 +21,7 @@ std::vector<Slot> vertexOrder(const TriangleMesh& mesh, const Lattice& lattice)
     keys.reserve(mesh.points.size());
     for (Slot v = 0; v < mesh.points.size(); ++v) {
         const LatticePoint p = lattice.toLattice(mesh.points[v]);
-        keys.push_back({codeOf(p), p, v});
+        keys.push_back({mortonCodeOf(p), p, v});
     }
     std::ranges::sort(keys, [](const Key& a, const Key& b) {
         return std::tie(a.code, a.point.x(), a.point.y(), a.point.z()) <
@@ -41,6 +34,12 @@ std::vector<Slot> vertexOrder(const TriangleMesh& mesh, const Lattice& lattice)
     return order;
 }
 } // namespace
+
+std::uint64_t mortonCodeOf(const LatticePoint& p)
+{
+    const auto upper = [](int x) { return static_cast<std::uint64_t>(x + Lattice::limit) >> (24 - mortonBits); };
+    return mortonCode({upper(p.x()), upper(p.y()), upper(p.z())});
+}
 
 TriangleMesh inMortonOrder(const TriangleMesh& mesh, const Lattice& lattice)
 {

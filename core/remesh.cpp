@@ -45,7 +45,7 @@ class Remesher
 {
 public:
     Remesher(Mesh& mesh, Region& region, const EdgeBounds& bounds, const Attempt& attempt)
-        : m_mesh(mesh), m_region(region), m_detail2(bounds.detail * bounds.detail),
+        : m_mesh(mesh), m_region(region), m_bounds(bounds), m_detail2(bounds.detail * bounds.detail),
           m_minimum2(bounds.minimum * bounds.minimum), m_attempt(attempt),
           m_opsLeft(leastOps + opsPerVertex * region.size()), m_changed(region.remeshed())
     {
@@ -57,6 +57,7 @@ public:
     void splitLongEdges();
     void flipEdges();
     void relax();
+    void moveTo(const std::function<Vec3(Slot)>& place);
 
     RemeshCounts counts;
 
@@ -78,10 +79,11 @@ private:
     bool isCollapseLegal(Slot h, const Vec3f& target) const;
     bool staysSound(Slot v, Slot ignored, const Vec3& target, bool boundLength) const;
     bool shouldFlip(Slot e) const;
-    Vec3 relaxed(Slot v) const;
+    void moveVertex(Slot v, const Vec3& place);
 
     Mesh& m_mesh;
     Region& m_region;
+    EdgeBounds m_bounds;
     double m_detail2, m_minimum2;
     const Attempt& m_attempt;
     std::uint64_t m_opsLeft;
@@ -353,36 +355,46 @@ void Remesher::flipEdges()
 
 // --- 4. relax --------------------------------------------------------------------------------------------------------------
 
-Vec3 Remesher::relaxed(Slot v) const
-{
-    Vec3 sum = Vec3::Zero();
-    int n = 0;
-    m_mesh.forEachOutgoing(v, [&](Slot h) {
-        sum += point(m_mesh.to(h));
-        ++n;
-    });
-    const Vec3 p = point(v), normal = vertexNormal(m_mesh, v);
-    Vec3 step = relaxation * (sum / n - p);
-    const double squared = normal.squaredNorm();
-    if (squared > 0)
-        step -= step.dot(normal) / squared * normal;
-    const double longest2 = 0.25 * m_minimum2;
-    const double step2 = step.squaredNorm();
-    return step2 > longest2 ? Vec3(p + std::sqrt(longest2 / step2) * step) : Vec3(p + step);
-}
-
 void Remesher::relax()
 {
     m_changed.sort();
     for (Slot v : m_changed.slots()) {
-        if (!m_mesh.isVertex(v) || !m_region.contains(v))
-            continue;
-        const Vec3f target = m_mesh.lattice().snap(relaxed(v));
-        if (staysSound(v, noSlot, target.cast<double>(), true))
-            m_attempt([&] { m_mesh.setPoint(v, target); });
+        if (m_mesh.isVertex(v) && m_region.contains(v))
+            moveVertex(v, relaxedPlace(m_mesh, m_bounds, v));
     }
 }
+
+void Remesher::moveTo(const std::function<Vec3(Slot)>& place)
+{
+    m_region.forEach([&](Slot v) { moveVertex(v, place(v)); });
+}
+
+void Remesher::moveVertex(Slot v, const Vec3& place)
+{
+    const Vec3f target = m_mesh.lattice().snap(place);
+    if (staysSound(v, noSlot, target.cast<double>(), true))
+        m_attempt([&] { m_mesh.setPoint(v, target); });
+}
 } // namespace
+
+Vec3 relaxedPlace(const Mesh& mesh, const EdgeBounds& bounds, Slot v)
+{
+    const auto point = [&](Slot u) { return Vec3(mesh.point(u).cast<double>()); };
+    Vec3 sum = Vec3::Zero();
+    int n = 0;
+    mesh.forEachOutgoing(v, [&](Slot h) {
+        sum += point(mesh.to(h));
+        ++n;
+    });
+    const Vec3 p = point(v), normal = vertexNormal(mesh, v);
+    Vec3 step = relaxation * (sum / n - p);
+    const double squared = normal.squaredNorm();
+    if (squared > 0)
+        step -= step.dot(normal) / squared * normal;
+    const double longest2 = 0.25 * bounds.minimum * bounds.minimum;
+    const double step2 = step.squaredNorm();
+    return step2 > longest2 ? Vec3(p + std::sqrt(longest2 / step2) * step) : Vec3(p + step);
+}
 
 RemeshCounts& RemeshCounts::operator+=(const RemeshCounts& more)
 {
@@ -408,6 +420,12 @@ RemeshCounts optimise(Mesh& mesh, Region& region, const EdgeBounds& bounds, cons
     remesher.flipEdges();
     remesher.relax();
     return remesher.counts;
+}
+
+void moveSoundly(Mesh& mesh, Region& region, const EdgeBounds& bounds, const std::function<Vec3(Slot)>& place,
+                 const Attempt& attempt)
+{
+    Remesher(mesh, region, bounds, attempt).moveTo(place);
 }
 
 RemeshCounts splitLongEdges(Mesh& mesh, Region& region, const EdgeBounds& bounds, const Attempt& attempt)

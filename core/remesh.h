@@ -27,6 +27,13 @@ RemeshCounts refine(Mesh& mesh, Region& region, std::span<const Slot> candidates
 /// degenerate. Whether distant faces meet is not its question. O(region).
 RemeshCounts optimise(Mesh& mesh, Region& region, const EdgeBounds& bounds, const Attempt& attempt);
 
+/// Moves the region's vertices, in the order in which they joined, to `place(v)` where their faces stay sound by that: as
+/// optimise() relaxes those around its changes. O(region).
+void moveSoundly(Mesh& mesh, Region& region, const EdgeBounds& bounds, const std::function<Vec3(Slot)>& place,
+                 const Attempt& attempt);
+/// Half way towards the mean of the neighbours, along the surface, by d/2 at most.
+Vec3 relaxedPlace(const Mesh& mesh, const EdgeBounds& bounds, Slot v);
+
 /// Only the splitting: restores the d_detail tight property after vertices moved.
 RemeshCounts splitLongEdges(Mesh& mesh, Region& region, const EdgeBounds& bounds, const Attempt& attempt);
 } // namespace core

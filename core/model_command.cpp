@@ -1,0 +1,50 @@
+#include "model_command.h"
+
+#include "model_insert.h"
+#include "model_transform.h"
+#include "uniform_remesh.h"
+
+namespace core
+{
+namespace
+{
+template <class Command> void edit(Mesh& mesh, const Command& command, ModelChange& change, const JobWatch& watch)
+{
+    transform(mesh, command, change, watch);
+}
+
+void edit(Mesh& mesh, const Insert& command, ModelChange& change, const JobWatch& watch)
+{
+    insertModel(mesh, command, change, watch);
+}
+
+void edit(Mesh& mesh, const RemeshUniformly& command, ModelChange& change, const JobWatch& watch)
+{
+    remeshUniformly(mesh, command, change, watch);
+}
+
+void edit(Mesh& mesh, const Fill& command, ModelChange&, const JobWatch&)
+{
+    for (Slot v = 0; v < mesh.slots().vertices; ++v) {
+        if (mesh.isVertex(v) && mesh.color(v) != command.color)
+            mesh.setColor(v, command.color);
+    }
+}
+} // namespace
+
+ModelChange tryOn(Mesh copy, const ModelCommand& command, const JobWatch& watch)
+{
+    ModelChange change;
+    copy.beginStroke();
+    std::visit([&](const auto& wanted) { edit(copy, wanted, change, watch); }, command);
+    change.delta = copy.endStroke();
+    if (change.refusal != ModelRefusal::None || watch.stopped()) {
+        change.delta = {};
+        return change;
+    }
+    change.changes = !change.delta.empty() || change.delta.frame != copy.frame();
+    copy.swap(change.delta);
+    watch.reached(1);
+    return change;
+}
+} // namespace core

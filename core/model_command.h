@@ -1,0 +1,94 @@
+#pragma once
+
+#include "job_watch.h"
+#include "mesh.h"
+#include "mesh_check.h"
+
+#include <optional>
+#include <variant>
+
+namespace core
+{
+// What may be asked of the whole model. Lengths in the document's unit; planes, axes and pivots are the document's own:
+// they go through the origin.
+
+struct Move
+{
+    Vec3 by = Vec3::Zero();
+};
+struct Rotate
+{
+    Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity(); ///< unit length
+};
+struct Scale
+{
+    double factor = 1; ///< above 0
+};
+/// At x = 0, y = 0 or z = 0.
+struct Mirror
+{
+    int axis = 0;
+};
+/// The middle of the bounding box, snapped, goes to the origin.
+struct Recentre
+{
+};
+/// Another model becomes part of this one: outside it, or wholly in one of its voids, and touching nothing.
+struct Insert
+{
+    enum class Place {
+        Beside, ///< in +x direction, clear of the present model, the boxes' middles level
+        AsItIs, ///< where its file has it
+        Centre  ///< the middle of its box at `centre`
+    };
+    TriangleMesh model;
+    Place place = Place::Beside;
+    Vec3 centre = Vec3::Zero();
+};
+struct Fill
+{
+    Rgb color;
+};
+/// All edges between d and d_detail = 2 d, as far as the shape allows.
+struct RemeshUniformly
+{
+    double detailLength = 0; ///< d_detail; 0: 4/3 of the mean edge
+};
+
+using ModelCommand = std::variant<Move, Rotate, Scale, Mirror, Recentre, Insert, Fill, RemeshUniformly>;
+
+/// Why the model was left as it is.
+enum class ModelRefusal {
+    None,
+    FacesMeet, ///< on the lattice, whatever was tried: `faces` of them
+    TooFar,    ///< from the origin, for its size
+    TooLarge,  ///< or too small: `ModelLimits`
+    Unsound,   ///< the inserted model does not bound a solid: `report` says why
+    Inside,    ///< one of the models would lie inside the other
+    Touching,  ///< the inserted model would touch the present one
+    TooFine    ///< the mesh would need too many faces (`faces`), or edges that the lattice cannot hold
+};
+
+/// What a command comes to.
+struct ModelChange
+{
+    ModelRefusal refusal = ModelRefusal::None;
+    std::size_t faces = 0; ///< see ModelRefusal
+    MeshReport report;     ///< see ModelRefusal::Unsound
+    MeshDelta delta;       ///< Mesh::swap makes the change, and takes it back
+    bool changes = false;  ///< the delta does anything: neither refused nor stopped, and something is different
+};
+
+struct ModelLimits
+{
+    static constexpr double leastExtent = 1e-6, mostExtent = 1e7; ///< of the largest |coordinate|
+    static constexpr std::size_t mostFaces = 20'000'000;          ///< that a remeshing may aim at
+};
+
+/// Tries the command on a copy of the mesh and judges the outcome wholly and exactly. The mesh itself changes when the delta
+/// is swapped in: until then it must stay in the state of which `copy` is a copy. Any thread; whole-mesh cost, on all cores.
+ModelChange tryOn(Mesh copy, const ModelCommand& command, const JobWatch& watch = {});
+
+/// Faces that a uniform mesh of that d_detail has on a surface of that area, about.
+double uniformFaces(double area, double detailLength);
+} // namespace core

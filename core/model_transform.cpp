@@ -1,0 +1,141 @@
+// The whole model elsewhere (DESIGN section 3, "The lattice"):
+//   1. place     every vertex exactly, in double
+//   2. lattice   the present one if it suits the new box, else another
+//   3. fit       snap, judge the whole exactly, retry neighbouring lattice points          lattice_fit
+//   4. write     through the mesh's gate, if it is sound
+
+#include "model_transform.h"
+
+#include "lattice_fit.h"
+#include "lattice_placement.h"
+
+namespace core
+{
+namespace
+{
+/// Shares of the time that a transformation takes.
+constexpr double afterPlacing = 0.1, afterFitting = 0.8;
+
+Box boxAround(const Mesh& mesh, std::span<const Vec3> places)
+{
+    Box box;
+    for (Slot v = 0; v < places.size(); ++v) {
+        if (mesh.isVertex(v))
+            box.extend(places[v]);
+    }
+    return box;
+}
+
+std::vector<Triangle> turnedOver(std::vector<Triangle> triangles)
+{
+    for (Triangle& t : triangles)
+        std::swap(t[1], t[2]);
+    return triangles;
+}
+
+template <class Map> std::vector<Vec3> mapped(const Mesh& mesh, Map map)
+{
+    std::vector<Vec3> places = placesOf(mesh);
+    for (Slot v = 0; v < places.size(); ++v) {
+        if (mesh.isVertex(v))
+            places[v] = map(places[v]);
+    }
+    return places;
+}
+
+/// Steps 2 to 4.
+void goTo(Mesh& mesh, std::span<const Vec3> places, bool mirrored, ModelChange& change, const JobWatch& watch)
+{
+    watch.reached(afterPlacing);
+    const Box box = boxAround(mesh, places);
+    change.refusal = refusalOf(box);
+    if (change.refusal != ModelRefusal::None)
+        return;
+    const Lattice lattice = latticeFor(box, mesh.lattice());
+    const LatticeFit fit = fitToLattice(lattice, places, mirrored ? turnedOver(liveFaces(mesh)) : liveFaces(mesh), watch);
+    if (watch.stopped())
+        return;
+    watch.reached(afterFitting);
+    if (fit.unsnappable > 0) {
+        change.refusal = ModelRefusal::FacesMeet;
+        change.faces = fit.unsnappable;
+        return;
+    }
+    std::vector<Vec3f> points;
+    points.reserve(fit.points.size());
+    for (const LatticePoint& p : fit.points)
+        points.push_back(lattice.toPoint(p));
+    mesh.relocate(lattice, points);
+    if (mirrored)
+        mesh.turnOver();
+}
+} // namespace
+
+std::vector<Vec3> placesOf(const Mesh& mesh)
+{
+    std::vector<Vec3> places(mesh.slots().vertices, Vec3::Zero());
+    for (Slot v = 0; v < places.size(); ++v) {
+        if (mesh.isVertex(v))
+            places[v] = mesh.point(v).cast<double>();
+    }
+    return places;
+}
+
+std::vector<Triangle> liveFaces(const Mesh& mesh)
+{
+    std::vector<Triangle> faces;
+    faces.reserve(mesh.live().faces);
+    for (Slot f = 0; f < mesh.slots().faces; ++f) {
+        if (mesh.isFace(f))
+            faces.push_back(mesh.corners(f));
+    }
+    return faces;
+}
+
+Box boxOf(const Mesh& mesh)
+{
+    return boxAround(mesh, placesOf(mesh));
+}
+
+ModelRefusal refusalOf(const Box& box)
+{
+    const double extent = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+    const bool inRange = extent >= ModelLimits::leastExtent && extent <= ModelLimits::mostExtent;
+    return inRange ? ModelRefusal::None : ModelRefusal::TooLarge;
+}
+
+void transform(Mesh& mesh, const Move& command, ModelChange& change, const JobWatch& watch)
+{
+    const auto places = mapped(mesh, [&](const Vec3& p) { return p + command.by; });
+    if (liesFar(boxAround(mesh, places)))
+        change.refusal = ModelRefusal::TooFar;
+    else
+        goTo(mesh, places, false, change, watch);
+}
+
+void transform(Mesh& mesh, const Rotate& command, ModelChange& change, const JobWatch& watch)
+{
+    const Eigen::Matrix3d matrix = command.rotation.toRotationMatrix();
+    goTo(mesh, mapped(mesh, [&](const Vec3& p) { return Vec3(matrix * p); }), false, change, watch);
+}
+
+void transform(Mesh& mesh, const Scale& command, ModelChange& change, const JobWatch& watch)
+{
+    goTo(mesh, mapped(mesh, [&](const Vec3& p) { return Vec3(command.factor * p); }), false, change, watch);
+    if (change.refusal == ModelRefusal::None && !watch.stopped())
+        mesh.setUniformDetail(command.factor * mesh.uniformDetail());
+}
+
+void transform(Mesh& mesh, const Mirror& command, ModelChange& change, const JobWatch& watch)
+{
+    Vec3 signs = Vec3::Ones();
+    signs[command.axis] = -1;
+    goTo(mesh, mapped(mesh, [&](const Vec3& p) { return Vec3(signs.cwiseProduct(p)); }), true, change, watch);
+}
+
+void transform(Mesh& mesh, const Recentre&, ModelChange& change, const JobWatch& watch)
+{
+    const Vec3 middle = mesh.lattice().snap(boxOf(mesh).center()).cast<double>();
+    goTo(mesh, mapped(mesh, [&](const Vec3& p) { return p - middle; }), false, change, watch);
+}
+} // namespace core
