@@ -4,8 +4,9 @@
 //   then, for each sub-step no longer than d_move:
 //     optimise   the mesh under the brush becomes quasi-uniform                                remesh
 //     deform     each vertex moves its part of the plan, snapped to the lattice; edges that grew too long are split
-//     verify     exactly, where it changed                                                     verify
-//     index      octree and draw ranges learn what changed                                     face_octree, dirty_slots
+//     verify     exactly, where it changed                                                     judged_mesh
+//     index      octree and draw ranges learn what changed                                     judged_mesh
+//     fuse       what the next sub-step would bring into contact joins; thin necks part        fuse
 // A sub-step that does not verify is rolled back and taken with care: first the motion alone, vertices that would touch
 // something held back; then each remeshing operation by itself, judged by itself. What cannot be done is left undone.
 
@@ -54,6 +55,8 @@ void DabEngine::run(const StrokeSettings& settings, const Dab& dab, const std::f
                     DabReport& report)
 {
     m_held.clear();
+    m_fuser.beginDab();
+    m_blocked.clear();
     m_capped = false;
     m_bounds.reset();
     if (!(dab.strength > 0))
@@ -70,6 +73,10 @@ void DabEngine::run(const StrokeSettings& settings, const Dab& dab, const std::f
         return paint(settings, dab, report);
     Task task = {settings, dab, boundsFor(settings, dab)};
     m_bounds = task.bounds;
+    {
+        const PhaseTimer timer(report.fuseMs);
+        task.joins = settings.fusion && facesMeet(settings, {dab.position, dab.radius});
+    }
     report.outcome = DabOutcome::Committed;
     for (double step = 0; step == 0 || step < task.steps; ++step) {
         const Substep result = step < mostSubsteps ? substep(task, report) : Substep::Stuck;
@@ -146,13 +153,20 @@ DabEngine::Substep DabEngine::substep(Task& task, DabReport& report)
         const Region::Saved saved = m_region.save();
         const double steps = task.steps;
         const Substep result = straight(task, report);
+        if (result == Substep::Straight) {
+            join(task, report);
+            separate(task, report);
+        }
         if (result != Substep::Stuck)
             return result;
         m_region.restore(saved);
         task.steps = steps;
         ++m_totals.rolledBack;
     }
-    return careful(task, report);
+    task.joins = task.settings.fusion;
+    const Substep result = careful(task, report);
+    separate(task, report);
+    return result;
 }
 
 /// The first sub-step begins with this: the mesh under the brush is made fine enough to plan on.
@@ -215,6 +229,7 @@ DabEngine::Substep DabEngine::careful(Task& task, DabReport& report)
     const auto judged = [&](const std::function<void()>& operation) { return m_surface.attempt(operation); };
     if (task.steps == 0)
         count(refineAndPlan(task, judged, report));
+    join(task, report);
     const bool moved = moveHeldBack(1 / task.steps, report);
     if (!optimiseAtOnce(task, report)) {
         const PhaseTimer timer(report.optimiseMs, m_surface.verifyMs());
@@ -293,6 +308,40 @@ double DabEngine::farthestPlan(double part) const
     return std::sqrt(farthest2);
 }
 
+/// Whether there is anything for fusion to join. A brush along the surface has only its own sheet for candidates.
+bool DabEngine::facesMeet(const StrokeSettings& settings, const Sphere& ball)
+{
+    const LatticeBox box = latticeBox(m_mesh.lattice(), ball);
+    if (settings.brush == BrushShape::Sphere)
+        return Fuser::mayMeet(m_mesh, m_region, m_candidates, box);
+    std::vector<Slot> near;
+    m_surface.octree().query(box, [&](Slot f) { near.push_back(f); });
+    return Fuser::mayMeet(m_mesh, m_region, near, box);
+}
+
+/// Before the motion of a sub-step that is to come.
+void DabEngine::join(Task& task, DabReport& report)
+{
+    if (!task.joins)
+        return;
+    const PhaseTimer timer(report.fuseMs, m_surface.verifyMs());
+    if (m_held.inUse())
+        m_held.extend(m_region, m_mesh);
+    const FusionCounts counts = m_fuser.join(m_surface, m_region, m_held, task.approach());
+    if (counts.fusions > 0)
+        m_held.clear();
+    m_totals.fusions += counts.fusions;
+}
+
+void DabEngine::separate(Task& task, DabReport& report)
+{
+    if (!task.settings.fusion || m_blocked.empty())
+        return;
+    const PhaseTimer timer(report.fuseMs, m_surface.verifyMs());
+    m_totals.separations += m_fuser.separate(m_surface, m_region, m_blocked, task.bounds).separations;
+    m_blocked.clear();
+}
+
 SculptorTotals DabEngine::totals() const
 {
     SculptorTotals totals = m_totals;
@@ -305,6 +354,7 @@ void DabEngine::count(const RemeshCounts& counts)
     m_totals.splits += counts.splits;
     m_totals.collapses += counts.collapses;
     m_totals.flips += counts.flips;
+    m_blocked = counts.blocked;
     m_capped = m_capped || counts.capped;
 }
 } // namespace core

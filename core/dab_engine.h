@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fuse.h"
 #include "held_back.h"
 #include "judged_mesh.h"
 #include "region.h"
@@ -43,6 +44,9 @@ private:
         const Dab& dab;
         EdgeBounds bounds;
         double steps = 0; ///< into which the plan is cut; 0: not planned yet
+        bool joins = false; ///< surfaces face each other under the brush, or something stopped the motion
+
+        Approach approach() const { return {settings.tool, bounds, 1 / steps}; }
     };
 
     void run(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report);
@@ -58,6 +62,9 @@ private:
     bool moveHeldBack(double part, DabReport& report);
     bool displace(double part);
     double farthestPlan(double part) const;
+    bool facesMeet(const StrokeSettings& settings, const Sphere& ball);
+    void join(Task& task, DabReport& report);
+    void separate(Task& task, DabReport& report);
     void count(const RemeshCounts& counts);
 
     Mesh& m_mesh;
@@ -65,6 +72,8 @@ private:
     Region m_region;
     std::vector<Slot> m_candidates;
     HeldBack m_held;
+    Fuser m_fuser;
+    std::vector<VertexPair> m_blocked; ///< what the last optimisation could not collapse
     SculptorTotals m_totals;
     std::optional<EdgeBounds> m_bounds; ///< of the last dab, if it remeshes
     bool m_capped = false; ///< a sub-step reached the cap on remeshing operations: the dab ends there

@@ -31,6 +31,19 @@ Refusal refusalOf(const JudgedMesh& surface, const Sphere& ball)
     const std::optional<SurfaceHit> nearest = nearestPoint(mesh, surface.octree(), ball.center);
     return nearest && nearest->distance < ball.radius + clearance ? Refusal::TooClose : Refusal::None;
 }
+
+Surgery sphereAt(const Sphere& ball, const JudgedMesh& surface)
+{
+    const Mesh& mesh = surface.mesh();
+    const TriangleMesh sphere = icosphere(sphereSubdivisions, ball.radius);
+    Surgery surgery;
+    surgery.near = mesh.corners(nearestPoint(mesh, surface.octree(), ball.center)->face)[0];
+    for (const Vec3f& p : sphere.points)
+        surgery.vertices.push_back({mesh.lattice().snap(ball.center + p.cast<double>()), Rgb()});
+    for (const Triangle& t : sphere.triangles)
+        surgery.faces.push_back({Surgery::newVertex(t[0]), Surgery::newVertex(t[1]), Surgery::newVertex(t[2])});
+    return surgery;
+}
 } // namespace
 
 DabReport addSphere(JudgedMesh& surface, const Sphere& ball)
@@ -41,17 +54,14 @@ DabReport addSphere(JudgedMesh& surface, const Sphere& ball)
     report.refusal = refusalOf(surface, ball);
     if (report.refusal != Refusal::None)
         return report;
-    TriangleMesh sphere = icosphere(sphereSubdivisions, ball.radius);
-    for (Vec3f& p : sphere.points)
-        p = mesh.lattice().snap(ball.center + p.cast<double>());
-    const Slot hint = mesh.corners(nearestPoint(mesh, surface.octree(), ball.center)->face)[0];
-    if (!surface.attempt([&] { mesh.addShell(sphere, hint); })) {
+    const Surgery sphere = sphereAt(ball, surface);
+    if (!surface.attempt([&] { mesh.replaceFaces(sphere); })) {
         report.refusal = Refusal::TooClose;
         return report;
     }
     report.outcome = DabOutcome::Added;
-    report.touchedVertices = static_cast<std::uint32_t>(sphere.points.size());
-    report.touchedFaces = static_cast<std::uint32_t>(sphere.triangles.size());
+    report.touchedVertices = static_cast<std::uint32_t>(sphere.vertices.size());
+    report.touchedFaces = static_cast<std::uint32_t>(sphere.faces.size());
     return report;
 }
 } // namespace core

@@ -2,6 +2,8 @@
 
 #include "region.h"
 
+#include <cassert>
+
 namespace core
 {
 /// How far each vertex of a region may go: the share of its plan that it may do before it would touch something. What was
@@ -13,7 +15,12 @@ public:
     /// Whether anything has been asked of it in this dab.
     bool inUse() const { return !m_share.empty(); }
 
-    double share(const Region& region, Slot v) const { return m_share.empty() ? 1 : m_share[region.position(v)]; }
+    /// Precondition: extend() since v joined the region, if in use.
+    double share(const Region& region, Slot v) const
+    {
+        assert(m_share.empty() || region.position(v) < m_share.size());
+        return m_share.empty() ? 1 : m_share[region.position(v)];
+    }
 
     /// Vertices that joined the region since are held back as far as their neighbours are.
     void extend(const Region& region, const Mesh& mesh);

@@ -1,10 +1,10 @@
 #include "mesh.h"
 
 #include "mesh_hash.h"
+#include "open_halfedges.h"
 
 #include <algorithm>
 #include <bit>
-#include <unordered_map>
 
 namespace core
 {
@@ -13,29 +13,6 @@ namespace
 constexpr Slot leastReserve = 1u << 18;
 /// The uniform d_detail (Botsch and Kobbelt 2004).
 constexpr double detailPerMeanEdge = 4.0 / 3;
-
-/// Half-edges that still wait for their face, by their ends.
-class OpenHalfedges
-{
-public:
-    /// The waiting half-edge from -> to, which then waits no more, or noSlot.
-    Slot take(Slot from, Slot to)
-    {
-        const auto waiting = m_waiting.find(key(from, to));
-        if (waiting == m_waiting.end())
-            return noSlot;
-        const Slot h = waiting->second;
-        m_waiting.erase(waiting);
-        return h;
-    }
-    void add(Slot from, Slot to, Slot h) { m_waiting.emplace(key(from, to), h); }
-    void reserve(std::size_t count) { m_waiting.reserve(count); }
-    bool empty() const { return m_waiting.empty(); }
-
-private:
-    static std::uint64_t key(Slot from, Slot to) { return std::uint64_t(from) << 32 | to; }
-    std::unordered_map<std::uint64_t, Slot> m_waiting;
-};
 } // namespace
 
 // --- building --------------------------------------------------------------------------------------------------------------
@@ -319,35 +296,6 @@ Slot Mesh::splitEdge(Slot e, const Vec3f& p)
     if (outgoing(b) == ba)
         setOutgoing(b, mb ^ 1);
     return m;
-}
-
-void Mesh::addShell(const TriangleMesh& shell, Slot hint)
-{
-    const Slot edgeHint = outgoing(hint) / 2, faceHint = face(outgoing(hint));
-    std::vector<Slot> vertices;
-    for (std::size_t i = 0; i < shell.points.size(); ++i) {
-        const Rgb c = shell.colors.empty() ? Rgb() : shell.colors[i];
-        vertices.push_back(newVertex(hint, shell.points[i], {c.r, c.g, c.b}));
-    }
-    OpenHalfedges open;
-    const auto claim = [&](Slot from, Slot to) {
-        if (const Slot waiting = open.take(from, to); waiting != noSlot)
-            return waiting;
-        const Slot h = 2 * newEdge(edgeHint);
-        setTo(h, to);
-        setTo(h ^ 1, from);
-        open.add(to, from, h ^ 1);
-        return h;
-    };
-    for (const Triangle& t : shell.triangles) {
-        const Slot a = vertices[t[0]], b = vertices[t[1]], c = vertices[t[2]];
-        const Slot ab = claim(a, b), bc = claim(b, c), ca = claim(c, a);
-        link(newFace(faceHint), ab, bc, ca);
-        setOutgoing(a, ab);
-        setOutgoing(b, bc);
-        setOutgoing(c, ca);
-    }
-    assert(open.empty() && "closed");
 }
 
 bool Mesh::isCollapseOk(Slot h) const

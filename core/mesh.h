@@ -3,6 +3,7 @@
 #include "lattice.h"
 #include "mesh_delta.h"
 #include "slot_map.h"
+#include "surgery.h"
 #include "triangle_mesh.h"
 
 // clang-format off: EigenVectorT.hh needs vector_traits declared before it
@@ -81,8 +82,8 @@ public:
     void setColor(Slot v, Rgb color);
     /// Puts a vertex into edge e at p, with the mean colour of its ends. Returns the vertex.
     Slot splitEdge(Slot e, const Vec3f& p);
-    /// Adds a closed, manifold, consistently oriented shell whose points lie on the lattice; `hint`: a vertex near it.
-    void addShell(const TriangleMesh& shell, Slot hint);
+    /// Exchanges faces for others. Returns the vertices that came. Precondition: isSurgeryOk(*this, surgery).
+    std::vector<Slot> replaceFaces(const Surgery& surgery);
     /// Whether collapsing h leaves a closed 2-manifold: the ends have just two common neighbours, none of valence 3.
     bool isCollapseOk(Slot h) const;
     /// Merges from(h) into to(h), which moves to p. Precondition: isCollapseOk(h).

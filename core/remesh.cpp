@@ -266,7 +266,11 @@ void Remesher::collapse(std::vector<Edge> edges)
             continue;
         const Slot h = 2 * e.edge, gone = m_mesh.from(h), stays = m_mesh.to(h);
         const Vec3f target = midpoint(e.edge);
-        if (!isCollapseLegal(h, target) || !mayGoOn())
+        if (!isCollapseLegal(h, target)) {
+            counts.blocked.push_back({gone, stays});
+            continue;
+        }
+        if (!mayGoOn())
             continue;
         if (!m_attempt([&] { m_mesh.collapse(h, target); }))
             continue;
@@ -402,6 +406,7 @@ RemeshCounts& RemeshCounts::operator+=(const RemeshCounts& more)
     collapses += more.collapses;
     flips += more.flips;
     capped = capped || more.capped;
+    blocked.insert(blocked.end(), more.blocked.begin(), more.blocked.end());
     return *this;
 }
 

@@ -7,10 +7,15 @@
 
 namespace core
 {
+/// The ends of an edge.
+using VertexPair = std::array<Slot, 2>;
+
 struct RemeshCounts
 {
     std::uint64_t splits = 0, collapses = 0, flips = 0;
     bool capped = false; ///< the cap on operations was reached; the mesh is legal but not yet quasi-uniform
+
+    std::vector<VertexPair> blocked; ///< edges shorter than d that no legal collapse removes
 
     bool any() const { return splits + collapses + flips > 0; }
     RemeshCounts& operator+=(const RemeshCounts& more);

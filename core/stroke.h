@@ -20,6 +20,7 @@ struct StrokeSettings
     double detail = info(Parameter::Detail).defaultValue;                   ///< scales d_detail
     double detailLength = 0; ///< d_detail of the uniform topology; 0: 4/3 of the model's mean edge when it was opened
     double spacing = info(Parameter::Spacing).defaultValue; ///< in radii; 0: each sample is exactly one dab
+    bool fusion = true; ///< surfaces that meet join, necks part, specks vanish (paper, section 3.4); else they stop at contact
     bool add = false; ///< a pull dab at a point with nothing under the brush adds a sphere (paper, section 3.5.1)
     Rgb color;                                              ///< of Paint
 };

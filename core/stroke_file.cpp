@@ -398,6 +398,8 @@ bool StrokeReader::boolean(bool value)
         refuse(Kind::NotYet, "true");
     if (m_key == AddKey)
         m_strokes.back().settings.add = value;
+    else if (m_key == FusionKey)
+        m_strokes.back().settings.fusion = value;
     return true;
 }
 

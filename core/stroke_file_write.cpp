@@ -44,8 +44,8 @@ void writeStroke(std::ostream& out, const Stroke& stroke)
     out << "{\"tool\":\"" << name(settings.tool) << "\",\"brush\":\"" << name(settings.brush)
         << "\",\"radius\":" << shortest(settings.radius)
         << ",\"strength\":" << shortest(settings.strength) << ",\"falloff\":" << settings.falloff
-        << ",\"detail\":" << shortest(settings.detail) << ",\"topology\":\"" << name(settings.topology) << "\",\"fusion\":true"
-        << ",\"symmetry\":\"none\",\"spacing\":" << shortest(settings.spacing) << ",\"place\":\""
+        << ",\"detail\":" << shortest(settings.detail) << ",\"topology\":\"" << name(settings.topology) << "\",\"fusion\":"
+        << (settings.fusion ? "true" : "false") << ",\"symmetry\":\"none\",\"spacing\":" << shortest(settings.spacing) << ",\"place\":\""
         << name(settings.place) << "\",\"add\":" << (settings.add ? "true" : "false") << ",\"color\":"
         << list({double(settings.color.r), double(settings.color.g), double(settings.color.b)});
     if (settings.detailLength > 0)

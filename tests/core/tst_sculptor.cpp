@@ -65,6 +65,7 @@ struct Tally
     std::uint64_t strokes = 0, runs = 0;
     std::uint64_t digest = 0; ///< of all end states: the same on every machine and in every build
     std::array<std::uint64_t, 3> tiers{};
+    std::uint64_t fusions = 0, separations = 0;
 
     void add(const DabReport& report)
     {
@@ -83,7 +84,7 @@ struct Tally
                   << committed << " committed (" << percent(committed) << " %), " << careful << " careful (" << percent(careful)
                   << " %), " << endedEarly << " ended early (" << percent(endedEarly) << " %), " << empty << " empty; " << whole
                   << " reached 95 % of what was asked (" << percent(whole) << " %); proved by patch, stars, pairs: " << tiers[0]
-                  << " " << tiers[1] << " " << tiers[2] << "; digest " << std::hex << digest << std::dec << std::endl;
+                  << " " << tiers[1] << " " << tiers[2] << "; " << fusions << " fusions, " << separations << " separations; digest " << std::hex << digest << std::dec << std::endl;
     }
 };
 
@@ -116,6 +117,8 @@ public:
         m_tally.digest = m_tally.digest * 31 + m_sculptor.mesh().stateHash();
         for (std::size_t i = 0; i < 3; ++i)
             m_tally.tiers[i] += m_sculptor.totals().verifyTiers[i];
+        m_tally.fusions += m_sculptor.totals().fusions;
+        m_tally.separations += m_sculptor.totals().separations;
     }
 
     bool ok() const { return m_problem.empty(); }
@@ -146,6 +149,7 @@ private:
             checkAfterSample();
         }
         m_undo.push_back(m_sculptor.endStroke());
+        m_states.push_back(m_sculptor.mesh().stateHash());
         if (m_sculptor.mesh().meshHash() != wholeHash(m_sculptor.mesh()))
             fail("the mesh hash is not that of the faces");
     }
@@ -157,7 +161,7 @@ private:
                   << name(s.place) << " radius " << s.radius << " strength " << s.strength << " falloff " << s.falloff
                   << " detail " << s.detail << ": " << name(report.outcome) << ", " << report.touchedVertices << " vertices, "
                   << report.substeps << " sub-steps, " << report.reached << " of " << report.asked << ", " << report.totalMs
-                  << " ms, verify " << report.verifyMs << " ms, optimise " << report.optimiseMs << " ms, model "
+                  << " ms, fuse " << report.fuseMs << " ms, verify " << report.verifyMs << " ms, optimise " << report.optimiseMs << " ms, model "
                   << m_sculptor.mesh().live().faces << " faces" << std::endl;
     }
 
@@ -167,6 +171,7 @@ private:
         m_sculptor.swap(m_undo.back());
         m_undo.pop_back();
         m_strokes.pop_back();
+        m_states.pop_back();
         if (!m_sculptor.indexIsConsistent())
             fail("the octree is wrong after an undo");
     }
@@ -230,14 +235,18 @@ private:
     void replay()
     {
         Sculptor again(sculptable(m_shape.mesh));
-        for (const Stroke& stroke : m_strokes) {
+        for (std::size_t i = 0; i < m_strokes.size(); ++i) {
+            const Stroke& stroke = m_strokes[i];
             again.beginStroke(stroke.settings);
             for (const core::StrokeSample& sample : stroke.samples)
                 again.addSample(sample);
             again.endStroke();
+            if (again.mesh().stateHash() != m_states[i]) {
+                fail("the same strokes give another mesh from stroke " + std::to_string(i + 1) + " of " +
+                     std::to_string(m_strokes.size()) + " on");
+                return;
+            }
         }
-        if (again.mesh().stateHash() != m_sculptor.mesh().stateHash())
-            fail("the same strokes give another mesh");
     }
 
     const NamedShape& m_shape;
@@ -246,6 +255,7 @@ private:
     Sculptor m_sculptor;
     std::string m_where, m_problem;
     std::vector<Stroke> m_strokes;
+    std::vector<std::uint64_t> m_states; ///< after each of them
     std::vector<MeshDelta> m_undo;
     std::uint64_t m_start = 0;
     bool m_trace = qEnvironmentVariableIsSet("FETTLE_TRACE");
@@ -266,9 +276,9 @@ class TestSculptor : public QObject
 
 private Q_SLOTS:
     void randomStrokes_keepThePromise();
-    void pushThroughASlab_stopsAtContact();
-    void fingersPulledTogether_stopAtContact();
-    void surfaceAtContact_followsAPullAway();
+    void pushThroughASlab_withoutFusion_stopsAtContact();
+    void fingersPulledTogether_withoutFusion_stopAtContact();
+    void surfaceAtContact_withoutFusion_followsAPullAway();
     void wallOfTheVolume_endsTheDab();
     void dabOnNothing_changesNothing();
     void rayThatMisses_changesNothing();
@@ -289,6 +299,7 @@ struct OneDab
     double radius = 0.25;
     double strength = 1;
     double detail = 1;
+    bool fusion = true;
 };
 
 /// A stroke of one dab.
@@ -299,6 +310,7 @@ DabReport dabOnce(Sculptor& sculptor, const OneDab& dab)
     settings.radius = dab.radius;
     settings.strength = dab.strength;
     settings.detail = dab.detail;
+    settings.fusion = dab.fusion;
     sculptor.beginStroke(settings);
     core::StrokeSample sample;
     sample.position = dab.position;
@@ -335,14 +347,14 @@ void TestSculptor::randomStrokes_keepThePromise()
     tally.print();
 }
 
-void TestSculptor::pushThroughASlab_stopsAtContact()
+void TestSculptor::pushThroughASlab_withoutFusion_stopsAtContact()
 {
     Sculptor sculptor(sculptable(clay::slab(2, 0.1, 16)));
     bool stopped = false;
     for (int i = 0; i < 20; ++i) {
         const auto above = sculptor.hit({{0.03, 1, 0.02}, {0, -1, 0}});
         QVERIFY(above);
-        const DabReport report = dabOnce(sculptor, {Tool::Push, above->position, 0.4, 2});
+        const DabReport report = dabOnce(sculptor, {.tool = Tool::Push, .position = above->position, .radius = 0.4, .strength = 2, .fusion = false});
         stopped = stopped || report.outcome == DabOutcome::EndedEarly || report.reached < 0.95 * report.asked;
         VERIFY_VALID(sculptor.mesh());
         QVERIFY(sculptor.indexIsConsistent());
@@ -351,7 +363,7 @@ void TestSculptor::pushThroughASlab_stopsAtContact()
     QVERIFY(stopped); // 20 x 0.08 would go through 0.1 many times over
 }
 
-void TestSculptor::fingersPulledTogether_stopAtContact()
+void TestSculptor::fingersPulledTogether_withoutFusion_stopAtContact()
 {
     Sculptor sculptor(sculptable(clay::twoFingers(0.2)));
     for (int i = 0; i < 12; ++i) {
@@ -359,7 +371,7 @@ void TestSculptor::fingersPulledTogether_stopAtContact()
             const auto facing = sculptor.hit({{0, 0.01, 0.02}, {side, 0, 0}});
             if (!facing)
                 continue; // the point between them has been grown over
-            dabOnce(sculptor, {Tool::Pull, facing->position, 0.3, 1});
+            dabOnce(sculptor, {.tool = Tool::Pull, .position = facing->position, .radius = 0.3, .fusion = false});
             VERIFY_VALID(sculptor.mesh());
             QCOMPARE(mesh_asserts::eulerNumber(sculptor.mesh()), 4);
         }
@@ -368,17 +380,17 @@ void TestSculptor::fingersPulledTogether_stopAtContact()
     QVERIFY(!left || !right || (left->position - right->position).norm() < 0.1); // they came near before they stopped
 }
 
-void TestSculptor::surfaceAtContact_followsAPullAway()
+void TestSculptor::surfaceAtContact_withoutFusion_followsAPullAway()
 {
     Sculptor sculptor(sculptable(clay::slab(2, 0.1, 16)));
     for (int i = 0; i < 10; ++i) {
         const auto above = sculptor.hit({{0.03, 1, 0.02}, {0, -1, 0}});
         QVERIFY(above);
-        dabOnce(sculptor, {Tool::Push, above->position, 0.4, 1});
+        dabOnce(sculptor, {.tool = Tool::Push, .position = above->position, .radius = 0.4, .fusion = false});
     }
     const auto above = sculptor.hit({{0.03, 1, 0.02}, {0, -1, 0}});
     QVERIFY(above);
-    const DabReport away = dabOnce(sculptor, {Tool::Pull, above->position, 0.4, 1});
+    const DabReport away = dabOnce(sculptor, {.tool = Tool::Pull, .position = above->position, .radius = 0.4, .fusion = false});
     QVERIFY(away.outcome == DabOutcome::Committed || away.outcome == DabOutcome::Careful);
     QVERIFY(away.reached >= 0.95 * away.asked);
     const auto after = sculptor.hit({{0.03, 1, 0.02}, {0, -1, 0}});

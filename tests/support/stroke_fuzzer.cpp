@@ -46,6 +46,7 @@ core::Stroke StrokeFuzzer::stroke(const core::Mesh& mesh)
     s.brush = below(3) == 0 ? core::BrushShape::Ray : core::BrushShape::Sphere;
     s.topology = below(4) == 0 ? core::Topology::Uniform : core::Topology::Adaptive;
     s.add = below(2) == 0;
+    s.fusion = below(3) != 0;
     s.color = {static_cast<std::uint8_t>(below(256)), static_cast<std::uint8_t>(below(256)), 90};
     s.place = placements[below(3)];
     const double large = uniform(); // small ones more often; no std::pow: libraries round it differently

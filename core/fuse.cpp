@@ -1,0 +1,291 @@
+// Topology fusion (paper, section 3.4):
+//   join       vertices that the motion is about to bring into contact lose their stars, the 1-rings are connected
+//     gather     the vertices within d_thickness of the region
+//     near       pairs that are no neighbours, face each other, approach each other, and would meet in a sub-step
+//     operate    nearest first, each judged by itself
+//   separate   what can no longer be collapsed: a neck three edges around is cut, a speck is removed
+// Two filters, as in Ginier's FreeStyle implementations: surfaces that meet from outside join whatever the tool; the two sides
+// of a wall do only when they are pushed.
+
+#include "fuse.h"
+
+#include "deform.h"
+#include "join.h"
+#include "proximity_grid.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace core
+{
+namespace
+{
+/// d_thickness in terms of d_detail: edge meets edge at most this far from vertices (notes on the paper's bound, section 3.4).
+constexpr double thicknessPerDetail = 0.735;
+/// Normals of surfaces that face each other: at more than 135 degrees.
+constexpr double facingCosine = -0.7071;
+/// If all normals lie within this cone around one direction no two of them are more than 135 degrees apart.
+constexpr double coneCosine = 0.3827; // cos 67.5 degrees
+/// A pair joins when the next sub-step would close this part of the gap or more, ...
+constexpr double closingShare = 1 / 1.5;
+/// ... or when the gap is below this part of d_detail and closing.
+constexpr double contactPerDetail = 0.05;
+/// A neck is cut when the edges around it are shorter than this together, in terms of d.
+constexpr double neckPerimeter = 3;
+/// The gaps to try between the two sides of a cut neck, in terms of d.
+constexpr double neckGaps[] = {0.5, 0.1};
+/// A speck: a component smaller than this, in terms of d, and with no more faces than that.
+constexpr double speckSize = 2;
+constexpr std::size_t speckFaces = 64;
+
+Vec3 pointOf(const Mesh& mesh, Slot v)
+{
+    return mesh.point(v).cast<double>();
+}
+
+std::vector<Slot> cornersOf(const Mesh& mesh, const std::vector<Slot>& faces)
+{
+    std::vector<Slot> corners;
+    for (Slot f : faces)
+        corners.insert(corners.end(), mesh.corners(f).begin(), mesh.corners(f).end());
+    return corners;
+}
+
+Vec3 unit(const Vec3& v)
+{
+    const double length = v.norm();
+    return length > 0 ? Vec3(v / length) : Vec3::Zero();
+}
+} // namespace
+
+// --- join ------------------------------------------------------------------------------------------------------------------
+
+bool Fuser::mayMeet(const Mesh& mesh, const Region& region, std::span<const Slot> faces, const LatticeBox& box)
+{
+    using Vector = Eigen::Matrix<std::int64_t, 3, 1>; // exact, so the order of the faces does not matter
+    const auto normalOf = [&](Slot f) -> Vector {
+        const Triangle& t = mesh.corners(f);
+        const LatticePoint a = mesh.latticePoint(t[0]);
+        return (mesh.latticePoint(t[1]) - a).cast<std::int64_t>().cross((mesh.latticePoint(t[2]) - a).cast<std::int64_t>());
+    };
+    Vector sum = Vector::Zero();
+    for (Slot f : faces) {
+        if (mesh.isFace(f) && region.contains(mesh.corners(f)[0]))
+            sum += normalOf(f);
+    }
+    const Vec3 mean = unit(sum.cast<double>());
+    return std::ranges::any_of(faces, [&](Slot f) {
+        if (!mesh.isFace(f))
+            return false;
+        const Vec3 normal = normalOf(f).cast<double>();
+        return normal.dot(mean) < coneCosine * normal.norm() && boxOf(mesh, f).meets(box);
+    });
+}
+
+FusionCounts Fuser::join(JudgedMesh& surface, Region& region, const HeldBack& held, const Approach& approach)
+{
+    const Mesh& mesh = surface.mesh();
+    gather(surface, region, thicknessPerDetail * approach.bounds.detail);
+    findNear(mesh, region, held, approach);
+    std::ranges::sort(m_near, [](const Near& a, const Near& b) {
+        return std::tie(a.distance2, a.p, a.q) < std::tie(b.distance2, b.p, b.q);
+    });
+    FusionCounts counts;
+    m_done.clear();
+    for (const Near& near : m_near) {
+        if (m_done.contains(near.p) || m_done.contains(near.q) || !mayTry(near.p) || !mayTry(near.q))
+            continue;
+        const std::optional<Surgery> surgery = joinStars(mesh, near.p, near.q);
+        if (!surgery)
+            continue;
+        const std::vector<Slot> around = cornersOf(mesh, surgery->removed);
+        if (!operate(surface, region, *surgery)) {
+            countFailure(near.p);
+            countFailure(near.q);
+            continue;
+        }
+        ++counts.fusions;
+        for (Slot v : around)
+            m_done.add(v);
+    }
+    return counts;
+}
+
+void Fuser::countFailure(Slot v)
+{
+    const Slot i = m_failed.add(v);
+    m_failures.resize(m_failed.size());
+    ++m_failures[i];
+}
+
+/// The vertices of all faces that come within reach of the region's box.
+void Fuser::gather(const JudgedMesh& surface, const Region& region, double reach)
+{
+    const Mesh& mesh = surface.mesh();
+    const Lattice& lattice = mesh.lattice();
+    LatticeBox box;
+    region.forEach([&](Slot v) { box.extend(mesh.latticePoint(v)); });
+    m_vertices.clear();
+    m_points.clear();
+    m_normals.clear();
+    if (box.empty())
+        return;
+    const int margin = static_cast<int>(std::min(reach / lattice.unit() + 1, double(Lattice::limit)));
+    box.min.array() -= margin;
+    box.max.array() += margin;
+    surface.octree().query(box, [&](Slot f) {
+        for (Slot v : mesh.corners(f)) {
+            const LatticePoint p = mesh.latticePoint(v);
+            if (box.meets({p, p}))
+                m_vertices.add(v);
+        }
+    });
+    m_vertices.sort();
+    for (Slot v : m_vertices.slots()) {
+        m_points.push_back(pointOf(mesh, v));
+        m_normals.push_back(unit(vertexNormal(mesh, v)));
+    }
+}
+
+void Fuser::findNear(const Mesh& mesh, const Region& region, const HeldBack& held, const Approach& approach)
+{
+    m_near.clear();
+    const double reach = thicknessPerDetail * approach.bounds.detail, reach2 = reach * reach;
+    const ProximityGrid grid(m_points, reach);
+    for (Slot i = 0; i < m_points.size(); ++i) {
+        const Slot v = m_vertices.slots()[i];
+        if (!region.contains(v))
+            continue;
+        grid.forEachNear(m_points[i], [&](Slot j) {
+            const Slot other = m_vertices.slots()[j];
+            if (i == j || (j < i && region.contains(other))) // met from the other side already
+                return;
+            const double distance2 = (m_points[j] - m_points[i]).squaredNorm();
+            if (distance2 < reach2 && willMeet(i, j, mesh, region, held, approach))
+                m_near.push_back({distance2, std::min(v, other), std::max(v, other)});
+        });
+    }
+}
+
+bool Fuser::willMeet(Slot i, Slot j, const Mesh& mesh, const Region& region, const HeldBack& held,
+                     const Approach& approach) const
+{
+    const Vec3 &n = m_normals[i], &m = m_normals[j];
+    if (n.dot(m) > facingCosine)
+        return false;
+    const Vec3 between = m_points[j] - m_points[i];
+    const double ahead = between.dot(n), back = -between.dot(m);
+    const bool meetOutside = ahead > 0 && back > 0, meetInside = ahead < 0 && back < 0;
+    if (!meetOutside && !(meetInside && approach.tool == Tool::Push))
+        return false;
+    const auto motion = [&](Slot v) -> Vec3 {
+        return region.contains(v) ? Vec3(approach.part * held.share(region, v) * region.plan(v)) : Vec3::Zero();
+    };
+    const Slot v = m_vertices.slots()[i], other = m_vertices.slots()[j];
+    const Vec3 axis = unit(meetOutside ? n - m : m - n);
+    const double gap = between.dot(axis), closing = (motion(v) - motion(other)).dot(axis);
+    return closing > 0 && (closingShare * gap <= closing || gap <= contactPerDetail * approach.bounds.detail) &&
+           mesh.findHalfedge(v, other) == noSlot;
+}
+
+/// Does the surgery if it is sound, and returns the vertices that came. Those that went leave the region; copies join it
+/// in their original's place.
+std::optional<std::vector<Slot>> Fuser::operate(JudgedMesh& surface, Region& region, const Surgery& surgery)
+{
+    Mesh& mesh = surface.mesh();
+    const std::vector<Slot> before = cornersOf(mesh, surgery.removed);
+    std::vector<Slot> created;
+    if (!surface.attempt([&] { created = mesh.replaceFaces(surgery); }))
+        return std::nullopt;
+    for (std::size_t i = 0; i < created.size(); ++i) {
+        const Slot original = surgery.vertices[i].original;
+        if (region.contains(original))
+            region.add(created[i], region.distance(original), region.plan(original));
+    }
+    for (Slot v : before) {
+        if (!mesh.isVertex(v) && region.contains(v))
+            region.remove(v);
+    }
+    return created;
+}
+
+// --- separate --------------------------------------------------------------------------------------------------------------
+
+FusionCounts Fuser::separate(JudgedMesh& surface, Region& region, const std::vector<VertexPair>& blocked,
+                             const EdgeBounds& bounds)
+{
+    FusionCounts counts;
+    const Mesh& mesh = surface.mesh();
+    for (const VertexPair& edge : blocked) {
+        if (!mesh.isVertex(edge[0]) || !mesh.isVertex(edge[1]) || mesh.findHalfedge(edge[0], edge[1]) == noSlot)
+            continue;
+        counts.separations += cut(surface, region, edge, bounds) || removeSpeck(surface, region, edge[0], bounds);
+    }
+    return counts;
+}
+
+/// Through the shortest cycle of three edges that holds this one and is no face.
+bool Fuser::cut(JudgedMesh& surface, Region& region, const VertexPair& edge, const EdgeBounds& bounds)
+{
+    const Mesh& mesh = surface.mesh();
+    const auto [a, b] = edge;
+    const Slot h = mesh.findHalfedge(a, b);
+    const Slot left = mesh.to(mesh.next(h)), right = mesh.to(mesh.next(h ^ 1));
+    const auto length = [&](Slot v, Slot w) { return (pointOf(mesh, v) - pointOf(mesh, w)).norm(); };
+    double shortest = neckPerimeter * bounds.minimum;
+    Slot third = noSlot;
+    mesh.forEachOutgoing(a, [&](Slot g) {
+        const Slot c = mesh.to(g);
+        if (c == b || c == left || c == right || mesh.findHalfedge(b, c) == noSlot)
+            return;
+        const double around = length(a, b) + length(b, c) + length(c, a);
+        if (around < shortest || (around == shortest && c < third)) {
+            shortest = around;
+            third = c;
+        }
+    });
+    if (third == noSlot)
+        return false;
+    for (double gap : neckGaps) {
+        const std::optional<Surgery> surgery = cutNeck(mesh, {a, b, third}, gap * bounds.minimum);
+        if (!surgery)
+            return false;
+        if (const auto created = operate(surface, region, *surgery)) {
+            for (Slot side : {created->front(), created->back()})
+                removeSpeck(surface, region, side, bounds);
+            return true;
+        }
+    }
+    return false;
+}
+
+/// The component of a vertex, if it is small, holds nothing else, and is not all there is.
+bool Fuser::removeSpeck(JudgedMesh& surface, Region& region, Slot vertex, const EdgeBounds& bounds)
+{
+    const Mesh& mesh = surface.mesh();
+    Surgery surgery;
+    LatticeBox box;
+    SparseIndex& found = m_done;
+    found.clear();
+    found.add(mesh.face(mesh.outgoing(vertex)));
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        if (found.size() > speckFaces)
+            return false;
+        Slot h = mesh.faceHalfedge(found.slots()[i]);
+        for (int k = 0; k < 3; ++k, h = mesh.next(h)) {
+            found.add(mesh.face(h ^ 1));
+            box.extend(mesh.latticePoint(mesh.to(h)));
+        }
+    }
+    const double size = (box.max - box.min).cast<double>().maxCoeff() * mesh.lattice().unit();
+    if (found.size() == mesh.live().faces || size > speckSize * bounds.minimum)
+        return false;
+    bool alone = true;
+    surface.octree().query(box, [&](Slot f) { alone = alone && (found.contains(f) || !boxOf(mesh, f).meets(box)); });
+    if (!alone)
+        return false;
+    surgery.removed = found.slots();
+    surgery.near = vertex;
+    return operate(surface, region, surgery).has_value();
+}
+} // namespace core

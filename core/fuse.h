@@ -1,0 +1,76 @@
+#pragma once
+
+#include "held_back.h"
+#include "judged_mesh.h"
+#include "remesh.h"
+
+namespace core
+{
+struct FusionCounts
+{
+    std::uint64_t fusions = 0, separations = 0;
+
+    FusionCounts& operator+=(const FusionCounts& more)
+    {
+        fusions += more.fusions;
+        separations += more.separations;
+        return *this;
+    }
+};
+
+/// What a sub-step tells fusion about the motion that is to come.
+struct Approach
+{
+    Tool tool = Tool::Pull;
+    EdgeBounds bounds;
+    double part = 1; ///< of the plan, that one sub-step does
+};
+
+/// Topology fusion (paper, section 3.4). Every operation is judged by itself; what is not sound is left undone. Owns scratch
+/// memory.
+class Fuser
+{
+public:
+    /// Forgets what could not be joined: a new dab tries again.
+    void beginDab() { m_failed.clear(), m_failures.clear(); }
+
+    /// Whether two of the faces that meet the box may face each other: else there is nothing to join. Cheap, and never wrong
+    /// when it says no. `faces`: all that meet the box, and perhaps others.
+    static bool mayMeet(const Mesh& mesh, const Region& region, std::span<const Slot> faces, const LatticeBox& box);
+
+    /// Joins what the motion of the region is about to bring into contact: surfaces that meet from outside become one, a wall
+    /// that is pushed through gets a hole.
+    FusionCounts join(JudgedMesh& surface, Region& region, const HeldBack& held, const Approach& approach);
+
+    /// Cuts necks that have grown as thin as a triangle, and removes specks smaller than 2 d. `blocked`: edges shorter than d
+    /// that could not be collapsed.
+    FusionCounts separate(JudgedMesh& surface, Region& region, const std::vector<VertexPair>& blocked, const EdgeBounds& bounds);
+
+private:
+    /// Joins of one vertex that may turn out unsound in a dab before it is left alone.
+    static constexpr int mostFailures = 2;
+
+    struct Near
+    {
+        double distance2;
+        Slot p, q; ///< p < q
+    };
+
+    void gather(const JudgedMesh& surface, const Region& region, double reach);
+    void findNear(const Mesh& mesh, const Region& region, const HeldBack& held, const Approach& approach);
+    bool mayTry(Slot v) const { return !m_failed.contains(v) || m_failures[m_failed.position(v)] < mostFailures; }
+    void countFailure(Slot v);
+    bool willMeet(Slot i, Slot j, const Mesh& mesh, const Region& region, const HeldBack& held, const Approach& approach) const;
+    std::optional<std::vector<Slot>> operate(JudgedMesh& surface, Region& region, const Surgery& surgery);
+    bool cut(JudgedMesh& surface, Region& region, const VertexPair& edge, const EdgeBounds& bounds);
+    bool removeSpeck(JudgedMesh& surface, Region& region, Slot vertex, const EdgeBounds& bounds);
+
+    SparseIndex m_vertices;      ///< near the region
+    std::vector<Vec3> m_points;  ///< by position among them
+    std::vector<Vec3> m_normals; ///< unit length, or zero
+    std::vector<Near> m_near;
+    SparseIndex m_failed;        ///< vertices of joins that were not sound, in this dab
+    std::vector<int> m_failures; ///< how many, by position among them
+    SparseIndex m_done;          ///< vertices around what was joined in this pass
+};
+} // namespace core

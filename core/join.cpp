@@ -1,0 +1,222 @@
+// Joining two stars (paper, section 3.4; the cases of common ring vertices and of several umbrellas as in Ginier's FreeStyle
+// implementations and El Topo's merging, Brochu and Bridson 2009):
+//   1. rings:      of p counter-clockwise, of q clockwise, seen from outside: they then run the same way
+//   2. arcs:       between successive common vertices, or both rings whole, started where they lie nearest
+//   3. zip:        each pair of arcs becomes a strip of triangles by Bresenham's error diffusion
+//   4. umbrellas:  a vertex that is left with several gets a copy for each further one
+
+#include "join.h"
+
+#include <algorithm>
+
+namespace core
+{
+namespace
+{
+/// The way that a copy of a vertex goes to the middle of its own umbrella.
+constexpr double apart = 0.25;
+
+using Ring = std::vector<Slot>;
+
+Ring ringOf(const Mesh& mesh, Slot v)
+{
+    Ring ring;
+    mesh.forEachOutgoing(v, [&](Slot h) { ring.push_back(mesh.to(h)); });
+    return ring;
+}
+
+void addStar(const Mesh& mesh, Slot v, std::vector<Slot>& faces)
+{
+    mesh.forEachOutgoing(v, [&](Slot h) { faces.push_back(mesh.face(h)); });
+}
+
+bool has(const Ring& ring, Slot v)
+{
+    return std::ranges::find(ring, v) != ring.end();
+}
+
+/// Turns b so that its vertices lie nearest to those of a at the same share of the way round.
+void alignNearest(const Mesh& mesh, const Ring& a, Ring& b)
+{
+    const auto cost = [&](std::size_t start) {
+        double sum = 0;
+        for (std::size_t i = 0; i < a.size(); ++i) {
+            const Slot other = b[(start + i * b.size() / a.size()) % b.size()];
+            sum += (mesh.point(a[i]).cast<double>() - mesh.point(other).cast<double>()).squaredNorm();
+        }
+        return sum;
+    };
+    std::size_t best = 0;
+    double least = cost(0);
+    for (std::size_t start = 1; start < b.size(); ++start) {
+        const double here = cost(start);
+        if (here < least) {
+            least = here;
+            best = start;
+        }
+    }
+    std::ranges::rotate(b, b.begin() + static_cast<std::ptrdiff_t>(best));
+}
+
+/// Connects two polylines that run the same way. With common ends the first and the last triangle close the gap there.
+class Zip
+{
+public:
+    Zip(const Ring& a, const Ring& b, std::vector<Triangle>& faces) : m_a(a), m_b(b), m_faces(faces) {}
+
+    void open() { diffuse(0, 0, m_a.size() - 1, m_b.size() - 1); }
+
+    void betweenCommonEnds()
+    {
+        const std::size_t n = m_a.size() - 1, m = m_b.size() - 1;
+        if (n == 1 && m == 1)
+            return; // one edge, that both stars leave behind
+        if (n == 1) {
+            for (std::size_t j = 1; j < m; ++j)
+                m_faces.push_back({m_b[j + 1], m_b[j], m_a[0]});
+        } else if (m == 1) {
+            for (std::size_t i = 1; i < n; ++i)
+                m_faces.push_back({m_a[i], m_a[i + 1], m_a[0]});
+        } else {
+            m_faces.push_back({m_a[0], m_a[1], m_b[1]});
+            diffuse(1, 1, n - 1, m - 1);
+            m_faces.push_back({m_a[n - 1], m_a[n], m_b[m - 1]});
+        }
+    }
+
+private:
+    /// From (i, j) to (n, m): the side that has come less far, as a share of its length, goes on.
+    void diffuse(std::size_t i, std::size_t j, std::size_t n, std::size_t m)
+    {
+        const std::size_t i0 = i, j0 = j;
+        while (i < n || j < m) {
+            if (j == m || (i < n && (i + 1 - i0) * (m - j0) <= (j + 1 - j0) * (n - i0))) {
+                m_faces.push_back({m_a[i], m_a[i + 1], m_b[j]});
+                ++i;
+            } else {
+                m_faces.push_back({m_b[j + 1], m_b[j], m_a[i]});
+                ++j;
+            }
+        }
+    }
+
+    const Ring& m_a;
+    const Ring& m_b;
+    std::vector<Triangle>& m_faces;
+};
+
+/// From ring[first] to ring[last], around the end if need be; the whole ring if they are the same.
+Ring arc(const Ring& ring, std::size_t first, std::size_t last)
+{
+    Ring part = {ring[first]};
+    for (std::size_t i = (first + 1) % ring.size();; i = (i + 1) % ring.size()) {
+        part.push_back(ring[i]);
+        if (i == last)
+            return part;
+    }
+}
+
+std::vector<std::size_t> commonPositions(const Ring& ring, const Ring& other)
+{
+    std::vector<std::size_t> positions;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        if (has(other, ring[i]))
+            positions.push_back(i);
+    }
+    return positions;
+}
+
+/// The strip between two rings with common vertices. False if these do not follow each other in the same order.
+bool zipArcs(const Ring& a, Ring b, std::vector<Triangle>& faces)
+{
+    const std::vector<std::size_t> inA = commonPositions(a, b);
+    std::ranges::rotate(b, std::ranges::find(b, a[inA[0]]));
+    const std::vector<std::size_t> inB = commonPositions(b, a);
+    for (std::size_t k = 0; k < inA.size(); ++k) {
+        if (a[inA[k]] != b[inB[k]])
+            return false;
+    }
+    for (std::size_t k = 0; k < inA.size(); ++k) {
+        const std::size_t next = (k + 1) % inA.size();
+        Zip(arc(a, inA[k], inA[next]), arc(b, inB[k], inB[next]), faces).betweenCommonEnds();
+    }
+    return true;
+}
+
+void zipWhole(const Mesh& mesh, Ring a, Ring b, std::vector<Triangle>& faces)
+{
+    alignNearest(mesh, a, b);
+    a.push_back(a.front());
+    b.push_back(b.front());
+    Zip(a, b, faces).open();
+}
+
+std::optional<Surgery> ifOk(const Mesh& mesh, Surgery surgery)
+{
+    return isSurgeryOk(mesh, surgery) ? std::optional(std::move(surgery)) : std::nullopt;
+}
+} // namespace
+
+std::optional<Surgery> joinStars(const Mesh& mesh, Slot p, Slot q)
+{
+    const Ring a = ringOf(mesh, p);
+    Ring b = ringOf(mesh, q);
+    if (p == q || has(a, q))
+        return std::nullopt;
+    std::ranges::reverse(b);
+    Surgery surgery;
+    surgery.near = p;
+    addStar(mesh, p, surgery.removed);
+    addStar(mesh, q, surgery.removed);
+    if (commonPositions(a, b).empty())
+        zipWhole(mesh, a, b, surgery.faces);
+    else if (!zipArcs(a, b, surgery.faces))
+        return std::nullopt;
+    splitUmbrellas(mesh, surgery, apart);
+    return ifOk(mesh, std::move(surgery));
+}
+
+std::optional<Surgery> cutNeck(const Mesh& mesh, const Triangle& cycle, double gap)
+{
+    const auto point = [&](Slot v) -> Vec3 { return mesh.point(v).cast<double>(); };
+    const auto [a, b, c] = cycle;
+    const Vec3 normal = (point(b) - point(a)).cross(point(c) - point(a));
+    const double length = normal.norm();
+    if (length == 0)
+        return std::nullopt;
+    const Vec3 back = 0.5 * gap / length * normal;
+
+    Surgery surgery;
+    surgery.near = a;
+    // The side to the left of the cycle gets the first three copies, the side to its right the others.
+    for (const Vec3& shift : {back, Vec3(-back)}) {
+        for (Slot v : cycle)
+            surgery.vertices.push_back({mesh.lattice().snap(point(v) + shift), mesh.color(v), v});
+    }
+    const auto copyOf = [&](Slot v, const std::vector<Slot>& left, Slot f) {
+        const auto at = static_cast<std::size_t>(std::ranges::find(cycle, v) - cycle.begin());
+        if (at == 3)
+            return v;
+        return Surgery::newVertex(std::ranges::find(left, f) != left.end() ? at : at + 3);
+    };
+    // The faces to the left at each vertex: from the edge that goes on along the cycle to the one that came.
+    std::vector<Slot> left;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Slot v = cycle[i], after = cycle[(i + 1) % 3], before = cycle[(i + 2) % 3];
+        for (Slot h = mesh.findHalfedge(v, after); mesh.to(h) != before; h = mesh.rotate(h))
+            left.push_back(mesh.face(h));
+        addStar(mesh, v, surgery.removed);
+    }
+    std::ranges::sort(surgery.removed);
+    surgery.removed.erase(std::ranges::unique(surgery.removed).begin(), surgery.removed.end());
+    for (Slot f : surgery.removed) {
+        Triangle t = mesh.corners(f);
+        for (Slot& corner : t)
+            corner = copyOf(corner, left, f);
+        surgery.faces.push_back(t);
+    }
+    surgery.faces.push_back({Surgery::newVertex(2), Surgery::newVertex(1), Surgery::newVertex(0)});
+    surgery.faces.push_back({Surgery::newVertex(3), Surgery::newVertex(4), Surgery::newVertex(5)});
+    return ifOk(mesh, std::move(surgery));
+}
+} // namespace core

@@ -1,0 +1,239 @@
+// Exchanging faces (see surgery.h):
+//   1. the half-edges of the faces that go stand open
+//   2. each side of a face that comes takes an open half-edge, or the opposite of a side that came before it, or a new edge
+//   3. edges and vertices that nothing uses any more go
+
+#include "surgery.h"
+
+#include "mesh.h"
+#include "open_halfedges.h"
+
+#include <algorithm>
+
+namespace core
+{
+namespace
+{
+using Side = std::pair<Slot, Slot>; ///< from, to: a half-edge by its ends
+
+template <class Visit> void forEachSide(const Triangle& t, Visit visit)
+{
+    for (std::size_t i = 0; i < 3; ++i)
+        visit(t[i], t[(i + 1) % 3]);
+}
+
+std::vector<Slot> sorted(std::vector<Slot> slots)
+{
+    std::ranges::sort(slots);
+    return slots;
+}
+
+bool has(const std::vector<Slot>& sortedSlots, Slot slot)
+{
+    return std::ranges::binary_search(sortedSlots, slot);
+}
+
+/// The vertices that the surgery involves, ascending; new ones come last.
+std::vector<Slot> involved(const Mesh& mesh, const Surgery& surgery)
+{
+    std::vector<Slot> vertices;
+    for (Slot f : surgery.removed)
+        vertices.insert(vertices.end(), mesh.corners(f).begin(), mesh.corners(f).end());
+    for (const Triangle& t : surgery.faces)
+        vertices.insert(vertices.end(), t.begin(), t.end());
+    std::ranges::sort(vertices);
+    vertices.erase(std::ranges::unique(vertices).begin(), vertices.end());
+    return vertices;
+}
+
+/// The sides opposite to v of the faces around it: links of its ring.
+std::vector<Side> ringSides(const Mesh& mesh, const Surgery& surgery, const std::vector<Slot>& gone, Slot v)
+{
+    std::vector<Side> sides;
+    if (!Surgery::isNew(v)) {
+        mesh.forEachOutgoing(v, [&](Slot h) {
+            if (!has(gone, mesh.face(h)))
+                sides.emplace_back(mesh.to(h), mesh.to(mesh.next(h)));
+        });
+    }
+    for (const Triangle& t : surgery.faces) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (t[i] == v)
+                sides.emplace_back(t[(i + 1) % 3], t[(i + 2) % 3]);
+        }
+    }
+    std::ranges::sort(sides);
+    return sides;
+}
+
+/// The cycles of a ring, each from its lowest slot; empty if the sides do not make cycles.
+std::vector<std::vector<Slot>> cycles(const std::vector<Side>& sides)
+{
+    std::vector<std::vector<Slot>> found;
+    std::vector<char> used(sides.size());
+    for (std::size_t first = 0; first < sides.size(); ++first) {
+        if (used[first])
+            continue;
+        std::vector<Slot> cycle;
+        std::size_t at = first;
+        do {
+            used[at] = 1;
+            cycle.push_back(sides[at].first);
+            const auto next = std::ranges::lower_bound(sides, sides[at].second, {}, &Side::first);
+            if (next == sides.end() || next->first != sides[at].second)
+                return {};
+            at = static_cast<std::size_t>(next - sides.begin());
+            if (at != first && used[at])
+                return {};
+        } while (at != first);
+        found.push_back(std::move(cycle));
+    }
+    return found;
+}
+
+/// Each half-edge once, and each with its opposite.
+bool sidesPair(const Mesh& mesh, const Surgery& surgery, const std::vector<Slot>& gone)
+{
+    std::vector<Side> sides;
+    for (const Triangle& t : surgery.faces) {
+        if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
+            return false;
+        forEachSide(t, [&](Slot a, Slot b) { sides.emplace_back(a, b); });
+    }
+    std::ranges::sort(sides);
+    if (std::ranges::adjacent_find(sides) != sides.end())
+        return false;
+    const auto comes = [&](Slot a, Slot b) { return std::ranges::binary_search(sides, Side(a, b)); };
+    const auto stays = [&](Slot a, Slot b) {
+        if (Surgery::isNew(a) || Surgery::isNew(b))
+            return false;
+        const Slot h = mesh.findHalfedge(a, b);
+        return h != noSlot && !has(gone, mesh.face(h));
+    };
+    for (const auto& [a, b] : sides) {
+        if (stays(a, b) || !(comes(b, a) || stays(b, a)))
+            return false;
+    }
+    bool closed = true;
+    for (Slot f : surgery.removed) {
+        forEachSide(mesh.corners(f), [&](Slot a, Slot b) { closed = closed && (!stays(b, a) || comes(a, b)); });
+    }
+    return closed;
+}
+} // namespace
+
+bool isSurgeryOk(const Mesh& mesh, const Surgery& surgery)
+{
+    const std::vector<Slot> gone = sorted(surgery.removed);
+    if (!sidesPair(mesh, surgery, gone))
+        return false;
+    return std::ranges::all_of(involved(mesh, surgery), [&](Slot v) {
+        const std::vector<Side> sides = ringSides(mesh, surgery, gone, v);
+        return sides.empty() || cycles(sides).size() == 1;
+    });
+}
+
+void splitUmbrellas(const Mesh& mesh, Surgery& surgery, double apart)
+{
+    for (Slot v : involved(mesh, surgery)) {
+        if (Surgery::isNew(v))
+            continue;
+        const std::vector<Slot> gone = sorted(surgery.removed);
+        std::vector<std::vector<Slot>> rings = cycles(ringSides(mesh, surgery, gone, v));
+        std::ranges::stable_sort(rings, [](const auto& a, const auto& b) { return a.size() > b.size(); });
+        for (std::size_t i = 1; i < rings.size(); ++i) {
+            const auto pointOf = [&](Slot w) -> Vec3 {
+                const Vec3f p = Surgery::isNew(w) ? surgery.vertices[Surgery::newIndex(w)].point : mesh.point(w);
+                return p.cast<double>();
+            };
+            Vec3 mean = Vec3::Zero();
+            for (Slot w : rings[i])
+                mean += pointOf(w);
+            mean /= static_cast<double>(rings[i].size());
+            const Slot copy = Surgery::newVertex(surgery.vertices.size());
+            surgery.vertices.push_back({mesh.lattice().snap(pointOf(v) + apart * (mean - pointOf(v))), mesh.color(v), v});
+
+            // The faces of this cycle take the copy; those of the mesh go, and come again with it.
+            const std::vector<Slot> ring = sorted(rings[i]);
+            for (Triangle& t : surgery.faces) {
+                const auto corner = std::ranges::find(t, v);
+                if (corner != t.end() && has(ring, t[static_cast<std::size_t>(corner - t.begin() + 1) % 3]))
+                    *corner = copy;
+            }
+            mesh.forEachOutgoing(v, [&](Slot h) {
+                if (has(gone, mesh.face(h)) || !has(ring, mesh.to(h)))
+                    return;
+                surgery.removed.push_back(mesh.face(h));
+                surgery.faces.push_back({copy, mesh.to(h), mesh.to(mesh.next(h))});
+            });
+        }
+    }
+}
+
+std::vector<Slot> Mesh::replaceFaces(const Surgery& surgery)
+{
+    struct Open
+    {
+        Side side;
+        Slot halfedge;
+        bool taken;
+    };
+    const Slot hintEdge = outgoing(surgery.near) / 2, hintFace = face(outgoing(surgery.near));
+    std::vector<Open> open;
+    std::vector<Slot> corners;
+    for (Slot f : surgery.removed) {
+        Slot h = faceHalfedge(f);
+        for (int i = 0; i < 3; ++i, h = next(h)) {
+            open.push_back({{from(h), to(h)}, h, false});
+            corners.push_back(to(h));
+        }
+        freeFace(f);
+    }
+    std::ranges::sort(open, {}, &Open::side);
+    std::vector<Slot> created;
+    for (const Surgery::Vertex& v : surgery.vertices)
+        created.push_back(newVertex(surgery.near, v.point, {v.color.r, v.color.g, v.color.b}));
+
+    OpenHalfedges waiting;
+    const auto claim = [&](Slot from, Slot to) {
+        const auto known = std::ranges::lower_bound(open, Side(from, to), {}, &Open::side);
+        if (known != open.end() && known->side == Side(from, to)) {
+            assert(!known->taken);
+            known->taken = true;
+            return known->halfedge;
+        }
+        if (const Slot h = waiting.take(from, to); h != noSlot)
+            return h;
+        const Slot h = 2 * newEdge(hintEdge);
+        setTo(h, to);
+        setTo(h ^ 1, from);
+        waiting.add(to, from, h ^ 1);
+        return h;
+    };
+    std::vector<Slot> kept;
+    for (Triangle t : surgery.faces) {
+        for (Slot& corner : t)
+            corner = Surgery::isNew(corner) ? created[Surgery::newIndex(corner)] : corner;
+        const Slot ab = claim(t[0], t[1]), bc = claim(t[1], t[2]), ca = claim(t[2], t[0]);
+        link(newFace(hintFace), ab, bc, ca);
+        setOutgoing(t[0], ab);
+        setOutgoing(t[1], bc);
+        setOutgoing(t[2], ca);
+        kept.insert(kept.end(), t.begin(), t.end());
+    }
+    assert(waiting.empty() && "closed");
+
+    for (const Open& o : open) {
+        if (!o.taken && isEdge(o.halfedge / 2))
+            freeEdge(o.halfedge / 2);
+    }
+    std::ranges::sort(kept);
+    std::ranges::sort(corners);
+    corners.erase(std::ranges::unique(corners).begin(), corners.end());
+    for (Slot v : corners) {
+        if (!has(kept, v))
+            freeVertex(v);
+    }
+    return created;
+}
+} // namespace core
