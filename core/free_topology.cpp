@@ -35,14 +35,10 @@ Refusal refusalOf(const JudgedMesh& surface, const Sphere& ball)
 Surgery sphereAt(const Sphere& ball, const JudgedMesh& surface)
 {
     const Mesh& mesh = surface.mesh();
-    const TriangleMesh sphere = icosphere(sphereSubdivisions, ball.radius);
-    Surgery surgery;
-    surgery.near = mesh.corners(nearestPoint(mesh, surface.octree(), ball.center)->face)[0];
-    for (const Vec3f& p : sphere.points)
-        surgery.vertices.push_back({mesh.lattice().snap(ball.center + p.cast<double>()), Rgb()});
-    for (const Triangle& t : sphere.triangles)
-        surgery.faces.push_back({Surgery::newVertex(t[0]), Surgery::newVertex(t[1]), Surgery::newVertex(t[2])});
-    return surgery;
+    TriangleMesh sphere = icosphere(sphereSubdivisions, ball.radius);
+    for (Vec3f& p : sphere.points)
+        p = mesh.lattice().snap(ball.center + p.cast<double>());
+    return additionOf(sphere, mesh.corners(nearestPoint(mesh, surface.octree(), ball.center)->face)[0]);
 }
 } // namespace
 

@@ -105,7 +105,7 @@ void write(Mesh& mesh, const Lattice& lattice, const LatticeFit& fit, TriangleMe
     Slot hint = 0;
     while (!mesh.isVertex(hint))
         ++hint;
-    mesh.addShell(inMortonOrder(added, lattice), hint);
+    mesh.replaceFaces(additionOf(inMortonOrder(added, lattice), hint));
 }
 } // namespace
 

@@ -122,6 +122,17 @@ bool sidesPair(const Mesh& mesh, const Surgery& surgery, const std::vector<Slot>
 }
 } // namespace
 
+Surgery additionOf(const TriangleMesh& shell, Slot near)
+{
+    Surgery surgery;
+    surgery.near = near;
+    for (std::size_t i = 0; i < shell.points.size(); ++i)
+        surgery.vertices.push_back({shell.points[i], shell.colors.empty() ? Rgb() : shell.colors[i]});
+    for (const Triangle& t : shell.triangles)
+        surgery.faces.push_back({Surgery::newVertex(t[0]), Surgery::newVertex(t[1]), Surgery::newVertex(t[2])});
+    return surgery;
+}
+
 bool isSurgeryOk(const Mesh& mesh, const Surgery& surgery)
 {
     const std::vector<Slot> gone = sorted(surgery.removed);

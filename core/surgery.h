@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry.h"
+#include "triangle_mesh.h"
 
 #include <span>
 #include <vector>
@@ -32,6 +32,9 @@ struct Surgery
 private:
     static constexpr Slot firstNew = Slot(1) << 31;
 };
+
+/// Adds a closed, manifold, consistently oriented shell whose points lie on the lattice.
+Surgery additionOf(const TriangleMesh& shell, Slot near);
 
 /// Whether the mesh is a closed 2-manifold, consistently oriented, after the surgery: each half-edge has its opposite, no two
 /// faces use the same one, and the faces around each vertex make one umbrella. Cost: the faces and their corners' stars.
