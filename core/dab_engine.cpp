@@ -1,9 +1,10 @@
 // A dab in sub-steps (paper, section 3; DESIGN, section 3):
 //   select   the vertices under the brush                                                      region
+//   refine   the mesh under the brush becomes fine enough to plan on                           remesh
 //   plan     how far each is to move, in all                                                   deform
 //   then, for each sub-step no longer than d_move:
-//     optimise   the mesh under the brush becomes quasi-uniform                                remesh
-//     deform     each vertex moves its part of the plan, snapped to the lattice; edges that grew too long are split
+//     deform     each vertex moves its part of the plan, snapped to the lattice
+//     optimise   the mesh under the brush becomes quasi-uniform where it now is                remesh
 //     verify     exactly, where it changed                                                     judged_mesh
 //     index      octree and draw ranges learn what changed                                     judged_mesh
 //     fuse       what the next sub-step would bring into contact joins; thin necks part        fuse
@@ -200,10 +201,6 @@ DabEngine::Substep DabEngine::straight(Task& task, DabReport& report)
         m_mesh.rollback(mark);
         return Substep::Empty;
     }
-    {
-        const PhaseTimer timer(report.optimiseMs);
-        counts += optimise(m_mesh, m_region, task.bounds, runPlainly);
-    }
     bool inside = false;
     double reached = 0;
     {
@@ -213,7 +210,7 @@ DabEngine::Substep DabEngine::straight(Task& task, DabReport& report)
     }
     if (inside) {
         const PhaseTimer timer(report.optimiseMs);
-        counts += splitLongEdges(m_mesh, m_region, task.bounds, runPlainly);
+        counts += optimise(m_mesh, m_region, task.bounds, runPlainly);
     }
     if (!inside || !m_surface.judge(mark)) {
         m_mesh.rollback(mark);

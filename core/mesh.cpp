@@ -310,7 +310,7 @@ bool Mesh::isCollapseOk(Slot h) const
         if (to(g) != v1 && findHalfedge(v1, to(g)) != noSlot)
             ++common;
     });
-    return common == 2 && valence0 > 3 && valence(v1) > 3 && valence(left) > 3 && valence(right) > 3;
+    return common == 2 && valence0 + valence(v1) > 6 && valence(left) > 3 && valence(right) > 3;
 }
 
 void Mesh::collapse(Slot h, const Vec3f& p)

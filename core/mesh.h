@@ -84,7 +84,7 @@ public:
     Slot splitEdge(Slot e, const Vec3f& p);
     /// Exchanges faces for others. Returns the vertices that came. Precondition: isSurgeryOk(*this, surgery).
     std::vector<Slot> replaceFaces(const Surgery& surgery);
-    /// Whether collapsing h leaves a closed 2-manifold: the ends have just two common neighbours, none of valence 3.
+    /// Whether collapsing h leaves a closed 2-manifold: the ends have just two common neighbours, and no valence falls below 3.
     bool isCollapseOk(Slot h) const;
     /// Merges from(h) into to(h), which moves to p. Precondition: isCollapseOk(h).
     void collapse(Slot h, const Vec3f& p);

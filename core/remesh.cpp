@@ -1,9 +1,11 @@
 // Quasi-uniform optimisation of a region (paper, section 3.2), in its order:
 //   0. refine:   faces under the brush that are too large for it, whether or not their corners are selected
-//   1. collapse: edges shorter than d, the shortest first, to the midpoint       (3.2.2, Figures 6 and 7)
-//   2. split:    edges longer than d_detail by a queue, at the midpoint           (3.2.1, Figure 5)
+//   1. split:    edges longer than d_detail by a queue, at the midpoint           (3.2.1, Figure 5)
+//   2. collapse: edges shorter than d, the shortest first, to the midpoint or an end, until no more may be
+//                (3.2.2, Figures 6 and 7)
 //   3. flip:     edges whose two opposite angles exceed 180 degrees together      (Delaunay's criterion)
 //   4. relax:    vertices around the changes, towards their neighbours' mean, along the surface
+// No step after the splits makes an edge longer than d_detail, the last two none shorter than d.
 // Keys of each order are total (length, then slots), so that results depend only on the mesh.
 
 #include "remesh.h"
@@ -24,8 +26,9 @@ constexpr std::uint64_t opsPerVertex = 64, leastOps = 4096;
 constexpr double leastTurnCosine = 0.2;
 /// A flip is a change of triangulation, not of shape: only across edges flatter than about 25 degrees.
 constexpr double flatCosine = 0.9;
-/// The smallest angle that an operation may make, unless there was a smaller one before: 5 degrees.
-constexpr double leastAngleSine = 0.0872;
+/// The smallest angle that a step may make, unless there was a smaller one before. A collapse: 5 degrees; more would block
+/// collapses that mend what surrounds them. Relaxation: 20 degrees, the least that a dab should leave.
+constexpr double collapsedAngleSine = 0.0872, relaxedAngleSine = 0.342;
 constexpr double relaxation = 0.5;
 constexpr int flipPasses = 4;
 
@@ -53,7 +56,7 @@ public:
     }
 
     void refine(std::span<const Slot> candidates, const Sphere& ball);
-    void boundEdges();
+    void collapseShortEdges();
     void splitLongEdges();
     void flipEdges();
     void relax();
@@ -62,6 +65,20 @@ public:
     RemeshCounts counts;
 
 private:
+    struct Merged
+    {
+        Vec3f point;
+        Vec3 plan;
+    };
+    /// What a step may do to a face, unless it was worse before.
+    struct Limits
+    {
+        double angleSine;
+        double shortest2;
+    };
+    static Limits collapseLimits() { return {collapsedAngleSine, 0}; }
+    Limits relaxLimits() const { return {relaxedAngleSine, m_minimum2}; }
+
     Vec3 point(Slot v) const { return m_mesh.point(v).cast<double>(); }
     double length2(Slot e) const { return (point(m_mesh.to(2 * e)) - point(m_mesh.to(2 * e + 1))).squaredNorm(); }
     Vec3f midpoint(Slot e) const
@@ -74,10 +91,9 @@ private:
     std::optional<Edge> tooLongIn(Slot f, const Sphere& ball) const;
     void joinRefined(Slot m, const Sphere& ball);
     Slot split(const Edge& e);
-    void collapse(std::vector<Edge> edges);
-    void splitQueue(std::vector<Edge> edges);
-    bool isCollapseLegal(Slot h, const Vec3f& target) const;
-    bool staysSound(Slot v, Slot ignored, const Vec3& target, bool boundLength) const;
+    std::vector<Edge> collapse(std::vector<Edge> edges);
+    std::optional<Merged> mergedEnds(Slot h) const;
+    bool staysSound(Slot v, Slot ignored, const Vec3& target, const Limits& limits) const;
     bool shouldFlip(Slot e) const;
     void moveVertex(Slot v, const Vec3& place);
 
@@ -212,85 +228,11 @@ Slot Remesher::split(const Edge& e)
     return m;
 }
 
-// --- 1. collapse -----------------------------------------------------------------------------------------------------------
-
-/// Whether the faces around v, but those with `ignored`, stay sound when v moves to the target.
-bool Remesher::staysSound(Slot v, Slot ignored, const Vec3& target, bool boundLength) const
-{
-    bool sound = true;
-    const Vec3 p = point(v);
-    m_mesh.forEachOutgoing(v, [&](Slot h) {
-        const Slot b = m_mesh.to(h), c = m_mesh.to(m_mesh.next(h));
-        if (!sound || b == ignored || c == ignored)
-            return;
-        const Vec3 pb = point(b), pc = point(c);
-        const Shape before = shapeOf(p, pb, pc), after = shapeOf(target, pb, pc);
-        const double turn = before.normal.dot(after.normal);
-        const double longest2 = std::max(m_detail2, (p - pb).squaredNorm());
-        if (turn <= leastTurnCosine * before.normal.norm() * after.normal.norm() ||
-            after.smallestSine < std::min(leastAngleSine, before.smallestSine) ||
-            (boundLength && (target - pb).squaredNorm() > longest2))
-            sound = false;
-    });
-    return sound;
-}
-
-bool Remesher::isCollapseLegal(Slot h, const Vec3f& target) const
-{
-    const Slot v0 = m_mesh.from(h), v1 = m_mesh.to(h);
-    const Vec3 p = target.cast<double>();
-    return m_mesh.isCollapseOk(h) && staysSound(v0, v1, p, true) && staysSound(v1, v0, p, true);
-}
-
-/// Steps 1 and 2 with one look at the region. No collapse makes an edge longer than d_detail.
-void Remesher::boundEdges()
-{
-    std::vector<Edge> tooShort = regionEdges([&](double l2, Slot) { return l2 < m_minimum2 || l2 > m_detail2; });
-    const auto firstLong = std::ranges::partition(tooShort, [&](const Edge& e) { return e.length2 < m_minimum2; });
-    std::vector<Edge> tooLong(firstLong.begin(), firstLong.end());
-    tooShort.erase(firstLong.begin(), firstLong.end());
-    collapse(std::move(tooShort));
-    std::erase_if(tooLong, [&](const Edge& e) { return !m_mesh.isEdge(e.edge) || length2(e.edge) <= m_detail2; });
-    for (Edge& e : tooLong)
-        e = edgeAt(e.edge);
-    splitQueue(std::move(tooLong));
-}
-
-void Remesher::collapse(std::vector<Edge> edges)
-{
-    std::ranges::sort(edges, [](const Edge& a, const Edge& b) {
-        return std::tie(a.length2, a.v0, a.v1) < std::tie(b.length2, b.v0, b.v1);
-    });
-    for (const Edge& e : edges) {
-        if (!m_mesh.isEdge(e.edge) || length2(e.edge) >= m_minimum2)
-            continue;
-        const Slot h = 2 * e.edge, gone = m_mesh.from(h), stays = m_mesh.to(h);
-        const Vec3f target = midpoint(e.edge);
-        if (!isCollapseLegal(h, target)) {
-            counts.blocked.push_back({gone, stays});
-            continue;
-        }
-        if (!mayGoOn())
-            continue;
-        if (!m_attempt([&] { m_mesh.collapse(h, target); }))
-            continue;
-        ++counts.collapses;
-        m_region.setPlan(stays, 0.5 * (m_region.plan(gone) + m_region.plan(stays)));
-        m_region.remove(gone);
-        m_changed.add(stays);
-        m_mesh.forEachOutgoing(stays, [&](Slot g) { m_changed.add(m_mesh.to(g)); });
-    }
-}
-
-// --- 2. split --------------------------------------------------------------------------------------------------------------
+// --- 1. split --------------------------------------------------------------------------------------------------------------
 
 void Remesher::splitLongEdges()
 {
-    splitQueue(regionEdges([&](double l2, Slot) { return l2 > m_detail2; }));
-}
-
-void Remesher::splitQueue(std::vector<Edge> edges)
-{
+    std::vector<Edge> edges = regionEdges([&](double l2, Slot) { return l2 > m_detail2; });
     std::ranges::sort(edges, longestFirst);
     std::deque<Edge> queue(edges.begin(), edges.end());
     while (!queue.empty()) {
@@ -309,6 +251,96 @@ void Remesher::splitQueue(std::vector<Edge> edges)
                 queue.push_back(edgeAt(h / 2));
         });
     }
+}
+
+// --- 2. collapse -----------------------------------------------------------------------------------------------------------
+
+/// Whether the faces around v, but those with `ignored`, stay sound when v moves to the target.
+bool Remesher::staysSound(Slot v, Slot ignored, const Vec3& target, const Limits& limits) const
+{
+    bool sound = true;
+    const Vec3 p = point(v);
+    m_mesh.forEachOutgoing(v, [&](Slot h) {
+        const Slot b = m_mesh.to(h), c = m_mesh.to(m_mesh.next(h));
+        if (!sound || b == ignored || c == ignored)
+            return;
+        const Vec3 pb = point(b), pc = point(c);
+        const Shape before = shapeOf(p, pb, pc), after = shapeOf(target, pb, pc);
+        const double turn = before.normal.dot(after.normal);
+        const double before2 = (p - pb).squaredNorm(), after2 = (target - pb).squaredNorm();
+        if (turn <= leastTurnCosine * before.normal.norm() * after.normal.norm() ||
+            after.smallestSine < std::min(limits.angleSine, before.smallestSine) ||
+            after2 > std::max(m_detail2, before2) || after2 < std::min(limits.shortest2, before2))
+            sound = false;
+    });
+    return sound;
+}
+
+/// Where the ends of a short edge may become one: in the middle, or at one of them. No edge grows longer than d_detail.
+std::optional<Remesher::Merged> Remesher::mergedEnds(Slot h) const
+{
+    if (!m_mesh.isCollapseOk(h))
+        return std::nullopt;
+    const Slot v0 = m_mesh.from(h), v1 = m_mesh.to(h);
+    const Vec3 &plan0 = m_region.plan(v0), &plan1 = m_region.plan(v1);
+    const std::array<Merged, 3> choices = {
+        {{midpoint(h / 2), 0.5 * (plan0 + plan1)}, {m_mesh.point(v1), plan1}, {m_mesh.point(v0), plan0}}};
+    for (const Merged& merged : choices) {
+        const Vec3 p = merged.point.cast<double>();
+        if (staysSound(v0, v1, p, collapseLimits()) && staysSound(v1, v0, p, collapseLimits()))
+            return merged;
+    }
+    return std::nullopt;
+}
+
+void Remesher::collapseShortEdges()
+{
+    std::vector<Edge> edges = regionEdges([&](double l2, Slot) { return l2 < m_minimum2; });
+    while (!edges.empty())
+        edges = collapse(std::move(edges));
+    std::ranges::sort(counts.blocked); // those that were tried again stand there twice
+    counts.blocked.erase(std::ranges::unique(counts.blocked).begin(), counts.blocked.end());
+}
+
+/// Collapses the edges that it may, the shortest first. Returns the short edges around what it did: they changed, or may be
+/// collapsed now.
+std::vector<Edge> Remesher::collapse(std::vector<Edge> edges)
+{
+    std::ranges::sort(edges, [](const Edge& a, const Edge& b) {
+        return std::tie(a.length2, a.v0, a.v1) < std::tie(b.length2, b.v0, b.v1);
+    });
+    SparseIndex& around = m_region.scratch();
+    around.clear();
+    for (const Edge& e : edges) {
+        if (!m_mesh.isEdge(e.edge) || length2(e.edge) >= m_minimum2)
+            continue;
+        const Slot h = 2 * e.edge, gone = m_mesh.from(h), stays = m_mesh.to(h);
+        const std::optional<Merged> merged = mergedEnds(h);
+        if (!merged)
+            counts.blocked.push_back({gone, stays});
+        if (!merged || !mayGoOn() || !m_attempt([&] { m_mesh.collapse(h, merged->point); }))
+            continue;
+        ++counts.collapses;
+        m_region.setPlan(stays, merged->plan);
+        m_region.remove(gone);
+        around.add(stays);
+        m_mesh.forEachOutgoing(stays, [&](Slot g) { around.add(m_mesh.to(g)); });
+    }
+    edges.clear();
+    for (Slot v : around.slots()) {
+        if (!m_mesh.isVertex(v))
+            continue;
+        m_changed.add(v);
+        if (!m_region.contains(v))
+            continue;
+        m_mesh.forEachOutgoing(v, [&](Slot h) {
+            const Slot other = m_mesh.to(h);
+            const bool seen = other < v && around.contains(other);
+            if (!seen && m_region.contains(other) && length2(h / 2) < m_minimum2)
+                edges.push_back(edgeAt(h / 2));
+        });
+    }
+    return edges;
 }
 
 // --- 3. flip ---------------------------------------------------------------------------------------------------------------
@@ -330,8 +362,8 @@ bool Remesher::shouldFlip(Slot e) const
     if (cotangents > -1e-3 || n0.dot(n1) < flatCosine * area0 * area1)
         return false;
     const Vec3 m0 = (a - c).cross(d - c), m1 = (d - c).cross(b - c); // the new faces c,a,d and c,d,b
-    const double least = flatCosine * area0;
-    return m0.dot(n0) > least * m0.norm() && m1.dot(n0) > least * m1.norm() && (c - d).squaredNorm() <= m_detail2 &&
+    const double least = flatCosine * area0, length2 = (c - d).squaredNorm();
+    return m0.dot(n0) > least * m0.norm() && m1.dot(n0) > least * m1.norm() && length2 >= m_minimum2 && length2 <= m_detail2 &&
            m_mesh.isFlipOk(e);
 }
 
@@ -376,7 +408,7 @@ void Remesher::moveTo(const std::function<Vec3(Slot)>& place)
 void Remesher::moveVertex(Slot v, const Vec3& place)
 {
     const Vec3f target = m_mesh.lattice().snap(place);
-    if (staysSound(v, noSlot, target.cast<double>(), true))
+    if (staysSound(v, noSlot, target.cast<double>(), relaxLimits()))
         m_attempt([&] { m_mesh.setPoint(v, target); });
 }
 } // namespace
@@ -421,7 +453,8 @@ RemeshCounts refine(Mesh& mesh, Region& region, std::span<const Slot> candidates
 RemeshCounts optimise(Mesh& mesh, Region& region, const EdgeBounds& bounds, const Attempt& attempt)
 {
     Remesher remesher(mesh, region, bounds, attempt);
-    remesher.boundEdges();
+    remesher.splitLongEdges();
+    remesher.collapseShortEdges();
     remesher.flipEdges();
     remesher.relax();
     return remesher.counts;

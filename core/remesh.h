@@ -26,10 +26,10 @@ struct RemeshCounts
 RemeshCounts refine(Mesh& mesh, Region& region, std::span<const Slot> candidates, const Sphere& ball,
                     const EdgeBounds& bounds, const Attempt& attempt);
 
-/// Makes the edges with both ends in the region quasi-uniform (paper, section 3.2): collapses those shorter than d, splits
-/// those longer than d_detail, flips those whose opposite angles exceed 180 degrees together, and relaxes vertices around
-/// the changes along the surface. Each operation is legal by itself: closed and manifold, no face turned over or made
-/// degenerate. Whether distant faces meet is not its question. O(region).
+/// Makes the edges with both ends in the region quasi-uniform (paper, section 3.2): splits those longer than d_detail, until
+/// none is (but for refused splits, and the cap), collapses those shorter than d, flips those whose opposite angles exceed
+/// 180 degrees together, and relaxes vertices around the changes along the surface. Each operation is legal by itself:
+/// closed and manifold, no face turned over or made degenerate. Whether distant faces meet is not its question. O(region).
 RemeshCounts optimise(Mesh& mesh, Region& region, const EdgeBounds& bounds, const Attempt& attempt);
 
 /// Moves the region's vertices, in the order in which they joined, to `place(v)` where their faces stay sound by that: as

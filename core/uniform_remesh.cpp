@@ -172,12 +172,14 @@ void UniformRemesher::optimisePatch()
 
 void UniformRemesher::optimiseWith(const Attempt& attempt)
 {
+    const auto evenOut = [&] { moveSoundly(m_mesh, m_region, m_bounds, [&](Slot v) { return evenPlace(v); }, attempt); };
     if (!m_onlySplits) {
         const EdgeBounds loose = {slack * m_bounds.detail, m_bounds.minimum};
         optimise(m_mesh, m_region, loose, attempt);
-        moveSoundly(m_mesh, m_region, m_bounds, [&](Slot v) { return evenPlace(v); }, attempt);
+        evenOut();
     }
     splitLongEdges(m_mesh, m_region, m_bounds, attempt);
+    evenOut(); // middles of edges lie inside round shapes
 }
 
 /// Relaxed, then on the surface as it was: not on another sheet of it.

@@ -132,7 +132,7 @@ private Q_SLOTS:
     void meshHash_doesNotDependOnTheOrder();
     void meshHash_seesColoursAndTakesMinusZeroAsZero();
     void collapse_refusesTheTetrahedron();
-    void collapse_refusesValenceThree();
+    void collapse_atValenceThree();
     void collapse_refusesABrokenLinkCondition();
     void flip_refusesNeighbours();
     void split_givesTheMeanColour();
@@ -389,7 +389,7 @@ void TestMesh::collapse_refusesTheTetrahedron()
         QVERIFY(!mesh->isFlipOk(e));
 }
 
-void TestMesh::collapse_refusesValenceThree()
+void TestMesh::collapse_atValenceThree()
 {
     const auto mesh = sculptable(core::icosphere(1, 1));
     mesh->beginStroke();
@@ -400,11 +400,19 @@ void TestMesh::collapse_refusesValenceThree()
     mesh->flip(spoke / 2); // now 3
     QCOMPARE(mesh->valence(m), 3u);
     mesh->forEachOutgoing(m, [&](Slot h) {
-        QVERIFY(!mesh->isCollapseOk(h)); // an end of valence 3
-        QVERIFY(!mesh->isCollapseOk(h ^ 1));
-        QVERIFY(!mesh->isCollapseOk(mesh->next(h))); // a face's apex of valence 3
+        QVERIFY(!mesh->isCollapseOk(mesh->next(h))); // a face's apex of valence 3 would be left with 2
         QVERIFY(!mesh->isFlipOk(h / 2));
     });
+    for (Slot side : {0u, 1u}) { // whether it is the end that goes or the one that stays
+        const Mesh::Mark mark = mesh->mark();
+        const Slot h = mesh->outgoing(m) ^ side, ring = mesh->to(mesh->outgoing(m));
+        const unsigned before = mesh->valence(ring);
+        QVERIFY(mesh->isCollapseOk(h));
+        mesh->collapse(h, mesh->point(ring));
+        VERIFY_LINKED(*mesh);
+        QCOMPARE(mesh->valence(mesh->isVertex(m) ? m : ring), before - 1);
+        mesh->rollback(mark);
+    }
     mesh->endStroke();
 }
 

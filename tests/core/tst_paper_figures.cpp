@@ -142,7 +142,8 @@ void TestPaperFigures::figure4_nextToAFoldTheRayBrushTakesTheNearSheet()
     }
 }
 
-/// A flat star of two vertices p and q, 0.3 apart, on top of a solid; only they are selected.
+/// A flat star of two vertices p and q, 0.3 apart, on top of a solid; only they are selected. It is its own image when turned
+/// by half a turn, so what forbids to move p towards q forbids to move q towards p.
 void TestPaperFigures::figure7_illegalCollapsesAreRefused_data()
 {
     QTest::addColumn<double>("ax"); // a common neighbour of p and q; its edge to b points past p or between them
@@ -157,15 +158,14 @@ void TestPaperFigures::figure7_illegalCollapsesAreRefused()
 {
     QFETCH(double, ax);
     QFETCH(double, detail);
-    enum { P, Q, A, B, C, D, E, Apex };
+    enum { P, Q, A, B, C, D, E, F, Apex };
+    // Below 0.15 the line from b through a passes between p and the middle of p and q.
+    const float x = static_cast<float>(ax), far = ax < 0.15 ? 1.0f : 0.7f;
     TriangleMesh shape;
-    shape.points = {{0, 0, 0},           {0.3f, 0, 0},     {static_cast<float>(ax), -0.35f, 0},
-                    {0.15f, -0.7f, 0},   {-0.6f, 0, 0},    {0.15f, 0.6f, 0},
-                    {0.9f, 0, 0},        {0.15f, 0, -0.7f}};
-    if (ax < 0.15)
-        shape.points[B].y() = -1; // the line from b through a passes between p and the middle of p and q
-    shape.triangles = {{P, A, Q}, {P, B, A}, {P, C, B}, {P, D, C}, {P, Q, D}, {Q, E, D}, {Q, A, E}, {A, B, E},
-                       {E, B, Apex}, {D, E, Apex}, {C, D, Apex}, {B, C, Apex}};
+    shape.points = {{0, 0, 0},     {0.3f, 0, 0},         {x, -0.35f, 0},  {0.15f, -far, 0},   {-0.6f, 0, 0},
+                    {0.3f - x, 0.35f, 0}, {0.9f, 0, 0}, {0.15f, far, 0}, {0.15f, 0, -0.7f}};
+    shape.triangles = {{P, A, Q}, {P, B, A}, {P, C, B}, {P, D, C}, {Q, D, P}, {Q, F, D}, {Q, E, F}, {Q, A, E}, {A, B, E}, {D, F, C},
+                       {E, B, Apex}, {F, E, Apex}, {C, F, Apex}, {B, C, Apex}};
     const auto mesh = sculptable(shape);
     VERIFY_VALID(*mesh);
     core::Region region;
