@@ -1,5 +1,8 @@
 #include "face_octree.h"
 
+#include <algorithm>
+#include <bit>
+
 namespace core
 {
 namespace
@@ -13,10 +16,8 @@ constexpr int tolerance = 4;
 int cellSizeFor(const LatticeBox& box)
 {
     const int extent = (box.max - box.min).maxCoeff();
-    int size = smallestUsefulCell;
-    while (size < cellPerFace * extent && size < 2 * Lattice::limit)
-        size *= 2;
-    return size;
+    const unsigned size = std::bit_ceil(static_cast<unsigned>(cellPerFace * extent));
+    return std::clamp(static_cast<int>(size), smallestUsefulCell, 2 * Lattice::limit);
 }
 } // namespace
 

@@ -28,6 +28,14 @@ public:
     {
         return slot < m_capacity && m_position[slot] < m_slots.size() && m_slots[m_position[slot]] == slot;
     }
+    /// Its position, or noSlot.
+    Slot find(Slot slot) const
+    {
+        if (slot >= m_capacity)
+            return noSlot;
+        const Slot position = m_position[slot];
+        return position < m_slots.size() && m_slots[position] == slot ? position : noSlot;
+    }
     /// Precondition: contains(slot).
     Slot position(Slot slot) const { return m_position[slot]; }
     /// In the order of adding.

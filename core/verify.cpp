@@ -20,7 +20,7 @@ VerifyResult Verifier::verify(const Mesh& mesh, const FaceOctree& octree, const 
 {
     m_result = {};
     collectDirty(mesh, touched);
-    if (m_dirty.size() == 0)
+    if (m_dirtyCount == 0)
         return m_result;
     gather(mesh, octree, touched.before);
     findBrokenFaces(mesh);
@@ -40,67 +40,73 @@ VerifyResult Verifier::verify(const Mesh& mesh, const FaceOctree& octree, const 
 
 void Verifier::collectDirty(const Mesh& mesh, const TouchedSlots& touched)
 {
-    m_dirty.clear();
+    m_gathered.clear();
     for (Slot f : touched.faces) {
         if (mesh.isFace(f))
-            m_dirty.add(f);
+            m_gathered.add(f);
     }
+    m_relinkedCount = static_cast<Slot>(m_gathered.size());
     for (Slot v : touched.vertices) {
         if (mesh.isVertex(v))
-            mesh.forEachOutgoing(v, [&](Slot h) { m_dirty.add(mesh.face(h)); });
+            mesh.forEachOutgoing(v, [&](Slot h) { m_gathered.add(mesh.face(h)); });
     }
+    m_dirtyCount = static_cast<Slot>(m_gathered.size());
 }
 
 /// The box of the change holds where its faces are and where they were: what lay between has been swept over.
 void Verifier::gather(const Mesh& mesh, const FaceOctree& octree, const Eigen::AlignedBox3f& before)
 {
-    m_gathered.clear();
     m_faces.clear();
     m_box = {};
-    for (Slot f : m_dirty.slots()) {
-        const LatticeBox box = boxOf(mesh, f);
-        m_box.extend(box);
-        addFace(mesh, f, box);
+    for (Slot f : m_gathered.slots()) {
+        m_faces.push_back(localFace(mesh, f));
+        m_box.extend(m_faces.back().box);
     }
-    m_dirtyCount = static_cast<Slot>(m_faces.size());
     if (!before.isEmpty())
         m_box.extend(LatticeBox{mesh.lattice().toLattice(before.min()), mesh.lattice().toLattice(before.max())});
     octree.query(m_box, [&](Slot f) {
-        if (!mesh.isFace(f) || m_dirty.contains(f))
+        if (!mesh.isFace(f) || isDirty(f))
             return; // the octree knows where they were; where they are is above
-        const LatticeBox box = boxOf(mesh, f);
-        if (box.meets(m_box))
-            addFace(mesh, f, box);
+        const LocalFace face = localFace(mesh, f);
+        if (!face.box.meets(m_box))
+            return;
+        m_gathered.add(f);
+        m_faces.push_back(face);
     });
 }
 
-void Verifier::addFace(const Mesh& mesh, Slot f, const LatticeBox& box)
+Verifier::LocalFace Verifier::localFace(const Mesh& mesh, Slot f)
 {
-    m_gathered.add(f);
     const Triangle& t = mesh.corners(f);
-    m_faces.push_back({{t, {mesh.latticePoint(t[0]), mesh.latticePoint(t[1]), mesh.latticePoint(t[2])}}, box});
+    const LatticePoint a = mesh.latticePoint(t[0]), b = mesh.latticePoint(t[1]), c = mesh.latticePoint(t[2]);
+    return {{t, {a, b, c}}, {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)}};
 }
 
-/// Links are checked where they changed: around the loop, to the face, to the corners, and across to a live neighbour.
 void Verifier::findBrokenFaces(const Mesh& mesh)
 {
     for (Slot i = 0; i < m_dirtyCount; ++i) {
-        const Slot f = m_gathered.slots()[i];
         const PatchFace& shape = m_faces[i].shape;
-        bool linked = true;
-        Slot h = mesh.faceHalfedge(f);
-        const auto corner = std::ranges::find(shape.corners, mesh.from(h));
-        linked = corner != shape.corners.end();
-        for (int k = 0; linked && k < 3; ++k) {
-            const std::size_t at = static_cast<std::size_t>(corner - shape.corners.begin() + k) % 3;
-            linked = mesh.face(h) == f && mesh.from(h) == shape.corners[at] && mesh.isVertex(shape.corners[at]) &&
-                     mesh.isEdge(h / 2) && mesh.isFace(mesh.face(h ^ 1)) && mesh.prev(mesh.next(h)) == h;
-            h = mesh.next(h);
-        }
-        const bool closes = linked && h == mesh.faceHalfedge(f);
-        if (!closes || LatticePredicates::collinear(shape.points[0], shape.points[1], shape.points[2]))
-            m_result.badFaces.push_back(f);
+        if ((i < m_relinkedCount && !isLinked(mesh, i)) ||
+            LatticePredicates::collinear(shape.points[0], shape.points[1], shape.points[2]))
+            m_result.badFaces.push_back(m_gathered.slots()[i]);
     }
+}
+
+/// Links are checked where they changed: around the loop, to the face, to the corners, and across to a live neighbour.
+bool Verifier::isLinked(const Mesh& mesh, Slot local) const
+{
+    const Slot f = m_gathered.slots()[local];
+    const Triangle& corners = m_faces[local].shape.corners;
+    Slot h = mesh.faceHalfedge(f);
+    const auto corner = std::ranges::find(corners, mesh.from(h));
+    bool linked = corner != corners.end();
+    for (int k = 0; linked && k < 3; ++k) {
+        const std::size_t at = static_cast<std::size_t>(corner - corners.begin() + k) % 3;
+        linked = mesh.face(h) == f && mesh.from(h) == corners[at] && mesh.isVertex(corners[at]) && mesh.isEdge(h / 2) &&
+                 mesh.isFace(mesh.face(h ^ 1)) && mesh.prev(mesh.next(h)) == h;
+        h = mesh.next(h);
+    }
+    return linked && h == mesh.faceHalfedge(f);
 }
 
 /// Labels the gathered faces by component (connected through edges); those of the dirty faces come first.
@@ -129,8 +135,7 @@ void Verifier::floodPatch(const Mesh& mesh)
             Slot h = mesh.faceHalfedge(m_gathered.slots()[at]);
             for (int k = 0; k < 3; ++k, h = mesh.next(h)) {
                 const Slot other = mesh.face(h ^ 1);
-                if (m_gathered.contains(other)) {
-                    const Slot next = m_gathered.position(other);
+                if (const Slot next = m_gathered.find(other); next != noSlot) {
                     if (m_component[next] == noSlot) {
                         m_component[next] = component;
                         front.push_back(next);
@@ -222,7 +227,7 @@ void Verifier::checkNesting(const Mesh& mesh, const FaceOctree& octree)
             return m_gathered.contains(f) && m_component[m_gathered.position(f)] == component;
         };
         octree.query(probe.column(), [&](Slot f) {
-            if (!mesh.isFace(f) || m_dirty.contains(f) || isOwn(f))
+            if (!mesh.isFace(f) || isDirty(f) || isOwn(f))
                 return;
             const Triangle& t = mesh.corners(f);
             probe.castAt({mesh.latticePoint(t[0]), mesh.latticePoint(t[1]), mesh.latticePoint(t[2])});

@@ -32,7 +32,7 @@ public:
     void collectDirty(const Mesh& mesh, const TouchedSlots& touched);
 
     /// The faces of the last verify() or collectDirty() that changed: relinked or with a moved corner, and alive.
-    const std::vector<Slot>& dirtyFaces() const { return m_dirty.slots(); }
+    std::span<const Slot> dirtyFaces() const { return std::span(m_gathered.slots()).first(m_dirtyCount); }
 
 private:
     struct LocalFace
@@ -42,20 +42,21 @@ private:
     };
 
     void findBrokenFaces(const Mesh& mesh);
+    bool isLinked(const Mesh& mesh, Slot local) const;
     void gather(const Mesh& mesh, const FaceOctree& octree, const Eigen::AlignedBox3f& before);
-    void addFace(const Mesh& mesh, Slot f, const LatticeBox& box);
+    static LocalFace localFace(const Mesh& mesh, Slot f);
     void floodPatch(const Mesh& mesh);
     bool certifyDirtyPatch();
     void testPairs(const Mesh& mesh, bool neighboursToo);
     void testPair(Slot i, Slot j, bool neighboursToo);
     bool starIsCertified(const Mesh& mesh, Slot v);
     void checkNesting(const Mesh& mesh, const FaceOctree& octree);
-    bool isDirty(Slot local) const { return local < m_dirtyCount; }
+    bool isDirty(Slot f) const { return m_gathered.find(f) < m_dirtyCount; }
 
     VerifyResult m_result;
-    SparseIndex m_dirty;              ///< changed faces
-    SparseIndex m_gathered;           ///< the dirty ones first, then every other face that meets the box
+    SparseIndex m_gathered;           ///< changed faces first, of these the relinked ones first; then all that meet the box
     std::vector<LocalFace> m_faces;   ///< of m_gathered, in its order
+    Slot m_relinkedCount = 0;
     Slot m_dirtyCount = 0;
     LatticeBox m_box;                 ///< of the change: the dirty faces, and where their vertices were
     std::vector<Slot> m_component;    ///< by gathered face
