@@ -109,26 +109,36 @@ double leastRadius(const core::Lattice& lattice, double detail)
     return lattice.minDetail() / core::edgeBounds(1, detail).detail;
 }
 
-/// What only the model's lattice can judge.
-void checkRadii(const QString& path, const std::vector<core::Stroke>& strokes, const core::Lattice& lattice)
+/// What only the model's lattice can judge: brushes that it can hold, and hands within the working volume. Where a ray
+/// comes from is free.
+void checkAgainst(const core::Lattice& lattice, const std::vector<core::Stroke>& strokes, const QString& path)
 {
     using core::StrokeFileError;
+    const double wall = lattice.halfVolume();
     for (std::size_t i = 0; i < strokes.size(); ++i) {
         const core::StrokeSettings& settings = strokes[i].settings;
-        const double least = leastRadius(lattice, settings.detail), most = lattice.halfVolume();
-        const auto check = [&](double radius, std::optional<std::size_t> sample) {
-            if (radius >= least && radius <= most)
-                return;
-            StrokeFileError error(StrokeFileError::Kind::OutOfRange, "radius");
+        const double least = leastRadius(lattice, settings.detail);
+        const bool isHand = settings.brush != core::BrushShape::Ray && settings.place != core::Placement::Ray;
+        const auto refuse = [&](const char* key, double from, double to, std::optional<std::size_t> sample) {
+            StrokeFileError error(StrokeFileError::Kind::OutOfRange, key);
             error.stroke = i;
             error.sample = sample;
-            error.least = least;
-            error.most = most;
+            error.least = from;
+            error.most = to;
             throw CommandFailure{StrokeWords::sentence(path, error)};
         };
-        check(settings.radius, std::nullopt);
-        for (std::size_t j = 0; j < strokes[i].samples.size(); ++j)
-            check(strokes[i].samples[j].radius.value_or(settings.radius), j);
+        if (settings.radius < least || settings.radius > wall)
+            refuse("radius", least, wall, std::nullopt);
+        if (settings.detailLength != 0 && settings.detailLength < lattice.minDetail())
+            refuse("detail_length", lattice.minDetail(), wall, std::nullopt);
+        for (std::size_t j = 0; j < strokes[i].samples.size(); ++j) {
+            const core::StrokeSample& sample = strokes[i].samples[j];
+            const double radius = sample.radius.value_or(settings.radius);
+            if (radius < least || radius > wall)
+                refuse("radius", least, wall, j);
+            if (isHand && !lattice.contains(sample.rotation.conjugate() * sample.position))
+                refuse("position", -wall, wall, j);
+        }
     }
 }
 
@@ -178,7 +188,7 @@ void run(const ReplayOptions& options, const std::vector<core::Stroke>& strokes)
         options.in.isEmpty() ? ModelLoader::sphere(paperRadius) : ModelLoader::loadInPlace(options.in);
     if (!model.sculptor)
         CommandLine::fail(model.problem);
-    checkRadii(options.strokes, strokes, model.sculptor->mesh().lattice());
+    checkAgainst(model.sculptor->mesh().lattice(), strokes, options.strokes);
     const std::vector<ReplayedDab> dabs = play(*model.sculptor, strokes, options);
 
     const core::TriangleMesh mesh = core::extractMesh(model.sculptor->mesh());

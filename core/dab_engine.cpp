@@ -26,6 +26,8 @@ namespace
 constexpr double movePerMinimum = 0.45;
 /// Sub-steps of one dab; a dab that would need more ends early.
 constexpr double mostSubsteps = 4096;
+/// Vertices that its sub-steps move, together: some seconds of work.
+constexpr double mostVertexMoves = 1 << 21;
 constexpr int mostHoldRounds = 64;
 
 bool runPlainly(const std::function<void()>& operation)
@@ -79,8 +81,9 @@ void DabEngine::run(const StrokeSettings& settings, const Dab& dab, const std::f
         task.joins = settings.fusion && facesMeet(settings, {dab.position, dab.radius});
     }
     report.outcome = DabOutcome::Committed;
-    for (double step = 0; step == 0 || step < task.steps; ++step) {
-        const Substep result = step < mostSubsteps ? substep(task, report) : Substep::Stuck;
+    double moves = 0;
+    for (double step = 0; step == 0 || step < task.steps; ++step, moves += m_region.size()) {
+        const Substep result = step < mostSubsteps && moves < mostVertexMoves ? substep(task, report) : Substep::Stuck;
         if (result == Substep::Empty) {
             report.outcome = DabOutcome::Empty;
             return;

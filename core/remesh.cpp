@@ -20,8 +20,8 @@ namespace core
 {
 namespace
 {
-/// Operations of one kind per sub-step, per vertex of the region and in all: guards against endless work, not a tuning knob.
-constexpr std::uint64_t opsPerVertex = 64, leastOps = 4096;
+/// Operations per sub-step, by the region's vertices and in all: guards against endless work, not a tuning knob.
+constexpr std::uint64_t opsPerVertex = 64, leastOps = 4096, mostOps = 1 << 19;
 /// A collapse may turn a face by at most about 78 degrees (cos > 0.2: notes of El Topo's legality tests, Brochu 2009).
 constexpr double leastTurnCosine = 0.2;
 /// A flip is a change of triangulation, not of shape: only across edges flatter than about 25 degrees.
@@ -50,7 +50,7 @@ public:
     Remesher(Mesh& mesh, Region& region, const EdgeBounds& bounds, const Attempt& attempt)
         : m_mesh(mesh), m_region(region), m_bounds(bounds), m_detail2(bounds.detail * bounds.detail),
           m_minimum2(bounds.minimum * bounds.minimum), m_attempt(attempt),
-          m_opsLeft(leastOps + opsPerVertex * region.size()), m_changed(region.remeshed())
+          m_opsLeft(std::min(mostOps, leastOps + opsPerVertex * region.size())), m_changed(region.remeshed())
     {
         m_changed.clear();
     }

@@ -66,13 +66,18 @@ std::vector<DabReport> Sculptor::addSample(const StrokeSample& sample)
 {
     std::vector<DabReport> reports;
     Engine& engine = *m_engine;
-    engine.path->add(sample);
-    const auto centerOf = [&](const Vec3& position, const Vec3& direction) { return engine.centerOf(position, direction); };
-    while (const auto due = engine.path->next(centerOf)) {
-        reports.push_back(due->hasCenter ? engine.dabs.apply(engine.settings, due->dab, engine.betweenSubsteps) : DabReport());
+    const auto report = [&](const DabReport& dab) {
+        reports.push_back(dab);
         if (engine.afterDab)
-            engine.afterDab(reports.back());
-    }
+            engine.afterDab(dab);
+    };
+    if (isUsable(engine.settings, sample))
+        engine.path->add(sample);
+    else
+        report({});
+    const auto centerOf = [&](const Vec3& position, const Vec3& direction) { return engine.centerOf(position, direction); };
+    while (const auto due = engine.path->next(centerOf))
+        report(due->hasCenter ? engine.dabs.apply(engine.settings, due->dab, engine.betweenSubsteps) : DabReport());
     return reports;
 }
 

@@ -37,8 +37,8 @@ public:
 
     void beginStroke(const StrokeSettings& settings);
     bool strokeOpen() const { return m_mesh->strokeOpen(); }
-    /// Places the dabs that the path up to this sample holds, and applies them. Values must be finite and in range
-    /// (stroke_file checks files, the program clamps).
+    /// Places the dabs that the path up to this sample holds, and applies them. A sample that is not usable (isUsable) is
+    /// one empty dab, and no part of the path.
     std::vector<DabReport> addSample(const StrokeSample& sample);
     /// Closes the stroke. The delta is already applied; it is empty if nothing changed.
     MeshDelta endStroke();

@@ -38,6 +38,14 @@ struct StrokeSample
     std::optional<double> strength; ///< of this sample only
 };
 
+/// Positions, directions, times and speeds: squares stay finite, and every lattice ends long before.
+inline constexpr double farthestSample = 1e9;
+/// Of a rotation's squared length from 1.
+inline constexpr double rotationTolerance = 1e-3;
+
+/// Whether all values that a dab would use are finite and in the ranges that stroke files have.
+bool isUsable(const StrokeSettings& settings, const StrokeSample& sample);
+
 struct Stroke
 {
     StrokeSettings settings;

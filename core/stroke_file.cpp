@@ -19,10 +19,8 @@ using Kind = StrokeFileError::Kind;
 using Json = nlohmann::json;
 
 constexpr std::size_t maxFileBytes = std::size_t(1) << 30;
-constexpr double farthest = 1e9;        ///< of positions, directions, times and speeds: squares stay finite
 constexpr double leastSpacing = 1e-3;   ///< but for 0: a typing error shall not ask for 10^12 dabs
 constexpr double leastDirection = 1e-9; ///< of a ray's direction
-constexpr double unitTolerance = 1e-3;  ///< of a rotation's squared length; nearer ones are normalised
 
 /// The keys of one kind of object; the first `required` of them must be there.
 template <std::size_t N> struct Keys
@@ -318,7 +316,7 @@ void StrokeReader::endVector()
     if (m_key == RotationKey) {
         sample.rotation = Eigen::Quaterniond(m_vector[3], m_vector[0], m_vector[1], m_vector[2]);
         const double length = sample.rotation.squaredNorm();
-        if (!(std::abs(length - 1) <= unitTolerance))
+        if (!(std::abs(length - 1) <= rotationTolerance))
             refuse(Kind::OutOfRange);
         if (std::abs(length - 1) > 8 * std::numeric_limits<double>::epsilon())
             sample.rotation.normalize();
@@ -337,7 +335,7 @@ bool StrokeReader::number(double value)
         if (m_count == vectorLength())
             refuse(Kind::WrongType);
         const bool isColor = m_level == Level::Stroke;
-        m_vector[m_count++] = isColor ? inRange(value, 0, 255) : inRange(value, -farthest, farthest);
+        m_vector[m_count++] = isColor ? inRange(value, 0, 255) : inRange(value, -farthestSample, farthestSample);
         if (isColor && value != std::trunc(value))
             refuse(Kind::WrongType);
     } else if (m_level == Level::Sample) {
@@ -360,7 +358,7 @@ void StrokeReader::strokeNumber(double value)
     case StrengthKey: settings.strength = inRange(value, Parameter::Strength); break;
     case DetailKey: settings.detail = inRange(value, Parameter::Detail); break;
     case DetailLengthKey: settings.detailLength = inRange(value, info(Parameter::Radius).min, info(Parameter::Radius).max); break;
-    case TurntableKey: m_turntable = inRange(value, -farthest, farthest); break;
+    case TurntableKey: m_turntable = inRange(value, -farthestSample, farthestSample); break;
     case SpacingKey:
         settings.spacing = inRange(value, value == 0 ? 0 : leastSpacing, info(Parameter::Spacing).max);
         break;
@@ -380,7 +378,7 @@ void StrokeReader::sampleNumber(double value)
 {
     StrokeSample& sample = m_strokes.back().samples.back();
     switch (m_key) {
-    case TimeKey: sample.time = inRange(value, -farthest, farthest); break;
+    case TimeKey: sample.time = inRange(value, -farthestSample, farthestSample); break;
     case PressureKey: sample.pressure = inRange(value, 0, 1); break;
     case SampleRadiusKey: sample.radius = inRange(value, Parameter::Radius); break;
     case SampleStrengthKey: sample.strength = inRange(value, Parameter::Strength); break;

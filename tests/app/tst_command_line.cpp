@@ -104,6 +104,7 @@ private Q_SLOTS:
     void replay_neverMovesTheModel();
     void replay_refusals_data();
     void replay_refusals();
+    void replay_extremesHaveAnAnswer();
     void replay_refusalWritesNothing();
     void replay_radiusHasToFitTheLattice();
     void numbers_haveNoLocale();
@@ -370,7 +371,7 @@ void TestCommandLine::convert_ontoItself()
 
 void TestCommandLine::replay_statsHaveTheFields()
 {
-    write(at("s.json"), strokes(R"("tool":"pull","radius":0.25)", R"({"position":[1,0,0]},{"position":[0,1,0]},{"position":[0,9,0]})"));
+    write(at("s.json"), strokes(R"("tool":"pull","radius":0.25)", R"({"position":[1,0,0]},{"position":[0,1,0]},{"position":[0,7,0]})"));
     const Answer answer = fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json"), QStringLiteral("--stats"), at("t.json")});
     QCOMPARE(answer.status, 0);
     QVERIFY2(answer.err.isEmpty() && answer.out.isEmpty(), answer.err.constData());
@@ -458,9 +459,38 @@ void TestCommandLine::replay_refusals_data()
     QTest::newRow("not yet") << strokes(R"("tool":"pull","radius":1,"symmetry":"x")") << QStringLiteral("not there yet");
     QTest::newRow("key") << strokes(R"("tool":"pull","radius":1,"size":1)") << QStringLiteral("size");
     QTest::newRow("NaN") << strokes(R"("tool":"pull","radius":NaN)") << QStringLiteral("radius");
+    QTest::newRow("infinite") << strokes(R"("tool":"pull","radius":1)", R"({"position":[1e999,0,0]})") << QStringLiteral("position");
+    QTest::newRow("denormal radius") << strokes(R"("tool":"pull","radius":1e-310)") << QStringLiteral("radius");
+    QTest::newRow("radius 0") << strokes(R"("tool":"pull","radius":0)") << QStringLiteral("radius");
+    QTest::newRow("radius below the lattice's detail") << strokes(R"("tool":"pull","radius":0.001)") << QStringLiteral("radius");
+    QTest::newRow("radius beyond the volume") << strokes(R"("tool":"pull","radius":9)") << QStringLiteral("radius");
+    QTest::newRow("detail length below the lattice's")
+        << strokes(R"("tool":"pull","radius":1,"topology":"uniform","detail_length":0.0001)") << QStringLiteral("detail_length");
+    QTest::newRow("position outside the volume") << strokes(R"("tool":"pull","radius":1)", R"({"position":[0,0,1]},{"position":[0,-8.5,0]})")
+                                                 << QStringLiteral("stroke 1, sample 2");
+    QTest::newRow("jump of ten kilometres") << strokes(R"("tool":"pull","radius":1,"spacing":0.1)", R"({"position":[0,0,1]},{"position":[1e7,0,1]})")
+                                            << QStringLiteral("position");
+    QTest::newRow("nearest from outside") << strokes(R"("tool":"pull","radius":1,"place":"nearest")", R"({"position":[9,0,0]})")
+                                          << QStringLiteral("position");
+    QTest::newRow("no direction") << strokes(R"("tool":"pull","radius":1,"place":"ray")", R"({"position":[0,0,9],"direction":[0,0,1e-310]})")
+                                  << QStringLiteral("direction");
     QTest::newRow("place") << strokes(R"("tool":"pull","radius":1)", R"({"position":[0,0,1]},{"position":[0,0,1],"pressure":7})")
                            << QStringLiteral("stroke 1, sample 2");
     QTest::newRow("cut off") << strokes(R"("tool":"pull","radius":1)").chopped(10) << QStringLiteral("line 1");
+}
+
+void TestCommandLine::replay_extremesHaveAnAnswer()
+{
+    for (const QByteArray& text : {strokes(R"("tool":"pull","radius":3)"), strokes(R"("tool":"pull","radius":8,"strength":10)"),
+                                   strokes(R"("tool":"pull","radius":0.25)", R"({"position":[1e-310,0,1],"pressure":1e-310})"),
+                                   strokes(R"("tool":"pull","radius":0.25,"place":"ray")", R"({"position":[0,0,1e9],"direction":[0,0,-1]})"),
+                                   strokes(R"("tool":"pull","radius":0.25,"brush":"ray","spacing":0.1)",
+                                           R"({"position":[0,0,1e7],"direction":[0,0,-1]},{"position":[1e7,0,0],"direction":[-1,0,0]})")}) {
+        write(at("s.json"), text);
+        const Answer answer = fettle({QStringLiteral("replay"), QStringLiteral("--strokes"), at("s.json"), QStringLiteral("--out"), at("o.stl")});
+        QVERIFY2(answer.status == 0 && answer.err.isEmpty(), text + answer.err);
+        QCOMPARE(fettle({QStringLiteral("check"), at("o.stl")}).status, 0);
+    }
 }
 
 void TestCommandLine::replay_refusals()

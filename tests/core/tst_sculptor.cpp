@@ -285,6 +285,13 @@ private Q_SLOTS:
     void strengthZero_changesNothing();
     void extremeRadii_haveAnAnswer_data();
     void extremeRadii_haveAnAnswer();
+    void unusableSamples_areEmptyDabs_data();
+    void unusableSamples_areEmptyDabs();
+    void extremeSamples_haveAnAnswer_data();
+    void extremeSamples_haveAnAnswer();
+    void manySamples_inOneStroke();
+    void tooManyOperations_endTheDab();
+    void tooManyMoves_endTheDab();
     void peersStroke_commitsOnTheStraightPath();
     void reports_tellWhatTheDabDid();
     void hook_runsBetweenSubsteps();
@@ -488,6 +495,172 @@ void TestSculptor::extremeRadii_haveAnAnswer()
         sculptor.swap(delta);
         QCOMPARE(sculptor.mesh().stateHash(), start);
     }
+}
+
+namespace
+{
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
+constexpr double denormal = std::numeric_limits<double>::denorm_min();
+
+using Spoil = std::function<void(core::StrokeSettings&, core::StrokeSample&)>;
+} // namespace
+Q_DECLARE_METATYPE(Spoil)
+
+void TestSculptor::unusableSamples_areEmptyDabs_data()
+{
+    using Settings = core::StrokeSettings;
+    using Sample = core::StrokeSample;
+    QTest::addColumn<Spoil>("spoil");
+    for (double value : {notANumber, infinite, -infinite, -1e300, 1e300}) {
+        QTest::addRow("position %g", value) << Spoil([value](Settings&, Sample& s) { s.position.y() = value; });
+        QTest::addRow("direction %g", value) << Spoil([value](Settings&, Sample& s) { s.direction.x() = value; });
+        QTest::addRow("pressure %g", value) << Spoil([value](Settings&, Sample& s) { s.pressure = value; });
+        QTest::addRow("rotation %g", value) << Spoil([value](Settings&, Sample& s) { s.rotation.x() = value; });
+        QTest::addRow("radius %g", value) << Spoil([value](Settings& t, Sample&) { t.radius = value; });
+        QTest::addRow("sample radius %g", value) << Spoil([value](Settings&, Sample& s) { s.radius = value; });
+        QTest::addRow("strength %g", value) << Spoil([value](Settings& t, Sample&) { t.strength = value; });
+        QTest::addRow("sample strength %g", value) << Spoil([value](Settings&, Sample& s) { s.strength = value; });
+        QTest::addRow("detail %g", value) << Spoil([value](Settings& t, Sample&) { t.detail = value; });
+        QTest::addRow("detail length %g", value) << Spoil([value](Settings& t, Sample&) { t.detailLength = value; });
+        QTest::addRow("spacing %g", value) << Spoil([value](Settings& t, Sample&) { t.spacing = value; });
+    }
+    QTest::newRow("radius 0") << Spoil([](Settings& t, Sample&) { t.radius = 0; });
+    QTest::newRow("radius denormal") << Spoil([](Settings& t, Sample&) { t.radius = denormal; });
+    QTest::newRow("detail denormal") << Spoil([](Settings& t, Sample&) { t.detail = denormal; });
+    QTest::newRow("falloff 2") << Spoil([](Settings& t, Sample&) { t.falloff = 2; });
+    QTest::newRow("falloff -1") << Spoil([](Settings& t, Sample&) { t.falloff = -1; });
+    QTest::newRow("rotation 0") << Spoil([](Settings&, Sample& s) { s.rotation.coeffs().setZero(); });
+}
+
+void TestSculptor::unusableSamples_areEmptyDabs()
+{
+    QFETCH(Spoil, spoil);
+    Sculptor sculptor(sculptable(core::icosphere(2, 1)));
+    const std::uint64_t start = sculptor.mesh().stateHash();
+    core::StrokeSettings settings;
+    settings.radius = 0.4;
+    core::StrokeSample sample;
+    sample.position = {0, 0, 1};
+    spoil(settings, sample);
+    sculptor.beginStroke(settings);
+    for (int i = 0; i < 2; ++i) {
+        const std::vector<DabReport> reports = sculptor.addSample(sample);
+        QCOMPARE(reports.size(), std::size_t(1));
+        QVERIFY(reports.front().outcome == DabOutcome::Empty);
+    }
+    QVERIFY(sculptor.endStroke().empty());
+    QCOMPARE(sculptor.mesh().stateHash(), start);
+
+    core::StrokeSettings sound; // the next stroke is none the worse
+    sound.radius = 0.4;
+    sculptor.beginStroke(sound);
+    core::StrokeSample next;
+    next.position = {0, 0, 1};
+    QVERIFY(sculptor.addSample(next).at(0).outcome == DabOutcome::Committed);
+    sculptor.endStroke();
+    VERIFY_VALID(sculptor.mesh());
+}
+
+void TestSculptor::extremeSamples_haveAnAnswer_data()
+{
+    QTest::addColumn<Spoil>("spoil");
+    QTest::newRow("denormal position") << Spoil([](auto&, auto& s) { s.position = {denormal, -denormal, 1}; });
+    QTest::newRow("denormal pressure") << Spoil([](auto&, auto& s) { s.pressure = denormal; });
+    QTest::newRow("denormal strength") << Spoil([](auto& t, auto&) { t.strength = denormal; });
+    QTest::newRow("denormal direction") << Spoil([](auto& t, auto& s) {
+        t.place = core::Placement::Ray;
+        s.direction = {0, 0, -denormal};
+    });
+    QTest::newRow("no direction") << Spoil([](auto& t, auto& s) {
+        t.brush = core::BrushShape::Ray;
+        s.direction.setZero();
+    });
+    QTest::newRow("far position") << Spoil([](auto&, auto& s) { s.position = {1e9, -1e9, 1e9}; });
+    QTest::newRow("far position, brush as large") << Spoil([](auto& t, auto& s) {
+        s.position = {0, 0, 1e6};
+        t.radius = 1e6;
+    });
+    QTest::newRow("nearest from afar") << Spoil([](auto& t, auto& s) {
+        t.place = core::Placement::Nearest;
+        s.position = {1e9, -1e9, 1e9};
+    });
+    QTest::newRow("ray from afar") << Spoil([](auto& t, auto& s) {
+        t.brush = core::BrushShape::Ray;
+        s.position = {0, 0, 1e9};
+        s.direction = {0, 0, -1e9};
+    });
+    QTest::newRow("detail length below the lattice's") << Spoil([](auto& t, auto&) {
+        t.radius = 0.02;
+        t.topology = core::Topology::Uniform;
+        t.detailLength = 1e-6;
+    });
+    QTest::newRow("detail length of kilometres") << Spoil([](auto& t, auto&) {
+        t.topology = core::Topology::Uniform;
+        t.detailLength = 1e6;
+    });
+}
+
+void TestSculptor::extremeSamples_haveAnAnswer()
+{
+    QFETCH(Spoil, spoil);
+    for (Tool tool : {Tool::Pull, Tool::Flatten, Tool::Smooth}) {
+        Sculptor sculptor(sculptable(core::icosphere(3, 1)));
+        const std::uint64_t start = sculptor.mesh().stateHash();
+        core::StrokeSettings settings;
+        settings.tool = tool;
+        settings.radius = 0.4;
+        core::StrokeSample sample;
+        sample.position = {0, 0, 1};
+        spoil(settings, sample);
+        sculptor.beginStroke(settings);
+        QCOMPARE(sculptor.addSample(sample).size(), std::size_t(1));
+        MeshDelta delta = sculptor.endStroke();
+        VERIFY_VALID(sculptor.mesh());
+        QVERIFY(sculptor.indexIsConsistent());
+        sculptor.swap(delta);
+        QCOMPARE(sculptor.mesh().stateHash(), start);
+    }
+}
+
+void TestSculptor::manySamples_inOneStroke()
+{
+    Sculptor sculptor(sculptable(core::icosphere(2, 1)));
+    const std::uint64_t start = sculptor.mesh().stateHash();
+    core::StrokeSettings settings;
+    settings.radius = 0.4;
+    settings.strength = 0.01;
+    sculptor.beginStroke(settings);
+    core::StrokeSample sample;
+    for (int i = 0; i < 1'000'000; ++i) { // a hand that waves in the air and touches the surface now and then
+        sample.position = {0, 1e-6 * i, i % 10'000 == 0 ? 1.0 : 3.0};
+        QCOMPARE(sculptor.addSample(sample).size(), std::size_t(1));
+    }
+    MeshDelta delta = sculptor.endStroke();
+    QVERIFY(!delta.empty());
+    VERIFY_VALID(sculptor.mesh());
+    sculptor.swap(delta);
+    QCOMPARE(sculptor.mesh().stateHash(), start);
+}
+
+/// A fine brush over a coarse model: the operations of a sub-step are capped.
+void TestSculptor::tooManyOperations_endTheDab()
+{
+    Sculptor sculptor(sculptable(core::icosphere(1, 1)));
+    const DabReport report = dabOnce(sculptor, {Tool::Pull, {0, 0, 1}, 2, 1, 0.05});
+    QVERIFY(report.outcome == DabOutcome::EndedEarly && report.reached < report.asked);
+    VERIFY_VALID(sculptor.mesh());
+}
+
+/// Fine, wide and strong at once: hundreds of sub-steps of tens of thousands of vertices.
+void TestSculptor::tooManyMoves_endTheDab()
+{
+    Sculptor sculptor(sculptable(core::icosphere(4, 1)));
+    sculptor.setVerification(false); // it would only take longer
+    const DabReport report = dabOnce(sculptor, {Tool::Pull, {0, 0, 1}, 2, 10, 0.05});
+    QVERIFY(report.outcome == DabOutcome::EndedEarly && report.substeps > 10);
+    QVERIFY(report.reached > 0 && report.reached < report.asked);
+    VERIFY_LINKED(sculptor.mesh());
 }
 
 /// The strokes of the speed comparison: along a great circle, 0.02 radius a dab.

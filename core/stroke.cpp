@@ -1,0 +1,30 @@
+#include "stroke.h"
+
+#include <cmath>
+
+namespace core
+{
+namespace
+{
+bool isIn(double value, Parameter parameter)
+{
+    return value >= info(parameter).min && value <= info(parameter).max;
+}
+
+bool isNear(const Vec3& v)
+{
+    return (v.array().abs() <= farthestSample).all();
+}
+} // namespace
+
+bool isUsable(const StrokeSettings& settings, const StrokeSample& sample)
+{
+    const bool settingsFit = isIn(settings.detail, Parameter::Detail) && isIn(settings.spacing, Parameter::Spacing) &&
+                             isFalloff(settings.falloff) &&
+                             (settings.detailLength == 0 || isIn(settings.detailLength, Parameter::Radius));
+    return settingsFit && isIn(sample.radius.value_or(settings.radius), Parameter::Radius) &&
+           isIn(sample.strength.value_or(settings.strength), Parameter::Strength) && sample.pressure >= 0 &&
+           sample.pressure <= 1 && isNear(sample.position) && isNear(sample.direction) &&
+           std::abs(sample.rotation.squaredNorm() - 1) <= rotationTolerance;
+}
+} // namespace core
