@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace app
 {
@@ -138,6 +139,10 @@ QStringList modelsIn(const QString& folder)
     QStringList patterns;
     for (const std::string_view ending : core::meshEndings())
         patterns << QStringLiteral("*.") + QString::fromUtf8(ending.data(), static_cast<qsizetype>(ending.size()));
+    std::error_code problem;
+    const std::filesystem::directory_iterator readable(toPath(folder), problem);
+    if (problem)
+        CommandLine::fail(CheckWords::tr("%1: this folder cannot be read (%2).").arg(folder, qt_error_string(problem.value())));
     QStringList files;
     for (const QString& name : QDir(folder).entryList(patterns, QDir::Files, QDir::Name))
         files << QDir(folder).filePath(name);

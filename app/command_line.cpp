@@ -6,6 +6,7 @@
 
 #include <QFileInfo>
 
+#include <cerrno>
 #include <cstdio>
 #include <new>
 
@@ -36,11 +37,11 @@ bool isVersion(const QString& word)
     return word == QLatin1String("--version") || word == QLatin1String("-v");
 }
 
-void write(std::FILE* stream, const QString& text)
+bool write(std::FILE* stream, const QString& text)
 {
     const QByteArray bytes = text.toUtf8();
-    std::fwrite(bytes.constData(), 1, static_cast<std::size_t>(bytes.size()), stream);
-    std::fflush(stream);
+    const auto size = static_cast<std::size_t>(bytes.size());
+    return std::fwrite(bytes.constData(), 1, size, stream) == size && std::fflush(stream) == 0;
 }
 } // namespace
 
@@ -103,12 +104,16 @@ QString CommandLine::fileToOpen(const QStringList& arguments)
 bool CommandLine::parse(QCommandLineParser& parser, const QString& command, const QStringList& arguments)
 {
     parser.setSingleDashWordOptionMode(QCommandLineParser::ParseAsLongOptions);
-    parser.addHelpOption();
+    parser.addOption({{QStringLiteral("h"), QStringLiteral("help")}, tr("Says this.")});
     if (!parser.parse(QStringList(QStringLiteral("fettle ") + command) + arguments))
         fail(QStringLiteral("%1: %2").arg(command, parser.errorText()));
     if (!parser.isSet(QStringLiteral("help")))
         return true;
-    print(parser.helpText());
+    QString text = parser.helpText(); // its first line names the program as it was called, and no command
+    const QString called = QCoreApplication::arguments().constFirst();
+    if (const qsizetype at = text.indexOf(called); at >= 0)
+        text.replace(at, called.size(), QStringLiteral("fettle ") + command);
+    print(text);
     return false;
 }
 
@@ -129,7 +134,9 @@ void CommandLine::requireMeshEnding(const QString& path)
 
 void CommandLine::print(const QString& text)
 {
-    write(stdout, text);
+    errno = 0;
+    if (!write(stdout, text))
+        fail(tr("The answer cannot be written to the standard output (%1).").arg(qt_error_string(errno)));
 }
 
 /// One line, whatever a file's name holds.

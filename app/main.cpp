@@ -1,5 +1,6 @@
 #include "command_line.h"
 #include "document.h"
+#include "process_signals.h"
 #include "wiring.h"
 
 #include "ui/main_window.h"
@@ -107,6 +108,7 @@ int runWindow(int argc, char* argv[])
 int main(int argc, char* argv[])
 {
     nameProgram();
+    app::surviveFileSizeLimit();
     QStringList arguments;
     for (int i = 1; i < argc; ++i)
         arguments << QString::fromLocal8Bit(argv[i]);

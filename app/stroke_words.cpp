@@ -59,6 +59,8 @@ QString StrokeWords::reason(const core::StrokeFileError& error)
     case Kind::NotYet: return tr("%1 is not there yet").arg(key);
     case Kind::NotANumber: return tr("\"%1\" is not a finite number").arg(key);
     case Kind::OutOfRange:
+        if (error.least && error.most && error.orZero)
+            return tr("\"%1\" is out of range, 0 or %2 to %3").arg(key, number(*error.least), number(*error.most));
         if (error.least && error.most)
             return tr("\"%1\" is out of range, %2 to %3").arg(key, number(*error.least), number(*error.most));
         return tr("\"%1\" is out of range").arg(key);

@@ -26,7 +26,7 @@ FileErrorKind kindOf(int systemError)
         return FileErrorKind::NotWritable;
     case ENOENT:
     case ENOTDIR:
-        return FileErrorKind::NotFound;
+        return FileErrorKind::NoFolder;
     case EISDIR:
         return FileErrorKind::NotAFile;
     default:

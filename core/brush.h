@@ -63,9 +63,10 @@ constexpr const ParameterInfo& info(Parameter p)
 {
     return parameterTable[static_cast<int>(p)];
 }
+inline constexpr int leastFalloff = 3; ///< but for 0: the paper asks for n > 2
 constexpr bool isFalloff(int n)
 {
-    return n == 0 || (n >= 3 && n <= 16);
+    return n == 0 || (n >= leastFalloff && n <= 16);
 }
 
 /// b(x) = (n-1) x^n - n x^(n-1) + 1 (paper, section 3.3): 1 at x = 0, 0 at x = 1, flat at both ends. n = 0: always 1.

@@ -10,7 +10,7 @@ namespace core
 /// What is wrong with a file. The words for people are made elsewhere; each kind says what data comes with it beyond the path.
 enum class FileErrorKind {
     // Reading
-    NotFound,             ///< also when writing into a folder that is not there
+    NotFound,
     NotReadable,          ///< systemError, if known
     NotAFile,             ///< a folder, device or pipe; also when writing
     Empty,                ///< no byte in it
@@ -25,6 +25,7 @@ enum class FileErrorKind {
     TooManyElements,      ///< place, token: what ("vertices", "faces", "corners"), expected: the most that is taken
     NoFaces,              ///< vertices perhaps, but nothing to sculpt
     // Writing; nothing has changed on disk
+    NoFolder,    ///< the folder that the file would be in is not there
     NotWritable, ///< not permitted; systemError
     DiskFull,    ///< systemError
     WriteFailed  ///< systemError

@@ -9,6 +9,7 @@
 #include <array>
 #include <bit>
 #include <cctype>
+#include <cerrno>
 #include <fstream>
 #include <memory>
 
@@ -49,22 +50,26 @@ MeshFormat requireFormat(const std::filesystem::path& path)
     throw error;
 }
 
+FileError unreadable(const std::filesystem::path& path, int systemError)
+{
+    FileError error(FileErrorKind::NotReadable, path);
+    error.systemError = systemError;
+    return error;
+}
+
 std::uint64_t requireFileSize(const std::filesystem::path& path)
 {
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(path, error);
     if (status.type() == std::filesystem::file_type::not_found)
         throw FileError(FileErrorKind::NotFound, path);
-    if (!std::filesystem::status_known(status) || status.type() == std::filesystem::file_type::unknown) {
-        FileError unreadable(FileErrorKind::NotReadable, path);
-        unreadable.systemError = error.value();
-        throw unreadable;
-    }
+    if (!std::filesystem::status_known(status) || status.type() == std::filesystem::file_type::unknown)
+        throw unreadable(path, error.value());
     if (status.type() != std::filesystem::file_type::regular)
         throw FileError(FileErrorKind::NotAFile, path);
     const std::uint64_t size = std::filesystem::file_size(path, error);
     if (error)
-        throw FileError(FileErrorKind::NotReadable, path);
+        throw unreadable(path, error.value());
     return size;
 }
 
@@ -116,9 +121,10 @@ std::string_view readInto(std::ifstream& file, char* buffer, std::uint64_t size,
 {
     file.clear();
     file.seekg(0);
+    errno = 0;
     file.read(buffer, static_cast<std::streamsize>(size));
     if (file.bad() || (file.gcount() == 0 && size != 0))
-        throw FileError(FileErrorKind::NotReadable, path);
+        throw unreadable(path, errno);
     return {buffer, static_cast<std::size_t>(file.gcount())};
 }
 
@@ -177,9 +183,10 @@ TriangleMesh readMesh(const std::filesystem::path& path, const ReadOptions& opti
     const std::uint64_t size = requireFileSize(path);
     const MeshFormat format = requireFormat(path);
     refuseSize(path, size);
+    errno = 0;
     std::ifstream stream(path, std::ios::binary);
     if (!stream)
-        throw FileError(FileErrorKind::NotReadable, path);
+        throw unreadable(path, errno);
     std::array<char, startSize> start;
     const FileBytes first{path, readInto(stream, start.data(), std::min<std::uint64_t>(size, startSize), path)};
     refuseOtherContent(first, size, format);

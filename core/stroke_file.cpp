@@ -104,6 +104,7 @@ private:
     std::string_view keyName() const;
     double inRange(double value, double least, double most) const;
     double inRange(double value, Parameter parameter) const;
+    double zeroOrInRange(double value, double least, double most) const;
 
     template <std::size_t N> void noteKey(const Keys<N>& keys, const std::string& name);
     template <std::size_t N> void requireKeys(const Keys<N>& keys);
@@ -177,6 +178,17 @@ double StrokeReader::inRange(double value, double least, double most) const
     if (!(value >= least && value <= most))
         refuse(Kind::OutOfRange, std::string(keyName()), least, most);
     return value;
+}
+
+double StrokeReader::zeroOrInRange(double value, double least, double most) const
+{
+    if (value == 0 || (value >= least && value <= most))
+        return value;
+    StrokeFileError error = errorHere(Kind::OutOfRange, std::string(keyName()));
+    error.least = least;
+    error.most = most;
+    error.orZero = true;
+    throw error;
 }
 
 double StrokeReader::inRange(double value, Parameter parameter) const
@@ -359,16 +371,12 @@ void StrokeReader::strokeNumber(double value)
     case DetailKey: settings.detail = inRange(value, Parameter::Detail); break;
     case DetailLengthKey: settings.detailLength = inRange(value, info(Parameter::Radius).min, info(Parameter::Radius).max); break;
     case TurntableKey: m_turntable = inRange(value, -farthestSample, farthestSample); break;
-    case SpacingKey:
-        settings.spacing = inRange(value, value == 0 ? 0 : leastSpacing, info(Parameter::Spacing).max);
-        break;
+    case SpacingKey: settings.spacing = zeroOrInRange(value, leastSpacing, info(Parameter::Spacing).max); break;
     case FalloffKey:
-        inRange(value, Parameter::Falloff);
+        zeroOrInRange(value, leastFalloff, info(Parameter::Falloff).max);
         if (value != std::trunc(value))
             refuse(Kind::WrongType);
         settings.falloff = static_cast<int>(value);
-        if (!isFalloff(settings.falloff))
-            refuse(Kind::OutOfRange, "falloff", 3, info(Parameter::Falloff).max);
         break;
     default: refuse(Kind::WrongType);
     }

@@ -48,6 +48,7 @@ struct StrokeFileError : std::runtime_error
     std::size_t line = 0;              ///< counted from 1; 0: unknown
     std::size_t byte = 0;              ///< counted from 1; 0: unknown
     std::optional<double> least, most; ///< with OutOfRange, where there is a range
+    bool orZero = false;               ///< with OutOfRange: 0 is taken, too
     int systemError = 0;               ///< errno, with CannotRead, where it is known
 };
 

@@ -51,6 +51,10 @@
         <source>check: no file was given.</source>
         <translation>check: Es wurde keine Datei angegeben.</translation>
     </message>
+    <message>
+        <source>%1: this folder cannot be read (%2).</source>
+        <translation>%1: Dieser Ordner ist nicht lesbar (%2).</translation>
+    </message>
 </context>
 <context>
     <name>app::CommandLine</name>
@@ -112,6 +116,14 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
 Formate: STL, OBJ, PLY. Längen in Millimetern.
 Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mit einer Zeile auf der Standardfehlerausgabe).
 </translation>
+    </message>
+    <message>
+        <source>Says this.</source>
+        <translation>Zeigt diese Hilfe.</translation>
+    </message>
+    <message>
+        <source>The answer cannot be written to the standard output (%1).</source>
+        <translation>Die Antwort kann nicht auf die Standardausgabe geschrieben werden (%1).</translation>
     </message>
 </context>
 <context>
@@ -393,6 +405,10 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>&quot;%1&quot; is out of range</source>
         <translation>„%1“ liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is out of range, 0 or %2 to %3</source>
+        <translation>„%1“ liegt außerhalb des Bereichs, 0 oder %2 bis %3</translation>
     </message>
 </context>
 <context>
@@ -779,6 +795,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>, byte %1</source>
         <translation>, Byte %1</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: there is no folder %2.</source>
+        <translation>%1 kann nicht geschrieben werden: Es gibt keinen Ordner %2.</translation>
     </message>
 </context>
 <context>

@@ -51,6 +51,10 @@
         <source>check: no file was given.</source>
         <translation>check：未指定文件。</translation>
     </message>
+    <message>
+        <source>%1: this folder cannot be read (%2).</source>
+        <translation>%1：无法读取此文件夹（%2）。</translation>
+    </message>
 </context>
 <context>
     <name>app::CommandLine</name>
@@ -111,6 +115,14 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
 格式：STL、OBJ、PLY。长度单位为毫米。
 状态：0 完成，1 结果为否，2 输入或用法有误（标准错误输出一行说明）。
 </translation>
+    </message>
+    <message>
+        <source>Says this.</source>
+        <translation>显示此帮助。</translation>
+    </message>
+    <message>
+        <source>The answer cannot be written to the standard output (%1).</source>
+        <translation>无法将结果写入标准输出（%1）。</translation>
     </message>
 </context>
 <context>
@@ -391,6 +403,10 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>&quot;%1&quot; is out of range</source>
         <translation>“%1”超出范围</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is out of range, 0 or %2 to %3</source>
+        <translation>“%1”超出范围（0，或 %2 至 %3）</translation>
     </message>
 </context>
 <context>
@@ -776,6 +792,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>, byte %1</source>
         <translation>，第 %1 字节</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: there is no folder %2.</source>
+        <translation>无法写入 %1：没有文件夹 %2。</translation>
     </message>
 </context>
 <context>

@@ -136,6 +136,8 @@ QString Messages::writing(const core::FileError& error)
 {
     const QString path = nativePath(error.path), reason = systemReason(error);
     switch (error.kind) {
+    case FileErrorKind::NoFolder:
+        return tr("%1 cannot be written: there is no folder %2.").arg(path, nativePath(error.path.parent_path()));
     case FileErrorKind::NotWritable:
         return tr("%1 cannot be written: it is not permitted%2.").arg(path, reason);
     case FileErrorKind::DiskFull:

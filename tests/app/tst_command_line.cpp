@@ -9,6 +9,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <unistd.h>
+
 namespace
 {
 struct Answer
@@ -25,8 +27,8 @@ struct Answer
     }
 };
 
-/// The program as a script sees it: no display, the C locale unless told otherwise.
-Answer fettle(const QStringList& arguments, const QMap<QString, QString>& variables = {}, const QString& folder = {})
+/// A program as a script sees it: no display, the C locale unless told otherwise.
+Answer run(const QString& program, const QStringList& arguments, const QString& folder, const QMap<QString, QString>& variables = {})
 {
     QProcess process;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
@@ -38,7 +40,7 @@ Answer fettle(const QStringList& arguments, const QMap<QString, QString>& variab
     process.setProcessEnvironment(environment);
     if (!folder.isEmpty())
         process.setWorkingDirectory(folder);
-    process.start(QStringLiteral(FETTLE_PROGRAM), arguments);
+    process.start(program, arguments);
     Answer answer;
     if (!process.waitForFinished(-1) || process.exitStatus() != QProcess::NormalExit)
         return answer;
@@ -46,6 +48,11 @@ Answer fettle(const QStringList& arguments, const QMap<QString, QString>& variab
     answer.out = process.readAllStandardOutput();
     answer.err = process.readAllStandardError();
     return answer;
+}
+
+Answer fettle(const QStringList& arguments, const QMap<QString, QString>& variables = {}, const QString& folder = {})
+{
+    return run(QStringLiteral(FETTLE_PROGRAM), arguments, folder, variables);
 }
 
 QByteArray read(const QString& path)
@@ -79,6 +86,8 @@ class TestCommandLine : public QObject
 private Q_SLOTS:
     void init();
     void version_andHelp();
+    void output_thatCannotBeWrittenIsAnError();
+    void files_thatMayNotBeReadSayWhy();
     void usage_isRefused_data();
     void usage_isRefused();
     void words_winOverFileNames();
@@ -131,7 +140,43 @@ void TestCommandLine::version_andHelp()
         const Answer help = fettle(arguments);
         QCOMPARE(help.status, 0);
         QVERIFY(help.out.contains("fettle") && help.err.isEmpty());
+        QVERIFY(!help.out.contains("--help-all") && !help.out.contains("Qt"));
     }
+    QVERIFY(fettle({QStringLiteral("check"), QStringLiteral("--help")}).out.startsWith("Usage: fettle check [options] FILE..."));
+}
+
+/// Done by a shell, which redirects and limits; $1 is the program.
+void TestCommandLine::output_thatCannotBeWrittenIsAnError()
+{
+    write(at("a.obj"), cube);
+    const auto shell = [&](const char* script) {
+        return run(QStringLiteral("sh"), {QStringLiteral("-c"), QString::fromLatin1(script), QStringLiteral("sh"), QStringLiteral(FETTLE_PROGRAM)},
+                   m_folder->path());
+    };
+    for (const char* script : {"\"$1\" check a.obj > /dev/full", "\"$1\" check --json a.obj > /dev/full", "\"$1\" --version > /dev/full"})
+        VERIFY_REFUSED(shell(script), "standard output");
+    write(at("s.json"), strokes(R"("tool":"pull","radius":0.25)"));
+    VERIFY_REFUSED(shell("ulimit -f 1; \"$1\" replay --strokes s.json --out big.ply"), "big.ply was not written");
+    QCOMPARE(left(), QStringList({QStringLiteral("a.obj"), QStringLiteral("s.json")}));
+}
+
+void TestCommandLine::files_thatMayNotBeReadSayWhy()
+{
+    write(at("a.obj"), cube);
+    QVERIFY(QDir(m_folder->path()).mkdir(QStringLiteral("locked")));
+    const auto asNobody = [&](const QString& name) { // root may read everything
+        QStringList arguments{QStringLiteral(FETTLE_PROGRAM), QStringLiteral("check"), name};
+        if (::geteuid() == 0)
+            arguments = QStringList{QStringLiteral("setpriv"), QStringLiteral("--reuid=65534"), QStringLiteral("--regid=65534"), QStringLiteral("--clear-groups")} + arguments;
+        return run(arguments.first(), arguments.mid(1), m_folder->path());
+    };
+    QFile::setPermissions(m_folder->path(), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner | QFile::ReadOther | QFile::ExeOther);
+    QCOMPARE(asNobody(QStringLiteral("a.obj")).status, 0);
+    QFile::setPermissions(at("a.obj"), {});
+    QFile::setPermissions(at("locked"), {});
+    VERIFY_REFUSED(asNobody(QStringLiteral("a.obj")), "a.obj cannot be read (Permission denied)");
+    VERIFY_REFUSED(asNobody(QStringLiteral("locked")), "locked: this folder cannot be read (Permission denied)");
+    QFile::setPermissions(at("locked"), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
 }
 
 void TestCommandLine::usage_isRefused_data()
@@ -474,6 +519,10 @@ void TestCommandLine::replay_refusals_data()
                                           << QStringLiteral("position");
     QTest::newRow("no direction") << strokes(R"("tool":"pull","radius":1,"place":"ray")", R"({"position":[0,0,9],"direction":[0,0,1e-310]})")
                                   << QStringLiteral("direction");
+    QTest::newRow("falloff 2") << strokes(R"("tool":"pull","radius":1,"falloff":2)") << QStringLiteral("0 or 3 to 16");
+    QTest::newRow("falloff 17") << strokes(R"("tool":"pull","radius":1,"falloff":17)") << QStringLiteral("0 or 3 to 16");
+    QTest::newRow("spacing too small") << strokes(R"("tool":"pull","radius":1,"spacing":0.0001)") << QStringLiteral("0 or 0.001 to 4");
+    QTest::newRow("spacing too large") << strokes(R"("tool":"pull","radius":1,"spacing":5)") << QStringLiteral("0 or 0.001 to 4");
     QTest::newRow("place") << strokes(R"("tool":"pull","radius":1)", R"({"position":[0,0,1]},{"position":[0,0,1],"pressure":7})")
                            << QStringLiteral("stroke 1, sample 2");
     QTest::newRow("cut off") << strokes(R"("tool":"pull","radius":1)").chopped(10) << QStringLiteral("line 1");
@@ -510,6 +559,7 @@ void TestCommandLine::replay_refusalWritesNothing()
     write(at("s.json"), strokes(R"("tool":"pull","radius":0.25)"));
     VERIFY_REFUSED(fettle(replay + QStringList{QStringLiteral("--out"), at("o.3mf")}), "o.3mf");
     VERIFY_REFUSED(fettle(replay + QStringList{QStringLiteral("--out"), at("none/o.stl")}), "o.stl");
+    QVERIFY(fettle(replay + QStringList{QStringLiteral("--out"), at("none/o.stl")}).isRefusal(QStringLiteral("there is no folder ") + at("none")));
     VERIFY_REFUSED(fettle(replay + QStringList{QStringLiteral("--stats"), at("none/t.json")}), "t.json");
     VERIFY_REFUSED(fettle(replay + QStringList{at("a.stl")}), "a.stl");
     write(at("open.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

@@ -744,7 +744,7 @@ void TestMeshIo::writing_failsWithoutTrace()
         return error ? static_cast<int>(error->kind) : -1;
     };
     const QStringList before = filesThere();
-    QCOMPARE(kindOf(file("nowhere/a.stl")), static_cast<int>(Kind::NotFound));
+    QCOMPARE(kindOf(file("nowhere/a.stl")), static_cast<int>(Kind::NoFolder));
     QCOMPARE(kindOf(file("a.what")), static_cast<int>(Kind::UnknownFormat));
     std::filesystem::create_directories(file("folder.stl"));
     QCOMPARE(kindOf(file("folder.stl")), static_cast<int>(Kind::NotAFile));

@@ -1,0 +1,11 @@
+#include "process_signals.h"
+
+#include <csignal>
+
+namespace app
+{
+void surviveFileSizeLimit()
+{
+    std::signal(SIGXFSZ, SIG_IGN);
+}
+} // namespace app
