@@ -56,7 +56,6 @@ QString StrokeWords::reason(const core::StrokeFileError& error)
     case Kind::MissingKey: return tr("\"%1\" is missing").arg(key);
     case Kind::WrongType: return tr("\"%1\" is of the wrong type, or holds too few or too many values").arg(key);
     case Kind::UnknownValue: return tr("unknown value, %1").arg(key);
-    case Kind::NotYet: return tr("%1 is not there yet").arg(key);
     case Kind::NotANumber: return tr("\"%1\" is not a finite number").arg(key);
     case Kind::OutOfRange:
         if (error.least && error.most && error.orZero)

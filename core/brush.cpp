@@ -15,6 +15,7 @@ constexpr std::array<std::string_view, 5> toolTable{"pull", "push", "flatten", "
 constexpr std::array<std::string_view, 2> brushTable{"sphere", "ray"};
 constexpr std::array<std::string_view, 2> topologyTable{"adaptive", "uniform"};
 constexpr std::array<std::string_view, 3> placementTable{"point", "nearest", "ray"};
+constexpr std::array<std::string_view, 4> symmetryTable{"none", "x", "y", "z"};
 constexpr std::array<std::string_view, 6> outcomeTable{"committed", "careful", "ended_early",
                                                      "empty",     "added",   "refused"};
 
@@ -84,9 +85,55 @@ std::optional<Placement> placementNamed(std::string_view name)
     return named<Placement>(name, placementTable);
 }
 
+std::string_view name(Symmetry symmetry)
+{
+    return symmetryTable[static_cast<std::size_t>(symmetry)];
+}
+
+std::optional<Symmetry> symmetryNamed(std::string_view name)
+{
+    return named<Symmetry>(name, symmetryTable);
+}
+
 std::string_view name(DabOutcome outcome)
 {
     return outcomeTable[static_cast<std::size_t>(outcome)];
+}
+
+namespace
+{
+int severity(DabOutcome outcome)
+{
+    switch (outcome) {
+    case DabOutcome::Empty: return 0;
+    case DabOutcome::Committed: return 1;
+    case DabOutcome::Added: return 2;
+    case DabOutcome::Careful: return 3;
+    case DabOutcome::EndedEarly: return 4;
+    case DabOutcome::Refused: return 5;
+    }
+    return 0;
+}
+} // namespace
+
+DabReport& DabReport::operator+=(const DabReport& second)
+{
+    selectMs += second.selectMs;
+    optimiseMs += second.optimiseMs;
+    deformMs += second.deformMs;
+    fuseMs += second.fuseMs;
+    touchedVertices += second.touchedVertices;
+    touchedFaces += second.touchedFaces;
+    substeps += second.substeps;
+    if (second.reached * asked < reached * second.asked || asked == 0) { // reached / asked is less
+        asked = second.asked;
+        reached = second.reached;
+    }
+    if (severity(second.outcome) > severity(outcome)) {
+        outcome = second.outcome;
+        refusal = second.refusal;
+    }
+    return *this;
 }
 
 double falloff(double x, int n)

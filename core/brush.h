@@ -30,6 +30,9 @@ enum class Placement {
     Ray      ///< the first hit of position + direction, as with a mouse; no hit: the dab is empty
 };
 
+/// The plane through the origin about which a stroke is mirrored (paper, section 3.5.2): x, y or z = 0.
+enum class Symmetry { None, X, Y, Z };
+
 /// The tools by their names in stroke files, in palette order.
 std::span<const std::string_view> toolNames();
 std::string_view name(Tool tool);
@@ -40,6 +43,8 @@ std::string_view name(Topology topology);
 std::optional<Topology> topologyNamed(std::string_view name);
 std::string_view name(Placement placement);
 std::optional<Placement> placementNamed(std::string_view name);
+std::string_view name(Symmetry symmetry);
+std::optional<Symmetry> symmetryNamed(std::string_view name);
 
 enum class Unit { None, Millimetres, Radii };
 

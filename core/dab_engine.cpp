@@ -15,6 +15,7 @@
 
 #include "deform.h"
 #include "free_topology.h"
+#include "mirror_plan.h"
 #include "phase_timer.h"
 #include "surface_query.h"
 
@@ -29,24 +30,24 @@ constexpr double mostSubsteps = 4096;
 /// Vertices that its sub-steps move, together: some seconds of work.
 constexpr double mostVertexMoves = 1 << 21;
 constexpr int mostHoldRounds = 64;
-
-bool runPlainly(const std::function<void()>& operation)
-{
-    operation();
-    return true;
-}
 } // namespace
 
-DabEngine::DabEngine(Mesh& mesh) : m_mesh(mesh), m_surface(mesh) {}
+DabEngine::DabEngine(Mesh& mesh) : m_mesh(mesh), m_surface(mesh), m_mirror(mesh) {}
 
 DabReport DabEngine::apply(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between)
 {
     DabReport report;
+    m_bounds.reset();
+    if (!(dab.strength > 0))
+        return report;
     const double verifiedBefore = m_surface.verifyMs();
     m_surface.forgetDirtyFaces();
     {
         const PhaseTimer timer(report.totalMs);
-        run(settings, dab, between, report);
+        if (settings.symmetry == Symmetry::None)
+            run(settings, dab, between, report);
+        else
+            runMirrored(settings, dab, between, report);
     }
     report.verifyMs = m_surface.verifyMs() - verifiedBefore;
     if (report.touchedFaces == 0)
@@ -57,23 +58,78 @@ DabReport DabEngine::apply(const StrokeSettings& settings, const Dab& dab, const
 void DabEngine::run(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between,
                     DabReport& report)
 {
-    m_held.clear();
-    m_fuser.beginDab();
-    m_blocked.clear();
-    m_capped = false;
-    m_bounds.reset();
-    if (!(dab.strength > 0))
-        return;
     {
         const PhaseTimer timer(report.selectMs);
         select(settings.brush, {dab.position, dab.radius});
     }
+    sculpt(settings, dab, between, report);
+}
+
+/// A dab and its image (paper, section 3.5.2): at once where the model is symmetric, else one after the other.
+void DabEngine::runMirrored(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between,
+                            DabReport& report)
+{
+    m_mirror.setPlane(settings.symmetry);
+    Dab image = dab, folded = dab;
+    image.position = m_mirror.imageOf(dab.position);
+    folded.position = m_mirror.folded(dab.position);
+    const Sphere ball = {folded.position, dab.radius};
+    bool mirrored = false;
+    {
+        const PhaseTimer timer(report.selectMs);
+        select(settings.brush, ball);
+        mirrored = isMirroredIn(settings.brush, ball);
+        if (mirrored)
+            keepHalf(m_region, m_mirror);
+    }
+    if (mirrored) {
+        sculpt(settings, folded, between, report);
+        m_mirror.setPlane(Symmetry::None);
+        return;
+    }
+    m_mirror.setPlane(Symmetry::None);
+    run(settings, dab, between, report);
+    if (image.position != dab.position) {
+        DabReport second;
+        run(settings, image, between, second);
+        report += second;
+    }
+    report.asymmetric = true;
+}
+
+/// Whether all that the ball and its image can change is symmetric, bit for bit.
+bool DabEngine::isMirroredIn(BrushShape brush, const Sphere& ball)
+{
+    const FaceOctree& octree = m_surface.octree();
+    if (!m_mirror.learn(m_candidates, octree))
+        return false;
+    std::vector<Slot> opposite;
+    if (brush == BrushShape::Sphere) { // the other brush follows the surface, and finds there what it found here
+        const LatticeBox box = latticeBox(m_mesh.lattice(), {m_mirror.imageOf(ball.center), ball.radius});
+        octree.query(box, [&](Slot f) { opposite.push_back(f); });
+    }
+    return m_mirror.learn(opposite, octree);
+}
+
+MeshEditor DabEngine::judgedEditor()
+{
+    return MeshEditor(m_mesh, [this](const std::function<void()>& operation) { return m_surface.attempt(operation); }, mirror());
+}
+
+/// The region is selected.
+void DabEngine::sculpt(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between,
+                       DabReport& report)
+{
     if (wantsSphere(settings, dab)) {
-        report = addSphere(m_surface, {dab.position, dab.radius});
+        report = addSphere(m_surface, {dab.position, dab.radius}, mirror());
         return;
     }
     if (settings.tool == Tool::Paint)
         return paint(settings, dab, report);
+    m_held.clear();
+    m_fuser.beginDab();
+    m_blocked.clear();
+    m_capped = false;
     Task task = {settings, dab, boundsFor(settings, dab)};
     m_bounds = task.bounds;
     {
@@ -98,7 +154,15 @@ void DabEngine::run(const StrokeSettings& settings, const Dab& dab, const std::f
         if (between)
             between();
     }
-    report.touchedVertices = m_region.size();
+    report.touchedVertices = touchedVertices();
+}
+
+Slot DabEngine::touchedVertices() const
+{
+    Slot images = 0;
+    if (m_mirror.isOn())
+        m_region.forEach([&](Slot v) { images += m_mirror.isOnPlane(v) ? 0 : 1; });
+    return m_region.size() + images;
 }
 
 /// The candidate triangles and the region (paper, section 3.1).
@@ -129,17 +193,23 @@ bool DabEngine::wantsSphere(const StrokeSettings& settings, const Dab& dab) cons
 void DabEngine::paint(const StrokeSettings& settings, const Dab& dab, DabReport& report)
 {
     const Mesh::Mark mark = m_mesh.mark();
-    m_region.forEach([&](Slot v) {
-        const double x = std::min(m_region.distance(v) / dab.radius, 1.0);
-        const double share = std::min(dab.strength, 1.0) * falloff(x, settings.falloff);
+    const auto colour = [&](Slot v, double share) {
         const Rgb before = m_mesh.color(v);
         const auto mix = [&](int from, int to) { return static_cast<std::uint8_t>(from + share * (to - from) + 0.5); };
         const Rgb after = {mix(before.r, settings.color.r), mix(before.g, settings.color.g), mix(before.b, settings.color.b)};
         if (after != before)
             m_mesh.setColor(v, after);
+    };
+    m_region.forEach([&](Slot v) {
+        const double x = std::min(m_region.distance(v) / dab.radius, 1.0);
+        const double share = std::min(dab.strength, 1.0) * falloff(x, settings.falloff);
+        colour(v, share);
+        const Slot image = m_mirror.isOn() ? m_mirror.imageOf(v) : v;
+        if (image != v)
+            colour(image, share);
     });
     m_surface.commitUnjudged(mark);
-    report.touchedVertices = m_region.size();
+    report.touchedVertices = touchedVertices();
     report.outcome = m_region.empty() ? DabOutcome::Empty : DabOutcome::Committed;
 }
 
@@ -174,32 +244,55 @@ DabEngine::Substep DabEngine::substep(Task& task, DabReport& report)
 }
 
 /// The first sub-step begins with this: the mesh under the brush is made fine enough to plan on.
-RemeshCounts DabEngine::refineAndPlan(Task& task, const Attempt& attempt, DabReport& report)
+RemeshCounts DabEngine::refineAndPlan(Task& task, MeshEditor edit, DabReport& report)
 {
     const Sphere ball = {task.dab.position, task.dab.radius};
     RemeshCounts counts;
     {
         const PhaseTimer timer(report.optimiseMs, m_surface.verifyMs());
-        counts = refine(m_mesh, m_region, m_candidates, ball, task.bounds, attempt);
+        counts = refine(edit, m_region, m_candidates, ball, task.bounds);
     }
     if (task.settings.brush == BrushShape::Ray && counts.splits > 0) {
         const PhaseTimer timer(report.selectMs);
-        for (Slot v : m_region.remeshed().slots())
-            m_mesh.forEachOutgoing(v, [&](Slot h) { m_candidates.push_back(m_mesh.face(h)); });
-        selectGeodesic(m_region, m_candidates, m_mesh, ball);
+        selectRefined(m_region, ball);
+        if (m_mirror.isOn())
+            keepHalf(m_region, m_mirror);
     }
     const PhaseTimer timer(report.deformMs);
-    report.asked = planDeformation(m_region, m_mesh, task.settings, task.dab);
+    report.asked = plan(task);
     task.steps = std::max(1.0, std::ceil(report.asked / (movePerMinimum * task.bounds.minimum)));
     return counts;
+}
+
+/// The ray brush's selection after refine().
+void DabEngine::selectRefined(Region& region, const Sphere& ball)
+{
+    std::vector<Slot> candidates = m_candidates; // they stay: a sub-step that fails is refined again
+    for (Slot v : m_region.remeshed().slots())
+        m_mesh.forEachOutgoing(v, [&](Slot h) { candidates.push_back(m_mesh.face(h)); });
+    selectGeodesic(region, candidates, m_mesh, ball);
+}
+
+/// Returns the longest displacement planned.
+double DabEngine::plan(const Task& task)
+{
+    if (!m_mirror.isOn())
+        return planDeformation(m_region, m_mesh, task.settings, task.dab);
+    const Sphere ball = {task.dab.position, task.dab.radius};
+    if (task.settings.brush == BrushShape::Ray)
+        selectRefined(m_whole, ball);
+    else
+        selectWhole(m_whole, m_region, m_mirror, m_mesh, ball);
+    return planMirrored(m_region, m_whole, m_mirror, m_mesh, task.settings, task.dab);
 }
 
 DabEngine::Substep DabEngine::straight(Task& task, DabReport& report)
 {
     const Mesh::Mark mark = m_mesh.mark();
+    MeshEditor edit = plainEditor();
     RemeshCounts counts;
     if (task.steps == 0)
-        counts += refineAndPlan(task, runPlainly, report);
+        counts += refineAndPlan(task, plainEditor(), report);
     if (m_region.empty()) {
         m_mesh.rollback(mark);
         return Substep::Empty;
@@ -213,7 +306,7 @@ DabEngine::Substep DabEngine::straight(Task& task, DabReport& report)
     }
     if (inside) {
         const PhaseTimer timer(report.optimiseMs);
-        counts += optimise(m_mesh, m_region, task.bounds, runPlainly);
+        counts += optimise(edit, m_region, task.bounds);
     }
     if (!inside || !m_surface.judge(mark)) {
         m_mesh.rollback(mark);
@@ -226,14 +319,14 @@ DabEngine::Substep DabEngine::straight(Task& task, DabReport& report)
 
 DabEngine::Substep DabEngine::careful(Task& task, DabReport& report)
 {
-    const auto judged = [&](const std::function<void()>& operation) { return m_surface.attempt(operation); };
     if (task.steps == 0)
-        count(refineAndPlan(task, judged, report));
+        count(refineAndPlan(task, judgedEditor(), report));
     join(task, report);
     const bool moved = moveHeldBack(1 / task.steps, report);
     if (!optimiseAtOnce(task, report)) {
         const PhaseTimer timer(report.optimiseMs, m_surface.verifyMs());
-        count(optimise(m_mesh, m_region, task.bounds, judged));
+        MeshEditor edit = judgedEditor();
+        count(optimise(edit, m_region, task.bounds));
     }
     return moved ? Substep::Careful : Substep::Stuck;
 }
@@ -243,10 +336,11 @@ bool DabEngine::optimiseAtOnce(Task& task, DabReport& report)
 {
     const Region::Saved saved = m_region.save();
     const Mesh::Mark mark = m_mesh.mark();
+    MeshEditor edit = plainEditor();
     RemeshCounts counts;
     {
         const PhaseTimer timer(report.optimiseMs);
-        counts = optimise(m_mesh, m_region, task.bounds, runPlainly);
+        counts = optimise(edit, m_region, task.bounds);
     }
     if (!m_surface.judge(mark)) {
         m_mesh.rollback(mark);
@@ -286,14 +380,15 @@ bool DabEngine::moveHeldBack(double part, DabReport& report)
 bool DabEngine::displace(double part)
 {
     const Lattice& lattice = m_mesh.lattice();
+    MeshEditor edit = plainEditor();
     bool inside = true;
     m_region.forEach([&](Slot v) {
         const double share = part * m_held.share(m_region, v);
         const Vec3f before = m_mesh.point(v);
-        const Vec3f after = lattice.snap(before.cast<double>() + share * m_region.plan(v));
+        const Vec3f after = edit.kept(v, lattice.snap(before.cast<double>() + share * m_region.plan(v)));
         inside = inside && lattice.contains(after.cast<double>());
         if (inside && after != before)
-            m_mesh.setPoint(v, after);
+            edit.move(v, after);
     });
     return inside;
 }
@@ -322,7 +417,7 @@ bool DabEngine::facesMeet(const StrokeSettings& settings, const Sphere& ball)
 /// Before the motion of a sub-step that is to come.
 void DabEngine::join(Task& task, DabReport& report)
 {
-    if (!task.joins)
+    if (!task.joins || m_mirror.isOn()) // surfaces of a mirrored dab stop at contact
         return;
     const PhaseTimer timer(report.fuseMs, m_surface.verifyMs());
     if (m_held.inUse())
@@ -335,7 +430,7 @@ void DabEngine::join(Task& task, DabReport& report)
 
 void DabEngine::separate(Task& task, DabReport& report)
 {
-    if (!task.settings.fusion || m_blocked.empty())
+    if (!task.settings.fusion || m_blocked.empty() || m_mirror.isOn())
         return;
     const PhaseTimer timer(report.fuseMs, m_surface.verifyMs());
     m_totals.separations += m_fuser.separate(m_surface, m_region, m_blocked, task.bounds).separations;

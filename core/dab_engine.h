@@ -3,6 +3,7 @@
 #include "fuse.h"
 #include "held_back.h"
 #include "judged_mesh.h"
+#include "mesh_editor.h"
 #include "region.h"
 #include "remesh.h"
 #include "sculptor.h"
@@ -50,6 +51,13 @@ private:
     };
 
     void run(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report);
+    void runMirrored(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report);
+    void sculpt(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report);
+    bool isMirroredIn(BrushShape brush, const Sphere& ball);
+    MeshEditor plainEditor() { return MeshEditor(m_mesh, {}, mirror()); }
+    MeshEditor judgedEditor();
+    MirrorMap* mirror() { return m_mirror.isOn() ? &m_mirror : nullptr; }
+    Slot touchedVertices() const;
     void select(BrushShape brush, const Sphere& ball);
     bool wantsSphere(const StrokeSettings& settings, const Dab& dab) const;
     void paint(const StrokeSettings& settings, const Dab& dab, DabReport& report);
@@ -57,7 +65,9 @@ private:
     Substep substep(Task& task, DabReport& report);
     Substep straight(Task& task, DabReport& report);
     Substep careful(Task& task, DabReport& report);
-    RemeshCounts refineAndPlan(Task& task, const Attempt& attempt, DabReport& report);
+    RemeshCounts refineAndPlan(Task& task, MeshEditor edit, DabReport& report);
+    double plan(const Task& task);
+    void selectRefined(Region& region, const Sphere& ball);
     bool optimiseAtOnce(Task& task, DabReport& report);
     bool moveHeldBack(double part, DabReport& report);
     bool displace(double part);
@@ -69,7 +79,9 @@ private:
 
     Mesh& m_mesh;
     JudgedMesh m_surface;
-    Region m_region;
+    Region m_region;    ///< with a mirror: of the half
+    MirrorMap m_mirror; ///< on while a dab is done on both sides at once
+    Region m_whole;     ///< with a mirror: what the dab alone selects, on both sides
     std::vector<Slot> m_candidates;
     HeldBack m_held;
     Fuser m_fuser;

@@ -13,6 +13,11 @@ constexpr int sphereSubdivisions = 3;
 /// d_thickness in terms of d_detail: the least distance from every triangle.
 constexpr double clearPerDetail = 0.735;
 
+double clearanceOf(const Sphere& ball)
+{
+    return clearPerDetail * edgeBounds(ball.radius, 1).detail;
+}
+
 /// By ray parity, as the paper has it, and by distance: a large triangle may be near though no vertex is.
 Refusal refusalOf(const JudgedMesh& surface, const Sphere& ball)
 {
@@ -27,37 +32,61 @@ Refusal refusalOf(const JudgedMesh& surface, const Sphere& ball)
     });
     if (probe.isInside())
         return Refusal::Inside;
-    const double clearance = clearPerDetail * edgeBounds(ball.radius, 1).detail;
     const std::optional<SurfaceHit> nearest = nearestPoint(mesh, surface.octree(), ball.center);
-    return nearest && nearest->distance < ball.radius + clearance ? Refusal::TooClose : Refusal::None;
+    return nearest && nearest->distance < ball.radius + clearanceOf(ball) ? Refusal::TooClose : Refusal::None;
 }
 
-Surgery sphereAt(const Sphere& ball, const JudgedMesh& surface)
+Slot nearestVertex(const JudgedMesh& surface, const Vec3& p)
 {
-    const Mesh& mesh = surface.mesh();
+    return surface.mesh().corners(nearestPoint(surface.mesh(), surface.octree(), p)->face)[0];
+}
+
+TriangleMesh sphereAt(const Sphere& ball, const Lattice& lattice)
+{
     TriangleMesh sphere = icosphere(sphereSubdivisions, ball.radius);
     for (Vec3f& p : sphere.points)
-        p = mesh.lattice().snap(ball.center + p.cast<double>());
-    return additionOf(sphere, mesh.corners(nearestPoint(mesh, surface.octree(), ball.center)->face)[0]);
+        p = lattice.snap(ball.center + p.cast<double>());
+    return sphere;
+}
+
+TriangleMesh imageOf(TriangleMesh shell, const MirrorMap& mirror)
+{
+    for (Vec3f& p : shell.points)
+        p = mirror.imageOf(p);
+    for (Triangle& t : shell.triangles)
+        std::swap(t[1], t[2]);
+    return shell;
 }
 } // namespace
 
-DabReport addSphere(JudgedMesh& surface, const Sphere& ball)
+DabReport addSphere(JudgedMesh& surface, const Sphere& ball, const MirrorMap* mirror)
 {
     Mesh& mesh = surface.mesh();
+    const bool paired = mirror && mirror->imageOf(ball.center) != ball.center;
+    const Sphere image = {paired ? mirror->imageOf(ball.center) : ball.center, ball.radius};
     DabReport report;
     report.outcome = DabOutcome::Refused;
     report.refusal = refusalOf(surface, ball);
+    if (paired && report.refusal == Refusal::None)
+        report.refusal = (image.center - ball.center).norm() < 2 * ball.radius + clearanceOf(ball) ? Refusal::TooClose
+                                                                                                  : refusalOf(surface, image);
     if (report.refusal != Refusal::None)
         return report;
-    const Surgery sphere = sphereAt(ball, surface);
-    if (!surface.attempt([&] { mesh.replaceFaces(sphere); })) {
+    const TriangleMesh sphere = sphereAt(ball, mesh.lattice());
+    const Slot near = nearestVertex(surface, ball.center), nearImage = nearestVertex(surface, image.center);
+    const auto add = [&] {
+        mesh.replaceFaces(additionOf(sphere, near));
+        if (paired)
+            mesh.replaceFaces(additionOf(imageOf(sphere, *mirror), nearImage));
+    };
+    if (!surface.attempt(add)) {
         report.refusal = Refusal::TooClose;
         return report;
     }
+    const std::uint32_t shells = paired ? 2 : 1;
     report.outcome = DabOutcome::Added;
-    report.touchedVertices = static_cast<std::uint32_t>(sphere.vertices.size());
-    report.touchedFaces = static_cast<std::uint32_t>(sphere.faces.size());
+    report.touchedVertices = shells * static_cast<std::uint32_t>(sphere.points.size());
+    report.touchedFaces = shells * static_cast<std::uint32_t>(sphere.triangles.size());
     return report;
 }
 } // namespace core

@@ -7,9 +7,6 @@
 
 namespace core
 {
-/// Runs one operation; false means that it was judged and taken back. The plain one just runs it.
-using Attempt = std::function<bool(const std::function<void()>& operation)>;
-
 /// A mesh with all that is kept in step with it: the octree, the ranges to draw anew, and the verifier, which judges each
 /// change before the others learn of it.
 class JudgedMesh

@@ -47,9 +47,9 @@ bool longestFirst(const Edge& a, const Edge& b)
 class Remesher
 {
 public:
-    Remesher(Mesh& mesh, Region& region, const EdgeBounds& bounds, const Attempt& attempt)
-        : m_mesh(mesh), m_region(region), m_bounds(bounds), m_detail2(bounds.detail * bounds.detail),
-          m_minimum2(bounds.minimum * bounds.minimum), m_attempt(attempt),
+    Remesher(MeshEditor& edit, Region& region, const EdgeBounds& bounds)
+        : m_edit(edit), m_mesh(edit.mesh()), m_region(region), m_bounds(bounds), m_detail2(bounds.detail * bounds.detail),
+          m_minimum2(bounds.minimum * bounds.minimum),
           m_opsLeft(std::min(mostOps, leastOps + opsPerVertex * region.size())), m_changed(region.remeshed())
     {
         m_changed.clear();
@@ -81,15 +81,12 @@ private:
 
     Vec3 point(Slot v) const { return m_mesh.point(v).cast<double>(); }
     double length2(Slot e) const { return (point(m_mesh.to(2 * e)) - point(m_mesh.to(2 * e + 1))).squaredNorm(); }
-    Vec3f midpoint(Slot e) const
-    {
-        return m_mesh.lattice().snap(0.5 * (point(m_mesh.to(2 * e)) + point(m_mesh.to(2 * e + 1))));
-    }
     bool mayGoOn();
     template <class Wanted> std::vector<Edge> regionEdges(Wanted wanted) const;
     Edge edgeAt(Slot e) const;
     std::optional<Edge> tooLongIn(Slot f, const Sphere& ball) const;
     void joinRefined(Slot m, const Sphere& ball);
+    void partFacesAcross(std::vector<Slot>& faces, const Sphere& ball);
     Slot split(const Edge& e);
     std::vector<Edge> collapse(std::vector<Edge> edges);
     std::optional<Merged> mergedEnds(Slot h) const;
@@ -97,11 +94,11 @@ private:
     bool shouldFlip(Slot e) const;
     void moveVertex(Slot v, const Vec3& place);
 
-    Mesh& m_mesh;
+    MeshEditor& m_edit;
+    const Mesh& m_mesh;
     Region& m_region;
     EdgeBounds m_bounds;
     double m_detail2, m_minimum2;
-    const Attempt& m_attempt;
     std::uint64_t m_opsLeft;
     SparseIndex& m_changed; ///< vertices around operations
 };
@@ -184,10 +181,12 @@ std::optional<Edge> Remesher::tooLongIn(Slot f, const Sphere& ball) const
 void Remesher::refine(std::span<const Slot> candidates, const Sphere& ball)
 {
     std::vector<Slot> faces(candidates.begin(), candidates.end());
+    if (m_edit.mirror())
+        partFacesAcross(faces, ball);
     while (!faces.empty()) {
         std::vector<Edge> edges;
         for (Slot f : faces) {
-            if (const std::optional<Edge> e = tooLongIn(f, ball))
+            if (const std::optional<Edge> e = m_edit.names(f) ? tooLongIn(f, ball) : std::nullopt)
                 edges.push_back(*e);
         }
         std::ranges::sort(edges, longestFirst);
@@ -207,6 +206,23 @@ void Remesher::refine(std::span<const Slot> candidates, const Sphere& ball)
     }
 }
 
+/// Splits the edges across the mirror's plane in their middle. The faces made by that are added.
+void Remesher::partFacesAcross(std::vector<Slot>& faces, const Sphere& ball)
+{
+    const MirrorMap& mirror = *m_edit.mirror();
+    for (std::size_t i = 0; i < faces.size(); ++i) { // grows meanwhile: a new face may have another such edge
+        const Slot first = m_mesh.faceHalfedge(faces[i]);
+        for (Slot h : {first, m_mesh.next(first), m_mesh.prev(first)}) {
+            const Slot m = mirror.isAcross(h / 2) ? split(edgeAt(h / 2)) : noSlot;
+            if (m == noSlot)
+                continue;
+            joinRefined(m, ball);
+            m_mesh.forEachOutgoing(m, [&](Slot g) { faces.push_back(m_mesh.face(g)); });
+            break;
+        }
+    }
+}
+
 /// A vertex of refine() within the ball joins the region. (The ray brush selects anew when the mesh is fine enough.)
 void Remesher::joinRefined(Slot m, const Sphere& ball)
 {
@@ -215,12 +231,11 @@ void Remesher::joinRefined(Slot m, const Sphere& ball)
         m_region.add(m, std::sqrt(distance2));
 }
 
-/// The new vertex, or noSlot if the split was judged and taken back.
+/// The new vertex, or noSlot if the split was taken back.
 Slot Remesher::split(const Edge& e)
 {
-    const Vec3f p = midpoint(e.edge);
-    Slot m = noSlot;
-    if (!m_attempt([&] { m = m_mesh.splitEdge(e.edge, p); }))
+    const Slot m = m_edit.split(e.edge);
+    if (m == noSlot)
         return noSlot;
     ++counts.splits;
     m_changed.add(m);
@@ -284,8 +299,9 @@ std::optional<Remesher::Merged> Remesher::mergedEnds(Slot h) const
     const Slot v0 = m_mesh.from(h), v1 = m_mesh.to(h);
     const Vec3 &plan0 = m_region.plan(v0), &plan1 = m_region.plan(v1);
     const std::array<Merged, 3> choices = {
-        {{midpoint(h / 2), 0.5 * (plan0 + plan1)}, {m_mesh.point(v1), plan1}, {m_mesh.point(v0), plan0}}};
-    for (const Merged& merged : choices) {
+        {{m_edit.middle(h / 2), 0.5 * (plan0 + plan1)}, {m_mesh.point(v1), plan1}, {m_mesh.point(v0), plan0}}};
+    for (Merged merged : choices) {
+        merged.point = m_edit.kept(v1, merged.point);
         const Vec3 p = merged.point.cast<double>();
         if (staysSound(v0, v1, p, collapseLimits()) && staysSound(v1, v0, p, collapseLimits()))
             return merged;
@@ -314,11 +330,11 @@ std::vector<Edge> Remesher::collapse(std::vector<Edge> edges)
     for (const Edge& e : edges) {
         if (!m_mesh.isEdge(e.edge) || length2(e.edge) >= m_minimum2)
             continue;
-        const Slot h = 2 * e.edge, gone = m_mesh.from(h), stays = m_mesh.to(h);
+        const Slot h = m_edit.collapsing(e.edge), gone = m_mesh.from(h), stays = m_mesh.to(h);
         const std::optional<Merged> merged = mergedEnds(h);
         if (!merged)
             counts.blocked.push_back({gone, stays});
-        if (!merged || !mayGoOn() || !m_attempt([&] { m_mesh.collapse(h, merged->point); }))
+        if (!merged || !mayGoOn() || !m_edit.collapse(h, merged->point))
             continue;
         ++counts.collapses;
         m_region.setPlan(stays, merged->plan);
@@ -375,7 +391,7 @@ void Remesher::flipEdges()
         std::ranges::sort(edges, [](const Edge& a, const Edge& b) { return std::tie(a.v0, a.v1) < std::tie(b.v0, b.v1); });
         bool flipped = false;
         for (const Edge& e : edges) {
-            if (!shouldFlip(e.edge) || !mayGoOn() || !m_attempt([&] { m_mesh.flip(e.edge); }))
+            if (!shouldFlip(e.edge) || !mayGoOn() || !m_edit.flip(e.edge))
                 continue;
             ++counts.flips;
             flipped = true;
@@ -407,9 +423,9 @@ void Remesher::moveTo(const std::function<Vec3(Slot)>& place)
 
 void Remesher::moveVertex(Slot v, const Vec3& place)
 {
-    const Vec3f target = m_mesh.lattice().snap(place);
+    const Vec3f target = m_edit.kept(v, m_mesh.lattice().snap(place));
     if (staysSound(v, noSlot, target.cast<double>(), relaxLimits()))
-        m_attempt([&] { m_mesh.setPoint(v, target); });
+        m_edit.move(v, target);
 }
 } // namespace
 
@@ -442,17 +458,17 @@ RemeshCounts& RemeshCounts::operator+=(const RemeshCounts& more)
     return *this;
 }
 
-RemeshCounts refine(Mesh& mesh, Region& region, std::span<const Slot> candidates, const Sphere& ball,
-                    const EdgeBounds& bounds, const Attempt& attempt)
+RemeshCounts refine(MeshEditor& edit, Region& region, std::span<const Slot> candidates, const Sphere& ball,
+                    const EdgeBounds& bounds)
 {
-    Remesher remesher(mesh, region, bounds, attempt);
+    Remesher remesher(edit, region, bounds);
     remesher.refine(candidates, ball);
     return remesher.counts;
 }
 
-RemeshCounts optimise(Mesh& mesh, Region& region, const EdgeBounds& bounds, const Attempt& attempt)
+RemeshCounts optimise(MeshEditor& edit, Region& region, const EdgeBounds& bounds)
 {
-    Remesher remesher(mesh, region, bounds, attempt);
+    Remesher remesher(edit, region, bounds);
     remesher.splitLongEdges();
     remesher.collapseShortEdges();
     remesher.flipEdges();
@@ -460,15 +476,14 @@ RemeshCounts optimise(Mesh& mesh, Region& region, const EdgeBounds& bounds, cons
     return remesher.counts;
 }
 
-void moveSoundly(Mesh& mesh, Region& region, const EdgeBounds& bounds, const std::function<Vec3(Slot)>& place,
-                 const Attempt& attempt)
+void moveSoundly(MeshEditor& edit, Region& region, const EdgeBounds& bounds, const std::function<Vec3(Slot)>& place)
 {
-    Remesher(mesh, region, bounds, attempt).moveTo(place);
+    Remesher(edit, region, bounds).moveTo(place);
 }
 
-RemeshCounts splitLongEdges(Mesh& mesh, Region& region, const EdgeBounds& bounds, const Attempt& attempt)
+RemeshCounts splitLongEdges(MeshEditor& edit, Region& region, const EdgeBounds& bounds)
 {
-    Remesher remesher(mesh, region, bounds, attempt);
+    Remesher remesher(edit, region, bounds);
     remesher.splitLongEdges();
     return remesher.counts;
 }

@@ -14,6 +14,7 @@ struct StrokeSettings
     BrushShape brush = BrushShape::Sphere;
     Placement place = Placement::Point; ///< of the spherical brush
     Topology topology = Topology::Adaptive;
+    Symmetry symmetry = Symmetry::None;
     double radius = info(Parameter::Radius).defaultValue;
     double strength = info(Parameter::Strength).defaultValue;
     int falloff = static_cast<int>(info(Parameter::Falloff).defaultValue); ///< n of b(x); 0: no weighting
@@ -77,5 +78,9 @@ struct DabReport
     double asked = 0, reached = 0; ///< peak displacement
     DabOutcome outcome = DabOutcome::Empty;
     Refusal refusal = Refusal::None;
+    bool asymmetric = false; ///< of a symmetric stroke: the model is not symmetric here, so it was done as two dabs
+
+    /// For a dab done as two: costs add up; of two that did something the worse outcome and the smaller share reached count.
+    DabReport& operator+=(const DabReport& second);
 };
 } // namespace core

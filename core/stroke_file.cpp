@@ -50,12 +50,8 @@ constexpr Keys<16> strokeKeys{{"tool", "radius", "samples", "brush", "strength",
 enum SampleKey { PositionKey, TimeKey, DirectionKey, PressureKey, RotationKey, SampleRadiusKey, SampleStrengthKey };
 constexpr Keys<7> sampleKeys{{"position", "t", "direction", "pressure", "rotation", "radius", "strength"}, 1};
 
-constexpr std::array<std::string_view, 3> mirrorNames{"x", "y", "z"};
-
-bool among(std::string_view word, auto& words)
-{
-    return std::find(words.begin(), words.end(), word) != words.end();
-}
+/// The xz plane (section 3.5.2): what `"symmetry": true` means.
+constexpr Symmetry paperPlane = Symmetry::Y;
 
 /// By Taylor series of sine and cosine, so that it has the same bits on every machine.
 Eigen::Quaterniond turnAboutY(double degrees)
@@ -400,8 +396,8 @@ bool StrokeReader::boolean(bool value)
         refuse(Kind::NotStrokes);
     if (m_level != Level::Stroke || m_inVector || (m_key != FusionKey && m_key != SymmetryKey && m_key != AddKey))
         refuse(Kind::WrongType);
-    if (value && m_key == SymmetryKey)
-        refuse(Kind::NotYet, "true");
+    if (m_key == SymmetryKey)
+        m_strokes.back().settings.symmetry = value ? paperPlane : Symmetry::None;
     if (m_key == AddKey)
         m_strokes.back().settings.add = value;
     else if (m_key == FusionKey)
@@ -425,7 +421,7 @@ bool StrokeReader::string(string_t& value)
 void StrokeReader::strokeWord(const std::string& word)
 {
     StrokeSettings& settings = m_strokes.back().settings;
-    bool known = true, later = false;
+    bool known = true;
     switch (m_key) {
     case ToolKey:
         known = toolNamed(word).has_value();
@@ -440,8 +436,8 @@ void StrokeReader::strokeWord(const std::string& word)
         settings.topology = topologyNamed(word).value_or(settings.topology);
         break;
     case SymmetryKey:
-        later = among(word, mirrorNames);
-        known = later || word == "none";
+        known = symmetryNamed(word).has_value();
+        settings.symmetry = symmetryNamed(word).value_or(settings.symmetry);
         break;
     case PlaceKey:
         known = placementNamed(word).has_value();
@@ -449,8 +445,8 @@ void StrokeReader::strokeWord(const std::string& word)
         break;
     default: refuse(Kind::WrongType);
     }
-    if (!known || later)
-        refuse(later ? Kind::NotYet : Kind::UnknownValue, "\"" + word + "\"");
+    if (!known)
+        refuse(Kind::UnknownValue, "\"" + word + "\"");
 }
 
 void StrokeReader::endStroke()

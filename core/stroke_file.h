@@ -34,7 +34,6 @@ struct StrokeFileError : std::runtime_error
         MissingKey,
         WrongType,
         UnknownValue, ///< a word that the format does not have
-        NotYet,       ///< a word that the format has and this program does not
         NotANumber,   ///< NaN or infinite, or too large for a double
         OutOfRange
     };

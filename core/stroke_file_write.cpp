@@ -45,7 +45,8 @@ void writeStroke(std::ostream& out, const Stroke& stroke)
         << "\",\"radius\":" << shortest(settings.radius)
         << ",\"strength\":" << shortest(settings.strength) << ",\"falloff\":" << settings.falloff
         << ",\"detail\":" << shortest(settings.detail) << ",\"topology\":\"" << name(settings.topology) << "\",\"fusion\":"
-        << (settings.fusion ? "true" : "false") << ",\"symmetry\":\"none\",\"spacing\":" << shortest(settings.spacing) << ",\"place\":\""
+        << (settings.fusion ? "true" : "false") << ",\"symmetry\":\"" << name(settings.symmetry)
+        << "\",\"spacing\":" << shortest(settings.spacing) << ",\"place\":\""
         << name(settings.place) << "\",\"add\":" << (settings.add ? "true" : "false") << ",\"color\":"
         << list({double(settings.color.r), double(settings.color.g), double(settings.color.b)});
     if (settings.detailLength > 0)

@@ -38,12 +38,6 @@ constexpr double typicalEdge = 0.7;
 /// Shares of the time: each round takes this much of what is left; judging the whole takes the rest.
 constexpr double shareOfRound = 0.4, afterRounds = 0.9;
 
-bool runPlainly(const std::function<void()>& operation)
-{
-    operation();
-    return true;
-}
-
 Vec3 faceNormal(const Mesh& mesh, Slot f)
 {
     const Triangle& t = mesh.corners(f);
@@ -67,7 +61,7 @@ private:
     void fillRegion(std::span<const Slot> vertices);
     bool isOutOfBounds() const;
     void optimisePatch();
-    void optimiseWith(const Attempt& attempt);
+    void optimiseWith(MeshEditor edit);
     Vec3 evenPlace(Slot v) const;
     bool isAtCrease(Slot v) const;
 
@@ -162,23 +156,23 @@ void UniformRemesher::optimisePatch()
 {
     const Region::Saved saved = m_region.save();
     const Mesh::Mark mark = m_mesh.mark();
-    optimiseWith(runPlainly);
+    optimiseWith(MeshEditor(m_mesh));
     if (m_surface.judge(mark))
         return;
     m_mesh.rollback(mark);
     m_region.restore(saved);
-    optimiseWith([&](const auto& operation) { return m_surface.attempt(operation); });
+    optimiseWith(MeshEditor(m_mesh, [&](const auto& operation) { return m_surface.attempt(operation); }));
 }
 
-void UniformRemesher::optimiseWith(const Attempt& attempt)
+void UniformRemesher::optimiseWith(MeshEditor edit)
 {
-    const auto evenOut = [&] { moveSoundly(m_mesh, m_region, m_bounds, [&](Slot v) { return evenPlace(v); }, attempt); };
+    const auto evenOut = [&] { moveSoundly(edit, m_region, m_bounds, [&](Slot v) { return evenPlace(v); }); };
     if (!m_onlySplits) {
         const EdgeBounds loose = {slack * m_bounds.detail, m_bounds.minimum};
-        optimise(m_mesh, m_region, loose, attempt);
+        optimise(edit, m_region, loose);
         evenOut();
     }
-    splitLongEdges(m_mesh, m_region, m_bounds, attempt);
+    splitLongEdges(edit, m_region, m_bounds);
     evenOut(); // middles of edges lie inside round shapes
 }
 

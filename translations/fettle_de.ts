@@ -391,10 +391,6 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>unbekannter Wert, %1</translation>
     </message>
     <message>
-        <source>%1 is not there yet</source>
-        <translation>%1 gibt es noch nicht</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; is not a finite number</source>
         <translation>„%1“ ist keine endliche Zahl</translation>
     </message>

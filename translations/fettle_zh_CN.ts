@@ -389,10 +389,6 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>未知的值 %1</translation>
     </message>
     <message>
-        <source>%1 is not there yet</source>
-        <translation>尚不支持 %1</translation>
-    </message>
-    <message>
         <source>&quot;%1&quot; is not a finite number</source>
         <translation>“%1”不是有限数</translation>
     </message>

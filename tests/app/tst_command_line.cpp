@@ -501,7 +501,7 @@ void TestCommandLine::replay_refusals_data()
     QTest::newRow("no JSON") << QByteArray("pull the nose") << QStringLiteral("line 1");
     QTest::newRow("empty") << QByteArray() << QStringLiteral("JSON");
     QTest::newRow("tool") << strokes(R"("tool":"melt","radius":1)") << QStringLiteral("melt");
-    QTest::newRow("not yet") << strokes(R"("tool":"pull","radius":1,"symmetry":"x")") << QStringLiteral("not there yet");
+    QTest::newRow("plane") << strokes(R"("tool":"pull","radius":1,"symmetry":"w")") << QStringLiteral("\"w\"");
     QTest::newRow("key") << strokes(R"("tool":"pull","radius":1,"size":1)") << QStringLiteral("size");
     QTest::newRow("NaN") << strokes(R"("tool":"pull","radius":NaN)") << QStringLiteral("radius");
     QTest::newRow("infinite") << strokes(R"("tool":"pull","radius":1)", R"({"position":[1e999,0,0]})") << QStringLiteral("position");

@@ -76,6 +76,8 @@ void TestBrush::names_comeBack()
     }
     QVERIFY(!toolNamed("melt"));
     QVERIFY(!toolNamed(""));
+    for (const core::Symmetry plane : {core::Symmetry::None, core::Symmetry::X, core::Symmetry::Y, core::Symmetry::Z})
+        QVERIFY(core::symmetryNamed(core::name(plane)) == plane);
     for (const Placement placement : {Placement::Point, Placement::Nearest, Placement::Ray})
         QVERIFY(placementNamed(name(placement)) == placement);
     QVERIFY(name(DabOutcome::Committed) == "committed");

@@ -172,11 +172,8 @@ void TestPaperFigures::figure7_illegalCollapsesAreRefused()
     region.add(P, 0);
     region.add(Q, 0);
     mesh->beginStroke();
-    const auto plainly = [](const std::function<void()>& operation) {
-        operation();
-        return true;
-    };
-    const core::RemeshCounts counts = optimise(*mesh, region, {detail, 0.32}, plainly);
+    core::MeshEditor edit(*mesh);
+    const core::RemeshCounts counts = optimise(edit, region, {detail, 0.32});
     QTEST(static_cast<int>(counts.collapses), "collapses");
     VERIFY_VALID(*mesh);
 }
@@ -193,11 +190,8 @@ void TestPaperFigures::figure7_neckIsNotCollapsed()
     }
     QCOMPARE(region.size(), 3u);
     mesh->beginStroke();
-    const auto plainly = [](const std::function<void()>& operation) {
-        operation();
-        return true;
-    };
-    const core::RemeshCounts counts = optimise(*mesh, region, {5, 1}, plainly);
+    core::MeshEditor edit(*mesh);
+    const core::RemeshCounts counts = optimise(edit, region, {5, 1});
     QCOMPARE(counts.collapses, std::uint64_t(0));
     VERIFY_VALID(*mesh);
 }

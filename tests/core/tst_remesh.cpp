@@ -9,6 +9,7 @@
 using core::EdgeBounds;
 using core::FaceOctree;
 using core::Mesh;
+using core::MeshEditor;
 using core::Region;
 using core::RemeshCounts;
 using core::Slot;
@@ -17,21 +18,16 @@ using mesh_asserts::sculptable;
 
 namespace
 {
-bool runPlainly(const std::function<void()>& operation)
-{
-    operation();
-    return true;
-}
-
 /// A mesh in an open stroke, with the vertices of a ball selected.
 struct Subject
 {
     std::unique_ptr<Mesh> mesh;
+    MeshEditor edit;
     Region region;
     std::vector<Slot> candidates;
     core::Sphere ball;
 
-    Subject(core::TriangleMesh shape, const core::Sphere& brush) : mesh(sculptable(std::move(shape))), ball(brush)
+    Subject(core::TriangleMesh shape, const core::Sphere& brush) : mesh(sculptable(std::move(shape))), edit(*mesh), ball(brush)
     {
         const FaceOctree octree(*mesh);
         selectSphere(region, candidates, *mesh, octree, ball);
@@ -130,7 +126,7 @@ void TestRemesh::optimise_boundsTheEdges()
 {
     QFETCH(double, detail);
     Subject s(noisyBall(), brush);
-    const RemeshCounts counts = optimise(*s.mesh, s.region, {detail, detail / 2}, runPlainly);
+    const RemeshCounts counts = optimise(s.edit, s.region, {detail, detail / 2});
     QVERIFY(!counts.capped);
     VERIFY_VALID(*s.mesh);
     const std::vector<Slot> edges = s.innerEdges();
@@ -178,7 +174,8 @@ void TestRemesh::eachOperation_isLegal()
         mesh.commit(mark);
         return true;
     };
-    optimise(mesh, s.region, {detail, detail / 2}, judged);
+    MeshEditor edit(mesh, judged);
+    optimise(edit, s.region, {detail, detail / 2});
     QVERIFY(operations > 50);
     QVERIFY(legal);
     VERIFY_VALID(mesh);
@@ -195,7 +192,8 @@ void TestRemesh::refusedOperations_leaveTheMesh()
         return false;
     };
     const Slot selected = s.region.size();
-    const RemeshCounts counts = optimise(*s.mesh, s.region, {0.06, 0.05}, refuse);
+    MeshEditor edit(*s.mesh, refuse);
+    const RemeshCounts counts = optimise(edit, s.region, {0.06, 0.05});
     QVERIFY(!counts.any());
     QCOMPARE(s.mesh->stateHash(), before);
     QCOMPARE(s.region.size(), selected);
@@ -206,7 +204,7 @@ void TestRemesh::optimise_keepsTheShape()
     QFETCH(double, detail);
     Subject s(core::icosphere(4, 1), brush);
     const double before = volume(*s.mesh);
-    optimise(*s.mesh, s.region, {detail, detail / 2}, runPlainly);
+    optimise(s.edit, s.region, {detail, detail / 2});
     QVERIFY(std::abs(volume(*s.mesh) - before) < 0.01 * before);
     for (Slot v = 0; v < s.mesh->slots().vertices; ++v) {
         if (s.mesh->isVertex(v)) // midpoints of chords lie detail^2 / 8 inside, several times over
@@ -222,7 +220,7 @@ void TestRemesh::optimise_carriesColoursAndPlans()
             s.mesh->setColor(v, {10, 20, 30});
             s.region.setPlan(v, {0, 0, 1});
         }
-        QVERIFY(optimise(*s.mesh, s.region, {detail, detail / 2}, runPlainly).any());
+        QVERIFY(optimise(s.edit, s.region, {detail, detail / 2}).any());
         s.region.forEach([&](Slot v) {
             QVERIFY(s.mesh->isVertex(v));
             QVERIFY(s.mesh->color(v) == (core::Rgb{10, 20, 30}));
@@ -238,7 +236,7 @@ void TestRemesh::optimise_leavesTheRestAlone()
     for (Slot v = 0; v < s.mesh->slots().vertices; ++v)
         before.push_back(s.mesh->point(v));
     const std::vector<Slot> selected = s.region.slots();
-    optimise(*s.mesh, s.region, {0.2, 0.1}, runPlainly);
+    optimise(s.edit, s.region, {0.2, 0.1});
     for (Slot v = 0; v < before.size(); ++v) {
         if (!std::ranges::binary_search(selected, v))
             QVERIFY(s.mesh->isVertex(v) && s.mesh->point(v) == before[v]);
@@ -249,10 +247,10 @@ void TestRemesh::again_isNearlyIdle()
 {
     Subject s(noisyBall(), brush);
     const EdgeBounds bounds = {0.1, 0.05};
-    const RemeshCounts first = optimise(*s.mesh, s.region, bounds, runPlainly);
+    const RemeshCounts first = optimise(s.edit, s.region, bounds);
     RemeshCounts last;
     for (int i = 0; i < 5; ++i)
-        last = optimise(*s.mesh, s.region, bounds, runPlainly);
+        last = optimise(s.edit, s.region, bounds);
     const auto all = [](const RemeshCounts& c) { return c.splits + c.collapses + c.flips; };
     QVERIFY2(all(last) * 10 <= all(first), qPrintable(QString::number(all(last))));
 }
@@ -260,7 +258,7 @@ void TestRemesh::again_isNearlyIdle()
 void TestRemesh::hugeTask_isCapped()
 {
     Subject s(core::icosphere(1, 1), {{0, 0, 0}, 2});
-    const RemeshCounts counts = optimise(*s.mesh, s.region, {0.002, 0.001}, runPlainly);
+    const RemeshCounts counts = optimise(s.edit, s.region, {0.002, 0.001});
     QVERIFY(counts.capped);
     VERIFY_VALID(*s.mesh);
 }
@@ -268,7 +266,7 @@ void TestRemesh::hugeTask_isCapped()
 void TestRemesh::splitLongEdges_onlySplits()
 {
     Subject s(noisyBall(), brush);
-    const RemeshCounts counts = splitLongEdges(*s.mesh, s.region, {0.05, 0.025}, runPlainly);
+    const RemeshCounts counts = splitLongEdges(s.edit, s.region, {0.05, 0.025});
     QVERIFY(counts.splits > 0 && counts.collapses == 0 && counts.flips == 0);
     for (Slot e : s.innerEdges())
         QVERIFY(s.length(e) <= 0.05);
@@ -279,7 +277,7 @@ void TestRemesh::refine_makesFacesUnderTheBrushFine()
 {
     Subject s(core::icosphere(2, 1), brush);
     const double detail = 0.1;
-    const RemeshCounts counts = refine(*s.mesh, s.region, s.candidates, s.ball, {detail, detail / 2}, runPlainly);
+    const RemeshCounts counts = refine(s.edit, s.region, s.candidates, s.ball, {detail, detail / 2});
     QVERIFY(counts.splits > 0 && !counts.capped);
     for (Slot e : s.innerEdges())
         QVERIFY(s.length(e) <= detail);
@@ -295,7 +293,7 @@ void TestRemesh::refine_reachesABrushInsideOneFace()
     Subject s(shapes::cube(20), {{3, 2, 10}, 1}); // no vertex near
     QVERIFY(s.region.empty());
     const EdgeBounds bounds = core::edgeBounds(1, 1);
-    refine(*s.mesh, s.region, s.candidates, s.ball, bounds, runPlainly);
+    refine(s.edit, s.region, s.candidates, s.ball, bounds);
     QVERIFY(s.region.size() > 20);
     for (Slot e : s.innerEdges())
         QVERIFY(s.length(e) <= bounds.detail);

@@ -41,12 +41,14 @@ core::Stroke StrokeFuzzer::stroke(const core::Mesh& mesh)
     constexpr core::Tool tools[] = {core::Tool::Pull, core::Tool::Push, core::Tool::Flatten, core::Tool::Smooth,
                                     core::Tool::Paint};
     constexpr core::Placement placements[] = {core::Placement::Point, core::Placement::Nearest, core::Placement::Ray};
+    constexpr core::Symmetry planes[] = {core::Symmetry::X, core::Symmetry::Y, core::Symmetry::Z};
     constexpr int falloffs[] = {4, 4, 4, 3, 8, 16, 0};
     s.tool = tools[below(5)];
     s.brush = below(3) == 0 ? core::BrushShape::Ray : core::BrushShape::Sphere;
     s.topology = below(4) == 0 ? core::Topology::Uniform : core::Topology::Adaptive;
     s.add = below(2) == 0;
     s.fusion = below(3) != 0;
+    s.symmetry = below(3) == 0 ? planes[below(3)] : core::Symmetry::None;
     s.color = {static_cast<std::uint8_t>(below(256)), static_cast<std::uint8_t>(below(256)), 90};
     s.place = placements[below(3)];
     const double large = uniform(); // small ones more often; no std::pow: libraries round it differently

@@ -1,0 +1,152 @@
+#include "mesh_editor.h"
+
+namespace core
+{
+/// False if the operation says that it was refused, or if it was judged and taken back.
+template <class Operation> bool MeshEditor::run(Operation operation)
+{
+    if (!m_attempt)
+        return operation();
+    bool done = false;
+    return m_attempt([&] { done = operation(); }) && done;
+}
+
+Vec3f MeshEditor::middle(Slot e) const
+{
+    const Vec3 sum = m_mesh.point(m_mesh.to(2 * e)).cast<double>() + m_mesh.point(m_mesh.to(2 * e + 1)).cast<double>();
+    return m_mesh.lattice().snap(0.5 * sum);
+}
+
+// --- split -----------------------------------------------------------------------------------------------------------------
+
+Slot MeshEditor::split(Slot e)
+{
+    Slot m = noSlot;
+    const bool done = run([&] {
+        m = m_mirror ? splitPair(e) : m_mesh.splitEdge(e, middle(e));
+        return m != noSlot;
+    });
+    return done ? m : noSlot;
+}
+
+Slot MeshEditor::splitPair(Slot e)
+{
+    if (m_mirror->isAcross(e))
+        return splitOnPlane(e);
+    splitEdgesAcross(m_mesh.face(2 * e));
+    splitEdgesAcross(m_mesh.face(2 * e + 1));
+    const Slot image = m_mirror->imageOfHalfedge(2 * e);
+    if (image == noSlot)
+        return noSlot;
+    if (image / 2 == e)
+        return splitOnPlane(e);
+    const Vec3f p = m_mirror->kept(middle(e), false);
+    const Slot m = m_mesh.splitEdge(e, p);
+    m_mirror->pair(m, m_mesh.splitEdge(image / 2, m_mirror->imageOf(p)));
+    return m;
+}
+
+/// An edge on the plane, or across it: its middle is its own image.
+Slot MeshEditor::splitOnPlane(Slot e)
+{
+    return m_mesh.splitEdge(e, m_mirror->kept(middle(e), true));
+}
+
+/// A face that reaches across the plane is its own image; then two of its edges are each other's, and splitting them would
+/// leave an edge without an image. Splitting the third edge first, where it meets the plane, parts the face.
+void MeshEditor::splitEdgesAcross(Slot f)
+{
+    const Slot first = m_mesh.faceHalfedge(f);
+    for (Slot h : {first, m_mesh.next(first), m_mesh.prev(first)}) {
+        if (m_mirror->isAcross(h / 2)) {
+            splitOnPlane(h / 2);
+            return;
+        }
+    }
+}
+
+// --- collapse --------------------------------------------------------------------------------------------------------------
+
+Slot MeshEditor::collapsing(Slot e) const
+{
+    return m_mirror && m_mirror->isOnPlane(m_mesh.from(2 * e)) ? 2 * e + 1 : 2 * e;
+}
+
+bool MeshEditor::collapse(Slot h, const Vec3f& p)
+{
+    return run([&] {
+        if (m_mirror)
+            return collapsePair(h, p);
+        m_mesh.collapse(h, p);
+        return true;
+    });
+}
+
+bool MeshEditor::collapsePair(Slot h, const Vec3f& p)
+{
+    const Slot image = m_mirror->imageOfHalfedge(h);
+    if (image == noSlot || m_mirror->isAcross(h / 2))
+        return false;
+    const Mesh::Mark mark = m_mesh.mark();
+    m_mesh.collapse(h, p);
+    if (image == h)
+        return true;
+    if (!m_mesh.isCollapseOk(image)) {
+        m_mesh.rollback(mark);
+        return false;
+    }
+    m_mesh.collapse(image, m_mirror->imageOf(p));
+    return true;
+}
+
+// --- flip ------------------------------------------------------------------------------------------------------------------
+
+bool MeshEditor::flip(Slot e)
+{
+    return run([&] {
+        if (m_mirror)
+            return flipPair(e);
+        m_mesh.flip(e);
+        return true;
+    });
+}
+
+bool MeshEditor::flipPair(Slot e)
+{
+    const Slot c = m_mesh.to(m_mesh.next(2 * e)), d = m_mesh.to(m_mesh.next(2 * e + 1));
+    const Slot image = m_mirror->imageOfHalfedge(2 * e);
+    if (image == noSlot || image / 2 == e || (m_mirror->isOnPlane(c) && m_mirror->isOnPlane(d)))
+        return false;
+    const Mesh::Mark mark = m_mesh.mark();
+    m_mesh.flip(e);
+    if (!m_mesh.isFlipOk(image / 2)) {
+        m_mesh.rollback(mark);
+        return false;
+    }
+    m_mesh.flip(image / 2);
+    return true;
+}
+
+// --- move ------------------------------------------------------------------------------------------------------------------
+
+bool MeshEditor::move(Slot v, const Vec3f& p)
+{
+    return run([&] {
+        if (m_mirror)
+            return movePair(v, p);
+        m_mesh.setPoint(v, p);
+        return true;
+    });
+}
+
+bool MeshEditor::movePair(Slot v, const Vec3f& p)
+{
+    const Slot image = m_mirror->imageOf(v);
+    if (image == noSlot)
+        return false;
+    m_mesh.setPoint(v, p);
+    if (image != v)
+        m_mesh.setPoint(image, m_mirror->imageOf(p));
+    return true;
+}
+} // namespace core

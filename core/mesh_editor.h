@@ -1,0 +1,61 @@
+#pragma once
+
+#include "mirror_map.h"
+
+#include <functional>
+
+namespace core
+{
+/// Runs one operation; false means that it was judged and taken back.
+using Attempt = std::function<bool(const std::function<void()>& operation)>;
+
+/// How remeshing and deformation write: each operation may be judged, and with a mirror each is done together with its
+/// mirror image or not at all. In a mirror only the half where the coordinate is not negative is named, the plane included;
+/// then these hold: a vertex on the plane stays on it and another off it, by at least one lattice unit; an edge on the plane
+/// is never flipped and collapses along it; an edge that ends on the plane collapses onto it.
+class MeshEditor
+{
+public:
+    /// `attempt`: none if operations are not judged. `mirror`: none, or one that is on.
+    explicit MeshEditor(Mesh& mesh, Attempt attempt = {}, MirrorMap* mirror = nullptr)
+        : m_mesh(mesh), m_attempt(std::move(attempt)), m_mirror(mirror)
+    {
+    }
+
+    const Mesh& mesh() const { return m_mesh; }
+    MirrorMap* mirror() { return m_mirror; }
+
+    /// Without a mirror every face; with one those of the half.
+    bool names(Slot f) const { return !m_mirror || m_mirror->isInHalf(m_mesh.corners(f)); }
+    /// Where p, on the lattice, is allowed for v.
+    Vec3f kept(Slot v, const Vec3f& p) const { return m_mirror ? m_mirror->kept(p, m_mirror->isOnPlane(v)) : p; }
+
+    /// Puts a vertex into the middle of an edge. Returns it, or noSlot if it was taken back.
+    Slot split(Slot e);
+
+    /// Of the edge, on the lattice.
+    Vec3f middle(Slot e) const;
+    /// The half-edge whose start is to be merged into its end: with just one end on the mirror's plane that is the end.
+    Slot collapsing(Slot e) const;
+    /// Merges from(h) into to(h), which moves to p. Preconditions: h is collapsing(), Mesh::isCollapseOk(h), p is
+    /// kept(to(h), p). False if it was refused or taken back.
+    bool collapse(Slot h, const Vec3f& p);
+    /// Precondition: Mesh::isFlipOk. False if it was refused or taken back.
+    bool flip(Slot e);
+    /// Precondition: p is kept(v, p). False if it was refused or taken back.
+    bool move(Slot v, const Vec3f& p);
+
+private:
+    template <class Operation> bool run(Operation operation);
+    Slot splitPair(Slot e);
+    void splitEdgesAcross(Slot f);
+    Slot splitOnPlane(Slot e);
+    bool collapsePair(Slot h, const Vec3f& p);
+    bool flipPair(Slot e);
+    bool movePair(Slot v, const Vec3f& p);
+
+    Mesh& m_mesh;
+    Attempt m_attempt;
+    MirrorMap* m_mirror;
+};
+} // namespace core

@@ -1,0 +1,130 @@
+#include "mirror_map.h"
+
+#include <algorithm>
+
+namespace core
+{
+void MirrorMap::setPlane(Symmetry plane)
+{
+    m_axis = static_cast<int>(plane) - static_cast<int>(Symmetry::X);
+    m_vertices.clear();
+    m_images.clear();
+    m_faces.clear();
+}
+
+bool MirrorMap::isAcross(Slot e) const
+{
+    const Vec3f& p = m_mesh.point(m_mesh.to(2 * e));
+    return p[m_axis] != 0 && imageOf(p) == m_mesh.point(m_mesh.to(2 * e + 1));
+}
+
+bool MirrorMap::isInHalf(const Triangle& corners) const
+{
+    return isInHalf(corners[0]) && isInHalf(corners[1]) && isInHalf(corners[2]);
+}
+
+void MirrorMap::pair(Slot v, Slot image)
+{
+    const Slot i = m_vertices.add(v);
+    m_images.resize(m_vertices.size());
+    m_images[i] = image;
+    const Slot j = m_vertices.add(image);
+    m_images.resize(m_vertices.size());
+    m_images[j] = v;
+}
+
+/// Without a search.
+Slot MirrorMap::known(Slot v) const
+{
+    if (isOnPlane(v))
+        return v;
+    if (!m_vertices.contains(v))
+        return noSlot;
+    const Slot image = m_images[m_vertices.position(v)];
+    const bool valid = image < m_mesh.slots().vertices && m_mesh.isVertex(image) && m_mesh.point(image) == imageOf(m_mesh.point(v));
+    return valid ? image : noSlot;
+}
+
+Slot MirrorMap::imageOf(Slot v)
+{
+    Slot image = known(v);
+    if (image == noSlot) {
+        image = nextToNeighbour(v);
+        if (image != noSlot)
+            pair(v, image);
+    }
+    return image;
+}
+
+/// The image of a neighbour is a neighbour of the image.
+Slot MirrorMap::nextToNeighbour(Slot v) const
+{
+    const Vec3f p = imageOf(m_mesh.point(v));
+    Slot found = noSlot;
+    m_mesh.forEachOutgoing(v, [&](Slot h) {
+        const Slot neighbour = found == noSlot ? known(m_mesh.to(h)) : noSlot;
+        if (neighbour == noSlot)
+            return;
+        m_mesh.forEachOutgoing(neighbour, [&](Slot g) {
+            if (m_mesh.point(m_mesh.to(g)) == p)
+                found = m_mesh.to(g);
+        });
+    });
+    return found;
+}
+
+bool MirrorMap::lookUp(Slot v, const FaceOctree& octree)
+{
+    const Vec3f p = imageOf(m_mesh.point(v));
+    const LatticePoint at = m_mesh.lattice().toLattice(p);
+    Slot found = noSlot;
+    octree.query({at, at}, [&](Slot f) {
+        for (Slot corner : m_mesh.corners(f)) {
+            if (m_mesh.point(corner) == p)
+                found = corner;
+        }
+    });
+    if (found != noSlot)
+        pair(v, found);
+    return found != noSlot;
+}
+
+Slot MirrorMap::imageOfHalfedge(Slot h)
+{
+    const Slot from = imageOf(m_mesh.from(h)), to = imageOf(m_mesh.to(h));
+    return from == noSlot || to == noSlot ? noSlot : m_mesh.findHalfedge(from, to);
+}
+
+/// Or noSlot. A mirror turns the order of the corners about.
+Slot MirrorMap::imageOfFace(Slot f)
+{
+    const Triangle& t = m_mesh.corners(f);
+    const Slot h = m_mesh.findHalfedge(imageOf(t[1]), imageOf(t[0]));
+    return h != noSlot && m_mesh.to(m_mesh.next(h)) == imageOf(t[2]) ? m_mesh.face(h) : noSlot;
+}
+
+bool MirrorMap::learn(std::span<const Slot> faces, const FaceOctree& octree)
+{
+    for (Slot f : faces) {
+        if (m_faces.contains(f))
+            continue;
+        for (Slot v : m_mesh.corners(f)) {
+            if (imageOf(v) == noSlot && !lookUp(v, octree))
+                return false;
+        }
+        const Slot image = imageOfFace(f);
+        if (image == noSlot)
+            return false;
+        m_faces.add(f);
+        m_faces.add(image);
+    }
+    return true;
+}
+
+Vec3f MirrorMap::kept(Vec3f p, bool onPlane) const
+{
+    const float least = onPlane ? 0 : static_cast<float>(m_mesh.lattice().unit());
+    p[m_axis] = onPlane ? 0 : std::max(p[m_axis], least);
+    return p;
+}
+} // namespace core

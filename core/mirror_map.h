@@ -1,0 +1,63 @@
+#pragma once
+
+#include "brush.h"
+#include "face_octree.h"
+#include "sparse_index.h"
+
+namespace core
+{
+/// Each vertex's mirror image of a surface about x, y or z = 0. Which vertex is the image of which is a question of geometry alone:
+/// the negative of a lattice coordinate is exact, and no two vertices of a sound mesh share a point. So nothing of it is
+/// stored in the mesh, and undo knows nothing of it. Not thread-safe: remembers what it found.
+class MirrorMap
+{
+public:
+    explicit MirrorMap(const Mesh& mesh) : m_mesh(mesh) {}
+
+    /// Forgets all images.
+    void setPlane(Symmetry plane);
+    bool isOn() const { return m_axis >= 0; }
+
+    // --- all of the following only while it is on ------------------------------------------------------------------------
+    template <class Vector> Vector imageOf(Vector p) const
+    {
+        p[m_axis] = 0 - p[m_axis]; // never -0
+        return p;
+    }
+    /// The one of a point and its image whose coordinate is not negative.
+    template <class Vector> Vector folded(const Vector& p) const { return p[m_axis] < 0 ? imageOf(p) : p; }
+
+    /// Signed distance from the plane.
+    float height(Slot v) const { return m_mesh.point(v)[m_axis]; }
+    bool isOnPlane(Slot v) const { return height(v) == 0; }
+    bool isInHalf(Slot v) const { return height(v) >= 0; }
+    /// The ends of the edge are each other's image.
+    bool isAcross(Slot e) const;
+    bool isInHalf(const Triangle& corners) const;
+
+    /// The vertex whose point is the image of v's, or noSlot: v itself on the plane. Found if it was learnt, or shares a
+    /// neighbour's image.
+    Slot imageOf(Slot v);
+    /// The half-edge that runs from the image of h's start to that of its end, or noSlot. On the plane h, across it h^1.
+    Slot imageOfHalfedge(Slot h);
+    void pair(Slot v, Slot image);
+
+    /// Whether each of these faces has an image, face for face and bit for bit. Learns the images of their corners.
+    /// Precondition: the octree is up to date. Cost: the faces that were not learnt before.
+    bool learn(std::span<const Slot> faces, const FaceOctree& octree);
+
+    /// Where p is allowed: a vertex on the plane stays on it, another stays at least one lattice unit off it, on its side.
+    Vec3f kept(Vec3f p, bool onPlane) const;
+
+private:
+    Slot known(Slot v) const;
+    Slot nextToNeighbour(Slot v) const;
+    bool lookUp(Slot v, const FaceOctree& octree);
+    Slot imageOfFace(Slot f);
+
+    const Mesh& m_mesh;
+    int m_axis = -1;
+    SparseIndex m_vertices, m_faces; ///< learnt
+    std::vector<Slot> m_images;      ///< by position in m_vertices; may be out of date, so each use compares points
+};
+} // namespace core

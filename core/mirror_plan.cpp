@@ -1,0 +1,49 @@
+#include "mirror_plan.h"
+
+#include "deform.h"
+
+namespace core
+{
+void keepHalf(Region& region, const MirrorMap& mirror)
+{
+    region.forEach([&](Slot v) {
+        if (!mirror.isInHalf(v))
+            region.remove(v);
+    });
+}
+
+void selectWhole(Region& whole, const Region& half, MirrorMap& mirror, const Mesh& mesh, const Sphere& ball)
+{
+    whole.clear();
+    half.forEach([&](Slot v) {
+        whole.add(v, half.distance(v));
+        const Slot image = mirror.imageOf(v);
+        if (image == v || image == noSlot)
+            return;
+        const double distance = (mesh.point(image).cast<double>() - ball.center).norm();
+        if (distance <= ball.radius)
+            whole.add(image, distance);
+    });
+}
+
+double planMirrored(Region& half, Region& whole, MirrorMap& mirror, const Mesh& mesh, const StrokeSettings& settings,
+                    const Dab& dab)
+{
+    planDeformation(whole, mesh, settings, dab);
+    const auto weight = [&](Slot v) { return falloff(std::min(whole.distance(v) / dab.radius, 1.0), settings.falloff); };
+    double longest2 = 0;
+    half.forEach([&](Slot v) {
+        Vec3 plan = whole.plan(v);
+        double weights = weight(v);
+        const Slot image = mirror.imageOf(v);
+        if (image != noSlot && whole.contains(image)) {
+            plan += mirror.imageOf(whole.plan(image));
+            weights += weight(image);
+        }
+        plan /= std::max(1.0, weights);
+        half.setPlan(v, plan);
+        longest2 = std::max(longest2, plan.squaredNorm());
+    });
+    return std::sqrt(longest2);
+}
+} // namespace core

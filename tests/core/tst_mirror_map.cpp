@@ -1,0 +1,375 @@
+// Sculpting about a plane of symmetry: what was symmetric stays so, bit for bit, whatever was stroked, across the plane too.
+//
+// FETTLE_SEED=n: another seed. FETTLE_DABS=n: another number of dabs of each shape and plane.
+
+#include "core/sculptor.h"
+#include "tests/support/clay.h"
+#include "tests/support/mirror_asserts.h"
+#include "tests/support/shapes.h"
+#include "tests/support/solid_asserts.h"
+#include "tests/support/stroke_fuzzer.h"
+
+#include <QTest>
+
+#include <iostream>
+
+using core::Dab;
+using core::DabOutcome;
+using core::DabReport;
+using core::Mesh;
+using core::MeshDelta;
+using core::Sculptor;
+using core::Slot;
+using core::StrokeSettings;
+using core::Symmetry;
+using core::Tool;
+using core::Vec3;
+using mesh_asserts::sculptable;
+using mirror_asserts::asymmetry;
+
+Q_DECLARE_METATYPE(core::Symmetry)
+Q_DECLARE_METATYPE(core::TriangleMesh)
+
+namespace
+{
+constexpr Slot mostFaces = 10'000;
+
+#if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+constexpr std::uint64_t usualDabs = 60;
+#else
+constexpr std::uint64_t usualDabs = 15; // 5 to 30 times slower
+#endif
+
+std::uint64_t numberFromEnvironment(const char* name, std::uint64_t otherwise)
+{
+    bool isNumber = false;
+    const std::uint64_t value = qEnvironmentVariable(name).toULongLong(&isNumber);
+    return isNumber ? value : otherwise;
+}
+
+struct Tally
+{
+    std::uint64_t dabs = 0, careful = 0, endedEarly = 0, empty = 0, whole = 0;
+
+    void add(const DabReport& report)
+    {
+        ++dabs;
+        careful += report.outcome == DabOutcome::Careful;
+        endedEarly += report.outcome == DabOutcome::EndedEarly;
+        empty += report.outcome == DabOutcome::Empty;
+        whole += report.outcome != DabOutcome::Empty && report.reached >= 0.95 * report.asked;
+    }
+
+    void print() const
+    {
+        std::cout << dabs << " dabs: " << careful << " careful, " << endedEarly << " ended early, " << empty << " empty, "
+                  << whole << " reached 95 % of what was asked" << std::endl;
+    }
+};
+
+/// A symmetric mesh, sculpted at random about its plane until it has grown large, judged, undone and redone.
+class MirrorRun
+{
+public:
+    MirrorRun(const core::TriangleMesh& shape, Symmetry plane, std::uint64_t seed)
+        : m_sculptor(sculptable(shape)), m_plane(plane), m_fuzzer(seed), m_where("seed " + std::to_string(seed))
+    {
+    }
+
+    void go(std::uint64_t dabs, Tally& tally)
+    {
+        checkSymmetry();
+        const std::uint64_t start = m_sculptor.mesh().stateHash(), end = tally.dabs + dabs;
+        while (tally.dabs < end && m_sculptor.mesh().live().faces < mostFaces && m_problem.empty()) {
+            sculpt(tally);
+            if (m_fuzzer.below(8) == 0) {
+                m_sculptor.swap(m_history.back());
+                m_history.pop_back();
+                checkSymmetry();
+            }
+        }
+        if (m_problem.empty())
+            fail(mesh_asserts::unsoundness(m_sculptor.mesh()));
+        walkHistory(start);
+    }
+
+    const std::string& problem() const { return m_problem; }
+
+private:
+    void fail(const std::string& what)
+    {
+        if (m_problem.empty() && !what.empty())
+            m_problem = m_where + ", dab " + std::to_string(m_dabs) + ": " + what;
+    }
+
+    void checkSymmetry() { fail(asymmetry(m_sculptor.mesh(), m_plane)); }
+
+    void sculpt(Tally& tally)
+    {
+        core::Stroke stroke = m_fuzzer.stroke(m_sculptor.mesh());
+        stroke.settings.symmetry = m_plane;
+        m_sculptor.beginStroke(stroke.settings);
+        for (const core::StrokeSample& sample : stroke.samples) {
+            for (const DabReport& report : m_sculptor.addSample(sample)) {
+                ++m_dabs;
+                tally.add(report);
+                if (report.asymmetric)
+                    fail("taken for asymmetric");
+            }
+            checkSymmetry();
+            if (!m_sculptor.indexIsConsistent())
+                fail("the octree is wrong");
+        }
+        m_history.push_back(m_sculptor.endStroke());
+        fail(mesh_asserts::brokenLinks(m_sculptor.mesh()));
+    }
+
+    void walkHistory(std::uint64_t start)
+    {
+        const std::uint64_t end = m_sculptor.mesh().stateHash();
+        for (auto delta = m_history.rbegin(); delta != m_history.rend(); ++delta)
+            m_sculptor.swap(*delta);
+        if (m_sculptor.mesh().stateHash() != start)
+            fail("undoing everything does not lead to the start");
+        for (MeshDelta& delta : m_history)
+            m_sculptor.swap(delta);
+        if (m_sculptor.mesh().stateHash() != end)
+            fail("redoing everything does not lead to the end");
+    }
+
+    Sculptor m_sculptor;
+    Symmetry m_plane;
+    StrokeFuzzer m_fuzzer;
+    std::vector<MeshDelta> m_history;
+    std::uint64_t m_dabs = 0;
+    std::string m_where, m_problem;
+};
+} // namespace
+
+class TestMirrorMap : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void randomStrokes_keepTheSymmetry_data();
+    void randomStrokes_keepTheSymmetry();
+    void eitherSide_givesTheSameBits();
+    void dabAcrossThePlane_movesNothingOffIt();
+    void dabAwayFromThePlane_isTwoDabs();
+    void edgeAcrossThePlane_isPartedOnIt();
+    void paint_coloursBothSides();
+    void asymmetricModel_getsBothDabs();
+    void asymmetricModel_onThePlane_getsOneDab();
+    void addedSphere_comesWithItsImage();
+    void addedSphere_onThePlane_isItsOwnImage();
+    void addedSphere_touchingItsImageIsRefused();
+};
+
+void TestMirrorMap::randomStrokes_keepTheSymmetry_data()
+{
+    QTest::addColumn<core::TriangleMesh>("shape");
+    QTest::addColumn<Symmetry>("plane");
+    for (const Symmetry plane : {Symmetry::X, Symmetry::Y, Symmetry::Z}) {
+        const auto row = [&](const char* shape) -> QTestData& {
+            return QTest::newRow((std::string(shape) + " at " + std::string(name(plane)) + " = 0").c_str());
+        };
+        row("sphere") << core::icosphere(3, 1) << plane;
+        row("icosahedron") << core::icosphere(0, 1) << plane; // with edges across the plane
+        row("two fingers") << clay::twoFingers(0.01) << plane;
+    }
+}
+
+void TestMirrorMap::randomStrokes_keepTheSymmetry()
+{
+    QFETCH(core::TriangleMesh, shape);
+    QFETCH(Symmetry, plane);
+    const std::uint64_t dabs = numberFromEnvironment("FETTLE_DABS", usualDabs);
+    Tally tally;
+    for (std::uint64_t seed = numberFromEnvironment("FETTLE_SEED", 1); tally.dabs < dabs; ++seed) {
+        MirrorRun run(shape, plane, seed);
+        run.go(dabs - tally.dabs, tally);
+        QVERIFY2(run.problem().empty(), run.problem().c_str());
+    }
+    tally.print();
+}
+
+namespace
+{
+std::unique_ptr<Sculptor> sphere()
+{
+    return std::make_unique<Sculptor>(sculptable(core::icosphere(4, 1)));
+}
+
+StrokeSettings settingsFor(Tool tool, double radius = 0.3)
+{
+    StrokeSettings settings;
+    settings.tool = tool;
+    settings.radius = radius;
+    settings.symmetry = Symmetry::X;
+    return settings;
+}
+
+DabReport dabOnce(Sculptor& sculptor, const StrokeSettings& settings, const Vec3& position)
+{
+    sculptor.beginStroke(settings);
+    core::StrokeSample sample;
+    sample.position = position;
+    const std::vector<DabReport> reports = sculptor.addSample(sample);
+    sculptor.endStroke();
+    return reports.at(0);
+}
+
+/// The farthest vertex from the origin within a quarter of the direction.
+double reachIn(const Mesh& mesh, const Vec3& direction)
+{
+    double farthest = 0;
+    for (Slot v = 0; v < mesh.slots().vertices; ++v) {
+        const Vec3 p = mesh.point(v).cast<double>();
+        if (mesh.isVertex(v) && (p.normalized() - direction.normalized()).norm() < 0.25)
+            farthest = std::max(farthest, p.norm());
+    }
+    return farthest;
+}
+
+const Vec3 aside = Vec3(0.7, 0.4, 0.6).normalized(), image(-aside.x(), aside.y(), aside.z());
+} // namespace
+
+void TestMirrorMap::eitherSide_givesTheSameBits()
+{
+    for (const Tool tool : {Tool::Pull, Tool::Push, Tool::Flatten, Tool::Smooth, Tool::Paint}) {
+        const auto left = sphere(), right = sphere();
+        const Vec3 near(0.1, 0.6, 0.8); // the ball reaches across the plane
+        dabOnce(*right, settingsFor(tool), near);
+        dabOnce(*left, settingsFor(tool), {-near.x(), near.y(), near.z()});
+        QCOMPARE(left->mesh().stateHash(), right->mesh().stateHash());
+    }
+}
+
+void TestMirrorMap::dabAcrossThePlane_movesNothingOffIt()
+{
+    const auto sculptor = sphere();
+    const DabReport report = dabOnce(*sculptor, settingsFor(Tool::Pull), {0.1, 0, 1});
+    QCOMPARE(core::name(report.outcome), core::name(DabOutcome::Committed));
+    QVERIFY(!report.asymmetric);
+    QVERIFY(report.asked > 0.01 && report.asked < 0.031); // two dabs that overlap are no more than one
+    const Mesh& mesh = sculptor->mesh();
+    Slot lifted = 0;
+    for (Slot v = 0; v < mesh.slots().vertices; ++v)
+        lifted += mesh.isVertex(v) && mesh.point(v).x() == 0 && mesh.point(v).norm() > 1.01;
+    QVERIFY(lifted >= 3);
+    VERIFY_SYMMETRIC(mesh, Symmetry::X);
+    VERIFY_VALID(mesh);
+}
+
+void TestMirrorMap::dabAwayFromThePlane_isTwoDabs()
+{
+    const auto sculptor = sphere(), plain = sphere();
+    StrokeSettings settings = settingsFor(Tool::Pull);
+    const DabReport both = dabOnce(*sculptor, settings, aside);
+    settings.symmetry = Symmetry::None;
+    const DabReport one = dabOnce(*plain, settings, aside);
+    QCOMPARE(both.touchedVertices, 2 * one.touchedVertices);
+    QCOMPARE(both.asked, one.asked);
+    QVERIFY(std::abs(reachIn(sculptor->mesh(), aside) - reachIn(plain->mesh(), aside)) < 1e-3);
+    QVERIFY(reachIn(sculptor->mesh(), image) == reachIn(sculptor->mesh(), aside));
+    QVERIFY(reachIn(plain->mesh(), image) < 1.001);
+    VERIFY_SYMMETRIC(sculptor->mesh(), Symmetry::X);
+}
+
+void TestMirrorMap::edgeAcrossThePlane_isPartedOnIt()
+{
+    Sculptor sculptor(sculptable(core::icosphere(0, 1)));
+    const auto across = [&] {
+        Slot edges = 0;
+        const Mesh& mesh = sculptor.mesh();
+        for (Slot e = 0; e < mesh.slots().edges; ++e)
+            edges += mesh.isEdge(e) && mesh.point(mesh.to(2 * e)).x() * mesh.point(mesh.to(2 * e + 1)).x() < 0;
+        return edges;
+    };
+    QCOMPARE(across(), 2u);
+    const Slot v = sculptor.mesh().isVertex(0) ? 0 : 1;
+    const DabReport report = dabOnce(sculptor, settingsFor(Tool::Smooth, 3), sculptor.mesh().point(v).cast<double>());
+    QVERIFY(!report.asymmetric && report.outcome != DabOutcome::Empty);
+    QCOMPARE(across(), 0u);
+    VERIFY_SYMMETRIC(sculptor.mesh(), Symmetry::X);
+    VERIFY_VALID(sculptor.mesh());
+}
+
+void TestMirrorMap::paint_coloursBothSides()
+{
+    const auto sculptor = sphere();
+    StrokeSettings settings = settingsFor(Tool::Paint);
+    settings.color = {255, 0, 0};
+    const std::uint64_t before = sculptor->mesh().live().vertices;
+    const DabReport report = dabOnce(*sculptor, settings, {0.2, 0, 1});
+    std::uint32_t painted = 0, left = 0;
+    for (Slot v = 0; v < sculptor->mesh().slots().vertices; ++v) {
+        const bool isPainted = sculptor->mesh().isVertex(v) && sculptor->mesh().color(v) != core::Rgb();
+        painted += isPainted;
+        left += isPainted && sculptor->mesh().point(v).x() < 0;
+    }
+    QVERIFY(left > 10 && painted > 2 * left && painted <= report.touchedVertices);
+    QCOMPARE(sculptor->mesh().live().vertices, before);
+    VERIFY_SYMMETRIC(sculptor->mesh(), Symmetry::X);
+}
+
+void TestMirrorMap::asymmetricModel_getsBothDabs()
+{
+    Sculptor sculptor(sculptable(shapes::noisy(core::icosphere(4, 1), 0.004f, 3)));
+    QVERIFY(!asymmetry(sculptor.mesh(), Symmetry::X).empty());
+    const double right = reachIn(sculptor.mesh(), aside), left = reachIn(sculptor.mesh(), image);
+    const DabReport report = dabOnce(sculptor, settingsFor(Tool::Pull), aside);
+    QVERIFY(report.asymmetric);
+    QCOMPARE(core::name(report.outcome), core::name(DabOutcome::Committed));
+    QVERIFY(reachIn(sculptor.mesh(), aside) > right + 0.02 && reachIn(sculptor.mesh(), image) > left + 0.02);
+    VERIFY_VALID(sculptor.mesh());
+}
+
+void TestMirrorMap::asymmetricModel_onThePlane_getsOneDab()
+{
+    Sculptor mirrored(sculptable(shapes::noisy(core::icosphere(4, 1), 0.004f, 3)));
+    Sculptor plain(sculptable(shapes::noisy(core::icosphere(4, 1), 0.004f, 3)));
+    StrokeSettings settings = settingsFor(Tool::Pull);
+    dabOnce(mirrored, settings, {0, 0.6, 0.8});
+    settings.symmetry = Symmetry::None;
+    dabOnce(plain, settings, {0, 0.6, 0.8});
+    QCOMPARE(mirrored.mesh().stateHash(), plain.mesh().stateHash());
+}
+
+void TestMirrorMap::addedSphere_comesWithItsImage()
+{
+    const auto sculptor = sphere();
+    StrokeSettings settings = settingsFor(Tool::Pull);
+    settings.add = true;
+    const DabReport report = dabOnce(*sculptor, settings, 1.7 * image);
+    QCOMPARE(core::name(report.outcome), core::name(DabOutcome::Added));
+    QCOMPARE(mesh_asserts::eulerNumber(sculptor->mesh()), 6);
+    VERIFY_SYMMETRIC(sculptor->mesh(), Symmetry::X);
+    VERIFY_VALID(sculptor->mesh());
+    dabOnce(*sculptor, settings, 1.9 * image);
+    VERIFY_SYMMETRIC(sculptor->mesh(), Symmetry::X);
+}
+
+void TestMirrorMap::addedSphere_onThePlane_isItsOwnImage()
+{
+    const auto sculptor = sphere();
+    StrokeSettings settings = settingsFor(Tool::Pull);
+    settings.add = true;
+    QCOMPARE(core::name(dabOnce(*sculptor, settings, {0, 0.3, 1.9}).outcome), core::name(DabOutcome::Added));
+    QCOMPARE(mesh_asserts::eulerNumber(sculptor->mesh()), 4);
+    VERIFY_SYMMETRIC(sculptor->mesh(), Symmetry::X);
+}
+
+void TestMirrorMap::addedSphere_touchingItsImageIsRefused()
+{
+    const auto sculptor = sphere();
+    const std::uint64_t before = sculptor->mesh().stateHash();
+    StrokeSettings settings = settingsFor(Tool::Pull);
+    settings.add = true;
+    const DabReport report = dabOnce(*sculptor, settings, {0.31, 0.3, 1.9});
+    QVERIFY(report.outcome == DabOutcome::Refused && report.refusal == core::Refusal::TooClose);
+    QCOMPARE(sculptor->mesh().stateHash(), before);
+}
+
+QTEST_GUILESS_MAIN(TestMirrorMap)
+#include "tst_mirror_map.moc"
