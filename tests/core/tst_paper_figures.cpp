@@ -1,5 +1,6 @@
 // What the figures of the paper show. Of those that are shown elsewhere: Figures 5 and 6 in tst_remesh, 16 in tst_dab_engine.
 
+#include "core/mesh_check.h"
 #include "core/remesh.h"
 #include "core/sculptor.h"
 #include "tests/support/clay.h"
@@ -57,6 +58,12 @@ double volume(const Mesh& mesh)
     return sum;
 }
 
+/// Handles, summed over the components: V - E + F = 2 a component, less 2 a handle.
+std::int64_t genus(const Mesh& mesh)
+{
+    return core::checkMesh(mesh_asserts::surfaceOf(mesh)).genus.value_or(-1);
+}
+
 /// The mean distance of the vertices in the ball from the mean of their neighbours.
 double roughness(const Mesh& mesh, const core::Sphere& ball)
 {
@@ -76,7 +83,8 @@ double roughness(const Mesh& mesh, const core::Sphere& ball)
 /// How far apart along z the vertices in the ball lie.
 double relief(const Mesh& mesh, const core::Sphere& ball)
 {
-    const std::vector<Vec3> points = pointsWhere(mesh, [&](const Vec3& p) { return (p - ball.center).norm() <= ball.radius; });
+    const std::vector<Vec3> points =
+        pointsWhere(mesh, [&](const Vec3& p) { return (p - ball.center).norm() <= ball.radius; });
     const auto [low, high] = std::ranges::minmax(points, {}, [](const Vec3& p) { return p.z(); });
     return high.z() - low.z();
 }
@@ -94,6 +102,14 @@ private Q_SLOTS:
     void figure7_neckIsNotCollapsed();
     void figure11_fourToolsOnOnePart_data();
     void figure11_fourToolsOnOnePart();
+    void figure12_fingersPulledIntoEachOtherJoin_data();
+    void figure12_fingersPulledIntoEachOtherJoin();
+    void figure13_theEndsOfARingJoin();
+    void figure15_withAndWithoutFusion_data() { figure12_fingersPulledIntoEachOtherJoin_data(); }
+    void figure15_withAndWithoutFusion();
+    void pushThroughASlab_piercesIt();
+    void largeBrush_doesNotPierceAWall();
+    void pinch_cutsANeck();
 };
 
 /// (a, b, c): the back of the dog. A path along edges may be longer than the straight way, so the ray brush's rim lies inside.
@@ -128,7 +144,8 @@ void TestPaperFigures::figure4_nextToAFoldTheRayBrushTakesTheNearSheet()
     const TriangleMesh ring = clay::cutRing(gap);
     for (BrushShape brush : {BrushShape::Ray, BrushShape::Sphere}) {
         Sculptor sculptor(sculptable(ring));
-        const std::vector<Vec3> earBefore = pointsWhere(sculptor.mesh(), ear), neckBefore = pointsWhere(sculptor.mesh(), neckSide);
+        const std::vector<Vec3> earBefore = pointsWhere(sculptor.mesh(), ear),
+                                neckBefore = pointsWhere(sculptor.mesh(), neckSide);
         StrokeSettings settings;
         settings.tool = Tool::Push; // away from the other sheet
         settings.radius = 0.15;
@@ -162,10 +179,11 @@ void TestPaperFigures::figure7_illegalCollapsesAreRefused()
     // Below 0.15 the line from b through a passes between p and the middle of p and q.
     const float x = static_cast<float>(ax), far = ax < 0.15 ? 1.0f : 0.7f;
     TriangleMesh shape;
-    shape.points = {{0, 0, 0},     {0.3f, 0, 0},         {x, -0.35f, 0},  {0.15f, -far, 0},   {-0.6f, 0, 0},
-                    {0.3f - x, 0.35f, 0}, {0.9f, 0, 0}, {0.15f, far, 0}, {0.15f, 0, -0.7f}};
-    shape.triangles = {{P, A, Q}, {P, B, A}, {P, C, B}, {P, D, C}, {Q, D, P}, {Q, F, D}, {Q, E, F}, {Q, A, E}, {A, B, E}, {D, F, C},
-                       {E, B, Apex}, {F, E, Apex}, {C, F, Apex}, {B, C, Apex}};
+    shape.points = {{0, 0, 0},        {0.3f, 0, 0},    {x, -0.35f, 0},
+                    {0.15f, -far, 0}, {-0.6f, 0, 0},   {0.3f - x, 0.35f, 0},
+                    {0.9f, 0, 0},     {0.15f, far, 0}, {0.15f, 0, -0.7f}};
+    shape.triangles = {{P, A, Q}, {P, B, A}, {P, C, B}, {P, D, C},    {Q, D, P},    {Q, F, D},    {Q, E, F},
+                       {Q, A, E}, {A, B, E}, {D, F, C}, {E, B, Apex}, {F, E, Apex}, {C, F, Apex}, {B, C, Apex}};
     const auto mesh = sculptable(shape);
     VERIFY_VALID(*mesh);
     core::Region region;
@@ -215,10 +233,14 @@ void TestPaperFigures::figure11_fourToolsOnOnePart()
     Sculptor sculptor(sculptable(shapes::noisy(core::icosphere(4, 1), 0.008f, 11)));
     const auto measure = [&](const Mesh& mesh) {
         switch (tool) {
-        case Tool::Pull: return -volume(mesh);
-        case Tool::Push: return volume(mesh);
-        case Tool::Flatten: return relief(mesh, inner);
-        default: return roughness(mesh, inner);
+        case Tool::Pull:
+            return -volume(mesh);
+        case Tool::Push:
+            return volume(mesh);
+        case Tool::Flatten:
+            return relief(mesh, inner);
+        default:
+            return roughness(mesh, inner);
         }
     };
     StrokeSettings settings;
@@ -241,6 +263,123 @@ void TestPaperFigures::figure11_fourToolsOnOnePart()
         QVERIFY(std::abs(before - start) > 0.01); // of 4.19
     QVERIFY2(unsound.empty(), unsound.c_str());
     VERIFY_VALID(sculptor.mesh());
+}
+
+void TestPaperFigures::figure12_fingersPulledIntoEachOtherJoin_data()
+{
+    QTest::addColumn<bool>("fusion");
+    QTest::newRow("with fusion") << true;
+    QTest::newRow("without") << false;
+}
+
+/// Both facing sides are pulled until they have met. Two shells are one then, or they stop at contact.
+void TestPaperFigures::figure12_fingersPulledIntoEachOtherJoin()
+{
+    QFETCH(bool, fusion);
+    Sculptor sculptor(sculptable(clay::twoFingers(0.2)));
+    QCOMPARE(mesh_asserts::eulerNumber(sculptor.mesh()), 4);
+    StrokeSettings settings;
+    settings.radius = 0.3;
+    settings.fusion = fusion;
+    for (int i = 0; i < 8; ++i) {
+        for (double side : {-1.0, 1.0}) {
+            const auto facing = sculptor.hit({{0, 0.01, 0.02}, {side, 0, 0}});
+            if (facing)
+                dabAt(sculptor, settings, facing->position, Vec3(-side, 0, 0));
+            VERIFY_VALID(sculptor.mesh());
+        }
+    }
+    QCOMPARE(mesh_asserts::eulerNumber(sculptor.mesh()), fusion ? 2 : 4);
+    QCOMPARE(sculptor.totals().fusions > 0, fusion);
+}
+
+/// Two stars of one surface: it gains a handle.
+void TestPaperFigures::figure13_theEndsOfARingJoin()
+{
+    Sculptor sculptor(sculptable(clay::cutRing(gap)));
+    QCOMPARE(genus(sculptor.mesh()), 0);
+    StrokeSettings settings;
+    settings.radius = 0.2;
+    for (int i = 0; i < 6; ++i) {
+        dabAt(sculptor, settings, {1, gap / 2, 0}, {0, -1, 0});
+        VERIFY_VALID(sculptor.mesh());
+    }
+    QCOMPARE(genus(sculptor.mesh()), 1);
+    QVERIFY(sculptor.totals().fusions > 0);
+}
+
+/// One finger is dragged across the other. Without fusion the paper's mesh intersects itself; ours stops.
+void TestPaperFigures::figure15_withAndWithoutFusion()
+{
+    QFETCH(bool, fusion);
+    Sculptor sculptor(sculptable(clay::twoFingers(0.1)));
+    StrokeSettings settings;
+    settings.radius = 0.25;
+    settings.fusion = fusion;
+    settings.strength = 2;
+    std::string unsound;
+    sculptor.setBetweenSubsteps([&] { unsound += mesh_asserts::unsoundness(sculptor.mesh()); });
+    for (int i = 0; i < 6; ++i)
+        dabAt(sculptor, settings, {-0.05 + 0.02 * i, 0.1 * i, 0}, {1, 0, 0});
+    QVERIFY2(unsound.empty(), unsound.c_str());
+    VERIFY_VALID(sculptor.mesh());
+    QCOMPARE(sculptor.totals().fusions > 0, fusion);
+    QCOMPARE(mesh_asserts::eulerNumber(sculptor.mesh()) == 4, !fusion);
+}
+
+void TestPaperFigures::pushThroughASlab_piercesIt()
+{
+    Sculptor sculptor(sculptable(clay::slab(2, 0.1, 16)));
+    StrokeSettings settings;
+    settings.tool = Tool::Push;
+    settings.radius = 0.3;
+    for (int i = 0; i < 12; ++i) {
+        const auto above = sculptor.hit({{0.03, 1, 0.02}, {0, -1, 0}});
+        if (!above)
+            break; // one sees through
+        dabAt(sculptor, settings, above->position, {0, 1, 0});
+        VERIFY_VALID(sculptor.mesh());
+    }
+    QVERIFY(!sculptor.hit({{0.03, 1, 0.02}, {0, -1, 0}}));
+    QCOMPARE(genus(sculptor.mesh()), 1);
+}
+
+/// Pull, flatten and smooth with a brush much larger than the wall is thick: nobody pushed through it.
+void TestPaperFigures::largeBrush_doesNotPierceAWall()
+{
+    for (Tool tool : {Tool::Pull, Tool::Flatten, Tool::Smooth}) {
+        Sculptor sculptor(sculptable(clay::slab(2, 0.1, 16)));
+        StrokeSettings settings;
+        settings.tool = tool;
+        settings.radius = 0.6;
+        settings.strength = 0.5;
+        for (int i = 0; i < 4; ++i) {
+            dabAt(sculptor, settings, {0.1 * i, 0.05, 0}, {0, 1, 0});
+            VERIFY_VALID(sculptor.mesh());
+            QCOMPARE(mesh_asserts::eulerNumber(sculptor.mesh()), 2);
+        }
+    }
+}
+
+/// A dumbbell, pushed in all around its thin handle.
+void TestPaperFigures::pinch_cutsANeck()
+{
+    std::vector<Vec3> dumbbell = {{0, -1, 0}};
+    for (int i = 1; i < 40; ++i) {
+        const double y = -1 + i / 20.0;
+        dumbbell.emplace_back(std::sqrt(1 - y * y) * (0.12 + 0.4 * y * y), y, 0);
+    }
+    dumbbell.emplace_back(0, 1, 0);
+    Sculptor sculptor(sculptable(clay::revolved(dumbbell, 24)));
+    StrokeSettings settings;
+    settings.tool = Tool::Push;
+    settings.radius = 0.2;
+    for (int i = 0; i < 12; ++i) {
+        dabAt(sculptor, settings, Vec3::Zero(), {1, 0, 0});
+        VERIFY_VALID(sculptor.mesh());
+    }
+    QCOMPARE(mesh_asserts::eulerNumber(sculptor.mesh()), 4); // two shells
+    QVERIFY(sculptor.totals().separations > 0);
 }
 
 QTEST_GUILESS_MAIN(TestPaperFigures)
