@@ -1,9 +1,12 @@
 #include "document.h"
 
 #include "model_loader.h"
+#include "model_words.h"
 #include "stroke_command.h"
 
 #include "core/mesh_build.h"
+#include "core/mesh_io.h"
+#include "ui/messages.h"
 
 #include <QFileInfo>
 
@@ -15,7 +18,47 @@ namespace app
 namespace
 {
 constexpr double clayRadius = 50; ///< mm
+constexpr int progressSteps = 100;
+} // namespace
+
+/// What became of a change of the whole model.
+struct ModelOutcome
+{
+    core::ModelChange change;
+    QString problem; ///< it was not done
+};
+
+namespace
+{
+/// Null: there is not enough memory.
+std::shared_ptr<core::Mesh> copied(const core::Mesh& mesh)
+{
+    try {
+        return std::make_shared<core::Mesh>(mesh);
+    } catch (const std::bad_alloc&) {
+        return nullptr;
+    }
 }
+
+/// Reads the model to be inserted, if there is one, and tries the command. Any thread.
+ModelOutcome tried(const std::shared_ptr<core::Mesh>& mesh, core::ModelCommand& command, const QString& insertedPath, const core::JobWatch& watch)
+{
+    ModelOutcome outcome;
+    try {
+        if (!mesh)
+            throw std::bad_alloc();
+        if (auto* insertion = std::get_if<core::Insert>(&command))
+            insertion->model = core::readMesh(toPath(insertedPath));
+        outcome.change = core::tryOn(std::move(*mesh), command, watch);
+        outcome.problem = ModelWords::refusal(outcome.change, insertedPath);
+    } catch (const core::FileError& error) {
+        outcome.problem = ui::Messages::sentence(error);
+    } catch (const std::bad_alloc&) {
+        outcome.problem = Document::tr("There is not enough memory for that; the model stays as it is.");
+    }
+    return outcome;
+}
+} // namespace
 
 Document::Document(SculptWorker* worker, QObject* parent)
     : QObject(parent), m_worker(worker), m_history([worker](auto job) { worker->post(std::move(job)); })
@@ -24,6 +67,10 @@ Document::Document(SculptWorker* worker, QObject* parent)
     connect(worker, &SculptWorker::strokeFinished, this, &Document::takeReport);
     connect(worker, &SculptWorker::modelSet, this, &Document::takeModel);
     connect(worker, &SculptWorker::factsChanged, this, &Document::takeFacts);
+    connect(worker, &SculptWorker::strokeRefused, this, [this] {
+        if (m_isChanging)
+            Q_EMIT noticed(tr("Sculpting rests until the model is ready."));
+    });
     connect(&m_stack, &QUndoStack::indexChanged, this, &Document::tellState);
     connect(&m_stack, &QUndoStack::cleanChanged, this, &Document::tellState);
     connect(&m_history, &HistoryStore::expired, this, &Document::tellState);
@@ -32,19 +79,20 @@ Document::Document(SculptWorker* worker, QObject* parent)
 
 Document::~Document()
 {
+    m_stop.request_stop();
     m_worker->stop();
     m_aside.waitForDone();
     m_stack.disconnect(this);
 }
 
-void Document::setMayDiscard(std::function<bool()> mayDiscard)
+void Document::setMayDiscard(MayDiscard mayDiscard)
 {
     m_mayDiscard = std::move(mayDiscard);
 }
 
-bool Document::mayDiscard() const
+bool Document::mayDiscard(const std::function<void()>& goOn) const
 {
-    return !isModified() || !m_mayDiscard || m_mayDiscard();
+    return !isModified() || !m_mayDiscard || m_mayDiscard(goOn);
 }
 
 // --- opening and exporting ---------------------------------------------------------------------------------------------
@@ -55,30 +103,35 @@ void Document::open(const QString& path)
         Q_EMIT noticed(tr("One file at a time: %1 waits until the other is done.").arg(QFileInfo(path).fileName()));
     else // changes are what they are when all strokes have reported
         request([this, path] {
-            if (!m_isBusy && mayDiscard())
+            if (!m_isBusy && mayDiscard([this, path] { open(path); }))
                 load(path);
         });
 }
 
 void Document::openSphere()
 {
-    if (!m_isBusy && mayDiscard())
+    if (!m_isBusy && mayDiscard([this] { openSphere(); }))
         load({});
 }
 
 void Document::load(const QString& path)
 {
     setBusy(path.isEmpty() ? tr("Preparing the clay") : tr("Opening %1").arg(QFileInfo(path).fileName()));
-    m_aside.start([this, path] {
-        const auto progress = [this](const QString& what) {
+    Q_EMIT stoppable(true);
+    m_aside.start([this, path, watch = watch()] {
+        const auto tell = [this](const QString& what) {
             QMetaObject::invokeMethod(this, [this, what] { Q_EMIT busy(what); }, Qt::QueuedConnection);
         };
-        auto model = std::make_shared<LoadedModel>(path.isEmpty() ? ModelLoader::sphere(clayRadius) : ModelLoader::load(path, progress));
-        const auto finish = [this, model = std::move(model)] {
+        auto model = std::make_shared<LoadedModel>(path.isEmpty() ? ModelLoader::sphere(clayRadius) : ModelLoader::load(path, tell, watch));
+        const auto finish = [this, model = std::move(model), watch] {
+            Q_EMIT stoppable(false);
+            if (watch.stopped())
+                model->sculptor.reset();
             if (model->sculptor)
                 return request([this, model] { install(model); });
             setIdle();
-            Q_EMIT refused(model->problem);
+            if (!watch.stopped())
+                Q_EMIT refused(model->problem);
             if (m_facts.faces == 0) // never without a model
                 load({});
         };
@@ -144,6 +197,81 @@ void Document::write(const QString& path, std::shared_ptr<core::TriangleMesh> me
     });
 }
 
+// --- the whole model ---------------------------------------------------------------------------------------------------
+
+void Document::apply(const core::ModelCommand& command)
+{
+    if (!m_isBusy)
+        request([this, command] { startChange(command, {}); });
+}
+
+void Document::insert(const QString& path, core::Insert::Place place, const core::Vec3& centre)
+{
+    if (!m_isBusy)
+        request([this, path, place, centre] { startChange(core::Insert{{}, place, centre}, path); });
+}
+
+void Document::stop()
+{
+    m_stop.request_stop();
+    Q_EMIT stoppable(false);
+}
+
+/// Until it is finished, strokes are refused and undo waits: the mesh stays the one that was copied.
+void Document::startChange(core::ModelCommand command, const QString& insertedPath)
+{
+    if (m_isBusy)
+        return;
+    if (!m_worker->hold()) // another hand was faster
+        return request([this, command = std::move(command), insertedPath] { startChange(command, insertedPath); });
+    m_isChanging = true;
+    setBusy(ModelWords::doing(command));
+    Q_EMIT stoppable(true);
+    m_worker->post([this, command = std::move(command), insertedPath, watch = watch()](core::Sculptor& sculptor) {
+        auto copy = copied(sculptor.mesh());
+        m_aside.start([this, copy = std::move(copy), command, insertedPath, watch]() mutable {
+            auto outcome = std::make_shared<ModelOutcome>(tried(copy, command, insertedPath, watch));
+            const auto finish = [this, command, outcome] { finishChange(command, std::move(*outcome)); };
+            QMetaObject::invokeMethod(this, finish, Qt::QueuedConnection);
+        });
+    });
+}
+
+void Document::finishChange(const core::ModelCommand& command, ModelOutcome outcome)
+{
+    const bool wasStopped = m_stop.stop_requested();
+    if (outcome.change.changes && !wasStopped) {
+        auto delta = std::make_shared<core::MeshDelta>(std::move(outcome.change.delta));
+        m_worker->post([delta](core::Sculptor& sculptor) { sculptor.swap(*delta); });
+        const int index = m_stack.index();
+        m_history.add(index, delta);
+        m_stack.push(new StrokeCommand(ModelWords::name(command), &m_history, index));
+    }
+    m_isChanging = false;
+    m_worker->release();
+    Q_EMIT stoppable(false);
+    setIdle();
+    if (!outcome.problem.isEmpty())
+        Q_EMIT refused(outcome.problem);
+    else if (!outcome.change.changes && !wasStopped)
+        Q_EMIT noticed(ModelWords::nothing(command));
+    tellState();
+    runRequests();
+}
+
+/// Of a new piece of work, which stop() ends.
+core::JobWatch Document::watch()
+{
+    m_stop = std::stop_source();
+    const auto told = std::make_shared<int>(-1);
+    const auto progress = [this, told](double share) {
+        const int step = static_cast<int>(share * progressSteps);
+        if (std::exchange(*told, step) != step)
+            QMetaObject::invokeMethod(this, [this, share] { Q_EMIT progressed(share); }, Qt::QueuedConnection);
+    };
+    return {m_stop.get_token(), progress};
+}
+
 // --- strokes and history -----------------------------------------------------------------------------------------------
 
 void Document::beginStroke(const core::StrokeSettings& settings)
@@ -204,7 +332,7 @@ void Document::strokeRequest(std::function<void()> run)
 
 void Document::runRequests()
 {
-    while (!m_requests.empty() && !(m_requests.front().afterReports && (hasUnreported() || m_isInstalling))) {
+    while (!m_requests.empty() && !(m_requests.front().afterReports && (hasUnreported() || m_isInstalling || m_isChanging))) {
         const auto run = std::move(m_requests.front().run);
         m_requests.pop_front();
         run();
@@ -223,7 +351,7 @@ void Document::takeReport(const StrokeReport& report)
         if (report.delta) {
             const int index = m_stack.index();
             m_history.add(index, report.delta);
-            m_stack.push(new StrokeCommand(report.tool, &m_history, index));
+            m_stack.push(new StrokeCommand(StrokeCommand::textOf(report.tool), &m_history, index));
         }
         if (report.endedEarly > 0 && !report.delta)
             Q_EMIT noticed(tr("Nothing happened here: the surface would have met itself, or the wall of the working volume."));
@@ -238,6 +366,8 @@ void Document::takeFacts(const MeshFacts& facts)
     m_facts.vertices = facts.vertices;
     m_facts.faces = facts.faces;
     m_facts.box = facts.box;
+    m_facts.area = facts.area;
+    m_facts.uniformDetail = facts.uniformDetail;
     m_facts.size = facts.box.isEmpty() ? core::Vec3::Zero() : core::Vec3(facts.box.sizes());
     if (!m_isInstalling)
         Q_EMIT factsChanged(m_facts);
@@ -259,7 +389,7 @@ bool Document::isModified() const
 
 bool Document::isSettled() const
 {
-    return !m_strokeOpen && m_requests.empty() && !hasUnreported();
+    return !m_strokeOpen && m_requests.empty() && !hasUnreported() && !m_isChanging;
 }
 
 bool Document::canUndo() const

@@ -3,6 +3,7 @@
 #include "history_store.h"
 #include "sculpt_worker.h"
 
+#include "core/model_command.h"
 #include "ui/model_facts.h"
 
 #include <QThreadPool>
@@ -14,6 +15,7 @@
 namespace app
 {
 struct LoadedModel;
+struct ModelOutcome;
 
 /// The model that is open: its name, its history, what may be done with it. Gui thread; what takes long is done elsewhere,
 /// and signals say when it is.
@@ -30,9 +32,10 @@ public:
     /// Stops the worker, whose jobs know the document.
     ~Document() override;
 
-    /// Asked before changes are lost to another model: false keeps the present one.
-    void setMayDiscard(std::function<bool()> mayDiscard);
-    bool mayDiscard() const;
+    /// Asked before changes are lost: false keeps the present model, and `goOn` may be called later, when they are exported.
+    using MayDiscard = std::function<bool(const std::function<void()>& goOn)>;
+    void setMayDiscard(MayDiscard mayDiscard);
+    bool mayDiscard(const std::function<void()>& goOn) const;
 
     const QString& path() const { return m_path; } ///< empty: it comes from no file
     const ui::ModelFacts& facts() const { return m_facts; }
@@ -53,6 +56,13 @@ public Q_SLOTS:
     void openSphere();
     void exportTo(const QString& path);
 
+    /// Changes the whole model, as one step: worked out aside on a copy, while strokes are refused.
+    void apply(const core::ModelCommand& command);
+    /// Of a model in a file; the place is as in core::Insert.
+    void insert(const QString& path, core::Insert::Place place, const core::Vec3& centre);
+    /// Ends the opening or the change of the whole model that is going on; everything stays as it is.
+    void stop();
+
     void beginStroke(const core::StrokeSettings& settings);
     void addSample(const core::StrokeSample& sample);
     void endStroke();
@@ -70,6 +80,10 @@ Q_SIGNALS:
     void refused(const QString& sentence);
     void noticed(const QString& sentence);
     void busy(const QString& what);
+    /// While busy: stop() would end it, or has no effect any more.
+    void stoppable(bool canStop);
+    /// While busy: 0 to 1.
+    void progressed(double share);
     void idle();
 
 private:
@@ -82,6 +96,9 @@ private:
 
     void load(const QString& path);
     void install(std::shared_ptr<LoadedModel> model);
+    void startChange(core::ModelCommand command, const QString& insertedPath);
+    void finishChange(const core::ModelCommand& command, ModelOutcome outcome);
+    core::JobWatch watch();
     void write(const QString& path, std::shared_ptr<core::TriangleMesh> mesh, int index);
     void request(std::function<void()> run);
     void strokeRequest(std::function<void()> run);
@@ -100,7 +117,7 @@ private:
     QUndoStack m_stack;
     QString m_path;
     ui::ModelFacts m_facts;
-    std::function<bool()> m_mayDiscard;
+    MayDiscard m_mayDiscard;
 
     std::deque<Request> m_requests;
     std::deque<Request> m_afterStroke; ///< asked for while a stroke is open
@@ -109,6 +126,8 @@ private:
     quint64 m_reported = 0;            ///< strokes
     bool m_isInstalling = false;       ///< the worker has another model than the undo stack knows
     bool m_isBusy = false;
+    bool m_isChanging = false; ///< the whole model, aside
+    std::stop_source m_stop;   ///< of what is going on
     bool m_changedBeyondHistory = false;
     bool m_toldModified = false;
     QThreadPool m_aside; ///< one thread for files; last, so that its jobs end first

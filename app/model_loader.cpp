@@ -29,26 +29,26 @@ std::filesystem::path toPath(const QString& path)
     return std::filesystem::path(path.toStdU16String());
 }
 
-LoadedModel ModelLoader::load(const QString& path, const Progress& progress)
+LoadedModel ModelLoader::load(const QString& path, const Tell& tell, const core::JobWatch& watch)
 {
-    return load(path, false, progress);
+    return load(path, false, tell, watch);
 }
 
 LoadedModel ModelLoader::loadInPlace(const QString& path)
 {
-    return load(path, true, {});
+    return load(path, true, {}, {});
 }
 
-LoadedModel ModelLoader::load(const QString& path, bool inPlace, const Progress& progress)
+LoadedModel ModelLoader::load(const QString& path, bool inPlace, const Tell& tell, const core::JobWatch& watch)
 {
     LoadedModel loaded;
     loaded.path = path;
     loaded.name = QFileInfo(path).fileName();
     try {
         const core::TriangleMesh mesh = core::readMesh(toPath(path));
-        if (progress)
-            progress(tr("Checking %1").arg(loaded.name));
-        build(loaded, mesh, inPlace);
+        if (tell)
+            tell(tr("Checking %1").arg(loaded.name));
+        build(loaded, mesh, inPlace, watch);
     } catch (const core::FileError& error) {
         loaded.problem = ui::Messages::sentence(error);
     } catch (const std::bad_alloc&) {
@@ -57,9 +57,11 @@ LoadedModel ModelLoader::load(const QString& path, bool inPlace, const Progress&
     return loaded;
 }
 
-void ModelLoader::build(LoadedModel& loaded, const core::TriangleMesh& mesh, bool inPlace)
+void ModelLoader::build(LoadedModel& loaded, const core::TriangleMesh& mesh, bool inPlace, const core::JobWatch& watch)
 {
-    core::BuildResult result = core::buildMesh(mesh, !inPlace);
+    core::BuildResult result = core::buildMesh(mesh, !inPlace, watch);
+    if (watch.stopped())
+        return;
     if (!result.mesh && !result.report.printReady())
         loaded.problem = ui::Messages::refusal(loaded.path, result.report);
     else if (!result.mesh)
@@ -76,7 +78,7 @@ LoadedModel ModelLoader::sphere(double radius)
 {
     LoadedModel loaded;
     loaded.name = tr("Ball of clay");
-    build(loaded, core::icosphere(paperSubdivisions, radius), true);
+    build(loaded, core::icosphere(paperSubdivisions, radius), true, {});
     return loaded;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/file_error.h"
+#include "core/job_watch.h"
 #include "core/sculptor.h"
 
 #include <QCoreApplication>
@@ -27,10 +28,12 @@ class ModelLoader
     Q_DECLARE_TR_FUNCTIONS(app::ModelLoader)
 
 public:
-    using Progress = std::function<void(const QString& what)>;
+    /// What is going on, while it does.
+    using Tell = std::function<void(const QString& what)>;
 
     /// Reads, judges and builds for the window: the model's centre is put at the origin.
-    static LoadedModel load(const QString& path, const Progress& progress = {});
+    /// Who stops it gets neither a model nor a problem.
+    static LoadedModel load(const QString& path, const Tell& tell = {}, const core::JobWatch& watch = {});
     /// The same for scripts: the model stays where it is, or is refused.
     static LoadedModel loadInPlace(const QString& path);
     /// The paper's sphere, 2562 vertices.
@@ -39,8 +42,8 @@ public:
     static QString save(const QString& path, const core::TriangleMesh& mesh);
 
 private:
-    static LoadedModel load(const QString& path, bool inPlace, const Progress& progress);
-    static void build(LoadedModel& loaded, const core::TriangleMesh& mesh, bool inPlace);
+    static LoadedModel load(const QString& path, bool inPlace, const Tell& tell, const core::JobWatch& watch);
+    static void build(LoadedModel& loaded, const core::TriangleMesh& mesh, bool inPlace, const core::JobWatch& watch);
 };
 
 std::filesystem::path toPath(const QString& path);

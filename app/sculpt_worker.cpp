@@ -11,6 +11,14 @@ namespace
 {
 constexpr std::int64_t flushIntervalNs = 8'000'000; ///< half a frame of a 60 Hz screen
 constexpr core::Slot slotsAScan = 1 << 16;          ///< well below a millisecond
+
+/// 0 of a free face: its corners are one.
+double areaOf(const core::Mesh& mesh, core::Slot f)
+{
+    const core::Triangle& t = mesh.corners(f);
+    const core::Vec3f &a = mesh.point(t[0]), &b = mesh.point(t[1]), &c = mesh.point(t[2]);
+    return static_cast<double>((b - a).cross(c - a).norm()) / 2;
+}
 } // namespace
 
 SculptWorker::SculptWorker(QObject* parent) : QObject(parent), m_thread([this] { run(); }) {}
@@ -40,7 +48,7 @@ bool SculptWorker::beginStroke(Source source, const core::StrokeSettings& settin
 {
     {
         const std::lock_guard lock(m_mutex);
-        if (!m_openSource) {
+        if (!m_openSource && !m_isHeld) {
             m_openSource = source;
             ++m_strokesBegun;
             m_queue.push(BeginStroke{settings});
@@ -71,6 +79,19 @@ bool SculptWorker::strokeOpen() const
 {
     const std::lock_guard lock(m_mutex);
     return m_openSource.has_value();
+}
+
+bool SculptWorker::hold()
+{
+    const std::lock_guard lock(m_mutex);
+    m_isHeld = !m_openSource;
+    return m_isHeld;
+}
+
+void SculptWorker::release()
+{
+    const std::lock_guard lock(m_mutex);
+    m_isHeld = false;
 }
 
 void SculptWorker::ask(Source source, const core::Ray& ray)
@@ -176,9 +197,12 @@ void SculptWorker::install(std::shared_ptr<core::Sculptor> sculptor)
     m_sculptor->setBetweenSubsteps([this] { betweenSubsteps(); });
     m_sculptor->takePatch();
     m_box = {};
+    m_area = 0;
     core::MeshPatch whole = m_sculptor->wholePatch();
     for (const core::DrawVertex& vertex : whole.vertices)
         m_box.extend(vertex.position.cast<double>());
+    for (core::Slot f = 0; f < m_sculptor->mesh().slots().faces; ++f)
+        m_area += areaOf(m_sculptor->mesh(), f);
     m_epoch = whole.epoch;
     Q_EMIT modelSet(facts());
     for (const auto& inbox : m_inboxes)
@@ -216,6 +240,7 @@ bool SculptWorker::flushPatch()
 void SculptWorker::startScan()
 {
     m_scannedBox.setEmpty();
+    m_scannedArea = 0;
     m_queue.push(Task([this, generation = ++m_scanGeneration] { scan(0, generation); }));
 }
 
@@ -228,11 +253,14 @@ void SculptWorker::scan(core::Slot first, std::uint64_t generation)
     for (core::Slot v = first; v < end; ++v)
         if (mesh.isVertex(v))
             m_scannedBox.extend(mesh.point(v).cast<double>());
-    if (end < mesh.slots().vertices) {
-        m_queue.push(Task([this, end, generation] { scan(end, generation); }));
+    for (core::Slot f = 2 * first; f < std::min(mesh.slots().faces, 2 * (first + slotsAScan)); ++f)
+        m_scannedArea += areaOf(mesh, f);
+    if (first + slotsAScan < std::max(mesh.slots().vertices, mesh.slots().faces / 2 + 1)) {
+        m_queue.push(Task([this, first, generation] { scan(first + slotsAScan, generation); }));
         return;
     }
     m_box = m_scannedBox;
+    m_area = m_scannedArea;
     Q_EMIT factsChanged(facts());
 }
 
@@ -249,6 +277,6 @@ void SculptWorker::measureLatency(std::int64_t sampledNs)
 MeshFacts SculptWorker::facts() const
 {
     const core::SlotCounts live = m_sculptor->mesh().live();
-    return {live.vertices, live.faces, m_box};
+    return {live.vertices, live.faces, m_box, m_area, m_sculptor->mesh().uniformDetail()};
 }
 } // namespace app

@@ -20,6 +20,8 @@ struct MeshFacts
     quint64 vertices = 0;
     quint64 faces = 0;
     core::Box box; ///< mm; right after a stroke it may still be larger than the mesh
+    double area = 0;          ///< mm^2; of the mesh some time ago, as the box
+    double uniformDetail = 0; ///< mm
 };
 
 /// A stroke that has ended, in the order of the strokes' beginnings.
@@ -64,6 +66,9 @@ public:
     void addSample(Source source, const core::StrokeSample& sample);
     void endStroke(Source source);
     bool strokeOpen() const;
+    /// From now on strokes are refused: the mesh stays as it is but for jobs. False if a stroke is open.
+    bool hold();
+    void release();
     /// Ever.
     quint64 strokesBegun() const { return m_strokesBegun; }
 
@@ -104,8 +109,9 @@ private:
 
     JobQueue m_queue;
     std::atomic<quint64> m_strokesBegun = 0;
-    mutable std::mutex m_mutex; ///< guards the next two
+    mutable std::mutex m_mutex; ///< guards the next three
     std::optional<Source> m_openSource;
+    bool m_isHeld = false;
     WorkerStats m_stats;
 
     // The mesh thread's own.
@@ -114,6 +120,8 @@ private:
     StrokeReport m_report;
     core::Box m_box;
     core::Box m_scannedBox;
+    double m_area = 0;
+    double m_scannedArea = 0;
     std::uint64_t m_scanGeneration = 0; ///< a scan of an older one stops
     quint64 m_epoch = 0;
     std::int64_t m_sampledNs = 0; ///< of the sample in work

@@ -4,8 +4,8 @@
 
 namespace app
 {
-StrokeCommand::StrokeCommand(core::Tool tool, HistoryStore* store, int index)
-    : QUndoCommand(textOf(tool)), m_store(store), m_index(index)
+StrokeCommand::StrokeCommand(const QString& text, HistoryStore* store, int index)
+    : QUndoCommand(text), m_store(store), m_index(index)
 {
 }
 

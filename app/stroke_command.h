@@ -16,8 +16,8 @@ class StrokeCommand : public QUndoCommand
     Q_DECLARE_TR_FUNCTIONS(app::StrokeCommand)
 
 public:
-    /// `index`: its place in the undo stack, and in the store, which must outlive it.
-    StrokeCommand(core::Tool tool, HistoryStore* store, int index);
+    /// `text` names the step. `index`: its place in the undo stack, and in the store, which must outlive it.
+    StrokeCommand(const QString& text, HistoryStore* store, int index);
 
     void undo() override;
     void redo() override;

@@ -25,8 +25,15 @@ void wireDocument(ui::MainWindow& window, Document& document)
     QObject::connect(&document, &Document::noticed, &window, &MainWindow::showNotice);
     QObject::connect(&document, &Document::busy, &window, &MainWindow::setBusy);
     QObject::connect(&document, &Document::idle, &window, &MainWindow::setIdle);
-    document.setMayDiscard([&window] { return window.askToDiscard(); });
-    window.setMayClose([&document] { return document.mayDiscard(); });
+    QObject::connect(&document, &Document::progressed, &window, &MainWindow::setProgress);
+    QObject::connect(&document, &Document::stoppable, &window, &MainWindow::setStoppable);
+    QObject::connect(&window, &MainWindow::stopRequested, &document, &Document::stop);
+    QObject::connect(&window, &MainWindow::commandRequested, &document, &Document::apply);
+    QObject::connect(&window, &MainWindow::insertRequested, &document,
+                     [&document](const QString& path, const core::Insert& how) { document.insert(path, how.place, how.centre); });
+    QObject::connect(&document, &Document::exported, &window, &MainWindow::showExported);
+    document.setMayDiscard([&window](const std::function<void()>& goOn) { return window.askToDiscard(goOn); });
+    window.setMayClose([&window, &document] { return document.mayDiscard([&window] { window.close(); }); });
 }
 
 /// What the hand did last counts among the changes, though it may not have come to the document yet.

@@ -4,16 +4,25 @@ set(FETTLE_RESOURCE_FILES
     icons/about.svg
     icons/export.svg
     icons/fettle.svg
+    icons/fill.svg
     icons/frame.svg
     icons/headset.svg
+    icons/insert.svg
     icons/larger.svg
+    icons/mirror.svg
+    icons/move.svg
     icons/open.svg
     icons/pull.svg
     icons/push.svg
     icons/quit.svg
+    icons/recentre.svg
     icons/redo.svg
+    icons/remesh.svg
+    icons/rotate.svg
+    icons/scale.svg
     icons/smaller.svg
     icons/smooth.svg
+    icons/stop.svg
     icons/undo.svg
     shaders/background.frag
     shaders/background.vert

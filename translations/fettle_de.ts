@@ -210,6 +210,14 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>The earlier steps cannot be undone any more: their file on disk cannot be read. The model is in order.</source>
         <translation>Die früheren Schritte lassen sich nicht mehr rückgängig machen: Ihre Datei auf der Festplatte ist nicht lesbar. Das Modell ist in Ordnung.</translation>
     </message>
+    <message>
+        <source>There is not enough memory for that; the model stays as it is.</source>
+        <translation>Dafür reicht der Speicher nicht; das Modell bleibt, wie es ist.</translation>
+    </message>
+    <message>
+        <source>Sculpting rests until the model is ready.</source>
+        <translation>Das Formen ruht, bis das Modell fertig ist.</translation>
+    </message>
 </context>
 <context>
     <name>app::ModelLoader</name>
@@ -236,6 +244,113 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>%1 lay far from the origin and was moved there.</source>
         <translation>%1 lag weit vom Ursprung entfernt und wurde dorthin verschoben.</translation>
+    </message>
+</context>
+<context>
+    <name>app::ModelWords</name>
+    <message>
+        <source>Move</source>
+        <comment>undo step</comment>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Moving the model</source>
+        <translation>Das Modell wird verschoben</translation>
+    </message>
+    <message>
+        <source>Rotate</source>
+        <comment>undo step</comment>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Rotating the model</source>
+        <translation>Das Modell wird gedreht</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <comment>undo step</comment>
+        <translation>Skalieren</translation>
+    </message>
+    <message>
+        <source>Scaling the model</source>
+        <translation>Das Modell wird skaliert</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <comment>undo step</comment>
+        <translation>Spiegeln</translation>
+    </message>
+    <message>
+        <source>Mirroring the model</source>
+        <translation>Das Modell wird gespiegelt</translation>
+    </message>
+    <message>
+        <source>Recentre</source>
+        <comment>undo step</comment>
+        <translation>Zentrieren</translation>
+    </message>
+    <message>
+        <source>Recentring the model</source>
+        <translation>Das Modell wird zentriert</translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <comment>undo step</comment>
+        <translation>Einfügen</translation>
+    </message>
+    <message>
+        <source>Inserting a model</source>
+        <translation>Ein Modell wird eingefügt</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <comment>undo step</comment>
+        <translation>Füllen</translation>
+    </message>
+    <message>
+        <source>Colouring the model</source>
+        <translation>Das Modell wird gefärbt</translation>
+    </message>
+    <message>
+        <source>Remesh</source>
+        <comment>undo step</comment>
+        <translation>Neu vernetzen</translation>
+    </message>
+    <message>
+        <source>Remeshing the model</source>
+        <translation>Das Modell wird neu vernetzt</translation>
+    </message>
+    <message>
+        <source>The mesh is as uniform as that already.</source>
+        <translation>Das Netz ist schon so gleichmäßig.</translation>
+    </message>
+    <message>
+        <source>The model is like that already.</source>
+        <translation>Das Modell ist schon so.</translation>
+    </message>
+    <message>
+        <source>The model stays as it is, because some of its faces would meet on the program&apos;s working grid (faces: %1).</source>
+        <translation>Das Modell bleibt, wie es ist, weil sich einige seiner Flächen auf dem Arbeitsraster des Programms treffen würden (Flächen: %1).</translation>
+    </message>
+    <message>
+        <source>The model stays as it is: nothing may lie farther from the origin than four times its size.</source>
+        <translation>Das Modell bleibt, wie es ist: Nichts darf weiter vom Ursprung entfernt liegen als das Vierfache seiner Größe.</translation>
+    </message>
+    <message>
+        <source>The model stays as it is: it can be between a millionth of a millimetre and ten kilometres large.</source>
+        <translation>Das Modell bleibt, wie es ist: Es kann zwischen einem Millionstel Millimeter und zehn Kilometern groß sein.</translation>
+    </message>
+    <message>
+        <source>%1 was not inserted, because one model would lie inside the other; it has to be outside, or in a void.</source>
+        <translation>%1 wurde nicht eingefügt, weil ein Modell im anderen läge; es muss außerhalb oder in einem Hohlraum liegen.</translation>
+    </message>
+    <message>
+        <source>%1 was not inserted, because there it would touch the model.</source>
+        <translation>%1 wurde nicht eingefügt, weil es dort das Modell berühren würde.</translation>
+    </message>
+    <message>
+        <source>The mesh stays as it is: with edges this short it would need too many triangles (%1).</source>
+        <translation>Das Netz bleibt, wie es ist: Mit so kurzen Kanten bräuchte es zu viele Dreiecke (%1).</translation>
     </message>
 </context>
 <context>
@@ -537,6 +652,82 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>&amp;Help</source>
         <translation>&amp;Hilfe</translation>
     </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Anhalten</translation>
+    </message>
+    <message>
+        <source>Ends what is going on and leaves the model as it is.</source>
+        <translation>Beendet, was gerade läuft, und lässt das Modell, wie es ist.</translation>
+    </message>
+    <message>
+        <source>&amp;Move…</source>
+        <translation>&amp;Verschieben …</translation>
+    </message>
+    <message>
+        <source>Moves the whole model by so many millimetres.</source>
+        <translation>Verschiebt das ganze Modell um so viele Millimeter.</translation>
+    </message>
+    <message>
+        <source>&amp;Rotate…</source>
+        <translation>&amp;Drehen …</translation>
+    </message>
+    <message>
+        <source>Turns the whole model about an axis through the origin.</source>
+        <translation>Dreht das ganze Modell um eine Achse durch den Ursprung.</translation>
+    </message>
+    <message>
+        <source>&amp;Scale…</source>
+        <translation>&amp;Skalieren …</translation>
+    </message>
+    <message>
+        <source>Makes the whole model larger or smaller.</source>
+        <translation>Macht das ganze Modell größer oder kleiner.</translation>
+    </message>
+    <message>
+        <source>M&amp;irror…</source>
+        <translation>S&amp;piegeln …</translation>
+    </message>
+    <message>
+        <source>Turns the whole model into its mirror image.</source>
+        <translation>Macht das ganze Modell zu seinem Spiegelbild.</translation>
+    </message>
+    <message>
+        <source>Re&amp;centre</source>
+        <translation>&amp;Zentrieren</translation>
+    </message>
+    <message>
+        <source>Puts the middle of the model at the origin.</source>
+        <translation>Setzt die Mitte des Modells in den Ursprung.</translation>
+    </message>
+    <message>
+        <source>I&amp;nsert…</source>
+        <translation>&amp;Einfügen …</translation>
+    </message>
+    <message>
+        <source>Adds another model from a file to this one.</source>
+        <translation>Fügt diesem Modell ein weiteres aus einer Datei hinzu.</translation>
+    </message>
+    <message>
+        <source>&amp;Fill with Colour…</source>
+        <translation>Mit &amp;Farbe füllen …</translation>
+    </message>
+    <message>
+        <source>Gives the whole model one colour.</source>
+        <translation>Gibt dem ganzen Modell eine Farbe.</translation>
+    </message>
+    <message>
+        <source>Remesh &amp;Uniformly…</source>
+        <translation>&amp;Gleichmäßig neu vernetzen …</translation>
+    </message>
+    <message>
+        <source>Makes all triangles of the model about as large.</source>
+        <translation>Macht alle Dreiecke des Modells etwa gleich groß.</translation>
+    </message>
+    <message>
+        <source>&amp;Model</source>
+        <translation>&amp;Modell</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushBar</name>
@@ -641,12 +832,20 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Nicht gespeicherte Änderungen</translation>
     </message>
     <message>
-        <source>%1 has changes that were not exported. Shall they be lost?</source>
-        <translation>%1 hat Änderungen, die nicht exportiert wurden. Sollen sie verworfen werden?</translation>
-    </message>
-    <message>
         <source>%1[*] – Fettle</source>
         <translation>%1[*] – Fettle</translation>
+    </message>
+    <message>
+        <source>%1 has changes that were not exported.</source>
+        <translation>%1 hat Änderungen, die nicht exportiert wurden.</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren …</translation>
+    </message>
+    <message>
+        <source>%1 was written.</source>
+        <translation>%1 wurde geschrieben.</translation>
     </message>
 </context>
 <context>
@@ -795,6 +994,153 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>%1 cannot be written: there is no folder %2.</source>
         <translation>%1 kann nicht geschrieben werden: Es gibt keinen Ordner %2.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ModelDialogs</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>X, to the right</source>
+        <translation>X, nach rechts</translation>
+    </message>
+    <message>
+        <source>Y, upwards</source>
+        <translation>Y, nach oben</translation>
+    </message>
+    <message>
+        <source>Z, to the front</source>
+        <translation>Z, nach vorn</translation>
+    </message>
+    <message>
+        <source>Move the Model</source>
+        <translation>Modell verschieben</translation>
+    </message>
+    <message>
+        <source>By how much is the whole model moved?</source>
+        <translation>Um wie viel wird das ganze Modell verschoben?</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Rotate the Model</source>
+        <translation>Modell drehen</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Rotate</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Scale the Model</source>
+        <translation>Modell skalieren</translation>
+    </message>
+    <message>
+        <source>How large is the model to be?</source>
+        <translation>Wie groß soll das Modell sein?</translation>
+    </message>
+    <message>
+        <source>Longest side</source>
+        <translation>Längste Seite</translation>
+    </message>
+    <message>
+        <source>Factor</source>
+        <translation>Faktor</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Skalieren</translation>
+    </message>
+    <message>
+        <source>Mirror the Model</source>
+        <translation>Modell spiegeln</translation>
+    </message>
+    <message>
+        <source>The mirror goes through the origin. What changes sides?</source>
+        <translation>Der Spiegel geht durch den Ursprung. Was tauscht die Seiten?</translation>
+    </message>
+    <message>
+        <source>Left and right (X)</source>
+        <translation>Links und rechts (X)</translation>
+    </message>
+    <message>
+        <source>Top and bottom (Y)</source>
+        <translation>Oben und unten (Y)</translation>
+    </message>
+    <message>
+        <source>Front and back (Z)</source>
+        <translation>Vorn und hinten (Z)</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Spiegeln</translation>
+    </message>
+    <message>
+        <source>Fill with Colour</source>
+        <translation>Mit Farbe füllen</translation>
+    </message>
+    <message>
+        <source>Remesh Uniformly</source>
+        <translation>Gleichmäßig neu vernetzen</translation>
+    </message>
+    <message>
+        <source>All triangles of the model become about as large. How long may their edges be?</source>
+        <translation>Alle Dreiecke des Modells werden etwa gleich groß. Wie lang dürfen ihre Kanten sein?</translation>
+    </message>
+    <message>
+        <source>Longest edge (d_detail)</source>
+        <translation>Längste Kante (d_detail)</translation>
+    </message>
+    <message>
+        <source>Edges from %1 to %2 mm; about %3 triangles, now there are %4.</source>
+        <translation>Kanten von %1 bis %2 mm; etwa %3 Dreiecke, jetzt sind es %4.</translation>
+    </message>
+    <message>
+        <source>Remesh</source>
+        <translation>Neu vernetzen</translation>
+    </message>
+    <message>
+        <source>Insert a Model</source>
+        <translation>Modell einfügen</translation>
+    </message>
+    <message>
+        <source>%1 must not touch the present model. Where does it go?</source>
+        <translation>%1 darf das vorhandene Modell nicht berühren. Wohin kommt es?</translation>
+    </message>
+    <message>
+        <source>Beside the present model</source>
+        <translation>Neben das vorhandene Modell</translation>
+    </message>
+    <message>
+        <source>Where its file has it</source>
+        <translation>Dorthin, wo es in seiner Datei liegt</translation>
+    </message>
+    <message>
+        <source>With its middle at</source>
+        <translation>Mit seiner Mitte bei</translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <translation>Einfügen</translation>
+    </message>
+    <message>
+        <source>The model turns about an axis through the origin, counter-clockwise as seen from the axis&apos;s tip.</source>
+        <translation>Das Modell dreht sich um eine Achse durch den Ursprung, von der Spitze der Achse aus gesehen gegen den Uhrzeigersinn.</translation>
     </message>
 </context>
 <context>

@@ -208,6 +208,14 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>The earlier steps cannot be undone any more: their file on disk cannot be read. The model is in order.</source>
         <translation>无法再撤销更早的步骤：磁盘上的记录文件无法读取。模型完好。</translation>
     </message>
+    <message>
+        <source>There is not enough memory for that; the model stays as it is.</source>
+        <translation>内存不足，无法完成；模型保持不变。</translation>
+    </message>
+    <message>
+        <source>Sculpting rests until the model is ready.</source>
+        <translation>模型处理完成之前暂停雕刻。</translation>
+    </message>
 </context>
 <context>
     <name>app::ModelLoader</name>
@@ -234,6 +242,113 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>%1 lay far from the origin and was moved there.</source>
         <translation>%1 离原点很远，已移至原点。</translation>
+    </message>
+</context>
+<context>
+    <name>app::ModelWords</name>
+    <message>
+        <source>Move</source>
+        <comment>undo step</comment>
+        <translation>移动</translation>
+    </message>
+    <message>
+        <source>Moving the model</source>
+        <translation>正在移动模型</translation>
+    </message>
+    <message>
+        <source>Rotate</source>
+        <comment>undo step</comment>
+        <translation>旋转</translation>
+    </message>
+    <message>
+        <source>Rotating the model</source>
+        <translation>正在旋转模型</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <comment>undo step</comment>
+        <translation>缩放</translation>
+    </message>
+    <message>
+        <source>Scaling the model</source>
+        <translation>正在缩放模型</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <comment>undo step</comment>
+        <translation>镜像</translation>
+    </message>
+    <message>
+        <source>Mirroring the model</source>
+        <translation>正在镜像模型</translation>
+    </message>
+    <message>
+        <source>Recentre</source>
+        <comment>undo step</comment>
+        <translation>居中</translation>
+    </message>
+    <message>
+        <source>Recentring the model</source>
+        <translation>正在将模型居中</translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <comment>undo step</comment>
+        <translation>插入</translation>
+    </message>
+    <message>
+        <source>Inserting a model</source>
+        <translation>正在插入模型</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <comment>undo step</comment>
+        <translation>填充</translation>
+    </message>
+    <message>
+        <source>Colouring the model</source>
+        <translation>正在为模型上色</translation>
+    </message>
+    <message>
+        <source>Remesh</source>
+        <comment>undo step</comment>
+        <translation>重新划分网格</translation>
+    </message>
+    <message>
+        <source>Remeshing the model</source>
+        <translation>正在重新划分网格</translation>
+    </message>
+    <message>
+        <source>The mesh is as uniform as that already.</source>
+        <translation>网格已经这样均匀了。</translation>
+    </message>
+    <message>
+        <source>The model is like that already.</source>
+        <translation>模型已经是这样了。</translation>
+    </message>
+    <message>
+        <source>The model stays as it is, because some of its faces would meet on the program&apos;s working grid (faces: %1).</source>
+        <translation>模型保持不变，因为其部分面会在程序的工作网格上相碰（面数：%1）。</translation>
+    </message>
+    <message>
+        <source>The model stays as it is: nothing may lie farther from the origin than four times its size.</source>
+        <translation>模型保持不变：离原点的距离不得超过其尺寸的四倍。</translation>
+    </message>
+    <message>
+        <source>The model stays as it is: it can be between a millionth of a millimetre and ten kilometres large.</source>
+        <translation>模型保持不变：其尺寸须在百万分之一毫米到十公里之间。</translation>
+    </message>
+    <message>
+        <source>%1 was not inserted, because one model would lie inside the other; it has to be outside, or in a void.</source>
+        <translation>未插入 %1，因为一个模型会位于另一个之内；它必须在外部或空腔中。</translation>
+    </message>
+    <message>
+        <source>%1 was not inserted, because there it would touch the model.</source>
+        <translation>未插入 %1，因为它在该处会碰到模型。</translation>
+    </message>
+    <message>
+        <source>The mesh stays as it is: with edges this short it would need too many triangles (%1).</source>
+        <translation>网格保持不变：边这么短需要过多的三角形（%1）。</translation>
     </message>
 </context>
 <context>
@@ -535,6 +650,82 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>&amp;Help</source>
         <translation>帮助(&amp;H)</translation>
     </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>停止(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Ends what is going on and leaves the model as it is.</source>
+        <translation>结束正在进行的操作，模型保持不变。</translation>
+    </message>
+    <message>
+        <source>&amp;Move…</source>
+        <translation>移动(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>Moves the whole model by so many millimetres.</source>
+        <translation>将整个模型移动指定的毫米数。</translation>
+    </message>
+    <message>
+        <source>&amp;Rotate…</source>
+        <translation>旋转(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Turns the whole model about an axis through the origin.</source>
+        <translation>绕过原点的轴旋转整个模型。</translation>
+    </message>
+    <message>
+        <source>&amp;Scale…</source>
+        <translation>缩放(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Makes the whole model larger or smaller.</source>
+        <translation>放大或缩小整个模型。</translation>
+    </message>
+    <message>
+        <source>M&amp;irror…</source>
+        <translation>镜像(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Turns the whole model into its mirror image.</source>
+        <translation>将整个模型变为其镜像。</translation>
+    </message>
+    <message>
+        <source>Re&amp;centre</source>
+        <translation>居中(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Puts the middle of the model at the origin.</source>
+        <translation>将模型的中心放到原点。</translation>
+    </message>
+    <message>
+        <source>I&amp;nsert…</source>
+        <translation>插入(&amp;N)…</translation>
+    </message>
+    <message>
+        <source>Adds another model from a file to this one.</source>
+        <translation>从文件向此模型添加另一个模型。</translation>
+    </message>
+    <message>
+        <source>&amp;Fill with Colour…</source>
+        <translation>填充颜色(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>Gives the whole model one colour.</source>
+        <translation>将整个模型设为一种颜色。</translation>
+    </message>
+    <message>
+        <source>Remesh &amp;Uniformly…</source>
+        <translation>均匀重新划分网格(&amp;U)…</translation>
+    </message>
+    <message>
+        <source>Makes all triangles of the model about as large.</source>
+        <translation>使模型的所有三角形大小相近。</translation>
+    </message>
+    <message>
+        <source>&amp;Model</source>
+        <translation>模型(&amp;M)</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushBar</name>
@@ -638,12 +829,20 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>未保存的更改</translation>
     </message>
     <message>
-        <source>%1 has changes that were not exported. Shall they be lost?</source>
-        <translation>%1 有尚未导出的更改。要放弃这些更改吗？</translation>
-    </message>
-    <message>
         <source>%1[*] – Fettle</source>
         <translation>%1[*] – Fettle</translation>
+    </message>
+    <message>
+        <source>%1 has changes that were not exported.</source>
+        <translation>%1 有未导出的更改。</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>导出(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>%1 was written.</source>
+        <translation>已写入 %1。</translation>
     </message>
 </context>
 <context>
@@ -792,6 +991,153 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>%1 cannot be written: there is no folder %2.</source>
         <translation>无法写入 %1：没有文件夹 %2。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ModelDialogs</name>
+    <message>
+        <source> mm</source>
+        <translation> 毫米</translation>
+    </message>
+    <message>
+        <source>X, to the right</source>
+        <translation>X，向右</translation>
+    </message>
+    <message>
+        <source>Y, upwards</source>
+        <translation>Y，向上</translation>
+    </message>
+    <message>
+        <source>Z, to the front</source>
+        <translation>Z，向前</translation>
+    </message>
+    <message>
+        <source>Move the Model</source>
+        <translation>移动模型</translation>
+    </message>
+    <message>
+        <source>By how much is the whole model moved?</source>
+        <translation>整个模型移动多少？</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>移动</translation>
+    </message>
+    <message>
+        <source>Rotate the Model</source>
+        <translation>旋转模型</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>轴</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Rotate</source>
+        <translation>旋转</translation>
+    </message>
+    <message>
+        <source>Scale the Model</source>
+        <translation>缩放模型</translation>
+    </message>
+    <message>
+        <source>How large is the model to be?</source>
+        <translation>模型应为多大？</translation>
+    </message>
+    <message>
+        <source>Longest side</source>
+        <translation>最长边</translation>
+    </message>
+    <message>
+        <source>Factor</source>
+        <translation>倍数</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>缩放</translation>
+    </message>
+    <message>
+        <source>Mirror the Model</source>
+        <translation>镜像模型</translation>
+    </message>
+    <message>
+        <source>The mirror goes through the origin. What changes sides?</source>
+        <translation>镜面过原点。哪两侧互换？</translation>
+    </message>
+    <message>
+        <source>Left and right (X)</source>
+        <translation>左与右 (X)</translation>
+    </message>
+    <message>
+        <source>Top and bottom (Y)</source>
+        <translation>上与下 (Y)</translation>
+    </message>
+    <message>
+        <source>Front and back (Z)</source>
+        <translation>前与后 (Z)</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>镜像</translation>
+    </message>
+    <message>
+        <source>Fill with Colour</source>
+        <translation>填充颜色</translation>
+    </message>
+    <message>
+        <source>Remesh Uniformly</source>
+        <translation>均匀重新划分网格</translation>
+    </message>
+    <message>
+        <source>All triangles of the model become about as large. How long may their edges be?</source>
+        <translation>模型的所有三角形将大小相近。边最长可为多少？</translation>
+    </message>
+    <message>
+        <source>Longest edge (d_detail)</source>
+        <translation>最长边 (d_detail)</translation>
+    </message>
+    <message>
+        <source>Edges from %1 to %2 mm; about %3 triangles, now there are %4.</source>
+        <translation>边长 %1 至 %2 毫米；约 %3 个三角形，现有 %4 个。</translation>
+    </message>
+    <message>
+        <source>Remesh</source>
+        <translation>重新划分网格</translation>
+    </message>
+    <message>
+        <source>Insert a Model</source>
+        <translation>插入模型</translation>
+    </message>
+    <message>
+        <source>%1 must not touch the present model. Where does it go?</source>
+        <translation>%1 不得碰到现有模型。放在哪里？</translation>
+    </message>
+    <message>
+        <source>Beside the present model</source>
+        <translation>现有模型旁边</translation>
+    </message>
+    <message>
+        <source>Where its file has it</source>
+        <translation>文件中的位置</translation>
+    </message>
+    <message>
+        <source>With its middle at</source>
+        <translation>中心位于</translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <translation>插入</translation>
+    </message>
+    <message>
+        <source>The model turns about an axis through the origin, counter-clockwise as seen from the axis&apos;s tip.</source>
+        <translation>模型绕过原点的轴旋转，从轴的尖端看为逆时针。</translation>
     </message>
 </context>
 <context>

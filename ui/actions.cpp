@@ -25,6 +25,9 @@ constexpr ActionInfo table[] = {
     {MenuId::Edit, "edit.redo", QT_TRANSLATE_NOOP("ui::Actions", "&Redo"),
      QT_TRANSLATE_NOOP("ui::Actions", "Does again what was taken back."), "Ctrl+Shift+Z; Ctrl+Y", "redo", false, true},
 
+    {MenuId::Edit, "edit.stop", QT_TRANSLATE_NOOP("ui::Actions", "&Stop"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Ends what is going on and leaves the model as it is."), "Esc", "stop", true},
+
     {MenuId::Sculpt, "tool.pull", QT_TRANSLATE_NOOP("ui::Actions", "&Pull"),
      QT_TRANSLATE_NOOP("ui::Actions", "Draws the surface outwards. Ctrl pushes instead, Shift smooths."), "1", "pull",
      true, true, true},
@@ -37,6 +40,23 @@ constexpr ActionInfo table[] = {
      QT_TRANSLATE_NOOP("ui::Actions", "Makes the brush's radius a tenth smaller."), "[", "smaller", true},
     {MenuId::Sculpt, "brush.larger", QT_TRANSLATE_NOOP("ui::Actions", "&Larger Brush"),
      QT_TRANSLATE_NOOP("ui::Actions", "Makes the brush's radius a tenth larger."), "]", "larger"},
+
+    {MenuId::Model, "model.move", QT_TRANSLATE_NOOP("ui::Actions", "&Move…"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Moves the whole model by so many millimetres."), "", "move"},
+    {MenuId::Model, "model.rotate", QT_TRANSLATE_NOOP("ui::Actions", "&Rotate…"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Turns the whole model about an axis through the origin."), "", "rotate"},
+    {MenuId::Model, "model.scale", QT_TRANSLATE_NOOP("ui::Actions", "&Scale…"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Makes the whole model larger or smaller."), "", "scale"},
+    {MenuId::Model, "model.mirror", QT_TRANSLATE_NOOP("ui::Actions", "M&irror…"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Turns the whole model into its mirror image."), "", "mirror"},
+    {MenuId::Model, "model.recentre", QT_TRANSLATE_NOOP("ui::Actions", "Re&centre"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Puts the middle of the model at the origin."), "", "recentre"},
+    {MenuId::Model, "model.insert", QT_TRANSLATE_NOOP("ui::Actions", "I&nsert…"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Adds another model from a file to this one."), "", "insert", true},
+    {MenuId::Model, "model.fill", QT_TRANSLATE_NOOP("ui::Actions", "&Fill with Colour…"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Gives the whole model one colour."), "", "fill", true},
+    {MenuId::Model, "model.remesh", QT_TRANSLATE_NOOP("ui::Actions", "Remesh &Uniformly…"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Makes all triangles of the model about as large."), "", "remesh"},
 
     {MenuId::View, "view.frame", QT_TRANSLATE_NOOP("ui::Actions", "&Frame Model"),
      QT_TRANSLATE_NOOP("ui::Actions", "Shows the whole model."), "Home; .", "frame", true, true},
@@ -108,6 +128,8 @@ QString Actions::menuTitle(MenuId menu) const
         return tr("&Edit");
     case MenuId::Sculpt:
         return tr("&Sculpt");
+    case MenuId::Model:
+        return tr("&Model");
     case MenuId::View:
         return tr("&View");
     case MenuId::Vr:

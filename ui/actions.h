@@ -12,7 +12,7 @@ class QWidget;
 
 namespace ui
 {
-enum class MenuId { File, Edit, Sculpt, View, Vr, Help };
+enum class MenuId { File, Edit, Sculpt, Model, View, Vr, Help };
 
 /// One row an action. Menus, tool bar, shortcut sheet, settings and tests read this table.
 struct ActionInfo

@@ -5,6 +5,7 @@
 #include "brush_bar.h"
 #include "facts_bar.h"
 #include "file_dialogs.h"
+#include "model_dialogs.h"
 #include "scene.h"
 #include "settings.h"
 #include "viewport.h"
@@ -13,6 +14,7 @@
 #include <QActionGroup>
 #include <QCloseEvent>
 #include <QCoreApplication>
+#include <QDir>
 #include <QFileInfo>
 #include <QLabel>
 #include <QMenuBar>
@@ -20,6 +22,7 @@
 #include <QMimeData>
 #include <QPointer>
 #include <QProgressBar>
+#include <QPushButton>
 #include <QScreen>
 #include <QStatusBar>
 #include <QStyle>
@@ -35,6 +38,8 @@ namespace
 {
 constexpr double smallerRadius = 0.9;
 constexpr QSize defaultSize{1280, 800};
+constexpr int progressSteps = 100;
+constexpr double anotherSize = 2; ///< so many times larger or smaller a model is of quite another size
 
 struct ToolAction
 {
@@ -68,11 +73,13 @@ struct MainWindow::State
     FactsBar* facts = nullptr;
     QLabel* busyText = nullptr;
     QProgressBar* busyBar = nullptr;
+    QToolButton* stopButton = nullptr;
     QPointer<QMessageBox> problem;
     std::function<bool()> mayClose, isSettled;
+    std::function<void()> afterExport; ///< of an export that was preferred to losing changes
     bool closesLater = false;
-    QString modelName;
-    double modelSize = 0; ///< mm, longest side
+    ModelFacts model;
+    double modelSize = 0; ///< mm, longest side; to which the radii were fitted
     bool busy = false;
 
     void buildView();
@@ -84,6 +91,9 @@ struct MainWindow::State
     void exportAs();
     void about();
     void setBusy(bool isBusy);
+    void setStoppable(bool canStop);
+    void insert();
+    void fitRadii();
     void restore();
     void keepOnScreen();
     void save();
@@ -109,7 +119,7 @@ void MainWindow::State::buildView()
 
 void MainWindow::State::buildBars()
 {
-    for (const MenuId id : {MenuId::File, MenuId::Edit, MenuId::Sculpt, MenuId::View, MenuId::Vr, MenuId::Help})
+    for (const MenuId id : {MenuId::File, MenuId::Edit, MenuId::Sculpt, MenuId::Model, MenuId::View, MenuId::Vr, MenuId::Help})
         actions.fill(q->menuBar()->addMenu(actions.menuTitle(id)), id);
 
     auto* bar = q->addToolBar(tr("Tools"));
@@ -136,8 +146,12 @@ void MainWindow::State::buildStatusBar()
     facts = new FactsBar(&brush);
     for (QWidget* part : std::initializer_list<QWidget*>{busyText, busyBar, facts})
         q->statusBar()->addPermanentWidget(part);
-    busyText->hide();
-    busyBar->hide();
+    auto* stop = new QToolButton;
+    stop->setDefaultAction(actions.get(QStringLiteral("edit.stop")));
+    stop->setAutoRaise(true);
+    stopButton = stop;
+    q->statusBar()->insertPermanentWidget(2, stop);
+    setBusy(false);
 }
 
 void MainWindow::State::connectActions()
@@ -150,6 +164,16 @@ void MainWindow::State::connectActions()
     on("file.quit", [this] { q->close(); });
     on("brush.smaller", [this] { brush.scaleRadius(smallerRadius); });
     on("brush.larger", [this] { brush.scaleRadius(1 / smallerRadius); });
+    on("edit.stop", [this] { Q_EMIT q->stopRequested(); });
+    const auto request = [this](const core::ModelCommand& command) { Q_EMIT q->commandRequested(command); };
+    on("model.move", [this, request] { askForMove(q, request); });
+    on("model.rotate", [this, request] { askForRotation(q, request); });
+    on("model.scale", [this, request] { askForScale(q, model, request); });
+    on("model.mirror", [this, request] { askForMirror(q, request); });
+    on("model.recentre", [request] { request(core::Recentre{}); });
+    on("model.insert", [this] { insert(); });
+    on("model.fill", [this, request] { askForFill(q, request); });
+    on("model.remesh", [this, request] { askForRemesh(q, model, request); });
     on("view.frame", [this] { viewport->frame(); });
     on("help.about", [this] { about(); });
 
@@ -182,10 +206,30 @@ void MainWindow::State::open()
 
 void MainWindow::State::exportAs()
 {
-    askForExport(q, settings.lastFolder(), modelName, [this](const QString& path) {
+    afterExport = nullptr; // an earlier question was not answered to the end
+    askForExport(q, settings.lastFolder(), model.name, [this](const QString& path) {
         settings.setLastFolder(QFileInfo(path).absolutePath());
         Q_EMIT q->exportRequested(path);
     });
+}
+
+void MainWindow::State::insert()
+{
+    askForModel(q, settings.lastFolder(), [this](const QString& path) {
+        settings.setLastFolder(QFileInfo(path).absolutePath());
+        askForPlace(q, QFileInfo(path).fileName(), [this, path](const core::ModelCommand& command) {
+            Q_EMIT q->insertRequested(path, std::get<core::Insert>(command));
+        });
+    });
+}
+
+/// The radius keeps its proportion to the model.
+void MainWindow::State::fitRadii()
+{
+    const double share = modelSize > 0 ? brush.value(core::Parameter::Radius) / modelSize : settings.radiusShare();
+    modelSize = model.size.maxCoeff();
+    brush.setRadiusRange(minRadiusShare * modelSize, maxRadiusShare * modelSize);
+    brush.setValue(core::Parameter::Radius, share * modelSize);
 }
 
 void MainWindow::State::about()
@@ -205,8 +249,19 @@ void MainWindow::State::setBusy(bool isBusy)
     busy = isBusy;
     busyText->setVisible(busy);
     busyBar->setVisible(busy);
-    for (const char* id : {"file.open", "file.exportAs"})
-        actions.get(QLatin1StringView(id))->setEnabled(!busy);
+    busyBar->setRange(0, 0);
+    setStoppable(false);
+    for (const ActionInfo& row : actionTable()) {
+        const QLatin1StringView id(row.id);
+        if (row.menu == MenuId::Model || id == QLatin1StringView("file.open") || id == QLatin1StringView("file.exportAs"))
+            actions.get(id)->setEnabled(!busy);
+    }
+}
+
+void MainWindow::State::setStoppable(bool canStop)
+{
+    actions.get(QStringLiteral("edit.stop"))->setEnabled(canStop);
+    stopButton->setVisible(canStop);
 }
 
 void MainWindow::State::restore()
@@ -297,34 +352,51 @@ void MainWindow::setIsSettled(std::function<bool()> isSettled)
     m_state->isSettled = std::move(isSettled);
 }
 
-bool MainWindow::askToDiscard()
+bool MainWindow::askToDiscard(const std::function<void()>& goOn)
 {
     QMessageBox box(QMessageBox::Question, tr("Unsaved changes"),
-                    tr("%1 has changes that were not exported. Shall they be lost?").arg(m_state->modelName),
+                    tr("%1 has changes that were not exported.").arg(m_state->model.name),
                     QMessageBox::Discard | QMessageBox::Cancel, this);
     box.setObjectName(QStringLiteral("discardQuestion"));
+    const QPushButton* exporting = box.addButton(tr("&Export…"), QMessageBox::AcceptRole);
     box.setDefaultButton(QMessageBox::Cancel);
-    return box.exec() == QMessageBox::Discard;
+    const bool isDiscarded = box.exec() == QMessageBox::Discard;
+    if (box.clickedButton() == exporting) {
+        m_state->exportAs();
+        m_state->afterExport = goOn;
+    }
+    return isDiscarded;
+}
+
+void MainWindow::showExported(const QString& path)
+{
+    showNotice(tr("%1 was written.").arg(QDir::toNativeSeparators(path)));
+    if (const auto goOn = std::exchange(m_state->afterExport, nullptr))
+        goOn();
 }
 
 void MainWindow::setModel(const ModelFacts& facts)
 {
-    m_state->modelName = facts.name;
-    m_state->modelSize = facts.size.maxCoeff();
+    m_state->model = facts;
+    m_state->modelSize = 0;
     setWindowTitle(tr("%1[*] – Fettle").arg(facts.name));
     setModified(false);
-    if (m_state->modelSize > 0) {
-        m_state->brush.setRadiusRange(minRadiusShare * m_state->modelSize, maxRadiusShare * m_state->modelSize);
-        m_state->brush.setValue(core::Parameter::Radius, m_state->settings.radiusShare() * m_state->modelSize);
-    }
+    if (facts.size.maxCoeff() > 0)
+        m_state->fitRadii();
     m_state->facts->setFacts(facts);
     m_state->viewport->showModel(facts.box);
 }
 
 void MainWindow::updateFacts(const ModelFacts& facts)
 {
+    m_state->model = facts;
     m_state->facts->setFacts(facts);
     m_state->viewport->setBox(facts.box);
+    const double size = facts.size.maxCoeff();
+    if (size > anotherSize * m_state->modelSize || anotherSize * size < m_state->modelSize) {
+        m_state->fitRadii();
+        m_state->viewport->frame();
+    }
 }
 
 void MainWindow::setModified(bool modified)
@@ -353,6 +425,17 @@ void MainWindow::setBusy(const QString& what)
 {
     m_state->busyText->setText(what);
     m_state->setBusy(true);
+}
+
+void MainWindow::setProgress(double share)
+{
+    m_state->busyBar->setRange(0, progressSteps);
+    m_state->busyBar->setValue(static_cast<int>(share * progressSteps));
+}
+
+void MainWindow::setStoppable(bool canStop)
+{
+    m_state->setStoppable(canStop);
 }
 
 void MainWindow::setIdle()

@@ -3,6 +3,8 @@
 #include "brush_settings.h"
 #include "model_facts.h"
 
+#include "core/model_command.h"
+
 #include <QMainWindow>
 
 #include <functional>
@@ -43,24 +45,29 @@ public:
     /// Asked before that: false while what the hand did is still on its way. The window then closes after settle().
     void setIsSettled(std::function<bool()> isSettled);
 
-    /// Save, discard or cancel is not offered yet, for the program only exports: asks whether unsaved changes may be
-    /// lost.
-    bool askToDiscard();
+    /// Asks what becomes of changes that no file holds: true if they may be lost. If the person would rather export them,
+    /// `goOn` is called when that is done.
+    bool askToDiscard(const std::function<void()>& goOn);
 
 public Q_SLOTS:
     /// Another model is shown from now on: title, figures, ground, default radius, and the view frames it.
     void setModel(const ui::ModelFacts& facts);
-    /// The same model changed: figures only.
+    /// The same model changed: figures; and if it is of quite another size now, the brush keeps its proportion to it.
     void updateFacts(const ui::ModelFacts& facts);
     void setModified(bool modified);
 
     /// A refusal, one sentence, in a dialog that does not block the caller. A second one replaces the text of the
     /// first.
     void showProblem(const QString& sentence);
+    /// It was written.
+    void showExported(const QString& path);
     /// A small word over the view, which goes by itself.
     void showNotice(const QString& sentence);
-    /// Something long is going on, in the status bar; Open and Export rest meanwhile.
+    /// Something long is going on, in the status bar; Open, Export and the model's menu rest meanwhile.
     void setBusy(const QString& what);
+    /// How far it is, 0 to 1; not known until the first call.
+    void setProgress(double share);
+    void setStoppable(bool canStop);
     void setIdle();
     /// Something that closing may wait for is done.
     void settle();
@@ -70,6 +77,10 @@ Q_SIGNALS:
     void openRequested(const QString& path);
     /// By dialog, which has asked about overwriting. The ending says the format; one is added if it was missing.
     void exportRequested(const QString& path);
+    /// By dialog or menu. What is inserted comes with its file's path instead of a model.
+    void commandRequested(const core::ModelCommand& command);
+    void insertRequested(const QString& path, const core::Insert& how);
+    void stopRequested();
 
 protected:
     void closeEvent(QCloseEvent* event) override;

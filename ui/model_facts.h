@@ -14,5 +14,7 @@ struct ModelFacts
     quint64 faces = 0;
     core::Vec3 size = core::Vec3::Zero(); ///< mm
     core::Box box;                        ///< mm
+    double area = 0;                      ///< mm^2
+    double uniformDetail = 0;             ///< mm; d_detail of the uniform topology
 };
 } // namespace ui

@@ -412,7 +412,7 @@ void TestDocument::open_asksBeforeChangesAreLost()
     Session session;
     int asked = 0;
     bool answer = false;
-    session.document.setMayDiscard([&] {
+    session.document.setMayDiscard([&](const std::function<void()>&) {
         ++asked;
         return answer;
     });

@@ -159,7 +159,7 @@ void TestEndToEnd::closing_asksOnlyWithChanges()
     program.document.openSphere();
     QTRY_VERIFY(!program.document.isBusy());
     int asked = 0;
-    program.document.setMayDiscard([&] { return ++asked > 1; });
+    program.document.setMayDiscard([&](const std::function<void()>&) { return ++asked > 1; });
     core::StrokeSample sample;
     sample.position = {50, 0, 0};
     program.document.beginStroke({});
@@ -184,7 +184,7 @@ void TestEndToEnd::closing_waitsForThePress()
     QTRY_VERIFY(!program.document.isBusy());
     QTRY_VERIFY(program.window.viewport()->stats().patches > 0);
     int asked = 0;
-    program.document.setMayDiscard([&] { return ++asked > 1; });
+    program.document.setMayDiscard([&](const std::function<void()>&) { return ++asked > 1; });
     QTest::mousePress(program.window.viewport(), Qt::LeftButton, {}, middle(program.window.viewport()));
     QVERIFY(program.window.viewport()->pressWaits());
     QVERIFY(!program.window.close());

@@ -293,7 +293,7 @@ void TestTranslations::mnemonics_areUniqueInAMenu()
     QMainWindow window;
     const ui::Actions actions(&window);
     QStringList titles;
-    for (const ui::MenuId id : {ui::MenuId::File, ui::MenuId::Edit, ui::MenuId::Sculpt, ui::MenuId::View, ui::MenuId::Vr, ui::MenuId::Help}) {
+    for (const ui::MenuId id : {ui::MenuId::File, ui::MenuId::Edit, ui::MenuId::Sculpt, ui::MenuId::Model, ui::MenuId::View, ui::MenuId::Vr, ui::MenuId::Help}) {
         titles += mnemonics(actions.menuTitle(id));
         QMenu menu;
         actions.fill(&menu, id);
@@ -303,7 +303,7 @@ void TestTranslations::mnemonics_areUniqueInAMenu()
         QVERIFY(!keys.isEmpty());
         QVERIFY2(keys.removeDuplicates() == 0, qPrintable(actions.menuTitle(id)));
     }
-    QCOMPARE(titles.size(), 6);
+    QCOMPARE(titles.size(), 7);
     QCOMPARE(titles.removeDuplicates(), 0);
 }
 

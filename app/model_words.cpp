@@ -1,0 +1,91 @@
+#include "model_words.h"
+
+#include "ui/messages.h"
+
+#include <QFileInfo>
+#include <QLocale>
+
+namespace app
+{
+QString ModelWords::name(const core::ModelCommand& command)
+{
+    return std::visit([](const auto& wanted) { return wordsOf(wanted).name; }, command);
+}
+
+QString ModelWords::doing(const core::ModelCommand& command)
+{
+    return std::visit([](const auto& wanted) { return wordsOf(wanted).doing; }, command);
+}
+
+ModelWords::Words ModelWords::wordsOf(const core::Move&)
+{
+    return {tr("Move", "undo step"), tr("Moving the model")};
+}
+
+ModelWords::Words ModelWords::wordsOf(const core::Rotate&)
+{
+    return {tr("Rotate", "undo step"), tr("Rotating the model")};
+}
+
+ModelWords::Words ModelWords::wordsOf(const core::Scale&)
+{
+    return {tr("Scale", "undo step"), tr("Scaling the model")};
+}
+
+ModelWords::Words ModelWords::wordsOf(const core::Mirror&)
+{
+    return {tr("Mirror", "undo step"), tr("Mirroring the model")};
+}
+
+ModelWords::Words ModelWords::wordsOf(const core::Recentre&)
+{
+    return {tr("Recentre", "undo step"), tr("Recentring the model")};
+}
+
+ModelWords::Words ModelWords::wordsOf(const core::Insert&)
+{
+    return {tr("Insert", "undo step"), tr("Inserting a model")};
+}
+
+ModelWords::Words ModelWords::wordsOf(const core::Fill&)
+{
+    return {tr("Fill", "undo step"), tr("Colouring the model")};
+}
+
+ModelWords::Words ModelWords::wordsOf(const core::RemeshUniformly&)
+{
+    return {tr("Remesh", "undo step"), tr("Remeshing the model")};
+}
+
+QString ModelWords::nothing(const core::ModelCommand& command)
+{
+    return std::holds_alternative<core::RemeshUniformly>(command) ? tr("The mesh is as uniform as that already.")
+                                                                  : tr("The model is like that already.");
+}
+
+QString ModelWords::refusal(const core::ModelChange& change, const QString& inserted)
+{
+    const QString faces = QLocale().toString(static_cast<qulonglong>(change.faces));
+    const QString file = QFileInfo(inserted).fileName();
+    switch (change.refusal) {
+    case core::ModelRefusal::None:
+        return {};
+    case core::ModelRefusal::FacesMeet:
+        return tr("The model stays as it is, because some of its faces would meet on the program's working grid (faces: %1).")
+            .arg(faces);
+    case core::ModelRefusal::TooFar:
+        return tr("The model stays as it is: nothing may lie farther from the origin than four times its size.");
+    case core::ModelRefusal::TooLarge:
+        return tr("The model stays as it is: it can be between a millionth of a millimetre and ten kilometres large.");
+    case core::ModelRefusal::Unsound:
+        return ui::Messages::refusal(inserted, change.report);
+    case core::ModelRefusal::Inside:
+        return tr("%1 was not inserted, because one model would lie inside the other; it has to be outside, or in a void.").arg(file);
+    case core::ModelRefusal::Touching:
+        return tr("%1 was not inserted, because there it would touch the model.").arg(file);
+    case core::ModelRefusal::TooFine:
+        return tr("The mesh stays as it is: with edges this short it would need too many triangles (%1).").arg(faces);
+    }
+    return {};
+}
+} // namespace app

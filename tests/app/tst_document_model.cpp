@@ -1,0 +1,330 @@
+#include "app/document.h"
+
+#include "core/mesh_io.h"
+
+#include <QSignalSpy>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <random>
+
+using namespace app;
+
+namespace
+{
+/// A document with a ball of clay, and a way to see the mesh's state.
+struct Session
+{
+    Session()
+    {
+        document.openSphere();
+        wait();
+    }
+
+    /// Until nothing is under way.
+    void wait()
+    {
+        QTRY_VERIFY(!document.isBusy() && document.isSettled());
+        settle();
+    }
+
+    /// Until the mesh thread and the document's queue have run dry.
+    void settle()
+    {
+        for (int i = 0; i < 3; ++i) {
+            bool reached = false;
+            QObject receiver;
+            worker.post([&](core::Sculptor&) {
+                QMetaObject::invokeMethod(&receiver, [&reached] { reached = true; }, Qt::QueuedConnection);
+            });
+            QTRY_VERIFY(reached);
+            QCoreApplication::processEvents();
+        }
+    }
+
+    std::uint64_t state()
+    {
+        settle();
+        std::optional<std::uint64_t> hash;
+        QObject receiver;
+        worker.post([&](core::Sculptor& sculptor) {
+            const std::uint64_t value = sculptor.mesh().stateHash();
+            QMetaObject::invokeMethod(&receiver, [&hash, value] { hash = value; }, Qt::QueuedConnection);
+        });
+        [&] { QTRY_VERIFY(hash); }();
+        return hash.value_or(0);
+    }
+
+    void apply(const core::ModelCommand& command)
+    {
+        document.apply(command);
+        wait();
+    }
+
+    void stroke(const core::Vec3& where)
+    {
+        core::StrokeSettings settings;
+        settings.radius = 12;
+        document.beginStroke(settings);
+        core::StrokeSample sample;
+        sample.position = where;
+        document.addSample(sample);
+        document.endStroke();
+    }
+
+    SculptWorker worker;
+    Document document{&worker};
+};
+} // namespace
+
+/// Whole-model commands in the document: aside, in order, as one step each.
+class TestDocumentModel : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
+    void command_isOneStep();
+    void strokesBeforeAndAfter_areUndoneAndRedone();
+    void undo_rightAfterACommandUndoesThatCommand();
+    void strokesMeanwhile_areRefusedWithAWord();
+    void nothing_isNoStepAndIsSaid();
+    void refusal_leavesAllAsItIsAndSaysWhy();
+    void stop_leavesAllAsItIs();
+    void insert_fromAFile();
+    void insert_refusalsNameTheFile();
+    void facts_followTheModel();
+    void progress_grows();
+    void spilledCommands_comeBack();
+    void end_whileAChangeGoesOn();
+    void opening_canBeStopped();
+};
+
+void TestDocumentModel::command_isOneStep()
+{
+    Session session;
+    const std::uint64_t start = session.state();
+    QSignalSpy idle(&session.document, &Document::idle);
+    session.apply(core::Scale{2});
+    QCOMPARE(idle.size(), 1);
+    const std::uint64_t scaled = session.state();
+    QVERIFY(scaled != start && session.document.isModified());
+    QCOMPARE(session.document.undoStack().count(), 1);
+    QVERIFY(!session.document.undoText().isEmpty());
+    session.document.undo();
+    QCOMPARE(session.state(), start);
+    session.document.redo();
+    QCOMPARE(session.state(), scaled);
+}
+
+void TestDocumentModel::strokesBeforeAndAfter_areUndoneAndRedone()
+{
+    Session session;
+    const core::ModelCommand commands[] = {core::Move{{3, 4, 5}}, core::Mirror{0}, core::RemeshUniformly{4}, core::Fill{{1, 2, 3}},
+                                           core::Scale{30}, core::Scale{0.02}, core::Recentre{}};
+    std::vector<std::uint64_t> states = {session.state()};
+    for (const core::ModelCommand& command : commands) {
+        session.stroke({50, 0, 0});
+        session.wait();
+        if (session.document.undoStack().count() == static_cast<int>(states.size()))
+            states.push_back(session.state());
+        session.apply(command);
+        if (session.document.undoStack().count() == static_cast<int>(states.size()))
+            states.push_back(session.state());
+    }
+    QVERIFY(states.size() > 9);
+    for (std::size_t i = states.size() - 1; i > 0; --i) {
+        session.document.undo();
+        QCOMPARE(session.state(), states[i - 1]);
+    }
+    session.document.goTo(static_cast<int>(states.size()) - 1);
+    QCOMPARE(session.state(), states.back());
+    session.document.goTo(0);
+    QCOMPARE(session.state(), states.front());
+}
+
+void TestDocumentModel::undo_rightAfterACommandUndoesThatCommand()
+{
+    Session session;
+    const std::uint64_t start = session.state();
+    session.document.apply(core::Mirror{1});
+    session.document.undo(); // waits
+    session.wait();
+    QCOMPARE(session.state(), start);
+    QVERIFY(session.document.canRedo());
+}
+
+void TestDocumentModel::strokesMeanwhile_areRefusedWithAWord()
+{
+    Session session;
+    QSignalSpy noticed(&session.document, &Document::noticed);
+    session.document.apply(core::RemeshUniformly{3});
+    session.stroke({50, 0, 0});
+    QCOMPARE(noticed.size(), 1);
+    session.wait();
+    QCOMPARE(session.document.undoStack().count(), 1);
+    session.stroke({50, 0, 0});
+    session.wait();
+    QCOMPARE(session.document.undoStack().count(), 2);
+}
+
+void TestDocumentModel::nothing_isNoStepAndIsSaid()
+{
+    Session session;
+    QSignalSpy noticed(&session.document, &Document::noticed);
+    session.apply(core::Move{});
+    session.apply(core::RemeshUniformly{});
+    QCOMPARE(noticed.size(), 2);
+    QCOMPARE(session.document.undoStack().count(), 0);
+    QVERIFY(!session.document.isModified());
+}
+
+void TestDocumentModel::refusal_leavesAllAsItIsAndSaysWhy()
+{
+    Session session;
+    session.stroke({50, 0, 0});
+    session.wait();
+    const std::uint64_t before = session.state();
+    QSignalSpy refused(&session.document, &Document::refused);
+    for (const core::ModelCommand& command : {core::ModelCommand(core::Move{{1e5, 0, 0}}), core::ModelCommand(core::Scale{1e9}),
+                                              core::ModelCommand(core::RemeshUniformly{0.001})})
+        session.apply(command);
+    QCOMPARE(refused.size(), 3);
+    for (const QList<QVariant>& arguments : refused)
+        QVERIFY(arguments[0].toString().endsWith(QLatin1Char('.')));
+    QCOMPARE(session.state(), before);
+    QCOMPARE(session.document.undoStack().count(), 1);
+}
+
+void TestDocumentModel::stop_leavesAllAsItIs()
+{
+    Session session;
+    const std::uint64_t before = session.state();
+    QSignalSpy stoppable(&session.document, &Document::stoppable), refused(&session.document, &Document::refused);
+    session.document.apply(core::RemeshUniformly{0.6});
+    QVERIFY(!stoppable.isEmpty() && stoppable.last()[0].toBool());
+    session.document.stop();
+    QVERIFY(!stoppable.last()[0].toBool());
+    session.wait();
+    QCOMPARE(session.state(), before);
+    QCOMPARE(session.document.undoStack().count(), 0);
+    QVERIFY(refused.isEmpty() && !session.document.isModified());
+    session.apply(core::Mirror{0}); // and all goes on
+    QCOMPARE(session.document.undoStack().count(), 1);
+}
+
+void TestDocumentModel::insert_fromAFile()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("small.ply"));
+    core::writeMesh(path.toStdString(), core::icosphere(2, 10));
+    Session session;
+    const std::uint64_t start = session.state();
+    session.document.insert(path, core::Insert::Place::Beside, {});
+    session.wait();
+    QCOMPARE(session.document.facts().vertices, quint64(2562 + 162));
+    QVERIFY(session.document.facts().size.x() > 120);
+    session.document.undo();
+    QCOMPARE(session.state(), start);
+}
+
+void TestDocumentModel::insert_refusalsNameTheFile()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("small.ply"));
+    core::writeMesh(path.toStdString(), core::icosphere(2, 10));
+    Session session;
+    QSignalSpy refused(&session.document, &Document::refused);
+    session.document.insert(path, core::Insert::Place::AsItIs, {});
+    session.wait();
+    session.document.insert(path, core::Insert::Place::Centre, {50, 0, 0});
+    session.wait();
+    session.document.insert(folder.filePath(QStringLiteral("small.not.there.ply")), core::Insert::Place::Beside, {});
+    session.wait();
+    QCOMPARE(refused.size(), 3);
+    for (const QList<QVariant>& arguments : refused)
+        QVERIFY2(arguments[0].toString().contains(QStringLiteral("small")), qPrintable(arguments[0].toString()));
+    QCOMPARE(session.document.undoStack().count(), 0);
+}
+
+void TestDocumentModel::facts_followTheModel()
+{
+    Session session;
+    QTRY_VERIFY(std::abs(session.document.facts().area - 31400) < 200);
+    const double detail = session.document.facts().uniformDetail;
+    QVERIFY(detail > 4 && detail < 6);
+    session.apply(core::Scale{0.1});
+    QTRY_VERIFY(std::abs(session.document.facts().size.x() - 10) < 0.01);
+    QTRY_VERIFY(std::abs(session.document.facts().area - 314) < 2);
+    QVERIFY(std::abs(session.document.facts().uniformDetail - detail / 10) < 1e-9);
+    session.document.undo();
+    QTRY_VERIFY(std::abs(session.document.facts().size.x() - 100) < 0.01);
+}
+
+void TestDocumentModel::progress_grows()
+{
+    Session session;
+    double last = 0;
+    int calls = 0;
+    connect(&session.document, &Document::progressed, &session.document, [&](double share) {
+        QVERIFY(share >= last && share <= 1);
+        last = share;
+        ++calls;
+    });
+    session.apply(core::RemeshUniformly{1});
+    QVERIFY(calls > 5);
+}
+
+void TestDocumentModel::spilledCommands_comeBack()
+{
+    Session session;
+    session.document.history().setCap(1);
+    std::vector<std::uint64_t> states = {session.state()};
+    for (const core::ModelCommand& command : {core::ModelCommand(core::Scale{40}), core::ModelCommand(core::Mirror{2}),
+                                              core::ModelCommand(core::RemeshUniformly{100}), core::ModelCommand(core::Fill{{9, 9, 9}})}) {
+        session.apply(command);
+        states.push_back(session.state());
+    }
+    QCOMPARE(session.document.undoStack().count(), 4);
+    for (int i = 3; i >= 0; --i) {
+        session.document.undo();
+        QCOMPARE(session.state(), states[static_cast<std::size_t>(i)]);
+    }
+    for (int i = 1; i <= 4; ++i) {
+        session.document.redo();
+        QCOMPARE(session.state(), states[static_cast<std::size_t>(i)]);
+    }
+}
+
+void TestDocumentModel::end_whileAChangeGoesOn()
+{
+    for (int i = 0; i < 3; ++i) {
+        Session session;
+        session.document.apply(core::RemeshUniformly{0.8});
+        if (i > 0)
+            QTest::qWait(20 * i);
+    }
+}
+
+void TestDocumentModel::opening_canBeStopped()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("large.ply"));
+    core::writeMesh(path.toStdString(), core::icosphere(7, 10));
+    Session session;
+    const std::uint64_t before = session.state();
+    QSignalSpy refused(&session.document, &Document::refused);
+    session.document.open(path);
+    QVERIFY(session.document.isBusy());
+    session.document.stop();
+    session.wait();
+    QCOMPARE(session.state(), before);
+    QVERIFY(refused.isEmpty());
+    session.document.open(path);
+    session.wait();
+    QCOMPARE(session.document.facts().faces, quint64(327680));
+}
+
+QTEST_GUILESS_MAIN(TestDocumentModel)
+#include "tst_document_model.moc"

@@ -1,0 +1,168 @@
+#include "ui/model_dialogs.h"
+
+#include "ui_test.h"
+
+#include <QColorDialog>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QRadioButton>
+
+#include <optional>
+
+using namespace core;
+
+namespace
+{
+/// The window, and what was answered.
+struct Asking
+{
+    QWidget window;
+    std::optional<ModelCommand> command;
+    ui::CommandAnswer answer = [this](const ModelCommand& given) { command = given; };
+
+    QDialog* dialog(const char* name) { return window.findChild<QDialog*>(QLatin1StringView(name)); }
+    template <class Widget> Widget* in(const char* name, const char* child)
+    {
+        return dialog(name)->findChild<Widget*>(QLatin1StringView(child));
+    }
+    void type(const char* name, const char* box, double value) { in<QDoubleSpinBox>(name, box)->setValue(value); }
+};
+
+ui::ModelFacts ball()
+{
+    return {QStringLiteral("Ball"), 2562, 5120, {100, 50, 20}, Box(Vec3(-50, -25, -10), Vec3(50, 25, 10)), 31400, 5};
+}
+} // namespace
+
+class TestModelDialogs : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void move_givesThreeNumbers();
+    void rotate_turnsAboutTheAxisChosen();
+    void scale_boxesFollowEachOther();
+    void mirror_givesTheSide();
+    void remesh_saysWhatWillBe();
+    void remesh_untouchedIsTheDefault();
+    void insert_givesThePlace();
+    void fill_givesTheColour();
+    void verb_isTheDefaultButton();
+    void cancelled_isNoAnswer();
+};
+
+void TestModelDialogs::move_givesThreeNumbers()
+{
+    Asking asking;
+    ui::askForMove(&asking.window, asking.answer);
+    asking.type("moveDialog", "x", 1.5);
+    asking.type("moveDialog", "y", -2);
+    asking.type("moveDialog", "z", 0.125);
+    asking.dialog("moveDialog")->accept();
+    QVERIFY(std::get<Move>(asking.command.value()).by == Vec3(1.5, -2, 0.125));
+}
+
+void TestModelDialogs::rotate_turnsAboutTheAxisChosen()
+{
+    const Vec3 images[] = {{0, 0, -1}, {1, 0, 0}, {0, 1, 0}}; // of x, when it turns a quarter about y, x and z
+    for (int i = 0; i < 3; ++i) {
+        Asking asking;
+        ui::askForRotation(&asking.window, asking.answer);
+        asking.in<QRadioButton>("rotateDialog", qPrintable(QStringLiteral("choice%1").arg(i)))->setChecked(true);
+        asking.dialog("rotateDialog")->accept();
+        const Vec3 image = std::get<Rotate>(asking.command.value()).rotation * Vec3::UnitX();
+        QVERIFY((image - images[i]).norm() < 1e-12);
+    }
+}
+
+void TestModelDialogs::scale_boxesFollowEachOther()
+{
+    Asking asking;
+    ui::askForScale(&asking.window, ball(), asking.answer);
+    asking.type("scaleDialog", "longest", 40);
+    QCOMPARE(asking.in<QDoubleSpinBox>("scaleDialog", "factor")->value(), 0.4);
+    asking.type("scaleDialog", "factor", 2.54);
+    QCOMPARE(asking.in<QDoubleSpinBox>("scaleDialog", "longest")->value(), 254.0);
+    asking.type("scaleDialog", "longest", 33.333);
+    asking.dialog("scaleDialog")->accept();
+    QCOMPARE(std::get<Scale>(asking.command.value()).factor, 0.33333);
+}
+
+void TestModelDialogs::mirror_givesTheSide()
+{
+    for (int axis = 0; axis < 3; ++axis) {
+        Asking asking;
+        ui::askForMirror(&asking.window, asking.answer);
+        asking.in<QRadioButton>("mirrorDialog", qPrintable(QStringLiteral("choice%1").arg(axis)))->setChecked(true);
+        asking.dialog("mirrorDialog")->accept();
+        QCOMPARE(std::get<Mirror>(asking.command.value()).axis, axis);
+    }
+}
+
+void TestModelDialogs::remesh_saysWhatWillBe()
+{
+    Asking asking;
+    ui::askForRemesh(&asking.window, ball(), asking.answer);
+    asking.type("remeshDialog", "longest", 2);
+    const QString text = asking.in<QLabel>("remeshDialog", "outcome")->text();
+    QVERIFY2(text.contains(QStringLiteral("1.00")) && text.contains(QStringLiteral("2.00")) && text.contains(QStringLiteral("37,000")),
+             qPrintable(text));
+    asking.dialog("remeshDialog")->accept();
+    QCOMPARE(std::get<RemeshUniformly>(asking.command.value()).detailLength, 2.0);
+}
+
+void TestModelDialogs::remesh_untouchedIsTheDefault()
+{
+    Asking asking;
+    ui::askForRemesh(&asking.window, ball(), asking.answer);
+    asking.dialog("remeshDialog")->accept();
+    QCOMPARE(std::get<RemeshUniformly>(asking.command.value()).detailLength, 0.0);
+}
+
+void TestModelDialogs::insert_givesThePlace()
+{
+    Asking asking;
+    ui::askForPlace(&asking.window, QStringLiteral("part.stl"), asking.answer);
+    QVERIFY(!asking.in<QDoubleSpinBox>("insertDialog", "x")->isEnabled());
+    asking.in<QRadioButton>("insertDialog", "choice2")->setChecked(true);
+    QVERIFY(asking.in<QDoubleSpinBox>("insertDialog", "x")->isEnabled());
+    asking.type("insertDialog", "y", 70);
+    asking.dialog("insertDialog")->accept();
+    const Insert insertion = std::get<Insert>(asking.command.value());
+    QVERIFY(insertion.place == Insert::Place::Centre && insertion.centre == Vec3(0, 70, 0));
+}
+
+void TestModelDialogs::fill_givesTheColour()
+{
+    Asking asking;
+    ui::askForFill(&asking.window, asking.answer);
+    auto* dialog = static_cast<QColorDialog*>(asking.dialog("fillDialog"));
+    dialog->setCurrentColor(QColor(1, 2, 3));
+    dialog->accept();
+    QVERIFY((std::get<Fill>(asking.command.value()).color == Rgb{1, 2, 3}));
+}
+
+void TestModelDialogs::verb_isTheDefaultButton()
+{
+    Asking asking;
+    ui::askForMove(&asking.window, asking.answer);
+    const auto buttons = asking.dialog("moveDialog")->findChild<QDialogButtonBox*>()->buttons();
+    QCOMPARE(buttons.size(), 2);
+    for (QAbstractButton* button : buttons)
+        QCOMPARE(static_cast<QPushButton*>(button)->isDefault(), button->text() == QStringLiteral("Move"));
+}
+
+void TestModelDialogs::cancelled_isNoAnswer()
+{
+    Asking asking;
+    ui::askForMove(&asking.window, asking.answer);
+    ui::askForRemesh(&asking.window, ball(), asking.answer);
+    asking.dialog("moveDialog")->reject();
+    asking.dialog("remeshDialog")->reject();
+    QVERIFY(!asking.command);
+}
+
+UI_TEST_MAIN(TestModelDialogs)
+#include "tst_model_dialogs.moc"

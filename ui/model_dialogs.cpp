@@ -1,0 +1,259 @@
+#include "model_dialogs.h"
+
+#include <QButtonGroup>
+#include <QColorDialog>
+#include <QCoreApplication>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QRadioButton>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ui
+{
+namespace
+{
+constexpr int margin = 16, gap = 8; ///< of the window's spacing grid
+constexpr int textWidth = 320;
+constexpr double farthest = 1e6; ///< mm, for what is typed
+
+class ModelDialogs
+{
+    Q_DECLARE_TR_FUNCTIONS(ui::ModelDialogs)
+};
+
+struct Number
+{
+    double value = 0, least = -farthest, most = farthest;
+    int decimals = 3;
+    QString unit;
+};
+
+Number millimetres(double value, double least = -farthest, double most = farthest)
+{
+    return {value, least, most, 3, ModelDialogs::tr(" mm")};
+}
+
+/// A sentence, a few rows, and a button with the verb.
+class CommandDialog : public QDialog
+{
+public:
+    CommandDialog(QWidget* parent, const char* name, const QString& title, const QString& sentence) : QDialog(parent), m_form(new QFormLayout)
+    {
+        setObjectName(QLatin1StringView(name));
+        setAttribute(Qt::WA_DeleteOnClose);
+        setWindowTitle(title);
+        m_form->setSpacing(gap);
+        m_form->setLabelAlignment(Qt::AlignRight);
+        auto* column = new QVBoxLayout(this);
+        column->setContentsMargins(margin, margin, margin, margin);
+        column->setSpacing(margin);
+        column->addWidget(text(sentence));
+        column->addLayout(m_form);
+        column->setSizeConstraint(QLayout::SetFixedSize);
+    }
+
+    QDoubleSpinBox* addNumber(const char* name, const QString& label, const Number& number)
+    {
+        auto* box = new QDoubleSpinBox;
+        box->setObjectName(QLatin1StringView(name));
+        box->setDecimals(number.decimals);
+        box->setRange(number.least, number.most);
+        box->setValue(number.value);
+        box->setSuffix(number.unit);
+        box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+        box->setMinimumWidth(textWidth / 2);
+        m_form->addRow(label, box);
+        return box;
+    }
+
+    /// The first is chosen.
+    QButtonGroup* addChoice(const QString& label, const QStringList& choices)
+    {
+        auto* group = new QButtonGroup(this);
+        for (qsizetype i = 0; i < choices.size(); ++i) {
+            auto* button = new QRadioButton(choices[i]);
+            button->setObjectName(QStringLiteral("choice%1").arg(i));
+            button->setChecked(i == 0);
+            group->addButton(button, static_cast<int>(i));
+            m_form->addRow(i == 0 ? label : QString(), button);
+        }
+        return group;
+    }
+
+    QLabel* addText(const QString& sentence)
+    {
+        auto* label = text(sentence);
+        static_cast<QVBoxLayout*>(layout())->addWidget(label);
+        return label;
+    }
+
+    void ask(const QString& verb, const CommandAnswer& answer, const std::function<core::ModelCommand()>& command)
+    {
+        auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+        auto* agree = buttons->addButton(verb, QDialogButtonBox::AcceptRole);
+        layout()->addWidget(buttons);
+        agree->setDefault(true);
+        connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+        connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+        connect(this, &QDialog::accepted, this, [answer, command] { answer(command()); });
+        open();
+    }
+
+private:
+    static QLabel* text(const QString& sentence)
+    {
+        auto* label = new QLabel(sentence);
+        label->setWordWrap(true);
+        label->setTextFormat(Qt::PlainText);
+        label->setFixedWidth(textWidth);
+        return label;
+    }
+
+    QFormLayout* m_form;
+};
+
+struct Coordinates
+{
+    QDoubleSpinBox *x, *y, *z;
+
+    core::Vec3 value() const { return {x->value(), y->value(), z->value()}; }
+    void setEnabled(bool enabled) const
+    {
+        for (QDoubleSpinBox* box : {x, y, z})
+            box->setEnabled(enabled);
+    }
+};
+
+Coordinates addCoordinates(CommandDialog* dialog)
+{
+    return {dialog->addNumber("x", ModelDialogs::tr("X, to the right"), millimetres(0)),
+            dialog->addNumber("y", ModelDialogs::tr("Y, upwards"), millimetres(0)),
+            dialog->addNumber("z", ModelDialogs::tr("Z, to the front"), millimetres(0))};
+}
+
+QString count(double n)
+{
+    const double digit = std::pow(10, std::max(0.0, std::floor(std::log10(std::max(n, 1.0))) - 1));
+    return QLocale().toString(static_cast<qulonglong>(std::round(n / digit) * digit));
+}
+
+QString length(double mm)
+{
+    const int decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(std::max(mm, 1e-6)))), 0, 6);
+    return QLocale().toString(mm, 'f', decimals);
+}
+} // namespace
+
+void askForMove(QWidget* parent, const CommandAnswer& answer)
+{
+    auto* dialog = new CommandDialog(parent, "moveDialog", ModelDialogs::tr("Move the Model"),
+                                     ModelDialogs::tr("By how much is the whole model moved?"));
+    const Coordinates by = addCoordinates(dialog);
+    dialog->ask(ModelDialogs::tr("Move"), answer, [by] { return core::Move{by.value()}; });
+}
+
+void askForRotation(QWidget* parent, const CommandAnswer& answer)
+{
+    auto* dialog = new CommandDialog(parent, "rotateDialog", ModelDialogs::tr("Rotate the Model"),
+                                     ModelDialogs::tr("The model turns about an axis through the origin, "
+                                                      "counter-clockwise as seen from the axis's tip."));
+    const auto* axes = dialog->addChoice(ModelDialogs::tr("Axis"), {ModelDialogs::tr("Y, upwards"), ModelDialogs::tr("X, to the right"),
+                                                                    ModelDialogs::tr("Z, to the front")});
+    const auto* angle = dialog->addNumber("angle", ModelDialogs::tr("Angle"), {90, -360, 360, 2, ModelDialogs::tr("°")});
+    dialog->ask(ModelDialogs::tr("Rotate"), answer, [axes, angle] {
+        const core::Vec3 directions[] = {core::Vec3::UnitY(), core::Vec3::UnitX(), core::Vec3::UnitZ()};
+        const double radians = angle->value() * std::numbers::pi / 180;
+        return core::Rotate{Eigen::Quaterniond(Eigen::AngleAxisd(radians, directions[axes->checkedId()]))};
+    });
+}
+
+/// Two numbers for one thing: each follows the other.
+void askForScale(QWidget* parent, const ModelFacts& facts, const CommandAnswer& answer)
+{
+    const double size = facts.size.maxCoeff();
+    auto* dialog = new CommandDialog(parent, "scaleDialog", ModelDialogs::tr("Scale the Model"),
+                                     ModelDialogs::tr("How large is the model to be?"));
+    auto* longest = dialog->addNumber("longest", ModelDialogs::tr("Longest side"), millimetres(size, 0.001));
+    auto* factor = dialog->addNumber("factor", ModelDialogs::tr("Factor"), {1, 1e-6, 1e6, 6, {}});
+    const auto last = std::make_shared<double>(1); // exactly, whichever box it was typed into
+    QObject::connect(longest, &QDoubleSpinBox::valueChanged, factor, [=](double mm) {
+        *last = mm / size;
+        const QSignalBlocker quiet(factor);
+        factor->setValue(*last);
+    });
+    QObject::connect(factor, &QDoubleSpinBox::valueChanged, longest, [=](double times) {
+        *last = times;
+        const QSignalBlocker quiet(longest);
+        longest->setValue(times * size);
+    });
+    dialog->ask(ModelDialogs::tr("Scale"), answer, [last] { return core::Scale{*last}; });
+}
+
+void askForMirror(QWidget* parent, const CommandAnswer& answer)
+{
+    auto* dialog = new CommandDialog(parent, "mirrorDialog", ModelDialogs::tr("Mirror the Model"),
+                                     ModelDialogs::tr("The mirror goes through the origin. What changes sides?"));
+    const auto* sides = dialog->addChoice({}, {ModelDialogs::tr("Left and right (X)"), ModelDialogs::tr("Top and bottom (Y)"),
+                                               ModelDialogs::tr("Front and back (Z)")});
+    dialog->ask(ModelDialogs::tr("Mirror"), answer, [sides] { return core::Mirror{sides->checkedId()}; });
+}
+
+void askForFill(QWidget* parent, const CommandAnswer& answer)
+{
+    const core::Rgb clay;
+    auto* dialog = new QColorDialog(QColor(clay.r, clay.g, clay.b), parent);
+    dialog->setObjectName(QStringLiteral("fillDialog"));
+    dialog->setWindowTitle(ModelDialogs::tr("Fill with Colour"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    QObject::connect(dialog, &QColorDialog::colorSelected, dialog, [answer](const QColor& color) {
+        const auto byte = [](int value) { return static_cast<std::uint8_t>(value); };
+        answer(core::Fill{{byte(color.red()), byte(color.green()), byte(color.blue())}});
+    });
+    dialog->open();
+}
+
+void askForRemesh(QWidget* parent, const ModelFacts& facts, const CommandAnswer& answer)
+{
+    auto* dialog = new CommandDialog(parent, "remeshDialog", ModelDialogs::tr("Remesh Uniformly"),
+                                     ModelDialogs::tr("All triangles of the model become about as large. How long may their edges be?"));
+    const double least = std::max(facts.size.maxCoeff() * 1e-4, 0.001);
+    auto* longest = dialog->addNumber("longest", ModelDialogs::tr("Longest edge (d_detail)"),
+                                      millimetres(facts.uniformDetail, least, std::max(facts.size.maxCoeff(), least)));
+    auto* outcome = dialog->addText({});
+    outcome->setObjectName(QStringLiteral("outcome"));
+    const auto show = [outcome, facts](double mm) {
+        outcome->setText(ModelDialogs::tr("Edges from %1 to %2 mm; about %3 triangles, now there are %4.")
+                             .arg(length(mm / 2), length(mm), count(core::uniformFaces(facts.area, mm)),
+                                  QLocale().toString(static_cast<qulonglong>(facts.faces))));
+    };
+    QObject::connect(longest, &QDoubleSpinBox::valueChanged, outcome, show);
+    show(longest->value());
+    // What nobody changed is the default exactly, not what the box shows of it.
+    dialog->ask(ModelDialogs::tr("Remesh"), answer, [longest, shown = longest->value()] {
+        return core::RemeshUniformly{longest->value() == shown ? 0 : longest->value()};
+    });
+}
+
+void askForPlace(QWidget* parent, const QString& modelName, const CommandAnswer& answer)
+{
+    auto* dialog = new CommandDialog(parent, "insertDialog", ModelDialogs::tr("Insert a Model"),
+                                     ModelDialogs::tr("%1 must not touch the present model. Where does it go?").arg(modelName));
+    const auto* places = dialog->addChoice({}, {ModelDialogs::tr("Beside the present model"), ModelDialogs::tr("Where its file has it"),
+                                                ModelDialogs::tr("With its middle at")});
+    const Coordinates centre = addCoordinates(dialog);
+    centre.setEnabled(false);
+    QObject::connect(places, &QButtonGroup::idToggled, dialog, [centre, places] { centre.setEnabled(places->checkedId() == 2); });
+    dialog->ask(ModelDialogs::tr("Insert"), answer, [places, centre] {
+        constexpr core::Insert::Place all[] = {core::Insert::Place::Beside, core::Insert::Place::AsItIs, core::Insert::Place::Centre};
+        return core::Insert{{}, all[places->checkedId()], centre.value()};
+    });
+}
+} // namespace ui

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "model_facts.h"
+
+#include "core/model_command.h"
+
+#include <functional>
+
+class QWidget;
+
+namespace ui
+{
+/// The dialogs for what may be done with the whole model. They return at once; the answer is called when the person
+/// agreed, and never else.
+using CommandAnswer = std::function<void(const core::ModelCommand& command)>;
+
+void askForMove(QWidget* parent, const CommandAnswer& answer);
+void askForRotation(QWidget* parent, const CommandAnswer& answer);
+void askForScale(QWidget* parent, const ModelFacts& facts, const CommandAnswer& answer);
+void askForMirror(QWidget* parent, const CommandAnswer& answer);
+void askForFill(QWidget* parent, const CommandAnswer& answer);
+void askForRemesh(QWidget* parent, const ModelFacts& facts, const CommandAnswer& answer);
+
+/// Where a model that is inserted goes; the answer's command has no model yet.
+void askForPlace(QWidget* parent, const QString& modelName, const CommandAnswer& answer);
+} // namespace ui
