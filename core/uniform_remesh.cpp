@@ -23,7 +23,9 @@ namespace core
 {
 namespace
 {
-constexpr std::size_t verticesPerPatch = 1024;
+/// Of a patch when it is done, about; and when it begins.
+constexpr double verticesPerPatch = 1024;
+constexpr std::size_t leastPerPatch = 8;
 constexpr int mostRounds = 48;
 /// A round that leaves more than this share of the short edges of the round before has made no progress.
 constexpr double leastProgress = 0.98;
@@ -45,11 +47,58 @@ Vec3 faceNormal(const Mesh& mesh, Slot f)
     return (mesh.point(t[1]).cast<double>() - a).cross(mesh.point(t[2]).cast<double>() - a);
 }
 
+/// The surface as it was, for points that lie near it.
+class OriginalSurface
+{
+public:
+    explicit OriginalSurface(const Mesh& mesh) : m_mesh(mesh), m_octree(mesh), m_boxes(mesh.slots().faces)
+    {
+        for (Slot f = 0; f < m_boxes.size(); ++f) {
+            if (m_mesh.isFace(f))
+                m_boxes[f] = boxOf(m_mesh, f);
+        }
+    }
+
+    struct Place
+    {
+        Vec3 point;
+        Slot face;
+    };
+    /// The nearest within the reach; of several the one on the lowest face.
+    std::optional<Place> near(const Vec3& p, double reach) const;
+    Vec3 normal(Slot face) const { return faceNormal(m_mesh, face); }
+
+private:
+    Mesh m_mesh;
+    FaceOctree m_octree;
+    std::vector<LatticeBox> m_boxes; ///< by face
+};
+
+std::optional<OriginalSurface::Place> OriginalSurface::near(const Vec3& p, double reach) const
+{
+    const LatticeBox box = latticeBox(m_mesh.lattice(), {p, reach});
+    std::optional<Place> best;
+    double best2 = reach * reach;
+    m_octree.query(box, [&](Slot f) {
+        if (!m_boxes[f].meets(box))
+            return;
+        const Triangle& t = m_mesh.corners(f);
+        const auto corner = [&](int i) { return Vec3(m_mesh.point(t[i]).cast<double>()); };
+        const Vec3 point = nearestInTriangle(p, {corner(0), corner(1), corner(2)});
+        const double distance2 = (point - p).squaredNorm();
+        if (distance2 < best2 || (distance2 == best2 && best && f < best->face)) {
+            best2 = distance2;
+            best = {point, f};
+        }
+    });
+    return best;
+}
+
 class UniformRemesher
 {
 public:
     UniformRemesher(Mesh& mesh, const EdgeBounds& bounds, const JobWatch& watch)
-        : m_mesh(mesh), m_bounds(bounds), m_watch(watch), m_surface(mesh), m_original(mesh), m_originalFaces(mesh)
+        : m_mesh(mesh), m_bounds(bounds), m_watch(watch), m_surface(mesh), m_original(mesh)
     {
     }
 
@@ -58,6 +107,7 @@ public:
 private:
     std::vector<Slot> alongCurve() const;
     void round(int number);
+    std::size_t patchSize() const;
     void fillRegion(std::span<const Slot> vertices);
     bool isOutOfBounds() const;
     void optimisePatch();
@@ -69,8 +119,7 @@ private:
     EdgeBounds m_bounds;
     const JobWatch& m_watch;
     JudgedMesh m_surface;
-    Mesh m_original;
-    FaceOctree m_originalFaces;
+    OriginalSurface m_original;
     Region m_region;
     bool m_onlySplits = false; ///< all but a few long edges is done
     double m_done = 0;
@@ -108,12 +157,20 @@ std::vector<Slot> UniformRemesher::alongCurve() const
     return order;
 }
 
+/// Smaller where the mesh is to become much finer: a patch is judged, and can be stopped, as a whole.
+std::size_t UniformRemesher::patchSize() const
+{
+    const double growth = std::max(1.0, uniformFaces(areaOf(m_mesh), m_bounds.detail) / m_mesh.live().faces);
+    return std::max(leastPerPatch, static_cast<std::size_t>(verticesPerPatch / growth));
+}
+
 void UniformRemesher::round(int number)
 {
     const std::vector<Slot> order = alongCurve();
     const double share = shareOfRound * (afterRounds - m_done);
-    const std::size_t shift = number % 2 == 0 ? 0 : verticesPerPatch / 2;
-    for (std::size_t end = verticesPerPatch - shift, begin = 0; begin < order.size(); begin = end, end += verticesPerPatch) {
+    const std::size_t perPatch = patchSize();
+    const std::size_t shift = number % 2 == 0 ? 0 : perPatch / 2;
+    for (std::size_t end = perPatch - shift, begin = 0; begin < order.size(); begin = end, end += perPatch) {
         if (m_watch.stopped())
             return;
         end = std::min(end, order.size());
@@ -182,11 +239,12 @@ Vec3 UniformRemesher::evenPlace(Slot v) const
     if (isAtCrease(v))
         return m_mesh.point(v).cast<double>();
     const Vec3 relaxed = relaxedPlace(m_mesh, m_bounds, v);
-    const std::optional<SurfaceHit> hit = nearestPoint(m_original, m_originalFaces, relaxed);
-    const Vec3 normal = vertexNormal(m_mesh, v);
-    const bool isOwnSheet = hit && hit->distance < farthestFromSurface * m_bounds.detail &&
-                            hit->normal.dot(normal) > sameSheetCosine * normal.norm();
-    return isOwnSheet ? hit->position : relaxed;
+    const auto original = m_original.near(relaxed, farthestFromSurface * m_bounds.detail);
+    if (!original)
+        return relaxed;
+    const Vec3 normal = vertexNormal(m_mesh, v), other = m_original.normal(original->face);
+    const bool isOwnSheet = other.dot(normal) > sameSheetCosine * other.norm() * normal.norm();
+    return isOwnSheet ? original->point : relaxed;
 }
 
 bool UniformRemesher::isAtCrease(Slot v) const
