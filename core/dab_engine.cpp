@@ -25,9 +25,10 @@ namespace
 {
 /// d_move in terms of d: the paper asks for less than d/2 (section 3.3).
 constexpr double movePerMinimum = 0.45;
-/// Sub-steps of one dab; a dab that would need more ends early.
-constexpr double mostSubsteps = 4096;
-/// Vertices that its sub-steps move, together: some seconds of work.
+/// Guards, not tuning knobs: steps that a plan is cut into, tries to take them, and vertices that these move together (some
+/// seconds of work). A dab that would need more ends early.
+constexpr double mostSteps = 4096;
+constexpr int mostAttempts = 4 * 4096;
 constexpr double mostVertexMoves = 1 << 21;
 constexpr int mostHoldRounds = 64;
 } // namespace
@@ -138,8 +139,10 @@ void DabEngine::sculpt(const StrokeSettings& settings, const Dab& dab, const std
     }
     report.outcome = DabOutcome::Committed;
     double moves = 0;
-    for (double step = 0; step == 0 || step < task.steps; ++step, moves += m_region.size()) {
-        const Substep result = step < mostSubsteps && moves < mostVertexMoves ? substep(task, report) : Substep::Stuck;
+    for (int attempt = 0; task.steps == 0 || task.left > 0; ++attempt, moves += m_region.size()) {
+        const Substep result = attempt < mostAttempts && moves < mostVertexMoves ? substep(task, report) : Substep::Stuck;
+        if (result == Substep::Again)
+            continue;
         if (result == Substep::Empty) {
             report.outcome = DabOutcome::Empty;
             return;
@@ -149,6 +152,9 @@ void DabEngine::sculpt(const StrokeSettings& settings, const Dab& dab, const std
             break;
         }
         ++report.substeps;
+        task.left -= task.ticks;
+        task.eased = 0;
+        task.ticks = std::min({2 * task.ticks, ticksPerStep, task.left});
         if (result == Substep::Careful)
             report.outcome = DabOutcome::Careful;
         if (between)
@@ -236,11 +242,46 @@ DabEngine::Substep DabEngine::substep(Task& task, DabReport& report)
         m_region.restore(saved);
         task.steps = steps;
         ++m_totals.rolledBack;
+        if (easeMotion(task, report))
+            return Substep::Again;
     }
-    task.joins = task.settings.fusion;
+    task.ticks = std::min(ticksPerStep, task.left);
     const Substep result = careful(task, report);
     separate(task, report);
     return result;
+}
+
+/// After a sub-step that failed: what was about to meet is joined; failing that, the motion is made calmer where faces turned
+/// over, and every other time the step is halved.
+bool DabEngine::easeMotion(Task& task, DabReport& report)
+{
+    task.joins = task.settings.fusion;
+    if (task.steps == 0 && !refineAtOnce(task, report))
+        return false;
+    if (join(task, report))
+        return true;
+    if (++task.eased > mostEased)
+        return false;
+    calmPlan(m_region, m_mesh, m_badVertices);
+    if (task.eased % 2 == 0)
+        task.ticks = std::max(task.ticks / 2, 1u);
+    return true;
+}
+
+/// The mesh under the brush is made fine enough in a transaction of its own: what failed was more likely the motion.
+bool DabEngine::refineAtOnce(Task& task, DabReport& report)
+{
+    const Region::Saved saved = m_region.save();
+    const Mesh::Mark mark = m_mesh.mark();
+    const RemeshCounts counts = refineAndPlan(task, plainEditor(), report);
+    if (!m_surface.judge(mark)) {
+        m_mesh.rollback(mark);
+        m_region.restore(saved);
+        task.steps = 0;
+        return false;
+    }
+    count(counts);
+    return true;
 }
 
 /// The first sub-step begins with this: the mesh under the brush is made fine enough to plan on.
@@ -261,6 +302,9 @@ RemeshCounts DabEngine::refineAndPlan(Task& task, MeshEditor edit, DabReport& re
     const PhaseTimer timer(report.deformMs);
     report.asked = plan(task);
     task.steps = std::max(1.0, std::ceil(report.asked / (movePerMinimum * task.bounds.minimum)));
+    m_capped = task.steps > mostSteps;
+    task.left = ticksPerStep * static_cast<unsigned>(std::min(task.steps, mostSteps));
+    task.ticks = ticksPerStep;
     return counts;
 }
 
@@ -298,22 +342,23 @@ DabEngine::Substep DabEngine::straight(Task& task, DabReport& report)
         return Substep::Empty;
     }
     bool inside = false;
-    double reached = 0;
     {
         const PhaseTimer timer(report.deformMs);
-        inside = displace(1 / task.steps);
-        reached = farthestPlan(1 / task.steps);
+        inside = displace(task.part());
     }
     if (inside) {
         const PhaseTimer timer(report.optimiseMs);
         counts += optimise(edit, m_region, task.bounds);
     }
+    m_badVertices.clear();
     if (!inside || !m_surface.judge(mark)) {
+        for (Slot f : inside ? m_surface.badFaces() : std::vector<Slot>())
+            m_badVertices.insert(m_badVertices.end(), m_mesh.corners(f).begin(), m_mesh.corners(f).end());
         m_mesh.rollback(mark);
         return Substep::Stuck;
     }
     count(counts);
-    report.reached += reached;
+    report.reached += task.part() * report.asked;
     return Substep::Straight;
 }
 
@@ -322,7 +367,7 @@ DabEngine::Substep DabEngine::careful(Task& task, DabReport& report)
     if (task.steps == 0)
         count(refineAndPlan(task, judgedEditor(), report));
     join(task, report);
-    const bool moved = moveHeldBack(1 / task.steps, report);
+    const bool moved = moveHeldBack(task.part(), report);
     if (!optimiseAtOnce(task, report)) {
         const PhaseTimer timer(report.optimiseMs, m_surface.verifyMs());
         MeshEditor edit = judgedEditor();
@@ -356,8 +401,8 @@ bool DabEngine::moveHeldBack(double part, DabReport& report)
 {
     m_held.extend(m_region, m_mesh);
     for (int round = 0; round < mostHoldRounds; ++round) {
-        const double reached = farthestPlan(part);
-        if (reached == 0)
+        const double share = shareOfPeak();
+        if (share == 0)
             return false;
         const Mesh::Mark mark = m_mesh.mark();
         bool inside = false;
@@ -366,7 +411,7 @@ bool DabEngine::moveHeldBack(double part, DabReport& report)
             inside = displace(part);
         }
         if (inside && m_surface.judge(mark)) {
-            report.reached += reached;
+            report.reached += share * part * report.asked;
             return true;
         }
         m_mesh.rollback(mark);
@@ -393,14 +438,17 @@ bool DabEngine::displace(double part)
     return inside;
 }
 
-double DabEngine::farthestPlan(double part) const
+/// Of the longest displacement planned, the share that the motion, held back as it is, reaches. What is no longer there, being
+/// joined or collapsed, has no say.
+double DabEngine::shareOfPeak() const
 {
-    double farthest2 = 0;
+    double planned2 = 0, reached2 = 0;
     m_region.forEach([&](Slot v) {
-        const double share = part * m_held.share(m_region, v);
-        farthest2 = std::max(farthest2, share * share * m_region.plan(v).squaredNorm());
+        const double plan2 = m_region.plan(v).squaredNorm(), share = m_held.share(m_region, v);
+        planned2 = std::max(planned2, plan2);
+        reached2 = std::max(reached2, share * share * plan2);
     });
-    return std::sqrt(farthest2);
+    return planned2 > 0 ? std::sqrt(reached2 / planned2) : 0;
 }
 
 /// Whether there is anything for fusion to join. A brush along the surface has only its own sheet for candidates.
@@ -415,10 +463,10 @@ bool DabEngine::facesMeet(const StrokeSettings& settings, const Sphere& ball)
 }
 
 /// Before the motion of a sub-step that is to come.
-void DabEngine::join(Task& task, DabReport& report)
+bool DabEngine::join(Task& task, DabReport& report)
 {
     if (!task.joins || m_mirror.isOn()) // surfaces of a mirrored dab stop at contact
-        return;
+        return false;
     const PhaseTimer timer(report.fuseMs, m_surface.verifyMs());
     if (m_held.inUse())
         m_held.extend(m_region, m_mesh);
@@ -426,6 +474,7 @@ void DabEngine::join(Task& task, DabReport& report)
     if (counts.fusions > 0)
         m_held.clear();
     m_totals.fusions += counts.fusions;
+    return counts.fusions > 0;
 }
 
 void DabEngine::separate(Task& task, DabReport& report)

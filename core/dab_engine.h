@@ -37,17 +37,26 @@ public:
     SculptorTotals totals() const;
 
 private:
-    enum class Substep { Straight, Careful, Stuck, Empty };
+    enum class Substep { Straight, Careful, Again, Stuck, Empty };
+
+    /// A step that fails is halved so often that it does one of these; after one that passes the next is twice as long.
+    static constexpr unsigned ticksPerStep = 8;
+    static constexpr unsigned mostEased = 6;
 
     struct Task
     {
         const StrokeSettings& settings;
         const Dab& dab;
         EdgeBounds bounds;
-        double steps = 0; ///< into which the plan is cut; 0: not planned yet
+        double steps = 0; ///< into which the plan is cut, each no longer than d_move; 0: not planned yet
+        unsigned ticks = ticksPerStep; ///< that the next sub-step does
+        unsigned left = 0;             ///< that the plan still holds
+        unsigned eased = 0;            ///< how often the next sub-step has been made easier
         bool joins = false; ///< surfaces face each other under the brush, or something stopped the motion
 
-        Approach approach() const { return {settings.tool, bounds, 1 / steps}; }
+        /// Of the plan, that the next sub-step does.
+        double part() const { return ticks / (ticksPerStep * steps); }
+        Approach approach() const { return {settings.tool, bounds, part()}; }
     };
 
     void run(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report);
@@ -71,9 +80,11 @@ private:
     bool optimiseAtOnce(Task& task, DabReport& report);
     bool moveHeldBack(double part, DabReport& report);
     bool displace(double part);
-    double farthestPlan(double part) const;
+    double shareOfPeak() const;
     bool facesMeet(const StrokeSettings& settings, const Sphere& ball);
-    void join(Task& task, DabReport& report);
+    bool join(Task& task, DabReport& report);
+    bool easeMotion(Task& task, DabReport& report);
+    bool refineAtOnce(Task& task, DabReport& report);
     void separate(Task& task, DabReport& report);
     void count(const RemeshCounts& counts);
 
@@ -85,6 +96,7 @@ private:
     std::vector<Slot> m_candidates;
     HeldBack m_held;
     Fuser m_fuser;
+    std::vector<Slot> m_badVertices;   ///< of the faces that the last straight sub-step failed at
     std::vector<VertexPair> m_blocked; ///< what the last optimisation could not collapse
     SculptorTotals m_totals;
     std::optional<EdgeBounds> m_bounds; ///< of the last dab, if it remeshes

@@ -96,4 +96,32 @@ double planDeformation(Region& region, const Mesh& mesh, const StrokeSettings& s
     });
     return std::sqrt(longest2);
 }
+
+void calmPlan(Region& region, const Mesh& mesh, const std::vector<Slot>& vertices)
+{
+    SparseIndex& around = region.scratch();
+    around.clear();
+    for (Slot v : vertices) {
+        if (v >= mesh.slots().vertices || !mesh.isVertex(v))
+            continue;
+        around.add(v);
+        mesh.forEachOutgoing(v, [&](Slot h) { around.add(mesh.to(h)); });
+    }
+    std::vector<std::pair<Slot, Vec3>> calmed;
+    for (Slot v : around.slots()) {
+        if (!region.contains(v))
+            continue;
+        const Vec3 plan = region.plan(v);
+        Vec3 sum = plan;
+        mesh.forEachOutgoing(v, [&](Slot h) {
+            if (region.contains(mesh.to(h)))
+                sum += region.plan(mesh.to(h));
+        });
+        const double length = sum.norm();
+        if (length > 0)
+            calmed.emplace_back(v, plan.norm() / length * sum);
+    }
+    for (const auto& [v, plan] : calmed)
+        region.setPlan(v, plan);
+}
 } // namespace core

@@ -14,4 +14,8 @@ Vec3 vertexNormal(const Mesh& mesh, Slot v);
 ///   Smooth       min(s, 1) b (mean of the neighbours - p_i)
 /// r_i is the region's distance. Returns the longest displacement planned. Precondition: not Paint.
 double planDeformation(Region& region, const Mesh& mesh, const StrokeSettings& settings, const Dab& dab);
+
+/// Turns the plans of the region's vertices at and around the given ones towards their neighbours' mean, lengths kept: on a
+/// rough surface normals differ so much that neighbours would pass each other, faces turn over. `vertices`: may be gone.
+void calmPlan(Region& region, const Mesh& mesh, const std::vector<Slot>& vertices);
 } // namespace core

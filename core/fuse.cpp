@@ -30,13 +30,15 @@ constexpr double coneCosine = 0.3827; // cos 67.5 degrees
 constexpr double closingShare = 1 / 1.5;
 /// ... or when the gap is below this part of d_detail and closing.
 constexpr double contactPerDetail = 0.05;
+/// Rounds of joining in a sub-step: a guard, the last ones join nothing.
+constexpr int mostRounds = 64;
 /// A neck is cut when the edges around it are shorter than this together, in terms of d.
 constexpr double neckPerimeter = 3;
 /// The gaps to try between the two sides of a cut neck, in terms of d.
 constexpr double neckGaps[] = {0.5, 0.1};
-/// A speck: a component smaller than this, in terms of d, and with no more faces than that.
-constexpr double speckSize = 2;
-constexpr std::size_t speckFaces = 64;
+/// A speck: a component smaller than this, in terms of d; one of few faces may be a little larger.
+constexpr double speckSize = 2, crumbSize = 4;
+constexpr std::size_t speckFaces = 64, fewFaces = 16;
 
 Vec3 pointOf(const Mesh& mesh, Slot v)
 {
@@ -49,6 +51,13 @@ std::vector<Slot> cornersOf(const Mesh& mesh, const std::vector<Slot>& faces)
     for (Slot f : faces)
         corners.insert(corners.end(), mesh.corners(f).begin(), mesh.corners(f).end());
     return corners;
+}
+
+bool haveCommonNeighbour(const Mesh& mesh, Slot p, Slot q)
+{
+    bool found = false;
+    mesh.forEachOutgoing(p, [&](Slot h) { found = found || mesh.findHalfedge(mesh.to(h), q) != noSlot; });
+    return found;
 }
 
 Vec3 unit(const Vec3& v)
@@ -82,17 +91,32 @@ bool Fuser::mayMeet(const Mesh& mesh, const Region& region, std::span<const Slot
     });
 }
 
+/// In rounds: a seam grows stitch by stitch over all of a contact before another tube is begun, else a hole stays between.
 FusionCounts Fuser::join(JudgedMesh& surface, Region& region, const HeldBack& held, const Approach& approach)
 {
-    const Mesh& mesh = surface.mesh();
-    gather(surface, region, thicknessPerDetail * approach.bounds.detail);
-    findNear(mesh, region, held, approach);
-    std::ranges::sort(m_near, [](const Near& a, const Near& b) {
-        return std::tie(a.distance2, a.p, a.q) < std::tie(b.distance2, b.p, b.q);
-    });
     FusionCounts counts;
+    for (int round = 0; round < mostRounds; ++round) {
+        gather(surface, region, thicknessPerDetail * approach.bounds.detail);
+        findNear(surface.mesh(), region, held, approach);
+        const std::uint64_t joined = joinNear(surface, region);
+        if (joined == 0)
+            break;
+        counts.fusions += joined;
+    }
+    return counts;
+}
+
+std::uint64_t Fuser::joinNear(JudgedMesh& surface, Region& region)
+{
+    std::ranges::sort(m_near, [](const Near& a, const Near& b) {
+        return std::tie(a.isolated, a.distance2, a.p, a.q) < std::tie(b.isolated, b.distance2, b.p, b.q);
+    });
+    const Mesh& mesh = surface.mesh();
+    std::uint64_t joined = 0;
     m_done.clear();
     for (const Near& near : m_near) {
+        if (near.isolated && joined > 0)
+            break;
         if (m_done.contains(near.p) || m_done.contains(near.q) || !mayTry(near.p) || !mayTry(near.q))
             continue;
         const std::optional<Surgery> surgery = joinStars(mesh, near.p, near.q);
@@ -104,11 +128,11 @@ FusionCounts Fuser::join(JudgedMesh& surface, Region& region, const HeldBack& he
             countFailure(near.q);
             continue;
         }
-        ++counts.fusions;
+        ++joined;
         for (Slot v : around)
             m_done.add(v);
     }
-    return counts;
+    return joined;
 }
 
 void Fuser::countFailure(Slot v)
@@ -162,7 +186,7 @@ void Fuser::findNear(const Mesh& mesh, const Region& region, const HeldBack& hel
                 return;
             const double distance2 = (m_points[j] - m_points[i]).squaredNorm();
             if (distance2 < reach2 && willMeet(i, j, mesh, region, held, approach))
-                m_near.push_back({distance2, std::min(v, other), std::max(v, other)});
+                m_near.push_back({!haveCommonNeighbour(mesh, v, other), distance2, std::min(v, other), std::max(v, other)});
         });
     }
 }
@@ -259,7 +283,7 @@ bool Fuser::cut(JudgedMesh& surface, Region& region, const VertexPair& edge, con
     return false;
 }
 
-/// The component of a vertex, if it is small, holds nothing else, and is not all there is.
+/// The component of a vertex, if it is small and not all there is. (One that holds another is not sound to remove.)
 bool Fuser::removeSpeck(JudgedMesh& surface, Region& region, Slot vertex, const EdgeBounds& bounds)
 {
     const Mesh& mesh = surface.mesh();
@@ -278,11 +302,8 @@ bool Fuser::removeSpeck(JudgedMesh& surface, Region& region, Slot vertex, const 
         }
     }
     const double size = (box.max - box.min).cast<double>().maxCoeff() * mesh.lattice().unit();
-    if (found.size() == mesh.live().faces || size > speckSize * bounds.minimum)
-        return false;
-    bool alone = true;
-    surface.octree().query(box, [&](Slot f) { alone = alone && (found.contains(f) || !boxOf(mesh, f).meets(box)); });
-    if (!alone)
+    const double most = found.size() < fewFaces ? crumbSize : speckSize;
+    if (found.size() == mesh.live().faces || size > most * bounds.minimum)
         return false;
     surgery.removed = found.slots();
     surgery.near = vertex;

@@ -52,6 +52,7 @@ private:
 
     struct Near
     {
+        bool isolated; ///< no vertex lies in both 1-rings: the join is a new tube, not the next stitch of a seam
         double distance2;
         Slot p, q; ///< p < q
     };
@@ -61,6 +62,7 @@ private:
     bool mayTry(Slot v) const { return !m_failed.contains(v) || m_failures[m_failed.position(v)] < mostFailures; }
     void countFailure(Slot v);
     bool willMeet(Slot i, Slot j, const Mesh& mesh, const Region& region, const HeldBack& held, const Approach& approach) const;
+    std::uint64_t joinNear(JudgedMesh& surface, Region& region);
     std::optional<std::vector<Slot>> operate(JudgedMesh& surface, Region& region, const Surgery& surgery);
     bool cut(JudgedMesh& surface, Region& region, const VertexPair& edge, const EdgeBounds& bounds);
     bool removeSpeck(JudgedMesh& surface, Region& region, Slot vertex, const EdgeBounds& bounds);

@@ -75,7 +75,7 @@ struct DabReport
     std::uint32_t touchedVertices = 0; ///< distinct vertices selected after optimisation
     std::uint32_t touchedFaces = 0;
     std::uint32_t substeps = 0;
-    double asked = 0, reached = 0; ///< peak displacement
+    double asked = 0, reached = 0; ///< peak displacement; of what joined or collapsed meanwhile, as far as it was there
     DabOutcome outcome = DabOutcome::Empty;
     Refusal refusal = Refusal::None;
     bool asymmetric = false; ///< of a symmetric stroke: the model is not symmetric here, so it was done as two dabs

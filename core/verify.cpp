@@ -20,7 +20,7 @@ VerifyResult Verifier::verify(const Mesh& mesh, const FaceOctree& octree, const 
 {
     m_result = {};
     collectDirty(mesh, touched);
-    if (m_dirtyCount == 0)
+    if (m_dirtyCount == 0 && touched.faces.empty())
         return m_result;
     gather(mesh, octree, touched.before);
     findBrokenFaces(mesh);
