@@ -143,9 +143,10 @@ void DabEngine::sculpt(const StrokeSettings& settings, const Dab& dab, const std
         const Substep result = attempt < mostAttempts && moves < mostVertexMoves ? substep(task, report) : Substep::Stuck;
         if (result == Substep::Again)
             continue;
-        if (result == Substep::Empty) {
-            report.outcome = DabOutcome::Empty;
-            return;
+        if (result == Substep::Empty) { // from the start, or because all that was under the brush has vanished
+            if (report.substeps == 0)
+                report.outcome = DabOutcome::Empty;
+            break;
         }
         if (result == Substep::Stuck || m_capped) {
             report.outcome = DabOutcome::EndedEarly;

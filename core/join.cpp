@@ -172,6 +172,8 @@ std::optional<Surgery> joinStars(const Mesh& mesh, Slot p, Slot q)
         zipWhole(mesh, a, b, surgery.faces);
     else if (!zipArcs(a, b, surgery.faces))
         return std::nullopt;
+    if (surgery.faces.empty())
+        return std::nullopt; // the two stars were all there was
     splitUmbrellas(mesh, surgery, apart);
     return ifOk(mesh, std::move(surgery));
 }
