@@ -31,6 +31,7 @@ using core::Vec3;
 using mesh_asserts::sculptable;
 
 constexpr core::Slot mostFaces = 10'000; ///< a run whose mesh has grown past this ends: more would only take longer
+constexpr core::Slot leastFaces = 64;     ///< so does one that has pushed nearly all of it away
 constexpr int dabsPerPairCheck = 8, dabsPerJudge = 100;
 
 #if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
@@ -104,7 +105,7 @@ public:
         judge("at the start");
         m_start = m_sculptor.mesh().stateHash();
         const std::uint64_t end = m_tally.dabs + dabs;
-        while (m_tally.dabs < end && m_sculptor.mesh().live().faces < mostFaces && ok()) {
+        while (m_tally.dabs < end && m_sculptor.mesh().live().faces < mostFaces && m_sculptor.mesh().live().faces >= leastFaces && ok()) {
             if (m_fuzzer.below(8) == 0 && !m_undo.empty())
                 undoForGood();
             sculpt(m_fuzzer.stroke(m_sculptor.mesh()));
