@@ -4,43 +4,68 @@ namespace core
 {
 namespace
 {
-constexpr std::int64_t boxesPerStrip = 3; ///< a strip is this many median boxes high
-constexpr std::int64_t entriesPerBox = 4; ///< strips grow until boxes lie in no more of them than this on average
+constexpr int boxesPerStrip = 3;             ///< a strip is this many median boxes high
+constexpr std::int64_t entriesPerBox = 4;    ///< strips grow until boxes lie in no more of them than this on average
+constexpr std::size_t heightSamples = 1 << 8; ///< of which the median is taken
 } // namespace
 
-/// By the median box: a few large ones among many small ones must not make the strips too high for the small ones.
-std::int64_t BoxPairs::stripHeight() const
+/// The longest first: a patch that lies flat across an axis would crowd into few strips along it.
+std::array<int, 3> BoxPairs::axesByExtent() const
 {
-    std::vector<std::int64_t> heights;
-    heights.reserve(m_boxes.size());
+    LatticeBox all;
     for (const LatticeBox& box : m_boxes)
-        heights.push_back(box.max.y() - box.min.y() + 1);
+        all.extend(box);
+    const LatticePoint extent = all.max - all.min;
+    std::array<int, 3> axes = {0, 1, 2};
+    std::ranges::stable_sort(axes, std::greater(), [&](int axis) { return extent[axis]; });
+    return axes;
+}
+
+/// By the median box: a few large ones among many small ones must not make the strips too high for the small ones.
+int BoxPairs::stripHeight(int axis) const
+{
+    const auto heightOf = [&](const LatticeBox& box) { return box.max[axis] - box.min[axis] + 1; };
+    std::vector<int> heights;
+    const std::size_t step = std::max<std::size_t>(1, m_boxes.size() / heightSamples);
+    for (std::size_t i = 0; i < m_boxes.size(); i += step)
+        heights.push_back(heightOf(m_boxes[i]));
     const auto median = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
     std::ranges::nth_element(heights, median);
-    std::int64_t height = boxesPerStrip * *median;
+    int height = std::min(boxesPerStrip * *median, Lattice::limit);
     const auto entries = [&] {
         std::int64_t sum = 0;
-        for (std::int64_t h : heights)
-            sum += h / height + 1;
+        for (const LatticeBox& box : m_boxes)
+            sum += heightOf(box) / height + 1;
         return sum;
     };
-    while (entries() > entriesPerBox * static_cast<std::int64_t>(heights.size()))
+    while (height < Lattice::limit && entries() > entriesPerBox * static_cast<std::int64_t>(m_boxes.size()))
         height *= 2;
     return height;
 }
 
-std::vector<BoxPairs::Entry> BoxPairs::sortedEntries(std::int64_t height) const
+std::vector<BoxPairs::Entry> BoxPairs::sortedEntries(const std::array<int, 3>& axes, int height) const
 {
-    std::vector<Entry> entries;
-    entries.reserve(2 * m_boxes.size());
+    struct Key
+    {
+        std::uint64_t place; ///< strip, then where the box begins along the sweep
+        Slot box;
+    };
+    std::vector<Key> keys;
+    keys.reserve(2 * m_boxes.size());
     for (Slot i = 0; i < m_boxes.size(); ++i) {
-        const std::int64_t last = stripOf(m_boxes[i].max.y(), height);
-        for (std::int64_t strip = stripOf(m_boxes[i].min.y(), height); strip <= last; ++strip)
-            entries.push_back({strip, m_boxes[i].min.x(), i});
+        const auto begin = static_cast<std::uint64_t>(m_boxes[i].min[axes[0]] + Lattice::limit);
+        const int last = stripOf(m_boxes[i].max[axes[1]], height);
+        for (int strip = stripOf(m_boxes[i].min[axes[1]], height); strip <= last; ++strip)
+            keys.push_back({static_cast<std::uint64_t>(strip) << 32 | begin, i});
     }
-    std::ranges::sort(entries, [](const Entry& a, const Entry& b) {
-        return std::tie(a.strip, a.minX, a.box) < std::tie(b.strip, b.minX, b.box);
-    });
+    std::ranges::sort(keys, [](const Key& a, const Key& b) { return std::tie(a.place, a.box) < std::tie(b.place, b.box); });
+    std::vector<Entry> entries;
+    entries.reserve(keys.size());
+    for (const Key& key : keys) {
+        const LatticePoint &min = m_boxes[key.box].min, &max = m_boxes[key.box].max;
+        entries.push_back({static_cast<int>(key.place >> 32), key.box, {min[axes[0]], min[axes[1]], min[axes[2]]},
+                           {max[axes[0]], max[axes[1]], max[axes[2]]}});
+    }
     return entries;
 }
 } // namespace core

@@ -3,12 +3,13 @@
 #include "face_octree.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace core
 {
 /// Calls visit(i, j), i < j, once for every two boxes that meet and of which the first is one of the first `first`.
-/// Few against all: each with each. Else a sweep along x inside strips along y: O(n log n + pairs) for boxes most of which are of
-/// similar size.
+/// Few against all: each with each. Else a sweep along the longest axis of all inside strips along the second longest:
+/// O(n log n + pairs) for boxes most of which are of similar size.
 class BoxPairs
 {
 public:
@@ -23,13 +24,14 @@ public:
     }
 
 private:
-    static constexpr std::size_t fewPairs = 1u << 15;
+    static constexpr std::size_t fewPairs = 1u << 12;
 
+    /// A box in one of its strips, with all that the sweep asks about at hand.
     struct Entry
     {
-        std::int64_t strip;
-        int minX;
+        int strip;
         Slot box;
+        std::array<int, 3> min, max; ///< along the sweep, across the strips, and the third way
     };
 
     template <class Visit> void eachWithEach(Visit visit) const
@@ -44,26 +46,28 @@ private:
 
     template <class Visit> void sweep(Visit visit) const
     {
-        const std::int64_t height = stripHeight();
-        const std::vector<Entry> entries = sortedEntries(height);
+        const std::array<int, 3> axes = axesByExtent();
+        const int height = stripHeight(axes[1]);
+        const std::vector<Entry> entries = sortedEntries(axes, height);
         for (std::size_t a = 0; a < entries.size(); ++a) {
-            const LatticeBox& boxA = m_boxes[entries[a].box];
+            const Entry& s = entries[a];
             for (std::size_t b = a + 1; b < entries.size(); ++b) {
-                if (entries[b].strip != entries[a].strip || entries[b].minX > boxA.max.x())
+                const Entry& t = entries[b];
+                if (t.strip != s.strip || t.min[0] > s.max[0])
                     break;
-                const Slot i = std::min(entries[a].box, entries[b].box), j = std::max(entries[a].box, entries[b].box);
-                const LatticeBox& boxB = m_boxes[entries[b].box];
+                const bool meet = (t.min[1] <= s.max[1]) & (s.min[1] <= t.max[1]) & (t.min[2] <= s.max[2]) &
+                                  (s.min[2] <= t.max[2]) & (std::min(s.box, t.box) < m_first);
                 // Of the strips that both lie in, only the first reports the pair.
-                if (i < m_first && boxA.meets(boxB) &&
-                    stripOf(std::max(boxA.min.y(), boxB.min.y()), height) == entries[a].strip)
-                    visit(i, j);
+                if (meet && stripOf(std::max(s.min[1], t.min[1]), height) == s.strip)
+                    visit(std::min(s.box, t.box), std::max(s.box, t.box));
             }
         }
     }
 
-    static std::int64_t stripOf(int y, std::int64_t height) { return (static_cast<std::int64_t>(y) + Lattice::limit) / height; }
-    std::int64_t stripHeight() const;
-    std::vector<Entry> sortedEntries(std::int64_t height) const;
+    static int stripOf(int y, int height) { return (y + Lattice::limit) / height; }
+    std::array<int, 3> axesByExtent() const;
+    int stripHeight(int axis) const;
+    std::vector<Entry> sortedEntries(const std::array<int, 3>& axes, int height) const;
 
     std::span<const LatticeBox> m_boxes;
     Slot m_first;

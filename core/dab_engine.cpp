@@ -334,7 +334,6 @@ double DabEngine::plan(const Task& task)
 DabEngine::Substep DabEngine::straight(Task& task, DabReport& report)
 {
     const Mesh::Mark mark = m_mesh.mark();
-    MeshEditor edit = plainEditor();
     RemeshCounts counts;
     if (task.steps == 0)
         counts += refineAndPlan(task, plainEditor(), report);
@@ -342,16 +341,8 @@ DabEngine::Substep DabEngine::straight(Task& task, DabReport& report)
         m_mesh.rollback(mark);
         return Substep::Empty;
     }
-    bool inside = false;
-    {
-        const PhaseTimer timer(report.deformMs);
-        inside = displace(task.part());
-    }
-    if (inside) {
-        const PhaseTimer timer(report.optimiseMs);
-        counts += optimise(edit, m_region, task.bounds);
-    }
     m_badVertices.clear();
+    const bool inside = moveAndOptimise(task, counts, report);
     if (!inside || !m_surface.judge(mark)) {
         for (Slot f : inside ? m_surface.badFaces() : std::vector<Slot>())
             m_badVertices.insert(m_badVertices.end(), m_mesh.corners(f).begin(), m_mesh.corners(f).end());
@@ -363,11 +354,27 @@ DabEngine::Substep DabEngine::straight(Task& task, DabReport& report)
     return Substep::Straight;
 }
 
+/// Neither judged nor taken back. False if a vertex would leave the working volume.
+bool DabEngine::moveAndOptimise(const Task& task, RemeshCounts& counts, DabReport& report)
+{
+    {
+        const PhaseTimer timer(report.deformMs);
+        if (!displace(task.part()))
+            return false;
+    }
+    const PhaseTimer timer(report.optimiseMs);
+    MeshEditor edit = plainEditor();
+    counts += optimise(edit, m_region, task.bounds);
+    return true;
+}
+
 DabEngine::Substep DabEngine::careful(Task& task, DabReport& report)
 {
     if (task.steps == 0)
         count(refineAndPlan(task, judgedEditor(), report));
     join(task, report);
+    if (heldBackAsBefore(task, report))
+        return Substep::Careful;
     const bool moved = moveHeldBack(task.part(), report);
     if (!optimiseAtOnce(task, report)) {
         const PhaseTimer timer(report.optimiseMs, m_surface.verifyMs());
@@ -375,6 +382,28 @@ DabEngine::Substep DabEngine::careful(Task& task, DabReport& report)
         count(optimise(edit, m_region, task.bounds));
     }
     return moved ? Substep::Careful : Substep::Stuck;
+}
+
+/// Motion and operations in one transaction: what an earlier sub-step held back is mostly all that had to be.
+bool DabEngine::heldBackAsBefore(const Task& task, DabReport& report)
+{
+    if (!m_held.inUse())
+        return false;
+    m_held.extend(m_region, m_mesh);
+    const double share = shareOfPeak();
+    if (share == 0)
+        return false;
+    const Region::Saved saved = m_region.save();
+    const Mesh::Mark mark = m_mesh.mark();
+    RemeshCounts counts;
+    if (!moveAndOptimise(task, counts, report) || !m_surface.judge(mark)) {
+        m_mesh.rollback(mark);
+        m_region.restore(saved);
+        return false;
+    }
+    count(counts);
+    report.reached += share * task.part() * report.asked;
+    return true;
 }
 
 /// All operations in one transaction: what stopped the straight path was most likely the motion, not one of them.

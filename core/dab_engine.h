@@ -77,6 +77,8 @@ private:
     RemeshCounts refineAndPlan(Task& task, MeshEditor edit, DabReport& report);
     double plan(const Task& task);
     void selectRefined(Region& region, const Sphere& ball);
+    bool moveAndOptimise(const Task& task, RemeshCounts& counts, DabReport& report);
+    bool heldBackAsBefore(const Task& task, DabReport& report);
     bool optimiseAtOnce(Task& task, DabReport& report);
     bool moveHeldBack(double part, DabReport& report);
     bool displace(double part);
