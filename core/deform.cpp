@@ -1,5 +1,8 @@
 #include "deform.h"
 
+#include "parallel.h"
+
+#include <algorithm>
 #include <cassert>
 #include <functional>
 
@@ -9,6 +12,7 @@ namespace
 {
 /// At strength 1 the peak of Pull and Push is this part of the radius.
 constexpr double peakPerRadius = 0.1;
+constexpr std::size_t verticesPerChunk = 1024;
 
 Vec3 neighbourMean(const Mesh& mesh, Slot v)
 {
@@ -87,14 +91,20 @@ double planDeformation(Region& region, const Mesh& mesh, const StrokeSettings& s
     const Field field = fieldOf(settings.tool, region, mesh);
     const bool saturates = settings.tool == Tool::Flatten || settings.tool == Tool::Smooth;
     const double amount = saturates ? std::min(dab.strength, 1.0) : peakPerRadius * dab.radius * dab.strength;
-    double longest2 = 0;
-    region.forEach([&](Slot v) {
-        const double weight = falloff(std::min(region.distance(v) / dab.radius, 1.0), settings.falloff);
-        const Vec3 plan = amount * weight * field(v);
-        region.setPlan(v, plan);
-        longest2 = std::max(longest2, plan.squaredNorm());
+    const std::vector<Slot>& slots = region.slots();
+    std::vector<double> longest2(1 + chunksOf(slots.size(), verticesPerChunk), 0.0);
+    forEachChunk(slots.size(), verticesPerChunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const Slot v = slots[i];
+            if (!region.contains(v))
+                continue;
+            const double weight = falloff(std::min(region.distance(v) / dab.radius, 1.0), settings.falloff);
+            const Vec3 plan = amount * weight * field(v);
+            region.setPlan(v, plan);
+            longest2[chunk] = std::max(longest2[chunk], plan.squaredNorm());
+        }
     });
-    return std::sqrt(longest2);
+    return std::sqrt(*std::ranges::max_element(longest2));
 }
 
 void calmPlan(Region& region, const Mesh& mesh, const std::vector<Slot>& vertices)

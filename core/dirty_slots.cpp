@@ -1,6 +1,7 @@
 #include "dirty_slots.h"
 
 #include "deform.h"
+#include "parallel.h"
 
 #include <algorithm>
 
@@ -10,6 +11,7 @@ namespace
 {
 /// Values in a gap up to this many slots are sent along: fewer, longer spans cost viewers less than the bytes do.
 constexpr Slot vertexGap = 4, faceGap = 8;
+constexpr std::size_t verticesPerChunk = 1024;
 
 std::vector<SlotSpan> spansOf(SparseIndex& dirty, Slot length, Slot gap)
 {
@@ -40,10 +42,16 @@ DrawVertex drawVertex(const Mesh& mesh, Slot v)
 
 void fillValues(MeshPatch& patch, const Mesh& mesh)
 {
+    std::vector<Slot> slots;
     for (const SlotSpan& span : patch.vertexSpans) {
         for (Slot v = span.first; v < span.first + span.count; ++v)
-            patch.vertices.push_back(drawVertex(mesh, v));
+            slots.push_back(v);
     }
+    patch.vertices.resize(slots.size());
+    forEachChunk(slots.size(), verticesPerChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            patch.vertices[i] = drawVertex(mesh, slots[i]);
+    });
     for (const SlotSpan& span : patch.faceSpans) {
         for (Slot f = span.first; f < span.first + span.count; ++f)
             patch.faces.push_back(mesh.corners(f));

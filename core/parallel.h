@@ -1,12 +1,13 @@
 #pragma once
 
+#include "worker_pool.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <exception>
+#include <functional>
 #include <mutex>
-#include <thread>
-#include <vector>
 
 namespace core
 {
@@ -20,6 +21,10 @@ inline std::size_t chunksOf(std::size_t count, std::size_t chunkSize)
 template <typename Work> void forEachChunk(std::size_t count, std::size_t chunkSize, Work work)
 {
     const std::size_t chunks = chunksOf(count, chunkSize);
+    if (chunks == 0)
+        return;
+    if (chunks == 1)
+        return work(std::size_t(0), std::size_t(0), count);
     std::atomic<std::size_t> next{0};
     std::exception_ptr failure;
     std::mutex failureMutex;
@@ -33,13 +38,7 @@ template <typename Work> void forEachChunk(std::size_t count, std::size_t chunkS
             next = chunks;
         }
     };
-    const std::size_t helpers = std::min<std::size_t>(chunks, std::max(1u, std::thread::hardware_concurrency()));
-    {
-        std::vector<std::jthread> threads;
-        for (std::size_t i = 1; i < helpers; ++i)
-            threads.emplace_back(run);
-        run();
-    }
+    WorkerPool::shared().run(std::cref(run), chunks - 1);
     if (failure)
         std::rethrow_exception(failure);
 }

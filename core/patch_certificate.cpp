@@ -1,6 +1,9 @@
 #include "patch_certificate.h"
 
+#include "parallel.h"
+
 #include <algorithm>
+#include <atomic>
 
 namespace core
 {
@@ -8,6 +11,7 @@ namespace
 {
 using Vector = IntegerDirection;
 constexpr double largestComponent = 1023;
+constexpr std::size_t facesPerChunk = 4096;
 
 // Bounds: lattice differences are at most 2^24, a cross product's component 2^49, times 2^10 and three terms: below 2^61.
 
@@ -119,10 +123,17 @@ IntegerDirection integerDirection(const Vec3& v)
 
 bool certifyPatch(std::span<const PatchFace> faces, std::vector<BoundaryEdge>& boundary, const IntegerDirection& direction)
 {
-    for (const PatchFace& f : faces) {
-        if (projectedOrientation(direction, f.points[0], f.points[1], f.points[2]) <= 0)
-            return false;
-    }
+    std::atomic<bool> positive = true;
+    forEachChunk(faces.size(), facesPerChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+        for (const PatchFace& f : faces.subspan(begin, end - begin)) {
+            if (projectedOrientation(direction, f.points[0], f.points[1], f.points[2]) <= 0) {
+                positive = false;
+                return;
+            }
+        }
+    });
+    if (!positive)
+        return false;
     return orderLoop(boundary) && isSimple(boundary, direction);
 }
 

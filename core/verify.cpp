@@ -10,12 +10,19 @@
 #include "verify.h"
 
 #include "box_pairs.h"
+#include "parallel.h"
 #include "shell_probe.h"
 
 #include <algorithm>
 
 namespace core
 {
+namespace
+{
+/// What a core takes at a time: some ten microseconds of work, so that small dabs do not wake the others.
+constexpr std::size_t facesPerChunk = 2048, starsPerChunk = 512;
+} // namespace
+
 VerifyResult Verifier::verify(const Mesh& mesh, const FaceOctree& octree, const TouchedSlots& touched)
 {
     m_result = {};
@@ -58,20 +65,35 @@ void Verifier::gather(const Mesh& mesh, const FaceOctree& octree, const Eigen::A
 {
     m_faces.clear();
     m_box = {};
-    for (Slot f : m_gathered.slots()) {
-        m_faces.push_back(localFace(mesh, f));
-        m_box.extend(m_faces.back().box);
-    }
+    readFaces(mesh, m_gathered.slots());
+    for (const LocalFace& face : m_faces)
+        m_box.extend(face.box);
     if (!before.isEmpty())
         m_box.extend(LatticeBox{mesh.lattice().toLattice(before.min()), mesh.lattice().toLattice(before.max())});
+    m_near.clear();
     octree.query(m_box, [&](Slot f) {
-        if (!mesh.isFace(f) || isDirty(f))
-            return; // the octree knows where they were; where they are is above
-        const LocalFace face = localFace(mesh, f);
-        if (!face.box.meets(m_box))
-            return;
-        m_gathered.add(f);
-        m_faces.push_back(face);
+        if (mesh.isFace(f) && !isDirty(f)) // the octree knows where the dirty ones were; where they are is above
+            m_near.push_back(f);
+    });
+    readFaces(mesh, m_near);
+    std::size_t kept = m_dirtyCount;
+    for (std::size_t i = 0; i < m_near.size(); ++i) {
+        if (!m_faces[m_dirtyCount + i].box.meets(m_box))
+            continue;
+        m_gathered.add(m_near[i]);
+        m_faces[kept++] = m_faces[m_dirtyCount + i];
+    }
+    m_faces.resize(kept);
+}
+
+/// Appends them to m_faces.
+void Verifier::readFaces(const Mesh& mesh, std::span<const Slot> faces)
+{
+    const std::size_t first = m_faces.size();
+    m_faces.resize(first + faces.size());
+    forEachChunk(faces.size(), facesPerChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            m_faces[first + i] = localFace(mesh, faces[i]);
     });
 }
 
@@ -173,26 +195,27 @@ void Verifier::testPairs(const Mesh& mesh, bool neighboursToo)
     m_result.tier = VerifyTier::Stars;
     m_stars.clear();
     m_starCertified.clear();
-    if (neighboursToo) {
-        for (Slot i = 0; i < m_dirtyCount; ++i) {
-            for (Slot v : m_faces[i].shape.corners)
-                starIsCertified(mesh, v);
-        }
-        if (std::ranges::find(m_starCertified, 0) != m_starCertified.end())
-            m_result.tier = VerifyTier::Pairs;
-    }
+    if (neighboursToo && !certifyStars(mesh))
+        m_result.tier = VerifyTier::Pairs;
     std::vector<LatticeBox> boxes(m_faces.size());
     for (std::size_t i = 0; i < boxes.size(); ++i)
         boxes[i] = m_faces[i].box;
     BoxPairs(boxes, m_dirtyCount).forEach([&](Slot i, Slot j) { testPair(i, j, neighboursToo); });
 }
 
-bool Verifier::starIsCertified(const Mesh& mesh, Slot v)
+/// Of all corners of dirty faces. False if one has no certificate.
+bool Verifier::certifyStars(const Mesh& mesh)
 {
-    const Slot position = m_stars.add(v);
-    if (position == m_starCertified.size())
-        m_starCertified.push_back(certifyStar(mesh, v));
-    return m_starCertified[position];
+    for (Slot i = 0; i < m_dirtyCount; ++i) {
+        for (Slot v : m_faces[i].shape.corners)
+            m_stars.add(v);
+    }
+    m_starCertified.resize(m_stars.size());
+    forEachChunk(m_stars.size(), starsPerChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            m_starCertified[i] = certifyStar(mesh, m_stars.slots()[i]);
+    });
+    return std::ranges::find(m_starCertified, 0) == m_starCertified.end();
 }
 
 void Verifier::testPair(Slot i, Slot j, bool neighboursToo)

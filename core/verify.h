@@ -44,18 +44,20 @@ private:
     void findBrokenFaces(const Mesh& mesh);
     bool isLinked(const Mesh& mesh, Slot local) const;
     void gather(const Mesh& mesh, const FaceOctree& octree, const Eigen::AlignedBox3f& before);
+    void readFaces(const Mesh& mesh, std::span<const Slot> faces);
     static LocalFace localFace(const Mesh& mesh, Slot f);
     void floodPatch(const Mesh& mesh);
     bool certifyDirtyPatch();
     void testPairs(const Mesh& mesh, bool neighboursToo);
     void testPair(Slot i, Slot j, bool neighboursToo);
-    bool starIsCertified(const Mesh& mesh, Slot v);
+    bool certifyStars(const Mesh& mesh);
     void checkNesting(const Mesh& mesh, const FaceOctree& octree);
     bool isDirty(Slot f) const { return m_gathered.find(f) < m_dirtyCount; }
 
     VerifyResult m_result;
     SparseIndex m_gathered;           ///< changed faces first, of these the relinked ones first; then all that meet the box
     std::vector<LocalFace> m_faces;   ///< of m_gathered, in its order
+    std::vector<Slot> m_near;         ///< what the octree finds around the change
     Slot m_relinkedCount = 0;
     Slot m_dirtyCount = 0;
     LatticeBox m_box;                 ///< of the change: the dirty faces, and where their vertices were

@@ -6,6 +6,7 @@
 
 #include "core/sculptor.h"
 #include "core/mesh_hash.h"
+#include "core/worker_pool.h"
 #include "tests/support/clay.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solid_asserts.h"
@@ -280,6 +281,7 @@ private Q_SLOTS:
     void pushThroughASlab_withoutFusion_stopsAtContact();
     void fingersPulledTogether_withoutFusion_stopAtContact();
     void surfaceAtContact_withoutFusion_followsAPullAway();
+    void threads_doNotChangeABit();
     void wallOfTheVolume_endsTheDab();
     void dabOnNothing_changesNothing();
     void rayThatMisses_changesNothing();
@@ -404,6 +406,29 @@ void TestSculptor::surfaceAtContact_withoutFusion_followsAPullAway()
     const auto after = sculptor.hit({{0.03, 1, 0.02}, {0, -1, 0}});
     QVERIFY(after && after->position.y() > above->position.y() + 0.02); // 0.04 at the peak
     VERIFY_VALID(sculptor.mesh());
+}
+
+/// Large dabs of each tool, and one that crumples, so that each step of a dab has work for several threads.
+void TestSculptor::threads_doNotChangeABit()
+{
+    const TriangleMesh ball = core::icosphere(6, 1);
+    std::vector<std::uint64_t> hashes;
+    for (const std::size_t threads : {1, 2, 16}) {
+        core::WorkerPool::shared().setThreads(threads);
+        Sculptor sculptor(sculptable(ball));
+        std::uint64_t patches = 0;
+        for (const Tool tool : {Tool::Pull, Tool::Push, Tool::Flatten, Tool::Smooth, Tool::Push}) {
+            const DabReport report = dabOnce(sculptor, {tool, Vec3(0, 0, 1), 0.7, 1, 0.2});
+            QVERIFY(report.touchedVertices > 4096);
+            for (const core::DrawVertex& v : sculptor.takePatch().vertices)
+                patches = patches * 31 + static_cast<std::uint8_t>(v.normal[0]) + static_cast<std::uint8_t>(v.normal[2]);
+        }
+        dabOnce(sculptor, {Tool::Push, Vec3(0, 0, 1), 0.5, 8, 0.3});
+        hashes.push_back(sculptor.mesh().stateHash() + patches);
+    }
+    core::WorkerPool::shared().setThreads(0);
+    QCOMPARE(hashes[1], hashes[0]);
+    QCOMPARE(hashes[2], hashes[0]);
 }
 
 void TestSculptor::wallOfTheVolume_endsTheDab()

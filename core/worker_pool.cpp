@@ -1,0 +1,93 @@
+#include "worker_pool.h"
+
+#include <algorithm>
+
+namespace core
+{
+namespace
+{
+thread_local bool insideOfWork = false;
+} // namespace
+
+WorkerPool& WorkerPool::shared()
+{
+    static WorkerPool pool;
+    return pool;
+}
+
+WorkerPool::~WorkerPool()
+{
+    stop();
+}
+
+void WorkerPool::setThreads(std::size_t threads)
+{
+    const std::lock_guard caller(m_caller);
+    stop();
+    m_threadCount = threads;
+}
+
+void WorkerPool::run(const std::function<void()>& work, std::size_t helpers)
+{
+    if (helpers == 0 || insideOfWork)
+        return work();
+    const std::unique_lock caller(m_caller, std::try_to_lock);
+    if (!caller)
+        return work();
+    start(work, helpers);
+    insideOfWork = true;
+    work();
+    insideOfWork = false;
+    std::unique_lock lock(m_mutex);
+    m_wanted = 0;
+    m_end.wait(lock, [this] { return m_running == 0; });
+    m_work = nullptr;
+}
+
+/// Lets helpers begin.
+void WorkerPool::start(const std::function<void()>& work, std::size_t helpers)
+{
+    if (m_threadCount == 0)
+        m_threadCount = std::max(1u, std::thread::hardware_concurrency());
+    while (m_threads.size() + 1 < m_threadCount)
+        m_threads.emplace_back([this] { serve(); });
+    {
+        const std::lock_guard lock(m_mutex);
+        m_work = &work;
+        m_wanted = std::min(helpers, m_threads.size());
+    }
+    m_begin.notify_all();
+}
+
+void WorkerPool::stop()
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        m_stopping = true;
+    }
+    m_begin.notify_all();
+    for (std::thread& thread : m_threads)
+        thread.join();
+    m_threads.clear();
+    m_stopping = false;
+}
+
+void WorkerPool::serve()
+{
+    insideOfWork = true;
+    std::unique_lock lock(m_mutex);
+    while (true) {
+        m_begin.wait(lock, [this] { return m_stopping || m_wanted > 0; });
+        if (m_stopping)
+            return;
+        --m_wanted;
+        ++m_running;
+        const std::function<void()>& work = *m_work;
+        lock.unlock();
+        work();
+        lock.lock();
+        if (--m_running == 0)
+            m_end.notify_one();
+    }
+}
+} // namespace core
