@@ -30,6 +30,8 @@ constexpr double coneCosine = 0.3827; // cos 67.5 degrees
 constexpr double closingShare = 1 / 1.5;
 /// ... or when the gap is below this part of d_detail and closing.
 constexpr double contactPerDetail = 0.05;
+/// No dab begins two tubes nearer to each other than this, in terms of d_detail: the first one's seam is to get there.
+constexpr double tubeDistance = 4;
 /// Rounds of joining in a sub-step: a guard, the last ones join nothing.
 constexpr int mostRounds = 64;
 /// A neck is cut when the edges around it are shorter than this together, in terms of d.
@@ -51,6 +53,14 @@ std::vector<Slot> cornersOf(const Mesh& mesh, const std::vector<Slot>& faces)
     for (Slot f : faces)
         corners.insert(corners.end(), mesh.corners(f).begin(), mesh.corners(f).end());
     return corners;
+}
+
+/// Those of the vertices that are still there, and the new ones.
+std::vector<Slot> cornersLeft(const Mesh& mesh, std::vector<Slot> vertices, const std::vector<Slot>& created)
+{
+    std::erase_if(vertices, [&](Slot v) { return !mesh.isVertex(v); });
+    vertices.insert(vertices.end(), created.begin(), created.end());
+    return vertices;
 }
 
 bool haveCommonNeighbour(const Mesh& mesh, Slot p, Slot q)
@@ -98,7 +108,7 @@ FusionCounts Fuser::join(JudgedMesh& surface, Region& region, const HeldBack& he
     for (int round = 0; round < mostRounds; ++round) {
         gather(surface, region, thicknessPerDetail * approach.bounds.detail);
         findNear(surface.mesh(), region, held, approach);
-        const std::uint64_t joined = joinNear(surface, region);
+        const std::uint64_t joined = joinNear(surface, region, approach.bounds);
         if (joined == 0)
             break;
         counts.fusions += joined;
@@ -106,7 +116,7 @@ FusionCounts Fuser::join(JudgedMesh& surface, Region& region, const HeldBack& he
     return counts;
 }
 
-std::uint64_t Fuser::joinNear(JudgedMesh& surface, Region& region)
+std::uint64_t Fuser::joinNear(JudgedMesh& surface, Region& region, const EdgeBounds& bounds)
 {
     std::ranges::sort(m_near, [](const Near& a, const Near& b) {
         return std::tie(a.isolated, a.distance2, a.p, a.q) < std::tie(b.isolated, b.distance2, b.p, b.q);
@@ -119,20 +129,34 @@ std::uint64_t Fuser::joinNear(JudgedMesh& surface, Region& region)
             break;
         if (m_done.contains(near.p) || m_done.contains(near.q) || !mayTry(near.p) || !mayTry(near.q))
             continue;
+        const Vec3 middle = 0.5 * (pointOf(mesh, near.p) + pointOf(mesh, near.q));
+        if (near.isolated && isBesideTube(middle, bounds.detail))
+            continue;
         const std::optional<Surgery> surgery = joinStars(mesh, near.p, near.q);
         if (!surgery)
             continue;
         const std::vector<Slot> around = cornersOf(mesh, surgery->removed);
-        if (!operate(surface, region, *surgery)) {
+        const std::optional<std::vector<Slot>> created = operate(surface, region, *surgery);
+        if (!created) {
             countFailure(near.p);
             countFailure(near.q);
             continue;
         }
+        if (!created->empty()) // umbrellas came apart: some may be specks
+            removeSpecks(surface, region, cornersLeft(mesh, around, *created), bounds);
         ++joined;
+        if (near.isolated)
+            m_tubes.push_back(middle);
         for (Slot v : around)
             m_done.add(v);
     }
     return joined;
+}
+
+bool Fuser::isBesideTube(const Vec3& middle, double detail) const
+{
+    const double beside = tubeDistance * detail;
+    return std::ranges::any_of(m_tubes, [&](const Vec3& tube) { return (tube - middle).squaredNorm() < beside * beside; });
 }
 
 void Fuser::countFailure(Slot v)
@@ -275,12 +299,19 @@ bool Fuser::cut(JudgedMesh& surface, Region& region, const VertexPair& edge, con
         if (!surgery)
             return false;
         if (const auto created = operate(surface, region, *surgery)) {
-            for (Slot side : {created->front(), created->back()})
-                removeSpeck(surface, region, side, bounds);
+            removeSpecks(surface, region, {created->front(), created->back()}, bounds);
             return true;
         }
     }
     return false;
+}
+
+void Fuser::removeSpecks(JudgedMesh& surface, Region& region, const std::vector<Slot>& vertices, const EdgeBounds& bounds)
+{
+    for (Slot v : vertices) {
+        if (surface.mesh().isVertex(v)) // else it went with one before
+            removeSpeck(surface, region, v, bounds);
+    }
 }
 
 /// The component of a vertex, if it is small and not all there is. (One that holds another is not sound to remove.)
@@ -289,7 +320,7 @@ bool Fuser::removeSpeck(JudgedMesh& surface, Region& region, Slot vertex, const 
     const Mesh& mesh = surface.mesh();
     Surgery surgery;
     LatticeBox box;
-    SparseIndex& found = m_done;
+    SparseIndex& found = m_component;
     found.clear();
     found.add(mesh.face(mesh.outgoing(vertex)));
     for (std::size_t i = 0; i < found.size(); ++i) {

@@ -32,7 +32,7 @@ class Fuser
 {
 public:
     /// Forgets what could not be joined: a new dab tries again.
-    void beginDab() { m_failed.clear(), m_failures.clear(); }
+    void beginDab() { m_failed.clear(), m_failures.clear(), m_tubes.clear(); }
 
     /// Whether two of the faces that meet the box may face each other: else there is nothing to join. Cheap, and never wrong
     /// when it says no. `faces`: all that meet the box, and perhaps others.
@@ -62,17 +62,21 @@ private:
     bool mayTry(Slot v) const { return !m_failed.contains(v) || m_failures[m_failed.position(v)] < mostFailures; }
     void countFailure(Slot v);
     bool willMeet(Slot i, Slot j, const Mesh& mesh, const Region& region, const HeldBack& held, const Approach& approach) const;
-    std::uint64_t joinNear(JudgedMesh& surface, Region& region);
+    std::uint64_t joinNear(JudgedMesh& surface, Region& region, const EdgeBounds& bounds);
+    bool isBesideTube(const Vec3& middle, double detail) const;
     std::optional<std::vector<Slot>> operate(JudgedMesh& surface, Region& region, const Surgery& surgery);
     bool cut(JudgedMesh& surface, Region& region, const VertexPair& edge, const EdgeBounds& bounds);
+    void removeSpecks(JudgedMesh& surface, Region& region, const std::vector<Slot>& vertices, const EdgeBounds& bounds);
     bool removeSpeck(JudgedMesh& surface, Region& region, Slot vertex, const EdgeBounds& bounds);
 
     SparseIndex m_vertices;      ///< near the region
     std::vector<Vec3> m_points;  ///< by position among them
     std::vector<Vec3> m_normals; ///< unit length, or zero
     std::vector<Near> m_near;
+    std::vector<Vec3> m_tubes;   ///< where this dab began new ones
     SparseIndex m_failed;        ///< vertices of joins that were not sound, in this dab
     std::vector<int> m_failures; ///< how many, by position among them
+    SparseIndex m_component;     ///< faces of the component that is looked at
     SparseIndex m_done;          ///< vertices around what was joined in this pass
 };
 } // namespace core
