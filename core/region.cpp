@@ -40,7 +40,9 @@ void Region::remove(Slot v)
 
 void Region::restore(const Saved& saved)
 {
-    m_index.truncate(saved.slots);
+    m_index.clear();
+    for (Slot v : saved.slots)
+        m_index.add(v);
     m_distance = saved.distance;
     m_plan = saved.plan;
     m_present = saved.present;

@@ -38,13 +38,13 @@ public:
     /// To go back after a sub-step that failed. Cost: the region.
     struct Saved
     {
-        std::size_t slots;
+        std::vector<Slot> slots;
         std::vector<double> distance;
         std::vector<Vec3> plan;
         std::vector<char> present;
         Slot live;
     };
-    Saved save() const { return {m_index.size(), m_distance, m_plan, m_present, m_live}; }
+    Saved save() const { return {m_index.slots(), m_distance, m_plan, m_present, m_live}; }
     void restore(const Saved& saved);
 
     template <class Visit> void forEach(Visit visit) const

@@ -41,8 +41,6 @@ public:
     /// In the order of adding.
     const std::vector<Slot>& slots() const { return m_slots; }
     std::size_t size() const { return m_slots.size(); }
-    /// Forgets what was added after the first `size` slots.
-    void truncate(std::size_t size) { m_slots.resize(size); }
     /// Sorts the slots; positions change with them.
     void sort();
 

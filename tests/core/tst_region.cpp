@@ -152,6 +152,14 @@ void TestRegion::restore_goesBack()
     QCOMPARE(region.size(), 19u);
     QVERIFY(!region.contains(100) && !region.contains(6) && region.contains(9));
     QVERIFY(region.plan(0) == Vec3::Zero() && region.plan(9) == Vec3(3, 0, 0));
+
+    // The ray brush selects anew after refining: then even the order of the slots is another.
+    region.clear();
+    for (Slot v = 200; v > 100; --v)
+        region.add(v, 1);
+    region.restore(saved);
+    QCOMPARE(region.size(), 19u);
+    QVERIFY(!region.contains(150) && region.contains(9) && region.plan(9) == Vec3(3, 0, 0));
 }
 
 void TestRegion::latticeBox_holdsTheBallAndIsClipped()

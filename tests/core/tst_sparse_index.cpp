@@ -26,8 +26,6 @@ void TestSparseIndex::add_tellsThePosition()
     QCOMPARE(index.add(50'000'000), 1u); // past the first capacity
     QCOMPARE(index.add(7), 0u);
     QCOMPARE(index.position(50'000'000), 1u);
-    index.truncate(1);
-    QVERIFY(index.contains(7) && !index.contains(50'000'000));
     index.clear();
     QVERIFY(!index.contains(7));
 }
@@ -39,9 +37,8 @@ void TestSparseIndex::randomUse_agreesWithAMap()
     std::map<Slot, Slot> known;
     for (int i = 0; i < 200'000; ++i) {
         if (engine() % 500 == 0) {
-            const std::size_t keep = engine() % (index.size() + 1);
-            index.truncate(keep);
-            std::erase_if(known, [&](const auto& entry) { return entry.second >= keep; });
+            index.clear();
+            known.clear();
         }
         const Slot slot = static_cast<Slot>(engine() % 1000);
         QCOMPARE(index.contains(slot), known.contains(slot));
