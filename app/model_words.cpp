@@ -57,6 +57,11 @@ ModelWords::Words ModelWords::wordsOf(const core::RemeshUniformly&)
     return {tr("Remesh", "undo step"), tr("Remeshing the model")};
 }
 
+ModelWords::Words ModelWords::wordsOf(const core::Symmetrize&)
+{
+    return {tr("Symmetrize", "undo step"), tr("Making the model symmetric")};
+}
+
 QString ModelWords::nothing(const core::ModelCommand& command)
 {
     return std::holds_alternative<core::RemeshUniformly>(command) ? tr("The mesh is as uniform as that already.")
@@ -83,6 +88,10 @@ QString ModelWords::refusal(const core::ModelChange& change, const QString& inse
         return tr("%1 was not inserted, because one model would lie inside the other; it has to be outside, or in a void.").arg(file);
     case core::ModelRefusal::Touching:
         return tr("%1 was not inserted, because there it would touch the model.").arg(file);
+    case core::ModelRefusal::EmptyHalf:
+        return tr("The model stays as it is, because nothing of it lies on the side that was to be kept.");
+    case core::ModelRefusal::HalvesMeet:
+        return tr("The model stays as it is, because the half and its mirror image would not make one sound surface.");
     case core::ModelRefusal::TooFine:
         return tr("The mesh stays as it is: with edges this short it would need too many triangles (%1).").arg(faces);
     }

@@ -35,5 +35,6 @@ private:
     static Words wordsOf(const core::Insert&);
     static Words wordsOf(const core::Fill&);
     static Words wordsOf(const core::RemeshUniformly&);
+    static Words wordsOf(const core::Symmetrize&);
 };
 } // namespace app

@@ -2,6 +2,7 @@
 
 #include "model_insert.h"
 #include "model_transform.h"
+#include "symmetrize.h"
 #include "uniform_remesh.h"
 
 namespace core
@@ -21,6 +22,11 @@ void edit(Mesh& mesh, const Insert& command, ModelChange& change, const JobWatch
 void edit(Mesh& mesh, const RemeshUniformly& command, ModelChange& change, const JobWatch& watch)
 {
     remeshUniformly(mesh, command, change, watch);
+}
+
+void edit(Mesh& mesh, const Symmetrize& command, ModelChange& change, const JobWatch& watch)
+{
+    symmetrize(mesh, command, change, watch);
 }
 
 void edit(Mesh& mesh, const Fill& command, ModelChange&, const JobWatch&)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "brush.h"
 #include "job_watch.h"
 #include "mesh.h"
 #include "mesh_check.h"
@@ -55,7 +56,15 @@ struct RemeshUniformly
     double detailLength = 0; ///< d_detail; 0: 4/3 of the mean edge
 };
 
-using ModelCommand = std::variant<Move, Rotate, Scale, Mirror, Recentre, Insert, Fill, RemeshUniformly>;
+enum class Half { Positive, Negative };
+/// One half of the model, and its mirror image in place of the other.
+struct Symmetrize
+{
+    Symmetry plane = Symmetry::X; ///< not None
+    Half keep = Half::Positive;   ///< where the coordinate is so
+};
+
+using ModelCommand = std::variant<Move, Rotate, Scale, Mirror, Recentre, Insert, Fill, RemeshUniformly, Symmetrize>;
 
 /// Why the model was left as it is.
 enum class ModelRefusal {
@@ -66,6 +75,8 @@ enum class ModelRefusal {
     Unsound,   ///< the inserted model does not bound a solid: `report` says why
     Inside,    ///< one of the models would lie inside the other
     Touching,  ///< the inserted model would touch the present one
+    EmptyHalf,  ///< nothing of the model lies on that side of the plane
+    HalvesMeet, ///< the half and its image do not make a sound solid: they touch, or meet at `faces` pairs of faces
     TooFine    ///< the mesh would need too many faces (`faces`), or edges that the lattice cannot hold
 };
 

@@ -10,6 +10,7 @@ set(FETTLE_RESOURCE_FILES
     icons/insert.svg
     icons/larger.svg
     icons/mirror.svg
+    icons/symmetrize.svg
     icons/move.svg
     icons/open.svg
     icons/pull.svg

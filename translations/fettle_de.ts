@@ -321,6 +321,15 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Das Modell wird neu vernetzt</translation>
     </message>
     <message>
+        <source>Symmetrize</source>
+        <comment>undo step</comment>
+        <translation>Symmetrisch machen</translation>
+    </message>
+    <message>
+        <source>Making the model symmetric</source>
+        <translation>Das Modell wird symmetrisch gemacht</translation>
+    </message>
+    <message>
         <source>The mesh is as uniform as that already.</source>
         <translation>Das Netz ist schon so gleichmäßig.</translation>
     </message>
@@ -347,6 +356,14 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>%1 was not inserted, because there it would touch the model.</source>
         <translation>%1 wurde nicht eingefügt, weil es dort das Modell berühren würde.</translation>
+    </message>
+    <message>
+        <source>The model stays as it is, because nothing of it lies on the side that was to be kept.</source>
+        <translation>Das Modell bleibt, wie es ist, denn auf der Seite, die bleiben sollte, liegt nichts davon.</translation>
+    </message>
+    <message>
+        <source>The model stays as it is, because the half and its mirror image would not make one sound surface.</source>
+        <translation>Das Modell bleibt, wie es ist, denn die Hälfte und ihr Spiegelbild ergäben keine einwandfreie Fläche.</translation>
     </message>
     <message>
         <source>The mesh stays as it is: with edges this short it would need too many triangles (%1).</source>
@@ -691,6 +708,14 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>Turns the whole model into its mirror image.</source>
         <translation>Macht das ganze Modell zu seinem Spiegelbild.</translation>
+    </message>
+    <message>
+        <source>S&amp;ymmetrize…</source>
+        <translation>S&amp;ymmetrisch machen …</translation>
+    </message>
+    <message>
+        <source>Puts the mirror image of one half of the model in the other&apos;s place.</source>
+        <translation>Setzt an die Stelle einer Hälfte des Modells das Spiegelbild der anderen.</translation>
     </message>
     <message>
         <source>Re&amp;centre</source>
@@ -1089,6 +1114,42 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Mirror</source>
         <translation>Spiegeln</translation>
+    </message>
+    <message>
+        <source>Symmetrize the Model</source>
+        <translation>Modell symmetrisch machen</translation>
+    </message>
+    <message>
+        <source>The mirror goes through the origin. Which half is kept?</source>
+        <translation>Der Spiegel geht durch den Ursprung. Welche Hälfte bleibt?</translation>
+    </message>
+    <message>
+        <source>Right (X above 0)</source>
+        <translation>Rechts (X über 0)</translation>
+    </message>
+    <message>
+        <source>Left (X below 0)</source>
+        <translation>Links (X unter 0)</translation>
+    </message>
+    <message>
+        <source>Top (Y above 0)</source>
+        <translation>Oben (Y über 0)</translation>
+    </message>
+    <message>
+        <source>Bottom (Y below 0)</source>
+        <translation>Unten (Y unter 0)</translation>
+    </message>
+    <message>
+        <source>Front (Z above 0)</source>
+        <translation>Vorn (Z über 0)</translation>
+    </message>
+    <message>
+        <source>Back (Z below 0)</source>
+        <translation>Hinten (Z unter 0)</translation>
+    </message>
+    <message>
+        <source>Symmetrize</source>
+        <translation>Symmetrisch machen</translation>
     </message>
     <message>
         <source>Fill with Colour</source>

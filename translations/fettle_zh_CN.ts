@@ -319,6 +319,15 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>正在重新划分网格</translation>
     </message>
     <message>
+        <source>Symmetrize</source>
+        <comment>undo step</comment>
+        <translation>对称化</translation>
+    </message>
+    <message>
+        <source>Making the model symmetric</source>
+        <translation>正在使模型对称</translation>
+    </message>
+    <message>
         <source>The mesh is as uniform as that already.</source>
         <translation>网格已经这样均匀了。</translation>
     </message>
@@ -345,6 +354,14 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>%1 was not inserted, because there it would touch the model.</source>
         <translation>未插入 %1，因为它在该处会碰到模型。</translation>
+    </message>
+    <message>
+        <source>The model stays as it is, because nothing of it lies on the side that was to be kept.</source>
+        <translation>模型保持不变：要保留的一侧没有模型的任何部分。</translation>
+    </message>
+    <message>
+        <source>The model stays as it is, because the half and its mirror image would not make one sound surface.</source>
+        <translation>模型保持不变：这一半与其镜像不能构成完好的曲面。</translation>
     </message>
     <message>
         <source>The mesh stays as it is: with edges this short it would need too many triangles (%1).</source>
@@ -689,6 +706,14 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>Turns the whole model into its mirror image.</source>
         <translation>将整个模型变为其镜像。</translation>
+    </message>
+    <message>
+        <source>S&amp;ymmetrize…</source>
+        <translation>对称化(&amp;Y)…</translation>
+    </message>
+    <message>
+        <source>Puts the mirror image of one half of the model in the other&apos;s place.</source>
+        <translation>用模型一半的镜像替换另一半。</translation>
     </message>
     <message>
         <source>Re&amp;centre</source>
@@ -1086,6 +1111,42 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Mirror</source>
         <translation>镜像</translation>
+    </message>
+    <message>
+        <source>Symmetrize the Model</source>
+        <translation>使模型对称</translation>
+    </message>
+    <message>
+        <source>The mirror goes through the origin. Which half is kept?</source>
+        <translation>镜面通过原点。保留哪一半？</translation>
+    </message>
+    <message>
+        <source>Right (X above 0)</source>
+        <translation>右（X 大于 0）</translation>
+    </message>
+    <message>
+        <source>Left (X below 0)</source>
+        <translation>左（X 小于 0）</translation>
+    </message>
+    <message>
+        <source>Top (Y above 0)</source>
+        <translation>上（Y 大于 0）</translation>
+    </message>
+    <message>
+        <source>Bottom (Y below 0)</source>
+        <translation>下（Y 小于 0）</translation>
+    </message>
+    <message>
+        <source>Front (Z above 0)</source>
+        <translation>前（Z 大于 0）</translation>
+    </message>
+    <message>
+        <source>Back (Z below 0)</source>
+        <translation>后（Z 小于 0）</translation>
+    </message>
+    <message>
+        <source>Symmetrize</source>
+        <translation>对称化</translation>
     </message>
     <message>
         <source>Fill with Colour</source>

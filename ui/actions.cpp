@@ -49,6 +49,8 @@ constexpr ActionInfo table[] = {
      QT_TRANSLATE_NOOP("ui::Actions", "Makes the whole model larger or smaller."), "", "scale"},
     {MenuId::Model, "model.mirror", QT_TRANSLATE_NOOP("ui::Actions", "M&irror…"),
      QT_TRANSLATE_NOOP("ui::Actions", "Turns the whole model into its mirror image."), "", "mirror"},
+    {MenuId::Model, "model.symmetrize", QT_TRANSLATE_NOOP("ui::Actions", "S&ymmetrize…"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Puts the mirror image of one half of the model in the other's place."), "", "symmetrize"},
     {MenuId::Model, "model.recentre", QT_TRANSLATE_NOOP("ui::Actions", "Re&centre"),
      QT_TRANSLATE_NOOP("ui::Actions", "Puts the middle of the model at the origin."), "", "recentre"},
     {MenuId::Model, "model.insert", QT_TRANSLATE_NOOP("ui::Actions", "I&nsert…"),

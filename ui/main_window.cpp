@@ -170,6 +170,7 @@ void MainWindow::State::connectActions()
     on("model.rotate", [this, request] { askForRotation(q, request); });
     on("model.scale", [this, request] { askForScale(q, model, request); });
     on("model.mirror", [this, request] { askForMirror(q, request); });
+    on("model.symmetrize", [this, request] { askForSymmetry(q, request); });
     on("model.recentre", [request] { request(core::Recentre{}); });
     on("model.insert", [this] { insert(); });
     on("model.fill", [this, request] { askForFill(q, request); });

@@ -206,6 +206,20 @@ void askForMirror(QWidget* parent, const CommandAnswer& answer)
     dialog->ask(ModelDialogs::tr("Mirror"), answer, [sides] { return core::Mirror{sides->checkedId()}; });
 }
 
+void askForSymmetry(QWidget* parent, const CommandAnswer& answer)
+{
+    auto* dialog = new CommandDialog(parent, "symmetryDialog", ModelDialogs::tr("Symmetrize the Model"),
+                                     ModelDialogs::tr("The mirror goes through the origin. Which half is kept?"));
+    const auto* halves = dialog->addChoice({}, {ModelDialogs::tr("Right (X above 0)"), ModelDialogs::tr("Left (X below 0)"),
+                                                ModelDialogs::tr("Top (Y above 0)"), ModelDialogs::tr("Bottom (Y below 0)"),
+                                                ModelDialogs::tr("Front (Z above 0)"), ModelDialogs::tr("Back (Z below 0)")});
+    dialog->ask(ModelDialogs::tr("Symmetrize"), answer, [halves] {
+        constexpr core::Symmetry planes[] = {core::Symmetry::X, core::Symmetry::Y, core::Symmetry::Z};
+        const int choice = halves->checkedId();
+        return core::Symmetrize{planes[choice / 2], choice % 2 == 0 ? core::Half::Positive : core::Half::Negative};
+    });
+}
+
 void askForFill(QWidget* parent, const CommandAnswer& answer)
 {
     const core::Rgb clay;

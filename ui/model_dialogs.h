@@ -18,6 +18,7 @@ void askForMove(QWidget* parent, const CommandAnswer& answer);
 void askForRotation(QWidget* parent, const CommandAnswer& answer);
 void askForScale(QWidget* parent, const ModelFacts& facts, const CommandAnswer& answer);
 void askForMirror(QWidget* parent, const CommandAnswer& answer);
+void askForSymmetry(QWidget* parent, const CommandAnswer& answer);
 void askForFill(QWidget* parent, const CommandAnswer& answer);
 void askForRemesh(QWidget* parent, const ModelFacts& facts, const CommandAnswer& answer);
 

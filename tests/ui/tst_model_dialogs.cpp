@@ -45,6 +45,7 @@ private Q_SLOTS:
     void rotate_turnsAboutTheAxisChosen();
     void scale_boxesFollowEachOther();
     void mirror_givesTheSide();
+    void symmetry_givesPlaneAndHalf();
     void remesh_saysWhatWillBe();
     void remesh_untouchedIsTheDefault();
     void insert_givesThePlace();
@@ -98,6 +99,23 @@ void TestModelDialogs::mirror_givesTheSide()
         asking.in<QRadioButton>("mirrorDialog", qPrintable(QStringLiteral("choice%1").arg(axis)))->setChecked(true);
         asking.dialog("mirrorDialog")->accept();
         QCOMPARE(std::get<Mirror>(asking.command.value()).axis, axis);
+    }
+}
+
+void TestModelDialogs::symmetry_givesPlaneAndHalf()
+{
+    using core::Half;
+    using core::Symmetry;
+    const std::pair<Symmetry, Half> choices[] = {{Symmetry::X, Half::Positive}, {Symmetry::X, Half::Negative},
+                                                 {Symmetry::Y, Half::Positive}, {Symmetry::Y, Half::Negative},
+                                                 {Symmetry::Z, Half::Positive}, {Symmetry::Z, Half::Negative}};
+    for (int i = 0; i < 6; ++i) {
+        Asking asking;
+        ui::askForSymmetry(&asking.window, asking.answer);
+        asking.in<QRadioButton>("symmetryDialog", qPrintable(QStringLiteral("choice%1").arg(i)))->setChecked(true);
+        asking.dialog("symmetryDialog")->accept();
+        const auto command = std::get<core::Symmetrize>(asking.command.value());
+        QVERIFY(command.plane == choices[i].first && command.keep == choices[i].second);
     }
 }
 

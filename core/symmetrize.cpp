@@ -1,0 +1,162 @@
+// One half of the model and its mirror image instead of the whole (as Bishop's Symmetrize in Blender):
+//   1. settle   vertices that lie all but on the plane go onto it, so that no slivers are cut
+//   2. part     edges across the plane get a vertex where they meet it
+//   3. mirror   the faces of the other half go, the images of this half's come     surgery
+//   4. judge    the whole, exactly                                                 mesh_check
+// If that is not sound it is tried once more without step 1.
+
+#include "symmetrize.h"
+
+#include "mesh_build.h"
+#include "mirror_map.h"
+
+#include <algorithm>
+
+namespace core
+{
+namespace
+{
+/// "All but on the plane", in terms of the shortest edge around the vertex.
+constexpr double settledPerEdge = 0.1;
+/// Shares of the time.
+constexpr double afterMirroring = 0.4;
+
+class Symmetrizer
+{
+public:
+    Symmetrizer(Mesh& mesh, const Symmetrize& command)
+        : m_mesh(mesh), m_mirror(mesh), m_side(command.keep == Half::Positive ? 1.0f : -1.0f)
+    {
+        m_mirror.setPlane(command.plane);
+    }
+
+    bool isHalfEmpty() const;
+    void settle();
+    void part();
+    bool mirror();
+
+private:
+    /// Above 0 on the side that is kept.
+    float height(Slot v) const { return m_side * m_mirror.height(v); }
+    double shortestEdge(Slot v) const;
+    bool isKept(const Triangle& t) const;
+    Surgery halfAndImage() const;
+
+    Mesh& m_mesh;
+    MirrorMap m_mirror;
+    float m_side;
+};
+
+bool Symmetrizer::isHalfEmpty() const
+{
+    for (Slot v = 0; v < m_mesh.slots().vertices; ++v) {
+        if (m_mesh.isVertex(v) && height(v) > 0)
+            return false;
+    }
+    return true;
+}
+
+double Symmetrizer::shortestEdge(Slot v) const
+{
+    double shortest = std::numeric_limits<double>::infinity();
+    m_mesh.forEachOutgoing(v, [&](Slot h) {
+        shortest = std::min(shortest, (m_mesh.point(m_mesh.to(h)) - m_mesh.point(v)).cast<double>().norm());
+    });
+    return shortest;
+}
+
+void Symmetrizer::settle()
+{
+    for (Slot v = 0; v < m_mesh.slots().vertices; ++v) {
+        if (!m_mesh.isVertex(v) || m_mirror.isOnPlane(v) || std::abs(height(v)) > settledPerEdge * shortestEdge(v))
+            continue;
+        m_mesh.setPoint(v, m_mirror.kept(m_mesh.point(v), true));
+    }
+}
+
+/// No new edge crosses the plane, so one pass finds all.
+void Symmetrizer::part()
+{
+    const Slot edges = m_mesh.slots().edges;
+    for (Slot e = 0; e < edges; ++e) {
+        if (!m_mesh.isEdge(e))
+            continue;
+        const Slot a = m_mesh.to(2 * e), b = m_mesh.to(2 * e + 1);
+        const double ha = height(a), hb = height(b);
+        if (ha * hb >= 0)
+            continue;
+        const Vec3 p = m_mesh.point(a).cast<double>(), q = m_mesh.point(b).cast<double>();
+        m_mesh.splitEdge(e, m_mirror.kept(m_mesh.lattice().snap(p + ha / (ha - hb) * (q - p)), true));
+    }
+}
+
+/// Faces in the plane are of neither half.
+bool Symmetrizer::isKept(const Triangle& t) const
+{
+    return height(t[0]) > 0 || height(t[1]) > 0 || height(t[2]) > 0;
+}
+
+Surgery Symmetrizer::halfAndImage() const
+{
+    Surgery surgery;
+    std::vector<Slot> images(m_mesh.slots().vertices, noSlot);
+    for (Slot v = 0; v < m_mesh.slots().vertices; ++v) {
+        if (!m_mesh.isVertex(v) || height(v) < 0)
+            continue;
+        if (m_mirror.isOnPlane(v)) {
+            images[v] = v;
+            continue;
+        }
+        images[v] = Surgery::newVertex(surgery.vertices.size());
+        surgery.vertices.push_back({m_mirror.imageOf(m_mesh.point(v)), m_mesh.color(v)});
+        surgery.near = v;
+    }
+    for (Slot f = 0; f < m_mesh.slots().faces; ++f) {
+        if (!m_mesh.isFace(f))
+            continue;
+        const Triangle& t = m_mesh.corners(f);
+        if (isKept(t))
+            surgery.faces.push_back({images[t[0]], images[t[2]], images[t[1]]});
+        else
+            surgery.removed.push_back(f);
+    }
+    return surgery;
+}
+
+/// False if the halves do not make a closed 2-manifold: where the surface only touches the plane.
+bool Symmetrizer::mirror()
+{
+    const Surgery surgery = halfAndImage();
+    if (!isSurgeryOk(m_mesh, surgery))
+        return false;
+    m_mesh.replaceFaces(surgery);
+    return true;
+}
+} // namespace
+
+void symmetrize(Mesh& mesh, const Symmetrize& command, ModelChange& change, const JobWatch& watch)
+{
+    assert(command.plane != Symmetry::None);
+    if (Symmetrizer(mesh, command).isHalfEmpty()) {
+        change.refusal = ModelRefusal::EmptyHalf;
+        return;
+    }
+    const Mesh::Mark mark = mesh.mark();
+    for (const bool settled : {true, false}) {
+        Symmetrizer symmetrizer(mesh, command);
+        if (settled)
+            symmetrizer.settle();
+        symmetrizer.part();
+        const bool closed = symmetrizer.mirror();
+        watch.reached(afterMirroring);
+        const MeshReport report = closed && !watch.stopped() ? checkMesh(extractMesh(mesh), watch.stop) : MeshReport();
+        if (report.printReady())
+            return;
+        change.faces = report.intersections.count + report.degenerateFaces.count;
+        mesh.rollback(mark);
+        if (watch.stopped())
+            return;
+    }
+    change.refusal = ModelRefusal::HalvesMeet;
+}
+} // namespace core
