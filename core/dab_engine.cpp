@@ -30,6 +30,8 @@ constexpr double movePerMinimum = 0.45;
 constexpr double mostSteps = 4096;
 constexpr int mostAttempts = 4 * 4096;
 constexpr double mostVertexMoves = 1 << 21;
+/// A dab whose centre is farther from its image's than this, in radii, does not bring the two into contact.
+constexpr double farthestFromImage = 4;
 constexpr int mostHoldRounds = 64;
 } // namespace
 
@@ -102,14 +104,12 @@ void DabEngine::runMirrored(const StrokeSettings& settings, const Dab& dab, cons
 bool DabEngine::isMirroredIn(BrushShape brush, const Sphere& ball)
 {
     const FaceOctree& octree = m_surface.octree();
-    if (!m_mirror.learn(m_candidates, octree))
-        return false;
-    std::vector<Slot> opposite;
+    std::vector<Slot> faces = m_candidates;
     if (brush == BrushShape::Sphere) { // the other brush follows the surface, and finds there what it found here
         const LatticeBox box = latticeBox(m_mesh.lattice(), {m_mirror.imageOf(ball.center), ball.radius});
-        octree.query(box, [&](Slot f) { opposite.push_back(f); });
+        octree.query(box, [&](Slot f) { faces.push_back(f); });
     }
-    return m_mirror.learn(opposite, octree);
+    return m_mirror.learn(faces, octree);
 }
 
 MeshEditor DabEngine::judgedEditor()
@@ -128,7 +128,7 @@ void DabEngine::sculpt(const StrokeSettings& settings, const Dab& dab, const std
     if (settings.tool == Tool::Paint)
         return paint(settings, dab, report);
     m_held.clear();
-    m_fuser.beginDab();
+    m_fuser.beginDab(mirror());
     m_blocked.clear();
     m_capped = false;
     Task task = {settings, dab, boundsFor(settings, dab)};
@@ -485,6 +485,8 @@ double DabEngine::shareOfPeak() const
 bool DabEngine::facesMeet(const StrokeSettings& settings, const Sphere& ball)
 {
     const LatticeBox box = latticeBox(m_mesh.lattice(), ball);
+    if (m_mirror.isOn() && (m_mirror.imageOf(ball.center) - ball.center).norm() < farthestFromImage * ball.radius)
+        return true; // the image may be all that there is to meet
     if (settings.brush == BrushShape::Sphere)
         return Fuser::mayMeet(m_mesh, m_region, m_candidates, box);
     std::vector<Slot> near;
@@ -495,7 +497,7 @@ bool DabEngine::facesMeet(const StrokeSettings& settings, const Sphere& ball)
 /// Before the motion of a sub-step that is to come.
 bool DabEngine::join(Task& task, DabReport& report)
 {
-    if (!task.joins || m_mirror.isOn()) // surfaces of a mirrored dab stop at contact
+    if (!task.joins)
         return false;
     const PhaseTimer timer(report.fuseMs, m_surface.verifyMs());
     if (m_held.inUse())
@@ -509,7 +511,7 @@ bool DabEngine::join(Task& task, DabReport& report)
 
 void DabEngine::separate(Task& task, DabReport& report)
 {
-    if (!task.settings.fusion || m_blocked.empty() || m_mirror.isOn())
+    if (!task.settings.fusion || m_blocked.empty())
         return;
     const PhaseTimer timer(report.fuseMs, m_surface.verifyMs());
     m_totals.separations += m_fuser.separate(m_surface, m_region, m_blocked, task.bounds).separations;

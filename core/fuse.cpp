@@ -11,6 +11,7 @@
 
 #include "deform.h"
 #include "join.h"
+#include "mirror_surgery.h"
 #include "proximity_grid.h"
 
 #include <algorithm>
@@ -108,6 +109,8 @@ FusionCounts Fuser::join(JudgedMesh& surface, Region& region, const HeldBack& he
     for (int round = 0; round < mostRounds; ++round) {
         gather(surface, region, thicknessPerDetail * approach.bounds.detail);
         findNear(surface.mesh(), region, held, approach);
+        if (m_mirror)
+            keepToSeams(surface.mesh());
         const std::uint64_t joined = joinNear(surface, region, approach.bounds);
         if (joined == 0)
             break;
@@ -132,7 +135,7 @@ std::uint64_t Fuser::joinNear(JudgedMesh& surface, Region& region, const EdgeBou
         const Vec3 middle = 0.5 * (pointOf(mesh, near.p) + pointOf(mesh, near.q));
         if (near.isolated && isBesideTube(middle, bounds.detail))
             continue;
-        const std::optional<Surgery> surgery = joinStars(mesh, near.p, near.q);
+        const std::optional<Surgery> surgery = joining(surface, near);
         if (!surgery)
             continue;
         const std::vector<Slot> around = cornersOf(mesh, surgery->removed);
@@ -157,6 +160,31 @@ bool Fuser::isBesideTube(const Vec3& middle, double detail) const
 {
     const double beside = tubeDistance * detail;
     return std::ranges::any_of(m_tubes, [&](const Vec3& tube) { return (tube - middle).squaredNorm() < beside * beside; });
+}
+
+std::optional<Surgery> Fuser::joining(const JudgedMesh& surface, const Near& near)
+{
+    const Mesh& mesh = surface.mesh();
+    if (!m_mirror)
+        return joinStars(mesh, near.p, near.q);
+    const bool pOnPlane = m_mirror->isOnPlane(near.p), qOnPlane = m_mirror->isOnPlane(near.q);
+    if (!m_mirror->isInHalf(near.p) || !m_mirror->isInHalf(near.q))
+        return completed(surface, joinAcross(mesh, *m_mirror, m_mirror->isInHalf(near.p) ? near.p : near.q));
+    if (pOnPlane && qOnPlane)
+        return completed(surface, joinOnPlane(mesh, *m_mirror, near.p, near.q));
+    if (pOnPlane || qOnPlane)
+        return std::nullopt; // with the image three stars; a neighbour on the plane is near, too
+    return completed(surface, joinStars(mesh, near.p, near.q));
+}
+
+/// With a mirror: together with its image.
+std::optional<Surgery> Fuser::completed(const JudgedMesh& surface, const std::optional<Surgery>& half)
+{
+    if (!half || !m_mirror)
+        return half;
+    if (!m_mirror->learn(half->removed, surface.octree()))
+        return std::nullopt;
+    return withImage(surface.mesh(), *m_mirror, *half);
 }
 
 void Fuser::countFailure(Slot v)
@@ -206,13 +234,48 @@ void Fuser::findNear(const Mesh& mesh, const Region& region, const HeldBack& hel
             continue;
         grid.forEachNear(m_points[i], [&](Slot j) {
             const Slot other = m_vertices.slots()[j];
-            if (i == j || (j < i && region.contains(other))) // met from the other side already
+            if (i == j || (j < i && region.contains(other)) || !isNamed(v, other)) // the second: met from the other side
                 return;
             const double distance2 = (m_points[j] - m_points[i]).squaredNorm();
             if (distance2 < reach2 && willMeet(i, j, mesh, region, held, approach))
                 m_near.push_back({!haveCommonNeighbour(mesh, v, other), distance2, std::min(v, other), std::max(v, other)});
         });
     }
+}
+
+/// A patch that meets its own image does so everywhere at once. Where it has reached the plane it grows from there: a new tube
+/// beside that would leave a hole in between.
+void Fuser::keepToSeams(const Mesh& mesh)
+{
+    const auto meetsImage = [&](const Near& near) { return !m_mirror->isInHalf(near.p) || !m_mirror->isInHalf(near.q); };
+    SparseIndex meeting, grown; // vertices of the half
+    for (const Near& near : m_near) {
+        if (meetsImage(near))
+            meeting.add(m_mirror->isInHalf(near.p) ? near.p : near.q);
+    }
+    for (Slot v : meeting.slots()) {
+        mesh.forEachOutgoing(v, [&](Slot h) {
+            mesh.forEachOutgoing(mesh.to(h), [&](Slot g) {
+                if (m_mirror->isOnPlane(mesh.to(g)))
+                    grown.add(v);
+            });
+        });
+    }
+    for (std::size_t i = 0; i < grown.size(); ++i) {
+        mesh.forEachOutgoing(grown.slots()[i], [&](Slot h) {
+            if (meeting.contains(mesh.to(h)))
+                grown.add(mesh.to(h));
+        });
+    }
+    std::erase_if(m_near, [&](const Near& near) {
+        return near.isolated && meetsImage(near) && (grown.contains(near.p) || grown.contains(near.q));
+    });
+}
+
+/// In a mirror a vertex of the half may join another of it, or its own image.
+bool Fuser::isNamed(Slot v, Slot other)
+{
+    return !m_mirror || m_mirror->isInHalf(other) || m_mirror->imageOf(v) == other;
 }
 
 bool Fuser::willMeet(Slot i, Slot j, const Mesh& mesh, const Region& region, const HeldBack& held,
@@ -230,10 +293,23 @@ bool Fuser::willMeet(Slot i, Slot j, const Mesh& mesh, const Region& region, con
         return region.contains(v) ? Vec3(approach.part * held.share(region, v) * region.plan(v)) : Vec3::Zero();
     };
     const Slot v = m_vertices.slots()[i], other = m_vertices.slots()[j];
+    const bool isImage = m_mirror && !m_mirror->isInHalf(other);
+    const Vec3 otherMotion = isImage ? m_mirror->imageOf(motion(v)) : motion(other);
     const Vec3 axis = unit(meetOutside ? n - m : m - n);
-    const double gap = between.dot(axis), closing = (motion(v) - motion(other)).dot(axis);
+    const double gap = between.dot(axis), closing = (motion(v) - otherMotion).dot(axis);
     return closing > 0 && (closingShare * gap <= closing || gap <= contactPerDetail * approach.bounds.detail) &&
            mesh.findHalfedge(v, other) == noSlot;
+}
+
+/// Of what came, with the mirror.
+void Fuser::pairUp(const Mesh& mesh, const std::vector<Slot>& created)
+{
+    for (Slot v : created) {
+        for (Slot w : created) {
+            if (mesh.point(w) == m_mirror->imageOf(mesh.point(v)))
+                m_mirror->pair(v, w);
+        }
+    }
 }
 
 /// Does the surgery if it is sound, and returns the vertices that came. Those that went leave the region; copies join it
@@ -247,9 +323,11 @@ std::optional<std::vector<Slot>> Fuser::operate(JudgedMesh& surface, Region& reg
         return std::nullopt;
     for (std::size_t i = 0; i < created.size(); ++i) {
         const Slot original = surgery.vertices[i].original;
-        if (region.contains(original))
+        if (region.contains(original) && (!m_mirror || m_mirror->isInHalf(created[i])))
             region.add(created[i], region.distance(original), region.plan(original));
     }
+    if (m_mirror)
+        pairUp(mesh, created);
     for (Slot v : before) {
         if (!mesh.isVertex(v) && region.contains(v))
             region.remove(v);
@@ -270,6 +348,17 @@ FusionCounts Fuser::separate(JudgedMesh& surface, Region& region, const std::vec
         counts.separations += cut(surface, region, edge, bounds) || removeSpeck(surface, region, edge[0], bounds);
     }
     return counts;
+}
+
+/// And no face around it reaches across.
+bool Fuser::isOnPlane(const Mesh& mesh, const Triangle& cycle) const
+{
+    bool clear = true;
+    for (Slot v : cycle) {
+        clear = clear && m_mirror->isOnPlane(v);
+        mesh.forEachOutgoing(v, [&](Slot h) { clear = clear && !m_mirror->isAcross(mesh.next(h) / 2); });
+    }
+    return clear;
 }
 
 /// Through the shortest cycle of three edges that holds this one and is no face.
@@ -294,12 +383,15 @@ bool Fuser::cut(JudgedMesh& surface, Region& region, const VertexPair& edge, con
     });
     if (third == noSlot)
         return false;
+    const Triangle cycle = {a, b, third};
     for (double gap : neckGaps) {
-        const std::optional<Surgery> surgery = cutNeck(mesh, {a, b, third}, gap * bounds.minimum);
+        const std::optional<Surgery> neck = cutNeck(mesh, cycle, gap * bounds.minimum);
+        const bool isOwnImage = m_mirror && isOnPlane(mesh, cycle);
+        const std::optional<Surgery> surgery = isOwnImage ? neck : completed(surface, neck);
         if (!surgery)
             return false;
         if (const auto created = operate(surface, region, *surgery)) {
-            removeSpecks(surface, region, {created->front(), created->back()}, bounds);
+            removeSpecks(surface, region, {(*created)[0], (*created)[3]}, bounds); // a copy of the cycle's vertex on each side
             return true;
         }
     }
@@ -334,10 +426,11 @@ bool Fuser::removeSpeck(JudgedMesh& surface, Region& region, Slot vertex, const 
     }
     const double size = (box.max - box.min).cast<double>().maxCoeff() * mesh.lattice().unit();
     const double most = found.size() < fewFaces ? crumbSize : speckSize;
-    if (found.size() == mesh.live().faces || size > most * bounds.minimum)
+    if (size > most * bounds.minimum)
         return false;
     surgery.removed = found.slots();
     surgery.near = vertex;
-    return operate(surface, region, surgery).has_value();
+    const std::optional<Surgery> removal = completed(surface, surgery);
+    return removal && removal->removed.size() < mesh.live().faces && operate(surface, region, *removal).has_value();
 }
 } // namespace core

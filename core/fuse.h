@@ -2,6 +2,7 @@
 
 #include "held_back.h"
 #include "judged_mesh.h"
+#include "mirror_map.h"
 #include "remesh.h"
 
 namespace core
@@ -31,8 +32,15 @@ struct Approach
 class Fuser
 {
 public:
-    /// Forgets what could not be joined: a new dab tries again.
-    void beginDab() { m_failed.clear(), m_failures.clear(), m_tubes.clear(); }
+    /// Forgets what could not be joined: a new dab tries again. With a mirror (or none: null) all that follows is done to the
+    /// half, together with its image; the regions are of the half.
+    void beginDab(MirrorMap* mirror)
+    {
+        m_mirror = mirror;
+        m_failed.clear();
+        m_failures.clear();
+        m_tubes.clear();
+    }
 
     /// Whether two of the faces that meet the box may face each other: else there is nothing to join. Cheap, and never wrong
     /// when it says no. `faces`: all that meet the box, and perhaps others.
@@ -62,13 +70,20 @@ private:
     bool mayTry(Slot v) const { return !m_failed.contains(v) || m_failures[m_failed.position(v)] < mostFailures; }
     void countFailure(Slot v);
     bool willMeet(Slot i, Slot j, const Mesh& mesh, const Region& region, const HeldBack& held, const Approach& approach) const;
+    bool isNamed(Slot v, Slot other);
+    void keepToSeams(const Mesh& mesh);
+    std::optional<Surgery> joining(const JudgedMesh& surface, const Near& near);
+    std::optional<Surgery> completed(const JudgedMesh& surface, const std::optional<Surgery>& half);
     std::uint64_t joinNear(JudgedMesh& surface, Region& region, const EdgeBounds& bounds);
     bool isBesideTube(const Vec3& middle, double detail) const;
     std::optional<std::vector<Slot>> operate(JudgedMesh& surface, Region& region, const Surgery& surgery);
+    void pairUp(const Mesh& mesh, const std::vector<Slot>& created);
+    bool isOnPlane(const Mesh& mesh, const Triangle& cycle) const;
     bool cut(JudgedMesh& surface, Region& region, const VertexPair& edge, const EdgeBounds& bounds);
     void removeSpecks(JudgedMesh& surface, Region& region, const std::vector<Slot>& vertices, const EdgeBounds& bounds);
     bool removeSpeck(JudgedMesh& surface, Region& region, Slot vertex, const EdgeBounds& bounds);
 
+    MirrorMap* m_mirror = nullptr;
     SparseIndex m_vertices;      ///< near the region
     std::vector<Vec3> m_points;  ///< by position among them
     std::vector<Vec3> m_normals; ///< unit length, or zero

@@ -95,7 +95,7 @@ Slot MirrorMap::imageOfHalfedge(Slot h)
     return from == noSlot || to == noSlot ? noSlot : m_mesh.findHalfedge(from, to);
 }
 
-/// Or noSlot. A mirror turns the order of the corners about.
+/// A mirror turns the order of the corners about.
 Slot MirrorMap::imageOfFace(Slot f)
 {
     const Triangle& t = m_mesh.corners(f);
@@ -105,6 +105,7 @@ Slot MirrorMap::imageOfFace(Slot f)
 
 bool MirrorMap::learn(std::span<const Slot> faces, const FaceOctree& octree)
 {
+    m_faces.clear();
     for (Slot f : faces) {
         if (m_faces.contains(f))
             continue;

@@ -28,7 +28,8 @@ public:
     template <class Vector> Vector folded(const Vector& p) const { return p[m_axis] < 0 ? imageOf(p) : p; }
 
     /// Signed distance from the plane.
-    float height(Slot v) const { return m_mesh.point(v)[m_axis]; }
+    float height(const Vec3f& p) const { return p[m_axis]; }
+    float height(Slot v) const { return height(m_mesh.point(v)); }
     bool isOnPlane(Slot v) const { return height(v) == 0; }
     bool isInHalf(Slot v) const { return height(v) >= 0; }
     /// The ends of the edge are each other's image.
@@ -40,10 +41,12 @@ public:
     Slot imageOf(Slot v);
     /// The half-edge that runs from the image of h's start to that of its end, or noSlot. On the plane h, across it h^1.
     Slot imageOfHalfedge(Slot h);
+    /// Or noSlot.
+    Slot imageOfFace(Slot f);
     void pair(Slot v, Slot image);
 
     /// Whether each of these faces has an image, face for face and bit for bit. Learns the images of their corners.
-    /// Precondition: the octree is up to date. Cost: the faces that were not learnt before.
+    /// Precondition: the octree is up to date. Cost: the faces.
     bool learn(std::span<const Slot> faces, const FaceOctree& octree);
 
     /// Where p is allowed: a vertex on the plane stays on it, another stays at least one lattice unit off it, on its side.
@@ -53,7 +56,6 @@ private:
     Slot known(Slot v) const;
     Slot nextToNeighbour(Slot v) const;
     bool lookUp(Slot v, const FaceOctree& octree);
-    Slot imageOfFace(Slot f);
 
     const Mesh& m_mesh;
     int m_axis = -1;

@@ -2,6 +2,7 @@
 //
 // FETTLE_SEED=n: another seed. FETTLE_DABS=n: another number of dabs of each shape and plane.
 
+#include "core/model_command.h"
 #include "core/sculptor.h"
 #include "tests/support/clay.h"
 #include "tests/support/mirror_asserts.h"
@@ -32,7 +33,7 @@ Q_DECLARE_METATYPE(core::TriangleMesh)
 
 namespace
 {
-constexpr Slot mostFaces = 10'000;
+constexpr Slot leastFaces = 12, mostFaces = 10'000; ///< a run whose mesh is smaller or larger ends
 
 #if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 constexpr std::uint64_t usualDabs = 60;
@@ -47,9 +48,17 @@ std::uint64_t numberFromEnvironment(const char* name, std::uint64_t otherwise)
     return isNumber ? value : otherwise;
 }
 
+core::TriangleMesh symmetrized(const core::TriangleMesh& shape, Symmetry plane)
+{
+    const auto mesh = sculptable(shape);
+    core::ModelChange change = tryOn(*mesh, core::Symmetrize{plane});
+    mesh->swap(change.delta);
+    return mesh_asserts::surfaceOf(*mesh);
+}
+
 struct Tally
 {
-    std::uint64_t dabs = 0, careful = 0, endedEarly = 0, empty = 0, whole = 0;
+    std::uint64_t dabs = 0, careful = 0, endedEarly = 0, empty = 0, whole = 0, fusions = 0, separations = 0;
 
     void add(const DabReport& report)
     {
@@ -63,7 +72,8 @@ struct Tally
     void print() const
     {
         std::cout << dabs << " dabs: " << careful << " careful, " << endedEarly << " ended early, " << empty << " empty, "
-                  << whole << " reached 95 % of what was asked" << std::endl;
+                  << whole << " reached 95 % of what was asked; " << fusions << " fusions, " << separations << " separations"
+                  << std::endl;
     }
 };
 
@@ -80,7 +90,8 @@ public:
     {
         checkSymmetry();
         const std::uint64_t start = m_sculptor.mesh().stateHash(), end = tally.dabs + dabs;
-        while (tally.dabs < end && m_sculptor.mesh().live().faces < mostFaces && m_problem.empty()) {
+        const auto faces = [&] { return m_sculptor.mesh().live().faces; };
+        while (tally.dabs < end && faces() >= leastFaces && faces() < mostFaces && m_problem.empty()) {
             sculpt(tally);
             if (m_fuzzer.below(8) == 0) {
                 m_sculptor.swap(m_history.back());
@@ -91,6 +102,8 @@ public:
         if (m_problem.empty())
             fail(mesh_asserts::unsoundness(m_sculptor.mesh()));
         walkHistory(start);
+        tally.fusions += m_sculptor.totals().fusions;
+        tally.separations += m_sculptor.totals().separations;
     }
 
     const std::string& problem() const { return m_problem; }
@@ -163,6 +176,10 @@ private Q_SLOTS:
     void addedSphere_comesWithItsImage();
     void addedSphere_onThePlane_isItsOwnImage();
     void addedSphere_touchingItsImageIsRefused();
+    void fingers_joinAcrossThePlane();
+    void fingers_joinAlongThePlane();
+    void wall_isPiercedAtThePlane();
+    void neck_partsAtThePlane();
 };
 
 void TestMirrorMap::randomStrokes_keepTheSymmetry_data()
@@ -176,6 +193,9 @@ void TestMirrorMap::randomStrokes_keepTheSymmetry_data()
         row("sphere") << core::icosphere(3, 1) << plane;
         row("icosahedron") << core::icosphere(0, 1) << plane; // with edges across the plane
         row("two fingers") << clay::twoFingers(0.01) << plane;
+        row("torus") << symmetrized(shapes::torus(), plane) << plane;
+        row("slab") << symmetrized(clay::slab(2, 0.05, 12), plane) << plane;
+        row("bowl") << symmetrized(clay::bowl(), plane) << plane;
     }
 }
 
@@ -369,6 +389,63 @@ void TestMirrorMap::addedSphere_touchingItsImageIsRefused()
     const DabReport report = dabOnce(*sculptor, settings, {0.31, 0.3, 1.9});
     QVERIFY(report.outcome == DabOutcome::Refused && report.refusal == core::Refusal::TooClose);
     QCOMPARE(sculptor->mesh().stateHash(), before);
+}
+
+namespace
+{
+/// Dabs until the genus or the number of parts has changed, but not more than `most`. Returns the Euler number.
+std::int64_t sculptUntilChanged(Sculptor& sculptor, const StrokeSettings& settings, const std::vector<Vec3>& path, int most)
+{
+    const std::int64_t before = mesh_asserts::eulerNumber(sculptor.mesh());
+    for (int i = 0; i < most && mesh_asserts::eulerNumber(sculptor.mesh()) == before; ++i)
+        dabOnce(sculptor, settings, path[static_cast<std::size_t>(i) % path.size()]);
+    return mesh_asserts::eulerNumber(sculptor.mesh());
+}
+} // namespace
+
+void TestMirrorMap::fingers_joinAcrossThePlane()
+{
+    Sculptor sculptor(sculptable(clay::twoFingers(0.1))); // side by side in x
+    StrokeSettings settings = settingsFor(Tool::Pull, 0.15);
+    settings.place = core::Placement::Nearest;
+    QCOMPARE(sculptUntilChanged(sculptor, settings, {{0.05, 0, 0}}, 40), 2); // two balls are one
+    VERIFY_SYMMETRIC(sculptor.mesh(), Symmetry::X);
+    VERIFY_VALID(sculptor.mesh());
+    QVERIFY(sculptor.totals().fusions > 0);
+}
+
+void TestMirrorMap::fingers_joinAlongThePlane()
+{
+    Sculptor sculptor(sculptable(clay::twoFingers(0.1)));
+    StrokeSettings settings = settingsFor(Tool::Pull, 0.15);
+    settings.symmetry = Symmetry::Z; // through both
+    settings.place = core::Placement::Nearest;
+    QCOMPARE(sculptUntilChanged(sculptor, settings, {{-0.05, 0, 0}, {0.05, 0, 0}}, 40), 2);
+    VERIFY_SYMMETRIC(sculptor.mesh(), Symmetry::Z);
+    VERIFY_VALID(sculptor.mesh());
+}
+
+void TestMirrorMap::wall_isPiercedAtThePlane()
+{
+    Sculptor sculptor(sculptable(symmetrized(clay::slab(1, 0.1, 16), Symmetry::Y))); // lies in the plane
+    StrokeSettings settings = settingsFor(Tool::Push, 0.2);
+    settings.symmetry = Symmetry::Y;
+    settings.place = core::Placement::Nearest;
+    QCOMPARE(sculptUntilChanged(sculptor, settings, {{0, 0.05, 0}}, 60), 0); // a ring
+    VERIFY_SYMMETRIC(sculptor.mesh(), Symmetry::Y);
+    VERIFY_VALID(sculptor.mesh());
+}
+
+void TestMirrorMap::neck_partsAtThePlane()
+{
+    const std::vector<Vec3> profile = {{0, -1, 0}, {0.5, -0.9, 0}, {0.6, -0.6, 0}, {0.25, -0.2, 0}, {0.12, 0, 0},
+                                       {0.25, 0.2, 0}, {0.6, 0.6, 0}, {0.5, 0.9, 0}, {0, 1, 0}};
+    Sculptor sculptor(sculptable(symmetrized(clay::revolved(profile, 24), Symmetry::Y))); // an hourglass
+    StrokeSettings settings = settingsFor(Tool::Push, 0.25);
+    settings.symmetry = Symmetry::Y;
+    QCOMPARE(sculptUntilChanged(sculptor, settings, {{0.12, 0, 0}, {-0.06, 0, 0.1}, {-0.06, 0, -0.1}}, 60), 4); // two parts
+    VERIFY_SYMMETRIC(sculptor.mesh(), Symmetry::Y);
+    VERIFY_VALID(sculptor.mesh());
 }
 
 QTEST_GUILESS_MAIN(TestMirrorMap)

@@ -1,0 +1,47 @@
+#include "ring_zip.h"
+
+namespace core
+{
+Ring arc(const Ring& ring, std::size_t first, std::size_t last)
+{
+    Ring part = {ring[first]};
+    for (std::size_t i = (first + 1) % ring.size();; i = (i + 1) % ring.size()) {
+        part.push_back(ring[i]);
+        if (i == last)
+            return part;
+    }
+}
+
+void Zip::betweenCommonEnds()
+{
+    const std::size_t n = m_a.size() - 1, m = m_b.size() - 1;
+    if (n == 1 && m == 1)
+        return; // one edge, that both stars leave behind
+    if (n == 1) {
+        for (std::size_t j = 1; j < m; ++j)
+            m_faces.push_back({m_b[j + 1], m_b[j], m_a[0]});
+    } else if (m == 1) {
+        for (std::size_t i = 1; i < n; ++i)
+            m_faces.push_back({m_a[i], m_a[i + 1], m_a[0]});
+    } else {
+        m_faces.push_back({m_a[0], m_a[1], m_b[1]});
+        diffuse(1, 1, n - 1, m - 1);
+        m_faces.push_back({m_a[n - 1], m_a[n], m_b[m - 1]});
+    }
+}
+
+/// From (i, j) to (n, m): the side that has come less far, as a share of its length, goes on.
+void Zip::diffuse(std::size_t i, std::size_t j, std::size_t n, std::size_t m)
+{
+    const std::size_t i0 = i, j0 = j;
+    while (i < n || j < m) {
+        if (j == m || (i < n && (i + 1 - i0) * (m - j0) <= (j + 1 - j0) * (n - i0))) {
+            m_faces.push_back({m_a[i], m_a[i + 1], m_b[j]});
+            ++i;
+        } else {
+            m_faces.push_back({m_b[j + 1], m_b[j], m_a[i]});
+            ++j;
+        }
+    }
+}
+} // namespace core
