@@ -423,7 +423,10 @@ void Remesher::moveTo(const std::function<Vec3(Slot)>& place)
 
 void Remesher::moveVertex(Slot v, const Vec3& place)
 {
-    const Vec3f target = m_edit.kept(v, m_mesh.lattice().snap(place));
+    const Lattice& lattice = m_mesh.lattice();
+    if (!lattice.contains(place))
+        return; // along the surface, but past the wall of the volume
+    const Vec3f target = m_edit.kept(v, lattice.snap(place));
     if (staysSound(v, noSlot, target.cast<double>(), relaxLimits()))
         m_edit.move(v, target);
 }
