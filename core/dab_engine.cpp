@@ -104,11 +104,18 @@ void DabEngine::runMirrored(const StrokeSettings& settings, const Dab& dab, cons
 bool DabEngine::isMirroredIn(BrushShape brush, const Sphere& ball)
 {
     const FaceOctree& octree = m_surface.octree();
-    std::vector<Slot> faces = m_candidates;
-    if (brush == BrushShape::Sphere) { // the other brush follows the surface, and finds there what it found here
-        const LatticeBox box = latticeBox(m_mesh.lattice(), {m_mirror.imageOf(ball.center), ball.radius});
-        octree.query(box, [&](Slot f) { faces.push_back(f); });
-    }
+    if (brush == BrushShape::Ray) // it follows the surface, and finds on the other side what it found here
+        return m_mirror.learn(m_candidates, octree);
+    std::vector<Slot> faces;
+    const auto addIfIn = [&](const LatticeBox& box, Slot f) {
+        if (boxOf(m_mesh, f).meets(box))
+            faces.push_back(f);
+    };
+    const LatticeBox here = latticeBox(m_mesh.lattice(), ball);
+    for (Slot f : m_candidates)
+        addIfIn(here, f);
+    const LatticeBox there = latticeBox(m_mesh.lattice(), {m_mirror.imageOf(ball.center), ball.radius});
+    octree.query(there, [&](Slot f) { addIfIn(there, f); });
     return m_mirror.learn(faces, octree);
 }
 

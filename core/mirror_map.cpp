@@ -103,22 +103,44 @@ Slot MirrorMap::imageOfFace(Slot f)
     return h != noSlot && m_mesh.to(m_mesh.next(h)) == imageOf(t[2]) ? m_mesh.face(h) : noSlot;
 }
 
+/// From each face to its neighbours: then all but the first vertex of a component are found next to a neighbour's image.
 bool MirrorMap::learn(std::span<const Slot> faces, const FaceOctree& octree)
 {
+    m_wanted.clear();
     m_faces.clear();
-    for (Slot f : faces) {
-        if (m_faces.contains(f))
-            continue;
-        for (Slot v : m_mesh.corners(f)) {
-            if (imageOf(v) == noSlot && !lookUp(v, octree))
+    for (Slot f : faces)
+        m_wanted.add(f);
+    std::vector<Slot> front;
+    for (Slot first : faces) {
+        front.push_back(first);
+        while (!front.empty()) {
+            const Slot f = front.back();
+            front.pop_back();
+            if (m_faces.contains(f))
+                continue;
+            if (!learnFace(f, octree))
                 return false;
+            Slot h = m_mesh.faceHalfedge(f);
+            for (int i = 0; i < 3; ++i, h = m_mesh.next(h)) {
+                if (m_wanted.contains(m_mesh.face(h ^ 1)))
+                    front.push_back(m_mesh.face(h ^ 1));
+            }
         }
-        const Slot image = imageOfFace(f);
-        if (image == noSlot)
-            return false;
-        m_faces.add(f);
-        m_faces.add(image);
     }
+    return true;
+}
+
+bool MirrorMap::learnFace(Slot f, const FaceOctree& octree)
+{
+    for (Slot v : m_mesh.corners(f)) {
+        if (imageOf(v) == noSlot && !lookUp(v, octree))
+            return false;
+    }
+    const Slot image = imageOfFace(f);
+    if (image == noSlot)
+        return false;
+    m_faces.add(f);
+    m_faces.add(image);
     return true;
 }
 

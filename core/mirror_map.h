@@ -55,11 +55,13 @@ public:
 private:
     Slot known(Slot v) const;
     Slot nextToNeighbour(Slot v) const;
+    bool learnFace(Slot f, const FaceOctree& octree);
     bool lookUp(Slot v, const FaceOctree& octree);
 
     const Mesh& m_mesh;
     int m_axis = -1;
     SparseIndex m_vertices, m_faces; ///< learnt
+    SparseIndex m_wanted;            ///< faces to learn
     std::vector<Slot> m_images;      ///< by position in m_vertices; may be out of date, so each use compares points
 };
 } // namespace core
