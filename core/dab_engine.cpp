@@ -106,17 +106,22 @@ bool DabEngine::isMirroredIn(BrushShape brush, const Sphere& ball)
     const FaceOctree& octree = m_surface.octree();
     if (brush == BrushShape::Ray) // it follows the surface, and finds on the other side what it found here
         return m_mirror.learn(m_candidates, octree);
+    m_candidates = facesIn(latticeBox(m_mesh.lattice(), ball));
+    std::vector<Slot> faces = facesIn(latticeBox(m_mesh.lattice(), {m_mirror.imageOf(ball.center), ball.radius}));
+    faces.insert(faces.end(), m_candidates.begin(), m_candidates.end());
+    return m_mirror.learn(faces, octree);
+}
+
+/// Exactly the faces whose boxes meet the box, ascending: what the octree finds besides depends on what was there before.
+std::vector<Slot> DabEngine::facesIn(const LatticeBox& box) const
+{
     std::vector<Slot> faces;
-    const auto addIfIn = [&](const LatticeBox& box, Slot f) {
+    m_surface.octree().query(box, [&](Slot f) {
         if (boxOf(m_mesh, f).meets(box))
             faces.push_back(f);
-    };
-    const LatticeBox here = latticeBox(m_mesh.lattice(), ball);
-    for (Slot f : m_candidates)
-        addIfIn(here, f);
-    const LatticeBox there = latticeBox(m_mesh.lattice(), {m_mirror.imageOf(ball.center), ball.radius});
-    octree.query(there, [&](Slot f) { addIfIn(there, f); });
-    return m_mirror.learn(faces, octree);
+    });
+    std::ranges::sort(faces);
+    return faces;
 }
 
 MeshEditor DabEngine::judgedEditor()

@@ -62,6 +62,7 @@ private:
     void run(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report);
     void runMirrored(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report);
     void sculpt(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report);
+    std::vector<Slot> facesIn(const LatticeBox& box) const;
     bool isMirroredIn(BrushShape brush, const Sphere& ball);
     MeshEditor plainEditor() { return MeshEditor(m_mesh, {}, mirror()); }
     MeshEditor judgedEditor();

@@ -278,6 +278,7 @@ class TestSculptor : public QObject
 
 private Q_SLOTS:
     void randomStrokes_keepThePromise();
+    void undoneStrokes_leaveNoTraceInMirroredOnes();
     void pushThroughASlab_withoutFusion_stopsAtContact();
     void fingersPulledTogether_withoutFusion_stopAtContact();
     void surfaceAtContact_withoutFusion_followsAPullAway();
@@ -355,6 +356,17 @@ void TestSculptor::randomStrokes_keepThePromise()
         QVERIFY2(fuzz.ok(), fuzz.problem().c_str());
     }
     tally.print();
+}
+
+/// Shrunk from a run that failed: what the octree finds beyond the brush once decided where a mirrored dab refines.
+void TestSculptor::undoneStrokes_leaveNoTraceInMirroredOnes()
+{
+    const std::vector<NamedShape> shapes = fuzzShapes();
+    const auto fingers = std::ranges::find(shapes, std::string("twoFingers"), &NamedShape::name);
+    Tally tally;
+    FuzzRun fuzz(*fingers, 20240872, tally);
+    fuzz.go(20);
+    QVERIFY2(fuzz.ok(), fuzz.problem().c_str());
 }
 
 void TestSculptor::pushThroughASlab_withoutFusion_stopsAtContact()
