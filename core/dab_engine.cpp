@@ -2,7 +2,7 @@
 //   select   the vertices under the brush                                                      region
 //   refine   the mesh under the brush becomes fine enough to plan on                           remesh
 //   plan     how far each is to move, in all                                                   deform
-//   then, for each sub-step no longer than d_move:
+// then, for each sub-step no longer than d_move, or for several at once where nothing can meet:
 //     deform     each vertex moves its part of the plan, snapped to the lattice
 //     optimise   the mesh under the brush becomes quasi-uniform where it now is                remesh
 //     verify     exactly, where it changed                                                     judged_mesh
@@ -33,6 +33,13 @@ constexpr double mostVertexMoves = 1 << 21;
 /// A dab whose centre is farther from its image's than this, in radii, does not bring the two into contact.
 constexpr double farthestFromImage = 4;
 constexpr int mostHoldRounds = 64;
+
+/// Into how many transactions the plan is cut where nothing can meet: in none do neighbours move more than d_move against each
+/// other.
+double transactionsFor(double betweenNeighbours, const EdgeBounds& bounds)
+{
+    return std::max(1.0, std::ceil(betweenNeighbours / (movePerMinimum * bounds.minimum)));
+}
 } // namespace
 
 DabEngine::DabEngine(Mesh& mesh) : m_mesh(mesh), m_surface(mesh), m_mirror(mesh) {}
@@ -147,7 +154,7 @@ void DabEngine::sculpt(const StrokeSettings& settings, const Dab& dab, const std
     m_bounds = task.bounds;
     {
         const PhaseTimer timer(report.fuseMs);
-        task.joins = settings.fusion && facesMeet(settings, {dab.position, dab.radius});
+        task.meets = facesMeet(settings, {dab.position, dab.radius});
     }
     report.outcome = DabOutcome::Committed;
     double moves = 0;
@@ -164,10 +171,10 @@ void DabEngine::sculpt(const StrokeSettings& settings, const Dab& dab, const std
             report.outcome = DabOutcome::EndedEarly;
             break;
         }
-        ++report.substeps;
+        report.substeps += task.substeps();
         task.left -= task.ticks;
         task.eased = 0;
-        task.ticks = std::min({2 * task.ticks, ticksPerStep, task.left});
+        task.ticks = std::min({2 * task.ticks, task.most, task.left});
         if (result == Substep::Careful)
             report.outcome = DabOutcome::Careful;
         if (between)
@@ -258,7 +265,8 @@ DabEngine::Substep DabEngine::substep(Task& task, DabReport& report)
         if (easeMotion(task, report))
             return Substep::Again;
     }
-    task.ticks = std::min(ticksPerStep, task.left);
+    task.most = ticksPerStep;
+    task.ticks = std::min(task.most, task.left);
     const Substep result = careful(task, report);
     separate(task, report);
     return result;
@@ -268,9 +276,14 @@ DabEngine::Substep DabEngine::substep(Task& task, DabReport& report)
 /// over, and every other time the step is halved.
 bool DabEngine::easeMotion(Task& task, DabReport& report)
 {
-    task.joins = task.settings.fusion;
+    task.meets = true;
     if (task.steps == 0 && !refineAtOnce(task, report))
         return false;
+    task.most = ticksPerStep;
+    if (task.ticks > task.most) {
+        task.ticks = task.most;
+        return true;
+    }
     if (join(task, report))
         return true;
     if (++task.eased > mostEased)
@@ -317,8 +330,26 @@ RemeshCounts DabEngine::refineAndPlan(Task& task, MeshEditor edit, DabReport& re
     task.steps = std::max(1.0, std::ceil(report.asked / (movePerMinimum * task.bounds.minimum)));
     m_capped = task.steps > mostSteps;
     task.left = ticksPerStep * static_cast<unsigned>(std::min(task.steps, mostSteps));
-    task.ticks = ticksPerStep;
+    task.most = ticksPerStep;
+    if (task.steps > 1 && !task.meets)
+        task.most *= std::max(1u, static_cast<unsigned>(task.steps / transactionsFor(longestBetweenNeighbours(), task.bounds)));
+    task.ticks = std::min(task.most, task.left);
     return counts;
+}
+
+/// The longest of the differences between the plans of neighbours.
+double DabEngine::longestBetweenNeighbours() const
+{
+    double longest2 = 0;
+    m_region.forEach([&](Slot v) {
+        const Vec3& plan = m_region.plan(v);
+        m_mesh.forEachOutgoing(v, [&](Slot h) {
+            const Slot other = m_mesh.to(h);
+            if (other > v && m_region.contains(other)) // at the region's rim the plan is nearly none
+                longest2 = std::max(longest2, (plan - m_region.plan(other)).squaredNorm());
+        });
+    });
+    return std::sqrt(longest2);
 }
 
 /// The ray brush's selection after refine().
@@ -509,7 +540,7 @@ bool DabEngine::facesMeet(const StrokeSettings& settings, const Sphere& ball)
 /// Before the motion of a sub-step that is to come.
 bool DabEngine::join(Task& task, DabReport& report)
 {
-    if (!task.joins)
+    if (!task.settings.fusion || !task.meets)
         return false;
     const PhaseTimer timer(report.fuseMs, m_surface.verifyMs());
     if (m_held.inUse())

@@ -49,14 +49,17 @@ private:
         const Dab& dab;
         EdgeBounds bounds;
         double steps = 0; ///< into which the plan is cut, each no longer than d_move; 0: not planned yet
-        unsigned ticks = ticksPerStep; ///< that the next sub-step does
+        unsigned most = ticksPerStep;  ///< ticks in a transaction: of several sub-steps at once where nothing can meet
+        unsigned ticks = ticksPerStep; ///< that the next transaction does
         unsigned left = 0;             ///< that the plan still holds
         unsigned eased = 0;            ///< how often the next sub-step has been made easier
-        bool joins = false; ///< surfaces face each other under the brush, or something stopped the motion
+        bool meets = false; ///< surfaces face each other under the brush, or something stopped the motion
 
         /// Of the plan, that the next sub-step does.
         double part() const { return ticks / (ticksPerStep * steps); }
         Approach approach() const { return {settings.tool, bounds, part()}; }
+        /// To which the finished transaction amounts.
+        unsigned substeps() const { return std::max(ticks / ticksPerStep, 1u); }
     };
 
     void run(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report);
@@ -77,6 +80,7 @@ private:
     Substep careful(Task& task, DabReport& report);
     RemeshCounts refineAndPlan(Task& task, MeshEditor edit, DabReport& report);
     double plan(const Task& task);
+    double longestBetweenNeighbours() const;
     void selectRefined(Region& region, const Sphere& ball);
     bool moveAndOptimise(const Task& task, RemeshCounts& counts, DabReport& report);
     bool heldBackAsBefore(const Task& task, DabReport& report);

@@ -748,7 +748,7 @@ void TestSculptor::hook_runsBetweenSubsteps()
     });
     const DabReport report = dabOnce(sculptor, {Tool::Pull, {0, 0, 1}, 0.3, 5});
     QVERIFY(report.substeps > 1);
-    QVERIFY(valid && calls + 1 >= report.substeps && calls <= report.substeps);
+    QVERIFY(valid && calls > 1 && calls <= report.substeps); // several may be one transaction
 }
 
 QTEST_APPLESS_MAIN(TestSculptor)
