@@ -1,5 +1,7 @@
 #include "stroke_path.h"
 
+#include <algorithm>
+
 namespace core
 {
 namespace
@@ -24,7 +26,7 @@ StrokeSample interpolate(const StrokeSample& a, const StrokeSample& b, double t)
 void StrokePath::add(const StrokeSample& sample)
 {
     m_target = sample;
-    m_dabsLeft = mostDabsPerSample;
+    m_dabsLeft.reset();
 }
 
 std::optional<StrokePath::Due> StrokePath::next(const CenterOf& centerOf)
@@ -40,13 +42,15 @@ std::optional<StrokePath::Due> StrokePath::next(const CenterOf& centerOf)
     }
     const double step = m_settings.spacing * end.dab.radius;
     const double segment = (end.dab.position - *m_center).norm();
+    if (!m_dabsLeft)
+        m_dabsLeft = static_cast<int>(std::min(mostTimesLonger * (m_travelled + segment) / step, double(mostDabsPerSample)));
     if (m_travelled + segment < step || m_dabsLeft == 0) {
         const double travelled = m_travelled + segment;
         arriveAtTarget(end);
         m_travelled = std::min(travelled, step);
         return std::nullopt;
     }
-    --m_dabsLeft;
+    --*m_dabsLeft;
     const double t = segment > 0 ? (step - m_travelled) / segment : 1;
     const Vec3 between = *m_center + t * (end.dab.position - *m_center);
     m_at = interpolate(m_at, *m_target, t);

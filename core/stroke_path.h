@@ -15,6 +15,9 @@ public:
     /// More dabs than this between two samples are not placed: the path goes on at the later sample. A jump of kilometres
     /// would ask for more.
     static constexpr int mostDabsPerSample = 1'000'000;
+    /// Nor more than this many times the number that the way to the later sample asks for when it arrives: dabs that raise the
+    /// surface under the path make it longer, without end if they are stronger than far apart.
+    static constexpr int mostTimesLonger = 2;
 
     /// Where the dab of a sample would stand on the surface as it is now; nothing if it would be empty.
     using CenterOf = std::function<std::optional<Vec3>(const Vec3& position, const Vec3& direction)>;
@@ -40,6 +43,6 @@ private:
     StrokeSample m_at;                    ///< where the path has been followed to
     std::optional<Vec3> m_center;         ///< the dab centre there; nothing before the path has met the surface
     double m_travelled = 0;               ///< since the last dab
-    int m_dabsLeft = 0;
+    std::optional<int> m_dabsLeft; ///< until the target is reached
 };
 } // namespace core

@@ -52,6 +52,7 @@ private Q_SLOTS:
     void miss_isEmptyAndStartsAnew();
     void rest_makesNoDabs();
     void longJump_ends();
+    void surfaceThatRises_ends();
 };
 
 void TestStrokePath::spacingZero_isOneDabASample()
@@ -157,6 +158,23 @@ void TestStrokePath::longJump_ends()
     const auto dabs = dabsOf(path, at({1e7 + 0.01, 0, 0})); // goes on where the sample was
     QVERIFY(dabs.size() > 10 && dabs.size() < 30);
     QVERIFY(dabs.front().position.x() >= 1e7 - 1e-3);
+}
+
+/// Each dab raises the surface by fifty times the way between two dabs.
+void TestStrokePath::surfaceThatRises_ends()
+{
+    StrokePath path(spaced(0.1));
+    double height = 0;
+    const auto risen = [&](const Vec3& position, const Vec3&) { return std::optional<Vec3>(position + height * Vec3::UnitZ()); };
+    const auto dabsTo = [&](const Vec3& position) {
+        int dabs = 0;
+        for (path.add(at(position)); path.next(risen); ++dabs)
+            height += 5;
+        return dabs;
+    };
+    QCOMPARE(dabsTo({0, 0, 0}), 1);
+    const int dabs = dabsTo({10, 0, 0}); // 112 would do when the sample comes, for the first dab has raised its end
+    QVERIFY(dabs >= 100 && dabs <= StrokePath::mostTimesLonger * 112);
 }
 
 QTEST_APPLESS_MAIN(TestStrokePath)
