@@ -119,8 +119,14 @@ bool FaceOctree::isConsistent(const Mesh& mesh) const
 {
     Slot placed = 0;
     for (Slot n = 0; n < m_nodes.size(); ++n) {
-        for (Slot i = 0; i < m_nodes[n].faces.size(); ++i) {
-            const Slot f = m_nodes[n].faces[i];
+        const Node& node = m_nodes[n];
+        Slot below = static_cast<Slot>(node.faces.size());
+        for (Slot child = node.firstChild; node.firstChild != noSlot && child < node.firstChild + 8; ++child)
+            below += m_nodes[child].facesBelow;
+        if (below != node.facesBelow)
+            return false;
+        for (Slot i = 0; i < node.faces.size(); ++i) {
+            const Slot f = node.faces[i];
             const bool right = f < mesh.slots().faces && mesh.isFace(f) && m_places[f].node == n && m_places[f].index == i &&
                                m_cells[n].loose().contains(boxOf(mesh, f));
             if (!right)
@@ -128,6 +134,6 @@ bool FaceOctree::isConsistent(const Mesh& mesh) const
             ++placed;
         }
     }
-    return placed == mesh.live().faces && m_nodes[0].facesBelow == placed;
+    return placed == mesh.live().faces;
 }
 } // namespace core

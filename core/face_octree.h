@@ -51,7 +51,8 @@ public:
 
     /// Side of the smallest cell that is in use near nothing in particular: a first radius for a nearest search.
     int smallestCell() const { return m_smallestCell; }
-    /// For tests: every live face is in just one cell, whose loose box holds it.
+    /// For tests: every live face is in just one cell, whose loose box holds it, and the counts are right: what a rebuilt
+    /// octree would find this one finds.
     bool isConsistent(const Mesh& mesh) const;
 
 private:

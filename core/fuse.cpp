@@ -130,7 +130,8 @@ std::uint64_t Fuser::joinNear(JudgedMesh& surface, Region& region, const EdgeBou
     for (const Near& near : m_near) {
         if (near.isolated && joined > 0)
             break;
-        if (m_done.contains(near.p) || m_done.contains(near.q) || !mayTry(near.p) || !mayTry(near.q))
+        const bool isThere = mesh.isVertex(near.p) && mesh.isVertex(near.q); // they may have gone with a speck
+        if (!isThere || m_done.contains(near.p) || m_done.contains(near.q) || !mayTry(near.p) || !mayTry(near.q))
             continue;
         const Vec3 middle = 0.5 * (pointOf(mesh, near.p) + pointOf(mesh, near.q));
         if (near.isolated && isBesideTube(middle, bounds.detail))
@@ -151,6 +152,8 @@ std::uint64_t Fuser::joinNear(JudgedMesh& surface, Region& region, const EdgeBou
         if (near.isolated)
             m_tubes.push_back(middle);
         for (Slot v : around)
+            m_done.add(v);
+        for (Slot v : *created)
             m_done.add(v);
     }
     return joined;

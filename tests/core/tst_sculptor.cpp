@@ -2,20 +2,21 @@
 // give the same bits, and what can be done is done.
 //
 // FETTLE_SOAK=1: a million dabs. FETTLE_SEED=n: another seed. FETTLE_DABS=n: another number of dabs. FETTLE_TRACE=1: says
-// what each dab did.
+// what each dab did. FETTLE_START=file, FETTLE_PLANE=x|y|z: the first run begins with that mesh, symmetric about that plane.
 
 #include "core/sculptor.h"
-#include "core/mesh_hash.h"
+#include "core/mesh_io.h"
 #include "core/worker_pool.h"
 #include "tests/support/clay.h"
+#include "tests/support/fuzz_run.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solid_asserts.h"
-#include "tests/support/stroke_fuzzer.h"
 
 #include <QTest>
 
+#include <deque>
 #include <iostream>
-#include <sstream>
+#include <utility>
 
 namespace
 {
@@ -25,244 +26,17 @@ using core::Mesh;
 using core::MeshDelta;
 using core::Sculptor;
 using core::Slot;
-using core::Stroke;
+using core::Symmetry;
 using core::Tool;
 using core::TriangleMesh;
 using core::Vec3;
 using mesh_asserts::sculptable;
 
-constexpr core::Slot mostFaces = 10'000; ///< a run whose mesh has grown past this ends: more would only take longer
-constexpr core::Slot leastFaces = 64;     ///< so does one that has pushed nearly all of it away
-constexpr int dabsPerPairCheck = 8, dabsPerJudge = 100;
-
 #if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-constexpr std::uint64_t usualDabs = 3'000;
+constexpr std::uint64_t usualDabs = 20'000;
 #else
 constexpr std::uint64_t usualDabs = 300; // 5 to 30 times slower
 #endif
-
-struct NamedShape
-{
-    const char* name;
-    TriangleMesh mesh;
-};
-
-std::vector<NamedShape> fuzzShapes()
-{
-    return {{"sphere", core::icosphere(3, 1)},
-            {"torus", shapes::torus()},
-            {"thinSlab", clay::slab(2, 0.05, 12)},
-            {"speck", shapes::together(core::icosphere(2, 1), shapes::moved(core::icosphere(0, 0.02), {1.06f, 0, 0}))},
-            {"twoFingers", clay::twoFingers(0.01)},
-            {"nestedShells", shapes::nestedSpheres(true)},
-            {"bowl", clay::bowl()},
-            {"specksInside", shapes::together(core::icosphere(3, 1),
-                                              shapes::together(shapes::reversed(shapes::moved(core::icosphere(0, 0.02), {0, 0.95f, 0})),
-                                                               shapes::reversed(shapes::moved(core::icosphere(1, 0.05), {0.7f, 0, 0.5f}))))}};
-}
-
-struct Tally
-{
-    std::uint64_t dabs = 0, committed = 0, careful = 0, endedEarly = 0, empty = 0, whole = 0, judged = 0;
-    std::uint64_t strokes = 0, runs = 0;
-    std::uint64_t digest = 0; ///< of all end states: the same on every machine and in every build
-    std::array<std::uint64_t, 3> tiers{};
-    std::uint64_t fusions = 0, separations = 0;
-
-    void add(const DabReport& report)
-    {
-        ++dabs;
-        committed += report.outcome == DabOutcome::Committed;
-        careful += report.outcome == DabOutcome::Careful;
-        endedEarly += report.outcome == DabOutcome::EndedEarly;
-        empty += report.outcome == DabOutcome::Empty;
-        whole += report.outcome != DabOutcome::Empty && report.reached >= 0.95 * report.asked;
-    }
-
-    void print() const
-    {
-        const auto percent = [this](std::uint64_t n) { return 100.0 * static_cast<double>(n) / static_cast<double>(dabs - empty); };
-        std::cout << "fuzzer: " << dabs << " dabs, " << strokes << " strokes, " << runs << " runs, " << judged << " CGAL checks; "
-                  << committed << " committed (" << percent(committed) << " %), " << careful << " careful (" << percent(careful)
-                  << " %), " << endedEarly << " ended early (" << percent(endedEarly) << " %), " << empty << " empty; " << whole
-                  << " reached 95 % of what was asked (" << percent(whole) << " %); proved by patch, stars, pairs: " << tiers[0]
-                  << " " << tiers[1] << " " << tiers[2] << "; " << fusions << " fusions, " << separations << " separations; digest " << std::hex << digest << std::dec << std::endl;
-    }
-};
-
-/// One mesh, sculpted at random until the dabs are used up or it has grown large.
-class FuzzRun
-{
-public:
-    FuzzRun(const NamedShape& shape, std::uint64_t seed, Tally& tally)
-        : m_shape(shape), m_fuzzer(seed), m_tally(tally), m_sculptor(sculptable(shape.mesh)), m_where(shape.name)
-    {
-        m_where += ", seed " + std::to_string(seed);
-    }
-
-    void go(std::uint64_t dabs)
-    {
-        ++m_tally.runs;
-        judge("at the start");
-        m_start = m_sculptor.mesh().stateHash();
-        const std::uint64_t end = m_tally.dabs + dabs;
-        while (m_tally.dabs < end && m_sculptor.mesh().live().faces < mostFaces && m_sculptor.mesh().live().faces >= leastFaces && ok()) {
-            if (m_fuzzer.below(8) == 0 && !m_undo.empty())
-                undoForGood();
-            sculpt(m_fuzzer.stroke(m_sculptor.mesh()));
-        }
-        if (!ok())
-            return;
-        checkAll("at the end");
-        walkHistory();
-        replay();
-        m_tally.digest = m_tally.digest * 31 + m_sculptor.mesh().stateHash();
-        for (std::size_t i = 0; i < 3; ++i)
-            m_tally.tiers[i] += m_sculptor.totals().verifyTiers[i];
-        m_tally.fusions += m_sculptor.totals().fusions;
-        m_tally.separations += m_sculptor.totals().separations;
-    }
-
-    bool ok() const { return m_problem.empty(); }
-    const std::string& problem() const { return m_problem; }
-
-private:
-    void fail(const std::string& what)
-    {
-        if (!m_problem.empty())
-            return;
-        std::ostringstream text;
-        text << m_where << ", stroke " << m_strokes.size() << ", dab " << m_dabs << ": " << what;
-        m_problem = text.str();
-    }
-
-    void sculpt(const Stroke& stroke)
-    {
-        ++m_tally.strokes;
-        m_strokes.push_back(stroke);
-        m_sculptor.beginStroke(stroke.settings);
-        for (const core::StrokeSample& sample : stroke.samples) {
-            for (const DabReport& report : m_sculptor.addSample(sample)) {
-                m_tally.add(report);
-                ++m_dabs;
-                if (m_trace)
-                    trace(stroke, report);
-            }
-            checkAfterSample();
-        }
-        m_undo.push_back(m_sculptor.endStroke());
-        m_states.push_back(m_sculptor.mesh().stateHash());
-        if (m_sculptor.mesh().meshHash() != wholeHash(m_sculptor.mesh()))
-            fail("the mesh hash is not that of the faces");
-    }
-
-    void trace(const Stroke& stroke, const DabReport& report) const
-    {
-        const core::StrokeSettings& s = stroke.settings;
-        std::cout << m_where << ", stroke " << m_strokes.size() << ", dab " << m_dabs << ": " << name(s.tool) << ' '
-                  << name(s.place) << " radius " << s.radius << " strength " << s.strength << " falloff " << s.falloff
-                  << " detail " << s.detail << ": " << name(report.outcome) << ", " << report.touchedVertices << " vertices, "
-                  << report.substeps << " sub-steps, " << report.reached << " of " << report.asked << ", " << report.totalMs
-                  << " ms, fuse " << report.fuseMs << " ms, verify " << report.verifyMs << " ms, optimise " << report.optimiseMs << " ms, model "
-                  << m_sculptor.mesh().live().faces << " faces" << std::endl;
-    }
-
-    /// What was undone is forgotten, and other strokes follow.
-    void undoForGood()
-    {
-        m_sculptor.swap(m_undo.back());
-        m_undo.pop_back();
-        m_strokes.pop_back();
-        m_states.pop_back();
-        if (!m_sculptor.indexIsConsistent())
-            fail("the octree is wrong after an undo");
-    }
-
-    void checkAfterSample()
-    {
-        if (!m_sculptor.indexIsConsistent())
-            fail("the octree is wrong");
-        if (m_dabs >= m_nextPairCheck) {
-            m_nextPairCheck = m_dabs + dabsPerPairCheck;
-            checkPairs("now");
-        }
-        if (m_dabs >= m_nextJudge) {
-            m_nextJudge = m_dabs + dabsPerJudge;
-            judge("now");
-        }
-    }
-
-    void checkPairs(const char* when)
-    {
-        if (const std::string broken = mesh_asserts::brokenLinks(m_sculptor.mesh()); !broken.empty())
-            fail(std::string("broken links ") + when + ": " + broken);
-        else if (const auto bad = mesh_asserts::badFaces(m_sculptor.mesh()); !bad.empty())
-            fail(std::to_string(bad.size()) + " bad faces " + when + ", the first " + std::to_string(bad.front()));
-    }
-
-    void judge(const char* when)
-    {
-        ++m_tally.judged;
-        const std::string verdict = mesh_asserts::unsoundness(m_sculptor.mesh());
-        if (!verdict.empty())
-            fail(std::string("judged ") + when + ": " + verdict);
-    }
-
-    void checkAll(const char* when)
-    {
-        checkPairs(when);
-        judge(when);
-        if (!m_sculptor.indexIsConsistent())
-            fail(std::string("the octree is wrong ") + when);
-    }
-
-    void walkHistory()
-    {
-        const std::uint64_t end = m_sculptor.mesh().stateHash();
-        for (auto delta = m_undo.rbegin(); delta != m_undo.rend(); ++delta)
-            m_sculptor.swap(*delta);
-        if (m_sculptor.mesh().stateHash() != m_start)
-            fail("undoing everything does not lead to the start");
-        if (!m_sculptor.indexIsConsistent())
-            fail("the octree is wrong after undoing everything");
-        for (MeshDelta& delta : m_undo)
-            m_sculptor.swap(delta);
-        if (m_sculptor.mesh().stateHash() != end)
-            fail("redoing everything does not lead to the end");
-        if (!m_sculptor.indexIsConsistent())
-            fail("the octree is wrong after redoing everything");
-    }
-
-    /// The same strokes, without what was undone in between.
-    void replay()
-    {
-        Sculptor again(sculptable(m_shape.mesh));
-        for (std::size_t i = 0; i < m_strokes.size(); ++i) {
-            const Stroke& stroke = m_strokes[i];
-            again.beginStroke(stroke.settings);
-            for (const core::StrokeSample& sample : stroke.samples)
-                again.addSample(sample);
-            again.endStroke();
-            if (again.mesh().stateHash() != m_states[i]) {
-                fail("the same strokes give another mesh from stroke " + std::to_string(i + 1) + " of " +
-                     std::to_string(m_strokes.size()) + " on");
-                return;
-            }
-        }
-    }
-
-    const NamedShape& m_shape;
-    StrokeFuzzer m_fuzzer;
-    Tally& m_tally;
-    Sculptor m_sculptor;
-    std::string m_where, m_problem;
-    std::vector<Stroke> m_strokes;
-    std::vector<std::uint64_t> m_states; ///< after each of them
-    std::vector<MeshDelta> m_undo;
-    std::uint64_t m_start = 0;
-    bool m_trace = qEnvironmentVariableIsSet("FETTLE_TRACE");
-    int m_dabs = 0, m_nextPairCheck = 0, m_nextJudge = dabsPerJudge;
-};
 
 std::uint64_t numberFromEnvironment(const char* name, std::uint64_t otherwise)
 {
@@ -279,6 +53,8 @@ class TestSculptor : public QObject
 private Q_SLOTS:
     void randomStrokes_keepThePromise();
     void undoneStrokes_leaveNoTraceInMirroredOnes();
+    void pushesThroughASlab_leaveNoSpecksToJoin_data();
+    void pushesThroughASlab_leaveNoSpecksToJoin();
     void pushThroughASlab_withoutFusion_stopsAtContact();
     void fingersPulledTogether_withoutFusion_stopAtContact();
     void surfaceAtContact_withoutFusion_followsAPullAway();
@@ -341,32 +117,145 @@ core::Box boundsOf(const Mesh& mesh)
 }
 } // namespace
 
+namespace
+{
+constexpr std::uint64_t dabsPerRun = 250, dabsPerLine = 10'000;
+
+/// What the runs of a fuzzer begin with: in turn two shapes as they are, one made symmetric, one that grew in an earlier run.
+class FuzzStarts
+{
+public:
+    FuzzStarts() : m_shapes(fuzzShapes())
+    {
+        if (!qEnvironmentVariableIsSet("FETTLE_START"))
+            return;
+        const std::string plane = qEnvironmentVariable("FETTLE_PLANE", "none").toStdString();
+        m_given = {"given", core::readMesh(qEnvironmentVariable("FETTLE_START").toStdString()), core::symmetryNamed(plane).value()};
+    }
+
+    FuzzStart next()
+    {
+        if (m_given)
+            return *std::exchange(m_given, {});
+        constexpr Symmetry planes[] = {Symmetry::X, Symmetry::Y, Symmetry::Z};
+        const std::size_t run = m_run++, round = run / 4;
+        if (run % 4 == 2)
+            return symmetrized(m_shapes[round % m_shapes.size()], planes[round % std::size(planes)]);
+        if (run % 4 == 3 && !m_grown.empty()) {
+            const FuzzStart start = std::move(m_grown.front());
+            m_grown.pop_front();
+            return start;
+        }
+        return m_shapes[m_plain++ % m_shapes.size()];
+    }
+
+    void keep(const std::optional<FuzzStart>& grown)
+    {
+        if (grown)
+            m_grown.push_back(*grown);
+        if (m_grown.size() > mostGrown)
+            m_grown.pop_front();
+    }
+
+private:
+    static constexpr std::size_t mostGrown = 16;
+
+    std::vector<FuzzStart> m_shapes;
+    std::optional<FuzzStart> m_given;
+    std::deque<FuzzStart> m_grown;
+    std::size_t m_run = 0, m_plain = 0;
+};
+} // namespace
+
 void TestSculptor::randomStrokes_keepThePromise()
 {
     const bool soak = qEnvironmentVariableIntValue("FETTLE_SOAK") != 0;
     const std::uint64_t dabs = numberFromEnvironment("FETTLE_DABS", soak ? 1'000'000 : usualDabs);
     const std::uint64_t seed = numberFromEnvironment("FETTLE_SEED", 20240812);
-    const std::vector<NamedShape> shapes = fuzzShapes();
-    Tally tally;
-    for (std::uint64_t run = 0; tally.dabs < dabs; ++run) {
-        FuzzRun fuzz(shapes[run % shapes.size()], seed + run, tally);
-        fuzz.go(std::min<std::uint64_t>(400, dabs - tally.dabs));
-        if (!fuzz.ok())
-            tally.print();
+    FuzzStarts starts;
+    FuzzTally tally;
+    for (std::uint64_t run = 0, line = dabsPerLine; tally.dabs < dabs; ++run) {
+        const FuzzStart start = starts.next();
+        FuzzRun fuzz(start, seed + run, tally);
+        fuzz.go(std::min(dabsPerRun, dabs - tally.dabs));
+        if (!fuzz.ok() || tally.dabs >= std::min(line, dabs)) {
+            tally.print(std::cout);
+            line += dabsPerLine;
+        }
         QVERIFY2(fuzz.ok(), fuzz.problem().c_str());
+        starts.keep(fuzz.grown());
     }
-    tally.print();
+    tally.printClasses(std::cout);
 }
 
 /// Shrunk from a run that failed: what the octree finds beyond the brush once decided where a mirrored dab refines.
 void TestSculptor::undoneStrokes_leaveNoTraceInMirroredOnes()
 {
-    const std::vector<NamedShape> shapes = fuzzShapes();
-    const auto fingers = std::ranges::find(shapes, std::string("twoFingers"), &NamedShape::name);
-    Tally tally;
-    FuzzRun fuzz(*fingers, 20240872, tally);
-    fuzz.go(20);
-    QVERIFY2(fuzz.ok(), fuzz.problem().c_str());
+    Sculptor used(sculptable(clay::twoFingers(0.01))), fresh(sculptable(clay::twoFingers(0.01)));
+    core::StrokeSettings pull;
+    pull.radius = 0.95;
+    pull.detail = 1.86;
+    pull.fusion = false;
+    used.beginStroke(pull);
+    core::StrokeSample sample;
+    sample.position = {-0.02, 0.77, -0.08};
+    used.addSample(sample);
+    MeshDelta delta = used.endStroke();
+    used.swap(delta);
+    QCOMPARE(used.mesh().stateHash(), fresh.mesh().stateHash());
+
+    core::StrokeSettings flatten;
+    flatten.tool = Tool::Flatten;
+    flatten.place = core::Placement::Nearest;
+    flatten.topology = core::Topology::Uniform;
+    flatten.symmetry = Symmetry::Z;
+    flatten.radius = 0.27;
+    for (const double x : {-0.6, -0.4, -0.2, 0.2, 0.4, 0.6}) {
+        for (const double y : {-0.8, -0.4, 0.0, 0.4, 0.8}) {
+            sample.position = {x, y, 0.5};
+            for (Sculptor* sculptor : {&used, &fresh}) {
+                sculptor->beginStroke(flatten);
+                sculptor->addSample(sample);
+                sculptor->endStroke();
+            }
+            QCOMPARE(used.mesh().stateHash(), fresh.mesh().stateHash());
+        }
+    }
+}
+
+void TestSculptor::pushesThroughASlab_leaveNoSpecksToJoin_data()
+{
+    QTest::addColumn<double>("thickness");
+    QTest::addColumn<double>("strength");
+    QTest::addColumn<double>("detail");
+    QTest::addColumn<int>("falloff");
+    QTest::newRow("thicker") << 0.1 << 1.0 << 0.5 << 0;
+    QTest::newRow("thicker, stronger") << 0.1 << 2.0 << 0.5 << 0;
+}
+
+/// A vertex that vanished with a speck was once joined all the same, without end.
+void TestSculptor::pushesThroughASlab_leaveNoSpecksToJoin()
+{
+    QFETCH(double, thickness);
+    QFETCH(double, strength);
+    QFETCH(double, detail);
+    QFETCH(int, falloff);
+    Sculptor sculptor(sculptable(clay::slab(2, thickness, 12)));
+    core::StrokeSettings settings;
+    settings.tool = Tool::Push;
+    settings.place = core::Placement::Nearest;
+    settings.radius = 0.5;
+    settings.strength = strength;
+    settings.detail = detail;
+    settings.falloff = falloff;
+    sculptor.beginStroke(settings);
+    core::StrokeSample sample;
+    sample.position = {0.03, thickness / 2, 0.02};
+    for (int i = 0; i < 3; ++i)
+        sculptor.addSample(sample);
+    sculptor.endStroke();
+    QVERIFY(sculptor.totals().fusions > 0);
+    VERIFY_VALID(sculptor.mesh());
 }
 
 void TestSculptor::pushThroughASlab_withoutFusion_stopsAtContact()

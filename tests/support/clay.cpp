@@ -148,6 +148,18 @@ TriangleMesh cutRing(double gap)
     return tube(path, radius, 24);
 }
 
+TriangleMesh spiral()
+{
+    constexpr double radius = 0.12, pitch = 2.1 * radius, inner = 0.35, turns = 2.5;
+    constexpr int steps = 100;
+    std::vector<Vec3> path;
+    for (int i = 0; i <= steps; ++i) {
+        const double turn = turns * i / steps, a = 2 * std::numbers::pi * turn, r = inner + pitch * turn;
+        path.emplace_back(r * std::cos(a), r * std::sin(a), 0);
+    }
+    return tube(path, radius, 12);
+}
+
 TriangleMesh twoFingers(double gap)
 {
     TriangleMesh one = core::icosphere(3, 1);

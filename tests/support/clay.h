@@ -18,6 +18,8 @@ TriangleMesh bowl();
 TriangleMesh tube(const std::vector<core::Vec3>& path, double radius, Slot around);
 /// A ring of radius 1 and thickness 0.5 that was cut: its round ends face each other at angle 0, `gap` apart.
 TriangleMesh cutRing(double gap);
+/// A tube wound two and a half times in a plane, the windings a tenth of their thickness apart.
+TriangleMesh spiral();
 /// Two long balls side by side, `gap` apart at their nearest.
 TriangleMesh twoFingers(double gap);
 } // namespace clay

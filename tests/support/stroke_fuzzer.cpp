@@ -60,15 +60,14 @@ core::Stroke StrokeFuzzer::stroke(const core::Mesh& mesh)
 
     const std::uint64_t samples = 1 + below(s.spacing == 0 ? 10 : 4);
     Vec3 at = point(start) + uniform(0, 0.3) * s.radius * direction();
-    const Vec3 heading = direction();
+    const Vec3 heading = direction(), view = direction();
     for (std::uint64_t i = 0; i < samples; ++i) {
         core::StrokeSample sample;
         sample.time = 0.01 * static_cast<double>(i);
         sample.position = at;
         if (s.place == core::Placement::Ray || s.brush == core::BrushShape::Ray) {
-            const Vec3 view = direction();
-            sample.position = at - 2 * size * view;
-            sample.direction = view;
+            sample.direction = s.spacing == 0 ? direction() : view; // dabs would fill the way from one view to the next
+            sample.position = at - 2 * size * sample.direction;
         }
         sample.pressure = below(2) == 0 ? 1 : uniform();
         stroke.samples.push_back(sample);
