@@ -25,7 +25,7 @@ struct Session
     /// Until nothing is under way.
     void wait()
     {
-        QTRY_VERIFY(!document.isBusy() && document.isSettled());
+        QTRY_VERIFY_WITH_TIMEOUT(!document.isBusy() && document.isSettled(), longestWait);
         settle();
     }
 
@@ -38,7 +38,7 @@ struct Session
             worker.post([&](core::Sculptor&) {
                 QMetaObject::invokeMethod(&receiver, [&reached] { reached = true; }, Qt::QueuedConnection);
             });
-            QTRY_VERIFY(reached);
+            QTRY_VERIFY_WITH_TIMEOUT(reached, longestWait);
             QCoreApplication::processEvents();
         }
     }
@@ -52,7 +52,7 @@ struct Session
             const std::uint64_t value = sculptor.mesh().stateHash();
             QMetaObject::invokeMethod(&receiver, [&hash, value] { hash = value; }, Qt::QueuedConnection);
         });
-        [&] { QTRY_VERIFY(hash); }();
+        [&] { QTRY_VERIFY_WITH_TIMEOUT(hash, longestWait); }();
         return hash.value_or(0);
     }
 
