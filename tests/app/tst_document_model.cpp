@@ -13,6 +13,8 @@ using namespace app;
 
 namespace
 {
+constexpr int longestWait = 60'000; // a sanitizer is ten times slower
+
 /// A document with a ball of clay, and a way to see the mesh's state.
 struct Session
 {
