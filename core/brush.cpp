@@ -128,6 +128,7 @@ DabReport& DabReport::operator+=(const DabReport& second)
     if (second.reached * asked < reached * second.asked || asked == 0) { // reached / asked is less
         asked = second.asked;
         reached = second.reached;
+        contact = second.contact;
     }
     if (severity(second.outcome) > severity(outcome)) {
         outcome = second.outcome;

@@ -286,6 +286,7 @@ bool DabEngine::easeMotion(Task& task, DabReport& report)
     }
     if (join(task, report))
         return true;
+    report.contact = report.contact || m_fuser.isContact(m_surface, m_region, task.approach(), task.settings.fusion, m_badVertices);
     if (++task.eased > mostEased)
         return false;
     calmPlan(m_region, m_mesh, m_badVertices);

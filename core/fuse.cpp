@@ -241,9 +241,32 @@ void Fuser::findNear(const Mesh& mesh, const Region& region, const HeldBack& hel
                 return;
             const double distance2 = (m_points[j] - m_points[i]).squaredNorm();
             if (distance2 < reach2 && willMeet(i, j, mesh, region, held, approach))
-                m_near.push_back({!haveCommonNeighbour(mesh, v, other), distance2, std::min(v, other), std::max(v, other)});
+                m_near.push_back({!haveCommonNeighbour(mesh, v, other), distance2, std::min(v, other), std::max(v, other),
+                                  (m_points[j] - m_points[i]).dot(m_normals[i]) < 0});
         });
     }
+}
+
+bool Fuser::isContact(const JudgedMesh& surface, const Region& region, const Approach& approach, bool fusion,
+                      const std::vector<Slot>& vertices)
+{
+    if (fusion && approach.tool == Tool::Push)
+        return false;
+    SparseIndex& at = m_done;
+    at.clear();
+    for (Slot v : vertices) { // some came with what was taken back
+        if (v >= surface.mesh().slots().vertices || !surface.mesh().isVertex(v))
+            continue;
+        if (const Slot named = m_mirror && !m_mirror->isInHalf(v) ? m_mirror->imageOf(v) : v; named != noSlot)
+            at.add(named);
+    }
+    Approach pushing = approach;
+    pushing.tool = Tool::Push; // which meets the other side of a wall, too
+    gather(surface, region, thicknessPerDetail * approach.bounds.detail);
+    findNear(surface.mesh(), region, {}, pushing);
+    return std::ranges::any_of(m_near, [&](const Near& near) {
+        return (near.inside || !fusion) && (at.contains(near.p) || at.contains(near.q));
+    });
 }
 
 /// A patch that meets its own image does so everywhere at once. Where it has reached the plane it grows from there: a new tube

@@ -50,6 +50,11 @@ public:
     /// that is pushed through gets a hole.
     FusionCounts join(JudgedMesh& surface, Region& region, const HeldBack& held, const Approach& approach);
 
+    /// Whether surfaces that join() may not join are about to meet at one of these vertices: without fusion any, with it the two
+    /// sides of a wall that is not pushed.
+    bool isContact(const JudgedMesh& surface, const Region& region, const Approach& approach, bool fusion,
+                   const std::vector<Slot>& vertices);
+
     /// Cuts necks that have grown as thin as a triangle, and removes specks smaller than 2 d. `blocked`: edges shorter than d
     /// that could not be collapsed.
     FusionCounts separate(JudgedMesh& surface, Region& region, const std::vector<VertexPair>& blocked, const EdgeBounds& bounds);
@@ -62,7 +67,8 @@ private:
     {
         bool isolated; ///< no vertex lies in both 1-rings: the join is a new tube, not the next stitch of a seam
         double distance2;
-        Slot p, q; ///< p < q
+        Slot p, q;   ///< p < q
+        bool inside; ///< the two sides of a wall
     };
 
     void gather(const JudgedMesh& surface, const Region& region, double reach);

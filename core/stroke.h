@@ -78,6 +78,8 @@ struct DabReport
     double asked = 0, reached = 0; ///< peak displacement; of what joined or collapsed meanwhile, as far as it was there
     DabOutcome outcome = DabOutcome::Empty;
     Refusal refusal = Refusal::None;
+    /// Surfaces stood in the way that may not be joined: fusion is off, or they are the two sides of a wall that nobody pushes.
+    bool contact = false;
     bool asymmetric = false; ///< of a symmetric stroke: the model is not symmetric here, so it was done as two dabs
 
     /// For a dab done as two: costs add up; of two that did something the worse outcome and the smaller share reached count.

@@ -237,7 +237,7 @@ void FuzzRun::trace(const StrokeSettings& s, const DabReport& report) const
               << (report.asymmetric ? " (as two dabs)" : "") << " radius " << s.radius << " strength " << s.strength
               << " falloff " << s.falloff << " detail " << s.detail << ": " << name(report.outcome) << ", "
               << report.touchedVertices << " vertices, " << report.substeps << " sub-steps, " << report.reached << " of "
-              << report.asked << ", " << report.totalMs << " ms, fuse " << report.fuseMs << " ms, verify " << report.verifyMs
+              << report.asked << (report.contact ? " (contact), " : ", ") << report.totalMs << " ms, fuse " << report.fuseMs << " ms, verify " << report.verifyMs
               << " ms, optimise " << report.optimiseMs << " ms, model " << m_sculptor.mesh().live().faces << " faces" << std::endl;
 }
 

@@ -18,6 +18,16 @@ double percent(std::uint64_t part, std::uint64_t of)
 }
 } // namespace
 
+double FuzzTally::Share::wholePercent() const
+{
+    return percent(whole, dabs);
+}
+
+double FuzzTally::Share::wholeOfLegalPercent() const
+{
+    return percent(whole, dabs - contact);
+}
+
 void FuzzTally::add(const StrokeSettings& settings, const DabReport& report, const std::string& shape)
 {
     ++dabs;
@@ -32,7 +42,9 @@ void FuzzTally::add(const StrokeSettings& settings, const DabReport& report, con
         return;
     const auto count = [&](Share& share) {
         ++share.dabs;
-        share.whole += report.reached >= wholeShare * report.asked;
+        const bool whole = report.reached >= wholeShare * report.asked;
+        share.whole += whole;
+        share.contact += !whole && report.contact;
         share.endedEarly += report.outcome == DabOutcome::EndedEarly;
         share.ms += report.totalMs;
     };
@@ -59,7 +71,8 @@ void FuzzTally::print(std::ostream& out) const
         << " CGAL checks; " << committed << " committed, " << careful << " careful, " << all.endedEarly << " ended early ("
         << percent(all.endedEarly, all.dabs) << " %), " << empty << " empty, " << added << " spheres added, " << refused
         << " refused; of " << all.dabs << " that were to move something " << all.whole << " reached 95 % of what was asked ("
-        << percent(all.whole, all.dabs) << " %); proved by patch, stars, pairs: " << tiers[0] << ' ' << tiers[1] << ' '
+        << all.wholePercent() << " %, " << all.wholeOfLegalPercent() << " % without the " << all.contact
+        << " stopped by contact that may not be joined); proved by patch, stars, pairs: " << tiers[0] << ' ' << tiers[1] << ' '
         << tiers[2] << "; " << fusions << " fusions, " << separations << " separations; digest " << std::hex << digest << std::dec
         << std::endl;
 }
@@ -69,7 +82,7 @@ void FuzzTally::printClasses(std::ostream& out) const
     out << std::fixed << std::setprecision(2);
     for (const auto& [name, share] : classes) {
         out << std::left << std::setw(24) << name << std::right << std::setw(8) << share.dabs << " dabs, whole " << std::setw(6)
-            << percent(share.whole, share.dabs) << " %, ended early " << std::setw(5) << percent(share.endedEarly, share.dabs)
+            << share.wholePercent() << " %, without contact " << std::setw(6) << share.wholeOfLegalPercent() << " %, ended early " << std::setw(5) << percent(share.endedEarly, share.dabs)
             << " %, " << share.ms / static_cast<double>(share.dabs) << " ms a dab\n";
     }
     out << std::defaultfloat << std::setprecision(6) << std::flush;

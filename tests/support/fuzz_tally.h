@@ -15,7 +15,12 @@ struct FuzzTally
     struct Share
     {
         std::uint64_t dabs = 0, whole = 0, endedEarly = 0;
+        std::uint64_t contact = 0; ///< stopped at surfaces that may not be joined: nothing valid could follow
         double ms = 0;
+
+        double wholePercent() const;
+        /// Of those that were not stopped so.
+        double wholeOfLegalPercent() const;
     };
 
     std::uint64_t dabs = 0, committed = 0, careful = 0, empty = 0, added = 0, refused = 0;
