@@ -147,6 +147,7 @@ void DabEngine::sculpt(const StrokeSettings& settings, const Dab& dab, const std
     if (settings.tool == Tool::Paint)
         return paint(settings, dab, report);
     m_held.clear();
+    m_unfolding.clear();
     m_fuser.beginDab(mirror());
     m_blocked.clear();
     m_capped = false;
@@ -180,6 +181,8 @@ void DabEngine::sculpt(const StrokeSettings& settings, const Dab& dab, const std
         if (between)
             between();
     }
+    if (report.asked > 0)
+        report.reached = m_unfolding.shareLeft(m_region, report.reached / report.asked) * report.asked;
     report.touchedVertices = touchedVertices();
 }
 
@@ -272,8 +275,8 @@ DabEngine::Substep DabEngine::substep(Task& task, DabReport& report)
     return result;
 }
 
-/// After a sub-step that failed: what was about to meet is joined; failing that, the motion is made calmer where faces turned
-/// over, and every other time the step is halved.
+/// After a sub-step that failed: what was about to meet is joined; failing that, in turns, what has folded up is smoothed, or
+/// the motion is made calmer where faces turned over and the step is halved.
 bool DabEngine::easeMotion(Task& task, DabReport& report)
 {
     task.meets = true;
@@ -289,6 +292,8 @@ bool DabEngine::easeMotion(Task& task, DabReport& report)
     report.contact = report.contact || m_fuser.isContact(m_surface, m_region, task.approach(), task.settings.fusion, m_badVertices);
     if (++task.eased > mostEased)
         return false;
+    if (task.eased % 2 == 1 && m_unfolding.smooth(m_surface, plainEditor(), m_region, m_badVertices))
+        return true;
     calmPlan(m_region, m_mesh, m_badVertices);
     if (task.eased % 2 == 0)
         task.ticks = std::max(task.ticks / 2, 1u);

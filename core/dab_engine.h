@@ -7,6 +7,7 @@
 #include "region.h"
 #include "remesh.h"
 #include "sculptor.h"
+#include "unfolding.h"
 
 namespace core
 {
@@ -102,6 +103,7 @@ private:
     Region m_whole;     ///< with a mirror: what the dab alone selects, on both sides
     std::vector<Slot> m_candidates;
     HeldBack m_held;
+    Unfolding m_unfolding;
     Fuser m_fuser;
     std::vector<Slot> m_badVertices;   ///< of the faces that the last straight sub-step failed at
     std::vector<VertexPair> m_blocked; ///< what the last optimisation could not collapse

@@ -14,17 +14,6 @@ namespace
 constexpr double peakPerRadius = 0.1;
 constexpr std::size_t verticesPerChunk = 1024;
 
-Vec3 neighbourMean(const Mesh& mesh, Slot v)
-{
-    Vec3 sum = Vec3::Zero();
-    int n = 0;
-    // Sums of lattice coordinates are exact in a double, so their order does not matter.
-    mesh.forEachOutgoing(v, [&](Slot h) {
-        sum += mesh.point(mesh.to(h)).cast<double>();
-        ++n;
-    });
-    return sum / n;
-}
 Vec3 unitNormal(const Mesh& mesh, Slot v)
 {
     const Vec3 normal = vertexNormal(mesh, v);
@@ -69,6 +58,18 @@ Field fieldOf(Tool tool, const Region& region, const Mesh& mesh)
 }
 } // namespace
 
+Vec3 neighbourMean(const Mesh& mesh, Slot v)
+{
+    Vec3 sum = Vec3::Zero();
+    int n = 0;
+    // Sums of lattice coordinates are exact in a double, so their order does not matter.
+    mesh.forEachOutgoing(v, [&](Slot h) {
+        sum += mesh.point(mesh.to(h)).cast<double>();
+        ++n;
+    });
+    return sum / n;
+}
+
 Vec3 vertexNormal(const Mesh& mesh, Slot v)
 {
     using Vector = Eigen::Matrix<std::int64_t, 3, 1>;
@@ -107,20 +108,10 @@ double planDeformation(Region& region, const Mesh& mesh, const StrokeSettings& s
     return std::sqrt(*std::ranges::max_element(longest2));
 }
 
-void calmPlan(Region& region, const Mesh& mesh, const std::vector<Slot>& vertices)
+void calmPlan(Region& region, const Mesh& mesh, std::span<const Slot> vertices)
 {
-    SparseIndex& around = region.scratch();
-    around.clear();
-    for (Slot v : vertices) {
-        if (v >= mesh.slots().vertices || !mesh.isVertex(v))
-            continue;
-        around.add(v);
-        mesh.forEachOutgoing(v, [&](Slot h) { around.add(mesh.to(h)); });
-    }
     std::vector<std::pair<Slot, Vec3>> calmed;
-    for (Slot v : around.slots()) {
-        if (!region.contains(v))
-            continue;
+    for (Slot v : withNeighbours(region, mesh, vertices)) {
         const Vec3 plan = region.plan(v);
         Vec3 sum = plan;
         mesh.forEachOutgoing(v, [&](Slot h) {

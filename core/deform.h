@@ -15,7 +15,10 @@ Vec3 vertexNormal(const Mesh& mesh, Slot v);
 /// r_i is the region's distance. Returns the longest displacement planned. Precondition: not Paint.
 double planDeformation(Region& region, const Mesh& mesh, const StrokeSettings& settings, const Dab& dab);
 
+/// Of the points around v.
+Vec3 neighbourMean(const Mesh& mesh, Slot v);
+
 /// Turns the plans of the region's vertices at and around the given ones towards their neighbours' mean, lengths kept: on a
 /// rough surface normals differ so much that neighbours would pass each other, faces turn over. `vertices`: may be gone.
-void calmPlan(Region& region, const Mesh& mesh, const std::vector<Slot>& vertices);
+void calmPlan(Region& region, const Mesh& mesh, std::span<const Slot> vertices);
 } // namespace core

@@ -28,18 +28,11 @@ void HeldBack::extend(const Region& region, const Mesh& mesh)
 
 bool HeldBack::shorten(Region& region, const Mesh& mesh, const std::vector<Slot>& badFaces)
 {
-    SparseIndex& around = region.scratch();
-    around.clear();
-    for (Slot f : badFaces) {
-        for (Slot v : mesh.corners(f)) {
-            around.add(v);
-            mesh.forEachOutgoing(v, [&](Slot h) { around.add(mesh.to(h)); });
-        }
-    }
+    std::vector<Slot> corners;
+    for (Slot f : badFaces)
+        corners.insert(corners.end(), mesh.corners(f).begin(), mesh.corners(f).end());
     bool any = false;
-    for (Slot v : around.slots()) {
-        if (!region.contains(v))
-            continue;
+    for (Slot v : withNeighbours(region, mesh, corners)) {
         double& share = m_share[region.position(v)];
         any = any || share > 0;
         share = share == 1 ? shortenedOnce : 0;

@@ -49,6 +49,21 @@ void Region::restore(const Saved& saved)
     m_live = saved.live;
 }
 
+std::vector<Slot> withNeighbours(Region& region, const Mesh& mesh, std::span<const Slot> vertices)
+{
+    SparseIndex& around = region.scratch();
+    around.clear();
+    for (Slot v : vertices) {
+        if (v >= mesh.slots().vertices || !mesh.isVertex(v))
+            continue;
+        around.add(v);
+        mesh.forEachOutgoing(v, [&](Slot h) { around.add(mesh.to(h)); });
+    }
+    std::vector<Slot> held;
+    std::ranges::copy_if(around.slots(), std::back_inserter(held), [&](Slot v) { return region.contains(v); });
+    return held;
+}
+
 LatticeBox latticeBox(const Lattice& lattice, const Sphere& ball)
 {
     constexpr double limit = Lattice::limit;

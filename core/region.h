@@ -5,6 +5,8 @@
 #include "sparse_index.h"
 #include "stroke.h"
 
+#include <span>
+
 namespace core
 {
 /// The vertices that a dab moves, and how far it means to move each: the argument that is passed down the pipeline.
@@ -62,6 +64,9 @@ private:
     std::vector<char> m_present;
     Slot m_live = 0;
 };
+
+/// Those of the vertices that are still there, and their neighbours, as far as the region holds them.
+std::vector<Slot> withNeighbours(Region& region, const Mesh& mesh, std::span<const Slot> vertices);
 
 /// Spherical brush (paper, section 3.1.2): the vertices within the ball, by Euclidean distance, ascending by slot.
 /// `candidates` becomes the candidate triangles of section 3.1.1: all that may meet the ball, in no useful order.

@@ -1,0 +1,60 @@
+#include "unfolding.h"
+
+#include "deform.h"
+
+#include <algorithm>
+
+namespace core
+{
+namespace
+{
+constexpr double smoothing = 0.5;
+} // namespace
+
+void Unfolding::clear()
+{
+    m_vertices.clear();
+    m_takenBack.clear();
+}
+
+bool Unfolding::smooth(JudgedMesh& surface, MeshEditor edit, Region& region, std::span<const Slot> vertices)
+{
+    const Mesh& mesh = surface.mesh();
+    std::vector<std::pair<Slot, Vec3f>> places;
+    for (Slot v : withNeighbours(region, mesh, vertices)) {
+        const Vec3 p = mesh.point(v).cast<double>();
+        const Vec3f place = edit.kept(v, mesh.lattice().snap(p + smoothing * (neighbourMean(mesh, v) - p)));
+        if (place != mesh.point(v))
+            places.emplace_back(v, place);
+    }
+    std::vector<Vec3> steps;
+    for (const auto& [v, place] : places)
+        steps.push_back((place - mesh.point(v)).cast<double>());
+    const bool sound = !places.empty() && surface.attempt([&] {
+        for (const auto& [v, place] : places)
+            edit.move(v, place);
+    });
+    for (std::size_t i = 0; sound && i < places.size(); ++i) {
+        const Vec3& plan = region.plan(places[i].first);
+        const double length = plan.norm();
+        const Slot position = m_vertices.add(places[i].first);
+        m_takenBack.resize(m_vertices.size(), 0.0);
+        m_takenBack[position] -= length > 0 ? steps[i].dot(plan) / length : 0;
+    }
+    return sound;
+}
+
+double Unfolding::shareLeft(const Region& region, double done) const
+{
+    if (m_vertices.size() == 0)
+        return done;
+    double planned = 0, left = 0;
+    region.forEach([&](Slot v) {
+        const double plan = region.plan(v).norm();
+        const Slot i = m_vertices.find(v);
+        planned = std::max(planned, plan);
+        left = std::max(left, done * plan - (i == noSlot ? 0 : std::max(0.0, m_takenBack[i])));
+    });
+    return planned > 0 ? left / planned : done;
+}
+} // namespace core

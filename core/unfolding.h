@@ -1,0 +1,29 @@
+#pragma once
+
+#include "judged_mesh.h"
+#include "mesh_editor.h"
+#include "region.h"
+
+namespace core
+{
+/// Local smoothing where the surface has folded up so far that its faces meet (paper, section 3.4), and what that takes back
+/// of a dab's motion.
+class Unfolding
+{
+public:
+    /// Forgets what was taken back: a new dab begins.
+    void clear();
+
+    /// Moves the region's vertices at and around the given ones half way to the mean of their neighbours, as a transaction of
+    /// its own. `vertices`: may be gone. False if nothing was moved.
+    bool smooth(JudgedMesh& surface, MeshEditor edit, Region& region, std::span<const Slot> vertices);
+
+    /// Of the longest displacement planned, the share that is left when this share of the plan has been done. O(1) if nothing
+    /// was smoothed, else O(region).
+    double shareLeft(const Region& region, double done) const;
+
+private:
+    SparseIndex m_vertices;           ///< smoothed in this dab
+    std::vector<double> m_takenBack;  ///< how far against their plan, by position among them
+};
+} // namespace core
