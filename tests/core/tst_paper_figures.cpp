@@ -105,6 +105,8 @@ private Q_SLOTS:
     void figure12_fingersPulledIntoEachOtherJoin_data();
     void figure12_fingersPulledIntoEachOtherJoin();
     void figure13_theEndsOfARingJoin();
+    void figure21_aBridgeIsOneTube_data();
+    void figure21_aBridgeIsOneTube();
     void figure15_withAndWithoutFusion_data() { figure12_fingersPulledIntoEachOtherJoin_data(); }
     void figure15_withAndWithoutFusion();
     void pushThroughASlab_piercesIt();
@@ -325,6 +327,44 @@ void TestPaperFigures::figure15_withAndWithoutFusion()
     VERIFY_VALID(sculptor.mesh());
     QCOMPARE(sculptor.totals().fusions > 0, fusion);
     QCOMPARE(mesh_asserts::eulerNumber(sculptor.mesh()) == 4, !fusion);
+}
+
+void TestPaperFigures::figure21_aBridgeIsOneTube_data()
+{
+    QTest::addColumn<core::Symmetry>("symmetry");
+    QTest::addColumn<Vec3>("offset");
+    QTest::addColumn<int>("bridges");
+    QTest::newRow("alone") << core::Symmetry::None << Vec3(0, 0.02, 0) << 1;
+    QTest::newRow("on the mirror's plane") << core::Symmetry::Y << Vec3(0, 0, 0) << 1;
+    QTest::newRow("about the plane") << core::Symmetry::Y << Vec3(0, 0.01, 0.01) << 1;
+    QTest::newRow("with its image") << core::Symmetry::Y << Vec3(0, 0.3, 0) << 2;
+}
+
+/// Pulled out of one ball against another, and on where it has arrived: no holes stay in the joint.
+void TestPaperFigures::figure21_aBridgeIsOneTube()
+{
+    QFETCH(core::Symmetry, symmetry);
+    QFETCH(Vec3, offset);
+    QFETCH(int, bridges);
+    StrokeSettings settings;
+    settings.radius = 0.16;
+    settings.strength = 1.5;
+    settings.spacing = 0.12;
+    settings.symmetry = symmetry;
+    for (float between : {0.2f, 0.3f, 0.37f, 0.45f}) {
+        const TriangleMesh ball = core::icosphere(4, 1);
+        Sculptor sculptor(sculptable(shapes::together(ball, shapes::moved(ball, {2 + between, 0, 0}))));
+        sculptor.beginStroke(settings);
+        for (double x : {0.95, 1.1 + between}) {
+            core::StrokeSample sample;
+            sample.position = Vec3(x, 0, 0) + offset;
+            sculptor.addSample(sample);
+        }
+        sculptor.endStroke();
+        VERIFY_VALID(sculptor.mesh());
+        QCOMPARE(mesh_asserts::eulerNumber(sculptor.mesh()), 4 - 2 * bridges);
+        QCOMPARE(genus(sculptor.mesh()), bridges - 1);
+    }
 }
 
 void TestPaperFigures::pushThroughASlab_piercesIt()
