@@ -1,0 +1,296 @@
+// The vase of the paper's Figure 21: made as a person would, with a stroke file that `fettle replay` plays.
+// How many handles it has is counted by hand, stage by stage:
+//
+//   stage      what is done                                       components  genus
+//   body       the sphere becomes foot, belly and neck            1           0
+//   hollow     a pit from the neck down to the foot, and a lip    1           0    a pit goes through nothing
+//   ring       a ball beside the body grows round to its image    2           1    the ring, a torus
+//   holes      4 pushed through the ring, and their images        2           9    one a hole
+//   bridges    3 and their images, 2 across the mirror's plane    1           16   one makes one of two; 7 more are handles
+//   handles    from the lip to the shoulder, and its image        1           18   one a handle
+//   motifs     turned waves and pearls                            1           18
+#include "core/mesh_io.h"
+#include "tests/support/mirror_asserts.h"
+#include "tests/support/solid_asserts.h"
+
+#include <nlohmann/json.hpp>
+
+#include <QDir>
+#include <QFile>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cmath>
+#include <numbers>
+
+using Json = nlohmann::json;
+
+namespace
+{
+using Point = std::array<double, 3>;
+
+constexpr Point up = {0, 1, 0}, down = {0, -1, 0}, inwards = {-1, 0, 0}, outwards = {1, 0, 0};
+constexpr double far = 4;                            ///< outside of everything
+constexpr double ringRadius = 1.5, ringHeight = -0.15;
+constexpr double turnSpeed = 36;                     ///< of the turntable, in degrees a second
+
+/// On the circle of that radius and height around the axis.
+Point around(double radius, double height, double degrees)
+{
+    const double angle = degrees * std::numbers::pi / 180;
+    return {radius * std::cos(angle), height, radius * std::sin(angle)};
+}
+
+Point difference(const Point& a, const Point& b)
+{
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+/// The strokes of the vase, in the form of stroke files. Every one is mirrored at x = 0.
+class Potter
+{
+public:
+    Json file() const { return {{"format", "fettle-strokes"}, {"version", 1}, {"strokes", m_strokes}}; }
+
+    void body();
+    void hollow();
+    void ring();
+    void holes();
+    void bridges();
+    void handles();
+    void motifs();
+
+private:
+    struct Brush
+    {
+        const char* tool;
+        double radius;
+        double strength = 1;
+    };
+    struct Hand
+    {
+        Point position, direction;
+    };
+    struct Turn
+    {
+        double step = 10; ///< degrees from dab to dab
+        double turns = 1;
+    };
+
+    void stroke(const Brush& brush, Json samples, const Json& settings);
+    void dabs(const Brush& brush, const std::vector<Hand>& hands, int times);
+    void rest(const Brush& brush, const Point& position, int times);
+    void turned(const Brush& brush, const Hand& hand, const Turn& turn);
+    void turned(const Brush& brush, const Hand& hand) { turned(brush, hand, Turn()); }
+    void drag(const Brush& brush, const std::vector<Point>& path);
+    void wave(const Brush& brush, double height, double amplitude, double degreesPerSecond);
+
+    static Hand fromOutside(double height) { return {{far, height, 0}, inwards}; }
+    static Hand fromTheAxis(double height) { return {{0, height, 0}, outwards}; }
+    static Hand fromAbove(double radius) { return {{radius, far, 0}, down}; }
+
+    Json m_strokes = Json::array();
+};
+
+void Potter::stroke(const Brush& brush, Json samples, const Json& settings)
+{
+    Json stroke = {{"tool", brush.tool}, {"radius", brush.radius}, {"strength", brush.strength}, {"symmetry", "x"}};
+    stroke.update(settings);
+    stroke["samples"] = std::move(samples);
+    m_strokes.push_back(std::move(stroke));
+}
+
+/// Where each hand points, in turns.
+void Potter::dabs(const Brush& brush, const std::vector<Hand>& hands, int times)
+{
+    Json samples = Json::array();
+    for (int i = 0; i < times; ++i) {
+        for (const Hand& hand : hands)
+            samples.push_back({{"position", hand.position}, {"direction", hand.direction}});
+    }
+    stroke(brush, samples, {{"place", "ray"}});
+}
+
+void Potter::rest(const Brush& brush, const Point& position, int times)
+{
+    stroke(brush, Json(static_cast<std::size_t>(times), Json{{"position", position}}), Json::object());
+}
+
+/// The hand rests, the model turns under it.
+void Potter::turned(const Brush& brush, const Hand& hand, const Turn& turn)
+{
+    Json samples = Json::array();
+    for (int i = 0; i < 360 * turn.turns / turn.step; ++i)
+        samples.push_back({{"position", hand.position}, {"direction", hand.direction}, {"t", i * turn.step / turnSpeed}});
+    stroke(brush, samples, {{"place", "ray"}, {"turntable_deg_per_s", turnSpeed}});
+}
+
+void Potter::drag(const Brush& brush, const std::vector<Point>& path)
+{
+    Json samples = Json::array();
+    for (const Point& point : path)
+        samples.push_back({{"position", point}});
+    stroke(brush, samples, {{"spacing", 0.12}});
+}
+
+/// Six crests around, even about the mirror's plane.
+void Potter::wave(const Brush& brush, double height, double amplitude, double degreesPerSecond)
+{
+    Json samples = Json::array();
+    for (double degrees = 0; degrees < 360; degrees += 2.5) {
+        const double y = height + amplitude * std::cos(6 * degrees * std::numbers::pi / 180);
+        samples.push_back({{"position", {far, y, 0}}, {"direction", inwards}, {"t", degrees / std::abs(degreesPerSecond)}});
+    }
+    stroke(brush, samples, {{"place", "ray"}, {"turntable_deg_per_s", degreesPerSecond}});
+}
+
+void Potter::body()
+{
+    const Hand below = {{0, -far, 0}, up}, above = fromAbove(0);
+    dabs({"push", 0.7}, {below}, 3);
+    dabs({"flatten", 0.7}, {below}, 8);
+    dabs({"pull", 0.7, 2}, {above}, 8);
+    dabs({"flatten", 0.6}, {above}, 3);
+    dabs({"pull", 0.6}, {above}, 2);
+    for (double height : {1.3, 1.15})
+        turned({"push", 0.35, 0.25}, fromOutside(height));
+    for (double height : {-0.3, 0.0, 0.3, 0.6, 0.9, 1.2, 1.5})
+        turned({"smooth", 0.4, 0.7}, fromOutside(height));
+    dabs({"flatten", 0.6}, {above}, 8);
+}
+
+void Potter::hollow()
+{
+    dabs({"push", 0.45}, {fromAbove(0)}, 5);
+    dabs({"push", 0.27}, {fromAbove(0)}, 75);
+    for (double height : {0.4, 0.2, 0.0, -0.2, -0.4})
+        turned({"push", 0.3, 0.35}, fromTheAxis(height));
+    for (double height : {1.3, 1.1, 0.9, 0.7, 0.5, 0.3, 0.1, -0.1, -0.3})
+        turned({"smooth", 0.25, 0.7}, fromTheAxis(height));
+    turned({"pull", 0.2, 0.6}, fromOutside(1.62), {6, 2});
+    for (double height : {1.75, 1.6, 1.45})
+        turned({"smooth", 0.25}, fromOutside(height), {6});
+    for (double radius : {0.3, 0.4, 0.5})
+        turned({"smooth", 0.2}, fromAbove(radius), {6});
+}
+
+/// The hand rests ahead of the ball's side and draws it on while the model turns away, in one direction and in the other:
+/// half a ring, and the image is the other half.
+void Potter::ring()
+{
+    stroke({"pull", 0.13}, {{{"position", {ringRadius, ringHeight, 0}}}}, {{"add", true}});
+    for (int side : {1, -1}) {
+        const Point hand = around(ringRadius, ringHeight, 14 * side);
+        const Point back = difference(around(ringRadius, ringHeight, 2 * side), hand);
+        Json samples = Json::array();
+        for (int i = 0; i < 190; ++i)
+            samples.push_back({{"position", hand}, {"direction", back}, {"t", 0.05 * i}});
+        stroke({"pull", 0.17, 1.5}, samples, {{"place", "ray"}, {"turntable_deg_per_s", 10 * side}});
+    }
+    for (double z : {1.0, -1.0}) { // where the halves met
+        const double joint = ringRadius * z;
+        dabs({"smooth", 0.2}, {{{0, far, joint}, down}, {{0, -far, joint}, up}, {{0, ringHeight, far * z}, {0, 0, -z}}}, 2);
+    }
+    turned({"pull", 0.2, 0.7}, fromOutside(ringHeight), {4, 2});
+    turned({"smooth", 0.25, 0.5}, fromOutside(ringHeight), {5});
+}
+
+void Potter::holes()
+{
+    for (double degrees : {-67.5, -22.5, 22.5, 67.5})
+        dabs({"push", 0.11}, {{around(ringRadius + 0.04, far, degrees), down}}, 40);
+}
+
+void Potter::bridges()
+{
+    for (double degrees : {-90, -45, 0, 45, 90}) {
+        drag({"pull", 0.16, 1.5}, {around(0.98, ringHeight, degrees), around(ringRadius - 0.12, ringHeight, degrees)});
+        rest({"smooth", 0.22}, around(ringRadius - 0.2, ringHeight, degrees), 6);
+    }
+}
+
+void Potter::handles()
+{
+    std::vector<Point> path;
+    constexpr int parts = 16;
+    for (int i = 0; i <= parts; ++i) {
+        const double share = double(i) / parts, angle = (95 - 190 * share) * std::numbers::pi / 180;
+        path.push_back({0.55 + 0.55 * std::cos(angle) + 0.1 * share, 1.05 + 0.5 * std::sin(angle), 0});
+    }
+    drag({"pull", 0.17, 1.5}, path);
+    rest({"smooth", 0.25}, {0.78, 0.6, 0}, 6);
+}
+
+void Potter::motifs()
+{
+    wave({"pull", 0.12, 0.5}, -0.55, 0.07, 25);
+    wave({"pull", 0.12, 0.3}, 1.0, 0.04, -25);
+    for (double degrees : {-75, -60, -45, -30, 30, 45, 60, 75})
+        dabs({"pull", 0.09}, {{around(far, 0.42, degrees), difference({}, around(1, 0, degrees))}}, 4);
+    turned({"smooth", 0.2, 0.4}, fromOutside(-0.55), {8});
+}
+
+constexpr struct
+{
+    const char* name;
+    void (Potter::*work)();
+    int components, genus;
+} stages[] = {{"body", &Potter::body, 1, 0},       {"hollow", &Potter::hollow, 1, 0},    {"ring", &Potter::ring, 2, 1},
+              {"holes", &Potter::holes, 2, 9},     {"bridges", &Potter::bridges, 1, 16}, {"handles", &Potter::handles, 1, 18},
+              {"motifs", &Potter::motifs, 1, 18}};
+} // namespace
+
+class TestVase : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void eachStage_hasTheHandlesCounted();
+
+private:
+    Json replay(const Json& strokes, core::TriangleMesh& mesh);
+};
+
+/// What `--stats` says, and the model.
+Json TestVase::replay(const Json& strokes, core::TriangleMesh& mesh)
+{
+    const QTemporaryDir folder;
+    const auto path = [&](const char* name) { return folder.filePath(QString::fromLatin1(name)); };
+    QFile file(path("vase.json"));
+    if (!file.open(QIODevice::WriteOnly) || file.write(strokes.dump().c_str()) < 0)
+        return {};
+    file.close();
+    QProcess program;
+    program.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+    program.start(QStringLiteral(FETTLE_PROGRAM), {QStringLiteral("replay"), QStringLiteral("--strokes"), path("vase.json"), QStringLiteral("--out"),
+                                                   path("vase.ply"), QStringLiteral("--stats"), path("stats.json")});
+    if (!program.waitForFinished(-1) || program.exitStatus() != QProcess::NormalExit || program.exitCode() != 0)
+        return {};
+    mesh = core::readMesh(path("vase.ply").toStdString());
+    QFile stats(path("stats.json"));
+    return stats.open(QIODevice::ReadOnly) ? Json::parse(stats.readAll().toStdString()) : Json();
+}
+
+void TestVase::eachStage_hasTheHandlesCounted()
+{
+    Potter potter;
+    std::size_t vertices = 0;
+    for (const auto& stage : stages) {
+        (potter.*stage.work)();
+        core::TriangleMesh vase;
+        const Json stats = replay(potter.file(), vase);
+        QVERIFY2(stats.is_object(), stage.name);
+        const auto mesh = mesh_asserts::sculptable(vase);
+        VERIFY_VALID(*mesh);
+        VERIFY_SYMMETRIC(*mesh, core::Symmetry::X);
+        QCOMPARE(stats["components"].get<int>(), stage.components);
+        QCOMPARE(stats["genus"].get<int>(), stage.genus);
+        QCOMPARE(mesh_asserts::eulerNumber(*mesh), 2 * (stage.components - stage.genus));
+        vertices = vase.points.size();
+    }
+    QVERIFY2(vertices >= 10'000 && vertices <= 100'000, qPrintable(QString::number(vertices)));
+}
+
+QTEST_GUILESS_MAIN(TestVase)
+#include "tst_vase.moc"
