@@ -123,10 +123,7 @@ bool DabEngine::isMirroredIn(BrushShape brush, const Sphere& ball)
 std::vector<Slot> DabEngine::facesIn(const LatticeBox& box) const
 {
     std::vector<Slot> faces;
-    m_surface.octree().query(box, [&](Slot f) {
-        if (boxOf(m_mesh, f).meets(box))
-            faces.push_back(f);
-    });
+    forEachFaceIn(m_mesh, m_surface.octree(), box, [&](Slot f) { faces.push_back(f); });
     std::ranges::sort(faces);
     return faces;
 }
@@ -533,14 +530,11 @@ double DabEngine::shareOfPeak() const
 /// Whether there is anything for fusion to join. A brush along the surface has only its own sheet for candidates.
 bool DabEngine::facesMeet(const StrokeSettings& settings, const Sphere& ball)
 {
-    const LatticeBox box = latticeBox(m_mesh.lattice(), ball);
     if (m_mirror.isOn() && (m_mirror.imageOf(ball.center) - ball.center).norm() < farthestFromImage * ball.radius)
         return true; // the image may be all that there is to meet
     if (settings.brush == BrushShape::Sphere)
-        return Fuser::mayMeet(m_mesh, m_region, m_candidates, box);
-    std::vector<Slot> near;
-    m_surface.octree().query(box, [&](Slot f) { near.push_back(f); });
-    return Fuser::mayMeet(m_mesh, m_region, near, box);
+        return Fuser::mayMeet(m_mesh, m_region, m_candidates);
+    return Fuser::mayMeet(m_mesh, m_region, facesIn(latticeBox(m_mesh.lattice(), ball)));
 }
 
 /// Before the motion of a sub-step that is to come.

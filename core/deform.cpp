@@ -72,19 +72,19 @@ Vec3 neighbourMean(const Mesh& mesh, Slot v)
 
 Vec3 vertexNormal(const Mesh& mesh, Slot v)
 {
-    using Vector = Eigen::Matrix<std::int64_t, 3, 1>;
-    const LatticePoint p = mesh.latticePoint(v);
-    Vector sum = Vector::Zero();
+    const auto point = [&](Slot u) { return Vec3(mesh.point(u).cast<double>()); };
+    const Vec3 p = point(v);
+    Vec3 sum = Vec3::Zero(); // exact: spokes of up to 2^21 units, products below 2^43
     const Slot first = mesh.outgoing(v);
-    Vector spoke = (mesh.latticePoint(mesh.to(first)) - p).cast<std::int64_t>();
+    Vec3 spoke = point(mesh.to(first)) - p;
     Slot h = first;
     do {
         h = mesh.rotate(h);
-        const Vector next = (mesh.latticePoint(mesh.to(h)) - p).cast<std::int64_t>();
+        const Vec3 next = point(mesh.to(h)) - p;
         sum += spoke.cross(next);
         spoke = next;
     } while (h != first);
-    return sum.cast<double>();
+    return sum;
 }
 
 double planDeformation(Region& region, const Mesh& mesh, const StrokeSettings& settings, const Dab& dab)

@@ -4,8 +4,8 @@
 
 namespace core
 {
-/// Area-weighted normal of a vertex from its lattice coordinates: an exact integer sum, so the order of the faces does not
-/// matter. Not normalised; zero where the star's areas cancel.
+/// Area-weighted normal of a vertex: an exact sum of products of lattice coordinates, so the order of the faces does not
+/// matter. In squared units of the document, not normalised; zero where the star's areas cancel.
 Vec3 vertexNormal(const Mesh& mesh, Slot v);
 
 /// Plans where the dab moves each vertex of the region (paper, section 3.3). With b = falloff(r_i / R), s = strength:

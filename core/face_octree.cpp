@@ -45,23 +45,38 @@ FaceOctree::FaceOctree(const Mesh& mesh)
 
 void FaceOctree::update(const Mesh& mesh, std::span<const Slot> faces)
 {
+    removeDead(mesh, faces);
     for (Slot f : faces) {
-        if (f >= m_places.size())
-            m_places.resize(f + 1);
-        const bool live = f < mesh.slots().faces && mesh.isFace(f);
-        if (!live) {
-            if (m_places[f].node != noSlot)
-                remove(f);
-            continue;
-        }
-        const LatticeBox box = boxOf(mesh, f);
-        if (m_places[f].node != noSlot) {
-            if (fits(box, f))
-                continue;
-            remove(f);
-        }
-        insert(box, f);
+        if (f < mesh.slots().faces && mesh.isFace(f))
+            place(f, boxOf(mesh, f));
     }
+}
+
+void FaceOctree::removeDead(const Mesh& mesh, std::span<const Slot> faces)
+{
+    for (Slot f : faces) {
+        const bool live = f < mesh.slots().faces && mesh.isFace(f);
+        if (!live && f < m_places.size() && m_places[f].node != noSlot)
+            remove(f);
+    }
+}
+
+void FaceOctree::place(std::span<const Slot> faces, std::span<const LatticeBox> boxes)
+{
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        place(faces[i], boxes[i]);
+}
+
+void FaceOctree::place(Slot face, const LatticeBox& box)
+{
+    if (face >= m_places.size())
+        m_places.resize(face + 1);
+    if (m_places[face].node != noSlot) {
+        if (fits(box, face))
+            return;
+        remove(face);
+    }
+    insert(box, face);
 }
 
 bool FaceOctree::fits(const LatticeBox& box, Slot face) const

@@ -2,6 +2,7 @@
 
 #include "mesh.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace core
@@ -38,6 +39,9 @@ public:
 
     /// Brings faces up to date: created, moved or removed ones. O(faces given).
     void update(const Mesh& mesh, std::span<const Slot> faces);
+    /// Two parts of it: takes out those that are no longer there; puts live ones where their boxes are.
+    void removeDead(const Mesh& mesh, std::span<const Slot> faces);
+    void place(std::span<const Slot> faces, std::span<const LatticeBox> boxes);
 
     /// Calls visit(face) for every face that may meet the box: a superset, in no useful order. A face that moved since its
     /// last update() is found where it was.
@@ -100,6 +104,7 @@ private:
             traverseNode(cell.child(node, i), enter, visit);
     }
 
+    void place(Slot face, const LatticeBox& box);
     bool fits(const LatticeBox& box, Slot face) const;
     void insert(const LatticeBox& box, Slot face);
     void remove(Slot face);
@@ -115,4 +120,22 @@ private:
     std::vector<Cell> m_cells;    ///< by node: where it lies
     int m_smallestCell = 2 * Lattice::limit;
 };
+
+/// Calls visit(face) for exactly the faces whose boxes meet the box, in no useful order; of those that the octree knows and the
+/// mesh still has.
+template <class Visit> void forEachFaceIn(const Mesh& mesh, const FaceOctree& octree, const LatticeBox& box, Visit visit)
+{
+    const Vec3f low = mesh.lattice().toPoint(box.min), high = mesh.lattice().toPoint(box.max);
+    octree.query(box, [&](Slot f) {
+        if (!mesh.isFace(f))
+            return;
+        const Triangle& t = mesh.corners(f);
+        const Vec3f a = mesh.point(t[0]), b = mesh.point(t[1]), c = mesh.point(t[2]);
+        for (int k = 0; k < 3; ++k) {
+            if (std::max({a[k], b[k], c[k]}) < low[k] || std::min({a[k], b[k], c[k]}) > high[k])
+                return;
+        }
+        visit(f);
+    });
+}
 } // namespace core

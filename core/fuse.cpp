@@ -80,25 +80,22 @@ Vec3 unit(const Vec3& v)
 
 // --- join ------------------------------------------------------------------------------------------------------------------
 
-bool Fuser::mayMeet(const Mesh& mesh, const Region& region, std::span<const Slot> faces, const LatticeBox& box)
+bool Fuser::mayMeet(const Mesh& mesh, const Region& region, std::span<const Slot> faces)
 {
-    using Vector = Eigen::Matrix<std::int64_t, 3, 1>; // exact, so the order of the faces does not matter
-    const auto normalOf = [&](Slot f) -> Vector {
-        const Triangle& t = mesh.corners(f);
-        const LatticePoint a = mesh.latticePoint(t[0]);
-        return (mesh.latticePoint(t[1]) - a).cast<std::int64_t>().cross((mesh.latticePoint(t[2]) - a).cast<std::int64_t>());
-    };
-    Vector sum = Vector::Zero();
+    std::vector<Vec3> normals; // exact, and so is their sum: the order of the faces does not matter
+    normals.reserve(faces.size());
+    Vec3 sum = Vec3::Zero();
     for (Slot f : faces) {
-        if (mesh.isFace(f) && region.contains(mesh.corners(f)[0]))
-            sum += normalOf(f);
+        const Triangle& t = mesh.corners(f);
+        const Vec3 a = pointOf(mesh, t[0]);
+        normals.push_back((pointOf(mesh, t[1]) - a).cross(pointOf(mesh, t[2]) - a));
+        if (region.contains(t[0]))
+            sum += normals.back();
     }
-    const Vec3 mean = unit(sum.cast<double>());
-    return std::ranges::any_of(faces, [&](Slot f) {
-        if (!mesh.isFace(f))
-            return false;
-        const Vec3 normal = normalOf(f).cast<double>();
-        return normal.dot(mean) < coneCosine * normal.norm() && boxOf(mesh, f).meets(box);
+    const Vec3 mean = unit(sum);
+    return !std::ranges::all_of(normals, [&](const Vec3& normal) {
+        const double along = normal.dot(mean);
+        return along > 0 && along * along >= coneCosine * coneCosine * normal.squaredNorm();
     });
 }
 

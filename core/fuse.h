@@ -42,9 +42,9 @@ public:
         m_tubes.clear();
     }
 
-    /// Whether two of the faces that meet the box may face each other: else there is nothing to join. Cheap, and never wrong
-    /// when it says no. `faces`: all that meet the box, and perhaps others.
-    static bool mayMeet(const Mesh& mesh, const Region& region, std::span<const Slot> faces, const LatticeBox& box);
+    /// Whether two of the faces may face each other: else there is nothing to join. Cheap, and never wrong when it says no.
+    /// `faces`: all around the region.
+    static bool mayMeet(const Mesh& mesh, const Region& region, std::span<const Slot> faces);
 
     /// Joins what the motion of the region is about to bring into contact: surfaces that meet from outside become one, a wall
     /// that is pushed through gets a hole.

@@ -12,7 +12,9 @@ bool JudgedMesh::judge(const Mesh::Mark& mark)
         return false;
     m_mostDirtyFaces = std::max(m_mostDirtyFaces, static_cast<Slot>(m_verifier.dirtyFaces().size()));
     m_mesh.commit(mark);
-    index(touched, m_verifier.dirtyFaces());
+    m_octree.removeDead(m_mesh, touched.faces);
+    m_octree.place(m_verifier.dirtyFaces(), m_verifier.dirtyBoxes());
+    m_dirtySlots.add(m_mesh, touched, m_verifier.dirtyFaces());
     return true;
 }
 
@@ -45,14 +47,7 @@ void JudgedMesh::commitUnjudged(const Mesh::Mark& mark)
 {
     const TouchedSlots touched = m_mesh.touchedSince(mark);
     m_mesh.commit(mark);
-    index(touched, {});
-}
-
-void JudgedMesh::index(const TouchedSlots& touched, std::span<const Slot> dirtyFaces)
-{
-    m_octree.update(m_mesh, touched.faces);
-    m_octree.update(m_mesh, dirtyFaces);
-    m_dirtySlots.add(m_mesh, touched, dirtyFaces);
+    m_dirtySlots.add(m_mesh, touched, {});
 }
 
 void JudgedMesh::follow(const MeshDelta& swapped)
@@ -71,6 +66,8 @@ void JudgedMesh::follow(const MeshDelta& swapped)
         if (image.slot < m_mesh.slots().vertices && m_mesh.isVertex(image.slot))
             m_mesh.forEachOutgoing(image.slot, [&](Slot h) { m_swappedFaces.add(m_mesh.face(h)); });
     }
-    index(touched, m_swappedFaces.slots());
+    m_octree.removeDead(m_mesh, touched.faces);
+    m_octree.update(m_mesh, m_swappedFaces.slots());
+    m_dirtySlots.add(m_mesh, touched, m_swappedFaces.slots());
 }
 } // namespace core

@@ -41,7 +41,6 @@ public:
 
 private:
     bool isSound(const TouchedSlots& touched);
-    void index(const TouchedSlots& touched, std::span<const Slot> dirtyFaces);
 
     Mesh& m_mesh;
     FaceOctree m_octree;

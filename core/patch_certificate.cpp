@@ -123,6 +123,11 @@ IntegerDirection integerDirection(const Vec3& v)
 
 bool certifyPatch(std::span<const PatchFace> faces, std::vector<BoundaryEdge>& boundary, const IntegerDirection& direction)
 {
+    return arePositive(faces, direction) && isSimpleLoop(boundary, direction);
+}
+
+bool arePositive(std::span<const PatchFace> faces, const IntegerDirection& direction)
+{
     std::atomic<bool> positive = true;
     forEachChunk(faces.size(), facesPerChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
         for (const PatchFace& f : faces.subspan(begin, end - begin)) {
@@ -132,8 +137,11 @@ bool certifyPatch(std::span<const PatchFace> faces, std::vector<BoundaryEdge>& b
             }
         }
     });
-    if (!positive)
-        return false;
+    return positive;
+}
+
+bool isSimpleLoop(std::vector<BoundaryEdge>& boundary, const IntegerDirection& direction)
+{
     return orderLoop(boundary) && isSimple(boundary, direction);
 }
 

@@ -27,6 +27,9 @@ struct BoundaryEdge
 /// `boundary`: the half-edges of the faces whose opposite face is not among them. False says nothing. Exact.
 /// Cost: O(faces + b log b) for a boundary of b edges that is not too jagged.
 bool certifyPatch(std::span<const PatchFace> faces, std::vector<BoundaryEdge>& boundary, const IntegerDirection& direction);
+/// Its two halves.
+bool arePositive(std::span<const PatchFace> faces, const IntegerDirection& direction);
+bool isSimpleLoop(std::vector<BoundaryEdge>& boundary, const IntegerDirection& direction);
 
 /// The same for the faces around one vertex: each strictly positive against the sum of their normals, once around.
 bool certifyStar(const Mesh& mesh, Slot v);

@@ -9,10 +9,11 @@ namespace core
 {
 void Region::clear()
 {
+    for (Slot v : m_index.slots())
+        m_present.remove(v);
     m_index.clear();
     m_distance.clear();
     m_plan.clear();
-    m_present.clear();
     m_live = 0;
 }
 
@@ -20,33 +21,35 @@ void Region::add(Slot v, double distance, const Vec3& plan)
 {
     const Slot i = m_index.add(v);
     if (i == m_plan.size()) {
-        m_distance.push_back(distance);
-        m_plan.push_back(plan);
-        m_present.push_back(1);
-        ++m_live;
-        return;
+        m_distance.emplace_back();
+        m_plan.emplace_back();
     }
-    m_live += m_present[i] ? 0 : 1;
     m_distance[i] = distance;
     m_plan[i] = plan;
-    m_present[i] = 1;
+    m_live += contains(v) ? 0 : 1;
+    m_present.add(v);
 }
 
 void Region::remove(Slot v)
 {
-    m_present[m_index.position(v)] = 0;
+    m_present.remove(v);
     --m_live;
+}
+
+Region::Saved Region::save() const
+{
+    Saved saved = {m_index.slots(), m_distance, m_plan, {}};
+    std::ranges::copy_if(saved.slots, std::back_inserter(saved.gone), [&](Slot v) { return !contains(v); });
+    return saved;
 }
 
 void Region::restore(const Saved& saved)
 {
-    m_index.clear();
-    for (Slot v : saved.slots)
-        m_index.add(v);
-    m_distance = saved.distance;
-    m_plan = saved.plan;
-    m_present = saved.present;
-    m_live = saved.live;
+    clear();
+    for (std::size_t i = 0; i < saved.slots.size(); ++i)
+        add(saved.slots[i], saved.distance[i], saved.plan[i]);
+    for (Slot v : saved.gone)
+        remove(v);
 }
 
 std::vector<Slot> withNeighbours(Region& region, const Mesh& mesh, std::span<const Slot> vertices)
@@ -81,7 +84,7 @@ void selectSphere(Region& region, std::vector<Slot>& candidates, const Mesh& mes
     SparseIndex& corners = region.scratch();
     corners.clear();
     const double radius2 = ball.radius * ball.radius;
-    octree.query(latticeBox(mesh.lattice(), ball), [&](Slot f) {
+    forEachFaceIn(mesh, octree, latticeBox(mesh.lattice(), ball), [&](Slot f) {
         candidates.push_back(f);
         for (Slot v : mesh.corners(f))
             corners.add(v);

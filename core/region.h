@@ -2,6 +2,7 @@
 
 #include "brush.h"
 #include "face_octree.h"
+#include "slot_bits.h"
 #include "sparse_index.h"
 #include "stroke.h"
 
@@ -18,7 +19,7 @@ public:
     bool empty() const { return m_live == 0; }
     /// Vertices that are still there.
     Slot size() const { return m_live; }
-    bool contains(Slot v) const { return m_index.contains(v) && m_present[m_index.position(v)]; }
+    bool contains(Slot v) const { return m_present.contains(v); }
 
     /// `distance`: from the brush's centre, as the brush measures it (r_i in the paper).
     void add(Slot v, double distance, const Vec3& plan = Vec3::Zero());
@@ -43,17 +44,16 @@ public:
         std::vector<Slot> slots;
         std::vector<double> distance;
         std::vector<Vec3> plan;
-        std::vector<char> present;
-        Slot live;
+        std::vector<Slot> gone;
     };
-    Saved save() const { return {m_index.slots(), m_distance, m_plan, m_present, m_live}; }
+    Saved save() const;
     void restore(const Saved& saved);
 
     template <class Visit> void forEach(Visit visit) const
     {
-        for (std::size_t i = 0; i < m_index.slots().size(); ++i) { // may grow meanwhile: what joins is not visited
-            if (m_present[i])
-                visit(m_index.slots()[i]);
+        for (std::size_t i = 0; i < m_index.slots().size(); ++i) { // may grow meanwhile
+            if (const Slot v = m_index.slots()[i]; contains(v))
+                visit(v);
         }
     }
 
@@ -61,7 +61,7 @@ private:
     SparseIndex m_index, m_remeshed, m_scratch;
     std::vector<double> m_distance;
     std::vector<Vec3> m_plan;
-    std::vector<char> m_present;
+    SlotBits m_present;
     Slot m_live = 0;
 };
 
@@ -69,7 +69,7 @@ private:
 std::vector<Slot> withNeighbours(Region& region, const Mesh& mesh, std::span<const Slot> vertices);
 
 /// Spherical brush (paper, section 3.1.2): the vertices within the ball, by Euclidean distance, ascending by slot.
-/// `candidates` becomes the candidate triangles of section 3.1.1: all that may meet the ball, in no useful order.
+/// `candidates` becomes the candidate triangles of section 3.1.1: those whose boxes meet the ball's, in no useful order.
 void selectSphere(Region& region, std::vector<Slot>& candidates, const Mesh& mesh, const FaceOctree& octree,
                   const Sphere& ball);
 

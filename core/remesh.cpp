@@ -84,6 +84,7 @@ private:
     bool mayGoOn();
     template <class Wanted> std::vector<Edge> regionEdges(Wanted wanted) const;
     Edge edgeAt(Slot e) const;
+    bool mayBeTooLong(Slot f) const;
     std::optional<Edge> tooLongIn(Slot f, const Sphere& ball) const;
     void joinRefined(Slot m, const Sphere& ball);
     void partFacesAcross(std::vector<Slot>& faces, const Sphere& ball);
@@ -103,20 +104,22 @@ private:
     SparseIndex& m_changed; ///< vertices around operations
 };
 
-/// Twice a triangle's area, and the sine of its smallest angle: the one between the two longest sides.
+/// Twice a triangle's area, and the squared sine of its smallest angle: the one between the two longest sides.
 struct Shape
 {
     Vec3 normal;
-    double smallestSine;
+    double area2; ///< the normal's squared length
+    double smallestSine2;
 };
 
 Shape shapeOf(const Vec3& a, const Vec3& b, const Vec3& c)
 {
     const Vec3 normal = (b - a).cross(c - a);
-    std::array<double, 3> side2 = {(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()};
-    std::ranges::sort(side2);
-    const double product = std::sqrt(side2[1] * side2[2]);
-    return {normal, product > 0 ? normal.norm() / product : 0};
+    const double ab = (b - a).squaredNorm(), bc = (c - b).squaredNorm(), ca = (a - c).squaredNorm();
+    const double shortest = std::min({ab, bc, ca});
+    const double longest = shortest == ab ? bc * ca : shortest == bc ? ca * ab : ab * bc;
+    const double area2 = normal.squaredNorm();
+    return {normal, area2, longest > 0 ? area2 / longest : 0};
 }
 
 bool Remesher::mayGoOn()
@@ -155,9 +158,20 @@ template <class Wanted> std::vector<Edge> Remesher::regionEdges(Wanted wanted) c
 
 // --- 0. refine -------------------------------------------------------------------------------------------------------------
 
+/// Mostly no. Rounds less than its margin.
+bool Remesher::mayBeTooLong(Slot f) const
+{
+    const Triangle& t = m_mesh.corners(f);
+    const Vec3f a = m_mesh.point(t[0]), b = m_mesh.point(t[1]), c = m_mesh.point(t[2]);
+    constexpr float margin = 1 - 1e-6f;
+    return std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}) > margin * static_cast<float>(m_detail2);
+}
+
 /// The longest edge of a face that meets the ball, if it is longer than d_detail.
 std::optional<Edge> Remesher::tooLongIn(Slot f, const Sphere& ball) const
 {
+    if (!mayBeTooLong(f))
+        return std::nullopt;
     const Triangle& t = m_mesh.corners(f);
     const std::array<Vec3, 3> p = {point(t[0]), point(t[1]), point(t[2])};
     std::size_t longest = 0;
@@ -283,8 +297,8 @@ bool Remesher::staysSound(Slot v, Slot ignored, const Vec3& target, const Limits
         const Shape before = shapeOf(p, pb, pc), after = shapeOf(target, pb, pc);
         const double turn = before.normal.dot(after.normal);
         const double before2 = (p - pb).squaredNorm(), after2 = (target - pb).squaredNorm();
-        if (turn <= leastTurnCosine * before.normal.norm() * after.normal.norm() ||
-            after.smallestSine < std::min(limits.angleSine, before.smallestSine) ||
+        if (turn <= 0 || turn * turn <= leastTurnCosine * leastTurnCosine * before.area2 * after.area2 ||
+            after.smallestSine2 < std::min(limits.angleSine * limits.angleSine, before.smallestSine2) ||
             after2 > std::max(m_detail2, before2) || after2 < std::min(limits.shortest2, before2))
             sound = false;
     });

@@ -1,8 +1,8 @@
 // The exact local check of a change (DESIGN section 3, step 5):
 //   1. dirty faces:  those the journal says were relinked, and those around a vertex that moved
-//   2. each by itself: linked rightly, not degenerate
+//   2. linked:       each rightly
 //   3. partners:     every face that meets the box of the dirty ones, where they are and where they were
-//   4. tier a:       one certificate for the connected patch around the dirty faces
+//   4. tier a:       one certificate for all of these, or for the connected patch around the dirty faces
 //      tier b:       certificates for the stars of its vertices, exact tests of the disjoint pairs
 //      tier c:       exact tests of neighbouring pairs too, where a star has no certificate
 //   5. nesting:      a shell wholly inside the box must still face the right way at its depth
@@ -21,6 +21,12 @@ namespace
 {
 /// What a core takes at a time: some ten microseconds of work, so that small dabs do not wake the others.
 constexpr std::size_t facesPerChunk = 2048, starsPerChunk = 512;
+
+BoundaryEdge boundaryEdge(const Mesh& mesh, Slot h)
+{
+    const Slot from = mesh.from(h), to = mesh.to(h);
+    return {from, to, mesh.latticePoint(from), mesh.latticePoint(to)};
+}
 } // namespace
 
 VerifyResult Verifier::verify(const Mesh& mesh, const FaceOctree& octree, const TouchedSlots& touched)
@@ -30,7 +36,10 @@ VerifyResult Verifier::verify(const Mesh& mesh, const FaceOctree& octree, const 
     if (m_dirtyCount == 0 && touched.faces.empty())
         return m_result;
     gather(mesh, octree, touched.before);
-    findBrokenFaces(mesh);
+    findMislinked(mesh);
+    if (m_result.ok() && certifyAll(mesh))
+        return m_result;
+    findDegenerate();
     if (m_result.ok()) {
         floodPatch(mesh);
         const bool certified = certifyDirtyPatch();
@@ -58,58 +67,93 @@ void Verifier::collectDirty(const Mesh& mesh, const TouchedSlots& touched)
             mesh.forEachOutgoing(v, [&](Slot h) { m_gathered.add(mesh.face(h)); });
     }
     m_dirtyCount = static_cast<Slot>(m_gathered.size());
+    readFaces(mesh, m_gathered.slots(), 0);
 }
 
 /// The box of the change holds where its faces are and where they were: what lay between has been swept over.
 void Verifier::gather(const Mesh& mesh, const FaceOctree& octree, const Eigen::AlignedBox3f& before)
 {
-    m_faces.clear();
     m_box = {};
-    readFaces(mesh, m_gathered.slots());
-    for (const LocalFace& face : m_faces)
-        m_box.extend(face.box);
+    for (const LatticeBox& box : dirtyBoxes())
+        m_box.extend(box);
     if (!before.isEmpty())
         m_box.extend(LatticeBox{mesh.lattice().toLattice(before.min()), mesh.lattice().toLattice(before.max())});
-    m_near.clear();
-    octree.query(m_box, [&](Slot f) {
-        if (mesh.isFace(f) && !isDirty(f)) // the octree knows where the dirty ones were; where they are is above
-            m_near.push_back(f);
-    });
-    readFaces(mesh, m_near);
-    std::size_t kept = m_dirtyCount;
-    for (std::size_t i = 0; i < m_near.size(); ++i) {
-        if (!m_faces[m_dirtyCount + i].box.meets(m_box))
-            continue;
-        m_gathered.add(m_near[i]);
-        m_faces[kept++] = m_faces[m_dirtyCount + i];
+    forEachFaceIn(mesh, octree, m_box, [&](Slot f) { m_gathered.add(f); }); // a dirty one is known already
+    readFaces(mesh, std::span(m_gathered.slots()).subspan(m_dirtyCount), m_dirtyCount);
+}
+
+/// Their shapes and boxes, to stand from `first` on.
+void Verifier::readFaces(const Mesh& mesh, std::span<const Slot> faces, std::size_t first)
+{
+    if (first + faces.size() > m_shapes.size()) {
+        m_shapes.resize(first + faces.size());
+        m_boxes.resize(first + faces.size());
     }
-    m_faces.resize(kept);
-}
-
-/// Appends them to m_faces.
-void Verifier::readFaces(const Mesh& mesh, std::span<const Slot> faces)
-{
-    const std::size_t first = m_faces.size();
-    m_faces.resize(first + faces.size());
     forEachChunk(faces.size(), facesPerChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            m_faces[first + i] = localFace(mesh, faces[i]);
+        for (std::size_t i = begin; i < end; ++i) {
+            const Triangle& t = mesh.corners(faces[i]);
+            const LatticePoint a = mesh.latticePoint(t[0]), b = mesh.latticePoint(t[1]), c = mesh.latticePoint(t[2]);
+            m_shapes[first + i] = {t, {a, b, c}};
+            m_boxes[first + i] = {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
+        }
     });
 }
 
-Verifier::LocalFace Verifier::localFace(const Mesh& mesh, Slot f)
+/// Most changes leave all that is near them one sheet that a single direction sees from above. (Then none of the faces is
+/// degenerate, and they are one component with an edge: a second one would have a loop of its own.)
+bool Verifier::certifyAll(const Mesh& mesh)
 {
-    const Triangle& t = mesh.corners(f);
-    const LatticePoint a = mesh.latticePoint(t[0]), b = mesh.latticePoint(t[1]), c = mesh.latticePoint(t[2]);
-    return {{t, {a, b, c}}, {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)}};
+    if (m_dirtyCount == 0)
+        return false;
+    const IntegerDirection direction = directionOfChange();
+    if (!arePositive(std::span(m_shapes).first(m_gathered.size()), direction))
+        return false;
+    collectBoundary(mesh);
+    return isSimpleLoop(m_boundary, direction);
 }
 
-void Verifier::findBrokenFaces(const Mesh& mesh)
+IntegerDirection Verifier::directionOfChange() const
+{
+    Vec3 sum = Vec3::Zero(); // exact: integers
+    for (Slot i = 0; i < m_dirtyCount; ++i) {
+        const auto& p = m_shapes[i].points;
+        const Vec3 ab = (p[1] - p[0]).cast<double>(), ac = (p[2] - p[0]).cast<double>();
+        sum += ab.cross(ac);
+    }
+    return integerDirection(sum);
+}
+
+/// The half-edges of all gathered faces that have none of these on the other side.
+void Verifier::collectBoundary(const Mesh& mesh)
+{
+    std::vector<std::vector<BoundaryEdge>> parts(chunksOf(m_gathered.size(), facesPerChunk));
+    forEachChunk(m_gathered.size(), facesPerChunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            Slot h = mesh.faceHalfedge(m_gathered.slots()[i]);
+            for (int k = 0; k < 3; ++k, h = mesh.next(h)) {
+                if (m_gathered.find(mesh.face(h ^ 1)) == noSlot)
+                    parts[chunk].push_back(boundaryEdge(mesh, h));
+            }
+        }
+    });
+    m_boundary.clear();
+    for (const std::vector<BoundaryEdge>& part : parts)
+        m_boundary.insert(m_boundary.end(), part.begin(), part.end());
+}
+
+void Verifier::findMislinked(const Mesh& mesh)
+{
+    for (Slot i = 0; i < m_relinkedCount; ++i) {
+        if (!isLinked(mesh, i))
+            m_result.badFaces.push_back(m_gathered.slots()[i]);
+    }
+}
+
+void Verifier::findDegenerate()
 {
     for (Slot i = 0; i < m_dirtyCount; ++i) {
-        const PatchFace& shape = m_faces[i].shape;
-        if ((i < m_relinkedCount && !isLinked(mesh, i)) ||
-            LatticePredicates::collinear(shape.points[0], shape.points[1], shape.points[2]))
+        const auto& p = m_shapes[i].points;
+        if (LatticePredicates::collinear(p[0], p[1], p[2]))
             m_result.badFaces.push_back(m_gathered.slots()[i]);
     }
 }
@@ -118,7 +162,7 @@ void Verifier::findBrokenFaces(const Mesh& mesh)
 bool Verifier::isLinked(const Mesh& mesh, Slot local) const
 {
     const Slot f = m_gathered.slots()[local];
-    const Triangle& corners = m_faces[local].shape.corners;
+    const Triangle& corners = m_shapes[local].corners;
     Slot h = mesh.faceHalfedge(f);
     const auto corner = std::ranges::find(corners, mesh.from(h));
     bool linked = corner != corners.end();
@@ -134,13 +178,13 @@ bool Verifier::isLinked(const Mesh& mesh, Slot local) const
 /// Labels the gathered faces by component (connected through edges); those of the dirty faces come first.
 void Verifier::floodPatch(const Mesh& mesh)
 {
-    m_component.assign(m_faces.size(), noSlot);
+    m_component.assign(m_gathered.size(), noSlot);
     m_closed.clear();
     m_patch.clear();
     m_boundary.clear();
     m_patchComponents = 0;
     std::vector<Slot> front;
-    for (Slot seed = 0; seed < m_faces.size(); ++seed) {
+    for (Slot seed = 0; seed < m_gathered.size(); ++seed) {
         if (seed == m_dirtyCount)
             m_patchComponents = static_cast<Slot>(m_closed.size());
         if (m_component[seed] != noSlot)
@@ -153,7 +197,7 @@ void Verifier::floodPatch(const Mesh& mesh)
             const Slot at = front.back();
             front.pop_back();
             if (component == 0)
-                m_patch.push_back(m_faces[at].shape);
+                m_patch.push_back(m_shapes[at]);
             Slot h = mesh.faceHalfedge(m_gathered.slots()[at]);
             for (int k = 0; k < 3; ++k, h = mesh.next(h)) {
                 const Slot other = mesh.face(h ^ 1);
@@ -165,14 +209,12 @@ void Verifier::floodPatch(const Mesh& mesh)
                     continue;
                 }
                 m_closed[component] = 0;
-                if (component == 0) {
-                    const Slot from = mesh.from(h), to = mesh.to(h);
-                    m_boundary.push_back({from, to, mesh.latticePoint(from), mesh.latticePoint(to)});
-                }
+                if (component == 0)
+                    m_boundary.push_back(boundaryEdge(mesh, h));
             }
         }
     }
-    if (m_faces.size() == m_dirtyCount)
+    if (m_gathered.size() == m_dirtyCount)
         m_patchComponents = static_cast<Slot>(m_closed.size());
 }
 
@@ -180,13 +222,7 @@ bool Verifier::certifyDirtyPatch()
 {
     if (m_patchComponents != 1 || m_closed[0])
         return false;
-    Vec3 sum = Vec3::Zero(); // exact: integers
-    for (Slot i = 0; i < m_dirtyCount; ++i) {
-        const auto& p = m_faces[i].shape.points;
-        const Vec3 ab = (p[1] - p[0]).cast<double>(), ac = (p[2] - p[0]).cast<double>();
-        sum += ab.cross(ac);
-    }
-    return certifyPatch(m_patch, m_boundary, integerDirection(sum));
+    return certifyPatch(m_patch, m_boundary, directionOfChange());
 }
 
 /// Tests the pairs with at least one dirty face whose boxes meet. After tier a only those of different components are left.
@@ -197,17 +233,14 @@ void Verifier::testPairs(const Mesh& mesh, bool neighboursToo)
     m_starCertified.clear();
     if (neighboursToo && !certifyStars(mesh))
         m_result.tier = VerifyTier::Pairs;
-    std::vector<LatticeBox> boxes(m_faces.size());
-    for (std::size_t i = 0; i < boxes.size(); ++i)
-        boxes[i] = m_faces[i].box;
-    BoxPairs(boxes, m_dirtyCount).forEach([&](Slot i, Slot j) { testPair(i, j, neighboursToo); });
+    BoxPairs(std::span(m_boxes).first(m_gathered.size()), m_dirtyCount).forEach([&](Slot i, Slot j) { testPair(i, j, neighboursToo); });
 }
 
 /// Of all corners of dirty faces. False if one has no certificate.
 bool Verifier::certifyStars(const Mesh& mesh)
 {
     for (Slot i = 0; i < m_dirtyCount; ++i) {
-        for (Slot v : m_faces[i].shape.corners)
+        for (Slot v : m_shapes[i].corners)
             m_stars.add(v);
     }
     m_starCertified.resize(m_stars.size());
@@ -222,8 +255,8 @@ void Verifier::testPair(Slot i, Slot j, bool neighboursToo)
 {
     if (!neighboursToo && m_component[i] == 0 && m_component[j] == 0)
         return;
-    const PatchFace& s = m_faces[i].shape;
-    const PatchFace& t = m_faces[j].shape;
+    const PatchFace& s = m_shapes[i];
+    const PatchFace& t = m_shapes[j];
     for (Slot v : s.corners) {
         const bool shared = v == t.corners[0] || v == t.corners[1] || v == t.corners[2];
         if (shared && m_stars.contains(v) && m_starCertified[m_stars.position(v)])
@@ -242,9 +275,9 @@ void Verifier::checkNesting(const Mesh& mesh, const FaceOctree& octree)
         if (!m_closed[component])
             continue;
         ShellProbe probe;
-        for (Slot i = 0; i < m_faces.size(); ++i) {
+        for (Slot i = 0; i < m_gathered.size(); ++i) {
             if (m_component[i] == component)
-                probe.addFace(m_faces[i].shape.points);
+                probe.addFace(m_shapes[i].points);
         }
         const auto isOwn = [&](Slot f) {
             return m_gathered.contains(f) && m_component[m_gathered.position(f)] == component;
@@ -257,11 +290,11 @@ void Verifier::checkNesting(const Mesh& mesh, const FaceOctree& octree)
         });
         for (Slot i = 0; i < m_dirtyCount; ++i) {
             if (m_component[i] != component)
-                probe.castAt(m_faces[i].shape.points);
+                probe.castAt(m_shapes[i].points);
         }
         if (probe.facesRightly())
             continue;
-        for (Slot i = 0; i < m_faces.size(); ++i) {
+        for (Slot i = 0; i < m_gathered.size(); ++i) {
             if (m_component[i] == component)
                 m_result.badFaces.push_back(m_gathered.slots()[i]);
         }

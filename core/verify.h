@@ -28,24 +28,23 @@ public:
     /// `touched` comes from the mesh's journal and holds all that changed since `octree` was last up to date.
     VerifyResult verify(const Mesh& mesh, const FaceOctree& octree, const TouchedSlots& touched);
 
-    /// Only finds out which faces changed.
+    /// Only finds out which faces changed, and their boxes.
     void collectDirty(const Mesh& mesh, const TouchedSlots& touched);
 
     /// The faces of the last verify() or collectDirty() that changed: relinked or with a moved corner, and alive.
     std::span<const Slot> dirtyFaces() const { return std::span(m_gathered.slots()).first(m_dirtyCount); }
+    /// Their boxes, in their order.
+    std::span<const LatticeBox> dirtyBoxes() const { return std::span(m_boxes).first(m_dirtyCount); }
 
 private:
-    struct LocalFace
-    {
-        PatchFace shape;
-        LatticeBox box;
-    };
-
-    void findBrokenFaces(const Mesh& mesh);
-    bool isLinked(const Mesh& mesh, Slot local) const;
     void gather(const Mesh& mesh, const FaceOctree& octree, const Eigen::AlignedBox3f& before);
-    void readFaces(const Mesh& mesh, std::span<const Slot> faces);
-    static LocalFace localFace(const Mesh& mesh, Slot f);
+    void readFaces(const Mesh& mesh, std::span<const Slot> faces, std::size_t first);
+    bool certifyAll(const Mesh& mesh);
+    IntegerDirection directionOfChange() const;
+    void collectBoundary(const Mesh& mesh);
+    void findMislinked(const Mesh& mesh);
+    void findDegenerate();
+    bool isLinked(const Mesh& mesh, Slot local) const;
     void floodPatch(const Mesh& mesh);
     bool certifyDirtyPatch();
     void testPairs(const Mesh& mesh, bool neighboursToo);
@@ -56,8 +55,8 @@ private:
 
     VerifyResult m_result;
     SparseIndex m_gathered;           ///< changed faces first, of these the relinked ones first; then all that meet the box
-    std::vector<LocalFace> m_faces;   ///< of m_gathered, in its order
-    std::vector<Slot> m_near;         ///< what the octree finds around the change
+    std::vector<PatchFace> m_shapes;  ///< of m_gathered, in its order; what stands behind these is of no use
+    std::vector<LatticeBox> m_boxes;  ///< likewise
     Slot m_relinkedCount = 0;
     Slot m_dirtyCount = 0;
     LatticeBox m_box;                 ///< of the change: the dirty faces, and where their vertices were
@@ -68,6 +67,5 @@ private:
     std::vector<BoundaryEdge> m_boundary;
     SparseIndex m_stars;              ///< vertices asked about
     std::vector<char> m_starCertified;
-    std::vector<char> m_degenerate;   ///< by gathered face
 };
 } // namespace core
