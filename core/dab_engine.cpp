@@ -33,6 +33,8 @@ constexpr double mostVertexMoves = 1 << 21;
 /// A dab whose centre is farther from its image's than this, in radii, does not bring the two into contact.
 constexpr double farthestFromImage = 4;
 constexpr int mostHoldRounds = 64;
+/// Vertices of a dab that is only a rehearsal: where the mesh is far finer than elsewhere none is made.
+constexpr Slot mostRehearsed = 1024;
 
 /// Into how many transactions the plan is cut where nothing can meet: in none do neighbours move more than d_move against each
 /// other.
@@ -42,7 +44,39 @@ double transactionsFor(double betweenNeighbours, const EdgeBounds& bounds)
 }
 } // namespace
 
-DabEngine::DabEngine(Mesh& mesh) : m_mesh(mesh), m_surface(mesh), m_mirror(mesh) {}
+DabEngine::DabEngine(Mesh& mesh) : m_mesh(mesh), m_surface(mesh), m_mirror(mesh)
+{
+    rehearse();
+}
+
+/// A dab that is taken back before it counts. Memory that is touched for the first time costs far more than a dab: so the first
+/// real one costs what all do.
+void DabEngine::rehearse()
+{
+    if (m_mesh.live().vertices == 0)
+        return;
+    Slot v = 0;
+    while (!m_mesh.isVertex(v))
+        ++v;
+    const StrokeSettings settings;
+    Dab dab;
+    dab.position = m_mesh.point(v).cast<double>();
+    dab.radius = m_mesh.uniformDetail() / edgeBounds(1, settings.detail).detail;
+    dab.strength = 1;
+    DabReport report;
+    m_mesh.beginStroke();
+    const Mesh::Mark mark = m_mesh.mark();
+    select(BrushShape::Sphere, {dab.position, dab.radius});
+    if (m_region.size() <= mostRehearsed) {
+        Task task = {settings, dab, boundsFor(settings, dab)};
+        RemeshCounts counts = refineAndPlan(task, plainEditor(), report);
+        moveAndOptimise(task, counts, report);
+        m_surface.rehearse(mark);
+    }
+    m_mesh.rollback(mark);
+    m_mesh.endStroke();
+    m_region.clear();
+}
 
 DabReport DabEngine::apply(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between)
 {

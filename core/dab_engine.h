@@ -63,6 +63,7 @@ private:
         unsigned substeps() const { return std::max(ticks / ticksPerStep, 1u); }
     };
 
+    void rehearse();
     void run(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report);
     void runMirrored(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report);
     void sculpt(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report);

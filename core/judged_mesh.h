@@ -24,6 +24,8 @@ public:
 
     /// Judges what changed since the mark: true commits it, false leaves it to be rolled back, and badFaces() tells why.
     bool judge(const Mesh::Mark& mark);
+    /// Judges for nothing, to be ready for the first time that counts.
+    void rehearse(const Mesh::Mark& mark) { m_verifier.verify(m_mesh, m_octree, m_mesh.touchedSince(mark)); }
     /// Runs the operation, and takes it back unless it is sound.
     bool attempt(const std::function<void()>& operation);
     /// Of the last judge() that found fault.

@@ -75,6 +75,7 @@ private Q_SLOTS:
     void peersStroke_commitsOnTheStraightPath();
     void reports_tellWhatTheDabDid();
     void hook_runsBetweenSubsteps();
+    void rehearsal_leavesNoTrace();
 };
 
 namespace
@@ -640,6 +641,17 @@ void TestSculptor::hook_runsBetweenSubsteps()
     const DabReport report = dabOnce(sculptor, {Tool::Pull, {0, 0, 1}, 0.3, 5});
     QVERIFY(report.substeps > 1);
     QVERIFY(valid && calls > 1 && calls <= report.substeps); // several may be one transaction
+}
+
+void TestSculptor::rehearsal_leavesNoTrace()
+{
+    for (const core::TriangleMesh& shape : {core::icosphere(4, 1), clay::bowl(), shapes::cube(1)}) {
+        const std::unique_ptr<core::Mesh> untouched = sculptable(shape);
+        Sculptor sculptor(sculptable(shape));
+        QCOMPARE(sculptor.mesh().stateHash(), untouched->stateHash());
+        QVERIFY(sculptor.indexIsConsistent());
+        QVERIFY(sculptor.takePatch().vertexSpans.empty());
+    }
 }
 
 QTEST_APPLESS_MAIN(TestSculptor)
