@@ -1,0 +1,38 @@
+#pragma once
+
+// For the stroke file's reader only.
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace core
+{
+/// The keys of one kind of object; the first `required` of them must be there.
+template <std::size_t N> struct Keys
+{
+    std::array<std::string_view, N> names;
+    unsigned required;
+
+    int indexOf(std::string_view name) const
+    {
+        const auto found = std::find(names.begin(), names.end(), name);
+        return found == names.end() ? -1 : static_cast<int>(found - names.begin());
+    }
+};
+
+enum FileKey { Format, Version, Strokes };
+inline constexpr Keys<3> fileKeys{{"format", "version", "strokes"}, 3};
+
+enum StrokeKey {
+    ToolKey, RadiusKey, SamplesKey, BrushKey, StrengthKey, FalloffKey, DetailKey, DetailLengthKey, TopologyKey, FusionKey,
+    SymmetryKey, SpacingKey, PlaceKey, AddKey, ColorKey, TurntableKey
+};
+inline constexpr Keys<16> strokeKeys{{"tool", "radius", "samples", "brush", "strength", "falloff", "detail", "detail_length",
+                                      "topology", "fusion", "symmetry", "spacing", "place", "add", "color",
+                                      "turntable_deg_per_s"},
+                                     3};
+
+enum SampleKey { PositionKey, TimeKey, DirectionKey, PressureKey, RotationKey, SampleRadiusKey, SampleStrengthKey };
+inline constexpr Keys<7> sampleKeys{{"position", "t", "direction", "pressure", "rotation", "radius", "strength"}, 1};
+} // namespace core

@@ -1,0 +1,169 @@
+// The stroke file's structure: which object holds which keys. Its values: stroke_values.cpp.
+#include "stroke_reader.h"
+
+namespace core
+{
+void StrokeReader::refuse(Kind kind, std::string_view value) const
+{
+    std::string key(keyName());
+    if (!value.empty())
+        key = key.empty() ? std::string(value) : key + ": " + std::string(value.substr(0, 60));
+    throw errorHere(kind, std::move(key));
+}
+
+void StrokeReader::refuse(Kind kind, const std::string& key, std::optional<double> least,
+                          std::optional<double> most) const
+{
+    StrokeFileError error = errorHere(kind, key);
+    error.least = least;
+    error.most = most;
+    throw error;
+}
+
+StrokeFileError StrokeReader::errorHere(Kind kind, std::string key) const
+{
+    StrokeFileError error(kind, std::move(key));
+    if (m_level >= Level::Stroke && !m_strokes.empty())
+        error.stroke = m_strokes.size() - 1;
+    if (m_level == Level::Sample)
+        error.sample = m_strokes.back().samples.size() - 1;
+    return error;
+}
+
+std::string_view StrokeReader::keyName() const
+{
+    if (m_key < 0)
+        return {};
+    const auto index = static_cast<std::size_t>(m_key);
+    switch (m_level) {
+    case Level::File: return fileKeys.names[index];
+    case Level::Stroke: return strokeKeys.names[index];
+    case Level::Sample: return sampleKeys.names[index];
+    case Level::Strokes: return "strokes";
+    case Level::Samples: return "samples";
+    case Level::Start: break;
+    }
+    return {};
+}
+
+template <std::size_t N> void StrokeReader::noteKey(const Keys<N>& keys, const std::string& name)
+{
+    m_key = keys.indexOf(name);
+    if (m_key < 0)
+        refuse(m_level == Level::File && !(m_seen & (1u << Format)) ? Kind::NotStrokes : Kind::UnknownKey,
+               name.empty() ? std::string_view("\"\"") : std::string_view(name));
+    if (m_seen & (1u << m_key))
+        refuse(Kind::DuplicateKey);
+    m_seen |= 1u << m_key;
+}
+
+template <std::size_t N> void StrokeReader::requireKeys(const Keys<N>& keys)
+{
+    for (unsigned i = 0; i < keys.required; ++i) {
+        m_key = static_cast<int>(i);
+        if (!(m_seen & (1u << i)))
+            refuse(m_level == Level::File && i == Format ? Kind::NotStrokes : Kind::MissingKey);
+    }
+}
+
+bool StrokeReader::key(string_t& name)
+{
+    switch (m_level) {
+    case Level::File: noteKey(fileKeys, name); break;
+    case Level::Stroke: noteKey(strokeKeys, name); break;
+    default: noteKey(sampleKeys, name); break;
+    }
+    return true;
+}
+
+bool StrokeReader::start_object(std::size_t)
+{
+    switch (m_level) {
+    case Level::Start:
+        m_level = Level::File;
+        break;
+    case Level::Strokes:
+        m_strokes.emplace_back();
+        m_level = Level::Stroke;
+        m_turntable = 0;
+        m_undirected.reset();
+        m_seenOuter = std::exchange(m_seen, 0);
+        break;
+    case Level::Samples:
+        m_strokes.back().samples.emplace_back();
+        m_level = Level::Sample;
+        m_seenStroke = std::exchange(m_seen, 0);
+        break;
+    default: refuse(Kind::WrongType);
+    }
+    m_key = -1;
+    return true;
+}
+
+bool StrokeReader::end_object()
+{
+    switch (m_level) {
+    case Level::File:
+        requireKeys(fileKeys);
+        break;
+    case Level::Stroke:
+        requireKeys(strokeKeys);
+        endStroke();
+        m_level = Level::Strokes;
+        m_seen = m_seenOuter;
+        break;
+    default:
+        requireKeys(sampleKeys);
+        if (!(m_seen & (1u << DirectionKey)) && !m_undirected)
+            m_undirected = m_strokes.back().samples.size() - 1;
+        m_level = Level::Samples;
+        m_seen = m_seenStroke;
+        break;
+    }
+    m_key = 0;
+    return true;
+}
+
+bool StrokeReader::start_array(std::size_t)
+{
+    if (m_level == Level::Start)
+        refuse(Kind::NotStrokes);
+    if (!m_inVector && m_level == Level::File && m_key == Strokes)
+        m_level = Level::Strokes;
+    else if (!m_inVector && m_level == Level::Stroke && m_key == SamplesKey)
+        m_level = Level::Samples;
+    else if (!m_inVector && vectorLength() > 0)
+        m_inVector = true;
+    else
+        refuse(Kind::WrongType);
+    m_count = 0;
+    return true;
+}
+
+bool StrokeReader::end_array()
+{
+    if (m_inVector) {
+        endVector();
+    } else if (m_level == Level::Strokes) {
+        m_level = Level::File;
+        m_key = Strokes;
+    } else {
+        m_level = Level::Stroke;
+        m_key = SamplesKey;
+    }
+    return true;
+}
+
+bool StrokeReader::parse_error(std::size_t position, const std::string&, const nlohmann::json::exception& error)
+{
+    constexpr int numberOverflow = 406;
+    // `position` is the count of bytes read: the one that did not fit is the last of them.
+    const std::size_t at = std::min(std::max<std::size_t>(position, 1) - 1, m_text.size());
+    const std::string_view rest = m_text.substr(at);
+    const bool isNumber = error.id == numberOverflow || rest.starts_with("NaN") || rest.starts_with("Inf");
+    StrokeFileError result = errorHere(isNumber ? Kind::NotANumber : Kind::Syntax, std::string(keyName()));
+    result.line = 1 + static_cast<std::size_t>(std::count(m_text.begin(), m_text.begin() + static_cast<long>(at), '\n'));
+    result.byte = at + 1;
+    throw result;
+}
+} // namespace core

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "stroke_file.h"
+#include "stroke_keys.h"
+
+#include <nlohmann/json.hpp>
+
+namespace core
+{
+/// Takes the parser's events; knows where in the format it stands. Throws at the first that does not belong there.
+class StrokeReader : public nlohmann::json::json_sax_t
+{
+public:
+    explicit StrokeReader(std::string_view text) : m_text(text) {}
+    std::vector<Stroke> take() { return std::move(m_strokes); }
+
+    bool null() override { refuse(m_level == Level::Start ? Kind::NotStrokes : Kind::WrongType); }
+    bool boolean(bool value) override;
+    bool number_integer(number_integer_t value) override { return number(static_cast<double>(value)); }
+    bool number_unsigned(number_unsigned_t value) override { return number(static_cast<double>(value)); }
+    bool number_float(number_float_t value, const string_t&) override { return number(value); }
+    bool string(string_t& value) override;
+    bool binary(binary_t&) override { refuse(Kind::WrongType); }
+    bool start_object(std::size_t) override;
+    bool key(string_t& name) override;
+    bool end_object() override;
+    bool start_array(std::size_t) override;
+    bool end_array() override;
+    bool parse_error(std::size_t position, const std::string& token, const nlohmann::json::exception& error) override;
+
+private:
+    using Kind = StrokeFileError::Kind;
+    enum class Level { Start, File, Strokes, Stroke, Samples, Sample };
+
+    [[noreturn]] void refuse(Kind kind, std::string_view value = {}) const;
+    [[noreturn]] void refuse(Kind kind, const std::string& key, std::optional<double> least,
+                             std::optional<double> most) const;
+    StrokeFileError errorHere(Kind kind, std::string key) const;
+    std::string_view keyName() const;
+    double inRange(double value, double least, double most) const;
+    double inRange(double value, Parameter parameter) const;
+    double zeroOrInRange(double value, double least, double most) const;
+
+    template <std::size_t N> void noteKey(const Keys<N>& keys, const std::string& name);
+    template <std::size_t N> void requireKeys(const Keys<N>& keys);
+    bool number(double value);
+    void strokeNumber(double value);
+    void sampleNumber(double value);
+    void strokeWord(const std::string& word);
+    std::size_t vectorLength() const;
+    void endVector();
+    void endSample();
+    void endStroke();
+
+    std::string_view m_text;
+    std::vector<Stroke> m_strokes;
+    Level m_level = Level::Start;
+    int m_key = -1;          ///< in the level's keys
+    unsigned m_seen = 0;     ///< bit per key of the innermost object
+    unsigned m_seenOuter = 0, m_seenStroke = 0;
+    bool m_inVector = false; ///< between the brackets of a list of numbers
+    std::size_t m_count = 0; ///< of them so far
+    std::array<double, 4> m_vector{};
+    double m_turntable = 0;
+    std::optional<std::size_t> m_undirected; ///< the stroke's first sample without a direction
+};
+} // namespace core

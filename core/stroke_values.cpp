@@ -1,0 +1,226 @@
+// The stroke file's values: types, ranges, and where each goes.
+#include "stroke_reader.h"
+
+#include <cmath>
+#include <limits>
+
+namespace core
+{
+namespace
+{
+constexpr double leastSpacing = 1e-3;   ///< but for 0: a typing error shall not ask for 10^12 dabs
+constexpr double leastDirection = 1e-9; ///< of a ray's direction
+
+/// The xz plane (section 3.5.2): what `"symmetry": true` means.
+constexpr Symmetry paperPlane = Symmetry::Y;
+
+/// By Taylor series of sine and cosine, so that it has the same bits on every machine.
+Eigen::Quaterniond turnAboutY(double degrees)
+{
+    constexpr double halfDegree = 3.14159265358979323846 / 360;
+    const double x = std::remainder(degrees, 360.0) * halfDegree; // within a quarter turn
+    double sine = 0, cosine = 0, term = 1;
+    for (int i = 0; i < 24; i += 2) {
+        const double sign = i % 4 == 0 ? 1 : -1;
+        cosine += sign * term;
+        term *= x / (i + 1);
+        sine += sign * term;
+        term *= x / (i + 2);
+    }
+    return Eigen::Quaterniond(cosine, 0, sine, 0).normalized();
+}
+} // namespace
+
+double StrokeReader::inRange(double value, double least, double most) const
+{
+    if (!(value >= least && value <= most))
+        refuse(Kind::OutOfRange, std::string(keyName()), least, most);
+    return value;
+}
+
+double StrokeReader::zeroOrInRange(double value, double least, double most) const
+{
+    if (value == 0 || (value >= least && value <= most))
+        return value;
+    StrokeFileError error = errorHere(Kind::OutOfRange, std::string(keyName()));
+    error.least = least;
+    error.most = most;
+    error.orZero = true;
+    throw error;
+}
+
+double StrokeReader::inRange(double value, Parameter parameter) const
+{
+    return inRange(value, info(parameter).min, info(parameter).max);
+}
+
+/// How many numbers the key's list holds; 0: the key has no list.
+std::size_t StrokeReader::vectorLength() const
+{
+    if (m_level == Level::Stroke)
+        return m_key == ColorKey ? 3 : 0;
+    if (m_level == Level::Sample)
+        return m_key == RotationKey ? 4 : m_key == PositionKey || m_key == DirectionKey ? 3 : 0;
+    return 0;
+}
+
+void StrokeReader::endVector()
+{
+    m_inVector = false;
+    if (m_count != vectorLength())
+        refuse(Kind::WrongType);
+    if (m_level == Level::Stroke) {
+        const auto byte = [](double value) { return static_cast<std::uint8_t>(value); };
+        m_strokes.back().settings.color = {byte(m_vector[0]), byte(m_vector[1]), byte(m_vector[2])};
+        return;
+    }
+    StrokeSample& sample = m_strokes.back().samples.back();
+    if (m_key == RotationKey) {
+        sample.rotation = Eigen::Quaterniond(m_vector[3], m_vector[0], m_vector[1], m_vector[2]);
+        const double length = sample.rotation.squaredNorm();
+        if (!(std::abs(length - 1) <= rotationTolerance))
+            refuse(Kind::OutOfRange);
+        if (std::abs(length - 1) > 8 * std::numeric_limits<double>::epsilon())
+            sample.rotation.normalize();
+    } else {
+        (m_key == PositionKey ? sample.position : sample.direction) = Vec3(m_vector[0], m_vector[1], m_vector[2]);
+    }
+}
+
+bool StrokeReader::number(double value)
+{
+    if (m_level == Level::Start)
+        refuse(Kind::NotStrokes);
+    if (!std::isfinite(value))
+        refuse(Kind::NotANumber);
+    if (m_inVector) {
+        if (m_count == vectorLength())
+            refuse(Kind::WrongType);
+        const bool isColor = m_level == Level::Stroke;
+        m_vector[m_count++] = isColor ? inRange(value, 0, 255) : inRange(value, -farthestSample, farthestSample);
+        if (isColor && value != std::trunc(value))
+            refuse(Kind::WrongType);
+    } else if (m_level == Level::Sample) {
+        sampleNumber(value);
+    } else if (m_level == Level::Stroke) {
+        strokeNumber(value);
+    } else if (m_level != Level::File || m_key != Version) {
+        refuse(Kind::WrongType);
+    } else if (value != 1) {
+        refuse(Kind::NotStrokes);
+    }
+    return true;
+}
+
+void StrokeReader::strokeNumber(double value)
+{
+    StrokeSettings& settings = m_strokes.back().settings;
+    switch (m_key) {
+    case RadiusKey: settings.radius = inRange(value, Parameter::Radius); break;
+    case StrengthKey: settings.strength = inRange(value, Parameter::Strength); break;
+    case DetailKey: settings.detail = inRange(value, Parameter::Detail); break;
+    case DetailLengthKey: settings.detailLength = inRange(value, info(Parameter::Radius).min, info(Parameter::Radius).max); break;
+    case TurntableKey: m_turntable = inRange(value, -farthestSample, farthestSample); break;
+    case SpacingKey: settings.spacing = zeroOrInRange(value, leastSpacing, info(Parameter::Spacing).max); break;
+    case FalloffKey:
+        zeroOrInRange(value, leastFalloff, info(Parameter::Falloff).max);
+        if (value != std::trunc(value))
+            refuse(Kind::WrongType);
+        settings.falloff = static_cast<int>(value);
+        break;
+    default: refuse(Kind::WrongType);
+    }
+}
+
+void StrokeReader::sampleNumber(double value)
+{
+    StrokeSample& sample = m_strokes.back().samples.back();
+    switch (m_key) {
+    case TimeKey: sample.time = inRange(value, -farthestSample, farthestSample); break;
+    case PressureKey: sample.pressure = inRange(value, 0, 1); break;
+    case SampleRadiusKey: sample.radius = inRange(value, Parameter::Radius); break;
+    case SampleStrengthKey: sample.strength = inRange(value, Parameter::Strength); break;
+    default: refuse(Kind::WrongType);
+    }
+}
+
+bool StrokeReader::boolean(bool value)
+{
+    if (m_level == Level::Start)
+        refuse(Kind::NotStrokes);
+    if (m_level != Level::Stroke || m_inVector || (m_key != FusionKey && m_key != SymmetryKey && m_key != AddKey))
+        refuse(Kind::WrongType);
+    if (m_key == SymmetryKey)
+        m_strokes.back().settings.symmetry = value ? paperPlane : Symmetry::None;
+    if (m_key == AddKey)
+        m_strokes.back().settings.add = value;
+    else if (m_key == FusionKey)
+        m_strokes.back().settings.fusion = value;
+    return true;
+}
+
+bool StrokeReader::string(string_t& value)
+{
+    if (m_level == Level::Start)
+        refuse(Kind::NotStrokes);
+    if (m_level == Level::Stroke && !m_inVector)
+        strokeWord(value);
+    else if (m_level != Level::File || m_key != Format)
+        refuse(Kind::WrongType);
+    else if (value != "fettle-strokes")
+        refuse(Kind::NotStrokes);
+    return true;
+}
+
+void StrokeReader::strokeWord(const std::string& word)
+{
+    StrokeSettings& settings = m_strokes.back().settings;
+    bool known = true;
+    switch (m_key) {
+    case ToolKey:
+        known = toolNamed(word).has_value();
+        settings.tool = toolNamed(word).value_or(settings.tool);
+        break;
+    case BrushKey:
+        known = brushNamed(word).has_value();
+        settings.brush = brushNamed(word).value_or(settings.brush);
+        break;
+    case TopologyKey:
+        known = topologyNamed(word).has_value();
+        settings.topology = topologyNamed(word).value_or(settings.topology);
+        break;
+    case SymmetryKey:
+        known = symmetryNamed(word).has_value();
+        settings.symmetry = symmetryNamed(word).value_or(settings.symmetry);
+        break;
+    case PlaceKey:
+        known = placementNamed(word).has_value();
+        settings.place = placementNamed(word).value_or(settings.place);
+        break;
+    default: refuse(Kind::WrongType);
+    }
+    if (!known)
+        refuse(Kind::UnknownValue, "\"" + word + "\"");
+}
+
+void StrokeReader::endStroke()
+{
+    Stroke& stroke = m_strokes.back();
+    const bool alongRays = stroke.settings.place == Placement::Ray || stroke.settings.brush == BrushShape::Ray;
+    if (alongRays && m_undirected) {
+        StrokeFileError error = errorHere(Kind::MissingKey, "direction");
+        error.sample = m_undirected;
+        throw error;
+    }
+    for (std::size_t i = 0; i < stroke.samples.size(); ++i) {
+        StrokeSample& sample = stroke.samples[i];
+        if (alongRays && sample.direction.cwiseAbs().maxCoeff() < leastDirection) {
+            StrokeFileError error = errorHere(Kind::OutOfRange, "direction");
+            error.sample = i;
+            throw error;
+        }
+        if (m_turntable != 0)
+            sample.rotation = turnAboutY(m_turntable * sample.time) * sample.rotation;
+    }
+}
+} // namespace core
