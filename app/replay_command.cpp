@@ -1,7 +1,8 @@
-// replay: strokes from a file on a model from a file, or on the paper's sphere; what came of it to files. In order: judge all
-// input, sculpt, write. Nothing is written when anything is wrong.
+// replay: strokes and commands from a file on a model from a file, or on the paper's sphere; what came of it to files. In
+// order: judge all input (what stands after a command, when the model is as that leaves it), sculpt, write. Nothing is written when anything is wrong.
 #include "command_line.h"
 #include "model_loader.h"
+#include "model_words.h"
 #include "process_usage.h"
 #include "replay_stats.h"
 #include "stroke_words.h"
@@ -94,7 +95,7 @@ void requireDifferentFiles(const ReplayOptions& options)
     }
 }
 
-std::vector<core::Stroke> readStrokes(const QString& path)
+std::vector<core::FileEntry> readStrokes(const QString& path)
 {
     try {
         return core::readStrokes(QFile::encodeName(path).toStdString());
@@ -109,37 +110,54 @@ double leastRadius(const core::Lattice& lattice, double detail)
     return lattice.minDetail() / core::edgeBounds(1, detail).detail;
 }
 
+using Entries = std::vector<core::FileEntry>;
+
+/// Reads the models to be inserted; their paths start from the stroke file.
+void readInserted(Entries& entries, const QString& strokes)
+{
+    for (core::FileEntry& entry : entries) {
+        auto* const command = std::get_if<core::FileCommand>(&entry);
+        if (auto* const insertion = command ? std::get_if<core::Insert>(&command->command) : nullptr)
+            insertion->model = core::readMesh(toPath(strokes).parent_path() / command->file);
+    }
+}
+
 /// What only the model's lattice can judge: brushes that it can hold, and hands within the working volume. Where a ray
 /// comes from is free.
-void checkAgainst(const core::Lattice& lattice, const std::vector<core::Stroke>& strokes, const QString& path)
+void checkAgainst(const core::Lattice& lattice, const core::Stroke& stroke, std::size_t index, const QString& path)
 {
     using core::StrokeFileError;
     const double wall = lattice.halfVolume();
-    for (std::size_t i = 0; i < strokes.size(); ++i) {
-        const core::StrokeSettings& settings = strokes[i].settings;
-        const double least = leastRadius(lattice, settings.detail);
-        const bool isHand = settings.brush != core::BrushShape::Ray && settings.place != core::Placement::Ray;
-        const auto refuse = [&](const char* key, double from, double to, std::optional<std::size_t> sample) {
-            StrokeFileError error(StrokeFileError::Kind::OutOfRange, key);
-            error.stroke = i;
-            error.sample = sample;
-            error.least = from;
-            error.most = to;
-            throw CommandFailure{StrokeWords::sentence(path, error)};
-        };
-        if (settings.radius < least || settings.radius > wall)
-            refuse("radius", least, wall, std::nullopt);
-        if (settings.detailLength != 0 && settings.detailLength < lattice.minDetail())
-            refuse("detail_length", lattice.minDetail(), wall, std::nullopt);
-        for (std::size_t j = 0; j < strokes[i].samples.size(); ++j) {
-            const core::StrokeSample& sample = strokes[i].samples[j];
-            const double radius = sample.radius.value_or(settings.radius);
-            if (radius < least || radius > wall)
-                refuse("radius", least, wall, j);
-            if (isHand && !lattice.contains(sample.rotation.conjugate() * sample.position))
-                refuse("position", -wall, wall, j);
-        }
+    const core::StrokeSettings& settings = stroke.settings;
+    const double least = leastRadius(lattice, settings.detail);
+    const bool isHand = settings.brush != core::BrushShape::Ray && settings.place != core::Placement::Ray;
+    const auto refuse = [&](const char* key, double from, double to, std::optional<std::size_t> sample) {
+        StrokeFileError error(StrokeFileError::Kind::OutOfRange, key);
+        error.stroke = index;
+        error.sample = sample;
+        error.least = from;
+        error.most = to;
+        throw CommandFailure{StrokeWords::sentence(path, error)};
+    };
+    if (settings.radius < least || settings.radius > wall)
+        refuse("radius", least, wall, std::nullopt);
+    if (settings.detailLength != 0 && settings.detailLength < lattice.minDetail())
+        refuse("detail_length", lattice.minDetail(), wall, std::nullopt);
+    for (std::size_t j = 0; j < stroke.samples.size(); ++j) {
+        const core::StrokeSample& sample = stroke.samples[j];
+        const double radius = sample.radius.value_or(settings.radius);
+        if (radius < least || radius > wall)
+            refuse("radius", least, wall, j);
+        if (isHand && !lattice.contains(sample.rotation.conjugate() * sample.position))
+            refuse("position", -wall, wall, j);
     }
+}
+
+/// The strokes from `first` on, up to the next command: that may give the model another lattice.
+void checkAgainst(const core::Lattice& lattice, const Entries& entries, std::size_t first, const QString& path)
+{
+    for (std::size_t i = first; i < entries.size() && std::holds_alternative<core::Stroke>(entries[i]); ++i)
+        checkAgainst(lattice, std::get<core::Stroke>(entries[i]), i, path);
 }
 
 /// `dab`: the one that is being done, from 0.
@@ -149,7 +167,27 @@ void requireWhole(const core::Sculptor& sculptor, std::size_t dab)
         throw CommandFailure{ReplayWords::tr("replay: the mesh is not in order in dab %1.").arg(dab), AnswerIsNo};
 }
 
-std::vector<ReplayedDab> play(core::Sculptor& sculptor, const std::vector<core::Stroke>& strokes, const ReplayOptions& options)
+void play(core::Sculptor& sculptor, const core::Stroke& stroke, double& dabStart)
+{
+    sculptor.beginStroke(stroke.settings);
+    for (const core::StrokeSample& sample : stroke.samples) {
+        dabStart = threadCpuMs();
+        sculptor.addSample(sample);
+    }
+    sculptor.endStroke();
+}
+
+/// As the Model menu does it. `index`: of the entry.
+void play(core::Sculptor& sculptor, const core::FileCommand& entry, std::size_t index)
+{
+    core::ModelChange change = core::tryOn(sculptor.mesh(), entry.command);
+    if (change.refusal != core::ModelRefusal::None)
+        throw CommandFailure{ReplayWords::tr("replay: command %1 (strokes[%2]): %3").arg(index + 1).arg(index)
+                                 .arg(ModelWords::refusal(change, QFile::decodeName(entry.file.c_str()))), AnswerIsNo};
+    sculptor.swap(change.delta);
+}
+
+std::vector<ReplayedDab> play(core::Sculptor& sculptor, const Entries& entries, const ReplayOptions& options)
 {
     std::vector<ReplayedDab> dabs;
     double dabStart = 0;
@@ -162,21 +200,23 @@ std::vector<ReplayedDab> play(core::Sculptor& sculptor, const std::vector<core::
             dabs.back().quality = sculptor.selectionQuality();
         dabStart = threadCpuMs();
     });
-    for (const core::Stroke& stroke : strokes) {
-        sculptor.beginStroke(stroke.settings);
-        for (const core::StrokeSample& sample : stroke.samples) {
-            dabStart = threadCpuMs();
-            sculptor.addSample(sample);
+    checkAgainst(sculptor.mesh().lattice(), entries, 0, options.strokes);
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        if (const auto* stroke = std::get_if<core::Stroke>(&entries[i])) {
+            play(sculptor, *stroke, dabStart);
+            continue;
         }
-        sculptor.endStroke();
+        play(sculptor, std::get<core::FileCommand>(entries[i]), i);
+        checkAgainst(sculptor.mesh().lattice(), entries, i + 1, options.strokes);
     }
     sculptor.setBetweenSubsteps({});
     sculptor.setAfterDab({});
     return dabs;
 }
 
-void run(const ReplayOptions& options, const std::vector<core::Stroke>& strokes)
+void run(const ReplayOptions& options, Entries& entries)
 {
+    readInserted(entries, options.strokes);
     // What cannot be written is told before the work, not after it.
     std::optional<core::AtomicFile> stats;
     if (!options.stats.isEmpty())
@@ -188,8 +228,7 @@ void run(const ReplayOptions& options, const std::vector<core::Stroke>& strokes)
         options.in.isEmpty() ? ModelLoader::sphere(paperRadius) : ModelLoader::loadInPlace(options.in);
     if (!model.sculptor)
         CommandLine::fail(model.problem);
-    checkAgainst(model.sculptor->mesh().lattice(), strokes, options.strokes);
-    const std::vector<ReplayedDab> dabs = play(*model.sculptor, strokes, options);
+    const std::vector<ReplayedDab> dabs = play(*model.sculptor, entries, options);
 
     const core::TriangleMesh mesh = core::extractMesh(model.sculptor->mesh());
     if (stats)
@@ -209,9 +248,9 @@ ExitStatus replayCommand(const QStringList& arguments)
     requireDifferentFiles(*options);
     if (!options->out.isEmpty())
         CommandLine::requireMeshEnding(options->out);
-    const std::vector<core::Stroke> strokes = readStrokes(options->strokes);
+    std::vector<core::FileEntry> entries = readStrokes(options->strokes);
     try {
-        run(*options, strokes);
+        run(*options, entries);
     } catch (const core::FileError& error) {
         CommandLine::fail(ui::Messages::sentence(error));
     }

@@ -22,14 +22,14 @@ StrokeFileError::StrokeFileError(Kind errorKind, std::string keyName)
 {
 }
 
-std::vector<Stroke> parseStrokes(std::string_view text)
+std::vector<FileEntry> parseStrokes(std::string_view text)
 {
     StrokeReader reader(text);
     nlohmann::json::sax_parse(text.begin(), text.end(), &reader);
     return reader.take();
 }
 
-std::vector<Stroke> readStrokes(const std::string& path)
+std::vector<FileEntry> readStrokes(const std::string& path)
 {
     StrokeFileError tooLarge(StrokeFileError::Kind::TooLarge);
     tooLarge.most = static_cast<double>(maxFileBytes);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "model_command.h"
 #include "stroke.h"
 
 #include <cstddef>
@@ -8,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace core
@@ -22,6 +24,17 @@ namespace core
 ///
 /// Required: format, version, strokes, and in a stroke tool, radius and samples, and in a sample position; with
 /// "place":"ray" also direction. The rest has the defaults above (time: 0; a sample's radius and strength: the stroke's).
+///
+/// Between strokes may stand commands for the whole model (model_command.h):
+///
+///     {"command":"move","by":[1,0,0]}                     {"command":"mirror","plane":"x"}
+///     {"command":"rotate","rotation":[0,0,0,1]}           {"command":"symmetrize","plane":"x","keep":"positive"}
+///     {"command":"scale","factor":2}                      {"command":"recentre"}
+///     {"command":"fill","color":[200,120,80]}             {"command":"remesh","detail_length":0.1}
+///     {"command":"insert","file":"a.stl","where":"centre","centre":[0,3,0]}
+///
+/// "keep": positive (the default) or negative. Without "detail_length": 4/3 of the mean edge. "where": beside (the default),
+/// as_it_is, or centre, and only then with "centre".
 struct StrokeFileError : std::runtime_error
 {
     enum class Kind {
@@ -42,7 +55,7 @@ struct StrokeFileError : std::runtime_error
 
     Kind kind;
     std::string key;                   ///< the key, or key and value ("tool": "melt"), in question; may be empty
-    std::optional<std::size_t> stroke; ///< counted from 0
+    std::optional<std::size_t> stroke; ///< or command, counted from 0
     std::optional<std::size_t> sample; ///< counted from 0, in its stroke
     std::size_t line = 0;              ///< counted from 1; 0: unknown
     std::size_t byte = 0;              ///< counted from 1; 0: unknown
@@ -51,10 +64,17 @@ struct StrokeFileError : std::runtime_error
     int systemError = 0;               ///< errno, with CannotRead, where it is known
 };
 
+struct FileCommand
+{
+    ModelCommand command;
+    std::string file; ///< of an Insert: where its model is; whoever plays the file reads it into the command
+};
+using FileEntry = std::variant<Stroke, FileCommand>;
+
 /// Throws StrokeFileError. Cost: linear in the text's length, whatever it holds.
-std::vector<Stroke> parseStrokes(std::string_view text);
-std::vector<Stroke> readStrokes(const std::string& path);
+std::vector<FileEntry> parseStrokes(std::string_view text);
+std::vector<FileEntry> readStrokes(const std::string& path);
 
 /// Writes every key, and numbers with enough digits to come back bit-identical.
-void writeStrokes(std::ostream& out, const std::vector<Stroke>& strokes);
+void writeStrokes(std::ostream& out, const std::vector<FileEntry>& entries);
 } // namespace core

@@ -1,5 +1,7 @@
 #include "stroke_file.h"
 
+#include <nlohmann/json.hpp>
+
 #include <array>
 #include <charconv>
 #include <ostream>
@@ -38,7 +40,7 @@ void writeSample(std::ostream& out, const StrokeSample& sample)
     out << '}';
 }
 
-void writeStroke(std::ostream& out, const Stroke& stroke)
+void write(std::ostream& out, const Stroke& stroke)
 {
     const StrokeSettings& settings = stroke.settings;
     out << "{\"tool\":\"" << name(settings.tool) << "\",\"brush\":\"" << name(settings.brush)
@@ -58,14 +60,80 @@ void writeStroke(std::ostream& out, const Stroke& stroke)
     }
     out << "]}";
 }
+
+std::string list(const Vec3& v)
+{
+    return list({v.x(), v.y(), v.z()});
+}
+
+std::string list(const Rgb& color)
+{
+    return list({double(color.r), double(color.g), double(color.b)});
+}
+
+/// What follows "command": in the file.
+std::string keysOf(const Move& move, const std::string&)
+{
+    return "\"move\",\"by\":" + list(move.by);
+}
+
+std::string keysOf(const Rotate& rotate, const std::string&)
+{
+    const Eigen::Quaterniond& turn = rotate.rotation;
+    return "\"rotate\",\"rotation\":" + list({turn.x(), turn.y(), turn.z(), turn.w()});
+}
+
+std::string keysOf(const Scale& scale, const std::string&)
+{
+    return "\"scale\",\"factor\":" + shortest(scale.factor);
+}
+
+std::string keysOf(const Mirror& mirror, const std::string&)
+{
+    return "\"mirror\",\"plane\":\"" + std::string(1, "xyz"[mirror.axis]) + "\"";
+}
+
+std::string keysOf(const Recentre&, const std::string&)
+{
+    return "\"recentre\"";
+}
+
+std::string keysOf(const Insert& insert, const std::string& file)
+{
+    const std::string keys = "\"insert\",\"file\":" + nlohmann::json(file).dump() + ",\"where\":";
+    if (insert.place == Insert::Place::Centre)
+        return keys + "\"centre\",\"centre\":" + list(insert.centre);
+    return keys + (insert.place == Insert::Place::Beside ? "\"beside\"" : "\"as_it_is\"");
+}
+
+std::string keysOf(const Fill& fill, const std::string&)
+{
+    return "\"fill\",\"color\":" + list(fill.color);
+}
+
+std::string keysOf(const RemeshUniformly& remesh, const std::string&)
+{
+    return "\"remesh\"" + (remesh.detailLength > 0 ? ",\"detail_length\":" + shortest(remesh.detailLength) : "");
+}
+
+std::string keysOf(const Symmetrize& symmetrize, const std::string&)
+{
+    return "\"symmetrize\",\"plane\":\"" + std::string(name(symmetrize.plane)) + "\",\"keep\":\""
+           + (symmetrize.keep == Half::Positive ? "positive" : "negative") + "\"";
+}
+
+void write(std::ostream& out, const FileCommand& entry)
+{
+    out << "{\"command\":" << std::visit([&](const auto& command) { return keysOf(command, entry.file); }, entry.command) << '}';
+}
 } // namespace
 
-void writeStrokes(std::ostream& out, const std::vector<Stroke>& strokes)
+void writeStrokes(std::ostream& out, const std::vector<FileEntry>& entries)
 {
     out << R"({"format":"fettle-strokes","version":1,"strokes":[)";
-    for (std::size_t i = 0; i < strokes.size(); ++i) {
+    for (std::size_t i = 0; i < entries.size(); ++i) {
         out << (i == 0 ? "\n" : ",\n");
-        writeStroke(out, strokes[i]);
+        std::visit([&](const auto& entry) { write(out, entry); }, entries[i]);
     }
     out << "]}\n";
 }

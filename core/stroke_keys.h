@@ -26,12 +26,17 @@ inline constexpr Keys<3> fileKeys{{"format", "version", "strokes"}, 3};
 
 enum StrokeKey {
     ToolKey, RadiusKey, SamplesKey, BrushKey, StrengthKey, FalloffKey, DetailKey, DetailLengthKey, TopologyKey, FusionKey,
-    SymmetryKey, SpacingKey, PlaceKey, AddKey, ColorKey, TurntableKey
+    SymmetryKey, SpacingKey, PlaceKey, AddKey, ColorKey, TurntableKey,
+    CommandKey, ByKey, TurnKey, FactorKey, PlaneKey, KeepKey, ModelKey, WhereKey, CentreKey // of commands
 };
-inline constexpr Keys<16> strokeKeys{{"tool", "radius", "samples", "brush", "strength", "falloff", "detail", "detail_length",
+inline constexpr Keys<25> strokeKeys{{"tool", "radius", "samples", "brush", "strength", "falloff", "detail", "detail_length",
                                       "topology", "fusion", "symmetry", "spacing", "place", "add", "color",
-                                      "turntable_deg_per_s"},
+                                      "turntable_deg_per_s",
+                                      "command", "by", "rotation", "factor", "plane", "keep", "file", "where", "centre"},
                                      3};
+
+/// Those that no stroke has, a bit each.
+inline constexpr unsigned commandKeys = (1u << strokeKeys.names.size()) - (1u << CommandKey);
 
 enum SampleKey { PositionKey, TimeKey, DirectionKey, PressureKey, RotationKey, SampleRadiusKey, SampleStrengthKey };
 inline constexpr Keys<7> sampleKeys{{"position", "t", "direction", "pressure", "rotation", "radius", "strength"}, 1};

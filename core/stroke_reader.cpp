@@ -23,10 +23,10 @@ void StrokeReader::refuse(Kind kind, const std::string& key, std::optional<doubl
 StrokeFileError StrokeReader::errorHere(Kind kind, std::string key) const
 {
     StrokeFileError error(kind, std::move(key));
-    if (m_level >= Level::Stroke && !m_strokes.empty())
-        error.stroke = m_strokes.size() - 1;
+    if (m_level >= Level::Stroke && !m_entries.empty())
+        error.stroke = m_entries.size() - 1;
     if (m_level == Level::Sample)
-        error.sample = m_strokes.back().samples.size() - 1;
+        error.sample = std::get<Stroke>(m_entries.back()).samples.size() - 1;
     return error;
 }
 
@@ -83,14 +83,15 @@ bool StrokeReader::start_object(std::size_t)
         m_level = Level::File;
         break;
     case Level::Strokes:
-        m_strokes.emplace_back();
+        m_entries.emplace_back();
+        m_command = {};
         m_level = Level::Stroke;
         m_turntable = 0;
         m_undirected.reset();
         m_seenOuter = std::exchange(m_seen, 0);
         break;
     case Level::Samples:
-        m_strokes.back().samples.emplace_back();
+        stroke().samples.emplace_back();
         m_level = Level::Sample;
         m_seenStroke = std::exchange(m_seen, 0);
         break;
@@ -107,15 +108,20 @@ bool StrokeReader::end_object()
         requireKeys(fileKeys);
         break;
     case Level::Stroke:
-        requireKeys(strokeKeys);
-        endStroke();
+        if (isCommand()) {
+            endCommand();
+        } else {
+            requireNoneOf(commandKeys);
+            requireKeys(strokeKeys);
+            endStroke();
+        }
         m_level = Level::Strokes;
         m_seen = m_seenOuter;
         break;
     default:
         requireKeys(sampleKeys);
         if (!(m_seen & (1u << DirectionKey)) && !m_undirected)
-            m_undirected = m_strokes.back().samples.size() - 1;
+            m_undirected = stroke().samples.size() - 1;
         m_level = Level::Samples;
         m_seen = m_seenStroke;
         break;

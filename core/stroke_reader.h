@@ -7,12 +7,24 @@
 
 namespace core
 {
+/// What the keys of a command say, in whatever order they come.
+struct CommandDraft
+{
+    std::string name, file;
+    Vec3 by = Vec3::Zero(), centre = Vec3::Zero();
+    Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
+    double factor = 1;
+    Symmetry plane = Symmetry::None;
+    Half keep = Half::Positive;
+    Insert::Place where = Insert::Place::Beside;
+};
+
 /// Takes the parser's events; knows where in the format it stands. Throws at the first that does not belong there.
 class StrokeReader : public nlohmann::json::json_sax_t
 {
 public:
     explicit StrokeReader(std::string_view text) : m_text(text) {}
-    std::vector<Stroke> take() { return std::move(m_strokes); }
+    std::vector<FileEntry> take() { return std::move(m_entries); }
 
     bool null() override { refuse(m_level == Level::Start ? Kind::NotStrokes : Kind::WrongType); }
     bool boolean(bool value) override;
@@ -49,11 +61,20 @@ private:
     void strokeWord(const std::string& word);
     std::size_t vectorLength() const;
     void endVector();
+    void strokeVector(const Vec3& vector);
+    Eigen::Quaterniond unitRotation() const;
     void endSample();
     void endStroke();
+    bool isCommand() const { return m_seen & (1u << CommandKey); }
+    bool commandWord(const std::string& word);
+    void endCommand();
+    void requireNoneOf(unsigned keys);
+    /// The entry that is being read: a stroke until it ends, its color and detail_length those of a command, too.
+    Stroke& stroke() { return std::get<Stroke>(m_entries.back()); }
 
     std::string_view m_text;
-    std::vector<Stroke> m_strokes;
+    std::vector<FileEntry> m_entries;
+    CommandDraft m_command;
     Level m_level = Level::Start;
     int m_key = -1;          ///< in the level's keys
     unsigned m_seen = 0;     ///< bit per key of the innermost object

@@ -9,6 +9,7 @@ namespace core
 namespace
 {
 constexpr double leastSpacing = 1e-3;   ///< but for 0: a typing error shall not ask for 10^12 dabs
+constexpr double leastFactor = 1e-6;    ///< of scaling; its inverse is the largest
 constexpr double leastDirection = 1e-9; ///< of a ray's direction
 
 /// The xz plane (section 3.5.2): what `"symmetry": true` means.
@@ -58,7 +59,7 @@ double StrokeReader::inRange(double value, Parameter parameter) const
 std::size_t StrokeReader::vectorLength() const
 {
     if (m_level == Level::Stroke)
-        return m_key == ColorKey ? 3 : 0;
+        return m_key == TurnKey ? 4 : m_key == ColorKey || m_key == ByKey || m_key == CentreKey ? 3 : 0;
     if (m_level == Level::Sample)
         return m_key == RotationKey ? 4 : m_key == PositionKey || m_key == DirectionKey ? 3 : 0;
     return 0;
@@ -69,22 +70,34 @@ void StrokeReader::endVector()
     m_inVector = false;
     if (m_count != vectorLength())
         refuse(Kind::WrongType);
-    if (m_level == Level::Stroke) {
-        const auto byte = [](double value) { return static_cast<std::uint8_t>(value); };
-        m_strokes.back().settings.color = {byte(m_vector[0]), byte(m_vector[1]), byte(m_vector[2])};
-        return;
+    const Vec3 vector(m_vector[0], m_vector[1], m_vector[2]);
+    if (m_level == Level::Stroke)
+        return strokeVector(vector);
+    StrokeSample& sample = stroke().samples.back();
+    if (m_key == RotationKey)
+        sample.rotation = unitRotation();
+    else
+        (m_key == PositionKey ? sample.position : sample.direction) = vector;
+}
+
+void StrokeReader::strokeVector(const Vec3& vector)
+{
+    const auto byte = [](double value) { return static_cast<std::uint8_t>(value); };
+    switch (m_key) {
+    case ColorKey: stroke().settings.color = {byte(vector.x()), byte(vector.y()), byte(vector.z())}; break;
+    case ByKey: m_command.by = vector; break;
+    case CentreKey: m_command.centre = vector; break;
+    default: m_command.rotation = unitRotation();
     }
-    StrokeSample& sample = m_strokes.back().samples.back();
-    if (m_key == RotationKey) {
-        sample.rotation = Eigen::Quaterniond(m_vector[3], m_vector[0], m_vector[1], m_vector[2]);
-        const double length = sample.rotation.squaredNorm();
-        if (!(std::abs(length - 1) <= rotationTolerance))
-            refuse(Kind::OutOfRange);
-        if (std::abs(length - 1) > 8 * std::numeric_limits<double>::epsilon())
-            sample.rotation.normalize();
-    } else {
-        (m_key == PositionKey ? sample.position : sample.direction) = Vec3(m_vector[0], m_vector[1], m_vector[2]);
-    }
+}
+
+Eigen::Quaterniond StrokeReader::unitRotation() const
+{
+    const Eigen::Quaterniond rotation(m_vector[3], m_vector[0], m_vector[1], m_vector[2]);
+    const double length = rotation.squaredNorm();
+    if (!(std::abs(length - 1) <= rotationTolerance))
+        refuse(Kind::OutOfRange);
+    return std::abs(length - 1) > 8 * std::numeric_limits<double>::epsilon() ? rotation.normalized() : rotation;
 }
 
 bool StrokeReader::number(double value)
@@ -96,7 +109,7 @@ bool StrokeReader::number(double value)
     if (m_inVector) {
         if (m_count == vectorLength())
             refuse(Kind::WrongType);
-        const bool isColor = m_level == Level::Stroke;
+        const bool isColor = m_level == Level::Stroke && m_key == ColorKey;
         m_vector[m_count++] = isColor ? inRange(value, 0, 255) : inRange(value, -farthestSample, farthestSample);
         if (isColor && value != std::trunc(value))
             refuse(Kind::WrongType);
@@ -114,12 +127,13 @@ bool StrokeReader::number(double value)
 
 void StrokeReader::strokeNumber(double value)
 {
-    StrokeSettings& settings = m_strokes.back().settings;
+    StrokeSettings& settings = stroke().settings;
     switch (m_key) {
     case RadiusKey: settings.radius = inRange(value, Parameter::Radius); break;
     case StrengthKey: settings.strength = inRange(value, Parameter::Strength); break;
     case DetailKey: settings.detail = inRange(value, Parameter::Detail); break;
     case DetailLengthKey: settings.detailLength = inRange(value, info(Parameter::Radius).min, info(Parameter::Radius).max); break;
+    case FactorKey: m_command.factor = inRange(value, leastFactor, 1 / leastFactor); break;
     case TurntableKey: m_turntable = inRange(value, -farthestSample, farthestSample); break;
     case SpacingKey: settings.spacing = zeroOrInRange(value, leastSpacing, info(Parameter::Spacing).max); break;
     case FalloffKey:
@@ -134,7 +148,7 @@ void StrokeReader::strokeNumber(double value)
 
 void StrokeReader::sampleNumber(double value)
 {
-    StrokeSample& sample = m_strokes.back().samples.back();
+    StrokeSample& sample = stroke().samples.back();
     switch (m_key) {
     case TimeKey: sample.time = inRange(value, -farthestSample, farthestSample); break;
     case PressureKey: sample.pressure = inRange(value, 0, 1); break;
@@ -151,11 +165,11 @@ bool StrokeReader::boolean(bool value)
     if (m_level != Level::Stroke || m_inVector || (m_key != FusionKey && m_key != SymmetryKey && m_key != AddKey))
         refuse(Kind::WrongType);
     if (m_key == SymmetryKey)
-        m_strokes.back().settings.symmetry = value ? paperPlane : Symmetry::None;
+        stroke().settings.symmetry = value ? paperPlane : Symmetry::None;
     if (m_key == AddKey)
-        m_strokes.back().settings.add = value;
+        stroke().settings.add = value;
     else if (m_key == FusionKey)
-        m_strokes.back().settings.fusion = value;
+        stroke().settings.fusion = value;
     return true;
 }
 
@@ -174,7 +188,7 @@ bool StrokeReader::string(string_t& value)
 
 void StrokeReader::strokeWord(const std::string& word)
 {
-    StrokeSettings& settings = m_strokes.back().settings;
+    StrokeSettings& settings = stroke().settings;
     bool known = true;
     switch (m_key) {
     case ToolKey:
@@ -197,7 +211,7 @@ void StrokeReader::strokeWord(const std::string& word)
         known = placementNamed(word).has_value();
         settings.place = placementNamed(word).value_or(settings.place);
         break;
-    default: refuse(Kind::WrongType);
+    default: known = commandWord(word);
     }
     if (!known)
         refuse(Kind::UnknownValue, "\"" + word + "\"");
@@ -205,7 +219,7 @@ void StrokeReader::strokeWord(const std::string& word)
 
 void StrokeReader::endStroke()
 {
-    Stroke& stroke = m_strokes.back();
+    Stroke& stroke = this->stroke();
     const bool alongRays = stroke.settings.place == Placement::Ray || stroke.settings.brush == BrushShape::Ray;
     if (alongRays && m_undirected) {
         StrokeFileError error = errorHere(Kind::MissingKey, "direction");

@@ -32,6 +32,15 @@ std::optional<StrokeFileError> errorOf(const std::string& text)
     return std::nullopt;
 }
 
+/// Of a file without commands.
+std::vector<Stroke> strokesOf(const std::string& text)
+{
+    std::vector<Stroke> strokes;
+    for (FileEntry& entry : parseStrokes(text))
+        strokes.push_back(std::get<Stroke>(std::move(entry)));
+    return strokes;
+}
+
 bool same(const Stroke& a, const Stroke& b)
 {
     std::ostringstream left, right;
@@ -95,12 +104,13 @@ private Q_SLOTS:
     void refusal_ofDepthIsImmediate();
     void refusal_atEachTruncation();
     void reads_aMillionSamples();
+    void commands_roundTrip();
     void readStrokes_refusesWhatIsNoFile();
 };
 
 void TestStrokeFile::defaults_areTheDesigns()
 {
-    const std::vector<Stroke> strokes = parseStrokes(file(least));
+    const std::vector<Stroke> strokes = strokesOf(file(least));
     QCOMPARE(strokes.size(), std::size_t(1));
     const StrokeSettings& settings = strokes[0].settings;
     QVERIFY(settings.tool == Tool::Pull && settings.brush == BrushShape::Sphere && settings.place == Placement::Point);
@@ -119,7 +129,7 @@ void TestStrokeFile::defaults_areTheDesigns()
 
 void TestStrokeFile::values_arriveWhereTheyBelong()
 {
-    const Stroke stroke = parseStrokes(file(
+    const Stroke stroke = strokesOf(file(
         R"("tool":"smooth","brush":"ray","radius":2.5,"strength":3,"falloff":16,"detail":0.5,"topology":"uniform",
            "detail_length":0.125,"fusion":true,"symmetry":"z","spacing":0.25,"place":"ray","add":true,
            "color":[200,120,80])",
@@ -146,7 +156,7 @@ void TestStrokeFile::values_arriveWhereTheyBelong()
 
 void TestStrokeFile::keys_mayComeInAnyOrder()
 {
-    const auto strokes = parseStrokes(
+    const auto strokes = strokesOf(
         R"({"strokes":[{"samples":[{"t":1,"position":[1,2,3]},{"position":[4,5,6]}],"radius":1,"tool":"push"},
             {"radius":1,"samples":[],"tool":"pull"}],"version":1.0,"format":"fettle-strokes"})");
     QCOMPARE(strokes.size(), std::size_t(2));
@@ -162,8 +172,8 @@ void TestStrokeFile::writing_andReadingGivesTheSameBits()
     for (int i = 0; i < 100; ++i)
         strokes.push_back(randomStroke(random));
     std::ostringstream out;
-    writeStrokes(out, strokes);
-    const std::vector<Stroke> back = parseStrokes(out.str());
+    writeStrokes(out, {strokes.begin(), strokes.end()});
+    const std::vector<Stroke> back = strokesOf(out.str());
     QCOMPARE(back.size(), strokes.size());
     for (std::size_t i = 0; i < back.size(); ++i) {
         QVERIFY(same(back[i], strokes[i]));
@@ -178,27 +188,27 @@ void TestStrokeFile::writing_andReadingGivesTheSameBits()
 void TestStrokeFile::turntable_isRotationAboutY()
 {
     for (const double t : {0.0, 0.25, 1.0, 7.5, -3.0}) {
-        const Stroke stroke = parseStrokes(file(least + R"(,"turntable_deg_per_s":36)",
+        const Stroke stroke = strokesOf(file(least + R"(,"turntable_deg_per_s":36)",
                                                 R"("position":[1,0,0],"t":)" + std::to_string(t)))
                                   .at(0);
         const double angle = 36 * t * 3.14159265358979323846 / 180;
         const Vec3 turned = stroke.samples.at(0).rotation * Vec3(1, 0, 0);
         QVERIFY((turned - Vec3(std::cos(angle), 0, -std::sin(angle))).norm() < 1e-14);
     }
-    const auto plain = parseStrokes(file(least + R"(,"turntable_deg_per_s":0)")).at(0);
+    const auto plain = strokesOf(file(least + R"(,"turntable_deg_per_s":0)")).at(0);
     QVERIFY(plain.samples[0].rotation.coeffs() == Eigen::Quaterniond::Identity().coeffs());
 }
 
 void TestStrokeFile::rotation_isNormalised()
 {
-    const auto stroke = parseStrokes(file(least, R"("position":[1,0,0],"rotation":[0,0.7071,0,0.7071])")).at(0);
+    const auto stroke = strokesOf(file(least, R"("position":[1,0,0],"rotation":[0,0.7071,0,0.7071])")).at(0);
     QVERIFY(std::abs(stroke.samples[0].rotation.norm() - 1) < 1e-15);
 }
 
 void TestStrokeFile::symmetry_isAPlaneOrTrueForThePapers()
 {
     const auto planeOf = [](const std::string& value) {
-        return parseStrokes(file(least + R"(,"symmetry":)" + value)).at(0).settings.symmetry;
+        return strokesOf(file(least + R"(,"symmetry":)" + value)).at(0).settings.symmetry;
     };
     QVERIFY(planeOf(R"("none")") == Symmetry::None && planeOf("false") == Symmetry::None);
     QVERIFY(planeOf(R"("x")") == Symmetry::X && planeOf(R"("z")") == Symmetry::Z);
@@ -296,6 +306,35 @@ void TestStrokeFile::refuses_data()
     stroke(R"("color":"red")", Kind::WrongType, "color");
     stroke(R"("turntable_deg_per_s":1e10)", Kind::OutOfRange, "turntable_deg_per_s");
     stroke(R"("place":"ray","note":1)", Kind::UnknownKey, "note");
+
+    stroke(R"("by":[1,0,0])", Kind::UnknownKey, "by");
+    const auto command = [&](const std::string& keys, Kind kind, const char* key) {
+        row(R"({"format":"fettle-strokes","version":1,"strokes":[{)" + keys + "}]}", kind, key);
+    };
+    command(R"("command":"melt")", Kind::UnknownValue, "command: \"melt\"");
+    command(R"("command":1)", Kind::WrongType, "command");
+    command(R"("command":"move")", Kind::MissingKey, "by");
+    command(R"("command":"move","by":[1,0])", Kind::WrongType, "by");
+    command(R"("command":"move","by":[1e10,0,0])", Kind::OutOfRange, "by");
+    command(R"("command":"move","by":[1,0,0],"factor":2)", Kind::UnknownKey, "factor");
+    command(R"("command":"move","by":[1,0,0],"radius":2)", Kind::UnknownKey, "radius");
+    command(R"("by":[1,0,0],"tool":"pull","command":"move")", Kind::UnknownKey, "tool");
+    command(R"("command":"move","command":"move","by":[1,0,0])", Kind::DuplicateKey, "command");
+    command(R"("command":"rotate","rotation":[0,0,0,2])", Kind::OutOfRange, "rotation");
+    command(R"("command":"rotate","rotation":[0,0,1])", Kind::WrongType, "rotation");
+    for (const char* bad : {"0", "-1", "1e-7", "1e7"})
+        command(R"("command":"scale","factor":)" + std::string(bad), Kind::OutOfRange, "factor");
+    command(R"("command":"mirror")", Kind::MissingKey, "plane");
+    command(R"("command":"mirror","plane":"none")", Kind::UnknownValue, "plane: \"none\"");
+    command(R"("command":"recentre","plane":"x")", Kind::UnknownKey, "plane");
+    command(R"("command":"fill")", Kind::MissingKey, "color");
+    command(R"("command":"fill","color":[1,2,256])", Kind::OutOfRange, "color");
+    command(R"("command":"remesh","detail_length":0)", Kind::OutOfRange, "detail_length");
+    command(R"("command":"symmetrize","plane":"x","keep":"left")", Kind::UnknownValue, "keep: \"left\"");
+    command(R"("command":"insert")", Kind::MissingKey, "file");
+    command(R"("command":"insert","file":"")", Kind::UnknownValue, "file: \"\"");
+    command(R"("command":"insert","file":"a.stl","centre":[0,0,0])", Kind::UnknownKey, "centre");
+    command(R"("command":"insert","file":"a.stl","where":"centre")", Kind::MissingKey, "centre");
 
     sample("", Kind::MissingKey, "position");
     sample(R"("position":[1,0])", Kind::WrongType, "position");
@@ -406,10 +445,43 @@ void TestStrokeFile::reads_aMillionSamples()
     writeStrokes(out, {stroke});
     QElapsedTimer timer;
     timer.start();
-    const auto back = parseStrokes(out.str());
+    const auto back = strokesOf(out.str());
     qInfo("%zu bytes, 1e6 samples: %lld ms", out.str().size(), timer.elapsed());
     QCOMPARE(back.at(0).samples.size(), stroke.samples.size());
     QVERIFY(back[0].samples.back().position == stroke.samples.back().position);
+}
+
+void TestStrokeFile::commands_roundTrip()
+{
+    const std::string text = R"({"format":"fettle-strokes","version":1,"strokes":[
+{"command":"move","by":[1,-2,0.1]},
+{"command":"rotate","rotation":[0,0,0.6,0.8]},
+{"command":"scale","factor":2.5},
+{"command":"mirror","plane":"z"},
+{"command":"recentre"},
+{"command":"insert","file":"a \"b\".stl","where":"beside"},
+{"command":"insert","file":"a.stl","where":"as_it_is"},
+{"command":"insert","file":"a.stl","where":"centre","centre":[0,3,0]},
+{"command":"fill","color":[200,120,80]},
+{"command":"remesh"},
+{"command":"remesh","detail_length":0.1},
+{"command":"symmetrize","plane":"y","keep":"positive"},
+{"command":"symmetrize","plane":"x","keep":"negative"}]}
+)";
+    const std::vector<FileEntry> entries = parseStrokes(text);
+    QCOMPARE(entries.size(), std::size_t(13));
+    std::ostringstream out;
+    writeStrokes(out, entries);
+    QCOMPARE(out.str(), text);
+    const auto commandAt = [&](std::size_t i) { return std::get<FileCommand>(entries[i]); };
+    QVERIFY(std::get<Move>(commandAt(0).command).by == Vec3(1, -2, 0.1));
+    QCOMPARE(std::get<Mirror>(commandAt(3).command).axis, 2);
+    QCOMPARE(commandAt(5).file, "a \"b\".stl");
+    QVERIFY(std::get<Insert>(commandAt(7).command).place == Insert::Place::Centre);
+    QVERIFY(std::get<Symmetrize>(commandAt(12).command).keep == Half::Negative);
+
+    const auto swapped = parseStrokes(R"({"format":"fettle-strokes","version":1,"strokes":[{"by":[1,0,0],"command":"move"}]})");
+    QVERIFY(std::get<Move>(std::get<FileCommand>(swapped.at(0)).command).by == Vec3(1, 0, 0));
 }
 
 void TestStrokeFile::readStrokes_refusesWhatIsNoFile()

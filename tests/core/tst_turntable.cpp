@@ -38,7 +38,7 @@ struct Turn
 };
 
 /// What a file says in which a pushing hand rests at x, at height 0, pointing inwards.
-std::vector<core::Stroke> groove(const Turn& turn)
+std::vector<core::FileEntry> groove(const Turn& turn)
 {
     std::string text = R"({"format":"fettle-strokes","version":1,"strokes":[{"tool":"push","radius":0.3,"strength":0.3,)"
                        R"("place":"ray","turntable_deg_per_s":)" + std::to_string(turn.degreesPerSecond) + R"(,"samples":[)";
@@ -47,9 +47,10 @@ std::vector<core::Stroke> groove(const Turn& turn)
     return core::parseStrokes(text + "]}]}");
 }
 
-void play(Sculptor& sculptor, const std::vector<core::Stroke>& strokes)
+void play(Sculptor& sculptor, const std::vector<core::FileEntry>& entries)
 {
-    for (const core::Stroke& stroke : strokes) {
+    for (const core::FileEntry& entry : entries) {
+        const core::Stroke& stroke = std::get<core::Stroke>(entry);
         sculptor.beginStroke(stroke.settings);
         for (const core::StrokeSample& sample : stroke.samples)
             sculptor.addSample(sample);

@@ -1,0 +1,109 @@
+// The stroke file's commands for the whole model: which keys each has, and its words.
+#include "stroke_reader.h"
+
+namespace core
+{
+namespace
+{
+constexpr unsigned bit(StrokeKey key)
+{
+    return 1u << key;
+}
+
+struct CommandKeys
+{
+    std::string_view name;
+    unsigned required, optional;
+};
+enum CommandName { MoveName, RotateName, ScaleName, MirrorName, RecentreName, InsertName, FillName, RemeshName, SymmetrizeName };
+constexpr std::array<CommandKeys, 9> commandTable{{
+    {"move", bit(ByKey), 0},
+    {"rotate", bit(TurnKey), 0},
+    {"scale", bit(FactorKey), 0},
+    {"mirror", bit(PlaneKey), 0},
+    {"recentre", 0, 0},
+    {"insert", bit(ModelKey), bit(WhereKey) | bit(CentreKey)},
+    {"fill", bit(ColorKey), 0},
+    {"remesh", 0, bit(DetailLengthKey)},
+    {"symmetrize", bit(PlaneKey), bit(KeepKey)},
+}};
+constexpr std::array<std::string_view, 2> keepTable{"positive", "negative"};
+constexpr std::array<std::string_view, 3> whereTable{"beside", "as_it_is", "centre"};
+
+/// Its place in the table; its size if it is not there.
+template <class Table, class Name> std::size_t placeIn(const Table& table, std::string_view word, Name nameOf)
+{
+    return static_cast<std::size_t>(std::ranges::find(table, word, nameOf) - table.begin());
+}
+
+ModelCommand commandOf(CommandName name, const CommandDraft& draft, const StrokeSettings& settings)
+{
+    const int axis = static_cast<int>(draft.plane) - static_cast<int>(Symmetry::X);
+    switch (name) {
+    case MoveName: return Move{draft.by};
+    case RotateName: return Rotate{draft.rotation};
+    case ScaleName: return Scale{draft.factor};
+    case MirrorName: return Mirror{axis};
+    case RecentreName: return Recentre{};
+    case InsertName: return Insert{{}, draft.where, draft.centre};
+    case FillName: return Fill{settings.color};
+    case RemeshName: return RemeshUniformly{settings.detailLength};
+    case SymmetrizeName: break;
+    }
+    return Symmetrize{draft.plane, draft.keep};
+}
+} // namespace
+
+/// False if the key does not have that word.
+bool StrokeReader::commandWord(const std::string& word)
+{
+    switch (m_key) {
+    case CommandKey:
+        m_command.name = word;
+        return placeIn(commandTable, word, &CommandKeys::name) < commandTable.size();
+    case PlaneKey:
+        m_command.plane = symmetryNamed(word).value_or(Symmetry::None);
+        return m_command.plane != Symmetry::None;
+    case KeepKey: {
+        const std::size_t keep = placeIn(keepTable, word, std::identity());
+        m_command.keep = static_cast<Half>(keep);
+        return keep < keepTable.size();
+    }
+    case WhereKey: {
+        const std::size_t where = placeIn(whereTable, word, std::identity());
+        m_command.where = static_cast<Insert::Place>(where);
+        return where < whereTable.size();
+    }
+    case ModelKey:
+        m_command.file = word;
+        return !word.empty();
+    default: refuse(Kind::WrongType);
+    }
+}
+
+/// Known to the format, but not where they stand.
+void StrokeReader::requireNoneOf(unsigned keys)
+{
+    for (std::size_t i = 0; i < strokeKeys.names.size(); ++i) {
+        if (m_seen & keys & (1u << i))
+            throw errorHere(Kind::UnknownKey, std::string(strokeKeys.names[i]));
+    }
+}
+
+/// The keys of a command may come in any order, and before "command": only now is it known which belong to it.
+void StrokeReader::endCommand()
+{
+    const std::size_t name = placeIn(commandTable, m_command.name, &CommandKeys::name);
+    const CommandKeys& keys = commandTable[name];
+    const bool wantsCentre = name == InsertName && m_command.where == Insert::Place::Centre;
+    const unsigned required = keys.required | (wantsCentre ? bit(CentreKey) : 0);
+    const unsigned known = bit(CommandKey) | required | (keys.optional & ~(wantsCentre ? 0 : bit(CentreKey)));
+    requireNoneOf(~known);
+    for (std::size_t i = 0; i < strokeKeys.names.size(); ++i) {
+        m_key = static_cast<int>(i);
+        if (required & ~m_seen & (1u << i))
+            refuse(Kind::MissingKey);
+    }
+    m_entries.back() = FileCommand{commandOf(static_cast<CommandName>(name), m_command, stroke().settings), m_command.file};
+}
+} // namespace core

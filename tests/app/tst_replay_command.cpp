@@ -1,0 +1,158 @@
+// Commands for the whole model in stroke files.
+#include "app/model_loader.h"
+#include "core/mesh_io.h"
+#include "core/model_command.h"
+#include "core/sculptor.h"
+#include "tests/support/solid_asserts.h"
+
+#include <nlohmann/json.hpp>
+
+#include <QFile>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+using Json = nlohmann::json;
+
+namespace
+{
+const Json pullAtX = {{"tool", "pull"}, {"radius", 0.3}, {"samples", {{{"position", {1, 0, 0}}}}}};
+
+/// As a script has it.
+class Replay
+{
+public:
+    QString path(const char* name) const { return m_folder.filePath(QString::fromLatin1(name)); }
+
+    int operator()(const Json& entries)
+    {
+        QFile file(path("strokes.json"));
+        if (!file.open(QIODevice::WriteOnly))
+            return -1;
+        file.write(Json{{"format", "fettle-strokes"}, {"version", 1}, {"strokes", entries}}.dump().c_str());
+        file.close();
+        QProcess program;
+        program.start(QStringLiteral(FETTLE_PROGRAM), {QStringLiteral("replay"), QStringLiteral("--strokes"), path("strokes.json"), QStringLiteral("--out"),
+                                                       path("out.ply"), QStringLiteral("--stats"), path("stats.json")});
+        if (!program.waitForFinished(-1) || program.exitStatus() != QProcess::NormalExit)
+            return -1;
+        complaint = program.readAllStandardError();
+        return program.exitCode();
+    }
+
+    Json stats() const
+    {
+        QFile file(path("stats.json"));
+        return file.open(QIODevice::ReadOnly) ? Json::parse(file.readAll().toStdString()) : Json();
+    }
+
+    QByteArray complaint;
+
+private:
+    QTemporaryDir m_folder;
+};
+
+void sculpt(core::Sculptor& sculptor)
+{
+    core::StrokeSettings settings;
+    settings.radius = 0.3;
+    core::StrokeSample sample;
+    sample.position = {1, 0, 0};
+    sculptor.beginStroke(settings);
+    sculptor.addSample(sample);
+    sculptor.endStroke();
+}
+} // namespace
+
+class TestReplayCommand : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void commands_doWhatTheyDoInCore_data();
+    void commands_doWhatTheyDoInCore();
+    void inserted_isSoughtBesideTheStrokeFile();
+    void refused_isTheAnswerNo();
+    void strokesAfterACommand_areJudgedByItsModel();
+};
+
+void TestReplayCommand::commands_doWhatTheyDoInCore_data()
+{
+    QTest::addColumn<QByteArray>("entry");
+    QTest::addColumn<core::ModelCommand>("command");
+    const auto row = [](const Json& entry, const core::ModelCommand& command) {
+        QTest::newRow(entry["command"].get<std::string>().c_str()) << QByteArray::fromStdString(entry.dump()) << command;
+    };
+    row({{"command", "move"}, {"by", {0.5, 0.25, -1}}}, core::Move{{0.5, 0.25, -1}});
+    row({{"command", "rotate"}, {"rotation", {0, 0.6, 0, 0.8}}}, core::Rotate{Eigen::Quaterniond(0.8, 0, 0.6, 0)});
+    row({{"command", "scale"}, {"factor", 3}}, core::Scale{3});
+    row({{"command", "mirror"}, {"plane", "x"}}, core::Mirror{0});
+    row({{"command", "recentre"}}, core::Recentre{});
+    row({{"command", "fill"}, {"color", {1, 2, 3}}}, core::Fill{{1, 2, 3}});
+    row({{"command", "remesh"}, {"detail_length", 0.2}}, core::RemeshUniformly{0.2});
+    row({{"command", "symmetrize"}, {"plane", "x"}, {"keep", "negative"}}, core::Symmetrize{core::Symmetry::X, core::Half::Negative});
+}
+
+/// Between two dabs, so that the engine sculpts on what a command has left.
+void TestReplayCommand::commands_doWhatTheyDoInCore()
+{
+    QFETCH(QByteArray, entry);
+    QFETCH(core::ModelCommand, command);
+    const auto sculptor = app::ModelLoader::sphere(1).sculptor;
+    sculpt(*sculptor);
+    core::ModelChange change = core::tryOn(sculptor->mesh(), command);
+    QVERIFY(change.changes);
+    sculptor->swap(change.delta);
+    sculpt(*sculptor);
+    VERIFY_VALID(sculptor->mesh());
+
+    const Json entries = {pullAtX, Json::parse(entry.toStdString()), pullAtX};
+    std::array<std::string, 2> hashes;
+    for (std::string& hash : hashes) {
+        Replay replay;
+        QVERIFY2(replay(entries) == 0, replay.complaint.constData());
+        hash = replay.stats()["mesh_hash"];
+    }
+    QCOMPARE(hashes[0], hashes[1]);
+    QCOMPARE(QString::fromStdString(hashes[0]), QStringLiteral("%1").arg(sculptor->mesh().meshHash(), 16, 16, QLatin1Char('0')));
+}
+
+void TestReplayCommand::inserted_isSoughtBesideTheStrokeFile()
+{
+    Replay replay;
+    core::writeMesh(replay.path("other.ply").toStdString(), core::icosphere(2, 0.5));
+    QVERIFY2(replay(Json::array({{{"command", "insert"}, {"file", "other.ply"}, {"where", "centre"}, {"centre", {0, 3, 0}}}})) == 0, replay.complaint.constData());
+    QCOMPARE(replay.stats()["components"].get<int>(), 2);
+    const auto mesh = mesh_asserts::sculptable(core::readMesh(replay.path("out.ply").toStdString()));
+    VERIFY_VALID(*mesh);
+    QCOMPARE(replay(Json::array({{{"command", "insert"}, {"file", "missing.ply"}}})), 2);
+    QVERIFY(replay.complaint.contains("missing.ply"));
+}
+
+void TestReplayCommand::refused_isTheAnswerNo()
+{
+    Replay replay;
+    core::writeMesh(replay.path("same.ply").toStdString(), core::icosphere(4, 1));
+    QCOMPARE(replay(Json::array({pullAtX, {{"command", "insert"}, {"file", "same.ply"}, {"where", "as_it_is"}}})), 1);
+    QVERIFY2(replay.complaint.contains("strokes[1]") && replay.complaint.contains("same.ply"), replay.complaint.constData());
+    QVERIFY(!QFile::exists(replay.path("out.ply")) && !QFile::exists(replay.path("stats.json")));
+}
+
+void TestReplayCommand::strokesAfterACommand_areJudgedByItsModel()
+{
+    Json far = pullAtX;
+    far["samples"][0]["position"] = {50, 0, 0};
+    far["radius"] = 0.2;
+    Replay replay;
+    QCOMPARE(replay(Json::array({far})), 2); // outside of the working volume
+    QVERIFY(replay.complaint.contains("strokes[0]"));
+    QCOMPARE(replay(Json::array({{{"command", "scale"}, {"factor", 50}}, far})), 2); // inside, but the brush is too fine now
+    QCOMPARE(replay(Json::array({pullAtX, {{"command", "recentre"}}, far})), 2);
+    QVERIFY(replay.complaint.contains("strokes[2]"));
+    QVERIFY(!QFile::exists(replay.path("out.ply")));
+    far["radius"] = 15;
+    QVERIFY2(replay(Json::array({{{"command", "scale"}, {"factor", 50}}, far})) == 0, replay.complaint.constData());
+}
+
+QTEST_GUILESS_MAIN(TestReplayCommand)
+#include "tst_replay_command.moc"
