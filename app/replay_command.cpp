@@ -182,7 +182,7 @@ void play(core::Sculptor& sculptor, const core::FileCommand& entry, std::size_t 
 {
     core::ModelChange change = core::tryOn(sculptor.mesh(), entry.command);
     if (change.refusal != core::ModelRefusal::None)
-        throw CommandFailure{ReplayWords::tr("replay: command %1 (strokes[%2]): %3").arg(index + 1).arg(index)
+        throw CommandFailure{ReplayWords::tr("replay: strokes[%1]: %2").arg(index)
                                  .arg(ModelWords::refusal(change, QFile::decodeName(entry.file.c_str()))), AnswerIsNo};
     sculptor.swap(change.delta);
 }

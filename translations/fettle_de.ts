@@ -420,6 +420,10 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>replay: the mesh is not in order in dab %1.</source>
         <translation>replay: Das Netz ist in Tupfer %1 nicht in Ordnung.</translation>
     </message>
+    <message>
+        <source>replay: strokes[%1]: %2</source>
+        <translation>replay: strokes[%1]: %2</translation>
+    </message>
 </context>
 <context>
     <name>app::StrokeCommand</name>

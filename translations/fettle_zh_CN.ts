@@ -418,6 +418,10 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>replay: the mesh is not in order in dab %1.</source>
         <translation>replay：网格在笔点 %1 处出错。</translation>
     </message>
+    <message>
+        <source>replay: strokes[%1]: %2</source>
+        <translation>replay: strokes[%1]: %2</translation>
+    </message>
 </context>
 <context>
     <name>app::StrokeCommand</name>

@@ -1,4 +1,4 @@
-// Commands for the whole model in stroke files.
+// What stroke files may hold: strokes in every tool and mode, and commands for the whole model.
 #include "app/model_loader.h"
 #include "core/mesh_io.h"
 #include "core/model_command.h"
@@ -11,6 +11,8 @@
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
+
+#include <cmath>
 
 using Json = nlohmann::json;
 
@@ -69,12 +71,47 @@ class TestReplayCommand : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void everyToolAndMode_isPlayed();
     void commands_doWhatTheyDoInCore_data();
     void commands_doWhatTheyDoInCore();
     void inserted_isSoughtBesideTheStrokeFile();
     void refused_isTheAnswerNo();
     void strokesAfterACommand_areJudgedByItsModel();
 };
+
+/// Each at a place of its own around the sphere, and last a ball beside it.
+void TestReplayCommand::everyToolAndMode_isPlayed()
+{
+    Json entries = Json::array();
+    for (const char* tool : {"pull", "push", "flatten", "smooth", "paint"}) {
+        for (const char* brush : {"sphere", "ray"}) {
+            for (const char* topology : {"adaptive", "uniform"}) {
+                for (const char* symmetry : {"none", "x", "y", "z"}) {
+                    const double angle = 0.4 * static_cast<double>(entries.size());
+                    const Json sample = {{"position", {2 * std::cos(angle), 0.3, 2 * std::sin(angle)}},
+                                         {"direction", {-std::cos(angle), -0.15, -std::sin(angle)}}};
+                    entries.push_back({{"tool", tool}, {"brush", brush}, {"topology", topology}, {"symmetry", symmetry}, {"place", "ray"},
+                                       {"radius", 0.25}, {"strength", 0.5}, {"color", {10, 20, 30}}, {"samples", {sample}}});
+                }
+            }
+        }
+    }
+    entries.push_back({{"tool", "pull"}, {"radius", 0.3}, {"add", true}, {"samples", {{{"position", {0, 2, 0}}}}}});
+    std::array<Json, 2> stats;
+    for (Json& each : stats) {
+        Replay replay;
+        QVERIFY2(replay(entries) == 0, replay.complaint.constData());
+        each = replay.stats();
+        const auto mesh = mesh_asserts::sculptable(core::readMesh(replay.path("out.ply").toStdString()));
+        VERIFY_VALID(*mesh);
+    }
+    const Json& dabs = stats[0]["dabs"];
+    QCOMPARE(dabs.size(), entries.size());
+    for (std::size_t i = 0; i < dabs.size(); ++i)
+        QVERIFY2(dabs[i]["outcome"] == (i + 1 < dabs.size() ? "committed" : "added"), (entries[i].dump() + dabs[i].dump()).c_str());
+    QCOMPARE(stats[0]["components"].get<int>(), 2);
+    QVERIFY(stats[0]["mesh_hash"] == stats[1]["mesh_hash"]);
+}
 
 void TestReplayCommand::commands_doWhatTheyDoInCore_data()
 {
