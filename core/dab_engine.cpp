@@ -16,6 +16,7 @@
 #include "deform.h"
 #include "free_topology.h"
 #include "mirror_plan.h"
+#include "parallel.h"
 #include "phase_timer.h"
 #include "surface_query.h"
 
@@ -35,6 +36,8 @@ constexpr double farthestFromImage = 4;
 constexpr int mostHoldRounds = 64;
 /// Vertices of a dab that is only a rehearsal: where the mesh is far finer than elsewhere none is made.
 constexpr Slot mostRehearsed = 1024;
+/// What a core takes at a time.
+constexpr std::size_t verticesPerChunk = 2048;
 
 /// Into how many transactions the plan is cut where nothing can meet: in none do neighbours move more than d_move against each
 /// other.
@@ -377,16 +380,22 @@ RemeshCounts DabEngine::refineAndPlan(Task& task, MeshEditor edit, DabReport& re
 /// The longest of the differences between the plans of neighbours.
 double DabEngine::longestBetweenNeighbours() const
 {
-    double longest2 = 0;
-    m_region.forEach([&](Slot v) {
-        const Vec3& plan = m_region.plan(v);
-        m_mesh.forEachOutgoing(v, [&](Slot h) {
-            const Slot other = m_mesh.to(h);
-            if (other > v && m_region.contains(other)) // at the region's rim the plan is nearly none
-                longest2 = std::max(longest2, (plan - m_region.plan(other)).squaredNorm());
-        });
+    const std::vector<Slot>& slots = m_region.slots();
+    std::vector<double> longest2(1 + chunksOf(slots.size(), verticesPerChunk), 0.0);
+    forEachChunk(slots.size(), verticesPerChunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const Slot v = slots[i];
+            if (!m_region.contains(v))
+                continue;
+            const Vec3& plan = m_region.plan(v);
+            m_mesh.forEachOutgoing(v, [&](Slot h) {
+                const Slot other = m_mesh.to(h);
+                if (other > v && m_region.contains(other)) // at the region's rim the plan is nearly none
+                    longest2[chunk] = std::max(longest2[chunk], (plan - m_region.plan(other)).squaredNorm());
+            });
+        }
     });
-    return std::sqrt(longest2);
+    return std::sqrt(*std::ranges::max_element(longest2));
 }
 
 /// The ray brush's selection after refine().

@@ -11,6 +11,7 @@
 #include "remesh.h"
 
 #include "deform.h"
+#include "parallel.h"
 #include "surface_query.h"
 
 #include <algorithm>
@@ -31,6 +32,8 @@ constexpr double flatCosine = 0.9;
 constexpr double collapsedAngleSine = 0.0872, relaxedAngleSine = 0.342;
 constexpr double relaxation = 0.5;
 constexpr int flipPasses = 4;
+/// What a core takes at a time: a dab of the usual size does not wake the others.
+constexpr std::size_t verticesPerChunk = 2048;
 
 struct Edge
 {
@@ -138,21 +141,30 @@ Edge Remesher::edgeAt(Slot e) const
     return {length2(e), std::min(a, b), std::max(a, b), e};
 }
 
-/// Edges with both ends in the region that are wanted by their squared length and slot.
+/// Edges with both ends in the region that are wanted by their squared length and slot. `wanted` runs on all cores.
 template <class Wanted> std::vector<Edge> Remesher::regionEdges(Wanted wanted) const
 {
-    std::vector<Edge> edges;
-    m_region.forEach([&](Slot v) {
-        const Vec3 p = point(v);
-        m_mesh.forEachOutgoing(v, [&](Slot h) {
-            const Slot other = m_mesh.to(h);
-            if (other < v || !m_region.contains(other))
-                return;
-            const double l2 = (point(other) - p).squaredNorm();
-            if (wanted(l2, h / 2))
-                edges.push_back({l2, v, other, h / 2});
-        });
+    const std::vector<Slot>& slots = m_region.slots();
+    std::vector<std::vector<Edge>> parts(chunksOf(slots.size(), verticesPerChunk));
+    forEachChunk(slots.size(), verticesPerChunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const Slot v = slots[i];
+            if (!m_region.contains(v))
+                continue;
+            const Vec3 p = point(v);
+            m_mesh.forEachOutgoing(v, [&](Slot h) {
+                const Slot other = m_mesh.to(h);
+                if (other < v || !m_region.contains(other))
+                    return;
+                const double l2 = (point(other) - p).squaredNorm();
+                if (wanted(l2, h / 2))
+                    parts[chunk].push_back({l2, v, other, h / 2});
+            });
+        }
     });
+    std::vector<Edge> edges;
+    for (std::vector<Edge>& part : parts)
+        edges.insert(edges.end(), part.begin(), part.end());
     return edges;
 }
 
