@@ -8,8 +8,7 @@
 //     verify     exactly, where it changed                                                     judged_mesh
 //     index      octree and draw ranges learn what changed                                     judged_mesh
 //     fuse       what the next sub-step would bring into contact joins; thin necks part        fuse
-// A sub-step that does not verify is rolled back and taken with care: first the motion alone, vertices that would touch
-// something held back; then each remeshing operation by itself, judged by itself. What cannot be done is left undone.
+// What it works on is selected in dab_select.cpp; a sub-step that does not verify is rolled back and goes on in dab_careful.cpp.
 
 #include "dab_engine.h"
 
@@ -18,7 +17,6 @@
 #include "mirror_plan.h"
 #include "parallel.h"
 #include "phase_timer.h"
-#include "surface_query.h"
 
 namespace core
 {
@@ -33,7 +31,6 @@ constexpr int mostAttempts = 4 * 4096;
 constexpr double mostVertexMoves = 1 << 21;
 /// A dab whose centre is farther from its image's than this, in radii, does not bring the two into contact.
 constexpr double farthestFromImage = 4;
-constexpr int mostHoldRounds = 64;
 /// Vertices of a dab that is only a rehearsal: where the mesh is far finer than elsewhere none is made.
 constexpr Slot mostRehearsed = 1024;
 /// What a core takes at a time.
@@ -102,74 +99,6 @@ DabReport DabEngine::apply(const StrokeSettings& settings, const Dab& dab, const
     return report;
 }
 
-void DabEngine::run(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between,
-                    DabReport& report)
-{
-    {
-        const PhaseTimer timer(report.selectMs);
-        select(settings.brush, {dab.position, dab.radius});
-    }
-    sculpt(settings, dab, between, report);
-}
-
-/// A dab and its image (paper, section 3.5.2): at once where the model is symmetric, else one after the other.
-void DabEngine::runMirrored(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between,
-                            DabReport& report)
-{
-    m_mirror.setPlane(settings.symmetry);
-    Dab image = dab, folded = dab;
-    image.position = m_mirror.imageOf(dab.position);
-    folded.position = m_mirror.folded(dab.position);
-    const Sphere ball = {folded.position, dab.radius};
-    bool mirrored = false;
-    {
-        const PhaseTimer timer(report.selectMs);
-        select(settings.brush, ball);
-        mirrored = isMirroredIn(settings.brush, ball);
-        if (mirrored)
-            keepHalf(m_region, m_mirror);
-    }
-    if (mirrored) {
-        sculpt(settings, folded, between, report);
-        m_mirror.setPlane(Symmetry::None);
-        return;
-    }
-    m_mirror.setPlane(Symmetry::None);
-    run(settings, dab, between, report);
-    if (image.position != dab.position) {
-        DabReport second;
-        run(settings, image, between, second);
-        report += second;
-    }
-    report.asymmetric = true;
-}
-
-/// Whether all that the ball and its image can change is symmetric, bit for bit.
-bool DabEngine::isMirroredIn(BrushShape brush, const Sphere& ball)
-{
-    const FaceOctree& octree = m_surface.octree();
-    if (brush == BrushShape::Ray) // it follows the surface, and finds on the other side what it found here
-        return m_mirror.learn(m_candidates, octree);
-    m_candidates = facesIn(latticeBox(m_mesh.lattice(), ball));
-    std::vector<Slot> faces = facesIn(latticeBox(m_mesh.lattice(), {m_mirror.imageOf(ball.center), ball.radius}));
-    faces.insert(faces.end(), m_candidates.begin(), m_candidates.end());
-    return m_mirror.learn(faces, octree);
-}
-
-/// Exactly the faces whose boxes meet the box, ascending: what the octree finds besides depends on what was there before.
-std::vector<Slot> DabEngine::facesIn(const LatticeBox& box) const
-{
-    std::vector<Slot> faces;
-    forEachFaceIn(m_mesh, m_surface.octree(), box, [&](Slot f) { faces.push_back(f); });
-    std::ranges::sort(faces);
-    return faces;
-}
-
-MeshEditor DabEngine::judgedEditor()
-{
-    return MeshEditor(m_mesh, [this](const std::function<void()>& operation) { return m_surface.attempt(operation); }, mirror());
-}
-
 /// The region is selected.
 void DabEngine::sculpt(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between,
                        DabReport& report)
@@ -220,62 +149,6 @@ void DabEngine::sculpt(const StrokeSettings& settings, const Dab& dab, const std
     report.touchedVertices = touchedVertices();
 }
 
-Slot DabEngine::touchedVertices() const
-{
-    Slot images = 0;
-    if (m_mirror.isOn())
-        m_region.forEach([&](Slot v) { images += m_mirror.isOnPlane(v) ? 0 : 1; });
-    return m_region.size() + images;
-}
-
-/// The candidate triangles and the region (paper, section 3.1).
-void DabEngine::select(BrushShape brush, const Sphere& ball)
-{
-    if (brush == BrushShape::Sphere) {
-        selectSphere(m_region, m_candidates, m_mesh, m_surface.octree(), ball);
-        return;
-    }
-    m_candidates.clear();
-    m_region.clear();
-    if (const std::optional<SurfaceHit> hit = nearestPoint(m_mesh, m_surface.octree(), ball.center)) {
-        m_candidates.push_back(hit->face);
-        selectGeodesic(m_region, m_candidates, m_mesh, ball);
-    }
-}
-
-bool DabEngine::wantsSphere(const StrokeSettings& settings, const Dab& dab) const
-{
-    if (!settings.add || settings.tool != Tool::Pull || settings.brush != BrushShape::Sphere ||
-        settings.place != Placement::Point || !m_region.empty())
-        return false;
-    const std::optional<SurfaceHit> nearest = nearestPoint(m_mesh, m_surface.octree(), dab.position);
-    return !nearest || nearest->distance > dab.radius; // else a face is under the brush, if no vertex is
-}
-
-/// Colours the region (paper, section 3.5.3); moves nothing and remeshes nothing.
-void DabEngine::paint(const StrokeSettings& settings, const Dab& dab, DabReport& report)
-{
-    const Mesh::Mark mark = m_mesh.mark();
-    const auto colour = [&](Slot v, double share) {
-        const Rgb before = m_mesh.color(v);
-        const auto mix = [&](int from, int to) { return static_cast<std::uint8_t>(from + share * (to - from) + 0.5); };
-        const Rgb after = {mix(before.r, settings.color.r), mix(before.g, settings.color.g), mix(before.b, settings.color.b)};
-        if (after != before)
-            m_mesh.setColor(v, after);
-    };
-    m_region.forEach([&](Slot v) {
-        const double x = std::min(m_region.distance(v) / dab.radius, 1.0);
-        const double share = std::min(dab.strength, 1.0) * falloff(x, settings.falloff);
-        colour(v, share);
-        const Slot image = m_mirror.isOn() ? m_mirror.imageOf(v) : v;
-        if (image != v)
-            colour(image, share);
-    });
-    m_surface.commitUnjudged(mark);
-    report.touchedVertices = touchedVertices();
-    report.outcome = m_region.empty() ? DabOutcome::Empty : DabOutcome::Committed;
-}
-
 EdgeBounds DabEngine::boundsFor(const StrokeSettings& settings, const Dab& dab) const
 {
     const double uniform = settings.detailLength > 0 ? settings.detailLength : m_mesh.uniformDetail();
@@ -307,47 +180,6 @@ DabEngine::Substep DabEngine::substep(Task& task, DabReport& report)
     const Substep result = careful(task, report);
     separate(task, report);
     return result;
-}
-
-/// After a sub-step that failed: what was about to meet is joined; failing that, in turns, what has folded up is smoothed, or
-/// the motion is made calmer where faces turned over and the step is halved.
-bool DabEngine::easeMotion(Task& task, DabReport& report)
-{
-    task.meets = true;
-    if (task.steps == 0 && !refineAtOnce(task, report))
-        return false;
-    task.most = ticksPerStep;
-    if (task.ticks > task.most) {
-        task.ticks = task.most;
-        return true;
-    }
-    if (join(task, report))
-        return true;
-    report.contact = report.contact || m_fuser.isContact(m_surface, m_region, task.approach(), task.settings.fusion, m_badVertices);
-    if (++task.eased > mostEased)
-        return false;
-    if (task.eased % 2 == 1 && m_unfolding.smooth(m_surface, plainEditor(), m_region, m_badVertices))
-        return true;
-    calmPlan(m_region, m_mesh, m_badVertices);
-    if (task.eased % 2 == 0)
-        task.ticks = std::max(task.ticks / 2, 1u);
-    return true;
-}
-
-/// The mesh under the brush is made fine enough in a transaction of its own: what failed was more likely the motion.
-bool DabEngine::refineAtOnce(Task& task, DabReport& report)
-{
-    const Region::Saved saved = m_region.save();
-    const Mesh::Mark mark = m_mesh.mark();
-    const RemeshCounts counts = refineAndPlan(task, plainEditor(), report);
-    if (!m_surface.judge(mark)) {
-        m_mesh.rollback(mark);
-        m_region.restore(saved);
-        task.steps = 0;
-        return false;
-    }
-    count(counts);
-    return true;
 }
 
 /// The first sub-step begins with this: the mesh under the brush is made fine enough to plan on.
@@ -396,15 +228,6 @@ double DabEngine::longestBetweenNeighbours() const
         }
     });
     return std::sqrt(*std::ranges::max_element(longest2));
-}
-
-/// The ray brush's selection after refine().
-void DabEngine::selectRefined(Region& region, const Sphere& ball)
-{
-    std::vector<Slot> candidates = m_candidates; // they stay: a sub-step that fails is refined again
-    for (Slot v : m_region.remeshed().slots())
-        m_mesh.forEachOutgoing(v, [&](Slot h) { candidates.push_back(m_mesh.face(h)); });
-    selectGeodesic(region, candidates, m_mesh, ball);
 }
 
 /// Returns the longest displacement planned.
@@ -457,89 +280,6 @@ bool DabEngine::moveAndOptimise(const Task& task, RemeshCounts& counts, DabRepor
     return true;
 }
 
-DabEngine::Substep DabEngine::careful(Task& task, DabReport& report)
-{
-    if (task.steps == 0)
-        count(refineAndPlan(task, judgedEditor(), report));
-    join(task, report);
-    if (heldBackAsBefore(task, report))
-        return Substep::Careful;
-    const bool moved = moveHeldBack(task.part(), report);
-    if (!optimiseAtOnce(task, report)) {
-        const PhaseTimer timer(report.optimiseMs, m_surface.verifyMs());
-        MeshEditor edit = judgedEditor();
-        count(optimise(edit, m_region, task.bounds));
-    }
-    return moved ? Substep::Careful : Substep::Stuck;
-}
-
-/// Motion and operations in one transaction: what an earlier sub-step held back is mostly all that had to be.
-bool DabEngine::heldBackAsBefore(const Task& task, DabReport& report)
-{
-    if (!m_held.inUse())
-        return false;
-    m_held.extend(m_region, m_mesh);
-    const double share = shareOfPeak();
-    if (share == 0)
-        return false;
-    const Region::Saved saved = m_region.save();
-    const Mesh::Mark mark = m_mesh.mark();
-    RemeshCounts counts;
-    if (!moveAndOptimise(task, counts, report) || !m_surface.judge(mark)) {
-        m_mesh.rollback(mark);
-        m_region.restore(saved);
-        return false;
-    }
-    count(counts);
-    report.reached += share * task.part() * report.asked;
-    return true;
-}
-
-/// All operations in one transaction: what stopped the straight path was most likely the motion, not one of them.
-bool DabEngine::optimiseAtOnce(Task& task, DabReport& report)
-{
-    const Region::Saved saved = m_region.save();
-    const Mesh::Mark mark = m_mesh.mark();
-    MeshEditor edit = plainEditor();
-    RemeshCounts counts;
-    {
-        const PhaseTimer timer(report.optimiseMs);
-        counts = optimise(edit, m_region, task.bounds);
-    }
-    if (!m_surface.judge(mark)) {
-        m_mesh.rollback(mark);
-        m_region.restore(saved);
-        return false;
-    }
-    count(counts);
-    return true;
-}
-
-/// Moves what can be moved without touching anything. Ends: a round without progress holds something back for good.
-bool DabEngine::moveHeldBack(double part, DabReport& report)
-{
-    m_held.extend(m_region, m_mesh);
-    for (int round = 0; round < mostHoldRounds; ++round) {
-        const double share = shareOfPeak();
-        if (share == 0)
-            return false;
-        const Mesh::Mark mark = m_mesh.mark();
-        bool inside = false;
-        {
-            const PhaseTimer timer(report.deformMs);
-            inside = displace(part);
-        }
-        if (inside && m_surface.judge(mark)) {
-            report.reached += share * part * report.asked;
-            return true;
-        }
-        m_mesh.rollback(mark);
-        if (!inside || !m_held.shorten(m_region, m_mesh, m_surface.badFaces()))
-            return false;
-    }
-    return false;
-}
-
 /// Moves each vertex of the region by its part of the plan. False if one would leave the working volume.
 bool DabEngine::displace(double part)
 {
@@ -555,19 +295,6 @@ bool DabEngine::displace(double part)
             edit.move(v, after);
     });
     return inside;
-}
-
-/// Of the longest displacement planned, the share that the motion, held back as it is, reaches. What is no longer there, being
-/// joined or collapsed, has no say.
-double DabEngine::shareOfPeak() const
-{
-    double planned2 = 0, reached2 = 0;
-    m_region.forEach([&](Slot v) {
-        const double plan2 = m_region.plan(v).squaredNorm(), share = m_held.share(m_region, v);
-        planned2 = std::max(planned2, plan2);
-        reached2 = std::max(reached2, share * share * plan2);
-    });
-    return planned2 > 0 ? std::sqrt(reached2 / planned2) : 0;
 }
 
 /// Whether there is anything for fusion to join. A brush along the surface has only its own sheet for candidates.

@@ -1,0 +1,160 @@
+// A sub-step that did not verify and was rolled back is made easier, a few times:
+//   join      what was about to meet
+//   smooth    what has folded up, or else: calm the motion, and halve the step
+// and then taken with care: first the motion alone, vertices that would touch something held back; then each remeshing operation
+// by itself, judged by itself. What cannot be done is left undone.
+
+#include "dab_engine.h"
+
+#include "deform.h"
+#include "phase_timer.h"
+
+namespace core
+{
+namespace
+{
+constexpr int mostHoldRounds = 64;
+} // namespace
+
+/// After a sub-step that failed: what was about to meet is joined; failing that, in turns, what has folded up is smoothed, or
+/// the motion is made calmer where faces turned over and the step is halved.
+bool DabEngine::easeMotion(Task& task, DabReport& report)
+{
+    task.meets = true;
+    if (task.steps == 0 && !refineAtOnce(task, report))
+        return false;
+    task.most = ticksPerStep;
+    if (task.ticks > task.most) {
+        task.ticks = task.most;
+        return true;
+    }
+    if (join(task, report))
+        return true;
+    report.contact = report.contact || m_fuser.isContact(m_surface, m_region, task.approach(), task.settings.fusion, m_badVertices);
+    if (++task.eased > mostEased)
+        return false;
+    if (task.eased % 2 == 1 && m_unfolding.smooth(m_surface, plainEditor(), m_region, m_badVertices))
+        return true;
+    calmPlan(m_region, m_mesh, m_badVertices);
+    if (task.eased % 2 == 0)
+        task.ticks = std::max(task.ticks / 2, 1u);
+    return true;
+}
+
+/// The mesh under the brush is made fine enough in a transaction of its own: what failed was more likely the motion.
+bool DabEngine::refineAtOnce(Task& task, DabReport& report)
+{
+    const Region::Saved saved = m_region.save();
+    const Mesh::Mark mark = m_mesh.mark();
+    const RemeshCounts counts = refineAndPlan(task, plainEditor(), report);
+    if (!m_surface.judge(mark)) {
+        m_mesh.rollback(mark);
+        m_region.restore(saved);
+        task.steps = 0;
+        return false;
+    }
+    count(counts);
+    return true;
+}
+
+DabEngine::Substep DabEngine::careful(Task& task, DabReport& report)
+{
+    if (task.steps == 0)
+        count(refineAndPlan(task, judgedEditor(), report));
+    join(task, report);
+    if (heldBackAsBefore(task, report))
+        return Substep::Careful;
+    const bool moved = moveHeldBack(task.part(), report);
+    if (!optimiseAtOnce(task, report)) {
+        const PhaseTimer timer(report.optimiseMs, m_surface.verifyMs());
+        MeshEditor edit = judgedEditor();
+        count(optimise(edit, m_region, task.bounds));
+    }
+    return moved ? Substep::Careful : Substep::Stuck;
+}
+
+/// Motion and operations in one transaction: what an earlier sub-step held back is mostly all that had to be.
+bool DabEngine::heldBackAsBefore(const Task& task, DabReport& report)
+{
+    if (!m_held.inUse())
+        return false;
+    m_held.extend(m_region, m_mesh);
+    const double share = shareOfPeak();
+    if (share == 0)
+        return false;
+    const Region::Saved saved = m_region.save();
+    const Mesh::Mark mark = m_mesh.mark();
+    RemeshCounts counts;
+    if (!moveAndOptimise(task, counts, report) || !m_surface.judge(mark)) {
+        m_mesh.rollback(mark);
+        m_region.restore(saved);
+        return false;
+    }
+    count(counts);
+    report.reached += share * task.part() * report.asked;
+    return true;
+}
+
+/// All operations in one transaction: what stopped the straight path was most likely the motion, not one of them.
+bool DabEngine::optimiseAtOnce(Task& task, DabReport& report)
+{
+    const Region::Saved saved = m_region.save();
+    const Mesh::Mark mark = m_mesh.mark();
+    MeshEditor edit = plainEditor();
+    RemeshCounts counts;
+    {
+        const PhaseTimer timer(report.optimiseMs);
+        counts = optimise(edit, m_region, task.bounds);
+    }
+    if (!m_surface.judge(mark)) {
+        m_mesh.rollback(mark);
+        m_region.restore(saved);
+        return false;
+    }
+    count(counts);
+    return true;
+}
+
+/// Moves what can be moved without touching anything. Ends: a round without progress holds something back for good.
+bool DabEngine::moveHeldBack(double part, DabReport& report)
+{
+    m_held.extend(m_region, m_mesh);
+    for (int round = 0; round < mostHoldRounds; ++round) {
+        const double share = shareOfPeak();
+        if (share == 0)
+            return false;
+        const Mesh::Mark mark = m_mesh.mark();
+        bool inside = false;
+        {
+            const PhaseTimer timer(report.deformMs);
+            inside = displace(part);
+        }
+        if (inside && m_surface.judge(mark)) {
+            report.reached += share * part * report.asked;
+            return true;
+        }
+        m_mesh.rollback(mark);
+        if (!inside || !m_held.shorten(m_region, m_mesh, m_surface.badFaces()))
+            return false;
+    }
+    return false;
+}
+
+/// Of the longest displacement planned, the share that the motion, held back as it is, reaches. What is no longer there, being
+/// joined or collapsed, has no say.
+double DabEngine::shareOfPeak() const
+{
+    double planned2 = 0, reached2 = 0;
+    m_region.forEach([&](Slot v) {
+        const double plan2 = m_region.plan(v).squaredNorm(), share = m_held.share(m_region, v);
+        planned2 = std::max(planned2, plan2);
+        reached2 = std::max(reached2, share * share * plan2);
+    });
+    return planned2 > 0 ? std::sqrt(reached2 / planned2) : 0;
+}
+
+MeshEditor DabEngine::judgedEditor()
+{
+    return MeshEditor(m_mesh, [this](const std::function<void()>& operation) { return m_surface.attempt(operation); }, mirror());
+}
+} // namespace core

@@ -1,0 +1,139 @@
+// What a dab works on (paper, sections 3.1 and 3.5.2): the region under the brush, or with symmetry the half of it whose image is
+// changed with it; and painting, which is done once it is selected.
+
+#include "dab_engine.h"
+
+#include "mirror_plan.h"
+#include "phase_timer.h"
+#include "surface_query.h"
+
+namespace core
+{
+void DabEngine::run(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between,
+                    DabReport& report)
+{
+    {
+        const PhaseTimer timer(report.selectMs);
+        select(settings.brush, {dab.position, dab.radius});
+    }
+    sculpt(settings, dab, between, report);
+}
+
+/// A dab and its image (paper, section 3.5.2): at once where the model is symmetric, else one after the other.
+void DabEngine::runMirrored(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between,
+                            DabReport& report)
+{
+    m_mirror.setPlane(settings.symmetry);
+    Dab image = dab, folded = dab;
+    image.position = m_mirror.imageOf(dab.position);
+    folded.position = m_mirror.folded(dab.position);
+    const Sphere ball = {folded.position, dab.radius};
+    bool mirrored = false;
+    {
+        const PhaseTimer timer(report.selectMs);
+        select(settings.brush, ball);
+        mirrored = isMirroredIn(settings.brush, ball);
+        if (mirrored)
+            keepHalf(m_region, m_mirror);
+    }
+    if (mirrored) {
+        sculpt(settings, folded, between, report);
+        m_mirror.setPlane(Symmetry::None);
+        return;
+    }
+    m_mirror.setPlane(Symmetry::None);
+    run(settings, dab, between, report);
+    if (image.position != dab.position) {
+        DabReport second;
+        run(settings, image, between, second);
+        report += second;
+    }
+    report.asymmetric = true;
+}
+
+/// Whether all that the ball and its image can change is symmetric, bit for bit.
+bool DabEngine::isMirroredIn(BrushShape brush, const Sphere& ball)
+{
+    const FaceOctree& octree = m_surface.octree();
+    if (brush == BrushShape::Ray) // it follows the surface, and finds on the other side what it found here
+        return m_mirror.learn(m_candidates, octree);
+    m_candidates = facesIn(latticeBox(m_mesh.lattice(), ball));
+    std::vector<Slot> faces = facesIn(latticeBox(m_mesh.lattice(), {m_mirror.imageOf(ball.center), ball.radius}));
+    faces.insert(faces.end(), m_candidates.begin(), m_candidates.end());
+    return m_mirror.learn(faces, octree);
+}
+
+/// Exactly the faces whose boxes meet the box, ascending: what the octree finds besides depends on what was there before.
+std::vector<Slot> DabEngine::facesIn(const LatticeBox& box) const
+{
+    std::vector<Slot> faces;
+    forEachFaceIn(m_mesh, m_surface.octree(), box, [&](Slot f) { faces.push_back(f); });
+    std::ranges::sort(faces);
+    return faces;
+}
+
+/// The candidate triangles and the region (paper, section 3.1).
+void DabEngine::select(BrushShape brush, const Sphere& ball)
+{
+    if (brush == BrushShape::Sphere) {
+        selectSphere(m_region, m_candidates, m_mesh, m_surface.octree(), ball);
+        return;
+    }
+    m_candidates.clear();
+    m_region.clear();
+    if (const std::optional<SurfaceHit> hit = nearestPoint(m_mesh, m_surface.octree(), ball.center)) {
+        m_candidates.push_back(hit->face);
+        selectGeodesic(m_region, m_candidates, m_mesh, ball);
+    }
+}
+
+/// The ray brush's selection after refine().
+void DabEngine::selectRefined(Region& region, const Sphere& ball)
+{
+    std::vector<Slot> candidates = m_candidates; // they stay: a sub-step that fails is refined again
+    for (Slot v : m_region.remeshed().slots())
+        m_mesh.forEachOutgoing(v, [&](Slot h) { candidates.push_back(m_mesh.face(h)); });
+    selectGeodesic(region, candidates, m_mesh, ball);
+}
+
+bool DabEngine::wantsSphere(const StrokeSettings& settings, const Dab& dab) const
+{
+    if (!settings.add || settings.tool != Tool::Pull || settings.brush != BrushShape::Sphere ||
+        settings.place != Placement::Point || !m_region.empty())
+        return false;
+    const std::optional<SurfaceHit> nearest = nearestPoint(m_mesh, m_surface.octree(), dab.position);
+    return !nearest || nearest->distance > dab.radius; // else a face is under the brush, if no vertex is
+}
+
+/// Colours the region (paper, section 3.5.3); moves nothing and remeshes nothing.
+void DabEngine::paint(const StrokeSettings& settings, const Dab& dab, DabReport& report)
+{
+    const Mesh::Mark mark = m_mesh.mark();
+    const auto colour = [&](Slot v, double share) {
+        const Rgb before = m_mesh.color(v);
+        const auto mix = [&](int from, int to) { return static_cast<std::uint8_t>(from + share * (to - from) + 0.5); };
+        const Rgb after = {mix(before.r, settings.color.r), mix(before.g, settings.color.g), mix(before.b, settings.color.b)};
+        if (after != before)
+            m_mesh.setColor(v, after);
+    };
+    m_region.forEach([&](Slot v) {
+        const double x = std::min(m_region.distance(v) / dab.radius, 1.0);
+        const double share = std::min(dab.strength, 1.0) * falloff(x, settings.falloff);
+        colour(v, share);
+        const Slot image = m_mirror.isOn() ? m_mirror.imageOf(v) : v;
+        if (image != v)
+            colour(image, share);
+    });
+    m_surface.commitUnjudged(mark);
+    report.touchedVertices = touchedVertices();
+    report.outcome = m_region.empty() ? DabOutcome::Empty : DabOutcome::Committed;
+}
+
+Slot DabEngine::touchedVertices() const
+{
+    Slot images = 0;
+    if (m_mirror.isOn())
+        m_region.forEach([&](Slot v) { images += m_mirror.isOnPlane(v) ? 0 : 1; });
+    return m_region.size() + images;
+}
+} // namespace core
