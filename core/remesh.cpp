@@ -93,6 +93,7 @@ private:
     void partFacesAcross(std::vector<Slot>& faces, const Sphere& ball);
     Slot split(const Edge& e);
     std::vector<Edge> collapse(std::vector<Edge> edges);
+    std::vector<Edge> flip(std::vector<Edge> edges);
     std::optional<Merged> mergedEnds(Slot h) const;
     bool staysSound(Slot v, Slot ignored, const Vec3& target, const Limits& limits) const;
     bool shouldFlip(Slot e) const;
@@ -411,24 +412,40 @@ bool Remesher::shouldFlip(Slot e) const
 
 void Remesher::flipEdges()
 {
-    for (int pass = 0; pass < flipPasses; ++pass) {
-        const auto wanted = [&](double, Slot e) { return shouldFlip(e); };
-        std::vector<Edge> edges = regionEdges(wanted);
-        std::ranges::sort(edges, [](const Edge& a, const Edge& b) { return std::tie(a.v0, a.v1) < std::tie(b.v0, b.v1); });
-        bool flipped = false;
-        for (const Edge& e : edges) {
-            if (!shouldFlip(e.edge) || !mayGoOn() || !m_edit.flip(e.edge))
-                continue;
-            ++counts.flips;
-            flipped = true;
-            for (Slot h : {2 * e.edge, 2 * e.edge + 1}) {
-                m_changed.add(m_mesh.to(h));
-                m_changed.add(m_mesh.to(m_mesh.next(h)));
+    std::vector<Edge> edges = regionEdges([&](double, Slot e) { return shouldFlip(e); });
+    for (int pass = 0; pass < flipPasses && !edges.empty(); ++pass)
+        edges = flip(std::move(edges));
+}
+
+/// Returns those that should be flipped next: only around a flip can an edge have changed its mind.
+std::vector<Edge> Remesher::flip(std::vector<Edge> edges)
+{
+    std::ranges::sort(edges, [](const Edge& a, const Edge& b) { return std::tie(a.v0, a.v1) < std::tie(b.v0, b.v1); });
+    SparseIndex& around = m_region.scratch();
+    around.clear();
+    for (const Edge& e : edges) {
+        if (!shouldFlip(e.edge) || !mayGoOn() || !m_edit.flip(e.edge))
+            continue;
+        ++counts.flips;
+        for (Slot h : {2 * e.edge, 2 * e.edge + 1}) {
+            for (Slot v : {m_mesh.to(h), m_mesh.to(m_mesh.next(h))}) {
+                m_changed.add(v);
+                around.add(v);
             }
         }
-        if (!flipped)
-            return;
     }
+    std::vector<Edge> next;
+    for (Slot v : around.slots()) {
+        m_mesh.forEachOutgoing(v, [&](Slot h) {
+            for (Slot e : {h / 2, m_mesh.next(h) / 2}) { // of all faces around v
+                if (m_region.contains(m_mesh.to(2 * e)) && m_region.contains(m_mesh.to(2 * e + 1)) && shouldFlip(e))
+                    next.push_back(edgeAt(e));
+            }
+        });
+    }
+    std::ranges::sort(next, {}, &Edge::edge);
+    next.erase(std::ranges::unique(next, {}, &Edge::edge).begin(), next.end());
+    return next;
 }
 
 // --- 4. relax --------------------------------------------------------------------------------------------------------------
