@@ -7,7 +7,9 @@ namespace core
 {
 namespace
 {
-constexpr Slot leastCapacity = 1u << 22;
+/// 32 MB: as much as malloc always takes from fresh pages, which cost nothing before they are touched. Less could come from what
+/// a loader has left behind.
+constexpr Slot leastCapacity = 1u << 23;
 }
 
 void SparseIndex::sort()
