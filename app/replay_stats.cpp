@@ -31,6 +31,7 @@ Json toJson(const ReplayedDab& dab)
             {"substeps", report.substeps},
             {"asked", report.asked},
             {"reached", report.reached},
+            {"contact", report.contact},
             {"longest_edge", quality([](const core::MeshQuality& q) { return q.longestEdge; })},
             {"conforming_share", quality([](const core::MeshQuality& q) { return q.conformingShare; })},
             {"smallest_angle_deg",

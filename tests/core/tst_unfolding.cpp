@@ -92,14 +92,19 @@ void TestUnfolding::motionStoppedAtContact_isNotCalledReached()
     StrokeSettings settings = strong(Tool::Pull, 0.3, 1, 1);
     settings.fusion = false;
     double reached = 0;
+    bool contact = false;
     core::StrokeSample sample;
     sample.position = {0, 0.05, 0};
     sculptor.beginStroke(settings);
     for (int i = 0; i < 40; ++i) {
-        for (const DabReport& report : sculptor.addSample(sample))
+        for (const DabReport& report : sculptor.addSample(sample)) {
             reached += report.reached;
+            contact = contact || report.contact;
+            QVERIFY(!report.contact || reached > 0.3 * gap); // not before they are near
+        }
     }
     sculptor.endStroke();
+    QVERIFY(contact);
     VERIFY_VALID(sculptor.mesh());
     QVERIFY(reached >= 0.5 * gap);
     QVERIFY2(reached <= 2 * gap, qPrintable(QString::number(reached)));
