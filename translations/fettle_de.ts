@@ -857,20 +857,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Wiederherstellen: %1</translation>
     </message>
     <message>
-        <source>Unsaved changes</source>
-        <translation>Nicht gespeicherte Änderungen</translation>
-    </message>
-    <message>
         <source>%1[*] – Fettle</source>
         <translation>%1[*] – Fettle</translation>
-    </message>
-    <message>
-        <source>%1 has changes that were not exported.</source>
-        <translation>%1 hat Änderungen, die nicht exportiert wurden.</translation>
-    </message>
-    <message>
-        <source>&amp;Export…</source>
-        <translation>&amp;Exportieren …</translation>
     </message>
     <message>
         <source>%1 was written.</source>
@@ -1206,6 +1194,21 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>The model turns about an axis through the origin, counter-clockwise as seen from the axis&apos;s tip.</source>
         <translation>Das Modell dreht sich um eine Achse durch den Ursprung, von der Spitze der Achse aus gesehen gegen den Uhrzeigersinn.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ModelFiles</name>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Nicht gespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>%1 has changes that were not exported.</source>
+        <translation>%1 hat Änderungen, die nicht exportiert wurden.</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren …</translation>
     </message>
 </context>
 <context>

@@ -854,20 +854,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>重做 %1(&amp;R)</translation>
     </message>
     <message>
-        <source>Unsaved changes</source>
-        <translation>未保存的更改</translation>
-    </message>
-    <message>
         <source>%1[*] – Fettle</source>
         <translation>%1[*] – Fettle</translation>
-    </message>
-    <message>
-        <source>%1 has changes that were not exported.</source>
-        <translation>%1 有未导出的更改。</translation>
-    </message>
-    <message>
-        <source>&amp;Export…</source>
-        <translation>导出(&amp;E)…</translation>
     </message>
     <message>
         <source>%1 was written.</source>
@@ -1203,6 +1191,21 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>The model turns about an axis through the origin, counter-clockwise as seen from the axis&apos;s tip.</source>
         <translation>模型绕过原点的轴旋转，从轴的尖端看为逆时针。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ModelFiles</name>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>未保存的更改</translation>
+    </message>
+    <message>
+        <source>%1 has changes that were not exported.</source>
+        <translation>%1 有未导出的更改。</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>导出(&amp;E)…</translation>
     </message>
 </context>
 <context>

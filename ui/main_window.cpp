@@ -3,9 +3,10 @@
 #include "actions.h"
 #include "banner.h"
 #include "brush_bar.h"
+#include "busy_bar.h"
 #include "facts_bar.h"
-#include "file_dialogs.h"
 #include "model_dialogs.h"
+#include "model_files.h"
 #include "scene.h"
 #include "settings.h"
 #include "viewport.h"
@@ -15,14 +16,10 @@
 #include <QCloseEvent>
 #include <QCoreApplication>
 #include <QDir>
-#include <QFileInfo>
 #include <QLabel>
 #include <QMenuBar>
 #include <QMessageBox>
-#include <QMimeData>
 #include <QPointer>
-#include <QProgressBar>
-#include <QPushButton>
 #include <QScreen>
 #include <QStatusBar>
 #include <QStyle>
@@ -38,7 +35,6 @@ namespace
 {
 constexpr double smallerRadius = 0.9;
 constexpr QSize defaultSize{1280, 800};
-constexpr int progressSteps = 100;
 constexpr double anotherSize = 2; ///< so many times larger or smaller a model is of quite another size
 
 struct ToolAction
@@ -48,51 +44,39 @@ struct ToolAction
 };
 constexpr ToolAction toolActions[] = {
     {"tool.pull", core::Tool::Pull}, {"tool.push", core::Tool::Push}, {"tool.smooth", core::Tool::Smooth}};
-
-/// The first local file that is being dragged, or nothing.
-QString droppedFile(const QMimeData* data)
-{
-    for (const QUrl& url : data->urls())
-        if (url.isLocalFile())
-            return url.toLocalFile();
-    return {};
-}
 } // namespace
 
 struct MainWindow::State
 {
-    explicit State(MainWindow* window) : brush(window), actions(window), q(window) {}
+    explicit State(MainWindow* window) : brush(window), actions(window), files(&settings, window), q(window) {}
 
     Settings settings;
     BrushSettings brush;
     Actions actions;
+    ModelFiles files;
     MainWindow* q;
     std::unique_ptr<Viewport> spareViewport; ///< where there is no OpenGL, the viewport must stay out of the window
     Viewport* viewport = nullptr;
     Banner* banner = nullptr;
     FactsBar* facts = nullptr;
-    QLabel* busyText = nullptr;
-    QProgressBar* busyBar = nullptr;
-    QToolButton* stopButton = nullptr;
+    BusyBar* busy = nullptr;
     QPointer<QMessageBox> problem;
     std::function<bool()> mayClose, isSettled;
-    std::function<void()> afterExport; ///< of an export that was preferred to losing changes
     bool closesLater = false;
     ModelFacts model;
     double modelSize = 0; ///< mm, longest side; to which the radii were fitted
-    bool busy = false;
 
     void buildView();
     void buildBars();
     void buildStatusBar();
+    template <class What> void on(const char* id, What what);
     void connectActions();
+    void connectFiles();
+    void connectModel();
+    void connectTools();
     void showTool();
-    void open();
-    void exportAs();
     void about();
     void setBusy(bool isBusy);
-    void setStoppable(bool canStop);
-    void insert();
     void fitRadii();
     void restore();
     void keepOnScreen();
@@ -137,34 +121,44 @@ void MainWindow::State::buildBars()
 
 void MainWindow::State::buildStatusBar()
 {
-    busyText = new QLabel;
-    busyText->setObjectName(QStringLiteral("busyText"));
-    busyBar = new QProgressBar;
-    busyBar->setRange(0, 0);
-    busyBar->setMaximumSize(120, 12);
-    busyBar->setTextVisible(false);
+    busy = new BusyBar(actions.get(QStringLiteral("edit.stop")));
     facts = new FactsBar(&brush);
-    for (QWidget* part : std::initializer_list<QWidget*>{busyText, busyBar, facts})
-        q->statusBar()->addPermanentWidget(part);
-    auto* stop = new QToolButton;
-    stop->setDefaultAction(actions.get(QStringLiteral("edit.stop")));
-    stop->setAutoRaise(true);
-    stopButton = stop;
-    q->statusBar()->insertPermanentWidget(2, stop);
-    setBusy(false);
+    q->statusBar()->addPermanentWidget(busy);
+    q->statusBar()->addPermanentWidget(facts);
+}
+
+template <class What> void MainWindow::State::on(const char* id, What what)
+{
+    connect(actions.get(QLatin1StringView(id)), &QAction::triggered, q, what);
 }
 
 void MainWindow::State::connectActions()
 {
-    const auto on = [this](const char* id, auto&& what) {
-        connect(actions.get(QLatin1StringView(id)), &QAction::triggered, q, std::forward<decltype(what)>(what));
-    };
-    on("file.open", [this] { open(); });
-    on("file.exportAs", [this] { exportAs(); });
-    on("file.quit", [this] { q->close(); });
-    on("brush.smaller", [this] { brush.scaleRadius(smallerRadius); });
-    on("brush.larger", [this] { brush.scaleRadius(1 / smallerRadius); });
+    connectFiles();
+    connectModel();
+    connectTools();
     on("edit.stop", [this] { Q_EMIT q->stopRequested(); });
+    on("view.frame", [this] { viewport->frame(); });
+    on("help.about", [this] { about(); });
+    q->setUndoText({});
+    q->setRedoText({});
+    actions.get(QStringLiteral("edit.undo"))->setEnabled(false);
+    actions.get(QStringLiteral("edit.redo"))->setEnabled(false);
+}
+
+void MainWindow::State::connectFiles()
+{
+    on("file.open", [this] { files.open(); });
+    on("file.exportAs", [this] { files.exportAs(model.name); });
+    on("file.quit", [this] { q->close(); });
+    on("model.insert", [this] { files.insert(); });
+    connect(&files, &ModelFiles::openRequested, q, &MainWindow::openRequested);
+    connect(&files, &ModelFiles::exportRequested, q, &MainWindow::exportRequested);
+    connect(&files, &ModelFiles::insertRequested, q, &MainWindow::insertRequested);
+}
+
+void MainWindow::State::connectModel()
+{
     const auto request = [this](const core::ModelCommand& command) { Q_EMIT q->commandRequested(command); };
     on("model.move", [this, request] { askForMove(q, request); });
     on("model.rotate", [this, request] { askForRotation(q, request); });
@@ -172,56 +166,27 @@ void MainWindow::State::connectActions()
     on("model.mirror", [this, request] { askForMirror(q, request); });
     on("model.symmetrize", [this, request] { askForSymmetry(q, request); });
     on("model.recentre", [request] { request(core::Recentre{}); });
-    on("model.insert", [this] { insert(); });
     on("model.fill", [this, request] { askForFill(q, request); });
     on("model.remesh", [this, request] { askForRemesh(q, model, request); });
-    on("view.frame", [this] { viewport->frame(); });
-    on("help.about", [this] { about(); });
+}
 
+void MainWindow::State::connectTools()
+{
     auto* group = new QActionGroup(q);
     for (const ToolAction& row : toolActions) {
         group->addAction(actions.get(QLatin1StringView(row.id)));
         on(row.id, [this, tool = row.tool] { brush.setTool(tool); });
     }
+    on("brush.smaller", [this] { brush.scaleRadius(smallerRadius); });
+    on("brush.larger", [this] { brush.scaleRadius(1 / smallerRadius); });
     connect(&brush, &BrushSettings::changed, q, [this] { showTool(); });
     showTool();
-    q->setUndoText({});
-    q->setRedoText({});
-    actions.get(QStringLiteral("edit.undo"))->setEnabled(false);
-    actions.get(QStringLiteral("edit.redo"))->setEnabled(false);
 }
 
 void MainWindow::State::showTool()
 {
     for (const ToolAction& row : toolActions)
         actions.get(QLatin1StringView(row.id))->setChecked(row.tool == brush.tool());
-}
-
-void MainWindow::State::open()
-{
-    askForModel(q, settings.lastFolder(), [this](const QString& path) {
-        settings.setLastFolder(QFileInfo(path).absolutePath());
-        Q_EMIT q->openRequested(path);
-    });
-}
-
-void MainWindow::State::exportAs()
-{
-    afterExport = nullptr; // an earlier question was not answered to the end
-    askForExport(q, settings.lastFolder(), model.name, [this](const QString& path) {
-        settings.setLastFolder(QFileInfo(path).absolutePath());
-        Q_EMIT q->exportRequested(path);
-    });
-}
-
-void MainWindow::State::insert()
-{
-    askForModel(q, settings.lastFolder(), [this](const QString& path) {
-        settings.setLastFolder(QFileInfo(path).absolutePath());
-        askForPlace(q, QFileInfo(path).fileName(), [this, path](const core::ModelCommand& command) {
-            Q_EMIT q->insertRequested(path, std::get<core::Insert>(command));
-        });
-    });
 }
 
 /// The radius keeps its proportion to the model.
@@ -247,22 +212,12 @@ void MainWindow::State::about()
 
 void MainWindow::State::setBusy(bool isBusy)
 {
-    busy = isBusy;
-    busyText->setVisible(busy);
-    busyBar->setVisible(busy);
-    busyBar->setRange(0, 0);
-    setStoppable(false);
+    files.setBusy(isBusy);
     for (const ActionInfo& row : actionTable()) {
         const QLatin1StringView id(row.id);
         if (row.menu == MenuId::Model || id == QLatin1StringView("file.open") || id == QLatin1StringView("file.exportAs"))
-            actions.get(id)->setEnabled(!busy);
+            actions.get(id)->setEnabled(!isBusy);
     }
-}
-
-void MainWindow::State::setStoppable(bool canStop)
-{
-    actions.get(QStringLiteral("edit.stop"))->setEnabled(canStop);
-    stopButton->setVisible(canStop);
 }
 
 void MainWindow::State::restore()
@@ -299,7 +254,6 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), m_state(std::make
     setObjectName(QStringLiteral("mainWindow"));
     setWindowTitle(tr("Fettle"));
     setWindowIcon(QIcon(QStringLiteral(":/icons/fettle.svg")));
-    setAcceptDrops(true);
     m_state->buildView();
     m_state->buildBars();
     m_state->buildStatusBar();
@@ -355,25 +309,13 @@ void MainWindow::setIsSettled(std::function<bool()> isSettled)
 
 bool MainWindow::askToDiscard(const std::function<void()>& goOn)
 {
-    QMessageBox box(QMessageBox::Question, tr("Unsaved changes"),
-                    tr("%1 has changes that were not exported.").arg(m_state->model.name),
-                    QMessageBox::Discard | QMessageBox::Cancel, this);
-    box.setObjectName(QStringLiteral("discardQuestion"));
-    const QPushButton* exporting = box.addButton(tr("&Export…"), QMessageBox::AcceptRole);
-    box.setDefaultButton(QMessageBox::Cancel);
-    const bool isDiscarded = box.exec() == QMessageBox::Discard;
-    if (box.clickedButton() == exporting) {
-        m_state->exportAs();
-        m_state->afterExport = goOn;
-    }
-    return isDiscarded;
+    return m_state->files.askToDiscard(m_state->model.name, goOn);
 }
 
 void MainWindow::showExported(const QString& path)
 {
     showNotice(tr("%1 was written.").arg(QDir::toNativeSeparators(path)));
-    if (const auto goOn = std::exchange(m_state->afterExport, nullptr))
-        goOn();
+    m_state->files.finishExport();
 }
 
 void MainWindow::setModel(const ModelFacts& facts)
@@ -424,23 +366,23 @@ void MainWindow::showNotice(const QString& sentence)
 
 void MainWindow::setBusy(const QString& what)
 {
-    m_state->busyText->setText(what);
+    m_state->busy->begin(what);
     m_state->setBusy(true);
 }
 
 void MainWindow::setProgress(double share)
 {
-    m_state->busyBar->setRange(0, progressSteps);
-    m_state->busyBar->setValue(static_cast<int>(share * progressSteps));
+    m_state->busy->setProgress(share);
 }
 
 void MainWindow::setStoppable(bool canStop)
 {
-    m_state->setStoppable(canStop);
+    m_state->busy->setStoppable(canStop);
 }
 
 void MainWindow::setIdle()
 {
+    m_state->busy->end();
     m_state->setBusy(false);
 }
 
@@ -463,22 +405,5 @@ void MainWindow::closeEvent(QCloseEvent* event)
     }
     m_state->save();
     event->accept();
-}
-
-void MainWindow::dragEnterEvent(QDragEnterEvent* event)
-{
-    if (!m_state->busy && !droppedFile(event->mimeData()).isEmpty())
-        event->acceptProposedAction();
-}
-
-/// Asked for after the event, so that whoever dragged need not wait for our questions.
-void MainWindow::dropEvent(QDropEvent* event)
-{
-    const QString path = droppedFile(event->mimeData());
-    if (m_state->busy || path.isEmpty())
-        return;
-    event->acceptProposedAction();
-    QMetaObject::invokeMethod(
-        this, [this, path] { Q_EMIT openRequested(path); }, Qt::QueuedConnection);
 }
 } // namespace ui

@@ -1,0 +1,56 @@
+#include "busy_bar.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QToolButton>
+
+namespace ui
+{
+namespace
+{
+constexpr int progressSteps = 100;
+} // namespace
+
+BusyBar::BusyBar(QAction* stop, QWidget* parent)
+    : QWidget(parent), m_what(new QLabel), m_progress(new QProgressBar), m_stop(new QToolButton)
+{
+    m_what->setObjectName(QStringLiteral("busyText"));
+    m_progress->setMaximumSize(120, 12);
+    m_progress->setTextVisible(false);
+    m_stop->setDefaultAction(stop);
+    m_stop->setAutoRaise(true);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    for (QWidget* part : std::initializer_list<QWidget*>{m_what, m_progress, m_stop})
+        row->addWidget(part);
+    end();
+}
+
+void BusyBar::begin(const QString& what)
+{
+    m_what->setText(what);
+    m_progress->setRange(0, 0);
+    setStoppable(false);
+    show();
+}
+
+void BusyBar::setProgress(double share)
+{
+    m_progress->setRange(0, progressSteps);
+    m_progress->setValue(static_cast<int>(share * progressSteps));
+}
+
+void BusyBar::setStoppable(bool canStop)
+{
+    m_stop->defaultAction()->setEnabled(canStop);
+    m_stop->setVisible(canStop);
+}
+
+void BusyBar::end()
+{
+    setStoppable(false);
+    hide();
+}
+} // namespace ui
