@@ -31,8 +31,9 @@ BusyBar::BusyBar(QAction* stop, QWidget* parent)
 void BusyBar::begin(const QString& what)
 {
     m_what->setText(what);
+    if (!isHidden())
+        return;
     m_progress->setRange(0, 0);
-    setStoppable(false);
     show();
 }
 

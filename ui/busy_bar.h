@@ -18,7 +18,7 @@ public:
     /// `stop` ends it; enabled while it can be ended. Not owned.
     explicit BusyBar(QAction* stop, QWidget* parent = nullptr);
 
-    /// How far it is, is not known at first, nor whether it can be ended.
+    /// How far it is, is not known at first, nor whether it can be ended. While it goes on: it is called otherwise now.
     void begin(const QString& what);
     /// 0 to 1.
     void setProgress(double share);

@@ -12,6 +12,7 @@
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QProgressBar>
 #include <QScreen>
 #include <QSettings>
 #include <QSignalSpy>
@@ -243,6 +244,30 @@ private Q_SLOTS:
         window.setIdle();
         QVERIFY(!child<QLabel>(window, "busyText")->isVisible());
         QVERIFY(act(window, "file.open")->isEnabled());
+    }
+
+    void whatIsGoingOnStaysStoppableUnderAnotherName()
+    {
+        MainWindow window;
+        window.show();
+        window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        QSignalSpy stopped(&window, &MainWindow::stopRequested);
+        window.setBusy(QStringLiteral("Opening lion.stl"));
+        QVERIFY(!act(window, "edit.stop")->isEnabled());
+        window.setStoppable(true);
+        window.setProgress(0.25);
+        window.setBusy(QStringLiteral("Checking lion.stl"));
+        QCOMPARE(child<QLabel>(window, "busyText")->text(), QStringLiteral("Checking lion.stl"));
+        QCOMPARE(window.findChild<QProgressBar*>()->value(), 25);
+        QVERIFY(act(window, "edit.stop")->isEnabled());
+        QTest::keyClick(&window, Qt::Key_Escape);
+        QCOMPARE(stopped.count(), 1);
+        window.setIdle();
+        QVERIFY(!act(window, "edit.stop")->isEnabled());
+        window.setBusy(QStringLiteral("Opening cup.stl"));
+        QVERIFY(!act(window, "edit.stop")->isEnabled());
+        QCOMPARE(window.findChild<QProgressBar*>()->maximum(), 0);
     }
 
     void closingAsks()
