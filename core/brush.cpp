@@ -21,6 +21,7 @@ constexpr std::array<std::string_view, 6> outcomeTable{"committed", "careful", "
 
 constexpr double detailPerRadiusSquared = 0.05; ///< paper, section 3.2.2
 constexpr double minimumPerDetail = 0.5;        ///< square root of the paper's 0.25
+constexpr double wholeShare = 0.95;             ///< of what was asked, that a hand takes for all of it (DESIGN, section 6)
 
 template <class Value, std::size_t N>
 std::optional<Value> named(std::string_view name, const std::array<std::string_view, N>& table)
@@ -130,11 +131,30 @@ DabReport& DabReport::operator+=(const DabReport& second)
         reached = second.reached;
         contact = second.contact;
     }
+    wall = wall || second.wall;
+    capped = capped || second.capped;
     if (severity(second.outcome) > severity(outcome)) {
         outcome = second.outcome;
         refusal = second.refusal;
     }
     return *this;
+}
+
+Shortfall shortfallOf(const DabReport& dab)
+{
+    switch (dab.refusal) {
+    case Refusal::None: break;
+    case Refusal::Inside: return Shortfall::Inside;
+    case Refusal::TooClose: return Shortfall::TooClose;
+    case Refusal::Wall: return Shortfall::NoRoom;
+    }
+    if (dab.capped)
+        return Shortfall::Capped;
+    if (dab.wall)
+        return Shortfall::Wall;
+    if (dab.contact && (dab.outcome == DabOutcome::EndedEarly || dab.reached < wholeShare * dab.asked))
+        return Shortfall::Contact;
+    return dab.outcome == DabOutcome::EndedEarly ? Shortfall::Stuck : Shortfall::None;
 }
 
 double falloff(double x, int n)

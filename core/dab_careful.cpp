@@ -134,6 +134,7 @@ bool DabEngine::moveHeldBack(double part, DabReport& report)
             return true;
         }
         m_mesh.rollback(mark);
+        report.wall = !inside;
         if (!inside || !m_held.shorten(m_region, m_mesh, m_surface.badFaces()))
             return false;
     }

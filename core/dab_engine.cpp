@@ -123,7 +123,8 @@ void DabEngine::sculpt(const StrokeSettings& settings, const Dab& dab, const std
     report.outcome = DabOutcome::Committed;
     double moves = 0;
     for (int attempt = 0; task.steps == 0 || task.left > 0; ++attempt, moves += m_region.size()) {
-        const Substep result = attempt < mostAttempts && moves < mostVertexMoves ? substep(task, report) : Substep::Stuck;
+        const bool tooMuch = attempt >= mostAttempts || moves >= mostVertexMoves;
+        const Substep result = tooMuch ? Substep::Stuck : substep(task, report);
         if (result == Substep::Again)
             continue;
         if (result == Substep::Empty) { // from the start, or because all that was under the brush has vanished
@@ -133,6 +134,7 @@ void DabEngine::sculpt(const StrokeSettings& settings, const Dab& dab, const std
         }
         if (result == Substep::Stuck || m_capped) {
             report.outcome = DabOutcome::EndedEarly;
+            report.capped = tooMuch || m_capped;
             break;
         }
         report.substeps += task.substeps();

@@ -80,9 +80,15 @@ struct DabReport
     Refusal refusal = Refusal::None;
     /// Surfaces stood in the way that may not be joined: fusion is off, or they are the two sides of a wall that nobody pushes.
     bool contact = false;
+    bool wall = false;   ///< ended early: at the wall of the working volume
+    bool capped = false; ///< ended early: too many operations, steps or vertices to move
     bool asymmetric = false; ///< of a symmetric stroke: the model is not symmetric here, so it was done as two dabs
 
     /// For a dab done as two: costs add up; of two that did something the worse outcome and the smaller share reached count.
     DabReport& operator+=(const DabReport& second);
 };
+
+/// Why a dab did less than was asked, if it did; of several dabs the last of these is worth telling.
+enum class Shortfall { None, Stuck, Contact, Wall, Capped, Inside, TooClose, NoRoom };
+Shortfall shortfallOf(const DabReport& dab);
 } // namespace core

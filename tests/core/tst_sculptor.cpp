@@ -269,6 +269,7 @@ void TestSculptor::pushThroughASlab_withoutFusion_stopsAtContact()
         const DabReport report = dabOnce(sculptor, {.tool = Tool::Push, .position = above->position, .radius = 0.4, .strength = 2, .fusion = false});
         const bool stops = report.outcome == DabOutcome::EndedEarly || report.reached < 0.95 * report.asked;
         QVERIFY(report.contact || !stops); // it says why
+        QCOMPARE(core::shortfallOf(report), stops ? core::Shortfall::Contact : core::Shortfall::None);
         stopped = stopped || stops;
         VERIFY_VALID(sculptor.mesh());
         QVERIFY(sculptor.indexIsConsistent());
@@ -340,7 +341,8 @@ void TestSculptor::wallOfTheVolume_endsTheDab()
     const core::Lattice tight(23); // the working volume is the sphere's own box
     Sculptor sculptor(sculptable(core::icosphere(3, 1), tight));
     const DabReport report = dabOnce(sculptor, {Tool::Pull, {0, 0, 1}, 0.3, 3});
-    QVERIFY(report.outcome == DabOutcome::EndedEarly || report.reached < report.asked);
+    QVERIFY(report.outcome == DabOutcome::EndedEarly && report.reached < report.asked);
+    QVERIFY(report.wall && core::shortfallOf(report) == core::Shortfall::Wall);
     VERIFY_VALID(sculptor.mesh());
     QVERIFY(boundsOf(sculptor.mesh()).max().z() <= 1);
     QVERIFY(sculptor.indexIsConsistent());
@@ -579,6 +581,7 @@ void TestSculptor::tooManyOperations_endTheDab()
     Sculptor sculptor(sculptable(core::icosphere(1, 1)));
     const DabReport report = dabOnce(sculptor, {Tool::Pull, {0, 0, 1}, 2, 1, 0.05});
     QVERIFY(report.outcome == DabOutcome::EndedEarly && report.reached < report.asked);
+    QVERIFY(report.capped && core::shortfallOf(report) == core::Shortfall::Capped);
     VERIFY_VALID(sculptor.mesh());
 }
 
@@ -590,6 +593,7 @@ void TestSculptor::tooManyMoves_endTheDab()
     const DabReport report = dabOnce(sculptor, {Tool::Pull, {0, 0, 1}, 2, 10, 0.05});
     QVERIFY(report.outcome == DabOutcome::EndedEarly && report.substeps > 10);
     QVERIFY(report.reached > 0 && report.reached < report.asked);
+    QVERIFY(report.capped && core::shortfallOf(report) == core::Shortfall::Capped);
     VERIFY_LINKED(sculptor.mesh());
 }
 
