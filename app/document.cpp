@@ -353,8 +353,9 @@ void Document::takeReport(const StrokeReport& report)
             m_history.add(index, report.delta);
             m_stack.push(new StrokeCommand(StrokeCommand::textOf(report.tool), &m_history, index));
         }
-        if (report.endedEarly > 0 && !report.delta)
-            Q_EMIT noticed(tr("Nothing happened here: the surface would have met itself, or the wall of the working volume."));
+        const bool isSeen = report.shortfall == core::Shortfall::Stuck && report.delta; // other dabs did something
+        if (report.shortfall != core::Shortfall::None && !isSeen)
+            Q_EMIT noticed(ui::Messages::shortfall(report.shortfall));
         takeFacts(report.facts);
     }
     tellState();
@@ -368,6 +369,7 @@ void Document::takeFacts(const MeshFacts& facts)
     m_facts.box = facts.box;
     m_facts.area = facts.area;
     m_facts.uniformDetail = facts.uniformDetail;
+    m_facts.leastDetail = facts.leastDetail;
     m_facts.size = facts.box.isEmpty() ? core::Vec3::Zero() : core::Vec3(facts.box.sizes());
     if (!m_isInstalling)
         Q_EMIT factsChanged(m_facts);

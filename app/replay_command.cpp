@@ -104,12 +104,6 @@ std::vector<core::FileEntry> readStrokes(const QString& path)
     }
 }
 
-/// The brush whose edges are the shortest that the lattice takes.
-double leastRadius(const core::Lattice& lattice, double detail)
-{
-    return lattice.minDetail() / core::edgeBounds(1, detail).detail;
-}
-
 using Entries = std::vector<core::FileEntry>;
 
 /// Reads the models to be inserted; their paths start from the stroke file.
@@ -129,7 +123,7 @@ void checkAgainst(const core::Lattice& lattice, const core::Stroke& stroke, std:
     using core::StrokeFileError;
     const double wall = lattice.halfVolume();
     const core::StrokeSettings& settings = stroke.settings;
-    const double least = leastRadius(lattice, settings.detail);
+    const double least = core::radiusFor(lattice.minDetail(), settings.detail);
     const bool isHand = settings.brush != core::BrushShape::Ray && settings.place != core::Placement::Ray;
     const auto refuse = [&](const char* key, double from, double to, std::optional<std::size_t> sample) {
         StrokeFileError error(StrokeFileError::Kind::OutOfRange, key);

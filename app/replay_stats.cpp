@@ -32,6 +32,8 @@ Json toJson(const ReplayedDab& dab)
             {"asked", report.asked},
             {"reached", report.reached},
             {"contact", report.contact},
+            {"wall", report.wall},
+            {"capped", report.capped},
             {"longest_edge", quality([](const core::MeshQuality& q) { return q.longestEdge; })},
             {"conforming_share", quality([](const core::MeshQuality& q) { return q.conformingShare; })},
             {"smallest_angle_deg",

@@ -161,8 +161,8 @@ void SculptWorker::run(Sample& job)
     m_sampledNs = job.postedNs;
     const std::vector<core::DabReport> dabs = m_sculptor->addSample(job.sample);
     m_report.dabs += dabs.size();
-    m_report.endedEarly += static_cast<quint64>(
-        std::count_if(dabs.begin(), dabs.end(), [](const auto& dab) { return dab.outcome == core::DabOutcome::EndedEarly; }));
+    for (const core::DabReport& dab : dabs)
+        m_report.shortfall = std::max(m_report.shortfall, core::shortfallOf(dab));
     {
         const std::lock_guard lock(m_mutex);
         ++m_stats.samples;
@@ -276,7 +276,7 @@ void SculptWorker::measureLatency(std::int64_t sampledNs)
 
 MeshFacts SculptWorker::facts() const
 {
-    const core::SlotCounts live = m_sculptor->mesh().live();
-    return {live.vertices, live.faces, m_box, m_area, m_sculptor->mesh().uniformDetail()};
+    const core::Mesh& mesh = m_sculptor->mesh();
+    return {mesh.live().vertices, mesh.live().faces, m_box, m_area, mesh.uniformDetail(), mesh.lattice().minDetail()};
 }
 } // namespace app

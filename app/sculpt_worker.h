@@ -22,6 +22,7 @@ struct MeshFacts
     core::Box box; ///< mm; right after a stroke it may still be larger than the mesh
     double area = 0;          ///< mm^2; of the mesh some time ago, as the box
     double uniformDetail = 0; ///< mm
+    double leastDetail = 0;   ///< mm; the finest d_detail that the lattice holds
 };
 
 /// A stroke that has ended, in the order of the strokes' beginnings.
@@ -30,7 +31,7 @@ struct StrokeReport
     std::shared_ptr<core::MeshDelta> delta; ///< already applied; null if nothing changed
     core::Tool tool = core::Tool::Pull;
     quint64 dabs = 0;
-    quint64 endedEarly = 0; ///< of the dabs
+    core::Shortfall shortfall = core::Shortfall::None; ///< of the dabs the one most worth telling
     MeshFacts facts;
 };
 

@@ -176,4 +176,9 @@ EdgeBounds edgeBounds(double detailLength)
 {
     return {detailLength, minimumPerDetail * detailLength};
 }
+
+double radiusFor(double detailLength, double detail)
+{
+    return detailLength / edgeBounds(1, detail).detail;
+}
 } // namespace core

@@ -86,4 +86,6 @@ struct EdgeBounds
 EdgeBounds edgeBounds(double radius, double detail);
 /// For a given d_detail.
 EdgeBounds edgeBounds(double detailLength);
+/// The brush whose d_detail is that long.
+double radiusFor(double detailLength, double detail);
 } // namespace core

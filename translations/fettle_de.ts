@@ -203,10 +203,6 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>%1 wird exportiert</translation>
     </message>
     <message>
-        <source>Nothing happened here: the surface would have met itself, or the wall of the working volume.</source>
-        <translation>Hier ist nichts geschehen: Die Oberfläche wäre auf sich selbst oder an den Rand des Arbeitsraums gestoßen.</translation>
-    </message>
-    <message>
         <source>The earlier steps cannot be undone any more: their file on disk cannot be read. The model is in order.</source>
         <translation>Die früheren Schritte lassen sich nicht mehr rückgängig machen: Ihre Datei auf der Festplatte ist nicht lesbar. Das Modell ist in Ordnung.</translation>
     </message>
@@ -759,29 +755,6 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
 </context>
 <context>
-    <name>ui::BrushBar</name>
-    <message>
-        <source>Radius</source>
-        <translation>Radius</translation>
-    </message>
-    <message>
-        <source>Strength</source>
-        <translation>Stärke</translation>
-    </message>
-    <message>
-        <source>Falloff</source>
-        <translation>Abnahme</translation>
-    </message>
-    <message>
-        <source>Detail</source>
-        <translation>Detail</translation>
-    </message>
-    <message>
-        <source>Spacing</source>
-        <translation>Abstand</translation>
-    </message>
-</context>
-<context>
     <name>ui::FactsBar</name>
     <message numerus="yes">
         <source>%Ln vertices</source>
@@ -816,6 +789,10 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>Export the Model</source>
         <translation>Modell exportieren</translation>
+    </message>
+    <message>
+        <source>Insert a Model</source>
+        <translation>Modell einfügen</translation>
     </message>
 </context>
 <context>
@@ -1011,6 +988,62 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>%1 cannot be written: there is no folder %2.</source>
         <translation>%1 kann nicht geschrieben werden: Es gibt keinen Ordner %2.</translation>
+    </message>
+    <message>
+        <source>Nothing happened here: the surface would have met itself.</source>
+        <translation>Hier ist nichts geschehen: Die Oberfläche hätte sich selbst berührt.</translation>
+    </message>
+    <message>
+        <source>The brush stopped where surfaces met that may not join.</source>
+        <translation>Der Pinsel hielt an, wo sich Oberflächen trafen, die sich nicht verbinden dürfen.</translation>
+    </message>
+    <message>
+        <source>The brush stopped at the wall of the working volume.</source>
+        <translation>Der Pinsel hielt am Rand des Arbeitsraums an.</translation>
+    </message>
+    <message>
+        <source>That was too much work for one touch of the brush, which stopped early; stroke again to go on.</source>
+        <translation>Das war zu viel Arbeit für einen einzigen Pinseltupfer, der deshalb vorzeitig endete; noch ein Strich macht weiter.</translation>
+    </message>
+    <message>
+        <source>No ball was added, because it would lie inside the model.</source>
+        <translation>Es wurde keine Kugel hinzugefügt, weil sie im Modell läge.</translation>
+    </message>
+    <message>
+        <source>No ball was added, because it would be too close to the surface.</source>
+        <translation>Es wurde keine Kugel hinzugefügt, weil sie der Oberfläche zu nahe käme.</translation>
+    </message>
+    <message>
+        <source>No ball was added, because it would reach beyond the working volume.</source>
+        <translation>Es wurde keine Kugel hinzugefügt, weil sie über den Arbeitsraum hinausragte.</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Stärke</translation>
+    </message>
+    <message>
+        <source>Falloff</source>
+        <translation>Abnahme</translation>
+    </message>
+    <message>
+        <source>Detail</source>
+        <translation>Detail</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>%1: from %2 to %3 mm with this model.</source>
+        <translation>%1: bei diesem Modell von %2 bis %3 mm.</translation>
+    </message>
+    <message>
+        <source>%1: from %2 to %3.</source>
+        <translation>%1: von %2 bis %3.</translation>
     </message>
 </context>
 <context>

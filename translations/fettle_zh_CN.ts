@@ -201,10 +201,6 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>正在导出 %1</translation>
     </message>
     <message>
-        <source>Nothing happened here: the surface would have met itself, or the wall of the working volume.</source>
-        <translation>此处未作更改：否则表面会碰到自身或工作空间的边界。</translation>
-    </message>
-    <message>
         <source>The earlier steps cannot be undone any more: their file on disk cannot be read. The model is in order.</source>
         <translation>无法再撤销更早的步骤：磁盘上的记录文件无法读取。模型完好。</translation>
     </message>
@@ -757,29 +753,6 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
 </context>
 <context>
-    <name>ui::BrushBar</name>
-    <message>
-        <source>Radius</source>
-        <translation>半径</translation>
-    </message>
-    <message>
-        <source>Strength</source>
-        <translation>强度</translation>
-    </message>
-    <message>
-        <source>Falloff</source>
-        <translation>衰减</translation>
-    </message>
-    <message>
-        <source>Detail</source>
-        <translation>细节</translation>
-    </message>
-    <message>
-        <source>Spacing</source>
-        <translation>间距</translation>
-    </message>
-</context>
-<context>
     <name>ui::FactsBar</name>
     <message numerus="yes">
         <source>%Ln vertices</source>
@@ -813,6 +786,10 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>Export the Model</source>
         <translation>导出模型</translation>
+    </message>
+    <message>
+        <source>Insert a Model</source>
+        <translation>插入模型</translation>
     </message>
 </context>
 <context>
@@ -1008,6 +985,62 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>%1 cannot be written: there is no folder %2.</source>
         <translation>无法写入 %1：没有文件夹 %2。</translation>
+    </message>
+    <message>
+        <source>Nothing happened here: the surface would have met itself.</source>
+        <translation>此处没有变化：表面会与自身相碰。</translation>
+    </message>
+    <message>
+        <source>The brush stopped where surfaces met that may not join.</source>
+        <translation>笔刷停在了不可连接的表面相遇之处。</translation>
+    </message>
+    <message>
+        <source>The brush stopped at the wall of the working volume.</source>
+        <translation>笔刷停在了工作空间的边界。</translation>
+    </message>
+    <message>
+        <source>That was too much work for one touch of the brush, which stopped early; stroke again to go on.</source>
+        <translation>一次落笔的工作量过大，已提前停止；再画一笔即可继续。</translation>
+    </message>
+    <message>
+        <source>No ball was added, because it would lie inside the model.</source>
+        <translation>未添加球体，因为它会位于模型内部。</translation>
+    </message>
+    <message>
+        <source>No ball was added, because it would be too close to the surface.</source>
+        <translation>未添加球体，因为它会离表面太近。</translation>
+    </message>
+    <message>
+        <source>No ball was added, because it would reach beyond the working volume.</source>
+        <translation>未添加球体，因为它会超出工作空间。</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>半径</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>强度</translation>
+    </message>
+    <message>
+        <source>Falloff</source>
+        <translation>衰减</translation>
+    </message>
+    <message>
+        <source>Detail</source>
+        <translation>细节</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>间距</translation>
+    </message>
+    <message>
+        <source>%1: from %2 to %3 mm with this model.</source>
+        <translation>%1：对此模型为 %2 至 %3 毫米。</translation>
+    </message>
+    <message>
+        <source>%1: from %2 to %3.</source>
+        <translation>%1：%2 至 %3。</translation>
     </message>
 </context>
 <context>

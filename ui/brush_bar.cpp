@@ -1,6 +1,7 @@
 #include "brush_bar.h"
 
-#include <QDoubleSpinBox>
+#include "messages.h"
+
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSlider>
@@ -28,23 +29,6 @@ double sliderMax(const BrushSettings& brush, core::Parameter parameter)
     return parameter == core::Parameter::Strength ? strengthOnSlider : brush.maxOf(parameter);
 }
 
-QString label(core::Parameter parameter)
-{
-    switch (parameter) {
-    case core::Parameter::Radius:
-        return BrushBar::tr("Radius");
-    case core::Parameter::Strength:
-        return BrushBar::tr("Strength");
-    case core::Parameter::Falloff:
-        return BrushBar::tr("Falloff");
-    case core::Parameter::Detail:
-        return BrushBar::tr("Detail");
-    case core::Parameter::Spacing:
-        return BrushBar::tr("Spacing");
-    }
-    return {};
-}
-
 /// Three figures that count, whatever the model's size.
 int decimalsFor(double value)
 {
@@ -52,22 +36,45 @@ int decimalsFor(double value)
 }
 } // namespace
 
+QValidator::State NumberBox::validate(QString& text, int& cursor) const
+{
+    const QValidator::State state = QDoubleSpinBox::validate(text, cursor);
+    return state == QValidator::Invalid && numberIn(text) ? QValidator::Intermediate : state;
+}
+
+/// What is typed and cannot be shown comes here when it is finished.
+void NumberBox::fixup(QString& text) const
+{
+    QDoubleSpinBox::fixup(text);
+    if (const std::optional<double> number = numberIn(text)) {
+        Q_EMIT asked(*number);
+        text = textFromValue(std::clamp(*number, minimum(), maximum()));
+    }
+}
+
+std::optional<double> NumberBox::numberIn(const QString& text) const
+{
+    bool isNumber = false;
+    const double number = locale().toDouble(text.chopped(text.endsWith(suffix()) ? suffix().size() : 0).trimmed(), &isNumber);
+    return isNumber && std::isfinite(number) ? std::optional(number) : std::nullopt;
+}
+
 ParameterControl::ParameterControl(BrushSettings* brush, core::Parameter parameter, QWidget* parent)
     : QWidget(parent)
     , m_brush(brush)
     , m_parameter(parameter)
     , m_slider(new QSlider(Qt::Horizontal))
-    , m_box(new QDoubleSpinBox)
+    , m_box(new NumberBox)
 {
     const QString name = QLatin1StringView(core::info(parameter).key.data(), core::info(parameter).key.size());
-    auto* text = new QLabel(label(parameter));
+    auto* text = new QLabel(Messages::name(parameter));
     text->setBuddy(m_box);
     m_slider->setObjectName(name + QStringLiteral(".slider"));
-    m_slider->setAccessibleName(label(parameter));
+    m_slider->setAccessibleName(Messages::name(parameter));
     m_slider->setRange(0, sliderSteps);
     m_slider->setFixedWidth(120);
     m_box->setObjectName(name + QStringLiteral(".box"));
-    m_box->setAccessibleName(label(parameter));
+    m_box->setAccessibleName(Messages::name(parameter));
     m_box->setKeyboardTracking(false);
     m_box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
     if (core::info(parameter).unit == core::Unit::Millimetres)
@@ -87,6 +94,7 @@ ParameterControl::ParameterControl(BrushSettings* brush, core::Parameter paramet
         if (!m_isShowing)
             m_brush->setValue(m_parameter, value);
     });
+    connect(m_box, &NumberBox::asked, brush, [brush, parameter](double value) { brush->setValue(parameter, value); });
     connect(m_box, &QDoubleSpinBox::editingFinished, this, [this] {
         if (m_box->hasFocus()) // else the focus went elsewhere by itself
             Q_EMIT entered();
@@ -118,7 +126,7 @@ double ParameterControl::valueAt(int position) const
 {
     const double min = m_brush->minOf(m_parameter), max = sliderMax(*m_brush, m_parameter);
     const double share = static_cast<double>(position) / sliderSteps;
-    return isLogarithmic(m_parameter) ? min * std::pow(max / min, share) : min + share * (max - min);
+    return std::clamp(isLogarithmic(m_parameter) ? min * std::pow(max / min, share) : min + share * (max - min), min, max);
 }
 
 BrushBar::BrushBar(BrushSettings* brush, QWidget* parent) : QWidget(parent)

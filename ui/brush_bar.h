@@ -2,13 +2,33 @@
 
 #include "brush_settings.h"
 
-#include <QWidget>
+#include <QDoubleSpinBox>
 
-class QDoubleSpinBox;
+#include <optional>
+
 class QSlider;
 
 namespace ui
 {
+/// A number box into which every number can be typed: what it cannot show is asked for by a signal, and shown as the nearest
+/// that it can.
+class NumberBox : public QDoubleSpinBox
+{
+    Q_OBJECT
+
+public:
+    using QDoubleSpinBox::QDoubleSpinBox;
+
+    QValidator::State validate(QString& text, int& cursor) const override;
+    void fixup(QString& text) const override;
+
+Q_SIGNALS:
+    void asked(double value) const;
+
+private:
+    std::optional<double> numberIn(const QString& text) const;
+};
+
 /// One row of the parameter table as a slider with a number box. A view of BrushSettings, which must outlive it.
 class ParameterControl : public QWidget
 {
@@ -30,7 +50,7 @@ private:
     BrushSettings* m_brush;
     core::Parameter m_parameter;
     QSlider* m_slider;
-    QDoubleSpinBox* m_box;
+    NumberBox* m_box;
     bool m_isShowing = false; ///< the change comes from the brush, not from a hand
 };
 

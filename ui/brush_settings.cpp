@@ -1,5 +1,7 @@
 #include "brush_settings.h"
 
+#include "settings.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,6 +11,7 @@ namespace
 {
 /// Of the radius: dense enough for an even furrow, wide enough that a slow hand does not dig a hole.
 constexpr double handSpacing = 0.25;
+constexpr double anotherSize = 2; ///< so many times larger or smaller a model is of quite another size
 
 /// The nearest legal n: 0, or 3 to 16.
 int legalFalloff(double value)
@@ -55,26 +58,28 @@ void BrushSettings::setTool(core::Tool tool)
 void BrushSettings::setValue(core::Parameter parameter, double value)
 {
     const double before = this->value(parameter);
-    const double clamped = std::clamp(value, minOf(parameter), maxOf(parameter));
+    const double legal = std::clamp(value, minOf(parameter), maxOf(parameter));
     switch (parameter) {
     case core::Parameter::Radius:
-        m_stroke.radius = clamped;
+        m_stroke.radius = legal;
         break;
     case core::Parameter::Strength:
-        m_stroke.strength = clamped;
+        m_stroke.strength = legal;
         break;
     case core::Parameter::Falloff:
-        m_stroke.falloff = legalFalloff(clamped);
+        m_stroke.falloff = legalFalloff(legal);
         break;
     case core::Parameter::Detail:
-        m_stroke.detail = clamped;
+        m_stroke.detail = legal;
         break;
     case core::Parameter::Spacing:
-        m_stroke.spacing = clamped;
+        m_stroke.spacing = legal;
         break;
     }
     if (this->value(parameter) != before)
         Q_EMIT changed();
+    if (legal != value)
+        Q_EMIT clamped(parameter);
 }
 
 void BrushSettings::scaleRadius(double factor)
@@ -82,13 +87,25 @@ void BrushSettings::scaleRadius(double factor)
     setValue(core::Parameter::Radius, m_stroke.radius * factor);
 }
 
-void BrushSettings::setRadiusRange(double min, double max)
+void BrushSettings::fitTo(const ModelFacts& facts, double radiusShare)
 {
     const core::ParameterInfo& row = core::info(core::Parameter::Radius);
-    m_minRadius = std::clamp(min, row.min, row.max);
-    m_maxRadius = std::clamp(max, m_minRadius, row.max);
-    m_stroke.radius = std::clamp(m_stroke.radius, m_minRadius, m_maxRadius);
+    m_modelSize = facts.size.maxCoeff();
+    m_minRadius = std::clamp(core::radiusFor(facts.leastDetail, m_stroke.detail), row.min, row.max);
+    m_maxRadius = std::clamp(maxRadiusShare * m_modelSize, m_minRadius, row.max);
+    m_stroke.radius = std::clamp(radiusShare * m_modelSize, m_minRadius, m_maxRadius);
     Q_EMIT changed();
+}
+
+double BrushSettings::radiusShare() const
+{
+    return m_stroke.radius / m_modelSize;
+}
+
+bool BrushSettings::fits(const ModelFacts& facts) const
+{
+    const double size = facts.size.maxCoeff();
+    return size == 0 || (size <= anotherSize * m_modelSize && anotherSize * size >= m_modelSize);
 }
 
 double BrushSettings::minOf(core::Parameter parameter) const

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "model_facts.h"
+
 #include "core/stroke.h"
 
 #include <QObject>
@@ -20,21 +22,28 @@ public:
     double value(core::Parameter parameter) const;
 
     void setTool(core::Tool tool);
-    /// Clamped to the range of the parameter table (the radius also to setRadiusRange), falloff rounded to a legal n.
+    /// Clamped to the range of the parameter table (the radius also to the model), falloff rounded to a legal n.
     void setValue(core::Parameter parameter, double value);
     void scaleRadius(double factor);
 
-    /// The radii, in mm, that make sense for the model at hand; the radius is moved into them.
-    void setRadiusRange(double min, double max);
+    /// From now on the radius can be what makes sense for that model, and it is this share of its longest side.
+    void fitTo(const ModelFacts& facts, double radiusShare);
+    /// The radius, in longest sides of the model that it was fitted to.
+    double radiusShare() const;
+    /// Whether the model is still about as large as the one that the radius was fitted to.
+    bool fits(const ModelFacts& facts) const;
     double minOf(core::Parameter parameter) const;
     double maxOf(core::Parameter parameter) const;
 
 Q_SIGNALS:
     void changed();
+    /// setValue() or scaleRadius() asked for what it cannot be; it was set to the nearest that it can.
+    void clamped(core::Parameter parameter);
 
 private:
     core::StrokeSettings m_stroke;
     double m_minRadius, m_maxRadius;
+    double m_modelSize = 100; ///< mm, longest side; to which the radius was fitted: at first the ball of clay's
 };
 
 /// What a stroke that begins with these keys held does: Shift smooths, Ctrl turns Pull into Push and Push into Pull.

@@ -38,9 +38,10 @@ void show(QFileDialog* dialog, const PathAnswer& answer)
 }
 } // namespace
 
-void askForModel(QWidget* parent, const QString& folder, PathAnswer answer)
+void askForModel(QWidget* parent, ModelUse use, const QString& folder, PathAnswer answer)
 {
-    auto* dialog = new QFileDialog(parent, FileDialogs::tr("Open a Model"), folder);
+    const QString title = use == ModelUse::Insert ? FileDialogs::tr("Insert a Model") : FileDialogs::tr("Open a Model");
+    auto* dialog = new QFileDialog(parent, title, folder);
     dialog->setObjectName(QStringLiteral("openDialog"));
     dialog->setFileMode(QFileDialog::ExistingFile);
     const QString patterns = QStringLiteral("*.") + endings().join(QStringLiteral(" *."));

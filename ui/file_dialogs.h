@@ -11,7 +11,8 @@ namespace ui
 /// The dialogs for models. They return at once; `answer` is called with a path when one was chosen, and never else.
 using PathAnswer = std::function<void(const QString& path)>;
 
-void askForModel(QWidget* parent, const QString& folder, PathAnswer answer);
+enum class ModelUse { Open, Insert };
+void askForModel(QWidget* parent, ModelUse use, const QString& folder, PathAnswer answer);
 
 /// Suggests the model's name with another ending. The filter gives the ending if none is typed.
 void askForExport(QWidget* parent, const QString& folder, const QString& modelName, PathAnswer answer);

@@ -5,6 +5,7 @@
 #include "brush_bar.h"
 #include "busy_bar.h"
 #include "facts_bar.h"
+#include "messages.h"
 #include "model_dialogs.h"
 #include "model_files.h"
 #include "scene.h"
@@ -35,7 +36,6 @@ namespace
 {
 constexpr double smallerRadius = 0.9;
 constexpr QSize defaultSize{1280, 800};
-constexpr double anotherSize = 2; ///< so many times larger or smaller a model is of quite another size
 
 struct ToolAction
 {
@@ -64,7 +64,6 @@ struct MainWindow::State
     std::function<bool()> mayClose, isSettled;
     bool closesLater = false;
     ModelFacts model;
-    double modelSize = 0; ///< mm, longest side; to which the radii were fitted
 
     void buildView();
     void buildBars();
@@ -77,7 +76,6 @@ struct MainWindow::State
     void showTool();
     void about();
     void setBusy(bool isBusy);
-    void fitRadii();
     void restore();
     void keepOnScreen();
     void save();
@@ -180,6 +178,9 @@ void MainWindow::State::connectTools()
     on("brush.smaller", [this] { brush.scaleRadius(smallerRadius); });
     on("brush.larger", [this] { brush.scaleRadius(1 / smallerRadius); });
     connect(&brush, &BrushSettings::changed, q, [this] { showTool(); });
+    connect(&brush, &BrushSettings::clamped, q, [this](core::Parameter parameter) {
+        q->showNotice(Messages::range(parameter, brush.minOf(parameter), brush.maxOf(parameter)));
+    });
     showTool();
 }
 
@@ -187,15 +188,6 @@ void MainWindow::State::showTool()
 {
     for (const ToolAction& row : toolActions)
         actions.get(QLatin1StringView(row.id))->setChecked(row.tool == brush.tool());
-}
-
-/// The radius keeps its proportion to the model.
-void MainWindow::State::fitRadii()
-{
-    const double share = modelSize > 0 ? brush.value(core::Parameter::Radius) / modelSize : settings.radiusShare();
-    modelSize = model.size.maxCoeff();
-    brush.setRadiusRange(minRadiusShare * modelSize, maxRadiusShare * modelSize);
-    brush.setValue(core::Parameter::Radius, share * modelSize);
 }
 
 void MainWindow::State::about()
@@ -245,8 +237,8 @@ void MainWindow::State::save()
     settings.setWindowGeometry(q->saveGeometry());
     settings.setWindowState(q->saveState());
     settings.setStrength(brush.value(core::Parameter::Strength));
-    if (modelSize > 0)
-        settings.setRadiusShare(brush.value(core::Parameter::Radius) / modelSize);
+    if (model.size.maxCoeff() > 0)
+        settings.setRadiusShare(brush.radiusShare());
 }
 
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), m_state(std::make_unique<State>(this))
@@ -321,11 +313,10 @@ void MainWindow::showExported(const QString& path)
 void MainWindow::setModel(const ModelFacts& facts)
 {
     m_state->model = facts;
-    m_state->modelSize = 0;
     setWindowTitle(tr("%1[*] – Fettle").arg(facts.name));
     setModified(false);
     if (facts.size.maxCoeff() > 0)
-        m_state->fitRadii();
+        m_state->brush.fitTo(facts, m_state->settings.radiusShare());
     m_state->facts->setFacts(facts);
     m_state->viewport->showModel(facts.box);
 }
@@ -335,9 +326,8 @@ void MainWindow::updateFacts(const ModelFacts& facts)
     m_state->model = facts;
     m_state->facts->setFacts(facts);
     m_state->viewport->setBox(facts.box);
-    const double size = facts.size.maxCoeff();
-    if (size > anotherSize * m_state->modelSize || anotherSize * size < m_state->modelSize) {
-        m_state->fitRadii();
+    if (!m_state->brush.fits(facts)) {
+        m_state->brush.fitTo(facts, m_state->brush.radiusShare());
         m_state->viewport->frame();
     }
 }

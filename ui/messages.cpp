@@ -74,6 +74,41 @@ QString Messages::tooFine(const QString& file, quint64 faces)
         .arg(file, number(faces));
 }
 
+QString Messages::shortfall(core::Shortfall shortfall)
+{
+    switch (shortfall) {
+    case core::Shortfall::None: return {};
+    case core::Shortfall::Stuck: return tr("Nothing happened here: the surface would have met itself.");
+    case core::Shortfall::Contact: return tr("The brush stopped where surfaces met that may not join.");
+    case core::Shortfall::Wall: return tr("The brush stopped at the wall of the working volume.");
+    case core::Shortfall::Capped: return tr("That was too much work for one touch of the brush, which stopped early; stroke again to go on.");
+    case core::Shortfall::Inside: return tr("No ball was added, because it would lie inside the model.");
+    case core::Shortfall::TooClose: return tr("No ball was added, because it would be too close to the surface.");
+    case core::Shortfall::NoRoom: return tr("No ball was added, because it would reach beyond the working volume.");
+    }
+    return {};
+}
+
+QString Messages::name(core::Parameter parameter)
+{
+    switch (parameter) {
+    case core::Parameter::Radius: return tr("Radius");
+    case core::Parameter::Strength: return tr("Strength");
+    case core::Parameter::Falloff: return tr("Falloff");
+    case core::Parameter::Detail: return tr("Detail");
+    case core::Parameter::Spacing: return tr("Spacing");
+    }
+    return {};
+}
+
+QString Messages::range(core::Parameter parameter, double least, double most)
+{
+    const auto figure = [](double value) { return QLocale().toString(value, 'g', 3); };
+    const bool isLength = core::info(parameter).unit == core::Unit::Millimetres;
+    return (isLength ? tr("%1: from %2 to %3 mm with this model.") : tr("%1: from %2 to %3."))
+        .arg(name(parameter), figure(least), figure(most));
+}
+
 /// What is wrong with a file before its content matters.
 QString Messages::reading(const core::FileError& error)
 {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "core/brush.h"
 #include "core/file_error.h"
+#include "core/stroke.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -12,7 +14,7 @@ struct MeshReport;
 
 namespace ui
 {
-/// core's error kinds in words: one sentence each, plain text, for dialogs and for the command line alike. Any thread.
+/// core's kinds in words: one sentence each, plain text, for dialogs and for the command line alike. Any thread.
 class Messages
 {
     Q_DECLARE_TR_FUNCTIONS(ui::Messages)
@@ -24,6 +26,12 @@ public:
     static QString refusal(const QString& file, const core::MeshReport& report);
     /// Nothing is wrong with the model, but that many of its faces would meet where the lattice puts them.
     static QString tooFine(const QString& file, quint64 faces);
+    /// What the brush did not do, and why. Empty if it did all.
+    static QString shortfall(core::Shortfall shortfall);
+
+    static QString name(core::Parameter parameter);
+    /// What it can be, if somebody asked for more or less.
+    static QString range(core::Parameter parameter, double least, double most);
 
 private:
     static QString reading(const core::FileError& error);

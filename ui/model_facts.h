@@ -16,5 +16,6 @@ struct ModelFacts
     core::Box box;                        ///< mm
     double area = 0;                      ///< mm^2
     double uniformDetail = 0;             ///< mm; d_detail of the uniform topology
+    double leastDetail = 0;               ///< mm; the finest d_detail that the model's lattice holds
 };
 } // namespace ui

@@ -34,7 +34,7 @@ ModelFiles::ModelFiles(Settings* settings, QWidget* window) : m_settings(setting
 
 void ModelFiles::open()
 {
-    askForModel(m_window, m_settings->lastFolder(), [this](const QString& path) {
+    askForModel(m_window, ModelUse::Open, m_settings->lastFolder(), [this](const QString& path) {
         remember(path);
         Q_EMIT openRequested(path);
     });
@@ -42,7 +42,7 @@ void ModelFiles::open()
 
 void ModelFiles::insert()
 {
-    askForModel(m_window, m_settings->lastFolder(), [this](const QString& path) {
+    askForModel(m_window, ModelUse::Insert, m_settings->lastFolder(), [this](const QString& path) {
         remember(path);
         askForPlace(m_window, QFileInfo(path).fileName(), [this, path](const core::ModelCommand& command) {
             Q_EMIT insertRequested(path, std::get<core::Insert>(command));

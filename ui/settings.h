@@ -8,7 +8,7 @@
 
 namespace ui
 {
-/// The radii that make sense, as shares of the model's longest side.
+/// The radii that make sense, as shares of the model's longest side. The least that the lattice takes is a little more.
 inline constexpr double minRadiusShare = 0.002, maxRadiusShare = 0.5;
 
 /// Every stored preference: its key, type and default in one place. A missing or broken entry gives the default. The

@@ -434,7 +434,7 @@ void TestCommandLine::replay_statsHaveTheFields()
     QCOMPARE(dabs.size(), 3);
     for (const QJsonValue& dab : dabs)
         for (const char* key : {"select_ms", "optimise_ms", "deform_ms", "fuse_ms", "verify_ms", "total_ms", "touched_vertices", "touched_faces", "substeps",
-                                "asked", "reached", "contact", "longest_edge", "conforming_share", "smallest_angle_deg", "outcome"})
+                                "asked", "reached", "contact", "wall", "capped", "longest_edge", "conforming_share", "smallest_angle_deg", "outcome"})
             QVERIFY2(dab.toObject().contains(QLatin1String(key)), key);
     QVERIFY(dabs[0].toObject()[QStringLiteral("longest_edge")].toDouble(2) <= 1);
     QVERIFY(dabs[0].toObject()[QStringLiteral("conforming_share")].toDouble() > 0.9);

@@ -1,7 +1,9 @@
 #include "app/document.h"
 
 #include "core/mesh_build.h"
+#include "core/mesh_check.h"
 #include "core/mesh_io.h"
+#include "ui/messages.h"
 
 #include <QDir>
 #include <QFile>
@@ -59,6 +61,19 @@ struct Session
         return hash.value_or(0);
     }
 
+    /// The whole mesh is in order.
+    void verifyWhole()
+    {
+        std::optional<bool> isSound;
+        QObject receiver;
+        worker.post([&](core::Sculptor& sculptor) {
+            const bool value = core::checkMesh(core::extractMesh(sculptor.mesh())).printReady();
+            QMetaObject::invokeMethod(&receiver, [&isSound, value] { isSound = value; }, Qt::QueuedConnection);
+        });
+        QTRY_VERIFY(isSound);
+        QVERIFY(*isSound);
+    }
+
     void stroke(const core::Vec3& where, core::Tool tool = core::Tool::Pull, int samples = 1)
     {
         core::StrokeSettings settings;
@@ -97,6 +112,9 @@ private Q_SLOTS:
     void undoAll_andRedoAllComeBackByState();
     void jumps_goThere();
     void stroke_thatDoesNothingIsNoStep();
+    void strokeThatFellShort_isSaidOnce_data();
+    void strokeThatFellShort_isSaidOnce();
+    void strokeThatDidAll_isNotTalkedAbout();
     void newStroke_forgetsWhatWasUndone();
     void modified_followsTheHistory();
     void spilledDeltas_comeBack();
@@ -220,6 +238,67 @@ void TestDocument::stroke_thatDoesNothingIsNoStep()
     session.settle();
     QCOMPARE(session.document.undoStack().count(), 0);
     QVERIFY(!session.document.isModified() && !session.document.canUndo());
+}
+
+void TestDocument::strokeThatFellShort_isSaidOnce_data()
+{
+    using core::Shortfall;
+    QTest::addColumn<core::StrokeSettings>("settings");
+    QTest::addColumn<QList<core::Vec3>>("samples");
+    QTest::addColumn<Shortfall>("shortfall");
+    core::StrokeSettings brush;
+    brush.radius = 12;
+    core::StrokeSettings fine = brush, apart = brush, strong = brush, sphere = brush;
+    fine.detail = 0.05; // tens of thousands of edges to split
+    QTest::newRow("too much work") << fine << QList<core::Vec3>(3, {0, 50, 0}) << Shortfall::Capped;
+    apart.tool = core::Tool::Push;
+    apart.place = core::Placement::Ray;
+    apart.strength = 10;
+    apart.fusion = false;
+    QTest::newRow("contact") << apart << QList<core::Vec3>(20, {1, 400, 1}) << Shortfall::Contact;
+    strong.place = core::Placement::Ray;
+    strong.radius = 45;
+    strong.strength = 10;
+    QTest::newRow("wall") << strong << QList<core::Vec3>(20, {1, 600, 1}) << Shortfall::Wall;
+    sphere.add = true;
+    QTest::newRow("inside") << sphere << QList<core::Vec3>{{0, 0, 0}, {1, 0, 0}} << Shortfall::Inside;
+    QTest::newRow("too close") << sphere << QList<core::Vec3>{{0, 62.5, 0}} << Shortfall::TooClose;
+    QTest::newRow("no room") << sphere << QList<core::Vec3>{{0, 505, 0}} << Shortfall::NoRoom;
+}
+
+void TestDocument::strokeThatFellShort_isSaidOnce()
+{
+    QFETCH(core::StrokeSettings, settings);
+    QFETCH(QList<core::Vec3>, samples);
+    QFETCH(core::Shortfall, shortfall);
+    Session session;
+    QSignalSpy noticed(&session.document, &Document::noticed);
+    session.document.beginStroke(settings);
+    for (const core::Vec3& position : samples) {
+        core::StrokeSample sample;
+        sample.position = position;
+        sample.direction = -core::Vec3::UnitY();
+        session.document.addSample(sample);
+    }
+    session.settle();
+    QVERIFY(noticed.isEmpty()); // not while the hand is at it
+    session.document.endStroke();
+    session.wait();
+    QCOMPARE(noticed.size(), 1);
+    QCOMPARE(noticed[0][0].toString(), ui::Messages::shortfall(shortfall));
+    session.verifyWhole();
+}
+
+void TestDocument::strokeThatDidAll_isNotTalkedAbout()
+{
+    Session session;
+    QSignalSpy noticed(&session.document, &Document::noticed);
+    std::mt19937_64 random(7);
+    for (int i = 0; i < 20; ++i)
+        session.randomStroke(random);
+    session.stroke({0, 500, 0}); // into the air
+    session.wait();
+    QVERIFY2(noticed.isEmpty(), qPrintable(noticed.isEmpty() ? QString() : noticed[0][0].toString()));
 }
 
 void TestDocument::newStroke_forgetsWhatWasUndone()

@@ -4,13 +4,22 @@
 #include "core/mesh_check.h"
 #include "core/mesh_io.h"
 #include "ui/main_window.h"
+#include "ui/messages.h"
 #include "ui/viewport.h"
 
+#include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMessageBox>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 
 using namespace app;
 
@@ -45,6 +54,60 @@ void drag(QWidget* widget, const QPoint& by, Qt::KeyboardModifiers modifiers = {
     }
     QTest::mouseRelease(widget, Qt::LeftButton, modifiers, from + by);
 }
+
+/// The window with a ball of clay that has a stroke more than any file.
+void sculptBall(Program& program)
+{
+    program.window.resize(900, 700);
+    program.window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&program.window));
+    program.document.openSphere();
+    QTRY_VERIFY(!program.document.isBusy());
+    QTRY_VERIFY(program.window.viewport()->stats().patches > 0);
+    drag(program.window.viewport(), {40, 20});
+    QTRY_COMPARE(program.document.undoStack().count(), 1);
+    QTRY_VERIFY(program.document.isSettled());
+}
+
+/// Presses a button of the question about unsaved changes, which the next event asks. The button is found by the words on it.
+void answerQuestion(Program& program, const QString& words)
+{
+    auto* timer = new QTimer(&program.window);
+    QObject::connect(timer, &QTimer::timeout, &program.window, [timer, words, &program] {
+        auto* question = program.window.findChild<QMessageBox*>(QStringLiteral("discardQuestion"));
+        if (!question || !question->isVisible())
+            return;
+        timer->deleteLater();
+        for (QAbstractButton* button : question->buttons())
+            if (button->text().contains(words))
+                return QTest::mouseClick(button, Qt::LeftButton);
+        QFAIL("no such button");
+    });
+    timer->start(20);
+}
+
+/// Types a file's name into the dialog, and Return.
+void chooseFile(Program& program, const char* dialogName, const QString& path)
+{
+    QFileDialog* dialog = nullptr;
+    QTRY_VERIFY((dialog = program.window.findChild<QFileDialog*>(QLatin1StringView(dialogName))) && dialog->isVisible());
+    auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+    dialog->setDirectory(QFileInfo(path).absolutePath());
+    name->clear();
+    QTest::keyClicks(name, QFileInfo(path).fileName());
+    QTest::keyClick(name, Qt::Key_Return);
+}
+
+QString notice(const Program& program)
+{
+    const auto* banner = program.window.findChild<QLabel*>(QStringLiteral("banner"));
+    return banner->isVisible() ? banner->text() : QString();
+}
+
+bool isSound(const QString& path)
+{
+    return core::checkMesh(core::readMesh(path.toStdString())).printReady();
+}
 } // namespace
 
 class TestEndToEnd : public QObject
@@ -57,6 +120,11 @@ private Q_SLOTS:
     void refusedFileLeavesTheModel();
     void closing_asksOnlyWithChanges();
     void closing_waitsForThePress();
+    void exporting_saysWhatWasWritten();
+    void closing_mayExportFirst();
+    void opening_mayExportFirst();
+    void anExportGivenUp_givesUpWhatWaitedForIt();
+    void tooMuchWork_isSaid();
     void farModelIsMovedAndItIsSaid();
 };
 
@@ -194,6 +262,91 @@ void TestEndToEnd::closing_waitsForThePress()
     QVERIFY(program.window.isVisible());
     QVERIFY(program.window.close());
     QCOMPARE(asked, 2);
+}
+
+void TestEndToEnd::exporting_saysWhatWasWritten()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("mine.ply"));
+    Program program;
+    sculptBall(program);
+    program.window.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&program.window));
+    QTest::keySequence(&program.window, program.window.action(QStringLiteral("file.exportAs"))->shortcut());
+    chooseFile(program, "exportDialog", path);
+    QTRY_VERIFY(notice(program).contains(QDir::toNativeSeparators(path)));
+    QVERIFY(isSound(path));
+    QVERIFY(!program.window.isWindowModified() && program.window.isVisible());
+}
+
+void TestEndToEnd::closing_mayExportFirst()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("mine.stl"));
+    Program program;
+    sculptBall(program);
+    answerQuestion(program, QStringLiteral("Export"));
+    QVERIFY(!program.window.close());
+    QVERIFY(program.window.isVisible());
+    chooseFile(program, "exportDialog", path);
+    QTRY_VERIFY(!program.window.isVisible()); // it closes by itself
+    QVERIFY(isSound(path));
+}
+
+void TestEndToEnd::opening_mayExportFirst()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("mine.obj")), other = folder.filePath(QStringLiteral("other.stl"));
+    core::writeMesh(other.toStdString(), core::icosphere(2, 10));
+    Program program;
+    sculptBall(program);
+    answerQuestion(program, QStringLiteral("Export"));
+    program.window.action(QStringLiteral("file.open"))->trigger();
+    chooseFile(program, "openDialog", other);
+    chooseFile(program, "exportDialog", path);
+    QTRY_COMPARE(program.document.path(), other);
+    QTRY_VERIFY(!program.document.isBusy());
+    QCOMPARE(program.document.facts().vertices, quint64(162));
+    QVERIFY(isSound(path));
+    QVERIFY(core::readMesh(path.toStdString()).points.size() > 162);
+}
+
+/// Who changes their mind in the dialog stays; a later export is only an export.
+void TestEndToEnd::anExportGivenUp_givesUpWhatWaitedForIt()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("mine.stl"));
+    Program program;
+    sculptBall(program);
+    answerQuestion(program, QStringLiteral("Export"));
+    QVERIFY(!program.window.close());
+    QFileDialog* dialog = nullptr;
+    QTRY_VERIFY((dialog = program.window.findChild<QFileDialog*>(QStringLiteral("exportDialog"))));
+    QTest::keyClick(dialog, Qt::Key_Escape);
+    QTRY_VERIFY(!program.window.findChild<QFileDialog*>(QStringLiteral("exportDialog")));
+    QVERIFY(program.window.isVisible() && program.window.isWindowModified());
+
+    program.window.action(QStringLiteral("file.exportAs"))->trigger();
+    chooseFile(program, "exportDialog", path);
+    QTRY_VERIFY(!notice(program).isEmpty());
+    QTest::qWait(100);
+    QVERIFY(program.window.isVisible());
+    QVERIFY(isSound(path));
+}
+
+/// The brush is far finer than the surface that it is to refine.
+void TestEndToEnd::tooMuchWork_isSaid()
+{
+    Program program;
+    sculptBall(program);
+    QVERIFY(notice(program).isEmpty());
+    program.window.brush()->setValue(core::Parameter::Detail, 0.05);
+    QSignalSpy noticed(&program.document, &Document::noticed);
+    QTest::mouseClick(program.window.viewport(), Qt::LeftButton, {}, middle(program.window.viewport()));
+    QTRY_COMPARE(noticed.size(), 1);
+    QCOMPARE(notice(program), ui::Messages::shortfall(core::Shortfall::Capped));
+    QTRY_VERIFY(program.document.isSettled());
+    QCOMPARE(noticed.size(), 1);
 }
 
 void TestEndToEnd::farModelIsMovedAndItIsSaid()

@@ -1,9 +1,24 @@
 #include "ui/brush_settings.h"
 
+#include "core/lattice.h"
+
 #include <QSignalSpy>
 #include <QTest>
 
+#include <limits>
+
 using core::Parameter;
+
+namespace
+{
+ui::ModelFacts model(double size)
+{
+    ui::ModelFacts facts;
+    facts.size = core::Vec3(size, size / 2, size / 3);
+    facts.leastDetail = core::Lattice::forExtent(size / 2).minDetail();
+    return facts;
+}
+} // namespace
 
 class TestBrushSettings : public QObject
 {
@@ -30,16 +45,53 @@ private Q_SLOTS:
         }
     }
 
+    /// From the finest that the lattice takes to half the longest side.
     void theRadiusStaysInTheModelsRange()
     {
         ui::BrushSettings brush;
-        brush.setRadiusRange(2, 30);
+        const ui::ModelFacts facts = model(60);
+        brush.fitTo(facts, 0.1);
+        QCOMPARE(brush.value(Parameter::Radius), 6.0);
         brush.scaleRadius(1000);
         QCOMPARE(brush.value(Parameter::Radius), 30.0);
         brush.scaleRadius(1e-9);
-        QCOMPARE(brush.value(Parameter::Radius), 2.0);
-        brush.setRadiusRange(5, 6);
-        QCOMPARE(brush.value(Parameter::Radius), 5.0);
+        const double least = brush.value(Parameter::Radius);
+        QVERIFY(core::edgeBounds(least, 1).detail >= facts.leastDetail * (1 - 1e-12));
+        QVERIFY(core::edgeBounds(0.99 * least, 1).detail < facts.leastDetail);
+        brush.fitTo(facts, 1e-9);
+        QCOMPARE(brush.value(Parameter::Radius), least);
+        brush.fitTo(facts, 9);
+        QCOMPARE(brush.value(Parameter::Radius), 30.0);
+    }
+
+    void theRadiusKeepsItsShareOfTheModel()
+    {
+        ui::BrushSettings brush;
+        brush.fitTo(model(60), 0.1);
+        brush.setValue(Parameter::Radius, 12);
+        QCOMPARE(brush.radiusShare(), 0.2);
+        QVERIFY(brush.fits(model(60)) && brush.fits(model(119)) && brush.fits(model(31)));
+        QVERIFY(!brush.fits(model(121)) && !brush.fits(model(29)));
+        brush.fitTo(model(600), brush.radiusShare());
+        QCOMPARE(brush.value(Parameter::Radius), 120.0);
+    }
+
+    void whatIsClampedIsTold()
+    {
+        ui::BrushSettings brush;
+        QSignalSpy clamped(&brush, &ui::BrushSettings::clamped);
+        brush.fitTo(model(60), 100); // nobody asked for that
+        brush.setValue(Parameter::Radius, 5);
+        QCOMPARE(clamped.count(), 0);
+        for (const double impossible : {0.0, -3.0, 31.0, 1e-5, 1e300, -std::numeric_limits<double>::infinity()}) {
+            brush.setValue(Parameter::Radius, impossible);
+            QCOMPARE(clamped.count(), 1);
+            QCOMPARE(clamped.takeFirst()[0].value<Parameter>(), Parameter::Radius);
+        }
+        brush.setValue(Parameter::Radius, 30); // the bound itself can be
+        QCOMPARE(clamped.count(), 0);
+        brush.setValue(Parameter::Strength, 11);
+        QCOMPARE(clamped.count(), 1);
     }
 
     void smallerAndLargerUndoEachOther()

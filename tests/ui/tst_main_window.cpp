@@ -190,6 +190,22 @@ private Q_SLOTS:
         QCOMPARE(opened[0][0].toString(), file.fileName());
     }
 
+    void insertingHasATitleOfItsOwn()
+    {
+        MainWindow window;
+        window.show();
+        QStringList titles;
+        for (const char* id : {"file.open", "model.insert"}) {
+            act(window, id)->trigger();
+            auto* dialog = window.findChild<QFileDialog*>();
+            QVERIFY(dialog);
+            titles << dialog->windowTitle();
+            dialog->reject();
+            QTRY_VERIFY(!window.findChild<QFileDialog*>());
+        }
+        QCOMPARE(titles, QStringList({QStringLiteral("Open a Model"), QStringLiteral("Insert a Model")}));
+    }
+
     void theExportsEndingFollowsTheFilter()
     {
         QTemporaryDir folder;
@@ -320,6 +336,73 @@ private Q_SLOTS:
         box->setFocus();
         QTest::keyClick(box, Qt::Key_Tab);
         QVERIFY(!box->hasFocus() && !window.viewport()->hasFocus());
+    }
+
+    void whatIsTypedBeyondIsClampedWithAWord_data()
+    {
+        QTest::addColumn<QString>("box");
+        QTest::addColumn<double>("typed");
+        QTest::addColumn<double>("becomes");
+        QTest::newRow("larger than the model") << "radius.box" << 999.0 << 50.0;
+        QTest::newRow("zero") << "radius.box" << 0.0 << 0.5;
+        QTest::newRow("below the finest detail") << "radius.box" << 0.001 << 0.5;
+        QTest::newRow("too strong") << "strength.box" << 77.0 << 10.0;
+        QTest::newRow("can be") << "radius.box" << 12.0 << 12.0;
+        QTest::newRow("can be, with more digits than are shown") << "radius.box" << 12.3456 << 12.3456;
+    }
+
+    void whatIsTypedBeyondIsClampedWithAWord()
+    {
+        QFETCH(QString, box);
+        QFETCH(double, typed);
+        QFETCH(double, becomes);
+        MainWindow window;
+        ui::ModelFacts model = facts(QStringLiteral("a"), 100);
+        model.leastDetail = core::edgeBounds(0.5, 1).detail;
+        window.setModel(model);
+        window.show();
+        window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        auto* field = window.findChild<QDoubleSpinBox*>(box);
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, QLocale().toString(typed, 'g', 8));
+        QTest::keyClick(field, Qt::Key_Return);
+        const Parameter parameter = box.startsWith(QStringLiteral("radius")) ? Parameter::Radius : Parameter::Strength;
+        QCOMPARE(window.brush()->value(parameter), becomes);
+        QCOMPARE(field->value(), QLocale().toDouble(QString::number(becomes, 'f', field->decimals())));
+        const auto* banner = child<QLabel>(window, "banner");
+        QCOMPARE(banner->isVisible(), typed != becomes);
+        if (typed != becomes)
+            QVERIFY2(banner->text().contains(QLocale().toString(becomes)), qPrintable(banner->text()));
+    }
+
+    void whatIsNoNumberCannotBeTyped()
+    {
+        MainWindow window;
+        window.setModel(facts(QStringLiteral("a"), 100));
+        window.show();
+        auto* box = child<QDoubleSpinBox>(window, "radius.box");
+        for (const char* text : {"nan", "inf", "1e400", "x"}) {
+            box->selectAll();
+            QTest::keyClicks(box, QLatin1StringView(text));
+            QTest::keyClick(box, Qt::Key_Return);
+            QVERIFY(window.strokeSettings().radius >= 1e-6 && window.strokeSettings().radius <= 50);
+        }
+    }
+
+    void bracketsSayWhereTheyEnd()
+    {
+        MainWindow window;
+        window.setModel(facts(QStringLiteral("a"), 100));
+        window.show();
+        const auto* banner = child<QLabel>(window, "banner");
+        for (int i = 0; i < 15; ++i)
+            act(window, "brush.larger")->trigger();
+        QVERIFY(window.strokeSettings().radius < 50 && !banner->isVisible());
+        act(window, "brush.larger")->trigger();
+        QCOMPARE(window.strokeSettings().radius, 50.0);
+        QVERIFY(banner->isVisible());
     }
 
     void itFitsTheScreen()

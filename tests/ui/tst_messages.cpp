@@ -98,6 +98,28 @@ private Q_SLOTS:
         QVERIFY(!words.contains(QStringLiteral(": 0")));
     }
 
+    void everyShortfallHasWordsOfItsOwn()
+    {
+        QSet<QString> seen;
+        for (int k = 1; k <= static_cast<int>(core::Shortfall::NoRoom); ++k) {
+            const QString words = ui::Messages::shortfall(static_cast<core::Shortfall>(k));
+            verifySentence(words);
+            QVERIFY2(!seen.contains(words), qPrintable(words));
+            seen << words;
+        }
+        QVERIFY(ui::Messages::shortfall(core::Shortfall::None).isEmpty());
+    }
+
+    void aRangeHasItsBoundsAndUnit()
+    {
+        const QString radius = ui::Messages::range(core::Parameter::Radius, 0.27951, 50);
+        verifySentence(radius);
+        QVERIFY2(radius.contains(QStringLiteral("0.28")) && radius.contains(QStringLiteral("50 mm")), qPrintable(radius));
+        const QString strength = ui::Messages::range(core::Parameter::Strength, 0, 10);
+        verifySentence(strength);
+        QVERIFY2(strength.contains(QStringLiteral("10")) && !strength.contains(QStringLiteral("mm")), qPrintable(strength));
+    }
+
     void aRefusalWithoutCountsStillHasAReason()
     {
         const QString words = ui::Messages::refusal(QStringLiteral("cup.obj"), {});
