@@ -1,11 +1,11 @@
 #include "document.h"
 
 #include "model_loader.h"
+#include "model_trial.h"
 #include "model_words.h"
 #include "stroke_command.h"
 
 #include "core/mesh_build.h"
-#include "core/mesh_io.h"
 #include "ui/messages.h"
 
 #include <QFileInfo>
@@ -18,52 +18,15 @@ namespace app
 namespace
 {
 constexpr double clayRadius = 50; ///< mm
-constexpr int progressSteps = 100;
-} // namespace
-
-/// What became of a change of the whole model.
-struct ModelOutcome
-{
-    core::ModelChange change;
-    QString problem; ///< it was not done
-};
-
-namespace
-{
-/// Null: there is not enough memory.
-std::shared_ptr<core::Mesh> copied(const core::Mesh& mesh)
-{
-    try {
-        return std::make_shared<core::Mesh>(mesh);
-    } catch (const std::bad_alloc&) {
-        return nullptr;
-    }
-}
-
-/// Reads the model to be inserted, if there is one, and tries the command. Any thread.
-ModelOutcome tried(const std::shared_ptr<core::Mesh>& mesh, core::ModelCommand& command, const QString& insertedPath, const core::JobWatch& watch)
-{
-    ModelOutcome outcome;
-    try {
-        if (!mesh)
-            throw std::bad_alloc();
-        if (auto* insertion = std::get_if<core::Insert>(&command))
-            insertion->model = core::readMesh(toPath(insertedPath));
-        outcome.change = core::tryOn(std::move(*mesh), command, watch);
-        outcome.problem = ModelWords::refusal(outcome.change, insertedPath);
-    } catch (const core::FileError& error) {
-        outcome.problem = ui::Messages::sentence(error);
-    } catch (const std::bad_alloc&) {
-        outcome.problem = Document::tr("There is not enough memory for that; the model stays as it is.");
-    }
-    return outcome;
-}
 } // namespace
 
 Document::Document(SculptWorker* worker, QObject* parent)
     : QObject(parent), m_worker(worker), m_history([worker](auto job) { worker->post(std::move(job)); })
 {
-    m_aside.setMaxThreadCount(1);
+    connect(&m_work, &LongWork::busy, this, &Document::busy);
+    connect(&m_work, &LongWork::stoppable, this, &Document::stoppable);
+    connect(&m_work, &LongWork::progressed, this, &Document::progressed);
+    connect(&m_work, &LongWork::idle, this, &Document::idle);
     connect(worker, &SculptWorker::strokeFinished, this, &Document::takeReport);
     connect(worker, &SculptWorker::modelSet, this, &Document::takeModel);
     connect(worker, &SculptWorker::factsChanged, this, &Document::takeFacts);
@@ -79,9 +42,9 @@ Document::Document(SculptWorker* worker, QObject* parent)
 
 Document::~Document()
 {
-    m_stop.request_stop();
+    m_work.stop();
     m_worker->stop();
-    m_aside.waitForDone();
+    m_work.wait();
     m_stack.disconnect(this);
 }
 
@@ -99,37 +62,34 @@ bool Document::mayDiscard(const std::function<void()>& goOn) const
 
 void Document::open(const QString& path)
 {
-    if (m_isBusy)
+    if (m_work.isBusy())
         Q_EMIT noticed(tr("One file at a time: %1 waits until the other is done.").arg(QFileInfo(path).fileName()));
     else // changes are what they are when all strokes have reported
         request([this, path] {
-            if (!m_isBusy && mayDiscard([this, path] { open(path); }))
+            if (!m_work.isBusy() && mayDiscard([this, path] { open(path); }))
                 load(path);
         });
 }
 
 void Document::openSphere()
 {
-    if (!m_isBusy && mayDiscard([this] { openSphere(); }))
+    if (!m_work.isBusy() && mayDiscard([this] { openSphere(); }))
         load({});
 }
 
 void Document::load(const QString& path)
 {
-    setBusy(path.isEmpty() ? tr("Preparing the clay") : tr("Opening %1").arg(QFileInfo(path).fileName()));
-    Q_EMIT stoppable(true);
-    m_aside.start([this, path, watch = watch()] {
-        const auto tell = [this](const QString& what) {
-            QMetaObject::invokeMethod(this, [this, what] { Q_EMIT busy(what); }, Qt::QueuedConnection);
-        };
+    const QString what = path.isEmpty() ? tr("Preparing the clay") : tr("Opening %1").arg(QFileInfo(path).fileName());
+    m_work.run([this, path, watch = m_work.beginStoppable(what)] {
+        const auto tell = [this](const QString& next) { m_work.rename(next); };
         auto model = std::make_shared<LoadedModel>(path.isEmpty() ? ModelLoader::sphere(clayRadius) : ModelLoader::load(path, tell, watch));
         const auto finish = [this, model = std::move(model), watch] {
-            Q_EMIT stoppable(false);
+            m_work.keep();
             if (watch.stopped())
                 model->sculptor.reset();
             if (model->sculptor)
                 return request([this, model] { install(model); });
-            setIdle();
+            m_work.end();
             if (!watch.stopped())
                 Q_EMIT refused(model->problem);
             if (m_facts.faces == 0) // never without a model
@@ -156,7 +116,7 @@ void Document::takeModel(const MeshFacts& facts)
 {
     m_isInstalling = false;
     takeFacts(facts);
-    setIdle();
+    m_work.end();
     Q_EMIT opened(m_facts);
     tellState();
     runRequests();
@@ -164,9 +124,9 @@ void Document::takeModel(const MeshFacts& facts)
 
 void Document::exportTo(const QString& path)
 {
-    if (m_isBusy)
+    if (m_work.isBusy())
         return;
-    setBusy(tr("Exporting %1").arg(QFileInfo(path).fileName()));
+    m_work.begin(tr("Exporting %1").arg(QFileInfo(path).fileName()));
     request([this, path] {
         m_worker->post([this, path, index = m_stack.index()](core::Sculptor& sculptor) {
             auto copy = std::make_shared<core::TriangleMesh>(core::extractMesh(sculptor.mesh()));
@@ -177,10 +137,10 @@ void Document::exportTo(const QString& path)
 
 void Document::write(const QString& path, std::shared_ptr<core::TriangleMesh> mesh, int index)
 {
-    m_aside.start([this, path, mesh = std::move(mesh), index] {
+    m_work.run([this, path, mesh = std::move(mesh), index] {
         const QString problem = ModelLoader::save(path, *mesh);
         const auto finish = [this, path, index, problem] {
-            setIdle();
+            m_work.end();
             if (!problem.isEmpty()) {
                 Q_EMIT refused(problem);
                 return;
@@ -201,36 +161,34 @@ void Document::write(const QString& path, std::shared_ptr<core::TriangleMesh> me
 
 void Document::apply(const core::ModelCommand& command)
 {
-    if (!m_isBusy)
+    if (!m_work.isBusy())
         request([this, command] { startChange(command, {}); });
 }
 
 void Document::insert(const QString& path, core::Insert::Place place, const core::Vec3& centre)
 {
-    if (!m_isBusy)
+    if (!m_work.isBusy())
         request([this, path, place, centre] { startChange(core::Insert{{}, place, centre}, path); });
 }
 
 void Document::stop()
 {
-    m_stop.request_stop();
-    Q_EMIT stoppable(false);
+    m_work.stop();
 }
 
 /// Until it is finished, strokes are refused and undo waits: the mesh stays the one that was copied.
 void Document::startChange(core::ModelCommand command, const QString& insertedPath)
 {
-    if (m_isBusy)
+    if (m_work.isBusy())
         return;
     if (!m_worker->hold()) // another hand was faster
         return request([this, command = std::move(command), insertedPath] { startChange(command, insertedPath); });
     m_isChanging = true;
-    setBusy(ModelWords::doing(command));
-    Q_EMIT stoppable(true);
-    m_worker->post([this, command = std::move(command), insertedPath, watch = watch()](core::Sculptor& sculptor) {
-        auto copy = copied(sculptor.mesh());
-        m_aside.start([this, copy = std::move(copy), command, insertedPath, watch]() mutable {
-            auto outcome = std::make_shared<ModelOutcome>(tried(copy, command, insertedPath, watch));
+    const core::JobWatch watch = m_work.beginStoppable(ModelWords::doing(command));
+    m_worker->post([this, command = std::move(command), insertedPath, watch](core::Sculptor& sculptor) {
+        auto copy = ModelTrial::copyOf(sculptor.mesh());
+        m_work.run([this, copy = std::move(copy), command, insertedPath, watch]() mutable {
+            auto outcome = std::make_shared<ModelOutcome>(ModelTrial::run(copy, command, insertedPath, watch));
             const auto finish = [this, command, outcome] { finishChange(command, std::move(*outcome)); };
             QMetaObject::invokeMethod(this, finish, Qt::QueuedConnection);
         });
@@ -239,7 +197,7 @@ void Document::startChange(core::ModelCommand command, const QString& insertedPa
 
 void Document::finishChange(const core::ModelCommand& command, ModelOutcome outcome)
 {
-    const bool wasStopped = m_stop.stop_requested();
+    const bool wasStopped = m_work.wasStopped();
     if (outcome.change.changes && !wasStopped) {
         auto delta = std::make_shared<core::MeshDelta>(std::move(outcome.change.delta));
         m_worker->post([delta](core::Sculptor& sculptor) { sculptor.swap(*delta); });
@@ -249,27 +207,14 @@ void Document::finishChange(const core::ModelCommand& command, ModelOutcome outc
     }
     m_isChanging = false;
     m_worker->release();
-    Q_EMIT stoppable(false);
-    setIdle();
+    m_work.keep();
+    m_work.end();
     if (!outcome.problem.isEmpty())
         Q_EMIT refused(outcome.problem);
     else if (!outcome.change.changes && !wasStopped)
         Q_EMIT noticed(ModelWords::nothing(command));
     tellState();
     runRequests();
-}
-
-/// Of a new piece of work, which stop() ends.
-core::JobWatch Document::watch()
-{
-    m_stop = std::stop_source();
-    const auto told = std::make_shared<int>(-1);
-    const auto progress = [this, told](double share) {
-        const int step = static_cast<int>(share * progressSteps);
-        if (std::exchange(*told, step) != step)
-            QMetaObject::invokeMethod(this, [this, share] { Q_EMIT progressed(share); }, Qt::QueuedConnection);
-    };
-    return {m_stop.get_token(), progress};
 }
 
 // --- strokes and history -----------------------------------------------------------------------------------------------
@@ -421,17 +366,5 @@ void Document::tellState()
     Q_EMIT historyChanged();
     if (std::exchange(m_toldModified, isModified()) != isModified())
         Q_EMIT modifiedChanged(m_toldModified);
-}
-
-void Document::setBusy(const QString& what)
-{
-    m_isBusy = true;
-    Q_EMIT busy(what);
-}
-
-void Document::setIdle()
-{
-    m_isBusy = false;
-    Q_EMIT idle();
 }
 } // namespace app

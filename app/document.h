@@ -1,12 +1,12 @@
 #pragma once
 
 #include "history_store.h"
+#include "long_work.h"
 #include "sculpt_worker.h"
 
 #include "core/model_command.h"
 #include "ui/model_facts.h"
 
-#include <QThreadPool>
 #include <QUndoStack>
 
 #include <deque>
@@ -40,7 +40,7 @@ public:
     const QString& path() const { return m_path; } ///< empty: it comes from no file
     const ui::ModelFacts& facts() const { return m_facts; }
     bool isModified() const;
-    bool isBusy() const { return m_isBusy; }
+    bool isBusy() const { return m_work.isBusy(); }
     /// Nothing that was asked for waits, every stroke has ended and reported. historyChanged() says when to look again.
     bool isSettled() const;
     /// The one answer for actions, wands and history: there is a step back, and its change is still kept.
@@ -98,7 +98,6 @@ private:
     void install(std::shared_ptr<LoadedModel> model);
     void startChange(core::ModelCommand command, const QString& insertedPath);
     void finishChange(const core::ModelCommand& command, ModelOutcome outcome);
-    core::JobWatch watch();
     void write(const QString& path, std::shared_ptr<core::TriangleMesh> mesh, int index);
     void request(std::function<void()> run);
     void strokeRequest(std::function<void()> run);
@@ -108,8 +107,6 @@ private:
     void takeModel(const MeshFacts& facts);
     void takeFacts(const MeshFacts& facts);
     void loseHistory();
-    void setBusy(const QString& what);
-    void setIdle();
     void tellState();
 
     SculptWorker* m_worker;
@@ -125,11 +122,9 @@ private:
     core::Tool m_lastTool = core::Tool::Pull;
     quint64 m_reported = 0;            ///< strokes
     bool m_isInstalling = false;       ///< the worker has another model than the undo stack knows
-    bool m_isBusy = false;
     bool m_isChanging = false; ///< the whole model, aside
-    std::stop_source m_stop;   ///< of what is going on
     bool m_changedBeyondHistory = false;
     bool m_toldModified = false;
-    QThreadPool m_aside; ///< one thread for files; last, so that its jobs end first
+    LongWork m_work; ///< last, so that its jobs end first
 };
 } // namespace app

@@ -207,10 +207,6 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Die früheren Schritte lassen sich nicht mehr rückgängig machen: Ihre Datei auf der Festplatte ist nicht lesbar. Das Modell ist in Ordnung.</translation>
     </message>
     <message>
-        <source>There is not enough memory for that; the model stays as it is.</source>
-        <translation>Dafür reicht der Speicher nicht; das Modell bleibt, wie es ist.</translation>
-    </message>
-    <message>
         <source>Sculpting rests until the model is ready.</source>
         <translation>Das Formen ruht, bis das Modell fertig ist.</translation>
     </message>
@@ -240,6 +236,13 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>%1 lay far from the origin and was moved there.</source>
         <translation>%1 lag weit vom Ursprung entfernt und wurde dorthin verschoben.</translation>
+    </message>
+</context>
+<context>
+    <name>app::ModelTrial</name>
+    <message>
+        <source>There is not enough memory for that; the model stays as it is.</source>
+        <translation>Dafür reicht der Speicher nicht; das Modell bleibt, wie es ist.</translation>
     </message>
 </context>
 <context>

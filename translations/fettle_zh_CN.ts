@@ -205,10 +205,6 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>无法再撤销更早的步骤：磁盘上的记录文件无法读取。模型完好。</translation>
     </message>
     <message>
-        <source>There is not enough memory for that; the model stays as it is.</source>
-        <translation>内存不足，无法完成；模型保持不变。</translation>
-    </message>
-    <message>
         <source>Sculpting rests until the model is ready.</source>
         <translation>模型处理完成之前暂停雕刻。</translation>
     </message>
@@ -238,6 +234,13 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>%1 lay far from the origin and was moved there.</source>
         <translation>%1 离原点很远，已移至原点。</translation>
+    </message>
+</context>
+<context>
+    <name>app::ModelTrial</name>
+    <message>
+        <source>There is not enough memory for that; the model stays as it is.</source>
+        <translation>内存不足，无法完成；模型保持不变。</translation>
     </message>
 </context>
 <context>
