@@ -87,6 +87,13 @@ Vec3 vertexNormal(const Mesh& mesh, Slot v)
     return sum;
 }
 
+Vec3 faceNormal(const Mesh& mesh, Slot f)
+{
+    const Triangle& t = mesh.corners(f);
+    const Vec3 a = mesh.point(t[0]).cast<double>();
+    return (mesh.point(t[1]).cast<double>() - a).cross(mesh.point(t[2]).cast<double>() - a);
+}
+
 double planDeformation(Region& region, const Mesh& mesh, const StrokeSettings& settings, const Dab& dab)
 {
     const Field field = fieldOf(settings.tool, region, mesh);

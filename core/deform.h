@@ -8,6 +8,9 @@ namespace core
 /// matter. In squared units of the document, not normalised; zero where the star's areas cancel.
 Vec3 vertexNormal(const Mesh& mesh, Slot v);
 
+/// Of a face, twice its area long.
+Vec3 faceNormal(const Mesh& mesh, Slot f);
+
 /// Plans where the dab moves each vertex of the region (paper, section 3.3). With b = falloff(r_i / R), s = strength:
 ///   Pull, Push   +-0.1 R s b N_i
 ///   Flatten      min(s, 1) b ((P_center - p_i) . N_avg) N_avg, of the region's mean point and mean normal

@@ -10,6 +10,7 @@
 
 #include "remesh.h"
 
+#include "collapse_shape.h"
 #include "deform.h"
 #include "parallel.h"
 #include "surface_query.h"
@@ -30,6 +31,12 @@ constexpr double flatCosine = 0.9;
 /// The smallest angle that a step may make, unless there was a smaller one before. A collapse: 5 degrees; more would block
 /// collapses that mend what surrounds them. Relaxation: 20 degrees, the least that a dab should leave.
 constexpr double collapsedAngleSine = 0.0872, relaxedAngleSine = 0.342;
+/// Where the shape is kept: a place this near to the planes around it, in d, lies on them; one this near will do if there is
+/// none, and so will one whose squared distance is little larger than the least.
+constexpr double onPlanes = 0.02, nearPlanes = 0.03, littleLarger = 1.5;
+/// There a collapse may narrow an angle below collapsedAngleSine, in squared sines, to this: slivers around the tip of a cone
+/// must narrow a hair to become fewer, and would lose the tip else.
+constexpr double keptOfSliver2 = 0.5;
 constexpr double relaxation = 0.5;
 constexpr int flipPasses = 4;
 /// What a core takes at a time: a dab of the usual size does not wake the others.
@@ -50,10 +57,11 @@ bool longestFirst(const Edge& a, const Edge& b)
 class Remesher
 {
 public:
-    Remesher(MeshEditor& edit, Region& region, const EdgeBounds& bounds)
+    Remesher(MeshEditor& edit, Region& region, const EdgeBounds& bounds, bool keepsShape = false)
         : m_edit(edit), m_mesh(edit.mesh()), m_region(region), m_bounds(bounds), m_detail2(bounds.detail * bounds.detail),
           m_minimum2(bounds.minimum * bounds.minimum),
-          m_opsLeft(std::min(mostOps, leastOps + opsPerVertex * region.size())), m_changed(region.remeshed())
+          m_opsLeft(std::min(mostOps, leastOps + opsPerVertex * region.size())), m_changed(region.remeshed()),
+          m_keepsShape(keepsShape)
     {
         m_changed.clear();
     }
@@ -62,7 +70,7 @@ public:
     void collapseShortEdges();
     void splitLongEdges();
     void flipEdges();
-    void relax();
+    template <class Place> void relax(Place place);
     void moveTo(const std::function<Vec3(Slot)>& place);
 
     RemeshCounts counts;
@@ -78,8 +86,10 @@ private:
     {
         double angleSine;
         double shortest2;
+        double keptSliver2 = 1; ///< of a smaller angle's squared sine, what must be left
     };
-    static Limits collapseLimits() { return {collapsedAngleSine, 0}; }
+    using Choices = std::array<Merged, 3>;
+    Limits collapseLimits() const { return {collapsedAngleSine, 0, m_keepsShape ? keptOfSliver2 : 1}; }
     Limits relaxLimits() const { return {relaxedAngleSine, m_minimum2}; }
 
     Vec3 point(Slot v) const { return m_mesh.point(v).cast<double>(); }
@@ -95,6 +105,7 @@ private:
     std::vector<Edge> collapse(std::vector<Edge> edges);
     std::vector<Edge> flip(std::vector<Edge> edges);
     std::optional<Merged> mergedEnds(Slot h) const;
+    std::size_t keepShape(Slot h, Choices& choices) const;
     bool staysSound(Slot v, Slot ignored, const Vec3& target, const Limits& limits) const;
     bool shouldFlip(Slot e) const;
     void moveVertex(Slot v, const Vec3& place);
@@ -106,6 +117,7 @@ private:
     double m_detail2, m_minimum2;
     std::uint64_t m_opsLeft;
     SparseIndex& m_changed; ///< vertices around operations
+    bool m_keepsShape;
 };
 
 /// Twice a triangle's area, and the squared sine of its smallest angle: the one between the two longest sides.
@@ -311,7 +323,7 @@ bool Remesher::staysSound(Slot v, Slot ignored, const Vec3& target, const Limits
         const double turn = before.normal.dot(after.normal);
         const double before2 = (p - pb).squaredNorm(), after2 = (target - pb).squaredNorm();
         if (turn <= 0 || turn * turn <= leastTurnCosine * leastTurnCosine * before.area2 * after.area2 ||
-            after.smallestSine2 < std::min(limits.angleSine * limits.angleSine, before.smallestSine2) ||
+            after.smallestSine2 < std::min(limits.angleSine * limits.angleSine, limits.keptSliver2 * before.smallestSine2) ||
             after2 > std::max(m_detail2, before2) || after2 < std::min(limits.shortest2, before2))
             sound = false;
     });
@@ -325,15 +337,31 @@ std::optional<Remesher::Merged> Remesher::mergedEnds(Slot h) const
         return std::nullopt;
     const Slot v0 = m_mesh.from(h), v1 = m_mesh.to(h);
     const Vec3 &plan0 = m_region.plan(v0), &plan1 = m_region.plan(v1);
-    const std::array<Merged, 3> choices = {
+    Choices choices = {
         {{m_edit.middle(h / 2), 0.5 * (plan0 + plan1)}, {m_mesh.point(v1), plan1}, {m_mesh.point(v0), plan0}}};
-    for (Merged merged : choices) {
+    const std::size_t count = m_keepsShape ? keepShape(h, choices) : choices.size();
+    for (Merged merged : std::span(choices).first(count)) {
         merged.point = m_edit.kept(v1, merged.point);
         const Vec3 p = merged.point.cast<double>();
         if (staysSound(v0, v1, p, collapseLimits()) && staysSound(v1, v0, p, collapseLimits()))
             return merged;
     }
     return std::nullopt;
+}
+
+/// Sorts the choices by how well they keep to the planes of the faces around. Returns how many do.
+std::size_t Remesher::keepShape(Slot h, Choices& choices) const
+{
+    if (foldsUp(m_mesh, h))
+        return 0;
+    const auto error = [&](const Merged& merged) { return planeError(m_mesh, h, merged.point.cast<double>()) / m_minimum2; };
+    std::ranges::stable_sort(choices, {}, [&](const Merged& merged) {
+        const double e = error(merged);
+        return e > onPlanes * onPlanes ? e : 0;
+    });
+    const double most = littleLarger * error(choices[0]) + nearPlanes * nearPlanes;
+    const auto end = std::ranges::find_if(choices, [&](const Merged& merged) { return error(merged) > most; });
+    return static_cast<std::size_t>(end - choices.begin());
 }
 
 void Remesher::collapseShortEdges()
@@ -450,12 +478,12 @@ std::vector<Edge> Remesher::flip(std::vector<Edge> edges)
 
 // --- 4. relax --------------------------------------------------------------------------------------------------------------
 
-void Remesher::relax()
+template <class Place> void Remesher::relax(Place place)
 {
     m_changed.sort();
     for (Slot v : m_changed.slots()) {
         if (m_mesh.isVertex(v) && m_region.contains(v))
-            moveVertex(v, relaxedPlace(m_mesh, m_bounds, v));
+            moveVertex(v, place(v));
     }
 }
 
@@ -518,7 +546,18 @@ RemeshCounts optimise(MeshEditor& edit, Region& region, const EdgeBounds& bounds
     remesher.splitLongEdges();
     remesher.collapseShortEdges();
     remesher.flipEdges();
-    remesher.relax();
+    remesher.relax([&](Slot v) { return relaxedPlace(edit.mesh(), bounds, v); });
+    return remesher.counts;
+}
+
+RemeshCounts optimiseKeepingShape(MeshEditor& edit, Region& region, const EdgeBounds& bounds,
+                                  const std::function<Vec3(Slot)>& place)
+{
+    Remesher remesher(edit, region, bounds, true);
+    remesher.splitLongEdges();
+    remesher.collapseShortEdges();
+    remesher.flipEdges();
+    remesher.relax(place);
     return remesher.counts;
 }
 

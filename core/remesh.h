@@ -32,6 +32,10 @@ RemeshCounts refine(MeshEditor& edit, Region& region, std::span<const Slot> cand
 /// 180 degrees together, and relaxes vertices around the changes along the surface. Each operation is legal by itself:
 /// closed and manifold, no face turned over or made degenerate. Whether distant faces meet is not its question. O(region).
 RemeshCounts optimise(MeshEditor& edit, Region& region, const EdgeBounds& bounds);
+/// The same for a surface that is to stay as it is: creases and corners outlive collapses, a thin wall keeps both sides of its
+/// rim, whose edges may then stay shorter than d; relaxing takes vertices to `place(v)`.
+RemeshCounts optimiseKeepingShape(MeshEditor& edit, Region& region, const EdgeBounds& bounds,
+                                  const std::function<Vec3(Slot)>& place);
 
 /// Moves the region's vertices, in the order in which they joined, to `place(v)` where their faces stay sound by that: as
 /// optimise() relaxes those around its changes. O(region).

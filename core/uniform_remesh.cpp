@@ -1,11 +1,12 @@
 // The whole model to one d_detail, with what a dab does under its brush (paper, section 3.2):
 //   1. patches   the vertices along a Morton curve, cut into pieces of like size, each with the ring around it
 //   2. optimise  each patch that has an edge out of bounds, letting collapses make some edges too long   remesh
-//   3. even out  its vertices: towards their neighbours' mean, and back onto the surface as it was (Botsch and Kobbelt 2004)
+//   3. even out  its vertices: towards their neighbours' mean, and back onto the surface as it was   original_surface
 //   4. split     what is too long then
 //   5. judge     each patch exactly; what fails is done again, operation by operation                judged_mesh
 //   6. repeat    with pieces cut elsewhere, until the mesh is even or gets no more even
-//   7. judge     the whole, exactly                                                                  lattice_fit
+//   7. raise     the vertices a little, so that round shapes keep their volume                       original_surface
+//   8. judge     the whole, exactly                                                                  lattice_fit
 
 #include "uniform_remesh.h"
 
@@ -14,8 +15,8 @@
 #include "lattice_fit.h"
 #include "model_transform.h"
 #include "morton_order.h"
+#include "original_surface.h"
 #include "remesh.h"
-#include "surface_query.h"
 
 #include <algorithm>
 
@@ -29,70 +30,12 @@ constexpr std::size_t leastPerPatch = 8;
 constexpr int mostRounds = 48;
 /// A round that leaves more than this share of the short edges of the round before has made no progress.
 constexpr double leastProgress = 0.98;
-/// A vertex returns to the surface as it was from this far at most, in d_detail, and only to faces that look its way.
-constexpr double farthestFromSurface = 0.5, sameSheetCosine = 0.5;
 /// A collapse may make an edge this much longer than d_detail; its halves, when it is split, are longer than d.
 constexpr double slack = 1.3;
-/// Vertices at edges sharper than about 45 degrees stay where they are.
-constexpr double creaseCosine = 0.7;
 /// Of equilateral triangles, the edges of a uniform mesh are this long, in d_detail (measured).
 constexpr double typicalEdge = 0.7;
-/// Shares of the time: each round takes this much of what is left; judging the whole takes the rest.
-constexpr double shareOfRound = 0.4, afterRounds = 0.9;
-
-Vec3 faceNormal(const Mesh& mesh, Slot f)
-{
-    const Triangle& t = mesh.corners(f);
-    const Vec3 a = mesh.point(t[0]).cast<double>();
-    return (mesh.point(t[1]).cast<double>() - a).cross(mesh.point(t[2]).cast<double>() - a);
-}
-
-/// The surface as it was, for points that lie near it.
-class OriginalSurface
-{
-public:
-    explicit OriginalSurface(const Mesh& mesh) : m_mesh(mesh), m_octree(mesh), m_boxes(mesh.slots().faces)
-    {
-        for (Slot f = 0; f < m_boxes.size(); ++f) {
-            if (m_mesh.isFace(f))
-                m_boxes[f] = boxOf(m_mesh, f);
-        }
-    }
-
-    struct Place
-    {
-        Vec3 point;
-        Slot face;
-    };
-    /// The nearest within the reach; of several the one on the lowest face.
-    std::optional<Place> near(const Vec3& p, double reach) const;
-    Vec3 normal(Slot face) const { return faceNormal(m_mesh, face); }
-
-private:
-    Mesh m_mesh;
-    FaceOctree m_octree;
-    std::vector<LatticeBox> m_boxes; ///< by face
-};
-
-std::optional<OriginalSurface::Place> OriginalSurface::near(const Vec3& p, double reach) const
-{
-    const LatticeBox box = latticeBox(m_mesh.lattice(), {p, reach});
-    std::optional<Place> best;
-    double best2 = reach * reach;
-    m_octree.query(box, [&](Slot f) {
-        if (!m_boxes[f].meets(box))
-            return;
-        const Triangle& t = m_mesh.corners(f);
-        const auto corner = [&](int i) { return Vec3(m_mesh.point(t[i]).cast<double>()); };
-        const Vec3 point = nearestInTriangle(p, {corner(0), corner(1), corner(2)});
-        const double distance2 = (point - p).squaredNorm();
-        if (distance2 < best2 || (distance2 == best2 && best && f < best->face)) {
-            best2 = distance2;
-            best = {point, f};
-        }
-    });
-    return best;
-}
+/// Shares of the time: each round takes this much of what is left; raising, then judging the whole take the rest.
+constexpr double shareOfRound = 0.4, afterRounds = 0.7, afterRaising = 0.9;
 
 class UniformRemesher
 {
@@ -105,15 +48,23 @@ public:
     void run();
 
 private:
-    std::vector<Slot> alongCurve() const;
+    void evenRounds();
     void round(int number);
+    void raise();
+    std::vector<Slot> alongCurve() const;
     std::size_t patchSize() const;
+    struct Pass
+    {
+        std::size_t shift = 0;   ///< of the pieces along the curve
+        double share = 0;        ///< of the time
+        bool onlyUneven = false; ///< leave pieces alone whose edges are within the bounds
+    };
+    using Step = std::function<void(MeshEditor edit)>;
+    void overPatches(const Pass& pass, const Step& step);
     void fillRegion(std::span<const Slot> vertices);
     bool isOutOfBounds() const;
-    void optimisePatch();
+    void doSoundly(const Step& step);
     void optimiseWith(MeshEditor edit);
-    Vec3 evenPlace(Slot v) const;
-    bool isAtCrease(Slot v) const;
 
     Mesh& m_mesh;
     EdgeBounds m_bounds;
@@ -126,6 +77,14 @@ private:
 };
 
 void UniformRemesher::run()
+{
+    if (evennessOf(m_mesh, m_bounds).isUniform())
+        return;
+    evenRounds();
+    raise();
+}
+
+void UniformRemesher::evenRounds()
 {
     Evenness before = evennessOf(m_mesh, m_bounds);
     for (int number = 0; number < mostRounds && !before.isUniform() && !m_watch.stopped(); ++number) {
@@ -166,20 +125,31 @@ std::size_t UniformRemesher::patchSize() const
 
 void UniformRemesher::round(int number)
 {
-    const std::vector<Slot> order = alongCurve();
     const double share = shareOfRound * (afterRounds - m_done);
+    overPatches({number % 2 == 0 ? 0 : patchSize() / 2, share, number > 0}, [&](MeshEditor edit) { optimiseWith(edit); });
+}
+
+void UniformRemesher::raise()
+{
+    overPatches({0, afterRaising - m_done, false}, [&](MeshEditor edit) {
+        moveSoundly(edit, m_region, m_bounds, [&](Slot v) { return m_original.raisedPlace(m_mesh, m_bounds, v); });
+    });
+}
+
+void UniformRemesher::overPatches(const Pass& pass, const Step& step)
+{
+    const std::vector<Slot> order = alongCurve();
     const std::size_t perPatch = patchSize();
-    const std::size_t shift = number % 2 == 0 ? 0 : perPatch / 2;
-    for (std::size_t end = perPatch - shift, begin = 0; begin < order.size(); begin = end, end += perPatch) {
+    for (std::size_t end = perPatch - pass.shift, begin = 0; begin < order.size(); begin = end, end += perPatch) {
         if (m_watch.stopped())
             return;
         end = std::min(end, order.size());
         fillRegion(std::span(order).subspan(begin, end - begin));
-        if (number == 0 || isOutOfBounds())
-            optimisePatch();
-        m_watch.reached(m_done + share * static_cast<double>(end) / static_cast<double>(order.size()));
+        if (!pass.onlyUneven || isOutOfBounds())
+            doSoundly(step);
+        m_watch.reached(m_done + pass.share * static_cast<double>(end) / static_cast<double>(order.size()));
     }
-    m_done += share;
+    m_done += pass.share;
 }
 
 /// Those still alive, and their neighbours: so that each edge lies within some patch.
@@ -209,52 +179,28 @@ bool UniformRemesher::isOutOfBounds() const
     return found;
 }
 
-void UniformRemesher::optimisePatch()
+void UniformRemesher::doSoundly(const Step& step)
 {
     const Region::Saved saved = m_region.save();
     const Mesh::Mark mark = m_mesh.mark();
-    optimiseWith(MeshEditor(m_mesh));
+    step(MeshEditor(m_mesh));
     if (m_surface.judge(mark))
         return;
     m_mesh.rollback(mark);
     m_region.restore(saved);
-    optimiseWith(MeshEditor(m_mesh, [&](const auto& operation) { return m_surface.attempt(operation); }));
+    step(MeshEditor(m_mesh, [&](const auto& operation) { return m_surface.attempt(operation); }));
 }
 
 void UniformRemesher::optimiseWith(MeshEditor edit)
 {
-    const auto evenOut = [&] { moveSoundly(edit, m_region, m_bounds, [&](Slot v) { return evenPlace(v); }); };
+    const auto evenPlace = [&](Slot v) { return m_original.evenPlace(m_mesh, m_bounds, v); };
     if (!m_onlySplits) {
         const EdgeBounds loose = {slack * m_bounds.detail, m_bounds.minimum};
-        optimise(edit, m_region, loose);
-        evenOut();
+        optimiseKeepingShape(edit, m_region, loose, evenPlace);
+        moveSoundly(edit, m_region, m_bounds, evenPlace);
     }
     splitLongEdges(edit, m_region, m_bounds);
-    evenOut(); // middles of edges lie inside round shapes
-}
-
-/// Relaxed, then on the surface as it was: not on another sheet of it.
-Vec3 UniformRemesher::evenPlace(Slot v) const
-{
-    if (isAtCrease(v))
-        return m_mesh.point(v).cast<double>();
-    const Vec3 relaxed = relaxedPlace(m_mesh, m_bounds, v);
-    const auto original = m_original.near(relaxed, farthestFromSurface * m_bounds.detail);
-    if (!original)
-        return relaxed;
-    const Vec3 normal = vertexNormal(m_mesh, v), other = m_original.normal(original->face);
-    const bool isOwnSheet = other.dot(normal) > sameSheetCosine * other.norm() * normal.norm();
-    return isOwnSheet ? original->point : relaxed;
-}
-
-bool UniformRemesher::isAtCrease(Slot v) const
-{
-    bool found = false;
-    m_mesh.forEachOutgoing(v, [&](Slot h) {
-        const Vec3 n0 = faceNormal(m_mesh, m_mesh.face(h)), n1 = faceNormal(m_mesh, m_mesh.face(h ^ 1));
-        found = found || n0.dot(n1) < creaseCosine * n0.norm() * n1.norm();
-    });
-    return found;
+    moveSoundly(edit, m_region, m_bounds, evenPlace); // middles of edges lie inside round shapes
 }
 } // namespace
 

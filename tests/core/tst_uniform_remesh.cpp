@@ -1,5 +1,6 @@
 #include "core/mesh_build.h"
 #include "core/model_command.h"
+#include "core/surface_query.h"
 #include "core/uniform_remesh.h"
 #include "tests/support/clay.h"
 #include "tests/support/shapes.h"
@@ -27,7 +28,69 @@ Remeshed remeshed(const TriangleMesh& shape, double timesDetail)
         result.mesh->swap(result.change.delta);
     return result;
 }
+
+/// How far the vertices, edges and faces of one mesh lie from the other's surface: their middles stand for them.
+double farthestFrom(const Mesh& other, const Mesh& mesh)
+{
+    const FaceOctree octree(other);
+    double farthest = 0;
+    const auto look = [&](const Vec3& p) { farthest = std::max(farthest, nearestPoint(other, octree, p)->distance); };
+    for (Slot f = 0; f < mesh.slots().faces; ++f) {
+        if (!mesh.isFace(f))
+            continue;
+        std::array<Vec3, 3> p;
+        std::ranges::transform(mesh.corners(f), p.begin(), [&](Slot v) { return mesh.point(v).cast<double>(); });
+        look((p[0] + p[1] + p[2]) / 3);
+        for (std::size_t i = 0; i < 3; ++i) {
+            look(p[i]);
+            look((p[i] + p[(i + 1) % 3]) / 2);
+        }
+    }
+    return farthest;
+}
+
+double volumeOf(const Mesh& mesh)
+{
+    return checkMesh(extractMesh(mesh)).volume.value();
+}
+
+/// Share of the volume that was lost or won.
+double volumeChange(const Remeshed& result, const TriangleMesh& shape)
+{
+    const double volume = checkMesh(shape).volume.value();
+    return std::abs(volumeOf(*result.mesh) - volume) / volume;
+}
+
+/// How far the surfaces are apart, either way, in d.
+double distanceApart(const Remeshed& result, const TriangleMesh& shape)
+{
+    const auto before = buildMesh(shape).mesh;
+    const double apart = std::max(farthestFrom(*before, *result.mesh), farthestFrom(*result.mesh, *before));
+    return apart / edgeBounds(result.detail).minimum;
+}
+
+/// With this d_detail.
+TriangleMesh madeEven(const TriangleMesh& shape, double detail)
+{
+    return extractMesh(*remeshed(shape, detail / buildMesh(shape).mesh->uniformDetail()).mesh);
+}
+
+/// Upright, with a sharp rim above and below.
+TriangleMesh cylinder()
+{
+    std::vector<Vec3> profile = {{0, -1, 0}};
+    for (int i = 1; i <= 16; ++i)
+        profile.push_back({i / 16.0, -1, 0});
+    for (int i = 1; i <= 32; ++i)
+        profile.push_back({1, -1 + i / 16.0, 0});
+    for (int i = 15; i >= 0; --i)
+        profile.push_back({i / 16.0, 1, 0});
+    return clay::revolved(profile, 96);
+}
 } // namespace
+
+#define VERIFY_AT_MOST(value, most)                                                                                    \
+    QVERIFY2((value) <= (most), qPrintable(QStringLiteral(#value " is %1").arg(value)))
 
 class TestUniformRemesh : public QObject
 {
@@ -38,6 +101,12 @@ private Q_SLOTS:
     void anyShape_staysSound();
     void roundShapes_becomeUniform_data();
     void roundShapes_becomeUniform();
+    void sharpShapes_keepTheirEdges_data();
+    void sharpShapes_keepTheirEdges();
+    void cube_keepsItsCorners();
+    void thinWalls_keepTheirVolume_data();
+    void thinWalls_keepTheirVolume();
+    void remeshedAgainAndAgain_keepsTheVolume();
     void defaultLength_isFourThirdsOfTheMeanEdge();
     void undo_restoresTheState();
     void coloursAreCarriedThrough();
@@ -79,11 +148,10 @@ void TestUniformRemesh::roundShapes_becomeUniform_data()
 {
     QTest::addColumn<TriangleMesh>("shape");
     QTest::addColumn<double>("timesDetail");
-    QTest::addColumn<double>("radius"); // of its sharpest curve; 0: flat
     for (const double times : {0.3, 0.5, 0.9, 1.5, 3.0}) {
-        QTest::addRow("ball %g", times) << icosphere(4, 50) << times << 50.0;
-        QTest::addRow("torus %g", times) << shapes::torus({3, 1, 96, 48}) << times << 1.0;
-        QTest::addRow("cube %g", times) << shapes::cube(20) << times / 8 << 0.0;
+        QTest::addRow("ball %g", times) << icosphere(4, 50) << times;
+        QTest::addRow("torus %g", times) << shapes::torus({3, 1, 96, 48}) << times;
+        QTest::addRow("cube %g", times) << shapes::cube(20) << times / 8;
     }
 }
 
@@ -91,18 +159,78 @@ void TestUniformRemesh::roundShapes_becomeUniform()
 {
     QFETCH(TriangleMesh, shape);
     QFETCH(double, timesDetail);
-    QFETCH(double, radius);
-    const double volume = checkMesh(shape).volume.value();
     const Remeshed result = remeshed(shape, timesDetail);
     QVERIFY(result.change.refusal == ModelRefusal::None);
     const Evenness evenness = evennessOf(*result.mesh, edgeBounds(result.detail));
     QVERIFY2(evenness.isUniform(), qPrintable(QStringLiteral("%1 of %2 too short").arg(evenness.tooShort).arg(evenness.edges)));
     if (result.change.changes)
         QCOMPARE(result.mesh->uniformDetail(), result.detail);
-    const double after = checkMesh(extractMesh(*result.mesh)).volume.value();
-    // With each vertex on it, a tube of this radius loses (edge / radius)^2 / 6 to n = 2 pi radius / edge flat sides.
-    const double edge = radius > 0 ? 0.8 * result.detail / radius : 0;
-    QVERIFY2(std::abs(after - volume) < std::max(0.05, edge * edge / 6) * volume, qPrintable(QString::number(after / volume)));
+    VERIFY_AT_MOST(volumeChange(result, shape), 0.01);
+    if (timesDetail > 0.5) // finer ones have so many faces to look at
+        VERIFY_AT_MOST(distanceApart(result, shape), 0.4);
+}
+
+void TestUniformRemesh::sharpShapes_keepTheirEdges_data()
+{
+    QTest::addColumn<TriangleMesh>("shape");
+    QTest::addColumn<double>("detail");
+    const TriangleMesh cube = madeEven(shapes::cube(20), 1), plate = madeEven(clay::slab(2, 0.2, 8), 0.05);
+    for (const double detail : {3.0, 6.0})
+        QTest::addRow("cube %g", detail) << cube << detail;
+    for (const double detail : {0.15, 0.3})
+        QTest::addRow("plate %g", detail) << plate << detail;
+    for (const double detail : {0.15, 0.4})
+        QTest::addRow("cylinder %g", detail) << cylinder() << detail;
+}
+
+void TestUniformRemesh::sharpShapes_keepTheirEdges()
+{
+    QFETCH(TriangleMesh, shape);
+    QFETCH(double, detail);
+    const Remeshed result = remeshed(shape, detail / buildMesh(shape).mesh->uniformDetail());
+    QVERIFY(result.change.refusal == ModelRefusal::None);
+    VERIFY_VALID(*result.mesh);
+    VERIFY_AT_MOST(volumeChange(result, shape), 0.004);
+    VERIFY_AT_MOST(distanceApart(result, shape), 0.5);
+}
+
+void TestUniformRemesh::cube_keepsItsCorners()
+{
+    const TriangleMesh after = madeEven(madeEven(shapes::cube(20), 1), 5);
+    QVERIFY(after.triangles.size() < 1000);
+    for (const Vec3f& corner : shapes::cube(20).points)
+        QVERIFY(std::ranges::find(after.points, corner) != after.points.end());
+}
+
+void TestUniformRemesh::thinWalls_keepTheirVolume_data()
+{
+    QTest::addColumn<TriangleMesh>("shape");
+    QTest::addColumn<double>("detail");
+    for (const double thickness : {0.05, 0.01, 0.001}) {
+        QTest::addRow("coarse plate %g", thickness) << clay::slab(2, thickness, 8) << 0.1;
+        QTest::addRow("fine plate %g", thickness) << clay::slab(2, thickness, 64) << 0.1;
+    }
+    QTest::addRow("bowl") << clay::bowl() << 0.3;
+}
+
+void TestUniformRemesh::thinWalls_keepTheirVolume()
+{
+    QFETCH(TriangleMesh, shape);
+    QFETCH(double, detail);
+    const Remeshed result = remeshed(shape, detail / buildMesh(shape).mesh->uniformDetail());
+    QVERIFY(result.change.refusal == ModelRefusal::None);
+    VERIFY_VALID(*result.mesh);
+    VERIFY_AT_MOST(volumeChange(result, shape), 0.01);
+}
+
+void TestUniformRemesh::remeshedAgainAndAgain_keepsTheVolume()
+{
+    const TriangleMesh torus = shapes::torus({3, 1, 96, 48});
+    TriangleMesh shape = torus;
+    for (int i = 0; i < 5; ++i)
+        shape = madeEven(madeEven(shape, 0.3), 0.6);
+    const double volume = checkMesh(torus).volume.value();
+    VERIFY_AT_MOST(std::abs(checkMesh(shape).volume.value() - volume) / volume, 0.03);
 }
 
 void TestUniformRemesh::defaultLength_isFourThirdsOfTheMeanEdge()

@@ -1,0 +1,64 @@
+// What a collapse does to the shape:
+//   the planes of the faces around it, as a quadric without memory (Lindstrom and Turk 1998, after Garland and Heckbert 1997);
+//   by their areas, not by the squares of these, which let the small faces beside a crease count for nothing
+//   the normals of the faces that would meet in its vertex
+
+#include "collapse_shape.h"
+
+#include "deform.h"
+
+#include <algorithm>
+
+namespace core
+{
+namespace
+{
+/// Two faces are two sides of a thin wall if they turn from each other by more than about 135 degrees.
+constexpr double awayCosine = -0.7;
+
+Vec3 point(const Mesh& mesh, Slot v)
+{
+    return mesh.point(v).cast<double>();
+}
+
+std::vector<Vec3> unitNormalsAround(const Mesh& mesh, Slot v)
+{
+    std::vector<Vec3> normals;
+    mesh.forEachOutgoing(v, [&](Slot h) { normals.push_back(faceNormal(mesh, mesh.face(h)).normalized()); });
+    return normals;
+}
+
+double leastCosine(const std::vector<Vec3>& some, const std::vector<Vec3>& others)
+{
+    double least = 1;
+    for (const Vec3& a : some) {
+        for (const Vec3& b : others)
+            least = std::min(least, a.dot(b));
+    }
+    return least;
+}
+} // namespace
+
+double planeError(const Mesh& mesh, Slot h, const Vec3& p)
+{
+    double sum = 0, area = 0;
+    for (const Slot v : {mesh.from(h), mesh.to(h)}) {
+        const Vec3 toP = p - point(mesh, v);
+        mesh.forEachOutgoing(v, [&](Slot g) {
+            const Vec3 normal = faceNormal(mesh, mesh.face(g));
+            const double weight = normal.norm(), product = normal.dot(toP); // weight times distance
+            sum += product * product / weight;
+            area += weight;
+        });
+    }
+    return sum / area;
+}
+
+bool foldsUp(const Mesh& mesh, Slot h)
+{
+    const std::vector<Vec3> around0 = unitNormalsAround(mesh, mesh.from(h)),
+                            around1 = unitNormalsAround(mesh, mesh.to(h));
+    const double together = leastCosine(around0, around1);
+    return together < awayCosine && together < std::min(leastCosine(around0, around0), leastCosine(around1, around1));
+}
+} // namespace core

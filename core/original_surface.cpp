@@ -1,0 +1,148 @@
+// Where a vertex belongs (after Botsch and Kobbelt 2004, who relax and project; creases and heights are ours):
+//   1. sectors   its faces between creases: one around a smooth place, two at a crease, more at a corner
+//   2. relax     along the surface, or along the crease; a corner stays
+//   3. project   onto the nearest face that looks as each sector does
+//   4. raise     when all that is done, one vertex after another: by the depth of the edges around it
+
+#include "original_surface.h"
+
+#include "deform.h"
+#include "remesh.h"
+#include "surface_query.h"
+
+#include <algorithm>
+
+namespace core
+{
+namespace
+{
+/// A vertex returns to the surface from this far at most, in d_detail, and only to faces that look its way.
+constexpr double farthest = 0.5, sameSheetCosine = 0.5;
+/// Most are found within this share of that.
+constexpr double usualShare = 0.125;
+/// Edges sharper than about 45 degrees are creases; where more of them meet than in a corner the surface is rough, not sharp.
+constexpr double creaseCosine = 0.7;
+constexpr std::size_t mostCreases = 4;
+/// Projections onto the sides of a crease in turn converge; on flat sides the first ones get there.
+constexpr int projections = 3;
+/// In d.
+constexpr double mostRaise = 0.25;
+/// When it is a vertex's turn, half of its neighbours, whose edges lie half as high as they do, wait for theirs: were all at
+/// the height h, a depth of h - h/4 would be seen.
+constexpr double heightPerDepth = 1.25;
+
+struct Sectors
+{
+    std::vector<Vec3> normals;    ///< of any length
+    std::vector<Vec3> creaseEnds; ///< the other ends of the creases at the vertex; of two sectors two
+};
+
+Sectors wholeStar(const Mesh& mesh, Slot v)
+{
+    return {{vertexNormal(mesh, v)}, {}};
+}
+
+Sectors sectorsAround(const Mesh& mesh, Slot v)
+{
+    std::vector<Vec3> faces, creaseEnds;
+    std::vector<std::size_t> creases; // before which face, counter-clockwise
+    mesh.forEachOutgoing(v, [&](Slot h) {
+        const Vec3 after = faceNormal(mesh, mesh.face(h)), before = faceNormal(mesh, mesh.face(h ^ 1));
+        if (after.dot(before) < creaseCosine * after.norm() * before.norm()) {
+            creases.push_back(faces.size());
+            creaseEnds.push_back(mesh.point(mesh.to(h)).cast<double>());
+        }
+        faces.push_back(after);
+    });
+    if (creases.size() < 2 || creases.size() > mostCreases)
+        return wholeStar(mesh, v);
+    std::vector<Vec3> normals;
+    for (std::size_t i = 0; i < creases.size(); ++i) {
+        const std::size_t end = i + 1 < creases.size() ? creases[i + 1] : creases[0] + faces.size();
+        Vec3 sum = Vec3::Zero();
+        for (std::size_t k = creases[i]; k < end; ++k)
+            sum += faces[k % faces.size()];
+        normals.push_back(sum);
+    }
+    return {normals, creaseEnds};
+}
+} // namespace
+
+OriginalSurface::OriginalSurface(const Mesh& mesh) : m_mesh(mesh), m_octree(mesh), m_boxes(mesh.slots().faces)
+{
+    for (Slot f = 0; f < m_boxes.size(); ++f) {
+        if (m_mesh.isFace(f))
+            m_boxes[f] = boxOf(m_mesh, f);
+    }
+}
+
+std::optional<Vec3> OriginalSurface::nearest(const Vec3& p, const Reach& reach) const
+{
+    const std::optional<Vec3> found = nearestWithin(p, {usualShare * reach.distance, reach.way});
+    return found ? found : nearestWithin(p, reach);
+}
+
+std::optional<Vec3> OriginalSurface::nearestWithin(const Vec3& p, const Reach& reach) const
+{
+    const LatticeBox box = latticeBox(m_mesh.lattice(), {p, reach.distance});
+    std::optional<Vec3> best;
+    double best2 = reach.distance * reach.distance;
+    Slot bestFace = noSlot;
+    m_octree.query(box, [&](Slot f) {
+        if (!m_boxes[f].meets(box))
+            return;
+        const Vec3 normal = faceNormal(m_mesh, f);
+        if (normal.dot(reach.way) <= sameSheetCosine * normal.norm() * reach.way.norm())
+            return;
+        const Triangle& t = m_mesh.corners(f);
+        const auto corner = [&](int i) { return Vec3(m_mesh.point(t[i]).cast<double>()); };
+        const Vec3 point = nearestInTriangle(p, {corner(0), corner(1), corner(2)});
+        const double distance2 = (point - p).squaredNorm();
+        if (distance2 < best2 || (distance2 == best2 && f < bestFace)) {
+            best2 = distance2;
+            best = point;
+            bestFace = f;
+        }
+    });
+    return best;
+}
+
+Vec3 OriginalSurface::evenPlace(const Mesh& mesh, const EdgeBounds& bounds, Slot v) const
+{
+    const auto [normals, creaseEnds] = sectorsAround(mesh, v);
+    const double distance = farthest * bounds.detail;
+    if (normals.size() == 1) {
+        const Vec3 relaxed = relaxedPlace(mesh, bounds, v);
+        return nearest(relaxed, {distance, normals[0]}).value_or(relaxed);
+    }
+    Vec3 p = mesh.point(v).cast<double>();
+    if (normals.size() == 2)
+        p = 0.5 * (p + 0.5 * (creaseEnds[0] + creaseEnds[1]));
+    for (int i = 0; i < projections; ++i) {
+        for (const Vec3& way : normals)
+            p = nearest(p, {distance, way}).value_or(p);
+    }
+    return p;
+}
+
+Vec3 OriginalSurface::raisedPlace(const Mesh& mesh, const EdgeBounds& bounds, Slot v) const
+{
+    const Vec3 p = mesh.point(v).cast<double>();
+    const Sectors sectors = sectorsAround(mesh, v);
+    const double length = sectors.normals[0].norm();
+    if (sectors.normals.size() > 1 || length == 0)
+        return p;
+    const Vec3 normal = sectors.normals[0] / length;
+    const Reach reach = {farthest * bounds.detail, normal};
+    double depths = 0;
+    int edges = 0;
+    mesh.forEachOutgoing(v, [&](Slot h) {
+        const Vec3 middle = 0.5 * (p + mesh.point(mesh.to(h)).cast<double>());
+        if (const auto original = nearest(middle, reach))
+            depths += (*original - middle).dot(normal);
+        ++edges;
+    });
+    const double most = mostRaise * bounds.minimum;
+    return p + std::clamp(heightPerDepth * depths / edges, -most, most) * normal;
+}
+} // namespace core
