@@ -41,7 +41,7 @@ public:
     /// In the order of adding.
     const std::vector<Slot>& slots() const { return m_slots; }
     std::size_t size() const { return m_slots.size(); }
-    /// Sorts the slots; positions change with them.
+    /// Sorts the slots; positions change with them. O(slots).
     void sort();
 
 private:
@@ -55,6 +55,6 @@ private:
     /// a large range costs nothing until it is used.
     std::unique_ptr<Slot[], Free> m_position;
     Slot m_capacity = 0;
-    std::vector<Slot> m_slots;
+    std::vector<Slot> m_slots, m_sorting;
 };
 } // namespace core
