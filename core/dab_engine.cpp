@@ -34,7 +34,7 @@ constexpr double farthestFromImage = 4;
 /// Vertices of a dab that is only a rehearsal: where the mesh is far finer than elsewhere none is made.
 constexpr Slot mostRehearsed = 1024;
 /// What a core takes at a time.
-constexpr std::size_t verticesPerChunk = 2048;
+constexpr std::size_t verticesPerChunk = 512;
 
 /// Into how many transactions the plan is cut where nothing can meet: in none do neighbours move more than d_move against each
 /// other.

@@ -12,7 +12,7 @@ namespace
 {
 /// At strength 1 the peak of Pull and Push is this part of the radius.
 constexpr double peakPerRadius = 0.1;
-constexpr std::size_t verticesPerChunk = 1024;
+constexpr std::size_t verticesPerChunk = 256;
 
 Vec3 unitNormal(const Mesh& mesh, Slot v)
 {

@@ -11,7 +11,7 @@ namespace
 {
 /// Values in a gap up to this many slots are sent along: fewer, longer spans cost viewers less than the bytes do.
 constexpr Slot vertexGap = 4, faceGap = 8;
-constexpr std::size_t verticesPerChunk = 1024;
+constexpr std::size_t verticesPerChunk = 256;
 
 std::vector<SlotSpan> spansOf(SparseIndex& dirty, Slot length, Slot gap)
 {

@@ -11,7 +11,7 @@ namespace
 {
 using Vector = IntegerDirection;
 constexpr double largestComponent = 1023;
-constexpr std::size_t facesPerChunk = 4096;
+constexpr std::size_t facesPerChunk = 1024;
 
 // Bounds: lattice differences are at most 2^24, a cross product's component 2^49, times 2^10 and three terms: below 2^61.
 

@@ -40,7 +40,7 @@ constexpr double keptOfSliver2 = 0.5;
 constexpr double relaxation = 0.5;
 constexpr int flipPasses = 4;
 /// What a core takes at a time: a dab of the usual size does not wake the others.
-constexpr std::size_t verticesPerChunk = 2048;
+constexpr std::size_t verticesPerChunk = 512;
 
 struct Edge
 {

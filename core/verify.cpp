@@ -20,7 +20,7 @@ namespace core
 namespace
 {
 /// What a core takes at a time: some ten microseconds of work, so that small dabs do not wake the others.
-constexpr std::size_t facesPerChunk = 2048, starsPerChunk = 512;
+constexpr std::size_t facesPerChunk = 512, starsPerChunk = 128;
 
 BoundaryEdge boundaryEdge(const Mesh& mesh, Slot h)
 {
