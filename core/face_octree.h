@@ -3,6 +3,7 @@
 #include "mesh.h"
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 namespace core
@@ -45,10 +46,19 @@ public:
 
     /// Calls visit(face) for every face that may meet the box: a superset, in no useful order. A face that moved since its
     /// last update() is found where it was.
-    template <class Visit> void query(const LatticeBox& box, Visit visit) const { queryNode(rootBox(), box, visit); }
+    template <class Visit> void query(const LatticeBox& box, Visit visit) const
+    {
+        traverse([&](const LatticeBox& loose) { return loose.meets(box); }, visit);
+    }
 
     /// As query(), for the cells that `enter(loose box)` accepts.
     template <class Enter, class Visit> void traverse(Enter enter, Visit visit) const
+    {
+        traverseCells(enter, [&](std::span<const Slot> faces, const LatticeBox&) { std::ranges::for_each(faces, visit); });
+    }
+
+    /// As traverse(), a cell at a time: visit(faces, loose box).
+    template <class Enter, class Visit> void traverseCells(Enter enter, Visit visit) const
     {
         traverseNode(rootBox(), enter, visit);
     }
@@ -86,18 +96,13 @@ private:
     };
     static Cell rootBox() { return {0, LatticePoint::Constant(-Lattice::limit), 2 * Lattice::limit}; }
 
-    template <class Visit> void queryNode(const Cell& cell, const LatticeBox& box, Visit& visit) const
-    {
-        traverseNode(
-            cell, [&](const LatticeBox& loose) { return loose.meets(box); }, visit);
-    }
-    template <class Enter, class Visit> void traverseNode(const Cell& cell, Enter&& enter, Visit& visit) const
+    template <class Enter, class Visit> void traverseNode(const Cell& cell, Enter& enter, Visit& visit) const
     {
         const Node& node = m_nodes[cell.node];
-        if (node.facesBelow == 0 || !enter(cell.loose()))
+        const LatticeBox loose = cell.loose();
+        if (node.facesBelow == 0 || !enter(loose))
             return;
-        for (Slot f : node.faces)
-            visit(f);
+        visit(std::span<const Slot>(node.faces), loose);
         if (node.firstChild == noSlot)
             return;
         for (int i = 0; i < 8; ++i)
@@ -122,20 +127,26 @@ private:
 };
 
 /// Calls visit(face) for exactly the faces whose boxes meet the box, in no useful order; of those that the octree knows and the
-/// mesh still has.
+/// mesh still has. One that moved since its last update() may be missed, or visited where it was.
 template <class Visit> void forEachFaceIn(const Mesh& mesh, const FaceOctree& octree, const LatticeBox& box, Visit visit)
 {
     const Vec3f low = mesh.lattice().toPoint(box.min), high = mesh.lattice().toPoint(box.max);
-    octree.query(box, [&](Slot f) {
-        if (!mesh.isFace(f))
-            return;
+    const auto meets = [&](Slot f) {
         const Triangle& t = mesh.corners(f);
         const Vec3f a = mesh.point(t[0]), b = mesh.point(t[1]), c = mesh.point(t[2]);
         for (int k = 0; k < 3; ++k) {
             if (std::max({a[k], b[k], c[k]}) < low[k] || std::min({a[k], b[k], c[k]}) > high[k])
-                return;
+                return false;
         }
-        visit(f);
+        return true;
+    };
+    const auto enter = [&](const LatticeBox& loose) { return loose.meets(box); };
+    octree.traverseCells(enter, [&](std::span<const Slot> faces, const LatticeBox& loose) {
+        const bool allMeet = box.contains(loose);
+        for (const Slot f : faces) {
+            if (mesh.isFace(f) && (allMeet || meets(f)))
+                visit(f);
+        }
     });
 }
 } // namespace core
