@@ -3,6 +3,7 @@
 #include "mesh.h"
 
 #include <algorithm>
+#include <bit>
 #include <span>
 #include <vector>
 
@@ -48,17 +49,14 @@ public:
     /// last update() is found where it was.
     template <class Visit> void query(const LatticeBox& box, Visit visit) const
     {
-        traverse([&](const LatticeBox& loose) { return loose.meets(box); }, visit);
+        queryCells(box, [&](std::span<const Slot> faces, const LatticeBox&) { std::ranges::for_each(faces, visit); });
     }
+
+    /// As query(), a cell at a time: visit(faces, loose box).
+    template <class Visit> void queryCells(const LatticeBox& box, Visit visit) const { queryNode(rootBox(), box, visit); }
 
     /// As query(), for the cells that `enter(loose box)` accepts.
     template <class Enter, class Visit> void traverse(Enter enter, Visit visit) const
-    {
-        traverseCells(enter, [&](std::span<const Slot> faces, const LatticeBox&) { std::ranges::for_each(faces, visit); });
-    }
-
-    /// As traverse(), a cell at a time: visit(faces, loose box).
-    template <class Enter, class Visit> void traverseCells(Enter enter, Visit visit) const
     {
         traverseNode(rootBox(), enter, visit);
     }
@@ -93,16 +91,44 @@ private:
             return {parent.firstChild + static_cast<Slot>(i),
                     min + LatticePoint((i & 1) ? half : 0, (i & 2) ? half : 0, (i & 4) ? half : 0), half};
         }
+        /// Bit i: the loose box of child i meets the box.
+        unsigned childrenMeeting(const LatticeBox& box) const
+        {
+            constexpr std::array<unsigned, 3> lower = {0x55, 0x33, 0x0f}; // the children in an axis's lower half
+            const int half = size / 2, loose = half / 2;
+            unsigned children = 0xff;
+            for (int k = 0; k < 3; ++k) {
+                if (box.max[k] < min[k] - loose || box.min[k] > min[k] + half + loose)
+                    children &= ~lower[k];
+                if (box.max[k] < min[k] + half - loose || box.min[k] > min[k] + size + loose)
+                    children &= lower[k];
+            }
+            return children;
+        }
     };
     static Cell rootBox() { return {0, LatticePoint::Constant(-Lattice::limit), 2 * Lattice::limit}; }
 
+    /// Precondition: the cell's loose box meets the box.
+    template <class Visit> void queryNode(const Cell& cell, const LatticeBox& box, Visit& visit) const
+    {
+        const Node& node = m_nodes[cell.node];
+        if (!node.faces.empty())
+            visit(std::span<const Slot>(node.faces), cell.loose());
+        if (node.firstChild == noSlot)
+            return;
+        for (unsigned children = cell.childrenMeeting(box); children != 0; children &= children - 1) {
+            const int i = std::countr_zero(children);
+            if (m_nodes[node.firstChild + static_cast<Slot>(i)].facesBelow > 0)
+                queryNode(cell.child(node, i), box, visit);
+        }
+    }
     template <class Enter, class Visit> void traverseNode(const Cell& cell, Enter& enter, Visit& visit) const
     {
         const Node& node = m_nodes[cell.node];
-        const LatticeBox loose = cell.loose();
-        if (node.facesBelow == 0 || !enter(loose))
+        if (node.facesBelow == 0 || !enter(cell.loose()))
             return;
-        visit(std::span<const Slot>(node.faces), loose);
+        for (Slot f : node.faces)
+            visit(f);
         if (node.firstChild == noSlot)
             return;
         for (int i = 0; i < 8; ++i)
@@ -140,8 +166,7 @@ template <class Visit> void forEachFaceIn(const Mesh& mesh, const FaceOctree& oc
         }
         return true;
     };
-    const auto enter = [&](const LatticeBox& loose) { return loose.meets(box); };
-    octree.traverseCells(enter, [&](std::span<const Slot> faces, const LatticeBox& loose) {
+    octree.queryCells(box, [&](std::span<const Slot> faces, const LatticeBox& loose) {
         const bool allMeet = box.contains(loose);
         for (const Slot f : faces) {
             if (mesh.isFace(f) && (allMeet || meets(f)))
