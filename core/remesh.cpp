@@ -67,8 +67,8 @@ public:
     }
 
     void refine(std::span<const Slot> candidates, const Sphere& ball);
-    void collapseShortEdges();
-    void splitLongEdges();
+    std::vector<Edge> splitLongEdges();
+    void collapseShortEdges(std::vector<Edge> edges);
     void flipEdges();
     template <class Place> void relax(Place place);
     void moveTo(const std::function<Vec3(Slot)>& place);
@@ -97,6 +97,7 @@ private:
     bool mayGoOn();
     template <class Wanted> std::vector<Edge> regionEdges(Wanted wanted) const;
     Edge edgeAt(Slot e) const;
+    void addShortEdges(const SparseIndex& around, std::vector<Edge>& edges) const;
     bool mayBeTooLong(Slot f) const;
     std::optional<Edge> tooLongIn(Slot f, const Sphere& ball) const;
     void joinRefined(Slot m, const Sphere& ball);
@@ -284,19 +285,25 @@ Slot Remesher::split(const Edge& e)
 
 // --- 1. split --------------------------------------------------------------------------------------------------------------
 
-void Remesher::splitLongEdges()
+/// Returns the short edges: no split touches one, and among the new edges there are more.
+std::vector<Edge> Remesher::splitLongEdges()
 {
-    std::vector<Edge> edges = regionEdges([&](double l2, Slot) { return l2 > m_detail2; });
-    std::ranges::sort(edges, longestFirst);
-    std::deque<Edge> queue(edges.begin(), edges.end());
+    std::vector<Edge> edges = regionEdges([&](double l2, Slot) { return l2 > m_detail2 || l2 < m_minimum2; });
+    const auto tooShort = std::ranges::partition(edges, [&](const Edge& e) { return e.length2 > m_detail2; });
+    std::vector<Edge> shortEdges(tooShort.begin(), tooShort.end());
+    std::deque<Edge> queue(edges.begin(), tooShort.begin());
+    std::ranges::sort(queue, longestFirst);
+    SparseIndex& created = m_region.scratch();
+    created.clear();
     while (!queue.empty()) {
         const Edge e = queue.front();
         queue.pop_front();
         if (!mayGoOn())
-            return;
+            break;
         const Slot m = split(e);
         if (m == noSlot)
             continue;
+        created.add(m);
         m_region.add(m, 0.5 * (m_region.distance(e.v0) + m_region.distance(e.v1)),
                      0.5 * (m_region.plan(e.v0) + m_region.plan(e.v1)));
         m_mesh.forEachOutgoing(m, [&](Slot h) {
@@ -305,6 +312,8 @@ void Remesher::splitLongEdges()
                 queue.push_back(edgeAt(h / 2));
         });
     }
+    addShortEdges(created, shortEdges);
+    return shortEdges;
 }
 
 // --- 2. collapse -----------------------------------------------------------------------------------------------------------
@@ -364,9 +373,8 @@ std::size_t Remesher::keepShape(Slot h, Choices& choices) const
     return static_cast<std::size_t>(end - choices.begin());
 }
 
-void Remesher::collapseShortEdges()
+void Remesher::collapseShortEdges(std::vector<Edge> edges)
 {
-    std::vector<Edge> edges = regionEdges([&](double l2, Slot) { return l2 < m_minimum2; });
     while (!edges.empty())
         edges = collapse(std::move(edges));
     std::ranges::sort(counts.blocked); // those that were tried again stand there twice
@@ -397,11 +405,19 @@ std::vector<Edge> Remesher::collapse(std::vector<Edge> edges)
         around.add(stays);
         m_mesh.forEachOutgoing(stays, [&](Slot g) { around.add(m_mesh.to(g)); });
     }
-    edges.clear();
     for (Slot v : around.slots()) {
-        if (!m_mesh.isVertex(v))
-            continue;
-        m_changed.add(v);
+        if (m_mesh.isVertex(v))
+            m_changed.add(v);
+    }
+    edges.clear();
+    addShortEdges(around, edges);
+    return edges;
+}
+
+/// Those with an end among the vertices.
+void Remesher::addShortEdges(const SparseIndex& around, std::vector<Edge>& edges) const
+{
+    for (Slot v : around.slots()) {
         if (!m_region.contains(v))
             continue;
         m_mesh.forEachOutgoing(v, [&](Slot h) {
@@ -411,7 +427,6 @@ std::vector<Edge> Remesher::collapse(std::vector<Edge> edges)
                 edges.push_back(edgeAt(h / 2));
         });
     }
-    return edges;
 }
 
 // --- 3. flip ---------------------------------------------------------------------------------------------------------------
@@ -543,8 +558,7 @@ RemeshCounts refine(MeshEditor& edit, Region& region, std::span<const Slot> cand
 RemeshCounts optimise(MeshEditor& edit, Region& region, const EdgeBounds& bounds)
 {
     Remesher remesher(edit, region, bounds);
-    remesher.splitLongEdges();
-    remesher.collapseShortEdges();
+    remesher.collapseShortEdges(remesher.splitLongEdges());
     remesher.flipEdges();
     remesher.relax([&](Slot v) { return relaxedPlace(edit.mesh(), bounds, v); });
     return remesher.counts;
@@ -554,8 +568,7 @@ RemeshCounts optimiseKeepingShape(MeshEditor& edit, Region& region, const EdgeBo
                                   const std::function<Vec3(Slot)>& place)
 {
     Remesher remesher(edit, region, bounds, true);
-    remesher.splitLongEdges();
-    remesher.collapseShortEdges();
+    remesher.collapseShortEdges(remesher.splitLongEdges());
     remesher.flipEdges();
     remesher.relax(place);
     return remesher.counts;
