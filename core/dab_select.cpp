@@ -66,8 +66,7 @@ bool DabEngine::isMirroredIn(BrushShape brush, const Sphere& ball)
 /// Exactly the faces whose boxes meet the box, ascending: what the octree finds besides depends on what was there before.
 std::vector<Slot> DabEngine::facesIn(const LatticeBox& box) const
 {
-    std::vector<Slot> faces;
-    forEachFaceIn(m_mesh, m_surface.octree(), box, [&](Slot f) { faces.push_back(f); });
+    std::vector<Slot> faces = core::facesIn(m_mesh, m_surface.octree(), box);
     std::ranges::sort(faces);
     return faces;
 }
@@ -112,7 +111,8 @@ void DabEngine::paint(const StrokeSettings& settings, const Dab& dab, DabReport&
     const auto colour = [&](Slot v, double share) {
         const Rgb before = m_mesh.color(v);
         const auto mix = [&](int from, int to) { return static_cast<std::uint8_t>(from + share * (to - from) + 0.5); };
-        const Rgb after = {mix(before.r, settings.color.r), mix(before.g, settings.color.g), mix(before.b, settings.color.b)};
+        const Rgb after = {mix(before.r, settings.color.r), mix(before.g, settings.color.g),
+                           mix(before.b, settings.color.b)};
         if (after != before)
             m_mesh.setColor(v, after);
     };

@@ -1,5 +1,7 @@
 #include "face_octree.h"
 
+#include "parallel.h"
+
 #include <algorithm>
 #include <bit>
 
@@ -12,6 +14,8 @@ constexpr int cellPerFace = 2;
 constexpr int smallestUsefulCell = 64; ///< in lattice units; nothing is gained below
 /// A face that shrank stays in its cell until the cell is this many times too large.
 constexpr int tolerance = 4;
+/// What a core takes at a time.
+constexpr std::size_t cellsPerChunk = 64;
 
 int cellSizeFor(const LatticeBox& box)
 {
@@ -142,13 +146,46 @@ bool FaceOctree::isConsistent(const Mesh& mesh) const
             return false;
         for (Slot i = 0; i < node.faces.size(); ++i) {
             const Slot f = node.faces[i];
-            const bool right = f < mesh.slots().faces && mesh.isFace(f) && m_places[f].node == n && m_places[f].index == i &&
-                               m_cells[n].loose().contains(boxOf(mesh, f));
+            const bool right = f < mesh.slots().faces && mesh.isFace(f) && m_places[f].node == n &&
+                               m_places[f].index == i && m_cells[n].loose().contains(boxOf(mesh, f));
             if (!right)
                 return false;
             ++placed;
         }
     }
     return placed == mesh.live().faces;
+}
+
+std::vector<Slot> facesIn(const Mesh& mesh, const FaceOctree& octree, const LatticeBox& box)
+{
+    struct CellFaces
+    {
+        std::span<const Slot> faces;
+        bool inside; ///< the box holds the cell's loose box, and so all of them
+    };
+    std::vector<CellFaces> cells;
+    octree.queryCells(box, [&](std::span<const Slot> faces, const LatticeBox& loose) {
+        cells.push_back({faces, box.contains(loose)});
+    });
+
+    const Vec3f low = mesh.lattice().toPoint(box.min), high = mesh.lattice().toPoint(box.max);
+    const auto meets = [&](Slot f) {
+        const Triangle& t = mesh.corners(f);
+        const Vec3f a = mesh.point(t[0]), b = mesh.point(t[1]), c = mesh.point(t[2]);
+        for (int k = 0; k < 3; ++k) {
+            if (std::max({a[k], b[k], c[k]}) < low[k] || std::min({a[k], b[k], c[k]}) > high[k])
+                return false;
+        }
+        return true;
+    };
+    return joinChunks<std::vector<Slot>>(cells.size(), cellsPerChunk,
+                                         [&](std::size_t begin, std::size_t end, std::vector<Slot>& found) {
+                                             for (std::size_t i = begin; i < end; ++i) {
+                                                 for (Slot f : cells[i].faces) {
+                                                     if (mesh.isFace(f) && (cells[i].inside || meets(f)))
+                                                         found.push_back(f);
+                                                 }
+                                             }
+                                         });
 }
 } // namespace core

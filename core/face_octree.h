@@ -53,7 +53,10 @@ public:
     }
 
     /// As query(), a cell at a time: visit(faces, loose box).
-    template <class Visit> void queryCells(const LatticeBox& box, Visit visit) const { queryNode(rootBox(), box, visit); }
+    template <class Visit> void queryCells(const LatticeBox& box, Visit visit) const
+    {
+        queryNode(rootBox(), box, visit);
+    }
 
     /// As query(), for the cells that `enter(loose box)` accepts.
     template <class Enter, class Visit> void traverse(Enter enter, Visit visit) const
@@ -147,31 +150,12 @@ private:
         Slot index = 0;
     };
     std::vector<Node> m_nodes;
-    std::vector<Place> m_places;  ///< by face
-    std::vector<Cell> m_cells;    ///< by node: where it lies
+    std::vector<Place> m_places; ///< by face
+    std::vector<Cell> m_cells;   ///< by node: where it lies
     int m_smallestCell = 2 * Lattice::limit;
 };
 
-/// Calls visit(face) for exactly the faces whose boxes meet the box, in no useful order; of those that the octree knows and the
-/// mesh still has. One that moved since its last update() may be missed, or visited where it was.
-template <class Visit> void forEachFaceIn(const Mesh& mesh, const FaceOctree& octree, const LatticeBox& box, Visit visit)
-{
-    const Vec3f low = mesh.lattice().toPoint(box.min), high = mesh.lattice().toPoint(box.max);
-    const auto meets = [&](Slot f) {
-        const Triangle& t = mesh.corners(f);
-        const Vec3f a = mesh.point(t[0]), b = mesh.point(t[1]), c = mesh.point(t[2]);
-        for (int k = 0; k < 3; ++k) {
-            if (std::max({a[k], b[k], c[k]}) < low[k] || std::min({a[k], b[k], c[k]}) > high[k])
-                return false;
-        }
-        return true;
-    };
-    octree.queryCells(box, [&](std::span<const Slot> faces, const LatticeBox& loose) {
-        const bool allMeet = box.contains(loose);
-        for (const Slot f : faces) {
-            if (mesh.isFace(f) && (allMeet || meets(f)))
-                visit(f);
-        }
-    });
-}
+/// Exactly the faces whose boxes meet the box, in no useful order; of those that the octree knows and the mesh still has. One
+/// that moved since its last update() may be missed, or stand where it was.
+std::vector<Slot> facesIn(const Mesh& mesh, const FaceOctree& octree, const LatticeBox& box);
 } // namespace core

@@ -12,9 +12,11 @@
 #include "deform.h"
 #include "join.h"
 #include "mirror_surgery.h"
+#include "parallel.h"
 #include "proximity_grid.h"
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
 namespace core
@@ -42,6 +44,8 @@ constexpr double neckGaps[] = {0.5, 0.1};
 /// A speck: a component smaller than this, in terms of d; one of few faces may be a little larger.
 constexpr double speckSize = 2, crumbSize = 4;
 constexpr std::size_t speckFaces = 64, fewFaces = 16;
+/// What a core takes at a time.
+constexpr std::size_t facesPerChunk = 1024;
 
 Vec3 pointOf(const Mesh& mesh, Slot v)
 {
@@ -82,17 +86,18 @@ Vec3 unit(const Vec3& v)
 
 bool Fuser::mayMeet(const Mesh& mesh, const Region& region, std::span<const Slot> faces)
 {
-    std::vector<Vec3> normals; // exact, and so is their sum: the order of the faces does not matter
-    normals.reserve(faces.size());
-    Vec3 sum = Vec3::Zero();
-    for (Slot f : faces) {
-        const Triangle& t = mesh.corners(f);
-        const Vec3 a = pointOf(mesh, t[0]);
-        normals.push_back((pointOf(mesh, t[1]) - a).cross(pointOf(mesh, t[2]) - a));
-        if (region.contains(t[0]))
-            sum += normals.back();
-    }
-    const Vec3 mean = unit(sum);
+    std::vector<Vec3> normals(faces.size()); // exact, and so is their sum: the order of the faces does not matter
+    std::vector<Vec3> sums(1 + chunksOf(faces.size(), facesPerChunk), Vec3::Zero());
+    forEachChunk(faces.size(), facesPerChunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const Triangle& t = mesh.corners(faces[i]);
+            const Vec3 a = pointOf(mesh, t[0]);
+            normals[i] = (pointOf(mesh, t[1]) - a).cross(pointOf(mesh, t[2]) - a);
+            if (region.contains(t[0]))
+                sums[chunk] += normals[i];
+        }
+    });
+    const Vec3 mean = unit(std::accumulate(sums.begin(), sums.end(), Vec3(Vec3::Zero())));
     return !std::ranges::all_of(normals, [&](const Vec3& normal) {
         const double along = normal.dot(mean);
         return along > 0 && along * along >= coneCosine * coneCosine * normal.squaredNorm();
@@ -159,7 +164,8 @@ std::uint64_t Fuser::joinNear(JudgedMesh& surface, Region& region, const EdgeBou
 bool Fuser::isBesideTube(const Vec3& middle, double detail) const
 {
     const double beside = tubeDistance * detail;
-    return std::ranges::any_of(m_tubes, [&](const Vec3& tube) { return (tube - middle).squaredNorm() < beside * beside; });
+    return std::ranges::any_of(m_tubes,
+                               [&](const Vec3& tube) { return (tube - middle).squaredNorm() < beside * beside; });
 }
 
 std::optional<Surgery> Fuser::joining(const JudgedMesh& surface, const Near& near)
@@ -234,12 +240,13 @@ void Fuser::findNear(const Mesh& mesh, const Region& region, const HeldBack& hel
             continue;
         grid.forEachNear(m_points[i], [&](Slot j) {
             const Slot other = m_vertices.slots()[j];
-            if (i == j || (j < i && region.contains(other)) || !isNamed(v, other)) // the second: met from the other side
+            if (i == j || (j < i && region.contains(other)) ||
+                !isNamed(v, other)) // the second: met from the other side
                 return;
             const double distance2 = (m_points[j] - m_points[i]).squaredNorm();
             if (distance2 < reach2 && willMeet(i, j, mesh, region, held, approach))
-                m_near.push_back({!haveCommonNeighbour(mesh, v, other), distance2, std::min(v, other), std::max(v, other),
-                                  (m_points[j] - m_points[i]).dot(m_normals[i]) < 0});
+                m_near.push_back({!haveCommonNeighbour(mesh, v, other), distance2, std::min(v, other),
+                                  std::max(v, other), (m_points[j] - m_points[i]).dot(m_normals[i]) < 0});
         });
     }
 }
@@ -270,7 +277,9 @@ bool Fuser::isContact(const JudgedMesh& surface, const Region& region, const App
 /// beside that would leave a hole in between.
 void Fuser::keepToSeams(const Mesh& mesh)
 {
-    const auto meetsImage = [&](const Near& near) { return !m_mirror->isInHalf(near.p) || !m_mirror->isInHalf(near.q); };
+    const auto meetsImage = [&](const Near& near) {
+        return !m_mirror->isInHalf(near.p) || !m_mirror->isInHalf(near.q);
+    };
     SparseIndex meeting, grown; // vertices of the half
     for (const Near& near : m_near) {
         if (meetsImage(near))
@@ -414,14 +423,16 @@ bool Fuser::cut(JudgedMesh& surface, Region& region, const VertexPair& edge, con
         if (!surgery)
             return false;
         if (const auto created = operate(surface, region, *surgery)) {
-            removeSpecks(surface, region, {(*created)[0], (*created)[3]}, bounds); // a copy of the cycle's vertex on each side
+            removeSpecks(surface, region, {(*created)[0], (*created)[3]},
+                         bounds); // a copy of the cycle's vertex on each side
             return true;
         }
     }
     return false;
 }
 
-void Fuser::removeSpecks(JudgedMesh& surface, Region& region, const std::vector<Slot>& vertices, const EdgeBounds& bounds)
+void Fuser::removeSpecks(JudgedMesh& surface, Region& region, const std::vector<Slot>& vertices,
+                         const EdgeBounds& bounds)
 {
     for (Slot v : vertices) {
         if (surface.mesh().isVertex(v)) // else it went with one before

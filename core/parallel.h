@@ -8,6 +8,8 @@
 #include <exception>
 #include <functional>
 #include <mutex>
+#include <utility>
+#include <vector>
 
 namespace core
 {
@@ -44,5 +46,16 @@ template <typename Work> void forEachChunk(std::size_t count, std::size_t chunkS
     WorkerPool::shared().run(std::cref(run), chunks - 1);
     if (failure)
         std::rethrow_exception(failure);
+}
+
+/// What work(begin, end, part) adds to `part` for each chunk of [0, count), on all cores: one after the other in their order.
+template <typename Part, typename Work> Part joinChunks(std::size_t count, std::size_t chunkSize, Work work)
+{
+    std::vector<Part> parts(std::max<std::size_t>(1, chunksOf(count, chunkSize)));
+    forEachChunk(count, chunkSize,
+                 [&](std::size_t chunk, std::size_t begin, std::size_t end) { work(begin, end, parts[chunk]); });
+    for (std::size_t i = 1; i < parts.size(); ++i)
+        parts[0].insert(parts[0].end(), parts[i].begin(), parts[i].end());
+    return std::move(parts[0]);
 }
 } // namespace core

@@ -73,22 +73,22 @@ LatticeBox latticeBox(const Lattice& lattice, const Sphere& ball)
     const Eigen::Array3d reach = Eigen::Array3d::Constant(ball.radius);
     const Eigen::Array3d low = (ball.center.array() - reach) / lattice.unit();
     const Eigen::Array3d high = (ball.center.array() + reach) / lattice.unit();
-    return {low.floor().max(-limit).min(limit).matrix().cast<int>(), high.ceil().max(-limit).min(limit).matrix().cast<int>()};
+    return {low.floor().max(-limit).min(limit).matrix().cast<int>(),
+            high.ceil().max(-limit).min(limit).matrix().cast<int>()};
 }
 
 void selectSphere(Region& region, std::vector<Slot>& candidates, const Mesh& mesh, const FaceOctree& octree,
                   const Sphere& ball)
 {
     region.clear();
-    candidates.clear();
+    candidates = facesIn(mesh, octree, latticeBox(mesh.lattice(), ball));
     SparseIndex& corners = region.scratch();
     corners.clear();
     const double radius2 = ball.radius * ball.radius;
-    forEachFaceIn(mesh, octree, latticeBox(mesh.lattice(), ball), [&](Slot f) {
-        candidates.push_back(f);
+    for (Slot f : candidates) {
         for (Slot v : mesh.corners(f))
             corners.add(v);
-    });
+    }
     corners.sort();
     for (Slot v : corners.slots()) {
         const double distance2 = (mesh.point(v).cast<double>() - ball.center).squaredNorm();

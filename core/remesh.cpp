@@ -40,7 +40,7 @@ constexpr double keptOfSliver2 = 0.5;
 constexpr double relaxation = 0.5;
 constexpr int flipPasses = 4;
 /// What a core takes at a time: a dab of the usual size does not wake the others.
-constexpr std::size_t verticesPerChunk = 512;
+constexpr std::size_t verticesPerChunk = 512, facesPerChunk = 1024;
 
 struct Edge
 {
@@ -100,6 +100,7 @@ private:
     void addShortEdges(const SparseIndex& around, std::vector<Edge>& edges) const;
     bool mayBeTooLong(Slot f) const;
     std::optional<Edge> tooLongIn(Slot f, const Sphere& ball) const;
+    std::vector<Edge> tooLongIn(std::span<const Slot> faces, const Sphere& ball) const;
     void joinRefined(Slot m, const Sphere& ball);
     void partFacesAcross(std::vector<Slot>& faces, const Sphere& ball);
     Slot split(const Edge& e);
@@ -159,27 +160,23 @@ Edge Remesher::edgeAt(Slot e) const
 template <class Wanted> std::vector<Edge> Remesher::regionEdges(Wanted wanted) const
 {
     const std::vector<Slot>& slots = m_region.slots();
-    std::vector<std::vector<Edge>> parts(chunksOf(slots.size(), verticesPerChunk));
-    forEachChunk(slots.size(), verticesPerChunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const Slot v = slots[i];
-            if (!m_region.contains(v))
-                continue;
-            const Vec3 p = point(v);
-            m_mesh.forEachOutgoing(v, [&](Slot h) {
-                const Slot other = m_mesh.to(h);
-                if (other < v || !m_region.contains(other))
-                    return;
-                const double l2 = (point(other) - p).squaredNorm();
-                if (wanted(l2, h / 2))
-                    parts[chunk].push_back({l2, v, other, h / 2});
-            });
-        }
-    });
-    std::vector<Edge> edges;
-    for (std::vector<Edge>& part : parts)
-        edges.insert(edges.end(), part.begin(), part.end());
-    return edges;
+    return joinChunks<std::vector<Edge>>(slots.size(), verticesPerChunk,
+                                         [&](std::size_t begin, std::size_t end, std::vector<Edge>& edges) {
+                                             for (std::size_t i = begin; i < end; ++i) {
+                                                 const Slot v = slots[i];
+                                                 if (!m_region.contains(v))
+                                                     continue;
+                                                 const Vec3 p = point(v);
+                                                 m_mesh.forEachOutgoing(v, [&](Slot h) {
+                                                     const Slot other = m_mesh.to(h);
+                                                     if (other < v || !m_region.contains(other))
+                                                         return;
+                                                     const double l2 = (point(other) - p).squaredNorm();
+                                                     if (wanted(l2, h / 2))
+                                                         edges.push_back({l2, v, other, h / 2});
+                                                 });
+                                             }
+                                         });
 }
 
 // --- 0. refine -------------------------------------------------------------------------------------------------------------
@@ -190,7 +187,8 @@ bool Remesher::mayBeTooLong(Slot f) const
     const Triangle& t = m_mesh.corners(f);
     const Vec3f a = m_mesh.point(t[0]), b = m_mesh.point(t[1]), c = m_mesh.point(t[2]);
     constexpr float margin = 1 - 1e-6f;
-    return std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}) > margin * static_cast<float>(m_detail2);
+    return std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}) >
+           margin * static_cast<float>(m_detail2);
 }
 
 /// The longest edge of a face that meets the ball, if it is longer than d_detail.
@@ -218,17 +216,24 @@ std::optional<Edge> Remesher::tooLongIn(Slot f, const Sphere& ball) const
     return edgeAt(h / 2);
 }
 
+std::vector<Edge> Remesher::tooLongIn(std::span<const Slot> faces, const Sphere& ball) const
+{
+    return joinChunks<std::vector<Edge>>(
+        faces.size(), facesPerChunk, [&](std::size_t begin, std::size_t end, std::vector<Edge>& edges) {
+            for (Slot f : faces.subspan(begin, end - begin)) {
+                if (const std::optional<Edge> e = m_edit.names(f) ? tooLongIn(f, ball) : std::nullopt)
+                    edges.push_back(*e);
+            }
+        });
+}
+
 void Remesher::refine(std::span<const Slot> candidates, const Sphere& ball)
 {
     std::vector<Slot> faces(candidates.begin(), candidates.end());
     if (m_edit.mirror())
         partFacesAcross(faces, ball);
     while (!faces.empty()) {
-        std::vector<Edge> edges;
-        for (Slot f : faces) {
-            if (const std::optional<Edge> e = m_edit.names(f) ? tooLongIn(f, ball) : std::nullopt)
-                edges.push_back(*e);
-        }
+        std::vector<Edge> edges = tooLongIn(faces, ball);
         std::ranges::sort(edges, longestFirst);
         edges.erase(std::ranges::unique(edges, {}, &Edge::edge).begin(), edges.end());
         faces.clear();
@@ -449,8 +454,8 @@ bool Remesher::shouldFlip(Slot e) const
         return false;
     const Vec3 m0 = (a - c).cross(d - c), m1 = (d - c).cross(b - c); // the new faces c,a,d and c,d,b
     const double least = flatCosine * area0, length2 = (c - d).squaredNorm();
-    return m0.dot(n0) > least * m0.norm() && m1.dot(n0) > least * m1.norm() && length2 >= m_minimum2 && length2 <= m_detail2 &&
-           m_mesh.isFlipOk(e);
+    return m0.dot(n0) > least * m0.norm() && m1.dot(n0) > least * m1.norm() && length2 >= m_minimum2 &&
+           length2 <= m_detail2 && m_mesh.isFlipOk(e);
 }
 
 void Remesher::flipEdges()

@@ -91,25 +91,20 @@ template <typename Predicates>
 std::vector<Slot> facesThatAre(bool degenerate, std::span<const typename Predicates::Point> points,
                                std::span<const Triangle> triangles)
 {
-    std::vector<std::vector<Slot>> found(chunksOf(triangles.size(), facesPerChunk));
-    forEachChunk(triangles.size(), facesPerChunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-        for (std::size_t f = begin; f < end; ++f) {
-            const auto& [a, b, c] = triangles[f];
-            if (Predicates::collinear(points[a], points[b], points[c]) == degenerate)
-                found[chunk].push_back(static_cast<Slot>(f));
-        }
-    });
-    std::vector<Slot> faces;
-    for (const std::vector<Slot>& part : found)
-        faces.insert(faces.end(), part.begin(), part.end());
-    return faces;
+    return joinChunks<std::vector<Slot>>(
+        triangles.size(), facesPerChunk, [&](std::size_t begin, std::size_t end, std::vector<Slot>& faces) {
+            for (std::size_t f = begin; f < end; ++f) {
+                const auto& [a, b, c] = triangles[f];
+                if (Predicates::collinear(points[a], points[b], points[c]) == degenerate)
+                    faces.push_back(static_cast<Slot>(f));
+            }
+        });
 }
 } // namespace
 
 template <typename Predicates>
 IntersectionReport selfIntersections(std::span<const typename Predicates::Point> points,
-                                     std::span<const Triangle> triangles, std::size_t keep,
-                                     const std::stop_token& stop)
+                                     std::span<const Triangle> triangles, std::size_t keep, const std::stop_token& stop)
 {
     std::vector<Slot> faces = facesThatAre<Predicates>(false, points, triangles);
     auto found = PairSearch<Predicates>(points, triangles, std::move(faces)).find(keep, stop);

@@ -78,7 +78,8 @@ void Verifier::gather(const Mesh& mesh, const FaceOctree& octree, const Eigen::A
         m_box.extend(box);
     if (!before.isEmpty())
         m_box.extend(LatticeBox{mesh.lattice().toLattice(before.min()), mesh.lattice().toLattice(before.max())});
-    forEachFaceIn(mesh, octree, m_box, [&](Slot f) { m_gathered.add(f); }); // a dirty one is known already
+    for (Slot f : facesIn(mesh, octree, m_box))
+        m_gathered.add(f); // a dirty one is known already
     readFaces(mesh, std::span(m_gathered.slots()).subspan(m_dirtyCount), m_dirtyCount);
 }
 
@@ -126,19 +127,16 @@ IntegerDirection Verifier::directionOfChange() const
 /// The half-edges of all gathered faces that have none of these on the other side.
 void Verifier::collectBoundary(const Mesh& mesh)
 {
-    std::vector<std::vector<BoundaryEdge>> parts(chunksOf(m_gathered.size(), facesPerChunk));
-    forEachChunk(m_gathered.size(), facesPerChunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            Slot h = mesh.faceHalfedge(m_gathered.slots()[i]);
-            for (int k = 0; k < 3; ++k, h = mesh.next(h)) {
-                if (m_gathered.find(mesh.face(h ^ 1)) == noSlot)
-                    parts[chunk].push_back(boundaryEdge(mesh, h));
+    m_boundary = joinChunks<std::vector<BoundaryEdge>>(
+        m_gathered.size(), facesPerChunk, [&](std::size_t begin, std::size_t end, std::vector<BoundaryEdge>& boundary) {
+            for (std::size_t i = begin; i < end; ++i) {
+                Slot h = mesh.faceHalfedge(m_gathered.slots()[i]);
+                for (int k = 0; k < 3; ++k, h = mesh.next(h)) {
+                    if (m_gathered.find(mesh.face(h ^ 1)) == noSlot)
+                        boundary.push_back(boundaryEdge(mesh, h));
+                }
             }
-        }
-    });
-    m_boundary.clear();
-    for (const std::vector<BoundaryEdge>& part : parts)
-        m_boundary.insert(m_boundary.end(), part.begin(), part.end());
+        });
 }
 
 void Verifier::findMislinked(const Mesh& mesh)
@@ -233,7 +231,9 @@ void Verifier::testPairs(const Mesh& mesh, bool neighboursToo)
     m_starCertified.clear();
     if (neighboursToo && !certifyStars(mesh))
         m_result.tier = VerifyTier::Pairs;
-    BoxPairs(std::span(m_boxes).first(m_gathered.size()), m_dirtyCount).forEach([&](Slot i, Slot j) { testPair(i, j, neighboursToo); });
+    BoxPairs(std::span(m_boxes).first(m_gathered.size()), m_dirtyCount).forEach([&](Slot i, Slot j) {
+        testPair(i, j, neighboursToo);
+    });
 }
 
 /// Of all corners of dirty faces. False if one has no certificate.
