@@ -446,22 +446,22 @@ bool Fuser::removeSpeck(JudgedMesh& surface, Region& region, Slot vertex, const 
     const Mesh& mesh = surface.mesh();
     Surgery surgery;
     LatticeBox box;
-    SparseIndex& found = m_component;
+    SparseIndex& found = region.scratch();
     found.clear();
     found.add(mesh.face(mesh.outgoing(vertex)));
+    const auto isTooLarge = [&] { // and stays so: both only grow
+        const double size = (box.max - box.min).cast<double>().maxCoeff() * mesh.lattice().unit();
+        return found.size() > speckFaces || size > (found.size() < fewFaces ? crumbSize : speckSize) * bounds.minimum;
+    };
     for (std::size_t i = 0; i < found.size(); ++i) {
-        if (found.size() > speckFaces)
-            return false;
         Slot h = mesh.faceHalfedge(found.slots()[i]);
         for (int k = 0; k < 3; ++k, h = mesh.next(h)) {
             found.add(mesh.face(h ^ 1));
             box.extend(mesh.latticePoint(mesh.to(h)));
         }
+        if (isTooLarge())
+            return false;
     }
-    const double size = (box.max - box.min).cast<double>().maxCoeff() * mesh.lattice().unit();
-    const double most = found.size() < fewFaces ? crumbSize : speckSize;
-    if (size > most * bounds.minimum)
-        return false;
     surgery.removed = found.slots();
     surgery.near = vertex;
     const std::optional<Surgery> removal = completed(surface, surgery);

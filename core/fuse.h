@@ -97,7 +97,6 @@ private:
     std::vector<Vec3> m_tubes;   ///< where this dab began new ones
     SparseIndex m_failed;        ///< vertices of joins that were not sound, in this dab
     std::vector<int> m_failures; ///< how many, by position among them
-    SparseIndex m_component;     ///< faces of the component that is looked at
     SparseIndex m_done;          ///< vertices around what was joined in this pass
 };
 } // namespace core
