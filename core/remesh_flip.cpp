@@ -1,0 +1,75 @@
+// Step 3 of remesh.cpp: edges are flipped by Delaunay's criterion.
+
+#include "remesher.h"
+
+#include <algorithm>
+
+namespace core
+{
+namespace
+{
+/// A flip is a change of triangulation, not of shape: only across edges flatter than about 25 degrees.
+constexpr double flatCosine = 0.9;
+constexpr int flipPasses = 4;
+} // namespace
+
+/// Delaunay's criterion, cot(alpha) + cot(beta) < 0, on faces that lie nearly in one plane before and after.
+bool Remesher::shouldFlip(Slot e) const
+{
+    const Slot h = 2 * e;
+    const Vec3 a = point(m_mesh.from(h)), b = point(m_mesh.to(h));
+    const Vec3 c = point(m_mesh.to(m_mesh.next(h))), d = point(m_mesh.to(m_mesh.next(h ^ 1)));
+    const double dot0 = (a - c).dot(b - c), dot1 = (a - d).dot(b - d);
+    if (dot0 >= 0 && dot1 >= 0)
+        return false; // neither angle is obtuse
+    const Vec3 n0 = (b - a).cross(c - a), n1 = (d - a).cross(b - a);
+    const double area0 = n0.norm(), area1 = n1.norm();
+    if (area0 == 0 || area1 == 0)
+        return false;
+    const double cotangents = dot0 / area0 + dot1 / area1;
+    if (cotangents > -1e-3 || n0.dot(n1) < flatCosine * area0 * area1)
+        return false;
+    const Vec3 m0 = (a - c).cross(d - c), m1 = (d - c).cross(b - c); // the new faces c,a,d and c,d,b
+    const double least = flatCosine * area0, length2 = (c - d).squaredNorm();
+    return m0.dot(n0) > least * m0.norm() && m1.dot(n0) > least * m1.norm() && length2 >= m_minimum2 &&
+           length2 <= m_detail2 && m_mesh.isFlipOk(e);
+}
+
+void Remesher::flipEdges()
+{
+    std::vector<RemeshEdge> edges = regionEdges([&](double, Slot e) { return shouldFlip(e); });
+    for (int pass = 0; pass < flipPasses && !edges.empty(); ++pass)
+        edges = flip(std::move(edges));
+}
+
+/// Returns those that should be flipped next: only around a flip can an edge have changed its mind.
+std::vector<RemeshEdge> Remesher::flip(std::vector<RemeshEdge> edges)
+{
+    std::ranges::sort(edges, [](const RemeshEdge& a, const RemeshEdge& b) { return std::tie(a.v0, a.v1) < std::tie(b.v0, b.v1); });
+    SparseIndex& around = m_region.scratch();
+    around.clear();
+    for (const RemeshEdge& e : edges) {
+        if (!shouldFlip(e.edge) || !mayGoOn() || !m_edit.flip(e.edge))
+            continue;
+        ++counts.flips;
+        for (Slot h : {2 * e.edge, 2 * e.edge + 1}) {
+            for (Slot v : {m_mesh.to(h), m_mesh.to(m_mesh.next(h))}) {
+                m_changed.add(v);
+                around.add(v);
+            }
+        }
+    }
+    std::vector<RemeshEdge> next;
+    for (Slot v : around.slots()) {
+        m_mesh.forEachOutgoing(v, [&](Slot h) {
+            for (Slot e : {h / 2, m_mesh.next(h) / 2}) { // of all faces around v
+                if (m_region.contains(m_mesh.to(2 * e)) && m_region.contains(m_mesh.to(2 * e + 1)) && shouldFlip(e))
+                    next.push_back(edgeAt(e));
+            }
+        });
+    }
+    std::ranges::sort(next, {}, &RemeshEdge::edge);
+    next.erase(std::ranges::unique(next, {}, &RemeshEdge::edge).begin(), next.end());
+    return next;
+}
+} // namespace core
