@@ -2,20 +2,24 @@
 # On executables only: in a static library resources can be lost when it is linked.
 set(FETTLE_RESOURCE_FILES
     icons/about.svg
+    icons/color.svg
     icons/export.svg
     icons/fettle.svg
     icons/fill.svg
+    icons/flatten.svg
     icons/frame.svg
+    icons/fusion.svg
     icons/headset.svg
     icons/insert.svg
     icons/larger.svg
     icons/mirror.svg
-    icons/symmetrize.svg
     icons/move.svg
     icons/open.svg
+    icons/paint.svg
     icons/pull.svg
     icons/push.svg
     icons/quit.svg
+    icons/ray.svg
     icons/recentre.svg
     icons/redo.svg
     icons/remesh.svg
@@ -24,7 +28,9 @@ set(FETTLE_RESOURCE_FILES
     icons/smaller.svg
     icons/smooth.svg
     icons/stop.svg
+    icons/symmetrize.svg
     icons/undo.svg
+    icons/uniform.svg
     shaders/background.frag
     shaders/background.vert
     shaders/clay.frag

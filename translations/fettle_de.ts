@@ -756,6 +756,125 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>&amp;Model</source>
         <translation>&amp;Modell</translation>
     </message>
+    <message>
+        <source>&amp;Flatten</source>
+        <translation>Ab&amp;flachen</translation>
+    </message>
+    <message>
+        <source>Levels the surface towards its mean plane. Shift smooths.</source>
+        <translation>Ebnet die Oberfläche zu ihrer mittleren Ebene hin. Mit Umschalt wird geglättet.</translation>
+    </message>
+    <message>
+        <source>P&amp;aint</source>
+        <translation>B&amp;emalen</translation>
+    </message>
+    <message>
+        <source>Colours the surface and leaves its shape. Shift smooths.</source>
+        <translation>Färbt die Oberfläche und lässt ihre Form. Mit Umschalt wird geglättet.</translation>
+    </message>
+    <message>
+        <source>&amp;Ray Brush</source>
+        <translation>&amp;Strahlpinsel</translation>
+    </message>
+    <message>
+        <source>Takes what lies near along the surface, and leaves the other side of a fold.</source>
+        <translation>Erfasst, was entlang der Oberfläche nahe liegt, und lässt die andere Seite einer Falte in Ruhe.</translation>
+    </message>
+    <message>
+        <source>Un&amp;iform Topology</source>
+        <translation>Gle&amp;ichmäßiges Netz</translation>
+    </message>
+    <message>
+        <source>Keeps one edge length for the whole model instead of one that follows the brush.</source>
+        <translation>Hält eine Kantenlänge für das ganze Modell statt einer, die dem Pinsel folgt.</translation>
+    </message>
+    <message>
+        <source>Fusi&amp;on</source>
+        <translation>&amp;Verschmelzen</translation>
+    </message>
+    <message>
+        <source>Surfaces that meet join and thin necks part; without it they stop at contact.</source>
+        <translation>Flächen, die sich treffen, verbinden sich, dünne Hälse trennen sich; ohne dies halten sie bei Berührung an.</translation>
+    </message>
+    <message>
+        <source>S&amp;ymmetry</source>
+        <translation>S&amp;ymmetrie</translation>
+    </message>
+    <message>
+        <source>Does on the other side of the plane what you do on this one.</source>
+        <translation>Tut auf der anderen Seite der Ebene, was Sie auf dieser tun.</translation>
+    </message>
+    <message>
+        <source>Paint &amp;Colour…</source>
+        <translation>&amp;Malfarbe …</translation>
+    </message>
+    <message>
+        <source>Chooses what Paint colours with.</source>
+        <translation>Wählt die Farbe, mit der bemalt wird.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::BrushPanels</name>
+    <message>
+        <source>Brush</source>
+        <translation>Pinsel</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>Reichweite</translation>
+    </message>
+    <message>
+        <source>Within a ball</source>
+        <translation>In einer Kugel</translation>
+    </message>
+    <message>
+        <source>Along the surface</source>
+        <translation>Entlang der Oberfläche</translation>
+    </message>
+    <message>
+        <source>Topology</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Kanten</translation>
+    </message>
+    <message>
+        <source>By the brush</source>
+        <translation>Nach dem Pinsel</translation>
+    </message>
+    <message>
+        <source>As long everywhere</source>
+        <translation>Überall gleich lang</translation>
+    </message>
+    <message>
+        <source>Surfaces that meet join</source>
+        <translation>Flächen verbinden sich bei Berührung</translation>
+    </message>
+    <message>
+        <source>Symmetry</source>
+        <translation>Symmetrie</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Spiegelung</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Left and right (x = 0)</source>
+        <translation>Links und rechts (x = 0)</translation>
+    </message>
+    <message>
+        <source>Top and bottom (y = 0)</source>
+        <translation>Oben und unten (y = 0)</translation>
+    </message>
+    <message>
+        <source>Front and back (z = 0)</source>
+        <translation>Vorn und hinten (z = 0)</translation>
+    </message>
 </context>
 <context>
     <name>ui::FactsBar</name>
@@ -773,6 +892,13 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>Radius %1 mm</source>
         <translation>Radius %1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>ui::FalloffCurve</name>
+    <message>
+        <source>How the brush fades from its centre to its rim. Drag to bend it.</source>
+        <translation>Wie der Pinsel von der Mitte zum Rand abnimmt. Ziehen Sie, um die Kurve zu biegen.</translation>
     </message>
 </context>
 <context>
@@ -800,10 +926,6 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
 </context>
 <context>
     <name>ui::MainWindow</name>
-    <message>
-        <source>Tools</source>
-        <translation>Werkzeuge</translation>
-    </message>
     <message>
         <source>About Fettle</source>
         <translation>Über Fettle</translation>
@@ -843,6 +965,22 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>%1 was written.</source>
         <translation>%1 wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>&amp;Bedienfelder</translation>
+    </message>
+    <message>
+        <source>Tool Bar</source>
+        <translation>Werkzeugleiste</translation>
+    </message>
+    <message>
+        <source>Tool Palette</source>
+        <translation>Werkzeugpalette</translation>
+    </message>
+    <message>
+        <source>Paint Colour</source>
+        <translation>Malfarbe</translation>
     </message>
 </context>
 <context>

@@ -754,6 +754,125 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>&amp;Model</source>
         <translation>模型(&amp;M)</translation>
     </message>
+    <message>
+        <source>&amp;Flatten</source>
+        <translation>压平(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Levels the surface towards its mean plane. Shift smooths.</source>
+        <translation>把表面压向它的平均平面。按住 Shift 为平滑。</translation>
+    </message>
+    <message>
+        <source>P&amp;aint</source>
+        <translation>上色(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Colours the surface and leaves its shape. Shift smooths.</source>
+        <translation>给表面上色，不改变形状。按住 Shift 为平滑。</translation>
+    </message>
+    <message>
+        <source>&amp;Ray Brush</source>
+        <translation>射线笔刷(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Takes what lies near along the surface, and leaves the other side of a fold.</source>
+        <translation>只作用于沿表面距离近的部分，不影响褶皱的另一侧。</translation>
+    </message>
+    <message>
+        <source>Un&amp;iform Topology</source>
+        <translation>均匀拓扑(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Keeps one edge length for the whole model instead of one that follows the brush.</source>
+        <translation>整个模型保持同一边长，而不随笔刷变化。</translation>
+    </message>
+    <message>
+        <source>Fusi&amp;on</source>
+        <translation>融合(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Surfaces that meet join and thin necks part; without it they stop at contact.</source>
+        <translation>相遇的表面连成一体，细颈断开；关闭时表面在接触处停止。</translation>
+    </message>
+    <message>
+        <source>S&amp;ymmetry</source>
+        <translation>对称(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Does on the other side of the plane what you do on this one.</source>
+        <translation>在平面的另一侧重复您在这一侧的操作。</translation>
+    </message>
+    <message>
+        <source>Paint &amp;Colour…</source>
+        <translation>上色颜色(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Chooses what Paint colours with.</source>
+        <translation>选择上色所用的颜色。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::BrushPanels</name>
+    <message>
+        <source>Brush</source>
+        <translation>笔刷</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>作用范围</translation>
+    </message>
+    <message>
+        <source>Within a ball</source>
+        <translation>球内</translation>
+    </message>
+    <message>
+        <source>Along the surface</source>
+        <translation>沿表面</translation>
+    </message>
+    <message>
+        <source>Topology</source>
+        <translation>拓扑</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>边长</translation>
+    </message>
+    <message>
+        <source>By the brush</source>
+        <translation>随笔刷</translation>
+    </message>
+    <message>
+        <source>As long everywhere</source>
+        <translation>处处相同</translation>
+    </message>
+    <message>
+        <source>Surfaces that meet join</source>
+        <translation>相遇的表面连接</translation>
+    </message>
+    <message>
+        <source>Symmetry</source>
+        <translation>对称</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>镜像</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Left and right (x = 0)</source>
+        <translation>左右 (x = 0)</translation>
+    </message>
+    <message>
+        <source>Top and bottom (y = 0)</source>
+        <translation>上下 (y = 0)</translation>
+    </message>
+    <message>
+        <source>Front and back (z = 0)</source>
+        <translation>前后 (z = 0)</translation>
+    </message>
 </context>
 <context>
     <name>ui::FactsBar</name>
@@ -770,6 +889,13 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>Radius %1 mm</source>
         <translation>半径 %1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>ui::FalloffCurve</name>
+    <message>
+        <source>How the brush fades from its centre to its rim. Drag to bend it.</source>
+        <translation>笔刷从中心到边缘的衰减。拖动可弯曲曲线。</translation>
     </message>
 </context>
 <context>
@@ -797,10 +923,6 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
 </context>
 <context>
     <name>ui::MainWindow</name>
-    <message>
-        <source>Tools</source>
-        <translation>工具</translation>
-    </message>
     <message>
         <source>About Fettle</source>
         <translation>关于 Fettle</translation>
@@ -840,6 +962,22 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>%1 was written.</source>
         <translation>已写入 %1。</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>面板(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Tool Bar</source>
+        <translation>工具栏</translation>
+    </message>
+    <message>
+        <source>Tool Palette</source>
+        <translation>工具面板</translation>
+    </message>
+    <message>
+        <source>Paint Colour</source>
+        <translation>上色颜色</translation>
     </message>
 </context>
 <context>

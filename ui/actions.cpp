@@ -14,32 +14,45 @@ namespace
 // clang-format off
 constexpr ActionInfo table[] = {
     {MenuId::File, "file.open", QT_TRANSLATE_NOOP("ui::Actions", "&Open…"),
-     QT_TRANSLATE_NOOP("ui::Actions", "Opens a model: STL, OBJ or PLY."), "Ctrl+O", "open", false, true},
+     QT_TRANSLATE_NOOP("ui::Actions", "Opens a model: STL, OBJ or PLY."), "Ctrl+O", "open", false, Bar::Top},
     {MenuId::File, "file.exportAs", QT_TRANSLATE_NOOP("ui::Actions", "&Export…"),
-     QT_TRANSLATE_NOOP("ui::Actions", "Writes the model to a file: STL, OBJ or PLY."), "Ctrl+E", "export", false, true},
+     QT_TRANSLATE_NOOP("ui::Actions", "Writes the model to a file: STL, OBJ or PLY."), "Ctrl+E", "export", false, Bar::Top},
     {MenuId::File, "file.quit", QT_TRANSLATE_NOOP("ui::Actions", "&Quit"),
      QT_TRANSLATE_NOOP("ui::Actions", "Closes the window and ends the program."), "Ctrl+Q", "quit", true},
 
     {MenuId::Edit, "edit.undo", QT_TRANSLATE_NOOP("ui::Actions", "&Undo"),
-     QT_TRANSLATE_NOOP("ui::Actions", "Takes the last stroke back."), "Ctrl+Z", "undo", true, true},
+     QT_TRANSLATE_NOOP("ui::Actions", "Takes the last stroke back."), "Ctrl+Z", "undo", true, Bar::Top},
     {MenuId::Edit, "edit.redo", QT_TRANSLATE_NOOP("ui::Actions", "&Redo"),
-     QT_TRANSLATE_NOOP("ui::Actions", "Does again what was taken back."), "Ctrl+Shift+Z; Ctrl+Y", "redo", false, true},
+     QT_TRANSLATE_NOOP("ui::Actions", "Does again what was taken back."), "Ctrl+Shift+Z; Ctrl+Y", "redo", false, Bar::Top},
 
     {MenuId::Edit, "edit.stop", QT_TRANSLATE_NOOP("ui::Actions", "&Stop"),
      QT_TRANSLATE_NOOP("ui::Actions", "Ends what is going on and leaves the model as it is."), "Esc", "stop", true},
 
     {MenuId::Sculpt, "tool.pull", QT_TRANSLATE_NOOP("ui::Actions", "&Pull"),
-     QT_TRANSLATE_NOOP("ui::Actions", "Draws the surface outwards. Ctrl pushes instead, Shift smooths."), "1", "pull",
-     true, true, true},
+     QT_TRANSLATE_NOOP("ui::Actions", "Draws the surface outwards. Ctrl pushes instead, Shift smooths."), "1", "pull", true, Bar::Palette, true},
     {MenuId::Sculpt, "tool.push", QT_TRANSLATE_NOOP("ui::Actions", "P&ush"),
-     QT_TRANSLATE_NOOP("ui::Actions", "Presses the surface inwards. Ctrl pulls instead, Shift smooths."), "2", "push",
-     false, true, true},
+     QT_TRANSLATE_NOOP("ui::Actions", "Presses the surface inwards. Ctrl pulls instead, Shift smooths."), "2", "push", false, Bar::Palette, true},
+    {MenuId::Sculpt, "tool.flatten", QT_TRANSLATE_NOOP("ui::Actions", "&Flatten"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Levels the surface towards its mean plane. Shift smooths."), "3", "flatten", false, Bar::Palette, true},
     {MenuId::Sculpt, "tool.smooth", QT_TRANSLATE_NOOP("ui::Actions", "&Smooth"),
-     QT_TRANSLATE_NOOP("ui::Actions", "Evens out what is rough."), "3", "smooth", false, true, true},
+     QT_TRANSLATE_NOOP("ui::Actions", "Evens out what is rough."), "4", "smooth", false, Bar::Palette, true},
+    {MenuId::Sculpt, "tool.paint", QT_TRANSLATE_NOOP("ui::Actions", "P&aint"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Colours the surface and leaves its shape. Shift smooths."), "5", "paint", false, Bar::Palette, true},
     {MenuId::Sculpt, "brush.smaller", QT_TRANSLATE_NOOP("ui::Actions", "S&maller Brush"),
      QT_TRANSLATE_NOOP("ui::Actions", "Makes the brush's radius a tenth smaller."), "[", "smaller", true},
     {MenuId::Sculpt, "brush.larger", QT_TRANSLATE_NOOP("ui::Actions", "&Larger Brush"),
      QT_TRANSLATE_NOOP("ui::Actions", "Makes the brush's radius a tenth larger."), "]", "larger"},
+    {MenuId::Sculpt, "brush.ray", QT_TRANSLATE_NOOP("ui::Actions", "&Ray Brush"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Takes what lies near along the surface, and leaves the other side of a fold."), "R", "ray", true, Bar::Palette, true},
+    {MenuId::Sculpt, "topology.uniform", QT_TRANSLATE_NOOP("ui::Actions", "Un&iform Topology"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Keeps one edge length for the whole model instead of one that follows the brush."), "U",
+     "uniform", false, Bar::Palette, true},
+    {MenuId::Sculpt, "topology.fusion", QT_TRANSLATE_NOOP("ui::Actions", "Fusi&on"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Surfaces that meet join and thin necks part; without it they stop at contact."), "J", "fusion", false, Bar::Palette, true},
+    {MenuId::Sculpt, "symmetry.on", QT_TRANSLATE_NOOP("ui::Actions", "S&ymmetry"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Does on the other side of the plane what you do on this one."), "X", "symmetrize", false, Bar::Palette, true},
+    {MenuId::Sculpt, "brush.color", QT_TRANSLATE_NOOP("ui::Actions", "Paint &Colour…"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Chooses what Paint colours with."), "C", "color", true, Bar::Palette},
 
     {MenuId::Model, "model.move", QT_TRANSLATE_NOOP("ui::Actions", "&Move…"),
      QT_TRANSLATE_NOOP("ui::Actions", "Moves the whole model by so many millimetres."), "", "move"},
@@ -61,7 +74,7 @@ constexpr ActionInfo table[] = {
      QT_TRANSLATE_NOOP("ui::Actions", "Makes all triangles of the model about as large."), "", "remesh"},
 
     {MenuId::View, "view.frame", QT_TRANSLATE_NOOP("ui::Actions", "&Frame Model"),
-     QT_TRANSLATE_NOOP("ui::Actions", "Shows the whole model."), "Home; .", "frame", true, true},
+     QT_TRANSLATE_NOOP("ui::Actions", "Shows the whole model."), "Home; .", "frame", true, Bar::Top},
 
     {MenuId::Vr, "vr.status", QT_TRANSLATE_NOOP("ui::Actions", "&Look for a Headset"),
      QT_TRANSLATE_NOOP("ui::Actions", "Says whether a VR headset is ready."), "", "headset"},
@@ -153,12 +166,12 @@ void Actions::fill(QMenu* menu, MenuId which) const
     }
 }
 
-void Actions::fill(QToolBar* bar) const
+void Actions::fill(QToolBar* bar, Bar which) const
 {
     for (const ActionInfo& row : table) {
-        if (!row.inToolBar)
+        if (row.bar != which)
             continue;
-        if (row.startsGroup)
+        if (row.startsGroup && !bar->actions().isEmpty())
             bar->addSeparator();
         bar->addAction(get(QLatin1StringView(row.id)));
     }

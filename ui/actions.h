@@ -13,6 +13,7 @@ class QWidget;
 namespace ui
 {
 enum class MenuId { File, Edit, Sculpt, Model, View, Vr, Help };
+enum class Bar { None, Top, Palette };
 
 /// One row an action. Menus, tool bar, shortcut sheet, settings and tests read this table.
 struct ActionInfo
@@ -24,7 +25,7 @@ struct ActionInfo
     const char* keys;         ///< portable text, several parted by "; "
     const char* icon;         ///< file in :/icons without ending
     bool startsGroup = false; ///< a line stands before it, in menu and tool bar
-    bool inToolBar = false;
+    Bar bar = Bar::None;      ///< where it is a button, too
     bool checkable = false;
 };
 
@@ -43,7 +44,7 @@ public:
 
     QString menuTitle(MenuId menu) const;
     void fill(QMenu* menu, MenuId which) const;
-    void fill(QToolBar* bar) const;
+    void fill(QToolBar* bar, Bar which) const;
 
 private:
     QAction* make(const ActionInfo& row, QWidget* window);

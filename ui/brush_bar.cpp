@@ -21,7 +21,7 @@ constexpr double strengthOnSlider = 2.0;
 
 bool isLogarithmic(core::Parameter parameter)
 {
-    return core::info(parameter).unit == core::Unit::Millimetres;
+    return core::info(parameter).min > 0;
 }
 
 double sliderMax(const BrushSettings& brush, core::Parameter parameter)
@@ -29,9 +29,13 @@ double sliderMax(const BrushSettings& brush, core::Parameter parameter)
     return parameter == core::Parameter::Strength ? strengthOnSlider : brush.maxOf(parameter);
 }
 
-/// Three figures that count, whatever the model's size.
-int decimalsFor(double value)
+/// Three figures that count where sizes differ widely.
+int decimalsFor(core::Parameter parameter, double value)
 {
+    if (parameter == core::Parameter::Falloff)
+        return 0;
+    if (!isLogarithmic(parameter))
+        return 2;
     return std::clamp(2 - static_cast<int>(std::floor(std::log10(std::max(value, 1e-6)))), 0, 6);
 }
 } // namespace
@@ -59,20 +63,17 @@ std::optional<double> NumberBox::numberIn(const QString& text) const
     return isNumber && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
-ParameterControl::ParameterControl(BrushSettings* brush, core::Parameter parameter, QWidget* parent)
-    : QWidget(parent)
-    , m_brush(brush)
+ParameterControl::ParameterControl(BrushSettings* brush, core::Parameter parameter, Label label)
+    : m_brush(brush)
     , m_parameter(parameter)
     , m_slider(new QSlider(Qt::Horizontal))
     , m_box(new NumberBox)
 {
     const QString name = QLatin1StringView(core::info(parameter).key.data(), core::info(parameter).key.size());
-    auto* text = new QLabel(Messages::name(parameter));
-    text->setBuddy(m_box);
     m_slider->setObjectName(name + QStringLiteral(".slider"));
     m_slider->setAccessibleName(Messages::name(parameter));
     m_slider->setRange(0, sliderSteps);
-    m_slider->setFixedWidth(120);
+    m_slider->setMinimumWidth(80);
     m_box->setObjectName(name + QStringLiteral(".box"));
     m_box->setAccessibleName(Messages::name(parameter));
     m_box->setKeyboardTracking(false);
@@ -83,8 +84,13 @@ ParameterControl::ParameterControl(BrushSettings* brush, core::Parameter paramet
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(gap);
-    for (QWidget* part : std::initializer_list<QWidget*>{text, m_slider, m_box})
-        row->addWidget(part);
+    if (label == Label::Before) {
+        auto* text = new QLabel(Messages::name(parameter));
+        text->setBuddy(m_box);
+        row->addWidget(text);
+    }
+    row->addWidget(m_slider, 1);
+    row->addWidget(m_box);
 
     connect(m_slider, &QSlider::valueChanged, this, [this](int at) {
         if (!m_isShowing)
@@ -107,7 +113,7 @@ void ParameterControl::showValue()
 {
     m_isShowing = true;
     const double value = m_brush->value(m_parameter);
-    m_box->setDecimals(isLogarithmic(m_parameter) ? decimalsFor(value) : 2);
+    m_box->setDecimals(decimalsFor(m_parameter, value));
     m_box->setRange(m_brush->minOf(m_parameter), m_brush->maxOf(m_parameter));
     m_box->setValue(value);
     m_slider->setValue(position(value));

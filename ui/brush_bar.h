@@ -35,8 +35,9 @@ class ParameterControl : public QWidget
     Q_OBJECT
 
 public:
-    /// Logarithmic for lengths: each step is the same factor.
-    ParameterControl(BrushSettings* brush, core::Parameter parameter, QWidget* parent = nullptr);
+    enum class Label { Before, Without };
+    /// Logarithmic where nothing is no value: each step is the same factor.
+    ParameterControl(BrushSettings* brush, core::Parameter parameter, Label label = Label::Before);
 
 Q_SIGNALS:
     /// A number was typed, and Return.

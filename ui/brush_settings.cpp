@@ -9,8 +9,6 @@ namespace ui
 {
 namespace
 {
-/// Of the radius: dense enough for an even furrow, wide enough that a slow hand does not dig a hole.
-constexpr double handSpacing = 0.25;
 constexpr double anotherSize = 2; ///< so many times larger or smaller a model is of quite another size
 
 /// The nearest legal n: 0, or 3 to 16.
@@ -23,7 +21,6 @@ int legalFalloff(double value)
 
 BrushSettings::BrushSettings(QObject* parent)
     : QObject(parent)
-    , m_minRadius(core::info(core::Parameter::Radius).min)
     , m_maxRadius(core::info(core::Parameter::Radius).max)
 {
     m_stroke.place = core::Placement::Ray;
@@ -47,14 +44,6 @@ double BrushSettings::value(core::Parameter parameter) const
     return 0;
 }
 
-void BrushSettings::setTool(core::Tool tool)
-{
-    if (m_stroke.tool == tool)
-        return;
-    m_stroke.tool = tool;
-    Q_EMIT changed();
-}
-
 void BrushSettings::setValue(core::Parameter parameter, double value)
 {
     const double before = this->value(parameter);
@@ -76,6 +65,8 @@ void BrushSettings::setValue(core::Parameter parameter, double value)
         m_stroke.spacing = legal;
         break;
     }
+    if (parameter == core::Parameter::Detail) // finer edges under a small brush may be finer than the lattice
+        m_stroke.radius = std::clamp(m_stroke.radius, minOf(core::Parameter::Radius), m_maxRadius);
     if (this->value(parameter) != before)
         Q_EMIT changed();
     if (legal != value)
@@ -91,9 +82,9 @@ void BrushSettings::fitTo(const ModelFacts& facts, double radiusShare)
 {
     const core::ParameterInfo& row = core::info(core::Parameter::Radius);
     m_modelSize = facts.size.maxCoeff();
-    m_minRadius = std::clamp(core::radiusFor(facts.leastDetail, m_stroke.detail), row.min, row.max);
-    m_maxRadius = std::clamp(maxRadiusShare * m_modelSize, m_minRadius, row.max);
-    m_stroke.radius = std::clamp(radiusShare * m_modelSize, m_minRadius, m_maxRadius);
+    m_leastDetail = facts.leastDetail;
+    m_maxRadius = std::clamp(maxRadiusShare * m_modelSize, row.min, row.max);
+    m_stroke.radius = std::clamp(radiusShare * m_modelSize, minOf(core::Parameter::Radius), m_maxRadius);
     Q_EMIT changed();
 }
 
@@ -110,7 +101,8 @@ bool BrushSettings::fits(const ModelFacts& facts) const
 
 double BrushSettings::minOf(core::Parameter parameter) const
 {
-    return parameter == core::Parameter::Radius ? m_minRadius : core::info(parameter).min;
+    const double least = core::info(parameter).min;
+    return parameter == core::Parameter::Radius ? std::clamp(core::radiusFor(m_leastDetail, m_stroke.detail), least, m_maxRadius) : least;
 }
 
 double BrushSettings::maxOf(core::Parameter parameter) const
@@ -122,8 +114,10 @@ core::Tool toolWith(core::Tool tool, Qt::KeyboardModifiers modifiers)
 {
     if (modifiers & Qt::ShiftModifier)
         return core::Tool::Smooth;
-    if (!(modifiers & Qt::ControlModifier) || tool == core::Tool::Smooth)
-        return tool;
-    return tool == core::Tool::Pull ? core::Tool::Push : core::Tool::Pull;
+    if (modifiers & Qt::ControlModifier && tool == core::Tool::Pull)
+        return core::Tool::Push;
+    if (modifiers & Qt::ControlModifier && tool == core::Tool::Push)
+        return core::Tool::Pull;
+    return tool;
 }
 } // namespace ui

@@ -21,7 +21,19 @@ public:
     core::Tool tool() const { return m_stroke.tool; }
     double value(core::Parameter parameter) const;
 
-    void setTool(core::Tool tool);
+    /// What has no range: tool, shape, topology, fusion, symmetry, colour.
+    template <class T> void set(T core::StrokeSettings::* what, const T& value)
+    {
+        if (m_stroke.*what == value)
+            return;
+        m_stroke.*what = value;
+        if (m_stroke.symmetry != core::Symmetry::None)
+            m_plane = m_stroke.symmetry;
+        Q_EMIT changed();
+    }
+    void setTool(core::Tool tool) { set(&core::StrokeSettings::tool, tool); }
+    /// About the plane that was chosen last; x = 0 at first.
+    void setSymmetric(bool symmetric) { set(&core::StrokeSettings::symmetry, symmetric ? m_plane : core::Symmetry::None); }
     /// Clamped to the range of the parameter table (the radius also to the model), falloff rounded to a legal n.
     void setValue(core::Parameter parameter, double value);
     void scaleRadius(double factor);
@@ -42,10 +54,13 @@ Q_SIGNALS:
 
 private:
     core::StrokeSettings m_stroke;
-    double m_minRadius, m_maxRadius;
+    core::Symmetry m_plane = core::Symmetry::X;
+    double m_leastDetail = 0; ///< of the model's lattice
+    double m_maxRadius;
     double m_modelSize = 100; ///< mm, longest side; to which the radius was fitted: at first the ball of clay's
 };
 
-/// What a stroke that begins with these keys held does: Shift smooths, Ctrl turns Pull into Push and Push into Pull.
+/// What a stroke that begins with these keys held does: Shift smooths, Ctrl turns Pull into Push and Push into Pull. The other
+/// tools have no opposite.
 core::Tool toolWith(core::Tool tool, Qt::KeyboardModifiers modifiers);
 } // namespace ui

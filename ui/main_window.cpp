@@ -2,7 +2,9 @@
 
 #include "actions.h"
 #include "banner.h"
+#include "brush_actions.h"
 #include "brush_bar.h"
+#include "brush_panels.h"
 #include "busy_bar.h"
 #include "facts_bar.h"
 #include "messages.h"
@@ -13,11 +15,11 @@
 #include "viewport.h"
 
 #include <QAction>
-#include <QActionGroup>
 #include <QCloseEvent>
 #include <QCoreApplication>
 #include <QDir>
 #include <QLabel>
+#include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QPointer>
@@ -25,7 +27,6 @@
 #include <QStatusBar>
 #include <QStyle>
 #include <QToolBar>
-#include <QToolButton>
 
 #include <algorithm>
 #include <utility>
@@ -34,16 +35,7 @@ namespace ui
 {
 namespace
 {
-constexpr double smallerRadius = 0.9;
 constexpr QSize defaultSize{1280, 800};
-
-struct ToolAction
-{
-    const char* id;
-    core::Tool tool;
-};
-constexpr ToolAction toolActions[] = {
-    {"tool.pull", core::Tool::Pull}, {"tool.push", core::Tool::Push}, {"tool.smooth", core::Tool::Smooth}};
 } // namespace
 
 struct MainWindow::State
@@ -73,7 +65,6 @@ struct MainWindow::State
     void connectFiles();
     void connectModel();
     void connectTools();
-    void showTool();
     void about();
     void setBusy(bool isBusy);
     void restore();
@@ -101,20 +92,27 @@ void MainWindow::State::buildView()
 
 void MainWindow::State::buildBars()
 {
-    for (const MenuId id : {MenuId::File, MenuId::Edit, MenuId::Sculpt, MenuId::Model, MenuId::View, MenuId::Vr, MenuId::Help})
-        actions.fill(q->menuBar()->addMenu(actions.menuTitle(id)), id);
+    for (const MenuId id : {MenuId::File, MenuId::Edit, MenuId::Sculpt, MenuId::Model, MenuId::View, MenuId::Vr, MenuId::Help}) {
+        QMenu* menu = q->menuBar()->addMenu(actions.menuTitle(id));
+        actions.fill(menu, id);
+        if (id == MenuId::View)
+            addBrushPanels(q, &brush, menu->addMenu(tr("&Panels")), [this] { viewport->setFocus(); });
+    }
 
-    auto* bar = q->addToolBar(tr("Tools"));
+    auto* bar = q->addToolBar(tr("Tool Bar"));
     bar->setObjectName(QStringLiteral("toolBar"));
     bar->setIconSize(QSize(22, 22));
-    actions.fill(bar);
-    for (const ToolAction& row : toolActions)
-        if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(actions.get(QLatin1StringView(row.id)))))
-            button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    actions.fill(bar, Bar::Top);
     bar->addSeparator();
     auto* brushBar = new BrushBar(&brush);
     bar->addWidget(brushBar);
     connect(brushBar, &BrushBar::entered, viewport, qOverload<>(&Viewport::setFocus));
+
+    auto* palette = new QToolBar(tr("Tool Palette"));
+    palette->setObjectName(QStringLiteral("toolPalette"));
+    palette->setIconSize(QSize(26, 26));
+    actions.fill(palette, Bar::Palette);
+    q->addToolBar(Qt::LeftToolBarArea, palette);
 }
 
 void MainWindow::State::buildStatusBar()
@@ -170,24 +168,13 @@ void MainWindow::State::connectModel()
 
 void MainWindow::State::connectTools()
 {
-    auto* group = new QActionGroup(q);
-    for (const ToolAction& row : toolActions) {
-        group->addAction(actions.get(QLatin1StringView(row.id)));
-        on(row.id, [this, tool = row.tool] { brush.setTool(tool); });
-    }
-    on("brush.smaller", [this] { brush.scaleRadius(smallerRadius); });
-    on("brush.larger", [this] { brush.scaleRadius(1 / smallerRadius); });
-    connect(&brush, &BrushSettings::changed, q, [this] { showTool(); });
+    connectBrush(actions, &brush);
+    on("brush.color", [this] {
+        askForColor(q, tr("Paint Colour"), brush.stroke().color, [this](core::Rgb color) { brush.set(&core::StrokeSettings::color, color); });
+    });
     connect(&brush, &BrushSettings::clamped, q, [this](core::Parameter parameter) {
         q->showNotice(Messages::range(parameter, brush.minOf(parameter), brush.maxOf(parameter)));
     });
-    showTool();
-}
-
-void MainWindow::State::showTool()
-{
-    for (const ToolAction& row : toolActions)
-        actions.get(QLatin1StringView(row.id))->setChecked(row.tool == brush.tool());
 }
 
 void MainWindow::State::about()
@@ -218,7 +205,8 @@ void MainWindow::State::restore()
     q->restoreGeometry(settings.windowGeometry());
     keepOnScreen();
     q->restoreState(settings.windowState());
-    brush.setValue(core::Parameter::Strength, settings.strength());
+    for (const core::Parameter parameter : storedParameters)
+        brush.setValue(parameter, settings.value(parameter));
 }
 
 /// A window that was never shown does not know its frame; the title bar is the most of it.
@@ -236,7 +224,8 @@ void MainWindow::State::save()
 {
     settings.setWindowGeometry(q->saveGeometry());
     settings.setWindowState(q->saveState());
-    settings.setStrength(brush.value(core::Parameter::Strength));
+    for (const core::Parameter parameter : storedParameters)
+        settings.setValue(parameter, brush.value(parameter));
     if (model.size.maxCoeff() > 0)
         settings.setRadiusShare(brush.radiusShare());
 }

@@ -220,18 +220,22 @@ void askForSymmetry(QWidget* parent, const CommandAnswer& answer)
     });
 }
 
-void askForFill(QWidget* parent, const CommandAnswer& answer)
+void askForColor(QWidget* parent, const QString& title, const core::Rgb& color, const std::function<void(core::Rgb)>& answer)
 {
-    const core::Rgb clay;
-    auto* dialog = new QColorDialog(QColor(clay.r, clay.g, clay.b), parent);
-    dialog->setObjectName(QStringLiteral("fillDialog"));
-    dialog->setWindowTitle(ModelDialogs::tr("Fill with Colour"));
+    auto* dialog = new QColorDialog(QColor(color.r, color.g, color.b), parent);
+    dialog->setObjectName(QStringLiteral("colorDialog"));
+    dialog->setWindowTitle(title);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    QObject::connect(dialog, &QColorDialog::colorSelected, dialog, [answer](const QColor& color) {
+    QObject::connect(dialog, &QColorDialog::colorSelected, dialog, [answer](const QColor& chosen) {
         const auto byte = [](int value) { return static_cast<std::uint8_t>(value); };
-        answer(core::Fill{{byte(color.red()), byte(color.green()), byte(color.blue())}});
+        answer({byte(chosen.red()), byte(chosen.green()), byte(chosen.blue())});
     });
     dialog->open();
+}
+
+void askForFill(QWidget* parent, const CommandAnswer& answer)
+{
+    askForColor(parent, ModelDialogs::tr("Fill with Colour"), {}, [answer](core::Rgb color) { answer(core::Fill{color}); });
 }
 
 void askForRemesh(QWidget* parent, const ModelFacts& facts, const CommandAnswer& answer)

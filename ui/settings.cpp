@@ -14,8 +14,18 @@ constexpr double defaultRadiusShare = 0.1;
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString stateKey = QStringLiteral("window/state");
 const QString folderKey = QStringLiteral("files/lastFolder");
-const QString strengthKey = QStringLiteral("brush/strength");
 const QString radiusShareKey = QStringLiteral("brush/radiusShare");
+
+QString keyOf(core::Parameter parameter)
+{
+    const std::string_view key = core::info(parameter).key;
+    return QStringLiteral("brush/") + QLatin1StringView(key.data(), static_cast<qsizetype>(key.size()));
+}
+
+double defaultOf(core::Parameter parameter)
+{
+    return parameter == core::Parameter::Spacing ? handSpacing : core::info(parameter).defaultValue;
+}
 
 /// The default where nothing, or nothing sensible, is stored.
 double number(const QSettings& settings, const QString& key, double least, double most, double otherwise)
@@ -57,15 +67,15 @@ void Settings::setLastFolder(const QString& folder)
     m_settings.setValue(folderKey, folder);
 }
 
-double Settings::strength() const
+double Settings::value(core::Parameter parameter) const
 {
-    const core::ParameterInfo& row = core::info(core::Parameter::Strength);
-    return number(m_settings, strengthKey, row.min, row.max, row.defaultValue);
+    const core::ParameterInfo& row = core::info(parameter);
+    return number(m_settings, keyOf(parameter), row.min, row.max, defaultOf(parameter));
 }
 
-void Settings::setStrength(double strength)
+void Settings::setValue(core::Parameter parameter, double value)
 {
-    m_settings.setValue(strengthKey, strength);
+    m_settings.setValue(keyOf(parameter), value);
 }
 
 double Settings::radiusShare() const

@@ -11,6 +11,12 @@ namespace ui
 /// The radii that make sense, as shares of the model's longest side. The least that the lattice takes is a little more.
 inline constexpr double minRadiusShare = 0.002, maxRadiusShare = 0.5;
 
+/// The spacing of a new user's brush, in radii: dense enough for an even furrow, wide enough that a slow hand does not dig a hole.
+inline constexpr double handSpacing = 0.25;
+
+inline constexpr core::Parameter storedParameters[] = {core::Parameter::Strength, core::Parameter::Falloff, core::Parameter::Detail,
+                                                       core::Parameter::Spacing};
+
 /// Every stored preference: its key, type and default in one place. A missing or broken entry gives the default. The
 /// program sets organisation and application name before. Gui thread.
 class Settings
@@ -25,8 +31,9 @@ public:
     QString lastFolder() const;
     void setLastFolder(const QString& folder);
 
-    double strength() const;
-    void setStrength(double strength);
+    /// Of the brush; the radius is kept as a share instead.
+    double value(core::Parameter parameter) const;
+    void setValue(core::Parameter parameter, double value);
     /// The radius as a share of the model's longest side, so that it fits the next model too.
     double radiusShare() const;
     void setRadiusShare(double share);

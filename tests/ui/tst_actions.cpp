@@ -53,6 +53,8 @@ private Q_SLOTS:
             return actions.get(QLatin1StringView(id))->shortcuts().contains(QKeySequence(QLatin1StringView(key)));
         };
         QVERIFY(has("edit.undo", "Ctrl+Z") && has("edit.redo", "Ctrl+Shift+Z") && has("edit.redo", "Ctrl+Y"));
+        QVERIFY(has("tool.pull", "1") && has("tool.push", "2") && has("tool.flatten", "3") && has("tool.smooth", "4") &&
+                has("tool.paint", "5") && has("symmetry.on", "X"));
         QVERIFY(has("brush.smaller", "[") && has("brush.larger", "]"));
         QVERIFY(has("view.frame", "Home") && has("view.frame", "."));
     }

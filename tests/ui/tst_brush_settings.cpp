@@ -94,6 +94,45 @@ private Q_SLOTS:
         QCOMPARE(clamped.count(), 1);
     }
 
+    /// The smallest brush's edges are as fine as the lattice takes, whatever the detail.
+    void finerDetailNeedsALargerBrush()
+    {
+        ui::BrushSettings brush;
+        const ui::ModelFacts facts = model(60);
+        brush.fitTo(facts, 1e-9);
+        const double least = brush.value(Parameter::Radius);
+        brush.setValue(Parameter::Detail, 0.5);
+        QVERIFY(qFuzzyCompare(brush.value(Parameter::Radius), 2 * least));
+        QVERIFY(qFuzzyCompare(brush.minOf(Parameter::Radius), 2 * least));
+        brush.setValue(Parameter::Detail, 2);
+        QVERIFY(qFuzzyCompare(brush.minOf(Parameter::Radius), least / 2));
+    }
+
+    void symmetryComesBackAboutTheSamePlane()
+    {
+        ui::BrushSettings brush;
+        brush.setSymmetric(true);
+        QCOMPARE(brush.stroke().symmetry, core::Symmetry::X);
+        brush.set(&core::StrokeSettings::symmetry, core::Symmetry::Z);
+        brush.setSymmetric(false);
+        QCOMPARE(brush.stroke().symmetry, core::Symmetry::None);
+        brush.setSymmetric(true);
+        QCOMPARE(brush.stroke().symmetry, core::Symmetry::Z);
+    }
+
+    void keysHeldChangeTheTool()
+    {
+        using core::Tool;
+        for (const Tool tool : {Tool::Pull, Tool::Push, Tool::Flatten, Tool::Smooth, Tool::Paint}) {
+            QCOMPARE(ui::toolWith(tool, Qt::ShiftModifier), Tool::Smooth);
+            QCOMPARE(ui::toolWith(tool, Qt::NoModifier), tool);
+        }
+        QCOMPARE(ui::toolWith(Tool::Pull, Qt::ControlModifier), Tool::Push);
+        QCOMPARE(ui::toolWith(Tool::Push, Qt::ControlModifier), Tool::Pull);
+        for (const Tool tool : {Tool::Flatten, Tool::Smooth, Tool::Paint})
+            QCOMPARE(ui::toolWith(tool, Qt::ControlModifier), tool);
+    }
+
     void smallerAndLargerUndoEachOther()
     {
         ui::BrushSettings brush;

@@ -1,9 +1,14 @@
+#include "ui/falloff_curve.h"
 #include "ui/main_window.h"
 
 #include "ui_test.h"
 
 #include <QAbstractButton>
 #include <QAction>
+#include <QCheckBox>
+#include <QColorDialog>
+#include <QComboBox>
+#include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QDragEnterEvent>
 #include <QFile>
@@ -145,6 +150,83 @@ private Q_SLOTS:
         QVERIFY(!act(window, "tool.pull")->isChecked());
         window.brush()->setTool(core::Tool::Push);
         QVERIFY(act(window, "tool.push")->isChecked() && !act(window, "tool.smooth")->isChecked());
+    }
+
+    void switchesAndPanelsShowTheBrush()
+    {
+        MainWindow window;
+        const auto& stroke = window.brush()->stroke();
+        act(window, "brush.ray")->trigger();
+        QCOMPARE(stroke.brush, core::BrushShape::Ray);
+        QCOMPARE(child<QComboBox>(window, "reach")->currentIndex(), 1);
+        act(window, "topology.uniform")->trigger();
+        QCOMPARE(stroke.topology, core::Topology::Uniform);
+        QCOMPARE(child<QComboBox>(window, "topology")->currentIndex(), 1);
+        child<QCheckBox>(window, "fusion")->click();
+        QVERIFY(!stroke.fusion && !act(window, "topology.fusion")->isChecked());
+
+        auto* planes = child<QComboBox>(window, "symmetry");
+        planes->setCurrentIndex(3);
+        Q_EMIT planes->activated(3);
+        QCOMPARE(stroke.symmetry, core::Symmetry::Z);
+        QVERIFY(act(window, "symmetry.on")->isChecked());
+        act(window, "symmetry.on")->trigger();
+        QCOMPARE(stroke.symmetry, core::Symmetry::None);
+        QCOMPARE(planes->currentIndex(), 0);
+
+        child<QDoubleSpinBox>(window, "detail.box")->setValue(0.5);
+        QCOMPARE(stroke.detail, 0.5);
+    }
+
+    void theFalloffCurveIsBentByHand()
+    {
+        MainWindow window;
+        auto* curve = child<ui::FalloffCurve>(window, "falloffCurve");
+        QVERIFY(curve);
+        curve->resize(216, 116); // 200 x 100 within its margin
+        for (const int n : {0, 3, 5, 9, 16}) {
+            const double x = 0.5;
+            const QPoint at(8 + 100, 108 - static_cast<int>(std::lround(100 * core::falloff(x, n))));
+            sendMouse(curve, QEvent::MouseButtonPress, at, Qt::LeftButton);
+            QVERIFY(std::abs(core::falloff(x, window.strokeSettings().falloff) - core::falloff(x, n)) <= 0.01);
+        }
+        window.brush()->setValue(Parameter::Falloff, 3);
+        QTest::keyClick(curve, Qt::Key_Down);
+        QCOMPARE(window.strokeSettings().falloff, 0);
+        QTest::keyClick(curve, Qt::Key_Down);
+        QCOMPARE(window.strokeSettings().falloff, 0);
+        QTest::keyClick(curve, Qt::Key_Up);
+        QTest::keyClick(curve, Qt::Key_Up);
+        QCOMPARE(window.strokeSettings().falloff, 4);
+    }
+
+    void thePaintColourIsChosen()
+    {
+        MainWindow window;
+        window.show();
+        act(window, "brush.color")->trigger();
+        auto* dialog = child<QColorDialog>(window, "colorDialog");
+        QVERIFY(dialog);
+        Q_EMIT dialog->colorSelected(QColor(10, 20, 30));
+        QCOMPARE(window.strokeSettings().color, (core::Rgb{10, 20, 30}));
+    }
+
+    void panelsComeBackAsLeft()
+    {
+        {
+            MainWindow window;
+            window.show();
+            child<QDockWidget>(window, "topologyPanel")->toggleViewAction()->trigger();
+            window.addDockWidget(Qt::LeftDockWidgetArea, child<QDockWidget>(window, "brushPanel"));
+            window.brush()->setValue(Parameter::Falloff, 7);
+            window.close();
+        }
+        MainWindow window;
+        window.show();
+        QVERIFY(!child<QDockWidget>(window, "topologyPanel")->isVisible());
+        QVERIFY(child<QDockWidget>(window, "symmetryPanel")->isVisible());
+        QCOMPARE(window.dockWidgetArea(child<QDockWidget>(window, "brushPanel")), Qt::LeftDockWidgetArea);
+        QCOMPARE(window.strokeSettings().falloff, 7);
     }
 
     void undoIsWordedFromOutside()

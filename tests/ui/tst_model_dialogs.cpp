@@ -156,7 +156,7 @@ void TestModelDialogs::fill_givesTheColour()
 {
     Asking asking;
     ui::askForFill(&asking.window, asking.answer);
-    auto* dialog = static_cast<QColorDialog*>(asking.dialog("fillDialog"));
+    auto* dialog = static_cast<QColorDialog*>(asking.dialog("colorDialog"));
     dialog->setCurrentColor(QColor(1, 2, 3));
     dialog->accept();
     QVERIFY((std::get<Fill>(asking.command.value()).color == Rgb{1, 2, 3}));

@@ -23,7 +23,9 @@ private Q_SLOTS:
     void nothingStoredGivesDefaults()
     {
         const ui::Settings settings;
-        QCOMPARE(settings.strength(), core::info(core::Parameter::Strength).defaultValue);
+        for (const core::Parameter parameter : {core::Parameter::Strength, core::Parameter::Falloff, core::Parameter::Detail})
+            QCOMPARE(settings.value(parameter), core::info(parameter).defaultValue);
+        QCOMPARE(settings.value(core::Parameter::Spacing), ui::handSpacing);
         QVERIFY(settings.radiusShare() > ui::minRadiusShare && settings.radiusShare() < ui::maxRadiusShare);
         QCOMPARE(settings.lastFolder(), QDir::homePath());
         QVERIFY(settings.windowGeometry().isEmpty() && settings.windowState().isEmpty());
@@ -33,13 +35,15 @@ private Q_SLOTS:
     {
         {
             ui::Settings settings;
-            settings.setStrength(0.5);
+            for (const core::Parameter parameter : ui::storedParameters)
+                settings.setValue(parameter, 3);
             settings.setRadiusShare(0.2);
             settings.setLastFolder(m_home.path());
             settings.setWindowState("state");
         }
         const ui::Settings settings;
-        QCOMPARE(settings.strength(), 0.5);
+        for (const core::Parameter parameter : ui::storedParameters)
+            QCOMPARE(settings.value(parameter), 3.0);
         QCOMPARE(settings.radiusShare(), 0.2);
         QCOMPARE(settings.lastFolder(), m_home.path());
         QCOMPARE(settings.windowState(), QByteArray("state"));
@@ -59,11 +63,12 @@ private Q_SLOTS:
     {
         QFETCH(QVariant, stored);
         QSettings raw;
-        for (const char* key : {"brush/strength", "brush/radiusShare", "files/lastFolder", "window/geometry"})
+        for (const char* key : {"brush/strength", "brush/falloff", "brush/radiusShare", "files/lastFolder", "window/geometry"})
             raw.setValue(QLatin1StringView(key), stored);
         raw.sync();
         const ui::Settings settings;
-        QCOMPARE(settings.strength(), core::info(core::Parameter::Strength).defaultValue);
+        for (const core::Parameter parameter : {core::Parameter::Strength, core::Parameter::Falloff})
+            QCOMPARE(settings.value(parameter), core::info(parameter).defaultValue);
         QVERIFY(settings.radiusShare() <= ui::maxRadiusShare && settings.radiusShare() >= ui::minRadiusShare);
         QCOMPARE(settings.lastFolder(), QDir::homePath());
     }

@@ -1,0 +1,58 @@
+#include "brush_actions.h"
+
+#include "actions.h"
+#include "brush_settings.h"
+
+#include <QAction>
+#include <QActionGroup>
+
+namespace ui
+{
+namespace
+{
+constexpr double smallerRadius = 0.9;
+
+struct ToolAction
+{
+    const char* id;
+    core::Tool tool;
+};
+constexpr ToolAction toolActions[] = {{"tool.pull", core::Tool::Pull},
+                                      {"tool.push", core::Tool::Push},
+                                      {"tool.flatten", core::Tool::Flatten},
+                                      {"tool.smooth", core::Tool::Smooth},
+                                      {"tool.paint", core::Tool::Paint}};
+
+/// Checked while the setting is `on`, and sets it to `on` or `off`.
+template <class T> void connectChoice(QAction* action, BrushSettings* brush, T core::StrokeSettings::* what, T on, T off)
+{
+    const auto show = [=] { action->setChecked(brush->stroke().*what == on); };
+    QObject::connect(action, &QAction::triggered, brush, [=](bool checked) { brush->set(what, checked ? on : off); });
+    QObject::connect(brush, &BrushSettings::changed, action, show);
+    show();
+}
+} // namespace
+
+void connectBrush(const Actions& actions, BrushSettings* brush)
+{
+    const auto action = [&](const char* id) { return actions.get(QLatin1StringView(id)); };
+    auto* group = new QActionGroup(brush);
+    for (const ToolAction& row : toolActions) {
+        group->addAction(action(row.id));
+        connectChoice(action(row.id), brush, &core::StrokeSettings::tool, row.tool, row.tool);
+    }
+    connectChoice(action("brush.ray"), brush, &core::StrokeSettings::brush, core::BrushShape::Ray, core::BrushShape::Sphere);
+    connectChoice(action("topology.uniform"), brush, &core::StrokeSettings::topology, core::Topology::Uniform,
+                  core::Topology::Adaptive);
+    connectChoice(action("topology.fusion"), brush, &core::StrokeSettings::fusion, true, false);
+
+    QAction* symmetric = action("symmetry.on");
+    const auto showSymmetry = [=] { symmetric->setChecked(brush->stroke().symmetry != core::Symmetry::None); };
+    QObject::connect(symmetric, &QAction::triggered, brush, &BrushSettings::setSymmetric);
+    QObject::connect(brush, &BrushSettings::changed, symmetric, showSymmetry);
+    showSymmetry();
+
+    QObject::connect(action("brush.smaller"), &QAction::triggered, brush, [brush] { brush->scaleRadius(smallerRadius); });
+    QObject::connect(action("brush.larger"), &QAction::triggered, brush, [brush] { brush->scaleRadius(1 / smallerRadius); });
+}
+} // namespace ui

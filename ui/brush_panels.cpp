@@ -1,0 +1,132 @@
+#include "brush_panels.h"
+
+#include "brush_bar.h"
+#include "falloff_curve.h"
+#include "messages.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QDockWidget>
+#include <QFormLayout>
+#include <QMainWindow>
+#include <QMenu>
+
+#include <utility>
+#include <vector>
+
+namespace ui
+{
+namespace
+{
+struct BrushPanels
+{
+    Q_DECLARE_TR_FUNCTIONS(ui::BrushPanels)
+};
+
+constexpr int gap = 8; ///< of the window's spacing grid
+
+template <class T> using Choices = std::vector<std::pair<QString, T>>;
+
+/// What a dock shows of the brush.
+class Panel
+{
+public:
+    Panel(BrushSettings* brush, const QString& name, const QString& title)
+        : dock(new QDockWidget(title)), m_brush(brush), m_form(new QFormLayout)
+    {
+        auto* content = new QWidget;
+        content->setLayout(m_form);
+        content->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+        dock->setObjectName(name);
+        dock->setWidget(content);
+        m_form->setContentsMargins(gap, gap, gap, gap);
+        m_form->setSpacing(gap);
+        m_form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+    }
+
+    QDockWidget* const dock;
+
+    void add(QWidget* row) const { m_form->addRow(row); }
+
+    void addNumber(core::Parameter parameter, const std::function<void()>& entered) const
+    {
+        auto* control = new ParameterControl(m_brush, parameter, ParameterControl::Label::Without);
+        QObject::connect(control, &ParameterControl::entered, dock, entered);
+        m_form->addRow(Messages::name(parameter), control);
+    }
+
+    template <class T> void addChoice(const QString& name, const QString& text, T core::StrokeSettings::* what, const Choices<T>& choices) const
+    {
+        auto* box = new QComboBox;
+        box->setObjectName(name);
+        box->setAccessibleName(text);
+        for (const auto& [words, value] : choices)
+            box->addItem(words, static_cast<int>(value));
+        const auto show = [box, brush = m_brush, what] { box->setCurrentIndex(box->findData(static_cast<int>(brush->stroke().*what))); };
+        QObject::connect(box, &QComboBox::activated, m_brush,
+                         [box, brush = m_brush, what] { brush->set(what, static_cast<T>(box->currentData().toInt())); });
+        QObject::connect(m_brush, &BrushSettings::changed, box, show);
+        show();
+        m_form->addRow(text, box);
+    }
+
+    void addCheck(const QString& name, const QString& text, bool core::StrokeSettings::* what) const
+    {
+        auto* box = new QCheckBox(text);
+        box->setObjectName(name);
+        const auto show = [box, brush = m_brush, what] { box->setChecked(brush->stroke().*what); };
+        QObject::connect(box, &QCheckBox::clicked, m_brush, [brush = m_brush, what](bool checked) { brush->set(what, checked); });
+        QObject::connect(m_brush, &BrushSettings::changed, box, show);
+        show();
+        m_form->addRow(box);
+    }
+
+private:
+    BrushSettings* m_brush;
+    QFormLayout* m_form;
+};
+
+QDockWidget* brushPanel(BrushSettings* brush, const std::function<void()>& entered)
+{
+    const Panel panel(brush, QStringLiteral("brushPanel"), BrushPanels::tr("Brush"));
+    panel.addChoice(QStringLiteral("reach"), BrushPanels::tr("Reach"), &core::StrokeSettings::brush,
+                    Choices<core::BrushShape>{{BrushPanels::tr("Within a ball"), core::BrushShape::Sphere},
+                                              {BrushPanels::tr("Along the surface"), core::BrushShape::Ray}});
+    panel.addNumber(core::Parameter::Falloff, entered);
+    panel.add(new FalloffCurve(brush));
+    panel.addNumber(core::Parameter::Spacing, entered);
+    return panel.dock;
+}
+
+QDockWidget* topologyPanel(BrushSettings* brush, const std::function<void()>& entered)
+{
+    const Panel panel(brush, QStringLiteral("topologyPanel"), BrushPanels::tr("Topology"));
+    panel.addChoice(QStringLiteral("topology"), BrushPanels::tr("Edges"), &core::StrokeSettings::topology,
+                    Choices<core::Topology>{{BrushPanels::tr("By the brush"), core::Topology::Adaptive},
+                                            {BrushPanels::tr("As long everywhere"), core::Topology::Uniform}});
+    panel.addNumber(core::Parameter::Detail, entered);
+    panel.addCheck(QStringLiteral("fusion"), BrushPanels::tr("Surfaces that meet join"), &core::StrokeSettings::fusion);
+    return panel.dock;
+}
+
+QDockWidget* symmetryPanel(BrushSettings* brush)
+{
+    const Panel panel(brush, QStringLiteral("symmetryPanel"), BrushPanels::tr("Symmetry"));
+    panel.addChoice(QStringLiteral("symmetry"), BrushPanels::tr("Mirror"), &core::StrokeSettings::symmetry,
+                    Choices<core::Symmetry>{{BrushPanels::tr("None"), core::Symmetry::None},
+                                            {BrushPanels::tr("Left and right (x = 0)"), core::Symmetry::X},
+                                            {BrushPanels::tr("Top and bottom (y = 0)"), core::Symmetry::Y},
+                                            {BrushPanels::tr("Front and back (z = 0)"), core::Symmetry::Z}});
+    return panel.dock;
+}
+} // namespace
+
+void addBrushPanels(QMainWindow* window, BrushSettings* brush, QMenu* toggles, const std::function<void()>& entered)
+{
+    for (QDockWidget* dock : {brushPanel(brush, entered), topologyPanel(brush, entered), symmetryPanel(brush)}) {
+        window->addDockWidget(Qt::RightDockWidgetArea, dock);
+        toggles->addAction(dock->toggleViewAction());
+    }
+}
+} // namespace ui
