@@ -11,6 +11,7 @@ set(FETTLE_RESOURCE_FILES
     icons/fusion.svg
     icons/headset.svg
     icons/insert.svg
+    icons/keys.svg
     icons/larger.svg
     icons/mirror.svg
     icons/move.svg

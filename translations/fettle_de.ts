@@ -812,6 +812,14 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>Chooses what Paint colours with.</source>
         <translation>Wählt die Farbe, mit der bemalt wird.</translation>
     </message>
+    <message>
+        <source>&amp;Commands and Keys…</source>
+        <translation>B&amp;efehle und Tasten …</translation>
+    </message>
+    <message>
+        <source>Shows every command with its key, and finds one by its words.</source>
+        <translation>Zeigt jeden Befehl mit seiner Taste und findet einen nach seinen Wörtern.</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushPanels</name>
@@ -874,6 +882,33 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>Front and back (z = 0)</source>
         <translation>Vorn und hinten (z = 0)</translation>
+    </message>
+</context>
+<context>
+    <name>ui::CommandBox</name>
+    <message>
+        <source>Commands and Keys</source>
+        <translation>Befehle und Tasten</translation>
+    </message>
+    <message>
+        <source>What do you want to do?</source>
+        <translation>Was möchten Sie tun?</translation>
+    </message>
+    <message>
+        <source>Words of a command</source>
+        <translation>Wörter eines Befehls</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Taste</translation>
+    </message>
+    <message>
+        <source>What it does</source>
+        <translation>Was er tut</translation>
     </message>
 </context>
 <context>

@@ -810,6 +810,14 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>Chooses what Paint colours with.</source>
         <translation>选择上色所用的颜色。</translation>
     </message>
+    <message>
+        <source>&amp;Commands and Keys…</source>
+        <translation>命令与快捷键(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Shows every command with its key, and finds one by its words.</source>
+        <translation>列出所有命令及其快捷键，并可按词查找。</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushPanels</name>
@@ -872,6 +880,33 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>Front and back (z = 0)</source>
         <translation>前后 (z = 0)</translation>
+    </message>
+</context>
+<context>
+    <name>ui::CommandBox</name>
+    <message>
+        <source>Commands and Keys</source>
+        <translation>命令与快捷键</translation>
+    </message>
+    <message>
+        <source>What do you want to do?</source>
+        <translation>您想做什么？</translation>
+    </message>
+    <message>
+        <source>Words of a command</source>
+        <translation>命令的词</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>命令</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>键</translation>
+    </message>
+    <message>
+        <source>What it does</source>
+        <translation>作用</translation>
     </message>
 </context>
 <context>

@@ -79,22 +79,17 @@ constexpr ActionInfo table[] = {
     {MenuId::Vr, "vr.status", QT_TRANSLATE_NOOP("ui::Actions", "&Look for a Headset"),
      QT_TRANSLATE_NOOP("ui::Actions", "Says whether a VR headset is ready."), "", "headset"},
 
+    {MenuId::Help, "help.keys", QT_TRANSLATE_NOOP("ui::Actions", "&Commands and Keys…"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Shows every command with its key, and finds one by its words."), "F1; F3", "keys"},
     {MenuId::Help, "help.about", QT_TRANSLATE_NOOP("ui::Actions", "&About Fettle"),
-     QT_TRANSLATE_NOOP("ui::Actions", "Says what this program is, and its version."), "", "about"},
+     QT_TRANSLATE_NOOP("ui::Actions", "Says what this program is, and its version."), "", "about", true},
 };
 // clang-format on
-
-/// Without what only a menu shows. "拉出(&P)": where the script has no letters for keys, the key stands behind in brackets.
-QString plainName(const QAction& action)
-{
-    static const QRegularExpression menuOnly(QStringLiteral("\\(&.\\)|&|…"));
-    return action.text().remove(menuOnly);
-}
 
 /// "Pull (1)" and what it does.
 QString toolTip(const QAction& action)
 {
-    QString name = plainName(action);
+    QString name = Actions::plain(action.text());
     const QString key = action.shortcut().toString(QKeySequence::NativeText);
     if (!key.isEmpty())
         name += QStringLiteral(" (%1)").arg(key);
@@ -121,7 +116,7 @@ QAction* Actions::make(const ActionInfo& row, QWidget* window)
     if (*row.keys)
         action->setShortcuts(QKeySequence::listFromString(QLatin1StringView(row.keys)));
     action->setCheckable(row.checkable);
-    action->setIconText(plainName(*action));
+    action->setIconText(plain(action->text()));
     action->setToolTip(toolTip(*action));
     window->addAction(action);
     return action;
@@ -132,6 +127,13 @@ QAction* Actions::get(const QString& id) const
     QAction* action = m_actions.value(id);
     Q_ASSERT_X(action, "Actions::get", qPrintable(id));
     return action;
+}
+
+/// "拉出(&P)": where the script has no letters for keys, the key stands behind in brackets.
+QString Actions::plain(QString text)
+{
+    static const QRegularExpression menuOnly(QStringLiteral("\\(&.\\)|&|…"));
+    return text.remove(menuOnly);
 }
 
 QString Actions::menuTitle(MenuId menu) const

@@ -43,6 +43,8 @@ public:
     QAction* get(const QString& id) const;
 
     QString menuTitle(MenuId menu) const;
+    /// A text of a menu without what only a menu shows.
+    static QString plain(QString text);
     void fill(QMenu* menu, MenuId which) const;
     void fill(QToolBar* bar, Bar which) const;
 

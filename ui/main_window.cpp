@@ -6,6 +6,7 @@
 #include "brush_bar.h"
 #include "brush_panels.h"
 #include "busy_bar.h"
+#include "command_box.h"
 #include "facts_bar.h"
 #include "messages.h"
 #include "model_dialogs.h"
@@ -135,6 +136,7 @@ void MainWindow::State::connectActions()
     connectTools();
     on("edit.stop", [this] { Q_EMIT q->stopRequested(); });
     on("view.frame", [this] { viewport->frame(); });
+    on("help.keys", [this] { (new CommandBox(actions, q))->open(); });
     on("help.about", [this] { about(); });
     q->setUndoText({});
     q->setRedoText({});

@@ -56,6 +56,7 @@ private Q_SLOTS:
         QVERIFY(has("tool.pull", "1") && has("tool.push", "2") && has("tool.flatten", "3") && has("tool.smooth", "4") &&
                 has("tool.paint", "5") && has("symmetry.on", "X"));
         QVERIFY(has("brush.smaller", "[") && has("brush.larger", "]"));
+        QVERIFY(has("help.keys", "F1") && has("help.keys", "F3"));
         QVERIFY(has("view.frame", "Home") && has("view.frame", "."));
     }
 

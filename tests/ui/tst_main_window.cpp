@@ -1,3 +1,4 @@
+#include "ui/actions.h"
 #include "ui/falloff_curve.h"
 #include "ui/main_window.h"
 
@@ -23,6 +24,7 @@
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTemporaryDir>
+#include <QTreeWidget>
 
 using core::Parameter;
 using ui::MainWindow;
@@ -227,6 +229,63 @@ private Q_SLOTS:
         QVERIFY(child<QDockWidget>(window, "symmetryPanel")->isVisible());
         QCOMPARE(window.dockWidgetArea(child<QDockWidget>(window, "brushPanel")), Qt::LeftDockWidgetArea);
         QCOMPARE(window.strokeSettings().falloff, 7);
+    }
+
+    void everyCommandIsFoundByItsWords()
+    {
+        MainWindow window;
+        window.show();
+        for (const ui::ActionInfo& row : ui::actionTable()) {
+            act(window, "help.keys")->trigger();
+            auto* box = child<QDialog>(window, "commandBox");
+            QVERIFY(box);
+            auto* list = box->findChild<QTreeWidget*>();
+            box->findChild<QLineEdit*>()->setText(QLatin1StringView(row.tip));
+            QStringList found;
+            for (QTreeWidgetItemIterator i(list, QTreeWidgetItemIterator::NotHidden | QTreeWidgetItemIterator::NoChildren); *i; ++i)
+                found << (*i)->text(0);
+            QVERIFY2(found.contains(ui::Actions::plain(act(window, row.id)->text())), row.id);
+            box->close();
+            QCoreApplication::sendPostedEvents(box, QEvent::DeferredDelete);
+        }
+    }
+
+    void aCommandIsDoneFromTheBox()
+    {
+        MainWindow window;
+        window.show();
+        act(window, "help.keys")->trigger();
+        auto* box = child<QDialog>(window, "commandBox");
+        auto* words = box->findChild<QLineEdit*>();
+        QTest::keyClicks(words, QStringLiteral("taken again")); // Redo, which cannot be done now
+        QTest::keyClick(words, Qt::Key_Return);
+        QVERIFY(box->isVisible());
+        words->clear();
+        QTest::keyClicks(words, QStringLiteral("ROUGH evens"));
+        QTest::keyClick(words, Qt::Key_Return);
+        QVERIFY(!box->isVisible());
+        QCOMPARE(window.strokeSettings().tool, core::Tool::Smooth);
+    }
+
+    void arrowsMoveThroughTheCommands()
+    {
+        MainWindow window;
+        window.show();
+        act(window, "help.keys")->trigger();
+        auto* box = child<QDialog>(window, "commandBox");
+        auto* words = box->findChild<QLineEdit*>();
+        const auto current = [&] {
+            const QTreeWidgetItem* item = box->findChild<QTreeWidget*>()->currentItem();
+            return item ? item->text(0) : QString();
+        };
+        words->setText(QStringLiteral("brush"));
+        const QString first = current();
+        QTest::keyClick(words, Qt::Key_Down);
+        QVERIFY(!current().isEmpty() && current() != first);
+        QTest::keyClick(words, Qt::Key_Up);
+        QCOMPARE(current(), first);
+        QTest::keyClick(words, Qt::Key_Up); // there is nothing above
+        QCOMPARE(current(), first);
     }
 
     void undoIsWordedFromOutside()
