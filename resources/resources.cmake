@@ -16,6 +16,7 @@ set(FETTLE_RESOURCE_FILES
     icons/mirror.svg
     icons/move.svg
     icons/open.svg
+    icons/orthographic.svg
     icons/paint.svg
     icons/pull.svg
     icons/push.svg
@@ -32,6 +33,12 @@ set(FETTLE_RESOURCE_FILES
     icons/symmetrize.svg
     icons/undo.svg
     icons/uniform.svg
+    icons/view-back.svg
+    icons/view-bottom.svg
+    icons/view-front.svg
+    icons/view-left.svg
+    icons/view-right.svg
+    icons/view-top.svg
     shaders/background.frag
     shaders/background.vert
     shaders/clay.frag

@@ -633,6 +633,62 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Zeigt das ganze Modell.</translation>
     </message>
     <message>
+        <source>F&amp;ront</source>
+        <translation>&amp;Vorne</translation>
+    </message>
+    <message>
+        <source>Shows the model from the front: x to the right, y up.</source>
+        <translation>Zeigt das Modell von vorne: x nach rechts, y nach oben.</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Hinten</translation>
+    </message>
+    <message>
+        <source>Shows the model from behind: x to the left, y up.</source>
+        <translation>Zeigt das Modell von hinten: x nach links, y nach oben.</translation>
+    </message>
+    <message>
+        <source>R&amp;ight</source>
+        <translation>&amp;Rechts</translation>
+    </message>
+    <message>
+        <source>Shows the model from the right: z to the left, y up.</source>
+        <translation>Zeigt das Modell von rechts: z nach links, y nach oben.</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Links</translation>
+    </message>
+    <message>
+        <source>Shows the model from the left: z to the right, y up.</source>
+        <translation>Zeigt das Modell von links: z nach rechts, y nach oben.</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>&amp;Oben</translation>
+    </message>
+    <message>
+        <source>Shows the model from above: x to the right, z down.</source>
+        <translation>Zeigt das Modell von oben: x nach rechts, z nach unten.</translation>
+    </message>
+    <message>
+        <source>Botto&amp;m</source>
+        <translation>&amp;Unten</translation>
+    </message>
+    <message>
+        <source>Shows the model from below: x to the right, z up.</source>
+        <translation>Zeigt das Modell von unten: x nach rechts, z nach oben.</translation>
+    </message>
+    <message>
+        <source>&amp;Orthographic</source>
+        <translation>&amp;Parallelprojektion</translation>
+    </message>
+    <message>
+        <source>Shows what is far as large as what is near, or as the eye sees it.</source>
+        <translation>Zeigt Fernes so groß wie Nahes, oder so, wie das Auge es sieht.</translation>
+    </message>
+    <message>
         <source>&amp;Look for a Headset</source>
         <translation>VR-&amp;Brille suchen</translation>
     </message>

@@ -631,6 +631,62 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>显示整个模型。</translation>
     </message>
     <message>
+        <source>F&amp;ront</source>
+        <translation>前视图(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Shows the model from the front: x to the right, y up.</source>
+        <translation>从前面显示模型：x 向右，y 向上。</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>后视图(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Shows the model from behind: x to the left, y up.</source>
+        <translation>从后面显示模型：x 向左，y 向上。</translation>
+    </message>
+    <message>
+        <source>R&amp;ight</source>
+        <translation>右视图(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Shows the model from the right: z to the left, y up.</source>
+        <translation>从右面显示模型：z 向左，y 向上。</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>左视图(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Shows the model from the left: z to the right, y up.</source>
+        <translation>从左面显示模型：z 向右，y 向上。</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>顶视图(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Shows the model from above: x to the right, z down.</source>
+        <translation>从上面显示模型：x 向右，z 向下。</translation>
+    </message>
+    <message>
+        <source>Botto&amp;m</source>
+        <translation>底视图(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Shows the model from below: x to the right, z up.</source>
+        <translation>从下面显示模型：x 向右，z 向上。</translation>
+    </message>
+    <message>
+        <source>&amp;Orthographic</source>
+        <translation>正交投影(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Shows what is far as large as what is near, or as the eye sees it.</source>
+        <translation>让远处与近处显示得一样大，或如眼睛所见。</translation>
+    </message>
+    <message>
         <source>&amp;Look for a Headset</source>
         <translation>查找头显(&amp;L)</translation>
     </message>

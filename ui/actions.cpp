@@ -3,6 +3,7 @@
 #include "themed_icon.h"
 
 #include <QAction>
+#include <QKeyEvent>
 #include <QMenu>
 #include <QRegularExpression>
 #include <QToolBar>
@@ -75,6 +76,20 @@ constexpr ActionInfo table[] = {
 
     {MenuId::View, "view.frame", QT_TRANSLATE_NOOP("ui::Actions", "&Frame Model"),
      QT_TRANSLATE_NOOP("ui::Actions", "Shows the whole model."), "Home; .", "frame", true, Bar::Top},
+    {MenuId::View, "view.front", QT_TRANSLATE_NOOP("ui::Actions", "F&ront"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Shows the model from the front: x to the right, y up."), "Num+1", "view-front", true},
+    {MenuId::View, "view.back", QT_TRANSLATE_NOOP("ui::Actions", "&Back"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Shows the model from behind: x to the left, y up."), "Ctrl+Num+1", "view-back"},
+    {MenuId::View, "view.right", QT_TRANSLATE_NOOP("ui::Actions", "R&ight"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Shows the model from the right: z to the left, y up."), "Num+3", "view-right"},
+    {MenuId::View, "view.left", QT_TRANSLATE_NOOP("ui::Actions", "&Left"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Shows the model from the left: z to the right, y up."), "Ctrl+Num+3", "view-left"},
+    {MenuId::View, "view.top", QT_TRANSLATE_NOOP("ui::Actions", "&Top"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Shows the model from above: x to the right, z down."), "Num+7", "view-top"},
+    {MenuId::View, "view.bottom", QT_TRANSLATE_NOOP("ui::Actions", "Botto&m"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Shows the model from below: x to the right, z up."), "Ctrl+Num+7", "view-bottom"},
+    {MenuId::View, "view.orthographic", QT_TRANSLATE_NOOP("ui::Actions", "&Orthographic"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Shows what is far as large as what is near, or as the eye sees it."), "Num+5", "orthographic", true, Bar::None, true},
 
     {MenuId::Vr, "vr.status", QT_TRANSLATE_NOOP("ui::Actions", "&Look for a Headset"),
      QT_TRANSLATE_NOOP("ui::Actions", "Says whether a VR headset is ready."), "", "headset"},
@@ -106,6 +121,7 @@ Actions::Actions(QWidget* window) : QObject(window)
 {
     for (const ActionInfo& row : table)
         m_actions.insert(QLatin1StringView(row.id), make(row, window));
+    window->installEventFilter(this);
 }
 
 QAction* Actions::make(const ActionInfo& row, QWidget* window)
@@ -134,6 +150,31 @@ QString Actions::plain(QString text)
 {
     static const QRegularExpression menuOnly(QStringLiteral("\\(&.\\)|&|…"));
     return text.remove(menuOnly);
+}
+
+QAction* Actions::withShortcut(const QKeySequence& key) const
+{
+    for (QAction* action : m_actions)
+        if (action->shortcuts().contains(key))
+            return action;
+    return nullptr;
+}
+
+/// On X11 Qt looks up the shortcuts of the number pad's keys without saying that they are of the pad: "Num+1" would be
+/// "1". What no widget has taken comes here first.
+bool Actions::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        QAction* action = key->modifiers() & Qt::KeypadModifier ? withShortcut(key->keyCombination()) : nullptr;
+        if (action) {
+            event->accept();
+            if (event->type() == QEvent::KeyPress && !key->isAutoRepeat())
+                action->trigger();
+            return true;
+        }
+    }
+    return QObject::eventFilter(watched, event);
 }
 
 QString Actions::menuTitle(MenuId menu) const

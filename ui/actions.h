@@ -6,6 +6,7 @@
 #include <span>
 
 class QAction;
+class QKeySequence;
 class QMenu;
 class QToolBar;
 class QWidget;
@@ -31,7 +32,8 @@ struct ActionInfo
 
 std::span<const ActionInfo> actionTable();
 
-/// The window's actions, made from the table. Shortcuts work in the whole window.
+/// The window's actions, made from the table. Shortcuts work in the whole window; those of the number pad are not those
+/// of the same key elsewhere.
 class Actions : public QObject
 {
     Q_OBJECT
@@ -48,7 +50,11 @@ public:
     void fill(QMenu* menu, MenuId which) const;
     void fill(QToolBar* bar, Bar which) const;
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
+    QAction* withShortcut(const QKeySequence& key) const;
     QAction* make(const ActionInfo& row, QWidget* window);
 
     QHash<QString, QAction*> m_actions;

@@ -13,6 +13,7 @@
 #include "model_files.h"
 #include "scene.h"
 #include "settings.h"
+#include "view_actions.h"
 #include "viewport.h"
 
 #include <QAction>
@@ -135,7 +136,7 @@ void MainWindow::State::connectActions()
     connectModel();
     connectTools();
     on("edit.stop", [this] { Q_EMIT q->stopRequested(); });
-    on("view.frame", [this] { viewport->frame(); });
+    connectView(actions, viewport);
     on("help.keys", [this] { (new CommandBox(actions, q))->open(); });
     on("help.about", [this] { about(); });
     q->setUndoText({});

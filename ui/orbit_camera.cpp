@@ -26,6 +26,8 @@ void OrbitCamera::setScene(const core::Box& box)
         return;
     m_sceneCenter = box.center();
     m_sceneRadius = std::max(0.5 * box.diagonal().norm(), 1e-6);
+    if (m_pivot && (*m_pivot - m_sceneCenter).norm() > m_sceneRadius)
+        m_pivot.reset();
 }
 
 void OrbitCamera::frame(const core::Box& box)
@@ -34,13 +36,14 @@ void OrbitCamera::frame(const core::Box& box)
     setScene(shown);
     m_target = m_sceneCenter;
 
-    // The distance at which each corner just touches one of the four sides of the view.
+    // The distance at which each corner just touches one of the four sides of the view. In parallel a corner that is
+    // nearer looks no larger.
     const double vertical = std::tan(halfFieldOfView);
     const double horizontal = vertical * m_width / m_height;
     double distance = 0;
     for (int i = 0; i < 8; ++i) {
         const core::Vec3 corner = shown.corner(static_cast<core::Box::CornerType>(i)) - m_target;
-        const double nearer = -corner.dot(viewDirection());
+        const double nearer = m_projection == Projection::Perspective ? -corner.dot(viewDirection()) : 0;
         const double aside =
             std::max(std::abs(corner.dot(up())) / vertical, std::abs(corner.dot(right())) / horizontal);
         distance = std::max(distance, nearer + aside);
@@ -51,8 +54,45 @@ void OrbitCamera::frame(const core::Box& box)
 void OrbitCamera::orbit(const Pixel& delta)
 {
     const double perPixel = std::numbers::pi / m_height;
-    m_yaw = std::remainder(m_yaw - delta.x() * perPixel, 2 * std::numbers::pi);
-    m_pitch = std::clamp(m_pitch + delta.y() * perPixel, -std::numbers::pi / 2, std::numbers::pi / 2);
+    turn(m_yaw - delta.x() * perPixel, m_pitch + delta.y() * perPixel);
+}
+
+void OrbitCamera::turnTo(Side side)
+{
+    constexpr double quarter = std::numbers::pi / 2;
+    switch (side) {
+    case Side::Front:
+        return turn(0, 0);
+    case Side::Back:
+        return turn(2 * quarter, 0);
+    case Side::Right:
+        return turn(quarter, 0);
+    case Side::Left:
+        return turn(-quarter, 0);
+    case Side::Top:
+        return turn(0, quarter);
+    case Side::Bottom:
+        return turn(0, -quarter);
+    }
+}
+
+/// The target goes round the pivot as if both were tied to the camera.
+void OrbitCamera::turn(double yaw, double pitch)
+{
+    const core::Vec3 seen = axes().transpose() * (m_target - pivot());
+    m_yaw = std::remainder(yaw, 2 * std::numbers::pi);
+    m_pitch = std::clamp(pitch, -std::numbers::pi / 2, std::numbers::pi / 2);
+    m_target = pivot() + axes() * seen;
+}
+
+void OrbitCamera::setTargetDepth(const core::Vec3& point)
+{
+    double forward = depthOf(point) - m_distance;
+    if (m_projection == Projection::Perspective) {
+        forward = reachable(m_distance + forward) - m_distance;
+        m_distance += forward;
+    }
+    m_target += forward * viewDirection();
 }
 
 void OrbitCamera::pan(const Pixel& delta)
@@ -63,12 +103,18 @@ void OrbitCamera::pan(const Pixel& delta)
 
 void OrbitCamera::zoom(double factor, const Pixel& toward)
 {
-    const double distance = std::clamp(m_distance * factor, m_sceneRadius * nearestZoom, m_sceneRadius * farthestZoom);
+    const double distance = reachable(m_distance * factor);
     const double applied = distance / m_distance;
     const core::Ray through = ray(toward);
-    const core::Vec3 held = through.origin + through.direction * (m_distance / through.direction.dot(viewDirection()));
+    const double deep = m_distance - depthOf(through.origin);
+    const core::Vec3 held = through.origin + through.direction * (deep / through.direction.dot(viewDirection()));
     m_target = held + (m_target - held) * applied;
     m_distance = distance;
+}
+
+double OrbitCamera::reachable(double distance) const
+{
+    return std::clamp(distance, m_sceneRadius * nearestZoom, m_sceneRadius * farthestZoom);
 }
 
 core::Vec3 OrbitCamera::eye() const
@@ -91,10 +137,19 @@ core::Vec3 OrbitCamera::up() const
     return right().cross(viewDirection());
 }
 
+Eigen::Matrix3d OrbitCamera::axes() const
+{
+    Eigen::Matrix3d m;
+    m << right(), up(), viewDirection();
+    return m;
+}
+
 core::Ray OrbitCamera::ray(const Pixel& pixel) const
 {
     const double x = (2 * pixel.x() / m_width - 1) * std::tan(halfFieldOfView) * m_width / m_height;
     const double y = (1 - 2 * pixel.y() / m_height) * std::tan(halfFieldOfView);
+    if (m_projection == Projection::Orthographic)
+        return {eye() + m_distance * (right() * x + up() * y) + nearPlane() * viewDirection(), viewDirection()};
     return {eye(), (viewDirection() + right() * x + up() * y).normalized()};
 }
 
@@ -102,13 +157,13 @@ OrbitCamera::Pixel OrbitCamera::project(const core::Vec3& point) const
 {
     const core::Vec3 p = point - eye();
     const double focal = 0.5 * m_height / std::tan(halfFieldOfView);
-    const double depth = depthOf(point);
+    const double depth = sizeDepth(point);
     return {0.5 * m_width + focal * p.dot(right()) / depth, 0.5 * m_height - focal * p.dot(up()) / depth};
 }
 
 double OrbitCamera::pixelsPerMm(const core::Vec3& at) const
 {
-    return 0.5 * m_height / (std::tan(halfFieldOfView) * std::max(depthOf(at), nearPlane()));
+    return 0.5 * m_height / (std::tan(halfFieldOfView) * std::max(sizeDepth(at), reachable(0)));
 }
 
 double OrbitCamera::depthOf(const core::Vec3& point) const
@@ -116,8 +171,16 @@ double OrbitCamera::depthOf(const core::Vec3& point) const
     return (point - eye()).dot(viewDirection());
 }
 
+/// The depth that says how large things are there: in parallel it is one for all.
+double OrbitCamera::sizeDepth(const core::Vec3& point) const
+{
+    return m_projection == Projection::Perspective ? depthOf(point) : m_distance;
+}
+
 double OrbitCamera::nearPlane() const
 {
+    if (m_projection == Projection::Orthographic)
+        return depthOf(m_sceneCenter) - m_sceneRadius * groundReach;
     return std::max(depthOf(m_sceneCenter) - m_sceneRadius * groundReach, 0.02 * m_distance);
 }
 
@@ -143,6 +206,13 @@ Eigen::Matrix4d OrbitCamera::projectionMatrix() const
     Eigen::Matrix4d m = Eigen::Matrix4d::Zero();
     m(0, 0) = f * m_height / m_width;
     m(1, 1) = f;
+    if (m_projection == Projection::Orthographic) {
+        m.topRows<2>() /= m_distance;
+        m(2, 2) = 2 / (n - r);
+        m(2, 3) = (r + n) / (n - r);
+        m(3, 3) = 1;
+        return m;
+    }
     m(2, 2) = (r + n) / (n - r);
     m(2, 3) = 2 * r * n / (n - r);
     m(3, 2) = -1;

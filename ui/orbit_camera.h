@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include <optional>
+
 namespace ui
 {
 /// A camera that turns about a point. World space = model space, mm, Y up; pixels are logical, origin at the top left,
@@ -12,6 +14,10 @@ class OrbitCamera
 {
 public:
     using Pixel = Eigen::Vector2d;
+
+    enum class Projection { Perspective, Orthographic };
+    /// Where the camera stands: Front at +Z, Right at +X, Top at +Y. Front and Top have x to the right.
+    enum class Side { Front, Back, Right, Left, Top, Bottom };
 
     /// Logical pixels, at least 1 x 1.
     void setViewport(double width, double height);
@@ -22,23 +28,36 @@ public:
     /// What near and far plane must hold; frame() sets it too.
     void setScene(const core::Box& box);
 
+    /// The size at the target's depth stays as it is.
+    void setProjection(Projection projection) { m_projection = projection; }
+    Projection projection() const { return m_projection; }
+
+    /// What orbit() and turnTo() turn about; it keeps its place in the picture. None: the scene's centre. It is given up
+    /// when the scene is no longer where it was.
+    void setPivot(const std::optional<core::Vec3>& pivot) { m_pivot = pivot; }
+    core::Vec3 pivot() const { return m_pivot.value_or(m_sceneCenter); }
     /// A drag by so many pixels. The view's height is half a turn.
     void orbit(const Pixel& delta);
+    void turnTo(Side side);
+
+    /// The target moves along the view to the point's depth, the picture stays: pan() and zoom() go by that depth. A
+    /// point too near to zoom to, or behind the eye, counts as the nearest.
+    void setTargetDepth(const core::Vec3& point);
     /// The point at the target's depth follows the pointer.
     void pan(const Pixel& delta);
     /// `factor` < 1 comes nearer. What lies under the pixel at the target's depth stays under it.
     void zoom(double factor, const Pixel& toward);
 
     core::Vec3 target() const { return m_target; }
-    double distance() const { return m_distance; }
+    double distance() const { return m_distance; } ///< from eye to target; says the size in orthographic views too
     core::Vec3 eye() const;
     core::Vec3 viewDirection() const; ///< unit length, from the eye into the picture
     core::Vec3 right() const;
     core::Vec3 up() const;
 
-    /// Origin on the near side, at the eye; unit direction.
+    /// Origin at the eye, in orthographic views on the near plane: ahead of all that is seen. Unit direction.
     core::Ray ray(const Pixel& pixel) const;
-    /// In pixels; a point behind the eye has no meaningful answer.
+    /// In pixels; in perspective a point behind the eye has no meaningful answer.
     Pixel project(const core::Vec3& point) const;
     /// How many logical pixels a length of 1 mm, parallel to the picture at that point, covers.
     double pixelsPerMm(const core::Vec3& at) const;
@@ -47,15 +66,22 @@ public:
     Eigen::Matrix4d viewMatrix() const;
     Eigen::Matrix4d projectionMatrix() const;
 
+    /// Distances from the eye; an orthographic near plane may lie behind it.
     double nearPlane() const;
     double farPlane() const;
 
 private:
+    void turn(double yaw, double pitch);
+    double reachable(double distance) const;
     double depthOf(const core::Vec3& point) const;
+    double sizeDepth(const core::Vec3& point) const;
+    Eigen::Matrix3d axes() const;
 
     double m_width = 1, m_height = 1;
     core::Vec3 m_target = core::Vec3::Zero();
     double m_distance = 300;
+    Projection m_projection = Projection::Perspective;
+    std::optional<core::Vec3> m_pivot;
     double m_yaw = 0.5, m_pitch = 0.35; ///< radians; 0, 0 looks along -Z, pitch > 0 looks down
     core::Vec3 m_sceneCenter = core::Vec3::Zero();
     double m_sceneRadius = 100;

@@ -1,7 +1,15 @@
 #include "pointer_input.h"
 
+#include <cmath>
+
 namespace ui
 {
+namespace
+{
+constexpr double zoomPerHeight = 0.1; ///< a zooming drag over the view's height comes so much nearer
+constexpr double samePixel = 1;       ///< how far a known point may lie from the pointer and still be what is under it
+} // namespace
+
 PointerInput::PointerInput(const BrushSettings* brush, OrbitCamera* camera, QObject* parent)
     : QObject(parent)
     , m_brush(brush)
@@ -29,8 +37,22 @@ void PointerInput::handle(const PointerEvent& event)
 
 void PointerInput::zoom(double factor, const OrbitCamera::Pixel& toward)
 {
+    goByDepthAt(toward);
     m_camera->zoom(factor, toward);
     viewMoved();
+}
+
+void PointerInput::pan(const OrbitCamera::Pixel& delta)
+{
+    m_camera->pan(delta);
+    viewMoved();
+}
+
+/// Where the surface under the pixel is known, it is what panning and zooming hold: the view never runs through it.
+void PointerInput::goByDepthAt(const OrbitCamera::Pixel& pixel)
+{
+    if (m_inside && m_hit && (m_camera->project(m_hit->position) - pixel).norm() <= samePixel)
+        m_camera->setTargetDepth(m_hit->position);
 }
 
 void PointerInput::viewMoved()
@@ -44,7 +66,8 @@ void PointerInput::viewMoved()
 void PointerInput::leave()
 {
     m_inside = false;
-    m_next.reset();
+    if (m_next && !m_next->forPress)
+        m_next.reset();
     Q_EMIT hoverChanged();
 }
 
@@ -92,8 +115,10 @@ void PointerInput::setHover(const std::optional<core::SurfaceHit>& hit)
         m_hit = hit;
         m_answeredPixel = answered.pixel;
     }
+    if (m_drag == Drag::Stroke && hit)
+        m_camera->setPivot(hit->position);
     if (answered.forPress) {
-        drain(hit.has_value());
+        drain(hit);
         Q_EMIT pressDecided();
     }
     if (m_next && !m_inFlight) {
@@ -106,8 +131,8 @@ void PointerInput::setHover(const std::optional<core::SurfaceHit>& hit)
 
 std::optional<core::SurfaceHit> PointerInput::hover() const
 {
-    const bool turning = m_drag == Drag::Orbit || m_drag == Drag::Pan;
-    return m_inside && !turning ? m_hit : std::nullopt;
+    const bool next = m_drag == Drag::None && viewDrag(Qt::LeftButton, m_modifiers) != Drag::None;
+    return m_inside && !movesView() && !next ? m_hit : std::nullopt;
 }
 
 core::Tool PointerInput::tool() const
@@ -115,10 +140,37 @@ core::Tool PointerInput::tool() const
     return strokeOpen() ? m_strokeTool : toolWith(m_brush->tool(), m_modifiers);
 }
 
-/// A left press at a place that no answer is about.
+/// How a press moves the view, wherever it is; None: it does not, or that depends on what is under it.
+PointerInput::Drag PointerInput::viewDrag(Qt::MouseButton button, Qt::KeyboardModifiers modifiers)
+{
+    struct Row
+    {
+        Qt::MouseButton button;
+        Qt::KeyboardModifier held;
+        Drag drag;
+    };
+    static constexpr Row table[] = {
+        {Qt::LeftButton, Qt::AltModifier, Drag::Orbit},      {Qt::MiddleButton, Qt::AltModifier, Drag::Pan},
+        {Qt::RightButton, Qt::AltModifier, Drag::Zoom},      {Qt::MiddleButton, Qt::ShiftModifier, Drag::Pan},
+        {Qt::MiddleButton, Qt::ControlModifier, Drag::Zoom}, {Qt::MiddleButton, Qt::NoModifier, Drag::Orbit},
+        {Qt::RightButton, Qt::NoModifier, Drag::Pan},
+    };
+    for (const Row& row : table)
+        if (row.button == button && (row.held == Qt::NoModifier || (modifiers & row.held)))
+            return row.drag;
+    return Drag::None;
+}
+
+bool PointerInput::movesView() const
+{
+    return m_drag == Drag::Orbit || m_drag == Drag::Pan || m_drag == Drag::Zoom;
+}
+
+/// A left press for the brush at a place that no answer is about.
 bool PointerInput::isUndecided(const PointerEvent& event) const
 {
-    return event.kind == PointerEvent::Kind::Press && event.button == Qt::LeftButton && m_drag == Drag::None &&
+    return event.kind == PointerEvent::Kind::Press && event.button == Qt::LeftButton &&
+           viewDrag(event.button, event.modifiers) == Drag::None && m_drag == Drag::None &&
            m_answeredPixel != event.pixel;
 }
 
@@ -155,22 +207,25 @@ void PointerInput::process(const Waiting& waiting)
 void PointerInput::press(const Waiting& waiting)
 {
     if (m_drag == Drag::None)
-        begin(waiting, m_hit.has_value());
+        begin(waiting, m_hit);
 }
 
-void PointerInput::begin(const Waiting& press, bool onModel)
+void PointerInput::begin(const Waiting& press, const std::optional<core::SurfaceHit>& hit)
 {
+    m_drag = viewDrag(press.event.button, press.event.modifiers);
+    if (m_drag == Drag::None && press.event.button == Qt::LeftButton)
+        m_drag = hit ? Drag::Stroke : Drag::Orbit;
+    if (m_drag == Drag::None)
+        return;
     m_dragButton = press.event.button;
-    m_last = press.event.pixel;
-    if (press.event.button == Qt::LeftButton && onModel) {
-        m_drag = Drag::Stroke;
+    m_pressed = m_last = press.event.pixel;
+    if (m_drag == Drag::Stroke) {
         m_strokeTool = press.settings.tool;
+        m_camera->setPivot(hit->position);
         Q_EMIT strokeBegan(press.settings);
         sample(press);
-    } else {
-        const bool pans = press.event.button == Qt::RightButton ||
-                          (press.event.button == Qt::MiddleButton && (press.event.modifiers & Qt::ShiftModifier));
-        m_drag = pans ? Drag::Pan : Drag::Orbit;
+    } else if (m_drag != Drag::Orbit) {
+        goByDepthAt(m_pressed);
     }
     Q_EMIT hoverChanged();
 }
@@ -191,8 +246,8 @@ void PointerInput::end()
 
 void PointerInput::move(const Waiting& waiting)
 {
-    if (m_drag == Drag::Orbit || m_drag == Drag::Pan) {
-        turnView(waiting.event.pixel - m_last);
+    if (movesView()) {
+        moveView(waiting.event.pixel - m_last);
         return;
     }
     if (m_drag == Drag::Stroke)
@@ -201,11 +256,11 @@ void PointerInput::move(const Waiting& waiting)
 }
 
 /// The press at the front is decided; what came after it follows, up to the next press that needs an answer.
-void PointerInput::drain(bool onModel)
+void PointerInput::drain(const std::optional<core::SurfaceHit>& hit)
 {
     std::deque<Waiting> events;
     events.swap(m_waiting);
-    begin(events.front(), onModel);
+    begin(events.front(), hit);
     events.pop_front();
     while (!events.empty()) {
         const Waiting waiting = events.front();
@@ -229,10 +284,14 @@ void PointerInput::sample(const Waiting& waiting)
     Q_EMIT strokeSampled(sample);
 }
 
-void PointerInput::turnView(const OrbitCamera::Pixel& delta)
+/// A zooming drag to the right or up comes nearer to where it began.
+void PointerInput::moveView(const OrbitCamera::Pixel& delta)
 {
+    const double nearer = (delta.x() - delta.y()) / m_camera->viewport().y();
     if (m_drag == Drag::Pan)
         m_camera->pan(delta);
+    else if (m_drag == Drag::Zoom)
+        m_camera->zoom(std::pow(zoomPerHeight, nearer), m_pressed);
     else
         m_camera->orbit(delta);
     viewMoved();

@@ -26,9 +26,10 @@ struct PointerEvent
     double pressure = 1;
 };
 
-/// Decides what a drag is: a stroke, or a turn or a move of the view. A left press is a stroke if it is on the model;
-/// that is asked by a hover question, and what happens before the answer waits in a queue. Gui thread, no widget, no
-/// OpenGL.
+/// Decides what a drag is: a stroke, or a turn, a move or a zoom of the view. A left press is a stroke if it is on the
+/// model, else it turns the view; that is asked by a hover question, and what happens before the answer waits in a queue.
+/// The other buttons, and any with Alt, move the view wherever they are pressed. The view turns about the place of the
+/// last stroke. Gui thread, no widget, no OpenGL.
 class PointerInput : public QObject
 {
     Q_OBJECT
@@ -38,7 +39,9 @@ public:
     PointerInput(const BrushSettings* brush, OrbitCamera* camera, QObject* parent = nullptr);
 
     void handle(const PointerEvent& event);
+    /// `factor` < 1 comes nearer; what lies under the pixel stays there.
     void zoom(double factor, const OrbitCamera::Pixel& toward);
+    void pan(const OrbitCamera::Pixel& delta);
     /// The pointer left the view.
     void leave();
     /// Ends whatever drag is going on, as a release would.
@@ -72,7 +75,7 @@ Q_SIGNALS:
     void viewChanged();
 
 private:
-    enum class Drag { None, Stroke, Orbit, Pan };
+    enum class Drag { None, Stroke, Orbit, Pan, Zoom };
 
     /// An event with what was true when it came.
     struct Waiting
@@ -92,19 +95,23 @@ private:
     void process(const Waiting& waiting);
     void press(const Waiting& waiting);
     void move(const Waiting& waiting);
-    void begin(const Waiting& press, bool onModel);
+    void begin(const Waiting& press, const std::optional<core::SurfaceHit>& hit);
     void end();
-    void drain(bool onModel);
+    void drain(const std::optional<core::SurfaceHit>& hit);
+    static Drag viewDrag(Qt::MouseButton button, Qt::KeyboardModifiers modifiers);
+    bool movesView() const;
     bool isUndecided(const PointerEvent& event) const;
+    void goByDepthAt(const OrbitCamera::Pixel& pixel);
     void ask(Question question);
     void sample(const Waiting& waiting);
-    void turnView(const OrbitCamera::Pixel& delta);
+    void moveView(const OrbitCamera::Pixel& delta);
 
     const BrushSettings* m_brush;
     OrbitCamera* m_camera;
 
     Drag m_drag = Drag::None;
     Qt::MouseButton m_dragButton = Qt::NoButton;
+    OrbitCamera::Pixel m_pressed{0, 0}; ///< where the drag began
     OrbitCamera::Pixel m_last{0, 0};
     bool m_inside = false;
     core::Tool m_strokeTool = core::Tool::Pull;

@@ -2,6 +2,7 @@
 
 #include "pointer_input.h"
 #include "scene.h"
+#include "touch_input.h"
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -83,6 +84,7 @@ struct Viewport::State
     BrushSettings* brush;
     OrbitCamera camera;
     PointerInput input{brush, &camera};
+    TouchInput touch{&input};
     std::unique_ptr<Scene> scene;
     core::Box box;
     std::function<std::optional<core::MeshPatch>()> take;
@@ -150,6 +152,7 @@ Viewport::Viewport(BrushSettings* brush, QWidget* parent)
 {
     setMouseTracking(true);
     setTabletTracking(true);
+    setAttribute(Qt::WA_AcceptTouchEvents);
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(200, 150);
     setAccessibleName(tr("Model"));
@@ -198,6 +201,7 @@ void Viewport::showModel(const core::Box& box)
     if (m_state->scene && m_state->scene->usable())
         m_state->scene->placeGround(box);
     m_state->input.forgetHover();
+    m_state->camera.setPivot({});
     frame();
 }
 
@@ -210,6 +214,18 @@ void Viewport::setBox(const core::Box& box)
 void Viewport::frame()
 {
     m_state->camera.frame(m_state->box);
+    m_state->input.viewMoved();
+}
+
+void Viewport::turnTo(OrbitCamera::Side side)
+{
+    m_state->camera.turnTo(side);
+    m_state->input.viewMoved();
+}
+
+void Viewport::setProjection(OrbitCamera::Projection projection)
+{
+    m_state->camera.setProjection(projection);
     m_state->input.viewMoved();
 }
 
@@ -345,11 +361,24 @@ void Viewport::leaveEvent(QEvent* event)
     QOpenGLWidget::leaveEvent(event);
 }
 
-/// A dialog that opens over us, or a view that vanishes, swallows the release.
+/// Qt has no handler for fingers alone. A dialog that opens over us, or a view that vanishes, swallows the release.
 bool Viewport::event(QEvent* event)
 {
-    if (event->type() == QEvent::WindowBlocked || event->type() == QEvent::Hide)
+    switch (event->type()) {
+    case QEvent::TouchBegin:
+    case QEvent::TouchUpdate:
+    case QEvent::TouchEnd:
+    case QEvent::TouchCancel:
+        m_state->touch.handle(*static_cast<QTouchEvent*>(event));
+        event->accept(); // or Qt would send the same again as a mouse's
+        return true;
+    case QEvent::WindowBlocked:
+    case QEvent::Hide:
         finish();
+        break;
+    default:
+        break;
+    }
     return QOpenGLWidget::event(event);
 }
 

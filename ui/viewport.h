@@ -33,10 +33,10 @@ struct ViewportStats
     double worstLatencyMs = 0;
 };
 
-/// Shows the clay and turns mouse and pen into strokes. Knows no mesh: it draws the patches it takes and asks where the
+/// Shows the clay and turns mouse, pen and fingers into strokes. Knows no mesh: it draws the patches it takes and asks where the
 /// surface is. Lives on the gui thread; every signal is emitted there.
 ///
-/// A left press is a stroke if it is on the model, else it turns the view. Whether it is on the model is the answer to
+/// A left press, or a finger, is a stroke if it is on the model, else it turns the view. Whether it is on the model is the answer to
 /// a hover question; events that come before the answer wait for it, none is lost.
 class Viewport : public QOpenGLWidget
 {
@@ -56,6 +56,8 @@ public:
     void setBox(const core::Box& box);
     /// Shows the whole box from the present direction.
     void frame();
+    void turnTo(OrbitCamera::Side side);
+    void setProjection(OrbitCamera::Projection projection);
 
     const OrbitCamera& camera() const;
     const ViewportStats& stats() const;

@@ -1,7 +1,7 @@
 #version 330 core
 // Hemisphere of sky and table, a key light over the viewer's left shoulder, a cool rim, a soft highlight. All linear;
 // `encodeSrgb` is 1 where the target is not an sRGB image.
-in vec3 eyePosition;
+in vec3 toEye;
 in vec3 eyeNormal;
 in vec3 worldNormal;
 in vec3 albedo;
@@ -33,7 +33,7 @@ vec3 soften(vec3 c)
 void main()
 {
     vec3 n = normalize(eyeNormal);
-    vec3 v = normalize(-eyePosition);
+    vec3 v = normalize(toEye);
     float key = dot(n, keyDirection);
     float wrapped = max((key + 0.18) / 1.18, 0.0);
     float fill = max(dot(n, fillDirection), 0.0);

@@ -5,9 +5,9 @@ layout(location = 1) in vec4 normal;
 layout(location = 2) in vec4 color; // sRGB
 
 uniform mat4 view;       // mm to eye space
-uniform mat4 projection;
+uniform mat4 projection; // perspective or orthographic
 
-out vec3 eyePosition;
+out vec3 toEye; // eye space, any length
 out vec3 eyeNormal;
 out vec3 worldNormal;
 out vec3 albedo; // linear
@@ -20,7 +20,7 @@ vec3 toLinear(vec3 c)
 void main()
 {
     vec4 eye = view * vec4(position, 1.0);
-    eyePosition = eye.xyz;
+    toEye = mix(-eye.xyz, vec3(0.0, 0.0, 1.0), projection[3][3]);
     eyeNormal = mat3(view) * normal.xyz;
     worldNormal = normal.xyz;
     albedo = toLinear(color.rgb);

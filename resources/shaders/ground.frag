@@ -3,7 +3,9 @@
 // Everything fades before it would shimmer.
 in vec3 world;
 
-uniform vec3 eyePosition; // Qt3D's, world space
+uniform vec3 eyePosition;      // Qt3D's, world space
+uniform mat4 viewMatrix;       // Qt3D's
+uniform mat4 projectionMatrix; // Qt3D's, perspective or orthographic
 uniform float cell;       // mm between the finest lines
 uniform vec3 center;      // mm; the ground under the model
 uniform float reach;      // mm; where the grid has faded away
@@ -28,7 +30,8 @@ void main()
     vec2 p = world.xz;
     float away = length(p - center.xz) / reach;
     float fade = pow(clamp(1.0 - away, 0.0, 1.0), 1.5);
-    vec3 toEye = normalize(eyePosition - world);
+    vec3 back = vec3(viewMatrix[0][2], viewMatrix[1][2], viewMatrix[2][2]);
+    vec3 toEye = normalize(mix(eyePosition - world, back, projectionMatrix[3][3]));
     fade *= smoothstep(0.02, 0.22, abs(toEye.y));
     float line = max(0.45 * lines(p, cell), lines(p, 10.0 * cell)) * lineAlpha * fade;
 

@@ -58,6 +58,9 @@ private Q_SLOTS:
         QVERIFY(has("brush.smaller", "[") && has("brush.larger", "]"));
         QVERIFY(has("help.keys", "F1") && has("help.keys", "F3"));
         QVERIFY(has("view.frame", "Home") && has("view.frame", "."));
+        QVERIFY(has("view.front", "Num+1") && has("view.right", "Num+3") && has("view.top", "Num+7"));
+        QVERIFY(has("view.back", "Ctrl+Num+1") && has("view.left", "Ctrl+Num+3") && has("view.bottom", "Ctrl+Num+7"));
+        QVERIFY(has("view.orthographic", "Num+5"));
     }
 
     void theTableIsWhatTheActionsAre()

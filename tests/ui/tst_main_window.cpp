@@ -288,6 +288,75 @@ private Q_SLOTS:
         QCOMPARE(current(), first);
     }
 
+    /// The digits of the number pad are sides, those above the letters are tools.
+    void theNumberPadTurnsTheView()
+    {
+        MainWindow window;
+        window.setModel(facts(QStringLiteral("a"), 100));
+        window.show();
+        window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        act(window, "tool.smooth")->trigger();
+        const auto looksAlong = [&](Qt::Key key, Qt::KeyboardModifiers keys, const core::Vec3& direction) {
+            QTest::keyClick(&window, key, keys | Qt::KeypadModifier);
+            return (window.viewport()->camera().viewDirection() - direction).norm() < 1e-9;
+        };
+        QVERIFY(looksAlong(Qt::Key_1, {}, {0, 0, -1}) && looksAlong(Qt::Key_1, Qt::ControlModifier, {0, 0, 1}));
+        QVERIFY(looksAlong(Qt::Key_3, {}, {-1, 0, 0}) && looksAlong(Qt::Key_3, Qt::ControlModifier, {1, 0, 0}));
+        QVERIFY(looksAlong(Qt::Key_7, {}, {0, -1, 0}) && looksAlong(Qt::Key_7, Qt::ControlModifier, {0, 1, 0}));
+        QCOMPARE(window.strokeSettings().tool, core::Tool::Smooth);
+        QTest::keyClick(&window, Qt::Key_1);
+        QCOMPARE(window.strokeSettings().tool, core::Tool::Pull);
+        QVERIFY(looksAlong(Qt::Key_7, Qt::ControlModifier, {0, 1, 0})); // and that turned nothing
+
+        // The window takes the pad's keys before Qt looks for shortcuts: on X11 it would find those of other keys.
+        QKeyEvent ofPad(QEvent::ShortcutOverride, Qt::Key_1, Qt::KeypadModifier);
+        ofPad.ignore();
+        QCoreApplication::sendEvent(&window, &ofPad);
+        QVERIFY(ofPad.isAccepted());
+        QKeyEvent elsewhere(QEvent::ShortcutOverride, Qt::Key_1, Qt::NoModifier);
+        elsewhere.ignore();
+        QCoreApplication::sendEvent(&window, &elsewhere);
+        QVERIFY(!elsewhere.isAccepted());
+    }
+
+    void theNumberPadTypesNumbers()
+    {
+        MainWindow window;
+        window.setModel(facts(QStringLiteral("a"), 100));
+        window.show();
+        window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        const core::Vec3 direction = window.viewport()->camera().viewDirection();
+        auto* box = child<QDoubleSpinBox>(window, "radius.box");
+        box->setFocus();
+        box->selectAll();
+        QTest::keyClick(box, Qt::Key_1, Qt::KeypadModifier);
+        QTest::keyClick(box, Qt::Key_7, Qt::KeypadModifier);
+        QTest::keyClick(box, Qt::Key_Return);
+        QCOMPARE(window.strokeSettings().radius, 17.0);
+        QCOMPARE(window.viewport()->camera().viewDirection(), direction);
+    }
+
+    void theMenuTurnsTheView()
+    {
+        MainWindow window;
+        window.setModel(facts(QStringLiteral("a"), 100));
+        const ui::OrbitCamera& camera = window.viewport()->camera();
+        QList<core::Vec3> seen;
+        for (const char* id : {"view.front", "view.back", "view.right", "view.left", "view.top", "view.bottom"}) {
+            act(window, id)->trigger();
+            for (const core::Vec3& direction : seen)
+                QVERIFY2((camera.viewDirection() - direction).norm() > 1, id);
+            seen << camera.viewDirection();
+        }
+        act(window, "view.orthographic")->trigger();
+        QCOMPARE(camera.projection(), ui::OrbitCamera::Projection::Orthographic);
+        QVERIFY(act(window, "view.orthographic")->isChecked());
+        act(window, "view.orthographic")->trigger();
+        QCOMPARE(camera.projection(), ui::OrbitCamera::Projection::Perspective);
+    }
+
     void undoIsWordedFromOutside()
     {
         MainWindow window;

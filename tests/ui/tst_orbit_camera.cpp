@@ -8,18 +8,50 @@ using core::Box;
 using core::Vec3;
 using ui::OrbitCamera;
 using Pixel = OrbitCamera::Pixel;
+using Projection = OrbitCamera::Projection;
+using Side = OrbitCamera::Side;
 
 namespace
 {
 constexpr double tolerance = 1e-6;
+const Box someBox(Vec3(-30, -10, -50), Vec3(40, 60, 20));
 
-OrbitCamera framed(double width = 1280, double height = 720,
-                   const Box& box = Box(Vec3(-30, -10, -50), Vec3(40, 60, 20)))
+OrbitCamera framed(double width = 1280, double height = 720, const Box& box = someBox,
+                   Projection projection = Projection::Perspective)
 {
     OrbitCamera camera;
     camera.setViewport(width, height);
+    camera.setProjection(projection);
     camera.frame(box);
     return camera;
+}
+
+OrbitCamera framed(Projection projection)
+{
+    return framed(1280, 720, someBox, projection);
+}
+
+void addProjections()
+{
+    QTest::addColumn<Projection>("projection");
+    QTest::newRow("perspective") << Projection::Perspective;
+    QTest::newRow("orthographic") << Projection::Orthographic;
+}
+
+/// Points in the scene.
+std::vector<Vec3> points()
+{
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> share(0, 1);
+    std::vector<Vec3> all;
+    for (int i = 0; i < 50; ++i)
+        all.push_back(someBox.min() + Vec3(share(random), share(random), share(random)).cwiseProduct(someBox.sizes()));
+    return all;
+}
+
+double depthOf(const OrbitCamera& camera, const Vec3& p)
+{
+    return (p - camera.eye()).dot(camera.viewDirection());
 }
 
 /// Through both matrices, to a pixel.
@@ -36,11 +68,13 @@ class TestOrbitCamera : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void rayAndProjectionAreInverse_data() { addProjections(); }
     void rayAndProjectionAreInverse()
     {
+        QFETCH(Projection, projection);
         std::mt19937 random(1);
         std::uniform_real_distribution<double> x(0, 1280), y(0, 720), along(1, 500);
-        OrbitCamera camera = framed();
+        OrbitCamera camera = framed(projection);
         for (int i = 0; i < 1000; ++i) {
             const Pixel pixel(x(random), y(random));
             const core::Ray ray = camera.ray(pixel);
@@ -55,17 +89,21 @@ private Q_SLOTS:
     {
         QTest::addColumn<double>("width");
         QTest::addColumn<double>("height");
-        QTest::newRow("wide") << 1600.0 << 500.0;
-        QTest::newRow("tall") << 300.0 << 900.0;
-        QTest::newRow("tiny") << 1.0 << 1.0;
+        QTest::addColumn<Projection>("projection");
+        QTest::newRow("wide") << 1600.0 << 500.0 << Projection::Perspective;
+        QTest::newRow("tall") << 300.0 << 900.0 << Projection::Perspective;
+        QTest::newRow("tiny") << 1.0 << 1.0 << Projection::Perspective;
+        QTest::newRow("wide, orthographic") << 1600.0 << 500.0 << Projection::Orthographic;
+        QTest::newRow("tall, orthographic") << 300.0 << 900.0 << Projection::Orthographic;
     }
 
     void frameShowsTheWholeBox()
     {
         QFETCH(double, width);
         QFETCH(double, height);
+        QFETCH(Projection, projection);
         const Box box(Vec3(100, 200, -50), Vec3(104, 290, -20));
-        OrbitCamera camera = framed(width, height, box);
+        OrbitCamera camera = framed(width, height, box, projection);
         for (int turn = 0; turn < 20; ++turn) {
             camera.orbit({0.17 * height, 0.09 * height * (turn % 3 - 1)});
             camera.frame(box);
@@ -89,7 +127,7 @@ private Q_SLOTS:
         QVERIFY(camera.distance() > 100 && camera.distance() < 1000);
     }
 
-    void orbitTurnsAboutTheTarget()
+    void orbitTurnsAboutTheModelsCentreAtFirst()
     {
         OrbitCamera camera = framed();
         const Vec3 target = camera.target();
@@ -119,25 +157,167 @@ private Q_SLOTS:
         QVERIFY((camera.viewDirection() - Vec3(0, 1, 0)).norm() < tolerance);
     }
 
+    void panFollowsThePointer_data() { addProjections(); }
     void panFollowsThePointer()
     {
-        OrbitCamera camera = framed();
+        QFETCH(Projection, projection);
+        OrbitCamera camera = framed(projection);
         const Vec3 held = camera.target();
         const Pixel before = camera.project(held);
         camera.pan({37, -81});
         QVERIFY((camera.project(held) - before - Pixel(37, -81)).norm() < tolerance);
     }
 
+    void zoomHoldsWhatLiesUnderThePointer_data() { addProjections(); }
     void zoomHoldsWhatLiesUnderThePointer()
     {
-        OrbitCamera camera = framed();
+        QFETCH(Projection, projection);
+        OrbitCamera camera = framed(projection);
         const Pixel pointer(900, 200);
         const core::Ray ray = camera.ray(pointer);
-        const Vec3 held = ray.origin + ray.direction * (camera.distance() / ray.direction.dot(camera.viewDirection()));
-        const double before = camera.distance();
+        const double before = camera.distance(), size = camera.pixelsPerMm(camera.target());
+        const Vec3 held = ray.origin + 0.999 * (before - depthOf(camera, ray.origin)) * ray.direction;
         camera.zoom(0.5, pointer);
         QVERIFY(std::abs(camera.distance() - before / 2) < tolerance);
+        QVERIFY(std::abs(camera.pixelsPerMm(camera.target()) - 2 * size) < tolerance);
         QVERIFY((camera.project(held) - pointer).norm() < tolerance);
+    }
+
+    /// Whatever the view was before, and however far from the middle the pivot is seen.
+    void thePivotKeepsItsPlaceInThePicture_data() { addProjections(); }
+    void thePivotKeepsItsPlaceInThePicture()
+    {
+        QFETCH(Projection, projection);
+        for (const Vec3& pivot : points()) {
+            OrbitCamera camera = framed(projection);
+            camera.setPivot(pivot);
+            camera.pan({111, -70});
+            camera.zoom(0.7, {300, 500});
+            const Pixel place = camera.project(pivot);
+            const double depth = depthOf(camera, pivot);
+            for (const Pixel& by : {Pixel(50, 20), Pixel(-300, 5), Pixel(3, 1e5), Pixel(80, -200)}) {
+                const Vec3 before = camera.viewDirection();
+                camera.orbit(by);
+                QVERIFY((camera.viewDirection() - before).norm() > 1e-3);
+                QVERIFY((camera.project(pivot) - place).norm() < tolerance);
+                QVERIFY(std::abs(depthOf(camera, pivot) - depth) < tolerance);
+            }
+            for (const Side side : {Side::Top, Side::Left, Side::Front, Side::Back, Side::Bottom, Side::Right}) {
+                camera.turnTo(side);
+                QVERIFY((camera.project(pivot) - place).norm() < tolerance);
+            }
+        }
+    }
+
+    void aPivotThatTheSceneHasLeftIsGivenUp()
+    {
+        OrbitCamera camera = framed();
+        const Vec3 corner = someBox.max();
+        camera.setPivot(corner);
+        camera.setScene(Box(someBox.min(), someBox.max() + Vec3(1, 1, 1)));
+        QCOMPARE(camera.pivot(), corner);
+        const Box moved(someBox.min() + Vec3(500, 0, 0), someBox.max() + Vec3(500, 0, 0));
+        camera.setScene(moved);
+        QCOMPARE(camera.pivot(), Vec3(moved.center()));
+    }
+
+    void sidesShowTheAxes_data()
+    {
+        QTest::addColumn<Side>("side");
+        QTest::addColumn<int>("rightAxis"); ///< 1, 2, 3: x, y, z; negative: against it
+        QTest::addColumn<int>("upAxis");
+        QTest::newRow("front") << Side::Front << 1 << 2;
+        QTest::newRow("back") << Side::Back << -1 << 2;
+        QTest::newRow("right") << Side::Right << -3 << 2;
+        QTest::newRow("left") << Side::Left << 3 << 2;
+        QTest::newRow("top") << Side::Top << 1 << -3;
+        QTest::newRow("bottom") << Side::Bottom << 1 << 3;
+    }
+
+    void sidesShowTheAxes()
+    {
+        QFETCH(Side, side);
+        QFETCH(int, rightAxis);
+        QFETCH(int, upAxis);
+        for (const Projection projection : {Projection::Perspective, Projection::Orthographic}) {
+            OrbitCamera camera = framed(projection);
+            camera.orbit({77, -33});
+            camera.turnTo(side);
+            const auto step = [&](int axis) {
+                const Vec3 along = Vec3::Unit(std::abs(axis) - 1) * (axis < 0 ? -1 : 1);
+                return Pixel((camera.project(camera.target() + along) - camera.project(camera.target())).normalized());
+            };
+            QVERIFY((step(rightAxis) - Pixel(1, 0)).norm() < tolerance);
+            QVERIFY((step(upAxis) - Pixel(0, -1)).norm() < tolerance);
+        }
+    }
+
+    /// Equal and parallel lengths are equal and parallel in the picture, wherever they lie; in perspective they are not.
+    void parallelsStayParallel_data() { addProjections(); }
+    void parallelsStayParallel()
+    {
+        QFETCH(Projection, projection);
+        const OrbitCamera camera = framed(projection);
+        const Vec3 along(10, 6, -20);
+        double largest = 0;
+        for (const Vec3& a : points())
+            for (const Vec3& b : points())
+                largest = std::max(largest, ((camera.project(a + along) - camera.project(a)) -
+                                             (camera.project(b + along) - camera.project(b)))
+                                                .norm());
+        QVERIFY(projection == Projection::Orthographic ? largest < tolerance : largest > 10);
+    }
+
+    void theProjectionKeepsTheSizeAtTheTarget()
+    {
+        OrbitCamera camera = framed();
+        const double size = camera.pixelsPerMm(camera.target());
+        camera.setProjection(Projection::Orthographic);
+        QVERIFY(std::abs(camera.pixelsPerMm(camera.target()) - size) < tolerance);
+        QVERIFY((camera.project(camera.target()) - camera.viewport() / 2).norm() < tolerance);
+    }
+
+    void anotherDepthIsTheSamePicture_data() { addProjections(); }
+    void anotherDepthIsTheSamePicture()
+    {
+        QFETCH(Projection, projection);
+        for (const Vec3& chosen : points()) {
+            OrbitCamera camera = framed(projection);
+            const OrbitCamera before = camera;
+            camera.setTargetDepth(chosen);
+            for (const Vec3& p : points())
+                QVERIFY((camera.project(p) - before.project(p)).norm() < tolerance);
+            camera.pan({37, -81});
+            QVERIFY((camera.project(chosen) - before.project(chosen) - Pixel(37, -81)).norm() < tolerance);
+        }
+    }
+
+    /// However long one zooms in, a surface whose depth is told stays before the eye and in its place.
+    void zoomDoesNotRunThroughTheSurface_data() { addProjections(); }
+    void zoomDoesNotRunThroughTheSurface()
+    {
+        QFETCH(Projection, projection);
+        OrbitCamera camera = framed(projection);
+        const Vec3 surface = someBox.max();
+        const Pixel pointer = camera.project(surface);
+        for (int i = 0; i < 200; ++i) {
+            camera.setTargetDepth(surface);
+            camera.zoom(0.9, pointer);
+            QVERIFY((camera.project(surface) - pointer).norm() < 1e-3);
+            QVERIFY(depthOf(camera, surface) > camera.nearPlane() && depthOf(camera, surface) < camera.farPlane());
+        }
+    }
+
+    /// Or a stroke would begin inside the model.
+    void parallelRaysBeginBeforeTheScene()
+    {
+        OrbitCamera camera = framed(Projection::Orthographic);
+        camera.zoom(1e-2, {200, 300});
+        for (int i = 0; i < 8; ++i) {
+            camera.orbit({90, 40});
+            for (const Vec3& p : points())
+                QVERIFY((p - camera.ray(camera.project(p)).origin).dot(camera.viewDirection()) > 0);
+        }
     }
 
     void zoomHasEnds()
@@ -151,9 +331,11 @@ private Q_SLOTS:
         QVERIFY(std::isfinite(camera.distance()) && camera.farPlane() > camera.distance());
     }
 
+    void pixelsPerMmIsWhatAShortLengthCovers_data() { addProjections(); }
     void pixelsPerMmIsWhatAShortLengthCovers()
     {
-        const OrbitCamera camera = framed();
+        QFETCH(Projection, projection);
+        const OrbitCamera camera = framed(projection);
         const Vec3 at(10, 20, -5);
         const double covered = (camera.project(at + camera.right()) - camera.project(at)).norm();
         QVERIFY(std::abs(covered - camera.pixelsPerMm(at)) < tolerance);

@@ -153,6 +153,116 @@ private Q_SLOTS:
         QVERIFY(r.log.isEmpty());
     }
 
+    /// Wherever the press is: on the model, where a brush would work.
+    void everyButtonHasItsView_data()
+    {
+        QTest::addColumn<Qt::MouseButton>("button");
+        QTest::addColumn<Qt::KeyboardModifiers>("keys");
+        QTest::addColumn<QString>("expected");
+        const auto row = [](const char* name, Qt::MouseButton button, Qt::KeyboardModifiers keys,
+                            const char* expected) {
+            QTest::newRow(name) << button << keys << QString::fromLatin1(expected);
+        };
+        row("middle", Qt::MiddleButton, Qt::NoModifier, "orbit");
+        row("shift, middle", Qt::MiddleButton, Qt::ShiftModifier, "pan");
+        row("ctrl, middle", Qt::MiddleButton, Qt::ControlModifier, "zoom");
+        row("right", Qt::RightButton, Qt::NoModifier, "pan");
+        row("alt, left", Qt::LeftButton, Qt::AltModifier, "orbit");
+        row("alt, middle", Qt::MiddleButton, Qt::AltModifier, "pan");
+        row("alt, right", Qt::RightButton, Qt::AltModifier, "zoom");
+        row("back", Qt::BackButton, Qt::NoModifier, "nothing");
+    }
+
+    void everyButtonHasItsView()
+    {
+        QFETCH(Qt::MouseButton, button);
+        QFETCH(Qt::KeyboardModifiers, keys);
+        QFETCH(QString, expected);
+        for (const bool isKnown : {false, true}) {
+            Recorder r;
+            if (isKnown)
+                r.rest({400, 300}, somewhere);
+            const ui::OrbitCamera before = r.camera;
+            r.send(Kind::Press, {400, 300}, button, keys);
+            r.send(Kind::Move, {460, 290}, button, keys);
+            r.send(Kind::Release, {460, 290}, button, keys);
+            const bool turned = (r.camera.viewDirection() - before.viewDirection()).norm() > 0.01;
+            const bool nearer =
+                r.camera.pixelsPerMm(somewhere.position) > 1.05 * before.pixelsPerMm(somewhere.position);
+            const bool moved = (r.camera.target() - before.target()).norm() > 1 && !turned && !nearer;
+            QCOMPARE(turned   ? QStringLiteral("orbit")
+                     : nearer ? QStringLiteral("zoom")
+                     : moved  ? QStringLiteral("pan")
+                              : QStringLiteral("nothing"),
+                     expected);
+            QVERIFY(r.log.isEmpty());
+        }
+    }
+
+    void theViewTurnsAboutTheLastStroke()
+    {
+        Recorder r;
+        const core::Vec3 first(10, 20, 30), last(-10, 5, 30);
+        r.rest({400, 300}, core::SurfaceHit{first, core::Vec3(0, 0, 1), 100, 0});
+        r.send(Kind::Press, {400, 300});
+        QCOMPARE(r.camera.pivot(), first);
+        r.send(Kind::Move, {300, 300});
+        r.input.setHover(core::SurfaceHit{last, core::Vec3(0, 0, 1), 100, 0});
+        r.send(Kind::Release, {300, 300});
+        const Pixel place = r.camera.project(last);
+        r.send(Kind::Press, {300, 300}, Qt::MiddleButton);
+        r.send(Kind::Move, {390, 340});
+        r.send(Kind::Release, {390, 340}, Qt::MiddleButton);
+        QCOMPARE(r.camera.pivot(), last);
+        QVERIFY((r.camera.project(last) - place).norm() < 1e-6);
+        r.input.setHover(core::SurfaceHit{first, core::Vec3(0, 0, 1), 100, 0}); // no stroke, only a pointer
+        QCOMPARE(r.camera.pivot(), last);
+    }
+
+    void aTapIsTheLastStrokeToo()
+    {
+        Recorder r;
+        r.send(Kind::Press, {400, 300});
+        r.send(Kind::Release, {400, 300});
+        r.input.setHover(somewhere);
+        QCOMPARE(r.camera.pivot(), somewhere.position);
+    }
+
+    void panningHoldsTheSurface()
+    {
+        Recorder r;
+        const core::Ray ray = r.camera.ray({150, 420});
+        const core::Vec3 grabbed = ray.origin + 0.6 * r.camera.distance() * ray.direction;
+        r.rest({150, 420}, core::SurfaceHit{grabbed, -ray.direction, 100, 0});
+        r.send(Kind::Press, {150, 420}, Qt::RightButton);
+        r.send(Kind::Move, {250, 380});
+        QVERIFY((r.camera.project(grabbed) - Pixel(250, 380)).norm() < 1e-6);
+    }
+
+    void altHidesTheCursor()
+    {
+        Recorder r;
+        r.rest({400, 300}, somewhere);
+        r.input.setModifiers(Qt::AltModifier);
+        QVERIFY(!r.input.hover());
+        r.input.setModifiers(Qt::NoModifier);
+        QVERIFY(r.input.hover());
+    }
+
+    /// A finger is gone as soon as it is lifted; its press still waits for its turn to be asked about.
+    void leavingDoesNotLoseAPress()
+    {
+        Recorder r;
+        r.send(Kind::Move, {100, 100}); // in flight
+        r.send(Kind::Press, {400, 300});
+        r.send(Kind::Release, {400, 300});
+        r.input.leave();
+        r.input.setHover({});
+        r.input.setHover(somewhere);
+        QCOMPARE(r.log, strokeOf(1));
+        QVERIFY(!r.input.pressWaits());
+    }
+
     void rightMoves()
     {
         Recorder r;

@@ -14,6 +14,22 @@ namespace
 {
 const QPoint onModel{200, 150}, besideModel{8, 8};
 
+using Projection = ui::OrbitCamera::Projection;
+
+void addProjections()
+{
+    QTest::addColumn<Projection>("projection");
+    QTest::newRow("perspective") << Projection::Perspective;
+    QTest::newRow("orthographic") << Projection::Orthographic;
+}
+
+void turnWheel(ui::Viewport& viewport, QPoint at, int notches)
+{
+    QWheelEvent event(at, viewport.mapToGlobal(at), {}, {0, 120 * notches}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(&viewport, &event);
+}
+
 /// A viewport with a ball in it and somebody who answers its questions.
 struct Stage
 {
@@ -244,12 +260,190 @@ private Q_SLOTS:
     {
         Stage s;
         const double distance = s.viewport.camera().distance();
-        QWheelEvent event(onModel, s.viewport.mapToGlobal(onModel), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
-                          Qt::NoScrollPhase, false);
-        QCoreApplication::sendEvent(&s.viewport, &event);
+        turnWheel(s.viewport, onModel, 1);
         QVERIFY(s.viewport.camera().distance() < distance);
         s.viewport.frame();
         QCOMPARE(s.viewport.camera().distance(), distance);
+    }
+
+    /// Until the model fills the view and far beyond: the surface stays under the pointer and the eye outside.
+    void theWheelNeverRunsThroughTheSurface_data() { addProjections(); }
+    void theWheelNeverRunsThroughTheSurface()
+    {
+        QFETCH(Projection, projection);
+        Stage s;
+        s.viewport.setProjection(projection);
+        const QPoint at(230, 120);
+        sendMouse(&s.viewport, QEvent::MouseMove, at);
+        QTRY_COMPARE(s.viewport.cursor().shape(), Qt::CrossCursor);
+        const ui::OrbitCamera& camera = s.viewport.camera();
+        const auto held = s.model.hit(camera.ray({230, 120}));
+        QVERIFY(held);
+        for (int i = 0; i < 30; ++i) {
+            turnWheel(s.viewport, at, 1);
+            QCoreApplication::processEvents();
+            QVERIFY((camera.project(held->position) - ui::OrbitCamera::Pixel(230, 120)).norm() < 1);
+            const auto now = s.model.hit(camera.ray({230, 120}));
+            QVERIFY(now && (now->position - held->position).norm() < 1e-3);
+        }
+        QVERIFY(camera.pixelsPerMm(held->position) > 20);
+        const QColor clay = s.viewport.grabFramebuffer().pixelColor(20, 20);
+        QVERIFY(clay.red() > clay.blue() + 20); // it fills the view, and is not cut open
+    }
+
+    void theMiddleButtonTurnsWhereTheModelFillsTheView()
+    {
+        Stage s;
+        QSignalSpy began(&s.viewport, &ui::Viewport::strokeBegan);
+        turnWheel(s.viewport, onModel, 8);
+        const core::Vec3 direction = s.viewport.camera().viewDirection();
+        s.drag(onModel, Qt::MiddleButton);
+        QVERIFY((s.viewport.camera().viewDirection() - direction).norm() > 0.05);
+        s.drag(onModel, Qt::LeftButton, Qt::AltModifier);
+        QVERIFY((s.viewport.camera().viewDirection() - direction).norm() > 0.1);
+        QCOMPARE(began.count(), 0);
+    }
+
+    void theViewTurnsAboutTheLastStroke_data() { addProjections(); }
+    void theViewTurnsAboutTheLastStroke()
+    {
+        QFETCH(Projection, projection);
+        Stage s;
+        s.viewport.setProjection(projection);
+        QSignalSpy ended(&s.viewport, &ui::Viewport::strokeEnded);
+        s.drag({220, 130});
+        QTRY_COMPARE(ended.count(), 1);
+        const ui::OrbitCamera& camera = s.viewport.camera();
+        const core::Vec3 pivot = camera.pivot();
+        QVERIFY(std::abs(pivot.norm() - 50) < 1); // on the ball
+        const auto place = camera.project(pivot);
+        QVERIFY((place - ui::OrbitCamera::Pixel(230, 135)).norm() < 15);
+        s.drag(besideModel, Qt::MiddleButton);
+        QVERIFY((camera.project(pivot) - place).norm() < 1e-6);
+        s.viewport.showModel(s.model.box());
+        QVERIFY(camera.pivot().norm() < 1e-6);
+    }
+
+    /// As large as the camera says, and round: its rim is where the rays just touch it.
+    void theBallIsDrawnWhereItsRaysMeetIt_data() { addProjections(); }
+    void theBallIsDrawnWhereItsRaysMeetIt()
+    {
+        QFETCH(Projection, projection);
+        Stage s;
+        s.viewport.setProjection(projection);
+        s.viewport.turnTo(ui::OrbitCamera::Side::Top);
+        const QImage picture = s.viewport.grabFramebuffer();
+        int wrong = 0;
+        for (int y = 0; y < 300; y += 3)
+            for (int x = 0; x < 400; x += 3) {
+                const QColor color = picture.pixelColor(x, y);
+                const bool clay = color.red() > color.blue() + 8;
+                wrong += clay != s.model.hit(s.viewport.camera().ray({x + 0.5, y + 0.5})).has_value();
+            }
+        QVERIFY2(wrong < 40, qPrintable(QString::number(wrong))); // on the rim, of 13400
+    }
+
+    /// All look from the same side at the same distance: the light depends on the normal alone.
+    void inParallelPanningChangesNoShade()
+    {
+        Stage s;
+        s.viewport.setProjection(Projection::Orthographic);
+        s.viewport.turnTo(ui::OrbitCamera::Side::Front);
+        const QImage before = s.viewport.grabFramebuffer();
+        const core::Vec3 target = s.viewport.camera().target();
+        sendMouse(&s.viewport, QEvent::MouseButtonPress, onModel, Qt::RightButton);
+        sendMouse(&s.viewport, QEvent::MouseMove, onModel + QPoint(70, -30));
+        sendMouse(&s.viewport, QEvent::MouseButtonRelease, onModel + QPoint(70, -30), Qt::RightButton);
+        QVERIFY((s.viewport.camera().target() - target).norm() > 5);
+        const QImage after = s.viewport.grabFramebuffer();
+        int other = 0;
+        for (int y = 90; y < 210; ++y)
+            for (int x = 140; x < 260; ++x)
+                other += before.pixel(x, y) != after.pixel(x + 70, y - 30);
+        QVERIFY2(other < 50, qPrintable(QString::number(other))); // on the faces' edges, of 14400
+    }
+
+    void strokesHitInParallelToo()
+    {
+        Stage s;
+        s.viewport.setProjection(Projection::Orthographic);
+        for (int zoomed = 0; zoomed < 2; ++zoomed) {
+            QSignalSpy sampled(&s.viewport, &ui::Viewport::strokeSampled),
+                ended(&s.viewport, &ui::Viewport::strokeEnded);
+            s.drag({180, 120});
+            QTRY_COMPARE(ended.count(), 1);
+            QCOMPARE(sampled.count(), 6);
+            const auto first = sampled[0][0].value<core::StrokeSample>();
+            const auto hit = s.model.hit({first.position, first.direction});
+            QVERIFY(hit);
+            QVERIFY((s.viewport.camera().project(hit->position) - ui::OrbitCamera::Pixel(180, 120)).norm() < 1e-3);
+            QVERIFY(hit->position.dot(s.viewport.camera().viewDirection()) < 0); // the near side
+            turnWheel(s.viewport, onModel, 15);
+        }
+    }
+
+    void twoFingersPinchAndPan()
+    {
+        Stage s;
+        QSignalSpy began(&s.viewport, &ui::Viewport::strokeBegan);
+        const ui::OrbitCamera& camera = s.viewport.camera();
+        const double size = camera.pixelsPerMm(camera.target());
+        const core::Vec3 direction = camera.viewDirection();
+        const auto between = camera.ray({200, 150}); // the middle, where the target is
+        const core::Vec3 held = between.origin + camera.distance() * between.direction;
+        QTest::touchEvent(&s.viewport, m_finger).press(0, {170, 150});
+        QTest::touchEvent(&s.viewport, m_finger).move(0, {170, 150}).press(1, {230, 150});
+        QTest::touchEvent(&s.viewport, m_finger).move(0, {140, 150}).move(1, {260, 150});
+        QVERIFY(std::abs(camera.pixelsPerMm(camera.target()) - 2 * size) < 1e-6 * size);
+        QVERIFY((camera.project(held) - ui::OrbitCamera::Pixel(200, 150)).norm() < 1e-6);
+        QTest::touchEvent(&s.viewport, m_finger).move(0, {180, 130}).move(1, {300, 130});
+        QVERIFY((camera.project(held) - ui::OrbitCamera::Pixel(240, 130)).norm() < 1e-6);
+        QTest::touchEvent(&s.viewport, m_finger).release(0, {180, 130}).move(1, {300, 130});
+        QTest::touchEvent(&s.viewport, m_finger).move(1, {330, 200}); // what is left of a gesture is no stroke
+        QTest::touchEvent(&s.viewport, m_finger).release(1, {330, 200});
+        QCoreApplication::processEvents();
+        QCOMPARE(camera.viewDirection(), direction);
+        QVERIFY((camera.project(held) - ui::OrbitCamera::Pixel(240, 130)).norm() < 1e-6);
+        QCOMPARE(began.count(), 0);
+    }
+
+    void oneFingerIsTheLeftButton()
+    {
+        Stage s;
+        QSignalSpy sampled(&s.viewport, &ui::Viewport::strokeSampled), ended(&s.viewport, &ui::Viewport::strokeEnded);
+        QTest::touchEvent(&s.viewport, m_finger).press(0, onModel);
+        QTest::touchEvent(&s.viewport, m_finger).move(0, onModel + QPoint(30, 0));
+        QTest::touchEvent(&s.viewport, m_finger).release(0, onModel + QPoint(30, 0));
+        QTRY_COMPARE(ended.count(), 1);
+        QCOMPARE(sampled.count(), 2);
+        QTest::touchEvent(&s.viewport, m_finger).press(0, onModel); // a tap
+        QTest::touchEvent(&s.viewport, m_finger).release(0, onModel);
+        QTRY_COMPARE(ended.count(), 2);
+        QCOMPARE(sampled.count(), 3);
+
+        const core::Vec3 direction = s.viewport.camera().viewDirection();
+        QTest::touchEvent(&s.viewport, m_finger).press(0, besideModel);
+        QTest::touchEvent(&s.viewport, m_finger).move(0, besideModel + QPoint(40, 0));
+        QTest::touchEvent(&s.viewport, m_finger).release(0, besideModel + QPoint(40, 0));
+        QTRY_VERIFY((s.viewport.camera().viewDirection() - direction).norm() > 0.05);
+        QCOMPARE(ended.count(), 2);
+    }
+
+    /// A stroke that one finger has begun ends where the second comes.
+    void aSecondFingerEndsTheStroke()
+    {
+        Stage s;
+        QSignalSpy ended(&s.viewport, &ui::Viewport::strokeEnded);
+        QTest::touchEvent(&s.viewport, m_finger).press(0, onModel);
+        QTest::touchEvent(&s.viewport, m_finger).move(0, onModel + QPoint(30, 0));
+        QTRY_VERIFY(s.viewport.strokeOpen());
+        QTest::touchEvent(&s.viewport, m_finger).move(0, onModel + QPoint(30, 0)).press(1, onModel + QPoint(-60, 0));
+        QCOMPARE(ended.count(), 1);
+        QTest::touchEvent(&s.viewport, m_finger)
+            .release(0, onModel + QPoint(30, 0))
+            .release(1, onModel + QPoint(-60, 0));
+        QCoreApplication::processEvents();
+        QCOMPARE(ended.count(), 1);
     }
 
     void theCursorLiesWhereThePointerIs()
@@ -306,6 +500,9 @@ private Q_SLOTS:
                 picture.pixelColor(picture.rect().center()).blue() + 20);
         s.viewport.setParent(nullptr);
     }
+
+private:
+    QPointingDevice* m_finger = QTest::createTouchDevice();
 };
 
 UI_TEST_MAIN(TestViewport)
