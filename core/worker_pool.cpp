@@ -1,12 +1,24 @@
 #include "worker_pool.h"
 
 #include <algorithm>
+#include <chrono>
 
 namespace core
 {
 namespace
 {
+/// A dab comes back with more work so soon: to sleep and be woken costs about as much as what there is to do.
+constexpr std::chrono::microseconds staysAwake(100);
+
 thread_local bool insideOfWork = false;
+
+/// Returns when it is so, or after a while all the same.
+template <typename Condition> void waitAwake(Condition isSo)
+{
+    const auto end = std::chrono::steady_clock::now() + staysAwake;
+    while (!isSo() && std::chrono::steady_clock::now() < end)
+        std::this_thread::yield();
+}
 } // namespace
 
 WorkerPool& WorkerPool::shared()
@@ -38,8 +50,12 @@ void WorkerPool::run(const std::function<void()>& work, std::size_t helpers)
     insideOfWork = true;
     work();
     insideOfWork = false;
+    {
+        const std::lock_guard lock(m_mutex);
+        m_wanted = 0;
+    }
+    waitAwake([this] { return m_running == 0; });
     std::unique_lock lock(m_mutex);
-    m_wanted = 0;
     m_end.wait(lock, [this] { return m_running == 0; });
     m_work = nullptr;
 }
@@ -75,8 +91,9 @@ void WorkerPool::stop()
 void WorkerPool::serve()
 {
     insideOfWork = true;
-    std::unique_lock lock(m_mutex);
     while (true) {
+        waitAwake([this] { return m_wanted > 0; });
+        std::unique_lock lock(m_mutex);
         m_begin.wait(lock, [this] { return m_stopping || m_wanted > 0; });
         if (m_stopping)
             return;

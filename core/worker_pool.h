@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <functional>
 #include <mutex>
@@ -32,11 +33,11 @@ private:
     void serve();
 
     std::mutex m_caller; ///< held by the caller that has the pool
-    std::mutex m_mutex;  ///< guards what follows
+    std::mutex m_mutex;  ///< guards what follows; the two counts are read without it, too
     std::condition_variable m_begin, m_end;
     const std::function<void()>* m_work = nullptr;
-    std::size_t m_wanted = 0;  ///< helpers that may still begin
-    std::size_t m_running = 0; ///< helpers that have begun and not ended
+    std::atomic<std::size_t> m_wanted{0};  ///< helpers that may still begin
+    std::atomic<std::size_t> m_running{0}; ///< helpers that have begun and not ended
     std::size_t m_threadCount = 0;
     bool m_stopping = false;
     std::vector<std::thread> m_threads;
