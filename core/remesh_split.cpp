@@ -72,8 +72,10 @@ void Remesher::refine(std::span<const Slot> candidates, const Sphere& ball)
         partFacesAcross(faces, ball);
     while (!faces.empty()) {
         std::vector<RemeshEdge> edges = tooLongIn(faces, ball);
+        SparseIndex& seen = m_region.scratch();
+        seen.clear();
+        std::erase_if(edges, [&](const RemeshEdge& e) { return !seen.insert(e.edge); });
         std::ranges::sort(edges, longestFirst);
-        edges.erase(std::ranges::unique(edges, {}, &RemeshEdge::edge).begin(), edges.end());
         faces.clear();
         for (const RemeshEdge& e : edges) {
             if (!mayGoOn())

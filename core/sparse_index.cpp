@@ -57,12 +57,16 @@ void SparseIndex::sort()
 void SparseIndex::grow(Slot slot)
 {
     const Slot capacity = std::max(leastCapacity, 2 * slot);
-    std::unique_ptr<Slot[], Free> larger(static_cast<Slot*>(std::malloc(capacity * sizeof(Slot))));
-    if (!larger)
+    std::unique_ptr<Slot[], Free> position(static_cast<Slot*>(std::malloc(capacity * sizeof(Slot))));
+    std::unique_ptr<std::uint64_t[], Free> members(static_cast<std::uint64_t*>(std::calloc(capacity / 64 + 1, sizeof(std::uint64_t))));
+    if (!position || !members)
         throw std::bad_alloc();
-    for (Slot i = 0; i < m_slots.size(); ++i)
-        larger[m_slots[i]] = i;
-    m_position = std::move(larger);
+    for (Slot i = 0; i < m_slots.size(); ++i) {
+        position[m_slots[i]] = i;
+        members[m_slots[i] / 64] |= std::uint64_t(1) << (m_slots[i] % 64);
+    }
+    m_position = std::move(position);
+    m_members = std::move(members);
     m_capacity = capacity;
 }
 } // namespace core

@@ -132,7 +132,7 @@ void Verifier::collectBoundary(const Mesh& mesh)
             for (std::size_t i = begin; i < end; ++i) {
                 Slot h = mesh.faceHalfedge(m_gathered.slots()[i]);
                 for (int k = 0; k < 3; ++k, h = mesh.next(h)) {
-                    if (m_gathered.find(mesh.face(h ^ 1)) == noSlot)
+                    if (!m_gathered.contains(mesh.face(h ^ 1)))
                         boundary.push_back(boundaryEdge(mesh, h));
                 }
             }
