@@ -8,7 +8,7 @@ namespace core
 namespace
 {
 /// A dab comes back with more work so soon: to sleep and be woken costs about as much as what there is to do.
-constexpr std::chrono::microseconds staysAwake(100);
+constexpr std::chrono::microseconds staysAwake(300);
 
 thread_local bool insideOfWork = false;
 
@@ -50,13 +50,10 @@ void WorkerPool::run(const std::function<void()>& work, std::size_t helpers)
     insideOfWork = true;
     work();
     insideOfWork = false;
-    {
-        const std::lock_guard lock(m_mutex);
-        m_wanted = 0;
-    }
+    m_wanted = 0;
     waitAwake([this] { return m_running == 0; });
-    std::unique_lock lock(m_mutex);
-    m_end.wait(lock, [this] { return m_running == 0; });
+    for (std::uint32_t running = m_running; running > 0; running = m_running)
+        m_running.wait(running);
     m_work = nullptr;
 }
 
@@ -67,44 +64,43 @@ void WorkerPool::start(const std::function<void()>& work, std::size_t helpers)
         m_threadCount = std::max(1u, std::thread::hardware_concurrency());
     while (m_threads.size() + 1 < m_threadCount)
         m_threads.emplace_back([this] { serve(); });
-    {
-        const std::lock_guard lock(m_mutex);
-        m_work = &work;
-        m_wanted = std::min(helpers, m_threads.size());
-    }
-    m_begin.notify_all();
+    m_work = &work;
+    m_wanted = static_cast<std::uint32_t>(std::min(helpers, m_threads.size()));
+    m_wanted.notify_all();
 }
 
 void WorkerPool::stop()
 {
-    {
-        const std::lock_guard lock(m_mutex);
-        m_stopping = true;
-    }
-    m_begin.notify_all();
+    m_stopping = true;
+    m_wanted = 1;
+    m_wanted.notify_all();
     for (std::thread& thread : m_threads)
         thread.join();
     m_threads.clear();
+    m_wanted = 0;
     m_stopping = false;
 }
 
 void WorkerPool::serve()
 {
     insideOfWork = true;
-    while (true) {
+    while (!m_stopping) {
         waitAwake([this] { return m_wanted > 0; });
-        std::unique_lock lock(m_mutex);
-        m_begin.wait(lock, [this] { return m_stopping || m_wanted > 0; });
-        if (m_stopping)
-            return;
-        --m_wanted;
-        ++m_running;
-        const std::function<void()>& work = *m_work;
-        lock.unlock();
-        work();
-        lock.lock();
-        if (--m_running == 0)
-            m_end.notify_one();
+        m_wanted.wait(0);
+        ++m_running; // before it is wanted: who calls sees it in time
+        if (!m_stopping && claim())
+            (*m_work)();
+        --m_running;
+        m_running.notify_one();
     }
+}
+
+/// Whether one more helper was wanted.
+bool WorkerPool::claim()
+{
+    std::uint32_t wanted = m_wanted;
+    while (wanted > 0 && !m_wanted.compare_exchange_weak(wanted, wanted - 1)) {
+    }
+    return wanted > 0;
 }
 } // namespace core

@@ -1,7 +1,8 @@
 #pragma once
 
 #include <atomic>
-#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <mutex>
 #include <thread>
@@ -31,15 +32,14 @@ private:
     void start(const std::function<void()>& work, std::size_t helpers);
     void stop();
     void serve();
+    bool claim();
 
-    std::mutex m_caller; ///< held by the caller that has the pool
-    std::mutex m_mutex;  ///< guards what follows; the two counts are read without it, too
-    std::condition_variable m_begin, m_end;
-    const std::function<void()>* m_work = nullptr;
-    std::atomic<std::size_t> m_wanted{0};  ///< helpers that may still begin
-    std::atomic<std::size_t> m_running{0}; ///< helpers that have begun and not ended
+    std::mutex m_caller; ///< held by the caller that has the pool: it alone writes what follows, but the counts
+    const std::function<void()>* m_work = nullptr; ///< read by helpers while they run
     std::size_t m_threadCount = 0;
-    bool m_stopping = false;
     std::vector<std::thread> m_threads;
+    std::atomic<std::uint32_t> m_wanted{0};  ///< helpers that may still begin
+    std::atomic<std::uint32_t> m_running{0}; ///< helpers that have begun, or are about to ask whether they may
+    std::atomic<bool> m_stopping{false};
 };
 } // namespace core

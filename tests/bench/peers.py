@@ -5,8 +5,8 @@
 
 Needs blender and xvfb-run (Debian: blender xvfb). Prints for each case the milliseconds a dab, the best of all rounds: on a
 machine that others share only the least is a program's own. The time of Blender is that of its sculpt operator less what
-a stroke costs by itself (blender_strokes.py), undo included, redraw and upload not; Fettle's holds exact verification,
-undo journal and the patch for viewers. "cpu" counts all threads of each.
+a stroke of one dab costs (blender_strokes.py), undo included, redraw and upload not; Fettle's leaves out the first dab, too,
+and holds exact verification, undo journal and the patch for viewers. "cpu" counts all threads of each.
 """
 
 import argparse

@@ -2,8 +2,12 @@
 
 #include <QTest>
 
+#include <atomic>
+#include <chrono>
 #include <numeric>
+#include <random>
 #include <stdexcept>
+#include <thread>
 
 class TestParallel : public QObject
 {
@@ -19,6 +23,7 @@ private Q_SLOTS:
     void joinedParts_standInOrder();
     void chunksInsideOfChunks_areDone();
     void exception_isPassedOn();
+    void helpersAsleepOrAwake_doAll();
 };
 
 /// More than most test machines have.
@@ -89,6 +94,19 @@ void TestParallel::exception_isPassedOn()
         });
     };
     QVERIFY_EXCEPTION_THROWN(fails(), std::runtime_error);
+}
+
+/// Some of the pauses are longer than helpers stay awake.
+void TestParallel::helpersAsleepOrAwake_doAll()
+{
+    std::mt19937 engine(20240812);
+    for (int round = 0; round < 3000; ++round) {
+        std::atomic<int> chunks = 0;
+        core::forEachChunk(20, 1, [&](std::size_t, std::size_t, std::size_t) { ++chunks; });
+        QCOMPARE(chunks.load(), 20);
+        if (engine() % 16 == 0)
+            std::this_thread::sleep_for(std::chrono::microseconds(engine() % 1000));
+    }
 }
 
 QTEST_APPLESS_MAIN(TestParallel)
