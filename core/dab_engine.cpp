@@ -50,14 +50,14 @@ DabEngine::DabEngine(Mesh& mesh) : m_mesh(mesh), m_surface(mesh), m_mirror(mesh)
 }
 
 /// A dab that is taken back before it counts. Memory that is touched for the first time costs far more than a dab: so the first
-/// real one costs what all do.
+/// real one costs what all do. At the last vertex: what has room for it has room for all.
 void DabEngine::rehearse()
 {
     if (m_mesh.live().vertices == 0)
         return;
-    Slot v = 0;
+    Slot v = m_mesh.slots().vertices - 1;
     while (!m_mesh.isVertex(v))
-        ++v;
+        --v;
     const StrokeSettings settings;
     Dab dab;
     dab.position = m_mesh.point(v).cast<double>();

@@ -13,7 +13,7 @@ namespace
 constexpr Slot vertexGap = 4, faceGap = 8;
 constexpr std::size_t verticesPerChunk = 256;
 
-std::vector<SlotSpan> spansOf(SparseIndex& dirty, Slot length, Slot gap)
+std::vector<SlotSpan> spansOf(SlotSet& dirty, Slot length, Slot gap)
 {
     dirty.sort();
     std::vector<SlotSpan> spans;

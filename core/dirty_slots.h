@@ -15,7 +15,7 @@ public:
     MeshPatch take(const Mesh& mesh);
 
 private:
-    SparseIndex m_vertices, m_faces;
+    SlotSet m_vertices, m_faces;
     std::uint64_t m_epoch = 0;
 };
 

@@ -256,7 +256,7 @@ bool Fuser::isContact(const JudgedMesh& surface, const Region& region, const App
 {
     if (fusion && approach.tool == Tool::Push)
         return false;
-    SparseIndex& at = m_done;
+    SlotSet& at = m_done;
     at.clear();
     for (Slot v : vertices) { // some came with what was taken back
         if (v >= surface.mesh().slots().vertices || !surface.mesh().isVertex(v))
@@ -280,7 +280,7 @@ void Fuser::keepToSeams(const Mesh& mesh)
     const auto meetsImage = [&](const Near& near) {
         return !m_mirror->isInHalf(near.p) || !m_mirror->isInHalf(near.q);
     };
-    SparseIndex meeting, grown; // vertices of the half
+    SlotSet meeting, grown; // vertices of the half
     for (const Near& near : m_near) {
         if (meetsImage(near))
             meeting.add(m_mirror->isInHalf(near.p) ? near.p : near.q);
@@ -446,7 +446,7 @@ bool Fuser::removeSpeck(JudgedMesh& surface, Region& region, Slot vertex, const 
     const Mesh& mesh = surface.mesh();
     Surgery surgery;
     LatticeBox box;
-    SparseIndex& found = region.scratch();
+    SlotSet& found = region.scratch();
     found.clear();
     found.add(mesh.face(mesh.outgoing(vertex)));
     const auto isTooLarge = [&] { // and stays so: both only grow

@@ -90,13 +90,13 @@ private:
     bool removeSpeck(JudgedMesh& surface, Region& region, Slot vertex, const EdgeBounds& bounds);
 
     MirrorMap* m_mirror = nullptr;
-    SparseIndex m_vertices;      ///< near the region
+    SlotSet m_vertices;          ///< near the region
     std::vector<Vec3> m_points;  ///< by position among them
     std::vector<Vec3> m_normals; ///< unit length, or zero
     std::vector<Near> m_near;
     std::vector<Vec3> m_tubes;   ///< where this dab began new ones
     SparseIndex m_failed;        ///< vertices of joins that were not sound, in this dab
     std::vector<int> m_failures; ///< how many, by position among them
-    SparseIndex m_done;          ///< vertices around what was joined in this pass
+    SlotSet m_done;              ///< vertices around what was joined in this pass
 };
 } // namespace core

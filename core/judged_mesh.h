@@ -48,7 +48,7 @@ private:
     FaceOctree m_octree;
     Verifier m_verifier;
     DirtySlots m_dirtySlots;
-    SparseIndex m_swappedFaces;
+    SlotSet m_swappedFaces;
     std::vector<Slot> m_badFaces;
     std::array<std::uint64_t, 3> m_tiers{};
     double m_verifyMs = 0;

@@ -60,8 +60,9 @@ private:
 
     const Mesh& m_mesh;
     int m_axis = -1;
-    SparseIndex m_vertices, m_faces; ///< learnt
-    SparseIndex m_wanted;            ///< faces to learn
-    std::vector<Slot> m_images;      ///< by position in m_vertices; may be out of date, so each use compares points
+    SparseIndex m_vertices;     ///< learnt
+    std::vector<Slot> m_images; ///< by position in m_vertices; may be out of date, so each use compares points
+    SlotSet m_faces;            ///< learnt
+    SlotSet m_wanted;           ///< faces to learn
 };
 } // namespace core

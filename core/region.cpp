@@ -54,7 +54,7 @@ void Region::restore(const Saved& saved)
 
 std::vector<Slot> withNeighbours(Region& region, const Mesh& mesh, std::span<const Slot> vertices)
 {
-    SparseIndex& around = region.scratch();
+    SlotSet& around = region.scratch();
     around.clear();
     for (Slot v : vertices) {
         if (v >= mesh.slots().vertices || !mesh.isVertex(v))
@@ -82,7 +82,7 @@ void selectSphere(Region& region, std::vector<Slot>& candidates, const Mesh& mes
 {
     region.clear();
     candidates = facesIn(mesh, octree, latticeBox(mesh.lattice(), ball));
-    SparseIndex& corners = region.scratch();
+    SlotSet& corners = region.scratch();
     corners.clear();
     const double radius2 = ball.radius * ball.radius;
     for (Slot f : candidates) {
@@ -129,7 +129,7 @@ void selectGeodesic(Region& region, std::vector<Slot>& candidates, const Mesh& m
     const auto point = [&](Slot v) { return Vec3(mesh.point(v).cast<double>()); };
     for (Slot v : mesh.corners(face))
         reach(v, (point(v) - ball.center).norm());
-    SparseIndex& done = region.scratch();
+    SlotSet& done = region.scratch();
     done.clear();
     std::vector<std::pair<Slot, double>> selected;
     while (!front.empty()) {
@@ -148,7 +148,7 @@ void selectGeodesic(Region& region, std::vector<Slot>& candidates, const Mesh& m
     region.clear();
     for (const auto& [v, distance] : selected)
         region.add(v, distance);
-    SparseIndex& faces = region.scratch();
+    SlotSet& faces = region.scratch();
     faces.clear();
     faces.add(face);
     region.forEach([&](Slot v) { mesh.forEachOutgoing(v, [&](Slot h) { faces.add(mesh.face(h)); }); });

@@ -34,9 +34,9 @@ public:
     void setPlan(Slot v, const Vec3& plan) { m_plan[m_index.position(v)] = plan; }
 
     /// Vertices around the remeshing of this sub-step.
-    SparseIndex& remeshed() { return m_remeshed; }
+    SlotSet& remeshed() { return m_remeshed; }
     /// For whoever needs a set of slots for a moment.
-    SparseIndex& scratch() { return m_scratch; }
+    SlotSet& scratch() { return m_scratch; }
 
     /// To go back after a sub-step that failed. Cost: the region.
     struct Saved
@@ -58,7 +58,8 @@ public:
     }
 
 private:
-    SparseIndex m_index, m_remeshed, m_scratch;
+    SparseIndex m_index;
+    SlotSet m_remeshed, m_scratch;
     std::vector<double> m_distance;
     std::vector<Vec3> m_plan;
     SlotBits m_present;

@@ -75,7 +75,7 @@ std::vector<RemeshEdge> Remesher::collapse(std::vector<RemeshEdge> edges)
     std::ranges::sort(edges, [](const RemeshEdge& a, const RemeshEdge& b) {
         return std::tie(a.length2, a.v0, a.v1) < std::tie(b.length2, b.v0, b.v1);
     });
-    SparseIndex& around = m_region.scratch();
+    SlotSet& around = m_region.scratch();
     around.clear();
     for (const RemeshEdge& e : edges) {
         if (!m_mesh.isEdge(e.edge) || length2(e.edge) >= m_minimum2)
@@ -102,7 +102,7 @@ std::vector<RemeshEdge> Remesher::collapse(std::vector<RemeshEdge> edges)
 }
 
 /// Those with an end among the vertices.
-void Remesher::addShortEdges(const SparseIndex& around, std::vector<RemeshEdge>& edges) const
+void Remesher::addShortEdges(const SlotSet& around, std::vector<RemeshEdge>& edges) const
 {
     for (Slot v : around.slots()) {
         if (!m_region.contains(v))

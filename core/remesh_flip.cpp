@@ -46,7 +46,7 @@ void Remesher::flipEdges()
 std::vector<RemeshEdge> Remesher::flip(std::vector<RemeshEdge> edges)
 {
     std::ranges::sort(edges, [](const RemeshEdge& a, const RemeshEdge& b) { return std::tie(a.v0, a.v1) < std::tie(b.v0, b.v1); });
-    SparseIndex& around = m_region.scratch();
+    SlotSet& around = m_region.scratch();
     around.clear();
     for (const RemeshEdge& e : edges) {
         if (!shouldFlip(e.edge) || !mayGoOn() || !m_edit.flip(e.edge))

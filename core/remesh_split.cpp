@@ -72,9 +72,9 @@ void Remesher::refine(std::span<const Slot> candidates, const Sphere& ball)
         partFacesAcross(faces, ball);
     while (!faces.empty()) {
         std::vector<RemeshEdge> edges = tooLongIn(faces, ball);
-        SparseIndex& seen = m_region.scratch();
+        SlotSet& seen = m_region.scratch();
         seen.clear();
-        std::erase_if(edges, [&](const RemeshEdge& e) { return !seen.insert(e.edge); });
+        std::erase_if(edges, [&](const RemeshEdge& e) { return !seen.add(e.edge); });
         std::ranges::sort(edges, longestFirst);
         faces.clear();
         for (const RemeshEdge& e : edges) {
@@ -138,7 +138,7 @@ std::vector<RemeshEdge> Remesher::splitLongEdges()
     std::vector<RemeshEdge> shortEdges(tooShort.begin(), tooShort.end());
     std::deque<RemeshEdge> queue(edges.begin(), tooShort.begin());
     std::ranges::sort(queue, longestFirst);
-    SparseIndex& created = m_region.scratch();
+    SlotSet& created = m_region.scratch();
     created.clear();
     while (!queue.empty()) {
         const RemeshEdge e = queue.front();

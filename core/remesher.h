@@ -56,7 +56,7 @@ private:
     bool mayGoOn();
     template <class Wanted> std::vector<RemeshEdge> regionEdges(Wanted wanted) const;
     RemeshEdge edgeAt(Slot e) const;
-    void addShortEdges(const SparseIndex& around, std::vector<RemeshEdge>& edges) const;
+    void addShortEdges(const SlotSet& around, std::vector<RemeshEdge>& edges) const;
     bool mayBeTooLong(Slot f) const;
     std::optional<RemeshEdge> tooLongIn(Slot f, const Sphere& ball) const;
     std::vector<RemeshEdge> tooLongIn(std::span<const Slot> faces, const Sphere& ball) const;
@@ -76,7 +76,7 @@ private:
     Region& m_region;
     double m_detail2, m_minimum2;
     std::uint64_t m_opsLeft;
-    SparseIndex& m_changed; ///< vertices around operations
+    SlotSet& m_changed; ///< vertices around operations
     bool m_keepsShape;
 };
 

@@ -176,6 +176,9 @@ bool Verifier::isLinked(const Mesh& mesh, Slot local) const
 /// Labels the gathered faces by component (connected through edges); those of the dirty faces come first.
 void Verifier::floodPatch(const Mesh& mesh)
 {
+    m_places.clear();
+    for (Slot f : m_gathered.slots())
+        m_places.add(f);
     m_component.assign(m_gathered.size(), noSlot);
     m_closed.clear();
     m_patch.clear();
@@ -199,7 +202,7 @@ void Verifier::floodPatch(const Mesh& mesh)
             Slot h = mesh.faceHalfedge(m_gathered.slots()[at]);
             for (int k = 0; k < 3; ++k, h = mesh.next(h)) {
                 const Slot other = mesh.face(h ^ 1);
-                if (const Slot next = m_gathered.find(other); next != noSlot) {
+                if (const Slot next = m_places.find(other); next != noSlot) {
                     if (m_component[next] == noSlot) {
                         m_component[next] = component;
                         front.push_back(next);
@@ -280,7 +283,7 @@ void Verifier::checkNesting(const Mesh& mesh, const FaceOctree& octree)
                 probe.addFace(m_shapes[i].points);
         }
         const auto isOwn = [&](Slot f) {
-            return m_gathered.contains(f) && m_component[m_gathered.position(f)] == component;
+            return m_places.contains(f) && m_component[m_places.position(f)] == component;
         };
         octree.query(probe.column(), [&](Slot f) {
             if (!mesh.isFace(f) || isDirty(f) || isOwn(f))

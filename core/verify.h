@@ -51,10 +51,11 @@ private:
     void testPair(Slot i, Slot j, bool neighboursToo);
     bool certifyStars(const Mesh& mesh);
     void checkNesting(const Mesh& mesh, const FaceOctree& octree);
-    bool isDirty(Slot f) const { return m_gathered.find(f) < m_dirtyCount; }
+    bool isDirty(Slot f) const { return m_places.find(f) < m_dirtyCount; }
 
     VerifyResult m_result;
-    SparseIndex m_gathered;           ///< changed faces first, of these the relinked ones first; then all that meet the box
+    SlotSet m_gathered;               ///< changed faces first, of these the relinked ones first; then all that meet the box
+    SparseIndex m_places;             ///< where each stands among them; for what tier a leaves over
     std::vector<PatchFace> m_shapes;  ///< of m_gathered, in its order; what stands behind these is of no use
     std::vector<LatticeBox> m_boxes;  ///< likewise
     Slot m_relinkedCount = 0;

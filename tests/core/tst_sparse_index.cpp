@@ -4,7 +4,6 @@
 
 #include <map>
 #include <random>
-#include <set>
 
 using core::Slot;
 using core::SparseIndex;
@@ -16,8 +15,6 @@ class TestSparseIndex : public QObject
 private Q_SLOTS:
     void add_tellsThePosition();
     void randomUse_agreesWithAMap();
-    void sort_movesPositions_data();
-    void sort_movesPositions();
 };
 
 void TestSparseIndex::add_tellsThePosition()
@@ -50,34 +47,6 @@ void TestSparseIndex::randomUse_agreesWithAMap()
             QCOMPARE(index.slots()[position], slot);
         }
     }
-}
-
-void TestSparseIndex::sort_movesPositions_data()
-{
-    QTest::addColumn<int>("count");
-    QTest::addColumn<Slot>("range");
-    QTest::newRow("none") << 0 << 1u;
-    QTest::newRow("few") << 20 << 1000u;
-    QTest::newRow("many") << 3000 << 10'000u;
-    QTest::newRow("many, far apart") << 3000 << 20'000'000u;
-}
-
-void TestSparseIndex::sort_movesPositions()
-{
-    QFETCH(int, count);
-    QFETCH(Slot, range);
-    std::mt19937 engine(20240812);
-    SparseIndex index;
-    std::set<Slot> known;
-    for (int i = 0; i < count; ++i) {
-        const Slot slot = static_cast<Slot>(engine()) % range;
-        index.add(slot);
-        known.insert(slot);
-    }
-    index.sort();
-    QCOMPARE(index.slots(), std::vector<Slot>(known.begin(), known.end()));
-    for (Slot i = 0; i < index.size(); ++i)
-        QCOMPARE(index.position(index.slots()[i]), i);
 }
 
 QTEST_APPLESS_MAIN(TestSparseIndex)
