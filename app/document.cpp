@@ -301,6 +301,8 @@ void Document::takeReport(const StrokeReport& report)
         const bool isSeen = report.shortfall == core::Shortfall::Stuck && report.delta; // other dabs did something
         if (report.shortfall != core::Shortfall::None && !isSeen)
             Q_EMIT noticed(ui::Messages::shortfall(report.shortfall));
+        else if (report.asymmetric)
+            Q_EMIT noticed(ui::Messages::asymmetric());
         takeFacts(report.facts);
     }
     tellState();

@@ -161,8 +161,10 @@ void SculptWorker::run(Sample& job)
     m_sampledNs = job.postedNs;
     const std::vector<core::DabReport> dabs = m_sculptor->addSample(job.sample);
     m_report.dabs += dabs.size();
-    for (const core::DabReport& dab : dabs)
+    for (const core::DabReport& dab : dabs) {
         m_report.shortfall = std::max(m_report.shortfall, core::shortfallOf(dab));
+        m_report.asymmetric = m_report.asymmetric || dab.asymmetric;
+    }
     {
         const std::lock_guard lock(m_mutex);
         ++m_stats.samples;

@@ -32,6 +32,7 @@ struct StrokeReport
     core::Tool tool = core::Tool::Pull;
     quint64 dabs = 0;
     core::Shortfall shortfall = core::Shortfall::None; ///< of the dabs the one most worth telling
+    bool asymmetric = false; ///< mirrored where the model is not symmetric: some dabs were done as two
     MeshFacts facts;
 };
 

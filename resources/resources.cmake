@@ -47,7 +47,9 @@ set(FETTLE_RESOURCE_FILES
     shaders/cursor.vert
     shaders/ground.frag
     shaders/ground.vert
-    shaders/layer.frag)
+    shaders/layer.frag
+    shaders/plane.frag
+    shaders/plane.vert)
 
 function(fettle_add_resources TARGET)
     list(TRANSFORM FETTLE_RESOURCE_FILES PREPEND ${PROJECT_SOURCE_DIR}/resources/ OUTPUT_VARIABLE FILES)

@@ -1277,6 +1277,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>%1: from %2 to %3.</source>
         <translation>%1: von %2 bis %3.</translation>
     </message>
+    <message>
+        <source>The model is not symmetric here: both sides were worked on, but they are not exact mirror images.</source>
+        <translation>Das Modell ist hier nicht symmetrisch: beide Seiten wurden bearbeitet, sind aber keine genauen Spiegelbilder.</translation>
+    </message>
 </context>
 <context>
     <name>ui::ModelDialogs</name>

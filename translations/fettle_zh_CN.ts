@@ -1274,6 +1274,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>%1: from %2 to %3.</source>
         <translation>%1：%2 至 %3。</translation>
     </message>
+    <message>
+        <source>The model is not symmetric here: both sides were worked on, but they are not exact mirror images.</source>
+        <translation>模型在此处并不对称：两侧都已处理，但并非精确的镜像。</translation>
+    </message>
 </context>
 <context>
     <name>ui::ModelDialogs</name>

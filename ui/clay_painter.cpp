@@ -83,6 +83,8 @@ void ClayPainter::drawClay(const OrbitCamera& camera)
     m_clayProgram->setUniformValue("projection", toQt(camera.projectionMatrix()));
     m_clayProgram->setUniformValue("tint", clayTint);
     m_clayProgram->setUniformValue("encodeSrgb", 1.0F);
+    m_clayProgram->setUniformValue("cutNormal", toQt(m_cutNormal));
+    m_clayProgram->setUniformValue("cut", m_cutNormal.isZero() ? 0.0F : 1.0F);
     m_clay.draw();
     m_clayProgram->release();
     m_gl->glDisable(GL_CULL_FACE);

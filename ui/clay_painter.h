@@ -31,6 +31,9 @@ public:
 
     ClayBuffer& clay() { return m_clay; }
 
+    /// A line where the plane through the origin with that unit normal cuts the clay; zero: none.
+    void setCut(const core::Vec3& normal) { m_cutNormal = normal; }
+
     /// Clears depth; leaves depth test, culling and blending as OpenGL starts with.
     void draw(const OrbitCamera& camera, const Backdrop& backdrop);
 
@@ -41,6 +44,7 @@ private:
     QOpenGLFunctions_3_3_Core* m_gl = nullptr;
     std::unique_ptr<QOpenGLShaderProgram> m_clayProgram, m_backdropProgram;
     unsigned int m_noVertices = 0;
+    core::Vec3 m_cutNormal = core::Vec3::Zero();
     ClayBuffer m_clay;
 };
 } // namespace ui

@@ -89,6 +89,11 @@ QString Messages::shortfall(core::Shortfall shortfall)
     return {};
 }
 
+QString Messages::asymmetric()
+{
+    return tr("The model is not symmetric here: both sides were worked on, but they are not exact mirror images.");
+}
+
 QString Messages::name(core::Parameter parameter)
 {
     switch (parameter) {

@@ -28,6 +28,8 @@ public:
     static QString tooFine(const QString& file, quint64 faces);
     /// What the brush did not do, and why. Empty if it did all.
     static QString shortfall(core::Shortfall shortfall);
+    /// Of a mirrored stroke on a model that is not its own mirror image.
+    static QString asymmetric();
 
     static QString name(core::Parameter parameter);
     /// What it can be, if somebody asked for more or less.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/brush.h"
 #include "core/geometry.h"
 
 #include <QColor>
@@ -49,5 +50,26 @@ public:
 private:
     Qt3DCore::QTransform* m_transform;
     Qt3DRender::QParameter *m_viewport, *m_halfWidth, *m_color;
+};
+
+/// The unit normal of the plane about which a stroke is mirrored, which goes through the origin; zero without symmetry.
+core::Vec3 planeNormal(core::Symmetry symmetry);
+
+/// The plane of symmetry: a pane through the model, a little larger than it. Clay hides what lies within.
+class SymmetryPlane : public Qt3DCore::QEntity
+{
+    Q_OBJECT
+
+public:
+    explicit SymmetryPlane(Qt3DCore::QNode* parent = nullptr);
+
+    /// There is a symmetry, and the box is not empty.
+    void place(core::Symmetry symmetry, const core::Box& box);
+    void setDark(bool dark);
+    void setPixelRatio(double ratio);
+
+private:
+    Qt3DCore::QTransform* m_transform;
+    Qt3DRender::QParameter *m_color, *m_border;
 };
 } // namespace ui

@@ -40,6 +40,7 @@ struct Scene::State
     std::unique_ptr<Qt3dEngine> engine;
     Ground* ground = nullptr;      ///< owned by the engine's root
     BrushCursor* cursor = nullptr; ///< owned by the engine's root
+    SymmetryPlane* plane = nullptr; ///< owned by the engine's root
     Mode mode = Mode::InQt3dContext;
     QOpenGLContext* context = nullptr; ///< the one that clay and target live in
     QOpenGLFunctions_3_3_Core* gl = nullptr;
@@ -67,6 +68,8 @@ void Scene::State::startEngine(Qt3dEngine::Target wanted)
     ground->setEnabled(false);
     cursor = new BrushCursor(engine->root());
     cursor->setEnabled(false);
+    plane = new SymmetryPlane(engine->root());
+    plane->setEnabled(false);
     engine->start();
 }
 
@@ -150,11 +153,12 @@ void Scene::State::layOver(unsigned int texture)
     gl->glDisable(GL_BLEND);
 }
 
-/// Everything once, unseen, or ground and cursor would be missing in the first frames. In layers there is no ground:
-/// its depth would not be compared with the clay's.
+/// Everything once, unseen, or ground and cursor would be missing in the first frames. In layers there is no ground and no
+/// pane: their depth would not be compared with the clay's.
 void Scene::State::warmUp()
 {
     ground->setEnabled(mode == Mode::InQt3dContext);
+    plane->setEnabled(mode == Mode::InQt3dContext);
     cursor->setEnabled(true);
     for (int i = 0; i < Qt3dEngine::warmUpFrames; ++i) {
         makeCurrent();
@@ -163,6 +167,7 @@ void Scene::State::warmUp()
         drawOverlay();
     }
     cursor->setEnabled(false);
+    plane->setEnabled(false);
     ground->setEnabled(false); // until there is a model
 }
 
@@ -221,9 +226,19 @@ void Scene::hideCursor()
     m_state->cursor->setEnabled(false);
 }
 
+void Scene::showPlane(core::Symmetry symmetry, const core::Box& box)
+{
+    const bool shown = symmetry != core::Symmetry::None && !box.isEmpty();
+    m_state->painter.setCut(shown ? planeNormal(symmetry) : core::Vec3::Zero());
+    if (shown)
+        m_state->plane->place(symmetry, box);
+    m_state->plane->setEnabled(shown && m_state->mode == Mode::InQt3dContext);
+}
+
 void Scene::setDark(bool dark)
 {
     m_state->ground->setDark(dark);
+    m_state->plane->setDark(dark);
     m_state->backdrop = dark ? Backdrop{QColor(70, 74, 80), QColor(34, 36, 40)}
                              : Backdrop{QColor(222, 225, 229), QColor(176, 182, 189)};
 }
@@ -235,6 +250,7 @@ Scene::Image Scene::render(const OrbitCamera& camera, QSize pixels, double pixel
     QElapsedTimer timer;
     s.engine->setView(camera, pixels);
     s.cursor->setPixels(pixels, pixelRatio);
+    s.plane->setPixelRatio(pixelRatio);
     s.makeCurrent();
     if (!s.target.resize(pixels))
         return image;

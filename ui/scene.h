@@ -47,6 +47,8 @@ public:
     void placeGround(const core::Box& box);
     void placeCursor(const core::SurfaceHit& hit, double radius, const QColor& color);
     void hideCursor();
+    /// The pane of that plane through the box, and the line where it cuts the clay; without symmetry neither.
+    void showPlane(core::Symmetry symmetry, const core::Box& box);
     void setDark(bool dark);
 
     Image render(const OrbitCamera& camera, QSize pixels, double pixelRatio);

@@ -298,6 +298,7 @@ void Viewport::paintGL()
     timer.start();
     const bool surfaceChanged = s.applyPatch();
     s.placeCursor();
+    s.scene->showPlane(s.brush->stroke().symmetry, s.box);
     s.scene->setDark(palette().window().color().lightness() < 128);
     const QSize pixels = size() * devicePixelRatioF();
     const Scene::Image image = s.scene->render(s.camera, pixels, devicePixelRatioF());

@@ -5,9 +5,11 @@ in vec3 toEye;
 in vec3 eyeNormal;
 in vec3 worldNormal;
 in vec3 albedo;
+in float fromCut;
 
 uniform vec3 tint;       // linear; unpainted clay is tint times the default colour
 uniform float encodeSrgb;
+uniform float cut;       // 1: a line where fromCut is 0
 
 out vec4 fragColor;
 
@@ -30,6 +32,14 @@ vec3 soften(vec3 c)
     return min(c, 0.8) + 0.2 * (1.0 - exp(-over / 0.2));
 }
 
+// Light in the middle, dark at the edges: seen on every colour.
+vec3 withCut(vec3 color)
+{
+    float pixels = abs(fromCut) / max(fwidth(fromCut), 1e-9);
+    vec3 edged = mix(color, vec3(0.02), 0.45 * clamp(2.4 - pixels, 0.0, 1.0));
+    return mix(color, mix(edged, vec3(0.92, 0.96, 1.0), 0.85 * clamp(1.3 - pixels, 0.0, 1.0)), cut);
+}
+
 void main()
 {
     vec3 n = normalize(eyeNormal);
@@ -45,6 +55,6 @@ void main()
     float rim = pow(1.0 - facing, 4.0) * (0.25 + 0.75 * up) * 0.16;
     vec3 color = albedo * tint * light + keyColor * highlight * step(0.0, key) + skyColor * rim;
 
-    color = soften(color);
+    color = withCut(soften(color));
     fragColor = vec4(mix(color, toSrgb(color), encodeSrgb), 1.0);
 }

@@ -6,11 +6,13 @@ layout(location = 2) in vec4 color; // sRGB
 
 uniform mat4 view;       // mm to eye space
 uniform mat4 projection; // perspective or orthographic
+uniform vec3 cutNormal;  // of the plane through the origin where a line is drawn
 
 out vec3 toEye; // eye space, any length
 out vec3 eyeNormal;
 out vec3 worldNormal;
 out vec3 albedo; // linear
+out float fromCut; // mm
 
 vec3 toLinear(vec3 c)
 {
@@ -24,5 +26,6 @@ void main()
     eyeNormal = mat3(view) * normal.xyz;
     worldNormal = normal.xyz;
     albedo = toLinear(color.rgb);
+    fromCut = dot(cutNormal, position);
     gl_Position = projection * eye;
 }

@@ -114,6 +114,7 @@ private Q_SLOTS:
     void stroke_thatDoesNothingIsNoStep();
     void strokeThatFellShort_isSaidOnce_data();
     void strokeThatFellShort_isSaidOnce();
+    void mirroredStroke_saysWhereTheModelIsNotSymmetric();
     void strokeThatDidAll_isNotTalkedAbout();
     void newStroke_forgetsWhatWasUndone();
     void modified_followsTheHistory();
@@ -287,6 +288,30 @@ void TestDocument::strokeThatFellShort_isSaidOnce()
     QCOMPARE(noticed.size(), 1);
     QCOMPARE(noticed[0][0].toString(), ui::Messages::shortfall(shortfall));
     session.verifyWhole();
+}
+
+void TestDocument::mirroredStroke_saysWhereTheModelIsNotSymmetric()
+{
+    Session session;
+    QSignalSpy noticed(&session.document, &Document::noticed);
+    core::StrokeSettings brush;
+    brush.radius = 12;
+    const auto stroke = [&](core::Symmetry symmetry, const core::Vec3& position) {
+        brush.symmetry = symmetry;
+        core::StrokeSample sample;
+        sample.position = position;
+        session.document.beginStroke(brush);
+        for (int i = 0; i < 3; ++i)
+            session.document.addSample(sample);
+        session.document.endStroke();
+        session.wait();
+    };
+    stroke(core::Symmetry::X, {30, 40, 0});
+    stroke(core::Symmetry::None, {30, -40, 0});
+    QVERIFY(noticed.isEmpty());
+    stroke(core::Symmetry::X, {30, -40, 0});
+    QCOMPARE(noticed.size(), 1);
+    QCOMPARE(noticed[0][0].toString(), ui::Messages::asymmetric());
 }
 
 void TestDocument::strokeThatDidAll_isNotTalkedAbout()

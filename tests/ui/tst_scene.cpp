@@ -116,6 +116,42 @@ private Q_SLOTS:
         QVERIFY(hidden < seen / 2);
     }
 
+    /// From the front: a line through the middle of the ball, nothing else on it, and a pane's border beyond it.
+    void thePlaneOfSymmetryIsShown_data()
+    {
+        QTest::addColumn<bool>("layered");
+        QTest::addColumn<bool>("dark");
+        QTest::newRow("light") << false << false;
+        QTest::newRow("dark") << false << true;
+        QTest::newRow("in layers") << true << false;
+    }
+
+    void thePlaneOfSymmetryIsShown()
+    {
+        QFETCH(bool, layered);
+        QFETCH(bool, dark);
+        const SphereModel model;
+        ui::OrbitCamera camera = cameraOn(model);
+        Scene scene(layered ? Scene::Mode::Layered : Scene::Mode::InQt3dContext);
+        scene.setDark(dark);
+        scene.clay().apply(model.whole());
+        const auto picture = [&] { return read(scene.render(camera, size, 1)); };
+        const auto changes = [&](const QImage& a, const QImage& b, int x) { return a.pixel(x, 90) != b.pixel(x, 90); };
+
+        camera.turnTo(ui::OrbitCamera::Side::Front);
+        const QImage without = picture();
+        scene.showPlane(core::Symmetry::X, model.box());
+        const QImage edgeOn = picture();
+        QVERIFY(changes(without, edgeOn, 119) && changes(without, edgeOn, 120));
+        for (const int aside : {90, 110, 130, 150})
+            QVERIFY(!changes(without, edgeOn, aside));
+
+        scene.showPlane(core::Symmetry::Z, model.box());
+        QCOMPARE(differing(without, picture()) > 500, !layered); // the pane, around the ball
+        scene.showPlane(core::Symmetry::None, model.box());
+        QCOMPARE(differing(without, picture()), 0);
+    }
+
     void aNewSizeIsRightAtOnce()
     {
         const SphereModel model;
