@@ -1,0 +1,147 @@
+#include "depth_image.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace core
+{
+namespace
+{
+constexpr int margin = 2; ///< pixels
+constexpr Slot facesAStep = 1 << 15;
+
+float cross(const Vec2f& a, const Vec2f& b)
+{
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+/// Pixels whose centres lie at or above, at or below a place; it is not negative. Without the library's ceil and floor: this is
+/// asked for each face.
+int firstCentre(float at)
+{
+    const int pixel = static_cast<int>(at);
+    return at > static_cast<float>(pixel) + 0.5F ? pixel + 1 : pixel;
+}
+int lastCentre(float at)
+{
+    const int pixel = static_cast<int>(at);
+    return at < static_cast<float>(pixel) + 0.5F ? pixel - 1 : pixel;
+}
+
+/// Weights of the corners a, b, c at a point; their sum is 1.
+Vec3f weightsAt(const Vec2f& at, const Vec2f& a, const Vec2f& b, const Vec2f& c)
+{
+    const float area = cross(b - a, c - a), toB = cross(c - b, at - b) / area, toC = cross(a - c, at - c) / area;
+    return {toB, toC, 1 - toB - toC};
+}
+} // namespace
+
+DepthImage::DepthImage(DrawnSide side, const Eigen::AlignedBox2f& box, float pixel)
+    : m_side(side)
+    , m_corner(box.min() - Vec2f::Constant(margin * pixel))
+    , m_pixel(pixel)
+    , m_pixelsAMm(1 / pixel)
+    , m_width(static_cast<int>(std::ceil(box.sizes().x() / pixel)) + 2 * margin + 1)
+    , m_height(static_cast<int>(std::ceil(box.sizes().y() / pixel)) + 2 * margin + 1)
+    , m_depth(static_cast<std::size_t>(m_width) * static_cast<std::size_t>(m_height), -std::numeric_limits<float>::infinity())
+    , m_face(m_depth.size(), noSlot)
+{
+}
+
+Vec3f DepthImage::toGrid(const Vec3f& point) const
+{
+    const Vec3f p = onPaper(m_side, point);
+    return {(p.x() - m_corner.x()) * m_pixelsAMm, (p.y() - m_corner.y()) * m_pixelsAMm, p.z()};
+}
+
+bool DepthImage::draw(const DrawArrays& model, std::span<const std::uint8_t> facing, const std::stop_token& stop)
+{
+    m_points.clear();
+    m_points.reserve(model.vertices.size());
+    for (const DrawVertex& vertex : model.vertices)
+        m_points.push_back(toGrid(vertex.position));
+    const int bit = 1 << static_cast<int>(m_side);
+    for (Slot f = 0; f < facing.size(); ++f) {
+        if (f % facesAStep == 0 && stop.stop_requested())
+            return false;
+        if ((facing[f] & bit) != 0)
+            drawFace(f, model.faces[f]);
+    }
+    return true;
+}
+
+/// At the pixels' centres. Row by row between the edges' crossings, so that a sliver costs its pixels and not its box.
+void DepthImage::drawFace(Slot f, const Triangle& t)
+{
+    const Vec3f &a = m_points[t[0]], &b = m_points[t[1]], &c = m_points[t[2]];
+    const Vec3f low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
+    const int bottom = firstCentre(low.y()), top = lastCentre(high.y()), left = firstCentre(low.x()), right = lastCentre(high.x());
+    if (bottom > top || left > right)
+        return;
+    const Vec2f ab = (b - a).head<2>(), ac = (c - a).head<2>();
+    const float area = cross(ab, ac);
+    if (!(area > 0))
+        return;
+    const float slopeX = ((b.z() - a.z()) * ac.y() - (c.z() - a.z()) * ab.y()) / area;
+    const float slopeY = ((c.z() - a.z()) * ab.x() - (b.z() - a.z()) * ac.x()) / area;
+    const std::array<const Vec3f*, 3> corners{&a, &b, &c};
+    for (int y = bottom; y <= top; ++y) {
+        const float row = static_cast<float>(y) + 0.5F;
+        float from = high.x(), to = low.x();
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Vec3f *lower = corners[i], *upper = corners[(i + 1) % 3];
+            if (lower->y() > upper->y()) // the same sum for both faces at the edge, so that no pixel falls between them
+                std::swap(lower, upper);
+            const Vec3f &p = *lower, &q = *upper;
+            if ((p.y() <= row) == (q.y() <= row))
+                continue;
+            const float x = p.x() + (row - p.y()) / (q.y() - p.y()) * (q.x() - p.x());
+            from = std::min(from, x);
+            to = std::max(to, x);
+        }
+        const int first = std::max(left, firstCentre(from)), last = std::min(right, lastCentre(to));
+        for (int x = first; x <= last; ++x) {
+            const float z = a.z() + slopeX * (static_cast<float>(x) + 0.5F - a.x()) + slopeY * (row - a.y());
+            const std::size_t i = index(x, y);
+            if (z > m_depth[i]) {
+                m_depth[i] = std::min(z, high.z());
+                m_face[i] = f;
+            }
+        }
+    }
+}
+
+DrawnImage DepthImage::shade(const DrawArrays& model) const
+{
+    DrawnImage image{m_width, m_height, {m_corner.x(), m_corner.y() + static_cast<float>(m_height) * m_pixel}, m_pixel, {}};
+    image.pixels.reserve(m_face.size());
+    for (int y = m_height - 1; y >= 0; --y)
+        for (int x = 0; x < m_width; ++x) {
+            const Slot f = m_face[index(x, y)];
+            image.pixels.push_back(f == noSlot ? std::array<std::uint8_t, 4>{}
+                                               : colorAt(model, f, {static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F}));
+        }
+    return image;
+}
+
+/// Under a lamp at the upper left, before the paper.
+std::array<std::uint8_t, 4> DepthImage::colorAt(const DrawArrays& model, Slot f, const Vec2f& at) const
+{
+    const Triangle& t = model.faces[f];
+    const auto corner = [&](std::size_t i) { return Vec2f(m_points[t[i]].head<2>()); };
+    const Vec3f weights = weightsAt(at, corner(0), corner(1), corner(2)).cwiseMax(0).cwiseMin(1);
+    Vec3f normal = Vec3f::Zero(), color = Vec3f::Zero();
+    for (std::size_t i = 0; i < 3; ++i) {
+        const DrawVertex& v = model.vertices[t[i]];
+        const float weight = weights[static_cast<Eigen::Index>(i)];
+        normal += weight * Vec3f(v.normal[0], v.normal[1], v.normal[2]);
+        color += weight * Vec3f(v.color[0], v.color[1], v.color[2]);
+    }
+    const Vec3f lamp(-0.4F, 0.5F, 0.7681F);
+    const float length = normal.norm();
+    const float light = length > 0 ? std::max(0.0F, onPaper(m_side, normal).dot(lamp) / length) : 1;
+    const Vec3f lit = color * (0.4F + 0.6F * light);
+    const auto byte = [](float x) { return static_cast<std::uint8_t>(std::clamp(x + 0.5F, 0.0F, 255.0F)); };
+    return {byte(lit.x()), byte(lit.y()), byte(lit.z()), 255};
+}
+} // namespace core

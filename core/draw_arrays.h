@@ -1,0 +1,16 @@
+#pragma once
+
+#include "mesh_patch.h"
+
+namespace core
+{
+/// A viewer's copy of the draw arrays, in plain memory: what patches make of it, slot by slot. One thread.
+struct DrawArrays
+{
+    std::vector<DrawVertex> vertices;
+    std::vector<Triangle> faces; ///< a free face is 0,0,0
+
+    /// Patches of one mesh in order, a whole one first. Cost: the patch's values.
+    void apply(const MeshPatch& patch);
+};
+} // namespace core
