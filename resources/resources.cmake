@@ -2,17 +2,32 @@
 # On executables only: in a static library resources can be lost when it is linked.
 set(FETTLE_RESOURCE_FILES
     icons/about.svg
+    icons/background-black.svg
+    icons/background-dark.svg
+    icons/background-light.svg
+    icons/background-sky.svg
+    icons/background-theme.svg
+    icons/background-white.svg
     icons/color.svg
     icons/export.svg
     icons/fettle.svg
     icons/fill.svg
+    icons/flat.svg
     icons/flatten.svg
     icons/frame.svg
     icons/fusion.svg
+    icons/ground.svg
     icons/headset.svg
     icons/insert.svg
     icons/keys.svg
     icons/larger.svg
+    icons/material-clay.svg
+    icons/material-grey.svg
+    icons/material-paint.svg
+    icons/material-pearl.svg
+    icons/material-porcelain.svg
+    icons/material-skin.svg
+    icons/material-wax.svg
     icons/mirror.svg
     icons/move.svg
     icons/open.svg
@@ -26,6 +41,7 @@ set(FETTLE_RESOURCE_FILES
     icons/redo.svg
     icons/remesh.svg
     icons/rotate.svg
+    icons/scale-bar.svg
     icons/scale.svg
     icons/smaller.svg
     icons/smooth.svg
@@ -39,6 +55,7 @@ set(FETTLE_RESOURCE_FILES
     icons/view-left.svg
     icons/view-right.svg
     icons/view-top.svg
+    icons/wireframe.svg
     shaders/background.frag
     shaders/background.vert
     shaders/clay.frag
@@ -49,7 +66,9 @@ set(FETTLE_RESOURCE_FILES
     shaders/ground.vert
     shaders/layer.frag
     shaders/plane.frag
-    shaders/plane.vert)
+    shaders/plane.vert
+    shaders/wire.frag
+    shaders/wire.geom)
 
 function(fettle_add_resources TARGET)
     list(TRANSFORM FETTLE_RESOURCE_FILES PREPEND ${PROJECT_SOURCE_DIR}/resources/ OUTPUT_VARIABLE FILES)

@@ -876,6 +876,150 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>Shows every command with its key, and finds one by its words.</source>
         <translation>Zeigt jeden Befehl mit seiner Taste und findet einen nach seinen Wörtern.</translation>
     </message>
+    <message>
+        <source>&amp;Wireframe</source>
+        <translation>&amp;Drahtgitter</translation>
+    </message>
+    <message>
+        <source>Draws the edges of the triangles over the model.</source>
+        <translation>Zeichnet die Kanten der Dreiecke über das Modell.</translation>
+    </message>
+    <message>
+        <source>Fl&amp;at Shading</source>
+        <translation>Fl&amp;ach schattieren</translation>
+    </message>
+    <message>
+        <source>Shows each triangle in one shade instead of a smooth surface.</source>
+        <translation>Zeigt jedes Dreieck in einem Ton statt einer glatten Oberfläche.</translation>
+    </message>
+    <message>
+        <source>&amp;Ground Grid</source>
+        <translation>Boden&amp;gitter</translation>
+    </message>
+    <message>
+        <source>Shows a grid in millimetres under the model.</source>
+        <translation>Zeigt unter dem Modell ein Gitter in Millimetern.</translation>
+    </message>
+    <message>
+        <source>&amp;Scale Bar</source>
+        <translation>&amp;Maßstab</translation>
+    </message>
+    <message>
+        <source>Shows a length in millimetres in the corner of the view.</source>
+        <translation>Zeigt in der Ecke der Ansicht eine Länge in Millimetern.</translation>
+    </message>
+    <message>
+        <source>&amp;Clay</source>
+        <translation>&amp;Ton</translation>
+    </message>
+    <message>
+        <source>Shows the model as warm, dull clay.</source>
+        <translation>Zeigt das Modell als warmen, matten Ton.</translation>
+    </message>
+    <message>
+        <source>&amp;Grey Clay</source>
+        <translation>&amp;Grauer Ton</translation>
+    </message>
+    <message>
+        <source>Shows the model as cool grey clay, which hides no bump.</source>
+        <translation>Zeigt das Modell als kühlen grauen Ton, der keine Unebenheit verbirgt.</translation>
+    </message>
+    <message>
+        <source>Red &amp;Wax</source>
+        <translation>Rotes &amp;Wachs</translation>
+    </message>
+    <message>
+        <source>Shows the model as red wax, soft in the shadows and shiny in the light.</source>
+        <translation>Zeigt das Modell als rotes Wachs, weich im Schatten und glänzend im Licht.</translation>
+    </message>
+    <message>
+        <source>&amp;Porcelain</source>
+        <translation>&amp;Porzellan</translation>
+    </message>
+    <message>
+        <source>Shows the model as white, glazed porcelain.</source>
+        <translation>Zeigt das Modell als weißes, glasiertes Porzellan.</translation>
+    </message>
+    <message>
+        <source>P&amp;earl</source>
+        <translation>P&amp;erle</translation>
+    </message>
+    <message>
+        <source>Shows the model as pearl, which shimmers where it turns away.</source>
+        <translation>Zeigt das Modell als Perle, die schimmert, wo sie sich abwendet.</translation>
+    </message>
+    <message>
+        <source>&amp;Skin</source>
+        <translation>&amp;Haut</translation>
+    </message>
+    <message>
+        <source>Shows the model as skin, with light in its shadows.</source>
+        <translation>Zeigt das Modell als Haut, mit Licht in den Schatten.</translation>
+    </message>
+    <message>
+        <source>Painted C&amp;olours</source>
+        <translation>Gemalte &amp;Farben</translation>
+    </message>
+    <message>
+        <source>Shows the colours that were painted as they are, shaded.</source>
+        <translation>Zeigt die gemalten Farben, wie sie sind, schattiert.</translation>
+    </message>
+    <message>
+        <source>As the &amp;Window</source>
+        <translation>Wie das &amp;Fenster</translation>
+    </message>
+    <message>
+        <source>Puts behind the model what suits the window, light or dark.</source>
+        <translation>Stellt hinter das Modell, was zum Fenster passt, hell oder dunkel.</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Hell</translation>
+    </message>
+    <message>
+        <source>Puts a light grey behind the model.</source>
+        <translation>Stellt ein helles Grau hinter das Modell.</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Dunkel</translation>
+    </message>
+    <message>
+        <source>Puts a dark grey behind the model.</source>
+        <translation>Stellt ein dunkles Grau hinter das Modell.</translation>
+    </message>
+    <message>
+        <source>&amp;Sky</source>
+        <translation>H&amp;immel</translation>
+    </message>
+    <message>
+        <source>Puts a pale blue sky behind the model.</source>
+        <translation>Stellt einen blassblauen Himmel hinter das Modell.</translation>
+    </message>
+    <message>
+        <source>W&amp;hite</source>
+        <translation>&amp;Weiß</translation>
+    </message>
+    <message>
+        <source>Puts plain white behind the model.</source>
+        <translation>Stellt reines Weiß hinter das Modell.</translation>
+    </message>
+    <message>
+        <source>&amp;Black</source>
+        <translation>&amp;Schwarz</translation>
+    </message>
+    <message>
+        <source>Puts plain black behind the model.</source>
+        <translation>Stellt reines Schwarz hinter das Modell.</translation>
+    </message>
+    <message>
+        <source>Mat&amp;erial</source>
+        <translation>Mat&amp;erial</translation>
+    </message>
+    <message>
+        <source>Ba&amp;ckground</source>
+        <translation>&amp;Hintergrund</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushPanels</name>
@@ -1485,6 +1629,17 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source> mm</source>
         <translation> mm</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ScaleBar</name>
+    <message>
+        <source>Scale: %L1 mm</source>
+        <translation>Maßstab: %L1 mm</translation>
+    </message>
+    <message>
+        <source>%L1 mm</source>
+        <translation>%L1 mm</translation>
     </message>
 </context>
 <context>

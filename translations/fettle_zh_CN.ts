@@ -874,6 +874,150 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>Shows every command with its key, and finds one by its words.</source>
         <translation>列出所有命令及其快捷键，并可按词查找。</translation>
     </message>
+    <message>
+        <source>&amp;Wireframe</source>
+        <translation>线框(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Draws the edges of the triangles over the model.</source>
+        <translation>在模型上画出三角形的边。</translation>
+    </message>
+    <message>
+        <source>Fl&amp;at Shading</source>
+        <translation>平面着色(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Shows each triangle in one shade instead of a smooth surface.</source>
+        <translation>每个三角形显示为一种明暗，而不是光滑的表面。</translation>
+    </message>
+    <message>
+        <source>&amp;Ground Grid</source>
+        <translation>地面网格(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Shows a grid in millimetres under the model.</source>
+        <translation>在模型下方显示以毫米为单位的网格。</translation>
+    </message>
+    <message>
+        <source>&amp;Scale Bar</source>
+        <translation>比例尺(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Shows a length in millimetres in the corner of the view.</source>
+        <translation>在视图一角显示以毫米为单位的长度。</translation>
+    </message>
+    <message>
+        <source>&amp;Clay</source>
+        <translation>陶土(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Shows the model as warm, dull clay.</source>
+        <translation>将模型显示为温暖的哑光陶土。</translation>
+    </message>
+    <message>
+        <source>&amp;Grey Clay</source>
+        <translation>灰陶土(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Shows the model as cool grey clay, which hides no bump.</source>
+        <translation>将模型显示为冷灰色陶土，任何起伏都清晰可见。</translation>
+    </message>
+    <message>
+        <source>Red &amp;Wax</source>
+        <translation>红蜡(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Shows the model as red wax, soft in the shadows and shiny in the light.</source>
+        <translation>将模型显示为红蜡，暗处柔和，亮处有光泽。</translation>
+    </message>
+    <message>
+        <source>&amp;Porcelain</source>
+        <translation>瓷器(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Shows the model as white, glazed porcelain.</source>
+        <translation>将模型显示为上釉的白瓷。</translation>
+    </message>
+    <message>
+        <source>P&amp;earl</source>
+        <translation>珍珠(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Shows the model as pearl, which shimmers where it turns away.</source>
+        <translation>将模型显示为珍珠，边缘泛出光彩。</translation>
+    </message>
+    <message>
+        <source>&amp;Skin</source>
+        <translation>皮肤(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Shows the model as skin, with light in its shadows.</source>
+        <translation>将模型显示为皮肤，阴影中透着光。</translation>
+    </message>
+    <message>
+        <source>Painted C&amp;olours</source>
+        <translation>绘制的颜色(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Shows the colours that were painted as they are, shaded.</source>
+        <translation>按原样显示绘制的颜色，带明暗。</translation>
+    </message>
+    <message>
+        <source>As the &amp;Window</source>
+        <translation>随窗口(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Puts behind the model what suits the window, light or dark.</source>
+        <translation>模型背后随窗口变亮或变暗。</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>浅色(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Puts a light grey behind the model.</source>
+        <translation>模型背后为浅灰色。</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>深色(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Puts a dark grey behind the model.</source>
+        <translation>模型背后为深灰色。</translation>
+    </message>
+    <message>
+        <source>&amp;Sky</source>
+        <translation>天空(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Puts a pale blue sky behind the model.</source>
+        <translation>模型背后为淡蓝色的天空。</translation>
+    </message>
+    <message>
+        <source>W&amp;hite</source>
+        <translation>白色(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Puts plain white behind the model.</source>
+        <translation>模型背后为纯白色。</translation>
+    </message>
+    <message>
+        <source>&amp;Black</source>
+        <translation>黑色(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Puts plain black behind the model.</source>
+        <translation>模型背后为纯黑色。</translation>
+    </message>
+    <message>
+        <source>Mat&amp;erial</source>
+        <translation>材质(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Ba&amp;ckground</source>
+        <translation>背景(&amp;C)</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushPanels</name>
@@ -1482,6 +1626,17 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source> mm</source>
         <translation> mm</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ScaleBar</name>
+    <message>
+        <source>Scale: %L1 mm</source>
+        <translation>比例尺：%L1 毫米</translation>
+    </message>
+    <message>
+        <source>%L1 mm</source>
+        <translation>%L1 mm</translation>
     </message>
 </context>
 <context>

@@ -91,6 +91,43 @@ constexpr ActionInfo table[] = {
     {MenuId::View, "view.orthographic", QT_TRANSLATE_NOOP("ui::Actions", "&Orthographic"),
      QT_TRANSLATE_NOOP("ui::Actions", "Shows what is far as large as what is near, or as the eye sees it."), "Num+5", "orthographic", true, Bar::None, true},
 
+    {MenuId::View, "view.wireframe", QT_TRANSLATE_NOOP("ui::Actions", "&Wireframe"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Draws the edges of the triangles over the model."), "W", "wireframe", true, Bar::Top, true},
+    {MenuId::View, "view.flat", QT_TRANSLATE_NOOP("ui::Actions", "Fl&at Shading"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Shows each triangle in one shade instead of a smooth surface."), "Shift+W", "flat", false, Bar::None, true},
+    {MenuId::View, "view.ground", QT_TRANSLATE_NOOP("ui::Actions", "&Ground Grid"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Shows a grid in millimetres under the model."), "G", "ground", false, Bar::None, true},
+    {MenuId::View, "view.scaleBar", QT_TRANSLATE_NOOP("ui::Actions", "&Scale Bar"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Shows a length in millimetres in the corner of the view."), "Shift+G", "scale-bar", false, Bar::None, true},
+
+    {MenuId::Material, "material.clay", QT_TRANSLATE_NOOP("ui::Actions", "&Clay"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Shows the model as warm, dull clay."), "Alt+1", "material-clay", false, Bar::None, true},
+    {MenuId::Material, "material.grey", QT_TRANSLATE_NOOP("ui::Actions", "&Grey Clay"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Shows the model as cool grey clay, which hides no bump."), "Alt+2", "material-grey", false, Bar::None, true},
+    {MenuId::Material, "material.wax", QT_TRANSLATE_NOOP("ui::Actions", "Red &Wax"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Shows the model as red wax, soft in the shadows and shiny in the light."), "Alt+3", "material-wax", false, Bar::None, true},
+    {MenuId::Material, "material.porcelain", QT_TRANSLATE_NOOP("ui::Actions", "&Porcelain"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Shows the model as white, glazed porcelain."), "Alt+4", "material-porcelain", false, Bar::None, true},
+    {MenuId::Material, "material.pearl", QT_TRANSLATE_NOOP("ui::Actions", "P&earl"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Shows the model as pearl, which shimmers where it turns away."), "Alt+5", "material-pearl", false, Bar::None, true},
+    {MenuId::Material, "material.skin", QT_TRANSLATE_NOOP("ui::Actions", "&Skin"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Shows the model as skin, with light in its shadows."), "Alt+6", "material-skin", false, Bar::None, true},
+    {MenuId::Material, "material.paint", QT_TRANSLATE_NOOP("ui::Actions", "Painted C&olours"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Shows the colours that were painted as they are, shaded."), "Alt+7", "material-paint", true, Bar::None, true},
+
+    {MenuId::Background, "background.theme", QT_TRANSLATE_NOOP("ui::Actions", "As the &Window"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Puts behind the model what suits the window, light or dark."), "", "background-theme", false, Bar::None, true},
+    {MenuId::Background, "background.light", QT_TRANSLATE_NOOP("ui::Actions", "&Light"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Puts a light grey behind the model."), "", "background-light", false, Bar::None, true},
+    {MenuId::Background, "background.dark", QT_TRANSLATE_NOOP("ui::Actions", "&Dark"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Puts a dark grey behind the model."), "", "background-dark", false, Bar::None, true},
+    {MenuId::Background, "background.sky", QT_TRANSLATE_NOOP("ui::Actions", "&Sky"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Puts a pale blue sky behind the model."), "", "background-sky", false, Bar::None, true},
+    {MenuId::Background, "background.white", QT_TRANSLATE_NOOP("ui::Actions", "W&hite"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Puts plain white behind the model."), "", "background-white", true, Bar::None, true},
+    {MenuId::Background, "background.black", QT_TRANSLATE_NOOP("ui::Actions", "&Black"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Puts plain black behind the model."), "", "background-black", false, Bar::None, true},
+
     {MenuId::Vr, "vr.status", QT_TRANSLATE_NOOP("ui::Actions", "&Look for a Headset"),
      QT_TRANSLATE_NOOP("ui::Actions", "Says whether a VR headset is ready."), "", "headset"},
 
@@ -190,6 +227,10 @@ QString Actions::menuTitle(MenuId menu) const
         return tr("&Model");
     case MenuId::View:
         return tr("&View");
+    case MenuId::Material:
+        return tr("Mat&erial");
+    case MenuId::Background:
+        return tr("Ba&ckground");
     case MenuId::Vr:
         return tr("V&R");
     case MenuId::Help:

@@ -9,17 +9,38 @@ namespace ui
 {
 namespace
 {
-/// Linear. Times the default vertex colour (grey 200, linear 0.58) this is the clay: sRGB 194, 150, 126.
-constexpr QVector3D clayTint{0.93F, 0.527F, 0.361F};
+constexpr float wireHalfWidth = 0.5F; ///< logical pixels
 
-std::unique_ptr<QOpenGLShaderProgram> program(const QString& name)
+/// Of files in :/shaders; their endings say which stage they are.
+std::unique_ptr<QOpenGLShaderProgram> program(std::initializer_list<const char*> files)
 {
     auto made = std::make_unique<QOpenGLShaderProgram>();
-    const QString path = QStringLiteral(":/shaders/") + name;
-    const bool ok = made->addShaderFromSourceFile(QOpenGLShader::Vertex, path + QStringLiteral(".vert")) &&
-                    made->addShaderFromSourceFile(QOpenGLShader::Fragment, path + QStringLiteral(".frag")) &&
-                    made->link();
-    return ok ? std::move(made) : nullptr;
+    for (const char* file : files) {
+        const QString path = QStringLiteral(":/shaders/") + QLatin1StringView(file);
+        const auto stage = path.endsWith(QLatin1StringView(".vert"))   ? QOpenGLShader::Vertex
+                           : path.endsWith(QLatin1StringView(".geom")) ? QOpenGLShader::Geometry
+                                                                       : QOpenGLShader::Fragment;
+        if (!made->addShaderFromSourceFile(stage, path))
+            return nullptr;
+    }
+    return made->link() ? std::move(made) : nullptr;
+}
+
+void setCamera(QOpenGLShaderProgram& to, const OrbitCamera& camera)
+{
+    to.setUniformValue("view", toQt(camera.viewMatrix()));
+    to.setUniformValue("projection", toQt(camera.projectionMatrix()));
+}
+
+void setShading(QOpenGLShaderProgram& to, const Shading& shading)
+{
+    to.setUniformValue("tint", shading.tint);
+    to.setUniformValue("wrap", shading.wrap);
+    to.setUniformValue("gloss", shading.gloss);
+    to.setUniformValue("sharpness", shading.sharpness);
+    to.setUniformValue("rim", shading.rim);
+    to.setUniformValue("through", shading.through);
+    to.setUniformValue("sheen", shading.sheen);
 }
 } // namespace
 
@@ -29,11 +50,12 @@ ClayPainter::~ClayPainter() = default;
 bool ClayPainter::create(QOpenGLFunctions_3_3_Core* gl)
 {
     m_gl = gl;
-    m_clayProgram = program(QStringLiteral("clay"));
-    m_backdropProgram = program(QStringLiteral("background"));
+    m_clayProgram = program({"clay.vert", "clay.frag"});
+    m_wireProgram = program({"clay.vert", "wire.geom", "wire.frag"});
+    m_backdropProgram = program({"background.vert", "background.frag"});
     m_gl->glGenVertexArrays(1, &m_noVertices);
     m_clay.create(gl);
-    return m_clayProgram && m_backdropProgram;
+    return m_clayProgram && m_wireProgram && m_backdropProgram;
 }
 
 void ClayPainter::destroy()
@@ -42,12 +64,13 @@ void ClayPainter::destroy()
         return;
     m_clay.destroy();
     m_clayProgram.reset();
+    m_wireProgram.reset();
     m_backdropProgram.reset();
     m_gl->glDeleteVertexArrays(1, &m_noVertices);
     m_gl = nullptr;
 }
 
-void ClayPainter::draw(const OrbitCamera& camera, const Backdrop& backdrop)
+void ClayPainter::draw(const OrbitCamera& camera, const ClayPicture& picture)
 {
     m_gl->glDisable(GL_BLEND);
     m_gl->glDisable(GL_SCISSOR_TEST);
@@ -55,8 +78,15 @@ void ClayPainter::draw(const OrbitCamera& camera, const Backdrop& backdrop)
     m_gl->glDepthMask(GL_TRUE);
     m_gl->glClearDepth(1.0);
     m_gl->glClear(GL_DEPTH_BUFFER_BIT);
-    drawBackdrop(backdrop);
-    drawClay(camera);
+    drawBackdrop(picture.backdrop);
+    m_gl->glEnable(GL_DEPTH_TEST);
+    m_gl->glEnable(GL_CULL_FACE);
+    m_gl->glCullFace(GL_BACK);
+    m_gl->glFrontFace(GL_CCW);
+    drawClay(camera, picture);
+    if (picture.wireframe)
+        drawWires(camera, picture);
+    m_gl->glDisable(GL_CULL_FACE);
 }
 
 void ClayPainter::drawBackdrop(const Backdrop& backdrop)
@@ -65,28 +95,45 @@ void ClayPainter::drawBackdrop(const Backdrop& backdrop)
     m_backdropProgram->bind();
     m_backdropProgram->setUniformValue("topColor", toQt(backdrop.top));
     m_backdropProgram->setUniformValue("bottomColor", toQt(backdrop.bottom));
+    m_backdropProgram->setUniformValue("glow", backdrop.glow);
     m_gl->glBindVertexArray(m_noVertices);
     m_gl->glDrawArrays(GL_TRIANGLES, 0, 3);
     m_gl->glBindVertexArray(0);
     m_backdropProgram->release();
 }
 
-void ClayPainter::drawClay(const OrbitCamera& camera)
+void ClayPainter::drawClay(const OrbitCamera& camera, const ClayPicture& picture)
 {
-    m_gl->glEnable(GL_DEPTH_TEST);
     m_gl->glDepthFunc(GL_LESS);
-    m_gl->glEnable(GL_CULL_FACE);
-    m_gl->glCullFace(GL_BACK);
-    m_gl->glFrontFace(GL_CCW);
     m_clayProgram->bind();
-    m_clayProgram->setUniformValue("view", toQt(camera.viewMatrix()));
-    m_clayProgram->setUniformValue("projection", toQt(camera.projectionMatrix()));
-    m_clayProgram->setUniformValue("tint", clayTint);
+    setCamera(*m_clayProgram, camera);
+    setShading(*m_clayProgram, picture.shading);
+    m_clayProgram->setUniformValue("flatShading", picture.flat);
     m_clayProgram->setUniformValue("encodeSrgb", 1.0F);
     m_clayProgram->setUniformValue("cutNormal", toQt(m_cutNormal));
     m_clayProgram->setUniformValue("cut", m_cutNormal.isZero() ? 0.0F : 1.0F);
     m_clay.draw();
     m_clayProgram->release();
-    m_gl->glDisable(GL_CULL_FACE);
+}
+
+/// The triangles once more, all but their sides transparent, a little nearer to the eye than the clay.
+void ClayPainter::drawWires(const OrbitCamera& camera, const ClayPicture& picture)
+{
+    m_gl->glDepthFunc(GL_LEQUAL);
+    m_gl->glDepthMask(GL_FALSE);
+    m_gl->glEnable(GL_BLEND);
+    m_gl->glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    m_gl->glEnable(GL_POLYGON_OFFSET_FILL);
+    m_gl->glPolygonOffset(-1, -1);
+    m_wireProgram->bind();
+    setCamera(*m_wireProgram, camera);
+    m_wireProgram->setUniformValue("viewport", QSizeF(picture.pixels));
+    m_wireProgram->setUniformValue("halfWidth", static_cast<float>(wireHalfWidth * picture.pixelRatio));
+    m_clay.draw();
+    m_wireProgram->release();
+    m_gl->glDisable(GL_POLYGON_OFFSET_FILL);
+    m_gl->glDisable(GL_BLEND);
+    m_gl->glDepthMask(GL_TRUE);
+    m_gl->glDepthFunc(GL_LESS);
 }
 } // namespace ui

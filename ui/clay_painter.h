@@ -1,9 +1,10 @@
 #pragma once
 
 #include "clay_buffer.h"
+#include "clay_materials.h"
 #include "orbit_camera.h"
 
-#include <QColor>
+#include <QSize>
 
 #include <memory>
 
@@ -11,10 +12,15 @@ class QOpenGLShaderProgram;
 
 namespace ui
 {
-/// The two colours behind the model.
-struct Backdrop
+/// What to draw, beside the clay itself.
+struct ClayPicture
 {
-    QColor top, bottom;
+    Backdrop backdrop;
+    Shading shading;
+    bool flat = false;
+    bool wireframe = false;
+    QSize pixels;          ///< physical, of the framebuffer
+    double pixelRatio = 1; ///< physical pixels to one logical pixel
 };
 
 /// Draws backdrop and clay with OpenGL 3.3 core into the framebuffer that is bound. The context that was current at
@@ -35,14 +41,15 @@ public:
     void setCut(const core::Vec3& normal) { m_cutNormal = normal; }
 
     /// Clears depth; leaves depth test, culling and blending as OpenGL starts with.
-    void draw(const OrbitCamera& camera, const Backdrop& backdrop);
+    void draw(const OrbitCamera& camera, const ClayPicture& picture);
 
 private:
     void drawBackdrop(const Backdrop& backdrop);
-    void drawClay(const OrbitCamera& camera);
+    void drawClay(const OrbitCamera& camera, const ClayPicture& picture);
+    void drawWires(const OrbitCamera& camera, const ClayPicture& picture);
 
     QOpenGLFunctions_3_3_Core* m_gl = nullptr;
-    std::unique_ptr<QOpenGLShaderProgram> m_clayProgram, m_backdropProgram;
+    std::unique_ptr<QOpenGLShaderProgram> m_clayProgram, m_wireProgram, m_backdropProgram;
     unsigned int m_noVertices = 0;
     core::Vec3 m_cutNormal = core::Vec3::Zero();
     ClayBuffer m_clay;

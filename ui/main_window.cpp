@@ -8,6 +8,7 @@
 #include "busy_bar.h"
 #include "command_box.h"
 #include "facts_bar.h"
+#include "look_actions.h"
 #include "messages.h"
 #include "model_dialogs.h"
 #include "model_files.h"
@@ -97,8 +98,10 @@ void MainWindow::State::buildBars()
     for (const MenuId id : {MenuId::File, MenuId::Edit, MenuId::Sculpt, MenuId::Model, MenuId::View, MenuId::Vr, MenuId::Help}) {
         QMenu* menu = q->menuBar()->addMenu(actions.menuTitle(id));
         actions.fill(menu, id);
-        if (id == MenuId::View)
-            addBrushPanels(q, &brush, menu->addMenu(tr("&Panels")), [this] { viewport->setFocus(); });
+        if (id != MenuId::View)
+            continue;
+        addLooks(actions, viewport, &settings, menu);
+        addBrushPanels(q, &brush, menu->addMenu(tr("&Panels")), [this] { viewport->setFocus(); });
     }
 
     auto* bar = q->addToolBar(tr("Tool Bar"));

@@ -48,7 +48,8 @@ struct Scene::State
     ClayPainter painter;
     std::unique_ptr<QOpenGLShaderProgram> layerProgram;
     unsigned int noVertices = 0;
-    Backdrop backdrop;
+    ClayPicture picture;
+    bool hasModel = false, wantsGround = true;
     bool usable = false;
 
     void startEngine(Qt3dEngine::Target target);
@@ -57,6 +58,7 @@ struct Scene::State
     bool createResources();
     void warmUp();
     void makeCurrent() { context->makeCurrent(&surface); }
+    void showGround();
     void drawOverlay();
     void layOver(unsigned int texture);
 };
@@ -153,8 +155,13 @@ void Scene::State::layOver(unsigned int texture)
     gl->glDisable(GL_BLEND);
 }
 
-/// Everything once, unseen, or ground and cursor would be missing in the first frames. In layers there is no ground and no
-/// pane: their depth would not be compared with the clay's.
+/// In layers there is neither ground nor pane: their depth would not be compared with the clay's.
+void Scene::State::showGround()
+{
+    ground->setEnabled(hasModel && wantsGround && mode == Mode::InQt3dContext);
+}
+
+/// Everything once, unseen, or ground and cursor would be missing in the first frames.
 void Scene::State::warmUp()
 {
     ground->setEnabled(mode == Mode::InQt3dContext);
@@ -176,7 +183,7 @@ Scene::Scene(Mode wanted) : m_state(std::make_unique<State>())
     m_state->surface.setFormat(QSurfaceFormat::defaultFormat());
     m_state->surface.create();
     m_state->usable = (wanted == Mode::InQt3dContext && m_state->startInQt3dContext()) || m_state->startLayered();
-    setDark(false);
+    setLook({}, false);
     if (m_state->usable)
         m_state->warmUp();
 }
@@ -211,7 +218,8 @@ ClayBuffer& Scene::clay()
 void Scene::placeGround(const core::Box& box)
 {
     m_state->ground->place(box);
-    m_state->ground->setEnabled(m_state->mode == Mode::InQt3dContext);
+    m_state->hasModel = true;
+    m_state->showGround();
 }
 
 void Scene::placeCursor(const core::SurfaceHit& hit, double radius, const QColor& color)
@@ -235,12 +243,17 @@ void Scene::showPlane(core::Symmetry symmetry, const core::Box& box)
     m_state->plane->setEnabled(shown && m_state->mode == Mode::InQt3dContext);
 }
 
-void Scene::setDark(bool dark)
+void Scene::setLook(const ViewLook& look, bool darkTheme)
 {
-    m_state->ground->setDark(dark);
-    m_state->plane->setDark(dark);
-    m_state->backdrop = dark ? Backdrop{QColor(70, 74, 80), QColor(34, 36, 40)}
-                             : Backdrop{QColor(222, 225, 229), QColor(176, 182, 189)};
+    State& s = *m_state;
+    s.picture.backdrop = backdropOf(look.background, darkTheme);
+    s.picture.shading = shadingOf(look.material);
+    s.picture.flat = look.flat;
+    s.picture.wireframe = look.wireframe;
+    s.ground->setDark(isDark(s.picture.backdrop));
+    s.plane->setDark(isDark(s.picture.backdrop));
+    s.wantsGround = look.ground;
+    s.showGround();
 }
 
 Scene::Image Scene::render(const OrbitCamera& camera, QSize pixels, double pixelRatio)
@@ -257,7 +270,9 @@ Scene::Image Scene::render(const OrbitCamera& camera, QSize pixels, double pixel
 
     timer.start();
     s.target.bind();
-    s.painter.draw(camera, s.backdrop);
+    s.picture.pixels = pixels;
+    s.picture.pixelRatio = pixelRatio;
+    s.painter.draw(camera, s.picture);
     image.drawMs = milliseconds(timer);
     timer.start();
     s.drawOverlay();

@@ -49,7 +49,8 @@ public:
     void hideCursor();
     /// The pane of that plane through the box, and the line where it cuts the clay; without symmetry neither.
     void showPlane(core::Symmetry symmetry, const core::Box& box);
-    void setDark(bool dark);
+    /// `darkTheme`: what the background is where it follows the window.
+    void setLook(const ViewLook& look, bool darkTheme);
 
     Image render(const OrbitCamera& camera, QSize pixels, double pixelRatio);
 

@@ -2,6 +2,7 @@
 
 #include <QDir>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ui
@@ -15,6 +16,8 @@ const QString geometryKey = QStringLiteral("window/geometry");
 const QString stateKey = QStringLiteral("window/state");
 const QString folderKey = QStringLiteral("files/lastFolder");
 const QString radiusShareKey = QStringLiteral("brush/radiusShare");
+const QString materialKey = QStringLiteral("view/material");
+const QString backgroundKey = QStringLiteral("view/background");
 
 QString keyOf(core::Parameter parameter)
 {
@@ -34,6 +37,35 @@ double number(const QSettings& settings, const QString& key, double least, doubl
     const double stored = settings.value(key).toDouble(&ok);
     return ok && std::isfinite(stored) && stored >= least && stored <= most ? stored : otherwise;
 }
+
+bool yesNo(const QSettings& settings, const QString& key, bool otherwise)
+{
+    const QString stored = settings.value(key).toString();
+    return stored == QLatin1StringView("true") || (stored != QLatin1StringView("false") && otherwise);
+}
+
+template <class T, std::size_t count>
+T choice(const QSettings& settings, const QString& key, const std::array<Named<T>, count>& choices, T otherwise)
+{
+    const QString stored = settings.value(key).toString();
+    const auto found = std::ranges::find_if(choices, [&](const Named<T>& row) { return stored == QLatin1StringView(row.key); });
+    return found != choices.end() ? found->value : otherwise;
+}
+
+template <class T, std::size_t count> QString wordFor(T value, const std::array<Named<T>, count>& choices)
+{
+    return QLatin1StringView(std::ranges::find(choices, value, &Named<T>::value)->key);
+}
+
+struct LookSwitch
+{
+    QString key;
+    bool ViewLook::*what;
+};
+const LookSwitch lookSwitches[] = {{QStringLiteral("view/wireframe"), &ViewLook::wireframe},
+                                   {QStringLiteral("view/flat"), &ViewLook::flat},
+                                   {QStringLiteral("view/ground"), &ViewLook::ground},
+                                   {QStringLiteral("view/scaleBar"), &ViewLook::scaleBar}};
 } // namespace
 
 QByteArray Settings::windowGeometry() const
@@ -86,5 +118,23 @@ double Settings::radiusShare() const
 void Settings::setRadiusShare(double share)
 {
     m_settings.setValue(radiusShareKey, share);
+}
+
+ViewLook Settings::look() const
+{
+    ViewLook look;
+    look.material = choice(m_settings, materialKey, materials, look.material);
+    look.background = choice(m_settings, backgroundKey, backgrounds, look.background);
+    for (const LookSwitch& row : lookSwitches)
+        look.*row.what = yesNo(m_settings, row.key, look.*row.what);
+    return look;
+}
+
+void Settings::setLook(const ViewLook& look)
+{
+    m_settings.setValue(materialKey, wordFor(look.material, materials));
+    m_settings.setValue(backgroundKey, wordFor(look.background, backgrounds));
+    for (const LookSwitch& row : lookSwitches)
+        m_settings.setValue(row.key, look.*row.what);
 }
 } // namespace ui

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "view_look.h"
+
 #include "core/brush.h"
 
 #include <QByteArray>
@@ -37,6 +39,9 @@ public:
     /// The radius as a share of the model's longest side, so that it fits the next model too.
     double radiusShare() const;
     void setRadiusShare(double share);
+
+    ViewLook look() const;
+    void setLook(const ViewLook& look);
 
 private:
     QSettings m_settings;

@@ -1,6 +1,7 @@
 #include "viewport.h"
 
 #include "pointer_input.h"
+#include "scale_bar.h"
 #include "scene.h"
 #include "touch_input.h"
 
@@ -87,6 +88,8 @@ struct Viewport::State
     TouchInput touch{&input};
     std::unique_ptr<Scene> scene;
     core::Box box;
+    ViewLook look;
+    ScaleBar* scaleBar = nullptr;
     std::function<std::optional<core::MeshPatch>()> take;
     bool patchWaiting = false;
     unsigned int readFramebuffer = 0;
@@ -156,6 +159,7 @@ Viewport::Viewport(BrushSettings* brush, QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(200, 150);
     setAccessibleName(tr("Model"));
+    m_state->scaleBar = new ScaleBar(this);
 
     PointerInput* input = &m_state->input;
     connect(input, &PointerInput::hoverRequested, this, &Viewport::hoverRequested);
@@ -229,6 +233,18 @@ void Viewport::setProjection(OrbitCamera::Projection projection)
     m_state->input.viewMoved();
 }
 
+void Viewport::setLook(const ViewLook& look)
+{
+    m_state->look = look;
+    m_state->scaleBar->setVisible(look.scaleBar);
+    update();
+}
+
+const ViewLook& Viewport::look() const
+{
+    return m_state->look;
+}
+
 const OrbitCamera& Viewport::camera() const
 {
     return m_state->camera;
@@ -299,7 +315,10 @@ void Viewport::paintGL()
     const bool surfaceChanged = s.applyPatch();
     s.placeCursor();
     s.scene->showPlane(s.brush->stroke().symmetry, s.box);
-    s.scene->setDark(palette().window().color().lightness() < 128);
+    const bool darkTheme = palette().window().color().lightness() < 128;
+    s.scene->setLook(s.look, darkTheme);
+    s.scaleBar->setLight(isDark(backdropOf(s.look.background, darkTheme)));
+    s.scaleBar->showFor(s.camera);
     const QSize pixels = size() * devicePixelRatioF();
     const Scene::Image image = s.scene->render(s.camera, pixels, devicePixelRatioF());
     makeCurrent();

@@ -2,6 +2,7 @@
 
 #include "brush_settings.h"
 #include "orbit_camera.h"
+#include "view_look.h"
 
 #include "core/mesh_patch.h"
 #include "core/sculptor.h"
@@ -58,6 +59,9 @@ public:
     void frame();
     void turnTo(OrbitCamera::Side side);
     void setProjection(OrbitCamera::Projection projection);
+
+    void setLook(const ViewLook& look);
+    const ViewLook& look() const;
 
     const OrbitCamera& camera() const;
     const ViewportStats& stats() const;

@@ -4,6 +4,7 @@ in vec2 place;
 
 uniform vec3 topColor; // sRGB
 uniform vec3 bottomColor;
+uniform float glow; // added behind the model
 
 out vec4 fragColor;
 
@@ -15,7 +16,7 @@ float noise(vec2 p)
 void main()
 {
     vec3 color = mix(bottomColor, topColor, smoothstep(0.0, 1.0, place.y));
-    float glow = exp(-4.0 * dot(place - vec2(0.5, 0.52), place - vec2(0.5, 0.52)));
-    color += 0.035 * glow;
+    vec2 away = place - vec2(0.5, 0.52);
+    color += glow * exp(-4.0 * dot(away, away));
     fragColor = vec4(color + (noise(gl_FragCoord.xy) - 0.5) / 255.0, 1.0);
 }

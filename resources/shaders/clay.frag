@@ -1,13 +1,21 @@
 #version 330 core
-// Hemisphere of sky and table, a key light over the viewer's left shoulder, a cool rim, a soft highlight. All linear;
-// `encodeSrgb` is 1 where the target is not an sRGB image.
+// Hemisphere of sky and table, a key light over the viewer's left shoulder, a cool rim, a highlight; what the material
+// makes of them is in its numbers. All linear; `encodeSrgb` is 1 where the target is not an sRGB image.
 in vec3 toEye;
+in vec3 eyePosition;
 in vec3 eyeNormal;
-in vec3 worldNormal;
 in vec3 albedo;
 in float fromCut;
 
-uniform vec3 tint;       // linear; unpainted clay is tint times the default colour
+uniform mat4 view;        // mm to eye space
+uniform vec3 tint;        // linear; times the vertex's colour
+uniform float wrap;       // 0: shadow begins where the light grazes; 1: at the far side
+uniform float gloss;      // strength of the highlight
+uniform float sharpness;  // its exponent
+uniform float rim;        // strength of the rim
+uniform vec3 through;     // linear; shines out of the shadow's edge
+uniform vec3 sheen;       // linear; where the surface turns away
+uniform bool flatShading; // each triangle in one shade
 uniform float encodeSrgb;
 uniform float cut;       // 1: a line where fromCut is 0
 
@@ -42,18 +50,20 @@ vec3 withCut(vec3 color)
 
 void main()
 {
-    vec3 n = normalize(eyeNormal);
+    vec3 n = normalize(flatShading ? cross(dFdx(eyePosition), dFdy(eyePosition)) : eyeNormal);
     vec3 v = normalize(toEye);
     float key = dot(n, keyDirection);
-    float wrapped = max((key + 0.18) / 1.18, 0.0);
+    float wrapped = max((key + wrap) / (1.0 + wrap), 0.0);
     float fill = max(dot(n, fillDirection), 0.0);
-    float up = 0.5 + 0.5 * normalize(worldNormal).y;
+    float up = 0.5 + 0.5 * dot(n, mat3(view)[1]);
     vec3 light = keyColor * wrapped * wrapped + fillColor * fill + mix(tableColor, skyColor, up);
 
     float facing = max(dot(n, v), 0.0);
-    float highlight = pow(max(dot(n, normalize(keyDirection + v)), 0.0), 36.0) * 0.11;
-    float rim = pow(1.0 - facing, 4.0) * (0.25 + 0.75 * up) * 0.16;
-    vec3 color = albedo * tint * light + keyColor * highlight * step(0.0, key) + skyColor * rim;
+    float highlight = pow(max(dot(n, normalize(keyDirection + v)), 0.0), sharpness) * gloss;
+    float edge = pow(1.0 - facing, 4.0) * (0.25 + 0.75 * up) * rim;
+    float shadowEdge = exp(-9.0 * key * key);
+    vec3 color = albedo * tint * light + keyColor * highlight * step(0.0, key) + skyColor * edge;
+    color += through * shadowEdge + sheen * (1.0 - facing) * (1.0 - facing) * (0.4 + 0.6 * up);
 
     color = withCut(soften(color));
     fragColor = vec4(mix(color, toSrgb(color), encodeSrgb), 1.0);

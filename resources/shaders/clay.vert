@@ -9,8 +9,8 @@ uniform mat4 projection; // perspective or orthographic
 uniform vec3 cutNormal;  // of the plane through the origin where a line is drawn
 
 out vec3 toEye; // eye space, any length
+out vec3 eyePosition;
 out vec3 eyeNormal;
-out vec3 worldNormal;
 out vec3 albedo; // linear
 out float fromCut; // mm
 
@@ -22,9 +22,9 @@ vec3 toLinear(vec3 c)
 void main()
 {
     vec4 eye = view * vec4(position, 1.0);
+    eyePosition = eye.xyz;
     toEye = mix(-eye.xyz, vec3(0.0, 0.0, 1.0), projection[3][3]);
     eyeNormal = mat3(view) * normal.xyz;
-    worldNormal = normal.xyz;
     albedo = toLinear(color.rgb);
     fromCut = dot(cutNormal, position);
     gl_Position = projection * eye;

@@ -357,6 +357,46 @@ private Q_SLOTS:
         QCOMPARE(camera.projection(), ui::OrbitCamera::Projection::Perspective);
     }
 
+    /// By key and by menu; it is there again at the next start.
+    void theLookIsChosenAndRemembered()
+    {
+        ui::ViewLook look;
+        {
+            MainWindow window;
+            window.show();
+            QVERIFY(QTest::qWaitForWindowActive(&window));
+            look = window.viewport()->look();
+            QCOMPARE(look, ui::ViewLook());
+            QTest::keyClick(&window, Qt::Key_W);
+            QTest::keyClick(&window, Qt::Key_G);
+            look.wireframe = true;
+            look.ground = false;
+            QCOMPARE(window.viewport()->look(), look);
+            for (const auto& row : ui::materials) {
+                look.material = row.value;
+                window.action(QStringLiteral("material.") + QLatin1StringView(row.key))->trigger();
+                QCOMPARE(window.viewport()->look(), look);
+            }
+            look.background = ui::Background::Sky;
+            window.action(QStringLiteral("background.sky"))->trigger();
+            QCOMPARE(window.viewport()->look(), look);
+        }
+        const MainWindow again;
+        QCOMPARE(again.viewport()->look(), look);
+        QVERIFY(again.action(QStringLiteral("material.paint"))->isChecked());
+        QVERIFY(!again.action(QStringLiteral("material.clay"))->isChecked());
+        QVERIFY(again.action(QStringLiteral("view.wireframe"))->isChecked());
+    }
+
+    void theScaleBarIsShownAndHidden()
+    {
+        const MainWindow window;
+        auto* bar = window.viewport()->findChild<QWidget*>(QStringLiteral("scaleBar"));
+        QVERIFY(bar && !bar->isHidden());
+        window.action(QStringLiteral("view.scaleBar"))->trigger();
+        QVERIFY(bar->isHidden());
+    }
+
     void undoIsWordedFromOutside()
     {
         MainWindow window;

@@ -3,6 +3,7 @@
 
 #include <QImage>
 #include <QOpenGLExtraFunctions>
+#include <QSet>
 
 using ui::Scene;
 
@@ -133,7 +134,7 @@ private Q_SLOTS:
         const SphereModel model;
         ui::OrbitCamera camera = cameraOn(model);
         Scene scene(layered ? Scene::Mode::Layered : Scene::Mode::InQt3dContext);
-        scene.setDark(dark);
+        scene.setLook({}, dark);
         scene.clay().apply(model.whole());
         const auto picture = [&] { return read(scene.render(camera, size, 1)); };
         const auto changes = [&](const QImage& a, const QImage& b, int x) { return a.pixel(x, 90) != b.pixel(x, 90); };
@@ -150,6 +151,112 @@ private Q_SLOTS:
         QCOMPARE(differing(without, picture()) > 500, !layered); // the pane, around the ball
         scene.showPlane(core::Symmetry::None, model.box());
         QCOMPARE(differing(without, picture()), 0);
+    }
+
+    void eachMaterialAndBackgroundLooksDifferent()
+    {
+        const SphereModel model;
+        const ui::OrbitCamera camera = cameraOn(model);
+        Scene scene;
+        scene.clay().apply(model.whole());
+        QSet<QRgb> clays, corners;
+        for (const auto& row : ui::materials) {
+            scene.setLook({.material = row.value}, false);
+            clays << read(scene.render(camera, size, 1)).pixel(105, 75);
+        }
+        QCOMPARE(clays.size(), qsizetype(ui::materials.size()));
+        for (const auto& row : ui::backgrounds) {
+            scene.setLook({.background = row.value}, false);
+            corners << read(scene.render(camera, size, 1)).pixel(2, 2);
+        }
+        QVERIFY(corners.contains(qRgb(255, 255, 255)) && corners.contains(qRgb(0, 0, 0)));
+        QCOMPARE(corners.size(), qsizetype(ui::backgrounds.size() - 1)); // Theme is Light here
+        scene.setLook({}, true);
+        const QRgb themed = read(scene.render(camera, size, 1)).pixel(2, 2);
+        scene.setLook({.background = ui::Background::Dark}, false);
+        QCOMPARE(read(scene.render(camera, size, 1)).pixel(2, 2), themed);
+    }
+
+    /// Painted blue is blue, whatever the clay.
+    void paintIsShownAsItIs()
+    {
+        SphereModel model;
+        core::MeshPatch patch = model.whole();
+        for (core::DrawVertex& vertex : patch.vertices)
+            vertex.color = {40, 80, 220, 255};
+        const ui::OrbitCamera camera = cameraOn(model);
+        Scene scene;
+        scene.clay().apply(patch);
+        scene.setLook({.material = ui::Material::Paint}, false);
+        const QColor seen = read(scene.render(camera, size, 1)).pixelColor(size.width() / 2, size.height() / 2);
+        QVERIFY(std::abs(seen.hsvHue() - QColor(40, 80, 220).hsvHue()) < 15);
+    }
+
+    /// Where two triangles meet, the shade jumps.
+    void flatShadesWholeTriangles()
+    {
+        const SphereModel model;
+        ui::OrbitCamera camera = cameraOn(model);
+        camera.zoom(0.45, {120, 90});
+        Scene scene;
+        scene.clay().apply(model.whole());
+        const auto steepest = [&](bool flat) {
+            scene.setLook({.flat = flat}, false);
+            const QImage picture = read(scene.render(camera, size, 1));
+            int most = 0;
+            for (int y = 60; y < 120; ++y)
+                for (int x = 60; x < 180; ++x)
+                    most = std::max(most, std::abs(qGray(picture.pixel(x, y)) - qGray(picture.pixel(x - 1, y))));
+            return most;
+        };
+        QVERIFY(steepest(true) >= 3 * std::max(steepest(false), 1));
+    }
+
+    /// Along the edges, and only there; a face that is free has none.
+    void wiresLieOnTheEdges()
+    {
+        const SphereModel model;
+        ui::OrbitCamera camera = cameraOn(model);
+        camera.zoom(0.45, {120, 90});
+        Scene scene;
+        scene.clay().apply(model.whole());
+        const QImage bare = read(scene.render(camera, size, 1));
+        scene.setLook({.wireframe = true}, false);
+        const QImage wired = read(scene.render(camera, size, 1));
+        const auto darkerAt = [&](const core::Vec3& point) {
+            const ui::OrbitCamera::Pixel at = camera.project(point);
+            const QPoint p(static_cast<int>(at.x()), static_cast<int>(at.y()));
+            int most = -1;
+            for (const QPoint q : {p, p + QPoint(1, 0), p - QPoint(1, 0), p + QPoint(0, 1), p - QPoint(0, 1)})
+                if (bare.rect().contains(q))
+                    most = std::max(most, qGray(bare.pixel(q)) - qGray(wired.pixel(q)));
+            return most;
+        };
+        int edges = 0;
+        for (const core::Triangle& face : model.mesh.triangles) {
+            const core::Vec3 a = model.mesh.points[face[0]].cast<double>(), b = model.mesh.points[face[1]].cast<double>(),
+                             c = model.mesh.points[face[2]].cast<double>();
+            if ((b - a).cross(c - a).normalized().dot(camera.viewDirection()) > -0.9 || darkerAt(0.5 * (a + b)) < 0)
+                continue;
+            ++edges;
+            QVERIFY(darkerAt(0.5 * (a + b)) > 10);
+            QVERIFY(darkerAt((a + b + c) / 3) <= 0);
+        }
+        QVERIFY(edges > 4);
+    }
+
+    void theGroundCanBeHidden()
+    {
+        const SphereModel model;
+        const ui::OrbitCamera camera = cameraOn(model);
+        Scene scene;
+        scene.placeGround(model.box());
+        const QImage with = read(scene.render(camera, size, 1));
+        scene.setLook({.ground = false}, false);
+        const QImage without = read(scene.render(camera, size, 1));
+        QVERIFY(differing(with, without) > 1000);
+        scene.placeGround(model.box());
+        QCOMPARE(differing(without, read(scene.render(camera, size, 1))), 0);
     }
 
     void aNewSizeIsRightAtOnce()

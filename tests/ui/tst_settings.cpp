@@ -49,6 +49,17 @@ private Q_SLOTS:
         QCOMPARE(settings.windowState(), QByteArray("state"));
     }
 
+    void theLookComesBack()
+    {
+        QCOMPARE(ui::Settings().look(), ui::ViewLook());
+        for (const auto& material : ui::materials)
+            for (const auto& background : ui::backgrounds) {
+                const ui::ViewLook look{material.value, background.value, true, true, false, false};
+                ui::Settings().setLook(look);
+                QCOMPARE(ui::Settings().look(), look);
+            }
+    }
+
     void brokenEntriesGiveDefaults_data()
     {
         QTest::addColumn<QVariant>("stored");
@@ -63,7 +74,8 @@ private Q_SLOTS:
     {
         QFETCH(QVariant, stored);
         QSettings raw;
-        for (const char* key : {"brush/strength", "brush/falloff", "brush/radiusShare", "files/lastFolder", "window/geometry"})
+        for (const char* key : {"brush/strength", "brush/falloff", "brush/radiusShare", "files/lastFolder", "window/geometry", "view/material",
+                                "view/background", "view/ground", "view/wireframe"})
             raw.setValue(QLatin1StringView(key), stored);
         raw.sync();
         const ui::Settings settings;
@@ -71,6 +83,7 @@ private Q_SLOTS:
             QCOMPARE(settings.value(parameter), core::info(parameter).defaultValue);
         QVERIFY(settings.radiusShare() <= ui::maxRadiusShare && settings.radiusShare() >= ui::minRadiusShare);
         QCOMPARE(settings.lastFolder(), QDir::homePath());
+        QCOMPARE(settings.look(), ui::ViewLook());
     }
 
     void aFolderThatIsGoneIsForgotten()

@@ -1,0 +1,14 @@
+#pragma once
+
+class QMenu;
+
+namespace ui
+{
+class Actions;
+class Settings;
+class Viewport;
+
+/// What the clay is made of, what stands behind it, edges, ground and scale: actions that change how the view shows the
+/// model, two menus of choices in `viewMenu`, and the settings that keep them. All three must outlive the actions.
+void addLooks(const Actions& actions, Viewport* viewport, Settings* settings, QMenu* viewMenu);
+} // namespace ui
