@@ -36,6 +36,7 @@ set(FETTLE_RESOURCE_FILES
     icons/pull.svg
     icons/push.svg
     icons/quit.svg
+    icons/radius.svg
     icons/ray.svg
     icons/recentre.svg
     icons/redo.svg
@@ -45,7 +46,9 @@ set(FETTLE_RESOURCE_FILES
     icons/scale.svg
     icons/smaller.svg
     icons/smooth.svg
+    icons/steady.svg
     icons/stop.svg
+    icons/strength.svg
     icons/symmetrize.svg
     icons/undo.svg
     icons/uniform.svg

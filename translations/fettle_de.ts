@@ -1020,6 +1020,41 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>Ba&amp;ckground</source>
         <translation>&amp;Hintergrund</translation>
     </message>
+    <message>
+        <source>&amp;Drag the Radius</source>
+        <translation>R&amp;adius ziehen</translation>
+    </message>
+    <message>
+        <source>Changes the radius as the pointer moves; a click or Return keeps it, Esc or the right button goes back.</source>
+        <translation>Ändert den Radius, wie der Zeiger sich bewegt; Klick oder Eingabe behält ihn, Esc oder rechte Taste geht zurück.</translation>
+    </message>
+    <message>
+        <source>Dra&amp;g the Strength</source>
+        <translation>S&amp;tärke ziehen</translation>
+    </message>
+    <message>
+        <source>Changes the strength as the pointer moves; a click or Return keeps it, Esc or the right button goes back.</source>
+        <translation>Ändert die Stärke, wie der Zeiger sich bewegt; Klick oder Eingabe behält sie, Esc oder rechte Taste geht zurück.</translation>
+    </message>
+    <message>
+        <source>S&amp;teady Stroke</source>
+        <translation>R&amp;uhiger Strich</translation>
+    </message>
+    <message>
+        <source>Draws the brush on a string behind the pointer, so that a trembling hand draws smooth lines.</source>
+        <translation>Zieht den Pinsel an einer Schnur hinter dem Zeiger her, damit eine zitternde Hand glatte Linien zeichnet.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::BrushDrag</name>
+    <message>
+        <source>%1: %2 mm</source>
+        <translation>%1: %2 mm</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushPanels</name>
@@ -1082,6 +1117,22 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>Front and back (z = 0)</source>
         <translation>Vorn und hinten (z = 0)</translation>
+    </message>
+    <message>
+        <source>The brush hangs on a string behind the pointer, so long: a trembling hand draws smooth lines.</source>
+        <translation>Der Pinsel hängt an einer so langen Schnur hinter dem Zeiger: eine zitternde Hand zeichnet glatte Linien.</translation>
+    </message>
+    <message>
+        <source>Steady stroke</source>
+        <translation>Ruhiger Strich</translation>
+    </message>
+    <message>
+        <source>Length of the string</source>
+        <translation>Länge der Schnur</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
     </message>
 </context>
 <context>

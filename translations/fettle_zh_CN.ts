@@ -1018,6 +1018,41 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>Ba&amp;ckground</source>
         <translation>背景(&amp;C)</translation>
     </message>
+    <message>
+        <source>&amp;Drag the Radius</source>
+        <translation>拖动半径(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Changes the radius as the pointer moves; a click or Return keeps it, Esc or the right button goes back.</source>
+        <translation>随指针移动改变半径；单击或回车保留，Esc 或右键恢复原值。</translation>
+    </message>
+    <message>
+        <source>Dra&amp;g the Strength</source>
+        <translation>拖动强度(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Changes the strength as the pointer moves; a click or Return keeps it, Esc or the right button goes back.</source>
+        <translation>随指针移动改变强度；单击或回车保留，Esc 或右键恢复原值。</translation>
+    </message>
+    <message>
+        <source>S&amp;teady Stroke</source>
+        <translation>平稳笔画(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Draws the brush on a string behind the pointer, so that a trembling hand draws smooth lines.</source>
+        <translation>用一根线把笔刷拖在指针后面，使颤抖的手也能画出平滑的线条。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::BrushDrag</name>
+    <message>
+        <source>%1: %2 mm</source>
+        <translation>%1：%2 毫米</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushPanels</name>
@@ -1080,6 +1115,22 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>Front and back (z = 0)</source>
         <translation>前后 (z = 0)</translation>
+    </message>
+    <message>
+        <source>The brush hangs on a string behind the pointer, so long: a trembling hand draws smooth lines.</source>
+        <translation>笔刷由这么长的线拖在指针后面：颤抖的手也能画出平滑的线条。</translation>
+    </message>
+    <message>
+        <source>Steady stroke</source>
+        <translation>平稳笔画</translation>
+    </message>
+    <message>
+        <source>Length of the string</source>
+        <translation>线的长度</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> 像素</translation>
     </message>
 </context>
 <context>

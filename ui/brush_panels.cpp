@@ -9,9 +9,13 @@
 #include <QCoreApplication>
 #include <QDockWidget>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QMainWindow>
 #include <QMenu>
+#include <QSignalBlocker>
+#include <QSpinBox>
 
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -82,6 +86,40 @@ public:
         m_form->addRow(box);
     }
 
+    void addSteady(const std::function<void()>& entered) const
+    {
+        const QString tip = BrushPanels::tr("The brush hangs on a string behind the pointer, so long: a trembling hand draws smooth lines.");
+        auto* check = new QCheckBox(BrushPanels::tr("Steady stroke"));
+        check->setObjectName(QStringLiteral("steady"));
+        check->setToolTip(tip);
+        auto* length = new QSpinBox;
+        length->setObjectName(QStringLiteral("stringLength"));
+        length->setAccessibleName(BrushPanels::tr("Length of the string"));
+        length->setToolTip(tip);
+        length->setRange(static_cast<int>(minString), static_cast<int>(maxString));
+        length->setSuffix(BrushPanels::tr(" px"));
+        length->setKeyboardTracking(false);
+        const auto show = [=, brush = m_brush] {
+            check->setChecked(brush->isSteady());
+            length->setEnabled(brush->isSteady());
+            const QSignalBlocker quiet(length);
+            length->setValue(static_cast<int>(std::lround(brush->stringLength())));
+        };
+        QObject::connect(check, &QCheckBox::clicked, m_brush, &BrushSettings::setSteady);
+        QObject::connect(length, &QSpinBox::valueChanged, m_brush, &BrushSettings::setStringLength);
+        QObject::connect(length, &QSpinBox::editingFinished, dock, [=] {
+            if (length->hasFocus())
+                entered();
+        });
+        QObject::connect(m_brush, &BrushSettings::changed, check, show);
+        show();
+        auto* row = new QHBoxLayout;
+        row->setSpacing(gap);
+        row->addWidget(check, 1);
+        row->addWidget(length);
+        m_form->addRow(row);
+    }
+
 private:
     BrushSettings* m_brush;
     QFormLayout* m_form;
@@ -96,6 +134,7 @@ QDockWidget* brushPanel(BrushSettings* brush, const std::function<void()>& enter
     panel.addNumber(core::Parameter::Falloff, entered);
     panel.add(new FalloffCurve(brush));
     panel.addNumber(core::Parameter::Spacing, entered);
+    panel.addSteady(entered);
     return panel.dock;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ui
 {
@@ -76,6 +77,23 @@ void BrushSettings::setValue(core::Parameter parameter, double value)
 void BrushSettings::scaleRadius(double factor)
 {
     setValue(core::Parameter::Radius, m_stroke.radius * factor);
+}
+
+void BrushSettings::setSteady(bool steady)
+{
+    if (std::exchange(m_isSteady, steady) == steady)
+        return;
+    Q_EMIT changed();
+    Q_EMIT handChanged();
+}
+
+void BrushSettings::setStringLength(double pixels)
+{
+    const double legal = std::clamp(pixels, minString, maxString);
+    if (std::exchange(m_stringLength, legal) == legal)
+        return;
+    Q_EMIT changed();
+    Q_EMIT handChanged();
 }
 
 void BrushSettings::fitTo(const ModelFacts& facts, double radiusShare)

@@ -8,6 +8,9 @@
 
 namespace ui
 {
+/// The string of a steady stroke, in logical pixels.
+inline constexpr double minString = 4, maxString = 200, defaultString = 32;
+
 /// The brush in the user's hand: what the next stroke will be. Panels, cursor and viewport are views of it; it is read
 /// when a stroke begins and not during one. Gui thread.
 class BrushSettings : public QObject
@@ -38,6 +41,13 @@ public:
     void setValue(core::Parameter parameter, double value);
     void scaleRadius(double factor);
 
+    /// A steady stroke hangs on a string behind the pointer.
+    bool isSteady() const { return m_isSteady; }
+    void setSteady(bool steady);
+    /// Of a steady stroke, in logical pixels.
+    double stringLength() const { return m_stringLength; }
+    void setStringLength(double pixels);
+
     /// From now on the radius can be what makes sense for that model, and it is this share of its longest side.
     void fitTo(const ModelFacts& facts, double radiusShare);
     /// The radius, in longest sides of the model that it was fitted to.
@@ -49,11 +59,15 @@ public:
 
 Q_SIGNALS:
     void changed();
+    /// How strokes are drawn, not what they do; after changed().
+    void handChanged();
     /// setValue() or scaleRadius() asked for what it cannot be; it was set to the nearest that it can.
     void clamped(core::Parameter parameter);
 
 private:
     core::StrokeSettings m_stroke;
+    bool m_isSteady = false;
+    double m_stringLength = defaultString;
     core::Symmetry m_plane = core::Symmetry::X;
     double m_leastDetail = 0; ///< of the model's lattice
     double m_maxRadius;

@@ -8,6 +8,7 @@
 #include "busy_bar.h"
 #include "command_box.h"
 #include "facts_bar.h"
+#include "hand_actions.h"
 #include "look_actions.h"
 #include "messages.h"
 #include "model_dialogs.h"
@@ -175,6 +176,7 @@ void MainWindow::State::connectModel()
 void MainWindow::State::connectTools()
 {
     connectBrush(actions, &brush);
+    connectHand(actions, &brush, viewport, &settings);
     on("brush.color", [this] {
         askForColor(q, tr("Paint Colour"), brush.stroke().color, [this](core::Rgb color) { brush.set(&core::StrokeSettings::color, color); });
     });

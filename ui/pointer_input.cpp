@@ -22,6 +22,7 @@ void PointerInput::handle(const PointerEvent& event)
     if (event.kind == PointerEvent::Kind::Press) {
         waiting.settings = m_brush->stroke();
         waiting.settings.tool = toolWith(m_brush->tool(), event.modifiers);
+        waiting.string = m_brush->isSteady() ? m_brush->stringLength() : 0;
     }
     m_inside = true;
     m_modifiers = event.modifiers;
@@ -93,7 +94,7 @@ void PointerInput::setModifiers(Qt::KeyboardModifiers modifiers)
 void PointerInput::askAgain()
 {
     if (m_inside && m_waiting.empty() && (m_drag == Drag::None || m_drag == Drag::Stroke))
-        ask({m_last, m_camera->ray(m_last)});
+        ask(m_drag == Drag::Stroke ? Question{m_brushAt, m_camera->ray(m_brushAt)} : Question{m_last, m_camera->ray(m_last)});
 }
 
 void PointerInput::forgetHover()
@@ -196,8 +197,11 @@ void PointerInput::process(const Waiting& waiting)
         move(waiting);
         break;
     case PointerEvent::Kind::Release:
-        if (waiting.event.button == m_dragButton)
-            end();
+        if (waiting.event.button != m_dragButton)
+            break;
+        m_hand.pixel = waiting.event.pixel;
+        m_hand.time = waiting.event.time;
+        end();
         break;
     }
     m_last = waiting.event.pixel;
@@ -221,6 +225,9 @@ void PointerInput::begin(const Waiting& press, const std::optional<core::Surface
     m_pressed = m_last = press.event.pixel;
     if (m_drag == Drag::Stroke) {
         m_strokeTool = press.settings.tool;
+        m_string = press.string;
+        m_hand = press.event;
+        m_brushAt = press.event.pixel;
         m_camera->setPivot(hit->position);
         Q_EMIT strokeBegan(press.settings);
         sample(press);
@@ -232,6 +239,8 @@ void PointerInput::begin(const Waiting& press, const std::optional<core::Surface
 
 void PointerInput::end()
 {
+    if (m_drag == Drag::Stroke && m_string > 0 && m_brushAt != m_hand.pixel)
+        sample({m_hand, m_camera->ray(m_hand.pixel), {}});
     const Drag ended = m_drag;
     m_drag = Drag::None;
     m_dragButton = Qt::NoButton;
@@ -251,8 +260,9 @@ void PointerInput::move(const Waiting& waiting)
         return;
     }
     if (m_drag == Drag::Stroke)
-        sample(waiting);
-    ask({waiting.event.pixel, m_camera->ray(waiting.event.pixel)});
+        follow(waiting);
+    const OrbitCamera::Pixel at = m_drag == Drag::Stroke ? m_brushAt : waiting.event.pixel;
+    ask({at, m_camera->ray(at)});
 }
 
 /// The press at the front is decided; what came after it follows, up to the next press that needs an answer.
@@ -272,6 +282,23 @@ void PointerInput::drain(const std::optional<core::SurfaceHit>& hit)
         events.pop_front();
         process(waiting);
     }
+}
+
+/// The pointer draws the brush behind it when the string is taut.
+void PointerInput::follow(const Waiting& waiting)
+{
+    m_hand = waiting.event;
+    if (m_string == 0) {
+        m_brushAt = waiting.event.pixel;
+        return sample(waiting);
+    }
+    const OrbitCamera::Pixel way = waiting.event.pixel - m_brushAt;
+    if (way.norm() <= m_string)
+        return;
+    m_brushAt = waiting.event.pixel - way.normalized() * m_string;
+    Waiting drawn = waiting;
+    drawn.ray = m_camera->ray(m_brushAt);
+    sample(drawn);
 }
 
 void PointerInput::sample(const Waiting& waiting)

@@ -29,7 +29,8 @@ struct PointerEvent
 /// Decides what a drag is: a stroke, or a turn, a move or a zoom of the view. A left press is a stroke if it is on the
 /// model, else it turns the view; that is asked by a hover question, and what happens before the answer waits in a queue.
 /// The other buttons, and any with Alt, move the view wherever they are pressed. The view turns about the place of the
-/// last stroke. Gui thread, no widget, no OpenGL.
+/// last stroke. A steady stroke hangs on a string behind the pointer and comes to where the pointer is when it ends. Gui thread,
+/// no widget, no OpenGL.
 class PointerInput : public QObject
 {
     Q_OBJECT
@@ -83,6 +84,7 @@ private:
         PointerEvent event;
         core::Ray ray;
         core::StrokeSettings settings; ///< of a press
+        double string = 0;             ///< of a press, in pixels; 0: the brush is where the pointer is
     };
     struct Question
     {
@@ -104,6 +106,7 @@ private:
     void goByDepthAt(const OrbitCamera::Pixel& pixel);
     void ask(Question question);
     void sample(const Waiting& waiting);
+    void follow(const Waiting& waiting);
     void moveView(const OrbitCamera::Pixel& delta);
 
     const BrushSettings* m_brush;
@@ -113,6 +116,9 @@ private:
     Qt::MouseButton m_dragButton = Qt::NoButton;
     OrbitCamera::Pixel m_pressed{0, 0}; ///< where the drag began
     OrbitCamera::Pixel m_last{0, 0};
+    double m_string = 0;                ///< of the open stroke
+    PointerEvent m_hand;                ///< of the open stroke, where it is now and how hard it presses
+    OrbitCamera::Pixel m_brushAt{0, 0}; ///< of the open stroke
     bool m_inside = false;
     core::Tool m_strokeTool = core::Tool::Pull;
     Qt::KeyboardModifiers m_modifiers;

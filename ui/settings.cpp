@@ -15,6 +15,8 @@ constexpr double defaultRadiusShare = 0.1;
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString stateKey = QStringLiteral("window/state");
 const QString folderKey = QStringLiteral("files/lastFolder");
+const QString steadyKey = QStringLiteral("hand/steady");
+const QString stringKey = QStringLiteral("hand/string");
 const QString radiusShareKey = QStringLiteral("brush/radiusShare");
 const QString materialKey = QStringLiteral("view/material");
 const QString backgroundKey = QStringLiteral("view/background");
@@ -136,5 +138,25 @@ void Settings::setLook(const ViewLook& look)
     m_settings.setValue(backgroundKey, wordFor(look.background, backgrounds));
     for (const LookSwitch& row : lookSwitches)
         m_settings.setValue(row.key, look.*row.what);
+}
+
+bool Settings::isSteady() const
+{
+    return m_settings.value(steadyKey).toBool();
+}
+
+void Settings::setSteady(bool steady)
+{
+    m_settings.setValue(steadyKey, steady);
+}
+
+double Settings::stringLength() const
+{
+    return number(m_settings, stringKey, minString, maxString, defaultString);
+}
+
+void Settings::setStringLength(double pixels)
+{
+    m_settings.setValue(stringKey, pixels);
 }
 } // namespace ui

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "brush_settings.h"
 #include "view_look.h"
 
 #include "core/brush.h"
@@ -42,6 +43,12 @@ public:
 
     ViewLook look() const;
     void setLook(const ViewLook& look);
+
+    /// Whether strokes hang on a string, and its length in logical pixels.
+    bool isSteady() const;
+    void setSteady(bool steady);
+    double stringLength() const;
+    void setStringLength(double pixels);
 
 private:
     QSettings m_settings;

@@ -255,6 +255,12 @@ const ViewportStats& Viewport::stats() const
     return m_state->stats;
 }
 
+double Viewport::pixelsPerMm() const
+{
+    const std::optional<core::SurfaceHit> hit = m_state->input.hover();
+    return m_state->camera.pixelsPerMm(hit ? hit->position : m_state->camera.pivot());
+}
+
 bool Viewport::strokeOpen() const
 {
     return m_state->input.strokeOpen();

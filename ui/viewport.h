@@ -65,6 +65,8 @@ public:
 
     const OrbitCamera& camera() const;
     const ViewportStats& stats() const;
+    /// How many logical pixels 1 mm covers where the cursor lies, else at the depth that the view turns about.
+    double pixelsPerMm() const;
     bool strokeOpen() const;
     /// A press waits for its answer: a stroke may still come of it, before pressDecided().
     bool pressWaits() const;

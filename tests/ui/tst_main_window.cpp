@@ -23,6 +23,7 @@
 #include <QSettings>
 #include <QSignalSpy>
 #include <QSlider>
+#include <QSpinBox>
 #include <QTemporaryDir>
 #include <QTreeWidget>
 
@@ -122,6 +123,79 @@ private Q_SLOTS:
         QCOMPARE(window.strokeSettings().radius, 9.0);
         act(window, "brush.larger")->trigger();
         QCOMPARE(window.strokeSettings().radius, 10.0);
+    }
+
+    void theRadiusFollowsThePointer_data()
+    {
+        QTest::addColumn<int>("end"); // a key or a button
+        QTest::addColumn<bool>("isKey");
+        QTest::addColumn<bool>("keeps");
+        QTest::newRow("click") << int(Qt::LeftButton) << false << true;
+        QTest::newRow("Return") << int(Qt::Key_Return) << true << true;
+        QTest::newRow("F again") << int(Qt::Key_F) << true << true;
+        QTest::newRow("right button") << int(Qt::RightButton) << false << false;
+        QTest::newRow("Esc") << int(Qt::Key_Escape) << true << false;
+    }
+
+    void theRadiusFollowsThePointer()
+    {
+        SKIP_WITHOUT_GRAPHICS();
+        QFETCH(int, end);
+        QFETCH(bool, isKey);
+        QFETCH(bool, keeps);
+        MainWindow window;
+        window.setModel(facts(QStringLiteral("a"), 100));
+        window.show();
+        window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        ui::Viewport* view = window.viewport();
+        const QSignalSpy strokes(view, &ui::Viewport::strokeBegan), stops(&window, &MainWindow::stopRequested),
+            questions(view, &ui::Viewport::hoverRequested);
+        for (const auto& [key, modifiers, parameter] : {std::tuple(Qt::Key_F, Qt::NoModifier, Parameter::Radius),
+                                                        std::tuple(Qt::Key_F, Qt::ShiftModifier, Parameter::Strength)}) {
+            const double before = window.brush()->value(parameter);
+            const auto asked = questions.size();
+            QTest::keyClick(&window, key, modifiers);
+            auto* word = child<QLabel>(window, "brushDrag");
+            QVERIFY(word->isVisible());
+            sendMouse(view, QEvent::MouseMove, {200, 200});
+            QCOMPARE(window.brush()->value(parameter), before);
+            sendMouse(view, QEvent::MouseMove, {230, 190});
+            const double wider = window.brush()->value(parameter);
+            QVERIFY(wider > before && !word->text().isEmpty());
+            sendMouse(view, QEvent::MouseMove, {170, 200});
+            QVERIFY(window.brush()->value(parameter) < before);
+            sendMouse(view, QEvent::MouseMove, {230, 200});
+            QCOMPARE(window.brush()->value(parameter), wider);
+            if (isKey) {
+                QTest::keyClick(window.windowHandle(), Qt::Key(end), end == Qt::Key_F ? modifiers : Qt::NoModifier);
+            } else {
+                sendMouse(view, QEvent::MouseButtonPress, {230, 200}, Qt::MouseButton(end));
+                sendMouse(view, QEvent::MouseButtonRelease, {230, 200}, Qt::MouseButton(end));
+            }
+            QVERIFY(!word->isVisible());
+            QCOMPARE(window.brush()->value(parameter), keeps ? wider : before);
+            QCOMPARE(questions.size(), asked); // none of it came to the hand
+            sendMouse(view, QEvent::MouseMove, {300, 200});
+            QCOMPARE(window.brush()->value(parameter), keeps ? wider : before);
+        }
+        QVERIFY(strokes.isEmpty() && stops.isEmpty());
+    }
+
+    void aSteadyHandIsRemembered()
+    {
+        {
+            MainWindow window;
+            QVERIFY(!window.brush()->isSteady());
+            act(window, "brush.steady")->trigger();
+            QVERIFY(window.brush()->isSteady() && child<QCheckBox>(window, "steady")->isChecked());
+            child<QSpinBox>(window, "stringLength")->setValue(77);
+        }
+        MainWindow window;
+        QVERIFY(window.brush()->isSteady() && act(window, "brush.steady")->isChecked());
+        QCOMPARE(window.brush()->stringLength(), 77.0);
+        child<QCheckBox>(window, "steady")->click();
+        QVERIFY(!window.brush()->isSteady() && !act(window, "brush.steady")->isChecked());
     }
 
     void theBarAndTheBrushAreOne()

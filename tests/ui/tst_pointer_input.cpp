@@ -3,6 +3,8 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include <functional>
+
 using core::Tool;
 using Kind = ui::PointerEvent::Kind;
 using Pixel = ui::OrbitCamera::Pixel;
@@ -81,6 +83,55 @@ private Q_SLOTS:
         QVERIFY(r.samples[0].time < r.samples[1].time);
         QCOMPARE(r.samples[1].direction, r.camera.ray({410, 305}).direction);
         QCOMPARE(r.samples[1].position, r.camera.ray({410, 305}).origin);
+    }
+
+    /// The pointer trembles across its way; the brush follows the way and hardly the tremble.
+    void aSteadyStrokeIsDrawnOnAString()
+    {
+        const auto farthestAside = [](bool steady) {
+            Recorder r;
+            r.brush.setSteady(steady);
+            r.brush.setStringLength(40);
+            r.rest({200, 300}, somewhere);
+            r.send(Kind::Press, {200, 300});
+            for (int x = 1; x <= 100; ++x)
+                r.send(Kind::Move, {200 + 4 * x, 300 + (x % 2 ? 6 : -6)});
+            r.send(Kind::Release, {600, 300});
+            double aside = 0;
+            for (std::size_t i = 1; i + 2 < r.samples.size(); ++i)
+                aside = std::max(aside, std::abs(r.samples[i].direction.dot(r.camera.up()) / r.samples[i].direction.dot(r.camera.viewDirection())));
+            return aside;
+        };
+        QVERIFY(farthestAside(false) > 0);
+        QVERIFY(farthestAside(true) < 0.4 * farthestAside(false));
+    }
+
+    void aSteadyStrokeEndsWhereTheHandEnds()
+    {
+        Recorder r;
+        r.brush.setSteady(true);
+        r.brush.setStringLength(40);
+        r.rest({400, 300}, somewhere);
+        const auto stroke = [&](const Pixel& to, const std::function<void()>& end) {
+            r.log.clear();
+            r.samples.clear();
+            r.send(Kind::Press, {400, 300});
+            r.send(Kind::Move, to);
+            QVERIFY((r.samples.back().direction - r.camera.ray(to).direction).norm() > 1e-3); // on the string
+            end();
+            QVERIFY((r.samples.back().direction - r.camera.ray(to).direction).norm() < 1e-12);
+            QCOMPARE(r.log.back(), QStringLiteral("ended"));
+            r.rest({400, 300}, somewhere);
+            r.input.setHover(somewhere);
+        };
+        stroke({500, 330}, [&] { r.send(Kind::Release, {500, 330}); });
+        stroke({410, 300}, [&] { r.send(Kind::Release, {410, 300}); }); // shorter than the string
+        stroke({500, 330}, [&] { r.input.finish(); });
+
+        r.log.clear();
+        r.send(Kind::Press, {400, 300}); // a tap is one sample
+        r.send(Kind::Release, {400, 300});
+        QCOMPARE(r.log, strokeOf(1));
     }
 
     void samplesWaitForTheAnswer()

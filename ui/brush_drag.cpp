@@ -1,0 +1,143 @@
+#include "brush_drag.h"
+
+#include "messages.h"
+#include "viewport.h"
+
+#include <QKeyEvent>
+#include <QLocale>
+
+#include <algorithm>
+#include <utility>
+
+namespace ui
+{
+namespace
+{
+constexpr double strengthPerPixel = 0.005;
+constexpr int distance = 24; ///< of the word from the pointer
+} // namespace
+
+BrushDrag::BrushDrag(BrushSettings* brush, Viewport* viewport) : QLabel(viewport), m_brush(brush), m_viewport(viewport)
+{
+    setObjectName(QStringLiteral("brushDrag"));
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setStyleSheet(QStringLiteral("background: rgba(28, 30, 33, 225); color: white; border-radius: 4px; padding: 4px 8px;"));
+    hide();
+    connect(brush, &BrushSettings::changed, this, &BrushDrag::showValue);
+    viewport->installEventFilter(this);
+}
+
+void BrushDrag::begin(core::Parameter parameter)
+{
+    if (isActive())
+        return keep();
+    if (!m_viewport->isVisible() || m_viewport->strokeOpen() || m_viewport->pressWaits())
+        return;
+    m_parameter = parameter;
+    m_from.reset();
+    m_before = m_brush->value(parameter);
+    m_viewport->setFocus();
+    const QPoint pointer = m_viewport->mapFromGlobal(QCursor::pos());
+    showValue();
+    const QPoint corner(m_viewport->width() - width(), m_viewport->height() - height());
+    const QPoint beside = (m_viewport->rect().contains(pointer) ? pointer : m_viewport->rect().center()) + QPoint(distance, distance);
+    move(std::clamp(beside.x(), 0, std::max(corner.x(), 0)), std::clamp(beside.y(), 0, std::max(corner.y(), 0)));
+    show();
+}
+
+bool BrushDrag::eventFilter(QObject* watched, QEvent* event)
+{
+    switch (event->type()) {
+    case QEvent::MouseMove:
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonDblClick:
+    case QEvent::MouseButtonRelease:
+    case QEvent::TabletMove:
+    case QEvent::TabletPress:
+    case QEvent::TabletRelease:
+        if (handlePointer(*static_cast<QSinglePointEvent*>(event))) {
+            event->accept();
+            return true;
+        }
+        break;
+    case QEvent::ShortcutOverride: // Esc is a command's, else
+    case QEvent::KeyPress:
+        if (isActive() && handleKey(static_cast<QKeyEvent*>(event)->key())) {
+            event->accept();
+            return true;
+        }
+        break;
+    case QEvent::TouchBegin:
+    case QEvent::Hide:
+    case QEvent::WindowBlocked:
+        keep();
+        break;
+    default:
+        break;
+    }
+    return QLabel::eventFilter(watched, event);
+}
+
+bool BrushDrag::handleKey(int key)
+{
+    if (key == Qt::Key_Escape)
+        goBack();
+    else if (key == Qt::Key_Return || key == Qt::Key_Enter)
+        keep();
+    else
+        return false;
+    return true;
+}
+
+/// The release of the press that ended it is nobody else's.
+bool BrushDrag::handlePointer(const QSinglePointEvent& event)
+{
+    if (event.isEndEvent())
+        return std::exchange(m_releaseFollows, false) || isActive();
+    if (!isActive())
+        return false;
+    if (event.isUpdateEvent()) {
+        moveTo(event.position().x());
+        return true;
+    }
+    m_releaseFollows = true;
+    event.button() == Qt::RightButton ? goBack() : keep();
+    return true;
+}
+
+/// The ring's edge goes as far as the pointer does.
+void BrushDrag::moveTo(double x)
+{
+    const core::Parameter parameter = *m_parameter;
+    const double moved = x - m_from.value_or(x);
+    m_from = x - moved;
+    const double perPixel = parameter == core::Parameter::Radius ? 1 / m_viewport->pixelsPerMm() : strengthPerPixel;
+    m_brush->setValue(parameter, std::clamp(m_before + moved * perPixel, m_brush->minOf(parameter), m_brush->maxOf(parameter)));
+}
+
+void BrushDrag::keep()
+{
+    m_parameter.reset();
+    hide();
+}
+
+void BrushDrag::goBack()
+{
+    const core::Parameter parameter = *m_parameter;
+    keep();
+    m_brush->setValue(parameter, m_before);
+}
+
+void BrushDrag::showValue()
+{
+    if (!isActive())
+        return;
+    const double value = m_brush->value(*m_parameter);
+    const QString name = Messages::name(*m_parameter);
+    if (*m_parameter == core::Parameter::Radius)
+        setText(tr("%1: %2 mm").arg(name, locale().toString(value, 'g', 3)));
+    else
+        setText(tr("%1: %2").arg(name, locale().toString(value, 'f', 2)));
+    adjustSize();
+}
+} // namespace ui
