@@ -52,10 +52,25 @@ double hitTriangle(const Ray& ray, const Corners& t)
     return ac.dot(q) / determinant;
 }
 
+/// By the areas of the triangles that the point and each side make.
+Rgb colorAt(const Mesh& mesh, Slot f, const Corners& t, const Vec3& position)
+{
+    Vec3 sum = Vec3::Zero();
+    double area = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double share = (t[(i + 1) % 3] - position).cross(t[(i + 2) % 3] - position).norm();
+        const Rgb color = mesh.color(mesh.corners(f)[i]);
+        sum += share * Vec3(color.r, color.g, color.b);
+        area += share;
+    }
+    const Vec3 mean = (sum / area).array() + 0.5;
+    return {static_cast<std::uint8_t>(mean.x()), static_cast<std::uint8_t>(mean.y()), static_cast<std::uint8_t>(mean.z())};
+}
+
 SurfaceHit surfaceHit(const Mesh& mesh, Slot f, const Vec3& position, double distance)
 {
     const Corners t = cornersOf(mesh, f);
-    return {position, (t[1] - t[0]).cross(t[2] - t[0]).normalized(), distance, f};
+    return {position, (t[1] - t[0]).cross(t[2] - t[0]).normalized(), distance, f, colorAt(mesh, f, t, position)};
 }
 } // namespace
 

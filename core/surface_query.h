@@ -13,6 +13,7 @@ struct SurfaceHit
     Vec3 normal;     ///< of the face, unit length, outwards
     double distance; ///< from the ray's origin, or from the point asked about
     Slot face;
+    Rgb color = {}; ///< there, between those of the face's corners
 };
 
 /// The point of a triangle nearest to p (Ericson 2005, section 5.1.5).

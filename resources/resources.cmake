@@ -33,6 +33,8 @@ set(FETTLE_RESOURCE_FILES
     icons/open.svg
     icons/orthographic.svg
     icons/paint.svg
+    icons/pick.svg
+    icons/plus.svg
     icons/pull.svg
     icons/push.svg
     icons/quit.svg
@@ -49,6 +51,7 @@ set(FETTLE_RESOURCE_FILES
     icons/steady.svg
     icons/stop.svg
     icons/strength.svg
+    icons/swap.svg
     icons/symmetrize.svg
     icons/undo.svg
     icons/uniform.svg

@@ -793,14 +793,6 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Fügt diesem Modell ein weiteres aus einer Datei hinzu.</translation>
     </message>
     <message>
-        <source>&amp;Fill with Colour…</source>
-        <translation>Mit &amp;Farbe füllen …</translation>
-    </message>
-    <message>
-        <source>Gives the whole model one colour.</source>
-        <translation>Gibt dem ganzen Modell eine Farbe.</translation>
-    </message>
-    <message>
         <source>Remesh &amp;Uniformly…</source>
         <translation>&amp;Gleichmäßig neu vernetzen …</translation>
     </message>
@@ -859,14 +851,6 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>Does on the other side of the plane what you do on this one.</source>
         <translation>Tut auf der anderen Seite der Ebene, was Sie auf dieser tun.</translation>
-    </message>
-    <message>
-        <source>Paint &amp;Colour…</source>
-        <translation>&amp;Malfarbe …</translation>
-    </message>
-    <message>
-        <source>Chooses what Paint colours with.</source>
-        <translation>Wählt die Farbe, mit der bemalt wird.</translation>
     </message>
     <message>
         <source>&amp;Commands and Keys…</source>
@@ -1044,6 +1028,38 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>Draws the brush on a string behind the pointer, so that a trembling hand draws smooth lines.</source>
         <translation>Zieht den Pinsel an einer Schnur hinter dem Zeiger her, damit eine zitternde Hand glatte Linien zeichnet.</translation>
     </message>
+    <message>
+        <source>Paint &amp;Colour</source>
+        <translation>&amp;Malfarbe</translation>
+    </message>
+    <message>
+        <source>Shows the panel that says what Paint colours with.</source>
+        <translation>Zeigt die Tafel, die sagt, womit Malen färbt.</translation>
+    </message>
+    <message>
+        <source>Pic&amp;k Colour</source>
+        <translation>Farbe auf&amp;nehmen</translation>
+    </message>
+    <message>
+        <source>The next click on the model takes its colour for Paint.</source>
+        <translation>Der nächste Klick auf das Modell nimmt dessen Farbe zum Malen.</translation>
+    </message>
+    <message>
+        <source>S&amp;wap Colours</source>
+        <translation>Farben tausc&amp;hen</translation>
+    </message>
+    <message>
+        <source>Paints with the other colour, and keeps this one for the next swap.</source>
+        <translation>Malt mit der anderen Farbe und hebt diese für den nächsten Tausch auf.</translation>
+    </message>
+    <message>
+        <source>&amp;Fill with Colour</source>
+        <translation>Mit &amp;Farbe füllen</translation>
+    </message>
+    <message>
+        <source>Gives the whole model the paint colour.</source>
+        <translation>Gibt dem ganzen Modell die Malfarbe.</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -1133,6 +1149,79 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source> px</source>
         <translation> px</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ColorPanel</name>
+    <message>
+        <source>Colour as #rrggbb</source>
+        <translation>Farbe als #rrggbb</translation>
+    </message>
+    <message>
+        <source>The paint colour as in web pages: # and two digits, 0 to f, for each of red, green and blue.</source>
+        <translation>Die Malfarbe wie auf Webseiten: # und je zwei Ziffern, 0 bis f, für Rot, Grün und Blau.</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>Rot</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Grün</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Blau</translation>
+    </message>
+    <message>
+        <source>%1 of the paint colour, 0 to 255.</source>
+        <translation>%1 der Malfarbe, 0 bis 255.</translation>
+    </message>
+    <message>
+        <source>%1 is no colour: # and six digits, 0 to f, are one.</source>
+        <translation>%1 ist keine Farbe: # und sechs Ziffern, 0 bis f, sind eine.</translation>
+    </message>
+    <message>
+        <source>Paint colour %1, the other %2</source>
+        <translation>Malfarbe %1, die andere %2</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>No colour was picked: the click was not on the model.</source>
+        <translation>Keine Farbe wurde aufgenommen: Der Klick traf das Modell nicht.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ColorSwatches</name>
+    <message>
+        <source>Keep this colour</source>
+        <translation>Diese Farbe behalten</translation>
+    </message>
+    <message>
+        <source>Keeps the paint colour among the swatches.</source>
+        <translation>Behält die Malfarbe bei den Farbfeldern.</translation>
+    </message>
+    <message>
+        <source>%1: a click takes it, Delete removes it.</source>
+        <translation>%1: Ein Klick nimmt sie, Entf entfernt sie.</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ColorWheel</name>
+    <message>
+        <source>Hue, saturation and value</source>
+        <translation>Farbton, Sättigung und Helligkeit</translation>
+    </message>
+    <message>
+        <source>The ring is the hue, the square its saturation and value. Drag, or use the arrow keys and Page Up and Down.</source>
+        <translation>Der Ring ist der Farbton, das Quadrat seine Sättigung und Helligkeit. Ziehen, oder die Pfeiltasten und Bild auf und ab.</translation>
     </message>
 </context>
 <context>
@@ -1263,10 +1352,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Tool Palette</source>
         <translation>Werkzeugpalette</translation>
-    </message>
-    <message>
-        <source>Paint Colour</source>
-        <translation>Malfarbe</translation>
     </message>
 </context>
 <context>
@@ -1606,10 +1691,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Symmetrize</source>
         <translation>Symmetrisch machen</translation>
-    </message>
-    <message>
-        <source>Fill with Colour</source>
-        <translation>Mit Farbe füllen</translation>
     </message>
     <message>
         <source>Remesh Uniformly</source>

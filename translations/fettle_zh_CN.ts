@@ -791,14 +791,6 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>从文件向此模型添加另一个模型。</translation>
     </message>
     <message>
-        <source>&amp;Fill with Colour…</source>
-        <translation>填充颜色(&amp;F)…</translation>
-    </message>
-    <message>
-        <source>Gives the whole model one colour.</source>
-        <translation>将整个模型设为一种颜色。</translation>
-    </message>
-    <message>
         <source>Remesh &amp;Uniformly…</source>
         <translation>均匀重新划分网格(&amp;U)…</translation>
     </message>
@@ -857,14 +849,6 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>Does on the other side of the plane what you do on this one.</source>
         <translation>在平面的另一侧重复您在这一侧的操作。</translation>
-    </message>
-    <message>
-        <source>Paint &amp;Colour…</source>
-        <translation>上色颜色(&amp;C)…</translation>
-    </message>
-    <message>
-        <source>Chooses what Paint colours with.</source>
-        <translation>选择上色所用的颜色。</translation>
     </message>
     <message>
         <source>&amp;Commands and Keys…</source>
@@ -1042,6 +1026,38 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>Draws the brush on a string behind the pointer, so that a trembling hand draws smooth lines.</source>
         <translation>用一根线把笔刷拖在指针后面，使颤抖的手也能画出平滑的线条。</translation>
     </message>
+    <message>
+        <source>Paint &amp;Colour</source>
+        <translation>上色颜色(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Shows the panel that says what Paint colours with.</source>
+        <translation>显示决定上色所用颜色的面板。</translation>
+    </message>
+    <message>
+        <source>Pic&amp;k Colour</source>
+        <translation>取色(&amp;K)</translation>
+    </message>
+    <message>
+        <source>The next click on the model takes its colour for Paint.</source>
+        <translation>下一次点击模型时取其颜色用于上色。</translation>
+    </message>
+    <message>
+        <source>S&amp;wap Colours</source>
+        <translation>交换颜色(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Paints with the other colour, and keeps this one for the next swap.</source>
+        <translation>改用另一种颜色，并留住这一种供下次交换。</translation>
+    </message>
+    <message>
+        <source>&amp;Fill with Colour</source>
+        <translation>填充颜色(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Gives the whole model the paint colour.</source>
+        <translation>把整个模型涂成上色颜色。</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -1131,6 +1147,79 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source> px</source>
         <translation> 像素</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ColorPanel</name>
+    <message>
+        <source>Colour as #rrggbb</source>
+        <translation>颜色（#rrggbb）</translation>
+    </message>
+    <message>
+        <source>The paint colour as in web pages: # and two digits, 0 to f, for each of red, green and blue.</source>
+        <translation>网页写法的上色颜色：# 后接红、绿、蓝各两位数字（0 到 f）。</translation>
+    </message>
+    <message>
+        <source>Red</source>
+        <translation>红</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>绿</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>蓝</translation>
+    </message>
+    <message>
+        <source>%1 of the paint colour, 0 to 255.</source>
+        <translation>上色颜色的%1，0 到 255。</translation>
+    </message>
+    <message>
+        <source>%1 is no colour: # and six digits, 0 to f, are one.</source>
+        <translation>%1 不是颜色：应为 # 和六位数字（0 到 f）。</translation>
+    </message>
+    <message>
+        <source>Paint colour %1, the other %2</source>
+        <translation>上色颜色 %1，另一色 %2</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>No colour was picked: the click was not on the model.</source>
+        <translation>没有取到颜色：没有点在模型上。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ColorSwatches</name>
+    <message>
+        <source>Keep this colour</source>
+        <translation>保留此颜色</translation>
+    </message>
+    <message>
+        <source>Keeps the paint colour among the swatches.</source>
+        <translation>把上色颜色保留到色板中。</translation>
+    </message>
+    <message>
+        <source>%1: a click takes it, Delete removes it.</source>
+        <translation>%1：单击选用，Delete 键删除。</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>删除</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ColorWheel</name>
+    <message>
+        <source>Hue, saturation and value</source>
+        <translation>色相、饱和度和明度</translation>
+    </message>
+    <message>
+        <source>The ring is the hue, the square its saturation and value. Drag, or use the arrow keys and Page Up and Down.</source>
+        <translation>圆环是色相，方块是饱和度和明度。可拖动，或用方向键和上下翻页键。</translation>
     </message>
 </context>
 <context>
@@ -1260,10 +1349,6 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Tool Palette</source>
         <translation>工具面板</translation>
-    </message>
-    <message>
-        <source>Paint Colour</source>
-        <translation>上色颜色</translation>
     </message>
 </context>
 <context>
@@ -1603,10 +1688,6 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Symmetrize</source>
         <translation>对称化</translation>
-    </message>
-    <message>
-        <source>Fill with Colour</source>
-        <translation>填充颜色</translation>
     </message>
     <message>
         <source>Remesh Uniformly</source>

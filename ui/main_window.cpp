@@ -6,6 +6,7 @@
 #include "brush_bar.h"
 #include "brush_panels.h"
 #include "busy_bar.h"
+#include "color_panel.h"
 #include "command_box.h"
 #include "facts_bar.h"
 #include "hand_actions.h"
@@ -63,6 +64,7 @@ struct MainWindow::State
 
     void buildView();
     void buildBars();
+    void buildPanels(QMenu* toggles);
     void buildStatusBar();
     template <class What> void on(const char* id, What what);
     void connectActions();
@@ -102,7 +104,7 @@ void MainWindow::State::buildBars()
         if (id != MenuId::View)
             continue;
         addLooks(actions, viewport, &settings, menu);
-        addBrushPanels(q, &brush, menu->addMenu(tr("&Panels")), [this] { viewport->setFocus(); });
+        buildPanels(menu->addMenu(tr("&Panels")));
     }
 
     auto* bar = q->addToolBar(tr("Tool Bar"));
@@ -119,6 +121,12 @@ void MainWindow::State::buildBars()
     palette->setIconSize(QSize(26, 26));
     actions.fill(palette, Bar::Palette);
     q->addToolBar(Qt::LeftToolBarArea, palette);
+}
+
+void MainWindow::State::buildPanels(QMenu* toggles)
+{
+    addBrushPanels(q, &brush, toggles, [this] { viewport->setFocus(); });
+    addColorPanel({q, toggles, viewport}, &brush, &settings, actions, [this](const QString& word) { q->showNotice(word); });
 }
 
 void MainWindow::State::buildStatusBar()
@@ -169,7 +177,7 @@ void MainWindow::State::connectModel()
     on("model.mirror", [this, request] { askForMirror(q, request); });
     on("model.symmetrize", [this, request] { askForSymmetry(q, request); });
     on("model.recentre", [request] { request(core::Recentre{}); });
-    on("model.fill", [this, request] { askForFill(q, request); });
+    on("model.fill", [this, request] { request(core::Fill{brush.stroke().color}); });
     on("model.remesh", [this, request] { askForRemesh(q, model, request); });
 }
 
@@ -177,9 +185,6 @@ void MainWindow::State::connectTools()
 {
     connectBrush(actions, &brush);
     connectHand(actions, &brush, viewport, &settings);
-    on("brush.color", [this] {
-        askForColor(q, tr("Paint Colour"), brush.stroke().color, [this](core::Rgb color) { brush.set(&core::StrokeSettings::color, color); });
-    });
     connect(&brush, &BrushSettings::clamped, q, [this](core::Parameter parameter) {
         q->showNotice(Messages::range(parameter, brush.minOf(parameter), brush.maxOf(parameter)));
     });

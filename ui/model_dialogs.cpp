@@ -1,7 +1,6 @@
 #include "model_dialogs.h"
 
 #include <QButtonGroup>
-#include <QColorDialog>
 #include <QCoreApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
@@ -218,24 +217,6 @@ void askForSymmetry(QWidget* parent, const CommandAnswer& answer)
         const int choice = halves->checkedId();
         return core::Symmetrize{planes[choice / 2], choice % 2 == 0 ? core::Half::Positive : core::Half::Negative};
     });
-}
-
-void askForColor(QWidget* parent, const QString& title, const core::Rgb& color, const std::function<void(core::Rgb)>& answer)
-{
-    auto* dialog = new QColorDialog(QColor(color.r, color.g, color.b), parent);
-    dialog->setObjectName(QStringLiteral("colorDialog"));
-    dialog->setWindowTitle(title);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    QObject::connect(dialog, &QColorDialog::colorSelected, dialog, [answer](const QColor& chosen) {
-        const auto byte = [](int value) { return static_cast<std::uint8_t>(value); };
-        answer({byte(chosen.red()), byte(chosen.green()), byte(chosen.blue())});
-    });
-    dialog->open();
-}
-
-void askForFill(QWidget* parent, const CommandAnswer& answer)
-{
-    askForColor(parent, ModelDialogs::tr("Fill with Colour"), {}, [answer](core::Rgb color) { answer(core::Fill{color}); });
 }
 
 void askForRemesh(QWidget* parent, const ModelFacts& facts, const CommandAnswer& answer)

@@ -19,11 +19,7 @@ void askForRotation(QWidget* parent, const CommandAnswer& answer);
 void askForScale(QWidget* parent, const ModelFacts& facts, const CommandAnswer& answer);
 void askForMirror(QWidget* parent, const CommandAnswer& answer);
 void askForSymmetry(QWidget* parent, const CommandAnswer& answer);
-void askForFill(QWidget* parent, const CommandAnswer& answer);
 void askForRemesh(QWidget* parent, const ModelFacts& facts, const CommandAnswer& answer);
-
-/// Any colour, beginning with this one.
-void askForColor(QWidget* parent, const QString& title, const core::Rgb& color, const std::function<void(core::Rgb)>& answer);
 
 /// Where a model that is inserted goes; the answer's command has no model yet.
 void askForPlace(QWidget* parent, const QString& modelName, const CommandAnswer& answer);

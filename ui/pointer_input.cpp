@@ -1,6 +1,7 @@
 #include "pointer_input.h"
 
 #include <cmath>
+#include <utility>
 
 namespace ui
 {
@@ -133,7 +134,15 @@ void PointerInput::setHover(const std::optional<core::SurfaceHit>& hit)
 std::optional<core::SurfaceHit> PointerInput::hover() const
 {
     const bool next = m_drag == Drag::None && viewDrag(Qt::LeftButton, m_modifiers) != Drag::None;
-    return m_inside && !movesView() && !next ? m_hit : std::nullopt;
+    return m_inside && !movesView() && !next && !m_isPicking ? m_hit : std::nullopt;
+}
+
+void PointerInput::setPicking(bool on)
+{
+    if (std::exchange(m_isPicking, on) == on)
+        return;
+    Q_EMIT pickingChanged(on);
+    Q_EMIT hoverChanged();
 }
 
 core::Tool PointerInput::tool() const
@@ -217,6 +226,11 @@ void PointerInput::press(const Waiting& waiting)
 void PointerInput::begin(const Waiting& press, const std::optional<core::SurfaceHit>& hit)
 {
     m_drag = viewDrag(press.event.button, press.event.modifiers);
+    if (m_drag == Drag::None && press.event.button == Qt::LeftButton && m_isPicking) {
+        setPicking(false);
+        Q_EMIT picked(hit);
+        return;
+    }
     if (m_drag == Drag::None && press.event.button == Qt::LeftButton)
         m_drag = hit ? Drag::Stroke : Drag::Orbit;
     if (m_drag == Drag::None)

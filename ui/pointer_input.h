@@ -58,6 +58,10 @@ public:
 
     void setHover(const std::optional<core::SurfaceHit>& hit);
 
+    /// While on, the next press for the brush does nothing but tell what it is on by picked(), and that was that.
+    void setPicking(bool on);
+    bool isPicking() const { return m_isPicking; }
+
     /// Where the cursor is to lie: the newest answer, unless the pointer left or turns the view.
     std::optional<core::SurfaceHit> hover() const;
     bool strokeOpen() const { return m_drag == Drag::Stroke; }
@@ -73,6 +77,8 @@ Q_SIGNALS:
     void strokeSampled(const core::StrokeSample& sample);
     void strokeEnded();
     void pressDecided();
+    void pickingChanged(bool on);
+    void picked(const std::optional<core::SurfaceHit>& hit);
     void viewChanged();
 
 private:
@@ -120,6 +126,7 @@ private:
     PointerEvent m_hand;                ///< of the open stroke, where it is now and how hard it presses
     OrbitCamera::Pixel m_brushAt{0, 0}; ///< of the open stroke
     bool m_inside = false;
+    bool m_isPicking = false;
     core::Tool m_strokeTool = core::Tool::Pull;
     Qt::KeyboardModifiers m_modifiers;
     std::deque<Waiting> m_waiting; ///< the first is a press that nobody knows about yet

@@ -1,5 +1,7 @@
 #include "settings.h"
 
+#include "color_convert.h"
+
 #include <QDir>
 
 #include <algorithm>
@@ -20,6 +22,12 @@ const QString stringKey = QStringLiteral("hand/string");
 const QString radiusShareKey = QStringLiteral("brush/radiusShare");
 const QString materialKey = QStringLiteral("view/material");
 const QString backgroundKey = QStringLiteral("view/background");
+const QString swatchesKey = QStringLiteral("color/swatches");
+
+/// Clay, earth, slip, white, grey, black, and what children paint with.
+const QList<core::Rgb> firstSwatches = {{200, 110, 80}, {138, 90, 60},  {242, 227, 204}, {255, 255, 255},
+                                        {128, 128, 128}, {32, 32, 32},  {216, 58, 52},   {240, 180, 41},
+                                        {76, 154, 74},  {47, 111, 181}, {122, 79, 160}};
 
 QString keyOf(core::Parameter parameter)
 {
@@ -158,5 +166,24 @@ double Settings::stringLength() const
 void Settings::setStringLength(double pixels)
 {
     m_settings.setValue(stringKey, pixels);
+}
+
+QList<core::Rgb> Settings::swatches() const
+{
+    if (!m_settings.contains(swatchesKey))
+        return firstSwatches;
+    QList<core::Rgb> swatches;
+    for (const QString& name : m_settings.value(swatchesKey).toStringList())
+        if (const QColor color(name); color.isValid())
+            swatches << toRgb(color);
+    return swatches;
+}
+
+void Settings::setSwatches(const QList<core::Rgb>& swatches)
+{
+    QStringList names;
+    for (const core::Rgb& color : swatches)
+        names << toQt(color).name();
+    m_settings.setValue(swatchesKey, names);
 }
 } // namespace ui

@@ -4,8 +4,10 @@
 #include "view_look.h"
 
 #include "core/brush.h"
+#include "core/geometry.h"
 
 #include <QByteArray>
+#include <QList>
 #include <QSettings>
 #include <QString>
 
@@ -49,6 +51,10 @@ public:
     void setSteady(bool steady);
     double stringLength() const;
     void setStringLength(double pixels);
+
+    /// Colours at hand, in order; a first choice where none were ever stored. Broken ones are left out.
+    QList<core::Rgb> swatches() const;
+    void setSwatches(const QList<core::Rgb>& swatches);
 
 private:
     QSettings m_settings;

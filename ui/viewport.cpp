@@ -3,6 +3,7 @@
 #include "pointer_input.h"
 #include "scale_bar.h"
 #include "scene.h"
+#include "themed_icon.h"
 #include "touch_input.h"
 
 #include <QApplication>
@@ -64,6 +65,13 @@ QColor cursorColor(core::Tool tool)
         return {236, 176, 236};
     }
     return Qt::white;
+}
+
+/// Its tip is what picks.
+QCursor pickCursor()
+{
+    constexpr int size = 24, tip = 3;
+    return QCursor(themedIcon(QStringLiteral("pick")).pixmap(size, size), tip, size - tip);
 }
 } // namespace
 
@@ -170,8 +178,12 @@ Viewport::Viewport(BrushSettings* brush, QWidget* parent)
     connect(input, &PointerInput::viewChanged, this, &Viewport::viewChanged);
     connect(this, &Viewport::viewChanged, this, qOverload<>(&Viewport::update));
     connect(input, &PointerInput::hoverChanged, this, [this, input] {
-        setCursor(input->hover() ? Qt::CrossCursor : Qt::ArrowCursor);
+        setCursor(input->isPicking() ? pickCursor() : input->hover() ? Qt::CrossCursor : Qt::ArrowCursor);
         update();
+    });
+    connect(input, &PointerInput::pickingChanged, this, &Viewport::pickingChanged);
+    connect(input, &PointerInput::picked, this, [this](const std::optional<core::SurfaceHit>& hit) {
+        Q_EMIT picked(hit ? std::optional(hit->color) : std::nullopt);
     });
     connect(brush, &BrushSettings::changed, this, qOverload<>(&Viewport::update));
     QCoreApplication::instance()->installEventFilter(this);
@@ -274,6 +286,11 @@ bool Viewport::pressWaits() const
 void Viewport::finish()
 {
     m_state->input.finish();
+}
+
+void Viewport::setPicking(bool on)
+{
+    m_state->input.setPicking(on);
 }
 
 void Viewport::setHover(const std::optional<core::SurfaceHit>& hit)
@@ -413,6 +430,8 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease)
         m_state->input.setModifiers(static_cast<QKeyEvent*>(event)->modifiers());
+    if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape)
+        setPicking(false);
     return QOpenGLWidget::eventFilter(watched, event);
 }
 } // namespace ui

@@ -73,6 +73,9 @@ public:
     /// Ends whatever drag is going on, as a release would.
     void finish();
 
+    /// While on, the next press for the brush takes a colour from the model instead: picked() ends it. So does Escape.
+    void setPicking(bool on);
+
 public Q_SLOTS:
     /// There is something to take. Coalesced: at most one frame is scheduled.
     void patchReady();
@@ -94,6 +97,10 @@ Q_SIGNALS:
     void pressDecided();
 
     void viewChanged();
+
+    void pickingChanged(bool on);
+    /// Nothing: the press was not on the model.
+    void picked(const std::optional<core::Rgb>& color);
 
 protected:
     void initializeGL() override;

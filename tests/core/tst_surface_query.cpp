@@ -60,6 +60,7 @@ private Q_SLOTS:
     void nearestInTriangle_isNotFartherThanAnyPointOfIt();
     void ray_fromInsideMissesAndFromOutsideHits();
     void farAway_hasAnAnswer();
+    void color_isTheCornersAndBetweenThemTheirMean();
 };
 
 void TestSurfaceQuery::firstHit_agreesWithBruteForce_data()
@@ -153,6 +154,22 @@ void TestSurfaceQuery::farAway_hasAnAnswer()
     QVERIFY(nearest && std::abs(nearest->position.norm() - 1) < 0.05);
     QVERIFY(firstHit(*mesh, octree, {far, -far}));
     QVERIFY(!firstHit(*mesh, octree, {far, far}));
+}
+
+void TestSurfaceQuery::color_isTheCornersAndBetweenThemTheirMean()
+{
+    const auto mesh = sculptable(core::icosphere(1, 1));
+    mesh->beginStroke();
+    const core::Triangle t = mesh->corners(0);
+    const core::Rgb colors[] = {{250, 0, 10}, {10, 250, 0}, {0, 10, 250}};
+    for (std::size_t i = 0; i < 3; ++i)
+        mesh->setColor(t[i], colors[i]);
+    const FaceOctree octree(*mesh);
+    const auto [a, b, c] = cornersOf(*mesh, 0);
+    const auto at = [&](double u, double v) { return nearestPoint(*mesh, octree, (1 - u - v) * a + u * b + v * c)->color; };
+    QCOMPARE(at(1.0 / 3, 1.0 / 3), (core::Rgb{87, 87, 87}));
+    QCOMPARE(at(0.5, 0.25), (core::Rgb{68, 128, 65}));
+    QCOMPARE(at(0.998, 0.001), colors[1]);
 }
 
 QTEST_APPLESS_MAIN(TestSurfaceQuery)

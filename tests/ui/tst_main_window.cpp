@@ -1,4 +1,5 @@
 #include "ui/actions.h"
+#include "ui/color_wheel.h"
 #include "ui/falloff_curve.h"
 #include "ui/main_window.h"
 
@@ -7,7 +8,6 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QCheckBox>
-#include <QColorDialog>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
@@ -276,15 +276,53 @@ private Q_SLOTS:
         QCOMPARE(window.strokeSettings().falloff, 4);
     }
 
-    void thePaintColourIsChosen()
+    void thePaintColourHasAPanel()
     {
         MainWindow window;
         window.show();
-        act(window, "brush.color")->trigger();
-        auto* dialog = child<QColorDialog>(window, "colorDialog");
-        QVERIFY(dialog);
-        Q_EMIT dialog->colorSelected(QColor(10, 20, 30));
-        QCOMPARE(window.strokeSettings().color, (core::Rgb{10, 20, 30}));
+        window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        auto* wheel = child<ui::ColorWheel>(window, "colorWheel");
+        for (const bool closed : {false, true}) {
+            child<QDockWidget>(window, "colorPanel")->setHidden(closed);
+            act(window, "brush.color")->trigger();
+            QTRY_VERIFY(wheel->isVisible() && !wheel->visibleRegion().isEmpty());
+            QTRY_VERIFY(wheel->hasFocus());
+        }
+    }
+
+    void theModelIsFilledWithThePaintColour()
+    {
+        MainWindow window;
+        QSignalSpy asked(&window, &MainWindow::commandRequested);
+        window.brush()->set(&core::StrokeSettings::color, core::Rgb{10, 20, 30});
+        act(window, "model.fill")->trigger();
+        QCOMPARE(asked.count(), 1);
+        QCOMPARE(std::get<core::Fill>(asked[0][0].value<core::ModelCommand>()).color, (core::Rgb{10, 20, 30}));
+    }
+
+    void aColourIsPickedFromTheModel()
+    {
+        MainWindow window;
+        QAction* pick = act(window, "color.pick");
+        const core::SurfaceHit red{core::Vec3::Zero(), core::Vec3::UnitZ(), 1, 0, {250, 10, 20}};
+        const auto click = [&](const std::optional<core::SurfaceHit>& hit) {
+            sendMouse(window.viewport(), QEvent::MouseButtonPress, {50, 50}, Qt::LeftButton);
+            window.viewport()->setHover(hit);
+            sendMouse(window.viewport(), QEvent::MouseButtonRelease, {50, 50}, Qt::LeftButton);
+        };
+        QSignalSpy strokes(window.viewport(), &ui::Viewport::strokeBegan);
+        pick->trigger();
+        click(red);
+        QCOMPARE(window.strokeSettings().color, red.color);
+        QVERIFY(!pick->isChecked());
+        QCOMPARE(strokes.count(), 0);
+        click(red);
+        QCOMPARE(strokes.count(), 1); // that was one click only
+
+        pick->trigger();
+        QTest::keyClick(window.viewport(), Qt::Key_Escape);
+        QVERIFY(!pick->isChecked());
     }
 
     void panelsComeBackAsLeft()

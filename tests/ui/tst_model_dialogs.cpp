@@ -2,7 +2,7 @@
 
 #include "ui_test.h"
 
-#include <QColorDialog>
+#include <QDialog>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -49,7 +49,6 @@ private Q_SLOTS:
     void remesh_saysWhatWillBe();
     void remesh_untouchedIsTheDefault();
     void insert_givesThePlace();
-    void fill_givesTheColour();
     void verb_isTheDefaultButton();
     void cancelled_isNoAnswer();
 };
@@ -150,16 +149,6 @@ void TestModelDialogs::insert_givesThePlace()
     asking.dialog("insertDialog")->accept();
     const Insert insertion = std::get<Insert>(asking.command.value());
     QVERIFY(insertion.place == Insert::Place::Centre && insertion.centre == Vec3(0, 70, 0));
-}
-
-void TestModelDialogs::fill_givesTheColour()
-{
-    Asking asking;
-    ui::askForFill(&asking.window, asking.answer);
-    auto* dialog = static_cast<QColorDialog*>(asking.dialog("colorDialog"));
-    dialog->setCurrentColor(QColor(1, 2, 3));
-    dialog->accept();
-    QVERIFY((std::get<Fill>(asking.command.value()).color == Rgb{1, 2, 3}));
 }
 
 void TestModelDialogs::verb_isTheDefaultButton()

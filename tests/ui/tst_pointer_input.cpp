@@ -134,6 +134,25 @@ private Q_SLOTS:
         QCOMPARE(r.log, strokeOf(1));
     }
 
+    void aPressPicksOnceInsteadOfSculpting()
+    {
+        for (const std::optional<core::SurfaceHit>& hit : {std::optional(somewhere), std::optional<core::SurfaceHit>()}) {
+            Recorder r;
+            QSignalSpy picked(&r.input, &ui::PointerInput::picked);
+            r.input.setPicking(true);
+            r.rest({400, 300}, somewhere);
+            QVERIFY(!r.input.hover()); // nothing would be sculpted
+            r.send(Kind::Press, {450, 300}); // the answer is not known yet
+            r.send(Kind::Move, {460, 300});
+            r.send(Kind::Release, {460, 300});
+            QCOMPARE(picked.count(), 0);
+            r.input.setHover(hit);
+            QCOMPARE(picked.count(), 1);
+            QCOMPARE(picked[0][0].value<std::optional<core::SurfaceHit>>().has_value(), hit.has_value());
+            QVERIFY(r.log.isEmpty() && !r.input.isPicking());
+        }
+    }
+
     void samplesWaitForTheAnswer()
     {
         Recorder r;

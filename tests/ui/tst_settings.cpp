@@ -60,6 +60,17 @@ private Q_SLOTS:
             }
     }
 
+    void swatchesComeBackWithoutTheBrokenOnes()
+    {
+        QVERIFY(!ui::Settings().swatches().isEmpty());
+        ui::Settings().setSwatches({{1, 2, 3}, {255, 254, 253}});
+        QCOMPARE(ui::Settings().swatches(), (QList<core::Rgb>{{1, 2, 3}, {255, 254, 253}}));
+        QSettings().setValue(QStringLiteral("color/swatches"), QStringList{QStringLiteral("loud"), QStringLiteral("#040506")});
+        QCOMPARE(ui::Settings().swatches(), (QList<core::Rgb>{{4, 5, 6}}));
+        ui::Settings().setSwatches({});
+        QVERIFY(ui::Settings().swatches().isEmpty());
+    }
+
     void brokenEntriesGiveDefaults_data()
     {
         QTest::addColumn<QVariant>("stored");

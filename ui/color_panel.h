@@ -1,0 +1,85 @@
+#pragma once
+
+#include "core/geometry.h"
+
+#include <QWidget>
+
+#include <array>
+#include <functional>
+
+class QDockWidget;
+class QLayout;
+class QLineEdit;
+class QMainWindow;
+class QMenu;
+class QPixmap;
+class QSlider;
+class QSpinBox;
+class QToolButton;
+
+namespace ui
+{
+class Actions;
+class BrushSettings;
+class ColorSwatches;
+class ColorWheel;
+class Settings;
+class Viewport;
+
+/// The paint colour by wheel, by channel, by name or from a swatch, and another to swap it with. Gui thread.
+class ColorPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    /// None is owned; all must outlive the panel.
+    ColorPanel(BrushSettings* brush, Settings* settings, const Actions& actions, QWidget* parent = nullptr);
+
+    /// Where the keys go first.
+    ColorWheel* wheel() const { return m_wheel; }
+    void swap();
+
+Q_SIGNALS:
+    /// A number was typed, and Return.
+    void entered();
+    /// What was typed is no colour.
+    void refused(const QString& sentence);
+
+private:
+    struct Channel
+    {
+        QSlider* slider = nullptr;
+        QSpinBox* box = nullptr;
+    };
+
+    QLayout* buildButtons(const Actions& actions);
+    QLayout* buildChannels();
+    void buildSwatches();
+    Channel channel(const QString& name, const char* id, std::uint8_t core::Rgb::* what);
+    void showColor();
+    QPixmap pairPicture() const;
+    void set(const core::Rgb& color);
+    void setFromText();
+
+    BrushSettings* m_brush;
+    Settings* m_settings;
+    core::Rgb m_other{255, 255, 255};
+    ColorWheel* m_wheel;
+    QToolButton* m_pair; ///< both colours
+    QLineEdit* m_name;
+    std::array<Channel, 3> m_channels;
+    ColorSwatches* m_swatches;
+};
+
+struct ColorPanelPlace
+{
+    QMainWindow* window;
+    QMenu* toggles;
+    Viewport* viewport;
+};
+
+/// As a dock behind the brush's, with its entry among the toggles; brush.color raises it, color.pick and color.swap work.
+/// `notice` says a small word.
+void addColorPanel(const ColorPanelPlace& place, BrushSettings* brush, Settings* settings, const Actions& actions,
+                   const std::function<void(const QString&)>& notice);
+} // namespace ui
