@@ -203,7 +203,7 @@ void Document::finishChange(const core::ModelCommand& command, ModelOutcome outc
         m_worker->post([delta](core::Sculptor& sculptor) { sculptor.swap(*delta); });
         const int index = m_stack.index();
         m_history.add(index, delta);
-        m_stack.push(new StrokeCommand(ModelWords::name(command), &m_history, index));
+        m_stack.push(new StrokeCommand(ModelWords::name(command), {ModelWords::icon(command)}, &m_history, index));
     }
     m_isChanging = false;
     m_worker->release();
@@ -296,7 +296,8 @@ void Document::takeReport(const StrokeReport& report)
         if (report.delta) {
             const int index = m_stack.index();
             m_history.add(index, report.delta);
-            m_stack.push(new StrokeCommand(StrokeCommand::textOf(report.tool), &m_history, index));
+            m_stack.push(new StrokeCommand(StrokeCommand::textOf(report.tool),
+                                           {StrokeCommand::iconOf(report.tool), report.dabs, report.fusions}, &m_history, index));
         }
         const bool isSeen = report.shortfall == core::Shortfall::Stuck && report.delta; // other dabs did something
         if (report.shortfall != core::Shortfall::None && !isSeen)

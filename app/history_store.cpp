@@ -139,6 +139,7 @@ void HistoryStore::noteBytes(const std::shared_ptr<StoredDelta>& delta, std::siz
         if (entry.delta == delta)
             entry.bytes = bytes;
     enforceCap();
+    Q_EMIT bytesChanged();
 }
 
 void HistoryStore::enforceCap()

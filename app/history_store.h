@@ -75,6 +75,8 @@ public:
 Q_SIGNALS:
     /// canUndo() or canRedo() may answer otherwise now.
     void expired();
+    /// bytesInMemory() is another.
+    void bytesChanged();
     /// A spilled change could not be read back: the undo stack is of no use any more. The model is in order.
     void lost();
 

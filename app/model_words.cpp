@@ -12,6 +12,15 @@ QString ModelWords::name(const core::ModelCommand& command)
     return std::visit([](const auto& wanted) { return wordsOf(wanted).name; }, command);
 }
 
+QString ModelWords::icon(const core::ModelCommand& command)
+{
+    static const QString icons[] = {QStringLiteral("move"),   QStringLiteral("rotate"),   QStringLiteral("scale"),
+                                    QStringLiteral("mirror"), QStringLiteral("recentre"), QStringLiteral("insert"),
+                                    QStringLiteral("fill"),   QStringLiteral("remesh"),   QStringLiteral("symmetrize")};
+    static_assert(std::size(icons) == std::variant_size_v<core::ModelCommand>);
+    return icons[command.index()];
+}
+
 QString ModelWords::doing(const core::ModelCommand& command)
 {
     return std::visit([](const auto& wanted) { return wordsOf(wanted).doing; }, command);

@@ -15,6 +15,8 @@ class ModelWords
 public:
     /// The undo step.
     static QString name(const core::ModelCommand& command);
+    /// Of those in resources/icons.
+    static QString icon(const core::ModelCommand& command);
     /// While it goes on.
     static QString doing(const core::ModelCommand& command);
     /// What was not done, where and why: one sentence. `inserted`: the file of the inserted model.

@@ -150,8 +150,10 @@ void SculptWorker::run(BeginStroke& job)
     m_report = {};
     m_report.tool = job.settings.tool;
     ++m_scanGeneration;
-    if (m_sculptor)
+    if (m_sculptor) {
+        m_fusionsBefore = m_sculptor->totals().fusions;
         m_sculptor->beginStroke(job.settings);
+    }
 }
 
 void SculptWorker::run(Sample& job)
@@ -181,6 +183,7 @@ void SculptWorker::run(EndStroke&)
         flushPatch();
         if (!delta->empty())
             m_report.delta = std::move(delta);
+        m_report.fusions = m_sculptor->totals().fusions - m_fusionsBefore;
         m_report.facts = facts();
         startScan();
     }

@@ -31,6 +31,7 @@ struct StrokeReport
     std::shared_ptr<core::MeshDelta> delta; ///< already applied; null if nothing changed
     core::Tool tool = core::Tool::Pull;
     quint64 dabs = 0;
+    quint64 fusions = 0;
     core::Shortfall shortfall = core::Shortfall::None; ///< of the dabs the one most worth telling
     bool asymmetric = false; ///< mirrored where the model is not symmetric: some dabs were done as two
     MeshFacts facts;
@@ -120,6 +121,7 @@ private:
     std::shared_ptr<core::Sculptor> m_sculptor;
     std::array<std::shared_ptr<PatchInbox>, sourceCount> m_inboxes;
     StrokeReport m_report;
+    quint64 m_fusionsBefore = 0; ///< the stroke
     core::Box m_box;
     core::Box m_scannedBox;
     double m_area = 0;

@@ -4,8 +4,8 @@
 
 namespace app
 {
-StrokeCommand::StrokeCommand(const QString& text, HistoryStore* store, int index)
-    : QUndoCommand(text), m_store(store), m_index(index)
+StrokeCommand::StrokeCommand(const QString& text, StepMarks marks, HistoryStore* store, int index)
+    : QUndoCommand(text), m_marks(std::move(marks)), m_store(store), m_index(index)
 {
 }
 
@@ -20,6 +20,12 @@ void StrokeCommand::redo()
     if (!m_isDone)
         m_store->swap(m_index);
     m_isDone = true;
+}
+
+QString StrokeCommand::iconOf(core::Tool tool)
+{
+    const std::string_view name = core::name(tool);
+    return QLatin1StringView(name.data(), static_cast<qsizetype>(name.size()));
 }
 
 QString StrokeCommand::textOf(core::Tool tool)

@@ -9,6 +9,14 @@ namespace app
 {
 class HistoryStore;
 
+/// What History shows of a step besides its name.
+struct StepMarks
+{
+    QString icon;     ///< of those in resources/icons
+    quint64 dabs = 0; ///< 0: it was no stroke
+    quint64 fusions = 0;
+};
+
 /// A stroke, or another finished change of the mesh, in the undo stack. It is already done when it is pushed: the first
 /// redo() does nothing.
 class StrokeCommand : public QUndoCommand
@@ -17,14 +25,18 @@ class StrokeCommand : public QUndoCommand
 
 public:
     /// `text` names the step. `index`: its place in the undo stack, and in the store, which must outlive it.
-    StrokeCommand(const QString& text, HistoryStore* store, int index);
+    StrokeCommand(const QString& text, StepMarks marks, HistoryStore* store, int index);
+
+    const StepMarks& marks() const { return m_marks; }
 
     void undo() override;
     void redo() override;
 
     static QString textOf(core::Tool tool);
+    static QString iconOf(core::Tool tool);
 
 private:
+    StepMarks m_marks;
     HistoryStore* m_store;
     int m_index;
     bool m_isDone = true;

@@ -2,9 +2,11 @@
 
 #include "document.h"
 #include "headset_inquiry.h"
+#include "history_list.h"
 #include "patch_inbox.h"
 #include "sculpt_worker.h"
 
+#include "ui/history_panel.h"
 #include "ui/main_window.h"
 #include "ui/viewport.h"
 
@@ -72,6 +74,26 @@ void wireHistory(ui::MainWindow& window, Document& document)
     });
 }
 
+void wireHistoryPanel(ui::MainWindow& window, Document& document)
+{
+    using ui::HistoryPanel;
+    HistoryPanel* panel = window.history();
+    const auto show = [panel, &document] {
+        if (panel->isVisible())
+            panel->setHistory(historyOf(document));
+    };
+    const auto setCap = [&document, show](qint64 bytes) {
+        document.history().setCap(static_cast<std::size_t>(bytes));
+        show();
+    };
+    setCap(panel->cap());
+    QObject::connect(panel, &HistoryPanel::jumpRequested, &document, &Document::goTo);
+    QObject::connect(panel, &HistoryPanel::capChanged, panel, setCap);
+    QObject::connect(panel, &HistoryPanel::shown, panel, show);
+    QObject::connect(&document, &Document::historyChanged, panel, show);
+    QObject::connect(&document.history(), &HistoryStore::bytesChanged, panel, show);
+}
+
 void wireStrokes(ui::Viewport& viewport, Document& document)
 {
     using ui::Viewport;
@@ -104,6 +126,7 @@ void wire(ui::MainWindow& window, Document& document, SculptWorker& worker, cons
     wireDocument(window, document);
     wireSettling(window, document);
     wireHistory(window, document);
+    wireHistoryPanel(window, document);
     wireStrokes(*window.viewport(), document);
     wireWorker(*window.viewport(), worker, inbox);
     wireHeadset(window);

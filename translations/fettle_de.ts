@@ -543,6 +543,21 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
 </context>
 <context>
+    <name>ui::About</name>
+    <message>
+        <source>About Fettle</source>
+        <translation>Über Fettle</translation>
+    </message>
+    <message>
+        <source>Fettle %1
+
+Sculpt a model with mouse, pen or VR wands, and export it ready to print.</source>
+        <translation>Fettle %1
+
+Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.</translation>
+    </message>
+</context>
+<context>
     <name>ui::Actions</name>
     <message>
         <source>&amp;Open…</source>
@@ -1300,19 +1315,70 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
 </context>
 <context>
+    <name>ui::HistoryPanel</name>
+    <message>
+        <source>%1: %2</source>
+        <comment>step: what it took</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>expired</source>
+        <translation>verfallen</translation>
+    </message>
+    <message>
+        <source>taken back</source>
+        <translation>zurückgenommen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln dabs</source>
+        <translation>
+            <numerusform>%Ln Tupfer</numerusform>
+            <numerusform>%Ln Tupfer</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>dabs, fusions</comment>
+        <translation>%1, %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln fusions</source>
+        <translation>
+            <numerusform>%Ln Fusion</numerusform>
+            <numerusform>%Ln Fusionen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Every step since the model was opened. A click or Return goes there.</source>
+        <translation>Jeder Schritt, seit das Modell geöffnet wurde. Ein Klick oder die Eingabetaste führt dorthin.</translation>
+    </message>
+    <message>
+        <source>Memory for the history</source>
+        <translation>Speicher für den Verlauf</translation>
+    </message>
+    <message>
+        <source>So much memory the history may take; older steps then go to disk, and if that is full they expire.</source>
+        <translation>So viel Speicher darf der Verlauf belegen; ältere Schritte kommen dann auf die Platte, und ist sie voll, verfallen sie.</translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <translation> MB</translation>
+    </message>
+    <message>
+        <source>%1 MB of</source>
+        <translation>%1 MB von</translation>
+    </message>
+</context>
+<context>
     <name>ui::MainWindow</name>
-    <message>
-        <source>About Fettle</source>
-        <translation>Über Fettle</translation>
-    </message>
-    <message>
-        <source>Fettle %1
-
-Sculpt a model with mouse, pen or VR wands, and export it ready to print.</source>
-        <translation>Fettle %1
-
-Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.</translation>
-    </message>
     <message>
         <source>Fettle</source>
         <translation>Fettle</translation>

@@ -31,4 +31,21 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>ui::HistoryPanel</name>
+    <message numerus="yes">
+        <source>%Ln dabs</source>
+        <translation>
+            <numerusform>%Ln dab</numerusform>
+            <numerusform>%Ln dabs</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln fusions</source>
+        <translation>
+            <numerusform>%Ln fusion</numerusform>
+            <numerusform>%Ln fusions</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

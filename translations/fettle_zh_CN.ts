@@ -541,6 +541,21 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
 </context>
 <context>
+    <name>ui::About</name>
+    <message>
+        <source>About Fettle</source>
+        <translation>关于 Fettle</translation>
+    </message>
+    <message>
+        <source>Fettle %1
+
+Sculpt a model with mouse, pen or VR wands, and export it ready to print.</source>
+        <translation>Fettle %1
+
+用鼠标、手写笔或 VR 手柄雕刻模型，并导出为可直接打印的文件。</translation>
+    </message>
+</context>
+<context>
     <name>ui::Actions</name>
     <message>
         <source>&amp;Open…</source>
@@ -1297,19 +1312,68 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
 </context>
 <context>
+    <name>ui::HistoryPanel</name>
+    <message>
+        <source>%1: %2</source>
+        <comment>step: what it took</comment>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>起点</translation>
+    </message>
+    <message>
+        <source>expired</source>
+        <translation>已过期</translation>
+    </message>
+    <message>
+        <source>taken back</source>
+        <translation>已撤销</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln dabs</source>
+        <translation>
+            <numerusform>%Ln 笔</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>dabs, fusions</comment>
+        <translation>%1，%2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln fusions</source>
+        <translation>
+            <numerusform>%Ln 次融合</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>历史</translation>
+    </message>
+    <message>
+        <source>Every step since the model was opened. A click or Return goes there.</source>
+        <translation>打开模型以来的每一步。单击或按回车即可回到那里。</translation>
+    </message>
+    <message>
+        <source>Memory for the history</source>
+        <translation>历史占用的内存</translation>
+    </message>
+    <message>
+        <source>So much memory the history may take; older steps then go to disk, and if that is full they expire.</source>
+        <translation>历史最多占用这么多内存；更早的步骤会存到磁盘，磁盘已满时则过期。</translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <translation> MB</translation>
+    </message>
+    <message>
+        <source>%1 MB of</source>
+        <translation>%1 MB，上限</translation>
+    </message>
+</context>
+<context>
     <name>ui::MainWindow</name>
-    <message>
-        <source>About Fettle</source>
-        <translation>关于 Fettle</translation>
-    </message>
-    <message>
-        <source>Fettle %1
-
-Sculpt a model with mouse, pen or VR wands, and export it ready to print.</source>
-        <translation>Fettle %1
-
-用鼠标、手写笔或 VR 手柄雕刻模型，并导出为可直接打印的文件。</translation>
-    </message>
     <message>
         <source>Fettle</source>
         <translation>Fettle</translation>

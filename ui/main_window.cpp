@@ -1,5 +1,6 @@
 #include "main_window.h"
 
+#include "about.h"
 #include "actions.h"
 #include "banner.h"
 #include "brush_actions.h"
@@ -10,6 +11,7 @@
 #include "command_box.h"
 #include "facts_bar.h"
 #include "hand_actions.h"
+#include "history_panel.h"
 #include "look_actions.h"
 #include "messages.h"
 #include "model_dialogs.h"
@@ -21,7 +23,6 @@
 
 #include <QAction>
 #include <QCloseEvent>
-#include <QCoreApplication>
 #include <QDir>
 #include <QLabel>
 #include <QMenu>
@@ -56,6 +57,7 @@ struct MainWindow::State
     Viewport* viewport = nullptr;
     Banner* banner = nullptr;
     FactsBar* facts = nullptr;
+    HistoryPanel* history = nullptr;
     BusyBar* busy = nullptr;
     QPointer<QMessageBox> problem;
     std::function<bool()> mayClose, isSettled;
@@ -71,7 +73,6 @@ struct MainWindow::State
     void connectFiles();
     void connectModel();
     void connectTools();
-    void about();
     void setBusy(bool isBusy);
     void restore();
     void keepOnScreen();
@@ -127,6 +128,7 @@ void MainWindow::State::buildPanels(QMenu* toggles)
 {
     addBrushPanels(q, &brush, toggles, [this] { viewport->setFocus(); });
     addColorPanel({q, toggles, viewport}, &brush, &settings, actions, [this](const QString& word) { q->showNotice(word); });
+    history = addHistoryPanel(q, &settings, toggles);
 }
 
 void MainWindow::State::buildStatusBar()
@@ -150,7 +152,7 @@ void MainWindow::State::connectActions()
     on("edit.stop", [this] { Q_EMIT q->stopRequested(); });
     connectView(actions, viewport);
     on("help.keys", [this] { (new CommandBox(actions, q))->open(); });
-    on("help.about", [this] { about(); });
+    on("help.about", [this] { showAbout(q); });
     q->setUndoText({});
     q->setRedoText({});
     actions.get(QStringLiteral("edit.undo"))->setEnabled(false);
@@ -188,18 +190,6 @@ void MainWindow::State::connectTools()
     connect(&brush, &BrushSettings::clamped, q, [this](core::Parameter parameter) {
         q->showNotice(Messages::range(parameter, brush.minOf(parameter), brush.maxOf(parameter)));
     });
-}
-
-void MainWindow::State::about()
-{
-    auto* box =
-        new QMessageBox(QMessageBox::NoIcon, tr("About Fettle"),
-                        tr("Fettle %1\n\nSculpt a model with mouse, pen or VR wands, and export it ready to print.")
-                            .arg(QCoreApplication::applicationVersion()),
-                        QMessageBox::Ok, q);
-    box->setIconPixmap(QIcon(QStringLiteral(":/icons/fettle.svg")).pixmap(QSize(64, 64), q->devicePixelRatioF()));
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->open();
 }
 
 void MainWindow::State::setBusy(bool isBusy)
@@ -269,6 +259,11 @@ Viewport* MainWindow::viewport() const
 BrushSettings* MainWindow::brush() const
 {
     return &m_state->brush;
+}
+
+HistoryPanel* MainWindow::history() const
+{
+    return m_state->history;
 }
 
 QAction* MainWindow::action(const QString& id) const

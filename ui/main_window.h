@@ -14,6 +14,7 @@ class QAction;
 
 namespace ui
 {
+class HistoryPanel;
 class Settings;
 class Viewport;
 
@@ -29,6 +30,7 @@ public:
 
     Viewport* viewport() const;
     BrushSettings* brush() const;
+    HistoryPanel* history() const;
     /// By its id in the action table. "edit.undo" and "edit.redo" start disabled; text and enablement are set by
     /// whoever owns the undo stack: use setUndoText() for a translated, uniform wording.
     QAction* action(const QString& id) const;

@@ -16,6 +16,7 @@ constexpr double defaultRadiusShare = 0.1;
 // The key is what this version understands; a later one that stores something else takes another key.
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString stateKey = QStringLiteral("window/state");
+const QString historyKey = QStringLiteral("history/megabytes");
 const QString folderKey = QStringLiteral("files/lastFolder");
 const QString steadyKey = QStringLiteral("hand/steady");
 const QString stringKey = QStringLiteral("hand/string");
@@ -107,6 +108,16 @@ QString Settings::lastFolder() const
 void Settings::setLastFolder(const QString& folder)
 {
     m_settings.setValue(folderKey, folder);
+}
+
+int Settings::historyMegabytes() const
+{
+    return static_cast<int>(number(m_settings, historyKey, minHistoryMegabytes, maxHistoryMegabytes, defaultHistoryMegabytes));
+}
+
+void Settings::setHistoryMegabytes(int megabytes)
+{
+    m_settings.setValue(historyKey, megabytes);
 }
 
 double Settings::value(core::Parameter parameter) const

@@ -22,6 +22,8 @@ inline constexpr double handSpacing = 0.25;
 inline constexpr core::Parameter storedParameters[] = {core::Parameter::Strength, core::Parameter::Falloff, core::Parameter::Detail,
                                                        core::Parameter::Spacing};
 
+inline constexpr int minHistoryMegabytes = 16, maxHistoryMegabytes = 65536, defaultHistoryMegabytes = 512;
+
 /// Every stored preference: its key, type and default in one place. A missing or broken entry gives the default. The
 /// program sets organisation and application name before. Gui thread.
 class Settings
@@ -35,6 +37,10 @@ public:
     /// The folder of the last file opened or exported; the user's home if there is none, or it is gone.
     QString lastFolder() const;
     void setLastFolder(const QString& folder);
+
+    /// So much memory the undo steps may take.
+    int historyMegabytes() const;
+    void setHistoryMegabytes(int megabytes);
 
     /// Of the brush; the radius is kept as a share instead.
     double value(core::Parameter parameter) const;

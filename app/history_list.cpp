@@ -1,0 +1,24 @@
+#include "history_list.h"
+
+#include "document.h"
+#include "stroke_command.h"
+
+namespace app
+{
+ui::History historyOf(Document& document)
+{
+    const QUndoStack& stack = document.undoStack();
+    const HistoryStore& store = document.history();
+    ui::History history;
+    history.steps.reserve(stack.count());
+    for (int i = 0; i < stack.count(); ++i) {
+        const auto* command = static_cast<const StrokeCommand*>(stack.command(i)); // nothing else is pushed
+        history.steps.append({command->text(), command->marks().icon, command->marks().dabs, command->marks().fusions});
+    }
+    history.present = stack.index();
+    history.first = store.firstIndex();
+    history.last = store.lastIndex();
+    history.bytes = static_cast<qint64>(store.bytesInMemory());
+    return history;
+}
+} // namespace app

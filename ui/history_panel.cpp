@@ -1,0 +1,189 @@
+#include "history_panel.h"
+
+#include "settings.h"
+#include "themed_icon.h"
+
+#include <QAbstractTableModel>
+#include <QDockWidget>
+#include <QFont>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QMainWindow>
+#include <QMenu>
+#include <QSpinBox>
+#include <QTreeView>
+
+#include <utility>
+
+namespace ui
+{
+namespace
+{
+constexpr int gap = 8; ///< of the window's spacing grid
+constexpr qint64 megabyte = 1 << 20;
+} // namespace
+
+/// A row a state: its name, and what it took.
+class HistoryPanel::Model : public QAbstractTableModel
+{
+public:
+    void set(History history)
+    {
+        beginResetModel();
+        m_history = std::move(history);
+        endResetModel();
+    }
+
+    const History& history() const { return m_history; }
+    int rowCount(const QModelIndex& parent = {}) const override { return parent.isValid() ? 0 : static_cast<int>(m_history.steps.size()) + 1; }
+    int columnCount(const QModelIndex& parent = {}) const override { return parent.isValid() ? 0 : 2; }
+
+    Qt::ItemFlags flags(const QModelIndex& index) const override
+    {
+        return isKept(index.row()) ? Qt::ItemIsEnabled | Qt::ItemIsSelectable : Qt::NoItemFlags;
+    }
+
+    QVariant data(const QModelIndex& index, int role) const override
+    {
+        const bool isName = index.column() == 0;
+        switch (role) {
+        case Qt::DisplayRole:
+            return isName ? name(index.row()) : marks(index.row());
+        case Qt::ToolTipRole:
+        case Qt::AccessibleTextRole:
+            return HistoryPanel::tr("%1: %2", "step: what it took").arg(name(index.row()), marks(index.row()));
+        case Qt::DecorationRole:
+            return isName ? themedIcon(index.row() == 0 ? QStringLiteral("open") : step(index.row()).icon) : QVariant();
+        case Qt::FontRole:
+            return font(index.row());
+        case Qt::TextAlignmentRole:
+            return QVariant(Qt::AlignVCenter | (isName ? Qt::AlignLeft : Qt::AlignRight));
+        default:
+            return {};
+        }
+    }
+
+private:
+    const HistoryStep& step(int row) const { return m_history.steps[row - 1]; }
+    bool isKept(int row) const { return row >= m_history.first && row <= m_history.last; }
+    QString name(int row) const { return row == 0 ? HistoryPanel::tr("Start") : step(row).name; }
+
+    QString marks(int row) const
+    {
+        if (!isKept(row))
+            return HistoryPanel::tr("expired");
+        if (row > m_history.present)
+            return HistoryPanel::tr("taken back");
+        if (row == 0 || step(row).dabs == 0)
+            return {};
+        const QString dabs = HistoryPanel::tr("%Ln dabs", nullptr, static_cast<int>(step(row).dabs));
+        if (step(row).fusions == 0)
+            return dabs;
+        return HistoryPanel::tr("%1, %2", "dabs, fusions").arg(dabs, HistoryPanel::tr("%Ln fusions", nullptr, static_cast<int>(step(row).fusions)));
+    }
+
+    QFont font(int row) const
+    {
+        QFont font;
+        font.setItalic(row > m_history.present);
+        font.setBold(row == m_history.present);
+        return font;
+    }
+
+    History m_history;
+};
+
+HistoryPanel::HistoryPanel(Settings* settings, QWidget* parent)
+    : QWidget(parent)
+    , m_model(std::make_unique<Model>())
+    , m_list(new QTreeView)
+    , m_memory(new QLabel)
+    , m_cap(new QSpinBox)
+{
+    m_list->setObjectName(QStringLiteral("historyList"));
+    m_list->setAccessibleName(tr("History"));
+    m_list->setToolTip(tr("Every step since the model was opened. A click or Return goes there."));
+    m_list->setModel(m_model.get());
+    m_list->setHeaderHidden(true);
+    m_list->setRootIsDecorated(false);
+    m_list->setUniformRowHeights(true);
+    m_list->setAllColumnsShowFocus(true);
+    m_list->setMinimumHeight(96);
+    m_list->header()->setStretchLastSection(false);
+    m_list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    m_list->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    const auto jump = [this](const QModelIndex& index) {
+        if (index.flags() & Qt::ItemIsEnabled)
+            Q_EMIT jumpRequested(index.row());
+    };
+    connect(m_list, &QTreeView::clicked, this, jump);
+    connect(m_list, &QTreeView::activated, this, jump);
+
+    m_memory->setObjectName(QStringLiteral("historyMemory"));
+    m_cap->setObjectName(QStringLiteral("historyCap"));
+    m_cap->setAccessibleName(tr("Memory for the history"));
+    m_cap->setToolTip(tr("So much memory the history may take; older steps then go to disk, and if that is full they expire."));
+    m_cap->setRange(minHistoryMegabytes, maxHistoryMegabytes);
+    m_cap->setSuffix(tr(" MB"));
+    m_cap->setKeyboardTracking(false);
+    m_cap->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+    m_cap->setValue(settings->historyMegabytes());
+    connect(m_cap, &QSpinBox::valueChanged, this, [this, settings](int megabytes) {
+        settings->setHistoryMegabytes(megabytes);
+        Q_EMIT capChanged(cap());
+    });
+
+    auto* foot = new QHBoxLayout;
+    foot->setSpacing(gap);
+    foot->addWidget(m_memory, 1);
+    foot->addWidget(m_cap);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(gap, gap, gap, gap);
+    column->setSpacing(gap);
+    column->addWidget(m_list, 1);
+    column->addLayout(foot);
+    setHistory({});
+}
+
+HistoryPanel::~HistoryPanel()
+{
+    m_list->setModel(nullptr);
+}
+
+void HistoryPanel::setHistory(History history)
+{
+    m_model->set(std::move(history));
+    const QModelIndex present = m_model->index(m_model->history().present, 0);
+    m_list->setCurrentIndex(present);
+    m_list->scrollTo(present);
+    m_memory->setText(tr("%1 MB of").arg(QLocale().toString(static_cast<double>(m_model->history().bytes) / megabyte, 'f', 1)));
+}
+
+qint64 HistoryPanel::cap() const
+{
+    return m_cap->value() * megabyte;
+}
+
+void HistoryPanel::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    Q_EMIT shown();
+}
+
+HistoryPanel* addHistoryPanel(QMainWindow* window, Settings* settings, QMenu* toggles)
+{
+    auto* panel = new HistoryPanel(settings);
+    auto* dock = new QDockWidget(HistoryPanel::tr("History"));
+    dock->setObjectName(QStringLiteral("historyPanel"));
+    dock->setWidget(panel);
+    window->addDockWidget(Qt::RightDockWidgetArea, dock);
+    if (auto* first = window->findChild<QDockWidget*>(QStringLiteral("brushPanel"))) {
+        window->tabifyDockWidget(first, dock);
+        first->raise();
+    }
+    toggles->addAction(dock->toggleViewAction());
+    return panel;
+}
+} // namespace ui
