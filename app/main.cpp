@@ -4,6 +4,7 @@
 #include "wiring.h"
 
 #include "ui/main_window.h"
+#include "ui/settings.h"
 #include "ui/viewport.h"
 
 #include <QApplication>
@@ -23,6 +24,15 @@ void nameProgram()
     QCoreApplication::setOrganizationName(QStringLiteral("Fettle"));
     QCoreApplication::setApplicationName(QStringLiteral("Fettle"));
     QCoreApplication::setApplicationVersion(QStringLiteral(FETTLE_VERSION));
+}
+
+/// The window's words and numbers, as chosen; the command line goes by the system.
+void chooseLanguage()
+{
+    const ui::Language language = ui::Settings().preferences().language;
+    for (const ui::Named<ui::Language>& row : ui::languages)
+        if (row.value == language && language != ui::Language::System)
+            QLocale::setDefault(QLocale(QLatin1StringView(row.key)));
 }
 
 /// Our own words, and Qt's for its dialogs. They must outlive the texts: they belong to the application.
@@ -80,6 +90,7 @@ int runWindow(int argc, char* argv[])
     const QtMessageHandler usual = qInstallMessageHandler(onlyTellOfMissingDisplay);
     QApplication application(argc, argv);
     qInstallMessageHandler(usual);
+    chooseLanguage();
     loadTranslations(application);
 
     QString file;

@@ -35,6 +35,7 @@ set(FETTLE_RESOURCE_FILES
     icons/paint.svg
     icons/pick.svg
     icons/plus.svg
+    icons/preferences.svg
     icons/pull.svg
     icons/push.svg
     icons/quit.svg

@@ -1073,6 +1073,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>Gives the whole model the paint colour.</source>
         <translation>把整个模型涂成上色颜色。</translation>
     </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation>首选项(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Chooses colours, language, and how pen and mouse are taken.</source>
+        <translation>选择颜色、语言，以及笔和鼠标的用法。</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -1822,6 +1830,57 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source> mm</source>
         <translation> mm</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>首选项</translation>
+    </message>
+    <message>
+        <source>&amp;Appearance</source>
+        <translation>外观(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Reset to Defaults</source>
+        <translation>恢复默认值(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Sets everything on all pages to what it was at first.</source>
+        <translation>将所有页面上的一切恢复到最初的状态。</translation>
+    </message>
+    <message>
+        <source>&amp;Colours</source>
+        <translation>颜色(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Chooses a light or a dark window, or what the desktop has.</source>
+        <translation>选择浅色或深色的窗口，或与桌面一致。</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>语言(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Chooses the language of the window&apos;s texts.</source>
+        <translation>选择窗口文字的语言。</translation>
+    </message>
+    <message>
+        <source>Another language is spoken from the next start on.</source>
+        <translation>新的语言在下次启动时生效。</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>跟随系统</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>浅色</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>深色</translation>
     </message>
 </context>
 <context>

@@ -28,6 +28,8 @@ constexpr ActionInfo table[] = {
 
     {MenuId::Edit, "edit.stop", QT_TRANSLATE_NOOP("ui::Actions", "&Stop"),
      QT_TRANSLATE_NOOP("ui::Actions", "Ends what is going on and leaves the model as it is."), "Esc", "stop", true},
+    {MenuId::Edit, "edit.preferences", QT_TRANSLATE_NOOP("ui::Actions", "&Preferences…"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Chooses colours, language, and how pen and mouse are taken."), "Ctrl+,", "preferences", true},
 
     {MenuId::Sculpt, "tool.pull", QT_TRANSLATE_NOOP("ui::Actions", "&Pull"),
      QT_TRANSLATE_NOOP("ui::Actions", "Draws the surface outwards. Ctrl pushes instead, Shift smooths."), "1", "pull", true, Bar::Palette, true},

@@ -16,6 +16,7 @@
 #include "messages.h"
 #include "model_dialogs.h"
 #include "model_files.h"
+#include "preferences_actions.h"
 #include "scene.h"
 #include "settings.h"
 #include "view_actions.h"
@@ -39,11 +40,6 @@
 
 namespace ui
 {
-namespace
-{
-constexpr QSize defaultSize{1280, 800};
-} // namespace
-
 struct MainWindow::State
 {
     explicit State(MainWindow* window) : brush(window), actions(window), files(&settings, window), q(window) {}
@@ -151,6 +147,7 @@ void MainWindow::State::connectActions()
     connectTools();
     on("edit.stop", [this] { Q_EMIT q->stopRequested(); });
     connectView(actions, viewport);
+    connectPreferences(actions, &settings, q);
     on("help.keys", [this] { (new CommandBox(actions, q))->open(); });
     on("help.about", [this] { showAbout(q); });
     q->setUndoText({});
@@ -204,6 +201,7 @@ void MainWindow::State::setBusy(bool isBusy)
 
 void MainWindow::State::restore()
 {
+    constexpr QSize defaultSize{1280, 800};
     q->resize(defaultSize);
     q->restoreGeometry(settings.windowGeometry());
     keepOnScreen();

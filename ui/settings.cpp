@@ -21,6 +21,8 @@ const QString folderKey = QStringLiteral("files/lastFolder");
 const QString steadyKey = QStringLiteral("hand/steady");
 const QString stringKey = QStringLiteral("hand/string");
 const QString radiusShareKey = QStringLiteral("brush/radiusShare");
+const QString themeKey = QStringLiteral("preferences/theme");
+const QString languageKey = QStringLiteral("preferences/language");
 const QString materialKey = QStringLiteral("view/material");
 const QString backgroundKey = QStringLiteral("view/background");
 const QString swatchesKey = QStringLiteral("color/swatches");
@@ -139,6 +141,20 @@ double Settings::radiusShare() const
 void Settings::setRadiusShare(double share)
 {
     m_settings.setValue(radiusShareKey, share);
+}
+
+Preferences Settings::preferences() const
+{
+    Preferences preferences;
+    preferences.theme = choice(m_settings, themeKey, themeChoices, preferences.theme);
+    preferences.language = choice(m_settings, languageKey, languages, preferences.language);
+    return preferences;
+}
+
+void Settings::setPreferences(const Preferences& preferences)
+{
+    m_settings.setValue(themeKey, wordFor(preferences.theme, themeChoices));
+    m_settings.setValue(languageKey, wordFor(preferences.language, languages));
 }
 
 ViewLook Settings::look() const

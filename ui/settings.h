@@ -1,6 +1,7 @@
 #pragma once
 
 #include "brush_settings.h"
+#include "preferences.h"
 #include "view_look.h"
 
 #include "core/brush.h"
@@ -48,6 +49,9 @@ public:
     /// The radius as a share of the model's longest side, so that it fits the next model too.
     double radiusShare() const;
     void setRadiusShare(double share);
+
+    Preferences preferences() const;
+    void setPreferences(const Preferences& preferences);
 
     ViewLook look() const;
     void setLook(const ViewLook& look);

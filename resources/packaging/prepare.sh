@@ -29,6 +29,7 @@ libbenchmark-dev    Google Benchmark
 xvfb                a display without a screen
 xauth               for xvfb-run
 openbox             a window manager for that display
+dbus-daemon         a session bus, for a desktop that says whether it is dark
 desktop-file-utils  checks the desktop entry
 appstream           checks the description for software centres
 shared-mime-info    checks the file types

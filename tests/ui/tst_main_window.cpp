@@ -2,6 +2,7 @@
 #include "ui/color_wheel.h"
 #include "ui/falloff_curve.h"
 #include "ui/main_window.h"
+#include "ui/settings.h"
 
 #include "ui_test.h"
 
@@ -498,6 +499,31 @@ private Q_SLOTS:
         QVERIFY(again.action(QStringLiteral("material.paint"))->isChecked());
         QVERIFY(!again.action(QStringLiteral("material.clay"))->isChecked());
         QVERIFY(again.action(QStringLiteral("view.wireframe"))->isChecked());
+    }
+
+    void preferencesHoldAtOnceAndAtTheNextStart()
+    {
+        const auto isDark = [] { return QApplication::palette().window().color().lightness() < 128; };
+        {
+            MainWindow window;
+            window.show();
+            QVERIFY(QTest::qWaitForWindowActive(&window));
+            QTest::keyClick(&window, Qt::Key_Comma, Qt::ControlModifier);
+            auto* dialog = child<QDialog>(window, "preferences");
+            QVERIFY(dialog->isVisible());
+            QTest::keyClick(dialog->findChild<QComboBox*>(QStringLiteral("theme")), Qt::Key_End);
+            QVERIFY(isDark());
+            QTest::keyClick(dialog, Qt::Key_Escape);
+            QTRY_VERIFY(!window.findChild<QDialog*>(QStringLiteral("preferences")));
+        }
+        ui::Settings().setPreferences({.theme = ui::ThemeChoice::Light});
+        {
+            const MainWindow light;
+            QVERIFY(!isDark());
+        }
+        ui::Settings().setPreferences({.theme = ui::ThemeChoice::Dark});
+        const MainWindow dark;
+        QVERIFY(isDark());
     }
 
     void theScaleBarIsShownAndHidden()

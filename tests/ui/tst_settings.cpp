@@ -49,6 +49,17 @@ private Q_SLOTS:
         QCOMPARE(settings.windowState(), QByteArray("state"));
     }
 
+    void preferencesComeBack()
+    {
+        QCOMPARE(ui::Settings().preferences(), ui::Preferences());
+        for (const auto& theme : ui::themeChoices)
+            for (const auto& language : ui::languages) {
+                const ui::Preferences preferences{.theme = theme.value, .language = language.value};
+                ui::Settings().setPreferences(preferences);
+                QCOMPARE(ui::Settings().preferences(), preferences);
+            }
+    }
+
     void theLookComesBack()
     {
         QCOMPARE(ui::Settings().look(), ui::ViewLook());
@@ -86,7 +97,7 @@ private Q_SLOTS:
         QFETCH(QVariant, stored);
         QSettings raw;
         for (const char* key : {"brush/strength", "brush/falloff", "brush/radiusShare", "files/lastFolder", "window/geometry", "view/material",
-                                "view/background", "view/ground", "view/wireframe"})
+                                "view/background", "preferences/theme", "preferences/language", "view/ground", "view/wireframe"})
             raw.setValue(QLatin1StringView(key), stored);
         raw.sync();
         const ui::Settings settings;
@@ -95,6 +106,7 @@ private Q_SLOTS:
         QVERIFY(settings.radiusShare() <= ui::maxRadiusShare && settings.radiusShare() >= ui::minRadiusShare);
         QCOMPARE(settings.lastFolder(), QDir::homePath());
         QCOMPARE(settings.look(), ui::ViewLook());
+        QCOMPARE(settings.preferences(), ui::Preferences());
     }
 
     void aFolderThatIsGoneIsForgotten()

@@ -1,0 +1,170 @@
+#include "ui/theme.h"
+
+#include "ui_test.h"
+
+#include <QDBusConnection>
+#include <QDBusMessage>
+#include <QDBusVariant>
+#include <QDBusVirtualObject>
+#include <QProcess>
+
+#include <cmath>
+
+using ui::SystemScheme;
+using ui::ThemeChoice;
+
+namespace
+{
+/// A desktop that says what it prefers.
+class Portal : public QDBusVirtualObject
+{
+public:
+    explicit Portal(const QString& address) : m_bus(QDBusConnection::connectToBus(address, QStringLiteral("portal")))
+    {
+        m_bus.registerVirtualObject(QStringLiteral("/org/freedesktop/portal/desktop"), this);
+        m_bus.registerService(QStringLiteral("org.freedesktop.portal.Desktop"));
+    }
+
+    QString introspect(const QString&) const override { return {}; }
+
+    bool handleMessage(const QDBusMessage& message, const QDBusConnection& bus) override
+    {
+        if (message.member() != QLatin1StringView("Read"))
+            return false;
+        const QVariant inner = QVariant::fromValue(QDBusVariant(scheme));
+        return bus.send(message.createReply(QVariant::fromValue(QDBusVariant(inner))));
+    }
+
+    void tell(const QVariant& value)
+    {
+        scheme = value;
+        QDBusMessage signal = QDBusMessage::createSignal(QStringLiteral("/org/freedesktop/portal/desktop"),
+                                                         QStringLiteral("org.freedesktop.portal.Settings"), QStringLiteral("SettingChanged"));
+        signal << QStringLiteral("org.freedesktop.appearance") << QStringLiteral("color-scheme") << QVariant::fromValue(QDBusVariant(value));
+        m_bus.send(signal);
+    }
+
+    QVariant scheme = 1U;
+
+private:
+    QDBusConnection m_bus;
+};
+
+/// A session bus of the test's own.
+class Bus
+{
+public:
+    Bus()
+    {
+        m_daemon.start(QStringLiteral("dbus-daemon"), {QStringLiteral("--session"), QStringLiteral("--nofork"), QStringLiteral("--print-address")});
+        if (m_daemon.waitForStarted() && m_daemon.waitForReadyRead())
+            m_address = QString::fromLatin1(m_daemon.readLine().trimmed());
+        qputenv("DBUS_SESSION_BUS_ADDRESS", m_address.toLatin1());
+    }
+    ~Bus()
+    {
+        m_daemon.kill();
+        m_daemon.waitForFinished();
+    }
+
+    const QString& address() const { return m_address; }
+
+private:
+    QProcess m_daemon;
+    QString m_address;
+};
+
+double luminance(const QColor& color)
+{
+    const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
+    return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) + 0.0722 * linear(color.blueF());
+}
+
+/// As WCAG has it, 1 to 21.
+double contrast(const QColor& a, const QColor& b)
+{
+    const double la = luminance(a), lb = luminance(b);
+    return (std::max(la, lb) + 0.05) / (std::min(la, lb) + 0.05);
+}
+
+bool applicationIsDark()
+{
+    return QApplication::palette().window().color().lightness() < 128;
+}
+} // namespace
+
+class TestTheme : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void everythingCanBeRead()
+    {
+        for (const QPalette& palette : {ui::lightPalette(), ui::darkPalette()}) {
+            QVERIFY(contrast(palette.windowText().color(), palette.window().color()) > 7);
+            QVERIFY(contrast(palette.text().color(), palette.base().color()) > 7);
+            QVERIFY(contrast(palette.text().color(), palette.alternateBase().color()) > 7);
+            QVERIFY(contrast(palette.buttonText().color(), palette.button().color()) > 7);
+            QVERIFY(contrast(palette.toolTipText().color(), palette.toolTipBase().color()) > 7);
+            QVERIFY(contrast(palette.highlightedText().color(), palette.highlight().color()) > 4);
+            QVERIFY(contrast(palette.link().color(), palette.base().color()) > 4.5);
+            QVERIFY(contrast(palette.color(QPalette::Disabled, QPalette::WindowText), palette.window().color()) > 2.5);
+        }
+    }
+
+    void theChoiceHolds()
+    {
+        ui::Theme theme(ThemeChoice::Dark);
+        QVERIFY(theme.isDark() && applicationIsDark());
+        theme.choose(ThemeChoice::Light);
+        QVERIFY(!theme.isDark() && !applicationIsDark());
+    }
+
+    void theSystemIsFollowed()
+    {
+        if (m_bus.address().isEmpty())
+            QSKIP("dbus-daemon is not installed");
+        Portal portal(m_bus.address());
+        ui::Theme theme(ThemeChoice::System);
+        QTRY_VERIFY(theme.isDark() && applicationIsDark());
+        portal.tell(2U);
+        QTRY_VERIFY(!theme.isDark() && !applicationIsDark());
+        portal.tell(1U);
+        QTRY_VERIFY(applicationIsDark());
+        theme.choose(ThemeChoice::Light);
+        QVERIFY(!applicationIsDark());
+        portal.tell(2U);
+        portal.tell(1U);
+        QTest::qWait(50);
+        QVERIFY(!applicationIsDark());
+        theme.choose(ThemeChoice::System);
+        QVERIFY(applicationIsDark());
+    }
+
+    void nonsenseIsNoPreference_data()
+    {
+        QTest::addColumn<QVariant>("value");
+        QTest::newRow("none") << QVariant(0U);
+        QTest::newRow("unknown") << QVariant(77U);
+        QTest::newRow("word") << QVariant(QStringLiteral("dark"));
+        QTest::newRow("list") << QVariant(QStringList{QStringLiteral("1")});
+    }
+
+    void nonsenseIsNoPreference()
+    {
+        if (m_bus.address().isEmpty())
+            QSKIP("dbus-daemon is not installed");
+        QFETCH(QVariant, value);
+        Portal portal(m_bus.address());
+        const SystemScheme system;
+        QTRY_COMPARE(system.scheme(), SystemScheme::Scheme::Dark);
+        portal.tell(value);
+        QTRY_COMPARE(system.scheme(), SystemScheme::Scheme::Unknown);
+    }
+
+private:
+    Bus m_bus; ///< before anything asks for the session bus
+};
+
+UI_TEST_MAIN(TestTheme)
+#include "tst_theme.moc"

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "view_look.h"
+
+namespace ui
+{
+enum class ThemeChoice { System, Light, Dark };
+enum class Language { System, English, German, Chinese };
+
+inline constexpr std::array<Named<ThemeChoice>, 3> themeChoices{
+    {{ThemeChoice::System, "system"}, {ThemeChoice::Light, "light"}, {ThemeChoice::Dark, "dark"}}};
+
+/// The keys are locale names.
+inline constexpr std::array<Named<Language>, 4> languages{
+    {{Language::System, "system"}, {Language::English, "en"}, {Language::German, "de"}, {Language::Chinese, "zh_CN"}}};
+
+/// What a person chooses once, in the Preferences.
+struct Preferences
+{
+    ThemeChoice theme = ThemeChoice::System;
+    Language language = Language::System; ///< of the next start
+
+    bool operator==(const Preferences&) const = default;
+};
+} // namespace ui

@@ -1,0 +1,13 @@
+#pragma once
+
+class QWidget;
+
+namespace ui
+{
+class Actions;
+class Settings;
+
+/// The stored preferences hold from now on, and Edit > Preferences changes them. The settings must outlive the window.
+/// Gui thread.
+void connectPreferences(const Actions& actions, Settings* settings, QWidget* window);
+} // namespace ui

@@ -1,0 +1,130 @@
+#include "preferences_dialog.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QTabWidget>
+
+namespace ui
+{
+namespace
+{
+constexpr int gap = 8; ///< of the window's spacing grid
+constexpr QSize usualSize{480, 360};
+
+QFormLayout* formIn(QWidget* page)
+{
+    auto* form = new QFormLayout(page);
+    form->setContentsMargins(2 * gap, 2 * gap, 2 * gap, 2 * gap);
+    form->setSpacing(gap);
+    return form;
+}
+
+QLabel* remark(const QString& sentence)
+{
+    auto* label = new QLabel(sentence);
+    label->setWordWrap(true);
+    return label;
+}
+} // namespace
+
+PreferencesDialog::PreferencesDialog(const Preferences& now, QWidget* parent) : QDialog(parent), m_now(now)
+{
+    setObjectName(QStringLiteral("preferences"));
+    setWindowTitle(tr("Preferences"));
+    setAttribute(Qt::WA_DeleteOnClose);
+    auto* pages = new QTabWidget;
+    pages->setObjectName(QStringLiteral("pages"));
+    pages->addTab(appearancePage(), tr("&Appearance"));
+
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(gap, gap, gap, gap);
+    column->setSpacing(gap);
+    column->addWidget(pages);
+    column->addWidget(buttonRow());
+    resize(minimumSizeHint().expandedTo(usualSize));
+    change(now);
+}
+
+QWidget* PreferencesDialog::buttonRow()
+{
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+    QPushButton* reset = buttons->addButton(tr("&Reset to Defaults"), QDialogButtonBox::ResetRole);
+    reset->setObjectName(QStringLiteral("reset"));
+    reset->setToolTip(tr("Sets everything on all pages to what it was at first."));
+    reset->setAutoDefault(false);
+    connect(reset, &QPushButton::clicked, this, [this] { change({}); });
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    return buttons;
+}
+
+QWidget* PreferencesDialog::appearancePage()
+{
+    auto* page = new QWidget;
+    QFormLayout* form = formIn(page);
+    addChoice(form, {"theme", tr("&Colours"), tr("Chooses a light or a dark window, or what the desktop has.")}, themeChoices,
+              &Preferences::theme);
+    addChoice(form, {"language", tr("&Language"), tr("Chooses the language of the window's texts.")}, languages, &Preferences::language);
+    form->addRow(remark(tr("Another language is spoken from the next start on.")));
+    return page;
+}
+
+template <class T, std::size_t count>
+void PreferencesDialog::addChoice(QFormLayout* form, const Words& words, const std::array<Named<T>, count>& choices, T Preferences::*what)
+{
+    auto* box = new QComboBox;
+    box->setObjectName(QLatin1StringView(words.name));
+    box->setAccessibleName(QString(words.label).remove(QLatin1Char('&')));
+    box->setToolTip(words.tip);
+    for (const Named<T>& choice : choices)
+        box->addItem(PreferencesDialog::words(choice.value), static_cast<int>(choice.value));
+    connect(box, &QComboBox::activated, this, [this, box, what] {
+        Preferences to = m_now;
+        to.*what = static_cast<T>(box->currentData().toInt());
+        change(to);
+    });
+    m_show.push_back([this, box, what] { box->setCurrentIndex(box->findData(static_cast<int>(m_now.*what))); });
+    form->addRow(words.label, box);
+}
+
+QString PreferencesDialog::words(ThemeChoice theme)
+{
+    switch (theme) {
+    case ThemeChoice::System:
+        return tr("As the system");
+    case ThemeChoice::Light:
+        return tr("Light");
+    case ThemeChoice::Dark:
+        return tr("Dark");
+    }
+    return {};
+}
+
+/// Each language under its own name, so that it is found by whoever reads no other.
+QString PreferencesDialog::words(Language language)
+{
+    switch (language) {
+    case Language::System:
+        return tr("As the system");
+    case Language::English:
+        return QStringLiteral("English");
+    case Language::German:
+        return QStringLiteral("Deutsch");
+    case Language::Chinese:
+        return QStringLiteral("简体中文");
+    }
+    return {};
+}
+
+void PreferencesDialog::change(const Preferences& to)
+{
+    const bool isNew = m_now != to;
+    m_now = to;
+    for (const auto& show : m_show)
+        show();
+    if (isNew)
+        Q_EMIT changed(m_now);
+}
+} // namespace ui

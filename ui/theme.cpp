@@ -1,0 +1,90 @@
+#include "theme.h"
+
+#include <QApplication>
+#include <QProxyStyle>
+
+namespace ui
+{
+namespace
+{
+/// Without the pictures on a dialog's buttons, which are black in the dark too.
+class Style : public QProxyStyle
+{
+public:
+    Style() : QProxyStyle(QStringLiteral("Fusion")) {}
+
+    int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget, QStyleHintReturn* data) const override
+    {
+        return hint == SH_DialogButtonBox_ButtonsHaveIcons ? 0 : QProxyStyle::styleHint(hint, option, widget, data);
+    }
+};
+
+struct Colors
+{
+    QColor window, base, alternate, button, text, faint, highlight, link, tip;
+};
+
+QPalette paletteOf(const Colors& c)
+{
+    QPalette palette(c.button, c.window);
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText})
+        palette.setColor(role, c.text);
+    palette.setColor(QPalette::Base, c.base);
+    palette.setColor(QPalette::AlternateBase, c.alternate);
+    palette.setColor(QPalette::ToolTipBase, c.tip);
+    palette.setColor(QPalette::PlaceholderText, c.faint);
+    palette.setColor(QPalette::BrightText, Qt::white);
+    palette.setColor(QPalette::Highlight, c.highlight);
+    palette.setColor(QPalette::HighlightedText, Qt::white);
+    palette.setColor(QPalette::Link, c.link);
+    palette.setColor(QPalette::LinkVisited, c.link);
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+        palette.setColor(QPalette::Disabled, role, c.faint);
+    palette.setColor(QPalette::Disabled, QPalette::Highlight, c.faint);
+    return palette;
+}
+
+bool isDark(const QPalette& palette)
+{
+    return palette.window().color().lightness() < palette.windowText().color().lightness();
+}
+} // namespace
+
+QPalette lightPalette()
+{
+    return paletteOf({.window = {238, 240, 242}, .base = {255, 255, 255}, .alternate = {245, 247, 249}, .button = {240, 242, 244}, .text = {28, 31, 36},
+                      .faint = {128, 134, 142}, .highlight = {38, 116, 184}, .link = {24, 96, 164}, .tip = {255, 255, 255}});
+}
+
+QPalette darkPalette()
+{
+    return paletteOf({.window = {45, 48, 53}, .base = {31, 33, 37}, .alternate = {38, 40, 45}, .button = {56, 60, 66}, .text = {226, 229, 233},
+                      .faint = {135, 140, 148}, .highlight = {52, 124, 190}, .link = {116, 178, 236}, .tip = {62, 66, 72}});
+}
+
+Theme::Theme(ThemeChoice choice, QObject* parent)
+    : QObject(parent), m_choice(choice), m_startedDark(ui::isDark(QApplication::palette()))
+{
+    connect(&m_system, &SystemScheme::changed, this, &Theme::apply);
+    QApplication::setStyle(new Style);
+    apply();
+}
+
+void Theme::choose(ThemeChoice choice)
+{
+    m_choice = choice;
+    apply();
+}
+
+bool Theme::isDark() const
+{
+    if (m_choice != ThemeChoice::System)
+        return m_choice == ThemeChoice::Dark;
+    return m_system.scheme() == SystemScheme::Scheme::Unknown ? m_startedDark : m_system.scheme() == SystemScheme::Scheme::Dark;
+}
+
+void Theme::apply()
+{
+    QApplication::setPalette(isDark() ? darkPalette() : lightPalette());
+}
+} // namespace ui
