@@ -222,7 +222,7 @@ void Document::finishChange(const core::ModelCommand& command, ModelOutcome outc
 void Document::beginStroke(const core::StrokeSettings& settings)
 {
     m_strokeOpen = true;
-    m_lastTool = settings.tool;
+    m_lastStep = StrokeCommand::textOf(settings.tool);
     strokeRequest([this, settings] { m_worker->beginStroke(Source::Desktop, settings); });
     tellState();
 }
@@ -239,6 +239,13 @@ void Document::endStroke()
     std::move(m_afterStroke.begin(), m_afterStroke.end(), std::back_inserter(m_requests));
     m_afterStroke.clear();
     runRequests();
+}
+
+void Document::addSphere(const core::StrokeSettings& settings, const core::StrokeSample& sample)
+{
+    m_lastStep = StrokeCommand::textOfAdding();
+    strokeRequest([this, settings, sample] { m_worker->addSphere(Source::Desktop, settings, sample); });
+    tellState();
 }
 
 void Document::undo()
@@ -296,8 +303,9 @@ void Document::takeReport(const StrokeReport& report)
         if (report.delta) {
             const int index = m_stack.index();
             m_history.add(index, report.delta);
-            m_stack.push(new StrokeCommand(StrokeCommand::textOf(report.tool),
-                                           {StrokeCommand::iconOf(report.tool), report.dabs, report.fusions}, &m_history, index));
+            const QString text = report.added ? StrokeCommand::textOfAdding() : StrokeCommand::textOf(report.tool);
+            const QString icon = report.added ? QStringLiteral("add") : StrokeCommand::iconOf(report.tool);
+            m_stack.push(new StrokeCommand(text, {icon, report.dabs, report.fusions}, &m_history, index));
         }
         const bool isSeen = report.shortfall == core::Shortfall::Stuck && report.delta; // other dabs did something
         if (report.shortfall != core::Shortfall::None && !isSeen)
@@ -356,7 +364,7 @@ QString Document::undoText() const
 {
     if (!canUndo())
         return {};
-    return m_strokeOpen || hasUnreported() ? StrokeCommand::textOf(m_lastTool) : m_stack.undoText();
+    return m_strokeOpen || hasUnreported() ? m_lastStep : m_stack.undoText();
 }
 
 QString Document::redoText() const

@@ -66,6 +66,8 @@ public Q_SLOTS:
     void beginStroke(const core::StrokeSettings& settings);
     void addSample(const core::StrokeSample& sample);
     void endStroke();
+    /// A step of its own: a ball, or a word why not.
+    void addSphere(const core::StrokeSettings& settings, const core::StrokeSample& sample);
 
     void undo();
     void redo();
@@ -119,7 +121,7 @@ private:
     std::deque<Request> m_requests;
     std::deque<Request> m_afterStroke; ///< asked for while a stroke is open
     bool m_strokeOpen = false;         ///< as the person sees it: not yet posted, perhaps
-    core::Tool m_lastTool = core::Tool::Pull;
+    QString m_lastStep; ///< the name of the stroke that began last
     quint64 m_reported = 0;            ///< strokes
     bool m_isInstalling = false;       ///< the worker has another model than the undo stack knows
     bool m_isChanging = false; ///< the whole model, aside

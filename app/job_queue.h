@@ -26,6 +26,7 @@ struct Sample
     core::StrokeSample sample;
     std::int64_t postedNs = 0; ///< steady clock
     bool first = false;        ///< of its stroke; set by the queue
+    bool onlyAdds = false;     ///< a sphere, or nothing
 };
 struct EndStroke
 {

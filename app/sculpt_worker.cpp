@@ -75,6 +75,19 @@ void SculptWorker::endStroke(Source source)
     m_queue.push(EndStroke{});
 }
 
+bool SculptWorker::addSphere(Source source, const core::StrokeSettings& settings, const core::StrokeSample& sample)
+{
+    if (!beginStroke(source, settings))
+        return false;
+    {
+        const std::lock_guard lock(m_mutex);
+        if (m_openSource == source)
+            m_queue.push(Sample{sample, steadyNs(), false, true});
+    }
+    endStroke(source);
+    return true;
+}
+
 bool SculptWorker::strokeOpen() const
 {
     const std::lock_guard lock(m_mutex);
@@ -145,10 +158,28 @@ void SculptWorker::run(const Question& question)
         Q_EMIT answeredHeadset(hit, m_epoch);
 }
 
+/// Whether a pull here would move something instead of adding a sphere, at this place or at its mirror image.
+bool SculptWorker::touches(const core::StrokeSample& sample) const
+{
+    core::Vec3 position = sample.rotation.conjugate() * sample.position;
+    const auto isNear = [&] {
+        const auto nearest = m_sculptor->nearest(position);
+        return nearest && nearest->distance <= m_settings.radius;
+    };
+    if (isNear())
+        return true;
+    if (m_settings.symmetry == core::Symmetry::None)
+        return false;
+    double& across = position[static_cast<int>(m_settings.symmetry) - static_cast<int>(core::Symmetry::X)];
+    across = -across;
+    return isNear();
+}
+
 void SculptWorker::run(BeginStroke& job)
 {
     m_report = {};
     m_report.tool = job.settings.tool;
+    m_settings = job.settings;
     ++m_scanGeneration;
     if (m_sculptor) {
         m_fusionsBefore = m_sculptor->totals().fusions;
@@ -160,11 +191,16 @@ void SculptWorker::run(Sample& job)
 {
     if (!m_sculptor)
         return;
+    if (job.onlyAdds && touches(job.sample)) {
+        m_report.shortfall = core::Shortfall::TooClose;
+        return;
+    }
     m_sampledNs = job.postedNs;
     const std::vector<core::DabReport> dabs = m_sculptor->addSample(job.sample);
     m_report.dabs += dabs.size();
     for (const core::DabReport& dab : dabs) {
         m_report.shortfall = std::max(m_report.shortfall, core::shortfallOf(dab));
+        m_report.added = m_report.added || dab.outcome == core::DabOutcome::Added;
         m_report.asymmetric = m_report.asymmetric || dab.asymmetric;
     }
     {

@@ -33,6 +33,7 @@ struct StrokeReport
     quint64 dabs = 0;
     quint64 fusions = 0;
     core::Shortfall shortfall = core::Shortfall::None; ///< of the dabs the one most worth telling
+    bool added = false;      ///< a sphere
     bool asymmetric = false; ///< mirrored where the model is not symmetric: some dabs were done as two
     MeshFacts facts;
 };
@@ -68,6 +69,9 @@ public:
     bool beginStroke(Source source, const core::StrokeSettings& settings);
     void addSample(Source source, const core::StrokeSample& sample);
     void endStroke(Source source);
+    /// A stroke of one sample that adds a sphere at its position (settings.add) and does nothing else: where the brush would touch
+    /// the surface it is refused as too close. As beginStroke().
+    bool addSphere(Source source, const core::StrokeSettings& settings, const core::StrokeSample& sample);
     bool strokeOpen() const;
     /// From now on strokes are refused: the mesh stays as it is but for jobs. False if a stroke is open.
     bool hold();
@@ -98,6 +102,7 @@ Q_SIGNALS:
 private:
     void run();
     void run(const Question& question);
+    bool touches(const core::StrokeSample& sample) const;
     void run(BeginStroke& job);
     void run(Sample& job);
     void run(EndStroke& job);
@@ -122,6 +127,7 @@ private:
     std::array<std::shared_ptr<PatchInbox>, sourceCount> m_inboxes;
     StrokeReport m_report;
     quint64 m_fusionsBefore = 0; ///< the stroke
+    core::StrokeSettings m_settings; ///< of the stroke in work
     core::Box m_box;
     core::Box m_scannedBox;
     double m_area = 0;

@@ -39,4 +39,9 @@ QString StrokeCommand::textOf(core::Tool tool)
     }
     return {};
 }
+
+QString StrokeCommand::textOfAdding()
+{
+    return tr("Add Ball", "undo step");
+}
 } // namespace app

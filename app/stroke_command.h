@@ -34,6 +34,7 @@ public:
 
     static QString textOf(core::Tool tool);
     static QString iconOf(core::Tool tool);
+    static QString textOfAdding();
 
 private:
     StepMarks m_marks;

@@ -100,6 +100,7 @@ void wireStrokes(ui::Viewport& viewport, Document& document)
     QObject::connect(&viewport, &Viewport::strokeBegan, &document, &Document::beginStroke);
     QObject::connect(&viewport, &Viewport::strokeSampled, &document, &Document::addSample);
     QObject::connect(&viewport, &Viewport::strokeEnded, &document, &Document::endStroke);
+    QObject::connect(&viewport, &Viewport::sphereRequested, &document, &Document::addSphere);
 }
 
 void wireWorker(ui::Viewport& viewport, SculptWorker& worker, const std::shared_ptr<PatchInbox>& inbox)

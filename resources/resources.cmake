@@ -2,6 +2,7 @@
 # On executables only: in a static library resources can be lost when it is linked.
 set(FETTLE_RESOURCE_FILES
     icons/about.svg
+    icons/add.svg
     icons/background-black.svg
     icons/background-dark.svg
     icons/background-light.svg

@@ -451,6 +451,11 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <comment>undo step</comment>
         <translation>Bemalen</translation>
     </message>
+    <message>
+        <source>Add Ball</source>
+        <comment>undo step</comment>
+        <translation>Kugel hinzufügen</translation>
+    </message>
 </context>
 <context>
     <name>app::StrokeWords</name>
@@ -1083,6 +1088,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>Chooses colours, language, and how pen and mouse are taken.</source>
         <translation>Wählt Farben, Sprache und wie Stift und Maus verstanden werden.</translation>
     </message>
+    <message>
+        <source>Add &amp;Ball</source>
+        <translation>Kuge&amp;l hinzufügen</translation>
+    </message>
+    <message>
+        <source>Puts a ball of the brush&apos;s radius where you click next.</source>
+        <translation>Setzt eine Kugel vom Radius des Pinsels dahin, wo Sie als Nächstes klicken.</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -1320,6 +1333,13 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Insert a Model</source>
         <translation>Modell einfügen</translation>
+    </message>
+</context>
+<context>
+    <name>ui::HandActions</name>
+    <message>
+        <source>Click where the ball should be. Esc puts it away.</source>
+        <translation>Klicken Sie dahin, wo die Kugel sein soll. Esc legt sie weg.</translation>
     </message>
 </context>
 <context>

@@ -449,6 +449,11 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <comment>undo step</comment>
         <translation>绘色</translation>
     </message>
+    <message>
+        <source>Add Ball</source>
+        <comment>undo step</comment>
+        <translation>添加球</translation>
+    </message>
 </context>
 <context>
     <name>app::StrokeWords</name>
@@ -1081,6 +1086,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>Chooses colours, language, and how pen and mouse are taken.</source>
         <translation>选择颜色、语言，以及笔和鼠标的用法。</translation>
     </message>
+    <message>
+        <source>Add &amp;Ball</source>
+        <translation>添加球(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Puts a ball of the brush&apos;s radius where you click next.</source>
+        <translation>在下次单击处放置一个与笔刷半径相同的球。</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -1317,6 +1330,13 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Insert a Model</source>
         <translation>插入模型</translation>
+    </message>
+</context>
+<context>
+    <name>ui::HandActions</name>
+    <message>
+        <source>Click where the ball should be. Esc puts it away.</source>
+        <translation>请单击要放置球的位置。按 Esc 取消。</translation>
     </message>
 </context>
 <context>

@@ -53,6 +53,8 @@ constexpr ActionInfo table[] = {
     {MenuId::Sculpt, "brush.steady", QT_TRANSLATE_NOOP("ui::Actions", "S&teady Stroke"),
      QT_TRANSLATE_NOOP("ui::Actions", "Draws the brush on a string behind the pointer, so that a trembling hand draws smooth lines."), "Shift+S", "steady", false,
      Bar::None, true},
+    {MenuId::Sculpt, "brush.add", QT_TRANSLATE_NOOP("ui::Actions", "Add &Ball"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Puts a ball of the brush's radius where you click next."), "A", "add", false, Bar::Palette, true},
     {MenuId::Sculpt, "brush.ray", QT_TRANSLATE_NOOP("ui::Actions", "&Ray Brush"),
      QT_TRANSLATE_NOOP("ui::Actions", "Takes what lies near along the surface, and leaves the other side of a fold."), "R", "ray", true, Bar::Palette, true},
     {MenuId::Sculpt, "topology.uniform", QT_TRANSLATE_NOOP("ui::Actions", "Un&iform Topology"),

@@ -6,11 +6,17 @@
 #include "viewport.h"
 
 #include <QAction>
+#include <QCoreApplication>
 
 namespace ui
 {
 namespace
 {
+struct HandActions
+{
+    Q_DECLARE_TR_FUNCTIONS(ui::HandActions)
+};
+
 void connectDrags(const Actions& actions, BrushSettings* brush, Viewport* viewport)
 {
     auto* drag = new BrushDrag(brush, viewport);
@@ -36,10 +42,20 @@ void connectSteady(QAction* action, BrushSettings* brush, Settings* settings)
     });
     show();
 }
+void connectAdding(QAction* action, Viewport* viewport, const Say& say)
+{
+    QObject::connect(action, &QAction::triggered, viewport, [viewport, say](bool adds) {
+        viewport->setAdding(adds);
+        if (adds)
+            say(HandActions::tr("Click where the ball should be. Esc puts it away."));
+    });
+    QObject::connect(viewport, &Viewport::addingChanged, action, &QAction::setChecked);
+}
 } // namespace
 
-void connectHand(const Actions& actions, BrushSettings* brush, Viewport* viewport, Settings* settings)
+void connectHand(const Actions& actions, BrushSettings* brush, Viewport* viewport, Settings* settings, const Say& say)
 {
+    connectAdding(actions.get(QStringLiteral("brush.add")), viewport, say);
     connectDrags(actions, brush, viewport);
     connectSteady(actions.get(QStringLiteral("brush.steady")), brush, settings);
 }

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <QString>
+
+#include <functional>
+
 namespace ui
 {
 class Actions;
@@ -7,7 +11,9 @@ class BrushSettings;
 class Settings;
 class Viewport;
 
-/// The commands that change what the hand does next in the view: values by moving the pointer, the steady stroke. What is to be
+using Say = std::function<void(const QString&)>;
+
+/// The commands that change what the hand does next in the view: values by moving the pointer, the steady stroke, a ball. What is to be
 /// remembered is taken from the settings now and written there when it changes. None is owned.
-void connectHand(const Actions& actions, BrushSettings* brush, Viewport* viewport, Settings* settings);
+void connectHand(const Actions& actions, BrushSettings* brush, Viewport* viewport, Settings* settings, const Say& say);
 } // namespace ui

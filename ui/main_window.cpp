@@ -183,7 +183,7 @@ void MainWindow::State::connectModel()
 void MainWindow::State::connectTools()
 {
     connectBrush(actions, &brush);
-    connectHand(actions, &brush, viewport, &settings);
+    connectHand(actions, &brush, viewport, &settings, [this](const QString& words) { q->showNotice(words); });
     connect(&brush, &BrushSettings::clamped, q, [this](core::Parameter parameter) {
         q->showNotice(Messages::range(parameter, brush.minOf(parameter), brush.maxOf(parameter)));
     });

@@ -133,6 +133,8 @@ void PointerInput::setHover(const std::optional<core::SurfaceHit>& hit)
 
 std::optional<core::SurfaceHit> PointerInput::hover() const
 {
+    if (m_isAdding && m_inside && !movesView())
+        return core::SurfaceHit{spherePlace(m_camera->ray(m_last)), -m_camera->viewDirection(), 0, core::noSlot};
     const bool next = m_drag == Drag::None && viewDrag(Qt::LeftButton, m_modifiers) != Drag::None;
     return m_inside && !movesView() && !next && !m_isPicking ? m_hit : std::nullopt;
 }
@@ -141,6 +143,8 @@ void PointerInput::setPicking(bool on)
 {
     if (std::exchange(m_isPicking, on) == on)
         return;
+    if (on)
+        setAdding(false);
     Q_EMIT pickingChanged(on);
     Q_EMIT hoverChanged();
 }
@@ -180,7 +184,7 @@ bool PointerInput::movesView() const
 bool PointerInput::isUndecided(const PointerEvent& event) const
 {
     return event.kind == PointerEvent::Kind::Press && event.button == Qt::LeftButton &&
-           viewDrag(event.button, event.modifiers) == Drag::None && m_drag == Drag::None &&
+           viewDrag(event.button, event.modifiers) == Drag::None && m_drag == Drag::None && !m_isAdding &&
            m_answeredPixel != event.pixel;
 }
 
@@ -219,8 +223,52 @@ void PointerInput::process(const Waiting& waiting)
 /// A second button during a drag means nothing.
 void PointerInput::press(const Waiting& waiting)
 {
-    if (m_drag == Drag::None)
+    if (m_drag == Drag::None && addsSphere(waiting.event))
+        addSphere(waiting);
+    else if (m_drag == Drag::None)
         begin(waiting, m_hit);
+}
+
+bool PointerInput::addsSphere(const PointerEvent& press) const
+{
+    return m_isAdding && press.button == Qt::LeftButton && viewDrag(press.button, press.modifiers) == Drag::None;
+}
+
+void PointerInput::addSphere(const Waiting& press)
+{
+    core::StrokeSettings settings = press.settings;
+    settings.tool = core::Tool::Pull;
+    settings.brush = core::BrushShape::Sphere;
+    settings.place = core::Placement::Point;
+    settings.strength = core::info(core::Parameter::Strength).defaultValue;
+    settings.spacing = 0;
+    settings.add = true;
+    core::StrokeSample sample;
+    sample.time = press.event.time;
+    sample.position = spherePlace(press.ray);
+    sample.direction = press.ray.direction;
+    setAdding(false);
+    Q_EMIT sphereRequested(settings, sample);
+}
+
+/// In the plane that faces the camera through the last stroke, else through the scene's centre; through what is in the middle
+/// of the view if that lies behind the eye.
+core::Vec3 PointerInput::spherePlace(const core::Ray& ray) const
+{
+    const core::Vec3 normal = m_camera->viewDirection();
+    const auto along = [&](const core::Vec3& point) { return (point - ray.origin).dot(normal) / ray.direction.dot(normal); };
+    const double there = along(m_camera->pivot());
+    return ray.origin + (there > 0 ? there : along(m_camera->target())) * ray.direction;
+}
+
+void PointerInput::setAdding(bool adding)
+{
+    if (std::exchange(m_isAdding, adding) == adding)
+        return;
+    if (adding)
+        setPicking(false);
+    Q_EMIT addingChanged(adding);
+    Q_EMIT hoverChanged();
 }
 
 void PointerInput::begin(const Waiting& press, const std::optional<core::SurfaceHit>& hit)

@@ -62,7 +62,11 @@ public:
     void setPicking(bool on);
     bool isPicking() const { return m_isPicking; }
 
-    /// Where the cursor is to lie: the newest answer, unless the pointer left or turns the view.
+    /// Armed: the next left press anywhere asks for a sphere, and disarms.
+    void setAdding(bool adding);
+    bool isAdding() const { return m_isAdding; }
+
+    /// Where the cursor is to lie: the newest answer, unless the pointer left or turns the view; if armed, where the sphere would be.
     std::optional<core::SurfaceHit> hover() const;
     bool strokeOpen() const { return m_drag == Drag::Stroke; }
     /// A press waits for its answer: a stroke may still come of it.
@@ -80,6 +84,9 @@ Q_SIGNALS:
     void pickingChanged(bool on);
     void picked(const std::optional<core::SurfaceHit>& hit);
     void viewChanged();
+    void addingChanged(bool adding);
+    /// One dab that is to add a sphere and do nothing else.
+    void sphereRequested(const core::StrokeSettings& settings, const core::StrokeSample& sample);
 
 private:
     enum class Drag { None, Stroke, Orbit, Pan, Zoom };
@@ -113,6 +120,9 @@ private:
     void ask(Question question);
     void sample(const Waiting& waiting);
     void follow(const Waiting& waiting);
+    bool addsSphere(const PointerEvent& press) const;
+    void addSphere(const Waiting& press);
+    core::Vec3 spherePlace(const core::Ray& ray) const;
     void moveView(const OrbitCamera::Pixel& delta);
 
     const BrushSettings* m_brush;
@@ -127,6 +137,7 @@ private:
     OrbitCamera::Pixel m_brushAt{0, 0}; ///< of the open stroke
     bool m_inside = false;
     bool m_isPicking = false;
+    bool m_isAdding = false;
     core::Tool m_strokeTool = core::Tool::Pull;
     Qt::KeyboardModifiers m_modifiers;
     std::deque<Waiting> m_waiting; ///< the first is a press that nobody knows about yet

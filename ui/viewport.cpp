@@ -175,6 +175,8 @@ Viewport::Viewport(BrushSettings* brush, QWidget* parent)
     connect(input, &PointerInput::strokeSampled, this, &Viewport::strokeSampled);
     connect(input, &PointerInput::strokeEnded, this, &Viewport::strokeEnded);
     connect(input, &PointerInput::pressDecided, this, &Viewport::pressDecided);
+    connect(input, &PointerInput::addingChanged, this, &Viewport::addingChanged);
+    connect(input, &PointerInput::sphereRequested, this, &Viewport::sphereRequested);
     connect(input, &PointerInput::viewChanged, this, &Viewport::viewChanged);
     connect(this, &Viewport::viewChanged, this, qOverload<>(&Viewport::update));
     connect(input, &PointerInput::hoverChanged, this, [this, input] {
@@ -281,6 +283,13 @@ bool Viewport::strokeOpen() const
 bool Viewport::pressWaits() const
 {
     return m_state->input.pressWaits();
+}
+
+void Viewport::setAdding(bool adding)
+{
+    if (adding)
+        setFocus();
+    m_state->input.setAdding(adding);
 }
 
 void Viewport::finish()
@@ -430,8 +439,10 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease)
         m_state->input.setModifiers(static_cast<QKeyEvent*>(event)->modifiers());
-    if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape)
+    if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
         setPicking(false);
+        setAdding(false);
+    }
     return QOpenGLWidget::eventFilter(watched, event);
 }
 } // namespace ui

@@ -70,6 +70,8 @@ public:
     bool strokeOpen() const;
     /// A press waits for its answer: a stroke may still come of it, before pressDecided().
     bool pressWaits() const;
+    /// Armed: the next left press anywhere is sphereRequested(); Esc disarms.
+    void setAdding(bool adding);
     /// Ends whatever drag is going on, as a release would.
     void finish();
 
@@ -95,6 +97,9 @@ Q_SIGNALS:
     void strokeSampled(const core::StrokeSample& sample);
     void strokeEnded();
     void pressDecided();
+    void addingChanged(bool adding);
+    /// A ball of the brush's radius at the sample's position, or nothing.
+    void sphereRequested(const core::StrokeSettings& settings, const core::StrokeSample& sample);
 
     void viewChanged();
 

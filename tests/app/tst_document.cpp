@@ -1,4 +1,5 @@
 #include "app/document.h"
+#include "app/stroke_command.h"
 
 #include "core/mesh_build.h"
 #include "core/mesh_check.h"
@@ -114,6 +115,7 @@ private Q_SLOTS:
     void stroke_thatDoesNothingIsNoStep();
     void strokeThatFellShort_isSaidOnce_data();
     void strokeThatFellShort_isSaidOnce();
+    void sphere_isAStepOrAWordWhyNot();
     void mirroredStroke_saysWhereTheModelIsNotSymmetric();
     void strokeThatDidAll_isNotTalkedAbout();
     void newStroke_forgetsWhatWasUndone();
@@ -288,6 +290,49 @@ void TestDocument::strokeThatFellShort_isSaidOnce()
     QCOMPARE(noticed.size(), 1);
     QCOMPARE(noticed[0][0].toString(), ui::Messages::shortfall(shortfall));
     session.verifyWhole();
+}
+
+/// The clay has a radius of 50, the brush one of 12.
+void TestDocument::sphere_isAStepOrAWordWhyNot()
+{
+    using core::Shortfall;
+    Session session;
+    QSignalSpy noticed(&session.document, &Document::noticed);
+    core::StrokeSettings brush;
+    brush.radius = 12;
+    brush.add = true;
+    brush.spacing = 0;
+    const auto add = [&](const core::Vec3& position, core::Symmetry symmetry = core::Symmetry::None) {
+        brush.symmetry = symmetry;
+        core::StrokeSample sample;
+        sample.position = position;
+        session.document.addSphere(brush, sample);
+        session.wait();
+    };
+    const std::uint64_t start = session.state();
+    const auto refuses = [&](const core::Vec3& position, Shortfall why) {
+        noticed.clear();
+        add(position);
+        return session.state() == start && !session.document.canUndo() && noticed.size() == 1 &&
+               noticed[0][0].toString() == ui::Messages::shortfall(why);
+    };
+    QVERIFY(refuses({0, 0, 0}, Shortfall::Inside));
+    QVERIFY(refuses({0, 45, 0}, Shortfall::TooClose)); // where a pull would have pulled
+    QVERIFY(refuses({0, 55, 0}, Shortfall::TooClose));
+    QVERIFY(refuses({0, 505, 0}, Shortfall::NoRoom));
+
+    noticed.clear();
+    const quint64 faces = session.document.facts().faces;
+    add({90, 0, 0});
+    QVERIFY(noticed.isEmpty() && session.document.facts().faces > faces && session.state() != start);
+    QCOMPARE(session.document.undoText(), StrokeCommand::textOfAdding());
+    session.verifyWhole();
+    const std::uint64_t one = session.state();
+    add({-90, 0, 0}, core::Symmetry::X); // its mirror image would lie in the first
+    QCOMPARE(session.state(), one);
+    QCOMPARE(noticed.size(), 1);
+    session.document.undo();
+    QCOMPARE(session.state(), start);
 }
 
 void TestDocument::mirroredStroke_saysWhereTheModelIsNotSymmetric()

@@ -183,6 +183,34 @@ private Q_SLOTS:
         QVERIFY(strokes.isEmpty() && stops.isEmpty());
     }
 
+    void addingABallIsArmedOnce()
+    {
+        SKIP_WITHOUT_GRAPHICS();
+        MainWindow window;
+        window.setModel(facts(QStringLiteral("a"), 100));
+        window.show();
+        window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        const QSignalSpy spheres(window.viewport(), &ui::Viewport::sphereRequested);
+        const auto click = [&] {
+            sendMouse(window.viewport(), QEvent::MouseButtonPress, {30, 40}, Qt::LeftButton);
+            sendMouse(window.viewport(), QEvent::MouseButtonRelease, {30, 40}, Qt::LeftButton);
+        };
+        QTest::keyClick(window.windowHandle(), Qt::Key_A);
+        QVERIFY(act(window, "brush.add")->isChecked());
+        QTest::keyClick(window.windowHandle(), Qt::Key_Escape);
+        QVERIFY(!act(window, "brush.add")->isChecked());
+        click();
+        QVERIFY(spheres.isEmpty());
+        window.viewport()->setHover({});
+        QTest::keyClick(window.windowHandle(), Qt::Key_A);
+        click();
+        QCOMPARE(spheres.size(), 1);
+        QVERIFY(!act(window, "brush.add")->isChecked());
+        click();
+        QCOMPARE(spheres.size(), 1);
+    }
+
     void aSteadyHandIsRemembered()
     {
         {

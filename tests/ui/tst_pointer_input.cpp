@@ -153,6 +153,47 @@ private Q_SLOTS:
         }
     }
 
+    /// In the plane that faces the camera, through the last stroke's place if there was one; once, and wherever the pointer is.
+    void anArmedPressAsksForASphere()
+    {
+        Recorder r;
+        QList<core::Vec3> places;
+        QObject::connect(&r.input, &ui::PointerInput::sphereRequested, &r.input,
+                         [&](const core::StrokeSettings& settings, const core::StrokeSample& sample) {
+                             QVERIFY(settings.add && settings.tool == Tool::Pull && settings.place == core::Placement::Point);
+                             QCOMPARE(settings.radius, r.brush.stroke().radius);
+                             places << sample.position;
+                         });
+        r.brush.setTool(Tool::Smooth);
+        r.brush.setValue(core::Parameter::Strength, 0);
+        const auto click = [&](const Pixel& at) {
+            r.input.setAdding(true);
+            r.send(Kind::Move, at);
+            QVERIFY(r.input.hover());
+            const core::Vec3 shown = r.input.hover()->position;
+            r.send(Kind::Press, at);
+            r.send(Kind::Move, at + Pixel(50, 0));
+            r.send(Kind::Release, at + Pixel(50, 0));
+            QVERIFY(!r.input.isAdding() && r.log.isEmpty());
+            QCOMPARE(places.back(), shown);
+            QVERIFY((r.camera.project(places.back()) - at).norm() < 1e-6);
+        };
+        const auto depth = [&](const core::Vec3& point) { return (point - r.camera.eye()).dot(r.camera.viewDirection()); };
+        const core::Vec3 eye = r.camera.eye();
+        click({30, 40});
+        QVERIFY(std::abs(depth(places.back()) - depth({0, 0, 0})) < 1e-9);
+        r.camera.setPivot(somewhere.position);
+        click({500, 200});
+        QVERIFY(std::abs(depth(places.back()) - depth(somewhere.position)) < 1e-9);
+        QCOMPARE(r.camera.eye(), eye); // neither did it turn the view
+
+        r.input.setAdding(true);
+        r.send(Kind::Press, {400, 300}, Qt::MiddleButton); // the view may be turned meanwhile
+        r.send(Kind::Release, {400, 300}, Qt::MiddleButton);
+        QVERIFY(r.input.isAdding());
+        QCOMPARE(places.size(), 2);
+    }
+
     void samplesWaitForTheAnswer()
     {
         Recorder r;
