@@ -3,11 +3,13 @@
 #include "document.h"
 #include "headset_inquiry.h"
 #include "history_list.h"
+#include "model_inquiry.h"
 #include "patch_inbox.h"
 #include "sculpt_worker.h"
 
 #include "ui/history_panel.h"
 #include "ui/main_window.h"
+#include "ui/model_panel.h"
 #include "ui/viewport.h"
 
 #include <QAction>
@@ -94,6 +96,16 @@ void wireHistoryPanel(ui::MainWindow& window, Document& document)
     QObject::connect(&document.history(), &HistoryStore::bytesChanged, panel, show);
 }
 
+void wireModelPanel(ui::MainWindow& window, Document& document, SculptWorker& worker)
+{
+    using ui::ModelPanel;
+    ModelPanel* panel = window.modelPanel();
+    auto* inquiry = new ModelInquiry(&document, &worker);
+    QObject::connect(panel, &ModelPanel::watched, inquiry, &ModelInquiry::setWanted);
+    QObject::connect(inquiry, &ModelInquiry::outdated, panel, &ModelPanel::setStale);
+    QObject::connect(inquiry, &ModelInquiry::answered, panel, &ModelPanel::setReport);
+}
+
 void wireStrokes(ui::Viewport& viewport, Document& document)
 {
     using ui::Viewport;
@@ -128,6 +140,7 @@ void wire(ui::MainWindow& window, Document& document, SculptWorker& worker, cons
     wireSettling(window, document);
     wireHistory(window, document);
     wireHistoryPanel(window, document);
+    wireModelPanel(window, document, worker);
     wireStrokes(*window.viewport(), document);
     wireWorker(*window.viewport(), worker, inbox);
     wireHeadset(window);

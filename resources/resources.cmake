@@ -51,12 +51,14 @@ set(FETTLE_RESOURCE_FILES
     icons/smaller.svg
     icons/smooth.svg
     icons/steady.svg
+    icons/sound.svg
     icons/stop.svg
     icons/strength.svg
     icons/swap.svg
     icons/symmetrize.svg
     icons/undo.svg
     icons/uniform.svg
+    icons/unsound.svg
     icons/view-back.svg
     icons/view-bottom.svg
     icons/view-front.svg
@@ -64,6 +66,7 @@ set(FETTLE_RESOURCE_FILES
     icons/view-right.svg
     icons/view-top.svg
     icons/wireframe.svg
+    icons/wait.svg
     shaders/background.frag
     shaders/background.vert
     shaders/clay.frag

@@ -1851,6 +1851,118 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
+    <name>ui::ModelPanel</name>
+    <message>
+        <source>Vertices</source>
+        <translation>Eckpunkte</translation>
+    </message>
+    <message>
+        <source>Corners of the triangles.</source>
+        <translation>Ecken der Dreiecke.</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
+        <source>Triangles of the surface.</source>
+        <translation>Dreiecke der Oberfläche.</translation>
+    </message>
+    <message>
+        <source>Components</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>Parts of the surface that do not hang together, hollows among them.</source>
+        <translation>Teile der Oberfläche, die nicht zusammenhängen, auch Hohlräume.</translation>
+    </message>
+    <message>
+        <source>Genus</source>
+        <translation>Geschlecht</translation>
+    </message>
+    <message>
+        <source>Holes that go through: 0 for a ball, 1 for a ring.</source>
+        <translation>Löcher, die hindurchgehen: 0 bei einer Kugel, 1 bei einem Ring.</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Width, height and depth of the box around the model.</source>
+        <translation>Breite, Höhe und Tiefe des Kastens um das Modell.</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Of the matter within the surface.</source>
+        <translation>Der Masse innerhalb der Oberfläche.</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>Of the whole surface.</source>
+        <translation>Der ganzen Oberfläche.</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Kanten</translation>
+    </message>
+    <message>
+        <source>The shortest and the longest edge of a triangle.</source>
+        <translation>Die kürzeste und die längste Kante eines Dreiecks.</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 mm</source>
+        <translation>%1 × %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>%1 cm³</source>
+        <translation>%1 cm³</translation>
+    </message>
+    <message>
+        <source>%1 cm²</source>
+        <translation>%1 cm²</translation>
+    </message>
+    <message>
+        <source>%1 to %2 mm</source>
+        <translation>%1 bis %2 mm</translation>
+    </message>
+    <message>
+        <source>In fine fettle</source>
+        <translation>In bestem Zustand</translation>
+    </message>
+    <message>
+        <source>Closed, without self-intersections, and it bounds a solid: checked exactly, as it is now.</source>
+        <translation>Geschlossen, ohne Selbstdurchdringungen, und es begrenzt einen Körper: exakt geprüft, so wie es jetzt ist.</translation>
+    </message>
+    <message>
+        <source>Not sound</source>
+        <translation>Nicht in Ordnung</translation>
+    </message>
+    <message>
+        <source>The surface is not closed, meets itself, or bounds no solid.</source>
+        <translation>Die Oberfläche ist nicht geschlossen, trifft sich selbst oder begrenzt keinen Körper.</translation>
+    </message>
+    <message>
+        <source>Not checked since the last change</source>
+        <translation>Seit der letzten Änderung nicht geprüft</translation>
+    </message>
+    <message>
+        <source>The figures are of before. They are found anew when the model rests.</source>
+        <translation>Die Zahlen sind von vorher. Sie werden neu bestimmt, wenn das Modell ruht.</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <comment>panel</comment>
+        <translation>Modell</translation>
+    </message>
+</context>
+<context>
     <name>ui::ParameterControl</name>
     <message>
         <source> mm</source>

@@ -1846,6 +1846,118 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
 </context>
 <context>
+    <name>ui::ModelPanel</name>
+    <message>
+        <source>Vertices</source>
+        <translation>顶点</translation>
+    </message>
+    <message>
+        <source>Corners of the triangles.</source>
+        <translation>三角形的角点。</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>面</translation>
+    </message>
+    <message>
+        <source>Triangles of the surface.</source>
+        <translation>表面的三角形。</translation>
+    </message>
+    <message>
+        <source>Components</source>
+        <translation>部件</translation>
+    </message>
+    <message>
+        <source>Parts of the surface that do not hang together, hollows among them.</source>
+        <translation>互不相连的表面部分，包括空腔。</translation>
+    </message>
+    <message>
+        <source>Genus</source>
+        <translation>亏格</translation>
+    </message>
+    <message>
+        <source>Holes that go through: 0 for a ball, 1 for a ring.</source>
+        <translation>贯穿的孔：球为 0，环为 1。</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>尺寸</translation>
+    </message>
+    <message>
+        <source>Width, height and depth of the box around the model.</source>
+        <translation>模型外框的宽、高、深。</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>体积</translation>
+    </message>
+    <message>
+        <source>Of the matter within the surface.</source>
+        <translation>表面之内实体的体积。</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>面积</translation>
+    </message>
+    <message>
+        <source>Of the whole surface.</source>
+        <translation>整个表面的面积。</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>边长</translation>
+    </message>
+    <message>
+        <source>The shortest and the longest edge of a triangle.</source>
+        <translation>三角形最短和最长的边。</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 mm</source>
+        <translation>%1 × %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>%1 cm³</source>
+        <translation>%1 cm³</translation>
+    </message>
+    <message>
+        <source>%1 cm²</source>
+        <translation>%1 cm²</translation>
+    </message>
+    <message>
+        <source>%1 to %2 mm</source>
+        <translation>%1 至 %2 mm</translation>
+    </message>
+    <message>
+        <source>In fine fettle</source>
+        <translation>状态完好</translation>
+    </message>
+    <message>
+        <source>Closed, without self-intersections, and it bounds a solid: checked exactly, as it is now.</source>
+        <translation>封闭、无自相交、包围一个实体：已按现状精确检查。</translation>
+    </message>
+    <message>
+        <source>Not sound</source>
+        <translation>有问题</translation>
+    </message>
+    <message>
+        <source>The surface is not closed, meets itself, or bounds no solid.</source>
+        <translation>表面不封闭、与自身相交或不包围实体。</translation>
+    </message>
+    <message>
+        <source>Not checked since the last change</source>
+        <translation>上次改动后尚未检查</translation>
+    </message>
+    <message>
+        <source>The figures are of before. They are found anew when the model rests.</source>
+        <translation>数值是之前的；模型静止后会重新计算。</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <comment>panel</comment>
+        <translation>模型</translation>
+    </message>
+</context>
+<context>
     <name>ui::ParameterControl</name>
     <message>
         <source> mm</source>

@@ -16,6 +16,7 @@
 #include "messages.h"
 #include "model_dialogs.h"
 #include "model_files.h"
+#include "model_panel.h"
 #include "preferences_actions.h"
 #include "scene.h"
 #include "settings.h"
@@ -35,7 +36,6 @@
 #include <QStyle>
 #include <QToolBar>
 
-#include <algorithm>
 #include <utility>
 
 namespace ui
@@ -54,6 +54,7 @@ struct MainWindow::State
     Banner* banner = nullptr;
     FactsBar* facts = nullptr;
     HistoryPanel* history = nullptr;
+    ModelPanel* modelPanel = nullptr;
     BusyBar* busy = nullptr;
     QPointer<QMessageBox> problem;
     std::function<bool()> mayClose, isSettled;
@@ -125,6 +126,7 @@ void MainWindow::State::buildPanels(QMenu* toggles)
     addBrushPanels(q, &brush, toggles, [this] { viewport->setFocus(); });
     addColorPanel({q, toggles, viewport}, &brush, &settings, actions, [this](const QString& word) { q->showNotice(word); });
     history = addHistoryPanel(q, &settings, toggles);
+    modelPanel = addModelPanel(q, toggles);
 }
 
 void MainWindow::State::buildStatusBar()
@@ -262,6 +264,11 @@ BrushSettings* MainWindow::brush() const
 HistoryPanel* MainWindow::history() const
 {
     return m_state->history;
+}
+
+ModelPanel* MainWindow::modelPanel() const
+{
+    return m_state->modelPanel;
 }
 
 QAction* MainWindow::action(const QString& id) const

@@ -15,6 +15,7 @@ class QAction;
 namespace ui
 {
 class HistoryPanel;
+class ModelPanel;
 class Settings;
 class Viewport;
 
@@ -31,6 +32,7 @@ public:
     Viewport* viewport() const;
     BrushSettings* brush() const;
     HistoryPanel* history() const;
+    ModelPanel* modelPanel() const;
     /// By its id in the action table. "edit.undo" and "edit.redo" start disabled; text and enablement are set by
     /// whoever owns the undo stack: use setUndoText() for a translated, uniform wording.
     QAction* action(const QString& id) const;

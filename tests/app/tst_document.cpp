@@ -1,4 +1,6 @@
 #include "app/document.h"
+#include "app/history_list.h"
+#include "app/model_inquiry.h"
 #include "app/stroke_command.h"
 
 #include "core/mesh_build.h"
@@ -109,6 +111,8 @@ private Q_SLOTS:
     void sphere_isThePapers();
     void undo_rightAfterAStrokeUndoesThatStroke();
     void undo_duringAStrokeWaitsForItsEnd();
+    void history_namesStepsAndMarksThem();
+    void inquiry_answersOnlyForTheModelThatIs();
     void stroke_rightAfterUndoComesAfterIt();
     void undoAll_andRedoAllComeBackByState();
     void jumps_goThere();
@@ -151,6 +155,54 @@ void TestDocument::undo_rightAfterAStrokeUndoesThatStroke()
         QCOMPARE(session.state(), start);
         QVERIFY(!session.document.canUndo() && session.document.canRedo());
     }
+}
+
+void TestDocument::history_namesStepsAndMarksThem()
+{
+    Session session;
+    session.stroke({50, 0, 0}, core::Tool::Push, 3);
+    session.settle();
+    session.document.apply(core::Fill{{1, 2, 3}});
+    session.wait();
+    session.document.undo();
+    session.settle();
+    const ui::History history = historyOf(session.document);
+    QCOMPARE(history.steps.size(), 2);
+    QCOMPARE(history.steps[0].name, StrokeCommand::textOf(core::Tool::Push));
+    QCOMPARE(history.steps[0].icon, QStringLiteral("push"));
+    QCOMPARE(history.steps[0].dabs, 3u);
+    QCOMPARE(history.steps[1].icon, QStringLiteral("fill"));
+    QCOMPARE(history.steps[1].dabs, 0u);
+    QCOMPARE(history.present, 1);
+    QCOMPARE(history.first, 0);
+    QCOMPARE(history.last, 2);
+    QVERIFY(history.bytes > 0);
+}
+
+void TestDocument::inquiry_answersOnlyForTheModelThatIs()
+{
+    Session session;
+    auto* inquiry = new ModelInquiry(&session.document, &session.worker);
+    quint64 faces = 0;
+    int answers = 0;
+    connect(inquiry, &ModelInquiry::answered, inquiry, [&](const core::MeshReport& report) {
+        faces = report.faces;
+        ++answers;
+        QVERIFY(report.printReady());
+    });
+    connect(inquiry, &ModelInquiry::outdated, inquiry, [&] { faces = 0; });
+    inquiry->setWanted(true);
+    QTRY_COMPARE(faces, session.document.facts().faces);
+    session.stroke({50, 0, 0});
+    QCOMPARE(faces, 0u); // at once
+    session.settle();
+    QTRY_COMPARE(faces, session.document.facts().faces);
+    QCOMPARE(answers, 2);
+    inquiry->setWanted(false);
+    session.stroke({0, 50, 0});
+    session.settle();
+    QTest::qWait(1500);
+    QCOMPARE(answers, 2); // nobody wants to know
 }
 
 void TestDocument::undo_duringAStrokeWaitsForItsEnd()

@@ -1,0 +1,137 @@
+#include "model_panel.h"
+
+#include "themed_icon.h"
+
+#include <QDockWidget>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QMainWindow>
+#include <QMenu>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ui
+{
+namespace
+{
+constexpr int gap = 8; ///< of the window's spacing grid
+constexpr int iconSide = 20;
+
+/// Four figures that count, at least.
+QString figure(double value)
+{
+    const double size = std::max(std::abs(value), 1e-6);
+    return QLocale().toString(value, 'f', std::clamp(3 - static_cast<int>(std::floor(std::log10(size))), 0, 6));
+}
+
+template <class Count> QString count(Count value)
+{
+    return QLocale().toString(static_cast<qlonglong>(value));
+}
+} // namespace
+
+ModelPanel::ModelPanel(QWidget* parent) : QWidget(parent), m_form(new QFormLayout(this)), m_icon(new QLabel), m_word(new QLabel)
+{
+    m_form->setContentsMargins(gap, gap, gap, gap);
+    m_form->setSpacing(gap);
+    m_word->setObjectName(QStringLiteral("health"));
+    m_word->setWordWrap(true);
+    auto* badge = new QHBoxLayout;
+    badge->setSpacing(gap);
+    badge->addWidget(m_icon);
+    badge->addWidget(m_word, 1);
+    m_form->addRow(badge);
+    addRow("vertices", tr("Vertices"), tr("Corners of the triangles."));
+    addRow("faces", tr("Faces"), tr("Triangles of the surface."));
+    addRow("components", tr("Components"), tr("Parts of the surface that do not hang together, hollows among them."));
+    addRow("genus", tr("Genus"), tr("Holes that go through: 0 for a ball, 1 for a ring."));
+    addRow("size", tr("Size"), tr("Width, height and depth of the box around the model."));
+    addRow("volume", tr("Volume"), tr("Of the matter within the surface."));
+    addRow("area", tr("Area"), tr("Of the whole surface."));
+    addRow("edges", tr("Edges"), tr("The shortest and the longest edge of a triangle."));
+    setStale();
+}
+
+void ModelPanel::addRow(const char* id, const QString& name, const QString& tip)
+{
+    auto* value = new QLabel(QStringLiteral("–"));
+    value->setObjectName(QStringLiteral("model.") + QLatin1StringView(id));
+    value->setTextFormat(Qt::PlainText);
+    value->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    value->setAccessibleName(name);
+    value->setToolTip(tip);
+    m_values.insert(QLatin1StringView(id), value);
+    m_form->addRow(name, value);
+}
+
+void ModelPanel::setReport(const core::MeshReport& report)
+{
+    const auto set = [this](const char* id, const QString& text) { m_values.value(QLatin1StringView(id))->setText(text); };
+    const QString none = QStringLiteral("–");
+    set("vertices", count(report.vertices));
+    set("faces", count(report.faces));
+    set("components", count(report.components));
+    set("genus", report.genus ? count(*report.genus) : none);
+    set("size", tr("%1 × %2 × %3 mm").arg(figure(report.size.x()), figure(report.size.y()), figure(report.size.z())));
+    set("volume", report.volume ? tr("%1 cm³").arg(figure(*report.volume / 1000)) : none);
+    set("area", tr("%1 cm²").arg(figure(report.area / 100)));
+    set("edges", tr("%1 to %2 mm").arg(figure(report.minEdge), figure(report.maxEdge)));
+    for (QLabel* value : std::as_const(m_values))
+        value->setEnabled(true);
+    if (report.printReady())
+        showHealth(Health::Sound, tr("In fine fettle"), tr("Closed, without self-intersections, and it bounds a solid: checked exactly, as it is now."));
+    else
+        showHealth(Health::Unsound, tr("Not sound"), tr("The surface is not closed, meets itself, or bounds no solid."));
+}
+
+void ModelPanel::setStale()
+{
+    for (QLabel* value : std::as_const(m_values))
+        value->setEnabled(false);
+    showHealth(Health::Unknown, tr("Not checked since the last change"), tr("The figures are of before. They are found anew when the model rests."));
+}
+
+/// Icon and word say it; colour only repeats it.
+void ModelPanel::showHealth(Health health, const QString& word, const QString& tip)
+{
+    static const QString icons[] = {QStringLiteral("wait"), QStringLiteral("sound"), QStringLiteral("unsound")};
+    static const QString colors[] = {QString(), QStringLiteral("color:#2e9e4f"), QStringLiteral("color:#d0453a")};
+    const int which = static_cast<int>(health);
+    m_icon->setPixmap(themedIcon(icons[which]).pixmap(QSize(iconSide, iconSide), devicePixelRatioF()));
+    m_word->setText(word);
+    m_word->setStyleSheet(colors[which]);
+    m_word->setToolTip(tip);
+    m_word->setAccessibleDescription(tip);
+}
+
+void ModelPanel::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    Q_EMIT watched(true);
+}
+
+void ModelPanel::hideEvent(QHideEvent* event)
+{
+    QWidget::hideEvent(event);
+    Q_EMIT watched(false);
+}
+
+ModelPanel* addModelPanel(QMainWindow* window, QMenu* toggles)
+{
+    auto* panel = new ModelPanel;
+    auto* dock = new QDockWidget(ModelPanel::tr("Model", "panel"));
+    dock->setObjectName(QStringLiteral("modelPanel"));
+    dock->setWidget(panel);
+    window->addDockWidget(Qt::RightDockWidgetArea, dock);
+    if (auto* first = window->findChild<QDockWidget*>(QStringLiteral("brushPanel"))) {
+        window->tabifyDockWidget(first, dock);
+        first->raise();
+    }
+    toggles->addAction(dock->toggleViewAction());
+    return panel;
+}
+} // namespace ui
