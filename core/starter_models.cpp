@@ -1,0 +1,183 @@
+// Models to begin with. Each is a grid, closed on itself, or the icosphere pushed in and out along its rays.
+// Arithmetic is + - x / sqrt only: the same bits everywhere.
+
+#include "starter_models.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace core
+{
+namespace
+{
+constexpr double half = 50; ///< of the longest side, mm
+constexpr int sphereSubdivisions = 5;
+
+/// The quad a, b, c, d, counter-clockwise. Diagonals alternate, so that the pattern is its own mirror image.
+void addQuad(TriangleMesh& mesh, const std::array<Slot, 4>& q, bool even)
+{
+    if (even)
+        mesh.triangles.insert(mesh.triangles.end(), {{q[0], q[1], q[2]}, {q[0], q[2], q[3]}});
+    else
+        mesh.triangles.insert(mesh.triangles.end(), {{q[0], q[1], q[3]}, {q[1], q[2], q[3]}});
+}
+
+/// A box of so many even cells, each `cell` mm wide.
+TriangleMesh box(const std::array<int, 3>& cells, double cell)
+{
+    TriangleMesh mesh;
+    std::map<std::array<int, 3>, Slot> known;
+    const auto vertex = [&](const std::array<int, 3>& at) {
+        const auto [entry, isNew] = known.try_emplace(at, static_cast<Slot>(mesh.points.size()));
+        if (isNew) {
+            Vec3 p;
+            for (std::size_t k = 0; k < 3; ++k)
+                p[static_cast<Eigen::Index>(k)] = cell * (at[k] - cells[k] / 2);
+            mesh.points.push_back(p.cast<float>());
+        }
+        return entry->second;
+    };
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+        for (const int side : {0, cells[axis]}) {
+            for (int i = 0; i < cells[u]; ++i) {
+                for (int j = 0; j < cells[v]; ++j) {
+                    const auto corner = [&](int di, int dj) {
+                        std::array<int, 3> at{};
+                        at[axis] = side;
+                        at[u] = i + di;
+                        at[v] = j + dj;
+                        return vertex(at);
+                    };
+                    std::array<Slot, 4> quad = {corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)};
+                    if (side == 0)
+                        std::swap(quad[1], quad[3]);
+                    addQuad(mesh, quad, (i + j) % 2 == 0);
+                }
+            }
+        }
+    }
+    return mesh;
+}
+
+/// 4 times 2^halvings points of the unit circle, by halving the angles between its four first.
+std::vector<Eigen::Vector2d> circle(int halvings)
+{
+    std::vector<Eigen::Vector2d> points = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+    for (int n = 0; n < halvings; ++n) {
+        std::vector<Eigen::Vector2d> finer;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const Eigen::Vector2d middle = points[i] + points[(i + 1) % points.size()];
+            finer.push_back(points[i]);
+            finer.push_back(middle / std::sqrt(middle.x() * middle.x() + middle.y() * middle.y()));
+        }
+        points = std::move(finer);
+    }
+    return points;
+}
+
+/// It lies flat, around y.
+TriangleMesh torus(double ring, double tube)
+{
+    const std::vector<Eigen::Vector2d> along = circle(5), around = circle(4);
+    const auto columns = static_cast<Slot>(along.size()), rows = static_cast<Slot>(around.size());
+    TriangleMesh mesh;
+    for (const Eigen::Vector2d& a : along) {
+        for (const Eigen::Vector2d& t : around) {
+            const double out = ring + tube * t.x();
+            mesh.points.push_back(Vec3(out * a.x(), tube * t.y(), out * a.y()).cast<float>());
+        }
+    }
+    for (Slot i = 0; i < columns; ++i) {
+        for (Slot j = 0; j < rows; ++j) {
+            const Slot nextColumn = (i + 1) % columns * rows, nextRow = (j + 1) % rows;
+            addQuad(mesh, {i * rows + j, i * rows + nextRow, nextColumn + nextRow, nextColumn + j}, (i + j) % 2 == 0);
+        }
+    }
+    return mesh;
+}
+
+/// (a^8 + b^8)^(1/8): about the larger of the two, and smooth between them.
+double softMax(double a, double b)
+{
+    const double a2 = a * a, b2 = b * b, a4 = a2 * a2, b4 = b2 * b2;
+    return std::sqrt(std::sqrt(std::sqrt(a4 * a4 + b4 * b4)));
+}
+
+/// How far along y a point of the unit sphere lies, and how far from the y axis.
+struct Ray
+{
+    double up, out;
+};
+
+Ray rayOf(const Vec3& p)
+{
+    return {p.y(), std::sqrt(p.x() * p.x() + p.z() * p.z())};
+}
+
+/// A cylinder with round rims that narrows to a foot and to a neck.
+Vec3 vasePoint(const Vec3& p)
+{
+    const Ray ray = rayOf(p);
+    const Vec3 q = half / softMax(ray.up, ray.out) * p;
+    const double height = q.y() / half; // -1 to 1
+    const double width = 0.62 - 0.10 * height - 0.16 * height * height;
+    return {width * q.x(), q.y(), width * q.z()};
+}
+
+/// An egg, narrow at the chin, on a neck; it looks along z. Not yet in its place.
+Vec3 headPoint(const Vec3& p)
+{
+    const Ray ray = rayOf(p);
+    const double chin = ray.up < 0 ? 1 - 0.22 * ray.up * ray.up : 1;
+    const double forward = p.z() > 0 && ray.up < 0 ? 1 - 0.25 * ray.up : 1;
+    const double egg = 1 / std::sqrt(ray.up * ray.up + ray.out * ray.out / (chin * chin));
+    const double neck = ray.up < 0 ? 1 / softMax(ray.up / 1.5, ray.out / 0.48) : 0;
+    const double length = softMax(egg, neck);
+    return {0.74 * length * p.x(), length * p.y(), 0.86 * forward * length * p.z()};
+}
+
+template <class Place> TriangleMesh onRays(Place place)
+{
+    TriangleMesh mesh = icosphere(sphereSubdivisions, 1);
+    for (Vec3f& p : mesh.points)
+        p = place(p.cast<double>()).template cast<float>();
+    return mesh;
+}
+
+/// Its longest side becomes 100 mm, the middle of its box the origin.
+TriangleMesh fitted(TriangleMesh mesh)
+{
+    Eigen::AlignedBox3f box;
+    for (const Vec3f& p : mesh.points)
+        box.extend(p);
+    const Vec3 middle = 0.5 * (box.min().cast<double>() + box.max().cast<double>());
+    const double scale = 2 * half / box.sizes().cast<double>().maxCoeff();
+    for (Vec3f& p : mesh.points)
+        p = (scale * (p.cast<double>() - middle)).cast<float>();
+    return mesh;
+}
+} // namespace
+
+TriangleMesh starterModel(Starter starter)
+{
+    switch (starter) {
+    case Starter::Ball:
+        break;
+    case Starter::Cube:
+        return box({40, 40, 40}, half / 20);
+    case Starter::Torus:
+        return torus(0.68 * half, 0.32 * half);
+    case Starter::Slab:
+        return box({64, 12, 64}, half / 32);
+    case Starter::Vase:
+        return onRays(vasePoint);
+    case Starter::Head:
+        return fitted(onRays(headPoint));
+    case Starter::Tablet:
+        return box({60, 80, 6}, half / 40);
+    }
+    return icosphere(sphereSubdivisions, half);
+}
+} // namespace core
