@@ -62,27 +62,38 @@ bool Document::mayDiscard(const std::function<void()>& goOn) const
 
 void Document::open(const QString& path)
 {
-    if (m_work.isBusy())
-        Q_EMIT noticed(tr("One file at a time: %1 waits until the other is done.").arg(QFileInfo(path).fileName()));
-    else // changes are what they are when all strokes have reported
-        request([this, path] {
-            if (!m_work.isBusy() && mayDiscard([this, path] { open(path); }))
-                load(path);
-        });
+    const QString name = QFileInfo(path).fileName();
+    if (m_work.isBusy()) {
+        Q_EMIT noticed(tr("One file at a time: %1 waits until the other is done.").arg(name));
+        return;
+    }
+    const auto tell = [this](const QString& next) { m_work.rename(next); };
+    openFrom(tr("Opening %1").arg(name), [path, tell](const core::JobWatch& watch) { return ModelLoader::load(path, tell, watch); });
 }
 
 void Document::openSphere()
 {
-    if (!m_work.isBusy() && mayDiscard([this] { openSphere(); }))
-        load({});
+    openFrom(tr("Preparing the clay"), [](const core::JobWatch&) { return ModelLoader::sphere(clayRadius); });
 }
 
-void Document::load(const QString& path)
+void Document::openStarter(core::Starter starter)
 {
-    const QString what = path.isEmpty() ? tr("Preparing the clay") : tr("Opening %1").arg(QFileInfo(path).fileName());
-    m_work.run([this, path, watch = m_work.beginStoppable(what)] {
-        const auto tell = [this](const QString& next) { m_work.rename(next); };
-        auto model = std::make_shared<LoadedModel>(path.isEmpty() ? ModelLoader::sphere(clayRadius) : ModelLoader::load(path, tell, watch));
+    openFrom(tr("Preparing the clay"), [starter](const core::JobWatch&) { return ModelLoader::starter(starter); });
+}
+
+/// Changes are what they are when all strokes have reported.
+void Document::openFrom(const QString& what, const Make& make)
+{
+    request([this, what, make] {
+        if (!m_work.isBusy() && mayDiscard([this, what, make] { openFrom(what, make); }))
+            load(what, make);
+    });
+}
+
+void Document::load(const QString& what, const Make& make)
+{
+    m_work.run([this, make, watch = m_work.beginStoppable(what)] {
+        auto model = std::make_shared<LoadedModel>(make(watch));
         const auto finish = [this, model = std::move(model), watch] {
             m_work.keep();
             if (watch.stopped())
@@ -93,7 +104,7 @@ void Document::load(const QString& path)
             if (!watch.stopped())
                 Q_EMIT refused(model->problem);
             if (m_facts.faces == 0) // never without a model
-                load({});
+                openSphere();
         };
         QMetaObject::invokeMethod(this, finish, Qt::QueuedConnection);
     });
@@ -105,8 +116,8 @@ void Document::install(std::shared_ptr<LoadedModel> model)
     m_history.clear();
     m_stack.clear();
     m_changedBeyondHistory = false;
-    m_path = model->path;
     m_facts.name = model->name;
+    m_facts.path = model->path;
     m_worker->setModel(std::exchange(model->sculptor, nullptr));
     if (!model->notice.isEmpty())
         Q_EMIT noticed(model->notice);

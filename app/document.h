@@ -5,6 +5,7 @@
 #include "sculpt_worker.h"
 
 #include "core/model_command.h"
+#include "core/starter_models.h"
 #include "ui/model_facts.h"
 
 #include <QUndoStack>
@@ -37,7 +38,7 @@ public:
     void setMayDiscard(MayDiscard mayDiscard);
     bool mayDiscard(const std::function<void()>& goOn) const;
 
-    const QString& path() const { return m_path; } ///< empty: it comes from no file
+    const QString& path() const { return m_facts.path; } ///< empty: it comes from no file
     const ui::ModelFacts& facts() const { return m_facts; }
     bool isModified() const;
     bool isBusy() const { return m_work.isBusy(); }
@@ -53,7 +54,9 @@ public:
 
 public Q_SLOTS:
     void open(const QString& path);
+    /// The paper's sphere.
     void openSphere();
+    void openStarter(core::Starter starter);
     void exportTo(const QString& path);
 
     /// Changes the whole model, as one step: worked out aside on a copy, while strokes are refused.
@@ -96,7 +99,10 @@ private:
         std::function<void()> run;
     };
 
-    void load(const QString& path);
+    /// Makes a model that may be sculpted, or says why not; in a thread of its own.
+    using Make = std::function<LoadedModel(const core::JobWatch& watch)>;
+    void openFrom(const QString& what, const Make& make);
+    void load(const QString& what, const Make& make);
     void install(std::shared_ptr<LoadedModel> model);
     void startChange(core::ModelCommand command, const QString& insertedPath);
     void finishChange(const core::ModelCommand& command, ModelOutcome outcome);
@@ -114,7 +120,6 @@ private:
     SculptWorker* m_worker;
     HistoryStore m_history;
     QUndoStack m_stack;
-    QString m_path;
     ui::ModelFacts m_facts;
     MayDiscard m_mayDiscard;
 

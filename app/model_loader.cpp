@@ -82,6 +82,35 @@ LoadedModel ModelLoader::sphere(double radius)
     return loaded;
 }
 
+LoadedModel ModelLoader::starter(core::Starter starter)
+{
+    LoadedModel loaded;
+    loaded.name = name(starter);
+    build(loaded, core::starterModel(starter), true, {});
+    return loaded;
+}
+
+QString ModelLoader::name(core::Starter starter)
+{
+    switch (starter) {
+    case core::Starter::Ball:
+        break;
+    case core::Starter::Cube:
+        return tr("Cube");
+    case core::Starter::Torus:
+        return tr("Torus");
+    case core::Starter::Slab:
+        return tr("Slab");
+    case core::Starter::Vase:
+        return tr("Vase");
+    case core::Starter::Head:
+        return tr("Head");
+    case core::Starter::Tablet:
+        return tr("Tablet");
+    }
+    return tr("Ball");
+}
+
 QString ModelLoader::save(const QString& path, const core::TriangleMesh& mesh)
 {
     try {

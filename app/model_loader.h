@@ -3,6 +3,7 @@
 #include "core/file_error.h"
 #include "core/job_watch.h"
 #include "core/sculptor.h"
+#include "core/starter_models.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -38,10 +39,12 @@ public:
     static LoadedModel loadInPlace(const QString& path);
     /// The paper's sphere, 2562 vertices.
     static LoadedModel sphere(double radius);
+    static LoadedModel starter(core::Starter starter);
     /// Empty, or what is wrong; then no file has changed.
     static QString save(const QString& path, const core::TriangleMesh& mesh);
 
 private:
+    static QString name(core::Starter starter);
     static LoadedModel load(const QString& path, bool inPlace, const Tell& tell, const core::JobWatch& watch);
     static void build(LoadedModel& loaded, const core::TriangleMesh& mesh, bool inPlace, const core::JobWatch& watch);
 };

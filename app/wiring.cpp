@@ -21,6 +21,7 @@ namespace
 void wireDocument(ui::MainWindow& window, Document& document)
 {
     using ui::MainWindow;
+    QObject::connect(&window, &MainWindow::starterRequested, &document, &Document::openStarter);
     QObject::connect(&window, &MainWindow::exportRequested, &document, &Document::exportTo);
     QObject::connect(&document, &Document::opened, &window, &MainWindow::setModel);
     QObject::connect(&document, &Document::factsChanged, &window, &MainWindow::updateFacts);

@@ -131,7 +131,7 @@ Vec3 headPoint(const Vec3& p)
 {
     const Ray ray = rayOf(p);
     const double chin = ray.up < 0 ? 1 - 0.22 * ray.up * ray.up : 1;
-    const double forward = p.z() > 0 && ray.up < 0 ? 1 - 0.25 * ray.up : 1;
+    const double forward = p.z() > 0 && ray.up < 0 ? 1 + 0.25 * ray.up * ray.up : 1;
     const double egg = 1 / std::sqrt(ray.up * ray.up + ray.out * ray.out / (chin * chin));
     const double neck = ray.up < 0 ? 1 / softMax(ray.up / 1.5, ray.out / 0.48) : 0;
     const double length = softMax(egg, neck);

@@ -31,6 +31,13 @@ set(FETTLE_RESOURCE_FILES
     icons/material-wax.svg
     icons/mirror.svg
     icons/move.svg
+    icons/new-ball.svg
+    icons/new-cube.svg
+    icons/new-head.svg
+    icons/new-slab.svg
+    icons/new-tablet.svg
+    icons/new-torus.svg
+    icons/new-vase.svg
     icons/open.svg
     icons/orthographic.svg
     icons/paint.svg
@@ -45,6 +52,7 @@ set(FETTLE_RESOURCE_FILES
     icons/recentre.svg
     icons/redo.svg
     icons/remesh.svg
+    icons/revert.svg
     icons/rotate.svg
     icons/scale-bar.svg
     icons/scale.svg

@@ -16,10 +16,27 @@ namespace
 constexpr ActionInfo table[] = {
     {MenuId::File, "file.open", QT_TRANSLATE_NOOP("ui::Actions", "&Open…"),
      QT_TRANSLATE_NOOP("ui::Actions", "Opens a model: STL, OBJ or PLY."), "Ctrl+O", "open", false, Bar::Top},
+    {MenuId::File, "file.revert", QT_TRANSLATE_NOOP("ui::Actions", "Re&vert"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Opens the model's file again, as it was last written."), "", "revert"},
     {MenuId::File, "file.exportAs", QT_TRANSLATE_NOOP("ui::Actions", "&Export…"),
      QT_TRANSLATE_NOOP("ui::Actions", "Writes the model to a file: STL, OBJ or PLY."), "Ctrl+E", "export", false, Bar::Top},
     {MenuId::File, "file.quit", QT_TRANSLATE_NOOP("ui::Actions", "&Quit"),
      QT_TRANSLATE_NOOP("ui::Actions", "Closes the window and ends the program."), "Ctrl+Q", "quit", true},
+
+    {MenuId::New, "new.ball", QT_TRANSLATE_NOOP("ui::Actions", "&Ball"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Begins with a ball of clay."), "Ctrl+N", "new-ball"},
+    {MenuId::New, "new.cube", QT_TRANSLATE_NOOP("ui::Actions", "&Cube"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Begins with a cube of clay."), "", "new-cube"},
+    {MenuId::New, "new.torus", QT_TRANSLATE_NOOP("ui::Actions", "&Torus"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Begins with a ring of clay."), "", "new-torus"},
+    {MenuId::New, "new.slab", QT_TRANSLATE_NOOP("ui::Actions", "&Slab"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Begins with a thick square plate."), "", "new-slab"},
+    {MenuId::New, "new.vase", QT_TRANSLATE_NOOP("ui::Actions", "&Vase"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Begins with the turned blank of a vase."), "", "new-vase"},
+    {MenuId::New, "new.head", QT_TRANSLATE_NOOP("ui::Actions", "&Head"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Begins with the blank of a head on its neck."), "", "new-head"},
+    {MenuId::New, "new.tablet", QT_TRANSLATE_NOOP("ui::Actions", "T&ablet"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Begins with a thin plate for a relief."), "", "new-tablet"},
 
     {MenuId::Edit, "edit.undo", QT_TRANSLATE_NOOP("ui::Actions", "&Undo"),
      QT_TRANSLATE_NOOP("ui::Actions", "Takes the last stroke back."), "Ctrl+Z", "undo", true, Bar::Top},
@@ -235,6 +252,8 @@ QString Actions::menuTitle(MenuId menu) const
     switch (menu) {
     case MenuId::File:
         return tr("&File");
+    case MenuId::New:
+        return tr("&New");
     case MenuId::Edit:
         return tr("&Edit");
     case MenuId::Sculpt:

@@ -13,8 +13,8 @@ class QWidget;
 
 namespace ui
 {
-/// Material and Background are menus of View.
-enum class MenuId { File, Edit, Sculpt, Model, View, Material, Background, Vr, Help };
+/// New is a menu of File, Material and Background are menus of View.
+enum class MenuId { File, New, Edit, Sculpt, Model, View, Material, Background, Vr, Help };
 enum class Bar { None, Top, Palette };
 
 /// One row an action. Menus, tool bar, shortcut sheet, settings and tests read this table.

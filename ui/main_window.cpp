@@ -99,6 +99,8 @@ void MainWindow::State::buildBars()
     for (const MenuId id : {MenuId::File, MenuId::Edit, MenuId::Sculpt, MenuId::Model, MenuId::View, MenuId::Vr, MenuId::Help}) {
         QMenu* menu = q->menuBar()->addMenu(actions.menuTitle(id));
         actions.fill(menu, id);
+        if (id == MenuId::File)
+            files.addMenus(menu, actions);
         if (id != MenuId::View)
             continue;
         addLooks(actions, viewport, &settings, menu);
@@ -165,6 +167,7 @@ void MainWindow::State::connectFiles()
     on("file.quit", [this] { q->close(); });
     on("model.insert", [this] { files.insert(); });
     connect(&files, &ModelFiles::openRequested, q, &MainWindow::openRequested);
+    connect(&files, &ModelFiles::starterRequested, q, &MainWindow::starterRequested);
     connect(&files, &ModelFiles::exportRequested, q, &MainWindow::exportRequested);
     connect(&files, &ModelFiles::insertRequested, q, &MainWindow::insertRequested);
 }
@@ -196,7 +199,8 @@ void MainWindow::State::setBusy(bool isBusy)
     files.setBusy(isBusy);
     for (const ActionInfo& row : actionTable()) {
         const QLatin1StringView id(row.id);
-        if (row.menu == MenuId::Model || id == QLatin1StringView("file.open") || id == QLatin1StringView("file.exportAs"))
+        const bool opens = row.menu == MenuId::New || id == QLatin1StringView("file.open");
+        if (row.menu == MenuId::Model || opens || id == QLatin1StringView("file.exportAs"))
             actions.get(id)->setEnabled(!isBusy);
     }
 }
@@ -319,6 +323,7 @@ void MainWindow::setModel(const ModelFacts& facts)
     setModified(false);
     if (facts.size.maxCoeff() > 0)
         m_state->brush.fitTo(facts, m_state->settings.radiusShare());
+    m_state->files.setOpened(facts.path);
     m_state->facts->setFacts(facts);
     m_state->viewport->showModel(facts.box);
 }

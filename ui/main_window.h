@@ -4,6 +4,7 @@
 #include "model_facts.h"
 
 #include "core/model_command.h"
+#include "core/starter_models.h"
 
 #include <QMainWindow>
 
@@ -77,8 +78,9 @@ public Q_SLOTS:
     void settle();
 
 Q_SIGNALS:
-    /// By dialog or by drag and drop. A local path; nothing about it is checked.
+    /// By dialog, menu, or drag and drop. A local path; nothing about it is checked.
     void openRequested(const QString& path);
+    void starterRequested(core::Starter starter);
     /// By dialog, which has asked about overwriting. The ending says the format; one is added if it was missing.
     void exportRequested(const QString& path);
     /// By dialog or menu. What is inserted comes with its file's path instead of a model.

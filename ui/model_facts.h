@@ -17,5 +17,6 @@ struct ModelFacts
     double area = 0;                      ///< mm^2
     double uniformDetail = 0;             ///< mm; d_detail of the uniform topology
     double leastDetail = 0;               ///< mm; the finest d_detail that the model's lattice holds
+    QString path = {};                    ///< empty: it comes from no file
 };
 } // namespace ui

@@ -1,11 +1,15 @@
 #include "model_files.h"
 
+#include "actions.h"
 #include "file_dialogs.h"
 #include "model_dialogs.h"
 #include "settings.h"
 
+#include <QAction>
+#include <QDir>
 #include <QDropEvent>
 #include <QFileInfo>
+#include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
@@ -16,6 +20,11 @@ namespace ui
 {
 namespace
 {
+constexpr std::pair<const char*, core::Starter> starterIds[] = {
+    {"new.ball", core::Starter::Ball}, {"new.cube", core::Starter::Cube}, {"new.torus", core::Starter::Torus},
+    {"new.slab", core::Starter::Slab}, {"new.vase", core::Starter::Vase}, {"new.head", core::Starter::Head},
+    {"new.tablet", core::Starter::Tablet}};
+
 /// The first local file that is being dragged, or nothing.
 QString droppedFile(const QMimeData* data)
 {
@@ -30,6 +39,66 @@ ModelFiles::ModelFiles(Settings* settings, QWidget* window) : m_settings(setting
 {
     window->setAcceptDrops(true);
     window->installEventFilter(this);
+}
+
+void ModelFiles::addMenus(QMenu* fileMenu, const Actions& actions)
+{
+    auto* starters = new QMenu(actions.menuTitle(MenuId::New), fileMenu);
+    actions.fill(starters, MenuId::New);
+    fileMenu->insertMenu(actions.get(QStringLiteral("file.open")), starters);
+    for (const auto& [id, starter] : starterIds)
+        connect(actions.get(QLatin1StringView(id)), &QAction::triggered, this, [this, starter] { Q_EMIT starterRequested(starter); });
+
+    m_recent = new QMenu(tr("Open &Recent"), fileMenu);
+    m_recent->setObjectName(QStringLiteral("recentMenu"));
+    m_recent->setToolTipsVisible(true);
+    m_revert = actions.get(QStringLiteral("file.revert"));
+    fileMenu->insertMenu(m_revert, m_recent);
+    connect(m_revert, &QAction::triggered, this, [this] { Q_EMIT openRequested(m_path); });
+    showRecent();
+}
+
+void ModelFiles::showRecent()
+{
+    m_recent->clear();
+    const QStringList paths = m_settings->recentFiles();
+    for (const QString& path : paths) {
+        const QFileInfo file(path);
+        QAction* entry = m_recent->addAction(QString(file.fileName()).replace(QLatin1Char('&'), QStringLiteral("&&")));
+        entry->setToolTip(QDir::toNativeSeparators(path));
+        connect(entry, &QAction::triggered, this, [this, path] { Q_EMIT openRequested(path); });
+    }
+    if (!paths.isEmpty()) {
+        m_recent->addSeparator();
+        const auto clear = [this] {
+            m_settings->setRecentFiles({});
+            showRecent(); // which ends this action
+        };
+        connect(m_recent->addAction(tr("&Clear This List")), &QAction::triggered, this, clear, Qt::QueuedConnection);
+    }
+    enable();
+}
+
+void ModelFiles::enable()
+{
+    m_recent->setEnabled(!m_isBusy && !m_recent->isEmpty());
+    m_revert->setEnabled(!m_isBusy && !m_path.isEmpty());
+}
+
+void ModelFiles::setOpened(const QString& path)
+{
+    m_path = path;
+    if (!path.isEmpty()) {
+        remember(path);
+        m_settings->addRecentFile(QFileInfo(path).absoluteFilePath());
+    }
+    showRecent();
+}
+
+void ModelFiles::setBusy(bool isBusy)
+{
+    m_isBusy = isBusy;
+    enable();
 }
 
 void ModelFiles::open()

@@ -12,11 +12,13 @@ namespace ui
 namespace
 {
 constexpr double defaultRadiusShare = 0.1;
+constexpr qsizetype mostRecentFiles = 10;
 
 // The key is what this version understands; a later one that stores something else takes another key.
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString stateKey = QStringLiteral("window/state");
 const QString historyKey = QStringLiteral("history/megabytes");
+const QString recentKey = QStringLiteral("files/recent");
 const QString folderKey = QStringLiteral("files/lastFolder");
 const QString steadyKey = QStringLiteral("hand/steady");
 const QString stringKey = QStringLiteral("hand/string");
@@ -99,6 +101,24 @@ QByteArray Settings::windowState() const
 void Settings::setWindowState(const QByteArray& state)
 {
     m_settings.setValue(stateKey, state);
+}
+
+QStringList Settings::recentFiles() const
+{
+    return m_settings.value(recentKey).toStringList().mid(0, mostRecentFiles);
+}
+
+void Settings::addRecentFile(const QString& path)
+{
+    QStringList paths = recentFiles();
+    paths.removeAll(path);
+    paths.prepend(path);
+    setRecentFiles(paths.mid(0, mostRecentFiles));
+}
+
+void Settings::setRecentFiles(const QStringList& paths)
+{
+    m_settings.setValue(recentKey, paths);
 }
 
 QString Settings::lastFolder() const

@@ -11,6 +11,7 @@
 #include <QList>
 #include <QSettings>
 #include <QString>
+#include <QStringList>
 
 namespace ui
 {
@@ -36,6 +37,10 @@ public:
     void setWindowState(const QByteArray& state);
 
     /// The folder of the last file opened or exported; the user's home if there is none, or it is gone.
+    /// Paths, the latest first.
+    QStringList recentFiles() const;
+    void addRecentFile(const QString& path);
+    void setRecentFiles(const QStringList& paths);
     QString lastFolder() const;
     void setLastFolder(const QString& folder);
 

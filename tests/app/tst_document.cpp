@@ -128,6 +128,7 @@ private Q_SLOTS:
     void expiry_whenNothingCanBeSpilled();
     void lostFile_losesOnlyTheHistory();
     void open_takesAModelAndCentresIt();
+    void openStarter_beginsAnew();
     void open_refusalLeavesTheDocument_data();
     void open_refusalLeavesTheDocument();
     void open_asksBeforeChangesAreLost();
@@ -564,6 +565,24 @@ void TestDocument::open_takesAModelAndCentresIt()
     session.stroke({10, 0, 0});
     session.document.undo();
     QCOMPARE(session.state(), start);
+}
+
+void TestDocument::openStarter_beginsAnew()
+{
+    Session session;
+    session.stroke({50, 0, 0});
+    bool mayLose = false;
+    session.document.setMayDiscard([&](const std::function<void()>&) { return mayLose; });
+    session.document.openStarter(core::Starter::Torus);
+    session.wait();
+    QVERIFY(session.document.isModified());
+    mayLose = true;
+    session.document.openStarter(core::Starter::Torus);
+    session.wait();
+    QVERIFY(!session.document.isModified() && !session.document.canUndo());
+    QVERIFY(session.document.path().isEmpty());
+    QVERIFY(!session.document.facts().name.isEmpty());
+    QCOMPARE(session.document.facts().faces, 2 * session.document.facts().vertices); // Euler: the torus's V - E + F = 0
 }
 
 void TestDocument::open_refusalLeavesTheDocument_data()

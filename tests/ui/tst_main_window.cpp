@@ -15,8 +15,10 @@
 #include <QDragEnterEvent>
 #include <QFile>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QProgressBar>
@@ -103,6 +105,46 @@ private Q_SLOTS:
         window.updateFacts(more);
         QVERIFY(child<QLabel>(window, "facts.vertices")->text().contains(QLocale().toString(3000)));
         QVERIFY(window.isWindowModified());
+    }
+
+    void newBeginsWithTheStarter()
+    {
+        MainWindow window;
+        QSignalSpy requested(&window, &MainWindow::starterRequested);
+        window.action(QStringLiteral("new.vase"))->trigger();
+        QCOMPARE(requested.size(), 1);
+        QCOMPARE(requested.at(0).at(0).value<core::Starter>(), core::Starter::Vase);
+        window.setBusy(QStringLiteral("Opening"));
+        QVERIFY(!window.action(QStringLiteral("new.vase"))->isEnabled());
+        window.setIdle();
+        QVERIFY(window.action(QStringLiteral("new.vase"))->isEnabled());
+    }
+
+    void recentFilesAreOfferedTheLatestFirst()
+    {
+        const auto open = [](MainWindow& window, const QString& path) {
+            ui::ModelFacts model = facts(QFileInfo(path).fileName(), 80);
+            model.path = path;
+            window.setModel(model);
+        };
+        {
+            MainWindow window;
+            QVERIFY(!child<QMenu>(window, "recentMenu")->isEnabled());
+            QVERIFY(!window.action(QStringLiteral("file.revert"))->isEnabled());
+            for (const char* name : {"/a/lion.stl", "/a/ox & cow.stl", "/a/lion.stl"})
+                open(window, QString::fromLatin1(name));
+            QVERIFY(window.action(QStringLiteral("file.revert"))->isEnabled());
+        }
+        MainWindow window;
+        const auto* menu = child<QMenu>(window, "recentMenu");
+        QVERIFY(menu->isEnabled());
+        QCOMPARE(menu->actions().size(), qsizetype(4)); // two, a line, and clear
+        QCOMPARE(menu->actions().at(0)->text(), QStringLiteral("lion.stl"));
+        QSignalSpy requested(&window, &MainWindow::openRequested);
+        menu->actions().at(1)->trigger();
+        QCOMPARE(requested.at(0).at(0).toString(), QStringLiteral("/a/ox & cow.stl"));
+        menu->actions().last()->trigger();
+        QTRY_VERIFY(menu->isEmpty() && !menu->isEnabled());
     }
 
     void theRadiusFitsTheModel()
