@@ -547,6 +547,7 @@ private Q_SLOTS:
         {
             MainWindow window;
             window.show();
+            window.activateWindow();
             QVERIFY(QTest::qWaitForWindowActive(&window));
             look = window.viewport()->look();
             QCOMPARE(look, ui::ViewLook());
