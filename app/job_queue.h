@@ -13,9 +13,9 @@
 
 namespace app
 {
-/// Whose hand strokes, and whose eyes look: mouse and pen at the window, wands and headset.
-enum class Source { Desktop, Headset };
-inline constexpr std::size_t sourceCount = 2;
+/// Whose hand strokes, and whose eyes look: mouse and pen at the window, wands and headset. The drawings only look.
+enum class Source { Desktop, Headset, Drawings };
+inline constexpr std::size_t sourceCount = 3;
 
 struct BeginStroke
 {

@@ -1,6 +1,7 @@
 #include "wiring.h"
 
 #include "document.h"
+#include "drawing_worker.h"
 #include "headset_inquiry.h"
 #include "history_list.h"
 #include "model_inquiry.h"
@@ -10,6 +11,7 @@
 #include "ui/history_panel.h"
 #include "ui/main_window.h"
 #include "ui/model_panel.h"
+#include "ui/preview_panel.h"
 #include "ui/viewport.h"
 
 #include <QAction>
@@ -127,6 +129,17 @@ void wireWorker(ui::Viewport& viewport, SculptWorker& worker, const std::shared_
     worker.setInbox(Source::Desktop, inbox);
 }
 
+void wireDrawings(ui::MainWindow& window, SculptWorker& worker)
+{
+    auto* drawings = new DrawingWorker(&worker, &window);
+    auto* panel = window.findChild<ui::PreviewPanel*>();
+    QObject::connect(panel, &ui::PreviewPanel::wanted, drawings, &DrawingWorker::watch);
+    QObject::connect(panel, &ui::PreviewPanel::exportRequested, drawings, &DrawingWorker::exportTo);
+    QObject::connect(drawings, &DrawingWorker::drawn, panel, &ui::PreviewPanel::setDrawing);
+    QObject::connect(drawings, &DrawingWorker::refused, &window, &ui::MainWindow::showProblem);
+    QObject::connect(drawings, &DrawingWorker::noticed, &window, &ui::MainWindow::showNotice);
+}
+
 void wireHeadset(ui::MainWindow& window)
 {
     auto* headset = new HeadsetInquiry(&window);
@@ -144,6 +157,7 @@ void wire(ui::MainWindow& window, Document& document, SculptWorker& worker, cons
     wireModelPanel(window, document, worker);
     wireStrokes(*window.viewport(), document);
     wireWorker(*window.viewport(), worker, inbox);
+    wireDrawings(window, worker);
     wireHeadset(window);
 }
 } // namespace app

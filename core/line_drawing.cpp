@@ -193,7 +193,7 @@ std::optional<LineDrawing> drawLines(const DrawArrays& model, const DrawingDetai
         return drawing;
     drawing.box = scan->box;
     drawing.volume = scan->volume;
-    drawing.isCoarse = !scan->hasCreases;
+    drawing.hasCreases = scan->hasCreases;
     drawing.pixel = static_cast<float>(scan->box.sizes().maxCoeff() / detail.pixels);
     std::array<std::future<std::optional<DrawnView>>, drawnSides.size()> views;
     for (std::size_t i = 0; i < views.size(); ++i)

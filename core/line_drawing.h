@@ -44,7 +44,8 @@ struct LineDrawing
     Box box;                        ///< mm; empty if there is no model
     double volume = 0;              ///< mm^3
     float pixel = 0;                ///< mm: where a line goes behind something, it ends within two of these
-    bool isCoarse = false;          ///< creases are left out, for they are too many; or who asked for less says so
+    bool hasCreases = true;         ///< false: they are left out, for they are too many
+    bool isInterim = false;         ///< who made it lets a finer one follow
 
     const DrawnView& view(DrawnSide side) const { return views[static_cast<std::size_t>(side)]; }
 };

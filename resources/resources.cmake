@@ -10,6 +10,8 @@ set(FETTLE_RESOURCE_FILES
     icons/background-theme.svg
     icons/background-white.svg
     icons/color.svg
+    icons/dimensions.svg
+    icons/drawing.svg
     icons/export.svg
     icons/fettle.svg
     icons/fill.svg

@@ -212,6 +212,13 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
 </context>
 <context>
+    <name>app::DrawingWorker</name>
+    <message>
+        <source>%1 was written.</source>
+        <translation>%1 wurde geschrieben.</translation>
+    </message>
+</context>
+<context>
     <name>app::ModelLoader</name>
     <message>
         <source>Checking %1</source>
@@ -1096,6 +1103,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>Puts a ball of the brush&apos;s radius where you click next.</source>
         <translation>Setzt eine Kugel vom Radius des Pinsels dahin, wo Sie als Nächstes klicken.</translation>
     </message>
+    <message>
+        <source>Export &amp;Drawing…</source>
+        <translation>&amp;Zeichnung exportieren…</translation>
+    </message>
+    <message>
+        <source>Writes a sheet with front, side and top view to scale: PDF, SVG or PNG.</source>
+        <translation>Schreibt ein Blatt mit Vorder-, Seiten- und Draufsicht im Maßstab: PDF, SVG oder PNG.</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -1288,6 +1303,60 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
+    <name>ui::DrawingLayout</name>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>ui::DrawingSheet</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Width × height × depth</source>
+        <translation>Breite × Höhe × Tiefe</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 mm</source>
+        <translation>%1 × %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>True to scale when printed at 100 % on A4</source>
+        <translation>Maßstäblich, wenn mit 100 % auf A4 gedruckt</translation>
+    </message>
+</context>
+<context>
     <name>ui::FactsBar</name>
     <message numerus="yes">
         <source>%Ln vertices</source>
@@ -1333,6 +1402,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Insert a Model</source>
         <translation>Modell einfügen</translation>
+    </message>
+    <message>
+        <source>Export the Drawing</source>
+        <translation>Zeichnung exportieren</translation>
     </message>
 </context>
 <context>
@@ -1446,6 +1519,17 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Tool Palette</source>
         <translation>Werkzeugpalette</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Measures</name>
+    <message>
+        <source>%1 mm³</source>
+        <translation>%1 mm³</translation>
+    </message>
+    <message>
+        <source>%1 cm³</source>
+        <translation>%1 cm³</translation>
     </message>
 </context>
 <context>
@@ -1654,6 +1738,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>The model is not symmetric here: both sides were worked on, but they are not exact mirror images.</source>
         <translation>Das Modell ist hier nicht symmetrisch: beide Seiten wurden bearbeitet, sind aber keine genauen Spiegelbilder.</translation>
+    </message>
+    <message>
+        <source>%1: drawings are written as PDF, SVG or PNG; the ending says which.</source>
+        <translation>%1: Zeichnungen werden als PDF, SVG oder PNG geschrieben; die Endung sagt, als was.</translation>
     </message>
 </context>
 <context>
@@ -2018,6 +2106,81 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Dark</source>
         <translation>Dunkel</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PreviewPanel</name>
+    <message>
+        <source>2D Preview</source>
+        <translation>2D-Vorschau</translation>
+    </message>
+    <message>
+        <source>Drawing of the model</source>
+        <translation>Zeichnung des Modells</translation>
+    </message>
+    <message>
+        <source>Sides</source>
+        <translation>Seiten</translation>
+    </message>
+    <message>
+        <source>Shows all three drawings, or one of them larger.</source>
+        <translation>Zeigt alle drei Zeichnungen oder eine davon größer.</translation>
+    </message>
+    <message>
+        <source>All sides</source>
+        <translation>Alle Seiten</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Drawn as</source>
+        <translation>Gezeichnet als</translation>
+    </message>
+    <message>
+        <source>Shows the lines only, or colours under them.</source>
+        <translation>Zeigt nur die Linien oder Farben darunter.</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Linien</translation>
+    </message>
+    <message>
+        <source>Shaded</source>
+        <translation>Schattiert</translation>
+    </message>
+    <message>
+        <source>Dimensions</source>
+        <translation>Maße</translation>
+    </message>
+    <message>
+        <source>Writes the model&apos;s measures beside it.</source>
+        <translation>Schreibt die Maße des Modells daneben.</translation>
+    </message>
+    <message>
+        <source>Fit (0)</source>
+        <translation>Einpassen (0)</translation>
+    </message>
+    <message>
+        <source>Shows the whole drawing; the wheel zooms, a drag moves it.</source>
+        <translation>Zeigt die ganze Zeichnung; das Rad vergrößert, Ziehen verschiebt.</translation>
+    </message>
+    <message>
+        <source>Coarser while you sculpt; the fine drawing follows.</source>
+        <translation>Gröber, während Sie formen; die feine Zeichnung folgt.</translation>
+    </message>
+    <message>
+        <source>Creases are left out: the surface has too many.</source>
+        <translation>Kanten sind weggelassen: Die Oberfläche hat zu viele.</translation>
     </message>
 </context>
 <context>

@@ -210,6 +210,13 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
 </context>
 <context>
+    <name>app::DrawingWorker</name>
+    <message>
+        <source>%1 was written.</source>
+        <translation>已写入 %1。</translation>
+    </message>
+</context>
+<context>
     <name>app::ModelLoader</name>
     <message>
         <source>Checking %1</source>
@@ -1094,6 +1101,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>Puts a ball of the brush&apos;s radius where you click next.</source>
         <translation>在下次单击处放置一个与笔刷半径相同的球。</translation>
     </message>
+    <message>
+        <source>Export &amp;Drawing…</source>
+        <translation>导出图纸(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>Writes a sheet with front, side and top view to scale: PDF, SVG or PNG.</source>
+        <translation>按比例写出含正视、侧视和俯视图的图纸：PDF、SVG 或 PNG。</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -1286,6 +1301,60 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
 </context>
 <context>
+    <name>ui::DrawingLayout</name>
+    <message>
+        <source>Front</source>
+        <translation>正视</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>右视</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>俯视</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>ui::DrawingSheet</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>模型</translation>
+    </message>
+    <message>
+        <source>Width × height × depth</source>
+        <translation>宽 × 高 × 深</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 mm</source>
+        <translation>%1 × %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>体积</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>比例</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日期</translation>
+    </message>
+    <message>
+        <source>True to scale when printed at 100 % on A4</source>
+        <translation>以 100 % 在 A4 纸上打印时比例准确</translation>
+    </message>
+</context>
+<context>
     <name>ui::FactsBar</name>
     <message numerus="yes">
         <source>%Ln vertices</source>
@@ -1330,6 +1399,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Insert a Model</source>
         <translation>插入模型</translation>
+    </message>
+    <message>
+        <source>Export the Drawing</source>
+        <translation>导出图纸</translation>
     </message>
 </context>
 <context>
@@ -1441,6 +1514,17 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Tool Palette</source>
         <translation>工具面板</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Measures</name>
+    <message>
+        <source>%1 mm³</source>
+        <translation>%1 mm³</translation>
+    </message>
+    <message>
+        <source>%1 cm³</source>
+        <translation>%1 cm³</translation>
     </message>
 </context>
 <context>
@@ -1649,6 +1733,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>The model is not symmetric here: both sides were worked on, but they are not exact mirror images.</source>
         <translation>模型在此处并不对称：两侧都已处理，但并非精确的镜像。</translation>
+    </message>
+    <message>
+        <source>%1: drawings are written as PDF, SVG or PNG; the ending says which.</source>
+        <translation>%1：图纸可写为 PDF、SVG 或 PNG，由扩展名决定。</translation>
     </message>
 </context>
 <context>
@@ -2013,6 +2101,81 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Dark</source>
         <translation>深色</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PreviewPanel</name>
+    <message>
+        <source>2D Preview</source>
+        <translation>二维预览</translation>
+    </message>
+    <message>
+        <source>Drawing of the model</source>
+        <translation>模型的图纸</translation>
+    </message>
+    <message>
+        <source>Sides</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>Shows all three drawings, or one of them larger.</source>
+        <translation>显示全部三个视图，或放大其中一个。</translation>
+    </message>
+    <message>
+        <source>All sides</source>
+        <translation>全部视图</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>正视</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>右视</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>俯视</translation>
+    </message>
+    <message>
+        <source>Drawn as</source>
+        <translation>绘制方式</translation>
+    </message>
+    <message>
+        <source>Shows the lines only, or colours under them.</source>
+        <translation>只显示线条，或在线条下显示颜色。</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>线条</translation>
+    </message>
+    <message>
+        <source>Shaded</source>
+        <translation>着色</translation>
+    </message>
+    <message>
+        <source>Dimensions</source>
+        <translation>尺寸</translation>
+    </message>
+    <message>
+        <source>Writes the model&apos;s measures beside it.</source>
+        <translation>在旁边标注模型的尺寸。</translation>
+    </message>
+    <message>
+        <source>Fit (0)</source>
+        <translation>适合窗口 (0)</translation>
+    </message>
+    <message>
+        <source>Shows the whole drawing; the wheel zooms, a drag moves it.</source>
+        <translation>显示整个图纸；滚轮缩放，拖动平移。</translation>
+    </message>
+    <message>
+        <source>Coarser while you sculpt; the fine drawing follows.</source>
+        <translation>雕刻时较粗略；随后显示精细图。</translation>
+    </message>
+    <message>
+        <source>Creases are left out: the surface has too many.</source>
+        <translation>已省略折痕：表面折痕过多。</translation>
     </message>
 </context>
 <context>

@@ -20,6 +20,8 @@ constexpr ActionInfo table[] = {
      QT_TRANSLATE_NOOP("ui::Actions", "Opens the model's file again, as it was last written."), "", "revert"},
     {MenuId::File, "file.exportAs", QT_TRANSLATE_NOOP("ui::Actions", "&Export…"),
      QT_TRANSLATE_NOOP("ui::Actions", "Writes the model to a file: STL, OBJ or PLY."), "Ctrl+E", "export", false, Bar::Top},
+    {MenuId::File, "file.exportDrawing", QT_TRANSLATE_NOOP("ui::Actions", "Export &Drawing…"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Writes a sheet with front, side and top view to scale: PDF, SVG or PNG."), "Ctrl+Shift+D", "drawing"},
     {MenuId::File, "file.quit", QT_TRANSLATE_NOOP("ui::Actions", "&Quit"),
      QT_TRANSLATE_NOOP("ui::Actions", "Closes the window and ends the program."), "Ctrl+Q", "quit", true},
 

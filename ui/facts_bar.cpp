@@ -1,25 +1,13 @@
 #include "facts_bar.h"
 
+#include "measures.h"
+
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 
-#include <algorithm>
-#include <cmath>
-
 namespace ui
 {
-namespace
-{
-/// Four figures at least, tenths at most for what people hold in their hands.
-QString millimetres(double value)
-{
-    const double size = std::max(std::abs(value), 1e-6);
-    const int decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(size))), 1, 6);
-    return QLocale().toString(value, 'f', decimals);
-}
-} // namespace
-
 FactsBar::FactsBar(const BrushSettings* brush, QWidget* parent)
     : QWidget(parent)
     , m_brush(brush)

@@ -1,5 +1,7 @@
 #include "file_dialogs.h"
 
+#include "drawing_sheet.h"
+
 #include "core/mesh_io.h"
 
 #include <QCoreApplication>
@@ -36,6 +38,27 @@ void show(QFileDialog* dialog, const PathAnswer& answer)
     QObject::connect(dialog, &QFileDialog::fileSelected, dialog, [answer](const QString& path) { answer(path); });
     dialog->open();
 }
+
+/// The filter gives the ending if none is typed.
+void askForTarget(QWidget* parent, const QString& title, const QString& name, const QString& folder, const QString& modelName,
+                  const QStringList& endings, const PathAnswer& answer)
+{
+    auto* dialog = new QFileDialog(parent, title, folder);
+    dialog->setObjectName(name);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    QStringList filters;
+    for (const QString& ending : endings)
+        filters << filterOf(ending);
+    dialog->setNameFilters(filters);
+    dialog->setDefaultSuffix(endings.constFirst());
+    dialog->selectFile(QFileInfo(modelName).completeBaseName());
+    QObject::connect(dialog, &QFileDialog::filterSelected, dialog, [dialog, endings](const QString& filter) {
+        for (const QString& ending : endings)
+            if (filter == filterOf(ending))
+                dialog->setDefaultSuffix(ending);
+    });
+    show(dialog, answer);
+}
 } // namespace
 
 void askForModel(QWidget* parent, ModelUse use, const QString& folder, PathAnswer answer)
@@ -51,20 +74,11 @@ void askForModel(QWidget* parent, ModelUse use, const QString& folder, PathAnswe
 
 void askForExport(QWidget* parent, const QString& folder, const QString& modelName, PathAnswer answer)
 {
-    auto* dialog = new QFileDialog(parent, FileDialogs::tr("Export the Model"), folder);
-    dialog->setObjectName(QStringLiteral("exportDialog"));
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    QStringList filters;
-    for (const QString& ending : endings())
-        filters << filterOf(ending);
-    dialog->setNameFilters(filters);
-    dialog->setDefaultSuffix(endings().constFirst());
-    dialog->selectFile(QFileInfo(modelName).completeBaseName());
-    QObject::connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
-        for (const QString& ending : endings())
-            if (filter == filterOf(ending))
-                dialog->setDefaultSuffix(ending);
-    });
-    show(dialog, answer);
+    askForTarget(parent, FileDialogs::tr("Export the Model"), QStringLiteral("exportDialog"), folder, modelName, endings(), answer);
+}
+
+void askForDrawing(QWidget* parent, const QString& folder, const QString& modelName, PathAnswer answer)
+{
+    askForTarget(parent, FileDialogs::tr("Export the Drawing"), QStringLiteral("drawingDialog"), folder, modelName, drawingEndings(), answer);
 }
 } // namespace ui

@@ -16,4 +16,7 @@ void askForModel(QWidget* parent, ModelUse use, const QString& folder, PathAnswe
 
 /// Suggests the model's name with another ending. The filter gives the ending if none is typed.
 void askForExport(QWidget* parent, const QString& folder, const QString& modelName, PathAnswer answer);
+
+/// For the sheet of drawings: PDF, SVG or PNG.
+void askForDrawing(QWidget* parent, const QString& folder, const QString& modelName, PathAnswer answer);
 } // namespace ui

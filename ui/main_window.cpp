@@ -18,6 +18,7 @@
 #include "model_files.h"
 #include "model_panel.h"
 #include "preferences_actions.h"
+#include "preview_panel.h"
 #include "scene.h"
 #include "settings.h"
 #include "view_actions.h"
@@ -129,6 +130,7 @@ void MainWindow::State::buildPanels(QMenu* toggles)
     addColorPanel({q, toggles, viewport}, &brush, &settings, actions, [this](const QString& word) { q->showNotice(word); });
     history = addHistoryPanel(q, &settings, toggles);
     modelPanel = addModelPanel(q, toggles);
+    addPreview(q, &settings, actions.get(QStringLiteral("file.exportDrawing")), [this] { return model.name; }, toggles);
 }
 
 void MainWindow::State::buildStatusBar()
@@ -392,11 +394,7 @@ void MainWindow::settle()
 void MainWindow::closeEvent(QCloseEvent* event)
 {
     m_state->closesLater = m_state->isSettled && !m_state->isSettled();
-    if (m_state->closesLater) {
-        event->ignore();
-        return;
-    }
-    if (m_state->mayClose && !m_state->mayClose()) {
+    if (m_state->closesLater || (m_state->mayClose && !m_state->mayClose())) {
         event->ignore();
         return;
     }

@@ -94,6 +94,11 @@ QString Messages::asymmetric()
     return tr("The model is not symmetric here: both sides were worked on, but they are not exact mirror images.");
 }
 
+QString Messages::notADrawing(const QString& path)
+{
+    return tr("%1: drawings are written as PDF, SVG or PNG; the ending says which.").arg(QDir::toNativeSeparators(path));
+}
+
 QString Messages::name(core::Parameter parameter)
 {
     switch (parameter) {

@@ -31,6 +31,8 @@ public:
     /// Of a mirrored stroke on a model that is not its own mirror image.
     static QString asymmetric();
 
+    /// The ending is none that drawings have.
+    static QString notADrawing(const QString& path);
     static QString name(core::Parameter parameter);
     /// What it can be, if somebody asked for more or less.
     static QString range(core::Parameter parameter, double least, double most);

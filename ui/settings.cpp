@@ -22,6 +22,9 @@ const QString recentKey = QStringLiteral("files/recent");
 const QString folderKey = QStringLiteral("files/lastFolder");
 const QString steadyKey = QStringLiteral("hand/steady");
 const QString stringKey = QStringLiteral("hand/string");
+const QString drawnSidesKey = QStringLiteral("drawing/sides");
+const QString drawnShadedKey = QStringLiteral("drawing/shaded");
+const QString drawnDimensionsKey = QStringLiteral("drawing/dimensions");
 const QString radiusShareKey = QStringLiteral("brush/radiusShare");
 const QString themeKey = QStringLiteral("preferences/theme");
 const QString languageKey = QStringLiteral("preferences/language");
@@ -140,6 +143,20 @@ int Settings::historyMegabytes() const
 void Settings::setHistoryMegabytes(int megabytes)
 {
     m_settings.setValue(historyKey, megabytes);
+}
+
+DrawingChoice Settings::drawing() const
+{
+    const double sides = number(m_settings, drawnSidesKey, 0, static_cast<int>(DrawnSides::Top), 0);
+    return {static_cast<DrawnSides>(static_cast<int>(sides)), m_settings.value(drawnShadedKey, false).toBool(),
+            m_settings.value(drawnDimensionsKey, true).toBool()};
+}
+
+void Settings::setDrawing(const DrawingChoice& choice)
+{
+    m_settings.setValue(drawnSidesKey, static_cast<int>(choice.sides));
+    m_settings.setValue(drawnShadedKey, choice.shaded);
+    m_settings.setValue(drawnDimensionsKey, choice.dimensions);
 }
 
 double Settings::value(core::Parameter parameter) const

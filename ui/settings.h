@@ -1,6 +1,7 @@
 #pragma once
 
 #include "brush_settings.h"
+#include "drawing_painter.h"
 #include "preferences.h"
 #include "view_look.h"
 
@@ -47,6 +48,10 @@ public:
     /// So much memory the undo steps may take.
     int historyMegabytes() const;
     void setHistoryMegabytes(int megabytes);
+
+    /// How the 2D preview shows the model.
+    DrawingChoice drawing() const;
+    void setDrawing(const DrawingChoice& choice);
 
     /// Of the brush; the radius is kept as a share instead.
     double value(core::Parameter parameter) const;

@@ -276,8 +276,8 @@ private Q_SLOTS:
     {
         const DrawArrays model = arraysOf(shapes::noisy(core::icosphere(4, 50), 1, 3));
         const LineDrawing whole = drawn(model), coarse = drawn(model, {2048, false, 1000});
-        QVERIFY(!whole.isCoarse && !whole.view(DrawnSide::Front).creases.empty());
-        QVERIFY(coarse.isCoarse && coarse.view(DrawnSide::Front).creases.empty());
+        QVERIFY(whole.hasCreases && !whole.view(DrawnSide::Front).creases.empty());
+        QVERIFY(!coarse.hasCreases && coarse.view(DrawnSide::Front).creases.empty());
         QCOMPARE(coarse.view(DrawnSide::Front).outlines, whole.view(DrawnSide::Front).outlines);
     }
 

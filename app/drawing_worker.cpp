@@ -1,0 +1,195 @@
+#include "drawing_worker.h"
+
+#include "sculpt_worker.h"
+
+#include "core/file_error.h"
+#include "ui/drawing_sheet.h"
+#include "ui/messages.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+#include <chrono>
+#include <utility>
+
+namespace app
+{
+namespace
+{
+using namespace std::chrono_literals;
+
+constexpr auto rest = 250ms;            ///< without a change: the fine drawing is made
+constexpr double fastEnoughMs = 70;     ///< a fine drawing that takes so long keeps up with strokes
+constexpr std::size_t mostEdges = 300'000, mostEdgesInStrokes = 40'000;
+constexpr int finePixels = 2048, shadedPixels = 1024, coarsePixels = 512, sheetPixels = 3072; ///< along the longest side
+
+double msSince(std::int64_t start)
+{
+    return static_cast<double>(steadyNs() - start) * 1e-6;
+}
+} // namespace
+
+DrawingWorker::DrawingWorker(SculptWorker* worker, QObject* parent)
+    : QObject(parent), m_worker(worker), m_thread([this] { run(); })
+{
+}
+
+DrawingWorker::~DrawingWorker()
+{
+    m_worker->setInbox(Source::Drawings, nullptr);
+    {
+        const std::lock_guard lock(m_desk->mutex);
+        m_desk->isStopping = true;
+        m_desk->stop.request_stop();
+        m_desk->stopFine.request_stop();
+    }
+    m_desk->wake.notify_all();
+    m_thread.join();
+}
+
+double DrawingWorker::latencyMs() const
+{
+    const std::lock_guard lock(m_desk->mutex);
+    return m_desk->latencyMs;
+}
+
+void DrawingWorker::watch(bool isSeen, bool shaded)
+{
+    {
+        const std::lock_guard lock(m_desk->mutex);
+        if (isSeen == m_desk->isSeen && shaded == m_desk->shaded)
+            return;
+        m_desk->shaded = shaded;
+        m_desk->hasNews = true;
+        m_desk->stop.request_stop();
+        m_desk->stopFine.request_stop();
+        if (isSeen != m_desk->isSeen) {
+            m_desk->isSeen = isSeen;
+            m_desk->inbox = isSeen ? std::make_shared<PatchInbox>() : nullptr;
+            m_desk->hasPatch = false;
+            if (isSeen)
+                connect(m_desk->inbox.get(), &PatchInbox::filled, m_desk->inbox.get(),
+                        [desk = std::weak_ptr(m_desk)] { tellOfPatch(desk); }, Qt::DirectConnection);
+            m_worker->setInbox(Source::Drawings, m_desk->inbox);
+        }
+    }
+    m_desk->wake.notify_all();
+}
+
+void DrawingWorker::exportTo(const QString& path, const QString& modelName, bool shaded)
+{
+    if (!ui::drawingEndings().contains(QFileInfo(path).suffix().toLower())) {
+        Q_EMIT refused(ui::Messages::notADrawing(path));
+        return;
+    }
+    m_worker->post([desk = m_desk, order = Order{path, modelName, shaded, {}}](const core::Sculptor& sculptor) mutable {
+        order.model = sculptor.wholePatch();
+        const std::lock_guard lock(desk->mutex);
+        desk->orders.push_back(std::move(order));
+        desk->wake.notify_all();
+    });
+}
+
+/// On the mesh thread.
+void DrawingWorker::tellOfPatch(const std::weak_ptr<Desk>& weak)
+{
+    if (const auto desk = weak.lock()) {
+        const std::lock_guard lock(desk->mutex);
+        desk->hasPatch = true;
+        desk->stopFine.request_stop();
+        desk->wake.notify_all();
+    }
+}
+
+void DrawingWorker::run()
+{
+    std::unique_lock lock(m_desk->mutex);
+    while (wait(lock)) {
+        if (!m_desk->orders.empty()) {
+            const Order order = std::move(m_desk->orders.front());
+            m_desk->orders.pop_front();
+            lock.unlock();
+            write(order);
+        } else {
+            lock.unlock();
+            draw();
+        }
+        lock.lock();
+    }
+}
+
+/// For something to do, or for a coarse drawing's finer one; false when all ends.
+bool DrawingWorker::wait(std::unique_lock<std::mutex>& lock)
+{
+    const auto isAwake = [this] { return m_desk->isStopping || m_desk->hasPatch || m_desk->hasNews || !m_desk->orders.empty(); };
+    if (m_isFine)
+        m_desk->wake.wait(lock, isAwake);
+    else
+        m_desk->wake.wait_for(lock, rest, isAwake);
+    return !m_desk->isStopping;
+}
+
+void DrawingWorker::draw()
+{
+    const Turn turn = takeTurn();
+    if (turn.inbox != m_inbox) {
+        m_model = {};
+        m_fineMs = 0;
+        m_sampledNs = 0;
+    }
+    m_inbox = turn.inbox;
+    m_isFine = true;
+    const auto patch = m_inbox ? m_inbox->take() : std::nullopt;
+    if (patch) {
+        m_model.apply(*patch);
+        m_sampledNs = m_sampledNs != 0 ? m_sampledNs : patch->sampledNs;
+    }
+    if (m_model.faces.empty())
+        return;
+    const bool isStroke = patch && !patch->whole, isSlow = m_fineMs > fastEnoughMs;
+    m_isFine = !(isStroke && isSlow);
+    const core::DrawingDetail fine{turn.shaded ? shadedPixels : finePixels, turn.shaded, mostEdges};
+    const core::DrawingDetail coarse{coarsePixels, turn.shaded, mostEdgesInStrokes};
+    const bool mayBeOvertaken = m_isFine && (isSlow || !isStroke);
+    const std::int64_t start = steadyNs();
+    auto drawing = core::drawLines(m_model, m_isFine ? fine : coarse, mayBeOvertaken ? turn.stopFine : turn.stop);
+    if (m_isFine)
+        m_fineMs = msSince(start);
+    if (drawing)
+        show(*std::move(drawing));
+    else
+        m_isFine = false;
+}
+
+DrawingWorker::Turn DrawingWorker::takeTurn()
+{
+    const std::lock_guard lock(m_desk->mutex);
+    m_desk->hasPatch = m_desk->hasNews = false;
+    m_desk->stop = {};
+    m_desk->stopFine = {};
+    return {m_desk->inbox, m_desk->shaded, m_desk->stop.get_token(), m_desk->stopFine.get_token()};
+}
+
+void DrawingWorker::show(core::LineDrawing drawing)
+{
+    drawing.isInterim = !m_isFine;
+    if (m_sampledNs != 0) {
+        const std::lock_guard lock(m_desk->mutex);
+        m_desk->latencyMs = msSince(std::exchange(m_sampledNs, 0));
+    }
+    Q_EMIT drawn(std::make_shared<const core::LineDrawing>(std::move(drawing)));
+}
+
+void DrawingWorker::write(const Order& order)
+{
+    core::DrawArrays model;
+    model.apply(order.model);
+    auto drawing = core::drawLines(model, {sheetPixels, order.shaded, mostEdges}, {});
+    try {
+        ui::writeSheet(order.path.toStdU16String(), {order.modelName, QDate::currentDate(), *std::move(drawing), order.shaded});
+        Q_EMIT noticed(tr("%1 was written.").arg(QDir::toNativeSeparators(order.path)));
+    } catch (const core::FileError& error) {
+        Q_EMIT refused(ui::Messages::sentence(error));
+    }
+}
+} // namespace app

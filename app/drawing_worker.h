@@ -1,0 +1,94 @@
+#pragma once
+
+#include "patch_inbox.h"
+
+#include "core/line_drawing.h"
+
+#include <QObject>
+#include <QString>
+
+#include <condition_variable>
+#include <deque>
+#include <memory>
+#include <thread>
+
+namespace app
+{
+class SculptWorker;
+
+/// Makes drawings of the model on a thread of its own: for the 2D preview while it can be seen, and for sheets. A viewer of the mesh
+/// like others: it lives on patches, and the mesh thread never waits for it. While changes keep coming that a fine drawing would not
+/// keep up with, drawings are coarser; the fine one follows when the hand rests. Nobody looks: no memory, no work.
+/// The functions belong to the gui thread and return at once; signals come from the drawing thread.
+class DrawingWorker : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// The worker must outlive this.
+    explicit DrawingWorker(SculptWorker* worker, QObject* parent = nullptr);
+    ~DrawingWorker() override;
+
+    /// From the input to the drawing that shows it, ms: the last, 0 if there was none. Any thread.
+    double latencyMs() const;
+
+public Q_SLOTS:
+    void watch(bool isSeen, bool shaded);
+    /// A sheet of the model as it is after what was asked for before. The ending says the format.
+    void exportTo(const QString& path, const QString& modelName, bool shaded);
+
+Q_SIGNALS:
+    void drawn(std::shared_ptr<const core::LineDrawing> drawing);
+    void refused(const QString& sentence);
+    void noticed(const QString& sentence);
+
+private:
+    struct Order
+    {
+        QString path, modelName;
+        bool shaded = false;
+        core::MeshPatch model; ///< whole
+    };
+    /// What the mesh thread may still reach when this is gone.
+    struct Desk
+    {
+        std::mutex mutex;
+        std::condition_variable wake;
+        bool hasPatch = false, hasNews = false, isStopping = false;
+        bool isSeen = false, shaded = false;
+        double latencyMs = 0;
+        std::shared_ptr<PatchInbox> inbox; ///< null while nobody looks
+        std::deque<Order> orders;
+        std::stop_source stop;     ///< of the drawing at hand: what it shows is not wanted any more
+        std::stop_source stopFine; ///< of a fine one: there is something newer to be shown
+    };
+
+    /// What the gui thread wants of the drawing at hand.
+    struct Turn
+    {
+        std::shared_ptr<PatchInbox> inbox;
+        bool shaded;
+        std::stop_token stop, stopFine;
+    };
+
+    static void tellOfPatch(const std::weak_ptr<Desk>& weak);
+    void run();
+    bool wait(std::unique_lock<std::mutex>& lock);
+    void draw();
+    Turn takeTurn();
+    void show(core::LineDrawing drawing);
+    void write(const Order& order);
+
+    SculptWorker* m_worker;
+    std::shared_ptr<Desk> m_desk = std::make_shared<Desk>();
+
+    // The drawing thread's own.
+    core::DrawArrays m_model;
+    std::shared_ptr<PatchInbox> m_inbox; ///< whose patches the arrays are made of
+    bool m_isFine = true;                ///< the last drawing was
+    double m_fineMs = 0;                 ///< what a fine drawing of this model takes
+    std::int64_t m_sampledNs = 0;        ///< the oldest input that no drawing shows yet
+
+    std::thread m_thread; ///< last: it uses the others
+};
+} // namespace app

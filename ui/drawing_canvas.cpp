@@ -1,0 +1,188 @@
+#include "drawing_canvas.h"
+
+#include <QEvent>
+#include <QKeyEvent>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ui
+{
+namespace
+{
+constexpr double mostZoom = 40, zoomAKey = 1.25;
+constexpr int stepAKey = 32, edge = 8;
+
+/// All that a picture depends on.
+struct Order
+{
+    SharedDrawing drawing;
+    DrawingChoice choice;
+    DrawingLook look;
+    QSize size;
+    double pixelRatio, zoom;
+    QPointF shift;
+};
+
+QImage pictureOf(const Order& order)
+{
+    QImage picture(order.size * order.pixelRatio, QImage::Format_ARGB32_Premultiplied);
+    picture.setDevicePixelRatio(order.pixelRatio);
+    picture.fill(Qt::transparent);
+    if (!order.drawing)
+        return picture;
+    QPainter painter(&picture);
+    const QRectF room = QRectF({}, QSizeF(order.size)).adjusted(edge, edge, -edge, -edge);
+    const DrawingLayout layout = bestLayout(*order.drawing, order.choice, order.look, room.size());
+    if (const double scale = layout.scaleFor(room.size()); scale > 0)
+        layout.paint(painter, room.center() + order.shift, scale * order.zoom);
+    return picture;
+}
+
+QColor mixed(const QColor& one, const QColor& other)
+{
+    return QColor::fromRgb((2 * one.red() + other.red()) / 3, (2 * one.green() + other.green()) / 3, (2 * one.blue() + other.blue()) / 3);
+}
+} // namespace
+
+DrawingCanvas::DrawingCanvas(QWidget* parent) : QWidget(parent)
+{
+    m_pool.setMaxThreadCount(1);
+    setFocusPolicy(Qt::StrongFocus);
+    setAutoFillBackground(true);
+    setBackgroundRole(QPalette::Base);
+}
+
+DrawingCanvas::~DrawingCanvas()
+{
+    m_pool.waitForDone();
+}
+
+void DrawingCanvas::setDrawing(SharedDrawing drawing)
+{
+    m_drawing = std::move(drawing);
+    render();
+}
+
+void DrawingCanvas::setChoice(const DrawingChoice& choice)
+{
+    if (choice.sides != m_choice.sides) {
+        m_zoom = 1;
+        m_shift = {};
+    }
+    m_choice = choice;
+    render();
+}
+
+void DrawingCanvas::fit()
+{
+    m_zoom = 1;
+    m_shift = {};
+    render();
+}
+
+void DrawingCanvas::zoomBy(double factor, const QPointF& at)
+{
+    const double zoom = std::clamp(m_zoom * factor, 1.0, mostZoom);
+    const QPointF middle = QRectF(rect()).center(), from = at - middle;
+    m_shift = zoom == 1 ? QPointF() : from + (m_shift - from) * (zoom / m_zoom);
+    m_zoom = zoom;
+    render();
+}
+
+void DrawingCanvas::moveBy(const QPointF& step)
+{
+    const QPointF most = QPointF(width(), height()) * (m_zoom / 2);
+    m_shift += step;
+    m_shift = {std::clamp(m_shift.x(), -most.x(), most.x()), std::clamp(m_shift.y(), -most.y(), most.y())};
+    render();
+}
+
+/// One picture at a time; what changes meanwhile is in the next.
+void DrawingCanvas::render()
+{
+    m_isOutdated = m_isRendering;
+    if (m_isRendering || size().isEmpty())
+        return;
+    m_isRendering = true;
+    QFont small = font();
+    small.setPixelSize(std::max(10, QFontInfo(font()).pixelSize() - 2));
+    const QColor ink = palette().color(QPalette::Text);
+    const DrawingLook look{ink, mixed(ink, palette().color(QPalette::Base)), 1.6, small};
+    m_pool.start([this, order = Order{m_drawing, m_choice, look, size(), devicePixelRatioF(), m_zoom, m_shift}] {
+        QMetaObject::invokeMethod(this, [this, picture = pictureOf(order)] { take(picture); }, Qt::QueuedConnection);
+    });
+}
+
+void DrawingCanvas::take(const QImage& picture)
+{
+    m_isRendering = false;
+    m_picture = picture;
+    update();
+    if (std::exchange(m_isOutdated, false))
+        render();
+    else
+        Q_EMIT painted();
+}
+
+void DrawingCanvas::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.drawImage(0, 0, m_picture);
+    if (hasFocus()) {
+        painter.setPen(palette().color(QPalette::Highlight));
+        painter.drawRect(rect().adjusted(0, 0, -1, -1));
+    }
+}
+
+void DrawingCanvas::resizeEvent(QResizeEvent*)
+{
+    render();
+}
+
+void DrawingCanvas::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
+        render();
+    QWidget::changeEvent(event);
+}
+
+void DrawingCanvas::wheelEvent(QWheelEvent* event)
+{
+    zoomBy(std::pow(2.0, event->angleDelta().y() / 480.0), event->position());
+    event->accept();
+}
+
+void DrawingCanvas::mousePressEvent(QMouseEvent* event)
+{
+    m_draggedFrom = event->position();
+}
+
+void DrawingCanvas::mouseMoveEvent(QMouseEvent* event)
+{
+    if (event->buttons() != Qt::NoButton)
+        moveBy(event->position() - std::exchange(m_draggedFrom, event->position()));
+}
+
+void DrawingCanvas::mouseDoubleClickEvent(QMouseEvent*)
+{
+    fit();
+}
+
+void DrawingCanvas::keyPressEvent(QKeyEvent* event)
+{
+    const QPointF middle = QRectF(rect()).center();
+    switch (event->key()) {
+    case Qt::Key_Plus: return zoomBy(zoomAKey, middle);
+    case Qt::Key_Minus: return zoomBy(1 / zoomAKey, middle);
+    case Qt::Key_0: return fit();
+    case Qt::Key_Left: return moveBy({stepAKey, 0});
+    case Qt::Key_Right: return moveBy({-stepAKey, 0});
+    case Qt::Key_Up: return moveBy({0, stepAKey});
+    case Qt::Key_Down: return moveBy({0, -stepAKey});
+    default: QWidget::keyPressEvent(event);
+    }
+}
+} // namespace ui

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "drawing_painter.h"
+
+#include <QImage>
+#include <QThreadPool>
+#include <QWidget>
+
+#include <memory>
+
+namespace ui
+{
+using SharedDrawing = std::shared_ptr<const core::LineDrawing>;
+
+/// Shows a drawing: fitted, or as far as it is zoomed and moved by wheel, drag and keys (+, -, arrows; 0 or a double click fits it
+/// again). However many lines it has, the gui thread only shows the picture that another thread made of it.
+class DrawingCanvas : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit DrawingCanvas(QWidget* parent = nullptr);
+    ~DrawingCanvas() override;
+
+    void setDrawing(SharedDrawing drawing);
+    void setChoice(const DrawingChoice& choice);
+    void fit();
+
+    double zoom() const { return m_zoom; }
+    const QImage& picture() const { return m_picture; }
+    QSize sizeHint() const override { return {360, 240}; }
+    QSize minimumSizeHint() const override { return {160, 120}; }
+
+Q_SIGNALS:
+    void painted(); ///< the picture is up to date
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    void zoomBy(double factor, const QPointF& at);
+    void moveBy(const QPointF& step);
+    void render();
+    void take(const QImage& picture);
+
+    SharedDrawing m_drawing;
+    DrawingChoice m_choice;
+    double m_zoom = 1;
+    QPointF m_shift; ///< of the drawing's middle from the canvas's, pixels
+    QPointF m_draggedFrom;
+    QImage m_picture;
+    bool m_isRendering = false, m_isOutdated = false;
+    QThreadPool m_pool; ///< last: its job uses the others
+};
+} // namespace ui

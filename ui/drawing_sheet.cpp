@@ -1,0 +1,273 @@
+// The page: views in the middle, below them a strip with name, measures and scale. Everything is placed in 1/100 mm, so that fonts, which
+// have whole sizes, can be of any.
+#include "drawing_sheet.h"
+
+#include "drawing_painter.h"
+#include "measures.h"
+
+#include "core/atomic_file.h"
+
+#include <QBuffer>
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QImage>
+#include <QLocale>
+#include <QPageSize>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QSvgGenerator>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ui
+{
+namespace
+{
+struct Words
+{
+    Q_DECLARE_TR_FUNCTIONS(ui::DrawingSheet)
+};
+
+constexpr int unit = 100; ///< of the painter, a mm
+constexpr double margin = 10, stripHeight = 24, pad = 4; ///< mm
+constexpr double smallText = 3, largeText = 5;           ///< mm
+constexpr int pngDotsPerInch = 300, svgDotsPerInch = 254;
+constexpr double mmAnInch = 25.4;
+constexpr double longestBar = 50; ///< mm of paper
+
+QRectF frame()
+{
+    return QRectF({}, sheetSize).adjusted(margin, margin, -margin, -margin);
+}
+
+QRectF viewsRoom()
+{
+    return frame().adjusted(pad, pad, -pad, -stripHeight - pad);
+}
+
+QRectF strip()
+{
+    QRectF result = frame();
+    result.setTop(result.bottom() - stripHeight);
+    return result;
+}
+
+QFont textOf(double height)
+{
+    QFont font;
+    font.setPixelSize(static_cast<int>(height * unit));
+    return font;
+}
+
+DrawingLook look()
+{
+    return {Qt::black, QColor(70, 70, 70), 0.35 * unit, textOf(smallText)};
+}
+
+/// The layout keeps a reference to the sheet's drawing.
+DrawingLayout layoutOf(const DrawingSheet& sheet)
+{
+    return {sheet.drawing, {DrawnSides::All, sheet.shaded, true}, look(), DrawingLayout::Arrangement::Projection};
+}
+
+/// The largest of 1, 2 and 5 times a power of ten that is not larger than `most`.
+double roundBelow(double most)
+{
+    const double power = std::pow(10.0, std::floor(std::log10(most) + 1e-9));
+    for (const double step : {5.0, 2.0})
+        if (step * power <= most * (1 + 1e-9))
+            return step * power;
+    return power;
+}
+
+double roundAbove(double least)
+{
+    const double below = roundBelow(least);
+    return below >= least * (1 - 1e-9) ? below : roundBelow(2.5 * below);
+}
+
+QRectF inUnits(const QRectF& mm)
+{
+    return {mm.topLeft() * unit, mm.size() * unit};
+}
+
+struct Field
+{
+    QString name, value;
+    double share; ///< of the strip's width
+};
+
+/// A label above its value, which is shortened where it does not fit.
+void paintField(QPainter& painter, const Field& field, const QRectF& room)
+{
+    painter.setPen(look().faint);
+    painter.setFont(textOf(smallText * 0.85));
+    painter.drawText(inUnits(room), Qt::AlignLeft | Qt::AlignTop, field.name);
+    painter.setPen(Qt::black);
+    const QFont font = textOf(largeText * 0.8);
+    painter.setFont(font);
+    const QRectF below = room.adjusted(0, smallText * 1.6, 0, 0);
+    painter.drawText(inUnits(below), Qt::AlignLeft | Qt::AlignTop,
+                     QFontMetricsF(font).elidedText(field.value, Qt::ElideMiddle, below.width() * unit));
+}
+
+void paintScaleBar(QPainter& painter, const DrawingSheet& sheet)
+{
+    const QRectF bar = sheetScaleBar(sheet);
+    const double length = bar.width() / sheetScale(sheet);
+    painter.setPen(QPen(Qt::black, 0.2 * unit));
+    for (int i = 0; i < 5; ++i) {
+        const QRectF part(bar.left() + i * bar.width() / 5, bar.top(), bar.width() / 5, bar.height());
+        painter.setBrush(i % 2 == 0 ? Qt::black : Qt::white);
+        painter.drawRect(inUnits(part));
+    }
+    painter.setFont(textOf(smallText));
+    const QRectF above(bar.left(), bar.top() - 1.6 * smallText, bar.width(), 1.5 * smallText);
+    painter.drawText(inUnits(above), Qt::AlignLeft | Qt::AlignVCenter, QLocale().toString(0));
+    painter.drawText(inUnits(above.adjusted(0, 0, pad, 0)), Qt::AlignRight | Qt::AlignVCenter, Words::tr("%1 mm").arg(QLocale().toString(length)));
+}
+
+/// The cone that says on which side of the front view the others stand: as seen from there.
+void paintProjectionSign(QPainter& painter, const QPointF& at)
+{
+    painter.setPen(QPen(Qt::black, 0.2 * unit));
+    painter.setBrush(Qt::NoBrush);
+    const auto point = [&at](double x, double y) { return (at + QPointF(x, y)) * unit; };
+    painter.drawEllipse(point(3, 0), 2.6 * unit, 2.6 * unit);
+    painter.drawEllipse(point(3, 0), 1.3 * unit, 1.3 * unit);
+    painter.drawPolygon(QPolygonF{point(8, -1.3), point(14, -2.6), point(14, 2.6), point(8, 1.3)});
+}
+
+void paintStrip(QPainter& painter, const DrawingSheet& sheet)
+{
+    const core::Vec3 size = sheet.drawing.box.isEmpty() ? core::Vec3(0, 0, 0) : core::Vec3(sheet.drawing.box.sizes());
+    const Field fields[] = {
+        {Words::tr("Model"), sheet.name, 0.27},
+        {Words::tr("Width × height × depth"), Words::tr("%1 × %2 × %3 mm").arg(millimetres(size.x()), millimetres(size.y()), millimetres(size.z())), 0.27},
+        {Words::tr("Volume"), volumeText(std::abs(sheet.drawing.volume)), 0.16},
+        {Words::tr("Scale"), sheetScaleText(sheetScale(sheet)), 0.12},
+        {Words::tr("Date"), QLocale().toString(sheet.date, QLocale::ShortFormat), 0.18}};
+    const QRectF room = strip();
+    double left = room.left();
+    for (const Field& field : fields) {
+        const double width = field.share * room.width();
+        paintField(painter, field, {left + pad / 2, room.top() + pad / 2, width - pad, stripHeight / 2 - pad / 2});
+        left += width;
+        if (left < room.right() - 1) {
+            painter.setPen(QPen(Qt::black, 0.2 * unit));
+            painter.drawLine(QPointF(left, room.top()) * unit, QPointF(left, room.top() + stripHeight / 2) * unit);
+        }
+    }
+    painter.setPen(QPen(Qt::black, 0.2 * unit));
+    painter.drawLine(QPointF(room.left(), room.center().y()) * unit, QPointF(room.right(), room.center().y()) * unit);
+    painter.setPen(look().faint);
+    painter.setFont(textOf(smallText));
+    painter.drawText(inUnits({room.center().x(), room.center().y(), room.width() / 2 - 20, stripHeight / 2}), Qt::AlignRight | Qt::AlignVCenter,
+                     Words::tr("True to scale when printed at 100 % on A4"));
+    paintProjectionSign(painter, {room.right() - 16, room.bottom() - stripHeight / 4});
+    if (!sheet.drawing.box.isEmpty())
+        paintScaleBar(painter, sheet);
+}
+
+void paintPdf(QBuffer& file, const DrawingSheet& sheet)
+{
+    QPdfWriter writer(&file);
+    writer.setPageLayout(QPageLayout(QPageSize(QPageSize::A4), QPageLayout::Landscape, {}));
+    writer.setResolution(1200);
+    writer.setTitle(sheet.name);
+    writer.setCreator(QStringLiteral("Fettle"));
+    QPainter painter(&writer);
+    painter.scale(1200 / mmAnInch / unit, 1200 / mmAnInch / unit);
+    paintSheet(painter, sheet);
+}
+
+void paintSvg(QBuffer& file, const DrawingSheet& sheet)
+{
+    QSvgGenerator generator;
+    generator.setOutputDevice(&file);
+    generator.setResolution(svgDotsPerInch);
+    generator.setSize((sheetSize * (svgDotsPerInch / mmAnInch)).toSize());
+    generator.setViewBox(QRectF({}, sheetSize * unit));
+    generator.setTitle(sheet.name.toHtmlEscaped()); // Qt writes it as it is
+    QPainter painter(&generator);
+    paintSheet(painter, sheet);
+}
+
+void paintPng(QBuffer& file, const DrawingSheet& sheet)
+{
+    constexpr double dotsAMm = pngDotsPerInch / mmAnInch;
+    QImage image((sheetSize * dotsAMm).toSize(), QImage::Format_RGB32);
+    image.setDotsPerMeterX(static_cast<int>(std::lround(1000 * dotsAMm)));
+    image.setDotsPerMeterY(image.dotsPerMeterX());
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    painter.scale(dotsAMm / unit, dotsAMm / unit);
+    paintSheet(painter, sheet);
+    painter.end();
+    image.save(&file, "PNG");
+}
+
+struct Format
+{
+    QLatin1StringView ending;
+    void (*paint)(QBuffer& file, const DrawingSheet& sheet);
+};
+constexpr Format formats[] = {{QLatin1StringView("pdf"), paintPdf}, {QLatin1StringView("svg"), paintSvg}, {QLatin1StringView("png"), paintPng}};
+} // namespace
+
+QStringList drawingEndings()
+{
+    QStringList all;
+    for (const Format& format : formats)
+        all << format.ending;
+    return all;
+}
+
+double sheetScale(const DrawingSheet& sheet)
+{
+    const double most = layoutOf(sheet).scaleFor(viewsRoom().size() * unit) / unit;
+    if (!(most > 0))
+        return 0;
+    return most >= 1 ? roundBelow(most) : 1 / roundAbove(1 / most);
+}
+
+QRectF sheetScaleBar(const DrawingSheet& sheet)
+{
+    const double scale = sheetScale(sheet);
+    if (!(scale > 0))
+        return {};
+    const double length = roundBelow(longestBar / scale) * scale;
+    return {strip().left() + pad / 2, strip().bottom() - pad - 0.5, length, 2};
+}
+
+QString sheetScaleText(double scale)
+{
+    const auto text = [](double value) { return QLocale::c().toString(value, 'g', 12); };
+    return scale >= 1 ? text(scale) + QStringLiteral(":1") : QStringLiteral("1:") + text(scale > 0 ? std::round(1 / scale) : 0);
+}
+
+void paintSheet(QPainter& painter, const DrawingSheet& sheet)
+{
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(Qt::black, 0.35 * unit));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(inUnits(frame()));
+    painter.drawLine(strip().topLeft() * unit, strip().topRight() * unit);
+    layoutOf(sheet).paint(painter, viewsRoom().center() * unit, sheetScale(sheet) * unit);
+    paintStrip(painter, sheet);
+}
+
+void writeSheet(const std::filesystem::path& path, const DrawingSheet& sheet)
+{
+    const QString ending = QString::fromStdU16String(path.extension().u16string()).mid(1).toLower();
+    const auto format = std::ranges::find(formats, ending, &Format::ending);
+    Q_ASSERT(format != std::end(formats));
+    core::AtomicFile file(path); // what cannot be written is not painted
+    QBuffer bytes;
+    bytes.open(QIODevice::WriteOnly);
+    format->paint(bytes, sheet);
+    file.write({bytes.data().constData(), static_cast<std::size_t>(bytes.data().size())});
+    file.commit();
+}
+} // namespace ui

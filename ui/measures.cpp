@@ -1,0 +1,31 @@
+#include "measures.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ui
+{
+namespace
+{
+struct Measures
+{
+    Q_DECLARE_TR_FUNCTIONS(ui::Measures)
+};
+} // namespace
+
+QString millimetres(double value)
+{
+    const double size = std::max(std::abs(value), 1e-6);
+    const int decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(size))), 1, 6);
+    return QLocale().toString(value, 'f', decimals);
+}
+
+QString volumeText(double cubicMillimetres)
+{
+    return cubicMillimetres < 1000 ? Measures::tr("%1 mm³").arg(millimetres(cubicMillimetres))
+                                   : Measures::tr("%1 cm³").arg(millimetres(cubicMillimetres / 1000));
+}
+} // namespace ui

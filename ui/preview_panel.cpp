@@ -1,0 +1,169 @@
+#include "preview_panel.h"
+
+#include "actions.h"
+#include "file_dialogs.h"
+#include "settings.h"
+#include "themed_icon.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMainWindow>
+#include <QMenu>
+#include <QToolButton>
+
+#include <utility>
+
+namespace ui
+{
+namespace
+{
+constexpr int gap = 8; ///< of the window's spacing grid
+
+QToolButton* button(const QString& name, const QString& icon, const QString& text, const QString& tip)
+{
+    auto* result = new QToolButton;
+    result->setObjectName(name);
+    result->setIcon(themedIcon(icon));
+    result->setIconSize({18, 18});
+    result->setAutoRaise(true);
+    result->setFocusPolicy(Qt::StrongFocus);
+    result->setAccessibleName(text);
+    result->setToolTip(QStringLiteral("%1\n%2").arg(text, tip));
+    return result;
+}
+
+/// The controls above the canvas, or beside it where there is little height.
+class Content : public QWidget
+{
+public:
+    Content(QBoxLayout* controls, QWidget* canvas) : m_layout(new QBoxLayout(QBoxLayout::TopToBottom, this)), m_controls(controls)
+    {
+        m_layout->setContentsMargins(gap, gap, gap, gap);
+        m_layout->setSpacing(gap);
+        m_controls->setSpacing(gap);
+        m_layout->addLayout(controls);
+        m_layout->addWidget(canvas, 1);
+    }
+
+protected:
+    void resizeEvent(QResizeEvent*) override
+    {
+        const bool isWide = width() > 2 * height();
+        m_layout->setDirection(isWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+        m_controls->setDirection(isWide ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    }
+
+private:
+    QBoxLayout *m_layout, *m_controls;
+};
+} // namespace
+
+PreviewPanel::PreviewPanel(Settings* settings, QAction* exporting, QWidget* parent)
+    : QDockWidget(tr("2D Preview"), parent), m_settings(settings), m_choice(settings->drawing())
+{
+    setObjectName(QStringLiteral("previewPanel"));
+    setWidget(content(exporting));
+    m_canvas->setChoice(m_choice);
+    connect(this, &QDockWidget::visibilityChanged, this, [this](bool isSeen) {
+        m_isSeen = isSeen;
+        Q_EMIT wanted(isSeen, m_choice.shaded);
+        if (!isSeen)
+            setDrawing({});
+    });
+}
+
+QWidget* PreviewPanel::content(QAction* exporting)
+{
+    m_canvas = new DrawingCanvas;
+    m_canvas->setObjectName(QStringLiteral("preview.canvas"));
+    m_canvas->setAccessibleName(tr("Drawing of the model"));
+    m_note = new QLabel;
+    m_note->setObjectName(QStringLiteral("preview.note"));
+    m_note->setWordWrap(true);
+    m_note->hide();
+    auto* over = new QVBoxLayout(m_canvas);
+    over->setContentsMargins(gap, gap, gap, gap);
+    over->addWidget(m_note, 0, Qt::AlignBottom);
+    return new Content(controls(exporting), m_canvas);
+}
+
+QBoxLayout* PreviewPanel::controls(QAction* exporting)
+{
+    m_sides = choiceBox(QStringLiteral("preview.sides"), tr("Sides"), tr("Shows all three drawings, or one of them larger."),
+                        {tr("All sides"), tr("Front"), tr("Right"), tr("Top")}, static_cast<int>(m_choice.sides));
+    m_style = choiceBox(QStringLiteral("preview.style"), tr("Drawn as"), tr("Shows the lines only, or colours under them."),
+                        {tr("Lines"), tr("Shaded")}, m_choice.shaded ? 1 : 0);
+    m_dimensions = button(QStringLiteral("preview.dimensions"), QStringLiteral("dimensions"), tr("Dimensions"), tr("Writes the model's measures beside it."));
+    m_dimensions->setCheckable(true);
+    m_dimensions->setChecked(m_choice.dimensions);
+    connect(m_dimensions, &QToolButton::toggled, this, &PreviewPanel::choose);
+    auto* fit = button(QStringLiteral("preview.fit"), QStringLiteral("frame"), tr("Fit (0)"), tr("Shows the whole drawing; the wheel zooms, a drag moves it."));
+    connect(fit, &QToolButton::clicked, m_canvas, &DrawingCanvas::fit);
+    auto* write = button(QStringLiteral("preview.export"), {}, Actions::plain(exporting->text()), exporting->statusTip());
+    write->setIcon(exporting->icon());
+    write->setToolTip(exporting->toolTip());
+    connect(write, &QToolButton::clicked, exporting, &QAction::trigger);
+
+    auto* buttons = new QHBoxLayout;
+    for (QToolButton* each : {m_dimensions, fit, write})
+        buttons->addWidget(each);
+    auto* row = new QBoxLayout(QBoxLayout::LeftToRight);
+    row->addWidget(m_sides);
+    row->addWidget(m_style);
+    row->addLayout(buttons);
+    row->addStretch();
+    return row;
+}
+
+QComboBox* PreviewPanel::choiceBox(const QString& name, const QString& text, const QString& tip, const QStringList& words, int index)
+{
+    auto* box = new QComboBox;
+    box->setObjectName(name);
+    box->setAccessibleName(text);
+    box->setToolTip(QStringLiteral("%1\n%2").arg(text, tip));
+    box->addItems(words);
+    box->setCurrentIndex(index);
+    connect(box, &QComboBox::currentIndexChanged, this, &PreviewPanel::choose);
+    return box;
+}
+
+void PreviewPanel::choose()
+{
+    const bool wasShaded = m_choice.shaded;
+    m_choice = {static_cast<DrawnSides>(m_sides->currentIndex()), m_style->currentIndex() == 1, m_dimensions->isChecked()};
+    m_settings->setDrawing(m_choice);
+    m_canvas->setChoice(m_choice);
+    if (m_choice.shaded != wasShaded)
+        Q_EMIT wanted(m_isSeen, m_choice.shaded);
+}
+
+void PreviewPanel::setDrawing(SharedDrawing drawing)
+{
+    const bool isInterim = drawing && drawing->isInterim, isShort = drawing && !drawing->hasCreases;
+    m_note->setVisible(isInterim || isShort);
+    m_note->setText(isInterim ? tr("Coarser while you sculpt; the fine drawing follows.")
+                              : tr("Creases are left out: the surface has too many."));
+    m_canvas->setDrawing(std::move(drawing));
+}
+
+void PreviewPanel::exportAs(const QString& modelName)
+{
+    askForDrawing(window(), m_settings->lastFolder(), modelName, [this, modelName](const QString& path) {
+        m_settings->setLastFolder(QFileInfo(path).absolutePath());
+        Q_EMIT exportRequested(path, modelName, m_choice.shaded);
+    });
+}
+
+void addPreview(QMainWindow* window, Settings* settings, QAction* exporting, const std::function<QString()>& modelName, QMenu* toggles)
+{
+    auto* panel = new PreviewPanel(settings, exporting);
+    window->setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea); // the panels there need the height
+    window->addDockWidget(Qt::BottomDockWidgetArea, panel);
+    panel->hide();
+    toggles->addAction(panel->toggleViewAction());
+    QObject::connect(exporting, &QAction::triggered, panel, [panel, modelName] { panel->exportAs(modelName()); });
+}
+} // namespace ui
