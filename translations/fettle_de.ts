@@ -2107,6 +2107,34 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>Dark</source>
         <translation>Dunkel</translation>
     </message>
+    <message>
+        <source>&amp;Input</source>
+        <translation>&amp;Eingabe</translation>
+    </message>
+    <message>
+        <source>A pen&apos;s pressure is the &amp;strength</source>
+        <translation>Stiftdruck bestimmt die &amp;Stärke</translation>
+    </message>
+    <message>
+        <source>A light touch changes little, a firm one much.</source>
+        <translation>Ein leichter Druck ändert wenig, ein fester viel.</translation>
+    </message>
+    <message>
+        <source>A pen&apos;s pressure is the &amp;radius</source>
+        <translation>Stiftdruck bestimmt den &amp;Radius</translation>
+    </message>
+    <message>
+        <source>A light touch makes a narrow stroke, a firm one a wide one.</source>
+        <translation>Ein leichter Druck macht einen schmalen Strich, ein fester einen breiten.</translation>
+    </message>
+    <message>
+        <source>Alt and the &amp;mouse move the view</source>
+        <translation>Alt und &amp;Maus bewegen die Ansicht</translation>
+    </message>
+    <message>
+        <source>With Alt held, left orbits, middle pans and right zooms, on the model too.</source>
+        <translation>Mit Alt dreht links, verschiebt Mitte und zoomt rechts, auch auf dem Modell.</translation>
+    </message>
 </context>
 <context>
     <name>ui::PreviewPanel</name>

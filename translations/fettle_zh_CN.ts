@@ -2102,6 +2102,34 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>Dark</source>
         <translation>深色</translation>
     </message>
+    <message>
+        <source>&amp;Input</source>
+        <translation>输入(&amp;I)</translation>
+    </message>
+    <message>
+        <source>A pen&apos;s pressure is the &amp;strength</source>
+        <translation>笔的压力决定强度(&amp;S)</translation>
+    </message>
+    <message>
+        <source>A light touch changes little, a firm one much.</source>
+        <translation>轻触改变少，重压改变多。</translation>
+    </message>
+    <message>
+        <source>A pen&apos;s pressure is the &amp;radius</source>
+        <translation>笔的压力决定半径(&amp;R)</translation>
+    </message>
+    <message>
+        <source>A light touch makes a narrow stroke, a firm one a wide one.</source>
+        <translation>轻触笔画窄，重压笔画宽。</translation>
+    </message>
+    <message>
+        <source>Alt and the &amp;mouse move the view</source>
+        <translation>Alt 加鼠标移动视图(&amp;M)</translation>
+    </message>
+    <message>
+        <source>With Alt held, left orbits, middle pans and right zooms, on the model too.</source>
+        <translation>按住 Alt 时，左键旋转，中键平移，右键缩放，在模型上也一样。</translation>
+    </message>
 </context>
 <context>
     <name>ui::PreviewPanel</name>

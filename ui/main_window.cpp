@@ -153,7 +153,7 @@ void MainWindow::State::connectActions()
     connectTools();
     on("edit.stop", [this] { Q_EMIT q->stopRequested(); });
     connectView(actions, viewport);
-    connectPreferences(actions, &settings, q);
+    connectPreferences(actions, &settings, viewport, q);
     on("help.keys", [this] { (new CommandBox(actions, q))->open(); });
     on("help.about", [this] { showAbout(q); });
     q->setUndoText({});

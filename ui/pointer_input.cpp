@@ -1,5 +1,6 @@
 #include "pointer_input.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -8,6 +9,7 @@ namespace ui
 namespace
 {
 constexpr double zoomPerHeight = 0.1; ///< a zooming drag over the view's height comes so much nearer
+constexpr double leastRadiusShare = 0.1; ///< of the brush, under the lightest touch
 constexpr double samePixel = 1;       ///< how far a known point may lie from the pointer and still be what is under it
 } // namespace
 
@@ -155,7 +157,7 @@ core::Tool PointerInput::tool() const
 }
 
 /// How a press moves the view, wherever it is; None: it does not, or that depends on what is under it.
-PointerInput::Drag PointerInput::viewDrag(Qt::MouseButton button, Qt::KeyboardModifiers modifiers)
+PointerInput::Drag PointerInput::viewDrag(Qt::MouseButton button, Qt::KeyboardModifiers modifiers) const
 {
     struct Row
     {
@@ -169,6 +171,8 @@ PointerInput::Drag PointerInput::viewDrag(Qt::MouseButton button, Qt::KeyboardMo
         {Qt::MiddleButton, Qt::ControlModifier, Drag::Zoom}, {Qt::MiddleButton, Qt::NoModifier, Drag::Orbit},
         {Qt::RightButton, Qt::NoModifier, Drag::Pan},
     };
+    if (!m_habits.altMovesView)
+        modifiers &= ~Qt::KeyboardModifiers(Qt::AltModifier);
     for (const Row& row : table)
         if (row.button == button && (row.held == Qt::NoModifier || (modifiers & row.held)))
             return row.drag;
@@ -287,6 +291,7 @@ void PointerInput::begin(const Waiting& press, const std::optional<core::Surface
     m_pressed = m_last = press.event.pixel;
     if (m_drag == Drag::Stroke) {
         m_strokeTool = press.settings.tool;
+        m_strokeRadius = press.settings.radius;
         m_string = press.string;
         m_hand = press.event;
         m_brushAt = press.event.pixel;
@@ -369,7 +374,10 @@ void PointerInput::sample(const Waiting& waiting)
     sample.time = waiting.event.time;
     sample.position = waiting.ray.origin;
     sample.direction = waiting.ray.direction;
-    sample.pressure = waiting.event.pressure;
+    const double pressure = waiting.event.pressure;
+    sample.pressure = m_habits.pressureToStrength ? pressure : 1;
+    if (m_habits.pressureToRadius)
+        sample.radius = std::max(m_brush->minOf(core::Parameter::Radius), m_strokeRadius * std::max(pressure, leastRadiusShare));
     Q_EMIT strokeSampled(sample);
 }
 

@@ -2,6 +2,7 @@
 
 #include "brush_settings.h"
 #include "orbit_camera.h"
+#include "preferences.h"
 
 #include "core/mesh_patch.h"
 #include "core/sculptor.h"
@@ -40,6 +41,7 @@ public:
     PointerInput(const BrushSettings* brush, OrbitCamera* camera, QObject* parent = nullptr);
 
     void handle(const PointerEvent& event);
+    void setHabits(const HandHabits& habits) { m_habits = habits; }
     /// `factor` < 1 comes nearer; what lies under the pixel stays there.
     void zoom(double factor, const OrbitCamera::Pixel& toward);
     void pan(const OrbitCamera::Pixel& delta);
@@ -113,7 +115,7 @@ private:
     void begin(const Waiting& press, const std::optional<core::SurfaceHit>& hit);
     void end();
     void drain(const std::optional<core::SurfaceHit>& hit);
-    static Drag viewDrag(Qt::MouseButton button, Qt::KeyboardModifiers modifiers);
+    Drag viewDrag(Qt::MouseButton button, Qt::KeyboardModifiers modifiers) const;
     bool movesView() const;
     bool isUndecided(const PointerEvent& event) const;
     void goByDepthAt(const OrbitCamera::Pixel& pixel);
@@ -139,6 +141,8 @@ private:
     bool m_isPicking = false;
     bool m_isAdding = false;
     core::Tool m_strokeTool = core::Tool::Pull;
+    double m_strokeRadius = 0; ///< mm
+    HandHabits m_habits;
     Qt::KeyboardModifiers m_modifiers;
     std::deque<Waiting> m_waiting; ///< the first is a press that nobody knows about yet
 

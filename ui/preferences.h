@@ -14,11 +14,22 @@ inline constexpr std::array<Named<ThemeChoice>, 3> themeChoices{
 inline constexpr std::array<Named<Language>, 4> languages{
     {{Language::System, "system"}, {Language::English, "en"}, {Language::German, "de"}, {Language::Chinese, "zh_CN"}}};
 
+/// How pen and mouse are taken.
+struct HandHabits
+{
+    bool pressureToStrength = true;
+    bool pressureToRadius = false;
+    bool altMovesView = true; ///< held with a button; else Alt means nothing
+
+    bool operator==(const HandHabits&) const = default;
+};
+
 /// What a person chooses once, in the Preferences.
 struct Preferences
 {
     ThemeChoice theme = ThemeChoice::System;
     Language language = Language::System; ///< of the next start
+    HandHabits hand;
 
     bool operator==(const Preferences&) const = default;
 };

@@ -1,5 +1,6 @@
 #include "preferences_dialog.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
@@ -38,6 +39,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& now, QWidget* parent) : 
     auto* pages = new QTabWidget;
     pages->setObjectName(QStringLiteral("pages"));
     pages->addTab(appearancePage(), tr("&Appearance"));
+    pages->addTab(inputPage(), tr("&Input"));
 
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(gap, gap, gap, gap);
@@ -69,6 +71,34 @@ QWidget* PreferencesDialog::appearancePage()
     addChoice(form, {"language", tr("&Language"), tr("Chooses the language of the window's texts.")}, languages, &Preferences::language);
     form->addRow(remark(tr("Another language is spoken from the next start on.")));
     return page;
+}
+
+QWidget* PreferencesDialog::inputPage()
+{
+    auto* page = new QWidget;
+    QFormLayout* form = formIn(page);
+    addCheck(form, {"pressureToStrength", tr("A pen's pressure is the &strength"), tr("A light touch changes little, a firm one much.")},
+             &HandHabits::pressureToStrength);
+    addCheck(form, {"pressureToRadius", tr("A pen's pressure is the &radius"), tr("A light touch makes a narrow stroke, a firm one a wide one.")},
+             &HandHabits::pressureToRadius);
+    addCheck(form, {"altMovesView", tr("Alt and the &mouse move the view"), tr("With Alt held, left orbits, middle pans and right zooms, on the model too.")},
+             &HandHabits::altMovesView);
+    return page;
+}
+
+void PreferencesDialog::addCheck(QFormLayout* form, const Words& words, bool HandHabits::*what)
+{
+    auto* box = new QCheckBox(words.label);
+    box->setObjectName(QLatin1StringView(words.name));
+    box->setAccessibleName(QString(words.label).remove(QLatin1Char('&')));
+    box->setToolTip(words.tip);
+    connect(box, &QCheckBox::clicked, this, [this, what](bool checked) {
+        Preferences to = m_now;
+        to.hand.*what = checked;
+        change(to);
+    });
+    m_show.push_back([this, box, what] { box->setChecked(m_now.hand.*what); });
+    form->addRow(box);
 }
 
 template <class T, std::size_t count>

@@ -32,9 +32,11 @@ private:
     };
 
     QWidget* appearancePage();
+    QWidget* inputPage();
     QWidget* buttonRow();
     template <class T, std::size_t count>
     void addChoice(QFormLayout* form, const Words& words, const std::array<Named<T>, count>& choices, T Preferences::*what);
+    void addCheck(QFormLayout* form, const Words& words, bool HandHabits::*what);
     static QString words(ThemeChoice theme);
     static QString words(Language language);
     void change(const Preferences& to);

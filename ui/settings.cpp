@@ -75,6 +75,15 @@ template <class T, std::size_t count> QString wordFor(T value, const std::array<
     return QLatin1StringView(std::ranges::find(choices, value, &Named<T>::value)->key);
 }
 
+struct HabitSwitch
+{
+    QString key;
+    bool HandHabits::*what;
+};
+const HabitSwitch habitSwitches[] = {{QStringLiteral("preferences/pressureToStrength"), &HandHabits::pressureToStrength},
+                                     {QStringLiteral("preferences/pressureToRadius"), &HandHabits::pressureToRadius},
+                                     {QStringLiteral("preferences/altMovesView"), &HandHabits::altMovesView}};
+
 struct LookSwitch
 {
     QString key;
@@ -185,6 +194,8 @@ Preferences Settings::preferences() const
     Preferences preferences;
     preferences.theme = choice(m_settings, themeKey, themeChoices, preferences.theme);
     preferences.language = choice(m_settings, languageKey, languages, preferences.language);
+    for (const HabitSwitch& row : habitSwitches)
+        preferences.hand.*row.what = yesNo(m_settings, row.key, preferences.hand.*row.what);
     return preferences;
 }
 
@@ -192,6 +203,8 @@ void Settings::setPreferences(const Preferences& preferences)
 {
     m_settings.setValue(themeKey, wordFor(preferences.theme, themeChoices));
     m_settings.setValue(languageKey, wordFor(preferences.language, languages));
+    for (const HabitSwitch& row : habitSwitches)
+        m_settings.setValue(row.key, preferences.hand.*row.what);
 }
 
 ViewLook Settings::look() const

@@ -247,6 +247,11 @@ void Viewport::setProjection(OrbitCamera::Projection projection)
     m_state->input.viewMoved();
 }
 
+void Viewport::setHabits(const HandHabits& habits)
+{
+    m_state->input.setHabits(habits);
+}
+
 void Viewport::setLook(const ViewLook& look)
 {
     m_state->look = look;

@@ -2,6 +2,7 @@
 
 #include "brush_settings.h"
 #include "orbit_camera.h"
+#include "preferences.h"
 #include "view_look.h"
 
 #include "core/mesh_patch.h"
@@ -60,6 +61,7 @@ public:
     void turnTo(OrbitCamera::Side side);
     void setProjection(OrbitCamera::Projection projection);
 
+    void setHabits(const HandHabits& habits);
     void setLook(const ViewLook& look);
     const ViewLook& look() const;
 

@@ -587,12 +587,12 @@ private Q_SLOTS:
             QTest::keyClick(dialog, Qt::Key_Escape);
             QTRY_VERIFY(!window.findChild<QDialog*>(QStringLiteral("preferences")));
         }
-        ui::Settings().setPreferences({.theme = ui::ThemeChoice::Light});
+        ui::Settings().setPreferences({.theme = ui::ThemeChoice::Light, .hand = {}});
         {
             const MainWindow light;
             QVERIFY(!isDark());
         }
-        ui::Settings().setPreferences({.theme = ui::ThemeChoice::Dark});
+        ui::Settings().setPreferences({.theme = ui::ThemeChoice::Dark, .hand = {}});
         const MainWindow dark;
         QVERIFY(isDark());
     }

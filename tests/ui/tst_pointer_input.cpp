@@ -350,6 +350,46 @@ private Q_SLOTS:
         QVERIFY((r.camera.project(grabbed) - Pixel(250, 380)).norm() < 1e-6);
     }
 
+    void altMeansNothingWhereItIsNotWanted()
+    {
+        Recorder r;
+        r.input.setHabits({.altMovesView = false});
+        r.rest({400, 300}, somewhere);
+        r.input.setModifiers(Qt::AltModifier);
+        QVERIFY(r.input.hover());
+        r.send(Kind::Press, {400, 300}, Qt::LeftButton, Qt::AltModifier);
+        r.send(Kind::Release, {400, 300}, Qt::LeftButton, Qt::AltModifier);
+        QCOMPARE(r.log, strokeOf(1));
+    }
+
+    void pressureIsWhatThePreferencesSay_data()
+    {
+        QTest::addColumn<bool>("strength");
+        QTest::addColumn<bool>("radius");
+        for (const bool strength : {false, true})
+            for (const bool radius : {false, true})
+                QTest::addRow("strength %d, radius %d", strength, radius) << strength << radius;
+    }
+
+    void pressureIsWhatThePreferencesSay()
+    {
+        QFETCH(bool, strength);
+        QFETCH(bool, radius);
+        Recorder r;
+        r.input.setHabits({.pressureToStrength = strength, .pressureToRadius = radius});
+        r.rest({400, 300}, somewhere);
+        for (const Kind kind : {Kind::Press, Kind::Release}) {
+            ui::PointerEvent event{kind, {400, 300}, Qt::LeftButton, {}};
+            event.pressure = 0.5;
+            r.input.handle(event);
+        }
+        QVERIFY(!r.samples.empty());
+        QCOMPARE(r.samples[0].pressure, strength ? 0.5 : 1.0);
+        QCOMPARE(r.samples[0].radius.has_value(), radius);
+        if (radius)
+            QCOMPARE(*r.samples[0].radius, 0.5 * r.settings.radius);
+    }
+
     void altHidesTheCursor()
     {
         Recorder r;

@@ -2,6 +2,7 @@
 
 #include "ui_test.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -19,7 +20,7 @@ private Q_SLOTS:
     {
         for (const auto& theme : ui::themeChoices)
             for (const auto& language : ui::languages) {
-                const PreferencesDialog dialog({.theme = theme.value, .language = language.value}, nullptr);
+                const PreferencesDialog dialog({.theme = theme.value, .language = language.value, .hand = {}}, nullptr);
                 QCOMPARE(child<QComboBox>(dialog, "theme")->currentData().toInt(), static_cast<int>(theme.value));
                 QCOMPARE(child<QComboBox>(dialog, "language")->currentData().toInt(), static_cast<int>(language.value));
             }
@@ -37,9 +38,17 @@ private Q_SLOTS:
         QCOMPARE(dialog.preferences().language, ui::Language::Chinese);
     }
 
+    void habitsAreSwitched()
+    {
+        PreferencesDialog dialog({}, nullptr);
+        for (const char* name : {"pressureToStrength", "pressureToRadius", "altMovesView"})
+            QTest::keyClick(child<QCheckBox>(dialog, name), Qt::Key_Space);
+        QCOMPARE(dialog.preferences().hand, (ui::HandHabits{false, true, false}));
+    }
+
     void resettingGivesTheDefaults()
     {
-        PreferencesDialog dialog({.theme = ui::ThemeChoice::Dark, .language = ui::Language::German}, nullptr);
+        PreferencesDialog dialog({.theme = ui::ThemeChoice::Dark, .language = ui::Language::German, .hand = {false, true, false}}, nullptr);
         QSignalSpy changed(&dialog, &PreferencesDialog::changed);
         child<QPushButton>(dialog, "reset")->click();
         QCOMPARE(changed.count(), 1);
@@ -62,7 +71,7 @@ private Q_SLOTS:
             QVERIFY2(!widget->accessibleName().isEmpty(), qPrintable(widget->objectName()));
             QVERIFY2(widget->toolTip().endsWith(u'.'), qPrintable(widget->objectName()));
         }
-        QVERIFY(controls >= 2);
+        QVERIFY(controls >= 5);
     }
 
 private:

@@ -54,7 +54,7 @@ private Q_SLOTS:
         QCOMPARE(ui::Settings().preferences(), ui::Preferences());
         for (const auto& theme : ui::themeChoices)
             for (const auto& language : ui::languages) {
-                const ui::Preferences preferences{.theme = theme.value, .language = language.value};
+                const ui::Preferences preferences{.theme = theme.value, .language = language.value, .hand = {false, true, false}};
                 ui::Settings().setPreferences(preferences);
                 QCOMPARE(ui::Settings().preferences(), preferences);
             }
@@ -97,7 +97,7 @@ private Q_SLOTS:
         QFETCH(QVariant, stored);
         QSettings raw;
         for (const char* key : {"brush/strength", "brush/falloff", "brush/radiusShare", "files/lastFolder", "window/geometry", "view/material",
-                                "view/background", "preferences/theme", "preferences/language", "view/ground", "view/wireframe"})
+                                "view/background", "preferences/theme", "preferences/language", "preferences/altMovesView", "view/ground", "view/wireframe"})
             raw.setValue(QLatin1StringView(key), stored);
         raw.sync();
         const ui::Settings settings;
