@@ -244,6 +244,34 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>%1 lay far from the origin and was moved there.</source>
         <translation>%1 lag weit vom Ursprung entfernt und wurde dorthin verschoben.</translation>
     </message>
+    <message>
+        <source>Cube</source>
+        <translation>Würfel</translation>
+    </message>
+    <message>
+        <source>Torus</source>
+        <translation>Ring</translation>
+    </message>
+    <message>
+        <source>Slab</source>
+        <translation>Platte</translation>
+    </message>
+    <message>
+        <source>Vase</source>
+        <translation>Vase</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>Kopf</translation>
+    </message>
+    <message>
+        <source>Tablet</source>
+        <translation>Tafel</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Kugel</translation>
+    </message>
 </context>
 <context>
     <name>app::ModelTrial</name>
@@ -1111,6 +1139,74 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>Writes a sheet with front, side and top view to scale: PDF, SVG or PNG.</source>
         <translation>Schreibt ein Blatt mit Vorder-, Seiten- und Draufsicht im Maßstab: PDF, SVG oder PNG.</translation>
     </message>
+    <message>
+        <source>Re&amp;vert</source>
+        <translation>Wieder&amp;herstellen</translation>
+    </message>
+    <message>
+        <source>Opens the model&apos;s file again, as it was last written.</source>
+        <translation>Öffnet die Datei des Modells wieder, wie sie zuletzt geschrieben wurde.</translation>
+    </message>
+    <message>
+        <source>&amp;Ball</source>
+        <translation>&amp;Kugel</translation>
+    </message>
+    <message>
+        <source>Begins with a ball of clay.</source>
+        <translation>Beginnt mit einer Kugel aus Ton.</translation>
+    </message>
+    <message>
+        <source>&amp;Cube</source>
+        <translation>&amp;Würfel</translation>
+    </message>
+    <message>
+        <source>Begins with a cube of clay.</source>
+        <translation>Beginnt mit einem Würfel aus Ton.</translation>
+    </message>
+    <message>
+        <source>&amp;Torus</source>
+        <translation>&amp;Ring</translation>
+    </message>
+    <message>
+        <source>Begins with a ring of clay.</source>
+        <translation>Beginnt mit einem Ring aus Ton.</translation>
+    </message>
+    <message>
+        <source>&amp;Slab</source>
+        <translation>&amp;Platte</translation>
+    </message>
+    <message>
+        <source>Begins with a thick square plate.</source>
+        <translation>Beginnt mit einer dicken quadratischen Platte.</translation>
+    </message>
+    <message>
+        <source>&amp;Vase</source>
+        <translation>&amp;Vase</translation>
+    </message>
+    <message>
+        <source>Begins with the turned blank of a vase.</source>
+        <translation>Beginnt mit dem gedrehten Rohling einer Vase.</translation>
+    </message>
+    <message>
+        <source>&amp;Head</source>
+        <translation>K&amp;opf</translation>
+    </message>
+    <message>
+        <source>Begins with the blank of a head on its neck.</source>
+        <translation>Beginnt mit dem Rohling eines Kopfes auf seinem Hals.</translation>
+    </message>
+    <message>
+        <source>T&amp;ablet</source>
+        <translation>&amp;Tafel</translation>
+    </message>
+    <message>
+        <source>Begins with a thin plate for a relief.</source>
+        <translation>Beginnt mit einer dünnen Tafel für ein Relief.</translation>
+    </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Neu</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -1936,6 +2032,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>&amp;Export…</source>
         <translation>&amp;Exportieren …</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>&amp;Clear This List</source>
+        <translation>Diese Liste &amp;leeren</translation>
     </message>
 </context>
 <context>

@@ -242,6 +242,34 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>%1 lay far from the origin and was moved there.</source>
         <translation>%1 离原点很远，已移至原点。</translation>
     </message>
+    <message>
+        <source>Cube</source>
+        <translation>立方体</translation>
+    </message>
+    <message>
+        <source>Torus</source>
+        <translation>圆环</translation>
+    </message>
+    <message>
+        <source>Slab</source>
+        <translation>厚板</translation>
+    </message>
+    <message>
+        <source>Vase</source>
+        <translation>花瓶</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>头像</translation>
+    </message>
+    <message>
+        <source>Tablet</source>
+        <translation>浮雕板</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>球</translation>
+    </message>
 </context>
 <context>
     <name>app::ModelTrial</name>
@@ -1109,6 +1137,74 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>Writes a sheet with front, side and top view to scale: PDF, SVG or PNG.</source>
         <translation>按比例写出含正视、侧视和俯视图的图纸：PDF、SVG 或 PNG。</translation>
     </message>
+    <message>
+        <source>Re&amp;vert</source>
+        <translation>还原(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Opens the model&apos;s file again, as it was last written.</source>
+        <translation>重新打开模型文件，恢复到上次写入的内容。</translation>
+    </message>
+    <message>
+        <source>&amp;Ball</source>
+        <translation>球(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Begins with a ball of clay.</source>
+        <translation>从一个泥球开始。</translation>
+    </message>
+    <message>
+        <source>&amp;Cube</source>
+        <translation>立方体(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Begins with a cube of clay.</source>
+        <translation>从一个泥立方体开始。</translation>
+    </message>
+    <message>
+        <source>&amp;Torus</source>
+        <translation>圆环(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Begins with a ring of clay.</source>
+        <translation>从一个泥圆环开始。</translation>
+    </message>
+    <message>
+        <source>&amp;Slab</source>
+        <translation>厚板(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Begins with a thick square plate.</source>
+        <translation>从一块厚方板开始。</translation>
+    </message>
+    <message>
+        <source>&amp;Vase</source>
+        <translation>花瓶(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Begins with the turned blank of a vase.</source>
+        <translation>从一个车削成形的花瓶坯开始。</translation>
+    </message>
+    <message>
+        <source>&amp;Head</source>
+        <translation>头像(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Begins with the blank of a head on its neck.</source>
+        <translation>从一个带颈的头像坯开始。</translation>
+    </message>
+    <message>
+        <source>T&amp;ablet</source>
+        <translation>浮雕板(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Begins with a thin plate for a relief.</source>
+        <translation>从一块用于浮雕的薄板开始。</translation>
+    </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>新建(&amp;N)</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -1931,6 +2027,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>&amp;Export…</source>
         <translation>导出(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>最近打开(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Clear This List</source>
+        <translation>清空此列表(&amp;C)</translation>
     </message>
 </context>
 <context>
