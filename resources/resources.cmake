@@ -66,6 +66,7 @@ set(FETTLE_RESOURCE_FILES
     icons/strength.svg
     icons/swap.svg
     icons/symmetrize.svg
+    icons/turntable.svg
     icons/undo.svg
     icons/uniform.svg
     icons/unsound.svg

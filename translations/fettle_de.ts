@@ -1207,6 +1207,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>&amp;New</source>
         <translation>&amp;Neu</translation>
     </message>
+    <message>
+        <source>Tur&amp;ntable</source>
+        <translation>Drehs&amp;cheibe</translation>
+    </message>
+    <message>
+        <source>Turns the model under the hand: a hand that rests makes a groove all around.</source>
+        <translation>Dreht das Modell unter der Hand: eine ruhende Hand macht eine Rille ringsum.</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -2339,6 +2347,49 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>The model cannot be shown: OpenGL 3.3 is needed, and this display offers %1.%2.</source>
         <translation>Das Modell lässt sich nicht anzeigen: Nötig ist OpenGL 3.3, diese Anzeige bietet %1.%2.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::TurntablePanel</name>
+    <message>
+        <source>The model turns</source>
+        <translation>Das Modell dreht sich</translation>
+    </message>
+    <message>
+        <source>Turns the model under the hand: a hand that rests makes a groove all around (T).</source>
+        <translation>Dreht das Modell unter der Hand: eine ruhende Hand macht eine Rille ringsum (T).</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Which way the model turns, seen from above.</source>
+        <translation>Wie herum das Modell sich dreht, von oben gesehen.</translation>
+    </message>
+    <message>
+        <source>Anticlockwise</source>
+        <translation>Gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>Clockwise</source>
+        <translation>Im Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>How many degrees the model turns in a second; 360 are one turn.</source>
+        <translation>Um wie viele Grad das Modell sich in einer Sekunde dreht; 360 sind eine Umdrehung.</translation>
+    </message>
+    <message>
+        <source> °/s</source>
+        <translation> °/s</translation>
+    </message>
+    <message>
+        <source>Turntable</source>
+        <translation>Drehscheibe</translation>
     </message>
 </context>
 <context>

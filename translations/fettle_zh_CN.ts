@@ -1205,6 +1205,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>&amp;New</source>
         <translation>新建(&amp;N)</translation>
     </message>
+    <message>
+        <source>Tur&amp;ntable</source>
+        <translation>转盘(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Turns the model under the hand: a hand that rests makes a groove all around.</source>
+        <translation>让模型在手下转动：手不动即可刻出环绕的沟槽。</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -2334,6 +2342,49 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>The model cannot be shown: OpenGL 3.3 is needed, and this display offers %1.%2.</source>
         <translation>无法显示模型：需要 OpenGL 3.3，而此显示环境仅提供 %1.%2。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::TurntablePanel</name>
+    <message>
+        <source>The model turns</source>
+        <translation>模型转动</translation>
+    </message>
+    <message>
+        <source>Turns the model under the hand: a hand that rests makes a groove all around (T).</source>
+        <translation>让模型在手下转动：手不动即可刻出环绕的沟槽 (T)。</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>Which way the model turns, seen from above.</source>
+        <translation>从上方看，模型转动的方向。</translation>
+    </message>
+    <message>
+        <source>Anticlockwise</source>
+        <translation>逆时针</translation>
+    </message>
+    <message>
+        <source>Clockwise</source>
+        <translation>顺时针</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>How many degrees the model turns in a second; 360 are one turn.</source>
+        <translation>模型每秒转动的度数；360 为一整圈。</translation>
+    </message>
+    <message>
+        <source> °/s</source>
+        <translation> °/秒</translation>
+    </message>
+    <message>
+        <source>Turntable</source>
+        <translation>转盘</translation>
     </message>
 </context>
 <context>

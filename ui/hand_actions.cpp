@@ -3,10 +3,15 @@
 #include "actions.h"
 #include "brush_drag.h"
 #include "settings.h"
+#include "turntable_motor.h"
+#include "turntable_panel.h"
 #include "viewport.h"
 
 #include <QAction>
 #include <QCoreApplication>
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QMenu>
 
 namespace ui
 {
@@ -42,21 +47,43 @@ void connectSteady(QAction* action, BrushSettings* brush, Settings* settings)
     });
     show();
 }
-void connectAdding(QAction* action, Viewport* viewport, const Say& say)
+void connectAdding(QAction* action, const HandPlace& place)
 {
-    QObject::connect(action, &QAction::triggered, viewport, [viewport, say](bool adds) {
+    QObject::connect(action, &QAction::triggered, place.viewport, [viewport = place.viewport, notice = place.notice](bool adds) {
         viewport->setAdding(adds);
         if (adds)
-            say(HandActions::tr("Click where the ball should be. Esc puts it away."));
+            notice(HandActions::tr("Click where the ball should be. Esc puts it away."));
     });
-    QObject::connect(viewport, &Viewport::addingChanged, action, &QAction::setChecked);
+    QObject::connect(place.viewport, &Viewport::addingChanged, action, &QAction::setChecked);
+}
+
+void connectTurntable(QAction* action, const HandPlace& place, Settings* settings)
+{
+    auto* turntable = new TurntableMotor(place.viewport);
+    turntable->setSpeed(settings->turnSpeed());
+    turntable->setClockwise(settings->turnsClockwise());
+    QObject::connect(turntable, &TurntableMotor::turned, place.viewport, &Viewport::turnModel);
+    QObject::connect(action, &QAction::triggered, turntable, &TurntableMotor::setOn);
+    QObject::connect(turntable, &TurntableMotor::changed, action, [=] {
+        action->setChecked(turntable->isOn());
+        settings->setTurnSpeed(turntable->speed());
+        settings->setTurnsClockwise(turntable->isClockwise());
+    });
+    QDockWidget* dock = makeTurntablePanel(turntable);
+    place.window->addDockWidget(Qt::RightDockWidgetArea, dock);
+    place.toggles->addAction(dock->toggleViewAction());
+    if (auto* symmetry = place.window->findChild<QDockWidget*>(QStringLiteral("symmetryPanel"))) {
+        place.window->tabifyDockWidget(symmetry, dock);
+        symmetry->raise();
+    }
 }
 } // namespace
 
-void connectHand(const Actions& actions, BrushSettings* brush, Viewport* viewport, Settings* settings, const Say& say)
+void connectHand(const HandPlace& place, BrushSettings* brush, Settings* settings, const Actions& actions)
 {
-    connectAdding(actions.get(QStringLiteral("brush.add")), viewport, say);
-    connectDrags(actions, brush, viewport);
+    connectDrags(actions, brush, place.viewport);
     connectSteady(actions.get(QStringLiteral("brush.steady")), brush, settings);
+    connectAdding(actions.get(QStringLiteral("brush.add")), place);
+    connectTurntable(actions.get(QStringLiteral("turntable.on")), place, settings);
 }
 } // namespace ui

@@ -4,6 +4,9 @@
 
 #include <functional>
 
+class QMainWindow;
+class QMenu;
+
 namespace ui
 {
 class Actions;
@@ -11,9 +14,16 @@ class BrushSettings;
 class Settings;
 class Viewport;
 
-using Say = std::function<void(const QString&)>;
+struct HandPlace
+{
+    QMainWindow* window;
+    QMenu* toggles; ///< where the docks' entries are
+    Viewport* viewport;
+    std::function<void(const QString&)> notice; ///< says a small word
+};
 
-/// The commands that change what the hand does next in the view: values by moving the pointer, the steady stroke, a ball. What is to be
-/// remembered is taken from the settings now and written there when it changes. None is owned.
-void connectHand(const Actions& actions, BrushSettings* brush, Viewport* viewport, Settings* settings, const Say& say);
+/// The commands that change what the hand does next in the view: values by moving the pointer, the steady stroke, a ball, and the
+/// turntable with its dock, a neighbour of the symmetry's. What is to be remembered is taken from the settings now and written
+/// there when it changes. None is owned.
+void connectHand(const HandPlace& place, BrushSettings* brush, Settings* settings, const Actions& actions);
 } // namespace ui

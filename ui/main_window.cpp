@@ -127,6 +127,7 @@ void MainWindow::State::buildBars()
 void MainWindow::State::buildPanels(QMenu* toggles)
 {
     addBrushPanels(q, &brush, toggles, [this] { viewport->setFocus(); });
+    connectHand({q, toggles, viewport, [this](const QString& word) { q->showNotice(word); }}, &brush, &settings, actions);
     addColorPanel({q, toggles, viewport}, &brush, &settings, actions, [this](const QString& word) { q->showNotice(word); });
     history = addHistoryPanel(q, &settings, toggles);
     modelPanel = addModelPanel(q, toggles);
@@ -190,7 +191,6 @@ void MainWindow::State::connectModel()
 void MainWindow::State::connectTools()
 {
     connectBrush(actions, &brush);
-    connectHand(actions, &brush, viewport, &settings, [this](const QString& words) { q->showNotice(words); });
     connect(&brush, &BrushSettings::clamped, q, [this](core::Parameter parameter) {
         q->showNotice(Messages::range(parameter, brush.minOf(parameter), brush.maxOf(parameter)));
     });

@@ -85,6 +85,12 @@ void OrbitCamera::turn(double yaw, double pitch)
     m_target = pivot() + axes() * seen;
 }
 
+void OrbitCamera::turnModel(double angle)
+{
+    m_yaw = std::remainder(m_yaw - angle, 2 * std::numbers::pi);
+    m_target = Eigen::AngleAxisd(-angle, core::Vec3::UnitY()) * m_target;
+}
+
 void OrbitCamera::setTargetDepth(const core::Vec3& point)
 {
     double forward = depthOf(point) - m_distance;

@@ -39,6 +39,8 @@ public:
     /// A drag by so many pixels. The view's height is half a turn.
     void orbit(const Pixel& delta);
     void turnTo(Side side);
+    /// As if the model turned about the Y axis, anticlockwise seen from above: the camera goes round it the other way. Radians.
+    void turnModel(double angle);
 
     /// The target moves along the view to the point's depth, the picture stays: pan() and zoom() go by that depth. A
     /// point too near to zoom to, or behind the eye, counts as the nearest.

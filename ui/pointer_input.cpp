@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace ui
@@ -11,6 +12,19 @@ namespace
 constexpr double zoomPerHeight = 0.1; ///< a zooming drag over the view's height comes so much nearer
 constexpr double leastRadiusShare = 0.1; ///< of the brush, under the lightest touch
 constexpr double samePixel = 1;       ///< how far a known point may lie from the pointer and still be what is under it
+
+Eigen::Quaterniond aboutY(double angle)
+{
+    return Eigen::Quaterniond(Eigen::AngleAxisd(angle, core::Vec3::UnitY()));
+}
+
+/// The place that the model's turn brought to where `hit` was.
+core::SurfaceHit leftBehind(core::SurfaceHit hit, double angle)
+{
+    hit.position = aboutY(-angle) * hit.position;
+    hit.normal = aboutY(-angle) * hit.normal;
+    return hit;
+}
 } // namespace
 
 PointerInput::PointerInput(const BrushSettings* brush, OrbitCamera* camera, QObject* parent)
@@ -67,6 +81,21 @@ void PointerInput::viewMoved()
     askAgain();
 }
 
+/// What is seen and done is that the model turns; in the model's space, where everything is kept, camera and hand go the other way.
+void PointerInput::turnModel(double angle, double seconds)
+{
+    m_camera->turnModel(angle);
+    m_turned = std::remainder(m_turned + angle, 2 * std::numbers::pi);
+    if (m_hit)
+        m_hit = leftBehind(*m_hit, angle);
+    if (m_drag == Drag::Stroke) {
+        m_hand.time += seconds;
+        sample({m_hand, m_camera->ray(m_brushAt), {}});
+    }
+    Q_EMIT viewChanged();
+    askAgain();
+}
+
 void PointerInput::leave()
 {
     m_inside = false;
@@ -103,6 +132,7 @@ void PointerInput::askAgain()
 void PointerInput::forgetHover()
 {
     ++m_view;
+    m_turned = 0;
     m_answeredPixel.reset();
     m_hit.reset();
     Q_EMIT hoverChanged();
@@ -117,6 +147,8 @@ void PointerInput::setHover(const std::optional<core::SurfaceHit>& hit)
     m_inFlight.reset();
     if (answered.view == m_view) {
         m_hit = hit;
+        if (m_hit && m_turned != answered.turned)
+            m_hit = leftBehind(*m_hit, m_turned - answered.turned);
         m_answeredPixel = answered.pixel;
     }
     if (m_drag == Drag::Stroke && hit)
@@ -196,6 +228,7 @@ bool PointerInput::isUndecided(const PointerEvent& event) const
 void PointerInput::ask(Question question)
 {
     question.view = m_view;
+    question.turned = m_turned;
     if (!m_inFlight) {
         m_inFlight = question;
         Q_EMIT hoverRequested(question.ray);
@@ -372,8 +405,9 @@ void PointerInput::sample(const Waiting& waiting)
 {
     core::StrokeSample sample;
     sample.time = waiting.event.time;
-    sample.position = waiting.ray.origin;
-    sample.direction = waiting.ray.direction;
+    sample.rotation = aboutY(m_turned);
+    sample.position = sample.rotation * waiting.ray.origin;
+    sample.direction = sample.rotation * waiting.ray.direction;
     const double pressure = waiting.event.pressure;
     sample.pressure = m_habits.pressureToStrength ? pressure : 1;
     if (m_habits.pressureToRadius)

@@ -53,6 +53,8 @@ public:
     void setModifiers(Qt::KeyboardModifiers modifiers);
     /// The surface changed under the pointer.
     void askAgain();
+    /// The model turns under the hand, about the Y axis, by so many radians in so many seconds. An open stroke is sampled anew.
+    void turnModel(double angle, double seconds);
     /// The camera was moved by somebody else.
     void viewMoved();
     /// What was known belongs to another model.
@@ -107,6 +109,7 @@ private:
         core::Ray ray;
         bool forPress = false;
         quint64 view = 0; ///< m_view when it was asked
+        double turned = 0; ///< m_turned then
     };
 
     void process(const Waiting& waiting);
@@ -137,6 +140,7 @@ private:
     double m_string = 0;                ///< of the open stroke
     PointerEvent m_hand;                ///< of the open stroke, where it is now and how hard it presses
     OrbitCamera::Pixel m_brushAt{0, 0}; ///< of the open stroke
+    double m_turned = 0; ///< by how much the model stands turned in the world, about Y; radians
     bool m_inside = false;
     bool m_isPicking = false;
     bool m_isAdding = false;

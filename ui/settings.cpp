@@ -25,6 +25,8 @@ const QString stringKey = QStringLiteral("hand/string");
 const QString drawnSidesKey = QStringLiteral("drawing/sides");
 const QString drawnShadedKey = QStringLiteral("drawing/shaded");
 const QString drawnDimensionsKey = QStringLiteral("drawing/dimensions");
+const QString turnSpeedKey = QStringLiteral("turntable/speed");
+const QString clockwiseKey = QStringLiteral("turntable/clockwise");
 const QString radiusShareKey = QStringLiteral("brush/radiusShare");
 const QString themeKey = QStringLiteral("preferences/theme");
 const QString languageKey = QStringLiteral("preferences/language");
@@ -262,5 +264,25 @@ void Settings::setSwatches(const QList<core::Rgb>& swatches)
     for (const core::Rgb& color : swatches)
         names << toQt(color).name();
     m_settings.setValue(swatchesKey, names);
+}
+
+double Settings::turnSpeed() const
+{
+    return number(m_settings, turnSpeedKey, minTurn, maxTurn, defaultTurn);
+}
+
+void Settings::setTurnSpeed(double speed)
+{
+    m_settings.setValue(turnSpeedKey, speed);
+}
+
+bool Settings::turnsClockwise() const
+{
+    return m_settings.value(clockwiseKey).toBool();
+}
+
+void Settings::setTurnsClockwise(bool clockwise)
+{
+    m_settings.setValue(clockwiseKey, clockwise);
 }
 } // namespace ui

@@ -3,6 +3,7 @@
 #include "brush_settings.h"
 #include "drawing_painter.h"
 #include "preferences.h"
+#include "turntable_motor.h"
 #include "view_look.h"
 
 #include "core/brush.h"
@@ -71,6 +72,12 @@ public:
     void setSteady(bool steady);
     double stringLength() const;
     void setStringLength(double pixels);
+
+    /// Of the turntable, degrees a second; seen from above.
+    double turnSpeed() const;
+    void setTurnSpeed(double speed);
+    bool turnsClockwise() const;
+    void setTurnsClockwise(bool clockwise);
 
     /// Colours at hand, in order; a first choice where none were ever stored. Broken ones are left out.
     QList<core::Rgb> swatches() const;

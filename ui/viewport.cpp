@@ -241,6 +241,11 @@ void Viewport::turnTo(OrbitCamera::Side side)
     m_state->input.viewMoved();
 }
 
+void Viewport::turnModel(double angle, double seconds)
+{
+    m_state->input.turnModel(angle, seconds);
+}
+
 void Viewport::setProjection(OrbitCamera::Projection projection)
 {
     m_state->camera.setProjection(projection);

@@ -225,6 +225,32 @@ private Q_SLOTS:
         QVERIFY(strokes.isEmpty() && stops.isEmpty());
     }
 
+    void theTurntableTurnsTheView()
+    {
+        {
+            MainWindow window;
+            window.setModel(facts(QStringLiteral("a"), 100));
+            const core::Vec3 eye = window.viewport()->camera().eye();
+            child<QDoubleSpinBox>(window, "turnSpeed")->setValue(200);
+            auto* direction = child<QComboBox>(window, "turnDirection");
+            direction->setCurrentIndex(1);
+            Q_EMIT direction->activated(1);
+            act(window, "turntable.on")->trigger();
+            QVERIFY(child<QCheckBox>(window, "turns")->isChecked());
+            QTRY_VERIFY((window.viewport()->camera().eye() - eye).norm() > 1);
+            QVERIFY(std::abs(window.viewport()->camera().eye().y() - eye.y()) < 1e-6);
+            child<QCheckBox>(window, "turns")->click();
+            QVERIFY(!act(window, "turntable.on")->isChecked());
+            const core::Vec3 there = window.viewport()->camera().eye();
+            QTest::qWait(60);
+            QCOMPARE(window.viewport()->camera().eye(), there);
+        }
+        MainWindow window; // direction and speed come back, but nothing turns by itself
+        QCOMPARE(child<QDoubleSpinBox>(window, "turnSpeed")->value(), 200.0);
+        QCOMPARE(child<QComboBox>(window, "turnDirection")->currentIndex(), 1);
+        QVERIFY(!act(window, "turntable.on")->isChecked());
+    }
+
     void addingABallIsArmedOnce()
     {
         SKIP_WITHOUT_GRAPHICS();

@@ -68,6 +68,19 @@ class TestOrbitCamera : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void aTurningModelIsSeenTurned_data() { addProjections(); }
+
+    void aTurningModelIsSeenTurned()
+    {
+        QFETCH(Projection, projection);
+        OrbitCamera camera = framed(projection);
+        const OrbitCamera before = camera;
+        camera.turnModel(0.7);
+        const Eigen::AngleAxisd turned(0.7, Vec3::UnitY());
+        for (const Vec3& p : {Vec3(10, 20, 30), Vec3(-30, 0, 5), Vec3(0, 50, 0)})
+            QVERIFY((camera.project(p) - before.project(turned * p)).norm() < tolerance);
+    }
+
     void rayAndProjectionAreInverse_data() { addProjections(); }
     void rayAndProjectionAreInverse()
     {

@@ -4,6 +4,7 @@
 #include <QTest>
 
 #include <functional>
+#include <numbers>
 
 using core::Tool;
 using Kind = ui::PointerEvent::Kind;
@@ -192,6 +193,47 @@ private Q_SLOTS:
         r.send(Kind::Release, {400, 300}, Qt::MiddleButton);
         QVERIFY(r.input.isAdding());
         QCOMPARE(places.size(), 2);
+    }
+
+    /// In the world the hand rests and the model turns; in the model's space the hand goes round it.
+    void aRestingHandGoesRoundATurningModel()
+    {
+        Recorder r;
+        r.rest({450, 280}, somewhere);
+        r.send(Kind::Press, {450, 280});
+        for (int i = 0; i < 36; ++i)
+            r.input.turnModel(std::numbers::pi / 18, 0.02);
+        r.send(Kind::Release, {450, 280});
+        QCOMPARE(r.log, strokeOf(37));
+        const core::StrokeSample& first = r.samples.front();
+        for (std::size_t i = 0; i < r.samples.size(); ++i) {
+            const core::StrokeSample& s = r.samples[i];
+            QVERIFY((s.position - first.position).norm() < 1e-9 && (s.direction - first.direction).norm() < 1e-12);
+            const double turn = static_cast<double>(i) * std::numbers::pi / 18;
+            const Eigen::Quaterniond turned(Eigen::AngleAxisd(turn, core::Vec3::UnitY()));
+            QVERIFY(s.rotation.angularDistance(turned) < 1e-6);
+            QVERIFY(i == 0 || s.time > r.samples[i - 1].time);
+        }
+        QVERIFY((r.camera.ray({450, 280}).direction - first.direction).norm() < 1e-9); // once round
+    }
+
+    void theCursorStaysUnderThePointerOfATurningModel()
+    {
+        Recorder r;
+        const Pixel at(450, 280);
+        const auto surface = [&](const core::Ray& ray) { // a ball of 40 about the origin
+            const double b = ray.origin.dot(ray.direction), c = ray.origin.squaredNorm() - 1600;
+            const core::Vec3 p = ray.origin + (-b - std::sqrt(b * b - c)) * ray.direction;
+            return core::SurfaceHit{p, p.normalized(), 0, 0};
+        };
+        r.rest(at, surface(r.camera.ray(at)));
+        for (int i = 0; i < 20; ++i) {
+            r.input.turnModel(0.05, 0.02);
+            QVERIFY((r.camera.project(r.input.hover()->position) - at).norm() < 1e-6);
+            if (i % 3 == 2) // late answers
+                r.input.setHover(surface(r.asked));
+            QVERIFY((r.camera.project(r.input.hover()->position) - at).norm() < 1e-6);
+        }
     }
 
     void samplesWaitForTheAnswer()

@@ -1,0 +1,51 @@
+#include "turntable_motor.h"
+
+#include <algorithm>
+#include <chrono>
+#include <numbers>
+#include <utility>
+
+namespace ui
+{
+namespace
+{
+constexpr std::chrono::milliseconds interval(16); ///< a frame
+constexpr double longestStep = 0.1;               ///< seconds; a window that stood still does not jump afterwards
+} // namespace
+
+TurntableMotor::TurntableMotor(QObject* parent) : QObject(parent)
+{
+    m_timer.setTimerType(Qt::PreciseTimer);
+    m_timer.setInterval(interval);
+    connect(&m_timer, &QTimer::timeout, this, &TurntableMotor::step);
+}
+
+void TurntableMotor::setOn(bool on)
+{
+    if (on == isOn())
+        return;
+    m_sinceStep.start();
+    on ? m_timer.start() : m_timer.stop();
+    Q_EMIT changed();
+}
+
+void TurntableMotor::setSpeed(double speed)
+{
+    const double legal = std::clamp(speed, minTurn, maxTurn);
+    if (std::exchange(m_speed, legal) != legal)
+        Q_EMIT changed();
+}
+
+void TurntableMotor::setClockwise(bool clockwise)
+{
+    if (std::exchange(m_isClockwise, clockwise) != clockwise)
+        Q_EMIT changed();
+}
+
+void TurntableMotor::step()
+{
+    const double seconds = std::min(static_cast<double>(m_sinceStep.nsecsElapsed()) * 1e-9, longestStep);
+    m_sinceStep.start();
+    Q_EMIT turned((m_isClockwise ? -1 : 1) * m_speed * seconds * std::numbers::pi / 180, seconds);
+}
+} // namespace ui

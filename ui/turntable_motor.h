@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+
+namespace ui
+{
+/// Degrees a second.
+inline constexpr double minTurn = 1, maxTurn = 720, defaultTurn = 60;
+
+/// Turns the model under the hand while it is on, by small steps that follow the clock. Gui thread.
+class TurntableMotor : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit TurntableMotor(QObject* parent = nullptr);
+
+    bool isOn() const { return m_timer.isActive(); }
+    void setOn(bool on);
+    /// In degrees a second, clamped to minTurn to maxTurn.
+    double speed() const { return m_speed; }
+    void setSpeed(double speed);
+    /// Seen from above.
+    bool isClockwise() const { return m_isClockwise; }
+    void setClockwise(bool clockwise);
+
+Q_SIGNALS:
+    void changed();
+    /// By so many radians, anticlockwise seen from above, in so many seconds.
+    void turned(double angle, double seconds);
+
+private:
+    void step();
+
+    QTimer m_timer;
+    QElapsedTimer m_sinceStep;
+    double m_speed = defaultTurn;
+    bool m_isClockwise = false;
+};
+} // namespace ui

@@ -1,0 +1,88 @@
+#include "turntable_panel.h"
+
+#include "turntable_motor.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QSignalBlocker>
+
+namespace ui
+{
+namespace
+{
+struct TurntablePanel
+{
+    Q_DECLARE_TR_FUNCTIONS(ui::TurntablePanel)
+};
+
+constexpr int gap = 8; ///< of the window's spacing grid
+
+QCheckBox* makeSwitch(TurntableMotor* turntable)
+{
+    auto* box = new QCheckBox(TurntablePanel::tr("The model turns"));
+    box->setObjectName(QStringLiteral("turns"));
+    box->setToolTip(TurntablePanel::tr("Turns the model under the hand: a hand that rests makes a groove all around (T)."));
+    QObject::connect(box, &QCheckBox::clicked, turntable, &TurntableMotor::setOn);
+    return box;
+}
+
+QComboBox* makeDirection(TurntableMotor* turntable)
+{
+    auto* box = new QComboBox;
+    box->setObjectName(QStringLiteral("turnDirection"));
+    box->setAccessibleName(TurntablePanel::tr("Direction"));
+    box->setToolTip(TurntablePanel::tr("Which way the model turns, seen from above."));
+    box->addItem(TurntablePanel::tr("Anticlockwise"));
+    box->addItem(TurntablePanel::tr("Clockwise"));
+    QObject::connect(box, &QComboBox::activated, turntable, [turntable](int index) { turntable->setClockwise(index == 1); });
+    return box;
+}
+
+QDoubleSpinBox* makeSpeed(TurntableMotor* turntable)
+{
+    auto* box = new QDoubleSpinBox;
+    box->setObjectName(QStringLiteral("turnSpeed"));
+    box->setAccessibleName(TurntablePanel::tr("Speed"));
+    box->setToolTip(TurntablePanel::tr("How many degrees the model turns in a second; 360 are one turn."));
+    box->setDecimals(0);
+    box->setRange(minTurn, maxTurn);
+    box->setSingleStep(10);
+    box->setSuffix(TurntablePanel::tr(" °/s"));
+    box->setKeyboardTracking(false);
+    QObject::connect(box, &QDoubleSpinBox::valueChanged, turntable, &TurntableMotor::setSpeed);
+    return box;
+}
+} // namespace
+
+QDockWidget* makeTurntablePanel(TurntableMotor* turntable)
+{
+    auto* dock = new QDockWidget(TurntablePanel::tr("Turntable"));
+    dock->setObjectName(QStringLiteral("turntablePanel"));
+    auto* content = new QWidget;
+    content->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    dock->setWidget(content);
+    auto* form = new QFormLayout(content);
+    form->setContentsMargins(gap, gap, gap, gap);
+    form->setSpacing(gap);
+
+    QCheckBox* on = makeSwitch(turntable);
+    QComboBox* direction = makeDirection(turntable);
+    QDoubleSpinBox* speed = makeSpeed(turntable);
+    form->addRow(on);
+    form->addRow(TurntablePanel::tr("Direction"), direction);
+    form->addRow(TurntablePanel::tr("Speed"), speed);
+    const auto show = [=] {
+        on->setChecked(turntable->isOn());
+        direction->setCurrentIndex(turntable->isClockwise() ? 1 : 0);
+        const QSignalBlocker quiet(speed);
+        speed->setValue(turntable->speed());
+    };
+    QObject::connect(turntable, &TurntableMotor::changed, dock, show);
+    show();
+    return dock;
+}
+} // namespace ui
