@@ -3,6 +3,7 @@
 #include "brush_bar.h"
 #include "falloff_curve.h"
 #include "messages.h"
+#include "side_dock.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -163,9 +164,8 @@ QDockWidget* symmetryPanel(BrushSettings* brush)
 
 void addBrushPanels(QMainWindow* window, BrushSettings* brush, QMenu* toggles, const std::function<void()>& entered)
 {
-    for (QDockWidget* dock : {brushPanel(brush, entered), topologyPanel(brush, entered), symmetryPanel(brush)}) {
-        window->addDockWidget(Qt::RightDockWidgetArea, dock);
-        toggles->addAction(dock->toggleViewAction());
-    }
+    addSideDock(window, toggles, brushPanel(brush, entered));
+    addSideDock(window, toggles, topologyPanel(brush, entered));
+    addSideDock(window, toggles, symmetryPanel(brush), QStringLiteral("topologyPanel"));
 }
 } // namespace ui

@@ -6,6 +6,7 @@
 #include "color_swatches.h"
 #include "color_wheel.h"
 #include "settings.h"
+#include "side_dock.h"
 #include "viewport.h"
 
 #include <QAction>
@@ -200,12 +201,7 @@ void addColorPanel(const ColorPanelPlace& place, BrushSettings* brush, Settings*
     auto* dock = new QDockWidget(ColorPanel::tr("Colour"));
     dock->setObjectName(QStringLiteral("colorPanel"));
     dock->setWidget(panel);
-    place.window->addDockWidget(Qt::RightDockWidgetArea, dock);
-    if (auto* first = place.window->findChild<QDockWidget*>(QStringLiteral("brushPanel"))) {
-        place.window->tabifyDockWidget(first, dock);
-        first->raise();
-    }
-    place.toggles->addAction(dock->toggleViewAction());
+    addSideDock(place.window, place.toggles, dock, QStringLiteral("brushPanel"));
 
     Viewport* viewport = place.viewport;
     QAction* picking = actions.get(QStringLiteral("color.pick"));

@@ -3,6 +3,7 @@
 #include "actions.h"
 #include "brush_drag.h"
 #include "settings.h"
+#include "side_dock.h"
 #include "turntable_motor.h"
 #include "turntable_panel.h"
 #include "viewport.h"
@@ -69,13 +70,7 @@ void connectTurntable(QAction* action, const HandPlace& place, Settings* setting
         settings->setTurnSpeed(turntable->speed());
         settings->setTurnsClockwise(turntable->isClockwise());
     });
-    QDockWidget* dock = makeTurntablePanel(turntable);
-    place.window->addDockWidget(Qt::RightDockWidgetArea, dock);
-    place.toggles->addAction(dock->toggleViewAction());
-    if (auto* symmetry = place.window->findChild<QDockWidget*>(QStringLiteral("symmetryPanel"))) {
-        place.window->tabifyDockWidget(symmetry, dock);
-        symmetry->raise();
-    }
+    addSideDock(place.window, place.toggles, makeTurntablePanel(turntable), QStringLiteral("topologyPanel"));
 }
 } // namespace
 

@@ -1,6 +1,7 @@
 #include "history_panel.h"
 
 #include "settings.h"
+#include "side_dock.h"
 #include "themed_icon.h"
 
 #include <QAbstractTableModel>
@@ -178,12 +179,7 @@ HistoryPanel* addHistoryPanel(QMainWindow* window, Settings* settings, QMenu* to
     auto* dock = new QDockWidget(HistoryPanel::tr("History"));
     dock->setObjectName(QStringLiteral("historyPanel"));
     dock->setWidget(panel);
-    window->addDockWidget(Qt::RightDockWidgetArea, dock);
-    if (auto* first = window->findChild<QDockWidget*>(QStringLiteral("brushPanel"))) {
-        window->tabifyDockWidget(first, dock);
-        first->raise();
-    }
-    toggles->addAction(dock->toggleViewAction());
+    addSideDock(window, toggles, dock, QStringLiteral("brushPanel"));
     return panel;
 }
 } // namespace ui

@@ -1,5 +1,6 @@
 #include "model_panel.h"
 
+#include "side_dock.h"
 #include "themed_icon.h"
 
 #include <QDockWidget>
@@ -126,12 +127,7 @@ ModelPanel* addModelPanel(QMainWindow* window, QMenu* toggles)
     auto* dock = new QDockWidget(ModelPanel::tr("Model", "panel"));
     dock->setObjectName(QStringLiteral("modelPanel"));
     dock->setWidget(panel);
-    window->addDockWidget(Qt::RightDockWidgetArea, dock);
-    if (auto* first = window->findChild<QDockWidget*>(QStringLiteral("brushPanel"))) {
-        window->tabifyDockWidget(first, dock);
-        first->raise();
-    }
-    toggles->addAction(dock->toggleViewAction());
+    addSideDock(window, toggles, dock, QStringLiteral("brushPanel"));
     return panel;
 }
 } // namespace ui
