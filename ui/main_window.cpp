@@ -14,7 +14,7 @@
 #include "history_panel.h"
 #include "look_actions.h"
 #include "messages.h"
-#include "model_dialogs.h"
+#include "model_actions.h"
 #include "model_files.h"
 #include "model_panel.h"
 #include "preferences_actions.h"
@@ -69,7 +69,6 @@ struct MainWindow::State
     template <class What> void on(const char* id, What what);
     void connectActions();
     void connectFiles();
-    void connectModel();
     void connectTools();
     void setBusy(bool isBusy);
     void restore();
@@ -150,7 +149,8 @@ template <class What> void MainWindow::State::on(const char* id, What what)
 void MainWindow::State::connectActions()
 {
     connectFiles();
-    connectModel();
+    connectModel(actions, q, [this]() -> const ModelFacts& { return model; }, &brush,
+                 [this](const core::ModelCommand& command) { Q_EMIT q->commandRequested(command); });
     connectTools();
     on("edit.stop", [this] { Q_EMIT q->stopRequested(); });
     connectView(actions, viewport);
@@ -173,19 +173,6 @@ void MainWindow::State::connectFiles()
     connect(&files, &ModelFiles::starterRequested, q, &MainWindow::starterRequested);
     connect(&files, &ModelFiles::exportRequested, q, &MainWindow::exportRequested);
     connect(&files, &ModelFiles::insertRequested, q, &MainWindow::insertRequested);
-}
-
-void MainWindow::State::connectModel()
-{
-    const auto request = [this](const core::ModelCommand& command) { Q_EMIT q->commandRequested(command); };
-    on("model.move", [this, request] { askForMove(q, request); });
-    on("model.rotate", [this, request] { askForRotation(q, request); });
-    on("model.scale", [this, request] { askForScale(q, model, request); });
-    on("model.mirror", [this, request] { askForMirror(q, request); });
-    on("model.symmetrize", [this, request] { askForSymmetry(q, request); });
-    on("model.recentre", [request] { request(core::Recentre{}); });
-    on("model.fill", [this, request] { request(core::Fill{brush.stroke().color}); });
-    on("model.remesh", [this, request] { askForRemesh(q, model, request); });
 }
 
 void MainWindow::State::connectTools()

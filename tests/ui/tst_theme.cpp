@@ -122,8 +122,7 @@ private Q_SLOTS:
 
     void theSystemIsFollowed()
     {
-        if (m_bus.address().isEmpty())
-            QSKIP("dbus-daemon is not installed");
+        QVERIFY2(!m_bus.address().isEmpty(), "dbus-daemon is not installed");
         Portal portal(m_bus.address());
         ui::Theme theme(ThemeChoice::System);
         QTRY_VERIFY(theme.isDark() && applicationIsDark());
@@ -152,8 +151,7 @@ private Q_SLOTS:
 
     void nonsenseIsNoPreference()
     {
-        if (m_bus.address().isEmpty())
-            QSKIP("dbus-daemon is not installed");
+        QVERIFY2(!m_bus.address().isEmpty(), "dbus-daemon is not installed");
         QFETCH(QVariant, value);
         Portal portal(m_bus.address());
         const SystemScheme system;

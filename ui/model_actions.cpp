@@ -1,0 +1,27 @@
+#include "model_actions.h"
+
+#include "actions.h"
+#include "brush_settings.h"
+#include "model_dialogs.h"
+
+#include <QAction>
+#include <QWidget>
+
+namespace ui
+{
+void connectModel(const Actions& actions, QWidget* window, const std::function<const ModelFacts&()>& facts, const BrushSettings* brush,
+                  const std::function<void(const core::ModelCommand&)>& request)
+{
+    const auto on = [&](const char* id, const auto& what) {
+        QObject::connect(actions.get(QLatin1StringView(id)), &QAction::triggered, window, what);
+    };
+    on("model.move", [=] { askForMove(window, request); });
+    on("model.rotate", [=] { askForRotation(window, request); });
+    on("model.scale", [=] { askForScale(window, facts(), request); });
+    on("model.mirror", [=] { askForMirror(window, request); });
+    on("model.symmetrize", [=] { askForSymmetry(window, request); });
+    on("model.recentre", [=] { request(core::Recentre{}); });
+    on("model.fill", [=] { request(core::Fill{brush->stroke().color}); });
+    on("model.remesh", [=] { askForRemesh(window, facts(), request); });
+}
+} // namespace ui
