@@ -159,6 +159,14 @@ core::Ray OrbitCamera::ray(const Pixel& pixel) const
     return {eye(), (viewDirection() + right() * x + up() * y).normalized()};
 }
 
+core::Vec3 OrbitCamera::acrossPivot(const core::Ray& ray) const
+{
+    const core::Vec3 normal = viewDirection();
+    const auto along = [&](const core::Vec3& point) { return (point - ray.origin).dot(normal) / ray.direction.dot(normal); };
+    const double there = along(pivot());
+    return ray.origin + (there > 0 ? there : along(m_target)) * ray.direction;
+}
+
 OrbitCamera::Pixel OrbitCamera::project(const core::Vec3& point) const
 {
     const core::Vec3 p = point - eye();

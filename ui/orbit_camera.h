@@ -59,6 +59,8 @@ public:
 
     /// Origin at the eye, in orthographic views on the near plane: ahead of all that is seen. Unit direction.
     core::Ray ray(const Pixel& pixel) const;
+    /// Where a ray meets the plane through the pivot that faces the camera; through the target if the pivot lies behind the eye.
+    core::Vec3 acrossPivot(const core::Ray& ray) const;
     /// In pixels; in perspective a point behind the eye has no meaningful answer.
     Pixel project(const core::Vec3& point) const;
     /// How many logical pixels a length of 1 mm, parallel to the picture at that point, covers.

@@ -2,27 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace ui
 {
 namespace
 {
-constexpr double zoomPerHeight = 0.1; ///< a zooming drag over the view's height comes so much nearer
-constexpr double leastRadiusShare = 0.1; ///< of the brush, under the lightest touch
-constexpr double samePixel = 1;       ///< how far a known point may lie from the pointer and still be what is under it
-
-Eigen::Quaterniond aboutY(double angle)
-{
-    return Eigen::Quaterniond(Eigen::AngleAxisd(angle, core::Vec3::UnitY()));
-}
+constexpr double zoomPerHeight = 0.1;   ///< a zooming drag over the view's height comes so much nearer
+constexpr double samePixel = 1;         ///< how far a known point may lie from the pointer and still be what is under it
 
 /// The place that the model's turn brought to where `hit` was.
 core::SurfaceHit leftBehind(core::SurfaceHit hit, double angle)
 {
-    hit.position = aboutY(-angle) * hit.position;
-    hit.normal = aboutY(-angle) * hit.normal;
+    const Eigen::AngleAxisd back(-angle, core::Vec3::UnitY());
+    hit.position = back * hit.position;
+    hit.normal = back * hit.normal;
     return hit;
 }
 } // namespace
@@ -31,7 +25,18 @@ PointerInput::PointerInput(const BrushSettings* brush, OrbitCamera* camera, QObj
     : QObject(parent)
     , m_brush(brush)
     , m_camera(camera)
-{}
+    , m_stroke(brush, camera)
+{
+    connect(&m_stroke, &StrokeMaker::began, this, &PointerInput::strokeBegan);
+    connect(&m_stroke, &StrokeMaker::sampled, this, &PointerInput::strokeSampled);
+    connect(&m_stroke, &StrokeMaker::ended, this, &PointerInput::strokeEnded);
+}
+
+void PointerInput::setHabits(const HandHabits& habits)
+{
+    m_habits = habits;
+    m_stroke.setHabits(habits);
+}
 
 void PointerInput::handle(const PointerEvent& event)
 {
@@ -85,13 +90,9 @@ void PointerInput::viewMoved()
 void PointerInput::turnModel(double angle, double seconds)
 {
     m_camera->turnModel(angle);
-    m_turned = std::remainder(m_turned + angle, 2 * std::numbers::pi);
+    m_stroke.turnModel(angle, seconds);
     if (m_hit)
         m_hit = leftBehind(*m_hit, angle);
-    if (m_drag == Drag::Stroke) {
-        m_hand.time += seconds;
-        sample({m_hand, m_camera->ray(m_brushAt), {}});
-    }
     Q_EMIT viewChanged();
     askAgain();
 }
@@ -126,13 +127,13 @@ void PointerInput::setModifiers(Qt::KeyboardModifiers modifiers)
 void PointerInput::askAgain()
 {
     if (m_inside && m_waiting.empty() && (m_drag == Drag::None || m_drag == Drag::Stroke))
-        ask(m_drag == Drag::Stroke ? Question{m_brushAt, m_camera->ray(m_brushAt)} : Question{m_last, m_camera->ray(m_last)});
+        ask({brushAt(), m_camera->ray(brushAt())});
 }
 
 void PointerInput::forgetHover()
 {
     ++m_view;
-    m_turned = 0;
+    m_stroke.forgetTurn();
     m_answeredPixel.reset();
     m_hit.reset();
     Q_EMIT hoverChanged();
@@ -147,8 +148,8 @@ void PointerInput::setHover(const std::optional<core::SurfaceHit>& hit)
     m_inFlight.reset();
     if (answered.view == m_view) {
         m_hit = hit;
-        if (m_hit && m_turned != answered.turned)
-            m_hit = leftBehind(*m_hit, m_turned - answered.turned);
+        if (m_hit && m_stroke.turned() != answered.turned)
+            m_hit = leftBehind(*m_hit, m_stroke.turned() - answered.turned);
         m_answeredPixel = answered.pixel;
     }
     if (m_drag == Drag::Stroke && hit)
@@ -168,8 +169,8 @@ void PointerInput::setHover(const std::optional<core::SurfaceHit>& hit)
 std::optional<core::SurfaceHit> PointerInput::hover() const
 {
     if (m_isAdding && m_inside && !movesView())
-        return core::SurfaceHit{spherePlace(m_camera->ray(m_last)), -m_camera->viewDirection(), 0, core::noSlot};
-    const bool next = m_drag == Drag::None && viewDrag(Qt::LeftButton, m_modifiers) != Drag::None;
+        return core::SurfaceHit{m_camera->acrossPivot(m_camera->ray(m_last)), -m_camera->viewDirection(), 0, core::noSlot};
+    const bool next = m_drag == Drag::None && viewDrag(Qt::LeftButton, m_modifiers, m_habits) != Drag::None;
     return m_inside && !movesView() && !next && !m_isPicking ? m_hit : std::nullopt;
 }
 
@@ -185,30 +186,13 @@ void PointerInput::setPicking(bool on)
 
 core::Tool PointerInput::tool() const
 {
-    return strokeOpen() ? m_strokeTool : toolWith(m_brush->tool(), m_modifiers);
+    return strokeOpen() ? m_stroke.tool() : toolWith(m_brush->tool(), m_modifiers);
 }
 
-/// How a press moves the view, wherever it is; None: it does not, or that depends on what is under it.
-PointerInput::Drag PointerInput::viewDrag(Qt::MouseButton button, Qt::KeyboardModifiers modifiers) const
+/// Where the brush is, or would be.
+OrbitCamera::Pixel PointerInput::brushAt() const
 {
-    struct Row
-    {
-        Qt::MouseButton button;
-        Qt::KeyboardModifier held;
-        Drag drag;
-    };
-    static constexpr Row table[] = {
-        {Qt::LeftButton, Qt::AltModifier, Drag::Orbit},      {Qt::MiddleButton, Qt::AltModifier, Drag::Pan},
-        {Qt::RightButton, Qt::AltModifier, Drag::Zoom},      {Qt::MiddleButton, Qt::ShiftModifier, Drag::Pan},
-        {Qt::MiddleButton, Qt::ControlModifier, Drag::Zoom}, {Qt::MiddleButton, Qt::NoModifier, Drag::Orbit},
-        {Qt::RightButton, Qt::NoModifier, Drag::Pan},
-    };
-    if (!m_habits.altMovesView)
-        modifiers &= ~Qt::KeyboardModifiers(Qt::AltModifier);
-    for (const Row& row : table)
-        if (row.button == button && (row.held == Qt::NoModifier || (modifiers & row.held)))
-            return row.drag;
-    return Drag::None;
+    return strokeOpen() ? m_stroke.brushAt() : m_last;
 }
 
 bool PointerInput::movesView() const
@@ -220,7 +204,7 @@ bool PointerInput::movesView() const
 bool PointerInput::isUndecided(const PointerEvent& event) const
 {
     return event.kind == PointerEvent::Kind::Press && event.button == Qt::LeftButton &&
-           viewDrag(event.button, event.modifiers) == Drag::None && m_drag == Drag::None && !m_isAdding &&
+           viewDrag(event.button, event.modifiers, m_habits) == Drag::None && m_drag == Drag::None && !m_isAdding &&
            m_answeredPixel != event.pixel;
 }
 
@@ -228,7 +212,7 @@ bool PointerInput::isUndecided(const PointerEvent& event) const
 void PointerInput::ask(Question question)
 {
     question.view = m_view;
-    question.turned = m_turned;
+    question.turned = m_stroke.turned();
     if (!m_inFlight) {
         m_inFlight = question;
         Q_EMIT hoverRequested(question.ray);
@@ -249,8 +233,7 @@ void PointerInput::process(const Waiting& waiting)
     case PointerEvent::Kind::Release:
         if (waiting.event.button != m_dragButton)
             break;
-        m_hand.pixel = waiting.event.pixel;
-        m_hand.time = waiting.event.time;
+        m_stroke.comeTo(waiting.event.pixel, waiting.event.time);
         end();
         break;
     }
@@ -268,34 +251,17 @@ void PointerInput::press(const Waiting& waiting)
 
 bool PointerInput::addsSphere(const PointerEvent& press) const
 {
-    return m_isAdding && press.button == Qt::LeftButton && viewDrag(press.button, press.modifiers) == Drag::None;
+    return m_isAdding && press.button == Qt::LeftButton && viewDrag(press.button, press.modifiers, m_habits) == Drag::None;
 }
 
 void PointerInput::addSphere(const Waiting& press)
 {
-    core::StrokeSettings settings = press.settings;
-    settings.tool = core::Tool::Pull;
-    settings.brush = core::BrushShape::Sphere;
-    settings.place = core::Placement::Point;
-    settings.strength = core::info(core::Parameter::Strength).defaultValue;
-    settings.spacing = 0;
-    settings.add = true;
     core::StrokeSample sample;
     sample.time = press.event.time;
-    sample.position = spherePlace(press.ray);
+    sample.position = m_camera->acrossPivot(press.ray);
     sample.direction = press.ray.direction;
     setAdding(false);
-    Q_EMIT sphereRequested(settings, sample);
-}
-
-/// In the plane that faces the camera through the last stroke, else through the scene's centre; through what is in the middle
-/// of the view if that lies behind the eye.
-core::Vec3 PointerInput::spherePlace(const core::Ray& ray) const
-{
-    const core::Vec3 normal = m_camera->viewDirection();
-    const auto along = [&](const core::Vec3& point) { return (point - ray.origin).dot(normal) / ray.direction.dot(normal); };
-    const double there = along(m_camera->pivot());
-    return ray.origin + (there > 0 ? there : along(m_camera->target())) * ray.direction;
+    Q_EMIT sphereRequested(addingDab(press.settings), sample);
 }
 
 void PointerInput::setAdding(bool adding)
@@ -310,7 +276,7 @@ void PointerInput::setAdding(bool adding)
 
 void PointerInput::begin(const Waiting& press, const std::optional<core::SurfaceHit>& hit)
 {
-    m_drag = viewDrag(press.event.button, press.event.modifiers);
+    m_drag = viewDrag(press.event.button, press.event.modifiers, m_habits);
     if (m_drag == Drag::None && press.event.button == Qt::LeftButton && m_isPicking) {
         setPicking(false);
         Q_EMIT picked(hit);
@@ -323,14 +289,8 @@ void PointerInput::begin(const Waiting& press, const std::optional<core::Surface
     m_dragButton = press.event.button;
     m_pressed = m_last = press.event.pixel;
     if (m_drag == Drag::Stroke) {
-        m_strokeTool = press.settings.tool;
-        m_strokeRadius = press.settings.radius;
-        m_string = press.string;
-        m_hand = press.event;
-        m_brushAt = press.event.pixel;
         m_camera->setPivot(hit->position);
-        Q_EMIT strokeBegan(press.settings);
-        sample(press);
+        m_stroke.begin({press.event, press.ray, press.settings, press.string});
     } else if (m_drag != Drag::Orbit) {
         goByDepthAt(m_pressed);
     }
@@ -339,15 +299,12 @@ void PointerInput::begin(const Waiting& press, const std::optional<core::Surface
 
 void PointerInput::end()
 {
-    if (m_drag == Drag::Stroke && m_string > 0 && m_brushAt != m_hand.pixel)
-        sample({m_hand, m_camera->ray(m_hand.pixel), {}});
-    const Drag ended = m_drag;
-    m_drag = Drag::None;
+    const Drag ended = std::exchange(m_drag, Drag::None);
     m_dragButton = Qt::NoButton;
     if (ended == Drag::None)
         return;
     if (ended == Drag::Stroke)
-        Q_EMIT strokeEnded();
+        m_stroke.end();
     Q_EMIT hoverChanged();
     if (m_waiting.empty())
         askAgain();
@@ -360,8 +317,8 @@ void PointerInput::move(const Waiting& waiting)
         return;
     }
     if (m_drag == Drag::Stroke)
-        follow(waiting);
-    const OrbitCamera::Pixel at = m_drag == Drag::Stroke ? m_brushAt : waiting.event.pixel;
+        m_stroke.follow(waiting.event, waiting.ray);
+    const OrbitCamera::Pixel at = m_drag == Drag::Stroke ? m_stroke.brushAt() : waiting.event.pixel;
     ask({at, m_camera->ray(at)});
 }
 
@@ -382,37 +339,6 @@ void PointerInput::drain(const std::optional<core::SurfaceHit>& hit)
         events.pop_front();
         process(waiting);
     }
-}
-
-/// The pointer draws the brush behind it when the string is taut.
-void PointerInput::follow(const Waiting& waiting)
-{
-    m_hand = waiting.event;
-    if (m_string == 0) {
-        m_brushAt = waiting.event.pixel;
-        return sample(waiting);
-    }
-    const OrbitCamera::Pixel way = waiting.event.pixel - m_brushAt;
-    if (way.norm() <= m_string)
-        return;
-    m_brushAt = waiting.event.pixel - way.normalized() * m_string;
-    Waiting drawn = waiting;
-    drawn.ray = m_camera->ray(m_brushAt);
-    sample(drawn);
-}
-
-void PointerInput::sample(const Waiting& waiting)
-{
-    core::StrokeSample sample;
-    sample.time = waiting.event.time;
-    sample.rotation = aboutY(m_turned);
-    sample.position = sample.rotation * waiting.ray.origin;
-    sample.direction = sample.rotation * waiting.ray.direction;
-    const double pressure = waiting.event.pressure;
-    sample.pressure = m_habits.pressureToStrength ? pressure : 1;
-    if (m_habits.pressureToRadius)
-        sample.radius = std::max(m_brush->minOf(core::Parameter::Radius), m_strokeRadius * std::max(pressure, leastRadiusShare));
-    Q_EMIT strokeSampled(sample);
 }
 
 /// A zooming drag to the right or up comes nearer to where it began.

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "brush_settings.h"
-#include "orbit_camera.h"
-#include "preferences.h"
+#include "stroke_maker.h"
+#include "view_drag.h"
 
 #include "core/mesh_patch.h"
 #include "core/sculptor.h"
@@ -14,24 +13,10 @@
 
 namespace ui
 {
-/// A reading of mouse or pen. Nobody asks later which it was.
-struct PointerEvent
-{
-    enum class Kind { Press, Move, Release };
-
-    Kind kind = Kind::Move;
-    OrbitCamera::Pixel pixel{0, 0};
-    Qt::MouseButton button = Qt::NoButton;
-    Qt::KeyboardModifiers modifiers;
-    double time = 0; ///< seconds
-    double pressure = 1;
-};
-
 /// Decides what a drag is: a stroke, or a turn, a move or a zoom of the view. A left press is a stroke if it is on the
 /// model, else it turns the view; that is asked by a hover question, and what happens before the answer waits in a queue.
 /// The other buttons, and any with Alt, move the view wherever they are pressed. The view turns about the place of the
-/// last stroke. A steady stroke hangs on a string behind the pointer and comes to where the pointer is when it ends. Gui thread,
-/// no widget, no OpenGL.
+/// last stroke. Gui thread, no widget, no OpenGL.
 class PointerInput : public QObject
 {
     Q_OBJECT
@@ -41,7 +26,7 @@ public:
     PointerInput(const BrushSettings* brush, OrbitCamera* camera, QObject* parent = nullptr);
 
     void handle(const PointerEvent& event);
-    void setHabits(const HandHabits& habits) { m_habits = habits; }
+    void setHabits(const HandHabits& habits);
     /// `factor` < 1 comes nearer; what lies under the pixel stays there.
     void zoom(double factor, const OrbitCamera::Pixel& toward);
     void pan(const OrbitCamera::Pixel& delta);
@@ -93,23 +78,21 @@ Q_SIGNALS:
     void sphereRequested(const core::StrokeSettings& settings, const core::StrokeSample& sample);
 
 private:
-    enum class Drag { None, Stroke, Orbit, Pan, Zoom };
-
     /// An event with what was true when it came.
     struct Waiting
     {
         PointerEvent event;
         core::Ray ray;
         core::StrokeSettings settings; ///< of a press
-        double string = 0;             ///< of a press, in pixels; 0: the brush is where the pointer is
+        double string = 0;             ///< of a press, as StrokeMaker has it
     };
     struct Question
     {
         OrbitCamera::Pixel pixel;
         core::Ray ray;
         bool forPress = false;
-        quint64 view = 0; ///< m_view when it was asked
-        double turned = 0; ///< m_turned then
+        quint64 view = 0;  ///< m_view when it was asked
+        double turned = 0; ///< how the model stood then
     };
 
     void process(const Waiting& waiting);
@@ -118,34 +101,26 @@ private:
     void begin(const Waiting& press, const std::optional<core::SurfaceHit>& hit);
     void end();
     void drain(const std::optional<core::SurfaceHit>& hit);
-    Drag viewDrag(Qt::MouseButton button, Qt::KeyboardModifiers modifiers) const;
     bool movesView() const;
+    OrbitCamera::Pixel brushAt() const;
     bool isUndecided(const PointerEvent& event) const;
     void goByDepthAt(const OrbitCamera::Pixel& pixel);
     void ask(Question question);
-    void sample(const Waiting& waiting);
-    void follow(const Waiting& waiting);
     bool addsSphere(const PointerEvent& press) const;
     void addSphere(const Waiting& press);
-    core::Vec3 spherePlace(const core::Ray& ray) const;
     void moveView(const OrbitCamera::Pixel& delta);
 
     const BrushSettings* m_brush;
     OrbitCamera* m_camera;
+    StrokeMaker m_stroke;
 
     Drag m_drag = Drag::None;
     Qt::MouseButton m_dragButton = Qt::NoButton;
     OrbitCamera::Pixel m_pressed{0, 0}; ///< where the drag began
     OrbitCamera::Pixel m_last{0, 0};
-    double m_string = 0;                ///< of the open stroke
-    PointerEvent m_hand;                ///< of the open stroke, where it is now and how hard it presses
-    OrbitCamera::Pixel m_brushAt{0, 0}; ///< of the open stroke
-    double m_turned = 0; ///< by how much the model stands turned in the world, about Y; radians
     bool m_inside = false;
     bool m_isPicking = false;
     bool m_isAdding = false;
-    core::Tool m_strokeTool = core::Tool::Pull;
-    double m_strokeRadius = 0; ///< mm
     HandHabits m_habits;
     Qt::KeyboardModifiers m_modifiers;
     std::deque<Waiting> m_waiting; ///< the first is a press that nobody knows about yet

@@ -1,28 +1,19 @@
 #include "viewport.h"
 
-#include "pointer_input.h"
-#include "scale_bar.h"
-#include "scene.h"
 #include "themed_icon.h"
-#include "touch_input.h"
+#include "viewport_state.h"
 
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QLabel>
-#include <QMouseEvent>
 #include <QOpenGLExtraFunctions>
-#include <QTabletEvent>
 
 #include <chrono>
-#include <cmath>
 
 namespace ui
 {
 namespace
 {
-constexpr double zoomPerNotch = 0.87;
-constexpr double wheelNotch = 120; ///< QWheelEvent's eighths of a degree
-
 double milliseconds(const QElapsedTimer& since)
 {
     return static_cast<double>(since.nsecsElapsed()) * 1e-6;
@@ -31,22 +22,6 @@ double milliseconds(const QElapsedTimer& since)
 std::int64_t steadyNow()
 {
     return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-OrbitCamera::Pixel pixelOf(const QPointF& position)
-{
-    return {position.x(), position.y()};
-}
-
-PointerEvent pointerEvent(PointerEvent::Kind kind, const QSinglePointEvent& event)
-{
-    PointerEvent made;
-    made.kind = kind;
-    made.pixel = pixelOf(event.position());
-    made.button = event.button();
-    made.modifiers = event.modifiers();
-    made.time = static_cast<double>(event.timestamp()) * 1e-3;
-    return made;
 }
 
 /// The cursor's ring says what the next stroke does.
@@ -85,28 +60,6 @@ void prepareGraphics()
     format.setProfile(QSurfaceFormat::CoreProfile);
     QSurfaceFormat::setDefaultFormat(format);
 }
-
-struct Viewport::State
-{
-    explicit State(BrushSettings* settings) : brush(settings) {}
-
-    BrushSettings* brush;
-    OrbitCamera camera;
-    PointerInput input{brush, &camera};
-    TouchInput touch{&input};
-    std::unique_ptr<Scene> scene;
-    core::Box box;
-    ViewLook look;
-    ScaleBar* scaleBar = nullptr;
-    std::function<std::optional<core::MeshPatch>()> take;
-    bool patchWaiting = false;
-    unsigned int readFramebuffer = 0;
-    ViewportStats stats;
-
-    bool applyPatch();
-    void placeCursor();
-    void show(const Scene::Image& image, QSize pixels, unsigned int widgetFramebuffer);
-};
 
 bool Viewport::State::applyPatch()
 {
@@ -373,86 +326,5 @@ void Viewport::paintGL()
     s.stats.frameMs = milliseconds(timer);
     if (surfaceChanged)
         s.input.askAgain();
-}
-
-void Viewport::changeEvent(QEvent* event)
-{
-    QOpenGLWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange)
-        update();
-}
-
-void Viewport::mousePressEvent(QMouseEvent* event)
-{
-    m_state->input.handle(pointerEvent(PointerEvent::Kind::Press, *event));
-}
-
-void Viewport::mouseMoveEvent(QMouseEvent* event)
-{
-    m_state->input.handle(pointerEvent(PointerEvent::Kind::Move, *event));
-}
-
-void Viewport::mouseReleaseEvent(QMouseEvent* event)
-{
-    m_state->input.handle(pointerEvent(PointerEvent::Kind::Release, *event));
-}
-
-/// Accepted, or Qt would send the same again as a mouse's.
-void Viewport::tabletEvent(QTabletEvent* event)
-{
-    const auto kind = event->type() == QEvent::TabletPress     ? PointerEvent::Kind::Press
-                      : event->type() == QEvent::TabletRelease ? PointerEvent::Kind::Release
-                                                               : PointerEvent::Kind::Move;
-    PointerEvent pen = pointerEvent(kind, *event);
-    pen.pressure = event->pressure();
-    m_state->input.handle(pen);
-    event->accept();
-}
-
-void Viewport::wheelEvent(QWheelEvent* event)
-{
-    const double notches = event->angleDelta().y() / wheelNotch;
-    if (notches != 0)
-        m_state->input.zoom(std::pow(zoomPerNotch, notches), pixelOf(event->position()));
-    event->accept();
-}
-
-void Viewport::leaveEvent(QEvent* event)
-{
-    m_state->input.leave();
-    QOpenGLWidget::leaveEvent(event);
-}
-
-/// Qt has no handler for fingers alone. A dialog that opens over us, or a view that vanishes, swallows the release.
-bool Viewport::event(QEvent* event)
-{
-    switch (event->type()) {
-    case QEvent::TouchBegin:
-    case QEvent::TouchUpdate:
-    case QEvent::TouchEnd:
-    case QEvent::TouchCancel:
-        m_state->touch.handle(*static_cast<QTouchEvent*>(event));
-        event->accept(); // or Qt would send the same again as a mouse's
-        return true;
-    case QEvent::WindowBlocked:
-    case QEvent::Hide:
-        finish();
-        break;
-    default:
-        break;
-    }
-    return QOpenGLWidget::event(event);
-}
-
-/// Whoever has the focus: the cursor says what a press would do now.
-bool Viewport::eventFilter(QObject* watched, QEvent* event)
-{
-    if (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease)
-        m_state->input.setModifiers(static_cast<QKeyEvent*>(event)->modifiers());
-    if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
-        setPicking(false);
-        setAdding(false);
-    }
-    return QOpenGLWidget::eventFilter(watched, event);
 }
 } // namespace ui

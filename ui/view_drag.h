@@ -1,0 +1,14 @@
+#pragma once
+
+#include "preferences.h"
+
+#include <Qt>
+
+namespace ui
+{
+/// What a drag does.
+enum class Drag { None, Stroke, Orbit, Pan, Zoom };
+
+/// How a press moves the view, wherever it is; None: it does not, or that depends on what is under it.
+Drag viewDrag(Qt::MouseButton button, Qt::KeyboardModifiers modifiers, const HandHabits& habits);
+} // namespace ui

@@ -1,0 +1,112 @@
+#include "viewport_state.h"
+
+#include <QMouseEvent>
+#include <QTabletEvent>
+
+#include <cmath>
+
+namespace ui
+{
+namespace
+{
+constexpr double zoomPerNotch = 0.87;
+constexpr double wheelNotch = 120; ///< QWheelEvent's eighths of a degree
+
+OrbitCamera::Pixel pixelOf(const QPointF& position)
+{
+    return {position.x(), position.y()};
+}
+
+PointerEvent pointerEvent(PointerEvent::Kind kind, const QSinglePointEvent& event)
+{
+    PointerEvent made;
+    made.kind = kind;
+    made.pixel = pixelOf(event.position());
+    made.button = event.button();
+    made.modifiers = event.modifiers();
+    made.time = static_cast<double>(event.timestamp()) * 1e-3;
+    return made;
+}
+} // namespace
+
+void Viewport::changeEvent(QEvent* event)
+{
+    QOpenGLWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        update();
+}
+
+void Viewport::mousePressEvent(QMouseEvent* event)
+{
+    m_state->input.handle(pointerEvent(PointerEvent::Kind::Press, *event));
+}
+
+void Viewport::mouseMoveEvent(QMouseEvent* event)
+{
+    m_state->input.handle(pointerEvent(PointerEvent::Kind::Move, *event));
+}
+
+void Viewport::mouseReleaseEvent(QMouseEvent* event)
+{
+    m_state->input.handle(pointerEvent(PointerEvent::Kind::Release, *event));
+}
+
+/// Accepted, or Qt would send the same again as a mouse's.
+void Viewport::tabletEvent(QTabletEvent* event)
+{
+    const auto kind = event->type() == QEvent::TabletPress     ? PointerEvent::Kind::Press
+                      : event->type() == QEvent::TabletRelease ? PointerEvent::Kind::Release
+                                                               : PointerEvent::Kind::Move;
+    PointerEvent pen = pointerEvent(kind, *event);
+    pen.pressure = event->pressure();
+    m_state->input.handle(pen);
+    event->accept();
+}
+
+void Viewport::wheelEvent(QWheelEvent* event)
+{
+    const double notches = event->angleDelta().y() / wheelNotch;
+    if (notches != 0)
+        m_state->input.zoom(std::pow(zoomPerNotch, notches), pixelOf(event->position()));
+    event->accept();
+}
+
+void Viewport::leaveEvent(QEvent* event)
+{
+    m_state->input.leave();
+    QOpenGLWidget::leaveEvent(event);
+}
+
+/// Qt has no handler for fingers alone. A dialog that opens over us, or a view that vanishes, swallows the release.
+bool Viewport::event(QEvent* event)
+{
+    switch (event->type()) {
+    case QEvent::TouchBegin:
+    case QEvent::TouchUpdate:
+    case QEvent::TouchEnd:
+    case QEvent::TouchCancel:
+        m_state->touch.handle(*static_cast<QTouchEvent*>(event));
+        event->accept(); // or Qt would send the same again as a mouse's
+        return true;
+    case QEvent::WindowBlocked:
+    case QEvent::Hide:
+        finish();
+        break;
+    default:
+        break;
+    }
+    return QOpenGLWidget::event(event);
+}
+
+/// Whoever has the focus: the cursor says what a press would do now.
+bool Viewport::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::KeyPress || event->type() == QEvent::KeyRelease)
+        m_state->input.setModifiers(static_cast<QKeyEvent*>(event)->modifiers());
+    if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+        setPicking(false);
+        setAdding(false);
+    }
+    return QOpenGLWidget::eventFilter(watched, event);
+}
+} // namespace ui

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "pointer_input.h"
+#include "scale_bar.h"
+#include "scene.h"
+#include "touch_input.h"
+#include "viewport.h"
+
+namespace ui
+{
+/// For the viewport's own files: viewport.cpp shows, viewport_events.cpp takes what the hand does.
+struct Viewport::State
+{
+    explicit State(BrushSettings* settings) : brush(settings) {}
+
+    BrushSettings* brush;
+    OrbitCamera camera;
+    PointerInput input{brush, &camera};
+    TouchInput touch{&input};
+    std::unique_ptr<Scene> scene;
+    core::Box box;
+    ViewLook look;
+    ScaleBar* scaleBar = nullptr;
+    std::function<std::optional<core::MeshPatch>()> take;
+    bool patchWaiting = false;
+    unsigned int readFramebuffer = 0;
+    ViewportStats stats;
+
+    bool applyPatch();
+    void placeCursor();
+    void show(const Scene::Image& image, QSize pixels, unsigned int widgetFramebuffer);
+};
+} // namespace ui
