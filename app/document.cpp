@@ -5,21 +5,13 @@
 #include "model_words.h"
 #include "stroke_command.h"
 
-#include "core/mesh_build.h"
 #include "ui/messages.h"
-
-#include <QFileInfo>
 
 #include <algorithm>
 #include <utility>
 
 namespace app
 {
-namespace
-{
-constexpr double clayRadius = 50; ///< mm
-} // namespace
-
 Document::Document(SculptWorker* worker, QObject* parent)
     : QObject(parent), m_worker(worker), m_history([worker](auto job) { worker->post(std::move(job)); })
 {
@@ -58,116 +50,6 @@ bool Document::mayDiscard(const std::function<void()>& goOn) const
     return !isModified() || !m_mayDiscard || m_mayDiscard(goOn);
 }
 
-// --- opening and exporting ---------------------------------------------------------------------------------------------
-
-void Document::open(const QString& path)
-{
-    const QString name = QFileInfo(path).fileName();
-    if (m_work.isBusy()) {
-        Q_EMIT noticed(tr("One file at a time: %1 waits until the other is done.").arg(name));
-        return;
-    }
-    const auto tell = [this](const QString& next) { m_work.rename(next); };
-    openFrom(tr("Opening %1").arg(name), [path, tell](const core::JobWatch& watch) { return ModelLoader::load(path, tell, watch); });
-}
-
-void Document::openSphere()
-{
-    openFrom(tr("Preparing the clay"), [](const core::JobWatch&) { return ModelLoader::sphere(clayRadius); });
-}
-
-void Document::openStarter(core::Starter starter)
-{
-    openFrom(tr("Preparing the clay"), [starter](const core::JobWatch&) { return ModelLoader::starter(starter); });
-}
-
-/// Changes are what they are when all strokes have reported.
-void Document::openFrom(const QString& what, const Make& make)
-{
-    request([this, what, make] {
-        if (!m_work.isBusy() && mayDiscard([this, what, make] { openFrom(what, make); }))
-            load(what, make);
-    });
-}
-
-void Document::load(const QString& what, const Make& make)
-{
-    m_work.run([this, make, watch = m_work.beginStoppable(what)] {
-        auto model = std::make_shared<LoadedModel>(make(watch));
-        const auto finish = [this, model = std::move(model), watch] {
-            m_work.keep();
-            if (watch.stopped())
-                model->sculptor.reset();
-            if (model->sculptor)
-                return request([this, model] { install(model); });
-            m_work.end();
-            if (!watch.stopped())
-                Q_EMIT refused(model->problem);
-            if (m_facts.faces == 0) // never without a model
-                openSphere();
-        };
-        QMetaObject::invokeMethod(this, finish, Qt::QueuedConnection);
-    });
-}
-
-void Document::install(std::shared_ptr<LoadedModel> model)
-{
-    m_isInstalling = true;
-    m_history.clear();
-    m_stack.clear();
-    m_changedBeyondHistory = false;
-    m_facts.name = model->name;
-    m_facts.path = model->path;
-    m_worker->setModel(std::exchange(model->sculptor, nullptr));
-    if (!model->notice.isEmpty())
-        Q_EMIT noticed(model->notice);
-}
-
-void Document::takeModel(const MeshFacts& facts)
-{
-    m_isInstalling = false;
-    takeFacts(facts);
-    m_work.end();
-    Q_EMIT opened(m_facts);
-    tellState();
-    runRequests();
-}
-
-void Document::exportTo(const QString& path)
-{
-    if (m_work.isBusy())
-        return;
-    m_work.begin(tr("Exporting %1").arg(QFileInfo(path).fileName()));
-    request([this, path] {
-        m_worker->post([this, path, index = m_stack.index()](core::Sculptor& sculptor) {
-            auto copy = std::make_shared<core::TriangleMesh>(core::extractMesh(sculptor.mesh()));
-            QMetaObject::invokeMethod(this, [this, path, copy, index] { write(path, copy, index); }, Qt::QueuedConnection);
-        });
-    });
-}
-
-void Document::write(const QString& path, std::shared_ptr<core::TriangleMesh> mesh, int index)
-{
-    m_work.run([this, path, mesh = std::move(mesh), index] {
-        const QString problem = ModelLoader::save(path, *mesh);
-        const auto finish = [this, path, index, problem] {
-            m_work.end();
-            if (!problem.isEmpty()) {
-                Q_EMIT refused(problem);
-                return;
-            }
-            // The file holds what the model was then. If strokes followed, it has changes that no file holds.
-            if (m_stack.index() == index && !hasUnreported()) {
-                m_stack.setClean();
-                m_changedBeyondHistory = false;
-            }
-            tellState();
-            Q_EMIT exported(path);
-        };
-        QMetaObject::invokeMethod(this, finish, Qt::QueuedConnection);
-    });
-}
-
 // --- the whole model ---------------------------------------------------------------------------------------------------
 
 void Document::apply(const core::ModelCommand& command)
@@ -194,6 +76,8 @@ void Document::startChange(core::ModelCommand command, const QString& insertedPa
         return;
     if (!m_worker->hold()) // another hand was faster
         return request([this, command = std::move(command), insertedPath] { startChange(command, insertedPath); });
+    if (auto* const reset = std::get_if<core::Reset>(&command))
+        reset->start = m_start;
     m_isChanging = true;
     const core::JobWatch watch = m_work.beginStoppable(ModelWords::doing(command));
     m_worker->post([this, command = std::move(command), insertedPath, watch](core::Sculptor& sculptor) {

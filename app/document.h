@@ -33,7 +33,7 @@ public:
     /// Stops the worker, whose jobs know the document.
     ~Document() override;
 
-    /// Asked before changes are lost: false keeps the present model, and `goOn` may be called later, when they are exported.
+    /// Asked before changes are lost: false keeps the present model, and `goOn` may be called later, when they are saved.
     using MayDiscard = std::function<bool(const std::function<void()>& goOn)>;
     void setMayDiscard(MayDiscard mayDiscard);
     bool mayDiscard(const std::function<void()>& goOn) const;
@@ -57,9 +57,13 @@ public Q_SLOTS:
     /// The paper's sphere.
     void openSphere();
     void openStarter(core::Starter starter);
+    /// To a file that from now on is the model's own.
+    void save(const QString& path);
+    /// To some other file: changes stay unsaved.
     void exportTo(const QString& path);
 
     /// Changes the whole model, as one step: worked out aside on a copy, while strokes are refused.
+    /// A Reset needs no start.
     void apply(const core::ModelCommand& command);
     /// Of a model in a file; the place is as in core::Insert.
     void insert(const QString& path, core::Insert::Place place, const core::Vec3& centre);
@@ -81,6 +85,7 @@ Q_SIGNALS:
     void factsChanged(const ui::ModelFacts& facts);
     void modifiedChanged(bool modified);
     void historyChanged();
+    void saved(const QString& path);
     void exported(const QString& path);
     void refused(const QString& sentence);
     void noticed(const QString& sentence);
@@ -106,7 +111,10 @@ private:
     void install(std::shared_ptr<LoadedModel> model);
     void startChange(core::ModelCommand command, const QString& insertedPath);
     void finishChange(const core::ModelCommand& command, ModelOutcome outcome);
-    void write(const QString& path, std::shared_ptr<core::TriangleMesh> mesh, int index);
+    enum class Target { Own, Other };
+    void write(const QString& path, Target target);
+    void write(const QString& path, Target target, std::shared_ptr<core::TriangleMesh> mesh, int index);
+    void takeSaved(const QString& path, int index);
     void request(std::function<void()> run);
     void strokeRequest(std::function<void()> run);
     void runRequests();
@@ -121,6 +129,7 @@ private:
     HistoryStore m_history;
     QUndoStack m_stack;
     ui::ModelFacts m_facts;
+    std::shared_ptr<const core::Snapshot> m_start; ///< what Reset goes back to
     MayDiscard m_mayDiscard;
 
     std::deque<Request> m_requests;

@@ -69,9 +69,15 @@ void ModelLoader::build(LoadedModel& loaded, const core::TriangleMesh& mesh, boo
     else if (inPlace && !result.moved.isZero(0))
         loaded.problem = tr("%1: the model lies too far from the origin for its size to be sculpted where it is.").arg(loaded.path);
     else
-        loaded.sculptor = std::make_shared<core::Sculptor>(std::move(result.mesh));
+        take(loaded, std::move(result.mesh));
     if (loaded.sculptor && !result.moved.isZero(0) && core::liesFar(boxOf(mesh)))
         loaded.notice = tr("%1 lay far from the origin and was moved there.").arg(loaded.name);
+}
+
+void ModelLoader::take(LoadedModel& loaded, std::unique_ptr<core::Mesh> mesh)
+{
+    loaded.start = core::snapshotOf(*mesh);
+    loaded.sculptor = std::make_shared<core::Sculptor>(std::move(mesh));
 }
 
 LoadedModel ModelLoader::sphere(double radius)
@@ -109,6 +115,12 @@ QString ModelLoader::name(core::Starter starter)
         return tr("Tablet");
     }
     return tr("Ball");
+}
+
+bool ModelLoader::holdsColors(const QString& path)
+{
+    const auto format = core::meshFormatOf(toPath(path));
+    return format && core::holdsColors(*format);
 }
 
 QString ModelLoader::save(const QString& path, const core::TriangleMesh& mesh)

@@ -2,6 +2,7 @@
 
 #include "core/file_error.h"
 #include "core/job_watch.h"
+#include "core/model_command.h"
 #include "core/sculptor.h"
 #include "core/starter_models.h"
 
@@ -17,6 +18,7 @@ namespace app
 struct LoadedModel
 {
     std::shared_ptr<core::Sculptor> sculptor; ///< null: refused
+    std::shared_ptr<const core::Snapshot> start; ///< of its mesh; null: refused
     QString problem;                          ///< then: one sentence with file, place or counts, and reason
     QString notice;                           ///< what the person should know of a model that was taken; may be empty
     QString name;
@@ -43,7 +45,11 @@ public:
     /// Empty, or what is wrong; then no file has changed.
     static QString save(const QString& path, const core::TriangleMesh& mesh);
 
+    /// Whether a file of that name would.
+    static bool holdsColors(const QString& path);
+
 private:
+    static void take(LoadedModel& loaded, std::unique_ptr<core::Mesh> mesh);
     static QString name(core::Starter starter);
     static LoadedModel load(const QString& path, bool inPlace, const Tell& tell, const core::JobWatch& watch);
     static void build(LoadedModel& loaded, const core::TriangleMesh& mesh, bool inPlace, const core::JobWatch& watch);

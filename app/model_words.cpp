@@ -16,7 +16,8 @@ QString ModelWords::icon(const core::ModelCommand& command)
 {
     static const QString icons[] = {QStringLiteral("move"),   QStringLiteral("rotate"),   QStringLiteral("scale"),
                                     QStringLiteral("mirror"), QStringLiteral("recentre"), QStringLiteral("insert"),
-                                    QStringLiteral("fill"),   QStringLiteral("remesh"),   QStringLiteral("symmetrize")};
+                                    QStringLiteral("fill"),   QStringLiteral("remesh"),   QStringLiteral("symmetrize"),
+                                    QStringLiteral("reset")};
     static_assert(std::size(icons) == std::variant_size_v<core::ModelCommand>);
     return icons[command.index()];
 }
@@ -69,6 +70,11 @@ ModelWords::Words ModelWords::wordsOf(const core::RemeshUniformly&)
 ModelWords::Words ModelWords::wordsOf(const core::Symmetrize&)
 {
     return {tr("Symmetrize", "undo step"), tr("Making the model symmetric")};
+}
+
+ModelWords::Words ModelWords::wordsOf(const core::Reset&)
+{
+    return {tr("Reset", "undo step"), tr("Going back to the start")};
 }
 
 QString ModelWords::nothing(const core::ModelCommand& command)

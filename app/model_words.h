@@ -38,5 +38,6 @@ private:
     static Words wordsOf(const core::Fill&);
     static Words wordsOf(const core::RemeshUniformly&);
     static Words wordsOf(const core::Symmetrize&);
+    static Words wordsOf(const core::Reset&);
 };
 } // namespace app

@@ -171,6 +171,16 @@ void play(core::Sculptor& sculptor, const core::Stroke& stroke, double& dabStart
     sculptor.endStroke();
 }
 
+/// What a reset goes back to is the model as it came.
+void setStart(Entries& entries, const std::shared_ptr<const core::Snapshot>& start)
+{
+    for (core::FileEntry& entry : entries) {
+        auto* const command = std::get_if<core::FileCommand>(&entry);
+        if (auto* const reset = command ? std::get_if<core::Reset>(&command->command) : nullptr)
+            reset->start = start;
+    }
+}
+
 /// As the Model menu does it. `index`: of the entry.
 void play(core::Sculptor& sculptor, const core::FileCommand& entry, std::size_t index)
 {
@@ -222,6 +232,7 @@ void run(const ReplayOptions& options, Entries& entries)
         options.in.isEmpty() ? ModelLoader::sphere(paperRadius) : ModelLoader::loadInPlace(options.in);
     if (!model.sculptor)
         CommandLine::fail(model.problem);
+    setStart(entries, model.start);
     const std::vector<ReplayedDab> dabs = play(*model.sculptor, entries, options);
 
     const core::TriangleMesh mesh = core::extractMesh(model.sculptor->mesh());

@@ -24,6 +24,7 @@ void wireDocument(ui::MainWindow& window, Document& document)
 {
     using ui::MainWindow;
     QObject::connect(&window, &MainWindow::starterRequested, &document, &Document::openStarter);
+    QObject::connect(&window, &MainWindow::saveRequested, &document, &Document::save);
     QObject::connect(&window, &MainWindow::exportRequested, &document, &Document::exportTo);
     QObject::connect(&document, &Document::opened, &window, &MainWindow::setModel);
     QObject::connect(&document, &Document::factsChanged, &window, &MainWindow::updateFacts);
@@ -38,6 +39,7 @@ void wireDocument(ui::MainWindow& window, Document& document)
     QObject::connect(&window, &MainWindow::commandRequested, &document, &Document::apply);
     QObject::connect(&window, &MainWindow::insertRequested, &document,
                      [&document](const QString& path, const core::Insert& how) { document.insert(path, how.place, how.centre); });
+    QObject::connect(&document, &Document::saved, &window, [&window, &document] { window.showSaved(document.facts()); });
     QObject::connect(&document, &Document::exported, &window, &MainWindow::showExported);
     document.setMayDiscard([&window](const std::function<void()>& goOn) { return window.askToDiscard(goOn); });
     window.setMayClose([&window, &document] { return document.mayDiscard([&window] { window.close(); }); });

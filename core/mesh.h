@@ -91,10 +91,12 @@ public:
     /// Whether the opposite corners of e are not neighbours already and its ends keep valence 3.
     bool isFlipOk(Slot e) const;
     void flip(Slot e);
-    /// Puts every vertex elsewhere, on another lattice perhaps: `points`, by slot, lie on it. O(mesh), as the next two.
+    /// Puts every vertex elsewhere, on another lattice perhaps: `points`, by slot, lie on it. O(mesh), as the next three.
     void relocate(const Lattice& lattice, std::span<const Vec3f> points);
     /// Every face looks to the other side. Twice is the identity.
     void turnOver();
+    /// Becomes the other mesh slot for slot; what is alike is not touched. No mark may be open.
+    void become(const Mesh& other);
     void setUniformDetail(double length);
 
     // --- the journal ---------------------------------------------------------------------------------------------------
@@ -169,6 +171,9 @@ private:
 
     void resize(const SlotCounts& counts);
     void reserve(const SlotCounts& counts);
+    void becomeVertex(const Mesh& other, Slot v);
+    void becomeEdge(const Mesh& other, Slot e);
+    void becomeFace(const Mesh& other, Slot f);
     void swapImage(VertexImage& image);
     void swapImage(EdgeImage& image);
     void swapImage(FaceImage& image);

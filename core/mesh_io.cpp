@@ -173,6 +173,11 @@ std::optional<MeshFormat> meshFormatOf(const std::filesystem::path& path)
     return static_cast<MeshFormat>(found - endings.begin());
 }
 
+bool holdsColors(MeshFormat format)
+{
+    return format != MeshFormat::Stl;
+}
+
 UpAxis usualUp(MeshFormat format)
 {
     return format == MeshFormat::Stl ? UpAxis::Z : UpAxis::Y;

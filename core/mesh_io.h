@@ -21,6 +21,8 @@ enum class UpAxis { Y, Z };
 /// STL: Z, the print bed's habit. The others: Y.
 UpAxis usualUp(MeshFormat format);
 
+bool holdsColors(MeshFormat format);
+
 struct ReadOptions
 {
     std::optional<UpAxis> up; ///< of the file; missing: usualUp

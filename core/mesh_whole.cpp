@@ -2,6 +2,8 @@
 
 #include "mesh.h"
 
+#include <algorithm>
+
 namespace core
 {
 void Mesh::relocate(const Lattice& lattice, std::span<const Vec3f> points)
@@ -33,6 +35,72 @@ void Mesh::turnOver()
         const Slot h0 = faceHalfedge(f), h1 = next(h0), h2 = next(h1);
         link(f, h0, h2, h1);
     }
+}
+
+void Mesh::become(const Mesh& other)
+{
+    assert(m_strokeOpen);
+    const SlotCounts here = slots(), there = other.slots();
+    resize({std::max(here.vertices, there.vertices), std::max(here.edges, there.edges), std::max(here.faces, there.faces)});
+    for (Slot f = 0; f < m_faceSlots.size(); ++f)
+        becomeFace(other, f);
+    for (Slot e = 0; e < m_edgeSlots.size(); ++e)
+        becomeEdge(other, e);
+    for (Slot v = 0; v < m_vertexSlots.size(); ++v)
+        becomeVertex(other, v);
+    resize(there);
+    m_frame = other.m_frame;
+}
+
+void Mesh::becomeVertex(const Mesh& other, Slot v)
+{
+    const bool wasThere = isVertex(v);
+    if (v >= other.m_vertexSlots.size() || !other.isVertex(v)) {
+        if (wasThere)
+            freeVertex(v);
+        return;
+    }
+    if (wasThere && point(v) == other.point(v) && color(v) == other.color(v) && outgoing(v) == other.outgoing(v))
+        return;
+    touchVertex(v);
+    m_vertexSlots.setFree(v, false);
+    m_kernel.set_point(vertexHandle(v), other.point(v));
+    m_kernel.set_color(vertexHandle(v), other.m_kernel.color(vertexHandle(v)));
+    m_kernel.vertex(vertexHandle(v)) = other.m_kernel.vertex(vertexHandle(v));
+}
+
+void Mesh::becomeEdge(const Mesh& other, Slot e)
+{
+    const bool wasThere = isEdge(e);
+    if (e >= other.m_edgeSlots.size() || !other.isEdge(e)) {
+        if (wasThere)
+            freeEdge(e);
+        return;
+    }
+    const auto isAlike = [&](Slot h) {
+        return to(h) == other.to(h) && next(h) == other.next(h) && prev(h) == other.prev(h) && face(h) == other.face(h);
+    };
+    if (wasThere && isAlike(2 * e) && isAlike(2 * e + 1))
+        return;
+    touchEdge(e);
+    m_edgeSlots.setFree(e, false);
+    m_kernel.edge(edgeHandle(e)) = other.m_kernel.edge(edgeHandle(e));
+}
+
+void Mesh::becomeFace(const Mesh& other, Slot f)
+{
+    const bool wasThere = isFace(f);
+    if (f >= other.m_faceSlots.size() || !other.isFace(f)) {
+        if (wasThere)
+            freeFace(f);
+        return;
+    }
+    if (wasThere && corners(f) == other.corners(f) && faceHalfedge(f) == other.faceHalfedge(f))
+        return;
+    touchFace(f);
+    m_faceSlots.setFree(f, false);
+    m_corners[f] = other.m_corners[f];
+    m_kernel.face(faceHandle(f)) = other.m_kernel.face(faceHandle(f));
 }
 
 void Mesh::setUniformDetail(double length)

@@ -1,5 +1,6 @@
 #include "model_command.h"
 
+#include "mesh_build.h"
 #include "model_insert.h"
 #include "model_transform.h"
 #include "symmetrize.h"
@@ -36,7 +37,21 @@ void edit(Mesh& mesh, const Fill& command, ModelChange&, const JobWatch&)
             mesh.setColor(v, command.color);
     }
 }
+
+void edit(Mesh& mesh, const Reset& command, ModelChange&, const JobWatch&)
+{
+    Mesh start(command.start->surface, command.start->frame.lattice);
+    start.beginStroke();
+    start.setUniformDetail(command.start->frame.uniformDetail);
+    start.endStroke();
+    mesh.become(start);
+}
 } // namespace
+
+std::shared_ptr<const Snapshot> snapshotOf(const Mesh& mesh)
+{
+    return std::make_shared<Snapshot>(Snapshot{extractMesh(mesh), mesh.frame()});
+}
 
 ModelChange tryOn(Mesh copy, const ModelCommand& command, const JobWatch& watch)
 {

@@ -5,6 +5,7 @@
 #include "mesh.h"
 #include "mesh_check.h"
 
+#include <memory>
 #include <optional>
 #include <variant>
 
@@ -64,7 +65,22 @@ struct Symmetrize
     Half keep = Half::Positive;   ///< where the coordinate is so
 };
 
-using ModelCommand = std::variant<Move, Rotate, Scale, Mirror, Recentre, Insert, Fill, RemeshUniformly, Symmetrize>;
+/// A mesh as it once was, without what it needs for editing: 40 bytes a vertex.
+struct Snapshot
+{
+    TriangleMesh surface; ///< in the order of the slots
+    MeshFrame frame;
+};
+/// Of a mesh that was built and not edited since: then it comes back slot for slot.
+std::shared_ptr<const Snapshot> snapshotOf(const Mesh& mesh);
+
+/// The model as it was when it was opened. It was sound then, so it is not judged again.
+struct Reset
+{
+    std::shared_ptr<const Snapshot> start;
+};
+
+using ModelCommand = std::variant<Move, Rotate, Scale, Mirror, Recentre, Insert, Fill, RemeshUniformly, Symmetrize, Reset>;
 
 /// Why the model was left as it is.
 enum class ModelRefusal {

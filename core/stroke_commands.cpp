@@ -15,8 +15,8 @@ struct CommandKeys
     std::string_view name;
     unsigned required, optional;
 };
-enum CommandName { MoveName, RotateName, ScaleName, MirrorName, RecentreName, InsertName, FillName, RemeshName, SymmetrizeName };
-constexpr std::array<CommandKeys, 9> commandTable{{
+enum CommandName { MoveName, RotateName, ScaleName, MirrorName, RecentreName, InsertName, FillName, RemeshName, SymmetrizeName, ResetName };
+constexpr std::array<CommandKeys, 10> commandTable{{
     {"move", bit(ByKey), 0},
     {"rotate", bit(TurnKey), 0},
     {"scale", bit(FactorKey), 0},
@@ -26,6 +26,7 @@ constexpr std::array<CommandKeys, 9> commandTable{{
     {"fill", bit(ColorKey), 0},
     {"remesh", 0, bit(DetailLengthKey)},
     {"symmetrize", bit(PlaneKey), bit(KeepKey)},
+    {"reset", 0, 0},
 }};
 constexpr std::array<std::string_view, 2> keepTable{"positive", "negative"};
 constexpr std::array<std::string_view, 3> whereTable{"beside", "as_it_is", "centre"};
@@ -48,9 +49,10 @@ ModelCommand commandOf(CommandName name, const CommandDraft& draft, const Stroke
     case InsertName: return Insert{{}, draft.where, draft.centre};
     case FillName: return Fill{settings.color};
     case RemeshName: return RemeshUniformly{settings.detailLength};
-    case SymmetrizeName: break;
+    case SymmetrizeName: return Symmetrize{draft.plane, draft.keep};
+    case ResetName: break;
     }
-    return Symmetrize{draft.plane, draft.keep};
+    return Reset{};
 }
 } // namespace
 

@@ -122,6 +122,11 @@ std::string keysOf(const Symmetrize& symmetrize, const std::string&)
            + (symmetrize.keep == Half::Positive ? "positive" : "negative") + "\"";
 }
 
+std::string keysOf(const Reset&, const std::string&)
+{
+    return "\"reset\"";
+}
+
 void write(std::ostream& out, const FileCommand& entry)
 {
     out << "{\"command\":" << std::visit([&](const auto& command) { return keysOf(command, entry.file); }, entry.command) << '}';

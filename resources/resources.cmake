@@ -54,8 +54,12 @@ set(FETTLE_RESOURCE_FILES
     icons/recentre.svg
     icons/redo.svg
     icons/remesh.svg
+    icons/reset.svg
     icons/revert.svg
     icons/rotate.svg
+    icons/save-as.svg
+    icons/save-copy.svg
+    icons/save.svg
     icons/scale-bar.svg
     icons/scale.svg
     icons/smaller.svg

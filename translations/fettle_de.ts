@@ -210,6 +210,14 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>Sculpting rests until the model is ready.</source>
         <translation>Das Formen ruht, bis das Modell fertig ist.</translation>
     </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>%1 wird gespeichert</translation>
+    </message>
+    <message>
+        <source>%1 was written without the colours, which its format does not hold.</source>
+        <translation>%1 wurde ohne die Farben geschrieben, die sein Format nicht aufnimmt.</translation>
+    </message>
 </context>
 <context>
     <name>app::DrawingWorker</name>
@@ -402,6 +410,15 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>The mesh stays as it is: with edges this short it would need too many triangles (%1).</source>
         <translation>Das Netz bleibt, wie es ist: Mit so kurzen Kanten bräuchte es zu viele Dreiecke (%1).</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <comment>undo step</comment>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Going back to the start</source>
+        <translation>Zurück zum Anfang</translation>
     </message>
 </context>
 <context>
@@ -1215,6 +1232,38 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>Turns the model under the hand: a hand that rests makes a groove all around.</source>
         <translation>Dreht das Modell unter der Hand: eine ruhende Hand macht eine Rille ringsum.</translation>
     </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Writes the model to its file.</source>
+        <translation>Schreibt das Modell in seine Datei.</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>Speichern &amp;unter…</translation>
+    </message>
+    <message>
+        <source>Writes the model to another file, which is its own from then on.</source>
+        <translation>Schreibt das Modell in eine andere Datei, die von da an seine eigene ist.</translation>
+    </message>
+    <message>
+        <source>Writes the model as it is now beside its file, with the next free number in the name.</source>
+        <translation>Schreibt das Modell, wie es jetzt ist, neben seine Datei, mit der nächsten freien Nummer im Namen.</translation>
+    </message>
+    <message>
+        <source>Reset to S&amp;tart</source>
+        <translation>Auf Au&amp;f Anfang zurücksetzenamp;Anfang zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Gives the model the shape and the colours that it was opened with; Undo takes that back.</source>
+        <translation>Gibt dem Modell Form und Farben zurück, mit denen es geöffnet wurde; Rückgängig nimmt das zurück.</translation>
+    </message>
+    <message>
+        <source>Save Nu&amp;mbered Copy</source>
+        <translation>Nu&amp;mmerierte Kopie speichern</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -1510,6 +1559,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Export the Drawing</source>
         <translation>Zeichnung exportieren</translation>
+    </message>
+    <message>
+        <source>Save the Model</source>
+        <translation>Modell speichern</translation>
     </message>
 </context>
 <context>
@@ -2034,20 +2087,16 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Nicht gespeicherte Änderungen</translation>
     </message>
     <message>
-        <source>%1 has changes that were not exported.</source>
-        <translation>%1 hat Änderungen, die nicht exportiert wurden.</translation>
-    </message>
-    <message>
-        <source>&amp;Export…</source>
-        <translation>&amp;Exportieren …</translation>
-    </message>
-    <message>
         <source>Open &amp;Recent</source>
         <translation>&amp;Zuletzt geöffnet</translation>
     </message>
     <message>
         <source>&amp;Clear This List</source>
         <translation>Diese Liste &amp;leeren</translation>
+    </message>
+    <message>
+        <source>%1 has changes that were not saved.</source>
+        <translation>%1 hat Änderungen, die nicht gespeichert wurden.</translation>
     </message>
 </context>
 <context>

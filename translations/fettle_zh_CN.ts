@@ -208,6 +208,14 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>Sculpting rests until the model is ready.</source>
         <translation>模型处理完成之前暂停雕刻。</translation>
     </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>正在保存 %1</translation>
+    </message>
+    <message>
+        <source>%1 was written without the colours, which its format does not hold.</source>
+        <translation>%1 已写入，但不含颜色：该格式不能保存颜色。</translation>
+    </message>
 </context>
 <context>
     <name>app::DrawingWorker</name>
@@ -400,6 +408,15 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>The mesh stays as it is: with edges this short it would need too many triangles (%1).</source>
         <translation>网格保持不变：边这么短需要过多的三角形（%1）。</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <comment>undo step</comment>
+        <translation>重置</translation>
+    </message>
+    <message>
+        <source>Going back to the start</source>
+        <translation>正在回到起点</translation>
     </message>
 </context>
 <context>
@@ -1213,6 +1230,38 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>Turns the model under the hand: a hand that rests makes a groove all around.</source>
         <translation>让模型在手下转动：手不动即可刻出环绕的沟槽。</translation>
     </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Writes the model to its file.</source>
+        <translation>将模型写入其文件。</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>另存为(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Writes the model to another file, which is its own from then on.</source>
+        <translation>将模型写入另一个文件，此后该文件即为模型自己的文件。</translation>
+    </message>
+    <message>
+        <source>Writes the model as it is now beside its file, with the next free number in the name.</source>
+        <translation>将当前模型写到其文件旁边，文件名带下一个可用编号。</translation>
+    </message>
+    <message>
+        <source>Reset to S&amp;tart</source>
+        <translation>重置到起点(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Gives the model the shape and the colours that it was opened with; Undo takes that back.</source>
+        <translation>让模型恢复打开时的形状和颜色；可用撤销取回。</translation>
+    </message>
+    <message>
+        <source>Save Nu&amp;mbered Copy</source>
+        <translation>保存编号副本(&amp;M)</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -1507,6 +1556,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Export the Drawing</source>
         <translation>导出图纸</translation>
+    </message>
+    <message>
+        <source>Save the Model</source>
+        <translation>保存模型</translation>
     </message>
 </context>
 <context>
@@ -2029,20 +2082,16 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>未保存的更改</translation>
     </message>
     <message>
-        <source>%1 has changes that were not exported.</source>
-        <translation>%1 有未导出的更改。</translation>
-    </message>
-    <message>
-        <source>&amp;Export…</source>
-        <translation>导出(&amp;E)…</translation>
-    </message>
-    <message>
         <source>Open &amp;Recent</source>
         <translation>最近打开(&amp;R)</translation>
     </message>
     <message>
         <source>&amp;Clear This List</source>
         <translation>清空此列表(&amp;C)</translation>
+    </message>
+    <message>
+        <source>%1 has changes that were not saved.</source>
+        <translation>%1 有尚未保存的更改。</translation>
     </message>
 </context>
 <context>

@@ -9,6 +9,8 @@
 #include <QFileInfo>
 #include <QStringList>
 
+#include <algorithm>
+
 namespace ui
 {
 namespace
@@ -70,6 +72,13 @@ void askForModel(QWidget* parent, ModelUse use, const QString& folder, PathAnswe
     const QString patterns = QStringLiteral("*.") + endings().join(QStringLiteral(" *."));
     dialog->setNameFilters({FileDialogs::tr("Models (%1)").arg(patterns), FileDialogs::tr("All files (*)")});
     show(dialog, answer);
+}
+
+void askForSaving(QWidget* parent, const QString& folder, const QString& modelName, PathAnswer answer)
+{
+    QStringList all = endings();
+    std::ranges::stable_partition(all, [](const QString& ending) { return ending == QLatin1StringView("ply"); });
+    askForTarget(parent, FileDialogs::tr("Save the Model"), QStringLiteral("saveDialog"), folder, modelName, all, answer);
 }
 
 void askForExport(QWidget* parent, const QString& folder, const QString& modelName, PathAnswer answer)

@@ -14,7 +14,9 @@ using PathAnswer = std::function<void(const QString& path)>;
 enum class ModelUse { Open, Insert };
 void askForModel(QWidget* parent, ModelUse use, const QString& folder, PathAnswer answer);
 
-/// Suggests the model's name with another ending. The filter gives the ending if none is typed.
+// They suggest the model's name. The filter gives the ending if none is typed.
+/// First what holds all of the model, with its colours.
+void askForSaving(QWidget* parent, const QString& folder, const QString& modelName, PathAnswer answer);
 void askForExport(QWidget* parent, const QString& folder, const QString& modelName, PathAnswer answer);
 
 /// For the sheet of drawings: PDF, SVG or PNG.

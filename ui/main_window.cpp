@@ -71,6 +71,7 @@ struct MainWindow::State
     void connectFiles();
     void connectTools();
     void setBusy(bool isBusy);
+    void showName();
     void restore();
     void keepOnScreen();
     void save();
@@ -157,20 +158,16 @@ void MainWindow::State::connectActions()
     connectPreferences(actions, &settings, viewport, q);
     on("help.keys", [this] { (new CommandBox(actions, q))->open(); });
     on("help.about", [this] { showAbout(q); });
-    q->setUndoText({});
-    q->setRedoText({});
-    actions.get(QStringLiteral("edit.undo"))->setEnabled(false);
-    actions.get(QStringLiteral("edit.redo"))->setEnabled(false);
+    for (const char* id : {"edit.undo", "edit.redo"})
+        actions.get(QLatin1StringView(id))->setEnabled(false);
 }
 
 void MainWindow::State::connectFiles()
 {
-    on("file.open", [this] { files.open(); });
-    on("file.exportAs", [this] { files.exportAs(model.name); });
     on("file.quit", [this] { q->close(); });
-    on("model.insert", [this] { files.insert(); });
     connect(&files, &ModelFiles::openRequested, q, &MainWindow::openRequested);
     connect(&files, &ModelFiles::starterRequested, q, &MainWindow::starterRequested);
+    connect(&files, &ModelFiles::saveRequested, q, &MainWindow::saveRequested);
     connect(&files, &ModelFiles::exportRequested, q, &MainWindow::exportRequested);
     connect(&files, &ModelFiles::insertRequested, q, &MainWindow::insertRequested);
 }
@@ -188,10 +185,15 @@ void MainWindow::State::setBusy(bool isBusy)
     files.setBusy(isBusy);
     for (const ActionInfo& row : actionTable()) {
         const QLatin1StringView id(row.id);
-        const bool opens = row.menu == MenuId::New || id == QLatin1StringView("file.open");
-        if (row.menu == MenuId::Model || opens || id == QLatin1StringView("file.exportAs"))
+        const bool isOfFile = row.menu == MenuId::File && id != QLatin1StringView("file.quit");
+        if (row.menu == MenuId::Model || row.menu == MenuId::New || isOfFile)
             actions.get(id)->setEnabled(!isBusy);
     }
+}
+
+void MainWindow::State::showName()
+{
+    q->setWindowTitle(tr("%1[*] – Fettle").arg(model.name));
 }
 
 void MainWindow::State::restore()
@@ -296,23 +298,30 @@ void MainWindow::setIsSettled(std::function<bool()> isSettled)
 
 bool MainWindow::askToDiscard(const std::function<void()>& goOn)
 {
-    return m_state->files.askToDiscard(m_state->model.name, goOn);
+    return m_state->files.askToDiscard(goOn);
+}
+
+void MainWindow::showSaved(const ModelFacts& facts)
+{
+    m_state->model = facts;
+    m_state->showName();
+    showExported(facts.path);
+    m_state->files.setSaved(facts);
 }
 
 void MainWindow::showExported(const QString& path)
 {
     showNotice(tr("%1 was written.").arg(QDir::toNativeSeparators(path)));
-    m_state->files.finishExport();
 }
 
 void MainWindow::setModel(const ModelFacts& facts)
 {
     m_state->model = facts;
-    setWindowTitle(tr("%1[*] – Fettle").arg(facts.name));
+    m_state->showName();
     setModified(false);
     if (facts.size.maxCoeff() > 0)
         m_state->brush.fitTo(facts, m_state->settings.radiusShare());
-    m_state->files.setOpened(facts.path);
+    m_state->files.setOpened(facts);
     m_state->facts->setFacts(facts);
     m_state->viewport->showModel(facts.box);
 }

@@ -50,7 +50,7 @@ public:
     /// Asked before that: false while what the hand did is still on its way. The window then closes after settle().
     void setIsSettled(std::function<bool()> isSettled);
 
-    /// Asks what becomes of changes that no file holds: true if they may be lost. If the person would rather export them,
+    /// Asks what becomes of changes that no file holds: true if they may be lost. If the person would rather save them,
     /// `goOn` is called when that is done.
     bool askToDiscard(const std::function<void()>& goOn);
 
@@ -64,11 +64,13 @@ public Q_SLOTS:
     /// A refusal, one sentence, in a dialog that does not block the caller. A second one replaces the text of the
     /// first.
     void showProblem(const QString& sentence);
+    /// The model has that file now.
+    void showSaved(const ui::ModelFacts& facts);
     /// It was written.
     void showExported(const QString& path);
     /// A small word over the view, which goes by itself.
     void showNotice(const QString& sentence);
-    /// Something long is going on, in the status bar; Open, Export and the model's menu rest meanwhile.
+    /// Something long is going on, in the status bar; Open, Save, Export and the model's menu rest meanwhile.
     void setBusy(const QString& what);
     /// How far it is, 0 to 1; not known until the first call.
     void setProgress(double share);
@@ -82,6 +84,7 @@ Q_SIGNALS:
     void openRequested(const QString& path);
     void starterRequested(core::Starter starter);
     /// By dialog, which has asked about overwriting. The ending says the format; one is added if it was missing.
+    void saveRequested(const QString& path);
     void exportRequested(const QString& path);
     /// By dialog or menu. What is inserted comes with its file's path instead of a model.
     void commandRequested(const core::ModelCommand& command);

@@ -3,6 +3,7 @@
 #include "actions.h"
 #include "file_dialogs.h"
 #include "model_dialogs.h"
+#include "model_facts.h"
 #include "settings.h"
 
 #include <QAction>
@@ -12,8 +13,9 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
-#include <QPushButton>
+#include <QRegularExpression>
 
+#include <algorithm>
 #include <utility>
 
 namespace ui
@@ -32,6 +34,20 @@ QString droppedFile(const QMimeData* data)
         if (url.isLocalFile())
             return url.toLocalFile();
     return {};
+}
+/// "vase.ply" and "vase-002.ply" give "vase-003.ply" where that is the first number after all that are there.
+QString numberedCopyOf(const QString& path)
+{
+    static const QRegularExpression number(QStringLiteral("-(\\d{3,9})$"));
+    const QFileInfo file(path);
+    const QString base = file.completeBaseName().remove(number);
+    int last = 0;
+    for (const QFileInfo& other : file.dir().entryInfoList(QDir::Files | QDir::Hidden)) {
+        const QRegularExpressionMatch match = number.match(other.completeBaseName());
+        if (match.hasMatch() && other.completeBaseName().startsWith(base) && match.capturedStart() == base.size())
+            last = std::max(last, match.capturedView(1).toInt());
+    }
+    return file.dir().filePath(QStringLiteral("%1-%2.%3").arg(base).arg(last + 1, 3, 10, QLatin1Char('0')).arg(file.suffix()));
 }
 } // namespace
 
@@ -54,7 +70,14 @@ void ModelFiles::addMenus(QMenu* fileMenu, const Actions& actions)
     m_recent->setToolTipsVisible(true);
     m_revert = actions.get(QStringLiteral("file.revert"));
     fileMenu->insertMenu(m_revert, m_recent);
-    connect(m_revert, &QAction::triggered, this, [this] { Q_EMIT openRequested(m_path); });
+    const auto on = [&](const char* id, const auto& what) { connect(actions.get(QLatin1StringView(id)), &QAction::triggered, this, what); };
+    on("file.open", [this] { open(); });
+    on("file.revert", [this] { Q_EMIT openRequested(m_path); });
+    on("file.save", [this] { save(); });
+    on("file.saveAs", [this] { saveAs(); });
+    on("file.saveCopy", [this] { saveCopy(); });
+    on("file.exportAs", [this] { exportAs(); });
+    on("model.insert", [this] { insert(); });
     showRecent();
 }
 
@@ -85,12 +108,14 @@ void ModelFiles::enable()
     m_revert->setEnabled(!m_isBusy && !m_path.isEmpty());
 }
 
-void ModelFiles::setOpened(const QString& path)
+void ModelFiles::setOpened(const ModelFacts& model)
 {
-    m_path = path;
-    if (!path.isEmpty()) {
-        remember(path);
-        m_settings->addRecentFile(QFileInfo(path).absoluteFilePath());
+    m_name = model.name;
+    m_path = model.path;
+    m_afterSave = nullptr;
+    if (!m_path.isEmpty()) {
+        remember(m_path);
+        m_settings->addRecentFile(QFileInfo(m_path).absoluteFilePath());
     }
     showRecent();
 }
@@ -119,33 +144,57 @@ void ModelFiles::insert()
     });
 }
 
-void ModelFiles::exportAs(const QString& name)
+void ModelFiles::save()
 {
-    m_afterExport = nullptr; // an earlier question was not answered to the end
-    askForExport(m_window, m_settings->lastFolder(), name, [this](const QString& path) {
+    m_afterSave = nullptr; // an earlier question was not answered to the end
+    if (m_path.isEmpty())
+        return saveAs();
+    Q_EMIT saveRequested(m_path);
+}
+
+void ModelFiles::saveAs()
+{
+    m_afterSave = nullptr;
+    askForSaving(m_window, m_settings->lastFolder(), m_name, [this](const QString& path) {
+        remember(path);
+        Q_EMIT saveRequested(path);
+    });
+}
+
+void ModelFiles::saveCopy()
+{
+    if (m_path.isEmpty())
+        return saveAs();
+    Q_EMIT exportRequested(numberedCopyOf(m_path));
+}
+
+void ModelFiles::exportAs()
+{
+    askForExport(m_window, m_settings->lastFolder(), m_name, [this](const QString& path) {
         remember(path);
         Q_EMIT exportRequested(path);
     });
 }
 
-bool ModelFiles::askToDiscard(const QString& name, const std::function<void()>& goOn)
+bool ModelFiles::askToDiscard(const std::function<void()>& goOn)
 {
-    QMessageBox box(QMessageBox::Question, tr("Unsaved changes"), tr("%1 has changes that were not exported.").arg(name),
-                    QMessageBox::Discard | QMessageBox::Cancel, m_window);
+    QMessageBox box(QMessageBox::Question, tr("Unsaved changes"), tr("%1 has changes that were not saved.").arg(m_name),
+                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_window);
     box.setObjectName(QStringLiteral("discardQuestion"));
-    const QPushButton* exporting = box.addButton(tr("&Export…"), QMessageBox::AcceptRole);
-    box.setDefaultButton(QMessageBox::Cancel);
-    const bool isDiscarded = box.exec() == QMessageBox::Discard;
-    if (box.clickedButton() == exporting) {
-        exportAs(name);
-        m_afterExport = goOn;
+    box.setDefaultButton(QMessageBox::Save);
+    const int answer = box.exec();
+    if (answer == QMessageBox::Save) {
+        save();
+        m_afterSave = goOn;
     }
-    return isDiscarded;
+    return answer == QMessageBox::Discard;
 }
 
-void ModelFiles::finishExport()
+void ModelFiles::setSaved(const ModelFacts& model)
 {
-    if (const auto goOn = std::exchange(m_afterExport, nullptr))
+    const auto goOn = std::exchange(m_afterSave, nullptr);
+    setOpened(model);
+    if (goOn)
         goOn();
 }
 

@@ -17,6 +17,7 @@ namespace ui
 {
 class Actions;
 class Settings;
+struct ModelFacts;
 
 /// Where models come from and where they go: the dialogs, drag and drop onto the window, and the question about changes
 /// that no file holds. Opens and writes nothing: it asks by signals. Gui thread.
@@ -28,18 +29,13 @@ public:
     /// Neither is owned. In the settings the last folder and the last files are kept.
     ModelFiles(Settings* settings, QWidget* window);
 
-    /// Into the File menu, which has its actions already: New and Open Recent.
+    /// Into the File menu, which has its actions already: New and Open Recent. What the actions do is connected, too.
     void addMenus(QMenu* fileMenu, const Actions& actions);
-    void open();
-    void insert();
-    /// `name`: of the present model.
-    void exportAs(const QString& name);
-    /// True if the changes may be lost. If the person would rather export them, `goOn` is called when that is done.
-    bool askToDiscard(const QString& name, const std::function<void()>& goOn);
-    /// A model is open now; its path is empty if it comes from no file.
-    void setOpened(const QString& path);
-    /// An export was written.
-    void finishExport();
+    /// True if the changes may be lost. If the person would rather save them, `goOn` is called when that is done.
+    bool askToDiscard(const std::function<void()>& goOn);
+    void setOpened(const ModelFacts& model);
+    /// The present model has a file of its own now.
+    void setSaved(const ModelFacts& model);
 
     /// Nothing can be dropped meanwhile.
     void setBusy(bool isBusy);
@@ -50,11 +46,18 @@ Q_SIGNALS:
     /// A local path; nothing about it is checked.
     void openRequested(const QString& path);
     void starterRequested(core::Starter starter);
-    /// The dialog has asked about overwriting. The ending says the format.
+    /// The file is the model's own, or a dialog has asked about overwriting. The ending says the format.
+    void saveRequested(const QString& path);
     void exportRequested(const QString& path);
     void insertRequested(const QString& path, const core::Insert& how);
 
 private:
+    void open();
+    void insert();
+    void save();
+    void saveAs();
+    void saveCopy();
+    void exportAs();
     void showRecent();
     void enable();
     bool mayDrop(const QMimeData* data) const;
@@ -64,8 +67,8 @@ private:
     QWidget* m_window;
     QMenu* m_recent = nullptr;
     QAction* m_revert = nullptr;
-    QString m_path;
-    std::function<void()> m_afterExport; ///< of an export that was preferred to losing changes
+    QString m_name, m_path; ///< of the model; no path: it comes from no file
+    std::function<void()> m_afterSave; ///< which was preferred to losing changes
     bool m_isBusy = false;
 };
 } // namespace ui

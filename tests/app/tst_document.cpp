@@ -133,6 +133,10 @@ private Q_SLOTS:
     void open_refusalLeavesTheDocument();
     void open_asksBeforeChangesAreLost();
     void export_writesWhatIsThere();
+    void saving_givesTheModelItsFile();
+    void savingThatFails_losesNothing_data();
+    void savingThatFails_losesNothing();
+    void coloursThatAFormatDoesNotHold_areNamed();
     void export_intoNowhereIsRefused();
 };
 
@@ -661,14 +665,72 @@ void TestDocument::export_writesWhatIsThere()
         QSignalSpy exported(&session.document, &Document::exported);
         session.document.exportTo(path);
         QTRY_COMPARE(exported.size(), 1);
-        QVERIFY(!session.document.isModified());
+        QVERIFY(session.document.isModified() && session.document.path().isEmpty());
         const core::TriangleMesh mesh = core::readMesh(path.toStdString());
         QCOMPARE(mesh.triangles.size(), std::size_t(session.document.facts().faces));
         QVERIFY(core::checkMesh(mesh).printReady());
-        session.document.undo();
-        session.settle();
-        QVERIFY(session.document.isModified()); // the file has the stroke
     }
+}
+
+void TestDocument::saving_givesTheModelItsFile()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("mine.ply"));
+    Session session;
+    session.stroke({50, 0, 0});
+    QSignalSpy saved(&session.document, &Document::saved);
+    session.document.save(path);
+    QTRY_COMPARE(saved.size(), 1);
+    QVERIFY(!session.document.isModified());
+    QCOMPARE(session.document.path(), path);
+    QCOMPARE(session.document.facts().name, QStringLiteral("mine.ply"));
+    QVERIFY(core::checkMesh(core::readMesh(path.toStdString())).printReady());
+    session.document.undo();
+    session.settle();
+    QVERIFY(session.document.isModified()); // the file has the stroke
+    session.document.redo();
+    session.settle();
+    QVERIFY(!session.document.isModified());
+}
+
+/// A folder that may not be written, a disk that is full: the file and the model stay as they were.
+void TestDocument::savingThatFails_losesNothing_data()
+{
+    QTest::addColumn<QString>("path");
+    QTest::newRow("no folder") << QStringLiteral("/no such folder/mine.ply");
+    QTest::newRow("a folder") << QDir::tempPath();
+    QTest::newRow("not permitted") << QStringLiteral("/proc/mine.ply");
+}
+
+void TestDocument::savingThatFails_losesNothing()
+{
+    QFETCH(QString, path);
+    Session session;
+    session.stroke({50, 0, 0});
+    const QString name = session.document.facts().name;
+    QSignalSpy refused(&session.document, &Document::refused), saved(&session.document, &Document::saved);
+    session.document.save(path);
+    QTRY_COMPARE(refused.size(), 1);
+    QVERIFY(refused.at(0).at(0).toString().contains(QDir::toNativeSeparators(path)));
+    QVERIFY(saved.isEmpty() && session.document.isModified() && !session.document.isBusy());
+    QVERIFY(session.document.path().isEmpty());
+    QCOMPARE(session.document.facts().name, name);
+    QVERIFY(session.document.canUndo());
+}
+
+void TestDocument::coloursThatAFormatDoesNotHold_areNamed()
+{
+    QTemporaryDir folder;
+    Session session;
+    session.document.apply(core::Fill{{1, 2, 3}});
+    session.wait();
+    QSignalSpy noticed(&session.document, &Document::noticed), exported(&session.document, &Document::exported);
+    session.document.exportTo(folder.filePath(QStringLiteral("a.ply")));
+    QTRY_COMPARE(exported.size(), 1);
+    QVERIFY(noticed.isEmpty());
+    session.document.exportTo(folder.filePath(QStringLiteral("a.stl")));
+    QTRY_COMPARE(noticed.size(), 1);
+    QVERIFY(noticed.at(0).at(0).toString().contains(QStringLiteral("a.stl")));
 }
 
 void TestDocument::export_intoNowhereIsRefused()

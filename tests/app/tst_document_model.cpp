@@ -98,6 +98,7 @@ private Q_SLOTS:
     void insert_refusalsNameTheFile();
     void facts_followTheModel();
     void progress_grows();
+    void reset_isTheStartAndOneStep();
     void spilledCommands_comeBack();
     void end_whileAChangeGoesOn();
     void opening_canBeStopped();
@@ -276,6 +277,29 @@ void TestDocumentModel::progress_grows()
     });
     session.apply(core::RemeshUniformly{1});
     QVERIFY(calls > 5);
+}
+
+void TestDocumentModel::reset_isTheStartAndOneStep()
+{
+    Session session;
+    const std::uint64_t start = session.state();
+    QSignalSpy noticed(&session.document, &Document::noticed);
+    session.apply(core::Reset{});
+    QCOMPARE(noticed.size(), 1); // nothing to do, and that is said
+    session.stroke({50, 0, 0});
+    session.apply(core::Scale{40}); // on another lattice
+    session.stroke({0, 2000, 0});
+    const std::uint64_t changed = session.state();
+    session.apply(core::Reset{});
+    QCOMPARE(session.state(), start);
+    QCOMPARE(session.document.undoStack().count(), 4);
+    session.document.undo();
+    QCOMPARE(session.state(), changed);
+    session.document.redo();
+    QCOMPARE(session.state(), start);
+    session.stroke({50, 0, 0});
+    session.wait();
+    QCOMPARE(session.document.undoStack().count(), 5);
 }
 
 void TestDocumentModel::spilledCommands_comeBack()

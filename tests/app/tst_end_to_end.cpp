@@ -69,19 +69,16 @@ void sculptBall(Program& program)
     QTRY_VERIFY(program.document.isSettled());
 }
 
-/// Presses a button of the question about unsaved changes, which the next event asks. The button is found by the words on it.
-void answerQuestion(Program& program, const QString& words)
+/// Presses a button of the question about unsaved changes, which the next event asks.
+void answerQuestion(Program& program, QMessageBox::StandardButton button)
 {
     auto* timer = new QTimer(&program.window);
-    QObject::connect(timer, &QTimer::timeout, &program.window, [timer, words, &program] {
+    QObject::connect(timer, &QTimer::timeout, &program.window, [timer, button, &program] {
         auto* question = program.window.findChild<QMessageBox*>(QStringLiteral("discardQuestion"));
         if (!question || !question->isVisible())
             return;
         timer->deleteLater();
-        for (QAbstractButton* button : question->buttons())
-            if (button->text().contains(words))
-                return QTest::mouseClick(button, Qt::LeftButton);
-        QFAIL("no such button");
+        QTest::mouseClick(question->button(button), Qt::LeftButton);
     });
     timer->start(20);
 }
@@ -120,10 +117,11 @@ private Q_SLOTS:
     void refusedFileLeavesTheModel();
     void closing_asksOnlyWithChanges();
     void closing_waitsForThePress();
-    void exporting_saysWhatWasWritten();
-    void closing_mayExportFirst();
-    void opening_mayExportFirst();
-    void anExportGivenUp_givesUpWhatWaitedForIt();
+    void saving_byKey();
+    void numberedCopies_leaveTheFile();
+    void closing_maySaveFirst();
+    void opening_maySaveFirst();
+    void aSaveGivenUp_givesUpWhatWaitedForIt();
     void tooMuchWork_isSaid();
     void farModelIsMovedAndItIsSaid();
 };
@@ -170,7 +168,7 @@ void TestEndToEnd::openPullUndoExport()
     QVERIFY(report.printReady());
     QCOMPARE(quint64(report.faces), program.document.facts().faces);
     QVERIFY(report.volume.value_or(0) > core::checkMesh(core::readMesh(in.toStdString())).volume.value_or(0));
-    QTRY_VERIFY(!program.window.isWindowModified());
+    QVERIFY(program.window.isWindowModified()); // an export is no saving
     const ui::ViewportStats stats = program.window.viewport()->stats();
     qInfo("input to patch %.1f ms, worst %.1f ms; to the screen %.1f ms", program.worker.stats().latencyMs,
           program.worker.stats().worstLatencyMs, stats.latencyMs);
@@ -264,7 +262,8 @@ void TestEndToEnd::closing_waitsForThePress()
     QCOMPARE(asked, 2);
 }
 
-void TestEndToEnd::exporting_saysWhatWasWritten()
+/// The second press of the key finds the file that the first one gave.
+void TestEndToEnd::saving_byKey()
 {
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("mine.ply"));
@@ -272,38 +271,65 @@ void TestEndToEnd::exporting_saysWhatWasWritten()
     sculptBall(program);
     program.window.activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&program.window));
-    QTest::keySequence(&program.window, program.window.action(QStringLiteral("file.exportAs"))->shortcut());
-    chooseFile(program, "exportDialog", path);
+    QTest::keySequence(&program.window, program.window.action(QStringLiteral("file.save"))->shortcut());
+    chooseFile(program, "saveDialog", path);
     QTRY_VERIFY(notice(program).contains(QDir::toNativeSeparators(path)));
     QVERIFY(isSound(path));
-    QVERIFY(!program.window.isWindowModified() && program.window.isVisible());
+    QVERIFY(!program.window.isWindowModified() && program.window.windowTitle().startsWith(QStringLiteral("mine.ply")));
+
+    const qint64 size = QFileInfo(path).size();
+    program.window.brush()->setValue(core::Parameter::Detail, 0.6);
+    drag(program.window.viewport(), {40, 20});
+    QTRY_VERIFY(program.document.isSettled() && program.window.isWindowModified());
+    QTest::keySequence(&program.window, program.window.action(QStringLiteral("file.save"))->shortcut());
+    QTRY_VERIFY(!program.window.isWindowModified());
+    QVERIFY(QFileInfo(path).size() > size);
 }
 
-void TestEndToEnd::closing_mayExportFirst()
+void TestEndToEnd::numberedCopies_leaveTheFile()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("mine-002.ply"));
+    Program program;
+    sculptBall(program);
+    program.document.save(path);
+    QTRY_COMPARE(program.document.path(), path);
+    core::writeMesh(folder.filePath(QStringLiteral("mine-007.stl")).toStdString(), core::icosphere(2, 10));
+    core::writeMesh(folder.filePath(QStringLiteral("another-100.stl")).toStdString(), core::icosphere(2, 10));
+    for (const char* name : {"mine-008.ply", "mine-009.ply"}) {
+        const QString copy = folder.filePath(QLatin1StringView(name));
+        program.window.action(QStringLiteral("file.saveCopy"))->trigger();
+        QTRY_VERIFY(QFileInfo::exists(copy) && !program.document.isBusy());
+        QVERIFY(isSound(copy));
+    }
+    QCOMPARE(program.document.path(), path);
+}
+
+void TestEndToEnd::closing_maySaveFirst()
 {
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("mine.stl"));
     Program program;
     sculptBall(program);
-    answerQuestion(program, QStringLiteral("Export"));
+    answerQuestion(program, QMessageBox::Save);
     QVERIFY(!program.window.close());
     QVERIFY(program.window.isVisible());
-    chooseFile(program, "exportDialog", path);
+    chooseFile(program, "saveDialog", path);
     QTRY_VERIFY(!program.window.isVisible()); // it closes by itself
     QVERIFY(isSound(path));
 }
 
-void TestEndToEnd::opening_mayExportFirst()
+void TestEndToEnd::opening_maySaveFirst()
 {
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("mine.obj")), other = folder.filePath(QStringLiteral("other.stl"));
     core::writeMesh(other.toStdString(), core::icosphere(2, 10));
     Program program;
     sculptBall(program);
-    answerQuestion(program, QStringLiteral("Export"));
+    answerQuestion(program, QMessageBox::Save);
     program.window.action(QStringLiteral("file.open"))->trigger();
     chooseFile(program, "openDialog", other);
-    chooseFile(program, "exportDialog", path);
+    chooseFile(program, "saveDialog", path);
     QTRY_COMPARE(program.document.path(), other);
     QTRY_VERIFY(!program.document.isBusy());
     QCOMPARE(program.document.facts().vertices, quint64(162));
@@ -311,23 +337,23 @@ void TestEndToEnd::opening_mayExportFirst()
     QVERIFY(core::readMesh(path.toStdString()).points.size() > 162);
 }
 
-/// Who changes their mind in the dialog stays; a later export is only an export.
-void TestEndToEnd::anExportGivenUp_givesUpWhatWaitedForIt()
+/// Who changes their mind in the dialog stays; a later save is only a save.
+void TestEndToEnd::aSaveGivenUp_givesUpWhatWaitedForIt()
 {
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("mine.stl"));
     Program program;
     sculptBall(program);
-    answerQuestion(program, QStringLiteral("Export"));
+    answerQuestion(program, QMessageBox::Save);
     QVERIFY(!program.window.close());
     QFileDialog* dialog = nullptr;
-    QTRY_VERIFY((dialog = program.window.findChild<QFileDialog*>(QStringLiteral("exportDialog"))));
+    QTRY_VERIFY((dialog = program.window.findChild<QFileDialog*>(QStringLiteral("saveDialog"))));
     QTest::keyClick(dialog, Qt::Key_Escape);
-    QTRY_VERIFY(!program.window.findChild<QFileDialog*>(QStringLiteral("exportDialog")));
+    QTRY_VERIFY(!program.window.findChild<QFileDialog*>(QStringLiteral("saveDialog")));
     QVERIFY(program.window.isVisible() && program.window.isWindowModified());
 
-    program.window.action(QStringLiteral("file.exportAs"))->trigger();
-    chooseFile(program, "exportDialog", path);
+    program.window.action(QStringLiteral("file.saveAs"))->trigger();
+    chooseFile(program, "saveDialog", path);
     QTRY_VERIFY(!notice(program).isEmpty());
     QTest::qWait(100);
     QVERIFY(program.window.isVisible());

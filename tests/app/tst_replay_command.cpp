@@ -128,6 +128,7 @@ void TestReplayCommand::commands_doWhatTheyDoInCore_data()
     row({{"command", "fill"}, {"color", {1, 2, 3}}}, core::Fill{{1, 2, 3}});
     row({{"command", "remesh"}, {"detail_length", 0.2}}, core::RemeshUniformly{0.2});
     row({{"command", "symmetrize"}, {"plane", "x"}, {"keep", "negative"}}, core::Symmetrize{core::Symmetry::X, core::Half::Negative});
+    row({{"command", "reset"}}, core::Reset{});
 }
 
 /// Between two dabs, so that the engine sculpts on what a command has left.
@@ -135,7 +136,10 @@ void TestReplayCommand::commands_doWhatTheyDoInCore()
 {
     QFETCH(QByteArray, entry);
     QFETCH(core::ModelCommand, command);
-    const auto sculptor = app::ModelLoader::sphere(1).sculptor;
+    const app::LoadedModel model = app::ModelLoader::sphere(1);
+    const auto& sculptor = model.sculptor;
+    if (auto* const reset = std::get_if<core::Reset>(&command))
+        reset->start = model.start;
     sculpt(*sculptor);
     core::ModelChange change = core::tryOn(sculptor->mesh(), command);
     QVERIFY(change.changes);

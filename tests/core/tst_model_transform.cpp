@@ -88,6 +88,7 @@ private Q_SLOTS:
     void tooLargeOrSmall_isRefused();
     void facesThatMeet_areRefusedWithTheirNumber();
     void facesThatMeet_goToNeighbouringLatticePoints();
+    void reset_bringsTheStartBack();
     void stopped_changesNothing();
     void strokesAndCommands_areUndoneAndRedoneBitForBit_data();
     void strokesAndCommands_areUndoneAndRedoneBitForBit();
@@ -304,6 +305,29 @@ void TestModelTransform::facesThatMeet_goToNeighbouringLatticePoints()
     QVERIFY(done > 0);
 }
 
+/// Slot for slot; and what was not sculpted is not in the change.
+void TestModelTransform::reset_bringsTheStartBack()
+{
+    Sculptor sculptor(buildMesh(icosphere(5, 50)).mesh);
+    const auto start = snapshotOf(sculptor.mesh());
+    const std::uint64_t before = sculptor.mesh().stateHash();
+    QVERIFY(!tryOn(sculptor.mesh(), Reset{start}).changes);
+    StrokeSettings settings;
+    settings.radius = 8;
+    sculptor.beginStroke(settings);
+    StrokeSample sample;
+    sample.position = {50, 0, 0};
+    sculptor.addSample(sample);
+    const MeshDelta stroke = sculptor.endStroke();
+    ModelChange change = tryOn(sculptor.mesh(), Reset{start});
+    QVERIFY(change.changes);
+    QVERIFY(change.delta.vertices.size() <= stroke.vertices.size() && change.delta.faces.size() <= stroke.faces.size());
+    sculptor.swap(change.delta);
+    QCOMPARE(sculptor.mesh().stateHash(), before);
+    QVERIFY(sculptor.indexIsConsistent());
+    VERIFY_VALID(sculptor.mesh());
+}
+
 void TestModelTransform::stopped_changesNothing()
 {
     const auto mesh = sculpted(icosphere(4, 50), 2);
@@ -334,10 +358,12 @@ void TestModelTransform::strokesAndCommands_areUndoneAndRedoneBitForBit()
     QFETCH(TriangleMesh, shape);
     QFETCH(std::uint64_t, seed);
     Sculptor sculptor(buildMesh(shape).mesh);
+    const auto start = snapshotOf(sculptor.mesh());
+    const std::uint64_t startState = sculptor.mesh().stateHash();
     StrokeFuzzer random(seed);
     const auto command = [&]() -> ModelCommand {
         const double size = boxOf(sculptor.mesh()).sizes().maxCoeff();
-        switch (random.below(8)) {
+        switch (random.below(9)) {
         case 0: return Move{random.uniform(0, 0.5) * size * random.direction()};
         case 1: return Rotate{turn(random.uniform(0, 360), random.direction())};
         case 2: return Scale{random.uniform(0.2, 4)};
@@ -345,6 +371,7 @@ void TestModelTransform::strokesAndCommands_areUndoneAndRedoneBitForBit()
         case 4: return Fill{{std::uint8_t(random.below(256)), 3, 4}};
         case 5: return RemeshUniformly{sculptor.mesh().uniformDetail() * random.uniform(0.8, 1.5)};
         case 6: return Insert{icosphere(2, size * random.uniform(0.05, 0.3))};
+        case 7: return Reset{start};
         default: return Recentre{};
         }
     };
@@ -352,6 +379,7 @@ void TestModelTransform::strokesAndCommands_areUndoneAndRedoneBitForBit()
     std::vector<std::uint64_t> states = {sculptor.mesh().stateHash()};
     for (int i = 0; i < 24; ++i) {
         MeshDelta delta;
+        const ModelCommand next = command();
         if (random.below(2) == 0) {
             const Stroke stroke = random.stroke(sculptor.mesh());
             sculptor.beginStroke(stroke.settings);
@@ -359,11 +387,13 @@ void TestModelTransform::strokesAndCommands_areUndoneAndRedoneBitForBit()
                 sculptor.addSample(sample);
             delta = sculptor.endStroke();
         } else {
-            ModelChange change = tryOn(sculptor.mesh(), command());
+            ModelChange change = tryOn(sculptor.mesh(), next);
             if (!change.changes)
                 continue;
             sculptor.swap(change.delta);
             delta = std::move(change.delta);
+            if (std::holds_alternative<Reset>(next))
+                QCOMPARE(sculptor.mesh().stateHash(), startState);
         }
         VERIFY_VALID(sculptor.mesh());
         QVERIFY(sculptor.indexIsConsistent());

@@ -1,0 +1,151 @@
+// Where the document's model comes from, and where it goes.
+
+#include "document.h"
+
+#include "model_loader.h"
+
+#include "core/mesh_build.h"
+
+#include <QFileInfo>
+
+#include <utility>
+
+namespace app
+{
+namespace
+{
+constexpr double clayRadius = 50; ///< mm
+} // namespace
+
+void Document::open(const QString& path)
+{
+    const QString name = QFileInfo(path).fileName();
+    if (m_work.isBusy()) {
+        Q_EMIT noticed(tr("One file at a time: %1 waits until the other is done.").arg(name));
+        return;
+    }
+    const auto tell = [this](const QString& next) { m_work.rename(next); };
+    openFrom(tr("Opening %1").arg(name), [path, tell](const core::JobWatch& watch) { return ModelLoader::load(path, tell, watch); });
+}
+
+void Document::openSphere()
+{
+    openFrom(tr("Preparing the clay"), [](const core::JobWatch&) { return ModelLoader::sphere(clayRadius); });
+}
+
+void Document::openStarter(core::Starter starter)
+{
+    openFrom(tr("Preparing the clay"), [starter](const core::JobWatch&) { return ModelLoader::starter(starter); });
+}
+
+/// Changes are what they are when all strokes have reported.
+void Document::openFrom(const QString& what, const Make& make)
+{
+    request([this, what, make] {
+        if (!m_work.isBusy() && mayDiscard([this, what, make] { openFrom(what, make); }))
+            load(what, make);
+    });
+}
+
+void Document::load(const QString& what, const Make& make)
+{
+    m_work.run([this, make, watch = m_work.beginStoppable(what)] {
+        auto model = std::make_shared<LoadedModel>(make(watch));
+        const auto finish = [this, model = std::move(model), watch] {
+            m_work.keep();
+            if (watch.stopped())
+                model->sculptor.reset();
+            if (model->sculptor)
+                return request([this, model] { install(model); });
+            m_work.end();
+            if (!watch.stopped())
+                Q_EMIT refused(model->problem);
+            if (m_facts.faces == 0) // never without a model
+                openSphere();
+        };
+        QMetaObject::invokeMethod(this, finish, Qt::QueuedConnection);
+    });
+}
+
+void Document::install(std::shared_ptr<LoadedModel> model)
+{
+    m_isInstalling = true;
+    m_history.clear();
+    m_stack.clear();
+    m_changedBeyondHistory = false;
+    m_facts.name = model->name;
+    m_facts.path = model->path;
+    m_start = std::exchange(model->start, nullptr);
+    m_worker->setModel(std::exchange(model->sculptor, nullptr));
+    if (!model->notice.isEmpty())
+        Q_EMIT noticed(model->notice);
+}
+
+void Document::takeModel(const MeshFacts& facts)
+{
+    m_isInstalling = false;
+    takeFacts(facts);
+    m_work.end();
+    Q_EMIT opened(m_facts);
+    tellState();
+    runRequests();
+}
+
+void Document::save(const QString& path)
+{
+    write(path, Target::Own);
+}
+
+void Document::exportTo(const QString& path)
+{
+    write(path, Target::Other);
+}
+
+void Document::write(const QString& path, Target target)
+{
+    if (m_work.isBusy())
+        return;
+    m_work.begin((target == Target::Own ? tr("Saving %1") : tr("Exporting %1")).arg(QFileInfo(path).fileName()));
+    request([this, path, target] {
+        m_worker->post([this, path, target, index = m_stack.index()](core::Sculptor& sculptor) {
+            auto copy = std::make_shared<core::TriangleMesh>(core::extractMesh(sculptor.mesh()));
+            QMetaObject::invokeMethod(this, [this, path, target, copy, index] { write(path, target, copy, index); }, Qt::QueuedConnection);
+        });
+    });
+}
+
+void Document::write(const QString& path, Target target, std::shared_ptr<core::TriangleMesh> mesh, int index)
+{
+    m_work.run([this, path, target, mesh = std::move(mesh), index] {
+        const QString problem = ModelLoader::save(path, *mesh);
+        const bool losesColors = !mesh->colors.empty() && !ModelLoader::holdsColors(path);
+        const auto finish = [this, path, target, index, problem, losesColors] {
+            m_work.end();
+            if (!problem.isEmpty()) {
+                Q_EMIT refused(problem);
+                return;
+            }
+            if (target == Target::Own)
+                takeSaved(path, index);
+            else
+                Q_EMIT exported(path);
+            if (losesColors)
+                Q_EMIT noticed(tr("%1 was written without the colours, which its format does not hold.").arg(QFileInfo(path).fileName()));
+        };
+        QMetaObject::invokeMethod(this, finish, Qt::QueuedConnection);
+    });
+}
+
+/// The file holds what the model was at that step. If others followed, it has changes that no file holds.
+void Document::takeSaved(const QString& path, int index)
+{
+    m_facts.path = path;
+    m_facts.name = QFileInfo(path).fileName();
+    if (m_stack.index() == index && !hasUnreported()) {
+        m_stack.setClean();
+        m_changedBeyondHistory = false;
+    }
+    Q_EMIT saved(path);
+    tellState();
+}
+} // namespace app
