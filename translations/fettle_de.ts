@@ -1254,7 +1254,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Reset to S&amp;tart</source>
-        <translation>Auf Au&amp;f Anfang zurücksetzenamp;Anfang zurücksetzen</translation>
+        <translation>Auf &amp;Anfang zurücksetzen</translation>
     </message>
     <message>
         <source>Gives the model the shape and the colours that it was opened with; Undo takes that back.</source>
