@@ -43,6 +43,8 @@ set(FETTLE_RESOURCE_FILES
     icons/open.svg
     icons/orthographic.svg
     icons/paint.svg
+    icons/panel-close.svg
+    icons/panel-float.svg
     icons/pick.svg
     icons/plus.svg
     icons/preferences.svg

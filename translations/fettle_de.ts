@@ -1249,10 +1249,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Schreibt das Modell in eine andere Datei, die von da an seine eigene ist.</translation>
     </message>
     <message>
-        <source>Writes the model as it is now beside its file, with the next free number in the name.</source>
-        <translation>Schreibt das Modell, wie es jetzt ist, neben seine Datei, mit der nächsten freien Nummer im Namen.</translation>
-    </message>
-    <message>
         <source>Reset to S&amp;tart</source>
         <translation>Auf &amp;Anfang zurücksetzen</translation>
     </message>
@@ -1263,6 +1259,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Save Nu&amp;mbered Copy</source>
         <translation>Nu&amp;mmerierte Kopie speichern</translation>
+    </message>
+    <message>
+        <source>Writes the model beside its file, with the next free number in the name.</source>
+        <translation>Schreibt das Modell neben seine Datei, mit der nächsten freien Nummer im Namen.</translation>
     </message>
 </context>
 <context>

@@ -1247,10 +1247,6 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>将模型写入另一个文件，此后该文件即为模型自己的文件。</translation>
     </message>
     <message>
-        <source>Writes the model as it is now beside its file, with the next free number in the name.</source>
-        <translation>将当前模型写到其文件旁边，文件名带下一个可用编号。</translation>
-    </message>
-    <message>
         <source>Reset to S&amp;tart</source>
         <translation>重置到起点(&amp;T)</translation>
     </message>
@@ -1261,6 +1257,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Save Nu&amp;mbered Copy</source>
         <translation>保存编号副本(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Writes the model beside its file, with the next free number in the name.</source>
+        <translation>将模型写到其文件旁边，文件名带下一个可用编号。</translation>
     </message>
 </context>
 <context>

@@ -23,7 +23,7 @@ constexpr ActionInfo table[] = {
     {MenuId::File, "file.saveAs", QT_TRANSLATE_NOOP("ui::Actions", "Save &As…"),
      QT_TRANSLATE_NOOP("ui::Actions", "Writes the model to another file, which is its own from then on."), "Ctrl+Shift+S", "save-as"},
     {MenuId::File, "file.saveCopy", QT_TRANSLATE_NOOP("ui::Actions", "Save Nu&mbered Copy"),
-     QT_TRANSLATE_NOOP("ui::Actions", "Writes the model as it is now beside its file, with the next free number in the name."), "Ctrl+Alt+S", "save-copy"},
+     QT_TRANSLATE_NOOP("ui::Actions", "Writes the model beside its file, with the next free number in the name."), "Ctrl+Alt+S", "save-copy"},
     {MenuId::File, "file.exportAs", QT_TRANSLATE_NOOP("ui::Actions", "&Export…"),
      QT_TRANSLATE_NOOP("ui::Actions", "Writes the model to a file: STL, OBJ or PLY."), "Ctrl+E", "export", false, Bar::Top},
     {MenuId::File, "file.exportDrawing", QT_TRANSLATE_NOOP("ui::Actions", "Export &Drawing…"),

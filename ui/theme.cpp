@@ -1,24 +1,13 @@
 #include "theme.h"
 
+#include "app_style.h"
+
 #include <QApplication>
-#include <QProxyStyle>
 
 namespace ui
 {
 namespace
 {
-/// Without the pictures on a dialog's buttons, which are black in the dark too.
-class Style : public QProxyStyle
-{
-public:
-    Style() : QProxyStyle(QStringLiteral("Fusion")) {}
-
-    int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget, QStyleHintReturn* data) const override
-    {
-        return hint == SH_DialogButtonBox_ButtonsHaveIcons ? 0 : QProxyStyle::styleHint(hint, option, widget, data);
-    }
-};
-
 struct Colors
 {
     QColor window, base, alternate, button, text, faint, highlight, link, tip;
@@ -44,10 +33,6 @@ QPalette paletteOf(const Colors& c)
     return palette;
 }
 
-bool isDark(const QPalette& palette)
-{
-    return palette.window().color().lightness() < palette.windowText().color().lightness();
-}
 } // namespace
 
 QPalette lightPalette()
@@ -66,7 +51,7 @@ Theme::Theme(ThemeChoice choice, QObject* parent)
     : QObject(parent), m_choice(choice), m_startedDark(ui::isDark(QApplication::palette()))
 {
     connect(&m_system, &SystemScheme::changed, this, &Theme::apply);
-    QApplication::setStyle(new Style);
+    QApplication::setStyle(new AppStyle);
     apply();
 }
 

@@ -22,6 +22,7 @@ nlohmann-json3-dev  JSON: stroke files, reports
 libopenxr-dev       OpenXR: the headset
 libgl-dev           OpenGL
 libgl1-mesa-dri     OpenGL drivers, with one in software
+fonts-wqy-microhei  a font that has Chinese
 '
 fettle_test_packages='
 libcgal-dev         CGAL: an independent judge of meshes

@@ -4,14 +4,18 @@
 #include <QAction>
 #include <QApplication>
 #include <QDir>
+#include <QFontDatabase>
 #include <QMainWindow>
 #include <QMenu>
 #include <QProcess>
+#include <QRawFont>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTranslator>
 #include <QXmlStreamReader>
+
+#include <algorithm>
 
 namespace
 {
@@ -177,6 +181,7 @@ private Q_SLOTS:
     void everyMessage_isTranslated();
     void everyContext_isAClass_data() { addLanguages(); }
     void everyContext_isAClass();
+    void chineseHasAFont();
     void mnemonics_areUniqueInAMenu_data() { addLanguages(); }
     void mnemonics_areUniqueInAMenu();
     void menuKeys_areInMenusOnly();
@@ -282,6 +287,23 @@ void TestTranslations::everyContext_isAClass()
     static const QRegularExpression ofARoom(QStringLiteral("^(ui|vr|app)::[A-Z]\\w+$"));
     for (const Message& message : readCatalogue(pathOf(language)).messages)
         QVERIFY2(ofARoom.match(message.context).hasMatch(), qPrintable(message.key()));
+}
+
+/// One of those that run.sh installs.
+void TestTranslations::chineseHasAFont()
+{
+    QSet<QChar> letters;
+    for (const Message& message : readCatalogue(pathOf(QStringLiteral("zh_CN"))).messages)
+        for (const QString& translation : message.translations)
+            for (const QChar letter : translation)
+                if (letter.isLetter())
+                    letters.insert(letter);
+    QVERIFY(letters.size() > 300);
+    const QStringList families = QFontDatabase::families(QFontDatabase::SimplifiedChinese);
+    QVERIFY(std::ranges::any_of(families, [&](const QString& family) {
+        const QRawFont font = QRawFont::fromFont(QFont(family), QFontDatabase::SimplifiedChinese);
+        return std::ranges::all_of(letters, [&](QChar letter) { return font.supportsCharacter(letter); });
+    }));
 }
 
 void TestTranslations::mnemonics_areUniqueInAMenu()

@@ -1,0 +1,229 @@
+#include "app/document.h"
+#include "app/wiring.h"
+
+#include "ui/main_window.h"
+#include "ui/scene.h"
+#include "ui/settings.h"
+#include "ui/viewport.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QDialog>
+#include <QDir>
+#include <QDockWidget>
+#include <QLabel>
+#include <QLibraryInfo>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
+#include <QPushButton>
+#include <QStyleOptionComboBox>
+#include <QTabBar>
+#include <QTabWidget>
+#include <QTest>
+#include <QTranslator>
+
+using namespace app;
+
+namespace
+{
+constexpr QSize smallScreen{1280, 720};
+constexpr int settleMs = 250; ///< layouts, and what comes from other threads: drawings, facts
+
+/// The program as main() puts it together.
+struct Program
+{
+    Program() { wire(window, document, worker, inbox); }
+
+    SculptWorker worker;
+    std::shared_ptr<PatchInbox> inbox = std::make_shared<PatchInbox>();
+    Document document{&worker};
+    ui::MainWindow window;
+};
+
+/// The words of one language, while it lives.
+class Words
+{
+public:
+    explicit Words(const QString& locale)
+    {
+        QLocale::setDefault(QLocale(locale));
+        load(QStringLiteral("qtbase_") + locale, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
+        load(QStringLiteral("fettle_") + locale, QStringLiteral(FETTLE_QM_DIR));
+    }
+    ~Words() { QLocale::setDefault(QLocale::c()); }
+
+private:
+    void load(const QString& name, const QString& folder)
+    {
+        auto translator = std::make_unique<QTranslator>();
+        if (translator->load(name, folder))
+            QCoreApplication::installTranslator(translator.get());
+        m_translators.push_back(std::move(translator));
+    }
+    std::vector<std::unique_ptr<QTranslator>> m_translators;
+};
+
+int widthOf(const QWidget* widget, const QString& text)
+{
+    return widget->fontMetrics().size(Qt::TextShowMnemonic, text).width();
+}
+
+/// Empty, or the text that does not have the room that it needs.
+QString clippedText(const QWidget* widget)
+{
+    if (const auto* label = qobject_cast<const QLabel*>(widget)) {
+        const int needed = label->wordWrap() ? label->heightForWidth(label->width()) : label->sizeHint().height();
+        const bool isWide = label->wordWrap() || label->width() >= label->sizeHint().width();
+        return isWide && label->height() >= needed ? QString() : label->text();
+    }
+    if (const auto* button = qobject_cast<const QAbstractButton*>(widget))
+        return button->width() >= button->minimumSizeHint().width() ? QString() : button->text();
+    if (const auto* box = qobject_cast<const QComboBox*>(widget)) {
+        QStyleOptionComboBox option;
+        option.initFrom(box);
+        const QRect room = box->style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, box);
+        return room.width() >= widthOf(box, box->currentText()) ? QString() : box->currentText();
+    }
+    if (const auto* line = qobject_cast<const QLineEdit*>(widget))
+        return !line->isReadOnly() || line->width() >= widthOf(line, line->text()) ? QString() : line->text();
+    if (const auto* tabs = qobject_cast<const QTabBar*>(widget)) {
+        for (int i = 0; i < tabs->count(); ++i)
+            if (tabs->tabRect(i).width() < widthOf(tabs, tabs->tabText(i)) || !tabs->rect().contains(tabs->tabRect(i)))
+                return tabs->tabText(i);
+    }
+    return {};
+}
+
+/// What cannot be read in the window, each with its widget's kind.
+QStringList clippedTexts(const QWidget& window)
+{
+    QStringList clipped;
+    for (const QWidget* widget : window.findChildren<QWidget*>()) {
+        if (widget->visibleRegion().isEmpty()) // panels behind others are elsewhere
+            continue;
+        const QString text = clippedText(widget);
+        if (!text.isEmpty())
+            clipped << QStringLiteral("%1 \"%2\"").arg(QLatin1StringView(widget->metaObject()->className()), text);
+    }
+    return clipped;
+}
+} // namespace
+
+/// The main states of the window as pictures, to be looked at: build/<preset>/screenshots. What a test can see is seen here:
+/// nothing is clipped, and the window fits a small screen.
+class TestScreenshots : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void states_data();
+    void states();
+
+private:
+    void take(QWidget& window, const QString& state);
+    void takePanels(Program& program);
+    void takeMenus(Program& program);
+    void takeDialogs(Program& program);
+
+    QDir m_folder;
+};
+
+void TestScreenshots::states_data()
+{
+    QTest::addColumn<ui::ThemeChoice>("theme");
+    QTest::addColumn<QString>("locale");
+    for (const auto& [theme, name] : {std::pair(ui::ThemeChoice::Light, "light"), std::pair(ui::ThemeChoice::Dark, "dark")})
+        for (const char* locale : {"en", "de", "zh_CN"})
+            QTest::addRow("%s %s", name, locale) << theme << QString::fromLatin1(locale);
+}
+
+void TestScreenshots::states()
+{
+    if (!ui::graphicsProblem().isEmpty())
+        QSKIP("There is no OpenGL here.");
+    QFETCH(ui::ThemeChoice, theme);
+    QFETCH(QString, locale);
+    m_folder.setPath(QStringLiteral(FETTLE_SCREENSHOT_DIR "/%1x %2").arg(qApp->devicePixelRatio()).arg(QString::fromLatin1(QTest::currentDataTag())));
+    QVERIFY(m_folder.mkpath(QStringLiteral(".")));
+
+    const Words words(locale);
+    ui::Preferences preferences;
+    preferences.theme = theme;
+    ui::Settings().setPreferences(preferences);
+    Program program;
+    program.window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&program.window));
+    program.window.resize(smallScreen);
+    program.document.openStarter(core::Starter::Vase);
+    QTRY_VERIFY(!program.document.isBusy());
+    QTRY_VERIFY(program.window.viewport()->stats().patches > 0);
+    QTest::mouseClick(program.window.viewport(), Qt::LeftButton, {}, program.window.viewport()->rect().center());
+    QTRY_VERIFY(program.document.isSettled());
+    QTRY_COMPARE(program.window.size(), smallScreen);
+    take(program.window, QStringLiteral("window"));
+    takePanels(program);
+    takeMenus(program);
+    takeDialogs(program);
+}
+
+void TestScreenshots::take(QWidget& window, const QString& state)
+{
+    QTest::qWait(settleMs);
+    QVERIFY(window.grab().save(m_folder.filePath(state + QStringLiteral(".png"))));
+    const QStringList clipped = clippedTexts(window);
+    QVERIFY2(clipped.isEmpty(), qPrintable(QStringLiteral("%1: %2").arg(state, clipped.join(QStringLiteral("; ")))));
+    QVERIFY2(window.width() <= smallScreen.width() && window.height() <= smallScreen.height(), qPrintable(state));
+}
+
+void TestScreenshots::takePanels(Program& program)
+{
+    for (QDockWidget* panel : program.window.findChildren<QDockWidget*>()) {
+        const bool wasHidden = panel->isHidden();
+        panel->show();
+        panel->raise();
+        QTRY_COMPARE(program.window.size(), smallScreen);
+        take(program.window, QStringLiteral("panel-") + panel->objectName());
+        panel->setHidden(wasHidden);
+    }
+}
+
+void TestScreenshots::takeMenus(Program& program)
+{
+    int number = 0;
+    for (const QAction* title : program.window.menuBar()->actions()) {
+        title->menu()->popup(program.window.mapToGlobal(QPoint(20, 20)));
+        take(*title->menu(), QStringLiteral("menu-%1").arg(++number));
+        title->menu()->close();
+    }
+}
+
+void TestScreenshots::takeDialogs(Program& program)
+{
+    for (const char* id : {"edit.preferences", "help.keys", "help.about", "model.move", "model.rotate", "model.scale", "model.mirror",
+                           "model.symmetrize", "model.remesh"}) {
+        program.window.action(QLatin1StringView(id))->trigger();
+        QDialog* dialog = nullptr;
+        QTRY_VERIFY((dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())));
+        auto* pages = dialog->findChild<QTabWidget*>();
+        for (int page = 0; page < (pages ? pages->count() : 1); ++page) {
+            if (pages)
+                pages->setCurrentIndex(page);
+            take(*dialog, QStringLiteral("%1-%2").arg(QLatin1StringView(id)).arg(page));
+        }
+        dialog->reject();
+        QTRY_VERIFY(!QApplication::activeModalWidget());
+    }
+}
+
+int main(int argc, char* argv[])
+{
+    ui::prepareGraphics();
+    QApplication application(argc, argv);
+    QCoreApplication::setOrganizationName(QStringLiteral("FettleTest"));
+    QCoreApplication::setApplicationName(QStringLiteral("tst_screenshots"));
+    TestScreenshots test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "tst_screenshots.moc"

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <QProxyStyle>
+
+namespace ui
+{
+bool isDark(const QPalette& palette);
+
+/// Qt's Fusion style, but for what it draws badly in the dark: outlines of boxes to tick, the buttons in the titles of
+/// panels, and the pictures on a dialog's buttons, which are left out.
+class AppStyle : public QProxyStyle
+{
+public:
+    AppStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
+
+    int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget, QStyleHintReturn* data) const override;
+    QIcon standardIcon(StandardPixmap icon, const QStyleOption* option, const QWidget* widget) const override;
+    void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter, const QWidget* widget) const override;
+};
+} // namespace ui
