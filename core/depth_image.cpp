@@ -117,23 +117,29 @@ DrawnImage DepthImage::shade(const DrawArrays& model) const
     image.pixels.reserve(m_face.size());
     for (int y = m_height - 1; y >= 0; --y)
         for (int x = 0; x < m_width; ++x) {
-            const Slot f = m_face[index(x, y)];
-            image.pixels.push_back(f == noSlot ? std::array<std::uint8_t, 4>{}
-                                               : colorAt(model, f, {static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F}));
+            const Seen at = seen(model, x, y);
+            image.pixels.push_back(at.face == noSlot ? std::array<std::uint8_t, 4>{} : colorAt(model, at));
         }
     return image;
 }
 
-/// Under a lamp at the upper left, before the paper.
-std::array<std::uint8_t, 4> DepthImage::colorAt(const DrawArrays& model, Slot f, const Vec2f& at) const
+DepthImage::Seen DepthImage::seen(const DrawArrays& model, int x, int y) const
 {
-    const Triangle& t = model.faces[f];
-    const auto corner = [&](std::size_t i) { return Vec2f(m_points[t[i]].head<2>()); };
-    const Vec3f weights = weightsAt(at, corner(0), corner(1), corner(2)).cwiseMax(0).cwiseMin(1);
+    const Slot f = m_face[index(x, y)];
+    if (f == noSlot)
+        return {noSlot, Vec3f::Zero()};
+    const auto corner = [&](std::size_t i) { return Vec2f(m_points[model.faces[f][i]].head<2>()); };
+    const Vec2f centre(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
+    return {f, weightsAt(centre, corner(0), corner(1), corner(2)).cwiseMax(0).cwiseMin(1)};
+}
+
+/// Under a lamp at the upper left, before the paper.
+std::array<std::uint8_t, 4> DepthImage::colorAt(const DrawArrays& model, const Seen& seen) const
+{
     Vec3f normal = Vec3f::Zero(), color = Vec3f::Zero();
     for (std::size_t i = 0; i < 3; ++i) {
-        const DrawVertex& v = model.vertices[t[i]];
-        const float weight = weights[static_cast<Eigen::Index>(i)];
+        const DrawVertex& v = model.vertices[model.faces[seen.face][i]];
+        const float weight = seen.weights[static_cast<Eigen::Index>(i)];
         normal += weight * Vec3f(v.normal[0], v.normal[1], v.normal[2]);
         color += weight * Vec3f(v.color[0], v.color[1], v.color[2]);
     }

@@ -22,12 +22,22 @@ public:
     float depth(int x, int y) const { return m_depth[index(x, y)]; }
     float pixel() const { return m_pixel; }
 
+    int width() const { return m_width; }
+    int height() const { return m_height; }
+    struct Seen
+    {
+        Slot face;     ///< noSlot: nothing
+        Vec3f weights; ///< of its corners, 0 to 1; about 1 together
+    };
+    /// The nearest face at a pixel's centre. The model is the one that was drawn.
+    Seen seen(const DrawArrays& model, int x, int y) const;
+
     DrawnImage shade(const DrawArrays& model) const;
 
 private:
     std::size_t index(int x, int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(m_width) + static_cast<std::size_t>(x); }
     void drawFace(Slot f, const Triangle& corners);
-    std::array<std::uint8_t, 4> colorAt(const DrawArrays& model, Slot f, const Vec2f& at) const;
+    std::array<std::uint8_t, 4> colorAt(const DrawArrays& model, const Seen& seen) const;
 
     DrawnSide m_side;
     Vec2f m_corner; ///< bottom left, mm

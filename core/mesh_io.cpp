@@ -117,15 +117,23 @@ void refuseStlSize(const FileBytes& start, std::uint64_t size)
 }
 
 /// Reads up to `size` bytes; fewer if the file has become shorter.
-std::string_view readInto(std::ifstream& file, char* buffer, std::uint64_t size, const std::filesystem::path& path)
+std::string_view readInto(std::ifstream& file, char* buffer, std::uint64_t size, const std::filesystem::path& path,
+                          const std::stop_token& stop = {})
 {
+    constexpr std::uint64_t atOnce = 1 << 22;
     file.clear();
     file.seekg(0);
     errno = 0;
-    file.read(buffer, static_cast<std::streamsize>(size));
-    if (file.bad() || (file.gcount() == 0 && size != 0))
+    std::uint64_t got = 0;
+    while (got < size && file) {
+        if (stop.stop_requested())
+            throw ReadingStopped();
+        file.read(buffer + got, static_cast<std::streamsize>(std::min(atOnce, size - got)));
+        got += static_cast<std::uint64_t>(file.gcount());
+    }
+    if (file.bad() || (got == 0 && size != 0))
         throw unreadable(path, errno);
-    return {buffer, static_cast<std::size_t>(file.gcount())};
+    return {buffer, static_cast<std::size_t>(got)};
 }
 
 TriangleMesh parse(const FileBytes& file, MeshFormat format)
@@ -201,13 +209,13 @@ TriangleMesh readMesh(const std::filesystem::path& path, const ReadOptions& opti
     TriangleMesh mesh;
     {
         const auto buffer = std::make_unique_for_overwrite<char[]>(size);
-        const FileBytes file{path, readInto(stream, buffer.get(), size, path)};
+        const FileBytes file{path, readInto(stream, buffer.get(), size, path, options.stop), options.stop};
         if (file.bytes.size() < size) // it became shorter just now
             throw errorAtByte(FileErrorKind::CutOff, file, file.bytes.data() + file.bytes.size());
         mesh = parse(file, format);
     }
     if (format != MeshFormat::Stl) // its reader has done so
-        weld(mesh);
+        weld(mesh, StopCheck(options.stop));
     if (mesh.triangles.empty())
         throw FileError(FileErrorKind::NoFaces, path);
     if (options.up.value_or(usualUp(format)) == UpAxis::Z)

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string_view>
 
 namespace core
@@ -25,8 +26,13 @@ bool holdsColors(MeshFormat format);
 
 struct ReadOptions
 {
-    std::optional<UpAxis> up; ///< of the file; missing: usualUp
+    std::optional<UpAxis> up = {}; ///< of the file; missing: usualUp
+    std::stop_token stop = {};     ///< then ReadingStopped is thrown, within some 20 ms
 };
+
+/// What was read is not wanted any more.
+struct ReadingStopped
+{};
 
 struct WriteOptions
 {

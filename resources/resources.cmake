@@ -14,9 +14,12 @@ set(FETTLE_RESOURCE_FILES
     icons/drawing.svg
     icons/export.svg
     icons/fettle.svg
+    icons/files.svg
     icons/fill.svg
     icons/flat.svg
     icons/flatten.svg
+    icons/folder.svg
+    icons/folder-up.svg
     icons/frame.svg
     icons/fusion.svg
     icons/ground.svg
@@ -66,6 +69,8 @@ set(FETTLE_RESOURCE_FILES
     icons/scale.svg
     icons/smaller.svg
     icons/smooth.svg
+    icons/sort-down.svg
+    icons/sort-up.svg
     icons/steady.svg
     icons/sound.svg
     icons/stop.svg
@@ -76,6 +81,7 @@ set(FETTLE_RESOURCE_FILES
     icons/undo.svg
     icons/uniform.svg
     icons/unsound.svg
+    icons/unreadable.svg
     icons/view-back.svg
     icons/view-bottom.svg
     icons/view-front.svg

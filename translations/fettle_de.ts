@@ -1264,6 +1264,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>Writes the model beside its file, with the next free number in the name.</source>
         <translation>Schreibt das Modell neben seine Datei, mit der nächsten freien Nummer im Namen.</translation>
     </message>
+    <message>
+        <source>&amp;Browse Files</source>
+        <translation>Dateien &amp;durchsehen</translation>
+    </message>
+    <message>
+        <source>Shows the panel with a folder of models as pictures.</source>
+        <translation>Zeigt die Leiste mit einem Ordner voller Modelle als Bilder.</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -1563,6 +1571,261 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Save the Model</source>
         <translation>Modell speichern</translation>
+    </message>
+</context>
+<context>
+    <name>ui::FileItemDelegate</name>
+    <message>
+        <source>New name</source>
+        <translation>Neuer Name</translation>
+    </message>
+</context>
+<context>
+    <name>ui::FileJobs</name>
+    <message>
+        <source>%1 is not a folder.</source>
+        <translation>%1 ist kein Ordner.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be looked into: it is not permitted.</source>
+        <translation>%1 kann nicht eingesehen werden: Es ist nicht erlaubt.</translation>
+    </message>
+    <message>
+        <source>There is a file named %1 already; %2 keeps its name.</source>
+        <translation>Es gibt schon eine Datei namens %1; %2 behält ihren Namen.</translation>
+    </message>
+    <message>
+        <source>%1 could not be renamed (%2).</source>
+        <translation>%1 konnte nicht umbenannt werden (%2).</translation>
+    </message>
+    <message>
+        <source>A file needs a name.</source>
+        <translation>Eine Datei braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>A file&apos;s name may not hold the sign %1.</source>
+        <translation>Der Name einer Datei darf das Zeichen %1 nicht enthalten.</translation>
+    </message>
+    <message>
+        <source>A file&apos;s name may not hold control characters.</source>
+        <translation>Der Name einer Datei darf keine Steuerzeichen enthalten.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be a file&apos;s name.</source>
+        <translation>%1 kann kein Dateiname sein.</translation>
+    </message>
+    <message>
+        <source>%1 could not be duplicated (%2).</source>
+        <translation>%1 konnte nicht verdoppelt werden (%2).</translation>
+    </message>
+    <message>
+        <source> copy</source>
+        <comment>behind the name of a file that was duplicated</comment>
+        <translation> Kopie</translation>
+    </message>
+    <message>
+        <source>%1 was not deleted: it could not be put into a trash, and nothing is deleted for good here.</source>
+        <translation>%1 wurde nicht gelöscht: Die Datei ließ sich in keinen Papierkorb legen, und endgültig wird hier nichts gelöscht.</translation>
+    </message>
+    <message>
+        <source>%1 is in the trash.</source>
+        <translation>%1 liegt im Papierkorb.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln files are in the trash.</source>
+        <translation>
+            <numerusform>%Ln Datei liegt im Papierkorb.</numerusform>
+            <numerusform>%Ln Dateien liegen im Papierkorb.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ui::FileListModel</name>
+    <message>
+        <source>folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>nicht lesbar</translation>
+    </message>
+    <message>
+        <source>not read yet</source>
+        <translation>noch nicht gelesen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln vertices</source>
+        <translation>
+            <numerusform>%Ln Eckpunkt</numerusform>
+            <numerusform>%Ln Eckpunkte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>size, date</comment>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui::FilesPanel</name>
+    <message>
+        <source>Models in this folder</source>
+        <translation>Modelle in diesem Ordner</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>The folder that is shown; type another and press Return.</source>
+        <translation>Der gezeigte Ordner; einen anderen eintippen und Eingabe drücken.</translation>
+    </message>
+    <message>
+        <source>Choose Folder</source>
+        <translation>Ordner wählen</translation>
+    </message>
+    <message>
+        <source>Asks for the folder that is shown.</source>
+        <translation>Fragt nach dem Ordner, der gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>Up (%1)</source>
+        <translation>Hinauf (%1)</translation>
+    </message>
+    <message>
+        <source>Shows the folder in which this one lies.</source>
+        <translation>Zeigt den Ordner, in dem dieser liegt.</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtern</translation>
+    </message>
+    <message>
+        <source>Shows only what has these letters in its name.</source>
+        <translation>Zeigt nur, was diese Buchstaben im Namen hat.</translation>
+    </message>
+    <message>
+        <source>Sorted by</source>
+        <translation>Sortiert nach</translation>
+    </message>
+    <message>
+        <source>What the files are sorted by; folders come first.</source>
+        <translation>Wonach die Dateien sortiert sind; Ordner kommen zuerst.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>Eckpunkte</translation>
+    </message>
+    <message>
+        <source>Descending</source>
+        <translation>Absteigend</translation>
+    </message>
+    <message>
+        <source>Turns the order round.</source>
+        <translation>Kehrt die Reihenfolge um.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Makes no more pictures in this folder.</source>
+        <translation>Macht in diesem Ordner keine weiteren Bilder.</translation>
+    </message>
+    <message>
+        <source>Size of the pictures</source>
+        <translation>Größe der Bilder</translation>
+    </message>
+    <message>
+        <source>How large the pictures are.</source>
+        <translation>Wie groß die Bilder sind.</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>Ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>Opens the model, or enters the folder.</source>
+        <translation>Öffnet das Modell oder den Ordner.</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>&amp;Umbenennen</translation>
+    </message>
+    <message>
+        <source>Gives the file another name; its ending stays.</source>
+        <translation>Gibt der Datei einen anderen Namen; die Endung bleibt.</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate</source>
+        <translation>&amp;Verdoppeln</translation>
+    </message>
+    <message>
+        <source>Puts a copy of the file beside it.</source>
+        <translation>Legt eine Kopie der Datei daneben.</translation>
+    </message>
+    <message>
+        <source>Move to &amp;Trash</source>
+        <translation>In den &amp;Papierkorb</translation>
+    </message>
+    <message>
+        <source>Puts the file into the trash, from which it can be taken back.</source>
+        <translation>Legt die Datei in den Papierkorb, aus dem sie sich zurückholen lässt.</translation>
+    </message>
+    <message>
+        <source>&amp;Show in Folder</source>
+        <translation>Im Ordner &amp;zeigen</translation>
+    </message>
+    <message>
+        <source>Shows the file in the desktop&apos;s program for files.</source>
+        <translation>Zeigt die Datei im Dateiprogramm der Arbeitsumgebung.</translation>
+    </message>
+    <message>
+        <source>&amp;Up</source>
+        <translation>&amp;Hinauf</translation>
+    </message>
+    <message>
+        <source>Choose a Folder</source>
+        <translation>Einen Ordner wählen</translation>
+    </message>
+    <message>
+        <source>%L1 of %L2 read</source>
+        <translation>%L1 von %L2 gelesen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln models</source>
+        <translation>
+            <numerusform>%Ln Modell</numerusform>
+            <numerusform>%Ln Modelle</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No models lie here: STL, OBJ or PLY.</source>
+        <translation>Hier liegen keine Modelle: STL, OBJ oder PLY.</translation>
+    </message>
+    <message>
+        <source>No name here has %1 in it.</source>
+        <translation>Kein Name hier enthält %1.</translation>
+    </message>
+    <message>
+        <source>Nothing can be opened while something else is going on.</source>
+        <translation>Solange etwas anderes läuft, lässt sich nichts öffnen.</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
     </message>
 </context>
 <context>
@@ -2373,6 +2636,13 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
+    <name>ui::RevealFile</name>
+    <message>
+        <source>There is no program here that shows folders; the file lies in %1.</source>
+        <translation>Hier gibt es kein Programm, das Ordner zeigt; die Datei liegt in %1.</translation>
+    </message>
+</context>
+<context>
     <name>ui::ScaleBar</name>
     <message>
         <source>Scale: %L1 mm</source>
@@ -2396,6 +2666,13 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>The model cannot be shown: OpenGL 3.3 is needed, and this display offers %1.%2.</source>
         <translation>Das Modell lässt sich nicht anzeigen: Nötig ist OpenGL 3.3, diese Anzeige bietet %1.%2.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ThumbnailMaker</name>
+    <message>
+        <source>%1: there is not enough memory for its picture.</source>
+        <translation>%1: Für das Bild reicht der Speicher nicht.</translation>
     </message>
 </context>
 <context>

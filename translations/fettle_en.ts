@@ -32,6 +32,36 @@
     </message>
 </context>
 <context>
+    <name>ui::FileJobs</name>
+    <message numerus="yes">
+        <source>%Ln files are in the trash.</source>
+        <translation>
+            <numerusform>%Ln file is in the trash.</numerusform>
+            <numerusform>%Ln files are in the trash.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ui::FileListModel</name>
+    <message numerus="yes">
+        <source>%Ln vertices</source>
+        <translation>
+            <numerusform>%Ln vertex</numerusform>
+            <numerusform>%Ln vertices</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ui::FilesPanel</name>
+    <message numerus="yes">
+        <source>%Ln models</source>
+        <translation>
+            <numerusform>%Ln model</numerusform>
+            <numerusform>%Ln models</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ui::HistoryPanel</name>
     <message numerus="yes">
         <source>%Ln dabs</source>

@@ -1262,6 +1262,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>Writes the model beside its file, with the next free number in the name.</source>
         <translation>将模型写到其文件旁边，文件名带下一个可用编号。</translation>
     </message>
+    <message>
+        <source>&amp;Browse Files</source>
+        <translation>浏览文件(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Shows the panel with a folder of models as pictures.</source>
+        <translation>显示面板：以图片形式列出一个文件夹中的模型。</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -1560,6 +1568,258 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Save the Model</source>
         <translation>保存模型</translation>
+    </message>
+</context>
+<context>
+    <name>ui::FileItemDelegate</name>
+    <message>
+        <source>New name</source>
+        <translation>新名称</translation>
+    </message>
+</context>
+<context>
+    <name>ui::FileJobs</name>
+    <message>
+        <source>%1 is not a folder.</source>
+        <translation>%1 不是文件夹。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be looked into: it is not permitted.</source>
+        <translation>无法查看 %1：没有权限。</translation>
+    </message>
+    <message>
+        <source>There is a file named %1 already; %2 keeps its name.</source>
+        <translation>已有名为 %1 的文件；%2 保留原名。</translation>
+    </message>
+    <message>
+        <source>%1 could not be renamed (%2).</source>
+        <translation>无法重命名 %1（%2）。</translation>
+    </message>
+    <message>
+        <source>A file needs a name.</source>
+        <translation>文件需要一个名称。</translation>
+    </message>
+    <message>
+        <source>A file&apos;s name may not hold the sign %1.</source>
+        <translation>文件名不能包含字符 %1。</translation>
+    </message>
+    <message>
+        <source>A file&apos;s name may not hold control characters.</source>
+        <translation>文件名不能包含控制字符。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be a file&apos;s name.</source>
+        <translation>%1 不能作为文件名。</translation>
+    </message>
+    <message>
+        <source>%1 could not be duplicated (%2).</source>
+        <translation>无法复制 %1（%2）。</translation>
+    </message>
+    <message>
+        <source> copy</source>
+        <comment>behind the name of a file that was duplicated</comment>
+        <translation> 副本</translation>
+    </message>
+    <message>
+        <source>%1 was not deleted: it could not be put into a trash, and nothing is deleted for good here.</source>
+        <translation>%1 未被删除：无法放入回收站，而这里不会永久删除任何文件。</translation>
+    </message>
+    <message>
+        <source>%1 is in the trash.</source>
+        <translation>%1 已移入回收站。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln files are in the trash.</source>
+        <translation>
+            <numerusform>%Ln 个文件已移入回收站。</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ui::FileListModel</name>
+    <message>
+        <source>folder</source>
+        <translation>文件夹</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>无法读取</translation>
+    </message>
+    <message>
+        <source>not read yet</source>
+        <translation>尚未读取</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln vertices</source>
+        <translation>
+            <numerusform>%Ln 个顶点</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>size, date</comment>
+        <translation>%1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui::FilesPanel</name>
+    <message>
+        <source>Models in this folder</source>
+        <translation>此文件夹中的模型</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>文件夹</translation>
+    </message>
+    <message>
+        <source>The folder that is shown; type another and press Return.</source>
+        <translation>当前显示的文件夹；可输入其他路径并按回车。</translation>
+    </message>
+    <message>
+        <source>Choose Folder</source>
+        <translation>选择文件夹</translation>
+    </message>
+    <message>
+        <source>Asks for the folder that is shown.</source>
+        <translation>选择要显示的文件夹。</translation>
+    </message>
+    <message>
+        <source>Up (%1)</source>
+        <translation>上一级 (%1)</translation>
+    </message>
+    <message>
+        <source>Shows the folder in which this one lies.</source>
+        <translation>显示上一级文件夹。</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>筛选</translation>
+    </message>
+    <message>
+        <source>Shows only what has these letters in its name.</source>
+        <translation>只显示名称中包含这些文字的项目。</translation>
+    </message>
+    <message>
+        <source>Sorted by</source>
+        <translation>排序方式</translation>
+    </message>
+    <message>
+        <source>What the files are sorted by; folders come first.</source>
+        <translation>文件的排序方式；文件夹排在最前。</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日期</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>顶点</translation>
+    </message>
+    <message>
+        <source>Descending</source>
+        <translation>降序</translation>
+    </message>
+    <message>
+        <source>Turns the order round.</source>
+        <translation>反转排序。</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Makes no more pictures in this folder.</source>
+        <translation>不再为此文件夹生成图片。</translation>
+    </message>
+    <message>
+        <source>Size of the pictures</source>
+        <translation>图片大小</translation>
+    </message>
+    <message>
+        <source>How large the pictures are.</source>
+        <translation>图片的大小。</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>打开(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Opens the model, or enters the folder.</source>
+        <translation>打开模型，或进入文件夹。</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>重命名(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Gives the file another name; its ending stays.</source>
+        <translation>更改文件名；扩展名不变。</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate</source>
+        <translation>复制一份(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Puts a copy of the file beside it.</source>
+        <translation>在旁边放置一份副本。</translation>
+    </message>
+    <message>
+        <source>Move to &amp;Trash</source>
+        <translation>移到回收站(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Puts the file into the trash, from which it can be taken back.</source>
+        <translation>将文件放入回收站，之后可以恢复。</translation>
+    </message>
+    <message>
+        <source>&amp;Show in Folder</source>
+        <translation>在文件夹中显示(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Shows the file in the desktop&apos;s program for files.</source>
+        <translation>在桌面的文件管理器中显示该文件。</translation>
+    </message>
+    <message>
+        <source>&amp;Up</source>
+        <translation>上一级(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Choose a Folder</source>
+        <translation>选择一个文件夹</translation>
+    </message>
+    <message>
+        <source>%L1 of %L2 read</source>
+        <translation>已读取 %L1 / %L2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln models</source>
+        <translation>
+            <numerusform>%Ln 个模型</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No models lie here: STL, OBJ or PLY.</source>
+        <translation>这里没有模型：STL、OBJ 或 PLY。</translation>
+    </message>
+    <message>
+        <source>No name here has %1 in it.</source>
+        <translation>这里没有名称包含“%1”的项目。</translation>
+    </message>
+    <message>
+        <source>Nothing can be opened while something else is going on.</source>
+        <translation>其他操作进行时无法打开文件。</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>文件</translation>
     </message>
 </context>
 <context>
@@ -2368,6 +2628,13 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
 </context>
 <context>
+    <name>ui::RevealFile</name>
+    <message>
+        <source>There is no program here that shows folders; the file lies in %1.</source>
+        <translation>这里没有显示文件夹的程序；文件位于 %1。</translation>
+    </message>
+</context>
+<context>
     <name>ui::ScaleBar</name>
     <message>
         <source>Scale: %L1 mm</source>
@@ -2391,6 +2658,13 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>The model cannot be shown: OpenGL 3.3 is needed, and this display offers %1.%2.</source>
         <translation>无法显示模型：需要 OpenGL 3.3，而此显示环境仅提供 %1.%2。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ThumbnailMaker</name>
+    <message>
+        <source>%1: there is not enough memory for its picture.</source>
+        <translation>%1：内存不足，无法生成图片。</translation>
     </message>
 </context>
 <context>

@@ -16,6 +16,8 @@ namespace
 constexpr ActionInfo table[] = {
     {MenuId::File, "file.open", QT_TRANSLATE_NOOP("ui::Actions", "&Open…"),
      QT_TRANSLATE_NOOP("ui::Actions", "Opens a model: STL, OBJ or PLY."), "Ctrl+O", "open", false, Bar::Top},
+    {MenuId::File, "file.browse", QT_TRANSLATE_NOOP("ui::Actions", "&Browse Files"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Shows the panel with a folder of models as pictures."), "Ctrl+Shift+O", "files"},
     {MenuId::File, "file.revert", QT_TRANSLATE_NOOP("ui::Actions", "Re&vert"),
      QT_TRANSLATE_NOOP("ui::Actions", "Opens the model's file again, as it was last written."), "", "revert"},
     {MenuId::File, "file.save", QT_TRANSLATE_NOOP("ui::Actions", "&Save"),

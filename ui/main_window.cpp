@@ -10,6 +10,7 @@
 #include "color_panel.h"
 #include "command_box.h"
 #include "facts_bar.h"
+#include "files_panel.h"
 #include "hand_actions.h"
 #include "history_panel.h"
 #include "look_actions.h"
@@ -131,6 +132,8 @@ void MainWindow::State::buildPanels(QMenu* toggles)
     addColorPanel({q, toggles, viewport}, &brush, &settings, actions, [this](const QString& word) { q->showNotice(word); });
     history = addHistoryPanel(q, &settings, toggles);
     modelPanel = addModelPanel(q, toggles);
+    const auto* browser = addFilesPanel({q, toggles}, &settings, actions, [this](const QString& word) { q->showNotice(word); });
+    connect(browser, &FilesPanel::openRequested, &files, &ModelFiles::openRequested);
     addPreview(q, &settings, actions.get(QStringLiteral("file.exportDrawing")), [this] { return model.name; }, toggles);
 }
 

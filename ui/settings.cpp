@@ -20,6 +20,10 @@ const QString stateKey = QStringLiteral("window/state");
 const QString historyKey = QStringLiteral("history/megabytes");
 const QString recentKey = QStringLiteral("files/recent");
 const QString folderKey = QStringLiteral("files/lastFolder");
+const QString shownFolderKey = QStringLiteral("files/folder");
+const QString fileOrderKey = QStringLiteral("files/order");
+const QString filesDescendingKey = QStringLiteral("files/descending");
+const QString filePictureKey = QStringLiteral("files/picture");
 const QString steadyKey = QStringLiteral("hand/steady");
 const QString stringKey = QStringLiteral("hand/string");
 const QString drawnSidesKey = QStringLiteral("drawing/sides");
@@ -144,6 +148,22 @@ QString Settings::lastFolder() const
 void Settings::setLastFolder(const QString& folder)
 {
     m_settings.setValue(folderKey, folder);
+}
+
+FilesChoice Settings::files() const
+{
+    const QString folder = m_settings.value(shownFolderKey).toString();
+    const bool isThere = !folder.isEmpty() && QDir(folder).exists();
+    return {isThere ? folder : lastFolder(), choice(m_settings, fileOrderKey, fileOrders, FileOrder::Name), yesNo(m_settings, filesDescendingKey, false),
+            static_cast<int>(number(m_settings, filePictureKey, minPicture, maxPicture, defaultPicture))};
+}
+
+void Settings::setFiles(const FilesChoice& choice)
+{
+    m_settings.setValue(shownFolderKey, choice.folder);
+    m_settings.setValue(fileOrderKey, wordFor(choice.order, fileOrders));
+    m_settings.setValue(filesDescendingKey, choice.descending);
+    m_settings.setValue(filePictureKey, choice.picture);
 }
 
 int Settings::historyMegabytes() const

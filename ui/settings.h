@@ -2,6 +2,7 @@
 
 #include "brush_settings.h"
 #include "drawing_painter.h"
+#include "files_choice.h"
 #include "preferences.h"
 #include "turntable_motor.h"
 #include "view_look.h"
@@ -45,6 +46,10 @@ public:
     void setRecentFiles(const QStringList& paths);
     QString lastFolder() const;
     void setLastFolder(const QString& folder);
+
+    /// Of the files panel. A folder that is gone gives lastFolder().
+    FilesChoice files() const;
+    void setFiles(const FilesChoice& choice);
 
     /// So much memory the undo steps may take.
     int historyMegabytes() const;

@@ -13,6 +13,25 @@ struct FileBytes
 {
     const std::filesystem::path& path;
     std::string_view bytes;
+    std::stop_token stop = {};
+};
+
+/// To be asked for each element; looks every so many.
+class StopCheck
+{
+public:
+    explicit StopCheck(std::stop_token stop) : m_stop(std::move(stop)) {}
+
+    void operator()()
+    {
+        constexpr unsigned elements = 1 << 13;
+        if (++m_count % elements == 0 && m_stop.stop_requested())
+            throw ReadingStopped();
+    }
+
+private:
+    std::stop_token m_stop;
+    unsigned m_count = 0;
 };
 
 /// Beyond these a file is refused: 2 GiB can hold more, this machine's memory perhaps not.

@@ -17,7 +17,7 @@ using RawColor = std::array<float, 3>;
 class ObjReader
 {
 public:
-    explicit ObjReader(const FileBytes& file) : m_file(file), m_text(file, afterMark(file)) {}
+    explicit ObjReader(const FileBytes& file) : m_file(file), m_text(file, afterMark(file)), m_stopCheck(file.stop) {}
 
     TriangleMesh read()
     {
@@ -41,6 +41,7 @@ private:
 
     void readLine()
     {
+        m_stopCheck();
         const std::string_view keyword = m_text.word();
         if (keyword == "v")
             readVertex();
@@ -131,6 +132,7 @@ private:
 
     const FileBytes& m_file;
     TextScanner m_text;
+    StopCheck m_stopCheck;
     TriangleMesh m_mesh;
     std::vector<RawColor> m_colors; ///< as in the file; shorter than the points while none came since
     Polygons m_faces;

@@ -61,7 +61,7 @@ bool has(const std::vector<Role>& roles, std::initializer_list<Role> wanted)
 template <typename Source> class BodyReader
 {
 public:
-    BodyReader(const FileBytes& file, const PlyHeader& header) : m_file(file), m_header(header), m_source(file, header)
+    BodyReader(const FileBytes& file, const PlyHeader& header) : m_file(file), m_header(header), m_source(file, header), m_stopCheck(file.stop)
     {}
 
     TriangleMesh read()
@@ -116,6 +116,7 @@ private:
     {
         std::array<float, 3> point{};
         std::array<std::uint8_t, 3> color{};
+        m_stopCheck();
         m_source.beginElement();
         for (std::size_t i = 0; i < roles.size(); ++i) {
             const PlyProperty& property = element.properties[i];
@@ -149,6 +150,7 @@ private:
         if (!has(roles, {Role::Corners}))
             return skipAll(element);
         for (std::uint64_t i = 0; i < element.count; ++i) {
+            m_stopCheck();
             m_source.beginElement();
             for (std::size_t k = 0; k < roles.size(); ++k)
                 roles[k] == Role::Corners ? readFace(element.properties[k]) : skip(element.properties[k]);
@@ -179,6 +181,7 @@ private:
         if (element.properties.empty())
             return;
         for (std::uint64_t i = 0; i < element.count; ++i) {
+            m_stopCheck();
             m_source.beginElement();
             for (const PlyProperty& property : element.properties)
                 skip(property);
@@ -197,6 +200,7 @@ private:
     FileBytes m_file;
     const PlyHeader& m_header;
     Source m_source;
+    StopCheck m_stopCheck;
     TriangleMesh m_mesh;
     Polygons m_faces;
 };

@@ -19,7 +19,9 @@ TriangleMesh readBinary(const FileBytes& file)
     Welder welder;
     const std::size_t count = (file.bytes.size() - stlHeaderSize) / stlTriangleSize;
     mesh.triangles.reserve(count);
+    StopCheck stopCheck(file.stop);
     for (std::size_t i = 0; i < count; ++i) {
+        stopCheck();
         const char* at = file.bytes.data() + stlHeaderSize + i * stlTriangleSize + 12; // past the normal
         Triangle triangle;
         for (Slot& corner : triangle) {
@@ -40,7 +42,7 @@ TriangleMesh readBinary(const FileBytes& file)
 class TextStlReader
 {
 public:
-    explicit TextStlReader(const FileBytes& file) : m_file(file), m_text(file, file.bytes.data()) {}
+    explicit TextStlReader(const FileBytes& file) : m_file(file), m_text(file, file.bytes.data()), m_stopCheck(file.stop) {}
 
     TriangleMesh read()
     {
@@ -70,6 +72,7 @@ private:
 
     void readFacet()
     {
+        m_stopCheck();
         require(m_text.wordAnywhere(), "normal");
         for (int i = 0; i < 3; ++i) // whatever it is: the corners tell
             if (m_text.wordAnywhere().empty())
@@ -103,6 +106,7 @@ private:
 
     FileBytes m_file;
     TextScanner m_text;
+    StopCheck m_stopCheck;
     TriangleMesh m_mesh;
     Welder m_welder;
 };

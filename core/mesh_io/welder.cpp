@@ -2,13 +2,14 @@
 
 namespace core::mesh_io
 {
-void weld(TriangleMesh& mesh)
+void weld(TriangleMesh& mesh, StopCheck stopCheck)
 {
     Welder welder;
     std::vector<Slot> welded;
     welded.reserve(mesh.points.size());
     std::vector<Rgb> colors;
     for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+        stopCheck();
         welded.push_back(welder.add(mesh.points[i]));
         if (!mesh.colors.empty() && colors.size() < welder.size())
             colors.push_back(mesh.colors[i]);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "format.h"
+
 #include "../triangle_mesh.h"
 
 #include <bit>
@@ -58,5 +60,5 @@ private:
 };
 
 /// Makes vertices of equal bits one, where there are any; the first one's colour stays. Vertices keep their order.
-void weld(TriangleMesh& mesh);
+void weld(TriangleMesh& mesh, StopCheck stopCheck);
 } // namespace core::mesh_io

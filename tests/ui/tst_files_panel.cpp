@@ -1,0 +1,318 @@
+#include "ui/file_grid.h"
+#include "ui/file_list_model.h"
+#include "ui/files_panel.h"
+#include "ui/main_window.h"
+
+#include "core/mesh_io.h"
+#include "core/starter_models.h"
+#include "ui_test.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDir>
+#include <QDockWidget>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPixmap>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QToolButton>
+
+namespace
+{
+void write(const QString& path, const core::TriangleMesh& mesh)
+{
+    core::writeMesh(path.toStdU16String(), mesh);
+}
+
+/// Two models of ours, one that cannot be read, a folder with another, and a file that is none.
+struct Models
+{
+    Models()
+    {
+        write(path("ball 10.stl"), core::icosphere(3, 10));
+        write(path("ball 9.obj"), core::icosphere(2, 40));
+        QFile broken(path("broken.ply"));
+        if (broken.open(QIODevice::WriteOnly))
+            broken.write("no ply");
+        QFile(path("notes.txt")).open(QIODevice::WriteOnly);
+        QDir(folder.path()).mkdir(QStringLiteral("inner"));
+        write(path("inner/ring.ply"), core::starterModel(core::Starter::Torus));
+    }
+
+    QString path(const char* name) const { return folder.filePath(QString::fromUtf8(name)); }
+
+    QTemporaryDir folder;
+};
+
+/// The window with the panel in sight, on a folder whose files were all looked at.
+struct Shown
+{
+    explicit Shown(const Models& models) : Shown(models.folder.path()) {}
+    explicit Shown(const QString& folder)
+    {
+        window.show();
+        window.action(QStringLiteral("file.browse"))->trigger();
+        panel->goTo(folder);
+    }
+
+    template <class T> T* child(const char* name) const { return window.findChild<T*>(QLatin1StringView(name)); }
+    QString state() const { return child<QLabel>("files.state")->text(); }
+    QString emptyWord() const { return child<QLabel>("files.empty")->isVisible() ? child<QLabel>("files.empty")->text() : QString(); }
+
+    QStringList names() const
+    {
+        QStringList all;
+        for (int row = 0; row < grid->model()->rowCount(); ++row)
+            all << grid->model()->index(row, 0).data().toString();
+        return all;
+    }
+    QModelIndex find(const QString& name) const
+    {
+        const int row = static_cast<int>(names().indexOf(name));
+        return row < 0 ? QModelIndex() : grid->model()->index(row, 0);
+    }
+    QImage picture(const QString& name) const { return find(name).data(Qt::DecorationRole).value<QPixmap>().toImage(); }
+    QString problem(const QString& name) const { return find(name).data(ui::FileListModel::ProblemRole).toString(); }
+
+    void choose(const QString& name) const
+    {
+        grid->setCurrentIndex(find(name));
+        grid->setFocus();
+    }
+    /// Types a name into the field that F2 opens.
+    void rename(const QString& from, const QString& to) const
+    {
+        choose(from);
+        QTest::keyClick(grid, Qt::Key_F2);
+        auto* editor = grid->findChild<QLineEdit*>(QStringLiteral("files.rename"));
+        QVERIFY(editor);
+        QCOMPARE(editor->text(), QFileInfo(from).completeBaseName());
+        editor->setText(to);
+        QTest::keyClick(editor, Qt::Key_Return);
+    }
+
+    ui::MainWindow window;
+    ui::FilesPanel* panel = window.findChild<ui::FilesPanel*>();
+    ui::FileGrid* grid = window.findChild<ui::FileGrid*>();
+    QSignalSpy noticed{panel, &ui::FilesPanel::noticed};
+};
+
+int inked(const QImage& picture)
+{
+    int count = 0;
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x)
+            count += qAlpha(picture.pixel(x, y)) > 0 ? 1 : 0;
+    return count;
+}
+} // namespace
+
+class TestFilesPanel : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QSettings().clear(); }
+
+    void itIsHiddenUntilItIsAskedFor()
+    {
+        ui::MainWindow window;
+        window.show();
+        auto* dock = window.findChild<QDockWidget*>(QStringLiteral("filesPanel"));
+        QVERIFY(dock && !dock->isVisible());
+        window.action(QStringLiteral("file.browse"))->trigger();
+        QVERIFY(dock->isVisible());
+    }
+
+    void aFolderOfModelsBecomesPictures()
+    {
+        const Models models;
+        const Shown s(models);
+        QTRY_COMPARE(s.names(), QStringList({QStringLiteral("inner"), QStringLiteral("ball 9.obj"), QStringLiteral("ball 10.stl"), QStringLiteral("broken.ply")}));
+        QTRY_VERIFY(!s.picture(QStringLiteral("ball 10.stl")).isNull() && !s.picture(QStringLiteral("ball 9.obj")).isNull());
+        const QImage fine = s.picture(QStringLiteral("ball 10.stl")), coarse = s.picture(QStringLiteral("ball 9.obj"));
+        QVERIFY(inked(fine) > fine.width() * fine.height() / 2);
+        QVERIFY(qAlpha(fine.pixel(0, 0)) == 0);
+        QVERIFY(fine != coarse);
+        QCOMPARE(s.find(QStringLiteral("ball 10.stl")).data(ui::FileListModel::VerticesRole).toInt(), 642);
+        QTRY_VERIFY(s.problem(QStringLiteral("broken.ply")).contains(QStringLiteral("broken.ply")));
+        QVERIFY(s.find(QStringLiteral("broken.ply")).data(Qt::ToolTipRole).toString() == s.problem(QStringLiteral("broken.ply")));
+        QTRY_VERIFY(!s.child<QToolButton>("files.stop")->isVisible());
+        QVERIFY(s.state().contains(QStringLiteral("3")));
+    }
+
+    void itIsFilteredAndSorted()
+    {
+        const Models models;
+        const Shown s(models);
+        QTRY_VERIFY(s.names().size() == 4 && !s.child<QToolButton>("files.stop")->isVisible());
+        auto* filter = s.child<QLineEdit>("files.filter");
+        filter->setText(QStringLiteral("BALL"));
+        QCOMPARE(s.names(), QStringList({QStringLiteral("ball 9.obj"), QStringLiteral("ball 10.stl")}));
+        filter->setText(QStringLiteral("xyz"));
+        QVERIFY(s.names().isEmpty() && s.emptyWord().contains(QStringLiteral("xyz")));
+        filter->setText(QStringLiteral("ball"));
+        QVERIFY(s.emptyWord().isEmpty());
+        auto* order = s.child<QComboBox>("files.order");
+        order->setCurrentIndex(static_cast<int>(ui::FileOrder::Vertices));
+        QCOMPARE(s.names(), QStringList({QStringLiteral("ball 9.obj"), QStringLiteral("ball 10.stl")})); // 162, 642
+        s.child<QToolButton>("files.direction")->click();
+        filter->clear();
+        QCOMPARE(s.names(), QStringList({QStringLiteral("inner"), QStringLiteral("ball 10.stl"), QStringLiteral("ball 9.obj"), QStringLiteral("broken.ply")}));
+        order->setCurrentIndex(static_cast<int>(ui::FileOrder::Size));
+        QCOMPARE(s.names().constLast(), QStringLiteral("broken.ply"));
+    }
+
+    void theChoiceComesBack()
+    {
+        const Models models;
+        {
+            const Shown s(models);
+            s.child<QComboBox>("files.order")->setCurrentIndex(2);
+            s.child<QToolButton>("files.direction")->click();
+            s.child<QSlider>("files.size")->setValue(160);
+        }
+        const ui::MainWindow window;
+        QCOMPARE(window.findChild<ui::FilesPanel*>()->folder(), models.folder.path());
+        QCOMPARE(window.findChild<QComboBox*>(QStringLiteral("files.order"))->currentIndex(), 2);
+        QVERIFY(window.findChild<QToolButton*>(QStringLiteral("files.direction"))->isChecked());
+        QCOMPARE(window.findChild<QSlider*>(QStringLiteral("files.size"))->value(), 160);
+        QSettings().setValue(QStringLiteral("files/folder"), models.path("gone"));
+        QSettings().setValue(QStringLiteral("files/order"), QStringLiteral("colour"));
+        const ui::MainWindow other;
+        QVERIFY(QDir(other.findChild<ui::FilesPanel*>()->folder()).exists());
+        QCOMPARE(other.findChild<QComboBox*>(QStringLiteral("files.order"))->currentIndex(), 0);
+    }
+
+    void returnOpensAndEntersFolders()
+    {
+        const Models models;
+        Shown s(models);
+        QSignalSpy opened(&s.window, &ui::MainWindow::openRequested);
+        QTRY_COMPARE(s.names().size(), 4);
+        s.choose(QStringLiteral("ball 9.obj"));
+        QTest::keyClick(s.grid, Qt::Key_Return);
+        QCOMPARE(opened.size(), 1);
+        QCOMPARE(opened.takeFirst().constFirst().toString(), models.path("ball 9.obj"));
+        s.window.setBusy(QStringLiteral("Opening"));
+        QTest::keyClick(s.grid, Qt::Key_Return);
+        QVERIFY(opened.isEmpty() && !s.noticed.isEmpty());
+        s.window.setIdle();
+
+        s.choose(QStringLiteral("inner"));
+        QTest::keyClick(s.grid, Qt::Key_Return);
+        QCOMPARE(s.panel->folder(), models.path("inner"));
+        QTRY_COMPARE(s.names(), QStringList({QStringLiteral("ring.ply")}));
+        s.grid->setFocus();
+        QTest::keyClick(s.grid, Qt::Key_Up, Qt::AltModifier);
+        QCOMPARE(s.panel->folder(), models.folder.path());
+        QTRY_COMPARE(s.grid->currentIndex().data().toString(), QStringLiteral("inner"));
+        QVERIFY(opened.isEmpty());
+    }
+
+    void renamingKeepsTheEndingAndOverwritesNothing()
+    {
+        const Models models;
+        Shown s(models);
+        QTRY_COMPARE(s.names().size(), 4);
+        s.rename(QStringLiteral("ball 9.obj"), QStringLiteral("Kugel ü"));
+        QTRY_VERIFY(s.find(QStringLiteral("Kugel ü.obj")).isValid());
+        QVERIFY(!QFile::exists(models.path("ball 9.obj")) && QFile::exists(models.path("Kugel ü.obj")));
+        QTRY_COMPARE(s.grid->currentIndex().data().toString(), QStringLiteral("Kugel ü.obj"));
+        QVERIFY(s.noticed.isEmpty());
+
+        write(models.path("taken.obj"), core::icosphere(1, 1));
+        const qint64 size = QFileInfo(models.path("taken.obj")).size();
+        for (const char* refused : {"taken", "", "a/b", "a:b", "..", "con", "a\tb"}) {
+            s.noticed.clear();
+            s.rename(QStringLiteral("Kugel ü.obj"), QString::fromUtf8(refused));
+            QTRY_VERIFY2(s.noticed.size() == 1, refused);
+            QVERIFY(s.noticed[0][0].toString().endsWith(QLatin1Char('.')));
+            QVERIFY(QFile::exists(models.path("Kugel ü.obj")));
+            QCOMPARE(QFileInfo(models.path("taken.obj")).size(), size);
+        }
+        s.noticed.clear();
+        s.rename(QStringLiteral("Kugel ü.obj"), QString(400, QLatin1Char('x')));
+        QTRY_COMPARE(s.noticed.size(), 1);
+        QVERIFY(QFile::exists(models.path("Kugel ü.obj")));
+    }
+
+    void aDuplicateIsTheSameAndTakesItsPictureFromTheCache()
+    {
+        const Models models;
+        Shown s(models);
+        QTRY_COMPARE(s.names().size(), 4);
+        for (const char* copy : {"ball 10 copy.stl", "ball 10 copy 2.stl"}) {
+            s.choose(QStringLiteral("ball 10.stl"));
+            QTest::keyClick(s.grid, Qt::Key_D, Qt::ControlModifier);
+            QTRY_VERIFY(QFile::exists(models.path(copy)));
+            QTRY_COMPARE(s.grid->currentIndex().data().toString(), QString::fromUtf8(copy));
+        }
+        QTest::keyClick(s.grid, Qt::Key_D, Qt::ControlModifier);
+        QTRY_VERIFY(QFile::exists(models.path("ball 10 copy 3.stl")));
+        QFile one(models.path("ball 10.stl")), other(models.path("ball 10 copy 2.stl"));
+        QVERIFY(one.open(QIODevice::ReadOnly) && other.open(QIODevice::ReadOnly) && one.readAll() == other.readAll());
+        QTRY_VERIFY(!s.picture(QStringLiteral("ball 10 copy.stl")).isNull());
+        QTRY_COMPARE(s.picture(QStringLiteral("ball 10 copy.stl")), s.picture(QStringLiteral("ball 10.stl")));
+    }
+
+    /// Where there is no trash nothing is deleted; which of the two it is depends on the machine.
+    void deleteGoesToTheTrashOrNotAtAll()
+    {
+        const Models models;
+        Shown s(models);
+        QTRY_COMPARE(s.names().size(), 4);
+        s.choose(QStringLiteral("ball 9.obj"));
+        QTest::keyClick(s.grid, Qt::Key_Delete);
+        QTRY_COMPARE(s.noticed.size(), 1);
+        QVERIFY(s.noticed[0][0].toString().contains(QStringLiteral("ball 9.obj")));
+        const bool isThere = QFile::exists(models.path("ball 9.obj"));
+        const QDir trash(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + QStringLiteral("/Trash/files"));
+        if (isThere)
+            QVERIFY(!trash.exists(QStringLiteral("ball 9.obj")));
+        QTRY_COMPARE(s.find(QStringLiteral("ball 9.obj")).isValid(), isThere);
+        s.choose(QStringLiteral("inner"));
+        QTest::keyClick(s.grid, Qt::Key_Delete);
+        QVERIFY(QDir(models.path("inner")).exists());
+    }
+
+    void whatOthersDoIsSeen()
+    {
+        const Models models;
+        const Shown s(models);
+        QTRY_COMPARE(s.names().size(), 4);
+        write(models.path("late.stl"), core::icosphere(1, 5));
+        QTRY_VERIFY(s.find(QStringLiteral("late.stl")).isValid());
+        QTRY_VERIFY(!s.picture(QStringLiteral("late.stl")).isNull());
+        QVERIFY(QFile::remove(models.path("late.stl")));
+        QTRY_VERIFY(!s.find(QStringLiteral("late.stl")).isValid());
+    }
+
+    void aFolderThatCannotBeShownSaysWhy()
+    {
+        auto models = std::make_unique<Models>();
+        const QString folder = models->path("inner");
+        Shown s(folder);
+        QTRY_COMPARE(s.names().size(), 1);
+        models.reset();
+        QTRY_VERIFY(s.emptyWord().contains(QStringLiteral("inner")));
+        s.child<QToolButton>("files.up")->click();
+        QVERIFY(QDir(s.panel->folder()).exists());
+
+        auto* line = s.child<QLineEdit>("files.folder");
+        line->setText(QStringLiteral("/nowhere/at/all"));
+        QTest::keyClick(line, Qt::Key_Return);
+        QTRY_VERIFY(s.emptyWord().contains(QStringLiteral("/nowhere/at/all")));
+        const QTemporaryDir empty;
+        s.panel->goTo(empty.path());
+        QTRY_VERIFY(s.emptyWord().contains(QStringLiteral("STL")));
+    }
+};
+
+UI_TEST_MAIN(TestFilesPanel)
+#include "tst_files_panel.moc"

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <QListView>
+
+class QKeyEvent;
+
+namespace ui
+{
+class FileItemDelegate;
+
+/// Files as a grid of pictures. The keys of its own actions win over the window's while it has the focus.
+class FileGrid : public QListView
+{
+    Q_OBJECT
+
+public:
+    explicit FileGrid(QWidget* parent = nullptr);
+
+    /// Not owned.
+    void setCells(FileItemDelegate* delegate);
+    /// In logical pixels.
+    void setPicture(int size);
+    QModelIndexList visibleRows() const;
+    QSize sizeHint() const override;
+
+Q_SIGNALS:
+    /// Other rows may be in sight.
+    void moved();
+
+protected:
+    bool event(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void scrollContentsBy(int dx, int dy) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    QAction* actionOf(const QKeyEvent& key) const;
+    void layCells();
+
+    FileItemDelegate* m_cells = nullptr;
+};
+} // namespace ui

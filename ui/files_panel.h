@@ -1,0 +1,117 @@
+#pragma once
+
+#include "file_jobs.h"
+#include "files_choice.h"
+
+#include <QFileSystemWatcher>
+#include <QThreadPool>
+#include <QTimer>
+#include <QWidget>
+
+#include <functional>
+#include <memory>
+
+class QAction;
+class QComboBox;
+class QLabel;
+class QLayout;
+class QLineEdit;
+class QMainWindow;
+class QMenu;
+class QSlider;
+class QToolButton;
+
+namespace ui
+{
+class Actions;
+class FileGrid;
+class FileListModel;
+class FileSorter;
+class Settings;
+class ThumbnailMaker;
+struct Thumbnail;
+
+/// A folder of models as pictures: to open, rename, duplicate, put into the trash, and show where they lie. Asks the disk and draws in other
+/// threads, and only while it can be seen. Gui thread.
+class FilesPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    /// `opening`: the command for opening; while it rests nothing is opened here either. Both must outlive the panel.
+    FilesPanel(Settings* settings, const QAction* opening, QWidget* parent = nullptr);
+    ~FilesPanel() override;
+
+    void goTo(const QString& folder);
+    const QString& folder() const { return m_choice.folder; }
+    /// The keyboard goes to the grid.
+    void focusGrid();
+
+Q_SIGNALS:
+    void openRequested(const QString& path);
+    /// One sentence.
+    void noticed(const QString& sentence);
+
+protected:
+    bool event(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+private:
+    using FileJob = std::function<FileOutcome()>;
+
+    QLayout* buildFolderLine();
+    QLayout* buildChoices();
+    QLayout* buildFoot();
+    void buildGrid();
+    void buildActions();
+    QAction* add(const QString& id, const QString& text, const QString& tip, const QList<QKeySequence>& keys, const std::function<void()>& what);
+
+    void askForFolder();
+    void goUp();
+    void choose();
+    void list();
+    void show(const FolderContent& content);
+    void select(const QStringList& paths);
+    void change(const FileJob& job);
+    void wantThumbnails();
+    void take(const FileEntry& file, const Thumbnail& thumbnail);
+    void showState();
+    void enable();
+    void activate(const QModelIndex& index);
+    QStringList chosenFiles() const;
+
+    Settings* m_settings;
+    const QAction* m_opening;
+    FilesChoice m_choice;
+    QString m_problem; ///< of the folder
+    bool m_isListed = false, m_isStopped = false; ///< stopped: by hand, until another folder is looked at
+    QStringList m_toSelect; ///< when they appear
+
+    FileListModel* m_files;
+    FileSorter* m_sorter;
+    FileGrid* m_grid;
+    QLineEdit *m_place, *m_filter;
+    QComboBox* m_order;
+    QToolButton *m_direction, *m_stop;
+    QSlider* m_size;
+    QLabel *m_state, *m_empty;
+    QAction *m_open = nullptr, *m_rename = nullptr, *m_duplicate = nullptr, *m_trash = nullptr, *m_reveal = nullptr;
+
+    QFileSystemWatcher m_watcher;
+    QTimer m_listSoon, m_wantSoon;
+    std::unique_ptr<ThumbnailMaker> m_maker; ///< from the first look on
+    std::stop_source m_listing;
+    QThreadPool m_disk; ///< one thread: what is asked for is done in order
+};
+
+struct FilesPanelPlace
+{
+    QMainWindow* window;
+    QMenu* toggles;
+};
+
+/// As a dock at the window's left, where it has the height, hidden at first, with its entry among the toggles.
+FilesPanel* addFilesPanel(const FilesPanelPlace& place, Settings* settings, const Actions& actions,
+                          const std::function<void(const QString&)>& notice);
+} // namespace ui

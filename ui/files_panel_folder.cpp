@@ -1,0 +1,272 @@
+// The folder that the panel shows: looking into it, what is there, what is done with it.
+
+#include "actions.h"
+#include "file_grid.h"
+#include "file_list_model.h"
+#include "files_panel.h"
+#include "settings.h"
+#include "themed_icon.h"
+#include "thumbnail_maker.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDir>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMainWindow>
+#include <QMenu>
+#include <QSlider>
+#include <QToolButton>
+
+namespace ui
+{
+void FilesPanel::askForFolder()
+{
+    auto* dialog = new QFileDialog(window(), tr("Choose a Folder"), m_choice.folder);
+    dialog->setObjectName(QStringLiteral("folderDialog"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::Directory);
+    dialog->setOption(QFileDialog::ShowDirsOnly);
+    connect(dialog, &QFileDialog::fileSelected, this, &FilesPanel::goTo);
+    dialog->open();
+}
+
+/// To the next one that is there: this one's own may be gone with it.
+void FilesPanel::goUp()
+{
+    const QString from = m_choice.folder;
+    QString folder = QFileInfo(from).path();
+    while (!QDir(folder).exists() && !QDir(folder).isRoot())
+        folder = QFileInfo(folder).path();
+    if (folder == from)
+        return;
+    goTo(folder);
+    m_toSelect = {from};
+}
+
+void FilesPanel::goTo(const QString& folder)
+{
+    m_listing.request_stop();
+    m_files->clear();
+    m_choice.folder = QDir::cleanPath(QDir(folder).absolutePath());
+    m_problem.clear();
+    m_toSelect.clear();
+    m_isListed = m_isStopped = false;
+    m_filter->clear();
+    m_settings->setFiles(m_choice);
+    wantThumbnails();
+    list();
+}
+
+/// What the controls say.
+void FilesPanel::choose()
+{
+    m_choice.order = static_cast<FileOrder>(m_order->currentIndex());
+    m_choice.descending = m_direction->isChecked();
+    m_direction->setIcon(themedIcon(m_choice.descending ? QStringLiteral("sort-down") : QStringLiteral("sort-up")));
+    m_sorter->order(m_choice.order, m_choice.descending);
+    if (m_choice.picture != m_size->value())
+        m_grid->setPicture(m_size->value());
+    m_choice.picture = m_size->value();
+    m_settings->setFiles(m_choice);
+    m_wantSoon.start();
+}
+
+void FilesPanel::list()
+{
+    m_place->setText(QDir::toNativeSeparators(m_choice.folder));
+    m_place->setCursorPosition(static_cast<int>(m_place->text().size()));
+    if (!isVisible())
+        return;
+    m_listing.request_stop();
+    m_listing = {};
+    m_disk.start([this, folder = m_choice.folder, stop = m_listing.get_token()] {
+        FolderContent content = FileJobs::list(folder, stop);
+        if (!stop.stop_requested())
+            QMetaObject::invokeMethod(this, [this, content = std::move(content)] { show(content); }, Qt::QueuedConnection);
+    });
+}
+
+void FilesPanel::show(const FolderContent& content)
+{
+    if (content.folder != m_choice.folder)
+        return;
+    m_isListed = true;
+    m_problem = content.problem;
+    m_files->setEntries(content.entries);
+    if (!m_watcher.directories().contains(m_choice.folder)) {
+        if (const QStringList old = m_watcher.directories(); !old.isEmpty())
+            m_watcher.removePaths(old);
+        if (m_problem.isEmpty())
+            m_watcher.addPath(m_choice.folder);
+    }
+    select(m_toSelect);
+    wantThumbnails();
+}
+
+void FilesPanel::select(const QStringList& paths)
+{
+    QItemSelection selection;
+    QModelIndex first;
+    for (const QString& path : paths)
+        if (const QModelIndex index = m_sorter->mapFromSource(m_files->indexOf(path)); index.isValid()) {
+            selection.select(index, index);
+            first = first.isValid() ? first : index;
+        }
+    if (!first.isValid())
+        return;
+    m_toSelect.clear();
+    m_grid->selectionModel()->setCurrentIndex(first, QItemSelectionModel::NoUpdate);
+    m_grid->selectionModel()->select(selection, QItemSelectionModel::ClearAndSelect);
+    m_grid->scrollTo(first);
+}
+
+void FilesPanel::change(const FileJob& job)
+{
+    const auto finish = [this](const FileOutcome& outcome) {
+        if (!outcome.sentence.isEmpty())
+            Q_EMIT noticed(outcome.sentence);
+        if (!outcome.paths.isEmpty())
+            m_toSelect = outcome.paths;
+        list();
+    };
+    m_disk.start([this, job, finish] {
+        const FileOutcome outcome = job();
+        QMetaObject::invokeMethod(this, [finish, outcome] { finish(outcome); }, Qt::QueuedConnection);
+    });
+}
+
+/// What is in sight first, then what nothing is known of.
+void FilesPanel::wantThumbnails()
+{
+    m_wantSoon.stop();
+    QList<FileEntry> wanted;
+    if (isVisible() && !m_isStopped) {
+        for (const QModelIndex& index : m_grid->visibleRows())
+            if (const QModelIndex file = m_sorter->mapToSource(index); m_files->lacksPicture(file))
+                wanted << m_files->entry(file);
+        const QSet<FileEntry> inSight(wanted.begin(), wanted.end());
+        for (int row = 0; row < m_sorter->rowCount(); ++row)
+            if (const QModelIndex file = m_sorter->mapToSource(m_sorter->index(row, 0)); m_files->isUnknown(file) && !inSight.contains(m_files->entry(file)))
+                wanted << m_files->entry(file);
+    }
+    if (!m_maker && !wanted.isEmpty()) {
+        m_maker = std::make_unique<ThumbnailMaker>();
+        connect(m_maker.get(), &ThumbnailMaker::made, this, &FilesPanel::take);
+    }
+    if (m_maker)
+        m_maker->want(wanted);
+    showState();
+}
+
+void FilesPanel::take(const FileEntry& file, const Thumbnail& thumbnail)
+{
+    m_files->setThumbnail(file, thumbnail);
+    if (!thumbnail.problem.isEmpty())
+        m_listSoon.start(); // it may be gone
+    showState();
+}
+
+/// How many there are and how far the pictures are; in an empty grid the reason.
+void FilesPanel::showState()
+{
+    int models = 0, unknown = 0;
+    for (int row = 0; row < m_files->rowCount(); ++row) {
+        const QModelIndex index = m_files->index(row);
+        models += m_files->entry(index).isFolder ? 0 : 1;
+        unknown += m_files->isUnknown(index) ? 1 : 0;
+    }
+    const bool isWorking = unknown > 0 && !m_isStopped;
+    m_stop->setVisible(isWorking);
+    m_state->setText(isWorking ? tr("%L1 of %L2 read").arg(models - unknown).arg(models) : tr("%Ln models", nullptr, models));
+    const bool isEmpty = m_sorter->rowCount() == 0;
+    m_empty->setVisible(isEmpty);
+    if (isEmpty)
+        m_empty->setText(!m_problem.isEmpty()          ? m_problem
+                         : !m_isListed                 ? QString()
+                         : m_files->rowCount() == 0    ? tr("No models lie here: STL, OBJ or PLY.")
+                                                       : tr("No name here has %1 in it.").arg(m_filter->text().trimmed()));
+}
+
+QStringList FilesPanel::chosenFiles() const
+{
+    QStringList paths;
+    for (const QModelIndex& index : m_grid->selectionModel()->selectedIndexes())
+        if (const FileEntry& file = m_files->entry(m_sorter->mapToSource(index)); !file.isFolder)
+            paths << file.path;
+    return paths;
+}
+
+void FilesPanel::enable()
+{
+    const QModelIndex current = m_grid->currentIndex();
+    const bool isFile = current.isValid() && !m_files->entry(m_sorter->mapToSource(current)).isFolder;
+    const bool areFiles = !chosenFiles().isEmpty();
+    m_open->setEnabled(current.isValid());
+    m_rename->setEnabled(isFile);
+    m_duplicate->setEnabled(areFiles);
+    m_trash->setEnabled(areFiles);
+    m_reveal->setEnabled(current.isValid());
+}
+
+void FilesPanel::activate(const QModelIndex& index)
+{
+    if (!index.isValid())
+        return;
+    const FileEntry file = m_files->entry(m_sorter->mapToSource(index));
+    if (file.isFolder)
+        goTo(file.path);
+    else if (m_opening->isEnabled())
+        Q_EMIT openRequested(file.path);
+    else
+        Q_EMIT noticed(tr("Nothing can be opened while something else is going on."));
+}
+
+void FilesPanel::focusGrid()
+{
+    m_grid->setFocus();
+}
+
+/// Files that others wrote meanwhile are of another date: the watcher tells of names only.
+bool FilesPanel::event(QEvent* event)
+{
+    if (event->type() == QEvent::WindowActivate)
+        m_listSoon.start();
+    return QWidget::event(event);
+}
+
+void FilesPanel::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    m_isStopped = false;
+    list();
+}
+
+void FilesPanel::hideEvent(QHideEvent* event)
+{
+    QWidget::hideEvent(event);
+    m_listing.request_stop();
+    wantThumbnails();
+}
+
+FilesPanel* addFilesPanel(const FilesPanelPlace& place, Settings* settings, const Actions& actions,
+                          const std::function<void(const QString&)>& notice)
+{
+    auto* panel = new FilesPanel(settings, actions.get(QStringLiteral("file.open")));
+    auto* dock = new QDockWidget(FilesPanel::tr("Files"));
+    dock->setObjectName(QStringLiteral("filesPanel"));
+    dock->setWidget(panel);
+    place.window->addDockWidget(Qt::LeftDockWidgetArea, dock);
+    dock->hide();
+    place.toggles->addAction(dock->toggleViewAction());
+    QObject::connect(panel, &FilesPanel::noticed, dock, notice);
+    QObject::connect(actions.get(QStringLiteral("file.browse")), &QAction::triggered, dock, [dock, panel] {
+        dock->show();
+        dock->raise();
+        panel->focusGrid();
+    });
+    return panel;
+}
+} // namespace ui

@@ -1,0 +1,136 @@
+#include "thumbnail_maker.h"
+
+#include "file_jobs.h"
+#include "messages.h"
+#include "yielding_thread.h"
+
+#include "core/mesh_io.h"
+#include "core/model_picture.h"
+
+#include <QCryptographicHash>
+#include <QFile>
+#include <QFileInfo>
+
+#include <new>
+
+namespace ui
+{
+namespace
+{
+constexpr qint64 hashedAtOnce = 1 << 20, largestHashed = qint64(1) << 31; ///< a larger file is refused anyway
+constexpr qsizetype mostKeys = 20'000;
+
+QImage toImage(const core::ModelPicture& picture)
+{
+    const QImage rgba(reinterpret_cast<const uchar*>(picture.rgba.data()), picture.pixels, picture.pixels, QImage::Format_RGBA8888_Premultiplied);
+    return rgba.convertToFormat(QImage::Format_ARGB32_Premultiplied);
+}
+} // namespace
+
+ThumbnailMaker::ThumbnailMaker(const QString& cacheFolder, QObject* parent)
+    : QObject(parent), m_cache(cacheFolder), m_thread([this] { run(); })
+{
+}
+
+ThumbnailMaker::~ThumbnailMaker()
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        m_isEnding = true;
+        m_stop.request_stop();
+    }
+    m_wake.notify_all();
+    m_thread.join();
+}
+
+void ThumbnailMaker::want(QList<FileEntry> files)
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        if (files.contains(m_present))
+            files.removeAll(m_present);
+        else
+            m_stop.request_stop();
+        m_wanted = std::move(files);
+    }
+    m_wake.notify_all();
+}
+
+void ThumbnailMaker::run()
+{
+    yieldToOthers();
+    std::unique_lock lock(m_mutex);
+    for (;;) {
+        m_wake.wait(lock, [this] { return m_isEnding || !m_wanted.empty(); });
+        if (m_isEnding)
+            return;
+        m_present = m_wanted.takeFirst();
+        m_stop = {};
+        const std::stop_token stop = m_stop.get_token();
+        lock.unlock();
+        const std::optional<Thumbnail> thumbnail = make(m_present, stop);
+        lock.lock();
+        const FileEntry file = std::exchange(m_present, {});
+        if (!thumbnail || stop.stop_requested())
+            continue;
+        lock.unlock();
+        Q_EMIT made(file, *thumbnail);
+        lock.lock();
+    }
+}
+
+/// Nothing if it was stopped.
+std::optional<Thumbnail> ThumbnailMaker::make(const FileEntry& file, const std::stop_token& stop)
+{
+    try {
+        const QByteArray key = keyOf(file, stop);
+        if (!key.isEmpty())
+            if (const std::optional<Thumbnail> known = m_cache.find(key))
+                return known;
+        const Thumbnail thumbnail = draw(file, stop);
+        if (!key.isEmpty() && FileJobs::entryOf(file.path) == file) // else it is of other bytes
+            m_cache.store(key, thumbnail);
+        return thumbnail;
+    } catch (const core::ReadingStopped&) {
+        return std::nullopt;
+    } catch (const core::FileError& error) {
+        return Thumbnail{{}, -1, Messages::sentence(error)};
+    } catch (const std::bad_alloc&) {
+        return Thumbnail{{}, -1, tr("%1: there is not enough memory for its picture.").arg(file.path)};
+    }
+}
+
+Thumbnail ThumbnailMaker::draw(const FileEntry& file, const std::stop_token& stop)
+{
+    const core::TriangleMesh mesh = core::readMesh(file.path.toStdU16String(), {.stop = stop});
+    const std::optional<core::ModelPicture> picture = core::drawPicture(mesh, thumbnailPixels, stop);
+    if (!picture)
+        throw core::ReadingStopped();
+    ++m_drawn;
+    return {toImage(*picture), static_cast<qint64>(mesh.points.size()), {}};
+}
+
+/// Of the bytes and the ending, which says how they are read. Empty if they cannot be read to the end.
+QByteArray ThumbnailMaker::keyOf(const FileEntry& file, const std::stop_token& stop)
+{
+    if (const auto known = m_keys.constFind(file); known != m_keys.constEnd())
+        return *known;
+    QFile bytes(file.path);
+    if (file.size > largestHashed || !bytes.open(QIODevice::ReadOnly))
+        return {};
+    QCryptographicHash hash(QCryptographicHash::Sha1);
+    hash.addData(QFileInfo(file.path).suffix().toLower().toUtf8());
+    QByteArray part;
+    do {
+        if (stop.stop_requested())
+            throw core::ReadingStopped();
+        part = bytes.read(hashedAtOnce);
+        hash.addData(part);
+    } while (!part.isEmpty());
+    if (bytes.error() != QFileDevice::NoError)
+        return {};
+    if (m_keys.size() >= mostKeys)
+        m_keys.clear();
+    return *m_keys.insert(file, hash.result().toHex());
+}
+} // namespace ui
