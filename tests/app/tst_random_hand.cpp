@@ -1,0 +1,255 @@
+#include "app/document.h"
+#include "app/wiring.h"
+
+#include "core/mesh_build.h"
+#include "core/mesh_check.h"
+#include "ui/actions.h"
+#include "ui/main_window.h"
+#include "ui/scene.h"
+#include "ui/viewport.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QDialog>
+#include <QElapsedTimer>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <QWheelEvent>
+
+#include <random>
+
+using namespace app;
+
+namespace
+{
+constexpr int shortSeconds = 8, soakSeconds = 150;
+constexpr quint64 mostVertices = 60'000; ///< more, and the hand begins anew
+
+/// The program as main() puts it together.
+struct Program
+{
+    Program() { wire(window, document, worker, inbox); }
+
+    SculptWorker worker;
+    std::shared_ptr<PatchInbox> inbox = std::make_shared<PatchInbox>();
+    Document document{&worker};
+    ui::MainWindow window;
+};
+
+/// Somebody who presses, drags, types and chooses whatever comes, on the window and in every dialog that opens.
+class RandomHand
+{
+public:
+    RandomHand(Program& program, unsigned seed) : m_program(program), m_random(seed)
+    {
+        m_answers.callOnTimeout([this] { answer(); });
+        m_answers.start(30);
+    }
+
+    void act();
+    /// Nobody answers dialogs any more; those that are open are closed.
+    void rest();
+
+private:
+    int below(int end) { return std::uniform_int_distribution(0, end - 1)(m_random); }
+    QPoint placeIn(const QWidget* widget) { return {below(std::max(1, widget->width())), below(std::max(1, widget->height()))}; }
+    Qt::KeyboardModifiers modifiers();
+    QWidget* someWidget();
+    void drag(QWidget* widget);
+    void wheel(QWidget* widget);
+    void type();
+    void choose();
+    void answer();
+
+    Program& m_program;
+    std::mt19937 m_random;
+    QTimer m_answers;
+    int m_patience = 0;
+};
+
+Qt::KeyboardModifiers RandomHand::modifiers()
+{
+    constexpr Qt::KeyboardModifier held[] = {Qt::NoModifier, Qt::NoModifier, Qt::NoModifier, Qt::ControlModifier, Qt::ShiftModifier, Qt::AltModifier};
+    return held[below(std::size(held))];
+}
+
+QWidget* RandomHand::someWidget()
+{
+    QList<QWidget*> shown;
+    for (QWidget* widget : m_program.window.findChildren<QWidget*>())
+        if (!widget->visibleRegion().isEmpty() && widget->isEnabled())
+            shown << widget;
+    return shown[below(static_cast<int>(shown.size()))];
+}
+
+void RandomHand::drag(QWidget* widget)
+{
+    constexpr Qt::MouseButton buttons[] = {Qt::LeftButton, Qt::LeftButton, Qt::LeftButton, Qt::MiddleButton, Qt::RightButton};
+    const Qt::MouseButton button = buttons[below(std::size(buttons))];
+    const Qt::KeyboardModifiers keys = modifiers();
+    const QPointer<QWidget> guard(widget);
+    QPoint at = placeIn(widget);
+    QTest::mousePress(widget, button, keys, at);
+    for (int i = below(20); i > 0 && guard; --i) {
+        at += QPoint(below(41) - 20, below(41) - 20);
+        QMouseEvent move(QEvent::MouseMove, at, widget->mapToGlobal(at), Qt::NoButton, button, keys);
+        QApplication::sendEvent(widget, &move);
+        QTest::qWait(below(4));
+    }
+    if (guard)
+        QTest::mouseRelease(widget, button, keys, at);
+}
+
+void RandomHand::wheel(QWidget* widget)
+{
+    const QPoint at = placeIn(widget);
+    QWheelEvent turn(at, widget->mapToGlobal(at), {}, {0, 120 * (below(5) - 2)}, Qt::NoButton, modifiers(), Qt::NoScrollPhase, false);
+    QApplication::sendEvent(widget, &turn);
+}
+
+void RandomHand::type()
+{
+    constexpr Qt::Key keys[] = {Qt::Key_Escape, Qt::Key_Return, Qt::Key_Tab,  Qt::Key_Space, Qt::Key_Up, Qt::Key_Down, Qt::Key_0,
+                                Qt::Key_9,      Qt::Key_F,      Qt::Key_A,    Qt::Key_X,     Qt::Key_Z,  Qt::Key_T,    Qt::Key_S,
+                                Qt::Key_Minus,  Qt::Key_Period, Qt::Key_Home, Qt::Key_F1,    Qt::Key_R,  Qt::Key_Backspace};
+    QWidget* const focus = QApplication::focusWidget();
+    const Qt::Key key = keys[below(std::size(keys))];
+    QTest::keyClick(focus ? focus : &m_program.window, key, key == Qt::Key_Z ? Qt::KeyboardModifiers(Qt::ControlModifier) : modifiers());
+}
+
+/// Any command but the end of the program.
+void RandomHand::choose()
+{
+    const auto table = ui::actionTable();
+    const QString id = QLatin1StringView(table[static_cast<std::size_t>(below(static_cast<int>(table.size())))].id);
+    if (id != QStringLiteral("file.quit"))
+        m_program.window.action(id)->trigger();
+}
+
+void RandomHand::act()
+{
+    if (QWidget* popup = QApplication::activePopupWidget())
+        popup->close();
+    if (QApplication::activeModalWidget())
+        return QTest::qWait(10); // answer() is at it
+    if (m_program.document.facts().vertices > mostVertices && !m_program.document.isBusy())
+        m_program.window.action(QStringLiteral("model.reset"))->trigger();
+    switch (below(10)) {
+    case 0: return wheel(m_program.window.viewport());
+    case 1: return type();
+    case 2: return choose();
+    case 3: return drag(someWidget());
+    case 4: return QTest::mouseClick(m_program.window.viewport(), Qt::LeftButton, modifiers(), placeIn(m_program.window.viewport()));
+    case 5: return m_program.window.resize(640 + below(300), 480 + below(200));
+    default: return drag(m_program.window.viewport());
+    }
+}
+
+/// Dialogs get keys and clicks, too, but not for ever.
+void RandomHand::answer()
+{
+    if (QWidget* popup = QApplication::activePopupWidget()) {
+        popup->close();
+        return;
+    }
+    QWidget* const modal = QApplication::activeModalWidget();
+    if (!modal) {
+        m_patience = 6;
+        return;
+    }
+    if (--m_patience < 0) {
+        modal->close();
+        return;
+    }
+    const QList<QWidget*> children = modal->findChildren<QWidget*>();
+    const QPointer<QWidget> child = children.isEmpty() ? modal : children[below(static_cast<int>(children.size()))];
+    if (child->isVisible())
+        QTest::mouseClick(child, Qt::LeftButton, {}, placeIn(child));
+}
+
+void RandomHand::rest()
+{
+    m_answers.stop();
+    for (QWidget* open = nullptr; (open = QApplication::activePopupWidget()) || (open = QApplication::activeModalWidget());) {
+        open->close();
+        QTest::qWait(20);
+    }
+}
+} // namespace
+
+/// Minutes of senseless work on the real window (FETTLE_SOAK; seconds without it). What goes wrong shows as a crash, under the
+/// sanitizers best, as a model that is not sound, or as steps that cannot be undone and done again.
+class TestRandomHand : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void theModelStaysSound_data();
+    void theModelStaysSound();
+};
+
+void TestRandomHand::theModelStaysSound_data()
+{
+    QTest::addColumn<unsigned>("seed");
+    QTest::newRow("20261121") << 20261121u;
+}
+
+void TestRandomHand::theModelStaysSound()
+{
+    if (!ui::graphicsProblem().isEmpty())
+        QSKIP("There is no OpenGL here.");
+    QFETCH(unsigned, seed);
+    Program program;
+    program.window.resize(800, 600); // software draws it
+    program.window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&program.window));
+    program.document.openSphere();
+    QTRY_VERIFY(!program.document.isBusy());
+    {
+        RandomHand hand(program, seed);
+        QElapsedTimer clock;
+        clock.start();
+        const int seconds = qEnvironmentVariableIsSet("FETTLE_SOAK") ? soakSeconds : shortSeconds;
+        int acts = 0;
+        for (; clock.elapsed() < 1000 * seconds; ++acts)
+            hand.act();
+        hand.rest();
+        qInfo("%d acts, %d steps to undo", acts, program.document.undoStack().count());
+    }
+    program.window.viewport()->finish();
+    program.document.stop();
+    QTRY_VERIFY_WITH_TIMEOUT(program.document.isSettled() && !program.document.isBusy(), 120'000);
+
+    const auto ask = [&](auto question) {
+        std::optional<decltype(question(std::declval<core::Sculptor&>()))> answer;
+        QObject receiver;
+        program.worker.post([&, question](core::Sculptor& sculptor) {
+            QMetaObject::invokeMethod(&receiver, [&answer, value = question(sculptor)] { answer = value; }, Qt::QueuedConnection);
+        });
+        [&] { QTRY_VERIFY_WITH_TIMEOUT(answer, 120'000); }();
+        return answer.value();
+    };
+    const auto state = [](core::Sculptor& sculptor) { return sculptor.mesh().meshHash(); };
+    QVERIFY(ask([](core::Sculptor& sculptor) { return core::checkMesh(core::extractMesh(sculptor.mesh())).printReady(); }));
+    const int last = program.document.undoStack().index();
+    const std::uint64_t before = ask(state);
+    program.document.goTo(0);
+    QVERIFY(ask([](core::Sculptor& sculptor) { return core::checkMesh(core::extractMesh(sculptor.mesh())).printReady(); }));
+    program.document.goTo(last);
+    QCOMPARE(program.document.undoStack().index(), last);
+    QCOMPARE(ask(state), before);
+}
+
+int main(int argc, char* argv[])
+{
+    const QTemporaryDir home; // where its dialogs write
+    qputenv("HOME", home.path().toLocal8Bit());
+    ui::prepareGraphics();
+    QApplication application(argc, argv);
+    QCoreApplication::setOrganizationName(QStringLiteral("FettleTest"));
+    QCoreApplication::setApplicationName(QStringLiteral("tst_random_hand"));
+    TestRandomHand test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "tst_random_hand.moc"
