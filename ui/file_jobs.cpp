@@ -10,8 +10,9 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QRegularExpression>
+#include <QStandardPaths>
 
-#include <cerrno>
+#include <algorithm>
 
 namespace ui
 {
@@ -27,6 +28,16 @@ bool isModel(const QFileInfo& file)
     const QByteArray ending = file.suffix().toLower().toUtf8();
     const auto known = core::meshEndings();
     return std::find(known.begin(), known.end(), std::string_view(ending.constData(), static_cast<std::size_t>(ending.size()))) != known.end();
+}
+
+/// Where the home's trash cannot be made, Qt 6.4 takes the folder that the program runs in for one.
+bool hasTrash()
+{
+#if defined(Q_OS_UNIX) && !defined(Q_OS_MACOS)
+    return QDir().mkpath(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + QStringLiteral("/Trash"));
+#else
+    return true;
+#endif
 }
 
 QString inFolder(const QFileInfo& file, const QString& base)
@@ -138,7 +149,7 @@ FileOutcome FileJobs::trash(const QStringList& paths)
         const QFileInfo file(path);
         if (!file.exists() && !file.isSymLink())
             outcome.sentence = notThere(path);
-        else if (QFile::moveToTrash(path))
+        else if (hasTrash() && QFile::moveToTrash(path))
             ++moved;
         else
             outcome.sentence = tr("%1 was not deleted: it could not be put into a trash, and nothing is deleted for good here.").arg(file.fileName());

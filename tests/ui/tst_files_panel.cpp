@@ -19,6 +19,7 @@
 #include <QSignalSpy>
 #include <QSlider>
 #include <QStandardPaths>
+#include <QStorageInfo>
 #include <QTemporaryDir>
 #include <QToolButton>
 
@@ -261,8 +262,7 @@ private Q_SLOTS:
         QTRY_COMPARE(s.picture(QStringLiteral("ball 10 copy.stl")), s.picture(QStringLiteral("ball 10.stl")));
     }
 
-    /// Where there is no trash nothing is deleted; which of the two it is depends on the machine.
-    void deleteGoesToTheTrashOrNotAtAll()
+    void deleteGoesToTheTrash()
     {
         const Models models;
         Shown s(models);
@@ -271,14 +271,28 @@ private Q_SLOTS:
         QTest::keyClick(s.grid, Qt::Key_Delete);
         QTRY_COMPARE(s.noticed.size(), 1);
         QVERIFY(s.noticed[0][0].toString().contains(QStringLiteral("ball 9.obj")));
-        const bool isThere = QFile::exists(models.path("ball 9.obj"));
-        const QDir trash(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + QStringLiteral("/Trash/files"));
-        if (isThere)
-            QVERIFY(!trash.exists(QStringLiteral("ball 9.obj")));
-        QTRY_COMPARE(s.find(QStringLiteral("ball 9.obj")).isValid(), isThere);
+        QVERIFY(!QFile::exists(QStringLiteral("files/ball 9.obj"))); // Qt's trash where there is none
+        QTRY_COMPARE(s.find(QStringLiteral("ball 9.obj")).isValid(), QFile::exists(models.path("ball 9.obj")));
+        if (QStorageInfo(models.folder.path()) == QStorageInfo(QDir::home())) { // else the disk may have no trash
+            QVERIFY(!QFile::exists(models.path("ball 9.obj")));
+            const QDir trash(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + QStringLiteral("/Trash/files"));
+            QVERIFY(!trash.entryList({QStringLiteral("ball 9.obj*")}).isEmpty());
+        }
         s.choose(QStringLiteral("inner"));
         QTest::keyClick(s.grid, Qt::Key_Delete);
         QVERIFY(QDir(models.path("inner")).exists());
+    }
+
+    void withoutATrashNothingIsDeleted()
+    {
+        const Models models;
+        const QByteArray home = qgetenv("XDG_DATA_HOME");
+        qputenv("XDG_DATA_HOME", "/dev/null/data");
+        const ui::FileOutcome outcome = ui::FileJobs::trash({models.path("ball 9.obj"), models.path("gone.obj")});
+        home.isEmpty() ? qunsetenv("XDG_DATA_HOME") : qputenv("XDG_DATA_HOME", home);
+        QVERIFY(QFile::exists(models.path("ball 9.obj")));
+        QVERIFY(!outcome.sentence.isEmpty());
+        QVERIFY(!QFile::exists(QStringLiteral("files/ball 9.obj")));
     }
 
     void whatOthersDoIsSeen()
