@@ -661,16 +661,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Ziehen</translation>
     </message>
     <message>
-        <source>Draws the surface outwards. Ctrl pushes instead, Shift smooths.</source>
-        <translation>Zieht die Oberfläche nach außen. Mit Strg wird gedrückt, mit Umschalt geglättet.</translation>
-    </message>
-    <message>
         <source>P&amp;ush</source>
         <translation>&amp;Drücken</translation>
-    </message>
-    <message>
-        <source>Presses the surface inwards. Ctrl pulls instead, Shift smooths.</source>
-        <translation>Drückt die Oberfläche nach innen. Mit Strg wird gezogen, mit Umschalt geglättet.</translation>
     </message>
     <message>
         <source>&amp;Smooth</source>
@@ -1272,6 +1264,22 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>Shows the panel with a folder of models as pictures.</source>
         <translation>Zeigt die Leiste mit einem Ordner voller Modelle als Bilder.</translation>
     </message>
+    <message>
+        <source>Draws the surface outwards. %1 pushes instead, Shift smooths.</source>
+        <translation>Zieht die Oberfläche nach außen. Mit %1 wird gedrückt, mit Umschalt geglättet.</translation>
+    </message>
+    <message>
+        <source>Presses the surface inwards. %1 pulls instead, Shift smooths.</source>
+        <translation>Drückt die Oberfläche nach innen. Mit %1 wird gezogen, mit Umschalt geglättet.</translation>
+    </message>
+    <message>
+        <source>Held on the model, %1 inverts Pull and Push, and %2 smooths.</source>
+        <translation>Auf dem Modell gehalten, kehrt %1 Ziehen und Drücken um, %2 glättet.</translation>
+    </message>
+    <message>
+        <source>The right button turns the view.</source>
+        <translation>Die rechte Taste dreht die Ansicht.</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -1450,6 +1458,9 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>Words of a command</source>
         <translation>Wörter eines Befehls</translation>
     </message>
+</context>
+<context>
+    <name>ui::CommandList</name>
     <message>
         <source>Command</source>
         <translation>Befehl</translation>
@@ -1896,6 +1907,120 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>%1 MB of</source>
         <translation>%1 MB von</translation>
+    </message>
+</context>
+<context>
+    <name>ui::KeyEdit</name>
+    <message>
+        <source>no key</source>
+        <translation>keine Taste</translation>
+    </message>
+</context>
+<context>
+    <name>ui::KeysPage</name>
+    <message>
+        <source>Fettle</source>
+        <translation>Fettle</translation>
+    </message>
+    <message>
+        <source>As in Blender</source>
+        <translation>Wie in Blender</translation>
+    </message>
+    <message>
+        <source>As in ZBrush</source>
+        <translation>Wie in ZBrush</translation>
+    </message>
+    <message>
+        <source>Search for a command or a key</source>
+        <translation>Nach Befehl oder Taste suchen</translation>
+    </message>
+    <message>
+        <source>Words of a command</source>
+        <translation>Wörter eines Befehls</translation>
+    </message>
+    <message>
+        <source>Shows only the commands that have these words or this key.</source>
+        <translation>Zeigt nur die Befehle mit diesen Wörtern oder dieser Taste.</translation>
+    </message>
+    <message>
+        <source>Commands and Keys</source>
+        <translation>Befehle und Tasten</translation>
+    </message>
+    <message>
+        <source>Every command with its keys; the marked one&apos;s are changed below.</source>
+        <translation>Jeder Befehl mit seinen Tasten; die des markierten werden unten geändert.</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Vorgabe</translation>
+    </message>
+    <message>
+        <source>Chooses the keys to begin with; what you changed yourself stays.</source>
+        <translation>Wählt, mit welchen Tasten begonnen wird; was Sie selbst geändert haben, bleibt.</translation>
+    </message>
+    <message>
+        <source>Reset A&amp;ll Keys</source>
+        <translation>&amp;Alle Tasten zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Gives every command the keys of the preset.</source>
+        <translation>Gibt jedem Befehl die Tasten der Vorgabe.</translation>
+    </message>
+    <message>
+        <source>&amp;Preset</source>
+        <translation>&amp;Vorgabe</translation>
+    </message>
+    <message>
+        <source>First key</source>
+        <translation>Erste Taste</translation>
+    </message>
+    <message>
+        <source>Second key</source>
+        <translation>Zweite Taste</translation>
+    </message>
+    <message>
+        <source>Press the key that the command is to have; Backspace takes it away.</source>
+        <translation>Drücken Sie die Taste, die der Befehl haben soll; die Rücktaste nimmt sie weg.</translation>
+    </message>
+    <message>
+        <source>R&amp;eset</source>
+        <translation>Zurück&amp;setzen</translation>
+    </message>
+    <message>
+        <source>Gives the command the keys of the preset.</source>
+        <translation>Gibt dem Befehl die Tasten der Vorgabe.</translation>
+    </message>
+    <message>
+        <source>&amp;Go There</source>
+        <translation>&amp;Dorthin</translation>
+    </message>
+    <message>
+        <source>Marks the command that has the key.</source>
+        <translation>Markiert den Befehl, der die Taste hat.</translation>
+    </message>
+    <message>
+        <source>This key cannot be another.</source>
+        <translation>Diese Taste kann keine andere sein.</translation>
+    </message>
+    <message>
+        <source>%1 is taken: %2 has it.</source>
+        <translation>%1 ist vergeben: an „%2“.</translation>
+    </message>
+    <message>
+        <source>%1 stays with %2.</source>
+        <translation>%1 bleibt bei „%2“.</translation>
+    </message>
+    <message>
+        <source>A key that is held together with others cannot be a command alone.</source>
+        <translation>Eine Taste, die mit anderen zusammen gehalten wird, kann allein kein Befehl sein.</translation>
+    </message>
+    <message>
+        <source>%1 is needed to move and type in panels and dialogs.</source>
+        <translation>%1 wird gebraucht für Bewegen und Schreiben in Feldern und Dialogen.</translation>
+    </message>
+    <message>
+        <source>Alt with a letter opens menus and reaches controls.</source>
+        <translation>Alt mit einem Buchstaben öffnet Menüs und erreicht Bedienelemente.</translation>
     </message>
 </context>
 <context>
@@ -2496,10 +2621,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Auf &amp;Vorgaben zurücksetzen</translation>
     </message>
     <message>
-        <source>Sets everything on all pages to what it was at first.</source>
-        <translation>Setzt alles auf allen Seiten auf den Anfang zurück.</translation>
-    </message>
-    <message>
         <source>&amp;Colours</source>
         <translation>&amp;Farben</translation>
     </message>
@@ -2556,8 +2677,28 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Alt und &amp;Maus bewegen die Ansicht</translation>
     </message>
     <message>
-        <source>With Alt held, left orbits, middle pans and right zooms, on the model too.</source>
-        <translation>Mit Alt dreht links, verschiebt Mitte und zoomt rechts, auch auf dem Modell.</translation>
+        <source>&amp;Keys</source>
+        <translation>&amp;Tasten</translation>
+    </message>
+    <message>
+        <source>Sets everything in the program to what it was at first, after a question.</source>
+        <translation>Setzt nach einer Rückfrage alles im Programm auf den Anfang zurück.</translation>
+    </message>
+    <message>
+        <source>Should everything be as it was at first?</source>
+        <translation>Soll alles sein wie am Anfang?</translation>
+    </message>
+    <message>
+        <source>This is about colours, language, keys, pen and mouse, brush, view and the panels&apos; places. Models, recent files and swatches stay. The language is spoken from the next start on.</source>
+        <translation>Das betrifft Farben, Sprache, Tasten, Stift und Maus, Pinsel, Ansicht und die Plätze der Bedienfelder. Modelle, zuletzt geöffnete Dateien und Farbfelder bleiben. Die Sprache gilt ab dem nächsten Start.</translation>
+    </message>
+    <message>
+        <source>&amp;Reset</source>
+        <translation>Zu&amp;rücksetzen</translation>
+    </message>
+    <message>
+        <source>With Alt held, left orbits, middle pans and right zooms, on the model too; the keys of ZBrush have it otherwise.</source>
+        <translation>Mit gehaltener Alt-Taste dreht links, verschiebt die Mitte und zoomt rechts, auch auf dem Modell; mit den Tasten von ZBrush ist es anders.</translation>
     </message>
 </context>
 <context>

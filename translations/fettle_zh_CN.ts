@@ -659,16 +659,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>拉出(&amp;P)</translation>
     </message>
     <message>
-        <source>Draws the surface outwards. Ctrl pushes instead, Shift smooths.</source>
-        <translation>将表面向外拉。按住 Ctrl 推入，按住 Shift 平滑。</translation>
-    </message>
-    <message>
         <source>P&amp;ush</source>
         <translation>推入(&amp;U)</translation>
-    </message>
-    <message>
-        <source>Presses the surface inwards. Ctrl pulls instead, Shift smooths.</source>
-        <translation>将表面向内推。按住 Ctrl 拉出，按住 Shift 平滑。</translation>
     </message>
     <message>
         <source>&amp;Smooth</source>
@@ -1270,6 +1262,22 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>Shows the panel with a folder of models as pictures.</source>
         <translation>显示面板：以图片形式列出一个文件夹中的模型。</translation>
     </message>
+    <message>
+        <source>Draws the surface outwards. %1 pushes instead, Shift smooths.</source>
+        <translation>将表面向外拉。按住 %1 推入，按住 Shift 平滑。</translation>
+    </message>
+    <message>
+        <source>Presses the surface inwards. %1 pulls instead, Shift smooths.</source>
+        <translation>将表面向内推。按住 %1 拉出，按住 Shift 平滑。</translation>
+    </message>
+    <message>
+        <source>Held on the model, %1 inverts Pull and Push, and %2 smooths.</source>
+        <translation>在模型上按住 %1 互换拉出与推入，按住 %2 平滑。</translation>
+    </message>
+    <message>
+        <source>The right button turns the view.</source>
+        <translation>鼠标右键旋转视图。</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -1448,13 +1456,16 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>Words of a command</source>
         <translation>命令的词</translation>
     </message>
+</context>
+<context>
+    <name>ui::CommandList</name>
     <message>
         <source>Command</source>
         <translation>命令</translation>
     </message>
     <message>
         <source>Key</source>
-        <translation>键</translation>
+        <translation>快捷键</translation>
     </message>
     <message>
         <source>What it does</source>
@@ -1888,6 +1899,120 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>%1 MB of</source>
         <translation>%1 MB，上限</translation>
+    </message>
+</context>
+<context>
+    <name>ui::KeyEdit</name>
+    <message>
+        <source>no key</source>
+        <translation>无</translation>
+    </message>
+</context>
+<context>
+    <name>ui::KeysPage</name>
+    <message>
+        <source>Fettle</source>
+        <translation>Fettle</translation>
+    </message>
+    <message>
+        <source>As in Blender</source>
+        <translation>与 Blender 相同</translation>
+    </message>
+    <message>
+        <source>As in ZBrush</source>
+        <translation>与 ZBrush 相同</translation>
+    </message>
+    <message>
+        <source>Search for a command or a key</source>
+        <translation>搜索命令或快捷键</translation>
+    </message>
+    <message>
+        <source>Words of a command</source>
+        <translation>命令中的词</translation>
+    </message>
+    <message>
+        <source>Shows only the commands that have these words or this key.</source>
+        <translation>只显示含有这些词或此快捷键的命令。</translation>
+    </message>
+    <message>
+        <source>Commands and Keys</source>
+        <translation>命令与快捷键</translation>
+    </message>
+    <message>
+        <source>Every command with its keys; the marked one&apos;s are changed below.</source>
+        <translation>所有命令及其快捷键；在下方更改所选命令的快捷键。</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>方案</translation>
+    </message>
+    <message>
+        <source>Chooses the keys to begin with; what you changed yourself stays.</source>
+        <translation>选择基础快捷键方案；您自己更改的快捷键保持不变。</translation>
+    </message>
+    <message>
+        <source>Reset A&amp;ll Keys</source>
+        <translation>重置所有快捷键(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Gives every command the keys of the preset.</source>
+        <translation>将所有命令恢复为方案中的快捷键。</translation>
+    </message>
+    <message>
+        <source>&amp;Preset</source>
+        <translation>方案(&amp;P)</translation>
+    </message>
+    <message>
+        <source>First key</source>
+        <translation>第一个快捷键</translation>
+    </message>
+    <message>
+        <source>Second key</source>
+        <translation>第二个快捷键</translation>
+    </message>
+    <message>
+        <source>Press the key that the command is to have; Backspace takes it away.</source>
+        <translation>按下要分配给该命令的按键；退格键将其清除。</translation>
+    </message>
+    <message>
+        <source>R&amp;eset</source>
+        <translation>重置(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Gives the command the keys of the preset.</source>
+        <translation>将该命令恢复为方案中的快捷键。</translation>
+    </message>
+    <message>
+        <source>&amp;Go There</source>
+        <translation>转到(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Marks the command that has the key.</source>
+        <translation>选中占用该快捷键的命令。</translation>
+    </message>
+    <message>
+        <source>This key cannot be another.</source>
+        <translation>此快捷键不能更改。</translation>
+    </message>
+    <message>
+        <source>%1 is taken: %2 has it.</source>
+        <translation>%1 已被“%2”占用。</translation>
+    </message>
+    <message>
+        <source>%1 stays with %2.</source>
+        <translation>%1 仍属于“%2”。</translation>
+    </message>
+    <message>
+        <source>A key that is held together with others cannot be a command alone.</source>
+        <translation>与其他键一起按住的修饰键不能单独作为命令。</translation>
+    </message>
+    <message>
+        <source>%1 is needed to move and type in panels and dialogs.</source>
+        <translation>%1 用于在面板和对话框中移动和输入。</translation>
+    </message>
+    <message>
+        <source>Alt with a letter opens menus and reaches controls.</source>
+        <translation>Alt 加字母用于打开菜单和到达控件。</translation>
     </message>
 </context>
 <context>
@@ -2488,10 +2613,6 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>恢复默认值(&amp;R)</translation>
     </message>
     <message>
-        <source>Sets everything on all pages to what it was at first.</source>
-        <translation>将所有页面上的一切恢复到最初的状态。</translation>
-    </message>
-    <message>
         <source>&amp;Colours</source>
         <translation>颜色(&amp;C)</translation>
     </message>
@@ -2548,8 +2669,28 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>Alt 加鼠标移动视图(&amp;M)</translation>
     </message>
     <message>
-        <source>With Alt held, left orbits, middle pans and right zooms, on the model too.</source>
-        <translation>按住 Alt 时，左键旋转，中键平移，右键缩放，在模型上也一样。</translation>
+        <source>&amp;Keys</source>
+        <translation>快捷键(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Sets everything in the program to what it was at first, after a question.</source>
+        <translation>确认后，将程序中的一切恢复为初始状态。</translation>
+    </message>
+    <message>
+        <source>Should everything be as it was at first?</source>
+        <translation>要将一切恢复为初始状态吗？</translation>
+    </message>
+    <message>
+        <source>This is about colours, language, keys, pen and mouse, brush, view and the panels&apos; places. Models, recent files and swatches stay. The language is spoken from the next start on.</source>
+        <translation>包括颜色、语言、快捷键、手写笔与鼠标、笔刷、视图和面板位置。模型、最近的文件和色板保持不变。语言从下次启动起生效。</translation>
+    </message>
+    <message>
+        <source>&amp;Reset</source>
+        <translation>重置(&amp;R)</translation>
+    </message>
+    <message>
+        <source>With Alt held, left orbits, middle pans and right zooms, on the model too; the keys of ZBrush have it otherwise.</source>
+        <translation>按住 Alt 时，左键旋转、中键平移、右键缩放，在模型上也是如此；使用 ZBrush 快捷键时则不同。</translation>
     </message>
 </context>
 <context>

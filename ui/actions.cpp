@@ -59,9 +59,9 @@ constexpr ActionInfo table[] = {
      QT_TRANSLATE_NOOP("ui::Actions", "Chooses colours, language, and how pen and mouse are taken."), "Ctrl+,", "preferences", true},
 
     {MenuId::Sculpt, "tool.pull", QT_TRANSLATE_NOOP("ui::Actions", "&Pull"),
-     QT_TRANSLATE_NOOP("ui::Actions", "Draws the surface outwards. Ctrl pushes instead, Shift smooths."), "1", "pull", true, Bar::Palette, true},
+     QT_TRANSLATE_NOOP("ui::Actions", "Draws the surface outwards. %1 pushes instead, Shift smooths."), "1", "pull", true, Bar::Palette, true},
     {MenuId::Sculpt, "tool.push", QT_TRANSLATE_NOOP("ui::Actions", "P&ush"),
-     QT_TRANSLATE_NOOP("ui::Actions", "Presses the surface inwards. Ctrl pulls instead, Shift smooths."), "2", "push", false, Bar::Palette, true},
+     QT_TRANSLATE_NOOP("ui::Actions", "Presses the surface inwards. %1 pulls instead, Shift smooths."), "2", "push", false, Bar::Palette, true},
     {MenuId::Sculpt, "tool.flatten", QT_TRANSLATE_NOOP("ui::Actions", "&Flatten"),
      QT_TRANSLATE_NOOP("ui::Actions", "Levels the surface towards its mean plane. Shift smooths."), "3", "flatten", false, Bar::Palette, true},
     {MenuId::Sculpt, "tool.smooth", QT_TRANSLATE_NOOP("ui::Actions", "&Smooth"),
@@ -189,7 +189,7 @@ constexpr ActionInfo table[] = {
 /// "Pull (1)" and what it does.
 QString toolTip(const QAction& action)
 {
-    QString name = Actions::plain(action.text());
+    QString name = action.iconText();
     const QString key = action.shortcut().toString(QKeySequence::NativeText);
     if (!key.isEmpty())
         name += QStringLiteral(" (%1)").arg(key);
@@ -206,6 +206,7 @@ Actions::Actions(QWidget* window) : QObject(window)
 {
     for (const ActionInfo& row : table)
         m_actions.insert(QLatin1StringView(row.id), make(row, window));
+    setKeys({});
     window->installEventFilter(this);
 }
 
@@ -213,12 +214,8 @@ QAction* Actions::make(const ActionInfo& row, QWidget* window)
 {
     auto* action = new QAction(themedIcon(QLatin1StringView(row.icon)), tr(row.text), this);
     action->setObjectName(QLatin1StringView(row.id));
-    action->setStatusTip(tr(row.tip));
-    if (*row.keys)
-        action->setShortcuts(QKeySequence::listFromString(QLatin1StringView(row.keys)));
     action->setCheckable(row.checkable);
     action->setIconText(plain(action->text()));
-    action->setToolTip(toolTip(*action));
     window->addAction(action);
     return action;
 }
@@ -237,12 +234,29 @@ QString Actions::plain(QString text)
     return text.remove(menuOnly);
 }
 
-QAction* Actions::withShortcut(const QKeySequence& key) const
+void Actions::setKeys(const KeyChoice& choice)
 {
-    for (QAction* action : m_actions)
-        if (action->shortcuts().contains(key))
-            return action;
-    return nullptr;
+    m_choice = choice;
+    m_keys = KeyMap(choice);
+    for (const ActionInfo& row : table) {
+        QAction* action = get(QLatin1StringView(row.id));
+        action->setShortcuts(m_keys.keys(action->objectName()));
+        action->setStatusTip(tr(row.tip).replace(QLatin1StringView("%1"), modifierName(heldKeys(choice.preset).invert)));
+        action->setToolTip(toolTip(*action));
+    }
+}
+
+QString Actions::modifierName(Qt::KeyboardModifier modifier)
+{
+    const QString withLetter = QKeySequence(modifier | Qt::Key_A).toString(QKeySequence::NativeText);
+    return withLetter.section(u'+', 0, 0);
+}
+
+QString Actions::heldWords(KeyPreset preset)
+{
+    const HeldKeys held = heldKeys(preset);
+    const QString brush = tr("Held on the model, %1 inverts Pull and Push, and %2 smooths.").arg(modifierName(held.invert), modifierName(Qt::ShiftModifier));
+    return held.rightOrbits ? brush + u' ' + tr("The right button turns the view.") : brush;
 }
 
 /// On X11 Qt looks up the shortcuts of the number pad's keys without saying that they are of the pad: "Num+1" would be
@@ -251,11 +265,11 @@ bool Actions::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress) {
         const auto* key = static_cast<QKeyEvent*>(event);
-        QAction* action = key->modifiers() & Qt::KeypadModifier ? withShortcut(key->keyCombination()) : nullptr;
-        if (action) {
+        const QString id = key->modifiers() & Qt::KeypadModifier ? m_keys.owner(key->keyCombination()) : QString();
+        if (!id.isEmpty()) {
             event->accept();
             if (event->type() == QEvent::KeyPress && !key->isAutoRepeat())
-                action->trigger();
+                get(id)->trigger();
             return true;
         }
     }

@@ -1,12 +1,13 @@
 #pragma once
 
+#include "key_map.h"
+
 #include <QHash>
 #include <QObject>
 
 #include <span>
 
 class QAction;
-class QKeySequence;
 class QMenu;
 class QToolBar;
 class QWidget;
@@ -23,8 +24,8 @@ struct ActionInfo
     MenuId menu;
     const char* id;           ///< objectName of the QAction, key in settings, handle in tests
     const char* text;         ///< untranslated, context "ui::Actions"
-    const char* tip;          ///< one sentence, untranslated
-    const char* keys;         ///< portable text, several parted by "; "
+    const char* tip;          ///< one sentence, untranslated; %1 is the key that inverts while it is held
+    const char* keys;         ///< of the preset Fettle: portable text, several parted by "; "
     const char* icon;         ///< file in :/icons without ending
     bool startsGroup = false; ///< a line stands before it, in menu and tool bar
     Bar bar = Bar::None;      ///< where it is a button, too
@@ -45,9 +46,17 @@ public:
     /// Asserts that the id is in the table.
     QAction* get(const QString& id) const;
 
+    /// From now on these are the keys, in menus and tool tips too.
+    void setKeys(const KeyChoice& choice);
+    const KeyChoice& keys() const { return m_choice; }
+
     QString menuTitle(MenuId menu) const;
     /// A text of a menu without what only a menu shows.
     static QString plain(QString text);
+    /// "Ctrl", as the keyboards of the language have it.
+    static QString modifierName(Qt::KeyboardModifier modifier);
+    /// What keys do that are held while the mouse works.
+    static QString heldWords(KeyPreset preset);
     void fill(QMenu* menu, MenuId which) const;
     void fill(QToolBar* bar, Bar which) const;
 
@@ -55,9 +64,10 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    QAction* withShortcut(const QKeySequence& key) const;
     QAction* make(const ActionInfo& row, QWidget* window);
 
     QHash<QString, QAction*> m_actions;
+    KeyChoice m_choice;
+    KeyMap m_keys;
 };
 } // namespace ui

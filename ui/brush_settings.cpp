@@ -128,13 +128,13 @@ double BrushSettings::maxOf(core::Parameter parameter) const
     return parameter == core::Parameter::Radius ? m_maxRadius : core::info(parameter).max;
 }
 
-core::Tool toolWith(core::Tool tool, Qt::KeyboardModifiers modifiers)
+core::Tool toolWith(core::Tool tool, Qt::KeyboardModifiers modifiers, Qt::KeyboardModifier invert)
 {
     if (modifiers & Qt::ShiftModifier)
         return core::Tool::Smooth;
-    if (modifiers & Qt::ControlModifier && tool == core::Tool::Pull)
+    if (modifiers & invert && tool == core::Tool::Pull)
         return core::Tool::Push;
-    if (modifiers & Qt::ControlModifier && tool == core::Tool::Push)
+    if (modifiers & invert && tool == core::Tool::Push)
         return core::Tool::Pull;
     return tool;
 }

@@ -62,7 +62,9 @@ QLayout* ColorPanel::buildButtons(const Actions& actions)
 {
     const QAction* swapping = actions.get(QStringLiteral("color.swap"));
     m_pair->setObjectName(QStringLiteral("colorPair"));
-    m_pair->setToolTip(swapping->toolTip());
+    const auto showTip = [this, swapping] { m_pair->setToolTip(swapping->toolTip()); };
+    showTip();
+    connect(swapping, &QAction::changed, this, showTip);
     m_pair->setIconSize(pairSize);
     m_pair->setAutoRaise(true);
     connect(m_pair, &QToolButton::clicked, swapping, &QAction::trigger);

@@ -3,12 +3,11 @@
 #include <QDialog>
 
 class QLineEdit;
-class QTreeWidget;
-class QTreeWidgetItem;
 
 namespace ui
 {
 class Actions;
+class CommandList;
 
 /// Every action of the window with its key, by menu: a sheet to read (F1) and a box to find one by any of its words and do it
 /// (F3). Return or a double click does what is marked; what cannot be done now is grey. Gui thread.
@@ -25,12 +24,10 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    void fill(const Actions& actions);
-    void filter(const QString& words);
     void go();
     void step(int by);
 
     QLineEdit* m_words;
-    QTreeWidget* m_list;
+    CommandList* m_list;
 };
 } // namespace ui

@@ -37,8 +37,12 @@ void connectDrags(const Actions& actions, BrushSettings* brush, Viewport* viewpo
 
 void connectSteady(QAction* action, BrushSettings* brush, Settings* settings)
 {
-    brush->setSteady(settings->isSteady());
-    brush->setStringLength(settings->stringLength());
+    const auto takeUp = [=] {
+        brush->setSteady(settings->isSteady());
+        brush->setStringLength(settings->stringLength());
+    };
+    takeUp();
+    settings->onReset(takeUp);
     const auto show = [=] { action->setChecked(brush->isSteady()); };
     QObject::connect(action, &QAction::triggered, brush, &BrushSettings::setSteady);
     QObject::connect(brush, &BrushSettings::changed, action, show);
@@ -61,8 +65,12 @@ void connectAdding(QAction* action, const HandPlace& place)
 void connectTurntable(QAction* action, const HandPlace& place, Settings* settings)
 {
     auto* turntable = new TurntableMotor(place.viewport);
-    turntable->setSpeed(settings->turnSpeed());
-    turntable->setClockwise(settings->turnsClockwise());
+    const auto takeUp = [=] {
+        turntable->setSpeed(settings->turnSpeed());
+        turntable->setClockwise(settings->turnsClockwise());
+    };
+    takeUp();
+    settings->onReset(takeUp);
     QObject::connect(turntable, &TurntableMotor::turned, place.viewport, &Viewport::turnModel);
     QObject::connect(action, &QAction::triggered, turntable, &TurntableMotor::setOn);
     QObject::connect(turntable, &TurntableMotor::changed, action, [=] {

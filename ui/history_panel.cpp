@@ -130,7 +130,9 @@ HistoryPanel::HistoryPanel(Settings* settings, QWidget* parent)
     m_cap->setSuffix(tr(" MB"));
     m_cap->setKeyboardTracking(false);
     m_cap->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-    m_cap->setValue(settings->historyMegabytes());
+    const auto takeUp = [this, settings] { m_cap->setValue(settings->historyMegabytes()); };
+    takeUp();
+    settings->onReset(takeUp);
     connect(m_cap, &QSpinBox::valueChanged, this, [this, settings](int megabytes) {
         settings->setHistoryMegabytes(megabytes);
         Q_EMIT capChanged(cap());

@@ -33,7 +33,9 @@ public:
     {
         for (const Switch& row : switches) {
             QAction* action = m_actions.get(QLatin1StringView(row.id));
-            action->setChecked(m_viewport->look().*row.what);
+            const auto show = [action, viewport = m_viewport, what = row.what] { action->setChecked(viewport->look().*what); };
+            show();
+            m_settings->onReset(show);
             connect(action, [what = row.what](ViewLook& look, bool on) { look.*what = on; });
         }
     }
@@ -45,7 +47,9 @@ public:
         for (const Named<T>& choice : choices) {
             QAction* action = m_actions.get(family + QLatin1StringView(choice.key));
             group->addAction(action);
-            action->setChecked(m_viewport->look().*what == choice.value);
+            const auto show = [action, viewport = m_viewport, what, value = choice.value] { action->setChecked(viewport->look().*what == value); };
+            show();
+            m_settings->onReset(show);
             connect(action, [what, value = choice.value](ViewLook& look, bool on) {
                 if (on)
                     look.*what = value;
@@ -78,7 +82,9 @@ void addMenu(const Actions& actions, MenuId which, const char* icon, QMenu* to)
 
 void addLooks(const Actions& actions, Viewport* viewport, Settings* settings, QMenu* viewMenu)
 {
-    viewport->setLook(settings->look());
+    const auto takeUp = [=] { viewport->setLook(settings->look()); };
+    takeUp();
+    settings->onReset(takeUp);
     const Looks looks(actions, viewport, settings);
     looks.addSwitches();
     looks.addChoices(QStringLiteral("material."), materials, &ViewLook::material);

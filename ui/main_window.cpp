@@ -158,7 +158,7 @@ void MainWindow::State::connectActions()
     connectTools();
     on("edit.stop", [this] { Q_EMIT q->stopRequested(); });
     connectView(actions, viewport);
-    connectPreferences(actions, &settings, viewport, q);
+    connectPreferences({q, &actions, &settings, &brush, viewport});
     on("help.keys", [this] { (new CommandBox(actions, q))->open(); });
     on("help.about", [this] { showAbout(q); });
     for (const char* id : {"edit.undo", "edit.redo"})

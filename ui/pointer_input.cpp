@@ -43,7 +43,7 @@ void PointerInput::handle(const PointerEvent& event)
     Waiting waiting{event, m_camera->ray(event.pixel), {}};
     if (event.kind == PointerEvent::Kind::Press) {
         waiting.settings = m_brush->stroke();
-        waiting.settings.tool = toolWith(m_brush->tool(), event.modifiers);
+        waiting.settings.tool = toolWith(m_brush->tool(), event.modifiers, m_habits.held.invert);
         waiting.string = m_brush->isSteady() ? m_brush->stringLength() : 0;
     }
     m_inside = true;
@@ -186,7 +186,7 @@ void PointerInput::setPicking(bool on)
 
 core::Tool PointerInput::tool() const
 {
-    return strokeOpen() ? m_stroke.tool() : toolWith(m_brush->tool(), m_modifiers);
+    return strokeOpen() ? m_stroke.tool() : toolWith(m_brush->tool(), m_modifiers, m_habits.held.invert);
 }
 
 /// Where the brush is, or would be.
@@ -283,7 +283,7 @@ void PointerInput::begin(const Waiting& press, const std::optional<core::Surface
         return;
     }
     if (m_drag == Drag::None && press.event.button == Qt::LeftButton)
-        m_drag = hit ? Drag::Stroke : Drag::Orbit;
+        m_drag = hit ? Drag::Stroke : dragBesideModel(press.event.modifiers, m_habits);
     if (m_drag == Drag::None)
         return;
     m_dragButton = press.event.button;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "view_look.h"
+#include "key_choice.h"
 
 namespace ui
 {
@@ -19,7 +19,8 @@ struct HandHabits
 {
     bool pressureToStrength = true;
     bool pressureToRadius = false;
-    bool altMovesView = true; ///< held with a button; else Alt means nothing
+    bool altMovesView = true; ///< held with a button; else Alt means nothing to the view
+    HeldKeys held{};          ///< as the preset of keys has it
 
     bool operator==(const HandHabits&) const = default;
 };
@@ -30,7 +31,15 @@ struct Preferences
     ThemeChoice theme = ThemeChoice::System;
     Language language = Language::System; ///< of the next start
     HandHabits hand;
+    KeyChoice keys{};
 
     bool operator==(const Preferences&) const = default;
+
+    HandHabits habits() const
+    {
+        HandHabits habits = hand;
+        habits.held = heldKeys(keys.preset);
+        return habits;
+    }
 };
 } // namespace ui

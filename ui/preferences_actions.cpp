@@ -1,25 +1,53 @@
 #include "preferences_actions.h"
 
 #include "actions.h"
+#include "brush_settings.h"
 #include "preferences_dialog.h"
 #include "settings.h"
 #include "theme.h"
 #include "viewport.h"
 
 #include <QAction>
+#include <QMainWindow>
 
 namespace ui
 {
-void connectPreferences(const Actions& actions, Settings* settings, Viewport* viewport, QWidget* window)
+namespace
 {
-    viewport->setHabits(settings->preferences().hand);
+/// The radius is a share of the model, whose size the brush knows.
+void resetBrush(BrushSettings* brush, const Settings& settings)
+{
+    for (const core::Parameter parameter : storedParameters)
+        brush->setValue(parameter, settings.value(parameter));
+    brush->setValue(core::Parameter::Radius, brush->value(core::Parameter::Radius) * settings.radiusShare() / brush->radiusShare());
+}
+} // namespace
+
+void connectPreferences(const PreferencesPlace& place)
+{
+    const auto [window, actions, settings, brush, viewport] = place;
     auto* theme = new Theme(settings->preferences().theme, window);
-    QObject::connect(actions.get(QStringLiteral("edit.preferences")), &QAction::triggered, window, [=] {
-        auto* dialog = new PreferencesDialog(settings->preferences(), window);
+    const auto takeUp = [=] {
+        const Preferences preferences = settings->preferences();
+        theme->choose(preferences.theme);
+        viewport->setHabits(preferences.habits());
+        actions->setKeys(preferences.keys);
+    };
+    takeUp();
+    settings->onReset([=, panels = window->saveState()] {
+        takeUp();
+        resetBrush(brush, *settings);
+        window->restoreState(panels);
+    });
+    QObject::connect(actions->get(QStringLiteral("edit.preferences")), &QAction::triggered, window, [=] {
+        auto* dialog = new PreferencesDialog(settings->preferences(), *actions, window);
         QObject::connect(dialog, &PreferencesDialog::changed, window, [=](const Preferences& preferences) {
             settings->setPreferences(preferences);
-            theme->choose(preferences.theme);
-            viewport->setHabits(preferences.hand);
+            takeUp();
+        });
+        QObject::connect(dialog, &PreferencesDialog::resetRequested, window, [=] {
+            settings->reset();
+            dialog->setPreferences(settings->preferences());
         });
         dialog->open();
     });

@@ -1,14 +1,25 @@
 #pragma once
 
-class QWidget;
+class QMainWindow;
 
 namespace ui
 {
 class Actions;
+class BrushSettings;
 class Settings;
 class Viewport;
 
-/// The stored preferences hold from now on, and Edit > Preferences changes them. The settings must outlive the window.
-/// Gui thread.
-void connectPreferences(const Actions& actions, Settings* settings, Viewport* viewport, QWidget* window);
+/// What preferences are for. The actions and the settings must outlive the window.
+struct PreferencesPlace
+{
+    QMainWindow* window;
+    Actions* actions;
+    Settings* settings;
+    BrushSettings* brush;
+    Viewport* viewport;
+};
+
+/// The stored preferences hold from now on, and Edit > Preferences changes them. Where the panels are now is where they come
+/// back to when all is reset. Gui thread.
+void connectPreferences(const PreferencesPlace& place);
 } // namespace ui

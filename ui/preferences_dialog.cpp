@@ -1,10 +1,13 @@
 #include "preferences_dialog.h"
 
+#include "keys_page.h"
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QTabWidget>
 
@@ -13,7 +16,7 @@ namespace ui
 namespace
 {
 constexpr int gap = 8; ///< of the window's spacing grid
-constexpr QSize usualSize{480, 360};
+constexpr QSize usualSize{560, 520};
 
 QFormLayout* formIn(QWidget* page)
 {
@@ -31,7 +34,7 @@ QLabel* remark(const QString& sentence)
 }
 } // namespace
 
-PreferencesDialog::PreferencesDialog(const Preferences& now, QWidget* parent) : QDialog(parent), m_now(now)
+PreferencesDialog::PreferencesDialog(const Preferences& now, const Actions& actions, QWidget* parent) : QDialog(parent), m_now(now)
 {
     setObjectName(QStringLiteral("preferences"));
     setWindowTitle(tr("Preferences"));
@@ -40,6 +43,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& now, QWidget* parent) : 
     pages->setObjectName(QStringLiteral("pages"));
     pages->addTab(appearancePage(), tr("&Appearance"));
     pages->addTab(inputPage(), tr("&Input"));
+    pages->addTab(keysPage(actions), tr("&Keys"));
 
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(gap, gap, gap, gap);
@@ -47,7 +51,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& now, QWidget* parent) : 
     column->addWidget(pages);
     column->addWidget(buttonRow());
     resize(minimumSizeHint().expandedTo(usualSize));
-    change(now);
+    setPreferences(now);
 }
 
 QWidget* PreferencesDialog::buttonRow()
@@ -55,11 +59,24 @@ QWidget* PreferencesDialog::buttonRow()
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     QPushButton* reset = buttons->addButton(tr("&Reset to Defaults"), QDialogButtonBox::ResetRole);
     reset->setObjectName(QStringLiteral("reset"));
-    reset->setToolTip(tr("Sets everything on all pages to what it was at first."));
+    reset->setToolTip(tr("Sets everything in the program to what it was at first, after a question."));
     reset->setAutoDefault(false);
-    connect(reset, &QPushButton::clicked, this, [this] { change({}); });
+    connect(reset, &QPushButton::clicked, this, &PreferencesDialog::askToReset);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     return buttons;
+}
+
+void PreferencesDialog::askToReset()
+{
+    auto* question = new QMessageBox(QMessageBox::Question, windowTitle(), tr("Should everything be as it was at first?"),
+                                     QMessageBox::Cancel, this);
+    question->setObjectName(QStringLiteral("resetQuestion"));
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    question->setInformativeText(tr("This is about colours, language, keys, pen and mouse, brush, view and the panels' places. "
+                                    "Models, recent files and swatches stay. The language is spoken from the next start on."));
+    QPushButton* reset = question->addButton(tr("&Reset"), QMessageBox::AcceptRole);
+    connect(reset, &QPushButton::clicked, this, &PreferencesDialog::resetRequested);
+    question->open();
 }
 
 QWidget* PreferencesDialog::appearancePage()
@@ -81,8 +98,20 @@ QWidget* PreferencesDialog::inputPage()
              &HandHabits::pressureToStrength);
     addCheck(form, {"pressureToRadius", tr("A pen's pressure is the &radius"), tr("A light touch makes a narrow stroke, a firm one a wide one.")},
              &HandHabits::pressureToRadius);
-    addCheck(form, {"altMovesView", tr("Alt and the &mouse move the view"), tr("With Alt held, left orbits, middle pans and right zooms, on the model too.")},
+    addCheck(form, {"altMovesView", tr("Alt and the &mouse move the view"), tr("With Alt held, left orbits, middle pans and right zooms, on the model too; the keys of ZBrush have it otherwise.")},
              &HandHabits::altMovesView);
+    return page;
+}
+
+QWidget* PreferencesDialog::keysPage(const Actions& actions)
+{
+    auto* page = new KeysPage(actions);
+    connect(page, &KeysPage::changed, this, [this](const KeyChoice& keys) {
+        Preferences to = m_now;
+        to.keys = keys;
+        change(to);
+    });
+    m_show.push_back([this, page] { page->setChoice(m_now.keys); });
     return page;
 }
 
@@ -148,12 +177,17 @@ QString PreferencesDialog::words(Language language)
     return {};
 }
 
+void PreferencesDialog::setPreferences(const Preferences& preferences)
+{
+    m_now = preferences;
+    for (const auto& show : m_show)
+        show();
+}
+
 void PreferencesDialog::change(const Preferences& to)
 {
     const bool isNew = m_now != to;
-    m_now = to;
-    for (const auto& show : m_show)
-        show();
+    setPreferences(to);
     if (isNew)
         Q_EMIT changed(m_now);
 }

@@ -11,18 +11,25 @@ class QFormLayout;
 
 namespace ui
 {
+class Actions;
+
 /// The preferences on pages; each change holds at once. Deletes itself when closed. Gui thread.
 class PreferencesDialog : public QDialog
 {
     Q_OBJECT
 
 public:
-    PreferencesDialog(const Preferences& now, QWidget* parent);
+    /// The actions must outlive it.
+    PreferencesDialog(const Preferences& now, const Actions& actions, QWidget* parent);
 
     const Preferences& preferences() const { return m_now; }
+    /// Another hand chose.
+    void setPreferences(const Preferences& preferences);
 
 Q_SIGNALS:
     void changed(const ui::Preferences& preferences);
+    /// Everything in the program is to be as at first; the dialog is to be shown what that is.
+    void resetRequested();
 
 private:
     struct Words
@@ -33,7 +40,9 @@ private:
 
     QWidget* appearancePage();
     QWidget* inputPage();
+    QWidget* keysPage(const Actions& actions);
     QWidget* buttonRow();
+    void askToReset();
     template <class T, std::size_t count>
     void addChoice(QFormLayout* form, const Words& words, const std::array<Named<T>, count>& choices, T Preferences::*what);
     void addCheck(QFormLayout* form, const Words& words, bool HandHabits::*what);

@@ -67,6 +67,7 @@ PreviewPanel::PreviewPanel(Settings* settings, QAction* exporting, QWidget* pare
     setObjectName(QStringLiteral("previewPanel"));
     setWidget(content(exporting));
     m_canvas->setChoice(m_choice);
+    settings->onReset([this] { show(m_settings->drawing()); });
     connect(this, &QDockWidget::visibilityChanged, this, [this](bool isSeen) {
         m_isSeen = isSeen;
         Q_EMIT wanted(isSeen, m_choice.shaded);
@@ -104,7 +105,9 @@ QBoxLayout* PreviewPanel::controls(QAction* exporting)
     connect(fit, &QToolButton::clicked, m_canvas, &DrawingCanvas::fit);
     auto* write = button(QStringLiteral("preview.export"), {}, Actions::plain(exporting->text()), exporting->statusTip());
     write->setIcon(exporting->icon());
-    write->setToolTip(exporting->toolTip());
+    const auto showTip = [write, exporting] { write->setToolTip(exporting->toolTip()); };
+    showTip();
+    connect(exporting, &QAction::changed, write, showTip);
     connect(write, &QToolButton::clicked, exporting, &QAction::trigger);
 
     auto* buttons = new QHBoxLayout;
@@ -128,6 +131,14 @@ QComboBox* PreviewPanel::choiceBox(const QString& name, const QString& text, con
     box->setCurrentIndex(index);
     connect(box, &QComboBox::currentIndexChanged, this, &PreviewPanel::choose);
     return box;
+}
+
+/// By the controls, which tell.
+void PreviewPanel::show(const DrawingChoice& choice)
+{
+    m_sides->setCurrentIndex(static_cast<int>(choice.sides));
+    m_style->setCurrentIndex(choice.shaded ? 1 : 0);
+    m_dimensions->setChecked(choice.dimensions);
 }
 
 void PreviewPanel::choose()

@@ -44,6 +44,7 @@ private:
     QWidget* content(QAction* exporting);
     QBoxLayout* controls(QAction* exporting);
     QComboBox* choiceBox(const QString& name, const QString& text, const QString& tip, const QStringList& words, int index);
+    void show(const DrawingChoice& choice);
     void choose();
 
     Settings* m_settings;

@@ -34,6 +34,8 @@ const QString clockwiseKey = QStringLiteral("turntable/clockwise");
 const QString radiusShareKey = QStringLiteral("brush/radiusShare");
 const QString themeKey = QStringLiteral("preferences/theme");
 const QString languageKey = QStringLiteral("preferences/language");
+const QString keyPresetKey = QStringLiteral("keys/preset");
+const QString ownKeys = QStringLiteral("keys/own/"); ///< and the action's id
 const QString materialKey = QStringLiteral("view/material");
 const QString backgroundKey = QStringLiteral("view/background");
 const QString swatchesKey = QStringLiteral("color/swatches");
@@ -218,6 +220,10 @@ Preferences Settings::preferences() const
     preferences.language = choice(m_settings, languageKey, languages, preferences.language);
     for (const HabitSwitch& row : habitSwitches)
         preferences.hand.*row.what = yesNo(m_settings, row.key, preferences.hand.*row.what);
+    preferences.keys.preset = choice(m_settings, keyPresetKey, keyPresets, preferences.keys.preset);
+    for (const QString& key : m_settings.allKeys())
+        if (key.startsWith(ownKeys))
+            preferences.keys.own.insert(key.mid(ownKeys.size()), m_settings.value(key).toString());
     return preferences;
 }
 
@@ -227,6 +233,24 @@ void Settings::setPreferences(const Preferences& preferences)
     m_settings.setValue(languageKey, wordFor(preferences.language, languages));
     for (const HabitSwitch& row : habitSwitches)
         m_settings.setValue(row.key, preferences.hand.*row.what);
+    m_settings.setValue(keyPresetKey, wordFor(preferences.keys.preset, keyPresets));
+    m_settings.remove(ownKeys.chopped(1));
+    for (auto own = preferences.keys.own.cbegin(); own != preferences.keys.own.cend(); ++own)
+        m_settings.setValue(ownKeys + own.key(), own.value());
+}
+
+void Settings::reset()
+{
+    for (const QString& key : m_settings.allKeys())
+        if (key != recentKey && key != folderKey && key != swatchesKey)
+            m_settings.remove(key);
+    for (const auto& takeUp : m_onReset)
+        takeUp();
+}
+
+void Settings::onReset(std::function<void()> takeUp)
+{
+    m_onReset.push_back(std::move(takeUp));
 }
 
 ViewLook Settings::look() const

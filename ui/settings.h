@@ -16,6 +16,9 @@
 #include <QString>
 #include <QStringList>
 
+#include <functional>
+#include <vector>
+
 namespace ui
 {
 /// The radii that make sense, as shares of the model's longest side. The least that the lattice takes is a little more.
@@ -69,6 +72,11 @@ public:
     Preferences preferences() const;
     void setPreferences(const Preferences& preferences);
 
+    /// Everything to its default but what a person made: recent files and folder, swatches. Then all are called that asked
+    /// for it, in that order, to take up what holds now.
+    void reset();
+    void onReset(std::function<void()> takeUp);
+
     ViewLook look() const;
     void setLook(const ViewLook& look);
 
@@ -90,5 +98,6 @@ public:
 
 private:
     QSettings m_settings;
+    std::vector<std::function<void()>> m_onReset;
 };
 } // namespace ui

@@ -1,5 +1,6 @@
 #include "ui/actions.h"
 #include "ui/color_wheel.h"
+#include "ui/command_list.h"
 #include "ui/falloff_curve.h"
 #include "ui/main_window.h"
 #include "ui/settings.h"
@@ -22,6 +23,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QProgressBar>
+#include <QPushButton>
 #include <QScreen>
 #include <QSettings>
 #include <QSignalSpy>
@@ -449,7 +451,7 @@ private Q_SLOTS:
             auto* box = child<QDialog>(window, "commandBox");
             QVERIFY(box);
             auto* list = box->findChild<QTreeWidget*>();
-            box->findChild<QLineEdit*>()->setText(QLatin1StringView(row.tip));
+            box->findChild<QLineEdit*>()->setText(act(window, row.id)->statusTip());
             QStringList found;
             for (QTreeWidgetItemIterator i(list, QTreeWidgetItemIterator::NotHidden | QTreeWidgetItemIterator::NoChildren); *i; ++i)
                 found << (*i)->text(0);
@@ -621,6 +623,137 @@ private Q_SLOTS:
         ui::Settings().setPreferences({.theme = ui::ThemeChoice::Dark, .hand = {}});
         const MainWindow dark;
         QVERIFY(isDark());
+    }
+
+    /// By real keys, and everything that tells of them follows; it is so at the next start, too.
+    void keysAreChosenAndRemembered()
+    {
+        {
+            MainWindow window;
+            window.show();
+            window.activateWindow();
+            QVERIFY(QTest::qWaitForWindowActive(&window));
+            QTest::keyClick(&window, Qt::Key_Comma, Qt::ControlModifier);
+            auto* dialog = child<QDialog>(window, "preferences");
+            QTest::keyClick(dialog->findChild<QComboBox*>(QStringLiteral("keyPreset")), Qt::Key_End);
+            auto* list = dialog->findChild<ui::CommandList*>(QStringLiteral("keyList"));
+            list->setCurrentItem(list->itemOf(QStringLiteral("view.ground")));
+            QTest::keyClick(dialog->findChild<QWidget*>(QStringLiteral("key1")), Qt::Key_6, Qt::KeypadModifier);
+            QTest::keyClick(dialog, Qt::Key_Escape);
+            QTRY_VERIFY(!window.findChild<QDialog*>(QStringLiteral("preferences")));
+        }
+        MainWindow window;
+        window.show();
+        window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        QVERIFY(act(window, "tool.pull")->toolTip().contains(QStringLiteral("Alt")));
+        QVERIFY(act(window, "view.wireframe")->toolTip().contains(QStringLiteral("Shift+F")));
+        QTest::keyClick(&window, Qt::Key_F, Qt::ShiftModifier);
+        QVERIFY(act(window, "view.wireframe")->isChecked());
+        QTest::keyClick(&window, Qt::Key_W);
+        QVERIFY(act(window, "view.wireframe")->isChecked()); // not its key any more
+        QTest::keyClick(&window, Qt::Key_G);
+        QVERIFY(act(window, "view.ground")->isChecked());
+        QTest::keyClick(&window, Qt::Key_6, Qt::KeypadModifier);
+        QVERIFY(!act(window, "view.ground")->isChecked());
+        QTest::keyClick(&window, Qt::Key_F1);
+        const auto* sheet = child<QDialog>(window, "commandBox")->findChild<ui::CommandList*>();
+        QCOMPARE(sheet->itemOf(QStringLiteral("brush.radius"))->text(ui::CommandList::Key), QStringLiteral("S"));
+    }
+
+    /// What can be changed is, then all is reset; the next start finds nothing left.
+    void resetBringsEverythingBack()
+    {
+        const auto isAsAtFirst = [](const MainWindow& window) {
+            const QDockWidget* brushDock = child<QDockWidget>(window, "brushPanel");
+            return window.viewport()->look() == ui::ViewLook() && window.brush()->value(Parameter::Strength) == 1 &&
+                   window.brush()->value(Parameter::Radius) == 10 && !window.brush()->isSteady() && !brushDock->isHidden() &&
+                   act(window, "view.wireframe")->shortcut() == QKeySequence(Qt::Key_W) && !act(window, "view.wireframe")->isChecked() &&
+                   act(window, "material.clay")->isChecked() && child<QSpinBox>(window, "historyCap")->value() == ui::defaultHistoryMegabytes &&
+                   child<QComboBox>(window, "preview.style")->currentIndex() == 0 && child<QDoubleSpinBox>(window, "turnSpeed")->value() == ui::defaultTurn;
+        };
+        {
+            MainWindow window;
+            window.setModel(facts(QStringLiteral("a"), 100));
+            window.show();
+            QVERIFY(isAsAtFirst(window));
+            act(window, "material.wax")->trigger();
+            act(window, "view.wireframe")->trigger();
+            act(window, "brush.steady")->trigger();
+            window.brush()->setValue(Parameter::Strength, 3);
+            window.brush()->setValue(Parameter::Radius, 33);
+            child<QDockWidget>(window, "brushPanel")->hide();
+            child<QSpinBox>(window, "historyCap")->setValue(100);
+            child<QComboBox>(window, "preview.style")->setCurrentIndex(1);
+            child<QDoubleSpinBox>(window, "turnSpeed")->setValue(77);
+            act(window, "edit.preferences")->trigger();
+            auto* dialog = child<QDialog>(window, "preferences");
+            QTest::keyClick(dialog->findChild<QComboBox*>(QStringLiteral("keyPreset")), Qt::Key_End);
+            QVERIFY(!isAsAtFirst(window));
+            dialog->findChild<QPushButton*>(QStringLiteral("reset"))->click();
+            auto* question = dialog->findChild<QMessageBox*>();
+            for (QAbstractButton* button : question->buttons())
+                if (question->buttonRole(button) == QMessageBox::AcceptRole)
+                    button->click();
+            QVERIFY(isAsAtFirst(window));
+            QCOMPARE(dialog->findChild<QComboBox*>(QStringLiteral("keyPreset"))->currentIndex(), 0);
+            dialog->reject();
+            window.close();
+        }
+        MainWindow window;
+        window.setModel(facts(QStringLiteral("a"), 100));
+        QVERIFY(isAsAtFirst(window));
+    }
+
+    void noSettingsFileStopsTheProgram_data()
+    {
+        QTest::addColumn<QByteArray>("content");
+        QByteArray noise;
+        for (int i = 0; i < 20000; ++i)
+            noise += static_cast<char>((i * 7919 + i / 256 * 31) % 256);
+        QTest::newRow("noise") << noise;
+        QTest::newRow("not ini") << QByteArray("<?xml version=\"1.0\"?><settings/>");
+        QTest::newRow("cut off") << QByteArray("[window]\nstate=@ByteArray(\\0\\0\\0\\xff\\0\\0");
+        QTest::newRow("zeros") << QByteArray(4096, '\0');
+        QTest::newRow("older") << QByteArray("[brush]\nradius=12\nshape=round\n[keys]\nundo=Ctrl+Z\n[window]\nsize=@Size(640 480)\n");
+        QByteArray wrong;
+        for (const char* value : {"@Size(1 2)", "@Invalid()", "@Variant(\\0\\0\\0\\x7f\\0\\0\\0\\xfgarbage)", "@ByteArray(\\xff\\xff\\xff\\xff)", "a, b, c", "-1e999", ""}) {
+            wrong.clear();
+            for (const char* group : {"window", "history", "files", "hand", "drawing", "turntable", "brush", "preferences", "view", "color", "keys"}) {
+                wrong += QByteArray("[") + group + "]\n";
+                for (const char* key : {"geometry", "state", "megabytes", "recent", "lastFolder", "steady", "string", "sides", "shaded", "dimensions", "speed",
+                                        "clockwise", "radiusShare", "strength", "falloff", "spacing", "theme", "language", "altMovesView", "material",
+                                        "background", "wireframe", "ground", "swatches", "preset", "own\\tool.pull", "own\\no.such", "own"})
+                    wrong += QByteArray(key) + "=" + value + "\n";
+            }
+            QTest::newRow(qPrintable(QStringLiteral("every value is %1").arg(QLatin1StringView(value)))) << wrong;
+        }
+    }
+
+    void noSettingsFileStopsTheProgram()
+    {
+        QFETCH(QByteArray, content);
+        QFile file(QSettings().fileName());
+        QVERIFY(QDir().mkpath(QFileInfo(file).path()) && file.open(QIODevice::WriteOnly) && file.write(content) == content.size());
+        file.close();
+        {
+            MainWindow window;
+            window.setModel(facts(QStringLiteral("a"), 100));
+            window.show();
+            QVERIFY(QTest::qWaitForWindowExposed(&window));
+            QVERIFY(window.screen()->geometry().intersects(window.geometry()) && window.width() >= 200);
+            QVERIFY(window.strokeSettings().radius > 0 && window.strokeSettings().strength >= 0);
+            QSet<QKeySequence> keys;
+            for (const ui::ActionInfo& row : ui::actionTable())
+                for (const QKeySequence& key : act(window, row.id)->shortcuts()) {
+                    QVERIFY2(!keys.contains(key), row.id);
+                    keys << key;
+                }
+            act(window, "edit.preferences")->trigger();
+            window.close();
+        }
+        MainWindow again;
+        QCOMPARE(act(again, "edit.undo")->shortcut(), QKeySequence(QStringLiteral("Ctrl+Z")));
     }
 
     void theScaleBarIsShownAndHidden()

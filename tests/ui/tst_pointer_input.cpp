@@ -312,9 +312,11 @@ private Q_SLOTS:
         QTest::addColumn<Qt::MouseButton>("button");
         QTest::addColumn<Qt::KeyboardModifiers>("keys");
         QTest::addColumn<QString>("expected");
-        const auto row = [](const char* name, Qt::MouseButton button, Qt::KeyboardModifiers keys,
+        QTest::addColumn<ui::KeyPreset>("preset");
+        ui::KeyPreset preset = ui::KeyPreset::Fettle;
+        const auto row = [&preset](const char* name, Qt::MouseButton button, Qt::KeyboardModifiers keys,
                             const char* expected) {
-            QTest::newRow(name) << button << keys << QString::fromLatin1(expected);
+            QTest::newRow(name) << button << keys << QString::fromLatin1(expected) << preset;
         };
         row("middle", Qt::MiddleButton, Qt::NoModifier, "orbit");
         row("shift, middle", Qt::MiddleButton, Qt::ShiftModifier, "pan");
@@ -324,6 +326,12 @@ private Q_SLOTS:
         row("alt, middle", Qt::MiddleButton, Qt::AltModifier, "pan");
         row("alt, right", Qt::RightButton, Qt::AltModifier, "zoom");
         row("back", Qt::BackButton, Qt::NoModifier, "nothing");
+        preset = ui::KeyPreset::ZBrush;
+        row("ZBrush: right", Qt::RightButton, Qt::NoModifier, "orbit");
+        row("ZBrush: alt, right", Qt::RightButton, Qt::AltModifier, "pan");
+        row("ZBrush: ctrl, right", Qt::RightButton, Qt::ControlModifier, "zoom");
+        row("ZBrush: middle", Qt::MiddleButton, Qt::NoModifier, "orbit");
+        row("ZBrush: shift, middle", Qt::MiddleButton, Qt::ShiftModifier, "pan");
     }
 
     void everyButtonHasItsView()
@@ -331,8 +339,10 @@ private Q_SLOTS:
         QFETCH(Qt::MouseButton, button);
         QFETCH(Qt::KeyboardModifiers, keys);
         QFETCH(QString, expected);
+        QFETCH(ui::KeyPreset, preset);
         for (const bool isKnown : {false, true}) {
             Recorder r;
+            r.input.setHabits({.held = ui::heldKeys(preset)});
             if (isKnown)
                 r.rest({400, 300}, somewhere);
             const ui::OrbitCamera before = r.camera;
@@ -493,6 +503,32 @@ private Q_SLOTS:
         r.input.setHover(somewhere);
         QCOMPARE(static_cast<int>(r.settings.tool), expected);
         QVERIFY(r.settings.radius != 77);
+    }
+
+    /// On the model Alt is the brush's; beside it Alt and left move the view, and without Alt they turn it.
+    void altInvertsAsInZBrush()
+    {
+        for (const bool isAlt : {true, false}) {
+            Recorder r;
+            r.input.setHabits({.held = ui::heldKeys(ui::KeyPreset::ZBrush)});
+            const Qt::KeyboardModifiers keys = isAlt ? Qt::AltModifier : Qt::ControlModifier;
+            r.send(Kind::Press, {400, 300}, Qt::LeftButton, keys);
+            r.input.setHover(somewhere);
+            QCOMPARE(r.settings.tool, isAlt ? Tool::Push : Tool::Pull);
+            r.input.setModifiers(keys);
+            QCOMPARE(r.input.tool(), isAlt ? Tool::Push : Tool::Pull);
+            r.send(Kind::Release, {400, 300}, Qt::LeftButton, keys);
+
+            Recorder beside;
+            beside.input.setHabits({.held = ui::heldKeys(ui::KeyPreset::ZBrush)});
+            const ui::OrbitCamera before = beside.camera;
+            beside.send(Kind::Press, {30, 30}, Qt::LeftButton, keys);
+            beside.input.setHover({});
+            beside.send(Kind::Move, {80, 30}, Qt::LeftButton, keys);
+            const bool turned = (beside.camera.viewDirection() - before.viewDirection()).norm() > 0.01;
+            QCOMPARE(turned, !isAlt);
+            QCOMPARE((beside.camera.target() - before.target()).norm() > 1, isAlt);
+        }
     }
 
     void onlyOneQuestionIsInFlight()

@@ -1,9 +1,12 @@
+#include "ui/actions.h"
 #include "ui/preferences_dialog.h"
 
 #include "ui_test.h"
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QMainWindow>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTabWidget>
@@ -20,7 +23,7 @@ private Q_SLOTS:
     {
         for (const auto& theme : ui::themeChoices)
             for (const auto& language : ui::languages) {
-                const PreferencesDialog dialog({.theme = theme.value, .language = language.value, .hand = {}}, nullptr);
+                const PreferencesDialog dialog({.theme = theme.value, .language = language.value, .hand = {}}, m_actions, nullptr);
                 QCOMPARE(child<QComboBox>(dialog, "theme")->currentData().toInt(), static_cast<int>(theme.value));
                 QCOMPARE(child<QComboBox>(dialog, "language")->currentData().toInt(), static_cast<int>(language.value));
             }
@@ -28,7 +31,7 @@ private Q_SLOTS:
 
     void choicesAreMadeByKeys()
     {
-        PreferencesDialog dialog({}, nullptr);
+        PreferencesDialog dialog({}, m_actions, nullptr);
         dialog.show();
         QSignalSpy changed(&dialog, &PreferencesDialog::changed);
         QTest::keyClick(child<QComboBox>(dialog, "theme"), Qt::Key_Down);
@@ -40,27 +43,47 @@ private Q_SLOTS:
 
     void habitsAreSwitched()
     {
-        PreferencesDialog dialog({}, nullptr);
+        PreferencesDialog dialog({}, m_actions, nullptr);
         for (const char* name : {"pressureToStrength", "pressureToRadius", "altMovesView"})
             QTest::keyClick(child<QCheckBox>(dialog, name), Qt::Key_Space);
         QCOMPARE(dialog.preferences().hand, (ui::HandHabits{false, true, false}));
     }
 
-    void resettingGivesTheDefaults()
+    void keysAreChanged()
     {
-        PreferencesDialog dialog({.theme = ui::ThemeChoice::Dark, .language = ui::Language::German, .hand = {false, true, false}}, nullptr);
-        QSignalSpy changed(&dialog, &PreferencesDialog::changed);
-        child<QPushButton>(dialog, "reset")->click();
-        QCOMPARE(changed.count(), 1);
+        PreferencesDialog dialog({}, m_actions, nullptr);
+        QTest::keyClick(child<QComboBox>(dialog, "keyPreset"), Qt::Key_End);
+        QCOMPARE(dialog.preferences().keys.preset, ui::KeyPreset::ZBrush);
+        QCOMPARE(dialog.preferences().habits().held, ui::heldKeys(ui::KeyPreset::ZBrush));
+    }
+
+    void resettingIsAskedAbout()
+    {
+        const Preferences all{.theme = ui::ThemeChoice::Dark, .language = ui::Language::German, .hand = {false, true, false}};
+        PreferencesDialog dialog(all, m_actions, nullptr);
+        dialog.show();
+        const QSignalSpy changed(&dialog, &PreferencesDialog::changed), requested(&dialog, &PreferencesDialog::resetRequested);
+        const auto answer = [&dialog](QMessageBox::ButtonRole role) {
+            child<QPushButton>(dialog, "reset")->click();
+            auto* question = child<QMessageBox>(dialog, "resetQuestion");
+            for (QAbstractButton* button : question->buttons())
+                if (question->buttonRole(button) == role)
+                    button->click();
+            QTRY_VERIFY(!dialog.findChild<QMessageBox*>());
+        };
+        answer(QMessageBox::RejectRole);
+        QCOMPARE(requested.count(), 0);
+        answer(QMessageBox::AcceptRole);
+        QCOMPARE(requested.count(), 1);
+        dialog.setPreferences({});
         QCOMPARE(dialog.preferences(), Preferences());
         QCOMPARE(child<QComboBox>(dialog, "theme")->currentIndex(), 0);
-        child<QPushButton>(dialog, "reset")->click();
-        QCOMPARE(changed.count(), 1);
+        QCOMPARE(changed.count(), 0);
     }
 
     void everyControlHasANameAndATip()
     {
-        const PreferencesDialog dialog({}, nullptr);
+        const PreferencesDialog dialog({}, m_actions, nullptr);
         const auto* pages = child<QTabWidget>(dialog, "pages");
         int controls = 0;
         for (const QWidget* widget : pages->findChildren<QWidget*>()) {
@@ -71,10 +94,13 @@ private Q_SLOTS:
             QVERIFY2(!widget->accessibleName().isEmpty(), qPrintable(widget->objectName()));
             QVERIFY2(widget->toolTip().endsWith(u'.'), qPrintable(widget->objectName()));
         }
-        QVERIFY(controls >= 5);
+        QVERIFY(controls >= 12);
     }
 
 private:
+    QMainWindow m_window;
+    ui::Actions m_actions{&m_window};
+
     template <class Widget> static Widget* child(const PreferencesDialog& dialog, const char* name)
     {
         auto* found = dialog.findChild<Widget*>(QLatin1StringView(name));

@@ -60,6 +60,39 @@ private Q_SLOTS:
             }
     }
 
+    void keysComeBack()
+    {
+        ui::Preferences preferences;
+        preferences.keys = {ui::KeyPreset::Blender, {{QStringLiteral("tool.pull"), QStringLiteral("Q; Ctrl+,")}, {QStringLiteral("tool.push"), {}}}};
+        ui::Settings().setPreferences(preferences);
+        QCOMPARE(ui::Settings().preferences(), preferences);
+        preferences.keys.own.remove(QStringLiteral("tool.push"));
+        ui::Settings().setPreferences(preferences);
+        QCOMPARE(ui::Settings().preferences(), preferences);
+    }
+
+    void resettingKeepsWhatAPersonMade()
+    {
+        ui::Settings settings;
+        settings.setLook({ui::Material::Wax, ui::Background::Sky, true, true, false, false});
+        settings.setHistoryMegabytes(99);
+        settings.setRadiusShare(0.3);
+        settings.setWindowState("state");
+        settings.addRecentFile(QStringLiteral("/a.stl"));
+        settings.setLastFolder(m_home.path());
+        settings.setSwatches({{1, 2, 3}});
+        int told = 0;
+        settings.onReset([&] { told += settings.look() == ui::ViewLook() ? 1 : 100; });
+        settings.reset();
+        QCOMPARE(told, 1);
+        QCOMPARE(settings.look(), ui::ViewLook());
+        QCOMPARE(settings.historyMegabytes(), ui::defaultHistoryMegabytes);
+        QVERIFY(settings.radiusShare() != 0.3 && settings.windowState().isEmpty());
+        QCOMPARE(settings.recentFiles(), QStringList{QStringLiteral("/a.stl")});
+        QCOMPARE(settings.lastFolder(), m_home.path());
+        QCOMPARE(settings.swatches(), (QList<core::Rgb>{{1, 2, 3}}));
+    }
+
     void theLookComesBack()
     {
         QCOMPARE(ui::Settings().look(), ui::ViewLook());
@@ -97,7 +130,7 @@ private Q_SLOTS:
         QFETCH(QVariant, stored);
         QSettings raw;
         for (const char* key : {"brush/strength", "brush/falloff", "brush/radiusShare", "files/lastFolder", "window/geometry", "view/material",
-                                "view/background", "preferences/theme", "preferences/language", "preferences/altMovesView", "view/ground", "view/wireframe"})
+                                "view/background", "preferences/theme", "preferences/language", "preferences/altMovesView", "keys/preset", "view/ground", "view/wireframe"})
             raw.setValue(QLatin1StringView(key), stored);
         raw.sync();
         const ui::Settings settings;

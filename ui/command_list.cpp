@@ -1,0 +1,86 @@
+#include "command_list.h"
+
+#include "actions.h"
+
+#include <QAction>
+
+#include <algorithm>
+
+namespace ui
+{
+namespace
+{
+constexpr int actionRole = Qt::UserRole;
+
+bool holds(const QTreeWidgetItem* item, const QStringList& words)
+{
+    QStringList texts{item->parent()->text(CommandList::Name)};
+    for (const int column : {CommandList::Name, CommandList::Key, CommandList::Tip})
+        texts << item->text(column);
+    const QString text = texts.join(u' ');
+    return std::ranges::all_of(words, [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
+}
+} // namespace
+
+CommandList::CommandList(const Actions& actions, QWidget* parent) : QTreeWidget(parent)
+{
+    setColumnCount(Columns);
+    setHeaderLabels({tr("Command"), tr("Key"), tr("What it does")});
+    setRootIsDecorated(false);
+    QHash<MenuId, QTreeWidgetItem*> menus;
+    for (const ActionInfo& row : actionTable()) {
+        QTreeWidgetItem*& menu = menus[row.menu];
+        if (!menu) {
+            menu = new QTreeWidgetItem(this, {Actions::plain(actions.menuTitle(row.menu))});
+            menu->setFlags(Qt::ItemIsEnabled);
+            menu->setFirstColumnSpanned(true);
+        }
+        QAction* action = actions.get(QLatin1StringView(row.id));
+        auto* item = new QTreeWidgetItem(menu, {Actions::plain(action->text()), {}, action->statusTip()});
+        showKeys(item, action->shortcuts());
+        item->setIcon(Name, action->icon());
+        item->setData(Name, actionRole, QVariant::fromValue(action));
+    }
+    expandAll();
+    for (const Column column : {Name, Key})
+        resizeColumnToContents(column);
+}
+
+QAction* CommandList::actionOf(const QTreeWidgetItem* item)
+{
+    return item ? item->data(Name, actionRole).value<QAction*>() : nullptr;
+}
+
+QTreeWidgetItem* CommandList::itemOf(const QString& id) const
+{
+    for (int m = 0; m < topLevelItemCount(); ++m)
+        for (int i = 0; i < topLevelItem(m)->childCount(); ++i)
+            if (QTreeWidgetItem* item = topLevelItem(m)->child(i); actionOf(item)->objectName() == id)
+                return item;
+    return nullptr;
+}
+
+void CommandList::showKeys(QTreeWidgetItem* item, const QList<QKeySequence>& keys)
+{
+    item->setText(Key, QKeySequence::listToString(keys, QKeySequence::NativeText));
+}
+
+void CommandList::filter(const QString& words)
+{
+    const QStringList parts = words.split(u' ', Qt::SkipEmptyParts);
+    setCurrentItem(nullptr);
+    for (int m = 0; m < topLevelItemCount(); ++m) {
+        QTreeWidgetItem* menu = topLevelItem(m);
+        bool any = false;
+        for (int i = 0; i < menu->childCount(); ++i) {
+            QTreeWidgetItem* item = menu->child(i);
+            const bool found = holds(item, parts);
+            item->setHidden(!found);
+            any = any || found;
+            if (found && !item->isDisabled() && !parts.isEmpty() && !currentItem())
+                setCurrentItem(item);
+        }
+        menu->setHidden(!any);
+    }
+}
+} // namespace ui

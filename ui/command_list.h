@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QTreeWidget>
+
+class QAction;
+
+namespace ui
+{
+class Actions;
+
+/// Every action of the window, by menu, with its keys and what it does. Gui thread.
+class CommandList : public QTreeWidget
+{
+    Q_OBJECT
+
+public:
+    enum Column { Name, Key, Tip, Columns };
+
+    /// The actions must outlive it.
+    explicit CommandList(const Actions& actions, QWidget* parent = nullptr);
+
+    /// Null for a menu's line.
+    static QAction* actionOf(const QTreeWidgetItem* item);
+    QTreeWidgetItem* itemOf(const QString& id) const;
+    static void showKeys(QTreeWidgetItem* item, const QList<QKeySequence>& keys);
+
+    /// Hides what does not hold each of the words in name, keys, tip or menu. The first that does and is enabled becomes
+    /// the current one; none does if there are no words.
+    void filter(const QString& words);
+};
+} // namespace ui

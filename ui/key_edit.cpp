@@ -1,0 +1,59 @@
+#include "key_edit.h"
+
+#include <QKeyEvent>
+#include <QLineEdit>
+
+namespace ui
+{
+namespace
+{
+bool leaves(const QKeyEvent& event)
+{
+    return event.key() == Qt::Key_Tab || event.key() == Qt::Key_Backtab || event.key() == Qt::Key_Escape;
+}
+
+/// Shift that only chooses the sign on the key, as for "?", is no part of it.
+QKeySequence keyOf(const QKeyEvent& event)
+{
+    Qt::KeyboardModifiers held = event.modifiers() & ~Qt::KeyboardModifiers(Qt::GroupSwitchModifier);
+    const QString text = event.text();
+    const bool isSign = !text.isEmpty() && text[0].isPrint() && !text[0].isLetterOrNumber() && !text[0].isSpace();
+    if (isSign)
+        held &= ~Qt::KeyboardModifiers(Qt::ShiftModifier);
+    return QKeySequence(QKeyCombination(held, static_cast<Qt::Key>(event.key())));
+}
+} // namespace
+
+/// Qt's placeholder is too long for the field in some languages.
+KeyEdit::KeyEdit(QWidget* parent) : QKeySequenceEdit(parent)
+{
+    findChild<QLineEdit*>()->setPlaceholderText(tr("no key"));
+}
+
+void KeyEdit::setKey(const QKeySequence& key)
+{
+    const QSignalBlocker quiet(this);
+    setKeySequence(key);
+}
+
+/// Qt's own would take Tab and Escape for keys like others.
+bool KeyEdit::event(QEvent* event)
+{
+    if ((event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride) && leaves(*static_cast<QKeyEvent*>(event)))
+        return QWidget::event(event);
+    return QKeySequenceEdit::event(event);
+}
+
+void KeyEdit::keyPressEvent(QKeyEvent* event)
+{
+    if (leaves(*event))
+        return QWidget::keyPressEvent(event);
+    const bool clears = event->modifiers() == Qt::NoModifier && (event->key() == Qt::Key_Backspace || event->key() == Qt::Key_Delete);
+    Q_EMIT entered(clears ? QKeySequence() : keyOf(*event));
+}
+
+void KeyEdit::keyReleaseEvent(QKeyEvent* event)
+{
+    event->accept();
+}
+} // namespace ui
