@@ -48,7 +48,7 @@ QSize FileItemDelegate::sizeHint(const QStyleOptionViewItem& option, const QMode
 QRect FileItemDelegate::nameRect(const QStyleOptionViewItem& option) const
 {
     const QRect all = option.rect;
-    return {all.left() + gap, all.top() + m_picture + gap, all.width() - 2 * gap, option.fontMetrics.lineSpacing()};
+    return {all.left() + gap / 2, all.top() + m_picture + gap, all.width() - gap, option.fontMetrics.lineSpacing()};
 }
 
 void FileItemDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const

@@ -50,12 +50,12 @@ void FileListModel::setEntries(const QList<FileEntry>& entries)
         const FileEntry* entry = news.take(m_rows[row].entry.path);
         if (entry && *entry == m_rows[row].entry)
             continue;
-        m_pictures.remove(m_rows[row].entry.path);
-        if (entry) {
+        if (entry) { // its old picture stays until there is a new one
             m_rows[row] = {*entry, -1, {}};
             Q_EMIT dataChanged(index(row), index(row));
             continue;
         }
+        m_pictures.remove(m_rows[row].entry.path);
         beginRemoveRows({}, row, row);
         m_rows.removeAt(row);
         endRemoveRows();
@@ -76,6 +76,7 @@ void FileListModel::setThumbnail(const FileEntry& file, const Thumbnail& thumbna
         return;
     m_rows[index.row()].vertices = thumbnail.vertices;
     m_rows[index.row()].problem = thumbnail.problem;
+    m_pictures.remove(file.path);
     if (!thumbnail.picture.isNull())
         m_pictures.insert(file.path, new QPixmap(QPixmap::fromImage(thumbnail.picture)), thumbnail.picture.sizeInBytes());
     Q_EMIT dataChanged(index, index);

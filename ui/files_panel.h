@@ -27,6 +27,7 @@ class Actions;
 class FileGrid;
 class FileListModel;
 class FileSorter;
+class ModelFiles;
 class Settings;
 class ThumbnailMaker;
 struct Thumbnail;
@@ -71,7 +72,7 @@ private:
     void goUp();
     void choose();
     void list();
-    void show(const FolderContent& content);
+    void takeFolder(const FolderContent& content);
     void select(const QStringList& paths);
     void change(const FileJob& job);
     void wantThumbnails();
@@ -109,9 +110,9 @@ struct FilesPanelPlace
 {
     QMainWindow* window;
     QMenu* toggles;
+    ModelFiles* opener; ///< of what is chosen
 };
 
 /// As a dock at the window's left, where it has the height, hidden at first, with its entry among the toggles.
-FilesPanel* addFilesPanel(const FilesPanelPlace& place, Settings* settings, const Actions& actions,
-                          const std::function<void(const QString&)>& notice);
+void addFilesPanel(const FilesPanelPlace& place, Settings* settings, const Actions& actions, const std::function<void(const QString&)>& notice);
 } // namespace ui

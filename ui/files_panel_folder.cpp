@@ -4,6 +4,7 @@
 #include "file_grid.h"
 #include "file_list_model.h"
 #include "files_panel.h"
+#include "model_files.h"
 #include "settings.h"
 #include "themed_icon.h"
 #include "thumbnail_maker.h"
@@ -85,11 +86,11 @@ void FilesPanel::list()
     m_disk.start([this, folder = m_choice.folder, stop = m_listing.get_token()] {
         FolderContent content = FileJobs::list(folder, stop);
         if (!stop.stop_requested())
-            QMetaObject::invokeMethod(this, [this, content = std::move(content)] { show(content); }, Qt::QueuedConnection);
+            QMetaObject::invokeMethod(this, [this, content = std::move(content)] { takeFolder(content); }, Qt::QueuedConnection);
     });
 }
 
-void FilesPanel::show(const FolderContent& content)
+void FilesPanel::takeFolder(const FolderContent& content)
 {
     if (content.folder != m_choice.folder)
         return;
@@ -251,8 +252,7 @@ void FilesPanel::hideEvent(QHideEvent* event)
     wantThumbnails();
 }
 
-FilesPanel* addFilesPanel(const FilesPanelPlace& place, Settings* settings, const Actions& actions,
-                          const std::function<void(const QString&)>& notice)
+void addFilesPanel(const FilesPanelPlace& place, Settings* settings, const Actions& actions, const std::function<void(const QString&)>& notice)
 {
     auto* panel = new FilesPanel(settings, actions.get(QStringLiteral("file.open")));
     auto* dock = new QDockWidget(FilesPanel::tr("Files"));
@@ -261,12 +261,12 @@ FilesPanel* addFilesPanel(const FilesPanelPlace& place, Settings* settings, cons
     place.window->addDockWidget(Qt::LeftDockWidgetArea, dock);
     dock->hide();
     place.toggles->addAction(dock->toggleViewAction());
+    QObject::connect(panel, &FilesPanel::openRequested, place.opener, &ModelFiles::openRequested);
     QObject::connect(panel, &FilesPanel::noticed, dock, notice);
     QObject::connect(actions.get(QStringLiteral("file.browse")), &QAction::triggered, dock, [dock, panel] {
         dock->show();
         dock->raise();
         panel->focusGrid();
     });
-    return panel;
 }
 } // namespace ui

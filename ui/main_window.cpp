@@ -132,8 +132,7 @@ void MainWindow::State::buildPanels(QMenu* toggles)
     addColorPanel({q, toggles, viewport}, &brush, &settings, actions, [this](const QString& word) { q->showNotice(word); });
     history = addHistoryPanel(q, &settings, toggles);
     modelPanel = addModelPanel(q, toggles);
-    const auto* browser = addFilesPanel({q, toggles}, &settings, actions, [this](const QString& word) { q->showNotice(word); });
-    connect(browser, &FilesPanel::openRequested, &files, &ModelFiles::openRequested);
+    addFilesPanel({q, toggles, &files}, &settings, actions, [this](const QString& word) { q->showNotice(word); });
     addPreview(q, &settings, actions.get(QStringLiteral("file.exportDrawing")), [this] { return model.name; }, toggles);
 }
 

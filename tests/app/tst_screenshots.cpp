@@ -1,6 +1,9 @@
 #include "app/document.h"
 #include "app/wiring.h"
 
+#include "core/mesh_io.h"
+#include "core/starter_models.h"
+#include "ui/files_panel.h"
 #include "ui/main_window.h"
 #include "ui/scene.h"
 #include "ui/settings.h"
@@ -15,12 +18,14 @@
 #include <QLabel>
 #include <QLibraryInfo>
 #include <QLineEdit>
+#include <QListView>
 #include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
 #include <QStyleOptionComboBox>
 #include <QTabBar>
 #include <QTabWidget>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QTranslator>
 
@@ -124,10 +129,12 @@ private Q_SLOTS:
 private:
     void take(QWidget& window, const QString& state);
     void takePanels(Program& program);
+    void showModels(ui::FilesPanel* panel);
     void takeMenus(Program& program);
     void takeDialogs(Program& program);
 
     QDir m_folder;
+    QTemporaryDir m_models;
 };
 
 void TestScreenshots::states_data()
@@ -183,10 +190,25 @@ void TestScreenshots::takePanels(Program& program)
         const bool wasHidden = panel->isHidden();
         panel->show();
         panel->raise();
+        if (auto* files = panel->findChild<ui::FilesPanel*>())
+            showModels(files);
         QTRY_COMPARE(program.window.size(), smallScreen);
         take(program.window, QStringLiteral("panel-") + panel->objectName());
         panel->setHidden(wasHidden);
     }
+}
+
+void TestScreenshots::showModels(ui::FilesPanel* panel)
+{
+    constexpr std::pair<const char*, core::Starter> models[] = {
+        {"vase.stl", core::Starter::Vase}, {"head.ply", core::Starter::Head}, {"ring.obj", core::Starter::Torus}, {"cube.stl", core::Starter::Cube}};
+    for (const auto& [name, starter] : models)
+        core::writeMesh(m_models.filePath(QLatin1StringView(name)).toStdU16String(), core::starterModel(starter));
+    QVERIFY(QDir(m_models.path()).mkpath(QStringLiteral("older")));
+    QVERIFY(QFile(m_models.filePath(QStringLiteral("empty.stl"))).open(QIODevice::WriteOnly));
+    panel->goTo(m_models.path());
+    QTRY_COMPARE(panel->findChild<QListView*>()->model()->rowCount(), 6);
+    QTRY_VERIFY(!panel->findChild<QWidget*>(QStringLiteral("files.stop"))->isVisible());
 }
 
 void TestScreenshots::takeMenus(Program& program)
