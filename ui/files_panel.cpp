@@ -81,7 +81,8 @@ FilesPanel::FilesPanel(Settings* settings, const QAction* opening, QWidget* pare
     connect(m_files, &FileListModel::pictureMissed, &m_wantSoon, qOverload<>(&QTimer::start));
     connect(m_files, &FileListModel::renameRequested, this,
             [this](const QString& path, const QString& name) { change([=] { return FileJobs::rename(path, name); }); });
-    choose();
+    settings->onReset([this] { setControls(m_settings->files()); });
+    setControls(m_choice);
     enable();
 }
 
@@ -145,12 +146,10 @@ QLayout* FilesPanel::buildChoices()
     m_order->setAccessibleName(tr("Sorted by"));
     m_order->setToolTip(tr("What the files are sorted by; folders come first."));
     m_order->addItems({tr("Name"), tr("Size"), tr("Date"), tr("Vertices")});
-    m_order->setCurrentIndex(static_cast<int>(m_choice.order));
     m_direction = button(QStringLiteral("files.direction"), QStringLiteral("sort-up"), tr("Descending"), tr("Turns the order round."));
     m_direction->setCheckable(true);
-    m_direction->setChecked(m_choice.descending);
-    connect(m_order, &QComboBox::currentIndexChanged, this, &FilesPanel::choose);
-    connect(m_direction, &QToolButton::toggled, this, &FilesPanel::choose);
+    connect(m_order, &QComboBox::activated, this, &FilesPanel::choose);
+    connect(m_direction, &QToolButton::clicked, this, &FilesPanel::choose);
     QHBoxLayout* choices = row({m_filter, m_order, m_direction});
     choices->setStretch(0, 1);
     return choices;
@@ -174,7 +173,6 @@ QLayout* FilesPanel::buildFoot()
     m_size->setSingleStep(gap);
     m_size->setPageStep(4 * gap);
     m_size->setMaximumWidth(80);
-    m_size->setValue(m_choice.picture);
     connect(m_size, &QSlider::valueChanged, this, &FilesPanel::choose);
     QHBoxLayout* foot = row({m_state, m_stop, m_size});
     foot->setStretch(0, 1);

@@ -70,6 +70,7 @@ private:
 
     void askForFolder();
     void goUp();
+    void setControls(const FilesChoice& choice);
     void choose();
     void list();
     void takeFolder(const FolderContent& content);

@@ -61,6 +61,16 @@ void FilesPanel::goTo(const QString& folder)
     list();
 }
 
+/// Not the folder.
+void FilesPanel::setControls(const FilesChoice& choice)
+{
+    const QSignalBlocker quiet(m_size);
+    m_order->setCurrentIndex(static_cast<int>(choice.order));
+    m_direction->setChecked(choice.descending);
+    m_size->setValue(choice.picture);
+    choose();
+}
+
 /// What the controls say.
 void FilesPanel::choose()
 {

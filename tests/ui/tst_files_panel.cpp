@@ -2,6 +2,8 @@
 #include "ui/file_list_model.h"
 #include "ui/files_panel.h"
 #include "ui/main_window.h"
+#include "ui/preferences_dialog.h"
+#include "ui/settings.h"
 
 #include "core/mesh_io.h"
 #include "core/starter_models.h"
@@ -103,6 +105,14 @@ struct Shown
     QSignalSpy noticed{panel, &ui::FilesPanel::noticed};
 };
 
+/// By the keys of the box.
+void sortBy(const Shown& s, ui::FileOrder order)
+{
+    auto* box = s.child<QComboBox>("files.order");
+    while (box->currentIndex() != static_cast<int>(order))
+        QTest::keyClick(box, box->currentIndex() < static_cast<int>(order) ? Qt::Key_Down : Qt::Key_Up);
+}
+
 int inked(const QImage& picture)
 {
     int count = 0;
@@ -159,13 +169,12 @@ private Q_SLOTS:
         QVERIFY(s.names().isEmpty() && s.emptyWord().contains(QStringLiteral("xyz")));
         filter->setText(QStringLiteral("ball"));
         QVERIFY(s.emptyWord().isEmpty());
-        auto* order = s.child<QComboBox>("files.order");
-        order->setCurrentIndex(static_cast<int>(ui::FileOrder::Vertices));
+        sortBy(s, ui::FileOrder::Vertices);
         QCOMPARE(s.names(), QStringList({QStringLiteral("ball 9.obj"), QStringLiteral("ball 10.stl")})); // 162, 642
         s.child<QToolButton>("files.direction")->click();
         filter->clear();
         QCOMPARE(s.names(), QStringList({QStringLiteral("inner"), QStringLiteral("ball 10.stl"), QStringLiteral("ball 9.obj"), QStringLiteral("broken.ply")}));
-        order->setCurrentIndex(static_cast<int>(ui::FileOrder::Size));
+        sortBy(s, ui::FileOrder::Size);
         QCOMPARE(s.names().constLast(), QStringLiteral("broken.ply"));
     }
 
@@ -174,7 +183,7 @@ private Q_SLOTS:
         const Models models;
         {
             const Shown s(models);
-            s.child<QComboBox>("files.order")->setCurrentIndex(2);
+            sortBy(s, ui::FileOrder::Date);
             s.child<QToolButton>("files.direction")->click();
             s.child<QSlider>("files.size")->setValue(160);
         }
@@ -188,6 +197,25 @@ private Q_SLOTS:
         const ui::MainWindow other;
         QVERIFY(QDir(other.findChild<ui::FilesPanel*>()->folder()).exists());
         QCOMPARE(other.findChild<QComboBox*>(QStringLiteral("files.order"))->currentIndex(), 0);
+    }
+
+    void resettingKeepsTheFolder()
+    {
+        const Models models;
+        const Shown s(models);
+        sortBy(s, ui::FileOrder::Size);
+        s.child<QSlider>("files.size")->setValue(200);
+        ui::Settings settings;
+        s.window.action(QStringLiteral("edit.preferences"))->trigger();
+        auto* dialog = s.window.findChild<ui::PreferencesDialog*>();
+        QVERIFY(dialog);
+        Q_EMIT dialog->resetRequested();
+        dialog->reject();
+        QCOMPARE(s.child<QComboBox>("files.order")->currentIndex(), 0);
+        QCOMPARE(s.child<QSlider>("files.size")->value(), ui::defaultPicture);
+        QCOMPARE(s.panel->folder(), models.folder.path());
+        QCOMPARE(settings.files().folder, models.folder.path());
+        QVERIFY(settings.files().order == ui::FileOrder::Name && settings.files().picture == ui::defaultPicture);
     }
 
     void returnOpensAndEntersFolders()
