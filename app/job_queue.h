@@ -35,11 +35,12 @@ struct EndStroke
 using Task = std::function<void()>;
 using Job = std::variant<BeginStroke, Sample, EndStroke, Task>;
 
-/// A ray of which a viewer wants to know where it meets the surface.
+/// A ray of which a viewer wants to know where it meets the surface, and what a brush would take there.
 struct Question
 {
     Source source;
     core::Ray ray;
+    std::optional<core::StrokeSettings> brush;
 };
 
 std::int64_t steadyNs();

@@ -107,9 +107,9 @@ void SculptWorker::release()
     m_isHeld = false;
 }
 
-void SculptWorker::ask(Source source, const core::Ray& ray)
+void SculptWorker::ask(Source source, const core::Ray& ray, const std::optional<core::StrokeSettings>& brush)
 {
-    m_queue.ask({source, ray});
+    m_queue.ask({source, ray, brush});
 }
 
 void SculptWorker::setModel(std::shared_ptr<core::Sculptor> sculptor)
@@ -152,10 +152,13 @@ void SculptWorker::run()
 void SculptWorker::run(const Question& question)
 {
     const auto hit = m_sculptor ? m_sculptor->hit(question.ray) : std::nullopt;
+    std::shared_ptr<const core::Footprint> footprint;
+    if (hit && question.brush)
+        footprint = std::make_shared<core::Footprint>(m_sculptor->footprint(*question.brush, hit->position));
     if (question.source == Source::Desktop)
-        Q_EMIT answeredDesktop(hit, m_epoch);
+        Q_EMIT answeredDesktop(hit, footprint, m_epoch);
     else
-        Q_EMIT answeredHeadset(hit, m_epoch);
+        Q_EMIT answeredHeadset(hit, footprint, m_epoch);
 }
 
 /// Whether a pull here would move something instead of adding a sphere, at this place or at its mirror image.

@@ -80,7 +80,7 @@ public:
     quint64 strokesBegun() const { return m_strokesBegun; }
 
     /// The newest question of a source is answered once, by its answered signal; those that it overtook are not.
-    void ask(Source source, const core::Ray& ray);
+    void ask(Source source, const core::Ray& ray, const std::optional<core::StrokeSettings>& brush = {});
 
     /// Puts another model in place of the present one, and into every inbox. A stroke that is open ends before.
     void setModel(std::shared_ptr<core::Sculptor> sculptor);
@@ -93,9 +93,10 @@ Q_SIGNALS:
     void modelSet(const app::MeshFacts& facts);
     void strokeFinished(const app::StrokeReport& report);
     void strokeRefused(app::Source source);
-    /// To ask(Source::Desktop, ...). `epoch`: of the last patch that viewers were given before.
-    void answeredDesktop(const std::optional<core::SurfaceHit>& hit, quint64 epoch);
-    void answeredHeadset(const std::optional<core::SurfaceHit>& hit, quint64 epoch);
+    /// To ask(Source::Desktop, ...). `footprint`: of the brush, if one was asked about and the ray hits. `epoch`: of the last patch
+    /// that viewers were given before.
+    void answeredDesktop(const std::optional<core::SurfaceHit>& hit, const std::shared_ptr<const core::Footprint>& footprint, quint64 epoch);
+    void answeredHeadset(const std::optional<core::SurfaceHit>& hit, const std::shared_ptr<const core::Footprint>& footprint, quint64 epoch);
     /// Exact, some time after the last change.
     void factsChanged(const app::MeshFacts& facts);
 

@@ -126,7 +126,9 @@ void wireWorker(ui::Viewport& viewport, SculptWorker& worker, const std::shared_
     viewport.setPatchSource([inbox] { return inbox->take(); });
     QObject::connect(inbox.get(), &PatchInbox::filled, &viewport, &Viewport::patchReady, Qt::QueuedConnection);
     QObject::connect(&viewport, &Viewport::hoverRequested, &worker,
-                     [&worker](const core::Ray& ray) { worker.ask(Source::Desktop, ray); });
+                     [&worker](const core::Ray& ray, const std::optional<core::StrokeSettings>& brush) {
+                         worker.ask(Source::Desktop, ray, brush);
+                     });
     QObject::connect(&worker, &SculptWorker::answeredDesktop, &viewport, &Viewport::setHover);
     worker.setInbox(Source::Desktop, inbox);
 }

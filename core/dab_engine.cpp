@@ -66,7 +66,7 @@ void DabEngine::rehearse()
     DabReport report;
     m_mesh.beginStroke();
     const Mesh::Mark mark = m_mesh.mark();
-    select(BrushShape::Sphere, {dab.position, dab.radius});
+    select(m_region, m_candidates, BrushShape::Sphere, {dab.position, dab.radius});
     if (m_region.size() <= mostRehearsed) {
         Task task = {settings, dab, boundsFor(settings, dab)};
         RemeshCounts counts = refineAndPlan(task, plainEditor(), report);

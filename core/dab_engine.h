@@ -21,6 +21,9 @@ public:
     /// Precondition: a stroke is open. `between` may be empty.
     DabReport apply(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between);
 
+    /// See Sculptor::footprint.
+    Footprint footprint(const StrokeSettings& settings, const Vec3& center);
+
     /// See Sculptor::setVerification.
     void setVerification(bool on) { m_surface.setVerification(on); }
 
@@ -73,7 +76,7 @@ private:
     MeshEditor judgedEditor();
     MirrorMap* mirror() { return m_mirror.isOn() ? &m_mirror : nullptr; }
     Slot touchedVertices() const;
-    void select(BrushShape brush, const Sphere& ball);
+    void select(Region& region, std::vector<Slot>& candidates, BrushShape brush, const Sphere& ball, Slot most = noSlot) const;
     bool wantsSphere(const StrokeSettings& settings, const Dab& dab) const;
     void paint(const StrokeSettings& settings, const Dab& dab, DabReport& report);
     EdgeBounds boundsFor(const StrokeSettings& settings, const Dab& dab) const;
@@ -102,6 +105,7 @@ private:
     Region m_region;    ///< with a mirror: of the half
     MirrorMap m_mirror; ///< on while a dab is done on both sides at once
     Region m_whole;     ///< with a mirror: what the dab alone selects, on both sides
+    Region m_footprint; ///< only that: it is asked for in the middle of a dab
     std::vector<Slot> m_candidates;
     HeldBack m_held;
     Unfolding m_unfolding;

@@ -14,7 +14,7 @@ void DabEngine::run(const StrokeSettings& settings, const Dab& dab, const std::f
 {
     {
         const PhaseTimer timer(report.selectMs);
-        select(settings.brush, {dab.position, dab.radius});
+        select(m_region, m_candidates, settings.brush, {dab.position, dab.radius});
     }
     sculpt(settings, dab, between, report);
 }
@@ -31,7 +31,7 @@ void DabEngine::runMirrored(const StrokeSettings& settings, const Dab& dab, cons
     bool mirrored = false;
     {
         const PhaseTimer timer(report.selectMs);
-        select(settings.brush, ball);
+        select(m_region, m_candidates, settings.brush, ball);
         mirrored = isMirroredIn(settings.brush, ball);
         if (mirrored)
             keepHalf(m_region, m_mirror);
@@ -72,18 +72,40 @@ std::vector<Slot> DabEngine::facesIn(const LatticeBox& box) const
 }
 
 /// The candidate triangles and the region (paper, section 3.1).
-void DabEngine::select(BrushShape brush, const Sphere& ball)
+void DabEngine::select(Region& region, std::vector<Slot>& candidates, BrushShape brush, const Sphere& ball, Slot most) const
 {
     if (brush == BrushShape::Sphere) {
-        selectSphere(m_region, m_candidates, m_mesh, m_surface.octree(), ball);
+        selectSphere(region, candidates, m_mesh, m_surface.octree(), ball);
         return;
     }
-    m_candidates.clear();
-    m_region.clear();
+    candidates.clear();
+    region.clear();
     if (const std::optional<SurfaceHit> hit = nearestPoint(m_mesh, m_surface.octree(), ball.center)) {
-        m_candidates.push_back(hit->face);
-        selectGeodesic(m_region, m_candidates, m_mesh, ball);
+        candidates.push_back(hit->face);
+        selectGeodesic(region, candidates, m_mesh, ball, most);
     }
+}
+
+Footprint DabEngine::footprint(const StrokeSettings& settings, const Vec3& center)
+{
+    Footprint footprint;
+    std::vector<Slot> candidates;
+    const auto add = [&](const Vec3& at) {
+        select(m_footprint, candidates, settings.brush, {at, settings.radius}, Footprint::most);
+        m_footprint.forEach([&](Slot v) {
+            const double share = falloff(std::min(m_footprint.distance(v) / settings.radius, 1.0), settings.falloff);
+            footprint.slots.push_back(v);
+            footprint.weights.push_back(static_cast<std::uint8_t>(1 + 254 * share));
+        });
+    };
+    add(center);
+    if (settings.symmetry != Symmetry::None) {
+        Vec3 image = center;
+        double& across = image[static_cast<int>(settings.symmetry) - static_cast<int>(Symmetry::X)];
+        across = -across;
+        add(image);
+    }
+    return footprint;
 }
 
 /// The ray brush's selection after refine().

@@ -117,7 +117,7 @@ Slot faceUnder(const Vec3& center, const std::vector<Slot>& candidates, const Me
 }
 } // namespace
 
-void selectGeodesic(Region& region, std::vector<Slot>& candidates, const Mesh& mesh, const Sphere& ball)
+void selectGeodesic(Region& region, std::vector<Slot>& candidates, const Mesh& mesh, const Sphere& ball, Slot most)
 {
     const Slot face = faceUnder(ball.center, candidates, mesh);
     using Reached = std::pair<double, Slot>; // equal distances: the lower slot first
@@ -137,6 +137,10 @@ void selectGeodesic(Region& region, std::vector<Slot>& candidates, const Mesh& m
         front.pop();
         if (done.contains(v))
             continue;
+        if (selected.size() == most) {
+            selected.clear();
+            break;
+        }
         done.add(v);
         selected.emplace_back(v, distance);
         mesh.forEachOutgoing(v, [&](Slot h) {

@@ -77,7 +77,8 @@ void selectSphere(Region& region, std::vector<Slot>& candidates, const Mesh& mes
 /// Ray brush (paper, section 3.1.3): the vertices whose geodesic distance from a point of the surface is at most the ball's
 /// radius, by Dijkstra over the graph of edges inside the ball, from the three corners of the face that holds the point: one
 /// of `candidates`, which then become the faces reached. Ascending by slot. A path along edges is never shorter than the true geodesic, and on even meshes up to 15 % longer.
-void selectGeodesic(Region& region, std::vector<Slot>& candidates, const Mesh& mesh, const Sphere& ball);
+/// `most`: of more vertices none is selected, and the search ends there.
+void selectGeodesic(Region& region, std::vector<Slot>& candidates, const Mesh& mesh, const Sphere& ball, Slot most = noSlot);
 
 /// The box of lattice points that holds the ball, clipped to the lattice.
 LatticeBox latticeBox(const Lattice& lattice, const Sphere& ball);

@@ -108,6 +108,11 @@ std::optional<MeshQuality> Sculptor::selectionQuality() const
     return m_engine->dabs.selectionQuality();
 }
 
+Footprint Sculptor::footprint(const StrokeSettings& settings, const Vec3& center)
+{
+    return m_engine->dabs.footprint(settings, center);
+}
+
 MeshPatch Sculptor::takePatch()
 {
     return m_engine->dabs.dirtySlots().take(*m_mesh);

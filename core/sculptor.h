@@ -1,5 +1,6 @@
 #pragma once
 
+#include "footprint.h"
 #include "mesh.h"
 #include "mesh_patch.h"
 #include "mesh_quality.h"
@@ -49,6 +50,10 @@ public:
     /// First hit from outside, or nothing. Cost: O(faces near the ray).
     std::optional<SurfaceHit> hit(const Ray& ray) const;
     std::optional<SurfaceHit> nearest(const Vec3& point) const;
+
+    /// What the next dab with these settings selects on the mesh as it is, if its centre is there; of the ray brush nothing where it
+    /// would be more than Footprint::most on a side. May be called between sub-steps. Cost: the selection.
+    Footprint footprint(const StrokeSettings& settings, const Vec3& center);
 
     /// What changed since the last call.
     MeshPatch takePatch();

@@ -28,6 +28,7 @@ void ClayBuffer::create(QOpenGLFunctions_3_3_Core* gl)
 {
     m_gl = gl;
     m_gl->glGenVertexArrays(1, &m_vertexArray);
+    m_tint.create(gl);
 }
 
 void ClayBuffer::destroy()
@@ -37,6 +38,7 @@ void ClayBuffer::destroy()
     m_gl->glDeleteBuffers(1, &m_vertices.id);
     m_gl->glDeleteBuffers(1, &m_indices.id);
     m_gl->glDeleteVertexArrays(1, &m_vertexArray);
+    m_tint.destroy();
     *this = {};
 }
 
@@ -46,11 +48,13 @@ void ClayBuffer::apply(const core::MeshPatch& patch)
     if (patch.whole) {
         allocate(m_vertices, withReserve(vertices));
         allocate(m_indices, withReserve(faces));
+        m_tint.clear(m_vertices.capacity / vertexBytes);
         bindAttributes();
         ++m_counters.wholeUploads;
     } else if (vertices > m_vertices.capacity || faces > m_indices.capacity) {
         grow(m_vertices, m_vertexSlots * vertexBytes, vertices);
         grow(m_indices, m_faceSlots * faceBytes, faces);
+        m_tint.grow(m_vertices.capacity / vertexBytes);
         bindAttributes();
     }
     upload(m_vertices, patch.vertexSpans, patch.vertices);
@@ -118,7 +122,9 @@ void ClayBuffer::bindAttributes() const
     m_gl->glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, offset(offsetof(core::DrawVertex, position)));
     m_gl->glVertexAttribPointer(1, 4, GL_BYTE, GL_TRUE, stride, offset(offsetof(core::DrawVertex, normal)));
     m_gl->glVertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, offset(offsetof(core::DrawVertex, color)));
-    for (GLuint i = 0; i < 3; ++i)
+    m_gl->glBindBuffer(GL_ARRAY_BUFFER, m_tint.id());
+    m_gl->glVertexAttribPointer(3, 1, GL_UNSIGNED_BYTE, GL_TRUE, 1, nullptr);
+    for (GLuint i = 0; i < 4; ++i)
         m_gl->glEnableVertexAttribArray(i);
     m_gl->glBindVertexArray(0);
 }

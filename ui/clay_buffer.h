@@ -1,5 +1,7 @@
 #pragma once
 
+#include "tint_buffer.h"
+
 #include "core/mesh_patch.h"
 
 class QOpenGLFunctions_3_3_Core;
@@ -24,7 +26,10 @@ public:
     /// contents are copied within the GPU once.
     void apply(const core::MeshPatch& patch);
 
-    /// Every face slot; free ones (0,0,0) cover no pixel. Attributes: 0 position, 1 normal, 2 colour.
+    /// Marks the vertices of a footprint, in place of those before; null: none. A whole patch takes the marks away.
+    void tint(const core::Footprint* footprint) { m_tint.show(footprint); }
+
+    /// Every face slot; free ones (0,0,0) cover no pixel. Attributes: 0 position, 1 normal, 2 colour, 3 the footprint's weight.
     void draw() const;
 
     bool empty() const { return m_faceSlots == 0; }
@@ -48,6 +53,7 @@ private:
     QOpenGLFunctions_3_3_Core* m_gl = nullptr;
     unsigned int m_vertexArray = 0;
     Buffer m_vertices, m_indices;
+    TintBuffer m_tint;
     core::Slot m_vertexSlots = 0, m_faceSlots = 0;
     Counters m_counters;
 };

@@ -70,6 +70,14 @@ void ClayPainter::destroy()
     m_gl = nullptr;
 }
 
+void ClayPainter::setTintedBall(const core::Sphere& ball, int falloff, const core::Vec3& mirror)
+{
+    const auto packed = [](const core::Vec3& center, double radius) { return QVector4D(toQt(center), static_cast<float>(radius)); };
+    m_ball = packed(ball.center, ball.radius);
+    m_ballImage = packed(ball.center - 2 * mirror * mirror.dot(ball.center), mirror.isZero() ? 0 : ball.radius);
+    m_ballFalloff = static_cast<float>(falloff);
+}
+
 void ClayPainter::draw(const OrbitCamera& camera, const ClayPicture& picture)
 {
     m_gl->glDisable(GL_BLEND);
@@ -112,6 +120,9 @@ void ClayPainter::drawClay(const OrbitCamera& camera, const ClayPicture& picture
     m_clayProgram->setUniformValue("encodeSrgb", 1.0F);
     m_clayProgram->setUniformValue("cutNormal", toQt(m_cutNormal));
     m_clayProgram->setUniformValue("cut", m_cutNormal.isZero() ? 0.0F : 1.0F);
+    m_clayProgram->setUniformValue("ball", m_ball);
+    m_clayProgram->setUniformValue("ballImage", m_ballImage);
+    m_clayProgram->setUniformValue("ballFalloff", m_ballFalloff);
     m_clay.draw();
     m_clayProgram->release();
 }

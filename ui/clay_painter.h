@@ -5,6 +5,7 @@
 #include "orbit_camera.h"
 
 #include <QSize>
+#include <QVector4D>
 
 #include <memory>
 
@@ -40,6 +41,10 @@ public:
     /// A line where the plane through the origin with that unit normal cuts the clay; zero: none.
     void setCut(const core::Vec3& normal) { m_cutNormal = normal; }
 
+    /// The vertices in the ball are tinted as b(x) of that n weighs them; so are those in its image about the plane through the origin
+    /// with that unit normal, unless that is zero. Radius 0: none.
+    void setTintedBall(const core::Sphere& ball, int falloff, const core::Vec3& mirror);
+
     /// Clears depth; leaves depth test, culling and blending as OpenGL starts with.
     void draw(const OrbitCamera& camera, const ClayPicture& picture);
 
@@ -52,6 +57,8 @@ private:
     std::unique_ptr<QOpenGLShaderProgram> m_clayProgram, m_wireProgram, m_backdropProgram;
     unsigned int m_noVertices = 0;
     core::Vec3 m_cutNormal = core::Vec3::Zero();
+    QVector4D m_ball, m_ballImage; ///< centre and radius
+    float m_ballFalloff = 0;
     ClayBuffer m_clay;
 };
 } // namespace ui

@@ -130,17 +130,24 @@ void PointerInput::askAgain()
         ask({brushAt(), m_camera->ray(brushAt())});
 }
 
+void PointerInput::brushChanged()
+{
+    if (m_brush->stroke().brush == core::BrushShape::Ray && m_drag == Drag::None)
+        askAgain();
+}
+
 void PointerInput::forgetHover()
 {
     ++m_view;
     m_stroke.forgetTurn();
     m_answeredPixel.reset();
     m_hit.reset();
+    m_footprint.reset();
     Q_EMIT hoverChanged();
     askAgain();
 }
 
-void PointerInput::setHover(const std::optional<core::SurfaceHit>& hit)
+void PointerInput::setHover(const std::optional<core::SurfaceHit>& hit, const std::shared_ptr<const core::Footprint>& footprint)
 {
     if (!m_inFlight)
         return;
@@ -148,6 +155,7 @@ void PointerInput::setHover(const std::optional<core::SurfaceHit>& hit)
     m_inFlight.reset();
     if (answered.view == m_view) {
         m_hit = hit;
+        m_footprint = footprint;
         if (m_hit && m_stroke.turned() != answered.turned)
             m_hit = leftBehind(*m_hit, m_stroke.turned() - answered.turned);
         m_answeredPixel = answered.pixel;
@@ -172,6 +180,16 @@ std::optional<core::SurfaceHit> PointerInput::hover() const
         return core::SurfaceHit{m_camera->acrossPivot(m_camera->ray(m_last)), -m_camera->viewDirection(), 0, core::noSlot};
     const bool next = m_drag == Drag::None && viewDrag(Qt::LeftButton, m_modifiers, m_habits) != Drag::None;
     return m_inside && !movesView() && !next && !m_isPicking ? m_hit : std::nullopt;
+}
+
+bool PointerInput::wouldStroke() const
+{
+    return m_drag == Drag::None && !m_isAdding && hover().has_value();
+}
+
+std::shared_ptr<const core::Footprint> PointerInput::footprint() const
+{
+    return wouldStroke() ? m_footprint : nullptr;
 }
 
 void PointerInput::setPicking(bool on)
@@ -215,10 +233,18 @@ void PointerInput::ask(Question question)
     question.turned = m_stroke.turned();
     if (!m_inFlight) {
         m_inFlight = question;
-        Q_EMIT hoverRequested(question.ray);
+        put(question);
     } else if (!m_next || !m_next->forPress || question.forPress) {
         m_next = question;
     }
+}
+
+/// What a brush would take is of no use to a press, which shall be answered soon, and in a stroke.
+void PointerInput::put(const Question& question)
+{
+    const core::StrokeSettings settings = m_brush->stroke();
+    const bool wanted = settings.brush == core::BrushShape::Ray && !question.forPress && m_drag == Drag::None;
+    Q_EMIT hoverRequested(question.ray, wanted ? std::optional(settings) : std::nullopt);
 }
 
 void PointerInput::process(const Waiting& waiting)
@@ -290,6 +316,7 @@ void PointerInput::begin(const Waiting& press, const std::optional<core::Surface
     m_pressed = m_last = press.event.pixel;
     if (m_drag == Drag::Stroke) {
         m_camera->setPivot(hit->position);
+        m_footprint.reset();
         m_stroke.begin({press.event, press.ray, press.settings, press.string});
     } else if (m_drag != Drag::Orbit) {
         goByDepthAt(m_pressed);

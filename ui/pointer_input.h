@@ -38,6 +38,8 @@ public:
     void setModifiers(Qt::KeyboardModifiers modifiers);
     /// The surface changed under the pointer.
     void askAgain();
+    /// The brush under the pointer takes something else.
+    void brushChanged();
     /// The model turns under the hand, about the Y axis, by so many radians in so many seconds. An open stroke is sampled anew.
     void turnModel(double angle, double seconds);
     /// The camera was moved by somebody else.
@@ -45,7 +47,7 @@ public:
     /// What was known belongs to another model.
     void forgetHover();
 
-    void setHover(const std::optional<core::SurfaceHit>& hit);
+    void setHover(const std::optional<core::SurfaceHit>& hit, const std::shared_ptr<const core::Footprint>& footprint = {});
 
     /// While on, the next press for the brush does nothing but tell what it is on by picked(), and that was that.
     void setPicking(bool on);
@@ -57,6 +59,10 @@ public:
 
     /// Where the cursor is to lie: the newest answer, unless the pointer left or turns the view; if armed, where the sphere would be.
     std::optional<core::SurfaceHit> hover() const;
+    /// A press there would begin a stroke.
+    bool wouldStroke() const;
+    /// What it would take first, if that was asked about: of the ray brush.
+    std::shared_ptr<const core::Footprint> footprint() const;
     bool strokeOpen() const { return m_drag == Drag::Stroke; }
     /// A press waits for its answer: a stroke may still come of it.
     bool pressWaits() const { return !m_waiting.empty(); }
@@ -64,7 +70,7 @@ public:
     core::Tool tool() const;
 
 Q_SIGNALS:
-    void hoverRequested(const core::Ray& ray);
+    void hoverRequested(const core::Ray& ray, const std::optional<core::StrokeSettings>& brush);
     void hoverChanged();
     void strokeBegan(const core::StrokeSettings& settings);
     void strokeSampled(const core::StrokeSample& sample);
@@ -106,6 +112,7 @@ private:
     bool isUndecided(const PointerEvent& event) const;
     void goByDepthAt(const OrbitCamera::Pixel& pixel);
     void ask(Question question);
+    void put(const Question& question);
     bool addsSphere(const PointerEvent& press) const;
     void addSphere(const Waiting& press);
     void moveView(const OrbitCamera::Pixel& delta);
@@ -129,5 +136,6 @@ private:
     std::optional<Question> m_inFlight, m_next;
     std::optional<OrbitCamera::Pixel> m_answeredPixel; ///< none: the answer is not of this view, or there is none
     std::optional<core::SurfaceHit> m_hit;
+    std::shared_ptr<const core::Footprint> m_footprint; ///< at the hit, unless the surface changed
 };
 } // namespace ui

@@ -49,6 +49,7 @@ struct Scene::State
     std::unique_ptr<QOpenGLShaderProgram> layerProgram;
     unsigned int noVertices = 0;
     ClayPicture picture;
+    std::shared_ptr<const core::Footprint> footprint; ///< that is tinted
     bool hasModel = false, wantsGround = true;
     bool usable = false;
 
@@ -232,6 +233,21 @@ void Scene::placeCursor(const core::SurfaceHit& hit, double radius, const QColor
 void Scene::hideCursor()
 {
     m_state->cursor->setEnabled(false);
+}
+
+void Scene::tintBall(const core::Vec3& center, const core::StrokeSettings& brush)
+{
+    tint(nullptr);
+    m_state->painter.setTintedBall({center, brush.radius}, brush.falloff, planeNormal(brush.symmetry));
+}
+
+void Scene::tint(const std::shared_ptr<const core::Footprint>& footprint)
+{
+    m_state->painter.setTintedBall({}, 0, core::Vec3::Zero());
+    if (footprint == m_state->footprint)
+        return;
+    m_state->footprint = footprint;
+    clay().tint(footprint.get());
 }
 
 void Scene::showPlane(core::Symmetry symmetry, const core::Box& box)

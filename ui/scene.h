@@ -47,6 +47,10 @@ public:
     void placeGround(const core::Box& box);
     void placeCursor(const core::SurfaceHit& hit, double radius, const QColor& color);
     void hideCursor();
+    /// Tints what the next dab of a spherical brush at `center` would take, and its mirror image, in place of what was tinted before.
+    void tintBall(const core::Vec3& center, const core::StrokeSettings& brush);
+    /// Those of a footprint; null: none.
+    void tint(const std::shared_ptr<const core::Footprint>& footprint);
     /// The pane of that plane through the box, and the line where it cuts the clay; without symmetry neither.
     void showPlane(core::Symmetry symmetry, const core::Box& box);
     /// `darkTheme`: what the background is where it follows the window.

@@ -87,10 +87,16 @@ bool Viewport::State::applyPatch()
 
 void Viewport::State::placeCursor()
 {
-    if (const std::optional<core::SurfaceHit> hit = input.hover())
+    const std::optional<core::SurfaceHit> hit = input.hover();
+    if (hit)
         scene->placeCursor(*hit, brush->value(core::Parameter::Radius), cursorColor(input.tool()));
     else
         scene->hideCursor();
+    const core::StrokeSettings settings = brush->stroke();
+    if (hit && input.wouldStroke() && settings.brush == core::BrushShape::Sphere)
+        scene->tintBall(hit->position, settings);
+    else
+        scene->tint(input.footprint());
 }
 
 /// The widget's context is current.
@@ -141,6 +147,7 @@ Viewport::Viewport(BrushSettings* brush, QWidget* parent)
         Q_EMIT picked(hit ? std::optional(hit->color) : std::nullopt);
     });
     connect(brush, &BrushSettings::changed, this, qOverload<>(&Viewport::update));
+    connect(brush, &BrushSettings::changed, input, &PointerInput::brushChanged);
     QCoreApplication::instance()->installEventFilter(this);
 }
 
@@ -265,9 +272,9 @@ void Viewport::setPicking(bool on)
     m_state->input.setPicking(on);
 }
 
-void Viewport::setHover(const std::optional<core::SurfaceHit>& hit)
+void Viewport::setHover(const std::optional<core::SurfaceHit>& hit, const std::shared_ptr<const core::Footprint>& footprint)
 {
-    m_state->input.setHover(hit);
+    m_state->input.setHover(hit, footprint);
 }
 
 /// Also called when the widget moves to another window; the scene has contexts of its own and stays.

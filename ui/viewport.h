@@ -87,11 +87,13 @@ public Q_SLOTS:
     void patchReady();
     /// The answer to the hover question in flight. Each hoverRequested() is answered exactly once, in order, at any
     /// later time: with the surface's point, or with nothing if the ray misses or there is no model.
-    void setHover(const std::optional<core::SurfaceHit>& hit);
+    /// `footprint`: of the brush that was asked about; it belongs to the mesh as it is drawn, or soon will be.
+    void setHover(const std::optional<core::SurfaceHit>& hit, const std::shared_ptr<const core::Footprint>& footprint = {});
 
 Q_SIGNALS:
-    /// At most one is in flight: the next is asked after setHover(), with the newest ray only.
-    void hoverRequested(const core::Ray& ray);
+    /// At most one is in flight: the next is asked after setHover(), with the newest ray only. `brush`: whose footprint there is
+    /// wanted, too; of a spherical brush none is, for that is seen without asking.
+    void hoverRequested(const core::Ray& ray, const std::optional<core::StrokeSettings>& brush);
 
     /// A stroke: began, one sample or more (the first at the press), ended. Placement is Ray. The settings are those at
     /// the press. Always in this order, never nested.

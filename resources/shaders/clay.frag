@@ -6,6 +6,7 @@ in vec3 eyePosition;
 in vec3 eyeNormal;
 in vec3 albedo;
 in float fromCut;
+in float taken;
 
 uniform mat4 view;        // mm to eye space
 uniform vec3 tint;        // linear; times the vertex's colour
@@ -48,6 +49,12 @@ vec3 withCut(vec3 color)
     return mix(color, mix(edged, vec3(0.92, 0.96, 1.0), 0.85 * clamp(1.3 - pixels, 0.0, 1.0)), cut);
 }
 
+// Lighter, and a little blue: seen on white clay, too.
+vec3 withFootprint(vec3 color)
+{
+    return mix(color, vec3(0.42, 0.72, 1.0), 0.26 * taken);
+}
+
 void main()
 {
     vec3 n = normalize(flatShading ? cross(dFdx(eyePosition), dFdy(eyePosition)) : eyeNormal);
@@ -65,6 +72,6 @@ void main()
     vec3 color = albedo * tint * light + keyColor * highlight * step(0.0, key) + skyColor * edge;
     color += through * shadowEdge + sheen * (1.0 - facing) * (1.0 - facing) * (0.4 + 0.6 * up);
 
-    color = withCut(soften(color));
+    color = withCut(withFootprint(soften(color)));
     fragColor = vec4(mix(color, toSrgb(color), encodeSrgb), 1.0);
 }

@@ -3,20 +3,35 @@
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 normal;
 layout(location = 2) in vec4 color; // sRGB
+layout(location = 3) in float footprint; // b(x), or 0 outside
 
 uniform mat4 view;       // mm to eye space
 uniform mat4 projection; // perspective or orthographic
 uniform vec3 cutNormal;  // of the plane through the origin where a line is drawn
+uniform vec4 ball;       // a spherical brush's footprint: centre, radius; mm
+uniform vec4 ballImage;  // and that of its mirror image
+uniform float ballFalloff; // n of its b(x); 0: no weighting
 
 out vec3 toEye; // eye space, any length
 out vec3 eyePosition;
 out vec3 eyeNormal;
 out vec3 albedo; // linear
 out float fromCut; // mm
+out float taken; // by the brush: 0 not, else so much, and seen at its rim, too
 
 vec3 toLinear(vec3 c)
 {
     return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(0.04045, c));
+}
+
+const float atRim = 0.35;
+
+float share(vec4 brush)
+{
+    float x = distance(position, brush.xyz) / brush.w;
+    float n = ballFalloff;
+    float b = n == 0.0 ? 1.0 : (n - 1.0) * pow(x, n) - n * pow(x, n - 1.0) + 1.0;
+    return brush.w > 0.0 && x <= 1.0 ? mix(atRim, 1.0, b) : 0.0;
 }
 
 void main()
@@ -27,5 +42,6 @@ void main()
     eyeNormal = mat3(view) * normal.xyz;
     albedo = toLinear(color.rgb);
     fromCut = dot(cutNormal, position);
+    taken = max(max(share(ball), share(ballImage)), footprint > 0.0 ? mix(atRim, 1.0, footprint) : 0.0);
     gl_Position = projection * eye;
 }

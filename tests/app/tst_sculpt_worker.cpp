@@ -127,6 +127,7 @@ private Q_SLOTS:
     void worker_refusesASecondSource();
     void worker_ignoresSamplesOutsideAStroke();
     void worker_answersDuringAStroke();
+    void worker_saysWhatABrushWouldTake();
     void worker_answersTheNewestQuestion();
     void worker_answersWithoutAModel();
     void worker_endsTheStrokeWhenTheModelChanges();
@@ -186,8 +187,8 @@ void TestSculptWorker::queue_answersTheNewestQuestionFirst()
     JobQueue queue;
     queue.push(BeginStroke{});
     for (int i = 1; i <= 3; ++i)
-        queue.ask({Source::Desktop, {core::Vec3(i, 0, 0), core::Vec3(1, 0, 0)}});
-    queue.ask({Source::Headset, {core::Vec3(9, 0, 0), core::Vec3(1, 0, 0)}});
+        queue.ask({Source::Desktop, {core::Vec3(i, 0, 0), core::Vec3(1, 0, 0)}, {}});
+    queue.ask({Source::Headset, {core::Vec3(9, 0, 0), core::Vec3(1, 0, 0)}, {}});
     QCOMPARE(std::get<Question>(*queue.next()).ray.origin.x(), 3.0);
     QCOMPARE(std::get<Question>(*queue.next()).ray.origin.x(), 9.0);
     QVERIFY(!queue.nextQuestion());
@@ -279,6 +280,28 @@ void TestSculptWorker::worker_answersDuringAStroke()
     worker.ask(Source::Desktop, {core::Vec3(0, 100, 200), core::Vec3(0, 0, -1)});
     QTRY_COMPARE(answered.size(), 2);
     QVERIFY(!answered.at(1));
+}
+
+void TestSculptWorker::worker_saysWhatABrushWouldTake()
+{
+    SculptWorker worker;
+    QList<std::shared_ptr<const core::Footprint>> footprints;
+    connect(&worker, &SculptWorker::answeredDesktop, this,
+            [&](const std::optional<core::SurfaceHit>&, const std::shared_ptr<const core::Footprint>& footprint) { footprints << footprint; });
+    const core::Ray ray{core::Vec3(0, 0, 200), core::Vec3(0, 0, -1)};
+    core::StrokeSettings brush = settings();
+    brush.brush = core::BrushShape::Ray;
+    worker.setModel(sphere());
+    const auto answerTo = [&](const core::Ray& asked, const std::optional<core::StrokeSettings>& what) {
+        const qsizetype before = footprints.size();
+        worker.ask(Source::Desktop, asked, what);
+        return QTest::qWaitFor([&] { return footprints.size() > before; }) ? footprints.last() : nullptr;
+    };
+    QVERIFY(!answerTo(ray, {}));
+    QVERIFY(!answerTo({ray.origin, -ray.direction}, brush));
+    const auto footprint = answerTo(ray, brush);
+    QVERIFY(footprint && !footprint->slots.empty());
+    QCOMPARE(footprint->slots, sphere()->footprint(brush, sphere()->hit(ray)->position).slots);
 }
 
 void TestSculptWorker::worker_answersTheNewestQuestion()

@@ -21,9 +21,10 @@ struct Recorder
     {
         camera.setViewport(800, 600);
         camera.frame({});
-        QObject::connect(&input, &ui::PointerInput::hoverRequested, &input, [this](const core::Ray& ray) {
+        QObject::connect(&input, &ui::PointerInput::hoverRequested, &input, [this](const core::Ray& ray, const std::optional<core::StrokeSettings>& footprintOf) {
             ++questions;
             asked = ray;
+            askedBrush = footprintOf;
         });
         QObject::connect(&input, &ui::PointerInput::strokeBegan, &input, [this](const core::StrokeSettings& s) {
             log << QStringLiteral("began");
@@ -56,6 +57,7 @@ struct Recorder
     core::StrokeSettings settings;
     std::vector<core::StrokeSample> samples;
     core::Ray asked;
+    std::optional<core::StrokeSettings> askedBrush;
     int questions = 0;
     double clock = 0;
 };
@@ -529,6 +531,47 @@ private Q_SLOTS:
             QCOMPARE(turned, !isAlt);
             QCOMPARE((beside.camera.target() - before.target()).norm() > 1, isAlt);
         }
+    }
+
+    /// A press shall be answered soon, and in a stroke the clay is to be seen.
+    void theRayBrushShowsWhatItWouldTakeUntilItTakes()
+    {
+        Recorder r;
+        const auto footprint = std::make_shared<const core::Footprint>();
+        r.send(Kind::Move, {300, 300});
+        QVERIFY(!r.askedBrush); // the spherical brush needs no answer
+        r.input.setHover(somewhere);
+        r.brush.set(&core::StrokeSettings::brush, core::BrushShape::Ray);
+        r.brush.setValue(core::Parameter::Radius, 7);
+        r.input.brushChanged();
+        QVERIFY(r.askedBrush);
+        QCOMPARE(r.askedBrush->radius, 7);
+        r.input.setHover(somewhere, footprint);
+        QCOMPARE(r.input.footprint(), footprint);
+
+        r.send(Kind::Press, {400, 300});
+        QVERIFY(!r.askedBrush);
+        r.input.setHover(somewhere);
+        QVERIFY(r.input.strokeOpen());
+        QVERIFY(!r.input.footprint());
+        r.send(Kind::Move, {410, 300});
+        QVERIFY(!r.askedBrush);
+        r.input.setHover(somewhere);
+        r.send(Kind::Release, {410, 300});
+        QVERIFY(r.askedBrush);
+        QVERIFY(!r.input.footprint()); // the surface is another
+        r.input.setHover(somewhere, footprint);
+        QCOMPARE(r.input.footprint(), footprint);
+
+        r.input.setPicking(true);
+        QVERIFY(!r.input.footprint());
+        r.input.setPicking(false);
+        r.input.setAdding(true);
+        QVERIFY(!r.input.footprint());
+        r.input.setAdding(false);
+        QCOMPARE(r.input.footprint(), footprint);
+        r.input.leave();
+        QVERIFY(!r.input.footprint());
     }
 
     void onlyOneQuestionIsInFlight()

@@ -245,6 +245,91 @@ private Q_SLOTS:
         QVERIFY(edges > 4);
     }
 
+    /// On every clay, where the footprint's vertices are and nowhere else; what is tinted later takes the place of the earlier.
+    void whatTheBrushWouldTakeIsTinted_data()
+    {
+        QTest::addColumn<bool>("layered");
+        QTest::newRow("in Qt3D's context") << false;
+        QTest::newRow("in layers") << true;
+    }
+
+    void whatTheBrushWouldTakeIsTinted()
+    {
+        QFETCH(bool, layered);
+        const SphereModel model;
+        ui::OrbitCamera camera = cameraOn(model);
+        camera.turnTo(ui::OrbitCamera::Side::Front);
+        Scene scene(layered ? Scene::Mode::Layered : Scene::Mode::InQt3dContext);
+        scene.clay().apply(model.whole());
+        core::StrokeSettings brush;
+        brush.radius = 15;
+        const auto at = [&](double x) { return core::Vec3(x, 0, std::sqrt(2500 - x * x)); };
+        const auto footprint = [&](const core::Vec3& center) {
+            core::Footprint made;
+            for (core::Slot v = 0; v < model.vertices(); ++v) {
+                const double x = (model.mesh.points[v].cast<double>() - center).norm() / brush.radius;
+                if (x <= 1) {
+                    made.slots.push_back(v);
+                    made.weights.push_back(static_cast<std::uint8_t>(1 + 254 * core::falloff(x, brush.falloff)));
+                }
+            }
+            return std::make_shared<const core::Footprint>(made);
+        };
+        const auto picture = [&] { return read(scene.render(camera, size, 1)); };
+        const auto differs = [&](const QImage& a, const QImage& b, const core::Vec3& place) {
+            const ui::OrbitCamera::Pixel p = camera.project(place);
+            const QColor one = a.pixelColor(static_cast<int>(p.x()), static_cast<int>(p.y()));
+            const QColor other = b.pixelColor(static_cast<int>(p.x()), static_cast<int>(p.y()));
+            return std::max({std::abs(one.red() - other.red()), std::abs(one.green() - other.green()), std::abs(one.blue() - other.blue())});
+        };
+        for (const auto& row : ui::materials) {
+            scene.setLook({.material = row.value}, false);
+            const QImage bare = picture();
+            scene.tintBall(at(20), brush);
+            const QImage ball = picture();
+            QVERIFY(differs(bare, ball, at(20)) > 15 && differs(bare, ball, at(30)) > 0);
+            QCOMPARE(differs(bare, ball, at(-20)), 0);
+            scene.tint(footprint(at(-20)));
+            const QImage slots = picture();
+            QVERIFY(differs(bare, slots, at(-20)) > 15 && differs(bare, slots, at(-30)) > 0);
+            QCOMPARE(differs(bare, slots, at(20)), 0);
+            scene.tint(footprint(at(20)));
+            QVERIFY(differing(ball, picture()) < 400); // one is rounded to bytes
+            QCOMPARE(differs(bare, picture(), at(-20)), 0);
+            brush.symmetry = core::Symmetry::X;
+            scene.tintBall(at(20), brush);
+            QVERIFY(differs(bare, picture(), at(20)) > 15 && differs(bare, picture(), at(-20)) > 15);
+            brush.symmetry = core::Symmetry::None;
+            scene.tint(nullptr);
+            QCOMPARE(differing(bare, picture()), 0);
+        }
+    }
+
+    /// Where the tint and the patch of a new mesh come in any order, and slots that are not there.
+    void aTintOutlivesNoModel()
+    {
+        const SphereModel model, small(50, 2);
+        const ui::OrbitCamera camera = cameraOn(model);
+        Scene scene;
+        scene.clay().apply(small.whole());
+        const QImage bare = read(scene.render(camera, size, 1));
+        const auto all = [](core::Slot slots) {
+            core::Footprint made;
+            for (core::Slot v = 0; v < slots; ++v)
+                made.slots.push_back(v);
+            made.weights.assign(slots, 255);
+            return std::make_shared<const core::Footprint>(made);
+        };
+        scene.clay().apply(model.whole());
+        scene.tint(all(model.vertices()));
+        scene.clay().apply(small.whole());
+        QCOMPARE(differing(bare, read(scene.render(camera, size, 1))), 0);
+        scene.tint(all(model.vertices()));
+        QVERIFY(differing(bare, read(scene.render(camera, size, 1))) > 1000);
+        scene.tint(nullptr);
+        QCOMPARE(differing(bare, read(scene.render(camera, size, 1))), 0);
+    }
+
     void theGroundCanBeHidden()
     {
         const SphereModel model;
