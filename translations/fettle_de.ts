@@ -2607,6 +2607,44 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
+    <name>ui::PenCurve</name>
+    <message>
+        <source>Pressure curve</source>
+        <translation>Druckkurve</translation>
+    </message>
+    <message>
+        <source>How a pen&apos;s pressure counts: above the diagonal a light touch does much, below it little. Drag to bend it.</source>
+        <translation>Wie der Druck eines Stifts zählt: über der Diagonalen bewirkt eine leichte Berührung viel, darunter wenig. Ziehen biegt sie.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PenTest</name>
+    <message>
+        <source>Pen test</source>
+        <translation>Stifttest</translation>
+    </message>
+    <message>
+        <source>Draw here: the line shows what your pen&apos;s pressure becomes.</source>
+        <translation>Hier zeichnen: Die Linie zeigt, was aus dem Druck des Stifts wird.</translation>
+    </message>
+    <message>
+        <source>Draw here with the pen or the mouse.</source>
+        <translation>Hier mit Stift oder Maus zeichnen.</translation>
+    </message>
+    <message>
+        <source>Mouse: no pressure</source>
+        <translation>Maus: kein Druck</translation>
+    </message>
+    <message>
+        <source>Eraser: %1</source>
+        <translation>Radierer: %1</translation>
+    </message>
+    <message>
+        <source>Pen: %1</source>
+        <translation>Stift: %1</translation>
+    </message>
+</context>
+<context>
     <name>ui::PreferencesDialog</name>
     <message>
         <source>Preferences</source>
@@ -2699,6 +2737,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>With Alt held, left orbits, middle pans and right zooms, on the model too; the keys of ZBrush have it otherwise.</source>
         <translation>Mit gehaltener Alt-Taste dreht links, verschiebt die Mitte und zoomt rechts, auch auf dem Modell; mit den Tasten von ZBrush ist es anders.</translation>
+    </message>
+    <message>
+        <source>Pressure &amp;curve</source>
+        <translation>Druck&amp;kurve</translation>
+    </message>
+    <message>
+        <source>Pen test</source>
+        <translation>Stifttest</translation>
     </message>
 </context>
 <context>

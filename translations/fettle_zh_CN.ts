@@ -2599,6 +2599,44 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
 </context>
 <context>
+    <name>ui::PenCurve</name>
+    <message>
+        <source>Pressure curve</source>
+        <translation>压感曲线</translation>
+    </message>
+    <message>
+        <source>How a pen&apos;s pressure counts: above the diagonal a light touch does much, below it little. Drag to bend it.</source>
+        <translation>压感笔的压力如何计算：曲线在对角线之上时，轻触的作用大，在其下则小。拖动可弯曲它。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PenTest</name>
+    <message>
+        <source>Pen test</source>
+        <translation>压感笔测试</translation>
+    </message>
+    <message>
+        <source>Draw here: the line shows what your pen&apos;s pressure becomes.</source>
+        <translation>在此处绘画：线条会显示压感笔的压力变成多少。</translation>
+    </message>
+    <message>
+        <source>Draw here with the pen or the mouse.</source>
+        <translation>在此处用压感笔或鼠标绘画。</translation>
+    </message>
+    <message>
+        <source>Mouse: no pressure</source>
+        <translation>鼠标：无压感</translation>
+    </message>
+    <message>
+        <source>Eraser: %1</source>
+        <translation>橡皮擦：%1</translation>
+    </message>
+    <message>
+        <source>Pen: %1</source>
+        <translation>压感笔：%1</translation>
+    </message>
+</context>
+<context>
     <name>ui::PreferencesDialog</name>
     <message>
         <source>Preferences</source>
@@ -2691,6 +2729,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>With Alt held, left orbits, middle pans and right zooms, on the model too; the keys of ZBrush have it otherwise.</source>
         <translation>按住 Alt 时，左键旋转、中键平移、右键缩放，在模型上也是如此；使用 ZBrush 快捷键时则不同。</translation>
+    </message>
+    <message>
+        <source>Pressure &amp;curve</source>
+        <translation>压感曲线(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Pen test</source>
+        <translation>压感笔测试</translation>
     </message>
 </context>
 <context>

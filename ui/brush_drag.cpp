@@ -14,7 +14,7 @@ namespace ui
 namespace
 {
 constexpr double strengthPerPixel = 0.005;
-constexpr int distance = 24; ///< of the word from the pointer
+constexpr int distance = 24; ///< of the word from the ring
 } // namespace
 
 BrushDrag::BrushDrag(BrushSettings* brush, Viewport* viewport) : QLabel(viewport), m_brush(brush), m_viewport(viewport)
@@ -38,10 +38,8 @@ void BrushDrag::begin(core::Parameter parameter)
     m_before = m_brush->value(parameter);
     m_viewport->setFocus();
     const QPoint pointer = m_viewport->mapFromGlobal(QCursor::pos());
+    m_center = m_viewport->rect().contains(pointer) ? pointer : m_viewport->rect().center();
     showValue();
-    const QPoint corner(m_viewport->width() - width(), m_viewport->height() - height());
-    const QPoint beside = (m_viewport->rect().contains(pointer) ? pointer : m_viewport->rect().center()) + QPoint(distance, distance);
-    move(std::clamp(beside.x(), 0, std::max(corner.x(), 0)), std::clamp(beside.y(), 0, std::max(corner.y(), 0)));
     show();
 }
 
@@ -139,5 +137,16 @@ void BrushDrag::showValue()
     else
         setText(tr("%1: %2").arg(name, locale().toString(value, 'f', 2)));
     adjustSize();
+    place();
+}
+
+/// Beside the ring, below where the pointer that draws its rim is.
+void BrushDrag::place()
+{
+    const bool grows = *m_parameter == core::Parameter::Radius;
+    const double rim = grows ? m_brush->value(core::Parameter::Radius) * m_viewport->pixelsPerMm() : 0;
+    const QPoint beside = m_center + QPoint(qRound(std::min<double>(rim, m_viewport->width())) + distance, distance);
+    const QPoint corner(m_viewport->width() - width(), m_viewport->height() - height());
+    move(std::clamp(beside.x(), 0, std::max(corner.x(), 0)), std::clamp(beside.y(), 0, std::max(corner.y(), 0)));
 }
 } // namespace ui

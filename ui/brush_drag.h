@@ -36,11 +36,13 @@ private:
     void keep();
     void goBack();
     void showValue();
+    void place();
 
     BrushSettings* m_brush;
     Viewport* m_viewport;
     std::optional<core::Parameter> m_parameter; ///< while it goes on
     std::optional<double> m_from;               ///< x of the first move
+    QPoint m_center; ///< of the ring, in the view
     double m_before = 0;
     bool m_releaseFollows = false; ///< of the press that ended it
 };

@@ -132,10 +132,13 @@ core::Tool toolWith(core::Tool tool, Qt::KeyboardModifiers modifiers, Qt::Keyboa
 {
     if (modifiers & Qt::ShiftModifier)
         return core::Tool::Smooth;
-    if (modifiers & invert && tool == core::Tool::Pull)
+    return modifiers & invert ? opposite(tool) : tool;
+}
+
+core::Tool opposite(core::Tool tool)
+{
+    if (tool == core::Tool::Pull)
         return core::Tool::Push;
-    if (modifiers & invert && tool == core::Tool::Push)
-        return core::Tool::Pull;
-    return tool;
+    return tool == core::Tool::Push ? core::Tool::Pull : tool;
 }
 } // namespace ui

@@ -77,4 +77,6 @@ private:
 /// What a stroke that begins with these keys held does: Shift smooths, `invert` turns Pull into Push and Push into Pull. The
 /// other tools have no opposite.
 core::Tool toolWith(core::Tool tool, Qt::KeyboardModifiers modifiers, Qt::KeyboardModifier invert = Qt::ControlModifier);
+/// Push of Pull, Pull of Push; another is its own.
+core::Tool opposite(core::Tool tool);
 } // namespace ui

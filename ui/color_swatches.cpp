@@ -4,6 +4,7 @@
 #include "themed_icon.h"
 
 #include <QAction>
+#include <QEvent>
 #include <QGridLayout>
 #include <QPainter>
 #include <QPushButton>
@@ -65,6 +66,14 @@ void ColorSwatches::remove(const core::Rgb& color)
         return;
     build();
     Q_EMIT changed();
+}
+
+/// The frames have the text's colour.
+void ColorSwatches::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        build();
 }
 
 /// The old ones may be in the middle of an event.

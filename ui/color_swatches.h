@@ -31,6 +31,9 @@ Q_SIGNALS:
     void addRequested();
     void changed();
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
     void build();
     QWidget* button(const core::Rgb& color);

@@ -4,6 +4,7 @@
 #include "themed_icon.h"
 
 #include <QDockWidget>
+#include <QEvent>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -99,14 +100,27 @@ void ModelPanel::setStale()
 /// Icon and word say it; colour only repeats it.
 void ModelPanel::showHealth(Health health, const QString& word, const QString& tip)
 {
-    static const QString icons[] = {QStringLiteral("wait"), QStringLiteral("sound"), QStringLiteral("unsound")};
     static const QString colors[] = {QString(), QStringLiteral("color:#2e9e4f"), QStringLiteral("color:#d0453a")};
-    const int which = static_cast<int>(health);
-    m_icon->setPixmap(themedIcon(icons[which]).pixmap(QSize(iconSide, iconSide), devicePixelRatioF()));
+    m_health = health;
+    showIcon();
     m_word->setText(word);
-    m_word->setStyleSheet(colors[which]);
+    m_word->setStyleSheet(colors[static_cast<int>(health)]);
     m_word->setToolTip(tip);
     m_word->setAccessibleDescription(tip);
+}
+
+void ModelPanel::showIcon()
+{
+    static const QString icons[] = {QStringLiteral("wait"), QStringLiteral("sound"), QStringLiteral("unsound")};
+    m_icon->setPixmap(themedIcon(icons[static_cast<int>(m_health)]).pixmap(QSize(iconSide, iconSide), devicePixelRatioF()));
+}
+
+/// The icon's ink is the text's.
+void ModelPanel::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        showIcon();
 }
 
 void ModelPanel::showEvent(QShowEvent* event)

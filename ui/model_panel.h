@@ -31,15 +31,18 @@ Q_SIGNALS:
 protected:
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
+    void changeEvent(QEvent* event) override;
 
 private:
     enum class Health { Unknown, Sound, Unsound };
 
     void addRow(const char* id, const QString& name, const QString& tip);
     void showHealth(Health health, const QString& word, const QString& tip);
+    void showIcon();
 
     QFormLayout* m_form;
     QLabel *m_icon, *m_word;
+    Health m_health = Health::Unknown;
     QHash<QString, QLabel*> m_values;
 };
 

@@ -17,5 +17,6 @@ struct PointerEvent
     Qt::KeyboardModifiers modifiers;
     double time = 0; ///< seconds
     double pressure = 1;
+    bool isEraser = false; ///< a pen's other end: it does the opposite
 };
 } // namespace ui

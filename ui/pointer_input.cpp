@@ -43,11 +43,13 @@ void PointerInput::handle(const PointerEvent& event)
     Waiting waiting{event, m_camera->ray(event.pixel), {}};
     if (event.kind == PointerEvent::Kind::Press) {
         waiting.settings = m_brush->stroke();
-        waiting.settings.tool = toolWith(m_brush->tool(), event.modifiers, m_habits.held.invert);
+        waiting.settings.tool = toolFor(event.modifiers, event.isEraser);
         waiting.string = m_brush->isSteady() ? m_brush->stringLength() : 0;
     }
     m_inside = true;
+    m_holds = false;
     m_modifiers = event.modifiers;
+    m_isEraser = event.isEraser;
     if (!m_waiting.empty()) {
         m_waiting.push_back(waiting);
     } else if (isUndecided(event)) {
@@ -69,6 +71,13 @@ void PointerInput::pan(const OrbitCamera::Pixel& delta)
 {
     m_camera->pan(delta);
     viewMoved();
+}
+
+void PointerInput::hold(const OrbitCamera::Pixel& pixel)
+{
+    m_inside = m_holds = true;
+    m_last = pixel;
+    askAgain();
 }
 
 /// Where the surface under the pixel is known, it is what panning and zooming hold: the view never runs through it.
@@ -99,7 +108,7 @@ void PointerInput::turnModel(double angle, double seconds)
 
 void PointerInput::leave()
 {
-    m_inside = false;
+    m_inside = m_holds = false;
     if (m_next && !m_next->forPress)
         m_next.reset();
     Q_EMIT hoverChanged();
@@ -179,7 +188,7 @@ std::optional<core::SurfaceHit> PointerInput::hover() const
     if (m_isAdding && m_inside && !movesView())
         return core::SurfaceHit{m_camera->acrossPivot(m_camera->ray(m_last)), -m_camera->viewDirection(), 0, core::noSlot};
     const bool next = m_drag == Drag::None && viewDrag(Qt::LeftButton, m_modifiers, m_habits) != Drag::None;
-    return m_inside && !movesView() && !next && !m_isPicking ? m_hit : std::nullopt;
+    return m_inside && !m_holds && !movesView() && !next && !m_isPicking ? m_hit : std::nullopt;
 }
 
 bool PointerInput::wouldStroke() const
@@ -190,6 +199,11 @@ bool PointerInput::wouldStroke() const
 std::shared_ptr<const core::Footprint> PointerInput::footprint() const
 {
     return wouldStroke() ? m_footprint : nullptr;
+}
+
+std::optional<PointerInput::String> PointerInput::string() const
+{
+    return strokeOpen() ? std::optional(String{m_stroke.handAt(), m_stroke.brushAt()}) : std::nullopt;
 }
 
 void PointerInput::setPicking(bool on)
@@ -204,7 +218,13 @@ void PointerInput::setPicking(bool on)
 
 core::Tool PointerInput::tool() const
 {
-    return strokeOpen() ? m_stroke.tool() : toolWith(m_brush->tool(), m_modifiers, m_habits.held.invert);
+    return strokeOpen() ? m_stroke.tool() : toolFor(m_modifiers, m_isEraser);
+}
+
+core::Tool PointerInput::toolFor(Qt::KeyboardModifiers modifiers, bool eraser) const
+{
+    const core::Tool tool = toolWith(m_brush->tool(), modifiers, m_habits.held.invert);
+    return eraser ? opposite(tool) : tool;
 }
 
 /// Where the brush is, or would be.
@@ -243,7 +263,7 @@ void PointerInput::ask(Question question)
 void PointerInput::put(const Question& question)
 {
     const core::StrokeSettings settings = m_brush->stroke();
-    const bool wanted = settings.brush == core::BrushShape::Ray && !question.forPress && m_drag == Drag::None;
+    const bool wanted = settings.brush == core::BrushShape::Ray && !question.forPress && !m_holds && m_drag == Drag::None;
     Q_EMIT hoverRequested(question.ray, wanted ? std::optional(settings) : std::nullopt);
 }
 

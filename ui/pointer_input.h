@@ -30,6 +30,8 @@ public:
     /// `factor` < 1 comes nearer; what lies under the pixel stays there.
     void zoom(double factor, const OrbitCamera::Pixel& toward);
     void pan(const OrbitCamera::Pixel& delta);
+    /// Fingers hold what lies at that pixel: it is asked for, so that zoom() goes by its depth, but not shown.
+    void hold(const OrbitCamera::Pixel& pixel);
     /// The pointer left the view.
     void leave();
     /// Ends whatever drag is going on, as a release would.
@@ -63,6 +65,12 @@ public:
     bool wouldStroke() const;
     /// What it would take first, if that was asked about: of the ray brush.
     std::shared_ptr<const core::Footprint> footprint() const;
+    /// Of a steady stroke that is open.
+    struct String
+    {
+        OrbitCamera::Pixel hand, brush;
+    };
+    std::optional<String> string() const;
     bool strokeOpen() const { return m_drag == Drag::Stroke; }
     /// A press waits for its answer: a stroke may still come of it.
     bool pressWaits() const { return !m_waiting.empty(); }
@@ -107,6 +115,7 @@ private:
     void begin(const Waiting& press, const std::optional<core::SurfaceHit>& hit);
     void end();
     void drain(const std::optional<core::SurfaceHit>& hit);
+    core::Tool toolFor(Qt::KeyboardModifiers modifiers, bool eraser) const;
     bool movesView() const;
     OrbitCamera::Pixel brushAt() const;
     bool isUndecided(const PointerEvent& event) const;
@@ -126,10 +135,12 @@ private:
     OrbitCamera::Pixel m_pressed{0, 0}; ///< where the drag began
     OrbitCamera::Pixel m_last{0, 0};
     bool m_inside = false;
+    bool m_holds = false; ///< fingers are inside, no pointer
     bool m_isPicking = false;
     bool m_isAdding = false;
     HandHabits m_habits;
     Qt::KeyboardModifiers m_modifiers;
+    bool m_isEraser = false; ///< the last that moved
     std::deque<Waiting> m_waiting; ///< the first is a press that nobody knows about yet
 
     quint64 m_view = 0; ///< grows when an older answer no longer fits

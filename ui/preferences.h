@@ -2,6 +2,8 @@
 
 #include "key_choice.h"
 
+#include <cmath>
+
 namespace ui
 {
 enum class ThemeChoice { System, Light, Dark };
@@ -14,12 +16,22 @@ inline constexpr std::array<Named<ThemeChoice>, 3> themeChoices{
 inline constexpr std::array<Named<Language>, 4> languages{
     {{Language::System, "system"}, {Language::English, "en"}, {Language::German, "de"}, {Language::Chinese, "zh_CN"}}};
 
+/// Of a pen's pressure curve: below 1 a light touch does much, above 1 little.
+inline constexpr double minPenExponent = 0.25, maxPenExponent = 4;
+
+/// What a pen's pressure, 0 to 1, counts as.
+inline double penPressure(double pressure, double exponent)
+{
+    return std::pow(pressure, exponent);
+}
+
 /// How pen and mouse are taken.
 struct HandHabits
 {
     bool pressureToStrength = true;
     bool pressureToRadius = false;
     bool altMovesView = true; ///< held with a button; else Alt means nothing to the view
+    double penExponent = 1;
     HeldKeys held{};          ///< as the preset of keys has it
 
     bool operator==(const HandHabits&) const = default;

@@ -1,6 +1,8 @@
 #include "preferences_dialog.h"
 
 #include "keys_page.h"
+#include "pen_curve.h"
+#include "pen_test.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -100,6 +102,7 @@ QWidget* PreferencesDialog::inputPage()
              &HandHabits::pressureToRadius);
     addCheck(form, {"altMovesView", tr("Alt and the &mouse move the view"), tr("With Alt held, left orbits, middle pans and right zooms, on the model too; the keys of ZBrush have it otherwise.")},
              &HandHabits::altMovesView);
+    addPen(form);
     return page;
 }
 
@@ -113,6 +116,24 @@ QWidget* PreferencesDialog::keysPage(const Actions& actions)
     });
     m_show.push_back([this, page] { page->setChoice(m_now.keys); });
     return page;
+}
+
+/// Its pressure curve, and a field to try it in.
+void PreferencesDialog::addPen(QFormLayout* form)
+{
+    auto* curve = new PenCurve;
+    auto* test = new PenTest;
+    connect(curve, &PenCurve::bent, this, [this](double exponent) {
+        Preferences to = m_now;
+        to.hand.penExponent = exponent;
+        change(to);
+    });
+    m_show.push_back([this, curve, test] {
+        curve->setExponent(m_now.hand.penExponent);
+        test->setExponent(m_now.hand.penExponent);
+    });
+    form->addRow(tr("Pressure &curve"), curve);
+    form->addRow(tr("Pen test"), test);
 }
 
 void PreferencesDialog::addCheck(QFormLayout* form, const Words& words, bool HandHabits::*what)

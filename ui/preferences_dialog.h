@@ -46,6 +46,7 @@ private:
     template <class T, std::size_t count>
     void addChoice(QFormLayout* form, const Words& words, const std::array<Named<T>, count>& choices, T Preferences::*what);
     void addCheck(QFormLayout* form, const Words& words, bool HandHabits::*what);
+    void addPen(QFormLayout* form);
     static QString words(ThemeChoice theme);
     static QString words(Language language);
     void change(const Preferences& to);

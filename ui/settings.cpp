@@ -36,6 +36,7 @@ const QString themeKey = QStringLiteral("preferences/theme");
 const QString languageKey = QStringLiteral("preferences/language");
 const QString keyPresetKey = QStringLiteral("keys/preset");
 const QString ownKeys = QStringLiteral("keys/own/"); ///< and the action's id
+const QString penKey = QStringLiteral("preferences/penExponent");
 const QString materialKey = QStringLiteral("view/material");
 const QString backgroundKey = QStringLiteral("view/background");
 const QString swatchesKey = QStringLiteral("color/swatches");
@@ -220,6 +221,7 @@ Preferences Settings::preferences() const
     preferences.language = choice(m_settings, languageKey, languages, preferences.language);
     for (const HabitSwitch& row : habitSwitches)
         preferences.hand.*row.what = yesNo(m_settings, row.key, preferences.hand.*row.what);
+    preferences.hand.penExponent = number(m_settings, penKey, minPenExponent, maxPenExponent, preferences.hand.penExponent);
     preferences.keys.preset = choice(m_settings, keyPresetKey, keyPresets, preferences.keys.preset);
     for (const QString& key : m_settings.allKeys())
         if (key.startsWith(ownKeys))
@@ -233,6 +235,7 @@ void Settings::setPreferences(const Preferences& preferences)
     m_settings.setValue(languageKey, wordFor(preferences.language, languages));
     for (const HabitSwitch& row : habitSwitches)
         m_settings.setValue(row.key, preferences.hand.*row.what);
+    m_settings.setValue(penKey, preferences.hand.penExponent);
     m_settings.setValue(keyPresetKey, wordFor(preferences.keys.preset, keyPresets));
     m_settings.remove(ownKeys.chopped(1));
     for (auto own = preferences.keys.own.cbegin(); own != preferences.keys.own.cend(); ++own)

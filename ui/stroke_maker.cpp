@@ -76,9 +76,10 @@ void StrokeMaker::sample(const core::Ray& ray)
     sample.rotation = Eigen::AngleAxisd(m_turned, core::Vec3::UnitY());
     sample.position = sample.rotation * ray.origin;
     sample.direction = sample.rotation * ray.direction;
-    sample.pressure = m_habits.pressureToStrength ? m_hand.pressure : 1;
+    const double pressure = penPressure(m_hand.pressure, m_habits.penExponent);
+    sample.pressure = m_habits.pressureToStrength ? pressure : 1;
     if (m_habits.pressureToRadius)
-        sample.radius = std::max(m_brush->minOf(core::Parameter::Radius), m_radius * std::max(m_hand.pressure, leastRadiusShare));
+        sample.radius = std::max(m_brush->minOf(core::Parameter::Radius), m_radius * std::max(pressure, leastRadiusShare));
     Q_EMIT sampled(sample);
 }
 

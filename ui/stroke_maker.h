@@ -49,6 +49,8 @@ public:
     core::Tool tool() const { return m_tool; }
     /// Of the open stroke: where the brush is.
     const OrbitCamera::Pixel& brushAt() const { return m_brushAt; }
+    /// And where the hand is, if the brush hangs on a string; else where the brush is.
+    const OrbitCamera::Pixel& handAt() const { return m_string > 0 ? m_hand.pixel : m_brushAt; }
 
 Q_SIGNALS:
     void began(const core::StrokeSettings& settings);

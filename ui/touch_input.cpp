@@ -51,7 +51,8 @@ void TouchInput::oneFinger(const QTouchEvent& event)
         send(lifted ? PointerEvent::Kind::Release : PointerEvent::Kind::Move, at, event);
 }
 
-/// Zooms by the ratio of the fingers' distances, toward the place between them; then follows that place.
+/// Zooms by the ratio of the fingers' distances, toward the place between them; then follows that place, which is on the surface
+/// if that is known there.
 void TouchInput::twoFingers(const QTouchEvent& event)
 {
     if (m_pressed)
@@ -63,12 +64,13 @@ void TouchInput::twoFingers(const QTouchEvent& event)
     const bool goesOn = m_gesture && before.idA == m_fingers.idA && before.idB == m_fingers.idB;
     m_gesture = true;
     if (!goesOn)
-        return;
+        return m_input->hold(0.5 * (m_fingers.a + m_fingers.b));
     const double apart = (before.a - before.b).norm(), nowApart = (m_fingers.a - m_fingers.b).norm();
     const Pixel middle = 0.5 * (before.a + before.b), nowMiddle = 0.5 * (m_fingers.a + m_fingers.b);
     if (std::min(apart, nowApart) >= leastApart)
         m_input->zoom(apart / nowApart, middle);
     m_input->pan(nowMiddle - middle);
+    m_input->hold(nowMiddle);
 }
 
 void TouchInput::send(PointerEvent::Kind kind, const Pixel& pixel, const QTouchEvent& event)

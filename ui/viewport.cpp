@@ -99,6 +99,12 @@ void Viewport::State::placeCursor()
         scene->tint(input.footprint());
 }
 
+void Viewport::State::spanString()
+{
+    const auto spanned = input.string();
+    string->span(spanned ? QLineF(spanned->hand.x(), spanned->hand.y(), spanned->brush.x(), spanned->brush.y()) : QLineF());
+}
+
 /// The widget's context is current.
 void Viewport::State::show(const Scene::Image& image, QSize pixels, unsigned int widgetFramebuffer)
 {
@@ -127,6 +133,7 @@ Viewport::Viewport(BrushSettings* brush, QWidget* parent)
     setMinimumSize(200, 150);
     setAccessibleName(tr("Model"));
     m_state->scaleBar = new ScaleBar(this);
+    m_state->string = new StringLine(this);
 
     PointerInput* input = &m_state->input;
     connect(input, &PointerInput::hoverRequested, this, &Viewport::hoverRequested);
@@ -138,8 +145,9 @@ Viewport::Viewport(BrushSettings* brush, QWidget* parent)
     connect(input, &PointerInput::sphereRequested, this, &Viewport::sphereRequested);
     connect(input, &PointerInput::viewChanged, this, &Viewport::viewChanged);
     connect(this, &Viewport::viewChanged, this, qOverload<>(&Viewport::update));
-    connect(input, &PointerInput::hoverChanged, this, [this, input] {
-        setCursor(input->isPicking() ? pickCursor() : input->hover() ? Qt::CrossCursor : Qt::ArrowCursor);
+    connect(input, &PointerInput::hoverChanged, this, [this] {
+        chooseCursor();
+        m_state->spanString();
         update();
     });
     connect(input, &PointerInput::pickingChanged, this, &Viewport::pickingChanged);
@@ -289,6 +297,12 @@ void Viewport::initializeGL()
             m_state->scene->placeGround(m_state->box);
     }
     makeCurrent();
+}
+
+void Viewport::chooseCursor()
+{
+    const PointerInput& input = m_state->input;
+    setCursor(input.isPicking() ? pickCursor() : input.hover() ? Qt::CrossCursor : Qt::ArrowCursor);
 }
 
 /// The driver promised OpenGL 3.3 (graphicsProblem() was empty) and did not keep it.

@@ -128,6 +128,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    void chooseCursor();
     void sayThatNothingCanBeShown();
 
     struct State;

@@ -1,8 +1,10 @@
 #include "viewport_state.h"
 
 #include <QMouseEvent>
+#include <QNativeGestureEvent>
 #include <QTabletEvent>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ui
@@ -10,6 +12,7 @@ namespace ui
 namespace
 {
 constexpr double zoomPerNotch = 0.87;
+constexpr double leastPinch = 0.1; ///< of an event: a touchpad that says less means it no more
 constexpr double wheelNotch = 120; ///< QWheelEvent's eighths of a degree
 
 OrbitCamera::Pixel pixelOf(const QPointF& position)
@@ -27,13 +30,30 @@ PointerEvent pointerEvent(PointerEvent::Kind kind, const QSinglePointEvent& even
     made.time = static_cast<double>(event.timestamp()) * 1e-3;
     return made;
 }
+
+/// A touchpad's fingers, where the system tells pinching from scrolling, which comes as a wheel. False: it means nothing to us.
+bool takeGesture(PointerInput& input, const QNativeGestureEvent& event)
+{
+    switch (event.gestureType()) {
+    case Qt::ZoomNativeGesture:
+        input.zoom(1 / std::max(1 + event.value(), leastPinch), pixelOf(event.position()));
+        return true;
+    case Qt::PanNativeGesture:
+        input.pan(pixelOf(event.delta()));
+        return true;
+    default:
+        return false;
+    }
+}
 } // namespace
 
 void Viewport::changeEvent(QEvent* event)
 {
     QOpenGLWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange)
-        update();
+    if (event->type() != QEvent::PaletteChange)
+        return;
+    chooseCursor(); // it may be a drawing in the text's colour
+    update();
 }
 
 void Viewport::mousePressEvent(QMouseEvent* event)
@@ -59,6 +79,7 @@ void Viewport::tabletEvent(QTabletEvent* event)
                                                                : PointerEvent::Kind::Move;
     PointerEvent pen = pointerEvent(kind, *event);
     pen.pressure = event->pressure();
+    pen.isEraser = event->pointerType() == QPointingDevice::PointerType::Eraser;
     m_state->input.handle(pen);
     event->accept();
 }
@@ -88,6 +109,10 @@ bool Viewport::event(QEvent* event)
         m_state->touch.handle(*static_cast<QTouchEvent*>(event));
         event->accept(); // or Qt would send the same again as a mouse's
         return true;
+    case QEvent::NativeGesture:
+        if (takeGesture(m_state->input, *static_cast<QNativeGestureEvent*>(event)))
+            return true;
+        break;
     case QEvent::WindowBlocked:
     case QEvent::Hide:
         finish();

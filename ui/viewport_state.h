@@ -3,6 +3,7 @@
 #include "pointer_input.h"
 #include "scale_bar.h"
 #include "scene.h"
+#include "string_line.h"
 #include "touch_input.h"
 #include "viewport.h"
 
@@ -21,6 +22,7 @@ struct Viewport::State
     core::Box box;
     ViewLook look;
     ScaleBar* scaleBar = nullptr;
+    StringLine* string = nullptr;
     std::function<std::optional<core::MeshPatch>()> take;
     bool patchWaiting = false;
     unsigned int readFramebuffer = 0;
@@ -28,6 +30,7 @@ struct Viewport::State
 
     bool applyPatch();
     void placeCursor();
+    void spanString();
     void show(const Scene::Image& image, QSize pixels, unsigned int widgetFramebuffer);
 };
 } // namespace ui

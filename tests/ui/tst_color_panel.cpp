@@ -182,6 +182,23 @@ private Q_SLOTS:
         QCOMPARE(p.child<ui::ColorSwatches>("swatches")->colors(), p.settings.swatches());
     }
 
+    /// A colour is seen where it has the window's.
+    void theSwatchesFramesFollowTheTheme()
+    {
+        ui::ColorSwatches swatches;
+        swatches.setColors({{128, 128, 128}});
+        const auto frame = [&](const QColor& text) {
+            QPalette palette;
+            palette.setColor(QPalette::WindowText, text);
+            swatches.setPalette(palette);
+            const QList<QPushButton*> all = swatches.findChildren<QPushButton*>(QStringLiteral("swatch"));
+            return all.last()->icon().pixmap(20, 20).toImage().pixelColor(0, 0).lightness();
+        };
+        QVERIFY(frame(Qt::black) < 128);
+        QVERIFY(frame(Qt::white) > 128);
+        QVERIFY(frame(Qt::black) < 128);
+    }
+
     void swatchesHaveRoomForSoMany()
     {
         Palette p;

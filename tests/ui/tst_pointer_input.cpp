@@ -574,6 +574,72 @@ private Q_SLOTS:
         QVERIFY(!r.input.footprint());
     }
 
+    void theEraserDoesTheOpposite()
+    {
+        const auto toolOf = [](Tool tool, Qt::KeyboardModifiers keys, bool eraser) {
+            Recorder r;
+            r.brush.setTool(tool);
+            r.rest({400, 300}, somewhere);
+            ui::PointerEvent press{Kind::Press, {400, 300}, Qt::LeftButton, keys};
+            press.isEraser = eraser;
+            r.input.handle(press);
+            return r.settings.tool;
+        };
+        QCOMPARE(toolOf(Tool::Pull, {}, false), Tool::Pull);
+        QCOMPARE(toolOf(Tool::Pull, {}, true), Tool::Push);
+        QCOMPARE(toolOf(Tool::Push, {}, true), Tool::Pull);
+        QCOMPARE(toolOf(Tool::Pull, Qt::ControlModifier, true), Tool::Pull);
+        QCOMPARE(toolOf(Tool::Pull, Qt::ShiftModifier, true), Tool::Smooth);
+        QCOMPARE(toolOf(Tool::Flatten, {}, true), Tool::Flatten);
+    }
+
+    void pressureGoesThroughTheCurve()
+    {
+        const auto sampleOf = [](const ui::HandHabits& habits, double pressure) {
+            Recorder r;
+            r.input.setHabits(habits);
+            r.rest({400, 300}, somewhere);
+            ui::PointerEvent press{Kind::Press, {400, 300}, Qt::LeftButton, {}};
+            press.pressure = pressure;
+            r.input.handle(press);
+            return r.samples.front();
+        };
+        ui::HandHabits habits;
+        QCOMPARE(sampleOf(habits, 0.3).pressure, 0.3);
+        habits.penExponent = 2;
+        QCOMPARE(sampleOf(habits, 0.5).pressure, 0.25);
+        QCOMPARE(sampleOf(habits, 1).pressure, 1.0); // a mouse
+        habits.pressureToRadius = true;
+        QCOMPARE(*sampleOf(habits, 0.5).radius, 0.25 * ui::BrushSettings().stroke().radius);
+    }
+
+    /// It ends in the hand and at the brush, and there is none without a stroke or without a string.
+    void aSteadyStrokeShowsItsString()
+    {
+        Recorder r;
+        r.brush.setSteady(true);
+        r.brush.setStringLength(40);
+        r.rest({400, 300}, somewhere);
+        QVERIFY(!r.input.string());
+        r.send(Kind::Press, {400, 300});
+        r.send(Kind::Move, {500, 300});
+        QVERIFY(r.input.string());
+        QCOMPARE(r.input.string()->hand, Pixel(500, 300));
+        QCOMPARE(r.input.string()->brush, Pixel(460, 300));
+        r.send(Kind::Move, {470, 310}); // slack
+        QCOMPARE(r.input.string()->hand, Pixel(470, 310));
+        QCOMPARE(r.input.string()->brush, Pixel(460, 300));
+        r.send(Kind::Release, {470, 310});
+        QVERIFY(!r.input.string());
+
+        Recorder free;
+        free.rest({400, 300}, somewhere);
+        free.send(Kind::Press, {400, 300});
+        free.send(Kind::Move, {500, 300});
+        QVERIFY(free.input.string());
+        QCOMPARE(free.input.string()->hand, free.input.string()->brush);
+    }
+
     void onlyOneQuestionIsInFlight()
     {
         Recorder r;

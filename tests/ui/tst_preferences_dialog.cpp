@@ -1,4 +1,5 @@
 #include "ui/actions.h"
+#include "ui/pen_curve.h"
 #include "ui/preferences_dialog.h"
 
 #include "ui_test.h"
@@ -47,6 +48,17 @@ private Q_SLOTS:
         for (const char* name : {"pressureToStrength", "pressureToRadius", "altMovesView"})
             QTest::keyClick(child<QCheckBox>(dialog, name), Qt::Key_Space);
         QCOMPARE(dialog.preferences().hand, (ui::HandHabits{false, true, false}));
+    }
+
+    void thePensCurveIsBent()
+    {
+        PreferencesDialog dialog({}, m_actions, nullptr);
+        auto* curve = child<ui::PenCurve>(dialog, "penCurve");
+        QTest::keyClick(curve, Qt::Key_Up);
+        QVERIFY(dialog.preferences().hand.penExponent < 1);
+        QCOMPARE(dialog.preferences().hand.penExponent, curve->exponent());
+        dialog.setPreferences({});
+        QCOMPARE(curve->exponent(), 1);
     }
 
     void keysAreChanged()

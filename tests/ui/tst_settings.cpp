@@ -54,7 +54,7 @@ private Q_SLOTS:
         QCOMPARE(ui::Settings().preferences(), ui::Preferences());
         for (const auto& theme : ui::themeChoices)
             for (const auto& language : ui::languages) {
-                const ui::Preferences preferences{.theme = theme.value, .language = language.value, .hand = {false, true, false}};
+                const ui::Preferences preferences{.theme = theme.value, .language = language.value, .hand = {false, true, false, 2.5}};
                 ui::Settings().setPreferences(preferences);
                 QCOMPARE(ui::Settings().preferences(), preferences);
             }

@@ -3,6 +3,7 @@
 
 #include <QPointingDevice>
 #include <QSignalSpy>
+#include <QNativeGestureEvent>
 #include <QTabletEvent>
 #include <QWheelEvent>
 
@@ -389,24 +390,49 @@ private Q_SLOTS:
         Stage s;
         QSignalSpy began(&s.viewport, &ui::Viewport::strokeBegan);
         const ui::OrbitCamera& camera = s.viewport.camera();
-        const double size = camera.pixelsPerMm(camera.target());
         const core::Vec3 direction = camera.viewDirection();
-        const auto between = camera.ray({200, 150}); // the middle, where the target is
-        const core::Vec3 held = between.origin + camera.distance() * between.direction;
-        QTest::touchEvent(&s.viewport, m_finger).press(0, {170, 150});
-        QTest::touchEvent(&s.viewport, m_finger).move(0, {170, 150}).press(1, {230, 150});
-        QTest::touchEvent(&s.viewport, m_finger).move(0, {140, 150}).move(1, {260, 150});
-        QVERIFY(std::abs(camera.pixelsPerMm(camera.target()) - 2 * size) < 1e-6 * size);
-        QVERIFY((camera.project(held) - ui::OrbitCamera::Pixel(200, 150)).norm() < 1e-6);
-        QTest::touchEvent(&s.viewport, m_finger).move(0, {180, 130}).move(1, {300, 130});
-        QVERIFY((camera.project(held) - ui::OrbitCamera::Pixel(240, 130)).norm() < 1e-6);
-        QTest::touchEvent(&s.viewport, m_finger).release(0, {180, 130}).move(1, {300, 130});
+        const core::Vec3 held = s.model.hit(camera.ray({210, 140}))->position; // between the fingers, far before the target
+        const double size = camera.pixelsPerMm(held);
+        QTest::touchEvent(&s.viewport, m_finger).press(0, {180, 140});
+        QTest::touchEvent(&s.viewport, m_finger).move(0, {180, 140}).press(1, {240, 140});
+        QCoreApplication::processEvents(); // the answer comes
+        QTest::touchEvent(&s.viewport, m_finger).move(0, {150, 140}).move(1, {270, 140});
+        QVERIFY(std::abs(camera.pixelsPerMm(held) - 2 * size) < 1e-6 * size);
+        QVERIFY((camera.project(held) - ui::OrbitCamera::Pixel(210, 140)).norm() < 1e-6);
+        QTest::touchEvent(&s.viewport, m_finger).move(0, {190, 120}).move(1, {310, 120});
+        QVERIFY((camera.project(held) - ui::OrbitCamera::Pixel(250, 120)).norm() < 1e-6);
+        QVERIFY(s.viewport.cursor().shape() != Qt::CrossCursor); // no brush is there
+        QTest::touchEvent(&s.viewport, m_finger).release(0, {190, 120}).move(1, {310, 120});
         QTest::touchEvent(&s.viewport, m_finger).move(1, {330, 200}); // what is left of a gesture is no stroke
         QTest::touchEvent(&s.viewport, m_finger).release(1, {330, 200});
         QCoreApplication::processEvents();
         QCOMPARE(camera.viewDirection(), direction);
-        QVERIFY((camera.project(held) - ui::OrbitCamera::Pixel(240, 130)).norm() < 1e-6);
+        QVERIFY((camera.project(held) - ui::OrbitCamera::Pixel(250, 120)).norm() < 1e-6);
         QCOMPARE(began.count(), 0);
+    }
+
+    /// Where the pointer is, by the surface's depth there.
+    void aTouchpadPinchesAndPans()
+    {
+        Stage s;
+        sendMouse(&s.viewport, QEvent::MouseMove, {230, 120});
+        QTRY_COMPARE(s.viewport.cursor().shape(), Qt::CrossCursor);
+        const ui::OrbitCamera& camera = s.viewport.camera();
+        const core::Vec3 held = s.model.hit(camera.ray({230, 120}))->position;
+        const double size = camera.pixelsPerMm(held);
+        const auto send = [&](Qt::NativeGestureType type, double value, QPointF delta) {
+            QNativeGestureEvent event(type, QPointingDevice::primaryPointingDevice(), 2, {230, 120}, {230, 120}, s.viewport.mapToGlobal(QPoint(230, 120)),
+                                      value, delta);
+            QCoreApplication::sendEvent(&s.viewport, &event);
+        };
+        send(Qt::BeginNativeGesture, 0, {});
+        send(Qt::ZoomNativeGesture, 0.5, {});
+        QVERIFY(std::abs(camera.pixelsPerMm(held) / size - 1.5) < 1e-6);
+        QVERIFY((camera.project(held) - ui::OrbitCamera::Pixel(230, 120)).norm() < 1e-6);
+        send(Qt::PanNativeGesture, 0, {30, -10});
+        QVERIFY((camera.project(held) - ui::OrbitCamera::Pixel(260, 110)).norm() < 1e-6);
+        send(Qt::ZoomNativeGesture, -3, {}); // nonsense
+        QVERIFY(std::isfinite(camera.distance()) && camera.distance() > 0);
     }
 
     void oneFingerIsTheLeftButton()

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "curve_widget.h"
+#include "preferences.h"
+
+namespace ui
+{
+/// What counts as pressure over what the pen says (penPressure): dragging bends it, the arrow keys make it softer (up) or
+/// firmer. Gui thread.
+class PenCurve : public CurveWidget
+{
+    Q_OBJECT
+
+public:
+    explicit PenCurve(QWidget* parent = nullptr);
+
+    double exponent() const { return m_exponent; }
+    /// In the range of the preferences.
+    void setExponent(double exponent);
+
+Q_SIGNALS:
+    /// By hand.
+    void bent(double exponent);
+
+protected:
+    double valueAt(double x) const override { return penPressure(x, m_exponent); }
+    void bendTo(double x, double y) override;
+    void step(int by) override;
+
+private:
+    void bend(double exponent);
+
+    double m_exponent = 1;
+};
+} // namespace ui

@@ -1,0 +1,41 @@
+#include "string_line.h"
+
+#include <QPainter>
+
+namespace ui
+{
+namespace
+{
+constexpr int margin = 4; ///< pixels
+} // namespace
+
+StringLine::StringLine(QWidget* parent) : QWidget(parent)
+{
+    setObjectName(QStringLiteral("stringLine"));
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    hide();
+}
+
+void StringLine::span(const QLineF& line)
+{
+    setVisible(!line.isNull());
+    if (m_line == line || line.isNull())
+        return;
+    m_line = line;
+    const QRectF around = QRectF(line.p1(), line.p2()).normalized();
+    setGeometry(around.toAlignedRect().adjusted(-margin, -margin, margin, margin));
+    update();
+}
+
+/// Light on dark: it is seen on every clay.
+void StringLine::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.translate(-pos());
+    painter.setPen(QPen(QColor(0, 0, 0, 110), 3, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(m_line);
+    painter.setPen(QPen(QColor(255, 246, 232), 1.2, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(m_line);
+}
+} // namespace ui
