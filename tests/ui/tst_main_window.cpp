@@ -205,9 +205,11 @@ private Q_SLOTS:
             QVERIFY(word->isVisible());
             sendMouse(view, QEvent::MouseMove, {200, 200});
             QCOMPARE(window.brush()->value(parameter), before);
+            const int beside = word->x();
             sendMouse(view, QEvent::MouseMove, {230, 190});
             const double wider = window.brush()->value(parameter);
             QVERIFY(wider > before && !word->text().isEmpty());
+            QCOMPARE(word->x() > beside, parameter == Parameter::Radius); // it goes with the ring
             sendMouse(view, QEvent::MouseMove, {170, 200});
             QVERIFY(window.brush()->value(parameter) < before);
             sendMouse(view, QEvent::MouseMove, {230, 200});
