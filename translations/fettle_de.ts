@@ -1649,6 +1649,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
             <numerusform>%Ln Dateien liegen im Papierkorb.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Nothing in %1 can be changed: it is not permitted.</source>
+        <translation>In %1 lässt sich nichts ändern: Es ist nicht erlaubt.</translation>
+    </message>
 </context>
 <context>
     <name>ui::FileListModel</name>

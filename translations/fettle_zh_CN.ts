@@ -1645,6 +1645,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
             <numerusform>%Ln 个文件已移入回收站。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Nothing in %1 can be changed: it is not permitted.</source>
+        <translation>无法更改 %1 中的内容：没有权限。</translation>
+    </message>
 </context>
 <context>
     <name>ui::FileListModel</name>

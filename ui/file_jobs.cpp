@@ -81,8 +81,8 @@ FileOutcome FileJobs::rename(const QString& path, const QString& name)
         return {problem, {}};
     if (target == file.absoluteFilePath())
         return {{}, {target}};
-    if (!file.exists())
-        return {notThere(path), {}};
+    if (const QString problem = changeProblem(path); !problem.isEmpty())
+        return {problem, {}};
     const QFileInfo other(target);
     if (other.exists() || other.isSymLink())
         return {tr("There is a file named %1 already; %2 keeps its name.").arg(other.fileName(), file.fileName()), {}};
@@ -115,8 +115,8 @@ FileOutcome FileJobs::duplicate(const QStringList& paths)
         const QFileInfo file(path);
         QFile handle(path);
         const QString target = copyOf(path);
-        if (!file.exists())
-            outcome.sentence = notThere(path);
+        if (const QString problem = changeProblem(path); !problem.isEmpty())
+            outcome.sentence = problem;
         else if (handle.copy(target))
             outcome.paths << target;
         else
@@ -147,8 +147,8 @@ FileOutcome FileJobs::trash(const QStringList& paths)
     int moved = 0;
     for (const QString& path : paths) {
         const QFileInfo file(path);
-        if (!file.exists() && !file.isSymLink())
-            outcome.sentence = notThere(path);
+        if (const QString problem = changeProblem(path); !problem.isEmpty())
+            outcome.sentence = problem;
         else if (hasTrash() && QFile::moveToTrash(path))
             ++moved;
         else
@@ -157,6 +157,14 @@ FileOutcome FileJobs::trash(const QStringList& paths)
     if (outcome.sentence.isEmpty())
         outcome.sentence = moved == 1 ? tr("%1 is in the trash.").arg(QFileInfo(paths.constFirst()).fileName()) : tr("%Ln files are in the trash.", nullptr, moved);
     return outcome;
+}
+
+QString FileJobs::changeProblem(const QString& path)
+{
+    const QFileInfo file(path), folder(file.absolutePath());
+    if (!file.exists() && !file.isSymLink())
+        return notThere(path);
+    return folder.isWritable() ? QString() : tr("Nothing in %1 can be changed: it is not permitted.").arg(QDir::toNativeSeparators(folder.filePath()));
 }
 
 QString FileJobs::notThere(const QString& path)

@@ -42,6 +42,7 @@ public:
 private:
     static QString nameProblem(const QString& name);
     static QString copyOf(const QString& path);
+    static QString changeProblem(const QString& path);
     static QString notThere(const QString& path);
 };
 } // namespace ui

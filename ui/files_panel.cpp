@@ -1,6 +1,5 @@
 #include "files_panel.h"
 
-#include "actions.h"
 #include "file_grid.h"
 #include "file_item_delegate.h"
 #include "file_list_model.h"
@@ -12,12 +11,9 @@
 #include <QAction>
 #include <QComboBox>
 #include <QDir>
-#include <QDockWidget>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QMainWindow>
 #include <QMenu>
 #include <QSlider>
 #include <QToolButton>
@@ -161,6 +157,9 @@ QLayout* FilesPanel::buildFoot()
     m_state->setObjectName(QStringLiteral("files.state"));
     m_state->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_stop = button(QStringLiteral("files.stop"), QStringLiteral("stop"), tr("Stop"), tr("Makes no more pictures in this folder."));
+    QSizePolicy keepsItsPlace = m_stop->sizePolicy();
+    keepsItsPlace.setRetainSizeWhenHidden(true);
+    m_stop->setSizePolicy(keepsItsPlace);
     connect(m_stop, &QToolButton::clicked, this, [this] {
         m_isStopped = true;
         wantThumbnails();
