@@ -89,9 +89,9 @@ void FileItemDelegate::paintPicture(QPainter* painter, const QRect& room, const 
     themedIcon(icon).paint(painter, QRect(room.center() - QPoint(iconSize, iconSize) / 2, QSize(iconSize, iconSize)));
 }
 
-QWidget* FileItemDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex&) const
+QWidget* FileItemDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex& index) const
 {
-    auto* editor = new QLineEdit(parent);
+    auto* editor = new QLineEdit(index.data(Qt::EditRole).toString(), parent);
     editor->setObjectName(QStringLiteral("files.rename"));
     editor->setAccessibleName(tr("New name"));
     editor->setAlignment(Qt::AlignCenter);

@@ -271,6 +271,23 @@ private Q_SLOTS:
         QVERIFY(QFile::exists(models.path("Kugel ü.obj")));
     }
 
+    void aPictureThatComesMeanwhileLeavesTheNameThatIsTyped()
+    {
+        const Models models;
+        const Shown s(models);
+        QTRY_VERIFY(!s.picture(QStringLiteral("ball 9.obj")).isNull());
+        s.choose(QStringLiteral("ball 9.obj"));
+        QTest::keyClick(s.grid, Qt::Key_F2);
+        auto* editor = s.grid->findChild<QLineEdit*>(QStringLiteral("files.rename"));
+        QVERIFY(editor && editor->hasSelectedText());
+        editor->setText(QStringLiteral("new"));
+        write(models.path("ball 9.obj"), core::icosphere(1, 3));
+        QTRY_COMPARE(s.find(QStringLiteral("ball 9.obj")).data(ui::FileListModel::VerticesRole).toInt(), 42);
+        QCOMPARE(editor->text(), QStringLiteral("new"));
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_VERIFY(QFile::exists(models.path("new.obj")));
+    }
+
     void aDuplicateIsTheSameAndTakesItsPictureFromTheCache()
     {
         const Models models;
