@@ -1,0 +1,210 @@
+// What the window costs with models of 10,000 to 1,000,000 vertices: opening, frames while stroking, the 2D preview behind the
+// stroke, and how long the gui thread was ever away. By hand, on a release build, with a display:
+//   window_bench [VERTICES...]
+// CPU milliseconds of the gui thread; software GL rasterises in "clay" and in "blit", a graphics card does not.
+#include "app/document.h"
+#include "app/drawing_worker.h"
+#include "app/wiring.h"
+
+#include "bench_models.h"
+#include "core/mesh_io.h"
+#include "ui/main_window.h"
+#include "ui/viewport.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QDockWidget>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QMouseEvent>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <unistd.h>
+
+namespace
+{
+constexpr int moves = 150, moveMs = 10;
+constexpr int waitMs = 300'000;
+
+/// The program as main() puts it together.
+struct Program
+{
+    Program() { app::wire(window, document, worker, inbox); }
+
+    app::SculptWorker worker;
+    std::shared_ptr<app::PatchInbox> inbox = std::make_shared<app::PatchInbox>();
+    app::Document document{&worker};
+    ui::MainWindow window;
+};
+
+struct Samples
+{
+    std::vector<double> values;
+
+    double median() { return at(0.5); }
+    double worst() { return at(1); }
+    double at(double share)
+    {
+        if (values.empty())
+            return 0;
+        std::ranges::sort(values);
+        return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+    }
+};
+
+/// How long the event loop was away, without the frames that were drawn meanwhile.
+class Absence
+{
+public:
+    explicit Absence(const ui::Viewport* viewport) : m_viewport(viewport)
+    {
+        m_clock.start();
+        m_timer.setTimerType(Qt::PreciseTimer);
+        m_timer.callOnTimeout([this] { look(); });
+        m_timer.start(1);
+    }
+    double worst() const { return m_worst; }
+
+private:
+    void look()
+    {
+        const double away = static_cast<double>(m_clock.nsecsElapsed()) * 1e-6;
+        const auto& stats = m_viewport->stats();
+        const double drawing = stats.frames > m_frames ? stats.frameMs : 0;
+        m_worst = std::max(m_worst, away - drawing);
+        m_frames = stats.frames;
+        m_clock.restart();
+    }
+
+    const ui::Viewport* m_viewport;
+    QTimer m_timer;
+    QElapsedTimer m_clock;
+    quint64 m_frames = 0;
+    double m_worst = 0;
+};
+
+double secondsSinceProcessStart()
+{
+    QFile stat(QStringLiteral("/proc/self/stat")), uptime(QStringLiteral("/proc/uptime"));
+    if (!stat.open(QIODevice::ReadOnly) || !uptime.open(QIODevice::ReadOnly))
+        return 0;
+    const QByteArray text = stat.readAll();
+    const double ticks = text.mid(text.lastIndexOf(')') + 2).split(' ')[19].toDouble();
+    return uptime.readAll().split(' ')[0].toDouble() - ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
+}
+
+bool waitFor(const std::function<bool()>& isSo)
+{
+    return QTest::qWaitFor(isSo, waitMs);
+}
+
+void open(Program& program, const QString& path)
+{
+    int told = 0;
+    const auto counting = QObject::connect(&program.document, &app::Document::progressed, &program.window, [&] { ++told; });
+    Absence absence(program.window.viewport());
+    QElapsedTimer clock;
+    clock.start();
+    const quint64 wholes = program.window.viewport()->stats().wholeUploads;
+    program.document.open(path);
+    const bool opened = waitFor([&] { return !program.document.isBusy() && program.window.viewport()->stats().wholeUploads > wholes; });
+    QObject::disconnect(counting);
+    std::printf("%9llu  open to frame %7.0f ms   progress told %3d times   gui away at most %4.0f ms%s\n",
+                static_cast<unsigned long long>(program.document.facts().vertices), static_cast<double>(clock.elapsed()), told,
+                absence.worst(), opened ? "" : "   NOT OPENED");
+}
+
+/// A spiral on the model's front.
+void stroke(Program& program, const char* what)
+{
+    ui::Viewport* viewport = program.window.viewport();
+    Samples patch, clay, scene, rest, frame, latency, drawing;
+    const auto frames = QObject::connect(viewport, &QOpenGLWidget::frameSwapped, viewport, [&] {
+        const ui::ViewportStats& stats = viewport->stats();
+        patch.values.push_back(stats.patchMs);
+        clay.values.push_back(stats.drawMs);
+        scene.values.push_back(stats.sceneMs);
+        rest.values.push_back(stats.frameMs - stats.patchMs - stats.drawMs - stats.sceneMs);
+        frame.values.push_back(stats.frameMs);
+        latency.values.push_back(stats.latencyMs);
+    });
+    auto* drawings = program.window.findChild<app::DrawingWorker*>();
+    QObject::connect(drawings, &app::DrawingWorker::drawn, viewport, [&] {
+        if (drawings->latencyMs() > 0)
+            drawing.values.push_back(drawings->latencyMs());
+    });
+    Absence absence(viewport);
+    const QPoint middle = viewport->rect().center();
+    const auto at = [&](int i) {
+        const double turn = 0.25 * i, radius = 0.9 * i;
+        return middle + QPoint(static_cast<int>(radius * std::cos(turn)), static_cast<int>(radius * std::sin(turn)));
+    };
+    QTest::mousePress(viewport, Qt::LeftButton, {}, at(0));
+    for (int i = 1; i < moves; ++i) {
+        QMouseEvent move(QEvent::MouseMove, at(i), viewport->mapToGlobal(at(i)), Qt::NoButton, Qt::LeftButton, {});
+        QApplication::sendEvent(viewport, &move);
+        QTest::qWait(moveMs);
+    }
+    QTest::mouseRelease(viewport, Qt::LeftButton, {}, at(moves));
+    waitFor([&] { return program.document.isSettled(); });
+    QTest::qWait(500);
+    QObject::disconnect(frames);
+    QObject::disconnect(drawings, nullptr, viewport, nullptr);
+    std::printf("           %-18s %3zu frames: patch %5.2f  scene %5.2f  clay %6.2f  blit %6.2f  whole %6.2f (worst %6.1f)   input to frame %5.1f"
+                "   gui away %4.0f",
+                what, frame.values.size(), patch.median(), scene.median(), clay.median(), rest.median(), frame.median(), frame.worst(),
+                latency.median(), absence.worst());
+    if (!drawing.values.empty())
+        std::printf("   %zu drawings, behind %.0f, worst %.0f", drawing.values.size(), drawing.median(), drawing.worst());
+    std::printf("\n");
+    std::fflush(stdout);
+}
+
+void measure(Program& program, core::Slot cuts, const QString& folder)
+{
+    core::TriangleMesh model = bench::geodesicSphere(cuts);
+    for (core::Vec3f& point : model.points)
+        point *= 50;
+    const QString path = folder + QStringLiteral("/%1.ply").arg(cuts);
+    core::writeMesh(path.toStdString(), model);
+    open(program, path);
+    program.window.brush()->setValue(core::Parameter::Radius, 4);
+    stroke(program, "stroke");
+    QAction* wireframe = program.window.action(QStringLiteral("view.wireframe"));
+    wireframe->trigger();
+    stroke(program, "with wireframe");
+    wireframe->trigger();
+    auto* preview = program.window.findChild<QDockWidget*>(QStringLiteral("previewPanel"));
+    preview->show();
+    QTest::qWait(2000); // the first, fine drawing
+    stroke(program, "with 2D preview");
+    preview->hide();
+}
+} // namespace
+
+int main(int argc, char* argv[])
+{
+    const QTemporaryDir folder;
+    for (const char* name : {"XDG_CONFIG_HOME", "XDG_CACHE_HOME"})
+        qputenv(name, folder.path().toLocal8Bit());
+    ui::prepareGraphics();
+    QApplication application(argc, argv);
+    Program program;
+    program.document.setMayDiscard([](const auto&) { return true; });
+    program.window.resize(1280, 720);
+    program.window.show();
+    program.document.openSphere();
+    waitFor([&] { return program.window.viewport()->stats().patches > 0; });
+    std::printf("start to the first frame with clay: %.2f s\n", secondsSinceProcessStart());
+    QStringList sizes = QApplication::arguments().mid(1);
+    if (sizes.isEmpty())
+        sizes = {QStringLiteral("10000"), QStringLiteral("100000"), QStringLiteral("1000000")};
+    for (const QString& size : sizes)
+        measure(program, static_cast<core::Slot>(std::lround(std::sqrt(size.toDouble() / 10))), folder.path());
+    return 0;
+}
