@@ -63,7 +63,7 @@ void ModelInquiry::ask()
 void ModelInquiry::judge(std::shared_ptr<core::TriangleMesh> mesh, const std::stop_token& stop)
 {
     m_aside.start([this, mesh = std::move(mesh), stop] {
-        const core::MeshReport report = core::checkMesh(*mesh, stop);
+        const core::MeshReport report = core::checkMesh(*mesh, {stop, {}});
         const auto tell = [this, report, stop] {
             if (stop.stop_requested())
                 return;

@@ -14,6 +14,7 @@ namespace app
 namespace
 {
 constexpr int paperSubdivisions = 4;
+constexpr double afterReading = 0.1; ///< share of the time
 
 core::Box boxOf(const core::TriangleMesh& mesh)
 {
@@ -48,7 +49,8 @@ LoadedModel ModelLoader::load(const QString& path, bool inPlace, const Tell& tel
         const core::TriangleMesh mesh = core::readMesh(toPath(path));
         if (tell)
             tell(tr("Checking %1").arg(loaded.name));
-        build(loaded, mesh, inPlace, watch);
+        watch.reached(afterReading);
+        build(loaded, mesh, inPlace, watch.part(afterReading, 1));
     } catch (const core::FileError& error) {
         loaded.problem = ui::Messages::sentence(error);
     } catch (const std::bad_alloc&) {

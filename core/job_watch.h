@@ -17,5 +17,12 @@ struct JobWatch
         if (progress)
             progress(share);
     }
+    /// For a part of the job that takes it from one share to another.
+    JobWatch part(double from, double to) const
+    {
+        if (!progress)
+            return {stop, {}};
+        return {stop, [from, to, whole = progress](double share) { whole(from + share * (to - from)); }};
+    }
 };
 } // namespace core

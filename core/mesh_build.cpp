@@ -18,7 +18,7 @@ namespace core
 namespace
 {
 /// Shares of the time that a build takes.
-constexpr double afterCheck = 0.5, afterFit = 0.8;
+constexpr double afterCheck = 0.7, afterFit = 0.75;
 
 /// Where the model goes on its lattice.
 struct Placed
@@ -72,8 +72,7 @@ TriangleMesh withoutUnusedVertices(const TriangleMesh& mesh)
 BuildResult buildMesh(const TriangleMesh& model, bool centre, const JobWatch& watch)
 {
     BuildResult result;
-    result.report = checkMesh(model, watch.stop);
-    watch.reached(afterCheck);
+    result.report = checkMesh(model, watch.part(0, afterCheck));
     if (watch.stopped() || !result.report.printReady())
         return result;
     TriangleMesh used = withoutUnusedVertices(model);

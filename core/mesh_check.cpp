@@ -10,6 +10,9 @@ namespace core
 {
 namespace
 {
+/// Shares of the time.
+constexpr double afterDegenerate = 0.02, afterTopology = 0.12, afterIntersections = 0.5, afterNesting = 0.55;
+
 constexpr std::size_t facesPerChunk = 1 << 14;
 
 Box boxOf(const TriangleMesh& mesh)
@@ -113,7 +116,7 @@ bool staysValid(const TriangleMesh& mesh, const Box& box, bool isSolid, const st
 }
 } // namespace
 
-MeshReport checkMesh(const TriangleMesh& mesh, const std::stop_token& stop)
+MeshReport checkMesh(const TriangleMesh& mesh, const JobWatch& watch)
 {
     MeshReport report;
     report.faces = mesh.triangles.size();
@@ -124,17 +127,22 @@ MeshReport checkMesh(const TriangleMesh& mesh, const std::stop_token& stop)
     report.degenerateFaces.count = degenerate.size();
     degenerate.resize(std::min(degenerate.size(), Finding::maxFirst));
     report.degenerateFaces.firstFaces = std::move(degenerate);
+    watch.reached(afterDegenerate);
     addTopology(report, mesh);
+    watch.reached(afterTopology);
     addMeasures(report, mesh, box);
-    report.intersections = selfIntersections<FloatPredicates>(mesh.points, mesh.triangles, Finding::maxFirst, stop);
-    if (stop.stop_requested())
+    report.intersections = selfIntersections<FloatPredicates>(mesh.points, mesh.triangles, Finding::maxFirst, watch.stop);
+    watch.reached(afterIntersections);
+    if (watch.stopped())
         return report;
 
     const bool embedded = report.degenerateFaces.count == 0 && report.intersections.count == 0;
     if (embedded && report.closed && report.manifold && report.oriented)
         report.boundsSolid = boundsSolid(mesh.points, mesh.triangles);
+    watch.reached(afterNesting);
     if (embedded)
-        report.latticeOk = staysValid(mesh, box, report.printReady(), stop);
+        report.latticeOk = staysValid(mesh, box, report.printReady(), watch.stop);
+    watch.reached(1);
     return report;
 }
 } // namespace core

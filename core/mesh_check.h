@@ -1,5 +1,6 @@
 #pragma once
 
+#include "job_watch.h"
 #include "mesh_topology.h"
 #include "self_intersection.h"
 #include "triangle_mesh.h"
@@ -47,5 +48,5 @@ struct MeshReport
 
 /// Judges the mesh's float32 coordinates exactly, not snapped. Indices in range, points finite. All cores; the result does
 /// not depend on their number. Who asked it to stop must not use the result. About 1 s a million faces on two.
-MeshReport checkMesh(const TriangleMesh& mesh, const std::stop_token& stop = {});
+MeshReport checkMesh(const TriangleMesh& mesh, const JobWatch& watch = {});
 } // namespace core

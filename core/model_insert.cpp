@@ -111,8 +111,7 @@ void write(Mesh& mesh, const Lattice& lattice, const LatticeFit& fit, TriangleMe
 
 void insertModel(Mesh& mesh, const Insert& command, ModelChange& change, const JobWatch& watch)
 {
-    change.report = checkMesh(command.model, watch.stop);
-    watch.reached(afterJudging);
+    change.report = checkMesh(command.model, watch.part(0, afterJudging));
     if (watch.stopped())
         return;
     if (!change.report.printReady()) {

@@ -149,7 +149,7 @@ void symmetrize(Mesh& mesh, const Symmetrize& command, ModelChange& change, cons
         symmetrizer.part();
         const bool closed = symmetrizer.mirror();
         watch.reached(afterMirroring);
-        const MeshReport report = closed && !watch.stopped() ? checkMesh(extractMesh(mesh), watch.stop) : MeshReport();
+        const MeshReport report = closed && !watch.stopped() ? checkMesh(extractMesh(mesh), watch.part(afterMirroring, 1)) : MeshReport();
         if (report.printReady())
             return;
         change.faces = report.intersections.count + report.degenerateFaces.count;
