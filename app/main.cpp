@@ -7,6 +7,7 @@
 #include "ui/settings.h"
 #include "ui/viewport.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QLibraryInfo>
 #include <QTranslator>
@@ -112,6 +113,8 @@ int runWindow(int argc, char* argv[])
         document.openSphere();
     else
         document.open(file);
+    if (file.isEmpty() && ui::Settings().showsStartPage())
+        window.action(QStringLiteral("help.start"))->trigger();
     return QApplication::exec();
 }
 } // namespace

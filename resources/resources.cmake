@@ -1,4 +1,4 @@
-# fettle_add_resources(TARGET): what the program reads at run time as ":/<path below resources>": icons, shaders.
+# fettle_add_resources(TARGET): what the program reads at run time as ":/<path below resources>": icons, shaders, the user guide.
 # On executables only: in a static library resources can be lost when it is linked.
 set(FETTLE_RESOURCE_FILES
     icons/about.svg
@@ -23,6 +23,7 @@ set(FETTLE_RESOURCE_FILES
     icons/frame.svg
     icons/fusion.svg
     icons/ground.svg
+    icons/guide.svg
     icons/headset.svg
     icons/insert.svg
     icons/keys.svg
@@ -71,6 +72,7 @@ set(FETTLE_RESOURCE_FILES
     icons/smooth.svg
     icons/sort-down.svg
     icons/sort-up.svg
+    icons/start.svg
     icons/steady.svg
     icons/sound.svg
     icons/stop.svg
@@ -103,6 +105,14 @@ set(FETTLE_RESOURCE_FILES
     shaders/plane.vert
     shaders/wire.frag
     shaders/wire.geom)
+foreach(LANGUAGE en de zh_CN)
+    foreach(PAGE first-steps lesson-vase lesson-head lesson-tablet view tools topology symmetry colour files preview history keys pen problems)
+        list(APPEND FETTLE_RESOURCE_FILES help/${LANGUAGE}/${PAGE}.md)
+    endforeach()
+endforeach()
+foreach(PICTURE first-steps lesson-vase lesson-head lesson-tablet)
+    list(APPEND FETTLE_RESOURCE_FILES help/pictures/${PICTURE}.png)
+endforeach()
 
 function(fettle_add_resources TARGET)
     list(TRANSFORM FETTLE_RESOURCE_FILES PREPEND ${PROJECT_SOURCE_DIR}/resources/ OUTPUT_VARIABLE FILES)

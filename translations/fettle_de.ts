@@ -1280,6 +1280,22 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>The right button turns the view.</source>
         <translation>Die rechte Taste dreht die Ansicht.</translation>
     </message>
+    <message>
+        <source>&amp;User Guide</source>
+        <translation>&amp;Anleitung</translation>
+    </message>
+    <message>
+        <source>Opens the guide beside the window: first steps, lessons, and a page for everything.</source>
+        <translation>Öffnet die Anleitung neben dem Fenster: erste Schritte, Lektionen und eine Seite für alles.</translation>
+    </message>
+    <message>
+        <source>&amp;Start Page</source>
+        <translation>&amp;Startseite</translation>
+    </message>
+    <message>
+        <source>Shows what to begin with: starters, recent files, and three short lessons.</source>
+        <translation>Zeigt, womit man beginnen kann: Anfänge, zuletzt geöffnete Dateien und drei kurze Lektionen.</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -1844,10 +1860,61 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
+    <name>ui::GuideWindow</name>
+    <message>
+        <source>User Guide</source>
+        <translation>Anleitung</translation>
+    </message>
+    <message>
+        <source>Search the guide</source>
+        <translation>Anleitung durchsuchen</translation>
+    </message>
+    <message>
+        <source>Words to search for</source>
+        <translation>Gesuchte Wörter</translation>
+    </message>
+    <message>
+        <source>Leaves only the pages that have these words; Return goes to the next place.</source>
+        <translation>Lässt nur die Seiten mit diesen Wörtern; die Eingabetaste geht zur nächsten Stelle.</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Inhalt</translation>
+    </message>
+    <message>
+        <source>No page has all of these words.</source>
+        <translation>Keine Seite hat alle diese Wörter.</translation>
+    </message>
+    <message>
+        <source>Page of the guide</source>
+        <translation>Seite der Anleitung</translation>
+    </message>
+    <message>
+        <source>Lesson: %1</source>
+        <translation>Lektion: %1</translation>
+    </message>
+    <message>
+        <source>The pages of the guide.</source>
+        <translation>Die Seiten der Anleitung.</translation>
+    </message>
+</context>
+<context>
     <name>ui::HandActions</name>
     <message>
         <source>Click where the ball should be. Esc puts it away.</source>
         <translation>Klicken Sie dahin, wo die Kugel sein soll. Esc legt sie weg.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::HelpText</name>
+    <message>
+        <source>(no key)</source>
+        <translation>(keine Taste)</translation>
+    </message>
+    <message>
+        <source> or </source>
+        <comment>one key or the other</comment>
+        <translation> oder </translation>
     </message>
 </context>
 <context>
@@ -2857,6 +2924,57 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>The model cannot be shown: OpenGL 3.3 is needed, and this display offers %1.%2.</source>
         <translation>Das Modell lässt sich nicht anzeigen: Nötig ist OpenGL 3.3, diese Anzeige bietet %1.%2.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::StartPage</name>
+    <message>
+        <source>Start page</source>
+        <translation>Startseite</translation>
+    </message>
+    <message>
+        <source>Begin with</source>
+        <translation>Beginnen mit</translation>
+    </message>
+    <message>
+        <source>Recent files</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Three short lessons</source>
+        <translation>Drei kurze Lektionen</translation>
+    </message>
+    <message>
+        <source>What will you make?</source>
+        <translation>Was soll es werden?</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Goes to the ball of clay. (Esc)</source>
+        <translation>Geht zur Kugel aus Ton. (Esc)</translation>
+    </message>
+    <message>
+        <source>Opens a model that was open before.</source>
+        <translation>Öffnet ein Modell, das schon einmal offen war.</translation>
+    </message>
+    <message>
+        <source>Opens the lesson in the guide, beside the window.</source>
+        <translation>Öffnet die Lektion in der Anleitung, neben dem Fenster.</translation>
+    </message>
+    <message>
+        <source>&amp;Show this page at start</source>
+        <translation>Diese Seite beim Start &amp;zeigen</translation>
+    </message>
+    <message>
+        <source>Else Fettle begins with the ball of clay; Help › Start Page brings this page back.</source>
+        <translation>Sonst beginnt Fettle mit der Kugel aus Ton; Hilfe › Startseite bringt diese Seite zurück.</translation>
+    </message>
+    <message>
+        <source>None yet</source>
+        <translation>Noch keine</translation>
     </message>
 </context>
 <context>

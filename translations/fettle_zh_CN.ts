@@ -1278,6 +1278,22 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>The right button turns the view.</source>
         <translation>鼠标右键旋转视图。</translation>
     </message>
+    <message>
+        <source>&amp;User Guide</source>
+        <translation>用户指南(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Opens the guide beside the window: first steps, lessons, and a page for everything.</source>
+        <translation>在窗口旁打开指南：入门、课程，以及每个主题的一页。</translation>
+    </message>
+    <message>
+        <source>&amp;Start Page</source>
+        <translation>起始页(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Shows what to begin with: starters, recent files, and three short lessons.</source>
+        <translation>显示可以从何开始：基本形体、最近的文件和三节短课。</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -1838,10 +1854,61 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
 </context>
 <context>
+    <name>ui::GuideWindow</name>
+    <message>
+        <source>User Guide</source>
+        <translation>用户指南</translation>
+    </message>
+    <message>
+        <source>Search the guide</source>
+        <translation>搜索指南</translation>
+    </message>
+    <message>
+        <source>Words to search for</source>
+        <translation>要搜索的词</translation>
+    </message>
+    <message>
+        <source>Leaves only the pages that have these words; Return goes to the next place.</source>
+        <translation>只保留含有这些词的页面；按回车转到下一处。</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>目录</translation>
+    </message>
+    <message>
+        <source>No page has all of these words.</source>
+        <translation>没有页面含有所有这些词。</translation>
+    </message>
+    <message>
+        <source>Page of the guide</source>
+        <translation>指南页面</translation>
+    </message>
+    <message>
+        <source>Lesson: %1</source>
+        <translation>课程：%1</translation>
+    </message>
+    <message>
+        <source>The pages of the guide.</source>
+        <translation>指南的各页。</translation>
+    </message>
+</context>
+<context>
     <name>ui::HandActions</name>
     <message>
         <source>Click where the ball should be. Esc puts it away.</source>
         <translation>请单击要放置球的位置。按 Esc 取消。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::HelpText</name>
+    <message>
+        <source>(no key)</source>
+        <translation>（无快捷键）</translation>
+    </message>
+    <message>
+        <source> or </source>
+        <comment>one key or the other</comment>
+        <translation> 或 </translation>
     </message>
 </context>
 <context>
@@ -2849,6 +2916,57 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>The model cannot be shown: OpenGL 3.3 is needed, and this display offers %1.%2.</source>
         <translation>无法显示模型：需要 OpenGL 3.3，而此显示环境仅提供 %1.%2。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::StartPage</name>
+    <message>
+        <source>Start page</source>
+        <translation>起始页</translation>
+    </message>
+    <message>
+        <source>Begin with</source>
+        <translation>从这里开始</translation>
+    </message>
+    <message>
+        <source>Recent files</source>
+        <translation>最近的文件</translation>
+    </message>
+    <message>
+        <source>Three short lessons</source>
+        <translation>三节短课</translation>
+    </message>
+    <message>
+        <source>What will you make?</source>
+        <translation>您想做什么？</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Goes to the ball of clay. (Esc)</source>
+        <translation>转到泥球。（Esc）</translation>
+    </message>
+    <message>
+        <source>Opens a model that was open before.</source>
+        <translation>打开以前打开过的模型。</translation>
+    </message>
+    <message>
+        <source>Opens the lesson in the guide, beside the window.</source>
+        <translation>在窗口旁的指南中打开课程。</translation>
+    </message>
+    <message>
+        <source>&amp;Show this page at start</source>
+        <translation>启动时显示此页(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Else Fettle begins with the ball of clay; Help › Start Page brings this page back.</source>
+        <translation>否则 Fettle 从泥球开始；“帮助 › 起始页”可重新显示此页。</translation>
+    </message>
+    <message>
+        <source>None yet</source>
+        <translation>暂无</translation>
     </message>
 </context>
 <context>

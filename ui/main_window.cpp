@@ -1,6 +1,5 @@
 #include "main_window.h"
 
-#include "about.h"
 #include "actions.h"
 #include "banner.h"
 #include "brush_actions.h"
@@ -8,10 +7,10 @@
 #include "brush_panels.h"
 #include "busy_bar.h"
 #include "color_panel.h"
-#include "command_box.h"
 #include "facts_bar.h"
 #include "files_panel.h"
 #include "hand_actions.h"
+#include "help_actions.h"
 #include "history_panel.h"
 #include "look_actions.h"
 #include "messages.h"
@@ -22,6 +21,7 @@
 #include "preview_panel.h"
 #include "scene.h"
 #include "settings.h"
+#include "start_page.h"
 #include "view_actions.h"
 #include "viewport.h"
 
@@ -158,8 +158,9 @@ void MainWindow::State::connectActions()
     on("edit.stop", [this] { Q_EMIT q->stopRequested(); });
     connectView(actions, viewport);
     connectPreferences({q, &actions, &settings, &brush, viewport});
-    on("help.keys", [this] { (new CommandBox(actions, q))->open(); });
-    on("help.about", [this] { showAbout(q); });
+    StartPage* start = connectHelp(actions, &settings, q);
+    connect(start, &StartPage::fileChosen, q, &MainWindow::openRequested);
+    connect(q, &MainWindow::openRequested, start, &StartPage::close);
     for (const char* id : {"edit.undo", "edit.redo"})
         actions.get(QLatin1StringView(id))->setEnabled(false);
 }

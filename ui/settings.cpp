@@ -34,6 +34,7 @@ const QString clockwiseKey = QStringLiteral("turntable/clockwise");
 const QString radiusShareKey = QStringLiteral("brush/radiusShare");
 const QString themeKey = QStringLiteral("preferences/theme");
 const QString languageKey = QStringLiteral("preferences/language");
+const QString startPageKey = QStringLiteral("start/page");
 const QString keyPresetKey = QStringLiteral("keys/preset");
 const QString ownKeys = QStringLiteral("keys/own/"); ///< and the action's id
 const QString penKey = QStringLiteral("preferences/penExponent");
@@ -272,6 +273,16 @@ void Settings::setLook(const ViewLook& look)
     m_settings.setValue(backgroundKey, wordFor(look.background, backgrounds));
     for (const LookSwitch& row : lookSwitches)
         m_settings.setValue(row.key, look.*row.what);
+}
+
+bool Settings::showsStartPage() const
+{
+    return yesNo(m_settings, startPageKey, true);
+}
+
+void Settings::setShowsStartPage(bool shows)
+{
+    m_settings.setValue(startPageKey, shows);
 }
 
 bool Settings::isSteady() const

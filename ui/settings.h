@@ -80,6 +80,10 @@ public:
     ViewLook look() const;
     void setLook(const ViewLook& look);
 
+    /// Whether the start page is shown when the program begins without a file.
+    bool showsStartPage() const;
+    void setShowsStartPage(bool shows);
+
     /// Whether strokes hang on a string, and its length in logical pixels.
     bool isSteady() const;
     void setSteady(bool steady);

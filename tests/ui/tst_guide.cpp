@@ -1,0 +1,178 @@
+#include "ui/actions.h"
+#include "ui/guide_window.h"
+#include "ui/help_text.h"
+
+#include "ui_test.h"
+
+#include <QAction>
+#include <QDir>
+#include <QFileInfo>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMainWindow>
+#include <QRegularExpression>
+#include <QTextBrowser>
+
+using ui::HelpPage;
+
+namespace
+{
+const QStringList languages = {QStringLiteral("en"), QStringLiteral("de"), QStringLiteral("zh_CN")};
+
+QString source(const QString& language, const QString& page)
+{
+    QFile file(QStringLiteral(":/help/%1/%2.md").arg(language, page));
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+QStringList found(const QString& text, const QString& pattern)
+{
+    QStringList all;
+    for (auto match = QRegularExpression(pattern).globalMatch(text); match.hasNext();)
+        all << match.next().captured(1);
+    all.sort();
+    return all;
+}
+
+/// The guide in a window of its own.
+struct Desk
+{
+    QMainWindow window;
+    ui::Actions actions{&window};
+    ui::GuideWindow guide{actions, &window};
+
+    template <class Widget> Widget* child(const char* name) { return guide.findChild<Widget*>(QLatin1StringView(name)); }
+    QListWidget* contents() { return child<QListWidget>("guideContents"); }
+    QString text() { return child<QTextBrowser>("guideText")->toPlainText(); }
+    int shown()
+    {
+        int count = 0;
+        for (int i = 0; i < contents()->count(); ++i)
+            count += !contents()->item(i)->isHidden();
+        return count;
+    }
+};
+} // namespace
+
+class TestGuide : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QLocale::setDefault(QLocale::c()); }
+    void cleanup() { QLocale::setDefault(QLocale::c()); }
+
+    /// Nothing of one language is missing in another, and nothing lies there that nobody reads.
+    void languagesSayTheSame()
+    {
+        for (const QString& language : languages)
+            QCOMPARE(QDir(QStringLiteral(":/help/") + language).entryList({QStringLiteral("*.md")}).size(), qsizetype(ui::helpPages().size()));
+        for (const HelpPage& page : ui::helpPages()) {
+            const QString id = QLatin1StringView(page.id), english = source(QStringLiteral("en"), id);
+            for (const QString& language : languages) {
+                const QString text = source(language, id);
+                QVERIFY2(text.startsWith(QStringLiteral("# ")), page.id);
+                for (const char* pattern : {R"(!\[[^\]]*\]\(([^)]*)\))", R"([^!]\[[^\]]*\]\(([^)]*)\))", R"(\{([^}]*)\})"})
+                    QCOMPARE(found(text, QLatin1StringView(pattern)), found(english, QLatin1StringView(pattern)));
+                QCOMPARE(text.count(QStringLiteral("\n|")), english.count(QStringLiteral("\n|")));
+                QCOMPARE(text.count(QStringLiteral("\n- ")), english.count(QStringLiteral("\n- ")));
+                if (language != QStringLiteral("en"))
+                    QVERIFY2(text != english, page.id);
+            }
+        }
+    }
+
+    void everyPlaceLinkAndPictureIsThere()
+    {
+        QSet<QString> ids, pages;
+        for (const ui::ActionInfo& row : ui::actionTable())
+            ids << QLatin1StringView(row.id);
+        for (const HelpPage& page : ui::helpPages())
+            pages << QLatin1StringView(page.id);
+        for (const HelpPage& page : ui::helpPages()) {
+            const QString text = source(QStringLiteral("en"), QLatin1StringView(page.id));
+            for (const QString& place : found(text, QStringLiteral(R"(\{([^}]*)\})"))) {
+                const QString what = place.section(u':', 0, 0), id = place.section(u':', 1);
+                const bool isHeld = place == QStringLiteral("invert") || place == QStringLiteral("smooth");
+                QVERIFY2(isHeld || ((what == QStringLiteral("key") || what == QStringLiteral("menu")) && ids.contains(id)), qPrintable(place));
+            }
+            for (const QString& link : found(text, QStringLiteral(R"([^!]\[[^\]]*\]\(([^)]*)\))")))
+                QVERIFY2(pages.contains(link), qPrintable(link));
+            for (const QString& picture : found(text, QStringLiteral(R"(!\[[^\]]*\]\(([^)]*)\))")))
+                QVERIFY2(QImage(QStringLiteral(":/help/") + picture).width() > 100, qPrintable(picture));
+            if (page.isLesson())
+                QVERIFY2(text.contains(QLatin1StringView(page.picture)), page.id);
+        }
+    }
+
+    /// No mark of Markdown or place is left in what is read.
+    void everyPageIsReadable()
+    {
+        for (const QString& language : languages) {
+            QLocale::setDefault(QLocale(language));
+            QCOMPARE(ui::helpFolder(QLocale()), QStringLiteral(":/help/") + language);
+            Desk desk;
+            for (int i = 0; i < desk.contents()->count(); ++i) {
+                desk.contents()->setCurrentRow(i);
+                const QString where = language + u' ' + desk.contents()->item(i)->text();
+                QVERIFY2(desk.text().size() > 100 && !desk.contents()->item(i)->text().isEmpty(), qPrintable(where));
+                for (const char* mark : {"**", "{", "}", "](", "`", "|--"})
+                    QVERIFY2(!desk.text().contains(QLatin1StringView(mark)), qPrintable(where + QLatin1StringView(mark)));
+            }
+        }
+        QCOMPARE(ui::helpFolder(QLocale(QStringLiteral("fr"))), QStringLiteral(":/help/en"));
+        QCOMPARE(ui::helpFolder(QLocale(QStringLiteral("de_AT"))), QStringLiteral(":/help/de"));
+    }
+
+    void keysAreThoseOfNow()
+    {
+        Desk desk;
+        desk.guide.openPage(QStringLiteral("tools"));
+        QVERIFY(!desk.text().contains(QStringLiteral("Alt")));
+        desk.actions.setKeys({ui::KeyPreset::ZBrush, {{QStringLiteral("tool.pull"), QStringLiteral("Ctrl+Alt+9")}, {QStringLiteral("tool.push"), {}}}});
+        desk.guide.openPage(QStringLiteral("tools"));
+        QVERIFY(desk.text().contains(QStringLiteral("Ctrl+Alt+9")) && desk.text().contains(QStringLiteral("no key")));
+        QVERIFY(ui::helpText(QStringLiteral("tools"), desk.actions).contains(QStringLiteral("`Alt`")));
+    }
+
+    void wordsAreSought()
+    {
+        Desk desk;
+        desk.guide.openPage({});
+        auto* words = desk.child<QLineEdit>("guideWords");
+        QCOMPARE(desk.shown(), int(ui::helpPages().size()));
+        QTest::keyClicks(words, QStringLiteral("groove"));
+        QVERIFY(desk.shown() > 0 && desk.shown() < 5 && !desk.contents()->currentItem()->isHidden());
+        QVERIFY(desk.text().contains(QStringLiteral("groove")));
+        auto* text = desk.child<QTextBrowser>("guideText");
+        QCOMPARE(text->textCursor().selectedText(), QStringLiteral("groove"));
+        QVERIFY(!text->extraSelections().isEmpty());
+        QTest::keyClick(words, Qt::Key_Return);
+        QCOMPARE(text->textCursor().selectedText(), QStringLiteral("groove"));
+        QVERIFY(desk.guide.isVisible());
+        QTest::keyClicks(words, QStringLiteral(" xyzzy"));
+        QCOMPARE(desk.shown(), 0);
+        QVERIFY(desk.child<QLabel>("guideNothing")->isVisible());
+        words->clear();
+        QCOMPARE(desk.shown(), int(ui::helpPages().size()));
+        QVERIFY(text->extraSelections().isEmpty());
+    }
+
+    void pagesAreTurnedByKeysAndLinks()
+    {
+        Desk desk;
+        desk.guide.openPage({});
+        const QString first = desk.text();
+        QTest::keyClick(desk.child<QLineEdit>("guideWords"), Qt::Key_Down);
+        QVERIFY(desk.text() != first);
+        desk.guide.openPage(QStringLiteral("symmetry"));
+        Q_EMIT desk.child<QTextBrowser>("guideText")->anchorClicked(QUrl(QStringLiteral("lesson-vase")));
+        QCOMPARE(desk.contents()->currentRow(), 1);
+        QTest::keyClick(&desk.guide, Qt::Key_Escape);
+        QVERIFY(!desk.guide.isVisible());
+    }
+};
+
+UI_TEST_MAIN(TestGuide)
+#include "tst_guide.moc"

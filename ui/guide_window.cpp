@@ -1,0 +1,222 @@
+#include "guide_window.h"
+
+#include "actions.h"
+#include "help_text.h"
+
+#include <QCoreApplication>
+#include <QEvent>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QSplitter>
+#include <QTextBlock>
+#include <QTextBrowser>
+#include <QTextTable>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace ui
+{
+namespace
+{
+constexpr int gap = 8; ///< of the window's spacing grid
+constexpr QSize usualSize{860, 600};
+constexpr int contentsWidth = 250;
+enum Role { Id = Qt::UserRole, Text };
+
+/// Lines between the rows only, and no row for headings that are not there.
+void layOut(QTextTable* table, const QColor& line)
+{
+    QTextTableFormat format = table->format();
+    format.setBorderCollapse(true);
+    format.setBorderStyle(QTextFrameFormat::BorderStyle_Solid);
+    format.setBorderBrush(line);
+    format.setBorder(0.5);
+    format.setCellSpacing(0);
+    format.setCellPadding(gap / 2);
+    format.setBottomMargin(gap);
+    table->setFormat(format);
+    table->removeRows(0, 1);
+}
+
+/// Room between the lines of text, and above the headings.
+void layOut(QTextDocument* document, const QColor& line)
+{
+    for (QTextFrame* frame : document->rootFrame()->childFrames())
+        if (auto* table = qobject_cast<QTextTable*>(frame))
+            layOut(table, line);
+    for (QTextBlock block = document->begin(); block.isValid(); block = block.next()) {
+        QTextCursor cursor(block);
+        QTextBlockFormat format = block.blockFormat();
+        if (!block.text().contains(QChar::ObjectReplacementCharacter))
+            format.setLineHeight(130, QTextBlockFormat::ProportionalHeight);
+        format.setTopMargin(format.headingLevel() > 1 ? 2 * gap : format.topMargin());
+        format.setBottomMargin(gap);
+        cursor.setBlockFormat(format);
+    }
+}
+} // namespace
+
+GuideWindow::GuideWindow(const Actions& actions, QWidget* parent)
+    : QDialog(parent), m_actions(actions), m_words(new QLineEdit), m_contents(new QListWidget), m_text(new QTextBrowser), m_nothing(new QLabel)
+{
+    setObjectName(QStringLiteral("guide"));
+    setWindowTitle(tr("User Guide"));
+    m_words->setObjectName(QStringLiteral("guideWords"));
+    m_words->setPlaceholderText(tr("Search the guide"));
+    m_words->setAccessibleName(tr("Words to search for"));
+    m_words->setToolTip(tr("Leaves only the pages that have these words; Return goes to the next place."));
+    m_words->setClearButtonEnabled(true);
+    m_words->installEventFilter(this);
+    m_contents->setObjectName(QStringLiteral("guideContents"));
+    m_contents->setAccessibleName(tr("Contents"));
+    m_contents->setToolTip(tr("The pages of the guide."));
+    m_contents->setSpacing(gap / 4);
+    m_contents->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_nothing->setObjectName(QStringLiteral("guideNothing"));
+    m_nothing->setWordWrap(true);
+    m_nothing->setText(tr("No page has all of these words."));
+    m_nothing->hide();
+    m_text->setObjectName(QStringLiteral("guideText"));
+    m_text->setAccessibleName(tr("Page of the guide"));
+    m_text->setSearchPaths({QStringLiteral(":/help")});
+    m_text->setOpenLinks(false);
+    m_text->document()->setDocumentMargin(3 * gap);
+
+    auto* left = new QWidget;
+    auto* column = new QVBoxLayout(left);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(gap);
+    column->addWidget(m_words);
+    column->addWidget(m_nothing);
+    column->addWidget(m_contents);
+    auto* parts = new QSplitter;
+    parts->addWidget(left);
+    parts->addWidget(m_text);
+    parts->setStretchFactor(1, 1);
+    parts->setSizes({contentsWidth, usualSize.width() - contentsWidth});
+    parts->setChildrenCollapsible(false);
+    auto* all = new QVBoxLayout(this);
+    all->setContentsMargins(gap, gap, gap, gap);
+    all->addWidget(parts);
+    resize(usualSize);
+
+    fillContents();
+    connect(m_contents, &QListWidget::currentItemChanged, this, &GuideWindow::showPage);
+    connect(m_words, &QLineEdit::textChanged, this, &GuideWindow::search);
+    connect(m_text, &QTextBrowser::anchorClicked, this, [this](const QUrl& url) { openPage(url.toString()); });
+}
+
+void GuideWindow::fillContents()
+{
+    for (const HelpPage& page : helpPages()) {
+        auto* item = new QListWidgetItem(m_contents);
+        item->setData(Id, QLatin1StringView(page.id));
+        const QString text = helpText(QLatin1StringView(page.id), m_actions);
+        item->setText(page.isLesson() ? tr("Lesson: %1").arg(helpTitle(text)) : helpTitle(text));
+        QTextDocument plain;
+        plain.setMarkdown(text);
+        item->setData(Text, plain.toPlainText());
+    }
+}
+
+void GuideWindow::openPage(const QString& page)
+{
+    m_words->clear();
+    m_contents->setCurrentRow(0);
+    for (int i = 0; i < m_contents->count(); ++i)
+        if (m_contents->item(i)->data(Id).toString() == page)
+            m_contents->setCurrentRow(i);
+    showPage();
+    show();
+    raise();
+    activateWindow();
+}
+
+void GuideWindow::showPage()
+{
+    const QListWidgetItem* item = m_contents->currentItem();
+    if (!item)
+        return;
+    m_text->setMarkdown(helpText(item->data(Id).toString(), m_actions));
+    layOut(m_text->document(), palette().mid().color());
+    m_text->moveCursor(QTextCursor::Start);
+    markFound();
+}
+
+void GuideWindow::search()
+{
+    const QStringList words = m_words->text().split(u' ', Qt::SkipEmptyParts);
+    const QListWidgetItem* first = nullptr;
+    for (int i = 0; i < m_contents->count(); ++i) {
+        QListWidgetItem* item = m_contents->item(i);
+        const QString text = item->data(Text).toString();
+        const bool has = std::ranges::all_of(words, [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
+        item->setHidden(!has);
+        if (has && !first)
+            first = item;
+    }
+    m_nothing->setVisible(!first);
+    if (first && (!m_contents->currentItem() || m_contents->currentItem()->isHidden()))
+        m_contents->setCurrentItem(const_cast<QListWidgetItem*>(first));
+    markFound();
+}
+
+/// Every place of the first word; the view goes to the first.
+void GuideWindow::markFound()
+{
+    const QString word = m_words->text().section(u' ', 0, 0, QString::SectionSkipEmpty);
+    QList<QTextEdit::ExtraSelection> marks;
+    QTextCursor at(m_text->document());
+    while (!word.isEmpty() && !(at = m_text->document()->find(word, at)).isNull()) {
+        QTextEdit::ExtraSelection mark;
+        mark.cursor = at;
+        mark.format.setBackground(palette().highlight());
+        mark.format.setForeground(palette().highlightedText());
+        marks << mark;
+    }
+    m_text->setExtraSelections(marks);
+    m_text->moveCursor(QTextCursor::Start);
+    if (!marks.isEmpty())
+        findNext();
+}
+
+/// Round and round.
+void GuideWindow::findNext()
+{
+    const QString word = m_words->text().section(u' ', 0, 0, QString::SectionSkipEmpty);
+    if (!word.isEmpty() && !m_text->find(word)) {
+        m_text->moveCursor(QTextCursor::Start);
+        m_text->find(word);
+    }
+}
+
+/// Return would press a button, and the arrows move in the line.
+bool GuideWindow::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() != QEvent::KeyPress)
+        return QDialog::eventFilter(watched, event);
+    switch (static_cast<QKeyEvent*>(event)->key()) {
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        findNext();
+        return true;
+    case Qt::Key_Up:
+    case Qt::Key_Down:
+        QCoreApplication::sendEvent(m_contents, event);
+        return true;
+    default:
+        return QDialog::eventFilter(watched, event);
+    }
+}
+
+/// Colours of links are those of the palette when the text was set.
+void GuideWindow::changeEvent(QEvent* event)
+{
+    QDialog::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        showPage();
+}
+} // namespace ui

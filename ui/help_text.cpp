@@ -1,0 +1,126 @@
+#include "help_text.h"
+
+#include "actions.h"
+
+#include <QAction>
+#include <QCoreApplication>
+#include <QFile>
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <array>
+
+namespace ui
+{
+namespace
+{
+constexpr std::array<HelpPage, 15> pages{{{"first-steps"},
+                                          {"lesson-vase", "lesson-vase.png"},
+                                          {"lesson-head", "lesson-head.png"},
+                                          {"lesson-tablet", "lesson-tablet.png"},
+                                          {"view"},
+                                          {"tools"},
+                                          {"topology"},
+                                          {"symmetry"},
+                                          {"colour"},
+                                          {"files"},
+                                          {"preview"},
+                                          {"history"},
+                                          {"keys"},
+                                          {"pen"},
+                                          {"problems"}}};
+
+struct HelpText
+{
+    Q_DECLARE_TR_FUNCTIONS(ui::HelpText)
+};
+
+/// Null if there is none.
+const ActionInfo* rowOf(const QString& id)
+{
+    const auto row = std::ranges::find_if(actionTable(), [&](const ActionInfo& action) { return id == QLatin1StringView(action.id); });
+    return row != actionTable().end() ? &*row : nullptr;
+}
+
+/// As code, where no sign of it means anything to Markdown.
+QString asKey(const QString& key)
+{
+    return u'`' + key + u'`';
+}
+
+QString keyWords(const ActionInfo& row, const Actions& actions)
+{
+    QStringList keys;
+    for (const QKeySequence& key : actions.get(QLatin1StringView(row.id))->shortcuts())
+        keys << asKey(key.toString(QKeySequence::NativeText));
+    return keys.isEmpty() ? HelpText::tr("(no key)") : keys.join(HelpText::tr(" or ", "one key or the other"));
+}
+
+QString menuWords(const ActionInfo& row, const Actions& actions)
+{
+    QList<MenuId> way{row.menu};
+    if (row.menu == MenuId::New)
+        way.prepend(MenuId::File);
+    if (row.menu == MenuId::Material || row.menu == MenuId::Background)
+        way.prepend(MenuId::View);
+    QStringList words;
+    for (const MenuId menu : way)
+        words << Actions::plain(actions.menuTitle(menu));
+    words << actions.get(QLatin1StringView(row.id))->iconText();
+    return QStringLiteral("**%1**").arg(words.join(QStringLiteral(" › ")));
+}
+
+QString fill(const QString& what, const QString& id, const Actions& actions)
+{
+    const ActionInfo* row = rowOf(id);
+    if (what == QLatin1StringView("invert"))
+        return asKey(Actions::modifierName(heldKeys(actions.keys().preset).invert));
+    if (what == QLatin1StringView("smooth"))
+        return asKey(Actions::modifierName(Qt::ShiftModifier));
+    if (!row)
+        return {};
+    return what == QLatin1StringView("key") ? keyWords(*row, actions) : what == QLatin1StringView("menu") ? menuWords(*row, actions) : QString();
+}
+} // namespace
+
+std::span<const HelpPage> helpPages()
+{
+    return pages;
+}
+
+QString helpFolder(const QLocale& locale)
+{
+    for (QString language : locale.uiLanguages()) {
+        language.replace(u'-', u'_');
+        for (const QString& name : {language, language.section(u'_', 0, 0)})
+            if (const QString folder = QStringLiteral(":/help/") + name; QFile::exists(folder))
+                return folder;
+    }
+    return QStringLiteral(":/help/en");
+}
+
+QString helpText(const QString& id, const Actions& actions)
+{
+    QFile file(QStringLiteral("%1/%2.md").arg(helpFolder(QLocale()), id));
+    if (!file.open(QIODevice::ReadOnly))
+        return {};
+    const QString source = QString::fromUtf8(file.readAll());
+    static const QRegularExpression place(QStringLiteral(R"(\{([a-z]+)(?::([\w.]+))?\})"));
+    QString text;
+    qsizetype done = 0;
+    for (auto match = place.globalMatch(source); match.hasNext();) {
+        const QRegularExpressionMatch found = match.next();
+        const QString words = fill(found.captured(1), found.captured(2), actions);
+        text += QStringView(source).mid(done, found.capturedStart() - done);
+        text += words.isEmpty() ? found.captured() : words;
+        done = found.capturedEnd();
+    }
+    text += QStringView(source).mid(done);
+    return text;
+}
+
+QString helpTitle(const QString& text)
+{
+    return text.section(u'\n', 0, 0).mid(2);
+}
+} // namespace ui

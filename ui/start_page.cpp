@@ -1,0 +1,248 @@
+#include "start_page.h"
+
+#include "actions.h"
+#include "help_text.h"
+#include "settings.h"
+#include "themed_icon.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QDir>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace ui
+{
+namespace
+{
+constexpr int gap = 8; ///< of the window's spacing grid
+constexpr QSize pictureSize{150, 100};
+constexpr int starterWidth = 84, recentWidth = 240;
+
+QLabel* heading(const QString& text)
+{
+    auto* label = new QLabel(text);
+    QFont font = label->font();
+    font.setBold(true);
+    label->setFont(font);
+    return label;
+}
+
+QToolButton* tile(QSize icon)
+{
+    auto* button = new QToolButton;
+    button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+    button->setIconSize(icon);
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::StrongFocus);
+    return button;
+}
+} // namespace
+
+StartPage::StartPage(const Actions& actions, Settings* settings, QWidget* over)
+    : QFrame(over), m_actions(actions), m_settings(settings), m_over(over), m_recent(new QListWidget)
+{
+    setObjectName(QStringLiteral("startPage"));
+    setAccessibleName(tr("Start page"));
+    setAutoFillBackground(true);
+    setFrameShape(QFrame::StyledPanel);
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(3 * gap, 2 * gap, 3 * gap, 2 * gap);
+    grid->setHorizontalSpacing(3 * gap);
+    grid->setVerticalSpacing(gap);
+    grid->addLayout(head(), 0, 0, 1, 2);
+    grid->addWidget(heading(tr("Begin with")), 1, 0, 1, 2);
+    grid->addLayout(starters(), 2, 0, 1, 2);
+    grid->setRowMinimumHeight(3, gap);
+    grid->addWidget(heading(tr("Recent files")), 4, 0);
+    grid->addWidget(heading(tr("Three short lessons")), 4, 1);
+    grid->addLayout(recent(), 5, 0);
+    grid->addLayout(lessons(), 5, 1);
+    grid->addLayout(foot(), 6, 0, 1, 2);
+    over->installEventFilter(this);
+    hide();
+}
+
+QLayout* StartPage::head()
+{
+    auto* icon = new QLabel;
+    icon->setPixmap(QIcon(QStringLiteral(":/icons/fettle.svg")).pixmap(40, 40));
+    auto* title = new QLabel(tr("What will you make?"));
+    QFont font = title->font();
+    font.setPointSizeF(font.pointSizeF() * 1.6);
+    title->setFont(font);
+    auto* closing = new QToolButton;
+    closing->setObjectName(QStringLiteral("startClose"));
+    closing->setIcon(themedIcon(QStringLiteral("panel-close")));
+    closing->setAutoRaise(true);
+    closing->setFocusPolicy(Qt::StrongFocus);
+    closing->setAccessibleName(tr("Close"));
+    closing->setToolTip(tr("Goes to the ball of clay. (Esc)"));
+    connect(closing, &QToolButton::clicked, this, &StartPage::close);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(gap);
+    row->addWidget(icon);
+    row->addWidget(title, 1);
+    row->addWidget(closing, 0, Qt::AlignTop);
+    return row;
+}
+
+QLayout* StartPage::starters()
+{
+    auto* row = new QHBoxLayout;
+    row->setSpacing(gap);
+    for (const ActionInfo& info : actionTable()) {
+        if (info.menu != MenuId::New)
+            continue;
+        QAction* action = m_actions.get(QLatin1StringView(info.id));
+        QToolButton* button = tile({32, 32});
+        button->setDefaultAction(action);
+        button->setObjectName(QStringLiteral("start.") + action->objectName());
+        button->setMinimumWidth(starterWidth);
+        connect(action, &QAction::triggered, this, &StartPage::close);
+        row->addWidget(button, 1);
+    }
+    return row;
+}
+
+QLayout* StartPage::recent()
+{
+    m_recent->setObjectName(QStringLiteral("startRecent"));
+    m_recent->setAccessibleName(tr("Recent files"));
+    m_recent->setToolTip(tr("Opens a model that was open before."));
+    m_recent->setFixedWidth(recentWidth);
+    m_recent->setFixedHeight(pictureSize.height() + 3 * gap);
+    m_recent->setSpacing(gap / 4);
+    m_recent->setTextElideMode(Qt::ElideMiddle);
+    const auto choose = [this](const QListWidgetItem* item) {
+        const QString path = item->data(Qt::UserRole).toString();
+        close();
+        Q_EMIT fileChosen(path);
+    };
+    connect(m_recent, &QListWidget::itemActivated, this, choose);
+    auto* opening = new QPushButton(m_actions.get(QStringLiteral("file.open"))->text());
+    opening->setObjectName(QStringLiteral("startOpen"));
+    opening->setToolTip(m_actions.get(QStringLiteral("file.open"))->toolTip());
+    connect(opening, &QPushButton::clicked, this, [this] {
+        close();
+        m_actions.get(QStringLiteral("file.open"))->trigger();
+    });
+    auto* column = new QVBoxLayout;
+    column->setSpacing(gap);
+    column->addWidget(m_recent);
+    column->addWidget(opening, 0, Qt::AlignLeft);
+    return column;
+}
+
+QLayout* StartPage::lessons()
+{
+    auto* row = new QHBoxLayout;
+    row->setSpacing(gap);
+    for (const HelpPage& page : helpPages()) {
+        if (!page.isLesson())
+            continue;
+        const QString id = QLatin1StringView(page.id), title = helpTitle(helpText(id, m_actions));
+        QToolButton* button = tile(pictureSize);
+        button->setObjectName(QStringLiteral("start.") + id);
+        button->setIcon(QIcon(QStringLiteral(":/help/pictures/") + QLatin1StringView(page.picture)));
+        button->setText(title);
+        button->setToolTip(tr("Opens the lesson in the guide, beside the window."));
+        connect(button, &QToolButton::clicked, this, [this, id] {
+            close();
+            Q_EMIT lessonChosen(id);
+        });
+        row->addWidget(button, 1, Qt::AlignTop);
+    }
+    return row;
+}
+
+QLayout* StartPage::foot()
+{
+    auto* atStart = new QCheckBox(tr("&Show this page at start"));
+    atStart->setObjectName(QStringLiteral("startAlways"));
+    atStart->setToolTip(tr("Else Fettle begins with the ball of clay; Help › Start Page brings this page back."));
+    const auto takeUp = [this, atStart] { atStart->setChecked(m_settings->showsStartPage()); };
+    takeUp();
+    m_settings->onReset(takeUp);
+    connect(atStart, &QCheckBox::clicked, this, [this](bool shows) { m_settings->setShowsStartPage(shows); });
+    auto* guide = new QPushButton(m_actions.get(QStringLiteral("help.guide"))->text());
+    guide->setObjectName(QStringLiteral("startGuide"));
+    guide->setToolTip(m_actions.get(QStringLiteral("help.guide"))->toolTip());
+    connect(guide, &QPushButton::clicked, this, [this] { Q_EMIT lessonChosen({}); });
+    auto* row = new QHBoxLayout;
+    row->addWidget(atStart, 1);
+    row->addWidget(guide);
+    return row;
+}
+
+/// Those that are gone are not offered.
+void StartPage::fillRecent()
+{
+    m_recent->clear();
+    for (const QString& path : m_settings->recentFiles()) {
+        const QFileInfo file(path);
+        if (!file.exists())
+            continue;
+        auto* item = new QListWidgetItem(file.fileName(), m_recent);
+        item->setData(Qt::UserRole, path);
+        item->setToolTip(QDir::toNativeSeparators(path));
+    }
+    if (m_recent->count() > 0)
+        return;
+    auto* none = new QListWidgetItem(tr("None yet"), m_recent);
+    none->setFlags(Qt::NoItemFlags);
+}
+
+void StartPage::open()
+{
+    fillRecent();
+    place();
+    show();
+    raise();
+    findChild<QToolButton*>(QStringLiteral("start.new.ball"))->setFocus();
+}
+
+void StartPage::close()
+{
+    if (isHidden())
+        return;
+    hide();
+    m_over->setFocus();
+}
+
+void StartPage::place()
+{
+    const QSize room = m_over->size() - QSize(2 * gap, 2 * gap);
+    resize(sizeHint().boundedTo(room).expandedTo(minimumSizeHint()));
+    move(std::max(0, (m_over->width() - width()) / 2), std::max(0, (m_over->height() - height()) / 2));
+}
+
+/// Esc may be a command's, else.
+bool StartPage::event(QEvent* event)
+{
+    const bool isKey = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
+    if (!isKey || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape)
+        return QFrame::event(event);
+    event->accept();
+    if (event->type() == QEvent::KeyPress)
+        close();
+    return true;
+}
+
+bool StartPage::eventFilter(QObject* watched, QEvent* event)
+{
+    const bool isEscape = event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape;
+    if (event->type() == QEvent::Resize && isVisible())
+        place();
+    else if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::TabletPress || event->type() == QEvent::TouchBegin || isEscape)
+        close();
+    return QFrame::eventFilter(watched, event);
+}
+} // namespace ui

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <QFrame>
+
+class QListWidget;
+
+namespace ui
+{
+class Actions;
+class Settings;
+
+/// What to begin with: a starter, a recent file, a lesson. Lies over the middle of a widget until something is chosen, Esc, or a
+/// press beside it, which is that widget's as ever. Gui thread.
+class StartPage : public QFrame
+{
+    Q_OBJECT
+
+public:
+    /// The actions and the settings must outlive it.
+    StartPage(const Actions& actions, Settings* settings, QWidget* over);
+
+    void open();
+    void close();
+
+Q_SIGNALS:
+    void fileChosen(const QString& path);
+    void lessonChosen(const QString& page);
+
+protected:
+    bool event(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    QLayout* head();
+    QLayout* starters();
+    QLayout* recent();
+    QLayout* lessons();
+    QLayout* foot();
+    void fillRecent();
+    void place();
+
+    const Actions& m_actions;
+    Settings* m_settings;
+    QWidget* m_over;
+    QListWidget* m_recent;
+};
+} // namespace ui
