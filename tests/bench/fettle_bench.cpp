@@ -1,5 +1,5 @@
 // What a dab costs, in tables: the paper's Table 1, scale, large dabs, strength, memory. By hand, on a release build:
-//   fettle_bench [--benchmark_filter=table1|peersStroke|largeDab|strength|memory]
+//   fettle_bench [--benchmark_filter=table1|peersStroke|largeDab|strength|drawing|memory]
 //   FETTLE_AGED_DABS=100000 fettle_bench --benchmark_filter=agedStroke
 // Five interleaved runs of each row, of which the best counts; --benchmark_repetitions=1 is enough for a look.
 
@@ -50,6 +50,7 @@ std::vector<bench::Table> tables()
           {"wall", "wall", 0},
           {"per_vertex", "a vertex", 3},
           {"whole", "whole", 3}}},
+        {"drawing", "Drawings of 1,004,892 vertices, three views: milliseconds", {{"wall", "wall", 1}}},
         {"memory",
          "Memory: bytes a vertex",
          {{"opened", "opened", 0},
