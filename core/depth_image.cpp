@@ -74,9 +74,13 @@ bool DepthImage::draw(const DrawArrays& model, std::span<const std::uint8_t> fac
 void DepthImage::drawFace(Slot f, const Triangle& t)
 {
     const Vec3f &a = m_points[t[0]], &b = m_points[t[1]], &c = m_points[t[2]];
-    const Vec3f low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
-    const int bottom = firstCentre(low.y()), top = lastCentre(high.y()), left = firstCentre(low.x()), right = lastCentre(high.x());
-    if (bottom > top || left > right)
+    const auto [lowY, highY] = std::minmax({a.y(), b.y(), c.y()});
+    const int bottom = firstCentre(lowY), top = lastCentre(highY);
+    if (bottom > top)
+        return;
+    const auto [lowX, highX] = std::minmax({a.x(), b.x(), c.x()});
+    const int left = firstCentre(lowX), right = lastCentre(highX);
+    if (left > right)
         return;
     const Vec2f ab = (b - a).head<2>(), ac = (c - a).head<2>();
     const float area = cross(ab, ac);
@@ -84,10 +88,11 @@ void DepthImage::drawFace(Slot f, const Triangle& t)
         return;
     const float slopeX = ((b.z() - a.z()) * ac.y() - (c.z() - a.z()) * ab.y()) / area;
     const float slopeY = ((c.z() - a.z()) * ab.x() - (b.z() - a.z()) * ac.x()) / area;
+    const float highZ = std::max({a.z(), b.z(), c.z()});
     const std::array<const Vec3f*, 3> corners{&a, &b, &c};
     for (int y = bottom; y <= top; ++y) {
         const float row = static_cast<float>(y) + 0.5F;
-        float from = high.x(), to = low.x();
+        float from = highX, to = lowX;
         for (std::size_t i = 0; i < 3; ++i) {
             const Vec3f *lower = corners[i], *upper = corners[(i + 1) % 3];
             if (lower->y() > upper->y()) // the same sum for both faces at the edge, so that no pixel falls between them
@@ -104,7 +109,7 @@ void DepthImage::drawFace(Slot f, const Triangle& t)
             const float z = a.z() + slopeX * (static_cast<float>(x) + 0.5F - a.x()) + slopeY * (row - a.y());
             const std::size_t i = index(x, y);
             if (z > m_depth[i]) {
-                m_depth[i] = std::min(z, high.z());
+                m_depth[i] = std::min(z, highZ);
                 m_face[i] = f;
             }
         }

@@ -3,6 +3,8 @@
 #include "drawing_edges.h"
 
 #include <algorithm>
+#include <array>
+#include <future>
 
 namespace core
 {
@@ -37,41 +39,71 @@ struct HalfEdge
     friend auto operator<=>(const HalfEdge&, const HalfEdge&) = default;
 };
 
+/// What the faces from `first` on say; each part has a thread of its own.
+struct Part
+{
+    Slot first = 0, end = 0;
+    std::vector<std::uint8_t> marks; ///< by vertex slot: sides that see a face of it, sides that see one's back, sharp
+    Box box;
+    double volume = 0; ///< times 6
+    std::vector<HalfEdge> halfEdges;
+    bool isTooMuch = false;
+};
+
 class Scanner
 {
 public:
-    Scanner(const DrawArrays& model, const std::stop_token& stop) : m_model(model), m_stop(stop) {}
+    Scanner(const DrawArrays& model, const std::stop_token& stop) : m_model(model), m_stop(stop)
+    {
+        const auto faces = static_cast<Slot>(model.faces.size()), share = faces / static_cast<Slot>(m_parts.size());
+        for (Slot i = 0; i < m_parts.size(); ++i) {
+            m_parts[i].first = i * share;
+            m_parts[i].end = i + 1 == m_parts.size() ? faces : (i + 1) * share;
+        }
+    }
 
     std::optional<DrawingScan> run(std::size_t mostEdges)
     {
         m_scan.facing.assign(m_model.faces.size(), 0);
-        m_marks.assign(m_model.vertices.size(), 0);
-        if (!eachFace([this](Slot f) { measure(f); }) || !collect(mostEdges))
+        if (!eachPart([this](Part& part) { return measure(part); }))
             return std::nullopt;
-        m_scan.volume /= 6;
-        std::ranges::sort(m_halfEdges);
+        joinMeasures();
+        if (!collect(mostEdges))
+            return std::nullopt;
         pair();
         return std::move(m_scan);
     }
 
 private:
-    template <class Work> bool eachFace(Work work)
+    /// False if one of them was stopped.
+    template <class Work> bool eachPart(Work work)
     {
-        const auto count = static_cast<Slot>(m_model.faces.size());
-        for (Slot first = 0; first < count; first += facesAStep) {
+        auto aside = std::async(std::launch::async, [&] { return work(m_parts[1]); });
+        const bool isDone = work(m_parts[0]);
+        return aside.get() && isDone;
+    }
+
+    template <class Work> bool eachFace(const Part& part, Work work) const
+    {
+        for (Slot first = part.first; first < part.end; first += facesAStep) {
             if (m_stop.stop_requested())
                 return false;
-            for (Slot f = first, end = std::min(count, first + facesAStep); f < end; ++f)
-                work(f);
+            for (Slot f = first, end = std::min(part.end, first + facesAStep); f < end; ++f)
+                if (!isFree(m_model.faces[f]))
+                    work(f);
         }
         return true;
     }
 
-    void measure(Slot f)
+    bool measure(Part& part)
+    {
+        part.marks.assign(m_model.vertices.size(), 0);
+        return eachFace(part, [&](Slot f) { measure(part, f); });
+    }
+
+    void measure(Part& part, Slot f)
     {
         const Triangle& t = m_model.faces[f];
-        if (isFree(t))
-            return;
         const Vec3 normal = drawnNormal(m_model, f);
         const std::uint8_t facing = facingOf(normal);
         m_scan.facing[f] = facing;
@@ -80,10 +112,18 @@ private:
         const float length2 = direction.squaredNorm();
         for (const Slot v : t) {
             const DrawVertex& vertex = m_model.vertices[v];
-            m_marks[v] = static_cast<std::uint8_t>(m_marks[v] | mark | (isSharp(vertex, direction, length2) ? sharpBit : 0));
-            m_scan.box.extend(vertex.position.cast<double>());
+            part.marks[v] = static_cast<std::uint8_t>(part.marks[v] | mark | (isSharp(vertex, direction, length2) ? sharpBit : 0));
+            part.box.extend(vertex.position.cast<double>());
         }
-        m_scan.volume += m_model.vertices[t[0]].position.cast<double>().dot(normal);
+        part.volume += m_model.vertices[t[0]].position.cast<double>().dot(normal);
+    }
+
+    void joinMeasures()
+    {
+        m_marks = std::move(m_parts[0].marks);
+        std::ranges::transform(m_marks, m_parts[1].marks, m_marks.begin(), [](std::uint8_t one, std::uint8_t other) { return static_cast<std::uint8_t>(one | other); });
+        m_scan.box = m_parts[0].box.merged(m_parts[1].box);
+        m_scan.volume = (m_parts[0].volume + m_parts[1].volume) / 6;
     }
 
     bool mayBeLine(Slot a, Slot b) const
@@ -95,23 +135,32 @@ private:
     /// Creases are left out where they would be too many.
     bool collect(std::size_t mostEdges)
     {
-        bool isTooMuch = false;
-        const auto add = [&](Slot f) {
-            const Triangle& t = m_model.faces[f];
-            if (isFree(t) || isTooMuch)
+        if (!eachPart([&](Part& part) { return collect(part, mostEdges); }))
+            return false;
+        auto& [one, other] = m_parts;
+        m_halfEdges = std::move(one.halfEdges);
+        m_halfEdges.insert(m_halfEdges.end(), other.halfEdges.begin(), other.halfEdges.end());
+        if (m_scan.hasCreases && (one.isTooMuch || other.isTooMuch || m_halfEdges.size() / 2 > mostEdges)) {
+            m_scan.hasCreases = false;
+            return collect(mostEdges);
+        }
+        std::ranges::sort(m_halfEdges);
+        return true;
+    }
+
+    bool collect(Part& part, std::size_t mostEdges)
+    {
+        part.halfEdges.clear();
+        part.isTooMuch = false;
+        return eachFace(part, [&](Slot f) {
+            if (part.isTooMuch)
                 return;
+            const Triangle& t = m_model.faces[f];
             for (std::size_t i = 0; i < 3; ++i)
                 if (const Slot a = t[i], b = t[(i + 1) % 3]; mayBeLine(a, b))
-                    m_halfEdges.push_back({std::min(a, b), std::max(a, b), f});
-            isTooMuch = m_scan.hasCreases && m_halfEdges.size() / 2 > mostEdges;
-        };
-        if (!eachFace(add))
-            return false;
-        if (!isTooMuch)
-            return true;
-        m_scan.hasCreases = false;
-        m_halfEdges.clear();
-        return collect(mostEdges);
+                    part.halfEdges.push_back({std::min(a, b), std::max(a, b), f});
+            part.isTooMuch = m_scan.hasCreases && part.halfEdges.size() / 2 > mostEdges;
+        });
     }
 
     void pair()
@@ -138,7 +187,8 @@ private:
     const DrawArrays& m_model;
     const std::stop_token& m_stop;
     DrawingScan m_scan;
-    std::vector<std::uint8_t> m_marks; ///< by vertex slot: sides that see a face of it, sides that see one's back, sharp
+    std::array<Part, 2> m_parts;
+    std::vector<std::uint8_t> m_marks; ///< of all parts
     std::vector<HalfEdge> m_halfEdges;
 };
 } // namespace
