@@ -24,6 +24,7 @@
 #include "start_page.h"
 #include "view_actions.h"
 #include "viewport.h"
+#include "window_place.h"
 
 #include <QAction>
 #include <QCloseEvent>
@@ -33,9 +34,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QPointer>
-#include <QScreen>
 #include <QStatusBar>
-#include <QStyle>
 #include <QToolBar>
 
 #include <utility>
@@ -74,7 +73,6 @@ struct MainWindow::State
     void setBusy(bool isBusy);
     void showName();
     void restore();
-    void keepOnScreen();
     void save();
 };
 
@@ -185,13 +183,13 @@ void MainWindow::State::connectTools()
 
 void MainWindow::State::setBusy(bool isBusy)
 {
-    files.setBusy(isBusy);
     for (const ActionInfo& row : actionTable()) {
         const QLatin1StringView id(row.id);
-        const bool isOfFile = row.menu == MenuId::File && id != QLatin1StringView("file.quit");
+        const bool isOfFile = row.menu == MenuId::File && id != QLatin1StringView("file.quit") && id != QLatin1StringView("file.browse");
         if (row.menu == MenuId::Model || row.menu == MenuId::New || isOfFile)
             actions.get(id)->setEnabled(!isBusy);
     }
+    files.setBusy(isBusy); // knows what else must be so
 }
 
 void MainWindow::State::showName()
@@ -201,30 +199,14 @@ void MainWindow::State::showName()
 
 void MainWindow::State::restore()
 {
-    constexpr QSize defaultSize{1280, 800};
-    q->resize(defaultSize);
-    q->restoreGeometry(settings.windowGeometry());
-    keepOnScreen();
-    q->restoreState(settings.windowState());
+    restorePlace(q, settings);
     for (const core::Parameter parameter : storedParameters)
         brush.setValue(parameter, settings.value(parameter));
 }
 
-/// A window that was never shown does not know its frame; the title bar is the most of it.
-void MainWindow::State::keepOnScreen()
-{
-    if (q->isMaximized() || q->isFullScreen())
-        return;
-    const QRect room = q->screen()->availableGeometry();
-    const int title = q->style()->pixelMetric(QStyle::PM_TitleBarHeight);
-    if (q->width() > room.width() || q->height() > room.height() - title)
-        q->setGeometry({room.topLeft() + QPoint(0, title), q->size().boundedTo(room.size() - QSize(0, title))});
-}
-
 void MainWindow::State::save()
 {
-    settings.setWindowGeometry(q->saveGeometry());
-    settings.setWindowState(q->saveState());
+    keepPlace(*q, settings);
     for (const core::Parameter parameter : storedParameters)
         settings.setValue(parameter, brush.value(parameter));
     if (model.size.maxCoeff() > 0)

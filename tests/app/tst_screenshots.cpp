@@ -4,9 +4,11 @@
 #include "core/mesh_io.h"
 #include "core/starter_models.h"
 #include "ui/files_panel.h"
+#include "ui/guide_window.h"
 #include "ui/main_window.h"
 #include "ui/scene.h"
 #include "ui/settings.h"
+#include "ui/start_page.h"
 #include "ui/viewport.h"
 
 #include <QAction>
@@ -19,6 +21,7 @@
 #include <QLibraryInfo>
 #include <QLineEdit>
 #include <QListView>
+#include <QListWidget>
 #include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
@@ -132,6 +135,7 @@ private:
     void showModels(ui::FilesPanel* panel);
     void takeMenus(Program& program);
     void takeDialogs(Program& program);
+    void takeHelp(Program& program);
 
     QDir m_folder;
     QTemporaryDir m_models;
@@ -173,6 +177,7 @@ void TestScreenshots::states()
     takePanels(program);
     takeMenus(program);
     takeDialogs(program);
+    takeHelp(program);
 }
 
 void TestScreenshots::take(QWidget& window, const QString& state)
@@ -237,6 +242,24 @@ void TestScreenshots::takeDialogs(Program& program)
         dialog->reject();
         QTRY_VERIFY(!QApplication::activeModalWidget());
     }
+}
+
+void TestScreenshots::takeHelp(Program& program)
+{
+    program.window.action(QStringLiteral("help.start"))->trigger();
+    auto* start = program.window.findChild<ui::StartPage*>();
+    QTRY_VERIFY(start->isVisible());
+    take(program.window, QStringLiteral("start"));
+    start->close();
+    program.window.action(QStringLiteral("help.guide"))->trigger();
+    auto* guide = program.window.findChild<ui::GuideWindow*>();
+    QTRY_VERIFY(guide && guide->isVisible());
+    auto* pages = guide->findChild<QListWidget*>();
+    for (int page = 0; page < pages->count(); ++page) {
+        pages->setCurrentRow(page);
+        take(*guide, QStringLiteral("guide-%1").arg(page + 1));
+    }
+    guide->close();
 }
 
 int main(int argc, char* argv[])

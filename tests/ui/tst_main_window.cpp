@@ -122,6 +122,20 @@ private Q_SLOTS:
         QVERIFY(window.action(QStringLiteral("new.vase"))->isEnabled());
     }
 
+    void whatNeedsAFile_restsWithoutOne()
+    {
+        MainWindow window;
+        window.setModel(facts(QStringLiteral("a"), 80));
+        window.setBusy(QStringLiteral("Thinking"));
+        for (const char* id : {"file.open", "file.save", "file.saveCopy", "file.revert", "model.reset"})
+            QVERIFY2(!act(window, id)->isEnabled(), id);
+        QVERIFY(act(window, "file.quit")->isEnabled());
+        window.setIdle();
+        for (const char* id : {"file.open", "file.save", "file.saveCopy", "model.reset"})
+            QVERIFY2(act(window, id)->isEnabled(), id);
+        QVERIFY(!act(window, "file.revert")->isEnabled());
+    }
+
     void recentFilesAreOfferedTheLatestFirst()
     {
         const auto open = [](MainWindow& window, const QString& path) {

@@ -1,0 +1,40 @@
+#include "window_place.h"
+
+#include "settings.h"
+
+#include <QMainWindow>
+#include <QScreen>
+#include <QStyle>
+
+namespace ui
+{
+namespace
+{
+constexpr QSize firstSize{1280, 800};
+
+/// A window that was never shown does not know its frame; the title bar is the most of it.
+void keepOnScreen(QMainWindow* window)
+{
+    if (window->isMaximized() || window->isFullScreen())
+        return;
+    const QRect room = window->screen()->availableGeometry();
+    const int title = window->style()->pixelMetric(QStyle::PM_TitleBarHeight);
+    if (window->width() > room.width() || window->height() > room.height() - title)
+        window->setGeometry({room.topLeft() + QPoint(0, title), window->size().boundedTo(room.size() - QSize(0, title))});
+}
+} // namespace
+
+void restorePlace(QMainWindow* window, const Settings& settings)
+{
+    window->resize(firstSize);
+    window->restoreGeometry(settings.windowGeometry());
+    keepOnScreen(window);
+    window->restoreState(settings.windowState());
+}
+
+void keepPlace(const QMainWindow& window, Settings& settings)
+{
+    settings.setWindowGeometry(window.saveGeometry());
+    settings.setWindowState(window.saveState());
+}
+} // namespace ui
