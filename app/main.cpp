@@ -1,6 +1,7 @@
 #include "command_line.h"
 #include "document.h"
 #include "process_signals.h"
+#include "rescue.h"
 #include "wiring.h"
 
 #include "ui/main_window.h"
@@ -108,6 +109,7 @@ int runWindow(int argc, char* argv[])
     app::Document document(&worker);
     ui::MainWindow window;
     app::wire(window, document, worker, inbox);
+    const app::Rescue rescue(&document, &worker);
     window.show();
     if (file.isEmpty())
         document.openSphere();

@@ -477,6 +477,17 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
 </context>
 <context>
+    <name>app::Rescue</name>
+    <message>
+        <source>The program ended before the changes to the model could be kept.</source>
+        <translation>Das Programm endete, bevor die Änderungen am Modell aufbewahrt werden konnten.</translation>
+    </message>
+    <message>
+        <source>The program ended from outside; the model was kept in %1.</source>
+        <translation>Das Programm wurde von außen beendet; das Modell liegt in %1.</translation>
+    </message>
+</context>
+<context>
     <name>app::StrokeCommand</name>
     <message>
         <source>Pull</source>

@@ -475,6 +475,17 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
 </context>
 <context>
+    <name>app::Rescue</name>
+    <message>
+        <source>The program ended before the changes to the model could be kept.</source>
+        <translation>程序在保留模型更改之前就结束了。</translation>
+    </message>
+    <message>
+        <source>The program ended from outside; the model was kept in %1.</source>
+        <translation>程序被外部终止；模型已保留在 %1。</translation>
+    </message>
+</context>
+<context>
     <name>app::StrokeCommand</name>
     <message>
         <source>Pull</source>
