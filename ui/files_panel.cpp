@@ -5,7 +5,7 @@
 #include "file_list_model.h"
 #include "reveal_file.h"
 #include "settings.h"
-#include "themed_icon.h"
+#include "panel_button.h"
 #include "thumbnail_maker.h"
 
 #include <QAction>
@@ -24,19 +24,6 @@ namespace
 {
 constexpr int gap = 8; ///< of the window's spacing grid
 constexpr int listDelayMs = 200, wantDelayMs = 30; ///< what comes at once is done once
-
-QToolButton* button(const QString& name, const QString& icon, const QString& text, const QString& tip)
-{
-    auto* result = new QToolButton;
-    result->setObjectName(name);
-    result->setIcon(themedIcon(icon));
-    result->setIconSize({18, 18});
-    result->setAutoRaise(true);
-    result->setFocusPolicy(Qt::StrongFocus);
-    result->setAccessibleName(text);
-    result->setToolTip(QStringLiteral("%1\n%2").arg(text, tip));
-    return result;
-}
 
 QHBoxLayout* row(std::initializer_list<QWidget*> widgets)
 {
@@ -117,9 +104,9 @@ QLayout* FilesPanel::buildFolderLine()
     m_place->setAccessibleName(tr("Folder"));
     m_place->setToolTip(tr("The folder that is shown; type another and press Return."));
     connect(m_place, &QLineEdit::returnPressed, this, [this] { goTo(QDir::fromNativeSeparators(m_place->text().trimmed())); });
-    auto* choosing = button(QStringLiteral("files.choose"), QStringLiteral("open"), tr("Choose Folder"), tr("Asks for the folder that is shown."));
+    auto* choosing = panelButton(QStringLiteral("files.choose"), QStringLiteral("open"), tr("Choose Folder"), tr("Asks for the folder that is shown."));
     connect(choosing, &QToolButton::clicked, this, &FilesPanel::askForFolder);
-    auto* up = button(QStringLiteral("files.up"), QStringLiteral("folder-up"), tr("Up (%1)").arg(QKeySequence(Qt::ALT | Qt::Key_Up).toString(QKeySequence::NativeText)), tr("Shows the folder in which this one lies."));
+    auto* up = panelButton(QStringLiteral("files.up"), QStringLiteral("folder-up"), tr("Up (%1)").arg(QKeySequence(Qt::ALT | Qt::Key_Up).toString(QKeySequence::NativeText)), tr("Shows the folder in which this one lies."));
     connect(up, &QToolButton::clicked, this, &FilesPanel::goUp);
     return row({m_place, choosing, up});
 }
@@ -142,7 +129,7 @@ QLayout* FilesPanel::buildChoices()
     m_order->setAccessibleName(tr("Sorted by"));
     m_order->setToolTip(tr("What the files are sorted by; folders come first."));
     m_order->addItems({tr("Name"), tr("Size"), tr("Date"), tr("Vertices")});
-    m_direction = button(QStringLiteral("files.direction"), QStringLiteral("sort-up"), tr("Descending"), tr("Turns the order round."));
+    m_direction = panelButton(QStringLiteral("files.direction"), QStringLiteral("sort-up"), tr("Descending"), tr("Turns the order round."));
     m_direction->setCheckable(true);
     connect(m_order, &QComboBox::activated, this, &FilesPanel::choose);
     connect(m_direction, &QToolButton::clicked, this, &FilesPanel::choose);
@@ -156,7 +143,7 @@ QLayout* FilesPanel::buildFoot()
     m_state = new QLabel;
     m_state->setObjectName(QStringLiteral("files.state"));
     m_state->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    m_stop = button(QStringLiteral("files.stop"), QStringLiteral("stop"), tr("Stop"), tr("Makes no more pictures in this folder."));
+    m_stop = panelButton(QStringLiteral("files.stop"), QStringLiteral("stop"), tr("Stop"), tr("Makes no more pictures in this folder."));
     QSizePolicy keepsItsPlace = m_stop->sizePolicy();
     keepsItsPlace.setRetainSizeWhenHidden(true);
     m_stop->setSizePolicy(keepsItsPlace);

@@ -3,7 +3,7 @@
 #include "actions.h"
 #include "file_dialogs.h"
 #include "settings.h"
-#include "themed_icon.h"
+#include "panel_button.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -21,19 +21,6 @@ namespace ui
 namespace
 {
 constexpr int gap = 8; ///< of the window's spacing grid
-
-QToolButton* button(const QString& name, const QString& icon, const QString& text, const QString& tip)
-{
-    auto* result = new QToolButton;
-    result->setObjectName(name);
-    result->setIcon(themedIcon(icon));
-    result->setIconSize({18, 18});
-    result->setAutoRaise(true);
-    result->setFocusPolicy(Qt::StrongFocus);
-    result->setAccessibleName(text);
-    result->setToolTip(QStringLiteral("%1\n%2").arg(text, tip));
-    return result;
-}
 
 /// The controls above the canvas, or beside it where there is little height.
 class Content : public QWidget
@@ -97,13 +84,13 @@ QBoxLayout* PreviewPanel::controls(QAction* exporting)
                         {tr("All sides"), tr("Front"), tr("Right"), tr("Top")}, static_cast<int>(m_choice.sides));
     m_style = choiceBox(QStringLiteral("preview.style"), tr("Drawn as"), tr("Shows the lines only, or colours under them."),
                         {tr("Lines"), tr("Shaded")}, m_choice.shaded ? 1 : 0);
-    m_dimensions = button(QStringLiteral("preview.dimensions"), QStringLiteral("dimensions"), tr("Dimensions"), tr("Writes the model's measures beside it."));
+    m_dimensions = panelButton(QStringLiteral("preview.dimensions"), QStringLiteral("dimensions"), tr("Dimensions"), tr("Writes the model's measures beside it."));
     m_dimensions->setCheckable(true);
     m_dimensions->setChecked(m_choice.dimensions);
     connect(m_dimensions, &QToolButton::toggled, this, &PreviewPanel::choose);
-    auto* fit = button(QStringLiteral("preview.fit"), QStringLiteral("frame"), tr("Fit (0)"), tr("Shows the whole drawing; the wheel zooms, a drag moves it."));
+    auto* fit = panelButton(QStringLiteral("preview.fit"), QStringLiteral("frame"), tr("Fit (0)"), tr("Shows the whole drawing; the wheel zooms, a drag moves it."));
     connect(fit, &QToolButton::clicked, m_canvas, &DrawingCanvas::fit);
-    auto* write = button(QStringLiteral("preview.export"), {}, Actions::plain(exporting->text()), exporting->statusTip());
+    auto* write = panelButton(QStringLiteral("preview.export"), {}, Actions::plain(exporting->text()), exporting->statusTip());
     write->setIcon(exporting->icon());
     const auto showTip = [write, exporting] { write->setToolTip(exporting->toolTip()); };
     showTip();

@@ -46,7 +46,7 @@ struct Session
             worker.post([&](core::Sculptor&) {
                 QMetaObject::invokeMethod(&receiver, [&reached] { reached = true; }, Qt::QueuedConnection);
             });
-            QTRY_VERIFY(reached);
+            QTRY_VERIFY_WITH_TIMEOUT(reached, 60'000);
             QCoreApplication::processEvents();
         }
     }

@@ -1,5 +1,4 @@
-#include "app/document.h"
-#include "app/wiring.h"
+#include "tests/support/program.h"
 
 #include "core/mesh_check.h"
 #include "core/mesh_io.h"
@@ -25,17 +24,6 @@ using namespace app;
 
 namespace
 {
-/// The program as main() puts it together.
-struct Program
-{
-    Program() { wire(window, document, worker, inbox); }
-
-    SculptWorker worker;
-    std::shared_ptr<PatchInbox> inbox = std::make_shared<PatchInbox>();
-    Document document{&worker};
-    ui::MainWindow window;
-};
-
 QPoint middle(const QWidget* widget)
 {
     return widget->rect().center();

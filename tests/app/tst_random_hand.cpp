@@ -1,5 +1,4 @@
-#include "app/document.h"
-#include "app/wiring.h"
+#include "tests/support/program.h"
 
 #include "core/mesh_build.h"
 #include "core/mesh_check.h"
@@ -25,17 +24,6 @@ namespace
 {
 constexpr int shortSeconds = 8, soakSeconds = 150;
 constexpr quint64 mostVertices = 60'000; ///< more, and the hand begins anew
-
-/// The program as main() puts it together.
-struct Program
-{
-    Program() { wire(window, document, worker, inbox); }
-
-    SculptWorker worker;
-    std::shared_ptr<PatchInbox> inbox = std::make_shared<PatchInbox>();
-    Document document{&worker};
-    ui::MainWindow window;
-};
 
 /// Somebody who presses, drags, types and chooses whatever comes, on the window and in every dialog that opens.
 class RandomHand

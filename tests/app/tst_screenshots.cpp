@@ -1,5 +1,4 @@
-#include "app/document.h"
-#include "app/wiring.h"
+#include "tests/support/program.h"
 
 #include "core/mesh_io.h"
 #include "core/starter_models.h"
@@ -38,17 +37,6 @@ namespace
 {
 constexpr QSize smallScreen{1280, 720};
 constexpr int settleMs = 250; ///< layouts, and what comes from other threads: drawings, facts
-
-/// The program as main() puts it together.
-struct Program
-{
-    Program() { wire(window, document, worker, inbox); }
-
-    SculptWorker worker;
-    std::shared_ptr<PatchInbox> inbox = std::make_shared<PatchInbox>();
-    Document document{&worker};
-    ui::MainWindow window;
-};
 
 /// The words of one language, while it lives.
 class Words

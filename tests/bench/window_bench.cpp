@@ -2,13 +2,11 @@
 // stroke, and how long the gui thread was ever away. By hand, on a release build, with a display:
 //   window_bench [VERTICES...]
 // CPU milliseconds of the gui thread; software GL rasterises in "clay" and in "blit", a graphics card does not.
-#include "app/document.h"
 #include "app/drawing_worker.h"
-#include "app/wiring.h"
 
 #include "bench_models.h"
 #include "core/mesh_io.h"
-#include "ui/main_window.h"
+#include "tests/support/program.h"
 #include "ui/viewport.h"
 
 #include <QAction>
@@ -31,16 +29,7 @@ namespace
 constexpr int moves = 150, moveMs = 10;
 constexpr int waitMs = 300'000;
 
-/// The program as main() puts it together.
-struct Program
-{
-    Program() { app::wire(window, document, worker, inbox); }
-
-    app::SculptWorker worker;
-    std::shared_ptr<app::PatchInbox> inbox = std::make_shared<app::PatchInbox>();
-    app::Document document{&worker};
-    ui::MainWindow window;
-};
+using app::Program;
 
 struct Samples
 {

@@ -112,15 +112,6 @@ void sortBy(const Shown& s, ui::FileOrder order)
     while (box->currentIndex() != static_cast<int>(order))
         QTest::keyClick(box, box->currentIndex() < static_cast<int>(order) ? Qt::Key_Down : Qt::Key_Up);
 }
-
-int inked(const QImage& picture)
-{
-    int count = 0;
-    for (int y = 0; y < picture.height(); ++y)
-        for (int x = 0; x < picture.width(); ++x)
-            count += qAlpha(picture.pixel(x, y)) > 0 ? 1 : 0;
-    return count;
-}
 } // namespace
 
 class TestFilesPanel : public QObject

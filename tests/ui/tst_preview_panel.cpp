@@ -53,15 +53,6 @@ QImage pictureOf(ui::DrawingCanvas* canvas)
     painted.wait();
     return canvas->picture();
 }
-
-int inked(const QImage& picture)
-{
-    int count = 0;
-    for (int y = 0; y < picture.height(); ++y)
-        for (int x = 0; x < picture.width(); ++x)
-            count += qAlpha(picture.pixel(x, y)) > 0 ? 1 : 0;
-    return count;
-}
 } // namespace
 
 class TestPreviewPanel : public QObject

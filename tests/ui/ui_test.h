@@ -4,6 +4,7 @@
 #include "ui/viewport.h"
 
 #include <QApplication>
+#include <QImage>
 #include <QMouseEvent>
 #include <QTest>
 
@@ -31,4 +32,14 @@ inline void sendMouse(QWidget* to, QEvent::Type type, QPoint at, Qt::MouseButton
 {
     QMouseEvent event(type, at, to->mapToGlobal(at), button, button, modifiers);
     QCoreApplication::sendEvent(to, &event);
+}
+
+/// Pixels that are not quite transparent.
+inline int inked(const QImage& picture)
+{
+    int count = 0;
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x)
+            count += qAlpha(picture.pixel(x, y)) > 0 ? 1 : 0;
+    return count;
 }

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "app/document.h"
+#include "app/wiring.h"
+#include "ui/main_window.h"
+
+namespace app
+{
+/// The program as main() puts it together.
+struct Program
+{
+    Program() { wire(window, document, worker, inbox); }
+
+    SculptWorker worker;
+    std::shared_ptr<PatchInbox> inbox = std::make_shared<PatchInbox>();
+    Document document{&worker};
+    ui::MainWindow window;
+};
+} // namespace app

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <QString>
+
+class QToolButton;
+
+namespace ui
+{
+/// A small button of a panel: icon only, in the panel's tab order. `tip`: what it does, one sentence.
+QToolButton* panelButton(const QString& name, const QString& icon, const QString& text, const QString& tip);
+} // namespace ui
