@@ -57,6 +57,8 @@ public Q_SLOTS:
     /// The paper's sphere.
     void openSphere();
     void openStarter(core::Starter starter);
+    /// What its files keep beside the model. No change to be saved by itself.
+    void setPalette(std::vector<core::Rgb> palette);
     /// To a file that from now on is the model's own.
     void save(const QString& path);
     /// To some other file: changes stay unsaved.

@@ -75,6 +75,7 @@ void Document::install(std::shared_ptr<LoadedModel> model)
     m_changedBeyondHistory = false;
     m_facts.name = model->name;
     m_facts.path = model->path;
+    m_facts.palette = model->palette;
     m_start = std::exchange(model->start, nullptr);
     m_worker->setModel(std::exchange(model->sculptor, nullptr));
     if (!model->notice.isEmpty())
@@ -101,6 +102,11 @@ void Document::exportTo(const QString& path)
     write(path, Target::Other);
 }
 
+void Document::setPalette(std::vector<core::Rgb> palette)
+{
+    m_facts.palette = std::move(palette);
+}
+
 void Document::write(const QString& path, Target target)
 {
     if (m_work.isBusy())
@@ -116,8 +122,8 @@ void Document::write(const QString& path, Target target)
 
 void Document::write(const QString& path, Target target, std::shared_ptr<core::TriangleMesh> mesh, int index)
 {
-    m_work.run([this, path, target, mesh = std::move(mesh), index] {
-        const QString problem = ModelLoader::save(path, *mesh);
+    m_work.run([this, path, target, mesh = std::move(mesh), palette = m_facts.palette, index] {
+        const QString problem = ModelLoader::save(path, *mesh, palette);
         const bool losesColors = !mesh->colors.empty() && !ModelLoader::holdsColors(path);
         const auto finish = [this, path, target, index, problem, losesColors] {
             m_work.end();

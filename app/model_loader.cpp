@@ -47,6 +47,7 @@ LoadedModel ModelLoader::load(const QString& path, bool inPlace, const Tell& tel
     loaded.name = QFileInfo(path).fileName();
     try {
         const core::TriangleMesh mesh = core::readMesh(toPath(path));
+        loaded.palette = core::readPalette(toPath(path));
         if (tell)
             tell(tr("Checking %1").arg(loaded.name));
         watch.reached(afterReading);
@@ -125,10 +126,10 @@ bool ModelLoader::holdsColors(const QString& path)
     return format && core::holdsColors(*format);
 }
 
-QString ModelLoader::save(const QString& path, const core::TriangleMesh& mesh)
+QString ModelLoader::save(const QString& path, const core::TriangleMesh& mesh, const std::vector<core::Rgb>& palette)
 {
     try {
-        core::writeMesh(toPath(path), mesh);
+        core::writeMesh(toPath(path), mesh, {.palette = palette});
     } catch (const core::FileError& error) {
         return ui::Messages::sentence(error);
     } catch (const std::bad_alloc&) {

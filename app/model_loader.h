@@ -23,6 +23,7 @@ struct LoadedModel
     QString notice;                           ///< what the person should know of a model that was taken; may be empty
     QString name;
     QString path; ///< empty: from no file
+    std::vector<core::Rgb> palette; ///< colours at hand that the file keeps; none: empty
 };
 
 /// Files to models and back, in words for people. Any thread; takes as long as the model is large. Never throws.
@@ -43,7 +44,7 @@ public:
     static LoadedModel sphere(double radius);
     static LoadedModel starter(core::Starter starter);
     /// Empty, or what is wrong; then no file has changed.
-    static QString save(const QString& path, const core::TriangleMesh& mesh);
+    static QString save(const QString& path, const core::TriangleMesh& mesh, const std::vector<core::Rgb>& palette = {});
 
     /// Whether a file of that name would.
     static bool holdsColors(const QString& path);

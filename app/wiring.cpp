@@ -8,6 +8,7 @@
 #include "patch_inbox.h"
 #include "sculpt_worker.h"
 
+#include "ui/color_panel.h"
 #include "ui/history_panel.h"
 #include "ui/main_window.h"
 #include "ui/model_panel.h"
@@ -101,6 +102,21 @@ void wireHistoryPanel(ui::MainWindow& window, Document& document)
     QObject::connect(&document.history(), &HistoryStore::bytesChanged, panel, show);
 }
 
+/// The swatches belong to the document where its file has some; else they are the person's.
+void wirePalette(ui::MainWindow& window, Document& document)
+{
+    using ui::ColorPanel;
+    auto* panel = window.findChild<ColorPanel*>();
+    const auto keep = [panel, &document] { document.setPalette({panel->swatches().begin(), panel->swatches().end()}); };
+    QObject::connect(panel, &ColorPanel::swatchesChanged, &document, keep);
+    QObject::connect(&document, &Document::opened, panel, [panel, keep](const ui::ModelFacts& facts) {
+        if (facts.palette.empty())
+            keep();
+        else
+            panel->setSwatches({facts.palette.begin(), facts.palette.end()});
+    });
+}
+
 void wireModelPanel(ui::MainWindow& window, Document& document, SculptWorker& worker)
 {
     using ui::ModelPanel;
@@ -158,6 +174,7 @@ void wire(ui::MainWindow& window, Document& document, SculptWorker& worker, cons
     wireSettling(window, document);
     wireHistory(window, document);
     wireHistoryPanel(window, document);
+    wirePalette(window, document);
     wireModelPanel(window, document, worker);
     wireStrokes(*window.viewport(), document);
     wireWorker(*window.viewport(), worker, inbox);

@@ -3,6 +3,7 @@
 #include "mesh_io.h"
 
 #include "mesh_io/format.h"
+#include "mesh_io/palette.h"
 #include "mesh_io/welder.h"
 
 #include <algorithm>
@@ -223,6 +224,17 @@ TriangleMesh readMesh(const std::filesystem::path& path, const ReadOptions& opti
     return mesh;
 }
 
+std::vector<Rgb> readPalette(const std::filesystem::path& path)
+{
+    const auto format = meshFormatOf(path);
+    if (!format || !holdsColors(*format))
+        return {};
+    std::ifstream stream(path, std::ios::binary);
+    std::array<char, startSize> start;
+    stream.read(start.data(), start.size());
+    return paletteIn({start.data(), static_cast<std::size_t>(stream.gcount())});
+}
+
 void writeMesh(const std::filesystem::path& path, const TriangleMesh& mesh, const WriteOptions& options)
 {
     const MeshFormat format = requireFormat(path);
@@ -239,10 +251,10 @@ void writeMesh(const std::filesystem::path& path, const TriangleMesh& mesh, cons
         writeStl(out, mesh, options.ascii);
         break;
     case MeshFormat::Obj:
-        writeObj(out, mesh);
+        writeObj(out, mesh, options.palette);
         break;
     case MeshFormat::Ply:
-        writePly(out, mesh, options.ascii);
+        writePly(out, mesh, options);
         break;
     }
     out.commit();

@@ -36,8 +36,9 @@ struct ReadingStopped
 
 struct WriteOptions
 {
-    std::optional<UpAxis> up; ///< of the file; missing: usualUp
+    std::optional<UpAxis> up = {}; ///< of the file; missing: usualUp
     bool ascii = false;       ///< STL and PLY as text. OBJ is text always.
+    std::vector<Rgb> palette = {}; ///< colours at hand, kept beside the model in a comment; in STL they are lost
 };
 
 /// Throws FileError. What it returns has at least one face, indices in range and finite points, nothing more: faces may be
@@ -45,6 +46,9 @@ struct WriteOptions
 /// files split them along seams. Vertices and faces keep their order; polygons are cut into triangles. Text numbers are
 /// rounded to the nearest float32. A file is not read beyond its header when its size contradicts it. Units are the file's.
 TriangleMesh readMesh(const std::filesystem::path& path, const ReadOptions& options = {});
+
+/// What writeMesh() was given as palette; empty if the file has none, or cannot be read. Never throws FileError.
+std::vector<Rgb> readPalette(const std::filesystem::path& path);
 
 /// Throws FileError; then the path holds what it held before. Read again, points and colours come back bit for bit (STL: no
 /// colours, no unused vertices, no -0).

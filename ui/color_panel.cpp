@@ -135,12 +135,26 @@ ColorPanel::Channel ColorPanel::channel(const QString& name, const char* id, std
     return made;
 }
 
+void ColorPanel::setSwatches(const QList<core::Rgb>& swatches)
+{
+    m_swatches->setColors(swatches);
+    Q_EMIT swatchesChanged();
+}
+
+const QList<core::Rgb>& ColorPanel::swatches() const
+{
+    return m_swatches->colors();
+}
+
 void ColorPanel::buildSwatches()
 {
     m_swatches->setColors(m_settings->swatches());
     connect(m_swatches, &ColorSwatches::chosen, this, &ColorPanel::set);
     connect(m_swatches, &ColorSwatches::addRequested, this, [this] { m_swatches->add(m_brush->stroke().color); });
-    connect(m_swatches, &ColorSwatches::changed, this, [this] { m_settings->setSwatches(m_swatches->colors()); });
+    connect(m_swatches, &ColorSwatches::changed, this, [this] {
+        m_settings->setSwatches(m_swatches->colors());
+        Q_EMIT swatchesChanged();
+    });
 }
 
 void ColorPanel::swap()

@@ -38,8 +38,12 @@ public:
     /// Where the keys go first.
     ColorWheel* wheel() const { return m_wheel; }
     void swap();
+    /// A model's own, until another is opened; the person's own stay stored as they are while none is changed.
+    void setSwatches(const QList<core::Rgb>& swatches);
+    const QList<core::Rgb>& swatches() const;
 
 Q_SIGNALS:
+    void swatchesChanged();
     /// A number was typed, and Return.
     void entered();
     /// What was typed is no colour.

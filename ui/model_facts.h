@@ -4,6 +4,8 @@
 
 #include <QString>
 
+#include <vector>
+
 namespace ui
 {
 /// What the window says about the model that is open.
@@ -18,5 +20,6 @@ struct ModelFacts
     double uniformDetail = 0;             ///< mm; d_detail of the uniform topology
     double leastDetail = 0;               ///< mm; the finest d_detail that the model's lattice holds
     QString path = {};                    ///< empty: it comes from no file
+    std::vector<core::Rgb> palette = {};  ///< swatches that its file keeps; empty: none
 };
 } // namespace ui

@@ -63,6 +63,6 @@ TriangleMesh readObj(const FileBytes& file);
 TriangleMesh readPly(const FileBytes& file);
 
 void writeStl(AtomicFile& out, const TriangleMesh& mesh, bool ascii);
-void writeObj(AtomicFile& out, const TriangleMesh& mesh);
-void writePly(AtomicFile& out, const TriangleMesh& mesh, bool ascii);
+void writeObj(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette);
+void writePly(AtomicFile& out, const TriangleMesh& mesh, const WriteOptions& options);
 } // namespace core::mesh_io

@@ -1,5 +1,6 @@
 // OBJ: the lines v (with colour, if any) and f; all others are passed over. Faces may name vertices that come later.
 
+#include "palette.h"
 #include "polygons.h"
 #include "text_scanner.h"
 #include "text_writer.h"
@@ -146,10 +147,12 @@ TriangleMesh readObj(const FileBytes& file)
     return ObjReader(file).read();
 }
 
-void writeObj(AtomicFile& out, const TriangleMesh& mesh)
+void writeObj(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette)
 {
     constexpr float fullColor = 255.0f;
     TextWriter text(out);
+    if (!palette.empty())
+        text << "# " << paletteWords(palette) << '\n';
     for (std::size_t i = 0; i < mesh.points.size(); ++i) {
         const Vec3f& p = mesh.points[i];
         text << "v " << p.x() << ' ' << p.y() << ' ' << p.z();

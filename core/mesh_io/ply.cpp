@@ -1,5 +1,6 @@
 // PLY: the header announces elements and their properties; the vertex and face elements are read, the others passed over.
 
+#include "palette.h"
 #include "ply_source.h"
 #include "polygons.h"
 #include "text_writer.h"
@@ -205,9 +206,11 @@ private:
     Polygons m_faces;
 };
 
-void writeHeader(TextWriter& text, const TriangleMesh& mesh, bool ascii)
+void writeHeader(TextWriter& text, const TriangleMesh& mesh, const WriteOptions& options)
 {
-    text << "ply\nformat " << (ascii ? "ascii" : "binary_little_endian") << " 1.0\n";
+    text << "ply\nformat " << (options.ascii ? "ascii" : "binary_little_endian") << " 1.0\n";
+    if (!options.palette.empty())
+        text << "comment " << paletteWords(options.palette) << '\n';
     text << "element vertex " << mesh.points.size() << "\nproperty float x\nproperty float y\nproperty float z\n";
     if (!mesh.colors.empty())
         text << "property uchar red\nproperty uchar green\nproperty uchar blue\n";
@@ -258,10 +261,10 @@ TriangleMesh readPly(const FileBytes& file)
     return BodyReader<PlyBinarySource>(file, header).read();
 }
 
-void writePly(AtomicFile& out, const TriangleMesh& mesh, bool ascii)
+void writePly(AtomicFile& out, const TriangleMesh& mesh, const WriteOptions& options)
 {
     TextWriter text(out);
-    writeHeader(text, mesh, ascii);
-    ascii ? writeText(text, mesh) : writeBinary(out, mesh);
+    writeHeader(text, mesh, options);
+    options.ascii ? writeText(text, mesh) : writeBinary(out, mesh);
 }
 } // namespace core::mesh_io

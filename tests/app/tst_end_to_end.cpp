@@ -3,7 +3,9 @@
 #include "core/mesh_check.h"
 #include "core/mesh_io.h"
 #include "ui/main_window.h"
+#include "ui/color_panel.h"
 #include "ui/messages.h"
+#include "ui/settings.h"
 #include "ui/viewport.h"
 
 #include <QAbstractButton>
@@ -107,6 +109,7 @@ private Q_SLOTS:
     void closing_waitsForThePress();
     void saving_byKey();
     void numberedCopies_leaveTheFile();
+    void swatches_areSavedWithTheModel();
     void closing_maySaveFirst();
     void opening_maySaveFirst();
     void aSaveGivenUp_givesUpWhatWaitedForIt();
@@ -291,6 +294,24 @@ void TestEndToEnd::numberedCopies_leaveTheFile()
         QVERIFY(isSound(copy));
     }
     QCOMPARE(program.document.path(), path);
+}
+
+void TestEndToEnd::swatches_areSavedWithTheModel()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("mine.ply"));
+    const QList<core::Rgb> own = {{1, 2, 3}, {250, 128, 0}};
+    Program program;
+    sculptBall(program);
+    auto* colors = program.window.findChild<ui::ColorPanel*>();
+    const QList<core::Rgb> persons = colors->swatches();
+    colors->setSwatches(own);
+    program.document.save(path);
+    QTRY_COMPARE(program.document.path(), path);
+    colors->setSwatches(persons);
+    program.document.open(path);
+    QTRY_VERIFY(!program.document.isBusy() && colors->swatches() == own);
+    QVERIFY(ui::Settings().swatches() == persons); // other models keep the person's
 }
 
 void TestEndToEnd::closing_maySaveFirst()

@@ -237,6 +237,8 @@ private Q_SLOTS:
 
     void roundTrip_isBitIdentical_data();
     void roundTrip_isBitIdentical();
+    void palette_isKeptBesideTheModel();
+    void palette_thatIsNoneIsNotRead();
     void stl_keepsCornersAndWelds();
     void upAxis_turnsExactlyAndWithoutMinusZero();
     void text_knowsNoLocale();
@@ -324,6 +326,34 @@ void TestMeshIo::roundTrip_isBitIdentical()
     const TriangleMesh plain = wildMesh(colored, false); // the turn takes the sign from -0
     core::writeMesh(path, plain, {.up = UpAxis::Z, .ascii = ascii});
     QVERIFY(sameBits(core::readMesh(path, {.up = UpAxis::Z}), plain));
+}
+
+void TestMeshIo::palette_isKeptBesideTheModel()
+{
+    const std::vector<Rgb> palette = {{0, 0, 0}, {255, 254, 253}, {1, 160, 18}};
+    const TriangleMesh ball = core::icosphere(2, 10);
+    for (const char* name : {"a.ply", "a.obj"})
+        for (const bool ascii : {false, true}) {
+            core::writeMesh(file(name), ball, {.ascii = ascii, .palette = palette});
+            QVERIFY2(core::readPalette(file(name)) == palette, name);
+            QVERIFY2(core::readMesh(file(name)).points == ball.points, name);
+            core::writeMesh(file(name), ball, {.ascii = ascii});
+            QVERIFY2(core::readPalette(file(name)).empty(), name);
+        }
+    core::writeMesh(file("a.stl"), ball, {.palette = palette});
+    QVERIFY(core::readPalette(file("a.stl")).empty());
+    QVERIFY(core::readPalette(file("none.ply")).empty());
+}
+
+void TestMeshIo::palette_thatIsNoneIsNotRead()
+{
+    for (const std::string_view line : {"# fettle palette 12345\n", "# fettle palette 123456 zz0000\n", "# fettle palette 1234567\n", "# fettle palette -12345\n",
+                                        "# fettle palette", "# fettle palette 123456  123456\n", "fettle palette 123456\n"}) {
+        writeBytes(file("a.obj"), line);
+        QVERIFY2(core::readPalette(file("a.obj")).empty(), line.data());
+    }
+    writeBytes(file("a.obj"), "# fettle palette 123456\r\nv 0 0 0\n");
+    QVERIFY((core::readPalette(file("a.obj")) == std::vector<Rgb>{{0x12, 0x34, 0x56}}));
 }
 
 void TestMeshIo::stl_keepsCornersAndWelds()
