@@ -59,6 +59,9 @@ set(FETTLE_RESOURCE_FILES
     icons/ray.svg
     icons/recentre.svg
     icons/redo.svg
+    icons/reference.svg
+    icons/reference-choose.svg
+    icons/reference-remove.svg
     icons/remesh.svg
     icons/reset.svg
     icons/revert.svg
@@ -103,6 +106,8 @@ set(FETTLE_RESOURCE_FILES
     shaders/layer.frag
     shaders/plane.frag
     shaders/plane.vert
+    shaders/reference.frag
+    shaders/reference.vert
     shaders/wire.frag
     shaders/wire.geom)
 foreach(LANGUAGE en de zh_CN)

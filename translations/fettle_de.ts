@@ -1307,6 +1307,34 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>Shows what to begin with: starters, recent files, and three short lessons.</source>
         <translation>Zeigt, womit man beginnen kann: Anfänge, zuletzt geöffnete Dateien und drei kurze Lektionen.</translation>
     </message>
+    <message>
+        <source>&amp;Choose…</source>
+        <translation>&amp;Wählen …</translation>
+    </message>
+    <message>
+        <source>Puts an image behind the model, on the side from which the view looks.</source>
+        <translation>Stellt ein Bild hinter das Modell, auf die Seite, von der die Ansicht blickt.</translation>
+    </message>
+    <message>
+        <source>&amp;Show Reference Images</source>
+        <translation>Vorlagen &amp;zeigen</translation>
+    </message>
+    <message>
+        <source>Shows the image of a side while the view looks from there.</source>
+        <translation>Zeigt das Bild einer Seite, solange die Ansicht von dort blickt.</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Reference Image</source>
+        <translation>Vorlage &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>Takes away the image of the side from which the view looks.</source>
+        <translation>Nimmt das Bild der Seite weg, von der die Ansicht blickt.</translation>
+    </message>
+    <message>
+        <source>Refere&amp;nce Image</source>
+        <translation>Vorlage&amp;nbild</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -1609,6 +1637,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Save the Model</source>
         <translation>Modell speichern</translation>
+    </message>
+    <message>
+        <source>Choose a Reference Image</source>
+        <translation>Ein Vorlagenbild wählen</translation>
+    </message>
+    <message>
+        <source>Images (%1)</source>
+        <translation>Bilder (%1)</translation>
     </message>
 </context>
 <context>
@@ -2370,6 +2406,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>%1: drawings are written as PDF, SVG or PNG; the ending says which.</source>
         <translation>%1: Zeichnungen werden als PDF, SVG oder PNG geschrieben; die Endung sagt, als was.</translation>
     </message>
+    <message>
+        <source>%1 holds no image that can be read.</source>
+        <translation>%1 enthält kein Bild, das gelesen werden kann.</translation>
+    </message>
+    <message>
+        <source>The reference image %1 is not there any more.</source>
+        <translation>Das Vorlagenbild %1 ist nicht mehr da.</translation>
+    </message>
 </context>
 <context>
     <name>ui::ModelDialogs</name>
@@ -2902,6 +2946,105 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Creases are left out: the surface has too many.</source>
         <translation>Kanten sind weggelassen: Die Oberfläche hat zu viele.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ReferencePanel</name>
+    <message>
+        <source>Image</source>
+        <translation>Vorlage</translation>
+    </message>
+    <message>
+        <source>In front of the model</source>
+        <translation>Vor dem Modell</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>The side to which the image is pinned; choosing another one turns the view to it.</source>
+        <translation>Die Seite, an der das Bild hängt; eine andere zu wählen dreht die Ansicht dorthin.</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>How wide the image is, measured beside the model.</source>
+        <translation>Wie breit das Bild ist, am Modell gemessen.</translation>
+    </message>
+    <message>
+        <source>To the right</source>
+        <translation>Nach rechts</translation>
+    </message>
+    <message>
+        <source>How far the image&apos;s middle is to the right of the origin.</source>
+        <translation>Wie weit die Bildmitte rechts vom Ursprung liegt.</translation>
+    </message>
+    <message>
+        <source>Upwards</source>
+        <translation>Nach oben</translation>
+    </message>
+    <message>
+        <source>How far the image&apos;s middle is above the origin in this view.</source>
+        <translation>Wie weit die Bildmitte in dieser Ansicht über dem Ursprung liegt.</translation>
+    </message>
+    <message>
+        <source>Draws the image over the model instead of behind it, so that both can be compared.</source>
+        <translation>Zeichnet das Bild über das Modell statt dahinter, um beide zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>How much the image hides of what lies behind it.</source>
+        <translation>Wie stark das Bild verdeckt, was hinter ihm liegt.</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Hinten</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>%1, with an image</source>
+        <translation>%1, mit Bild</translation>
+    </message>
+    <message>
+        <source>No image</source>
+        <translation>Kein Bild</translation>
+    </message>
+    <message>
+        <source>Choose an image, or drop its file on the window.</source>
+        <translation>Ein Bild wählen, oder seine Datei auf das Fenster ziehen.</translation>
     </message>
 </context>
 <context>

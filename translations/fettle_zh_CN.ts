@@ -1305,6 +1305,34 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>Shows what to begin with: starters, recent files, and three short lessons.</source>
         <translation>显示可以从何开始：基本形体、最近的文件和三节短课。</translation>
     </message>
+    <message>
+        <source>&amp;Choose…</source>
+        <translation>选择(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Puts an image behind the model, on the side from which the view looks.</source>
+        <translation>在当前视图所朝的一侧，把一张图片放到模型后面。</translation>
+    </message>
+    <message>
+        <source>&amp;Show Reference Images</source>
+        <translation>显示参考图(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Shows the image of a side while the view looks from there.</source>
+        <translation>当视图从某一侧观看时，显示该侧的图片。</translation>
+    </message>
+    <message>
+        <source>&amp;Remove Reference Image</source>
+        <translation>移除参考图(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Takes away the image of the side from which the view looks.</source>
+        <translation>移除当前视图所朝一侧的图片。</translation>
+    </message>
+    <message>
+        <source>Refere&amp;nce Image</source>
+        <translation>参考图(&amp;N)</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -1606,6 +1634,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Save the Model</source>
         <translation>保存模型</translation>
+    </message>
+    <message>
+        <source>Choose a Reference Image</source>
+        <translation>选择参考图</translation>
+    </message>
+    <message>
+        <source>Images (%1)</source>
+        <translation>图片 (%1)</translation>
     </message>
 </context>
 <context>
@@ -2362,6 +2398,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>%1: drawings are written as PDF, SVG or PNG; the ending says which.</source>
         <translation>%1：图纸可写为 PDF、SVG 或 PNG，由扩展名决定。</translation>
     </message>
+    <message>
+        <source>%1 holds no image that can be read.</source>
+        <translation>%1 中没有可以读取的图片。</translation>
+    </message>
+    <message>
+        <source>The reference image %1 is not there any more.</source>
+        <translation>参考图 %1 已不存在。</translation>
+    </message>
 </context>
 <context>
     <name>ui::ModelDialogs</name>
@@ -2894,6 +2938,105 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Creases are left out: the surface has too many.</source>
         <translation>已省略折痕：表面折痕过多。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ReferencePanel</name>
+    <message>
+        <source>Image</source>
+        <translation>参考图</translation>
+    </message>
+    <message>
+        <source>In front of the model</source>
+        <translation>显示在模型前面</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>The side to which the image is pinned; choosing another one turns the view to it.</source>
+        <translation>图片所固定的一侧；选择另一侧会把视图转到那里。</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>宽度</translation>
+    </message>
+    <message>
+        <source>How wide the image is, measured beside the model.</source>
+        <translation>图片的宽度，与模型使用同一尺度。</translation>
+    </message>
+    <message>
+        <source>To the right</source>
+        <translation>向右</translation>
+    </message>
+    <message>
+        <source>How far the image&apos;s middle is to the right of the origin.</source>
+        <translation>图片中心在原点右侧的距离。</translation>
+    </message>
+    <message>
+        <source>Upwards</source>
+        <translation>向上</translation>
+    </message>
+    <message>
+        <source>How far the image&apos;s middle is above the origin in this view.</source>
+        <translation>在此视图中，图片中心在原点上方的距离。</translation>
+    </message>
+    <message>
+        <source>Draws the image over the model instead of behind it, so that both can be compared.</source>
+        <translation>把图片画在模型之上而不是之后，以便两者对照。</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>不透明度</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>How much the image hides of what lies behind it.</source>
+        <translation>图片遮住其后内容的程度。</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>前</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>后</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>上</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>下</translation>
+    </message>
+    <message>
+        <source>%1, with an image</source>
+        <translation>%1（有图片）</translation>
+    </message>
+    <message>
+        <source>No image</source>
+        <translation>没有图片</translation>
+    </message>
+    <message>
+        <source>Choose an image, or drop its file on the window.</source>
+        <translation>选择一张图片，或把图片文件拖到窗口上。</translation>
     </message>
 </context>
 <context>

@@ -176,6 +176,13 @@ constexpr ActionInfo table[] = {
     {MenuId::Background, "background.black", QT_TRANSLATE_NOOP("ui::Actions", "&Black"),
      QT_TRANSLATE_NOOP("ui::Actions", "Puts plain black behind the model."), "", "background-black", false, Bar::None, true},
 
+    {MenuId::Reference, "reference.choose", QT_TRANSLATE_NOOP("ui::Actions", "&Choose…"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Puts an image behind the model, on the side from which the view looks."), "", "reference-choose"},
+    {MenuId::Reference, "reference.show", QT_TRANSLATE_NOOP("ui::Actions", "&Show Reference Images"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Shows the image of a side while the view looks from there."), "Shift+R", "reference", false, Bar::None, true},
+    {MenuId::Reference, "reference.remove", QT_TRANSLATE_NOOP("ui::Actions", "&Remove Reference Image"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Takes away the image of the side from which the view looks."), "", "reference-remove"},
+
     {MenuId::Vr, "vr.status", QT_TRANSLATE_NOOP("ui::Actions", "&Look for a Headset"),
      QT_TRANSLATE_NOOP("ui::Actions", "Says whether a VR headset is ready."), "", "headset"},
 
@@ -299,6 +306,8 @@ QString Actions::menuTitle(MenuId menu) const
         return tr("Mat&erial");
     case MenuId::Background:
         return tr("Ba&ckground");
+    case MenuId::Reference:
+        return tr("Refere&nce Image");
     case MenuId::Vr:
         return tr("V&R");
     case MenuId::Help:

@@ -14,8 +14,8 @@ class QWidget;
 
 namespace ui
 {
-/// New is a menu of File, Material and Background are menus of View.
-enum class MenuId { File, New, Edit, Sculpt, Model, View, Material, Background, Vr, Help };
+/// New is a menu of File; Material, Background and Reference are menus of View.
+enum class MenuId { File, New, Edit, Sculpt, Model, View, Material, Background, Reference, Vr, Help };
 enum class Bar { None, Top, Palette };
 
 /// One row an action. Menus, tool bar, shortcut sheet, settings and tests read this table.

@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QImageReader>
 #include <QStringList>
 
 #include <algorithm>
@@ -84,6 +85,18 @@ void askForSaving(QWidget* parent, const QString& folder, const QString& modelNa
 void askForExport(QWidget* parent, const QString& folder, const QString& modelName, PathAnswer answer)
 {
     askForTarget(parent, FileDialogs::tr("Export the Model"), QStringLiteral("exportDialog"), folder, modelName, endings(), answer);
+}
+
+void askForPicture(QWidget* parent, const QString& folder, PathAnswer answer)
+{
+    auto* dialog = new QFileDialog(parent, FileDialogs::tr("Choose a Reference Image"), folder);
+    dialog->setObjectName(QStringLiteral("pictureDialog"));
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    QStringList patterns;
+    for (const QByteArray& ending : QImageReader::supportedImageFormats())
+        patterns << QStringLiteral("*.") + QLatin1StringView(ending);
+    dialog->setNameFilters({FileDialogs::tr("Images (%1)").arg(patterns.join(u' ')), FileDialogs::tr("All files (*)")});
+    show(dialog, answer);
 }
 
 void askForDrawing(QWidget* parent, const QString& folder, const QString& modelName, PathAnswer answer)

@@ -19,6 +19,8 @@ void askForModel(QWidget* parent, ModelUse use, const QString& folder, PathAnswe
 void askForSaving(QWidget* parent, const QString& folder, const QString& modelName, PathAnswer answer);
 void askForExport(QWidget* parent, const QString& folder, const QString& modelName, PathAnswer answer);
 
+void askForPicture(QWidget* parent, const QString& folder, PathAnswer answer);
+
 /// For the sheet of drawings: PDF, SVG or PNG.
 void askForDrawing(QWidget* parent, const QString& folder, const QString& modelName, PathAnswer answer);
 } // namespace ui

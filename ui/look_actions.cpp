@@ -92,5 +92,6 @@ void addLooks(const Actions& actions, Viewport* viewport, Settings* settings, QM
     viewMenu->addSeparator();
     addMenu(actions, MenuId::Material, "material-clay", viewMenu);
     addMenu(actions, MenuId::Background, "background-theme", viewMenu);
+    addMenu(actions, MenuId::Reference, "reference", viewMenu);
 }
 } // namespace ui

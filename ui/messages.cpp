@@ -99,6 +99,16 @@ QString Messages::notADrawing(const QString& path)
     return tr("%1: drawings are written as PDF, SVG or PNG; the ending says which.").arg(QDir::toNativeSeparators(path));
 }
 
+QString Messages::notAPicture(const QString& path)
+{
+    return tr("%1 holds no image that can be read.").arg(QDir::toNativeSeparators(path));
+}
+
+QString Messages::goneReference(const QString& path)
+{
+    return tr("The reference image %1 is not there any more.").arg(QDir::toNativeSeparators(path));
+}
+
 QString Messages::name(core::Parameter parameter)
 {
     switch (parameter) {

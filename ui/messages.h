@@ -33,6 +33,9 @@ public:
 
     /// The ending is none that drawings have.
     static QString notADrawing(const QString& path);
+    /// A reference image's file holds no image that can be read, or is gone.
+    static QString notAPicture(const QString& path);
+    static QString goneReference(const QString& path);
     static QString name(core::Parameter parameter);
     /// What it can be, if somebody asked for more or less.
     static QString range(core::Parameter parameter, double least, double most);

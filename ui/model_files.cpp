@@ -4,6 +4,7 @@
 #include "file_dialogs.h"
 #include "model_dialogs.h"
 #include "model_facts.h"
+#include "reference_image.h"
 #include "settings.h"
 
 #include <QAction>
@@ -208,9 +209,16 @@ bool ModelFiles::eventFilter(QObject* watched, QEvent* event)
         return true;
     drop->acceptProposedAction();
     if (event->type() == QEvent::Drop)
-        QMetaObject::invokeMethod(
-            this, [this, path = droppedFile(drop->mimeData())] { Q_EMIT openRequested(path); }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(this, [this, path = droppedFile(drop->mimeData())] { take(path); }, Qt::QueuedConnection);
     return true;
+}
+
+void ModelFiles::take(const QString& path)
+{
+    if (isNamedLikePicture(path))
+        Q_EMIT pictureDropped(path);
+    else
+        Q_EMIT openRequested(path);
 }
 
 bool ModelFiles::mayDrop(const QMimeData* data) const

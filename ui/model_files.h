@@ -49,6 +49,8 @@ Q_SIGNALS:
     /// The file is the model's own, or a dialog has asked about overwriting. The ending says the format.
     void saveRequested(const QString& path);
     void exportRequested(const QString& path);
+    /// By drag and drop: a local path that is named like an image.
+    void pictureDropped(const QString& path);
     void insertRequested(const QString& path, const core::Insert& how);
 
 private:
@@ -60,6 +62,7 @@ private:
     void exportAs();
     void showRecent();
     void enable();
+    void take(const QString& path);
     bool mayDrop(const QMimeData* data) const;
     void remember(const QString& path);
 

@@ -2,6 +2,7 @@
 
 #include "overlay_entities.h"
 #include "qt3d_engine.h"
+#include "reference_painter.h"
 #include "render_target.h"
 
 #include <QCoreApplication>
@@ -46,6 +47,8 @@ struct Scene::State
     QOpenGLFunctions_3_3_Core* gl = nullptr;
     RenderTarget target;
     ClayPainter painter;
+    ReferencePainter referencePainter;
+    PlacedReference reference;
     std::unique_ptr<QOpenGLShaderProgram> layerProgram;
     unsigned int noVertices = 0;
     ClayPicture picture;
@@ -93,6 +96,7 @@ bool Scene::State::startLayered()
 {
     if (gl) {
         painter.destroy();
+        referencePainter.destroy();
         target.destroy();
     }
     engine.reset();
@@ -117,7 +121,7 @@ bool Scene::State::startLayered()
 bool Scene::State::createResources()
 {
     target.create(gl, samplesPerPixel);
-    return painter.create(gl);
+    return painter.create(gl) && referencePainter.create(gl);
 }
 
 /// What Qt3D draws, over clay and backdrop. Qt3D restores most of the state that others left behind, but not these.
@@ -194,6 +198,7 @@ Scene::~Scene()
     if (m_state->context && m_state->context->makeCurrent(&m_state->surface)) {
         m_state->layerProgram.reset();
         m_state->painter.destroy();
+        m_state->referencePainter.destroy();
         m_state->target.destroy();
         m_state->context->doneCurrent();
     }
@@ -259,6 +264,11 @@ void Scene::showPlane(core::Symmetry symmetry, const core::Box& box)
     m_state->plane->setEnabled(shown && m_state->mode == Mode::InQt3dContext);
 }
 
+void Scene::showReference(const PlacedReference& reference)
+{
+    m_state->reference = reference;
+}
+
 void Scene::setLook(const ViewLook& look, bool darkTheme)
 {
     State& s = *m_state;
@@ -289,6 +299,7 @@ Scene::Image Scene::render(const OrbitCamera& camera, QSize pixels, double pixel
     s.picture.pixels = pixels;
     s.picture.pixelRatio = pixelRatio;
     s.painter.draw(camera, s.picture);
+    image.isDraft = s.referencePainter.draw(camera, s.reference);
     image.drawMs = milliseconds(timer);
     timer.start();
     s.drawOverlay();

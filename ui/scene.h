@@ -2,6 +2,7 @@
 
 #include "clay_painter.h"
 #include "orbit_camera.h"
+#include "reference_image.h"
 
 #include "core/mesh_patch.h"
 #include "core/sculptor.h"
@@ -30,6 +31,7 @@ public:
     {
         unsigned int texture = 0; ///< readable in any context of the share group, once `ready` was waited for
         void* ready = nullptr;    ///< GLsync; the caller deletes it
+        bool isDraft = false; ///< the next one of the same will be sharper
         double drawMs = 0, sceneMs = 0;
     };
 
@@ -53,6 +55,8 @@ public:
     void tint(const std::shared_ptr<const core::Footprint>& footprint);
     /// The pane of that plane through the box, and the line where it cuts the clay; without symmetry neither.
     void showPlane(core::Symmetry symmetry, const core::Box& box);
+    /// In the next images, until another is named; its picture may be null.
+    void showReference(const PlacedReference& reference);
     /// `darkTheme`: what the background is where it follows the window.
     void setLook(const ViewLook& look, bool darkTheme);
 

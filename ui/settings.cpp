@@ -40,6 +40,8 @@ const QString ownKeys = QStringLiteral("keys/own/"); ///< and the action's id
 const QString penKey = QStringLiteral("preferences/penExponent");
 const QString materialKey = QStringLiteral("view/material");
 const QString backgroundKey = QStringLiteral("view/background");
+const QString showsReferencesKey = QStringLiteral("view/references");
+const QString referenceKeys = QStringLiteral("reference/"); ///< and the side
 const QString swatchesKey = QStringLiteral("color/swatches");
 
 /// Clay, earth, slip, white, grey, black, and what children paint with.
@@ -246,7 +248,7 @@ void Settings::setPreferences(const Preferences& preferences)
 void Settings::reset()
 {
     for (const QString& key : m_settings.allKeys())
-        if (key != recentKey && key != folderKey && key != swatchesKey)
+        if (key != recentKey && key != folderKey && key != swatchesKey && !key.startsWith(referenceKeys))
             m_settings.remove(key);
     for (const auto& takeUp : m_onReset)
         takeUp();
@@ -322,6 +324,44 @@ void Settings::setSwatches(const QList<core::Rgb>& swatches)
     for (const core::Rgb& color : swatches)
         names << toQt(color).name();
     m_settings.setValue(swatchesKey, names);
+}
+
+StoredReference Settings::reference(OrbitCamera::Side side) const
+{
+    const QString key = referenceKeys + wordFor(side, viewSides) + u'/';
+    const ReferencePlacement usual;
+    StoredReference stored;
+    stored.path = m_settings.value(key + QStringLiteral("path")).toString();
+    stored.placement = {number(m_settings, key + QStringLiteral("width"), minReferenceWidth, maxReferenceWidth, usual.width),
+                        number(m_settings, key + QStringLiteral("x"), -maxReferenceOffset, maxReferenceOffset, usual.x),
+                        number(m_settings, key + QStringLiteral("y"), -maxReferenceOffset, maxReferenceOffset, usual.y),
+                        number(m_settings, key + QStringLiteral("opacity"), minReferenceOpacity, 1, usual.opacity),
+                        yesNo(m_settings, key + QStringLiteral("inFront"), usual.inFront)};
+    return stored;
+}
+
+void Settings::setReference(OrbitCamera::Side side, const StoredReference& reference)
+{
+    const QString key = referenceKeys + wordFor(side, viewSides);
+    m_settings.remove(key);
+    if (reference.path.isEmpty())
+        return;
+    m_settings.setValue(key + QStringLiteral("/path"), reference.path);
+    m_settings.setValue(key + QStringLiteral("/width"), reference.placement.width);
+    m_settings.setValue(key + QStringLiteral("/x"), reference.placement.x);
+    m_settings.setValue(key + QStringLiteral("/y"), reference.placement.y);
+    m_settings.setValue(key + QStringLiteral("/opacity"), reference.placement.opacity);
+    m_settings.setValue(key + QStringLiteral("/inFront"), reference.placement.inFront);
+}
+
+bool Settings::showsReferences() const
+{
+    return yesNo(m_settings, showsReferencesKey, true);
+}
+
+void Settings::setShowsReferences(bool shows)
+{
+    m_settings.setValue(showsReferencesKey, shows);
 }
 
 double Settings::turnSpeed() const

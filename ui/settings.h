@@ -4,6 +4,7 @@
 #include "drawing_painter.h"
 #include "files_choice.h"
 #include "preferences.h"
+#include "reference_image.h"
 #include "turntable_motor.h"
 #include "view_look.h"
 
@@ -31,6 +32,15 @@ inline constexpr core::Parameter storedParameters[] = {core::Parameter::Strength
                                                        core::Parameter::Spacing};
 
 inline constexpr int minHistoryMegabytes = 16, maxHistoryMegabytes = 65536, defaultHistoryMegabytes = 512;
+
+/// A reference image: a local path, empty where there is none, and how it stands.
+struct StoredReference
+{
+    QString path;
+    ReferencePlacement placement;
+
+    bool operator==(const StoredReference&) const = default;
+};
 
 /// Every stored preference: its key, type and default in one place. A missing or broken entry gives the default. The
 /// program sets organisation and application name before. Gui thread.
@@ -72,7 +82,7 @@ public:
     Preferences preferences() const;
     void setPreferences(const Preferences& preferences);
 
-    /// Everything to its default but what a person made: recent files and folder, swatches. Then all are called that asked
+    /// Everything to its default but what a person made: recent files and folder, swatches, reference images. Then all are called that asked
     /// for it, in that order, to take up what holds now.
     void reset();
     void onReset(std::function<void()> takeUp);
@@ -95,6 +105,11 @@ public:
     void setTurnSpeed(double speed);
     bool turnsClockwise() const;
     void setTurnsClockwise(bool clockwise);
+
+    StoredReference reference(OrbitCamera::Side side) const;
+    void setReference(OrbitCamera::Side side, const StoredReference& reference);
+    bool showsReferences() const;
+    void setShowsReferences(bool shows);
 
     /// Colours at hand, in order; a first choice where none were ever stored. Broken ones are left out.
     QList<core::Rgb> swatches() const;

@@ -197,6 +197,11 @@ void Viewport::setBox(const core::Box& box)
     m_state->camera.setScene(box);
 }
 
+const core::Box& Viewport::box() const
+{
+    return m_state->box;
+}
+
 void Viewport::frame()
 {
     m_state->camera.frame(m_state->box);
@@ -235,6 +240,12 @@ void Viewport::setLook(const ViewLook& look)
 const ViewLook& Viewport::look() const
 {
     return m_state->look;
+}
+
+void Viewport::setReferences(const References& references)
+{
+    m_state->references = references;
+    update();
 }
 
 const OrbitCamera& Viewport::camera() const
@@ -333,11 +344,14 @@ void Viewport::paintGL()
     s.scene->showPlane(s.brush->stroke().symmetry, s.box);
     const bool darkTheme = palette().window().color().lightness() < 128;
     s.scene->setLook(s.look, darkTheme);
+    s.scene->showReference(seenReference(s.references, s.camera, s.box));
     s.scaleBar->setLight(isDark(backdropOf(s.look.background, darkTheme)));
     s.scaleBar->showFor(s.camera);
     const QSize pixels = size() * devicePixelRatioF();
     const Scene::Image image = s.scene->render(s.camera, pixels, devicePixelRatioF());
     makeCurrent();
+    if (image.isDraft)
+        update();
     if (image.texture)
         s.show(image, pixels, defaultFramebufferObject());
 

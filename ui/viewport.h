@@ -3,6 +3,7 @@
 #include "brush_settings.h"
 #include "orbit_camera.h"
 #include "preferences.h"
+#include "reference_image.h"
 #include "view_look.h"
 
 #include "core/mesh_patch.h"
@@ -56,6 +57,7 @@ public:
     void showModel(const core::Box& box);
     /// The same model has another box now.
     void setBox(const core::Box& box);
+    const core::Box& box() const;
     /// Shows the whole box from the present direction.
     void frame();
     void turnTo(OrbitCamera::Side side);
@@ -66,6 +68,8 @@ public:
     void setHabits(const HandHabits& habits);
     void setLook(const ViewLook& look);
     const ViewLook& look() const;
+    /// Each is seen while the view looks from its side.
+    void setReferences(const References& references);
 
     const OrbitCamera& camera() const;
     const ViewportStats& stats() const;

@@ -21,6 +21,7 @@ struct Viewport::State
     std::unique_ptr<Scene> scene;
     core::Box box;
     ViewLook look;
+    References references;
     ScaleBar* scaleBar = nullptr;
     StringLine* string = nullptr;
     std::function<std::optional<core::MeshPatch>()> take;

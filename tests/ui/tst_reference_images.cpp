@@ -1,0 +1,347 @@
+#include "sphere_model.h"
+#include "ui_test.h"
+
+#include "ui/main_window.h"
+#include "ui/reference_image.h"
+#include "ui/settings.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QLabel>
+#include <QMimeData>
+#include <QPainter>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QTemporaryDir>
+
+using Side = ui::OrbitCamera::Side;
+
+namespace
+{
+/// Red on the left half, blue on the right, a green band above both.
+QImage testPicture(QSize size)
+{
+    QImage image(size, QImage::Format_RGB32);
+    image.fill(Qt::red);
+    QPainter painter(&image);
+    painter.fillRect(size.width() / 2, 0, size.width(), size.height(), Qt::blue);
+    painter.fillRect(0, 0, size.width(), size.height() / 4, Qt::green);
+    return image;
+}
+
+/// How many pixels are about as red, green or blue as the test picture; clay and background are none of that.
+struct Counts
+{
+    int red = 0, green = 0, blue = 0;
+    double redX = 0, blueX = 0, greenY = 0, redY = 0; ///< means
+
+    int firstX = 1 << 20, lastX = -1; ///< of green
+
+    int width() const { return lastX - firstX + 1; }
+    bool none() const { return red + green + blue == 0; }
+};
+
+Counts countsOf(const QImage& picture)
+{
+    Counts counts;
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x) {
+            const QColor color = picture.pixelColor(x, y);
+            const auto isMost = [](int most, int a, int b) { return most > 2 * a && most > 2 * b && most > 100; };
+            if (isMost(color.red(), color.green(), color.blue()))
+                ++counts.red, counts.redX += x, counts.redY += y;
+            if (isMost(color.blue(), color.green(), color.red()))
+                ++counts.blue, counts.blueX += x;
+            if (isMost(color.green(), color.red(), color.blue()))
+                ++counts.green, counts.greenY += y, counts.firstX = std::min(counts.firstX, x), counts.lastX = std::max(counts.lastX, x);
+        }
+    counts.redX /= std::max(counts.red, 1);
+    counts.redY /= std::max(counts.red, 1);
+    counts.blueX /= std::max(counts.blue, 1);
+    counts.greenY /= std::max(counts.green, 1);
+    return counts;
+}
+
+bool drop(ui::MainWindow& window, const QString& path)
+{
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(path)});
+    QDragEnterEvent enter({50, 50}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&window, &enter);
+    QDropEvent event({50, 50}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&window, &event);
+    return event.isAccepted();
+}
+
+/// A window with a white ball in it, looking from the front.
+struct Shown
+{
+    Shown()
+    {
+        window.resize(900, 700);
+        window.show();
+        patch = model.whole();
+        window.viewport()->setPatchSource([this] { return std::exchange(patch, std::nullopt); });
+        ui::ModelFacts facts;
+        facts.box = model.box();
+        facts.size = facts.box.sizes();
+        window.setModel(facts);
+        window.viewport()->patchReady();
+        QCoreApplication::processEvents();
+        trigger("view.front");
+    }
+
+    QAction* action(const char* id) { return window.action(QLatin1StringView(id)); }
+    void trigger(const char* id) { action(id)->trigger(); }
+    template <class Widget> Widget* child(const char* name) { return window.findChild<Widget*>(QLatin1StringView(name)); }
+    Counts seen() { return countsOf(window.viewport()->grabFramebuffer()); }
+    QString banner() { return child<QLabel>("banner")->text(); }
+
+    SphereModel model;
+    std::optional<core::MeshPatch> patch;
+    ui::MainWindow window;
+};
+} // namespace
+
+/// Images pinned to sides of the view: where they are seen, and what is remembered of them.
+class TestReferenceImages : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        SKIP_WITHOUT_GRAPHICS();
+        QVERIFY(m_folder.isValid());
+        QVERIFY(testPicture({200, 150}).save(picture()));
+    }
+
+    void init() { QSettings().clear(); }
+
+    void anImageStandsBehindTheModelOnItsSideOnly_data()
+    {
+        QTest::addColumn<bool>("orthographic");
+        QTest::newRow("perspective") << false;
+        QTest::newRow("orthographic") << true;
+    }
+
+    void anImageStandsBehindTheModelOnItsSideOnly()
+    {
+        QFETCH(bool, orthographic);
+        Shown shown;
+        shown.action("view.orthographic")->setChecked(orthographic);
+        QVERIFY(shown.seen().none());
+        QVERIFY(drop(shown.window, picture()));
+        QTRY_VERIFY(!shown.seen().none());
+
+        const Counts front = shown.seen();
+        QVERIFY(front.red > 100 && front.green > 100 && front.blue > 100);
+        QVERIFY(front.redX < front.blueX);
+        QVERIFY(front.greenY < front.redY);
+        const QImage picture = shown.window.viewport()->grabFramebuffer();
+        QVERIFY(countsOf(picture.copy(picture.width() / 2 - 20, picture.height() / 2 - 20, 40, 40)).none()); // there is clay
+
+        for (const char* id : {"view.back", "view.left", "view.right", "view.top", "view.bottom"}) {
+            shown.trigger(id);
+            QVERIFY2(shown.seen().none(), id);
+        }
+        shown.trigger("view.front");
+        QCOMPARE(shown.seen().red, front.red);
+        shown.trigger("reference.show");
+        QVERIFY(shown.seen().none());
+        shown.trigger("reference.show");
+        QCOMPARE(shown.seen().red, front.red);
+        shown.trigger("reference.remove");
+        QVERIFY(shown.seen().none());
+        QVERIFY(!shown.action("reference.remove")->isEnabled());
+    }
+
+    void itIsSeenAFewDegreesAside()
+    {
+        Shown shown;
+        drop(shown.window, picture());
+        QTRY_VERIFY(!shown.seen().none());
+        shown.window.viewport()->turnModel(0.05, 0);
+        QVERIFY(!shown.seen().none());
+        shown.window.viewport()->turnModel(0.1, 0);
+        QVERIFY(shown.seen().none());
+    }
+
+    /// What stands where the panel says, in mm.
+    void thePanelPlacesIt()
+    {
+        Shown shown;
+        shown.trigger("view.orthographic");
+        drop(shown.window, picture());
+        QTRY_VERIFY(!shown.seen().none());
+        QVERIFY(shown.child<QDockWidget>("referencePanel")->isVisible());
+        auto* width = shown.child<QDoubleSpinBox>("reference.width");
+        QCOMPARE(std::lround(width->value()), 133L); // 4 : 3, and the ball of 100 mm fits
+        width->setValue(120);
+        const double perMm = shown.window.viewport()->camera().pixelsPerMm({0, 0, 0}) * shown.window.devicePixelRatioF();
+        QVERIFY2(std::abs(shown.seen().width() - 120 * perMm) < 4, qPrintable(QString::number(shown.seen().width() / perMm)));
+
+        const Counts before = shown.seen();
+        shown.child<QDoubleSpinBox>("reference.y")->setValue(20);
+        const double moved = before.greenY - shown.seen().greenY;
+        QVERIFY2(std::abs(moved - 20 * perMm) < 10, qPrintable(QString::number(moved)));
+
+        const int behind = shown.seen().red;
+        shown.child<QSpinBox>("reference.opacity")->setValue(100);
+        shown.child<QCheckBox>("reference.inFront")->setChecked(true);
+        QVERIFY(shown.seen().red > behind * 2);
+    }
+
+    /// The panel is of the side that the view is nearest to, and each side has an image of its own.
+    void eachSideHasItsOwn()
+    {
+        Shown shown;
+        auto* side = shown.child<QComboBox>("reference.side");
+        auto* width = shown.child<QDoubleSpinBox>("reference.width");
+        QVERIFY(!width->isEnabled());
+        drop(shown.window, picture());
+        QTRY_VERIFY(width->isEnabled());
+        shown.trigger("view.top");
+        QCOMPARE(side->currentIndex(), static_cast<int>(Side::Top));
+        QVERIFY(!width->isEnabled());
+        drop(shown.window, picture());
+        QTRY_VERIFY(width->isEnabled());
+        width->setValue(10);
+        Q_EMIT side->activated(static_cast<int>(Side::Front));
+        QVERIFY(width->value() > 100);
+        QVERIFY(!shown.seen().none());
+    }
+
+    void aModelIsStillOpenedByDrop()
+    {
+        Shown shown;
+        QSignalSpy opened(&shown.window, &ui::MainWindow::openRequested);
+        drop(shown.window, picture());
+        drop(shown.window, m_folder.filePath(QStringLiteral("a.stl")));
+        QTRY_COMPARE(opened.count(), 1);
+        QVERIFY(opened[0][0].toString().endsWith(QStringLiteral("a.stl")));
+    }
+
+    void theDialogChooses()
+    {
+        Shown shown;
+        shown.trigger("reference.choose");
+        auto* dialog = shown.child<QFileDialog>("pictureDialog");
+        QVERIFY(dialog);
+        Q_EMIT dialog->fileSelected(picture());
+        dialog->close();
+        QTRY_VERIFY(!shown.seen().none());
+    }
+
+    void itIsRemembered()
+    {
+        ui::ReferencePlacement placement;
+        {
+            Shown shown;
+            drop(shown.window, picture());
+            QTRY_VERIFY(!shown.seen().none());
+            shown.child<QDoubleSpinBox>("reference.x")->setValue(-7.5);
+            placement = ui::Settings().reference(Side::Front).placement;
+            QCOMPARE(placement.x, -7.5);
+        }
+        Shown again;
+        QTRY_VERIFY(!again.seen().none());
+        QCOMPARE(again.child<QDoubleSpinBox>("reference.x")->value(), -7.5);
+        again.trigger("reference.remove");
+        QCOMPARE(ui::Settings().reference(Side::Front), ui::StoredReference());
+    }
+
+    /// One sentence; what was there stays.
+    void whatIsNoImageIsRefused()
+    {
+        const QString broken = m_folder.filePath(QStringLiteral("broken.png"));
+        QFile file(broken);
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write("no image") > 0);
+        file.close();
+        Shown shown;
+        drop(shown.window, picture());
+        QTRY_VERIFY(!shown.seen().none());
+        drop(shown.window, broken);
+        QTRY_VERIFY(shown.banner().contains(QStringLiteral("broken.png")));
+        QVERIFY(!shown.seen().none());
+        QCOMPARE(ui::Settings().reference(Side::Front).path, picture());
+    }
+
+    void aFileThatIsGoneIsSaidAndKeepsItsPlace()
+    {
+        const ui::StoredReference stored{m_folder.filePath(QStringLiteral("gone.png")), {42, 1, 2, 0.5, true}};
+        ui::Settings().setReference(Side::Front, stored);
+        Shown shown;
+        QTRY_VERIFY(shown.banner().contains(QStringLiteral("gone.png")));
+        QVERIFY(shown.seen().none());
+        QCOMPARE(ui::Settings().reference(Side::Front), stored);
+        QVERIFY(shown.action("reference.remove")->isEnabled());
+    }
+
+    /// The pictures that a person chose stay; what was hidden is shown.
+    void resettingKeepsThem()
+    {
+        ui::Settings settings;
+        const ui::StoredReference stored{picture(), {42, 1, 2, 0.5, true}};
+        settings.setReference(Side::Left, stored);
+        settings.setShowsReferences(false);
+        settings.reset();
+        QCOMPARE(settings.reference(Side::Left), stored);
+        QVERIFY(settings.showsReferences());
+    }
+
+    /// Levels are uploaded over some frames; in the last the finest is there.
+    void aLargeImageGrowsSharp_data()
+    {
+        QTest::addColumn<bool>("layered");
+        QTest::newRow("in Qt3D's context") << false;
+        QTest::newRow("in layers") << true;
+    }
+
+    void aLargeImageGrowsSharp()
+    {
+        QFETCH(bool, layered);
+        const QString large = m_folder.filePath(QStringLiteral("fine.png"));
+        QVERIFY(testPicture({3000, 3000}).save(large));
+        const ui::SharedReferencePicture picture = ui::readReference(large);
+        ui::Scene scene(layered ? ui::Scene::Mode::Layered : ui::Scene::Mode::InQt3dContext);
+        ui::OrbitCamera camera;
+        camera.setViewport(100, 100);
+        camera.turnTo(Side::Front);
+        ui::References references;
+        references[static_cast<std::size_t>(Side::Front)] = {picture, {}};
+        scene.showReference(ui::seenReference(references, camera, {}));
+        int frames = 1;
+        while (scene.render(camera, {100, 100}, 1).isDraft)
+            ++frames;
+        QCOMPARE(frames, 3); // up to a million pixels, 1500 x 1500, 3000 x 3000
+        QVERIFY(!scene.render(camera, {100, 100}, 1).isDraft);
+    }
+
+    void largeImagesAreMadeSmaller()
+    {
+        const QString large = m_folder.filePath(QStringLiteral("large.png"));
+        QVERIFY(testPicture({ui::maxReferencePixels + 904, 500}).save(large));
+        const ui::SharedReferencePicture picture = ui::readReference(large);
+        QVERIFY(picture);
+        QCOMPARE(picture->size().width(), ui::maxReferencePixels);
+        QCOMPARE(picture->size().height(), 409);
+        QCOMPARE(picture->levels.back().size(), QSize(1, 1));
+        for (std::size_t i = 1; i < picture->levels.size(); ++i)
+            QCOMPARE(picture->levels[i].width(), std::max(picture->levels[i - 1].width() / 2, 1));
+        QVERIFY(!ui::readReference(m_folder.filePath(QStringLiteral("none.png"))));
+    }
+
+private:
+    QString picture() const { return m_folder.filePath(QStringLiteral("picture.png")); }
+
+    QTemporaryDir m_folder;
+};
+
+UI_TEST_MAIN(TestReferenceImages)
+#include "tst_reference_images.moc"

@@ -1,0 +1,82 @@
+#include "reference_actions.h"
+
+#include "actions.h"
+#include "file_dialogs.h"
+#include "model_files.h"
+#include "reference_images.h"
+#include "reference_panel.h"
+#include "settings.h"
+#include "side_dock.h"
+#include "viewport.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QMainWindow>
+
+namespace ui
+{
+namespace
+{
+/// Where the image of that side is, or else one of another side, or the models.
+QString folderFor(OrbitCamera::Side side, const ReferenceImages& images, const Settings& settings)
+{
+    QString path = images.path(side);
+    for (const auto& other : viewSides)
+        if (path.isEmpty())
+            path = images.path(other.value);
+    return path.isEmpty() ? settings.lastFolder() : QFileInfo(path).absolutePath();
+}
+
+void connectCommands(const ReferencePlace& place, ReferenceImages* images, const Settings* settings, const Actions& actions)
+{
+    Viewport* viewport = place.viewport;
+    const auto choose = [=](const QString& path) { images->choose(nearestSide(viewport->camera()), path, viewport->box()); };
+    QObject::connect(actions.get(QStringLiteral("reference.choose")), &QAction::triggered, images, [=, window = place.window] {
+        askForPicture(window, folderFor(nearestSide(viewport->camera()), *images, *settings), choose);
+    });
+    QObject::connect(place.files, &ModelFiles::pictureDropped, images, choose);
+
+    QAction* show = actions.get(QStringLiteral("reference.show"));
+    QAction* remove = actions.get(QStringLiteral("reference.remove"));
+    QObject::connect(show, &QAction::triggered, images, &ReferenceImages::setShown);
+    QObject::connect(remove, &QAction::triggered, images, [=] { images->remove(nearestSide(viewport->camera())); });
+    const auto showState = [=] {
+        show->setChecked(images->isShown());
+        remove->setEnabled(!images->path(nearestSide(viewport->camera())).isEmpty());
+    };
+    QObject::connect(images, &ReferenceImages::changed, show, showState);
+    QObject::connect(viewport, &Viewport::viewChanged, show, showState);
+    showState();
+}
+
+/// What was just chosen is seen.
+void turnTo(OrbitCamera::Side side, Viewport* viewport)
+{
+    if (!looksFrom(viewport->camera(), side))
+        viewport->turnTo(side);
+}
+} // namespace
+
+void addReferences(const ReferencePlace& place, Settings* settings, const Actions& actions, const std::function<void(const QString&)>& notice)
+{
+    Viewport* viewport = place.viewport;
+    auto* images = new ReferenceImages(settings, viewport);
+    connectCommands(place, images, settings, actions);
+    QObject::connect(images, &ReferenceImages::changed, viewport, [=] { viewport->setReferences(images->shown()); });
+    QObject::connect(images, &ReferenceImages::refused, viewport, notice);
+
+    auto* dock = new QDockWidget(ReferencePanel::tr("Image"));
+    dock->setObjectName(QStringLiteral("referencePanel"));
+    dock->setWidget(new ReferencePanel(images, viewport, actions));
+    addSideDock(place.window, place.toggles, dock, QStringLiteral("brushPanel"));
+    dock->hide();
+    QObject::connect(images, &ReferenceImages::chosen, dock, [=](OrbitCamera::Side side) {
+        turnTo(side, viewport);
+        dock->show();
+        dock->raise();
+    });
+    QObject::connect(dock->toggleViewAction(), &QAction::triggered, dock, &QWidget::raise);
+    images->restore();
+}
+} // namespace ui

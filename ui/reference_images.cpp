@@ -1,0 +1,115 @@
+#include "reference_images.h"
+
+#include "messages.h"
+#include "settings.h"
+
+#include <QFileInfo>
+
+#include <algorithm>
+
+namespace ui
+{
+ReferenceImages::ReferenceImages(Settings* settings, QObject* parent)
+    : QObject(parent), m_settings(settings), m_isShown(settings->showsReferences())
+{
+    m_pool.setMaxThreadCount(1); // for the memory that decoding takes
+    settings->onReset([this] { setShown(m_settings->showsReferences()); });
+}
+
+ReferenceImages::~ReferenceImages()
+{
+    m_pool.clear();
+    m_pool.waitForDone();
+}
+
+void ReferenceImages::restore()
+{
+    for (const auto& side : viewSides) {
+        const StoredReference stored = m_settings->reference(side.value);
+        at(side.value).path = stored.path;
+        at(side.value).reference.placement = stored.placement;
+        if (!stored.path.isEmpty())
+            read(side.value, stored.path, [this, side = side.value](const SharedReferencePicture& picture) {
+                at(side).reference.picture = picture;
+                Q_EMIT changed();
+            });
+    }
+    Q_EMIT changed();
+}
+
+/// Calls `take` on this thread with the picture, unless the side was given another meanwhile.
+template <class Take> void ReferenceImages::read(OrbitCamera::Side side, const QString& path, Take take)
+{
+    const int asked = ++at(side).asked;
+    m_pool.start([=, this] {
+        const SharedReferencePicture picture = readReference(path);
+        const bool isThere = QFileInfo::exists(path);
+        QMetaObject::invokeMethod(
+            this,
+            [=, this] {
+                if (asked != at(side).asked)
+                    return;
+                if (picture)
+                    take(picture);
+                else
+                    Q_EMIT refused(isThere ? Messages::notAPicture(path) : Messages::goneReference(path));
+            },
+            Qt::QueuedConnection);
+    });
+}
+
+void ReferenceImages::choose(OrbitCamera::Side side, const QString& path, const core::Box& box)
+{
+    read(side, path, [=, this](const SharedReferencePicture& picture) {
+        at(side).path = path;
+        at(side).reference = {picture, fitted(picture->size(), side, box)};
+        keep(side);
+        setShown(true);
+        Q_EMIT changed();
+        Q_EMIT chosen(side);
+    });
+}
+
+void ReferenceImages::remove(OrbitCamera::Side side)
+{
+    at(side) = {{}, {}, at(side).asked + 1};
+    keep(side);
+    Q_EMIT changed();
+}
+
+void ReferenceImages::place(OrbitCamera::Side side, const ReferencePlacement& placement)
+{
+    if (at(side).reference.placement == placement)
+        return;
+    at(side).reference.placement = placement;
+    keep(side);
+    Q_EMIT changed();
+}
+
+void ReferenceImages::setShown(bool shown)
+{
+    if (m_isShown == shown)
+        return;
+    m_isShown = shown;
+    m_settings->setShowsReferences(shown);
+    Q_EMIT changed();
+}
+
+bool ReferenceImages::isEmpty() const
+{
+    return std::ranges::all_of(m_slots, [](const Slot& slot) { return slot.path.isEmpty(); });
+}
+
+References ReferenceImages::shown() const
+{
+    References references;
+    if (m_isShown)
+        std::ranges::transform(m_slots, references.begin(), &Slot::reference);
+    return references;
+}
+
+void ReferenceImages::keep(OrbitCamera::Side side)
+{
+    m_settings->setReference(side, {at(side).path, at(side).reference.placement});
+}
+} // namespace ui

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "reference_image.h"
+
+#include <QWidget>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QLayout;
+class QSlider;
+class QSpinBox;
+
+namespace ui
+{
+class Actions;
+class ReferenceImages;
+class Viewport;
+
+/// The reference image of the side that the view is nearest to: what it is, and how it stands. Gui thread.
+class ReferencePanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    /// None is owned; all must outlive the panel.
+    ReferencePanel(ReferenceImages* images, Viewport* viewport, const Actions& actions, QWidget* parent = nullptr);
+
+private:
+    QLayout* buildHead(const Actions& actions);
+    QLayout* buildOpacity();
+    QDoubleSpinBox* lengthBox(const QString& id, const QString& name, const QString& tip, double least, double most);
+    void followView();
+    void showImage();
+    void showSides();
+    void showFile();
+    void place();
+
+    ReferenceImages* m_images;
+    Viewport* m_viewport;
+    OrbitCamera::Side m_side;
+    SharedReferencePicture m_thumbnailOf;
+    QComboBox* m_sides;
+    QLabel *m_thumbnail, *m_name;
+    QDoubleSpinBox *m_width, *m_x, *m_y;
+    QSlider* m_opacity;
+    QSpinBox* m_percent;
+    QCheckBox* m_inFront;
+};
+} // namespace ui
