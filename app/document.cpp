@@ -8,6 +8,7 @@
 #include "ui/messages.h"
 
 #include <algorithm>
+#include <future>
 #include <utility>
 
 namespace app
@@ -83,8 +84,11 @@ void Document::startChange(core::ModelCommand command, const QString& insertedPa
     m_worker->post([this, command = std::move(command), insertedPath, watch](core::Sculptor& sculptor) {
         auto copy = ModelTrial::copyOf(sculptor.mesh());
         m_work.run([this, copy = std::move(copy), command, insertedPath, watch]() mutable {
-            auto outcome = std::make_shared<ModelOutcome>(ModelTrial::run(copy, command, insertedPath, watch));
-            const auto finish = [this, command, outcome] { finishChange(command, std::move(*outcome)); };
+            std::promise<ModelOutcome> outcome;
+            outcome.set_value(ModelTrial::run(copy, command, insertedPath, watch));
+            const auto finish = [this, command, done = std::make_shared<std::future<ModelOutcome>>(outcome.get_future())] {
+                finishChange(command, done->get());
+            };
             QMetaObject::invokeMethod(this, finish, Qt::QueuedConnection);
         });
     });

@@ -33,7 +33,7 @@ struct Session
     /// Until nothing is under way.
     void wait()
     {
-        QTRY_VERIFY(!document.isBusy());
+        QTRY_VERIFY_WITH_TIMEOUT(!document.isBusy() && document.isSettled(), 60'000);
         settle();
     }
 
