@@ -24,16 +24,17 @@ QKeySequence keyOf(const QKeyEvent& event)
 }
 } // namespace
 
-/// Qt's placeholder is too long for the field in some languages.
 KeyEdit::KeyEdit(QWidget* parent) : QKeySequenceEdit(parent)
 {
-    findChild<QLineEdit*>()->setPlaceholderText(tr("no key"));
+    setKey({});
 }
 
+/// The words of an empty field are Qt's again after each change, and in some languages too long for it.
 void KeyEdit::setKey(const QKeySequence& key)
 {
     const QSignalBlocker quiet(this);
     setKeySequence(key);
+    findChild<QLineEdit*>()->setPlaceholderText(tr("no key"));
 }
 
 /// Qt's own would take Tab and Escape for keys like others.

@@ -82,8 +82,10 @@ QString clippedText(const QWidget* widget)
         const QRect room = box->style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, box);
         return room.width() >= widthOf(box, box->currentText()) ? QString() : box->currentText();
     }
-    if (const auto* line = qobject_cast<const QLineEdit*>(widget))
-        return !line->isReadOnly() || line->width() >= widthOf(line, line->text()) ? QString() : line->text();
+    if (const auto* line = qobject_cast<const QLineEdit*>(widget)) { // what a person types may be longer, our words not
+        const QString words = line->text().isEmpty() ? line->placeholderText() : line->isReadOnly() ? line->text() : QString();
+        return line->width() >= widthOf(line, words) ? QString() : words;
+    }
     if (const auto* tabs = qobject_cast<const QTabBar*>(widget)) {
         for (int i = 0; i < tabs->count(); ++i)
             if (tabs->tabRect(i).width() < widthOf(tabs, tabs->tabText(i)) || !tabs->rect().contains(tabs->tabRect(i)))
