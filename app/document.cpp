@@ -20,6 +20,7 @@ Document::Document(SculptWorker* worker, QObject* parent)
     connect(&m_work, &LongWork::stoppable, this, &Document::stoppable);
     connect(&m_work, &LongWork::progressed, this, &Document::progressed);
     connect(&m_work, &LongWork::idle, this, &Document::idle);
+    connect(&m_work, &LongWork::idle, this, &Document::openWaiting, Qt::QueuedConnection);
     connect(worker, &SculptWorker::strokeFinished, this, &Document::takeReport);
     connect(worker, &SculptWorker::modelSet, this, &Document::takeModel);
     connect(worker, &SculptWorker::factsChanged, this, &Document::takeFacts);
@@ -28,6 +29,7 @@ Document::Document(SculptWorker* worker, QObject* parent)
             Q_EMIT noticed(tr("Sculpting rests until the model is ready."));
     });
     connect(&m_stack, &QUndoStack::indexChanged, this, &Document::tellState);
+    connect(&m_stack, &QUndoStack::indexChanged, this, [this] { m_letGo = false; });
     connect(&m_stack, &QUndoStack::cleanChanged, this, &Document::tellState);
     connect(&m_history, &HistoryStore::expired, this, &Document::tellState);
     connect(&m_history, &HistoryStore::lost, this, &Document::loseHistory);
@@ -67,6 +69,7 @@ void Document::insert(const QString& path, core::Insert::Place place, const core
 
 void Document::stop()
 {
+    m_next.reset();
     m_work.stop();
 }
 

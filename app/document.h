@@ -12,6 +12,7 @@
 
 #include <deque>
 #include <functional>
+#include <optional>
 
 namespace app
 {
@@ -53,6 +54,7 @@ public:
     HistoryStore& history() { return m_history; }
 
 public Q_SLOTS:
+    /// In the place of what is being opened just now; after what is being written or changed.
     void open(const QString& path);
     /// The paper's sphere.
     void openSphere();
@@ -108,7 +110,14 @@ private:
 
     /// Makes a model that may be sculpted, or says why not; in a thread of its own.
     using Make = std::function<LoadedModel(const core::JobWatch& watch)>;
+    struct Choice
+    {
+        QString what;
+        Make make;
+    };
     void openFrom(const QString& what, const Make& make);
+    void openNext(Choice choice);
+    void openWaiting();
     void load(const QString& what, const Make& make);
     void install(std::shared_ptr<LoadedModel> model);
     void startChange(core::ModelCommand command, const QString& insertedPath);
@@ -139,6 +148,9 @@ private:
     bool m_strokeOpen = false;         ///< as the person sees it: not yet posted, perhaps
     QString m_lastStep; ///< the name of the stroke that began last
     quint64 m_reported = 0;            ///< strokes
+    std::optional<Choice> m_next;      ///< to be opened once what goes on has ended
+    bool m_isLoading = false;
+    bool m_letGo = false; ///< the changes, by the person, for what is being opened; there are no others since
     bool m_isInstalling = false;       ///< the worker has another model than the undo stack knows
     bool m_isChanging = false; ///< the whole model, aside
     bool m_changedBeyondHistory = false;

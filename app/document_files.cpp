@@ -20,10 +20,6 @@ constexpr double clayRadius = 50; ///< mm
 void Document::open(const QString& path)
 {
     const QString name = QFileInfo(path).fileName();
-    if (m_work.isBusy()) {
-        Q_EMIT noticed(tr("One file at a time: %1 waits until the other is done.").arg(name));
-        return;
-    }
     const auto tell = [this](const QString& next) { m_work.rename(next); };
     openFrom(tr("Opening %1").arg(name), [path, tell](const core::JobWatch& watch) { return ModelLoader::load(path, tell, watch); });
 }
@@ -38,17 +34,38 @@ void Document::openStarter(core::Starter starter)
     openFrom(tr("Preparing the clay"), [starter](const core::JobWatch&) { return ModelLoader::starter(starter); });
 }
 
-/// Changes are what they are when all strokes have reported.
+/// Changes are what they are when all strokes have reported. Who let them go for a model that does not come need not be asked again.
 void Document::openFrom(const QString& what, const Make& make)
 {
+    if (m_work.isBusy() && !m_isLoading)
+        Q_EMIT noticed(tr("The model that you chose opens as soon as this is done."));
     request([this, what, make] {
-        if (!m_work.isBusy() && mayDiscard([this, what, make] { openFrom(what, make); }))
+        if (m_work.isBusy())
+            openNext({what, make});
+        else if (m_letGo || mayDiscard([this, what, make] { openFrom(what, make); }))
             load(what, make);
     });
 }
 
+/// The latest choice wins: what is being opened is given up for it; what is being written is written first.
+void Document::openNext(Choice choice)
+{
+    m_next = std::move(choice);
+    if (!m_isLoading)
+        return;
+    m_work.stop();
+    Q_EMIT stoppable(true); // the choice can still be taken back
+}
+
+void Document::openWaiting()
+{
+    if (const auto next = std::exchange(m_next, std::nullopt))
+        openFrom(next->what, next->make);
+}
+
 void Document::load(const QString& what, const Make& make)
 {
+    m_isLoading = m_letGo = true;
     m_work.run([this, make, watch = m_work.beginStoppable(what)] {
         auto model = std::make_shared<LoadedModel>(make(watch));
         const auto finish = [this, model = std::move(model), watch] {
@@ -57,10 +74,12 @@ void Document::load(const QString& what, const Make& make)
                 model->sculptor.reset();
             if (model->sculptor)
                 return request([this, model] { install(model); });
+            m_isLoading = false;
+            m_letGo = m_letGo && m_next;
             m_work.end();
             if (!watch.stopped())
                 Q_EMIT refused(model->problem);
-            if (m_facts.faces == 0) // never without a model
+            if (m_facts.faces == 0 && !m_next) // never without a model
                 openSphere();
         };
         QMetaObject::invokeMethod(this, finish, Qt::QueuedConnection);
@@ -84,7 +103,7 @@ void Document::install(std::shared_ptr<LoadedModel> model)
 
 void Document::takeModel(const MeshFacts& facts)
 {
-    m_isInstalling = false;
+    m_isInstalling = m_isLoading = m_letGo = false;
     takeFacts(facts);
     m_work.end();
     Q_EMIT opened(m_facts);

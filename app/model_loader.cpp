@@ -46,12 +46,14 @@ LoadedModel ModelLoader::load(const QString& path, bool inPlace, const Tell& tel
     loaded.path = path;
     loaded.name = QFileInfo(path).fileName();
     try {
-        const core::TriangleMesh mesh = core::readMesh(toPath(path));
+        const core::TriangleMesh mesh = core::readMesh(toPath(path), {.stop = watch.stop});
         loaded.palette = core::readPalette(toPath(path));
         if (tell)
             tell(tr("Checking %1").arg(loaded.name));
         watch.reached(afterReading);
         build(loaded, mesh, inPlace, watch.part(afterReading, 1));
+    } catch (const core::ReadingStopped&) {
+        return {};
     } catch (const core::FileError& error) {
         loaded.problem = ui::Messages::sentence(error);
     } catch (const std::bad_alloc&) {

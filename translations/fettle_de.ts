@@ -187,10 +187,6 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
 <context>
     <name>app::Document</name>
     <message>
-        <source>One file at a time: %1 waits until the other is done.</source>
-        <translation>Eine Datei nach der anderen: %1 wartet, bis die andere fertig ist.</translation>
-    </message>
-    <message>
         <source>Preparing the clay</source>
         <translation>Der Ton wird vorbereitet</translation>
     </message>
@@ -217,6 +213,10 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>%1 was written without the colours, which its format does not hold.</source>
         <translation>%1 wurde ohne die Farben geschrieben, die sein Format nicht aufnimmt.</translation>
+    </message>
+    <message>
+        <source>The model that you chose opens as soon as this is done.</source>
+        <translation>Das gewählte Modell wird geöffnet, sobald dies fertig ist.</translation>
     </message>
 </context>
 <context>
@@ -1896,10 +1896,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>No name here has %1 in it.</source>
         <translation>Kein Name hier enthält %1.</translation>
-    </message>
-    <message>
-        <source>Nothing can be opened while something else is going on.</source>
-        <translation>Solange etwas anderes läuft, lässt sich nichts öffnen.</translation>
     </message>
     <message>
         <source>Files</source>

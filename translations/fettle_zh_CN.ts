@@ -185,10 +185,6 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
 <context>
     <name>app::Document</name>
     <message>
-        <source>One file at a time: %1 waits until the other is done.</source>
-        <translation>一次只处理一个文件：%1 需等待另一个完成。</translation>
-    </message>
-    <message>
         <source>Preparing the clay</source>
         <translation>正在准备黏土</translation>
     </message>
@@ -215,6 +211,10 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>%1 was written without the colours, which its format does not hold.</source>
         <translation>%1 已写入，但不含颜色：该格式不能保存颜色。</translation>
+    </message>
+    <message>
+        <source>The model that you chose opens as soon as this is done.</source>
+        <translation>此操作完成后将打开您选择的模型。</translation>
     </message>
 </context>
 <context>
@@ -1890,10 +1890,6 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>No name here has %1 in it.</source>
         <translation>这里没有名称包含“%1”的项目。</translation>
-    </message>
-    <message>
-        <source>Nothing can be opened while something else is going on.</source>
-        <translation>其他操作进行时无法打开文件。</translation>
     </message>
     <message>
         <source>Files</source>

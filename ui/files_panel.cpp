@@ -35,10 +35,9 @@ QHBoxLayout* row(std::initializer_list<QWidget*> widgets)
 }
 } // namespace
 
-FilesPanel::FilesPanel(Settings* settings, const QAction* opening, QWidget* parent)
+FilesPanel::FilesPanel(Settings* settings, QWidget* parent)
     : QWidget(parent)
     , m_settings(settings)
-    , m_opening(opening)
     , m_choice(settings->files())
     , m_files(new FileListModel(this))
     , m_sorter(new FileSorter(m_files))

@@ -39,8 +39,8 @@ class FilesPanel : public QWidget
     Q_OBJECT
 
 public:
-    /// `opening`: the command for opening; while it rests nothing is opened here either. Both must outlive the panel.
-    FilesPanel(Settings* settings, const QAction* opening, QWidget* parent = nullptr);
+    /// The settings must outlive the panel.
+    explicit FilesPanel(Settings* settings, QWidget* parent = nullptr);
     ~FilesPanel() override;
 
     void goTo(const QString& folder);
@@ -84,7 +84,6 @@ private:
     QStringList chosenFiles() const;
 
     Settings* m_settings;
-    const QAction* m_opening;
     FilesChoice m_choice;
     QString m_problem; ///< of the folder
     bool m_isListed = false, m_isStopped = false; ///< stopped: by hand, until another folder is looked at

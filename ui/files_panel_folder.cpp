@@ -229,10 +229,8 @@ void FilesPanel::activate(const QModelIndex& index)
     const FileEntry file = m_files->entry(m_sorter->mapToSource(index));
     if (file.isFolder)
         goTo(file.path);
-    else if (m_opening->isEnabled())
-        Q_EMIT openRequested(file.path);
     else
-        Q_EMIT noticed(tr("Nothing can be opened while something else is going on."));
+        Q_EMIT openRequested(file.path);
 }
 
 void FilesPanel::focusGrid()
@@ -264,7 +262,7 @@ void FilesPanel::hideEvent(QHideEvent* event)
 
 void addFilesPanel(const FilesPanelPlace& place, Settings* settings, const Actions& actions, const std::function<void(const QString&)>& notice)
 {
-    auto* panel = new FilesPanel(settings, actions.get(QStringLiteral("file.open")));
+    auto* panel = new FilesPanel(settings);
     auto* dock = new QDockWidget(FilesPanel::tr("Files"));
     dock->setObjectName(QStringLiteral("filesPanel"));
     dock->setWidget(panel);

@@ -185,13 +185,11 @@ void MainWindow::State::connectTools()
 
 void MainWindow::State::setBusy(bool isBusy)
 {
-    for (const ActionInfo& row : actionTable()) {
-        const QLatin1StringView id(row.id);
-        const bool isOfFile = row.menu == MenuId::File && id != QLatin1StringView("file.quit") && id != QLatin1StringView("file.browse");
-        if (row.menu == MenuId::Model || row.menu == MenuId::New || isOfFile)
-            actions.get(id)->setEnabled(!isBusy);
-    }
-    files.setBusy(isBusy); // knows what else must be so
+    for (const ActionInfo& row : actionTable())
+        if (row.menu == MenuId::Model)
+            actions.get(QLatin1StringView(row.id))->setEnabled(!isBusy);
+    for (const char* id : {"file.save", "file.saveAs", "file.saveCopy", "file.exportAs", "file.exportDrawing"})
+        actions.get(QLatin1StringView(id))->setEnabled(!isBusy);
 }
 
 void MainWindow::State::showName()

@@ -100,13 +100,8 @@ void ModelFiles::showRecent()
         };
         connect(m_recent->addAction(tr("&Clear This List")), &QAction::triggered, this, clear, Qt::QueuedConnection);
     }
-    enable();
-}
-
-void ModelFiles::enable()
-{
-    m_recent->setEnabled(!m_isBusy && !m_recent->isEmpty());
-    m_revert->setEnabled(!m_isBusy && !m_path.isEmpty());
+    m_recent->setEnabled(!m_recent->isEmpty());
+    m_revert->setEnabled(!m_path.isEmpty());
 }
 
 void ModelFiles::setOpened(const ModelFacts& model)
@@ -119,12 +114,6 @@ void ModelFiles::setOpened(const ModelFacts& model)
         m_settings->addRecentFile(QFileInfo(m_path).absoluteFilePath());
     }
     showRecent();
-}
-
-void ModelFiles::setBusy(bool isBusy)
-{
-    m_isBusy = isBusy;
-    enable();
 }
 
 void ModelFiles::open()
@@ -205,11 +194,12 @@ bool ModelFiles::eventFilter(QObject* watched, QEvent* event)
     if (event->type() != QEvent::DragEnter && event->type() != QEvent::Drop)
         return QObject::eventFilter(watched, event);
     auto* drop = static_cast<QDropEvent*>(event);
-    if (!mayDrop(drop->mimeData()))
+    const QString path = droppedFile(drop->mimeData());
+    if (path.isEmpty())
         return true;
     drop->acceptProposedAction();
     if (event->type() == QEvent::Drop)
-        QMetaObject::invokeMethod(this, [this, path = droppedFile(drop->mimeData())] { take(path); }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(this, [this, path] { take(path); }, Qt::QueuedConnection);
     return true;
 }
 
@@ -219,11 +209,6 @@ void ModelFiles::take(const QString& path)
         Q_EMIT pictureDropped(path);
     else
         Q_EMIT openRequested(path);
-}
-
-bool ModelFiles::mayDrop(const QMimeData* data) const
-{
-    return !m_isBusy && !droppedFile(data).isEmpty();
 }
 
 void ModelFiles::remember(const QString& path)

@@ -37,9 +37,6 @@ public:
     /// The present model has a file of its own now.
     void setSaved(const ModelFacts& model);
 
-    /// Nothing can be dropped meanwhile.
-    void setBusy(bool isBusy);
-
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 Q_SIGNALS:
@@ -61,9 +58,7 @@ private:
     void saveCopy();
     void exportAs();
     void showRecent();
-    void enable();
     void take(const QString& path);
-    bool mayDrop(const QMimeData* data) const;
     void remember(const QString& path);
 
     Settings* m_settings;
@@ -72,6 +67,5 @@ private:
     QAction* m_revert = nullptr;
     QString m_name, m_path; ///< of the model; no path: it comes from no file
     std::function<void()> m_afterSave; ///< which was preferred to losing changes
-    bool m_isBusy = false;
 };
 } // namespace ui

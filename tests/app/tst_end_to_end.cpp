@@ -1,96 +1,24 @@
-#include "tests/support/program.h"
+#include "tests/support/program_hand.h"
 
 #include "core/mesh_check.h"
 #include "core/mesh_io.h"
-#include "ui/main_window.h"
 #include "ui/color_panel.h"
 #include "ui/messages.h"
 #include "ui/settings.h"
-#include "ui/viewport.h"
 
-#include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QLabel>
-#include <QLineEdit>
-#include <QMessageBox>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QTimer>
 
 using namespace app;
 
 namespace
 {
-QPoint middle(const QWidget* widget)
-{
-    return widget->rect().center();
-}
-
-void drag(QWidget* widget, const QPoint& by, Qt::KeyboardModifiers modifiers = {})
-{
-    constexpr int steps = 12;
-    const QPoint from = middle(widget);
-    QTest::mousePress(widget, Qt::LeftButton, modifiers, from);
-    for (int i = 1; i <= steps; ++i) {
-        QMouseEvent move(QEvent::MouseMove, from + by * i / steps, widget->mapToGlobal(from + by * i / steps), Qt::NoButton,
-                         Qt::LeftButton, modifiers);
-        QApplication::sendEvent(widget, &move);
-        QTest::qWait(5);
-    }
-    QTest::mouseRelease(widget, Qt::LeftButton, modifiers, from + by);
-}
-
-/// The window with a ball of clay that has a stroke more than any file.
-void sculptBall(Program& program)
-{
-    program.window.resize(900, 700);
-    program.window.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&program.window));
-    program.document.openSphere();
-    QTRY_VERIFY(!program.document.isBusy());
-    QTRY_VERIFY(program.window.viewport()->stats().patches > 0);
-    drag(program.window.viewport(), {40, 20});
-    QTRY_COMPARE(program.document.undoStack().count(), 1);
-    QTRY_VERIFY(program.document.isSettled());
-}
-
-/// Presses a button of the question about unsaved changes, which the next event asks.
-void answerQuestion(Program& program, QMessageBox::StandardButton button)
-{
-    auto* timer = new QTimer(&program.window);
-    QObject::connect(timer, &QTimer::timeout, &program.window, [timer, button, &program] {
-        auto* question = program.window.findChild<QMessageBox*>(QStringLiteral("discardQuestion"));
-        if (!question || !question->isVisible())
-            return;
-        timer->deleteLater();
-        QTest::mouseClick(question->button(button), Qt::LeftButton);
-    });
-    timer->start(20);
-}
-
-/// Types a file's name into the dialog, and Return.
-void chooseFile(Program& program, const char* dialogName, const QString& path)
-{
-    QFileDialog* dialog = nullptr;
-    QTRY_VERIFY((dialog = program.window.findChild<QFileDialog*>(QLatin1StringView(dialogName))) && dialog->isVisible());
-    auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
-    dialog->setDirectory(QFileInfo(path).absolutePath());
-    name->clear();
-    QTest::keyClicks(name, QFileInfo(path).fileName());
-    QTest::keyClick(name, Qt::Key_Return);
-}
-
-QString notice(const Program& program)
-{
-    const auto* banner = program.window.findChild<QLabel*>(QStringLiteral("banner"));
-    return banner->isVisible() ? banner->text() : QString();
-}
-
 bool isSound(const QString& path)
 {
     return core::checkMesh(core::readMesh(path.toStdString())).printReady();

@@ -221,7 +221,8 @@ private Q_SLOTS:
         QCOMPARE(opened.takeFirst().constFirst().toString(), models.path("ball 9.obj"));
         s.window.setBusy(QStringLiteral("Opening"));
         QTest::keyClick(s.grid, Qt::Key_Return);
-        QVERIFY(opened.isEmpty() && !s.noticed.isEmpty());
+        QCOMPARE(opened.size(), 1); // the latest choice wins
+        opened.clear();
         s.window.setIdle();
 
         s.choose(QStringLiteral("inner"));

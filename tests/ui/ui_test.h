@@ -4,9 +4,12 @@
 #include "ui/viewport.h"
 
 #include <QApplication>
+#include <QDropEvent>
 #include <QImage>
+#include <QMimeData>
 #include <QMouseEvent>
 #include <QTest>
+#include <QUrl>
 
 /// The program's graphics; without a display Qt's offscreen platform, where tests that need OpenGL skip themselves.
 #define UI_TEST_MAIN(TestClass)                                                                                        \
@@ -42,4 +45,18 @@ inline int inked(const QImage& picture)
         for (int x = 0; x < picture.width(); ++x)
             count += qAlpha(picture.pixel(x, y)) > 0 ? 1 : 0;
     return count;
+}
+
+/// Files from the desktop; whether the window takes them.
+inline bool drop(QWidget& window, const QList<QUrl>& urls)
+{
+    QMimeData data;
+    data.setUrls(urls);
+    QDragEnterEvent enter({50, 50}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&window, &enter);
+    if (!enter.isAccepted())
+        return false;
+    QDropEvent event({50, 50}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&window, &event);
+    return event.isAccepted();
 }

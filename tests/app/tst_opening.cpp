@@ -1,0 +1,244 @@
+#include "tests/support/program_hand.h"
+
+#include "core/mesh_io.h"
+#include "ui/file_grid.h"
+#include "ui/files_panel.h"
+
+#include <QAction>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+
+using namespace app;
+
+namespace
+{
+constexpr int longestWait = 60'000;
+
+/// A model that takes long to open, and two that do not.
+struct Files
+{
+    Files()
+    {
+        core::writeMesh(large.toStdString(), core::icosphere(7, 40));
+        core::writeMesh(small.toStdString(), core::icosphere(2, 10));
+        core::writeMesh(other.toStdString(), core::icosphere(1, 10));
+    }
+
+    QTemporaryDir folder;
+    QString large = folder.filePath(QStringLiteral("large.ply")), small = folder.filePath(QStringLiteral("small.stl"));
+    QString other = folder.filePath(QStringLiteral("other.obj"));
+};
+
+bool dropFile(Program& program, const QString& path)
+{
+    return drop(program.window, {QUrl::fromLocalFile(path)});
+}
+
+/// Until the document is at rest with the model of that file; no other came before it.
+void expectOnly(const Program& program, const QSignalSpy& opened, const QString& path)
+{
+    QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, longestWait);
+    QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy() && program.document.isSettled(), longestWait);
+    QTest::qWait(200);
+    QCOMPARE(opened.size(), 1);
+    QCOMPARE(program.document.path(), path);
+}
+
+/// How often the person was asked about changes.
+struct Asked
+{
+    Asked(Program& program, bool mayLose)
+    {
+        program.document.setMayDiscard([this, mayLose](const std::function<void()>&) {
+            ++times;
+            return mayLose;
+        });
+    }
+    int times = 0;
+};
+} // namespace
+
+/// What becomes of a file that is chosen while something else goes on.
+class TestOpening : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void theLatestChoiceWins();
+    void aFileOfThePanelWins();
+    void aStarterWins();
+    void changesAreAskedForOnce();
+    void changesMadeMeanwhileAreAskedFor();
+    void whoWillNotLoseThemKeepsTheModel();
+    void afterSaving();
+    void stopEndsBoth();
+    void theFirstThatCannotBeReadIsNoMatter();
+};
+
+void TestOpening::theLatestChoiceWins()
+{
+    const Files files;
+    Program program;
+    sculptBall(program);
+    program.document.undo();
+    QTRY_VERIFY(!program.document.isModified());
+    QSignalSpy opened(&program.document, &Document::opened), refused(&program.document, &Document::refused);
+    QVERIFY(dropFile(program, files.large));
+    QTRY_VERIFY(program.document.isBusy());
+    QVERIFY(dropFile(program, files.other));
+    QVERIFY(dropFile(program, files.small));
+    expectOnly(program, opened, files.small);
+    QVERIFY(refused.isEmpty());
+    QCOMPARE(program.document.facts().vertices, quint64(162));
+    QVERIFY(program.window.windowTitle().startsWith(QStringLiteral("small.stl")));
+}
+
+void TestOpening::aFileOfThePanelWins()
+{
+    const Files files;
+    Program program;
+    program.window.show();
+    program.window.action(QStringLiteral("file.browse"))->trigger();
+    program.window.findChild<ui::FilesPanel*>()->goTo(files.folder.path());
+    auto* grid = program.window.findChild<ui::FileGrid*>();
+    const auto press = [grid](const QString& name) {
+        for (int row = 0; row < grid->model()->rowCount(); ++row)
+            if (const QModelIndex file = grid->model()->index(row, 0); file.data().toString() == name)
+                grid->setCurrentIndex(file);
+        QTest::keyClick(grid, Qt::Key_Return);
+    };
+    QTRY_COMPARE(grid->model()->rowCount(), 3);
+    QSignalSpy opened(&program.document, &Document::opened);
+    press(QStringLiteral("large.ply"));
+    QVERIFY(program.document.isBusy());
+    press(QStringLiteral("other.obj"));
+    expectOnly(program, opened, files.other);
+}
+
+void TestOpening::aStarterWins()
+{
+    const Files files;
+    Program program;
+    program.window.show();
+    QSignalSpy opened(&program.document, &Document::opened);
+    program.document.open(files.large);
+    QVERIFY(program.document.isBusy());
+    program.window.action(QStringLiteral("new.cube"))->trigger();
+    expectOnly(program, opened, {});
+}
+
+/// Who let the changes go for the first file need not do so again for the second.
+void TestOpening::changesAreAskedForOnce()
+{
+    const Files files;
+    Program program;
+    sculptBall(program);
+    const Asked asked(program, true);
+    QSignalSpy opened(&program.document, &Document::opened);
+    QVERIFY(dropFile(program, files.large));
+    QTRY_VERIFY(program.document.isBusy());
+    QVERIFY(dropFile(program, files.small));
+    expectOnly(program, opened, files.small);
+    QCOMPARE(asked.times, 1);
+}
+
+void TestOpening::changesMadeMeanwhileAreAskedFor()
+{
+    const Files files;
+    Program program;
+    sculptBall(program);
+    const Asked asked(program, true);
+    QSignalSpy opened(&program.document, &Document::opened);
+    program.document.open(files.large);
+    QVERIFY(program.document.isBusy());
+    program.document.undo();
+    program.document.redo();
+    program.document.open(files.small);
+    expectOnly(program, opened, files.small);
+    QCOMPARE(asked.times, 2);
+}
+
+void TestOpening::whoWillNotLoseThemKeepsTheModel()
+{
+    const Files files;
+    Program program;
+    sculptBall(program);
+    program.document.undo();
+    QTRY_VERIFY(!program.document.isModified());
+    QSignalSpy opened(&program.document, &Document::opened);
+    const Asked asked(program, false);
+    program.document.open(files.large);
+    QVERIFY(program.document.isBusy());
+    program.document.redo();
+    QTRY_VERIFY(program.document.isModified());
+    program.document.open(files.small);
+    QTRY_COMPARE_WITH_TIMEOUT(asked.times, 1, longestWait);
+    QTest::qWait(200);
+    QVERIFY(!program.document.isBusy() && opened.isEmpty());
+    QVERIFY(program.document.path().isEmpty() && program.document.isModified() && program.document.canUndo());
+}
+
+/// What is being written is written; then the file that was chosen opens.
+void TestOpening::afterSaving()
+{
+    const Files files;
+    const QString mine = files.folder.filePath(QStringLiteral("mine.ply"));
+    Program program;
+    sculptBall(program);
+    QSignalSpy saved(&program.document, &Document::saved), opened(&program.document, &Document::opened);
+    program.document.save(mine);
+    QVERIFY(program.document.isBusy());
+    program.document.open(files.small);
+    QVERIFY(notice(program).length() > 0);
+    expectOnly(program, opened, files.small);
+    QCOMPARE(saved.size(), 1);
+    QVERIFY(core::readMesh(mine.toStdString()).points.size() > 162);
+}
+
+void TestOpening::stopEndsBoth()
+{
+    const Files files;
+    Program program;
+    sculptBall(program);
+    program.document.undo();
+    QTRY_VERIFY(!program.document.isModified());
+    program.window.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&program.window));
+    QSignalSpy opened(&program.document, &Document::opened);
+    program.document.open(files.large);
+    program.document.open(files.other);
+    QVERIFY(program.document.isBusy());
+    program.window.action(QStringLiteral("edit.stop"))->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy(), longestWait);
+    QTest::qWait(200);
+    QVERIFY(opened.isEmpty() && !program.document.isBusy());
+    QCOMPARE(program.document.facts().vertices, quint64(2562));
+}
+
+void TestOpening::theFirstThatCannotBeReadIsNoMatter()
+{
+    const Files files;
+    Program program;
+    program.window.show();
+    QSignalSpy opened(&program.document, &Document::opened), refused(&program.document, &Document::refused);
+    program.document.open(files.folder.filePath(QStringLiteral("not there.stl")));
+    QVERIFY(program.document.isBusy());
+    program.document.open(files.small);
+    expectOnly(program, opened, files.small);
+    QVERIFY(refused.isEmpty());
+}
+
+int main(int argc, char* argv[])
+{
+    if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY")) {
+        qInfo("SKIP: no display");
+        return 0;
+    }
+    ui::prepareGraphics();
+    QApplication application(argc, argv);
+    QCoreApplication::setOrganizationName(QStringLiteral("Fettle"));
+    QCoreApplication::setApplicationName(QStringLiteral("tst_opening"));
+    TestOpening test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "tst_opening.moc"
