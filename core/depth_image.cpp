@@ -8,7 +8,7 @@ namespace core
 namespace
 {
 constexpr int margin = 2; ///< pixels
-constexpr Slot facesAStep = 1 << 15;
+constexpr Slot elementsAStep = 1 << 15;
 
 float cross(const Vec2f& a, const Vec2f& b)
 {
@@ -58,11 +58,14 @@ bool DepthImage::draw(const DrawArrays& model, std::span<const std::uint8_t> fac
 {
     m_points.clear();
     m_points.reserve(model.vertices.size());
-    for (const DrawVertex& vertex : model.vertices)
-        m_points.push_back(toGrid(vertex.position));
+    for (std::size_t v = 0; v < model.vertices.size(); ++v) {
+        if (v % elementsAStep == 0 && stop.stop_requested())
+            return false;
+        m_points.push_back(toGrid(model.vertices[v].position));
+    }
     const int bit = 1 << static_cast<int>(m_side);
     for (Slot f = 0; f < facing.size(); ++f) {
-        if (f % facesAStep == 0 && stop.stop_requested())
+        if (f % elementsAStep == 0 && stop.stop_requested())
             return false;
         if ((facing[f] & bit) != 0)
             drawFace(f, model.faces[f]);

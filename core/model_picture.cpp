@@ -14,7 +14,7 @@ namespace
 {
 constexpr int samples = 3; ///< a pixel's, each way
 constexpr int border = 2;  ///< samples left free at each side, beside those of the depth image itself
-constexpr std::size_t elementsAStep = 1 << 15;
+constexpr std::size_t elementsAStep = 1 << 13;
 
 constexpr Rgb clay{194, 150, 126}; ///< as the window shows it
 constexpr float ambient = 0.36F, key = 0.60F, fill = 0.16F;
@@ -62,9 +62,12 @@ private:
     bool place()
     {
         Box box;
-        for (const Triangle& t : m_mesh.triangles)
-            for (const Slot corner : t)
+        for (std::size_t f = 0; f < m_mesh.triangles.size(); ++f) {
+            if (stopsAt(f))
+                return false;
+            for (const Slot corner : m_mesh.triangles[f])
                 box.extend(m_mesh.points[corner].cast<double>());
+        }
         const double size = box.isEmpty() ? 0 : box.sizes().maxCoeff();
         const Eigen::Matrix3d toPicture = turn() / (size > 0 ? size : 1);
         const Vec3 centre = box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.center());

@@ -16,22 +16,27 @@ struct FileBytes
     std::stop_token stop = {};
 };
 
-/// To be asked for each element; looks every so many.
+/// To be asked for each element; looks every so many, which take about a millisecond.
 class StopCheck
 {
 public:
     explicit StopCheck(std::stop_token stop) : m_stop(std::move(stop)) {}
 
-    void operator()()
+    /// The element takes as long as so many do.
+    void operator()(std::size_t elements = 1)
     {
-        constexpr unsigned elements = 1 << 13;
-        if (++m_count % elements == 0 && m_stop.stop_requested())
+        constexpr std::size_t looksEvery = 1 << 12;
+        m_count += elements;
+        if (m_count < looksEvery)
+            return;
+        m_count = 0;
+        if (m_stop.stop_requested())
             throw ReadingStopped();
     }
 
 private:
     std::stop_token m_stop;
-    unsigned m_count = 0;
+    std::size_t m_count = 0;
 };
 
 /// Beyond these a file is refused: 2 GiB can hold more, this machine's memory perhaps not.

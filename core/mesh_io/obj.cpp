@@ -28,7 +28,7 @@ public:
         if (m_mesh.points.empty() && m_faces.faces() == 0)
             throw FileError(FileErrorKind::NotWhatItsEndingSays, m_file.path);
         checkLargestIndex();
-        m_mesh.triangles = m_faces.triangles(m_mesh.points);
+        m_mesh.triangles = m_faces.triangles(m_mesh.points, m_stopCheck);
         makeColors();
         return std::move(m_mesh);
     }
@@ -125,8 +125,10 @@ private:
             return static_cast<std::uint8_t>(std::lround(std::clamp(x * scale, 0.0f, 255.0f)));
         };
         m_mesh.colors.reserve(m_colors.size());
-        for (const RawColor& c : m_colors)
+        for (const RawColor& c : m_colors) {
+            m_stopCheck();
             m_mesh.colors.push_back(c == noColor ? Rgb() : Rgb{component(c[0]), component(c[1]), component(c[2])});
+        }
     }
 
     static constexpr RawColor noColor{-1, -1, -1};

@@ -76,7 +76,7 @@ public:
             else
                 skipAll(element);
         }
-        m_mesh.triangles = m_faces.triangles(m_mesh.points);
+        m_mesh.triangles = m_faces.triangles(m_mesh.points, m_stopCheck);
         return std::move(m_mesh);
     }
 

@@ -66,12 +66,13 @@ bool isEar(const FlatPolygon& polygon, const std::vector<Slot>& ring, std::size_
     });
 }
 
-void clipEars(std::vector<Triangle>& triangles, const FlatPolygon& polygon, std::vector<Slot> ring)
+void clipEars(std::vector<Triangle>& triangles, const FlatPolygon& polygon, std::vector<Slot> ring, StopCheck& stopCheck)
 {
     std::size_t i = 0, tried = 0;
     bool simple = true; // until no ear is left: a simple polygon always has one
     while (ring.size() > 3) {
         const std::size_t n = ring.size();
+        stopCheck(n);
         simple = simple && tried < n;
         if (simple && !isEar(polygon, ring, i)) {
             i = (i + 1) % n;
@@ -87,9 +88,10 @@ void clipEars(std::vector<Triangle>& triangles, const FlatPolygon& polygon, std:
 }
 } // namespace
 
-void appendPolygon(std::vector<Triangle>& triangles, const std::vector<Vec3f>& points, std::span<const Slot> corners)
+void appendPolygon(std::vector<Triangle>& triangles, const std::vector<Vec3f>& points, std::span<const Slot> corners, StopCheck& stopCheck)
 {
     assert(corners.size() >= 3);
+    stopCheck();
     if (corners.size() == 3) {
         triangles.push_back({corners[0], corners[1], corners[2]});
         return;
@@ -98,16 +100,16 @@ void appendPolygon(std::vector<Triangle>& triangles, const std::vector<Vec3f>& p
     if (corners.size() == 4)
         appendQuad(triangles, polygon, corners);
     else
-        clipEars(triangles, polygon, {corners.begin(), corners.end()});
+        clipEars(triangles, polygon, {corners.begin(), corners.end()}, stopCheck);
 }
 
-std::vector<Triangle> Polygons::triangles(const std::vector<Vec3f>& points) const
+std::vector<Triangle> Polygons::triangles(const std::vector<Vec3f>& points, StopCheck stopCheck) const
 {
     std::vector<Triangle> result;
     result.reserve(m_corners.size() - 2 * m_ends.size());
     std::size_t first = 0;
     for (const std::size_t end : m_ends) {
-        appendPolygon(result, points, std::span(m_corners).subspan(first, end - first));
+        appendPolygon(result, points, std::span(m_corners).subspan(first, end - first), stopCheck);
         first = end;
     }
     return result;

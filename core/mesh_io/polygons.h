@@ -1,5 +1,7 @@
 #pragma once
 
+#include "format.h"
+
 #include "../triangle_mesh.h"
 
 #include <span>
@@ -12,7 +14,7 @@ inline constexpr std::size_t maxCorners = 4096;
 /// Appends the triangles of one face with at least three corners, wound as the polygon is; no new vertices. A quad is cut
 /// at its reflex corner, or along the shorter diagonal; larger polygons by ear clipping in the plane in which they are
 /// largest. A polygon that crosses itself, or has no area, gives triangles too, of whatever use.
-void appendPolygon(std::vector<Triangle>& triangles, const std::vector<Vec3f>& points, std::span<const Slot> corners);
+void appendPolygon(std::vector<Triangle>& triangles, const std::vector<Vec3f>& points, std::span<const Slot> corners, StopCheck& stopCheck);
 
 /// Faces as files give them, kept until all points are known.
 class Polygons
@@ -26,7 +28,8 @@ public:
     std::size_t faces() const { return m_ends.size(); }
     std::size_t corners() const { return m_corners.size(); }
 
-    std::vector<Triangle> triangles(const std::vector<Vec3f>& points) const;
+    /// Throws ReadingStopped.
+    std::vector<Triangle> triangles(const std::vector<Vec3f>& points, StopCheck stopCheck) const;
 
 private:
     std::vector<Slot> m_corners;

@@ -16,8 +16,8 @@ namespace
 TriangleMesh readBinary(const FileBytes& file)
 {
     TriangleMesh mesh;
-    Welder welder;
     const std::size_t count = (file.bytes.size() - stlHeaderSize) / stlTriangleSize;
+    Welder welder(count / 2); // as many as a closed surface has
     mesh.triangles.reserve(count);
     StopCheck stopCheck(file.stop);
     for (std::size_t i = 0; i < count; ++i) {

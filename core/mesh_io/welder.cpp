@@ -4,7 +4,7 @@ namespace core::mesh_io
 {
 void weld(TriangleMesh& mesh, StopCheck stopCheck)
 {
-    Welder welder;
+    Welder welder(mesh.points.size());
     std::vector<Slot> welded;
     welded.reserve(mesh.points.size());
     std::vector<Rgb> colors;
@@ -18,8 +18,10 @@ void weld(TriangleMesh& mesh, StopCheck stopCheck)
         return;
     mesh.points = welder.takePoints();
     mesh.colors = std::move(colors);
-    for (Triangle& triangle : mesh.triangles)
+    for (Triangle& triangle : mesh.triangles) {
+        stopCheck();
         for (Slot& corner : triangle)
             corner = welded[corner];
+    }
 }
 } // namespace core::mesh_io

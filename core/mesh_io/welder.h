@@ -12,6 +12,12 @@ namespace core::mesh_io
 class Welder
 {
 public:
+    /// It will be given about so many distinct points.
+    explicit Welder(std::size_t points = 0) : m_table(std::bit_ceil(std::max<std::size_t>(1024, 2 * (points + 1))), noSlot)
+    {
+        m_points.reserve(points);
+    }
+
     Slot add(const Vec3f& p)
     {
         if (2 * (m_points.size() + 1) > m_table.size())
@@ -50,7 +56,7 @@ private:
 
     void grow()
     {
-        m_table.assign(std::max<std::size_t>(1024, 2 * m_table.size()), noSlot);
+        m_table.assign(2 * m_table.size(), noSlot);
         for (std::size_t i = 0; i < m_points.size(); ++i)
             m_table[find(m_points[i])] = static_cast<Slot>(i);
     }

@@ -119,11 +119,19 @@ private Q_SLOTS:
         QCOMPARE(m.order, QStringList({QStringLiteral("5.stl"), QStringLiteral("2.stl")}));
     }
 
+    void whatIsNotWantedIsGivenUp_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::newRow("bytes") << QStringLiteral("large.stl");
+        QTest::newRow("text") << QStringLiteral("large.obj");
+    }
+
     /// A large one is given up when it is not wanted any more, wherever it is.
     void whatIsNotWantedIsGivenUp()
     {
+        QFETCH(QString, name);
         const QTemporaryDir folder;
-        const QString large = folder.filePath(QStringLiteral("large.stl")), small = folder.filePath(QStringLiteral("small.stl"));
+        const QString large = folder.filePath(name), small = folder.filePath(QStringLiteral("small.stl"));
         write(large, core::icosphere(8, 10)); // 655,362 vertices
         write(small, core::icosphere(2, 10));
         for (const int delayMs : {1, 40, 150}) {
