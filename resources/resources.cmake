@@ -12,6 +12,7 @@ set(FETTLE_RESOURCE_FILES
     icons/color.svg
     icons/dimensions.svg
     icons/drawing.svg
+    icons/duplicate.svg
     icons/export.svg
     icons/fettle.svg
     icons/files.svg
@@ -63,7 +64,9 @@ set(FETTLE_RESOURCE_FILES
     icons/reference-choose.svg
     icons/reference-remove.svg
     icons/remesh.svg
+    icons/rename.svg
     icons/reset.svg
+    icons/reveal.svg
     icons/revert.svg
     icons/rotate.svg
     icons/save-as.svg
@@ -82,6 +85,7 @@ set(FETTLE_RESOURCE_FILES
     icons/strength.svg
     icons/swap.svg
     icons/symmetrize.svg
+    icons/trash.svg
     icons/turntable.svg
     icons/undo.svg
     icons/uniform.svg

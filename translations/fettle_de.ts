@@ -1109,7 +1109,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Shows the panel that says what Paint colours with.</source>
-        <translation>Zeigt die Tafel, die sagt, womit Malen färbt.</translation>
+        <translation>Zeigt das Bedienfeld, das sagt, womit Malen färbt.</translation>
     </message>
     <message>
         <source>Pic&amp;k Colour</source>
@@ -1273,7 +1273,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Shows the panel with a folder of models as pictures.</source>
-        <translation>Zeigt die Leiste mit einem Ordner voller Modelle als Bilder.</translation>
+        <translation>Zeigt das Bedienfeld mit einem Ordner voller Modelle als Bilder.</translation>
     </message>
     <message>
         <source>Draws the surface outwards. %1 pushes instead, Shift smooths.</source>
@@ -1334,6 +1334,66 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Refere&amp;nce Image</source>
         <translation>Vorlage&amp;nbild</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>&amp;Öffnen</translation>
+    </message>
+    <message>
+        <source>Opens the model that is marked in the Files panel, or enters the folder.</source>
+        <translation>Öffnet das im Bedienfeld „Dateien“ markierte Modell oder geht in den Ordner.</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>&amp;Umbenennen</translation>
+    </message>
+    <message>
+        <source>Gives the file that is marked in the Files panel another name; its ending stays.</source>
+        <translation>Gibt der im Bedienfeld „Dateien“ markierten Datei einen anderen Namen; ihre Endung bleibt.</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate</source>
+        <translation>&amp;Verdoppeln</translation>
+    </message>
+    <message>
+        <source>Puts a copy of the file that is marked in the Files panel beside it.</source>
+        <translation>Legt neben die im Bedienfeld „Dateien“ markierte Datei eine Kopie.</translation>
+    </message>
+    <message>
+        <source>Move to &amp;Trash</source>
+        <translation>In den &amp;Papierkorb</translation>
+    </message>
+    <message>
+        <source>Puts the file that is marked in the Files panel into the trash, from which it can be taken back.</source>
+        <translation>Legt die im Bedienfeld „Dateien“ markierte Datei in den Papierkorb, aus dem sie zurückgeholt werden kann.</translation>
+    </message>
+    <message>
+        <source>&amp;Show in Folder</source>
+        <translation>Im Ordner &amp;zeigen</translation>
+    </message>
+    <message>
+        <source>Shows the file that is marked in the Files panel in the desktop&apos;s program for files.</source>
+        <translation>Zeigt die im Bedienfeld „Dateien“ markierte Datei in der Dateiverwaltung.</translation>
+    </message>
+    <message>
+        <source>&amp;Up</source>
+        <translation>&amp;Hinauf</translation>
+    </message>
+    <message>
+        <source>Shows in the Files panel the folder in which this one lies.</source>
+        <translation>Zeigt im Bedienfeld „Dateien“ den Ordner, in dem dieser liegt.</translation>
+    </message>
+    <message>
+        <source>&amp;Choose Folder…</source>
+        <translation>Ordner &amp;wählen …</translation>
+    </message>
+    <message>
+        <source>Asks for the folder that the Files panel shows.</source>
+        <translation>Fragt nach dem Ordner, den das Bedienfeld „Dateien“ zeigt.</translation>
+    </message>
+    <message>
+        <source>Files &amp;Panel</source>
+        <translation>&amp;Bedienfeld „Dateien“</translation>
     </message>
 </context>
 <context>
@@ -1759,22 +1819,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Der gezeigte Ordner; einen anderen eintippen und Eingabe drücken.</translation>
     </message>
     <message>
-        <source>Choose Folder</source>
-        <translation>Ordner wählen</translation>
-    </message>
-    <message>
-        <source>Asks for the folder that is shown.</source>
-        <translation>Fragt nach dem Ordner, der gezeigt wird.</translation>
-    </message>
-    <message>
-        <source>Up (%1)</source>
-        <translation>Hinauf (%1)</translation>
-    </message>
-    <message>
-        <source>Shows the folder in which this one lies.</source>
-        <translation>Zeigt den Ordner, in dem dieser liegt.</translation>
-    </message>
-    <message>
         <source>Filter</source>
         <translation>Filtern</translation>
     </message>
@@ -1829,50 +1873,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>How large the pictures are.</source>
         <translation>Wie groß die Bilder sind.</translation>
-    </message>
-    <message>
-        <source>&amp;Open</source>
-        <translation>Ö&amp;ffnen</translation>
-    </message>
-    <message>
-        <source>Opens the model, or enters the folder.</source>
-        <translation>Öffnet das Modell oder den Ordner.</translation>
-    </message>
-    <message>
-        <source>&amp;Rename</source>
-        <translation>&amp;Umbenennen</translation>
-    </message>
-    <message>
-        <source>Gives the file another name; its ending stays.</source>
-        <translation>Gibt der Datei einen anderen Namen; die Endung bleibt.</translation>
-    </message>
-    <message>
-        <source>&amp;Duplicate</source>
-        <translation>&amp;Verdoppeln</translation>
-    </message>
-    <message>
-        <source>Puts a copy of the file beside it.</source>
-        <translation>Legt eine Kopie der Datei daneben.</translation>
-    </message>
-    <message>
-        <source>Move to &amp;Trash</source>
-        <translation>In den &amp;Papierkorb</translation>
-    </message>
-    <message>
-        <source>Puts the file into the trash, from which it can be taken back.</source>
-        <translation>Legt die Datei in den Papierkorb, aus dem sie sich zurückholen lässt.</translation>
-    </message>
-    <message>
-        <source>&amp;Show in Folder</source>
-        <translation>Im Ordner &amp;zeigen</translation>
-    </message>
-    <message>
-        <source>Shows the file in the desktop&apos;s program for files.</source>
-        <translation>Zeigt die Datei im Dateiprogramm der Arbeitsumgebung.</translation>
-    </message>
-    <message>
-        <source>&amp;Up</source>
-        <translation>&amp;Hinauf</translation>
     </message>
     <message>
         <source>Choose a Folder</source>

@@ -1333,6 +1333,66 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>Refere&amp;nce Image</source>
         <translation>参考图(&amp;N)</translation>
     </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>打开(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Opens the model that is marked in the Files panel, or enters the folder.</source>
+        <translation>打开“文件”面板中选中的模型，或进入文件夹。</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>重命名(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Gives the file that is marked in the Files panel another name; its ending stays.</source>
+        <translation>为“文件”面板中选中的文件改名；扩展名不变。</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate</source>
+        <translation>复制一份(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Puts a copy of the file that is marked in the Files panel beside it.</source>
+        <translation>在“文件”面板中选中的文件旁边放一份副本。</translation>
+    </message>
+    <message>
+        <source>Move to &amp;Trash</source>
+        <translation>移到回收站(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Puts the file that is marked in the Files panel into the trash, from which it can be taken back.</source>
+        <translation>把“文件”面板中选中的文件放入回收站，之后还可以取回。</translation>
+    </message>
+    <message>
+        <source>&amp;Show in Folder</source>
+        <translation>在文件夹中显示(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Shows the file that is marked in the Files panel in the desktop&apos;s program for files.</source>
+        <translation>在系统的文件管理器中显示“文件”面板中选中的文件。</translation>
+    </message>
+    <message>
+        <source>&amp;Up</source>
+        <translation>上一级(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Shows in the Files panel the folder in which this one lies.</source>
+        <translation>在“文件”面板中显示上一级文件夹。</translation>
+    </message>
+    <message>
+        <source>&amp;Choose Folder…</source>
+        <translation>选择文件夹(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Asks for the folder that the Files panel shows.</source>
+        <translation>选择“文件”面板显示的文件夹。</translation>
+    </message>
+    <message>
+        <source>Files &amp;Panel</source>
+        <translation>文件面板(&amp;P)</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -1754,22 +1814,6 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>当前显示的文件夹；可输入其他路径并按回车。</translation>
     </message>
     <message>
-        <source>Choose Folder</source>
-        <translation>选择文件夹</translation>
-    </message>
-    <message>
-        <source>Asks for the folder that is shown.</source>
-        <translation>选择要显示的文件夹。</translation>
-    </message>
-    <message>
-        <source>Up (%1)</source>
-        <translation>上一级 (%1)</translation>
-    </message>
-    <message>
-        <source>Shows the folder in which this one lies.</source>
-        <translation>显示上一级文件夹。</translation>
-    </message>
-    <message>
         <source>Filter</source>
         <translation>筛选</translation>
     </message>
@@ -1824,50 +1868,6 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>How large the pictures are.</source>
         <translation>图片的大小。</translation>
-    </message>
-    <message>
-        <source>&amp;Open</source>
-        <translation>打开(&amp;O)</translation>
-    </message>
-    <message>
-        <source>Opens the model, or enters the folder.</source>
-        <translation>打开模型，或进入文件夹。</translation>
-    </message>
-    <message>
-        <source>&amp;Rename</source>
-        <translation>重命名(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Gives the file another name; its ending stays.</source>
-        <translation>更改文件名；扩展名不变。</translation>
-    </message>
-    <message>
-        <source>&amp;Duplicate</source>
-        <translation>复制一份(&amp;D)</translation>
-    </message>
-    <message>
-        <source>Puts a copy of the file beside it.</source>
-        <translation>在旁边放置一份副本。</translation>
-    </message>
-    <message>
-        <source>Move to &amp;Trash</source>
-        <translation>移到回收站(&amp;T)</translation>
-    </message>
-    <message>
-        <source>Puts the file into the trash, from which it can be taken back.</source>
-        <translation>将文件放入回收站，之后可以恢复。</translation>
-    </message>
-    <message>
-        <source>&amp;Show in Folder</source>
-        <translation>在文件夹中显示(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Shows the file in the desktop&apos;s program for files.</source>
-        <translation>在桌面的文件管理器中显示该文件。</translation>
-    </message>
-    <message>
-        <source>&amp;Up</source>
-        <translation>上一级(&amp;U)</translation>
     </message>
     <message>
         <source>Choose a Folder</source>

@@ -48,6 +48,21 @@ constexpr ActionInfo table[] = {
     {MenuId::New, "new.tablet", QT_TRANSLATE_NOOP("ui::Actions", "T&ablet"),
      QT_TRANSLATE_NOOP("ui::Actions", "Begins with a thin plate for a relief."), "", "new-tablet"},
 
+    {MenuId::Files, "files.open", QT_TRANSLATE_NOOP("ui::Actions", "&Open"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Opens the model that is marked in the Files panel, or enters the folder."), "Return; Enter", "open"},
+    {MenuId::Files, "files.rename", QT_TRANSLATE_NOOP("ui::Actions", "&Rename"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Gives the file that is marked in the Files panel another name; its ending stays."), "F2", "rename"},
+    {MenuId::Files, "files.duplicate", QT_TRANSLATE_NOOP("ui::Actions", "&Duplicate"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Puts a copy of the file that is marked in the Files panel beside it."), "Ctrl+D", "duplicate"},
+    {MenuId::Files, "files.trash", QT_TRANSLATE_NOOP("ui::Actions", "Move to &Trash"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Puts the file that is marked in the Files panel into the trash, from which it can be taken back."), "Delete", "trash"},
+    {MenuId::Files, "files.reveal", QT_TRANSLATE_NOOP("ui::Actions", "&Show in Folder"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Shows the file that is marked in the Files panel in the desktop's program for files."), "", "reveal"},
+    {MenuId::Files, "files.up", QT_TRANSLATE_NOOP("ui::Actions", "&Up"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Shows in the Files panel the folder in which this one lies."), "Alt+Up; Backspace", "folder-up", true},
+    {MenuId::Files, "files.choose", QT_TRANSLATE_NOOP("ui::Actions", "&Choose Folder…"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Asks for the folder that the Files panel shows."), "", "folder"},
+
     {MenuId::Edit, "edit.undo", QT_TRANSLATE_NOOP("ui::Actions", "&Undo"),
      QT_TRANSLATE_NOOP("ui::Actions", "Takes the last stroke back."), "Ctrl+Z", "undo", true, Bar::Top},
     {MenuId::Edit, "edit.redo", QT_TRANSLATE_NOOP("ui::Actions", "&Redo"),
@@ -227,7 +242,10 @@ QAction* Actions::make(const ActionInfo& row, QWidget* window)
     action->setObjectName(QLatin1StringView(row.id));
     action->setCheckable(row.checkable);
     action->setIconText(plain(action->text()));
-    window->addAction(action);
+    if (row.menu == MenuId::Files)
+        action->setShortcutContext(Qt::WidgetShortcut);
+    else
+        window->addAction(action);
     return action;
 }
 
@@ -241,7 +259,7 @@ QAction* Actions::get(const QString& id) const
 /// "拉出(&P)": where the script has no letters for keys, the key stands behind in brackets.
 QString Actions::plain(QString text)
 {
-    static const QRegularExpression menuOnly(QStringLiteral("\\(&.\\)|&|…"));
+    static const QRegularExpression menuOnly(QStringLiteral("\\(&.\\)|&| ?…"));
     return text.remove(menuOnly);
 }
 
@@ -277,7 +295,7 @@ bool Actions::eventFilter(QObject* watched, QEvent* event)
     if (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress) {
         const auto* key = static_cast<QKeyEvent*>(event);
         const QString id = key->modifiers() & Qt::KeypadModifier ? m_keys.owner(key->keyCombination()) : QString();
-        if (!id.isEmpty()) {
+        if (!id.isEmpty() && get(id)->shortcutContext() == Qt::WindowShortcut) {
             event->accept();
             if (event->type() == QEvent::KeyPress && !key->isAutoRepeat())
                 get(id)->trigger();
@@ -294,6 +312,8 @@ QString Actions::menuTitle(MenuId menu) const
         return tr("&File");
     case MenuId::New:
         return tr("&New");
+    case MenuId::Files:
+        return tr("Files &Panel");
     case MenuId::Edit:
         return tr("&Edit");
     case MenuId::Sculpt:

@@ -1,11 +1,12 @@
 #include "files_panel.h"
 
+#include "actions.h"
 #include "file_grid.h"
 #include "file_item_delegate.h"
 #include "file_list_model.h"
+#include "panel_button.h"
 #include "reveal_file.h"
 #include "settings.h"
-#include "panel_button.h"
 #include "thumbnail_maker.h"
 
 #include <QAction>
@@ -35,9 +36,10 @@ QHBoxLayout* row(std::initializer_list<QWidget*> widgets)
 }
 } // namespace
 
-FilesPanel::FilesPanel(Settings* settings, QWidget* parent)
+FilesPanel::FilesPanel(Settings* settings, const Actions& actions, QWidget* parent)
     : QWidget(parent)
     , m_settings(settings)
+    , m_actions(actions)
     , m_choice(settings->files())
     , m_files(new FileListModel(this))
     , m_sorter(new FileSorter(m_files))
@@ -103,11 +105,7 @@ QLayout* FilesPanel::buildFolderLine()
     m_place->setAccessibleName(tr("Folder"));
     m_place->setToolTip(tr("The folder that is shown; type another and press Return."));
     connect(m_place, &QLineEdit::returnPressed, this, [this] { goTo(QDir::fromNativeSeparators(m_place->text().trimmed())); });
-    auto* choosing = panelButton(QStringLiteral("files.choose"), QStringLiteral("open"), tr("Choose Folder"), tr("Asks for the folder that is shown."));
-    connect(choosing, &QToolButton::clicked, this, &FilesPanel::askForFolder);
-    auto* up = panelButton(QStringLiteral("files.up"), QStringLiteral("folder-up"), tr("Up (%1)").arg(QKeySequence(Qt::ALT | Qt::Key_Up).toString(QKeySequence::NativeText)), tr("Shows the folder in which this one lies."));
-    connect(up, &QToolButton::clicked, this, &FilesPanel::goUp);
-    return row({m_place, choosing, up});
+    return row({m_place, panelButton(m_actions.get(QStringLiteral("files.choose"))), panelButton(m_actions.get(QStringLiteral("files.up")))});
 }
 
 QLayout* FilesPanel::buildChoices()
@@ -166,41 +164,45 @@ QLayout* FilesPanel::buildFoot()
 
 void FilesPanel::buildActions()
 {
-    m_open = add(QStringLiteral("files.open"), tr("&Open"), tr("Opens the model, or enters the folder."),
-                 {QKeySequence(Qt::Key_Return), QKeySequence(Qt::Key_Enter)}, [this] { activate(m_grid->currentIndex()); });
-    m_rename = add(QStringLiteral("files.rename"), tr("&Rename"), tr("Gives the file another name; its ending stays."), {QKeySequence(Qt::Key_F2)},
-                   [this] { m_grid->edit(m_grid->currentIndex()); });
-    m_duplicate = add(QStringLiteral("files.duplicate"), tr("&Duplicate"), tr("Puts a copy of the file beside it."),
-                      {QKeySequence(Qt::CTRL | Qt::Key_D)}, [this] { change([paths = chosenFiles()] { return FileJobs::duplicate(paths); }); });
-    m_trash = add(QStringLiteral("files.trash"), tr("Move to &Trash"), tr("Puts the file into the trash, from which it can be taken back."),
-                  {QKeySequence(Qt::Key_Delete)}, [this] { change([paths = chosenFiles()] { return FileJobs::trash(paths); }); });
-    m_reveal = add(QStringLiteral("files.reveal"), tr("&Show in Folder"), tr("Shows the file in the desktop's program for files."), {}, [this] {
-        revealFile(m_files->entry(m_sorter->mapToSource(m_grid->currentIndex())).path, this, [this](const QString& word) { Q_EMIT noticed(word); });
-    });
-    auto* up = add(QStringLiteral("files.goUp"), tr("&Up"), tr("Shows the folder in which this one lies."),
-                   {QKeySequence(Qt::ALT | Qt::Key_Up), QKeySequence(Qt::Key_Backspace)}, [this] { goUp(); });
-    connect(m_grid, &QListView::customContextMenuRequested, this, [this, up](QPoint at) {
-        auto* menu = new QMenu(this);
-        menu->setObjectName(QStringLiteral("files.menu"));
-        menu->setAttribute(Qt::WA_DeleteOnClose);
-        menu->setToolTipsVisible(true);
-        menu->addActions({m_open, m_rename, m_duplicate, m_trash, m_reveal});
-        menu->addSeparator();
-        menu->addAction(up);
-        menu->popup(m_grid->viewport()->mapToGlobal(at));
-    });
+    m_open = on("files.open", [this] { activate(m_grid->currentIndex()); });
+    m_rename = on("files.rename", [this] { rename(); });
+    m_duplicate = on("files.duplicate", [this] { change([paths = chosenFiles()] { return FileJobs::duplicate(paths); }); });
+    m_trash = on("files.trash", [this] { change([paths = chosenFiles()] { return FileJobs::trash(paths); }); });
+    m_reveal = on("files.reveal", [this] { reveal(); });
+    m_up = on("files.up", [this] { goUp(); });
+    m_chooseFolder = on("files.choose", [this] { askForFolder(); });
+    connect(m_grid, &QListView::customContextMenuRequested, this, &FilesPanel::showMenu);
 }
 
-QAction* FilesPanel::add(const QString& id, const QString& text, const QString& tip, const QList<QKeySequence>& keys, const std::function<void()>& what)
+QAction* FilesPanel::on(const char* id, const std::function<void()>& what)
 {
-    auto* action = new QAction(text, this);
-    action->setObjectName(id);
-    action->setShortcuts(keys);
-    action->setShortcutContext(Qt::WidgetShortcut);
-    action->setToolTip(tip);
-    action->setStatusTip(tip);
+    QAction* action = m_actions.get(QLatin1StringView(id));
     connect(action, &QAction::triggered, this, what);
     m_grid->addAction(action);
     return action;
+}
+
+void FilesPanel::showMenu(QPoint at)
+{
+    auto* menu = new QMenu(this);
+    menu->setObjectName(QStringLiteral("files.menu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->setToolTipsVisible(true);
+    m_actions.fill(menu, MenuId::Files);
+    menu->popup(m_grid->viewport()->mapToGlobal(at));
+}
+
+/// In its place; the command may have come from elsewhere.
+void FilesPanel::rename()
+{
+    m_grid->setFocus();
+    m_grid->scrollTo(m_grid->currentIndex());
+    m_grid->edit(m_grid->currentIndex());
+}
+
+void FilesPanel::reveal()
+{
+    const QString path = m_files->entry(m_sorter->mapToSource(m_grid->currentIndex())).path;
+    revealFile(path, this, [this](const QString& word) { Q_EMIT noticed(word); });
 }
 } // namespace ui

@@ -39,8 +39,8 @@ class FilesPanel : public QWidget
     Q_OBJECT
 
 public:
-    /// The settings must outlive the panel.
-    explicit FilesPanel(Settings* settings, QWidget* parent = nullptr);
+    /// Both must outlive the panel.
+    FilesPanel(Settings* settings, const Actions& actions, QWidget* parent = nullptr);
     ~FilesPanel() override;
 
     void goTo(const QString& folder);
@@ -66,7 +66,10 @@ private:
     QLayout* buildFoot();
     void buildGrid();
     void buildActions();
-    QAction* add(const QString& id, const QString& text, const QString& tip, const QList<QKeySequence>& keys, const std::function<void()>& what);
+    QAction* on(const char* id, const std::function<void()>& what);
+    void showMenu(QPoint at);
+    void rename();
+    void reveal();
 
     void askForFolder();
     void goUp();
@@ -84,6 +87,7 @@ private:
     QStringList chosenFiles() const;
 
     Settings* m_settings;
+    const Actions& m_actions;
     FilesChoice m_choice;
     QString m_problem; ///< of the folder
     bool m_isListed = false, m_isStopped = false; ///< stopped: by hand, until another folder is looked at
@@ -97,7 +101,7 @@ private:
     QToolButton *m_direction, *m_stop;
     QSlider* m_size;
     QLabel *m_state, *m_empty;
-    QAction *m_open = nullptr, *m_rename = nullptr, *m_duplicate = nullptr, *m_trash = nullptr, *m_reveal = nullptr;
+    QAction *m_open = nullptr, *m_rename = nullptr, *m_duplicate = nullptr, *m_trash = nullptr, *m_reveal = nullptr, *m_up = nullptr, *m_chooseFolder = nullptr;
 
     QFileSystemWatcher m_watcher;
     QTimer m_listSoon, m_wantSoon;

@@ -212,14 +212,16 @@ QStringList FilesPanel::chosenFiles() const
 
 void FilesPanel::enable()
 {
-    const QModelIndex current = m_grid->currentIndex();
+    const QModelIndex current = isVisible() ? m_grid->currentIndex() : QModelIndex();
     const bool isFile = current.isValid() && !m_files->entry(m_sorter->mapToSource(current)).isFolder;
-    const bool areFiles = !chosenFiles().isEmpty();
+    const bool areFiles = isVisible() && !chosenFiles().isEmpty();
     m_open->setEnabled(current.isValid());
     m_rename->setEnabled(isFile);
     m_duplicate->setEnabled(areFiles);
     m_trash->setEnabled(areFiles);
     m_reveal->setEnabled(current.isValid());
+    m_up->setEnabled(isVisible());
+    m_chooseFolder->setEnabled(isVisible());
 }
 
 void FilesPanel::activate(const QModelIndex& index)
@@ -251,6 +253,7 @@ void FilesPanel::showEvent(QShowEvent* event)
     QWidget::showEvent(event);
     m_isStopped = false;
     list();
+    enable();
 }
 
 void FilesPanel::hideEvent(QHideEvent* event)
@@ -258,11 +261,12 @@ void FilesPanel::hideEvent(QHideEvent* event)
     QWidget::hideEvent(event);
     m_listing.request_stop();
     wantThumbnails();
+    enable();
 }
 
 void addFilesPanel(const FilesPanelPlace& place, Settings* settings, const Actions& actions, const std::function<void(const QString&)>& notice)
 {
-    auto* panel = new FilesPanel(settings);
+    auto* panel = new FilesPanel(settings, actions);
     auto* dock = new QDockWidget(FilesPanel::tr("Files"));
     dock->setObjectName(QStringLiteral("filesPanel"));
     dock->setWidget(panel);

@@ -57,19 +57,21 @@ Keys presetKeys(KeyPreset preset, const ActionInfo& row)
 }
 
 /// A person's keys as they are stored; nothing if they are not keys that a command can have.
-std::optional<Keys> read(const QString& text)
+std::optional<Keys> read(const QString& text, const QString& id)
 {
     if (text.isEmpty())
         return Keys();
     const Keys keys = QKeySequence::listFromString(text);
-    if (keys.size() > mostKeys || std::ranges::any_of(keys, [](const QKeySequence& key) { return problemOf(key) != KeyProblem::None; }))
+    if (keys.size() > mostKeys || std::ranges::any_of(keys, [&](const QKeySequence& key) { return problemOf(key, id) != KeyProblem::None; }))
         return {};
     return keys;
 }
 } // namespace
 
-KeyProblem problemOf(const QKeySequence& sequence)
+KeyProblem problemOf(const QKeySequence& sequence, const QString& id)
 {
+    if (presetKeys(KeyPreset::Fettle, id).contains(sequence))
+        return KeyProblem::None;
     if (sequence.count() != 1)
         return KeyProblem::Held;
     const Qt::Key key = sequence[0].key();
@@ -130,7 +132,7 @@ KeyMap::KeyMap(const KeyChoice& choice)
 {
     const auto own = [&](const QString& id) {
         const auto found = choice.own.constFind(id);
-        return found != choice.own.constEnd() && !isFixed(id) ? read(*found) : std::nullopt;
+        return found != choice.own.constEnd() && !isFixed(id) ? read(*found, id) : std::nullopt;
     };
     for (const ActionInfo& row : actionTable())
         if (const std::optional<Keys> keys = own(QLatin1StringView(row.id)))

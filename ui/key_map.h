@@ -19,8 +19,8 @@ enum class KeyProblem {
     Widgets, ///< moves and types in panels and dialogs
     Menus,   ///< Alt with a letter: opens a menu, or reaches a control
 };
-/// What the preset's commands have may break these rules; what a person chooses may not.
-KeyProblem problemOf(const QKeySequence& key);
+/// What the preset gives a command is no problem to it.
+KeyProblem problemOf(const QKeySequence& key, const QString& id = {});
 
 /// Escape is part of too many things to be another key.
 bool isFixed(const QString& id);

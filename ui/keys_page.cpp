@@ -199,7 +199,7 @@ void KeysPage::change(const KeyChoice& choice)
 QString KeysPage::refusal(const QKeySequence& key) const
 {
     const QString name = key.toString(QKeySequence::NativeText);
-    switch (problemOf(key)) {
+    switch (problemOf(key, currentId())) {
     case KeyProblem::None:
         break;
     case KeyProblem::Held:

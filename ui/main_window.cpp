@@ -225,9 +225,10 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), m_state(std::make
     m_state->restore();
 }
 
-/// The viewport goes while the brush that it looks at is there.
+/// The viewport goes while the brush that it looks at is there, and panels hide while their commands are.
 MainWindow::~MainWindow()
 {
+    hide();
     delete takeCentralWidget();
 }
 

@@ -106,12 +106,12 @@ void RandomHand::type()
     QTest::keyClick(focus ? focus : &m_program.window, key, key == Qt::Key_Z ? Qt::KeyboardModifiers(Qt::ControlModifier) : modifiers());
 }
 
-/// Any command but the end of the program.
+/// Any command but the end of the program, and those that change files.
 void RandomHand::choose()
 {
     const auto table = ui::actionTable();
-    const QString id = QLatin1StringView(table[static_cast<std::size_t>(below(static_cast<int>(table.size())))].id);
-    if (id != QStringLiteral("file.quit"))
+    const ui::ActionInfo& row = table[static_cast<std::size_t>(below(static_cast<int>(table.size())))];
+    if (const QLatin1StringView id(row.id); row.menu != ui::MenuId::Files && id != QLatin1StringView("file.quit"))
         m_program.window.action(id)->trigger();
 }
 

@@ -1,3 +1,4 @@
+#include "ui/actions.h"
 #include "ui/file_grid.h"
 #include "ui/file_list_model.h"
 #include "ui/files_panel.h"
@@ -16,6 +17,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPixmap>
 #include <QSettings>
 #include <QSignalSpy>
@@ -236,6 +238,105 @@ private Q_SLOTS:
         QVERIFY(opened.isEmpty());
     }
 
+    void theMenuIsOfTheTable()
+    {
+        const Models models;
+        const Shown s(models);
+        QTRY_COMPARE(s.names().size(), 4);
+        s.choose(QStringLiteral("ball 9.obj"));
+        Q_EMIT s.grid->customContextMenuRequested({10, 10});
+        auto* menu = s.child<QMenu>("files.menu");
+        QVERIFY(menu && menu->isVisible());
+        for (const ui::ActionInfo& row : ui::actionTable())
+            QCOMPARE(menu->actions().contains(s.window.action(QLatin1StringView(row.id))), row.menu == ui::MenuId::Files);
+        menu->close();
+    }
+
+    /// A file that nobody sees is not renamed and not deleted.
+    void theCommandsRestWhileThereIsNothingToActOn()
+    {
+        const Models models;
+        const Shown s(models);
+        const auto enabled = [&s](const char* id) { return s.window.action(QLatin1StringView(id))->isEnabled(); };
+        QTRY_COMPARE(s.names().size(), 4);
+        s.grid->setCurrentIndex({});
+        s.grid->clearSelection();
+        QVERIFY(!enabled("files.rename") && !enabled("files.trash") && !enabled("files.open") && enabled("files.up"));
+        s.choose(QStringLiteral("inner"));
+        QVERIFY(enabled("files.open") && !enabled("files.rename") && !enabled("files.trash"));
+        s.choose(QStringLiteral("ball 9.obj"));
+        QVERIFY(enabled("files.open") && enabled("files.rename") && enabled("files.trash"));
+        s.child<QDockWidget>("filesPanel")->hide();
+        for (const ui::ActionInfo& row : ui::actionTable())
+            QVERIFY2(row.menu != ui::MenuId::Files || !enabled(row.id), row.id);
+        s.child<QDockWidget>("filesPanel")->show();
+        QVERIFY(enabled("files.rename") && enabled("files.up"));
+    }
+
+    void theKeysAreTheGridsAlone()
+    {
+        const Models models;
+        Shown s(models);
+        s.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        QTRY_COMPARE(s.names().size(), 4);
+        auto* filter = s.child<QLineEdit>("files.filter");
+        for (QWidget* elsewhere : {static_cast<QWidget*>(filter), static_cast<QWidget*>(s.window.viewport())}) {
+            s.choose(QStringLiteral("ball 9.obj"));
+            elsewhere->setFocus();
+            for (const Qt::Key key : {Qt::Key_F2, Qt::Key_Delete, Qt::Key_Return, Qt::Key_Backspace})
+                QTest::keyClick(elsewhere, key);
+            QVERIFY(!s.grid->findChild<QLineEdit*>(QStringLiteral("files.rename")));
+        }
+        QTest::qWait(300);
+        QVERIFY(s.noticed.isEmpty() && QFile::exists(models.path("ball 9.obj")));
+        QCOMPARE(s.panel->folder(), models.folder.path());
+    }
+
+    void theKeysCanBeOthers()
+    {
+        const Models models;
+        const Shown s(models);
+        QTRY_COMPARE(s.names().size(), 4);
+        s.window.findChild<ui::Actions*>()->setKeys({ui::KeyPreset::Fettle, {{QStringLiteral("files.rename"), QStringLiteral("Q")}, {QStringLiteral("files.open"), QStringLiteral("Return; Ctrl+Return")}}});
+        const QList<QKeySequence> opening = s.window.action(QStringLiteral("files.open"))->shortcuts(); // what it has from the start it may keep
+        QVERIFY(opening.size() == 2 && opening.contains(QKeySequence(Qt::Key_Return)));
+        const auto renames = [&s](Qt::Key key) {
+            s.choose(QStringLiteral("ball 9.obj"));
+            QTest::keyClick(s.grid, key);
+            auto* editor = s.grid->findChild<QLineEdit*>(QStringLiteral("files.rename"));
+            if (editor)
+                QTest::keyClick(editor, Qt::Key_Escape);
+            QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+            return editor != nullptr;
+        };
+        QVERIFY(!renames(Qt::Key_F2));
+        QVERIFY(renames(Qt::Key_Q));
+    }
+
+    void theyAreDoneFromTheCommandBox()
+    {
+        const Models models;
+        Shown s(models);
+        s.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&s.window));
+        QTRY_COMPARE(s.names().size(), 4);
+        s.choose(QStringLiteral("ball 9.obj"));
+        s.window.viewport()->setFocus();
+        QTest::keyClick(&s.window, Qt::Key_F3);
+        auto* box = s.child<QDialog>("commandBox");
+        QVERIFY(box);
+        auto* words = box->findChild<QLineEdit*>();
+        QTest::keyClicks(words, QStringLiteral("panel rename"));
+        QTest::keyClick(words, Qt::Key_Return);
+        QLineEdit* editor = nullptr;
+        QTRY_VERIFY((editor = s.grid->findChild<QLineEdit*>(QStringLiteral("files.rename"))));
+        QTRY_VERIFY(editor->hasFocus() && s.window.isActiveWindow());
+        QTest::keyClicks(editor, QStringLiteral("new"));
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_VERIFY(QFile::exists(models.path("new.obj")));
+    }
+
     void renamingKeepsTheEndingAndOverwritesNothing()
     {
         const Models models;
@@ -352,7 +453,7 @@ private Q_SLOTS:
         QTRY_COMPARE(s.names().size(), 1);
         models.reset();
         QTRY_VERIFY(s.emptyWord().contains(QStringLiteral("inner")));
-        s.child<QToolButton>("files.up")->click();
+        s.child<QToolButton>("files.upButton")->click();
         QVERIFY(QDir(s.panel->folder()).exists());
 
         auto* line = s.child<QLineEdit>("files.folder");

@@ -58,7 +58,7 @@ private Q_SLOTS:
             QVERIFY2(!*row.keys || !map.keys(id(row)).isEmpty(), row.id);
             QVERIFY2(map.keys(id(row)).size() <= ui::mostKeys, row.id);
             for (const QKeySequence& key : map.keys(id(row)))
-                QVERIFY2(ui::problemOf(key) == KeyProblem::None || ui::isFixed(id(row)), row.id);
+                QVERIFY2(ui::problemOf(key, id(row)) == KeyProblem::None || ui::isFixed(id(row)), row.id);
         }
     }
 
