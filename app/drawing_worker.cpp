@@ -18,10 +18,9 @@ namespace
 {
 using namespace std::chrono_literals;
 
-constexpr auto rest = 250ms;            ///< without a change: the fine drawing is made
-constexpr double fastEnoughMs = 70;     ///< a fine drawing that takes so long keeps up with strokes
-constexpr std::size_t mostEdges = 300'000, mostEdgesInStrokes = 40'000;
-constexpr int finePixels = 2048, shadedPixels = 1024, coarsePixels = 512, sheetPixels = 3072; ///< along the longest side
+constexpr auto rest = 250ms; ///< without a change: the fine drawing is made
+constexpr std::size_t mostEdges = 300'000, mostInterimEdges = 40'000;
+constexpr int finePixels = 2048, shadedPixels = 1024, interimPixels = 640, sheetPixels = 3072; ///< along the longest side
 
 double msSince(std::int64_t start)
 {
@@ -132,52 +131,49 @@ bool DrawingWorker::wait(std::unique_lock<std::mutex>& lock)
 void DrawingWorker::draw()
 {
     const Turn turn = takeTurn();
-    if (turn.inbox != m_inbox) {
-        m_model = {};
-        m_fineMs = 0;
+    if (turn.inbox != std::exchange(m_inbox, turn.inbox)) {
+        m_drawer.reset();
         m_sampledNs = 0;
     }
-    m_inbox = turn.inbox;
     m_isFine = true;
-    const auto patch = m_inbox ? m_inbox->take() : std::nullopt;
+    if (!m_inbox)
+        return;
+    if (!m_drawer)
+        m_drawer.emplace(interimPixels, mostInterimEdges);
+    const auto patch = m_inbox->take();
     if (patch) {
-        m_model.apply(*patch);
+        m_drawer->apply(*patch);
         m_sampledNs = m_sampledNs != 0 ? m_sampledNs : patch->sampledNs;
     }
-    if (m_model.faces.empty())
+    if (m_drawer->model().faces.empty())
         return;
-    const bool isStroke = patch && !patch->whole, isSlow = m_fineMs > fastEnoughMs;
-    m_isFine = !(isStroke && isSlow);
-    const core::DrawingDetail fine{turn.shaded ? shadedPixels : finePixels, turn.shaded, mostEdges};
-    const core::DrawingDetail coarse{coarsePixels, turn.shaded, mostEdgesInStrokes};
-    const bool mayBeOvertaken = m_isFine && (isSlow || !isStroke);
-    const std::int64_t start = steadyNs();
-    auto drawing = core::drawLines(m_model, m_isFine ? fine : coarse, mayBeOvertaken ? turn.stopFine : turn.stop);
-    if (m_isFine)
-        m_fineMs = msSince(start);
-    if (drawing)
-        show(*std::move(drawing));
+    if (patch || turn.hasNews)
+        show(m_drawer->draw(turn.shaded, turn.stop), false);
     else
-        m_isFine = false;
+        show(core::drawLines(m_drawer->model(), {turn.shaded ? shadedPixels : finePixels, turn.shaded, mostEdges}, turn.stopFine), true);
 }
 
 DrawingWorker::Turn DrawingWorker::takeTurn()
 {
     const std::lock_guard lock(m_desk->mutex);
-    m_desk->hasPatch = m_desk->hasNews = false;
+    m_desk->hasPatch = false;
     m_desk->stop = {};
     m_desk->stopFine = {};
-    return {m_desk->inbox, m_desk->shaded, m_desk->stop.get_token(), m_desk->stopFine.get_token()};
+    return {m_desk->inbox, m_desk->shaded, std::exchange(m_desk->hasNews, false), m_desk->stop.get_token(), m_desk->stopFine.get_token()};
 }
 
-void DrawingWorker::show(core::LineDrawing drawing)
+/// If it was stopped, something newer is to be drawn.
+void DrawingWorker::show(std::optional<core::LineDrawing> drawing, bool isFine)
 {
-    drawing.isInterim = !m_isFine;
+    m_isFine = drawing && isFine;
+    if (!drawing)
+        return;
+    drawing->isInterim = !isFine;
     if (m_sampledNs != 0) {
         const std::lock_guard lock(m_desk->mutex);
         m_desk->latencyMs = msSince(std::exchange(m_sampledNs, 0));
     }
-    Q_EMIT drawn(std::make_shared<const core::LineDrawing>(std::move(drawing)));
+    Q_EMIT drawn(std::make_shared<const core::LineDrawing>(*std::move(drawing)));
 }
 
 void DrawingWorker::write(const Order& order)

@@ -2,7 +2,7 @@
 
 #include "patch_inbox.h"
 
-#include "core/line_drawing.h"
+#include "core/line_drawer.h"
 
 #include <QObject>
 #include <QString>
@@ -17,8 +17,8 @@ namespace app
 class SculptWorker;
 
 /// Makes drawings of the model on a thread of its own: for the 2D preview while it can be seen, and for sheets. A viewer of the mesh
-/// like others: it lives on patches, and the mesh thread never waits for it. While changes keep coming that a fine drawing would not
-/// keep up with, drawings are coarser; the fine one follows when the hand rests. Nobody looks: no memory, no work.
+/// like others: it lives on patches, and the mesh thread never waits for it. While changes keep coming, drawings are interim ones whose
+/// cost goes with the change; a fine one follows when the hand rests. Nobody looks: no memory, no work.
 /// The functions belong to the gui thread and return at once; signals come from the drawing thread.
 class DrawingWorker : public QObject
 {
@@ -67,7 +67,7 @@ private:
     struct Turn
     {
         std::shared_ptr<PatchInbox> inbox;
-        bool shaded;
+        bool shaded, hasNews;
         std::stop_token stop, stopFine;
     };
 
@@ -76,17 +76,16 @@ private:
     bool wait(std::unique_lock<std::mutex>& lock);
     void draw();
     Turn takeTurn();
-    void show(core::LineDrawing drawing);
+    void show(std::optional<core::LineDrawing> drawing, bool isFine);
     void write(const Order& order);
 
     SculptWorker* m_worker;
     std::shared_ptr<Desk> m_desk = std::make_shared<Desk>();
 
     // The drawing thread's own.
-    core::DrawArrays m_model;
-    std::shared_ptr<PatchInbox> m_inbox; ///< whose patches the arrays are made of
-    bool m_isFine = true;                ///< the last drawing was
-    double m_fineMs = 0;                 ///< what a fine drawing of this model takes
+    std::optional<core::LineDrawer> m_drawer; ///< while somebody looks
+    std::shared_ptr<PatchInbox> m_inbox;      ///< whose patches it is made of
+    bool m_isFine = true;                     ///< the last drawing was, or there is none to be made finer
     std::int64_t m_sampledNs = 0;        ///< the oldest input that no drawing shows yet
 
     std::thread m_thread; ///< last: it uses the others

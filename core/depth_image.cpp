@@ -8,7 +8,8 @@ namespace core
 namespace
 {
 constexpr int margin = 2; ///< pixels
-constexpr Slot elementsAStep = 1 << 15;
+constexpr Slot facesAStep = facesABlock << 6; ///< between two looks at `stop`
+constexpr int tilePixels = 16;
 
 float cross(const Vec2f& a, const Vec2f& b)
 {
@@ -43,8 +44,11 @@ DepthImage::DepthImage(DrawnSide side, const Eigen::AlignedBox2f& box, float pix
     , m_pixelsAMm(1 / pixel)
     , m_width(static_cast<int>(std::ceil(box.sizes().x() / pixel)) + 2 * margin + 1)
     , m_height(static_cast<int>(std::ceil(box.sizes().y() / pixel)) + 2 * margin + 1)
-    , m_depth(static_cast<std::size_t>(m_width) * static_cast<std::size_t>(m_height), -std::numeric_limits<float>::infinity())
-    , m_face(m_depth.size(), noSlot)
+    , m_tilesAcross(m_width / tilePixels + 1)
+    , m_depth(static_cast<std::size_t>(m_width) * static_cast<std::size_t>(m_height))
+    , m_face(m_depth.size())
+    , m_stale(static_cast<std::size_t>(m_tilesAcross) * static_cast<std::size_t>(m_height / tilePixels + 1), Depths | Colors)
+    , m_shaded{m_width, m_height, {m_corner.x(), m_corner.y() + static_cast<float>(m_height) * m_pixel}, m_pixel, {}}
 {
 }
 
@@ -54,36 +58,92 @@ Vec3f DepthImage::toGrid(const Vec3f& point) const
     return {(p.x() - m_corner.x()) * m_pixelsAMm, (p.y() - m_corner.y()) * m_pixelsAMm, p.z()};
 }
 
-bool DepthImage::draw(const DrawArrays& model, std::span<const std::uint8_t> facing, const std::stop_token& stop)
+/// Those within the grid.
+DepthImage::Tiles DepthImage::tilesOf(const Vec2f& low, const Vec2f& high) const
 {
-    m_points.clear();
-    m_points.reserve(model.vertices.size());
-    for (std::size_t v = 0; v < model.vertices.size(); ++v) {
-        if (v % elementsAStep == 0 && stop.stop_requested())
+    const auto tile = [](float at, int pixels) { return static_cast<int>(std::clamp(at, 0.0F, static_cast<float>(pixels - 1))) / tilePixels; };
+    return {tile(low.x(), m_width), tile(low.y(), m_height), tile(high.x(), m_width), tile(high.y(), m_height)};
+}
+
+void DepthImage::expire(const DrawArrays& model, Slot face)
+{
+    const auto corner = [&](std::size_t i) { return toGrid(model.vertices[model.faces[face][i]].position); };
+    const Vec3f a = corner(0), b = corner(1), c = corner(2);
+    const Tiles tiles = tilesOf(a.cwiseMin(b).cwiseMin(c).head<2>(), a.cwiseMax(b).cwiseMax(c).head<2>());
+    for (int y = tiles.bottom; y <= tiles.top; ++y)
+        for (int x = tiles.left; x <= tiles.right; ++x)
+            m_stale[tileIndex(x, y)] = Depths | Colors;
+}
+
+bool DepthImage::isStale(const Tiles& tiles) const
+{
+    for (int y = tiles.bottom; y <= tiles.top; ++y)
+        for (int x = tiles.left; x <= tiles.right; ++x)
+            if ((m_stale[tileIndex(x, y)] & Depths) != 0)
+                return true;
+    return false;
+}
+
+bool DepthImage::isStale(const Box& box) const
+{
+    if (box.isEmpty())
+        return false;
+    const Vec3f one = toGrid(box.min().cast<float>()), other = toGrid(box.max().cast<float>());
+    return isStale(tilesOf(one.cwiseMin(other).head<2>(), one.cwiseMax(other).head<2>()));
+}
+
+template <class Work> void DepthImage::eachStalePixel(Stale what, Work work) const
+{
+    for (int y = 0; y < m_height; ++y)
+        for (int tile = 0; tile < m_tilesAcross; ++tile)
+            if ((m_stale[tileIndex(tile, y / tilePixels)] & what) != 0)
+                for (int x = tile * tilePixels, end = std::min(m_width, x + tilePixels); x < end; ++x)
+                    work(x, y);
+}
+
+void DepthImage::settle(Stale what)
+{
+    for (std::uint8_t& tile : m_stale)
+        tile = static_cast<std::uint8_t>(tile & ~what);
+}
+
+/// A face that is drawn once more beyond the expired tiles changes nothing there.
+bool DepthImage::draw(const DrawArrays& model, std::span<const std::uint8_t> facing, std::span<const Box> blocks, const std::stop_token& stop)
+{
+    eachStalePixel(Depths, [this](int x, int y) {
+        m_depth[index(x, y)] = -std::numeric_limits<float>::infinity();
+        m_face[index(x, y)] = noSlot;
+    });
+    const auto faces = static_cast<Slot>(facing.size());
+    for (Slot first = 0; first < faces; first += facesABlock) {
+        if (first % facesAStep == 0 && stop.stop_requested())
             return false;
-        m_points.push_back(toGrid(model.vertices[v].position));
+        if (blocks.empty() || isStale(blocks[first / facesABlock]))
+            drawFaces(model, facing, first, std::min(faces, first + facesABlock));
     }
-    const int bit = 1 << static_cast<int>(m_side);
-    for (Slot f = 0; f < facing.size(); ++f) {
-        if (f % elementsAStep == 0 && stop.stop_requested())
-            return false;
-        if ((facing[f] & bit) != 0)
-            drawFace(f, model.faces[f]);
-    }
+    settle(Depths);
     return true;
 }
 
-/// At the pixels' centres. Row by row between the edges' crossings, so that a sliver costs its pixels and not its box.
-void DepthImage::drawFace(Slot f, const Triangle& t)
+void DepthImage::drawFaces(const DrawArrays& model, std::span<const std::uint8_t> facing, Slot first, Slot end)
 {
-    const Vec3f &a = m_points[t[0]], &b = m_points[t[1]], &c = m_points[t[2]];
+    const int bit = 1 << static_cast<int>(m_side);
+    const auto at = [&](Slot v) { return toGrid(model.vertices[v].position); };
+    for (Slot f = first; f < end; ++f)
+        if ((facing[f] & bit) != 0)
+            drawFace(f, at(model.faces[f][0]), at(model.faces[f][1]), at(model.faces[f][2]));
+}
+
+/// At the pixels' centres. Row by row between the edges' crossings, so that a sliver costs its pixels and not its box.
+void DepthImage::drawFace(Slot f, const Vec3f& a, const Vec3f& b, const Vec3f& c)
+{
     const auto [lowY, highY] = std::minmax({a.y(), b.y(), c.y()});
     const int bottom = firstCentre(lowY), top = lastCentre(highY);
     if (bottom > top)
         return;
     const auto [lowX, highX] = std::minmax({a.x(), b.x(), c.x()});
     const int left = firstCentre(lowX), right = lastCentre(highX);
-    if (left > right)
+    if (left > right || !isStale({left / tilePixels, bottom / tilePixels, right / tilePixels, top / tilePixels}))
         return;
     const Vec2f ab = (b - a).head<2>(), ac = (c - a).head<2>();
     const float area = cross(ab, ac);
@@ -119,16 +179,15 @@ void DepthImage::drawFace(Slot f, const Triangle& t)
     }
 }
 
-DrawnImage DepthImage::shade(const DrawArrays& model) const
+const DrawnImage& DepthImage::shade(const DrawArrays& model)
 {
-    DrawnImage image{m_width, m_height, {m_corner.x(), m_corner.y() + static_cast<float>(m_height) * m_pixel}, m_pixel, {}};
-    image.pixels.reserve(m_face.size());
-    for (int y = m_height - 1; y >= 0; --y)
-        for (int x = 0; x < m_width; ++x) {
-            const Seen at = seen(model, x, y);
-            image.pixels.push_back(at.face == noSlot ? std::array<std::uint8_t, 4>{} : colorAt(model, at));
-        }
-    return image;
+    m_shaded.pixels.resize(m_depth.size());
+    eachStalePixel(Colors, [&](int x, int y) {
+        const Seen at = seen(model, x, y);
+        m_shaded.pixels[index(x, m_height - 1 - y)] = at.face == noSlot ? std::array<std::uint8_t, 4>{} : colorAt(model, at);
+    });
+    settle(Colors);
+    return m_shaded;
 }
 
 DepthImage::Seen DepthImage::seen(const DrawArrays& model, int x, int y) const
@@ -136,7 +195,7 @@ DepthImage::Seen DepthImage::seen(const DrawArrays& model, int x, int y) const
     const Slot f = m_face[index(x, y)];
     if (f == noSlot)
         return {noSlot, Vec3f::Zero()};
-    const auto corner = [&](std::size_t i) { return Vec2f(m_points[model.faces[f][i]].head<2>()); };
+    const auto corner = [&](std::size_t i) { return Vec2f(toGrid(model.vertices[model.faces[f][i]].position).head<2>()); };
     const Vec2f centre(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
     return {f, weightsAt(centre, corner(0), corner(1), corner(2)).cwiseMax(0).cwiseMin(1)};
 }

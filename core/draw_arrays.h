@@ -12,5 +12,7 @@ struct DrawArrays
 
     /// Patches of one mesh in order, a whole one first. Cost: the patch's values.
     void apply(const MeshPatch& patch);
+
+    bool isFree(Slot face) const { return faces[face][0] == faces[face][1]; }
 };
 } // namespace core

@@ -2,22 +2,21 @@
 // faces looking to the eye and others; a crease joins two whose normals lie far from a face's. Only faces at such edges are paired.
 #include "drawing_edges.h"
 
+#include "depth_image.h"
+
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <future>
+#include <numeric>
 
 namespace core
 {
 namespace
 {
-constexpr Slot facesAStep = 1 << 15; ///< between two looks at `stop`
+constexpr std::size_t blocksAStep = 64; ///< between two looks at `stop`
 constexpr std::uint8_t sidesMask = 7, awayShift = 3, sharpBit = 1 << 6;
 constexpr double sharpCosine = halfCreaseCosine + 0.012; ///< vertex normals are rounded to 1/127
-
-bool isFree(const Triangle& t)
-{
-    return t[0] == t[1];
-}
 
 std::uint8_t facingOf(const Vec3& normal)
 {
@@ -33,164 +32,42 @@ bool isSharp(const DrawVertex& vertex, const Vec3f& normal, float length2)
     return along <= 0 || along * along < least * length2 * mean.squaredNorm();
 }
 
-struct HalfEdge
+constexpr std::size_t blocksOf(std::size_t faces)
 {
-    Slot a, b, face; ///< a < b
-    friend auto operator<=>(const HalfEdge&, const HalfEdge&) = default;
-};
+    return (faces + facesABlock - 1) / facesABlock;
+}
 
-/// What the faces from `first` on say; each part has a thread of its own.
-struct Part
+/// The faces of a block that live.
+template <class Work> void eachFace(const DrawArrays& model, std::size_t block, Work work)
 {
-    Slot first = 0, end = 0;
-    std::vector<std::uint8_t> marks; ///< by vertex slot: sides that see a face of it, sides that see one's back, sharp
-    Box box;
-    double volume = 0; ///< times 6
-    std::vector<HalfEdge> halfEdges;
-    bool isTooMuch = false;
-};
+    const std::size_t first = block * facesABlock, end = std::min(model.faces.size(), first + facesABlock);
+    for (std::size_t f = first; f < end; ++f)
+        if (const auto slot = static_cast<Slot>(f); !model.isFree(slot))
+            work(slot);
+}
 
-class Scanner
+/// work(half, block) for all blocks, each half of them on a thread of its own. False if it was stopped.
+template <class Work> bool eachBlock(std::size_t blocks, const std::stop_token& stop, Work work)
 {
-public:
-    Scanner(const DrawArrays& model, const std::stop_token& stop) : m_model(model), m_stop(stop)
-    {
-        const auto faces = static_cast<Slot>(model.faces.size()), share = faces / static_cast<Slot>(m_parts.size());
-        for (Slot i = 0; i < m_parts.size(); ++i) {
-            m_parts[i].first = i * share;
-            m_parts[i].end = i + 1 == m_parts.size() ? faces : (i + 1) * share;
-        }
-    }
-
-    std::optional<DrawingScan> run(std::size_t mostEdges)
-    {
-        m_scan.facing.assign(m_model.faces.size(), 0);
-        if (!eachPart([this](Part& part) { return measure(part); }))
-            return std::nullopt;
-        joinMeasures();
-        if (!collect(mostEdges))
-            return std::nullopt;
-        pair();
-        return std::move(m_scan);
-    }
-
-private:
-    /// False if one of them was stopped.
-    template <class Work> bool eachPart(Work work)
-    {
-        auto aside = std::async(std::launch::async, [&] { return work(m_parts[1]); });
-        const bool isDone = work(m_parts[0]);
-        return aside.get() && isDone;
-    }
-
-    template <class Work> bool eachFace(const Part& part, Work work) const
-    {
-        for (Slot first = part.first; first < part.end; first += facesAStep) {
-            if (m_stop.stop_requested())
+    const auto run = [&](std::size_t half, std::size_t first, std::size_t end) {
+        for (std::size_t block = first; block < end; ++block) {
+            if (block % blocksAStep == 0 && stop.stop_requested())
                 return false;
-            for (Slot f = first, end = std::min(part.end, first + facesAStep); f < end; ++f)
-                if (!isFree(m_model.faces[f]))
-                    work(f);
+            work(half, block);
         }
         return true;
-    }
+    };
+    auto aside = std::async(std::launch::async, run, 1, blocks / 2, blocks);
+    const bool isDone = run(0, 0, blocks / 2);
+    return aside.get() && isDone;
+}
 
-    bool measure(Part& part)
-    {
-        part.marks.assign(m_model.vertices.size(), 0);
-        return eachFace(part, [&](Slot f) { measure(part, f); });
-    }
-
-    void measure(Part& part, Slot f)
-    {
-        const Triangle& t = m_model.faces[f];
-        const Vec3 normal = drawnNormal(m_model, f);
-        const std::uint8_t facing = facingOf(normal);
-        m_scan.facing[f] = facing;
-        const auto mark = static_cast<std::uint8_t>(facing | (~facing & sidesMask) << awayShift);
-        const Vec3f direction = normal.cast<float>();
-        const float length2 = direction.squaredNorm();
-        for (const Slot v : t) {
-            const DrawVertex& vertex = m_model.vertices[v];
-            part.marks[v] = static_cast<std::uint8_t>(part.marks[v] | mark | (isSharp(vertex, direction, length2) ? sharpBit : 0));
-            part.box.extend(vertex.position.cast<double>());
-        }
-        part.volume += m_model.vertices[t[0]].position.cast<double>().dot(normal);
-    }
-
-    void joinMeasures()
-    {
-        m_marks = std::move(m_parts[0].marks);
-        std::ranges::transform(m_marks, m_parts[1].marks, m_marks.begin(), [](std::uint8_t one, std::uint8_t other) { return static_cast<std::uint8_t>(one | other); });
-        m_scan.box = m_parts[0].box.merged(m_parts[1].box);
-        m_scan.volume = (m_parts[0].volume + m_parts[1].volume) / 6;
-    }
-
-    bool mayBeLine(Slot a, Slot b) const
-    {
-        const auto both = static_cast<std::uint8_t>(m_marks[a] & m_marks[b]);
-        return (both & both >> awayShift & sidesMask) != 0 || (m_scan.hasCreases && (both & sharpBit) != 0);
-    }
-
-    /// Creases are left out where they would be too many.
-    bool collect(std::size_t mostEdges)
-    {
-        if (!eachPart([&](Part& part) { return collect(part, mostEdges); }))
-            return false;
-        auto& [one, other] = m_parts;
-        m_halfEdges = std::move(one.halfEdges);
-        m_halfEdges.insert(m_halfEdges.end(), other.halfEdges.begin(), other.halfEdges.end());
-        if (m_scan.hasCreases && (one.isTooMuch || other.isTooMuch || m_halfEdges.size() / 2 > mostEdges)) {
-            m_scan.hasCreases = false;
-            return collect(mostEdges);
-        }
-        std::ranges::sort(m_halfEdges);
-        return true;
-    }
-
-    bool collect(Part& part, std::size_t mostEdges)
-    {
-        part.halfEdges.clear();
-        part.isTooMuch = false;
-        return eachFace(part, [&](Slot f) {
-            if (part.isTooMuch)
-                return;
-            const Triangle& t = m_model.faces[f];
-            for (std::size_t i = 0; i < 3; ++i)
-                if (const Slot a = t[i], b = t[(i + 1) % 3]; mayBeLine(a, b))
-                    part.halfEdges.push_back({std::min(a, b), std::max(a, b), f});
-            part.isTooMuch = m_scan.hasCreases && part.halfEdges.size() / 2 > mostEdges;
-        });
-    }
-
-    void pair()
-    {
-        for (std::size_t i = 0; i + 1 < m_halfEdges.size(); ++i) {
-            const HalfEdge &one = m_halfEdges[i], &other = m_halfEdges[i + 1];
-            if (one.a != other.a || one.b != other.b)
-                continue;
-            const auto outline = static_cast<std::uint8_t>(m_scan.facing[one.face] ^ m_scan.facing[other.face]);
-            const bool isCrease = m_scan.hasCreases && bends(one.face, other.face);
-            if (outline != 0 || isCrease)
-                m_scan.edges.push_back({one.a, one.b, {one.face, other.face}, outline, isCrease});
-            ++i;
-        }
-    }
-
-    bool bends(Slot f, Slot g) const
-    {
-        const Vec3 m = drawnNormal(m_model, f), n = drawnNormal(m_model, g);
-        const double along = m.dot(n);
-        return along <= 0 || along * along < creaseCosine * creaseCosine * m.squaredNorm() * n.squaredNorm();
-    }
-
-    const DrawArrays& m_model;
-    const std::stop_token& m_stop;
-    DrawingScan m_scan;
-    std::array<Part, 2> m_parts;
-    std::vector<std::uint8_t> m_marks; ///< of all parts
-    std::vector<HalfEdge> m_halfEdges;
-};
+bool bends(const DrawArrays& model, Slot f, Slot g)
+{
+    const Vec3 m = drawnNormal(model, f), n = drawnNormal(model, g);
+    const double along = m.dot(n);
+    return along <= 0 || along * along < creaseCosine * creaseCosine * m.squaredNorm() * n.squaredNorm();
+}
 } // namespace
 
 Vec3 drawnNormal(const DrawArrays& model, Slot face)
@@ -200,8 +77,166 @@ Vec3 drawnNormal(const DrawArrays& model, Slot face)
     return (model.vertices[t[1]].position.cast<double>() - a).cross(model.vertices[t[2]].position.cast<double>() - a);
 }
 
-std::optional<DrawingScan> scanForDrawing(const DrawArrays& model, std::size_t mostEdges, const std::stop_token& stop)
+bool DrawingScan::scan(const DrawArrays& model, const std::stop_token& stop)
 {
-    return Scanner(model, stop).run(mostEdges);
+    m_facing.assign(model.faces.size(), 0);
+    m_blocks.assign(blocksOf(model.faces.size()), Box());
+    m_corners.assign(m_blocks.size(), {});
+    m_volumes.assign(m_blocks.size(), 0);
+    std::array<Marks, 2> marks{Marks(model.vertices.size(), 0), Marks(model.vertices.size(), 0)};
+    const auto look = [&](std::size_t half, std::size_t block) {
+        measure(model, block);
+        eachFace(model, block, [&](Slot f) { mark(model, f, marks[half]); });
+    };
+    if (!eachBlock(m_blocks.size(), stop, look))
+        return false;
+    m_marks = std::move(marks[0]);
+    std::ranges::transform(m_marks, marks[1], m_marks.begin(), std::bit_or<std::uint8_t>());
+    m_hasCreases = true;
+    if (!collect(model, stop))
+        return false;
+    if (m_halfEdges.size() / 2 > m_mostEdges) {
+        m_hasCreases = false;
+        if (!collect(model, stop))
+            return false;
+    }
+    pair(model);
+    return true;
+}
+
+bool DrawingScan::rescan(const DrawArrays& model, const DrawnChange& change)
+{
+    m_facing.resize(model.faces.size());
+    m_marks.resize(model.vertices.size());
+    m_blocks.resize(blocksOf(model.faces.size()));
+    m_corners.resize(m_blocks.size());
+    m_volumes.resize(m_blocks.size());
+    for (std::size_t i = 0; i < change.faces.size(); ++i)
+        if (i == 0 || change.faces[i] / facesABlock != change.faces[i - 1] / facesABlock)
+            measure(model, change.faces[i] / facesABlock);
+    for (const Slot v : change.vertices)
+        m_marks[v] = 0;
+    for (const Slot f : change.around)
+        mark(model, f, m_marks);
+    const auto isOneOf = [](const std::vector<Slot>& faces, const HalfEdge& h) { return std::ranges::binary_search(faces, h.face); };
+    std::erase_if(m_halfEdges, [&](const HalfEdge& h) { return isOneOf(change.around, h) || isOneOf(change.faces, h); });
+    const auto old = static_cast<std::ptrdiff_t>(m_halfEdges.size());
+    for (const Slot f : change.around)
+        addHalfEdges(model.faces[f], f, m_halfEdges);
+    std::sort(m_halfEdges.begin() + old, m_halfEdges.end());
+    std::inplace_merge(m_halfEdges.begin(), m_halfEdges.begin() + old, m_halfEdges.end());
+    if (m_hasCreases && m_halfEdges.size() / 2 > m_mostEdges)
+        return false;
+    pair(model);
+    return true;
+}
+
+std::vector<Slot> DrawingScan::facesAt(std::span<const Slot> vertices, const DrawArrays& model) const
+{
+    std::vector<bool> isOne(vertices.empty() ? 0 : std::max<std::size_t>(model.vertices.size(), vertices.back() + std::size_t(1)), false);
+    for (const Slot v : vertices)
+        isOne[v] = true;
+    std::vector<Slot> faces;
+    for (std::size_t block = 0; block < m_blocks.size(); ++block) {
+        const auto [first, last] = m_corners[block];
+        if (const auto next = std::ranges::lower_bound(vertices, first); next == vertices.end() || *next > last)
+            continue;
+        eachFace(model, block, [&](Slot f) {
+            const Triangle& t = model.faces[f];
+            if (isOne[t[0]] || isOne[t[1]] || isOne[t[2]])
+                faces.push_back(f);
+        });
+    }
+    return faces;
+}
+
+/// Of one block: which way its faces look, their corners, box and volume.
+void DrawingScan::measure(const DrawArrays& model, std::size_t block)
+{
+    const std::size_t first = block * facesABlock, end = std::min(model.faces.size(), first + facesABlock);
+    std::fill(m_facing.begin() + static_cast<std::ptrdiff_t>(first), m_facing.begin() + static_cast<std::ptrdiff_t>(end), std::uint8_t(0));
+    Box box;
+    double volume = 0;
+    std::pair<Slot, Slot> corners{noSlot, 0};
+    eachFace(model, block, [&](Slot f) {
+        const Vec3 normal = drawnNormal(model, f);
+        m_facing[f] = facingOf(normal);
+        for (const Slot v : model.faces[f]) {
+            box.extend(model.vertices[v].position.cast<double>());
+            corners = {std::min(corners.first, v), std::max(corners.second, v)};
+        }
+        volume += model.vertices[model.faces[f][0]].position.cast<double>().dot(normal);
+    });
+    m_blocks[block] = box;
+    m_corners[block] = corners;
+    m_volumes[block] = volume;
+}
+
+void DrawingScan::mark(const DrawArrays& model, Slot f, Marks& marks) const
+{
+    const std::uint8_t facing = m_facing[f];
+    const auto sides = static_cast<std::uint8_t>(facing | (~facing & sidesMask) << awayShift);
+    const Vec3f normal = drawnNormal(model, f).cast<float>();
+    const float length2 = normal.squaredNorm();
+    for (const Slot v : model.faces[f])
+        marks[v] = static_cast<std::uint8_t>(marks[v] | sides | (isSharp(model.vertices[v], normal, length2) ? sharpBit : 0));
+}
+
+bool DrawingScan::mayBeLine(Slot a, Slot b) const
+{
+    const auto both = static_cast<std::uint8_t>(m_marks[a] & m_marks[b]);
+    return (both & both >> awayShift & sidesMask) != 0 || (m_hasCreases && (both & sharpBit) != 0);
+}
+
+void DrawingScan::addHalfEdges(const Triangle& t, Slot f, std::vector<HalfEdge>& to) const
+{
+    for (std::size_t i = 0; i < 3; ++i)
+        if (const Slot a = t[i], b = t[(i + 1) % 3]; mayBeLine(a, b))
+            to.push_back({std::min(a, b), std::max(a, b), f});
+}
+
+/// No longer than it takes to see that they are too many.
+bool DrawingScan::collect(const DrawArrays& model, const std::stop_token& stop)
+{
+    std::array<std::vector<HalfEdge>, 2> found;
+    const auto look = [&](std::size_t half, std::size_t block) {
+        if (!m_hasCreases || found[half].size() / 2 <= m_mostEdges)
+            eachFace(model, block, [&](Slot f) { addHalfEdges(model.faces[f], f, found[half]); });
+    };
+    if (!eachBlock(m_blocks.size(), stop, look))
+        return false;
+    m_halfEdges = std::move(found[0]);
+    m_halfEdges.insert(m_halfEdges.end(), found[1].begin(), found[1].end());
+    if (!m_hasCreases || m_halfEdges.size() / 2 <= m_mostEdges)
+        std::ranges::sort(m_halfEdges);
+    return true;
+}
+
+void DrawingScan::pair(const DrawArrays& model)
+{
+    m_edges.clear();
+    for (std::size_t i = 0; i + 1 < m_halfEdges.size(); ++i) {
+        const HalfEdge &one = m_halfEdges[i], &other = m_halfEdges[i + 1];
+        if (one.a != other.a || one.b != other.b)
+            continue;
+        const auto outline = static_cast<std::uint8_t>(m_facing[one.face] ^ m_facing[other.face]);
+        const bool isCrease = m_hasCreases && bends(model, one.face, other.face);
+        if (outline != 0 || isCrease)
+            m_edges.push_back({one.a, one.b, {one.face, other.face}, outline, isCrease});
+        ++i;
+    }
+}
+
+Box DrawingScan::box() const
+{
+    Box box;
+    for (const Box& block : m_blocks)
+        box.extend(block);
+    return box;
+}
+
+double DrawingScan::volume() const
+{
+    return std::accumulate(m_volumes.begin(), m_volumes.end(), 0.0) / 6;
 }
 } // namespace core

@@ -1,178 +1,9 @@
 #include "line_drawing.h"
 
-#include "depth_image.h"
-#include "drawing_edges.h"
-
-#include <algorithm>
-#include <cmath>
-#include <future>
+#include "drawn_views.h"
 
 namespace core
 {
-namespace
-{
-constexpr float slack = 1.5F;      ///< pixels: how much nearer the depth image may be by its rounding
-constexpr float steepest = 6;      ///< mm a mm: faces that are seen at a steeper angle are taken for this
-constexpr int mostPieces = 1 << 14; ///< of an edge
-constexpr Slot noEnd = noSlot;
-
-/// A piece of an edge that can be seen, and the vertices at its ends; noEnd where it is cut.
-struct Piece
-{
-    Vec2f from, to;
-    Slot a, b;
-};
-
-/// What of an edge can be seen from one side.
-class Sight
-{
-public:
-    Sight(const DrawArrays& model, const DepthImage& depths, DrawnSide side, std::span<const std::uint8_t> facing)
-        : m_model(model), m_depths(depths), m_side(side), m_facing(facing)
-    {
-    }
-
-    void addPieces(const DrawingEdge& edge, std::vector<Piece>& pieces) const
-    {
-        const Vec3f &start = m_model.vertices[edge.a].position, &end = m_model.vertices[edge.b].position;
-        const Vec3f a = m_depths.toGrid(start), b = m_depths.toGrid(end);
-        const Vec2f from = onPaper(m_side, start).head<2>(), to = onPaper(m_side, end).head<2>();
-        const Vec2f slope = slopeOf(edge);
-        const int count = std::clamp(static_cast<int>(std::ceil((b - a).head<2>().norm())), 1, mostPieces);
-        const auto share = [count](int i) { return static_cast<float>(i) / static_cast<float>(count); };
-        for (int i = 0; i < count; ++i) {
-            const int first = i;
-            while (i < count && isSeen(a + (b - a) * ((static_cast<float>(i) + 0.5F) / static_cast<float>(count)), slope))
-                ++i;
-            if (i > first)
-                pieces.push_back({from + (to - from) * share(first), i == count ? to : Vec2f(from + (to - from) * share(i)),
-                                  first == 0 ? edge.a : noEnd, i == count ? edge.b : noEnd});
-        }
-    }
-
-private:
-    /// How the face at the edge that looks to the eye goes on beyond it: mm towards the eye a pixel.
-    Vec2f slopeOf(const DrawingEdge& edge) const
-    {
-        const int bit = 1 << static_cast<int>(m_side);
-        Vec2f steeper = Vec2f::Zero();
-        for (const Slot f : edge.faces) {
-            if ((m_facing[f] & bit) == 0)
-                continue;
-            const Vec3f n = onPaper(m_side, drawnNormal(m_model, f).normalized().cast<float>());
-            const Vec2f slope = -n.head<2>() / std::max(n.z(), 1 / steepest);
-            if (slope.squaredNorm() > steeper.squaredNorm())
-                steeper = slope;
-        }
-        return steeper * m_depths.pixel();
-    }
-
-    /// Some pixel here is not covered by anything nearer than the edge's own face is there: at an outline that is the pixel beyond it.
-    bool isSeen(const Vec3f& at, const Vec2f& slope) const
-    {
-        const int x = static_cast<int>(at.x()), y = static_cast<int>(at.y());
-        for (int dy = -1; dy <= 1; ++dy)
-            for (int dx = -1; dx <= 1; ++dx) {
-                const Vec2f off(static_cast<float>(x + dx) + 0.5F - at.x(), static_cast<float>(y + dy) + 0.5F - at.y());
-                const float ownFace = std::max(0.0F, slope.dot(off));
-                if (m_depths.depth(x + dx, y + dy) <= at.z() + ownFace + slack * m_depths.pixel())
-                    return true;
-            }
-        return false;
-    }
-
-    const DrawArrays& m_model;
-    const DepthImage& m_depths;
-    DrawnSide m_side;
-    std::span<const std::uint8_t> m_facing;
-};
-
-/// Joins pieces end to end into as few lines as it easily can.
-class Chainer
-{
-public:
-    explicit Chainer(std::span<const Piece> pieces) : m_pieces(pieces), m_isUsed(pieces.size(), false)
-    {
-        for (std::size_t i = 0; i < pieces.size(); ++i)
-            for (const Slot v : {pieces[i].a, pieces[i].b})
-                if (v != noEnd)
-                    m_ends.emplace_back(v, i);
-        std::ranges::sort(m_ends);
-    }
-
-    std::vector<DrawnLine> run()
-    {
-        std::vector<DrawnLine> lines;
-        for (std::size_t i = 0; i < m_pieces.size(); ++i) {
-            if (m_isUsed[i])
-                continue;
-            m_isUsed[i] = true;
-            const Piece& piece = m_pieces[i];
-            DrawnLine line{piece.to, piece.from};
-            extend(line, piece.a);
-            std::ranges::reverse(line);
-            extend(line, piece.b);
-            lines.push_back(std::move(line));
-        }
-        return lines;
-    }
-
-private:
-    void extend(DrawnLine& line, Slot end)
-    {
-        while (end != noEnd) {
-            auto next = std::ranges::lower_bound(m_ends, std::pair(end, std::size_t(0)));
-            while (next != m_ends.end() && next->first == end && m_isUsed[next->second])
-                ++next;
-            if (next == m_ends.end() || next->first != end)
-                return;
-            const Piece& piece = m_pieces[next->second];
-            m_isUsed[next->second] = true;
-            const bool isForward = piece.a == end;
-            line.push_back(isForward ? piece.to : piece.from);
-            end = isForward ? piece.b : piece.a;
-        }
-    }
-
-    std::span<const Piece> m_pieces;
-    std::vector<bool> m_isUsed;
-    std::vector<std::pair<Slot, std::size_t>> m_ends; ///< vertex, piece
-};
-
-Eigen::AlignedBox2f boxOnPaper(DrawnSide side, const Box& box)
-{
-    const Vec3f one = onPaper(side, box.min().cast<float>()), other = onPaper(side, box.max().cast<float>());
-    Eigen::AlignedBox2f result(Vec2f(one.head<2>()));
-    result.extend(Vec2f(other.head<2>()));
-    return result;
-}
-
-std::optional<DrawnView> viewOf(const DrawArrays& model, const DrawingScan& scan, DrawnSide side, float pixel, bool isShaded,
-                                const std::stop_token& stop)
-{
-    DrawnView view;
-    view.box = boxOnPaper(side, scan.box);
-    DepthImage depths(side, view.box, pixel);
-    if (!depths.draw(model, scan.facing, stop))
-        return std::nullopt;
-    const Sight sight(model, depths, side, scan.facing);
-    const int bit = 1 << static_cast<int>(side);
-    std::vector<Piece> outlines, creases;
-    for (const DrawingEdge& edge : scan.edges) {
-        const bool isTowardsEye = ((scan.facing[edge.faces[0]] | scan.facing[edge.faces[1]]) & bit) != 0;
-        if ((edge.outlineIn & bit) != 0)
-            sight.addPieces(edge, outlines);
-        else if (edge.isCrease && isTowardsEye)
-            sight.addPieces(edge, creases);
-    }
-    view.outlines = Chainer(outlines).run();
-    view.creases = Chainer(creases).run();
-    if (isShaded)
-        view.shaded = depths.shade(model);
-    return view;
-}
-} // namespace
-
 Vec3f onPaper(DrawnSide side, const Vec3f& point)
 {
     switch (side) {
@@ -185,29 +16,13 @@ Vec3f onPaper(DrawnSide side, const Vec3f& point)
 
 std::optional<LineDrawing> drawLines(const DrawArrays& model, const DrawingDetail& detail, const std::stop_token& stop)
 {
-    const std::optional<DrawingScan> scan = scanForDrawing(model, detail.mostEdges, stop);
-    if (!scan)
+    DrawingScan scan(detail.mostEdges);
+    if (!scan.scan(model, stop))
         return std::nullopt;
-    LineDrawing drawing;
-    if (scan->box.isEmpty())
-        return drawing;
-    drawing.box = scan->box;
-    drawing.volume = scan->volume;
-    drawing.hasCreases = scan->hasCreases;
-    drawing.pixel = static_cast<float>(scan->box.sizes().maxCoeff() / detail.pixels);
-    std::array<std::future<std::optional<DrawnView>>, drawnSides.size()> views;
-    for (std::size_t i = 0; i < views.size(); ++i)
-        views[i] = std::async(std::launch::async, [&, side = drawnSides[i]] {
-            return viewOf(model, *scan, side, drawing.pixel, detail.shaded, stop);
-        });
-    bool isWhole = true;
-    for (std::size_t i = 0; i < views.size(); ++i)
-        if (auto view = views[i].get())
-            drawing.views[i] = *std::move(view);
-        else
-            isWhole = false;
-    if (!isWhole)
-        return std::nullopt;
-    return drawing;
+    const Box box = scan.box();
+    if (box.isEmpty())
+        return LineDrawing();
+    DepthImages images = depthImagesOf(box, static_cast<float>(box.sizes().maxCoeff() / detail.pixels));
+    return drawingOf(model, scan, images, detail.shaded, stop);
 }
 } // namespace core

@@ -46,7 +46,7 @@ public:
             return picture;
         const int room = samples * pixels - 2 * border - 5; // what the depth image puts around the box
         DepthImage image(DrawnSide::Front, m_box, extent / static_cast<float>(room));
-        if (!image.draw(m_model, std::vector<std::uint8_t>(m_model.faces.size(), 1), m_stop))
+        if (!image.draw(m_model, std::vector<std::uint8_t>(m_model.faces.size(), 1), {}, m_stop))
             return std::nullopt;
         if (!light(image, picture))
             return std::nullopt;

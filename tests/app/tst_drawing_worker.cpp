@@ -124,11 +124,13 @@ private Q_SLOTS:
 
     void coarseWhileTheHandWorksThenFine()
     {
-        Studio studio(7); // a fine drawing takes too long for strokes
+        Studio studio(7);
         studio.drawings.watch(true, true);
-        QTRY_VERIFY_WITH_TIMEOUT(studio.last, 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(studio.last && !studio.last->isInterim, 60000);
         const double fine = studio.pixelsAlong();
         studio.pull();
+        QTRY_VERIFY_WITH_TIMEOUT(studio.last->isInterim, 60000);
+        QVERIFY(studio.pixelsAlong() < 0.7 * fine);
         QTRY_VERIFY_WITH_TIMEOUT(studio.height() > 101 && !studio.last->isInterim, 60000);
         QVERIFY(std::abs(studio.pixelsAlong() - fine) < 1);
     }

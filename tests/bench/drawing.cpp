@@ -1,12 +1,14 @@
 // What three views of a model of a million vertices cost: as the 2D preview draws them while strokes go on, and when they rest.
 #include "bench_models.h"
 
-#include "core/line_drawing.h"
+#include "core/line_drawer.h"
 #include "core/sculptor.h"
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace
 {
@@ -26,4 +28,46 @@ void drawing(benchmark::State& state)
     }
 }
 BENCHMARK(drawing)->DenseRange(0, 2)->Iterations(1)->UseManualTime();
+
+/// Drawings after each fifth dab of a stroke.
+void drawingStroke(benchmark::State& state)
+{
+    const bool shaded = state.range(0) != 0;
+    state.SetLabel(shaded ? "shaded" : "lines");
+    core::Sculptor sculptor(bench::opened(bench::geodesicSphere(317)));
+    core::LineDrawer drawer(640, 40'000);
+    drawer.apply(sculptor.wholePatch());
+    drawer.draw(shaded, {});
+    core::StrokeSettings settings;
+    settings.radius = 0.1;
+    std::vector<double> applied, drawn;
+    for ([[maybe_unused]] auto round : state) {
+        sculptor.beginStroke(settings);
+        for (int i = 0; i < 200; ++i) {
+            const double angle = 0.02 * i;
+            core::StrokeSample sample;
+            sample.position = {std::cos(angle), std::sin(angle), 0};
+            sample.direction = -sample.position;
+            sculptor.addSample(sample);
+            if (i % 5 != 4)
+                continue;
+            const core::MeshPatch patch = sculptor.takePatch();
+            const auto start = std::chrono::steady_clock::now();
+            drawer.apply(patch);
+            const auto middle = std::chrono::steady_clock::now();
+            benchmark::DoNotOptimize(drawer.draw(shaded, {}));
+            const auto end = std::chrono::steady_clock::now();
+            applied.push_back(std::chrono::duration<double>(middle - start).count());
+            drawn.push_back(std::chrono::duration<double>(end - middle).count());
+        }
+        sculptor.endStroke();
+        std::ranges::sort(applied);
+        std::ranges::sort(drawn);
+        state.SetIterationTime(applied[applied.size() / 2] + drawn[drawn.size() / 2]);
+        state.counters["apply"] = 1000 * applied[applied.size() / 2];
+        state.counters["wall"] = 1000 * (applied[applied.size() / 2] + drawn[drawn.size() / 2]);
+        state.counters["worst"] = 1000 * (applied.back() + drawn.back());
+    }
+}
+BENCHMARK(drawingStroke)->DenseRange(0, 1)->Iterations(1)->UseManualTime();
 } // namespace

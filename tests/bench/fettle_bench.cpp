@@ -51,6 +51,7 @@ std::vector<bench::Table> tables()
           {"per_vertex", "a vertex", 3},
           {"whole", "whole", 3}}},
         {"drawing", "Drawings of 1,004,892 vertices, three views: milliseconds", {{"wall", "wall", 1}}},
+        {"drawingStroke", "The same while a stroke goes on, each fifth dab drawn: milliseconds", {{"apply", "patch", 1}, {"wall", "all", 1}, {"worst", "worst", 1}}},
         {"memory",
          "Memory: bytes a vertex",
          {{"opened", "opened", 0},

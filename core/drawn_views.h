@@ -1,0 +1,17 @@
+#pragma once
+
+#include "depth_image.h"
+#include "drawing_edges.h"
+
+namespace core
+{
+/// What each side hides; by DrawnSide.
+using DepthImages = std::array<DepthImage, 3>;
+
+/// Images that hold the box; `pixel`: mm.
+DepthImages depthImagesOf(const Box& box, float pixel);
+
+/// Brings the images up to date and draws the model's lines, each side on a thread of its own. Nothing if it was stopped.
+/// Cost: the images' expired tiles, the edges of the scan.
+std::optional<LineDrawing> drawingOf(const DrawArrays& model, const DrawingScan& scan, DepthImages& images, bool shaded, const std::stop_token& stop);
+} // namespace core

@@ -1,0 +1,93 @@
+#include "line_drawer.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace core
+{
+namespace
+{
+constexpr double roomAround = 0.125; ///< of the longest side, so that strokes may go beyond the model's box
+constexpr double leastOfRoom = 0.5;    ///< that a model fills
+constexpr std::size_t mostChanged = 4; ///< beyond every fourth face it is quicker to look at all
+
+std::vector<Slot> slotsOf(const std::vector<SlotSpan>& spans)
+{
+    std::vector<Slot> slots;
+    for (const SlotSpan& span : spans)
+        for (Slot i = 0; i < span.count; ++i)
+            slots.push_back(span.first + i);
+    return slots;
+}
+
+std::vector<Slot> united(const std::vector<Slot>& one, const std::vector<Slot>& other)
+{
+    std::vector<Slot> both;
+    std::ranges::set_union(one, other, std::back_inserter(both));
+    return both;
+}
+
+/// Of those faces that live; ascending.
+std::vector<Slot> cornersOf(std::span<const Slot> faces, const DrawArrays& model)
+{
+    std::vector<Slot> corners;
+    for (const Slot f : faces)
+        if (f < model.faces.size() && !model.isFree(f))
+            corners.insert(corners.end(), model.faces[f].begin(), model.faces[f].end());
+    std::ranges::sort(corners);
+    const auto rest = std::ranges::unique(corners);
+    corners.erase(rest.begin(), rest.end());
+    return corners;
+}
+} // namespace
+
+void LineDrawer::apply(const MeshPatch& patch)
+{
+    m_isNew = m_isNew || patch.whole || patch.faceSlots < m_model.faces.size() || patch.vertexSlots < m_model.vertices.size();
+    DrawnChange change;
+    if (!m_isNew)
+        change.faces = united(slotsOf(patch.faceSpans), m_scan.facesAt(slotsOf(patch.vertexSpans), m_model));
+    m_isNew = m_isNew || change.faces.size() > patch.faceSlots / mostChanged;
+    if (m_isNew)
+        return m_model.apply(patch);
+    const std::vector<Slot> before = cornersOf(change.faces, m_model);
+    expire(change.faces);
+    m_model.apply(patch);
+    change.vertices = united(before, cornersOf(change.faces, m_model));
+    change.around = united(change.faces, m_scan.facesAt(change.vertices, m_model));
+    std::erase_if(change.around, [this](Slot f) { return m_model.isFree(f); });
+    m_isNew = !m_scan.rescan(m_model, change);
+    expire(change.faces);
+}
+
+/// Where a side sees one of the faces.
+void LineDrawer::expire(std::span<const Slot> faces)
+{
+    for (const Slot f : faces)
+        if (const std::uint8_t facing = m_images && f < m_model.faces.size() ? m_scan.facing()[f] : 0; facing != 0)
+            for (const DrawnSide side : drawnSides)
+                if ((facing & 1 << static_cast<int>(side)) != 0)
+                    (*m_images)[static_cast<std::size_t>(side)].expire(m_model, f);
+}
+
+std::optional<LineDrawing> LineDrawer::draw(bool shaded, const std::stop_token& stop)
+{
+    if (m_isNew) {
+        if (!m_scan.scan(m_model, stop))
+            return std::nullopt;
+        m_images.reset();
+        m_isNew = false;
+    }
+    const Box box = m_scan.box();
+    if (box.isEmpty())
+        return LineDrawing();
+    if (!m_room.contains(box) || box.sizes().maxCoeff() < leastOfRoom * m_room.sizes().maxCoeff()) {
+        const Vec3 around = Vec3::Constant(roomAround * box.sizes().maxCoeff());
+        m_room = Box(box.min() - around, box.max() + around);
+        m_images.reset();
+    }
+    if (!m_images)
+        m_images = depthImagesOf(m_room, static_cast<float>(m_room.sizes().maxCoeff() / m_pixels));
+    return drawingOf(m_model, m_scan, *m_images, shaded, stop);
+}
+} // namespace core
