@@ -2,11 +2,64 @@
 
 #include "themed_icon.h"
 
+#include <QDockWidget>
+#include <QMainWindow>
 #include <QPainter>
 #include <QStyleOption>
+#include <QTabBar>
+
+#include <algorithm>
 
 namespace ui
 {
+namespace
+{
+constexpr int gap = 8;    ///< of the window's spacing grid
+constexpr int tabBar = 2; ///< how thick the bar along the chosen tab is
+
+/// Of a line that parts things: a fifth of the way from the window's colour to the text's.
+QColor hairline(const QPalette& palette)
+{
+    QColor line = palette.color(QPalette::WindowText);
+    line.setAlphaF(0.2F);
+    return line;
+}
+
+QRect middleOf(const QRect& rect, Qt::Orientation along)
+{
+    const QPoint middle = rect.center();
+    return along == Qt::Horizontal ? QRect(rect.left(), middle.y(), rect.width(), 1) : QRect(middle.x(), rect.top(), 1, rect.height());
+}
+
+/// The bar lies where the page begins.
+void drawTab(const QStyleOptionTab& tab, QPainter* painter)
+{
+    const bool isChosen = tab.state & QStyle::State_Selected, isHot = tab.state & QStyle::State_MouseOver && tab.state & QStyle::State_Enabled;
+    if (isHot && !isChosen) {
+        QColor shade = tab.palette.color(QPalette::WindowText);
+        shade.setAlphaF(0.08F);
+        painter->fillRect(tab.rect, shade);
+    }
+    if (!isChosen)
+        return;
+    QRect bar = tab.rect;
+    if (tab.shape == QTabBar::RoundedSouth || tab.shape == QTabBar::TriangularSouth)
+        bar.setBottom(bar.top() + tabBar - 1);
+    else
+        bar.setTop(bar.bottom() - tabBar + 1);
+    painter->fillRect(bar, tab.palette.highlight());
+}
+
+/// Its name stands on the tab above.
+bool isOneOfTabs(const QWidget* widget)
+{
+    auto* dock = qobject_cast<QDockWidget*>(const_cast<QWidget*>(widget));
+    const auto* window = dock && !dock->isFloating() ? qobject_cast<QMainWindow*>(dock->parentWidget()) : nullptr;
+    const QList<QDockWidget*> others = window ? window->tabifiedDockWidgets(dock) : QList<QDockWidget*>();
+    return std::ranges::any_of(others, [](const QDockWidget* other) { return !other->isHidden() && !other->isFloating(); });
+}
+} // namespace
+
 bool isDark(const QPalette& palette)
 {
     return palette.window().color().lightness() < palette.windowText().color().lightness();
@@ -14,7 +67,21 @@ bool isDark(const QPalette& palette)
 
 int AppStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget, QStyleHintReturn* data) const
 {
-    return hint == SH_DialogButtonBox_ButtonsHaveIcons ? 0 : QProxyStyle::styleHint(hint, option, widget, data);
+    return hint == SH_DialogButtonBox_ButtonsHaveIcons || hint == SH_EtchDisabledText ? 0 : QProxyStyle::styleHint(hint, option, widget, data);
+}
+
+int AppStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const
+{
+    return metric == PM_ToolBarSeparatorExtent || metric == PM_TabBarTabHSpace ? 2 * gap : QProxyStyle::pixelMetric(metric, option, widget);
+}
+
+/// A panel's title begins where what is below it does.
+QRect AppStyle::subElementRect(SubElement element, const QStyleOption* option, const QWidget* widget) const
+{
+    const QRect rect = QProxyStyle::subElementRect(element, option, widget);
+    if (element != SE_DockWidgetTitleBarText)
+        return rect;
+    return option->direction == Qt::RightToLeft ? rect.adjusted(0, 0, -gap / 2, 0) : rect.adjusted(gap / 2, 0, 0, 0);
 }
 
 QIcon AppStyle::standardIcon(StandardPixmap icon, const QStyleOption* option, const QWidget* widget) const
@@ -29,8 +96,34 @@ QIcon AppStyle::standardIcon(StandardPixmap icon, const QStyleOption* option, co
     }
 }
 
+void AppStyle::drawControl(ControlElement element, const QStyleOption* option, QPainter* painter, const QWidget* widget) const
+{
+    const auto* tab = qstyleoption_cast<const QStyleOptionTab*>(option);
+    const auto* item = qstyleoption_cast<const QStyleOptionMenuItem*>(option);
+    if (element == CE_ToolBar)
+        painter->fillRect(option->rect, option->palette.window());
+    else if (element == CE_TabBarTabShape && tab)
+        drawTab(*tab, painter);
+    else if (element == CE_DockWidgetTitle && isOneOfTabs(widget))
+        return;
+    else if (element == CE_MenuItem && item && item->menuItemType == QStyleOptionMenuItem::Separator && item->text.isEmpty())
+        painter->fillRect(middleOf(option->rect.adjusted(gap / 2, 0, -gap / 2, 0), Qt::Horizontal), hairline(option->palette));
+    else
+        QProxyStyle::drawControl(element, option, painter, widget);
+}
+
 void AppStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter, const QWidget* widget) const
 {
+    if (element == PE_IndicatorToolBarSeparator) { // it stands across the bar
+        const bool isUpright = option->state & State_Horizontal;
+        const QRect room = isUpright ? option->rect.adjusted(0, gap / 2, 0, -gap / 2) : option->rect.adjusted(gap / 2, 0, -gap / 2, 0);
+        painter->fillRect(middleOf(room, isUpright ? Qt::Vertical : Qt::Horizontal), hairline(option->palette));
+        return;
+    }
+    if (element == PE_FrameTabBarBase) {
+        painter->fillRect(option->rect, hairline(option->palette));
+        return;
+    }
     QProxyStyle::drawPrimitive(element, option, painter, widget);
     if ((element != PE_IndicatorCheckBox && element != PE_IndicatorRadioButton) || !isDark(option->palette) || option->state & State_HasFocus)
         return;

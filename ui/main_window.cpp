@@ -36,6 +36,7 @@
 #include <QMessageBox>
 #include <QPointer>
 #include <QStatusBar>
+#include <QTabWidget>
 #include <QToolBar>
 
 #include <utility>
@@ -218,6 +219,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent), m_state(std::make
     setObjectName(QStringLiteral("mainWindow"));
     setWindowTitle(tr("Fettle"));
     setWindowIcon(QIcon(QStringLiteral(":/icons/fettle.svg")));
+    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     m_state->buildView();
     m_state->buildBars();
     m_state->buildStatusBar();

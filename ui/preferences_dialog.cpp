@@ -42,6 +42,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& now, const Actions& acti
     setWindowTitle(tr("Preferences"));
     setAttribute(Qt::WA_DeleteOnClose);
     auto* pages = new QTabWidget;
+    pages->setDocumentMode(true);
     pages->setObjectName(QStringLiteral("pages"));
     pages->addTab(appearancePage(), tr("&Appearance"));
     pages->addTab(inputPage(), tr("&Input"));

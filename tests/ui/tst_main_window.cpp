@@ -27,6 +27,7 @@
 #include <QSignalSpy>
 #include <QSlider>
 #include <QSpinBox>
+#include <QTabBar>
 #include <QTemporaryDir>
 #include <QTreeWidget>
 
@@ -419,6 +420,30 @@ private Q_SLOTS:
         pick->trigger();
         QTest::keyClick(window.viewport(), Qt::Key_Escape);
         QVERIFY(!pick->isChecked());
+    }
+
+    /// A panel among tabs has its name on the tab and nowhere else; alone it has it in its title.
+    void tabsStandAboveTheirPanels()
+    {
+        MainWindow window;
+        window.resize(1280, 720);
+        window.show();
+        auto* dock = child<QDockWidget>(window, "topologyPanel");
+        const auto titleInk = [&] {
+            const QImage title = dock->grab(QRect(0, 0, dock->width() / 2, dock->widget()->y())).toImage();
+            int inked = 0;
+            for (int y = 0; y < title.height(); ++y)
+                for (int x = 0; x < title.width(); ++x)
+                    inked += title.pixel(x, y) != title.pixel(0, 0);
+            return inked;
+        };
+        for (const QTabBar* tabs : window.findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
+            if (tabs->isVisible() && tabs->x() == dock->x())
+                QVERIFY(tabs->y() < dock->y());
+        QCOMPARE(titleInk(), 0);
+        for (const char* other : {"symmetryPanel", "turntablePanel"})
+            child<QDockWidget>(window, other)->close();
+        QTRY_VERIFY(titleInk() > 20);
     }
 
     void panelsComeBackAsLeft()

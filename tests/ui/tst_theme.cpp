@@ -7,6 +7,7 @@
 #include <QDBusVariant>
 #include <QDBusVirtualObject>
 #include <QProcess>
+#include <QTabBar>
 
 #include <cmath>
 
@@ -98,6 +99,29 @@ class TestTheme : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void theChosenTabIsMarked()
+    {
+        for (const ThemeChoice choice : {ThemeChoice::Light, ThemeChoice::Dark}) {
+            const ui::Theme theme(choice);
+            QTabBar tabs;
+            tabs.addTab(QStringLiteral("one"));
+            tabs.addTab(QStringLiteral("two"));
+            tabs.resize(tabs.sizeHint());
+            tabs.setCurrentIndex(1);
+            const QImage image = tabs.grab().toImage();
+            const auto marked = [&](int tab) {
+                const QRect rect = tabs.tabRect(tab);
+                int count = 0;
+                for (int y = rect.top(); y <= rect.bottom(); ++y)
+                    for (int x = rect.left(); x <= rect.right(); ++x)
+                        count += image.pixelColor(x, y) == tabs.palette().color(QPalette::Highlight);
+                return count;
+            };
+            QVERIFY(marked(1) >= tabs.tabRect(1).width());
+            QCOMPARE(marked(0), 0);
+        }
+    }
+
     void everythingCanBeRead()
     {
         for (const QPalette& palette : {ui::lightPalette(), ui::darkPalette()}) {
