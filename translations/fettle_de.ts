@@ -629,7 +629,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <name>ui::Actions</name>
     <message>
         <source>&amp;Open…</source>
-        <translation>Ö&amp;ffnen…</translation>
+        <translation>Ö&amp;ffnen …</translation>
     </message>
     <message>
         <source>Opens a model: STL, OBJ or PLY.</source>
@@ -637,7 +637,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>&amp;Export…</source>
-        <translation>E&amp;xportieren…</translation>
+        <translation>E&amp;xportieren …</translation>
     </message>
     <message>
         <source>Writes the model to a file: STL, OBJ or PLY.</source>
@@ -1153,7 +1153,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Export &amp;Drawing…</source>
-        <translation>&amp;Zeichnung exportieren…</translation>
+        <translation>&amp;Zeichnung exportieren …</translation>
     </message>
     <message>
         <source>Writes a sheet with front, side and top view to scale: PDF, SVG or PNG.</source>
@@ -1161,7 +1161,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Re&amp;vert</source>
-        <translation>Wieder&amp;herstellen</translation>
+        <translation>Neu &amp;laden</translation>
     </message>
     <message>
         <source>Opens the model&apos;s file again, as it was last written.</source>
@@ -1245,7 +1245,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Save &amp;As…</source>
-        <translation>Speichern &amp;unter…</translation>
+        <translation>Speichern &amp;unter …</translation>
     </message>
     <message>
         <source>Writes the model to another file, which is its own from then on.</source>
@@ -2550,8 +2550,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Alle Dreiecke des Modells werden etwa gleich groß. Wie lang dürfen ihre Kanten sein?</translation>
     </message>
     <message>
-        <source>Longest edge (d_detail)</source>
-        <translation>Längste Kante (d_detail)</translation>
+        <source>Longest edge</source>
+        <translation>Längste Kante</translation>
     </message>
     <message>
         <source>Edges from %1 to %2 mm; about %3 triangles, now there are %4.</source>
@@ -2586,7 +2586,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Einfügen</translation>
     </message>
     <message>
-        <source>The model turns about an axis through the origin, counter-clockwise as seen from the axis&apos;s tip.</source>
+        <source>The model turns about an axis through the origin, anticlockwise as seen from the axis&apos;s tip.</source>
         <translation>Das Modell dreht sich um eine Achse durch den Ursprung, von der Spitze der Achse aus gesehen gegen den Uhrzeigersinn.</translation>
     </message>
 </context>
@@ -2638,10 +2638,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Genus</source>
         <translation>Geschlecht</translation>
-    </message>
-    <message>
-        <source>Holes that go through: 0 for a ball, 1 for a ring.</source>
-        <translation>Löcher, die hindurchgehen: 0 bei einer Kugel, 1 bei einem Ring.</translation>
     </message>
     <message>
         <source>Size</source>
@@ -2719,6 +2715,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>Model</source>
         <comment>panel</comment>
         <translation>Modell</translation>
+    </message>
+    <message>
+        <source>How many handles it has, which is how many holes go through it: 0 for a ball, 1 for a ring or a cup.</source>
+        <translation>Wie viele Henkel es hat, also wie viele Löcher hindurchgehen: 0 bei einer Kugel, 1 bei einem Ring oder einer Tasse.</translation>
     </message>
 </context>
 <context>

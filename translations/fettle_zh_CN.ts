@@ -1398,7 +1398,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <name>ui::BrushDrag</name>
     <message>
         <source>%1: %2 mm</source>
-        <translation>%1：%2 毫米</translation>
+        <translation>%1：%2 mm</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -1976,7 +1976,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message numerus="yes">
         <source>%Ln dabs</source>
         <translation>
-            <numerusform>%Ln 笔</numerusform>
+            <numerusform>%Ln 个笔点</numerusform>
         </translation>
     </message>
     <message>
@@ -2380,7 +2380,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
     <message>
         <source>%1: from %2 to %3 mm with this model.</source>
-        <translation>%1：对此模型为 %2 至 %3 毫米。</translation>
+        <translation>%1：对此模型为 %2 至 %3 mm。</translation>
     </message>
     <message>
         <source>%1: from %2 to %3.</source>
@@ -2407,7 +2407,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <name>ui::ModelDialogs</name>
     <message>
         <source> mm</source>
-        <translation> 毫米</translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>X, to the right</source>
@@ -2542,12 +2542,12 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>模型的所有三角形将大小相近。边最长可为多少？</translation>
     </message>
     <message>
-        <source>Longest edge (d_detail)</source>
-        <translation>最长边 (d_detail)</translation>
+        <source>Longest edge</source>
+        <translation>最长边</translation>
     </message>
     <message>
         <source>Edges from %1 to %2 mm; about %3 triangles, now there are %4.</source>
-        <translation>边长 %1 至 %2 毫米；约 %3 个三角形，现有 %4 个。</translation>
+        <translation>边长 %1 至 %2 mm；约 %3 个三角形，现有 %4 个。</translation>
     </message>
     <message>
         <source>Remesh</source>
@@ -2578,7 +2578,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>插入</translation>
     </message>
     <message>
-        <source>The model turns about an axis through the origin, counter-clockwise as seen from the axis&apos;s tip.</source>
+        <source>The model turns about an axis through the origin, anticlockwise as seen from the axis&apos;s tip.</source>
         <translation>模型绕过原点的轴旋转，从轴的尖端看为逆时针。</translation>
     </message>
 </context>
@@ -2630,10 +2630,6 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Genus</source>
         <translation>亏格</translation>
-    </message>
-    <message>
-        <source>Holes that go through: 0 for a ball, 1 for a ring.</source>
-        <translation>贯穿的孔：球为 0，环为 1。</translation>
     </message>
     <message>
         <source>Size</source>
@@ -2711,6 +2707,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>Model</source>
         <comment>panel</comment>
         <translation>模型</translation>
+    </message>
+    <message>
+        <source>How many handles it has, which is how many holes go through it: 0 for a ball, 1 for a ring or a cup.</source>
+        <translation>有几个把手，也就是有几个贯穿的孔：球为 0，圆环或带把的杯子为 1。</translation>
     </message>
 </context>
 <context>
@@ -3046,7 +3046,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <name>ui::ScaleBar</name>
     <message>
         <source>Scale: %L1 mm</source>
-        <translation>比例尺：%L1 毫米</translation>
+        <translation>比例尺：%L1 mm</translation>
     </message>
     <message>
         <source>%L1 mm</source>

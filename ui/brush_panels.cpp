@@ -16,6 +16,7 @@
 #include <QSignalBlocker>
 #include <QSpinBox>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -87,6 +88,17 @@ public:
         m_form->addRow(box);
     }
 
+    /// Boxes of one width: what is before them ends at one line.
+    void alignNumbers() const
+    {
+        const QList<QAbstractSpinBox*> boxes = dock->findChildren<QAbstractSpinBox*>();
+        int width = 0;
+        for (const QAbstractSpinBox* box : boxes)
+            width = std::max(width, box->sizeHint().width());
+        for (QAbstractSpinBox* box : boxes)
+            box->setMinimumWidth(width);
+    }
+
     void addSteady(const std::function<void()>& entered) const
     {
         const QString tip = BrushPanels::tr("The brush hangs on a string behind the pointer, so long: a trembling hand draws smooth lines.");
@@ -136,6 +148,7 @@ QDockWidget* brushPanel(BrushSettings* brush, const std::function<void()>& enter
     panel.add(new FalloffCurve(brush));
     panel.addNumber(core::Parameter::Spacing, entered);
     panel.addSteady(entered);
+    panel.alignNumbers();
     return panel.dock;
 }
 

@@ -68,7 +68,7 @@ QRectF ColorWheel::square() const
     return {middle() - QPointF(half, half), QSizeF(2 * half, 2 * half)};
 }
 
-/// Red at the right, counter-clockwise.
+/// Red at the right, anticlockwise.
 QPointF ColorWheel::placeOfHue(double hue) const
 {
     const double angle = 2 * std::numbers::pi * hue, radius = outerRadius() - ringWidth / 2;

@@ -9,12 +9,15 @@
 #include <QLineEdit>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace ui
 {
 namespace
 {
 constexpr int gap = 8; ///< of the window's spacing grid
 constexpr QSize usualSize{820, 480};
+constexpr int largestWidth = 1200; ///< fits a small screen
 } // namespace
 
 CommandBox::CommandBox(const Actions& actions, QWidget* parent)
@@ -39,7 +42,7 @@ CommandBox::CommandBox(const Actions& actions, QWidget* parent)
     auto* held = new QLabel(Actions::heldWords(actions.keys().preset));
     held->setWordWrap(true);
     column->addWidget(held);
-    resize(usualSize);
+    resize(std::clamp(m_list->wholeWidth() + 2 * gap, usualSize.width(), largestWidth), usualSize.height());
 
     connect(m_words, &QLineEdit::textChanged, m_list, &CommandList::filter);
     connect(m_list, &QTreeWidget::itemActivated, this, &CommandBox::go);

@@ -3,6 +3,8 @@
 #include "actions.h"
 
 #include <QAction>
+#include <QHeaderView>
+#include <QScrollBar>
 
 #include <algorithm>
 
@@ -34,6 +36,9 @@ CommandList::CommandList(const Actions& actions, QWidget* parent) : QTreeWidget(
             menu = new QTreeWidgetItem(this, {Actions::plain(actions.menuTitle(row.menu))});
             menu->setFlags(Qt::ItemIsEnabled);
             menu->setFirstColumnSpanned(true);
+            QFont font = menu->font(Name);
+            font.setBold(true);
+            menu->setFont(Name, font);
         }
         QAction* action = actions.get(QLatin1StringView(row.id));
         auto* item = new QTreeWidgetItem(menu, {Actions::plain(action->text()), {}, action->statusTip()});
@@ -42,8 +47,13 @@ CommandList::CommandList(const Actions& actions, QWidget* parent) : QTreeWidget(
         item->setData(Name, actionRole, QVariant::fromValue(action));
     }
     expandAll();
-    for (const Column column : {Name, Key})
+    for (const Column column : {Name, Key, Tip})
         resizeColumnToContents(column);
+}
+
+int CommandList::wholeWidth() const
+{
+    return header()->length() + verticalScrollBar()->sizeHint().width() + 2 * frameWidth();
 }
 
 QAction* CommandList::actionOf(const QTreeWidgetItem* item)

@@ -19,6 +19,9 @@ public:
     /// The actions must outlive it.
     explicit CommandList(const Actions& actions, QWidget* parent = nullptr);
 
+    /// What all columns need to show all their words, in pixels.
+    int wholeWidth() const;
+
     /// Null for a menu's line.
     static QAction* actionOf(const QTreeWidgetItem* item);
     QTreeWidgetItem* itemOf(const QString& id) const;

@@ -140,8 +140,9 @@ HistoryPanel::HistoryPanel(Settings* settings, QWidget* parent)
 
     auto* foot = new QHBoxLayout;
     foot->setSpacing(gap);
-    foot->addWidget(m_memory, 1);
+    foot->addWidget(m_memory);
     foot->addWidget(m_cap);
+    foot->addStretch();
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(gap, gap, gap, gap);
     column->setSpacing(gap);

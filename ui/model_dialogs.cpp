@@ -50,7 +50,6 @@ public:
         setAttribute(Qt::WA_DeleteOnClose);
         setWindowTitle(title);
         m_form->setSpacing(gap);
-        m_form->setLabelAlignment(Qt::AlignRight);
         auto* column = new QVBoxLayout(this);
         column->setContentsMargins(margin, margin, margin, margin);
         column->setSpacing(margin);
@@ -163,7 +162,7 @@ void askForRotation(QWidget* parent, const CommandAnswer& answer)
 {
     auto* dialog = new CommandDialog(parent, "rotateDialog", ModelDialogs::tr("Rotate the Model"),
                                      ModelDialogs::tr("The model turns about an axis through the origin, "
-                                                      "counter-clockwise as seen from the axis's tip."));
+                                                      "anticlockwise as seen from the axis's tip."));
     const auto* axes = dialog->addChoice(ModelDialogs::tr("Axis"), {ModelDialogs::tr("Y, upwards"), ModelDialogs::tr("X, to the right"),
                                                                     ModelDialogs::tr("Z, to the front")});
     const auto* angle = dialog->addNumber("angle", ModelDialogs::tr("Angle"), {90, -360, 360, 2, ModelDialogs::tr("°")});
@@ -224,7 +223,7 @@ void askForRemesh(QWidget* parent, const ModelFacts& facts, const CommandAnswer&
     auto* dialog = new CommandDialog(parent, "remeshDialog", ModelDialogs::tr("Remesh Uniformly"),
                                      ModelDialogs::tr("All triangles of the model become about as large. How long may their edges be?"));
     const double least = std::max(facts.size.maxCoeff() * 1e-4, 0.001);
-    auto* longest = dialog->addNumber("longest", ModelDialogs::tr("Longest edge (d_detail)"),
+    auto* longest = dialog->addNumber("longest", ModelDialogs::tr("Longest edge"),
                                       millimetres(facts.uniformDetail, least, std::max(facts.size.maxCoeff(), least)));
     auto* outcome = dialog->addText({});
     outcome->setObjectName(QStringLiteral("outcome"));

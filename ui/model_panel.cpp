@@ -1,5 +1,6 @@
 #include "model_panel.h"
 
+#include "app_style.h"
 #include "side_dock.h"
 #include "themed_icon.h"
 
@@ -50,7 +51,7 @@ ModelPanel::ModelPanel(QWidget* parent) : QWidget(parent), m_form(new QFormLayou
     addRow("vertices", tr("Vertices"), tr("Corners of the triangles."));
     addRow("faces", tr("Faces"), tr("Triangles of the surface."));
     addRow("components", tr("Components"), tr("Parts of the surface that do not hang together, hollows among them."));
-    addRow("genus", tr("Genus"), tr("Holes that go through: 0 for a ball, 1 for a ring."));
+    addRow("genus", tr("Genus"), tr("How many handles it has, which is how many holes go through it: 0 for a ball, 1 for a ring or a cup."));
     addRow("size", tr("Size"), tr("Width, height and depth of the box around the model."));
     addRow("volume", tr("Volume"), tr("Of the matter within the surface."));
     addRow("area", tr("Area"), tr("Of the whole surface."));
@@ -68,6 +69,7 @@ void ModelPanel::addRow(const char* id, const QString& name, const QString& tip)
     value->setToolTip(tip);
     m_values.insert(QLatin1StringView(id), value);
     m_form->addRow(name, value);
+    m_form->labelForField(value)->setToolTip(tip);
 }
 
 void ModelPanel::setReport(const core::MeshReport& report)
@@ -100,27 +102,31 @@ void ModelPanel::setStale()
 /// Icon and word say it; colour only repeats it.
 void ModelPanel::showHealth(Health health, const QString& word, const QString& tip)
 {
-    static const QString colors[] = {QString(), QStringLiteral("color:#2e9e4f"), QStringLiteral("color:#d0453a")};
     m_health = health;
-    showIcon();
+    showColors();
     m_word->setText(word);
-    m_word->setStyleSheet(colors[static_cast<int>(health)]);
     m_word->setToolTip(tip);
     m_word->setAccessibleDescription(tip);
 }
 
-void ModelPanel::showIcon()
+/// The icon's ink is the text's.
+void ModelPanel::showColors()
 {
+    constexpr QRgb onLight[] = {0, 0xff1e7a3a, 0xffb3261e}, onDark[] = {0, 0xff66cc88, 0xfff28b82}; // 4.5 to 1 at least
+    const int kind = static_cast<int>(m_health);
+    QPalette colors;
+    if (m_health != Health::Unknown)
+        colors.setColor(QPalette::WindowText, QColor(isDark(palette()) ? onDark[kind] : onLight[kind]));
+    m_word->setPalette(colors);
     static const QString icons[] = {QStringLiteral("wait"), QStringLiteral("sound"), QStringLiteral("unsound")};
     m_icon->setPixmap(themedIcon(icons[static_cast<int>(m_health)]).pixmap(QSize(iconSide, iconSide), devicePixelRatioF()));
 }
 
-/// The icon's ink is the text's.
 void ModelPanel::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::PaletteChange)
-        showIcon();
+        showColors();
 }
 
 void ModelPanel::showEvent(QShowEvent* event)

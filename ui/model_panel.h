@@ -38,7 +38,7 @@ private:
 
     void addRow(const char* id, const QString& name, const QString& tip);
     void showHealth(Health health, const QString& word, const QString& tip);
-    void showIcon();
+    void showColors();
 
     QFormLayout* m_form;
     QLabel *m_icon, *m_word;
