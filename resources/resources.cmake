@@ -38,13 +38,6 @@ set(FETTLE_RESOURCE_FILES
     icons/material-wax.svg
     icons/mirror.svg
     icons/move.svg
-    icons/new-ball.svg
-    icons/new-cube.svg
-    icons/new-head.svg
-    icons/new-slab.svg
-    icons/new-tablet.svg
-    icons/new-torus.svg
-    icons/new-vase.svg
     icons/open.svg
     icons/orthographic.svg
     icons/paint.svg
@@ -118,6 +111,9 @@ foreach(LANGUAGE en de zh_CN)
     foreach(PAGE first-steps lesson-vase lesson-head lesson-tablet view tools topology symmetry colour files preview history keys pen problems)
         list(APPEND FETTLE_RESOURCE_FILES help/${LANGUAGE}/${PAGE}.md)
     endforeach()
+endforeach()
+foreach(STARTER ball cube torus slab vase head tablet)
+    list(APPEND FETTLE_RESOURCE_FILES pictures/starter-${STARTER}.png)
 endforeach()
 foreach(PICTURE first-steps lesson-vase lesson-head lesson-tablet)
     list(APPEND FETTLE_RESOURCE_FILES help/pictures/${PICTURE}.png)

@@ -34,19 +34,19 @@ constexpr ActionInfo table[] = {
      QT_TRANSLATE_NOOP("ui::Actions", "Closes the window and ends the program."), "Ctrl+Q", "quit", true},
 
     {MenuId::New, "new.ball", QT_TRANSLATE_NOOP("ui::Actions", "&Ball"),
-     QT_TRANSLATE_NOOP("ui::Actions", "Begins with a ball of clay."), "Ctrl+N", "new-ball"},
+     QT_TRANSLATE_NOOP("ui::Actions", "Begins with a ball of clay."), "Ctrl+N", "starter-ball"},
     {MenuId::New, "new.cube", QT_TRANSLATE_NOOP("ui::Actions", "&Cube"),
-     QT_TRANSLATE_NOOP("ui::Actions", "Begins with a cube of clay."), "", "new-cube"},
+     QT_TRANSLATE_NOOP("ui::Actions", "Begins with a cube of clay."), "", "starter-cube"},
     {MenuId::New, "new.torus", QT_TRANSLATE_NOOP("ui::Actions", "&Torus"),
-     QT_TRANSLATE_NOOP("ui::Actions", "Begins with a ring of clay."), "", "new-torus"},
+     QT_TRANSLATE_NOOP("ui::Actions", "Begins with a ring of clay."), "", "starter-torus"},
     {MenuId::New, "new.slab", QT_TRANSLATE_NOOP("ui::Actions", "&Slab"),
-     QT_TRANSLATE_NOOP("ui::Actions", "Begins with a thick square plate."), "", "new-slab"},
+     QT_TRANSLATE_NOOP("ui::Actions", "Begins with a thick square plate."), "", "starter-slab"},
     {MenuId::New, "new.vase", QT_TRANSLATE_NOOP("ui::Actions", "&Vase"),
-     QT_TRANSLATE_NOOP("ui::Actions", "Begins with the turned blank of a vase."), "", "new-vase"},
+     QT_TRANSLATE_NOOP("ui::Actions", "Begins with the turned blank of a vase."), "", "starter-vase"},
     {MenuId::New, "new.head", QT_TRANSLATE_NOOP("ui::Actions", "&Head"),
-     QT_TRANSLATE_NOOP("ui::Actions", "Begins with the blank of a head on its neck."), "", "new-head"},
+     QT_TRANSLATE_NOOP("ui::Actions", "Begins with the blank of a head on its neck."), "", "starter-head"},
     {MenuId::New, "new.tablet", QT_TRANSLATE_NOOP("ui::Actions", "T&ablet"),
-     QT_TRANSLATE_NOOP("ui::Actions", "Begins with a thin plate for a relief."), "", "new-tablet"},
+     QT_TRANSLATE_NOOP("ui::Actions", "Begins with a thin plate for a relief."), "", "starter-tablet"},
 
     {MenuId::Files, "files.open", QT_TRANSLATE_NOOP("ui::Actions", "&Open"),
      QT_TRANSLATE_NOOP("ui::Actions", "Opens the model that is marked in the Files panel, or enters the folder."), "Return; Enter", "open"},
@@ -212,6 +212,13 @@ constexpr ActionInfo table[] = {
 };
 // clang-format on
 
+/// A starter looks like itself; all others are drawn in the text's colour.
+QIcon iconOf(const ActionInfo& row)
+{
+    const QString name = QLatin1StringView(row.icon);
+    return row.menu == MenuId::New ? QIcon(QStringLiteral(":/pictures/%1.png").arg(name)) : themedIcon(name);
+}
+
 /// "Pull (1)" and what it does.
 QString toolTip(const QAction& action)
 {
@@ -238,7 +245,7 @@ Actions::Actions(QWidget* window) : QObject(window)
 
 QAction* Actions::make(const ActionInfo& row, QWidget* window)
 {
-    auto* action = new QAction(themedIcon(QLatin1StringView(row.icon)), tr(row.text), this);
+    auto* action = new QAction(iconOf(row), tr(row.text), this);
     action->setObjectName(QLatin1StringView(row.id));
     action->setCheckable(row.checkable);
     action->setIconText(plain(action->text()));

@@ -26,7 +26,7 @@ struct ActionInfo
     const char* text;         ///< untranslated, context "ui::Actions"
     const char* tip;          ///< one sentence, untranslated; %1 is the key that inverts while it is held
     const char* keys;         ///< of the preset Fettle: portable text, several parted by "; "
-    const char* icon;         ///< file in :/icons without ending
+    const char* icon;         ///< file without its ending: in :/icons, a starter's in :/pictures
     bool startsGroup = false; ///< a line stands before it, in menu and tool bar
     Bar bar = Bar::None;      ///< where it is a button, too
     bool checkable = false;

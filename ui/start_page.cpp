@@ -23,7 +23,7 @@ namespace ui
 namespace
 {
 constexpr int gap = 8; ///< of the window's spacing grid
-constexpr QSize pictureSize{150, 100};
+constexpr QSize pictureSize{150, 100}, starterSize{64, 64};
 constexpr int starterWidth = 84, recentWidth = 240;
 
 QLabel* heading(const QString& text)
@@ -102,7 +102,7 @@ QLayout* StartPage::starters()
         if (info.menu != MenuId::New)
             continue;
         QAction* action = m_actions.get(QLatin1StringView(info.id));
-        QToolButton* button = tile({32, 32});
+        QToolButton* button = tile(starterSize);
         button->setDefaultAction(action);
         button->setObjectName(QStringLiteral("start.") + action->objectName());
         button->setMinimumWidth(starterWidth);

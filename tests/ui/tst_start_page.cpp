@@ -1,3 +1,5 @@
+#include "core/model_picture.h"
+#include "core/starter_models.h"
 #include "ui/actions.h"
 #include "ui/main_window.h"
 #include "ui/settings.h"
@@ -8,6 +10,7 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QDialog>
+#include <QDir>
 #include <QListWidget>
 #include <QPushButton>
 #include <QSettings>
@@ -15,8 +18,32 @@
 #include <QTemporaryFile>
 #include <QToolButton>
 
+#include <algorithm>
+#include <cstdlib>
+
 using ui::MainWindow;
 using ui::StartPage;
+
+namespace
+{
+constexpr int pictureSide = 144; ///< twice what is shown, for fine screens
+
+QImage pictureOf(core::Starter starter)
+{
+    const core::ModelPicture picture = core::drawPicture(core::starterModel(starter), pictureSide, {}).value();
+    const auto* bytes = picture.rgba.front().data();
+    return QImage(bytes, picture.pixels, picture.pixels, QImage::Format_RGBA8888_Premultiplied).convertToFormat(QImage::Format_RGBA8888);
+}
+
+/// But for what rounding may do.
+bool isAlike(const QImage& one, const QImage& other)
+{
+    if (one.size() != other.size())
+        return false;
+    const auto same = [](uchar a, uchar b) { return std::abs(a - b) <= 2; };
+    return std::equal(one.constBits(), one.constBits() + one.sizeInBytes(), other.constBits(), same);
+}
+} // namespace
 
 class TestStartPage : public QObject
 {
@@ -60,6 +87,24 @@ private Q_SLOTS:
             QVERIFY(!page->isVisible());
         }
         QCOMPARE(requested.size(), 7);
+    }
+
+    /// What they show is drawn once, not at every start; where a starter changes, its picture must.
+    void picturesAreOfTheStarters()
+    {
+        const QDir made(QDir::temp().filePath(QStringLiteral("fettle-starters")));
+        std::size_t number = 0;
+        for (const ui::ActionInfo& row : ui::actionTable()) {
+            if (row.menu != ui::MenuId::New)
+                continue;
+            const QString file = QStringLiteral("starter-%1.png").arg(QLatin1StringView(row.id).mid(4));
+            const QImage shown = QImage(QStringLiteral(":/pictures/") + file).convertToFormat(QImage::Format_RGBA8888);
+            const QImage drawn = pictureOf(core::starters[number++]);
+            if (!isAlike(shown, drawn)) {
+                QVERIFY(made.mkpath(QStringLiteral(".")) && drawn.save(made.filePath(file)));
+                QFAIL(qPrintable(QStringLiteral("resources/pictures/%1 is not of its starter; %2 is.").arg(file, made.filePath(file))));
+            }
+        }
     }
 
     void recentFilesAreOpened()
