@@ -10,7 +10,6 @@ namespace ui
 namespace
 {
 constexpr double cosineOfAside = 0.9962; ///< 5 degrees
-constexpr double gapBehind = 0.01;       ///< of the box's diagonal
 constexpr double hundred = 100;          ///< mm
 
 /// As seen from there; `back` goes from the eye into the picture.
@@ -109,7 +108,7 @@ PlacedReference seenReference(const References& references, const OrbitCamera& c
     const SideAxes axes = axesOf(side);
     const QSize size = reference.picture->size();
     const ReferencePlacement& at = reference.placement;
-    const double depth = shown.center().dot(axes.back) + 0.5 * extent(shown, axes.back) + gapBehind * shown.diagonal().norm();
+    const double depth = shown.center().dot(axes.back);
     const double halfWidth = 0.5 * at.width;
     return {reference.picture, at.x * axes.right + at.y * axes.up + depth * axes.back, halfWidth * axes.right,
             halfWidth * size.height() / size.width() * axes.up, at.opacity, at.inFront};

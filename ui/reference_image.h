@@ -73,6 +73,7 @@ struct PlacedReference
     bool inFront = false;
 };
 
-/// What the camera sees of them: the one of the side that it looks from, just beyond the box; its picture is null where there is none.
+/// What the camera sees of them: the one of the side that it looks from; its picture is null where there is none. In perspective it is
+/// as large as if it stood in the middle of the box, where the model's outline is; it hides nothing that stands before or behind that.
 PlacedReference seenReference(const References& references, const OrbitCamera& camera, const core::Box& box);
 } // namespace ui

@@ -62,7 +62,6 @@ void ReferencePainter::uploadSome()
     m_gl->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, static_cast<GLint>(m_missing));
 }
 
-/// What the image's far end would lose at the far plane is clamped to it.
 bool ReferencePainter::draw(const OrbitCamera& camera, const PlacedReference& reference)
 {
     if (!reference.picture)
@@ -86,14 +85,12 @@ bool ReferencePainter::draw(const OrbitCamera& camera, const PlacedReference& re
         m_gl->glEnable(GL_DEPTH_TEST);
     m_gl->glDepthFunc(GL_LEQUAL);
     m_gl->glDepthMask(GL_FALSE);
-    m_gl->glEnable(GL_DEPTH_CLAMP);
     m_gl->glEnable(GL_BLEND);
     m_gl->glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     m_gl->glBindVertexArray(m_noVertices);
     m_gl->glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     m_gl->glBindVertexArray(0);
     m_gl->glDisable(GL_BLEND);
-    m_gl->glDisable(GL_DEPTH_CLAMP);
     m_gl->glDepthMask(GL_TRUE);
     m_gl->glDepthFunc(GL_LESS);
     m_gl->glEnable(GL_DEPTH_TEST);

@@ -161,6 +161,23 @@ private Q_SLOTS:
         QVERIFY(!shown.action("reference.remove")->isEnabled());
     }
 
+    /// Its millimetres are those of the model's middle, near or far.
+    void itIsAsLargeAsTheModelsOutline()
+    {
+        const core::Box box(core::Vec3(-10, -20, 5), core::Vec3(10, 20, 45));
+        ui::OrbitCamera camera;
+        camera.setViewport(300, 200);
+        camera.turnTo(Side::Front);
+        camera.frame(box);
+        ui::References references;
+        references[static_cast<std::size_t>(Side::Front)] = {ui::readReference(picture()), {.width = 16, .x = 3, .y = 4}};
+        const ui::PlacedReference placed = ui::seenReference(references, camera, box);
+        for (const double aside : {-1.0, 1.0}) {
+            const auto seen = camera.project(placed.center + aside * placed.halfRight), wanted = camera.project({3 + aside * 8, 4, 25});
+            QVERIFY(std::abs(seen.x() - wanted.x()) < 1e-6 && std::abs(seen.y() - wanted.y()) < 1e-6);
+        }
+    }
+
     void itIsSeenAFewDegreesAside()
     {
         Shown shown;
