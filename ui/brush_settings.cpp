@@ -11,6 +11,7 @@ namespace ui
 namespace
 {
 constexpr double anotherSize = 2; ///< so many times larger or smaller a model is of quite another size
+constexpr core::Rgb firstPaint{216, 58, 52}; ///< is seen on every material; a model's own colour would not be
 
 /// The nearest legal n: 0, or 3 to 16.
 int legalFalloff(double value)
@@ -26,6 +27,7 @@ BrushSettings::BrushSettings(QObject* parent)
 {
     m_stroke.place = core::Placement::Ray;
     m_stroke.spacing = handSpacing;
+    m_stroke.color = firstPaint;
 }
 
 double BrushSettings::value(core::Parameter parameter) const

@@ -25,6 +25,11 @@ class TestBrushSettings : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void whatIsPaintedFirstCanBeSeen()
+    {
+        QVERIFY(!(ui::BrushSettings().stroke().color == core::Rgb())); // that is a model's own
+    }
+
     void valuesAreClampedToTheTable()
     {
         for (const Parameter p : {Parameter::Strength, Parameter::Detail, Parameter::Spacing, Parameter::Radius}) {
