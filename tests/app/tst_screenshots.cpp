@@ -27,6 +27,7 @@
 #include <QStyleOptionComboBox>
 #include <QTabBar>
 #include <QTabWidget>
+#include <QTextBrowser>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTranslator>
@@ -247,6 +248,7 @@ void TestScreenshots::takeHelp(Program& program)
     auto* pages = guide->findChild<QListWidget*>();
     for (int page = 0; page < pages->count(); ++page) {
         pages->setCurrentRow(page);
+        QVERIFY(!guide->findChild<QTextBrowser*>()->toPlainText().contains(QLatin1StringView("**"))); // else Markdown was not understood
         take(*guide, QStringLiteral("guide-%1").arg(page + 1));
     }
     guide->close();

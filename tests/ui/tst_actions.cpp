@@ -79,6 +79,13 @@ private Q_SLOTS:
         }
     }
 
+    void plainWordsHaveNoMarks()
+    {
+        QCOMPARE(ui::Actions::plain(QStringLiteral("&Open…")), QStringLiteral("Open"));
+        QCOMPARE(ui::Actions::plain(QStringLiteral("Ö&ffnen …")), QStringLiteral("Öffnen"));
+        QCOMPARE(ui::Actions::plain(QStringLiteral("打开(&O)…")), QStringLiteral("打开"));
+    }
+
     void iconsLoadAndFollowThePalette()
     {
         QMainWindow window;
