@@ -50,6 +50,20 @@ void drawTab(const QStyleOptionTab& tab, QPainter* painter)
     painter->fillRect(bar, tab.palette.highlight());
 }
 
+/// A tool button that is on: a frame in the highlight's colour, and a shade of it within.
+void drawPressed(const QStyleOption& option, QPainter* painter)
+{
+    const QColor frame = option.palette.color(QPalette::Highlight);
+    QColor shade = frame;
+    shade.setAlphaF(option.state & QStyle::State_MouseOver ? 0.35F : 0.25F);
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    painter->setPen(frame);
+    painter->setBrush(shade);
+    painter->drawRoundedRect(QRectF(option.rect).adjusted(0.5, 0.5, -0.5, -0.5), 2, 2);
+    painter->restore();
+}
+
 /// Its name stands on the tab above.
 bool isOneOfTabs(const QWidget* widget)
 {
@@ -118,6 +132,10 @@ void AppStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* optio
         const bool isUpright = option->state & State_Horizontal;
         const QRect room = isUpright ? option->rect.adjusted(0, gap / 2, 0, -gap / 2) : option->rect.adjusted(gap / 2, 0, -gap / 2, 0);
         painter->fillRect(middleOf(room, isUpright ? Qt::Vertical : Qt::Horizontal), hairline(option->palette));
+        return;
+    }
+    if (element == PE_PanelButtonTool && option->state & State_On) {
+        drawPressed(*option, painter);
         return;
     }
     if (element == PE_FrameTabBarBase) {

@@ -6,9 +6,9 @@ namespace ui
 {
 bool isDark(const QPalette& palette);
 
-/// Qt's Fusion style, but for what it draws badly in the dark (outlines of boxes to tick, lines that part things, tabs that cannot
-/// be told from the chosen one, shadows of what is disabled), the buttons in the titles of panels, and the pictures on a dialog's
-/// buttons, which are left out. Tabs are flat, and a bar in the highlight's colour lies along the chosen one.
+/// Qt's Fusion style, but for what it draws badly in the dark: outlines of boxes to tick, lines that part things, shadows of what is
+/// disabled, and what is chosen among tabs and tool buttons, which has the highlight's colour here; and but for the buttons in the
+/// titles of panels, and the pictures on a dialog's buttons, which are left out.
 class AppStyle : public QProxyStyle
 {
 public:

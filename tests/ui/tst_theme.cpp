@@ -8,6 +8,7 @@
 #include <QDBusVirtualObject>
 #include <QProcess>
 #include <QTabBar>
+#include <QToolButton>
 
 #include <cmath>
 
@@ -99,6 +100,24 @@ class TestTheme : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void aToolThatIsOnIsMarked()
+    {
+        for (const ThemeChoice choice : {ThemeChoice::Light, ThemeChoice::Dark}) {
+            const ui::Theme theme(choice);
+            QToolButton tool;
+            tool.setAutoRaise(true);
+            tool.setCheckable(true);
+            tool.resize(32, 32);
+            const auto blueness = [&] {
+                const QColor inside = tool.grab().toImage().pixelColor(6, 6);
+                return inside.blue() - inside.red();
+            };
+            const int off = blueness();
+            tool.setChecked(true);
+            QVERIFY(blueness() > off + 15);
+        }
+    }
+
     void theChosenTabIsMarked()
     {
         for (const ThemeChoice choice : {ThemeChoice::Light, ThemeChoice::Dark}) {
