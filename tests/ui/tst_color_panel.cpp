@@ -95,6 +95,7 @@ private Q_SLOTS:
     {
         Palette p;
         ui::ColorWheel* wheel = p.panel->wheel();
+        p.brush.set(&core::StrokeSettings::color, Rgb{255, 0, 0});
         const QPointF grey = wheel->placeInSquare(0, 0.5);
         p.drag(grey, wheel->placeInSquare(1, 1));
         QVERIFY(isNear(p.color(), {255, 0, 0}, 4));
