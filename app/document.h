@@ -61,6 +61,10 @@ public Q_SLOTS:
     void openStarter(core::Starter starter);
     /// What its files keep beside the model. No change to be saved by itself.
     void setPalette(std::vector<core::Rgb> palette);
+    /// Its file is called so now.
+    void setPath(const QString& path);
+    /// Its file is not there any more: the model is nowhere else.
+    void loseFile();
     /// To a file that from now on is the model's own.
     void save(const QString& path);
     /// To some other file: changes stay unsaved.

@@ -126,6 +126,19 @@ void Document::setPalette(std::vector<core::Rgb> palette)
     m_facts.palette = std::move(palette);
 }
 
+void Document::setPath(const QString& path)
+{
+    m_facts.path = path;
+    m_facts.name = QFileInfo(path).fileName();
+    Q_EMIT factsChanged(m_facts);
+}
+
+void Document::loseFile()
+{
+    m_changedBeyondHistory = true;
+    tellState();
+}
+
 void Document::write(const QString& path, Target target)
 {
     if (m_work.isBusy())

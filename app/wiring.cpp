@@ -27,6 +27,8 @@ void wireDocument(ui::MainWindow& window, Document& document)
     QObject::connect(&window, &MainWindow::starterRequested, &document, &Document::openStarter);
     QObject::connect(&window, &MainWindow::saveRequested, &document, &Document::save);
     QObject::connect(&window, &MainWindow::exportRequested, &document, &Document::exportTo);
+    QObject::connect(&window, &MainWindow::modelRenamed, &document, &Document::setPath);
+    QObject::connect(&window, &MainWindow::modelFileGone, &document, &Document::loseFile);
     QObject::connect(&document, &Document::opened, &window, &MainWindow::setModel);
     QObject::connect(&document, &Document::factsChanged, &window, &MainWindow::updateFacts);
     QObject::connect(&document, &Document::modifiedChanged, &window, &MainWindow::setModified);

@@ -2608,6 +2608,30 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>%1 has changes that were not saved.</source>
         <translation>%1 hat Änderungen, die nicht gespeichert wurden.</translation>
     </message>
+    <message>
+        <source>The file was changed</source>
+        <translation>Die Datei wurde geändert</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1 since it was read or written here.</source>
+        <translation>Ein anderes Programm hat %1 geändert, seit die Datei hier gelesen oder geschrieben wurde.</translation>
+    </message>
+    <message>
+        <source>&amp;Overwrite</source>
+        <translation>Über&amp;schreiben</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>Speichern &amp;unter …</translation>
+    </message>
+    <message>
+        <source>%1 is not there any more; the model is, and Save writes it again.</source>
+        <translation>%1 ist nicht mehr da; das Modell ist es, und Speichern schreibt es neu.</translation>
+    </message>
+    <message>
+        <source>%1 was not there any more and was written anew.</source>
+        <translation>%1 war nicht mehr da und wurde neu geschrieben.</translation>
+    </message>
 </context>
 <context>
     <name>ui::ModelPanel</name>

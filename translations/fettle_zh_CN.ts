@@ -2600,6 +2600,30 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>%1 has changes that were not saved.</source>
         <translation>%1 有尚未保存的更改。</translation>
     </message>
+    <message>
+        <source>The file was changed</source>
+        <translation>文件已被更改</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1 since it was read or written here.</source>
+        <translation>自上次在此读取或写入以来，%1 已被其他程序更改。</translation>
+    </message>
+    <message>
+        <source>&amp;Overwrite</source>
+        <translation>覆盖(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>另存为(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>%1 is not there any more; the model is, and Save writes it again.</source>
+        <translation>%1 已不存在；模型仍在，“保存”会重新写入。</translation>
+    </message>
+    <message>
+        <source>%1 was not there any more and was written anew.</source>
+        <translation>%1 已不存在，现已重新写入。</translation>
+    </message>
 </context>
 <context>
     <name>ui::ModelPanel</name>

@@ -63,8 +63,7 @@ FilesPanel::FilesPanel(Settings* settings, const Actions& actions, QWidget* pare
     connect(&m_wantSoon, &QTimer::timeout, this, &FilesPanel::wantThumbnails);
     connect(&m_watcher, &QFileSystemWatcher::directoryChanged, &m_listSoon, qOverload<>(&QTimer::start));
     connect(m_files, &FileListModel::pictureMissed, &m_wantSoon, qOverload<>(&QTimer::start));
-    connect(m_files, &FileListModel::renameRequested, this,
-            [this](const QString& path, const QString& name) { change([=] { return FileJobs::rename(path, name); }); });
+    connect(m_files, &FileListModel::renameRequested, this, &FilesPanel::renameTo);
     settings->onReset([this] { setControls(m_settings->files()); });
     setControls(m_choice);
     enable();
@@ -167,7 +166,7 @@ void FilesPanel::buildActions()
     m_open = on("files.open", [this] { activate(m_grid->currentIndex()); });
     m_rename = on("files.rename", [this] { rename(); });
     m_duplicate = on("files.duplicate", [this] { change([paths = chosenFiles()] { return FileJobs::duplicate(paths); }); });
-    m_trash = on("files.trash", [this] { change([paths = chosenFiles()] { return FileJobs::trash(paths); }); });
+    m_trash = on("files.trash", [this] { change([paths = chosenFiles()] { return FileJobs::trash(paths); }, [this](const FileOutcome&) { Q_EMIT trashed(); }); });
     m_reveal = on("files.reveal", [this] { reveal(); });
     m_up = on("files.up", [this] { goUp(); });
     m_chooseFolder = on("files.choose", [this] { askForFolder(); });
@@ -198,6 +197,15 @@ void FilesPanel::rename()
     m_grid->setFocus();
     m_grid->scrollTo(m_grid->currentIndex());
     m_grid->edit(m_grid->currentIndex());
+}
+
+void FilesPanel::renameTo(const QString& path, const QString& name)
+{
+    const auto tell = [this, path](const FileOutcome& outcome) {
+        if (!outcome.paths.isEmpty() && outcome.paths.constFirst() != path)
+            Q_EMIT renamed(path, outcome.paths.constFirst());
+    };
+    change([=] { return FileJobs::rename(path, name); }, tell);
 }
 
 void FilesPanel::reveal()

@@ -50,6 +50,9 @@ public:
 
 Q_SIGNALS:
     void openRequested(const QString& path);
+    void renamed(const QString& from, const QString& to);
+    /// Files may be gone.
+    void trashed();
     /// One sentence.
     void noticed(const QString& sentence);
 
@@ -69,6 +72,7 @@ private:
     QAction* on(const char* id, const std::function<void()>& what);
     void showMenu(QPoint at);
     void rename();
+    void renameTo(const QString& path, const QString& name);
     void reveal();
 
     void askForFolder();
@@ -78,7 +82,8 @@ private:
     void list();
     void takeFolder(const FolderContent& content);
     void select(const QStringList& paths);
-    void change(const FileJob& job);
+    /// `done`: after it, with what became of it.
+    void change(const FileJob& job, const std::function<void(const FileOutcome&)>& done = {});
     void wantThumbnails();
     void take(const FileEntry& file, const Thumbnail& thumbnail);
     void showState();

@@ -134,14 +134,16 @@ void FilesPanel::select(const QStringList& paths)
     m_grid->scrollTo(first);
 }
 
-void FilesPanel::change(const FileJob& job)
+void FilesPanel::change(const FileJob& job, const std::function<void(const FileOutcome&)>& done)
 {
-    const auto finish = [this](const FileOutcome& outcome) {
+    const auto finish = [this, done](const FileOutcome& outcome) {
         if (!outcome.sentence.isEmpty())
             Q_EMIT noticed(outcome.sentence);
         if (!outcome.paths.isEmpty())
             m_toSelect = outcome.paths;
         list();
+        if (done)
+            done(outcome);
     };
     m_disk.start([this, job, finish] {
         const FileOutcome outcome = job();
@@ -274,6 +276,8 @@ void addFilesPanel(const FilesPanelPlace& place, Settings* settings, const Actio
     dock->hide();
     place.toggles->addAction(dock->toggleViewAction());
     QObject::connect(panel, &FilesPanel::openRequested, place.opener, &ModelFiles::openRequested);
+    QObject::connect(panel, &FilesPanel::renamed, place.opener, &ModelFiles::setRenamed);
+    QObject::connect(panel, &FilesPanel::trashed, place.opener, &ModelFiles::look);
     QObject::connect(panel, &FilesPanel::noticed, dock, notice);
     QObject::connect(actions.get(QStringLiteral("file.browse")), &QAction::triggered, dock, [dock, panel] {
         dock->show();

@@ -174,6 +174,9 @@ void MainWindow::State::connectFiles()
     connect(&files, &ModelFiles::saveRequested, q, &MainWindow::saveRequested);
     connect(&files, &ModelFiles::exportRequested, q, &MainWindow::exportRequested);
     connect(&files, &ModelFiles::insertRequested, q, &MainWindow::insertRequested);
+    connect(&files, &ModelFiles::renamed, q, &MainWindow::modelRenamed);
+    connect(&files, &ModelFiles::gone, q, &MainWindow::modelFileGone);
+    connect(&files, &ModelFiles::noticed, q, &MainWindow::showNotice);
 }
 
 void MainWindow::State::connectTools()
@@ -300,6 +303,7 @@ void MainWindow::showSaved(const ModelFacts& facts)
 void MainWindow::showExported(const QString& path)
 {
     showNotice(tr("%1 was written.").arg(QDir::toNativeSeparators(path)));
+    m_state->files.setExported(path);
 }
 
 void MainWindow::setModel(const ModelFacts& facts)
@@ -317,6 +321,7 @@ void MainWindow::setModel(const ModelFacts& facts)
 void MainWindow::updateFacts(const ModelFacts& facts)
 {
     m_state->model = facts;
+    m_state->showName();
     m_state->facts->setFacts(facts);
     m_state->viewport->setBox(facts.box);
     if (!m_state->brush.fits(facts)) {

@@ -89,6 +89,10 @@ Q_SIGNALS:
     /// By dialog or menu. What is inserted comes with its file's path instead of a model.
     void commandRequested(const core::ModelCommand& command);
     void insertRequested(const QString& path, const core::Insert& how);
+    /// The model's own file is called so now.
+    void modelRenamed(const QString& path);
+    /// The model's own file is not there any more.
+    void modelFileGone();
     void stopRequested();
 
 protected:

@@ -2,6 +2,7 @@
 
 #include "actions.h"
 #include "file_dialogs.h"
+#include "file_jobs.h"
 #include "model_dialogs.h"
 #include "model_facts.h"
 #include "reference_image.h"
@@ -14,6 +15,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPushButton>
 #include <QRegularExpression>
 
 #include <algorithm>
@@ -108,6 +110,8 @@ void ModelFiles::setOpened(const ModelFacts& model)
 {
     m_name = model.name;
     m_path = model.path;
+    m_file = FileJobs::entryOf(m_path);
+    m_isGone = false;
     m_afterSave = nullptr;
     if (!m_path.isEmpty()) {
         remember(m_path);
@@ -139,7 +143,66 @@ void ModelFiles::save()
     m_afterSave = nullptr; // an earlier question was not answered to the end
     if (m_path.isEmpty())
         return saveAs();
-    Q_EMIT saveRequested(m_path);
+    look();
+    if (m_isGone || FileJobs::entryOf(m_path) == m_file)
+        Q_EMIT saveRequested(m_path);
+    else
+        askToOverwrite();
+}
+
+/// What somebody else wrote meanwhile is lost only if the person says so.
+void ModelFiles::askToOverwrite()
+{
+    const QString name = QFileInfo(m_path).fileName();
+    auto* box = new QMessageBox(QMessageBox::Question, tr("The file was changed"),
+                                tr("Another program has changed %1 since it was read or written here.").arg(name), QMessageBox::Cancel, m_window);
+    box->setObjectName(QStringLiteral("overwriteQuestion"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setTextFormat(Qt::PlainText);
+    const QPushButton* overwrite = box->addButton(tr("&Overwrite"), QMessageBox::DestructiveRole);
+    QPushButton* other = box->addButton(tr("Save &As…"), QMessageBox::AcceptRole);
+    box->setDefaultButton(other);
+    connect(box, &QMessageBox::buttonClicked, this, [this, overwrite, other](const QAbstractButton* button) {
+        const auto goOn = std::exchange(m_afterSave, nullptr);
+        if (button == overwrite)
+            Q_EMIT saveRequested(m_path);
+        else if (button == other)
+            saveAs();
+        else
+            return;
+        m_afterSave = goOn;
+    });
+    box->open();
+}
+
+void ModelFiles::look()
+{
+    const bool isGone = !m_path.isEmpty() && !QFileInfo::exists(m_path);
+    if (std::exchange(m_isGone, isGone) || !isGone)
+        return;
+    Q_EMIT gone();
+    Q_EMIT noticed(tr("%1 is not there any more; the model is, and Save writes it again.").arg(QDir::toNativeSeparators(m_path)));
+}
+
+void ModelFiles::setRenamed(const QString& from, const QString& to)
+{
+    QStringList recent = m_settings->recentFiles();
+    for (QString& path : recent)
+        path = path == from ? to : path;
+    recent.removeDuplicates();
+    m_settings->setRecentFiles(recent);
+    if (QFileInfo(m_path).absoluteFilePath() == from) {
+        m_path = m_file.path = to;
+        m_name = QFileInfo(to).fileName();
+        Q_EMIT renamed(to);
+    }
+    showRecent();
+}
+
+void ModelFiles::setExported(const QString& path)
+{
+    if (QFileInfo(path) == QFileInfo(m_path))
+        m_file = FileJobs::entryOf(m_path);
 }
 
 void ModelFiles::saveAs()
@@ -183,7 +246,10 @@ bool ModelFiles::askToDiscard(const std::function<void()>& goOn)
 void ModelFiles::setSaved(const ModelFacts& model)
 {
     const auto goOn = std::exchange(m_afterSave, nullptr);
+    const bool wasGone = m_isGone && m_path == model.path;
     setOpened(model);
+    if (wasGone)
+        Q_EMIT noticed(tr("%1 was not there any more and was written anew.").arg(QDir::toNativeSeparators(m_path)));
     if (goOn)
         goOn();
 }
@@ -191,6 +257,8 @@ void ModelFiles::setSaved(const ModelFacts& model)
 /// What is dropped is asked for after the event, so that whoever dragged need not wait for our questions.
 bool ModelFiles::eventFilter(QObject* watched, QEvent* event)
 {
+    if (event->type() == QEvent::WindowActivate)
+        look();
     if (event->type() != QEvent::DragEnter && event->type() != QEvent::Drop)
         return QObject::eventFilter(watched, event);
     auto* drop = static_cast<QDropEvent*>(event);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "file_entry.h"
+
 #include "core/model_command.h"
 #include "core/starter_models.h"
 
@@ -36,6 +38,12 @@ public:
     void setOpened(const ModelFacts& model);
     /// The present model has a file of its own now.
     void setSaved(const ModelFacts& model);
+    /// Perhaps to the model's own file.
+    void setExported(const QString& path);
+    /// A file of the disk has another name now: perhaps the model's, perhaps one among the last.
+    void setRenamed(const QString& from, const QString& to);
+    /// Whether the model's file is still there; it is looked at by itself when the window comes to the front.
+    void look();
 
     bool eventFilter(QObject* watched, QEvent* event) override;
 
@@ -49,11 +57,18 @@ Q_SIGNALS:
     /// By drag and drop: a local path that is named like an image.
     void pictureDropped(const QString& path);
     void insertRequested(const QString& path, const core::Insert& how);
+    /// The model's own file is called so now.
+    void renamed(const QString& path);
+    /// The model's own file is not there any more.
+    void gone();
+    /// One sentence.
+    void noticed(const QString& sentence);
 
 private:
     void open();
     void insert();
     void save();
+    void askToOverwrite();
     void saveAs();
     void saveCopy();
     void exportAs();
@@ -66,6 +81,8 @@ private:
     QMenu* m_recent = nullptr;
     QAction* m_revert = nullptr;
     QString m_name, m_path; ///< of the model; no path: it comes from no file
+    FileEntry m_file;       ///< at the path, when the model was read or written
+    bool m_isGone = false;
     std::function<void()> m_afterSave; ///< which was preferred to losing changes
 };
 } // namespace ui

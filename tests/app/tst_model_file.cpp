@@ -1,0 +1,222 @@
+#include "tests/support/program_hand.h"
+
+#include "core/mesh_io.h"
+#include "ui/file_grid.h"
+#include "ui/files_panel.h"
+#include "ui/settings.h"
+
+#include <QAction>
+#include <QDir>
+#include <QPushButton>
+#include <QTemporaryDir>
+
+using namespace app;
+
+namespace
+{
+/// A model in a file of its own, open, and the panel on its folder.
+struct Opened
+{
+    Opened()
+    {
+        core::writeMesh(path.toStdString(), core::icosphere(3, 20));
+        core::writeMesh(folder.filePath(QStringLiteral("other.ply")).toStdString(), core::icosphere(1, 20));
+        program.window.resize(900, 700);
+        program.window.show();
+        program.window.activateWindow();
+        program.document.open(path);
+        program.window.action(QStringLiteral("file.browse"))->trigger();
+        program.window.findChild<ui::FilesPanel*>()->goTo(folder.path());
+    }
+    void wait()
+    {
+        QVERIFY(QTest::qWaitForWindowActive(&program.window));
+        QTRY_VERIFY(program.document.path() == path && !program.document.isBusy());
+        QTRY_COMPARE(grid->model()->rowCount(), 2);
+    }
+    void choose(const QString& name) const
+    {
+        for (int row = 0; row < grid->model()->rowCount(); ++row)
+            if (const QModelIndex file = grid->model()->index(row, 0); file.data().toString() == name)
+                grid->setCurrentIndex(file);
+        grid->setFocus();
+    }
+    /// The window comes to the front again.
+    void comeBack()
+    {
+        QEvent event(QEvent::WindowActivate);
+        QCoreApplication::sendEvent(&program.window, &event);
+    }
+    void overwriteByAnother() const { core::writeMesh(path.toStdString(), core::icosphere(2, 7)); }
+    void press(const char* id) { program.window.action(QLatin1StringView(id))->trigger(); }
+    QMessageBox* question() const { return program.window.findChild<QMessageBox*>(QStringLiteral("overwriteQuestion")); }
+    void answer(QMessageBox::ButtonRole role) const
+    {
+        for (QAbstractButton* button : question()->buttons())
+            if (question()->buttonRole(button) == role)
+                return QTest::mouseClick(button, Qt::LeftButton);
+    }
+    static quint64 verticesIn(const QString& file) { return core::readMesh(file.toStdString()).points.size(); }
+
+    QTemporaryDir folder;
+    QString path = folder.filePath(QStringLiteral("lion.ply"));
+    Program program;
+    ui::FileGrid* grid = program.window.findChild<ui::FileGrid*>();
+};
+} // namespace
+
+/// What becomes of the open model when its file is renamed, goes, or is written by others.
+class TestModelFile : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void aNewNameIsTheModels();
+    void anotherFilesNewNameIsNot();
+    void inTheTrashTheModelIsUnsaved();
+    void goneFromOutside_isSeen();
+    void goneFromOutside_isWrittenAnewAndSaidSo();
+    void changedByAnother_asks();
+    void changedByAnother_maySaveElsewhere();
+    void ownWritingIsNotAnothers();
+};
+
+void TestModelFile::aNewNameIsTheModels()
+{
+    Opened o;
+    o.wait();
+    o.choose(QStringLiteral("lion.ply"));
+    QTest::keyClick(o.grid, Qt::Key_F2);
+    auto* editor = o.grid->findChild<QLineEdit*>(QStringLiteral("files.rename"));
+    QVERIFY(editor);
+    QTest::keyClicks(editor, QStringLiteral("tiger"));
+    QTest::keyClick(editor, Qt::Key_Return);
+    const QString renamed = o.folder.filePath(QStringLiteral("tiger.ply"));
+    QTRY_COMPARE(o.program.document.path(), renamed);
+    QVERIFY(o.program.window.windowTitle().startsWith(QStringLiteral("tiger.ply")));
+    QCOMPARE(ui::Settings().recentFiles().constFirst(), renamed);
+    QVERIFY(!ui::Settings().recentFiles().contains(o.path));
+    QVERIFY(!o.program.window.isWindowModified());
+    o.press("file.save");
+    QTRY_VERIFY(notice(o.program).contains(QStringLiteral("tiger.ply")) && !o.program.document.isBusy());
+    QVERIFY(!o.question() && !QFile::exists(o.path));
+    QCOMPARE(Opened::verticesIn(renamed), quint64(642));
+}
+
+void TestModelFile::anotherFilesNewNameIsNot()
+{
+    Opened o;
+    o.wait();
+    o.choose(QStringLiteral("other.ply"));
+    QTest::keyClick(o.grid, Qt::Key_F2);
+    auto* editor = o.grid->findChild<QLineEdit*>(QStringLiteral("files.rename"));
+    QTest::keyClicks(editor, QStringLiteral("tiger"));
+    QTest::keyClick(editor, Qt::Key_Return);
+    QTRY_VERIFY(QFile::exists(o.folder.filePath(QStringLiteral("tiger.ply"))));
+    QTest::qWait(200);
+    QCOMPARE(o.program.document.path(), o.path);
+    QVERIFY(o.program.window.windowTitle().startsWith(QStringLiteral("lion.ply")));
+}
+
+void TestModelFile::inTheTrashTheModelIsUnsaved()
+{
+    Opened o;
+    o.wait();
+    o.choose(QStringLiteral("lion.ply"));
+    QTest::keyClick(o.grid, Qt::Key_Delete);
+    QTRY_VERIFY(!notice(o.program).isEmpty());
+    QTest::qWait(100);
+    QCOMPARE(o.program.document.isModified(), !QFile::exists(o.path)); // not every disk has a trash
+}
+
+void TestModelFile::goneFromOutside_isSeen()
+{
+    Opened o;
+    o.wait();
+    QVERIFY(QFile::remove(o.path));
+    o.comeBack();
+    QVERIFY(notice(o.program).contains(QStringLiteral("lion.ply")));
+    QVERIFY(o.program.document.isModified() && o.program.window.isWindowModified());
+    answerQuestion(o.program, QMessageBox::Cancel);
+    QVERIFY(!o.program.window.close()); // the model is nowhere else
+}
+
+void TestModelFile::goneFromOutside_isWrittenAnewAndSaidSo()
+{
+    Opened o;
+    o.wait();
+    QVERIFY(QFile::remove(o.path));
+    o.press("file.save");
+    QTRY_VERIFY(QFile::exists(o.path) && !o.program.document.isBusy());
+    QCOMPARE(Opened::verticesIn(o.path), quint64(642));
+    QVERIFY(notice(o.program).contains(QStringLiteral("anew")));
+    QVERIFY(!o.program.document.isModified() && !o.question());
+    o.press("file.save");
+    QTRY_VERIFY(!notice(o.program).contains(QStringLiteral("anew")) && !o.program.document.isBusy());
+}
+
+void TestModelFile::changedByAnother_asks()
+{
+    Opened o;
+    o.wait();
+    o.overwriteByAnother();
+    const quint64 others = Opened::verticesIn(o.path);
+    o.press("file.save");
+    QVERIFY(o.question() && o.question()->isVisible() && !o.program.document.isBusy());
+    o.answer(QMessageBox::RejectRole);
+    QTRY_VERIFY(!o.question());
+    QTest::qWait(100);
+    QCOMPARE(Opened::verticesIn(o.path), others);
+
+    o.press("file.save");
+    o.answer(QMessageBox::DestructiveRole);
+    QTRY_COMPARE(Opened::verticesIn(o.path), quint64(642));
+    QTRY_VERIFY(!o.program.document.isBusy() && !o.question());
+    o.press("file.save"); // now it is its own again
+    QVERIFY(!o.question());
+    QTRY_VERIFY(!o.program.document.isBusy());
+}
+
+void TestModelFile::changedByAnother_maySaveElsewhere()
+{
+    Opened o;
+    o.wait();
+    o.overwriteByAnother();
+    const quint64 others = Opened::verticesIn(o.path);
+    const QTemporaryDir elsewhere;
+    const QString mine = elsewhere.filePath(QStringLiteral("mine.ply"));
+    o.press("file.save");
+    o.answer(QMessageBox::AcceptRole);
+    chooseFile(o.program, "saveDialog", mine);
+    QTRY_VERIFY(o.program.document.path() == mine && !o.program.document.isBusy());
+    QCOMPARE(Opened::verticesIn(o.path), others);
+    QCOMPARE(Opened::verticesIn(mine), quint64(642));
+}
+
+void TestModelFile::ownWritingIsNotAnothers()
+{
+    Opened o;
+    o.wait();
+    o.program.document.apply(core::Recentre{});
+    QTRY_VERIFY(!o.program.document.isBusy() && o.program.document.isSettled());
+    o.program.document.exportTo(o.path);
+    QTRY_VERIFY(notice(o.program).contains(QStringLiteral("lion.ply")) && !o.program.document.isBusy());
+    o.press("file.save");
+    QVERIFY(!o.question());
+    QTRY_VERIFY(!o.program.document.isBusy());
+}
+
+int main(int argc, char* argv[])
+{
+    if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY")) {
+        qInfo("SKIP: no display");
+        return 0;
+    }
+    ui::prepareGraphics();
+    QApplication application(argc, argv);
+    QCoreApplication::setOrganizationName(QStringLiteral("Fettle"));
+    QCoreApplication::setApplicationName(QStringLiteral("tst_model_file"));
+    TestModelFile test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "tst_model_file.moc"
