@@ -709,11 +709,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>F&amp;ront</source>
-        <translation>&amp;Vorne</translation>
+        <translation>&amp;Vorn</translation>
     </message>
     <message>
         <source>Shows the model from the front: x to the right, y up.</source>
-        <translation>Zeigt das Modell von vorne: x nach rechts, y nach oben.</translation>
+        <translation>Zeigt das Modell von vorn: x nach rechts, y nach oben.</translation>
     </message>
     <message>
         <source>&amp;Back</source>
