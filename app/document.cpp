@@ -8,7 +8,6 @@
 #include "ui/messages.h"
 
 #include <algorithm>
-#include <future>
 #include <utility>
 
 namespace app
@@ -39,7 +38,6 @@ Document::~Document()
 {
     m_work.stop();
     m_worker->stop();
-    m_work.wait();
     m_stack.disconnect(this);
 }
 
@@ -86,14 +84,10 @@ void Document::startChange(core::ModelCommand command, const QString& insertedPa
     const core::JobWatch watch = m_work.beginStoppable(ModelWords::doing(command));
     m_worker->post([this, command = std::move(command), insertedPath, watch](core::Sculptor& sculptor) {
         auto copy = ModelTrial::copyOf(sculptor.mesh());
-        m_work.run([this, copy = std::move(copy), command, insertedPath, watch]() mutable {
-            std::promise<ModelOutcome> outcome;
-            outcome.set_value(ModelTrial::run(copy, command, insertedPath, watch));
-            const auto finish = [this, command, done = std::make_shared<std::future<ModelOutcome>>(outcome.get_future())] {
-                finishChange(command, done->get());
-            };
-            QMetaObject::invokeMethod(this, finish, Qt::QueuedConnection);
-        });
+        auto work = [copy = std::move(copy), command, insertedPath, watch]() mutable {
+            return ModelTrial::run(copy, command, insertedPath, watch);
+        };
+        m_work.run(std::move(work), [this, command](ModelOutcome outcome) { finishChange(command, std::move(outcome)); });
     });
 }
 

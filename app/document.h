@@ -127,8 +127,13 @@ private:
     void startChange(core::ModelCommand command, const QString& insertedPath);
     void finishChange(const core::ModelCommand& command, ModelOutcome outcome);
     enum class Target { Own, Other };
+    struct Written
+    {
+        QString problem; ///< empty: there is a file
+        bool losesColors;
+    };
     void write(const QString& path, Target target);
-    void write(const QString& path, Target target, std::shared_ptr<core::TriangleMesh> mesh, int index);
+    void finishWriting(const QString& path, Target target, int index, const Written& written);
     void takeSaved(const QString& path, int index);
     void request(std::function<void()> run);
     void strokeRequest(std::function<void()> run);
@@ -159,6 +164,6 @@ private:
     bool m_isChanging = false; ///< the whole model, aside
     bool m_changedBeyondHistory = false;
     bool m_toldModified = false;
-    LongWork m_work; ///< last, so that its jobs end first
+    LongWork m_work; ///< last
 };
 } // namespace app

@@ -66,24 +66,22 @@ void Document::openWaiting()
 void Document::load(const QString& what, const Make& make)
 {
     m_isLoading = m_letGo = true;
-    m_work.run([this, make, watch = m_work.beginStoppable(what)] {
-        auto model = std::make_shared<LoadedModel>(make(watch));
-        const auto finish = [this, model = std::move(model), watch] {
-            m_work.keep();
-            if (watch.stopped())
-                model->sculptor.reset();
-            if (model->sculptor)
-                return request([this, model] { install(model); });
-            m_isLoading = false;
-            m_letGo = m_letGo && m_next;
-            m_work.end();
-            if (!watch.stopped())
-                Q_EMIT refused(model->problem);
-            if (m_facts.faces == 0 && !m_next) // never without a model
-                openSphere();
-        };
-        QMetaObject::invokeMethod(this, finish, Qt::QueuedConnection);
-    });
+    const core::JobWatch watch = m_work.beginStoppable(what);
+    const auto finish = [this, watch](const std::shared_ptr<LoadedModel>& model) {
+        m_work.keep();
+        if (watch.stopped())
+            model->sculptor.reset();
+        if (model->sculptor)
+            return request([this, model] { install(model); });
+        m_isLoading = false;
+        m_letGo = m_letGo && m_next;
+        m_work.end();
+        if (!watch.stopped())
+            Q_EMIT refused(model->problem);
+        if (m_facts.faces == 0 && !m_next) // never without a model
+            openSphere();
+    };
+    m_work.run([make, watch] { return std::make_shared<LoadedModel>(make(watch)); }, finish);
 }
 
 void Document::install(std::shared_ptr<LoadedModel> model)
@@ -145,33 +143,29 @@ void Document::write(const QString& path, Target target)
         return;
     m_work.begin((target == Target::Own ? tr("Saving %1") : tr("Exporting %1")).arg(QFileInfo(path).fileName()));
     request([this, path, target] {
-        m_worker->post([this, path, target, index = m_stack.index()](core::Sculptor& sculptor) {
-            auto copy = std::make_shared<core::TriangleMesh>(core::extractMesh(sculptor.mesh()));
-            QMetaObject::invokeMethod(this, [this, path, target, copy, index] { write(path, target, copy, index); }, Qt::QueuedConnection);
+        m_worker->post([this, path, target, palette = m_facts.palette, index = m_stack.index()](core::Sculptor& sculptor) {
+            auto mesh = std::make_shared<core::TriangleMesh>(core::extractMesh(sculptor.mesh()));
+            auto work = [path, palette, mesh = std::move(mesh)] {
+                return Written{ModelLoader::save(path, *mesh, palette), !mesh->colors.empty() && !ModelLoader::holdsColors(path)};
+            };
+            m_work.run(std::move(work), [this, path, target, index](const Written& written) { finishWriting(path, target, index, written); });
         });
     });
 }
 
-void Document::write(const QString& path, Target target, std::shared_ptr<core::TriangleMesh> mesh, int index)
+void Document::finishWriting(const QString& path, Target target, int index, const Written& written)
 {
-    m_work.run([this, path, target, mesh = std::move(mesh), palette = m_facts.palette, index] {
-        const QString problem = ModelLoader::save(path, *mesh, palette);
-        const bool losesColors = !mesh->colors.empty() && !ModelLoader::holdsColors(path);
-        const auto finish = [this, path, target, index, problem, losesColors] {
-            m_work.end();
-            if (!problem.isEmpty()) {
-                Q_EMIT refused(problem);
-                return;
-            }
-            if (target == Target::Own)
-                takeSaved(path, index);
-            else
-                Q_EMIT exported(path);
-            if (losesColors)
-                Q_EMIT noticed(tr("%1 was written without the colours, which its format does not hold.").arg(QFileInfo(path).fileName()));
-        };
-        QMetaObject::invokeMethod(this, finish, Qt::QueuedConnection);
-    });
+    m_work.end();
+    if (!written.problem.isEmpty()) {
+        Q_EMIT refused(written.problem);
+        return;
+    }
+    if (target == Target::Own)
+        takeSaved(path, index);
+    else
+        Q_EMIT exported(path);
+    if (written.losesColors)
+        Q_EMIT noticed(tr("%1 was written without the colours, which its format does not hold.").arg(QFileInfo(path).fileName()));
 }
 
 /// The file holds what the model was at that step. If others followed, it has changes that no file holds.

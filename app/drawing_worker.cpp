@@ -173,7 +173,7 @@ void DrawingWorker::show(std::optional<core::LineDrawing> drawing, bool isFine)
         const std::lock_guard lock(m_desk->mutex);
         m_desk->latencyMs = msSince(std::exchange(m_sampledNs, 0));
     }
-    Q_EMIT drawn(std::make_shared<const core::LineDrawing>(*std::move(drawing)));
+    m_mail.post([this, made = std::make_shared<const core::LineDrawing>(*std::move(drawing))] { Q_EMIT drawn(made); });
 }
 
 void DrawingWorker::write(const Order& order)
@@ -183,9 +183,9 @@ void DrawingWorker::write(const Order& order)
     auto drawing = core::drawLines(model, {sheetPixels, order.shaded, mostEdges}, {});
     try {
         ui::writeSheet(order.path.toStdU16String(), {order.modelName, QDate::currentDate(), *std::move(drawing), order.shaded});
-        Q_EMIT noticed(tr("%1 was written.").arg(QDir::toNativeSeparators(order.path)));
+        m_mail.post([this, path = order.path] { Q_EMIT noticed(tr("%1 was written.").arg(QDir::toNativeSeparators(path))); });
     } catch (const core::FileError& error) {
-        Q_EMIT refused(ui::Messages::sentence(error));
+        m_mail.post([this, sentence = ui::Messages::sentence(error)] { Q_EMIT refused(sentence); });
     }
 }
 } // namespace app

@@ -3,6 +3,7 @@
 #include "patch_inbox.h"
 
 #include "core/line_drawer.h"
+#include "ui/mailbox.h"
 
 #include <QObject>
 #include <QString>
@@ -19,7 +20,7 @@ class SculptWorker;
 /// Makes drawings of the model on a thread of its own: for the 2D preview while it can be seen, and for sheets. A viewer of the mesh
 /// like others: it lives on patches, and the mesh thread never waits for it. While changes keep coming, drawings are interim ones whose
 /// cost goes with the change; a fine one follows when the hand rests. Nobody looks: no memory, no work.
-/// The functions belong to the gui thread and return at once; signals come from the drawing thread.
+/// Gui thread; all returns at once.
 class DrawingWorker : public QObject
 {
     Q_OBJECT
@@ -80,6 +81,7 @@ private:
     void write(const Order& order);
 
     SculptWorker* m_worker;
+    ui::Mailbox m_mail;
     std::shared_ptr<Desk> m_desk = std::make_shared<Desk>();
 
     // The drawing thread's own.

@@ -10,13 +10,10 @@ void HeadsetInquiry::ask()
 {
     if (std::exchange(m_isAsking, true))
         return;
-    m_aside.start([this] {
-        const QString sentence = vr::OpenXrRuntime::probe().text;
-        const auto tell = [this, sentence] {
-            m_isAsking = false;
-            Q_EMIT answered(sentence);
-        };
-        QMetaObject::invokeMethod(this, tell, Qt::QueuedConnection);
-    });
+    m_aside.run([] { return vr::OpenXrRuntime::probe().text; },
+                [this](const QString& sentence) {
+                    m_isAsking = false;
+                    Q_EMIT answered(sentence);
+                });
 }
 } // namespace app

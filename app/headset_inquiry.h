@@ -1,7 +1,8 @@
 #pragma once
 
+#include "ui/side_thread.h"
+
 #include <QObject>
-#include <QThreadPool>
 
 namespace app
 {
@@ -22,6 +23,6 @@ Q_SIGNALS:
 
 private:
     bool m_isAsking = false;
-    QThreadPool m_aside; ///< waits for its job when it goes
+    ui::SideThread m_aside; ///< last
 };
 } // namespace app

@@ -109,12 +109,11 @@ void HistoryStore::swap(int index)
         if (meshSide->broken)
             return;
         meshSide->broken = !delta->swap(sculptor);
-        const auto tell = [this, delta, bytes = delta->bytesInMemory(), isLost = meshSide->broken] {
+        m_mail.post([this, delta, bytes = delta->bytesInMemory(), isLost = meshSide->broken] {
             noteBytes(delta, bytes);
             if (isLost)
                 Q_EMIT lost();
-        };
-        QMetaObject::invokeMethod(this, tell, Qt::QueuedConnection);
+        });
     });
 }
 
@@ -174,7 +173,7 @@ void HistoryStore::spill(int position)
         makeOwnFolder();
     m_post([this, delta = entry.delta, folder = m_folder](core::Sculptor&) {
         if (!delta->spill(folder))
-            QMetaObject::invokeMethod(this, [this, delta] { spillFailed(delta); }, Qt::QueuedConnection);
+            m_mail.post([this, delta] { spillFailed(delta); });
     });
 }
 

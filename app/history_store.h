@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/mesh_delta.h"
+#include "ui/mailbox.h"
 
 #include <QObject>
 #include <QTemporaryDir>
@@ -100,6 +101,7 @@ private:
     void noteBytes(const std::shared_ptr<StoredDelta>& delta, std::size_t bytes);
 
     Post m_post;
+    ui::Mailbox m_mail; ///< from the jobs
     std::shared_ptr<MeshSide> m_meshSide;
     std::unique_ptr<QTemporaryDir> m_ownFolder;
     QString m_folder;

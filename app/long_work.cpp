@@ -10,13 +10,6 @@ namespace
 constexpr int progressSteps = 100;
 } // namespace
 
-LongWork::LongWork(QObject* parent) : QObject(parent)
-{
-    m_aside.setMaxThreadCount(1);
-}
-
-LongWork::~LongWork() = default;
-
 void LongWork::begin(const QString& what)
 {
     m_isBusy = true;
@@ -32,14 +25,14 @@ core::JobWatch LongWork::beginStoppable(const QString& what)
     const auto progress = [this, told](double share) {
         const int step = static_cast<int>(share * progressSteps);
         if (std::exchange(*told, step) != step)
-            QMetaObject::invokeMethod(this, [this, share] { Q_EMIT progressed(share); }, Qt::QueuedConnection);
+            m_mail.post([this, share] { Q_EMIT progressed(share); });
     };
     return {m_stop.get_token(), progress};
 }
 
 void LongWork::rename(const QString& what)
 {
-    QMetaObject::invokeMethod(this, [this, what] { Q_EMIT busy(what); }, Qt::QueuedConnection);
+    m_mail.post([this, what] { Q_EMIT busy(what); });
 }
 
 void LongWork::keep()
@@ -57,15 +50,5 @@ void LongWork::stop()
 {
     m_stop.request_stop();
     Q_EMIT stoppable(false);
-}
-
-void LongWork::run(std::function<void()> job)
-{
-    m_aside.start(std::move(job));
-}
-
-void LongWork::wait()
-{
-    m_aside.waitForDone();
 }
 } // namespace app

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "core/job_watch.h"
+#include "ui/side_thread.h"
 
 #include <QObject>
-#include <QThreadPool>
 
-#include <functional>
 #include <stop_token>
+#include <utility>
 
 namespace app
 {
@@ -17,9 +17,7 @@ class LongWork : public QObject
     Q_OBJECT
 
 public:
-    explicit LongWork(QObject* parent = nullptr);
-    /// Waits for what runs.
-    ~LongWork() override;
+    using QObject::QObject;
 
     bool isBusy() const { return m_isBusy; }
 
@@ -35,9 +33,8 @@ public:
     void stop();
     bool wasStopped() const { return m_stop.stop_requested(); }
 
-    /// On the thread aside, after what was run before. Any thread.
-    void run(std::function<void()> job);
-    void wait();
+    /// take(work()): the work is done on the thread aside, and taken by the gui thread. Any thread.
+    template <class Work, class Take> void run(Work work, Take take) { m_aside.run(std::move(work), std::move(take)); }
 
 Q_SIGNALS:
     void busy(const QString& what);
@@ -49,6 +46,7 @@ Q_SIGNALS:
 private:
     bool m_isBusy = false;
     std::stop_source m_stop; ///< of what goes on
-    QThreadPool m_aside;     ///< last, so that its jobs end first
+    ui::Mailbox m_mail;
+    ui::SideThread m_aside; ///< last
 };
 } // namespace app

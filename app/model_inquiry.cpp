@@ -14,7 +14,6 @@ constexpr int restMs = 700;
 
 ModelInquiry::ModelInquiry(Document* document, SculptWorker* worker) : QObject(document), m_document(document), m_worker(worker)
 {
-    m_aside.setMaxThreadCount(1);
     m_rest.setSingleShot(true);
     m_rest.setInterval(restMs);
     connect(&m_rest, &QTimer::timeout, this, &ModelInquiry::ask);
@@ -25,7 +24,6 @@ ModelInquiry::ModelInquiry(Document* document, SculptWorker* worker) : QObject(d
 ModelInquiry::~ModelInquiry()
 {
     m_stop.request_stop();
-    m_aside.waitForDone();
 }
 
 void ModelInquiry::setWanted(bool wanted)
@@ -56,21 +54,16 @@ void ModelInquiry::ask()
         if (stop.stop_requested())
             return;
         auto copy = std::make_shared<core::TriangleMesh>(core::extractMesh(sculptor.mesh()));
-        QMetaObject::invokeMethod(this, [this, copy, stop] { judge(copy, stop); }, Qt::QueuedConnection);
+        m_aside.run([copy = std::move(copy), stop] { return core::checkMesh(*copy, {stop, {}}); },
+                    [this, stop](const core::MeshReport& report) { take(report, stop); });
     });
 }
 
-void ModelInquiry::judge(std::shared_ptr<core::TriangleMesh> mesh, const std::stop_token& stop)
+void ModelInquiry::take(const core::MeshReport& report, const std::stop_token& stop)
 {
-    m_aside.start([this, mesh = std::move(mesh), stop] {
-        const core::MeshReport report = core::checkMesh(*mesh, {stop, {}});
-        const auto tell = [this, report, stop] {
-            if (stop.stop_requested())
-                return;
-            m_isAnswered = true;
-            Q_EMIT answered(report);
-        };
-        QMetaObject::invokeMethod(this, tell, Qt::QueuedConnection);
-    });
+    if (stop.stop_requested())
+        return;
+    m_isAnswered = true;
+    Q_EMIT answered(report);
 }
 } // namespace app

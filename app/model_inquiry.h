@@ -1,12 +1,11 @@
 #pragma once
 
 #include "core/mesh_check.h"
+#include "ui/side_thread.h"
 
 #include <QObject>
-#include <QThreadPool>
 #include <QTimer>
 
-#include <memory>
 #include <stop_token>
 
 namespace app
@@ -34,7 +33,7 @@ Q_SIGNALS:
 private:
     void forget();
     void ask();
-    void judge(std::shared_ptr<core::TriangleMesh> mesh, const std::stop_token& stop);
+    void take(const core::MeshReport& report, const std::stop_token& stop);
 
     Document* m_document;
     SculptWorker* m_worker;
@@ -42,6 +41,6 @@ private:
     bool m_isWanted = false;
     bool m_isAnswered = false;
     std::stop_source m_stop;
-    QThreadPool m_aside; ///< last, so that its jobs end first
+    ui::SideThread m_aside; ///< last
 };
 } // namespace app

@@ -156,7 +156,7 @@ void SculptWorker::run(const Question& question)
     if (hit && question.brush)
         footprint = std::make_shared<core::Footprint>(m_sculptor->footprint(*question.brush, hit->position));
     if (question.source == Source::Desktop)
-        Q_EMIT answeredDesktop(hit, footprint, m_epoch);
+        m_mail.post([this, hit, footprint, epoch = m_epoch] { Q_EMIT answeredDesktop(hit, footprint, epoch); });
     else
         Q_EMIT answeredHeadset(hit, footprint, m_epoch);
 }
@@ -226,7 +226,7 @@ void SculptWorker::run(EndStroke&)
         m_report.facts = facts();
         startScan();
     }
-    Q_EMIT strokeFinished(std::exchange(m_report, {}));
+    m_mail.post([this, report = std::exchange(m_report, {})] { Q_EMIT strokeFinished(report); });
 }
 
 void SculptWorker::run(Task& job)
@@ -248,7 +248,7 @@ void SculptWorker::install(std::shared_ptr<core::Sculptor> sculptor)
     for (core::Slot f = 0; f < m_sculptor->mesh().slots().faces; ++f)
         m_area += areaOf(m_sculptor->mesh(), f);
     m_epoch = whole.epoch;
-    Q_EMIT modelSet(facts());
+    m_mail.post([this, facts = facts()] { Q_EMIT modelSet(facts); });
     for (const auto& inbox : m_inboxes)
         if (inbox)
             inbox->put(whole);
@@ -305,7 +305,7 @@ void SculptWorker::scan(core::Slot first, std::uint64_t generation)
     }
     m_box = m_scannedBox;
     m_area = m_scannedArea;
-    Q_EMIT factsChanged(facts());
+    m_mail.post([this, facts = facts()] { Q_EMIT factsChanged(facts); });
 }
 
 void SculptWorker::measureLatency(std::int64_t sampledNs)

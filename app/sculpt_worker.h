@@ -4,6 +4,7 @@
 #include "patch_inbox.h"
 
 #include "core/sculptor.h"
+#include "ui/mailbox.h"
 
 #include <QObject>
 
@@ -49,7 +50,7 @@ struct WorkerStats
 
 /// The mesh thread. It owns the sculptor, takes jobs in the order in which they were posted, and answers questions between
 /// the engine's sub-steps. Every function but the constructor, stop() and the destructor may be called from any thread and
-/// returns at once; signals are emitted on the mesh thread.
+/// returns at once. Signals come on the thread that made the worker, by its event loop.
 class SculptWorker : public QObject
 {
     Q_OBJECT
@@ -64,7 +65,7 @@ public:
     /// What viewer `source` draws from. It gets the whole mesh first, then what changes.
     void setInbox(Source source, std::shared_ptr<PatchInbox> inbox);
 
-    /// One stroke is open at a time: false, and strokeRefused(), if another source's is. Each stroke that was begun is
+    /// One stroke is open at a time: false, and strokeRefused() from here, if another source's is. Each stroke that was begun is
     /// reported once by strokeFinished().
     bool beginStroke(Source source, const core::StrokeSettings& settings);
     void addSample(Source source, const core::StrokeSample& sample);
@@ -96,6 +97,7 @@ Q_SIGNALS:
     /// To ask(Source::Desktop, ...). `footprint`: of the brush, if one was asked about and the ray hits. `epoch`: of the last patch
     /// that viewers were given before.
     void answeredDesktop(const std::optional<core::SurfaceHit>& hit, const std::shared_ptr<const core::Footprint>& footprint, quint64 epoch);
+    /// To ask(Source::Headset, ...); on the mesh thread, so that nobody waits for a window: connect it directly.
     void answeredHeadset(const std::optional<core::SurfaceHit>& hit, const std::shared_ptr<const core::Footprint>& footprint, quint64 epoch);
     /// Exact, some time after the last change.
     void factsChanged(const app::MeshFacts& facts);
@@ -116,6 +118,7 @@ private:
     void measureLatency(std::int64_t sampledNs);
     MeshFacts facts() const;
 
+    ui::Mailbox m_mail;
     JobQueue m_queue;
     std::atomic<quint64> m_strokesBegun = 0;
     mutable std::mutex m_mutex; ///< guards the next three

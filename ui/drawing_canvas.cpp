@@ -49,15 +49,9 @@ QColor mixed(const QColor& one, const QColor& other)
 
 DrawingCanvas::DrawingCanvas(QWidget* parent) : QWidget(parent)
 {
-    m_pool.setMaxThreadCount(1);
     setFocusPolicy(Qt::StrongFocus);
     setAutoFillBackground(true);
     setBackgroundRole(QPalette::Base);
-}
-
-DrawingCanvas::~DrawingCanvas()
-{
-    m_pool.waitForDone();
 }
 
 void DrawingCanvas::setDrawing(SharedDrawing drawing)
@@ -111,9 +105,8 @@ void DrawingCanvas::render()
     small.setPixelSize(std::max(10, QFontInfo(font()).pixelSize() - 2));
     const QColor ink = palette().color(QPalette::Text);
     const DrawingLook look{ink, mixed(ink, palette().color(QPalette::Base)), 1.6, small};
-    m_pool.start([this, order = Order{m_drawing, m_choice, look, size(), devicePixelRatioF(), m_zoom, m_shift}] {
-        QMetaObject::invokeMethod(this, [this, picture = pictureOf(order)] { take(picture); }, Qt::QueuedConnection);
-    });
+    m_aside.run([order = Order{m_drawing, m_choice, look, size(), devicePixelRatioF(), m_zoom, m_shift}] { return pictureOf(order); },
+                [this](const QImage& picture) { take(picture); });
 }
 
 void DrawingCanvas::take(const QImage& picture)

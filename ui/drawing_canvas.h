@@ -1,9 +1,9 @@
 #pragma once
 
 #include "drawing_painter.h"
+#include "side_thread.h"
 
 #include <QImage>
-#include <QThreadPool>
 #include <QWidget>
 
 #include <memory>
@@ -20,7 +20,6 @@ class DrawingCanvas : public QWidget
 
 public:
     explicit DrawingCanvas(QWidget* parent = nullptr);
-    ~DrawingCanvas() override;
 
     void setDrawing(SharedDrawing drawing);
     void setChoice(const DrawingChoice& choice);
@@ -57,6 +56,6 @@ private:
     QPointF m_draggedFrom;
     QImage m_picture;
     bool m_isRendering = false, m_isOutdated = false;
-    QThreadPool m_pool; ///< last: its job uses the others
+    SideThread m_aside; ///< last
 };
 } // namespace ui

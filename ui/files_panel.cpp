@@ -44,7 +44,6 @@ FilesPanel::FilesPanel(Settings* settings, const Actions& actions, QWidget* pare
     , m_files(new FileListModel(this))
     , m_sorter(new FileSorter(m_files))
 {
-    m_disk.setMaxThreadCount(1);
     buildGrid();
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(gap, gap, gap, gap);
@@ -72,7 +71,6 @@ FilesPanel::FilesPanel(Settings* settings, const Actions& actions, QWidget* pare
 FilesPanel::~FilesPanel()
 {
     m_listing.request_stop();
-    m_disk.waitForDone();
 }
 
 void FilesPanel::buildGrid()

@@ -2,9 +2,9 @@
 
 #include "file_jobs.h"
 #include "files_choice.h"
+#include "side_thread.h"
 
 #include <QFileSystemWatcher>
-#include <QThreadPool>
 #include <QTimer>
 #include <QWidget>
 
@@ -112,7 +112,7 @@ private:
     QTimer m_listSoon, m_wantSoon;
     std::unique_ptr<ThumbnailMaker> m_maker; ///< from the first look on
     std::stop_source m_listing;
-    QThreadPool m_disk; ///< one thread: what is asked for is done in order
+    SideThread m_disk; ///< last
 };
 
 struct FilesPanelPlace

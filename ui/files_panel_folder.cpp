@@ -93,11 +93,12 @@ void FilesPanel::list()
         return;
     m_listing.request_stop();
     m_listing = {};
-    m_disk.start([this, folder = m_choice.folder, stop = m_listing.get_token()] {
-        FolderContent content = FileJobs::list(folder, stop);
-        if (!stop.stop_requested())
-            QMetaObject::invokeMethod(this, [this, content = std::move(content)] { takeFolder(content); }, Qt::QueuedConnection);
-    });
+    const std::stop_token stop = m_listing.get_token();
+    m_disk.run([folder = m_choice.folder, stop] { return FileJobs::list(folder, stop); },
+               [this, stop](const FolderContent& content) {
+                   if (!stop.stop_requested())
+                       takeFolder(content);
+               });
 }
 
 void FilesPanel::takeFolder(const FolderContent& content)
@@ -136,7 +137,7 @@ void FilesPanel::select(const QStringList& paths)
 
 void FilesPanel::change(const FileJob& job, const std::function<void(const FileOutcome&)>& done)
 {
-    const auto finish = [this, done](const FileOutcome& outcome) {
+    m_disk.run(job, [this, done](const FileOutcome& outcome) {
         if (!outcome.sentence.isEmpty())
             Q_EMIT noticed(outcome.sentence);
         if (!outcome.paths.isEmpty())
@@ -144,10 +145,6 @@ void FilesPanel::change(const FileJob& job, const std::function<void(const FileO
         list();
         if (done)
             done(outcome);
-    };
-    m_disk.start([this, job, finish] {
-        const FileOutcome outcome = job();
-        QMetaObject::invokeMethod(this, [finish, outcome] { finish(outcome); }, Qt::QueuedConnection);
     });
 }
 

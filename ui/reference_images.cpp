@@ -6,20 +6,19 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <utility>
 
 namespace ui
 {
 ReferenceImages::ReferenceImages(Settings* settings, QObject* parent)
     : QObject(parent), m_settings(settings), m_isShown(settings->showsReferences())
 {
-    m_pool.setMaxThreadCount(1); // for the memory that decoding takes
     settings->onReset([this] { setShown(m_settings->showsReferences()); });
 }
 
 ReferenceImages::~ReferenceImages()
 {
-    m_pool.clear();
-    m_pool.waitForDone();
+    m_aside.drop();
 }
 
 void ReferenceImages::restore()
@@ -41,21 +40,16 @@ void ReferenceImages::restore()
 template <class Take> void ReferenceImages::read(OrbitCamera::Side side, const QString& path, Take take)
 {
     const int asked = ++at(side).asked;
-    m_pool.start([=, this] {
-        const SharedReferencePicture picture = readReference(path);
-        const bool isThere = QFileInfo::exists(path);
-        QMetaObject::invokeMethod(
-            this,
-            [=, this] {
-                if (asked != at(side).asked)
-                    return;
-                if (picture)
-                    take(picture);
-                else
-                    Q_EMIT refused(isThere ? Messages::notAPicture(path) : Messages::goneReference(path));
-            },
-            Qt::QueuedConnection);
-    });
+    m_aside.run([path] { return std::pair(readReference(path), QFileInfo::exists(path)); },
+                [=, this](const std::pair<SharedReferencePicture, bool>& read) {
+                    const auto& [picture, isThere] = read;
+                    if (asked != at(side).asked)
+                        return;
+                    if (picture)
+                        take(picture);
+                    else
+                        Q_EMIT refused(isThere ? Messages::notAPicture(path) : Messages::goneReference(path));
+                });
 }
 
 void ReferenceImages::choose(OrbitCamera::Side side, const QString& path, const core::Box& box)

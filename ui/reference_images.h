@@ -1,9 +1,9 @@
 #pragma once
 
 #include "reference_image.h"
+#include "side_thread.h"
 
 #include <QObject>
-#include <QThreadPool>
 
 #include <array>
 
@@ -61,6 +61,6 @@ private:
     Settings* m_settings;
     std::array<Slot, viewSides.size()> m_slots;
     bool m_isShown;
-    QThreadPool m_pool; ///< goes first: its destructor waits
+    SideThread m_aside; ///< last
 };
 } // namespace ui

@@ -68,14 +68,11 @@ void ThumbnailMaker::run()
         m_stop = {};
         const std::stop_token stop = m_stop.get_token();
         lock.unlock();
-        const std::optional<Thumbnail> thumbnail = make(m_present, stop);
+        std::optional<Thumbnail> thumbnail = make(m_present, stop);
         lock.lock();
-        const FileEntry file = std::exchange(m_present, {});
-        if (!thumbnail || stop.stop_requested())
-            continue;
-        lock.unlock();
-        Q_EMIT made(file, *thumbnail);
-        lock.lock();
+        FileEntry file = std::exchange(m_present, {});
+        if (thumbnail && !stop.stop_requested())
+            m_mail.post([this, file = std::move(file), thumbnail = *std::move(thumbnail)] { Q_EMIT made(file, thumbnail); });
     }
 }
 

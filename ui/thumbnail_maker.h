@@ -1,6 +1,7 @@
 #pragma once
 
 #include "file_entry.h"
+#include "mailbox.h"
 #include "thumbnail_cache.h"
 
 #include <QHash>
@@ -16,7 +17,7 @@
 namespace ui
 {
 /// Makes pictures of model files on one thread of its own, which yields to all others; what was drawn before, under whatever name,
-/// comes from a cache. The functions belong to the gui thread and return at once; the signal comes from the other thread.
+/// comes from a cache. Gui thread; all returns at once.
 class ThumbnailMaker : public QObject
 {
     Q_OBJECT
@@ -43,6 +44,7 @@ private:
     Thumbnail draw(const FileEntry& file, const std::stop_token& stop);
     QByteArray keyOf(const FileEntry& file, const std::stop_token& stop);
 
+    Mailbox m_mail;
     std::mutex m_mutex; ///< of the next five
     std::condition_variable m_wake;
     QList<FileEntry> m_wanted;

@@ -6,6 +6,7 @@
 #include "core/mesh_build.h"
 #include "core/mesh_check.h"
 #include "core/mesh_io.h"
+#include "ui/mailbox.h"
 #include "ui/messages.h"
 
 #include <QDir>
@@ -42,9 +43,9 @@ struct Session
     {
         for (int i = 0; i < 3; ++i) {
             bool reached = false;
-            QObject receiver;
+            ui::Mailbox mail;
             worker.post([&](core::Sculptor&) {
-                QMetaObject::invokeMethod(&receiver, [&reached] { reached = true; }, Qt::QueuedConnection);
+                mail.post([&reached] { reached = true; });
             });
             QTRY_VERIFY_WITH_TIMEOUT(reached, 60'000);
             QCoreApplication::processEvents();
@@ -55,10 +56,10 @@ struct Session
     {
         settle();
         std::optional<std::uint64_t> hash;
-        QObject receiver;
+        ui::Mailbox mail;
         worker.post([&](core::Sculptor& sculptor) {
             const std::uint64_t value = sculptor.mesh().stateHash();
-            QMetaObject::invokeMethod(&receiver, [&hash, value] { hash = value; }, Qt::QueuedConnection);
+            mail.post([&hash, value] { hash = value; });
         });
         [&] { QTRY_VERIFY(hash); }();
         return hash.value_or(0);
@@ -68,10 +69,10 @@ struct Session
     void verifyWhole()
     {
         std::optional<bool> isSound;
-        QObject receiver;
+        ui::Mailbox mail;
         worker.post([&](core::Sculptor& sculptor) {
             const bool value = core::checkMesh(core::extractMesh(sculptor.mesh())).printReady();
-            QMetaObject::invokeMethod(&receiver, [&isSound, value] { isSound = value; }, Qt::QueuedConnection);
+            mail.post([&isSound, value] { isSound = value; });
         });
         QTRY_VERIFY(isSound);
         QVERIFY(*isSound);

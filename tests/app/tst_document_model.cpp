@@ -1,6 +1,7 @@
 #include "app/document.h"
 
 #include "core/mesh_io.h"
+#include "ui/mailbox.h"
 
 #include <QSignalSpy>
 #include <QStandardPaths>
@@ -36,9 +37,9 @@ struct Session
     {
         for (int i = 0; i < 3; ++i) {
             bool reached = false;
-            QObject receiver;
+            ui::Mailbox mail;
             worker.post([&](core::Sculptor&) {
-                QMetaObject::invokeMethod(&receiver, [&reached] { reached = true; }, Qt::QueuedConnection);
+                mail.post([&reached] { reached = true; });
             });
             QTRY_VERIFY_WITH_TIMEOUT(reached, longestWait);
             QCoreApplication::processEvents();
@@ -49,10 +50,10 @@ struct Session
     {
         settle();
         std::optional<std::uint64_t> hash;
-        QObject receiver;
+        ui::Mailbox mail;
         worker.post([&](core::Sculptor& sculptor) {
             const std::uint64_t value = sculptor.mesh().stateHash();
-            QMetaObject::invokeMethod(&receiver, [&hash, value] { hash = value; }, Qt::QueuedConnection);
+            mail.post([&hash, value] { hash = value; });
         });
         [&] { QTRY_VERIFY_WITH_TIMEOUT(hash, longestWait); }();
         return hash.value_or(0);

@@ -2,6 +2,7 @@
 #include "app/sculpt_worker.h"
 
 #include "core/mesh_build.h"
+#include "ui/mailbox.h"
 
 #include <QDir>
 #include <QFile>
@@ -91,7 +92,8 @@ private Q_SLOTS:
         QTRY_VERIFY(studio.height() > 101); // what happened before is there
         studio.drawings.watch(false, false);
         bool isDone = false;
-        studio.worker.post([&isDone, &studio](core::Sculptor&) { QMetaObject::invokeMethod(&studio.here, [&isDone] { isDone = true; }, Qt::QueuedConnection); });
+        ui::Mailbox mail;
+        studio.worker.post([&](core::Sculptor&) { mail.post([&isDone] { isDone = true; }); });
         QTRY_VERIFY(isDone);
         const int before = studio.count;
         studio.pull();

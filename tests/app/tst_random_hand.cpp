@@ -3,6 +3,7 @@
 #include "core/mesh_build.h"
 #include "core/mesh_check.h"
 #include "ui/actions.h"
+#include "ui/mailbox.h"
 #include "ui/main_window.h"
 #include "ui/scene.h"
 #include "ui/viewport.h"
@@ -211,9 +212,9 @@ void TestRandomHand::theModelStaysSound()
 
     const auto ask = [&](auto question) {
         std::optional<decltype(question(std::declval<core::Sculptor&>()))> answer;
-        QObject receiver;
+        ui::Mailbox mail;
         program.worker.post([&, question](core::Sculptor& sculptor) {
-            QMetaObject::invokeMethod(&receiver, [&answer, value = question(sculptor)] { answer = value; }, Qt::QueuedConnection);
+            mail.post([&answer, value = question(sculptor)] { answer = value; });
         });
         [&] { QTRY_VERIFY_WITH_TIMEOUT(answer, 120'000); }();
         return answer.value();

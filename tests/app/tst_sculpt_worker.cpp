@@ -2,6 +2,7 @@
 #include "app/sculpt_worker.h"
 
 #include "core/mesh_build.h"
+#include "ui/mailbox.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -43,12 +44,12 @@ core::Vec3 onSphere(std::mt19937_64& random)
     return 50 * p.normalized();
 }
 
-/// What a signal of the mesh thread brought to this one. (A QSignalSpy would be written by that thread.)
+/// What a signal brought.
 template <class Value> struct Heard
 {
     template <class Signal> Heard(SculptWorker& worker, Signal signal)
     {
-        QObject::connect(&worker, signal, &here, [this](const Value& value) { all << value; }, Qt::QueuedConnection);
+        QObject::connect(&worker, signal, &here, [this](const Value& value) { all << value; });
     }
 
     qsizetype size() const { return all.size(); }
@@ -306,9 +307,13 @@ void TestSculptWorker::worker_saysWhatABrushWouldTake()
 
 void TestSculptWorker::worker_answersTheNewestQuestion()
 {
+    QList<Answer> answered;
+    ui::Mailbox mail;
     SculptWorker worker;
     Heard<MeshFacts> modelSet(worker, &SculptWorker::modelSet);
-    Heard<Answer> answered(worker, &SculptWorker::answeredHeadset);
+    connect(
+        &worker, &SculptWorker::answeredHeadset, &mail,
+        [&](const Answer& hit) { mail.post([&answered, hit] { answered << hit; }); }, Qt::DirectConnection);
     worker.setModel(sphere());
     QTRY_COMPARE(modelSet.size(), 1);
     for (int i = 0; i <= 1000; ++i)

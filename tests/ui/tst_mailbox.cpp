@@ -1,0 +1,109 @@
+#include "ui/mailbox.h"
+
+#include <QEventLoop>
+#include <QTest>
+#include <QThread>
+
+#include <algorithm>
+#include <memory>
+#include <numeric>
+#include <thread>
+#include <vector>
+
+using ui::Mailbox;
+
+class TestMailbox : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void opensHereInOrder();
+    void keepsOrderAmongOtherMail();
+    void losesNothingOfManyPosters();
+    void opensOthersWhileOneWaits();
+    void dropsWhatWaitsWhenItGoes();
+};
+
+void TestMailbox::opensHereInOrder()
+{
+    Mailbox mail;
+    std::vector<int> opened; // only ever touched here, or the thread sanitizer tells
+    std::thread poster([&] {
+        for (int i = 0; i < 1000; ++i)
+            mail.post([&opened, page = std::make_shared<int>(i)] {
+                opened.push_back(QThread::currentThread() == qApp->thread() ? *page : -1);
+            });
+    });
+    QTRY_COMPARE(opened.size(), std::size_t(1000));
+    poster.join();
+    std::vector<int> expected(1000);
+    std::iota(expected.begin(), expected.end(), 0);
+    QCOMPARE(opened, expected);
+}
+
+void TestMailbox::keepsOrderAmongOtherMail()
+{
+    Mailbox one, other;
+    QString opened;
+    one.post([&] { opened += QLatin1Char('a'); });
+    other.post([&] { opened += QLatin1Char('b'); });
+    QMetaObject::invokeMethod(this, [&] { opened += QLatin1Char('c'); }, Qt::QueuedConnection);
+    one.post([&] { opened += QLatin1Char('d'); });
+    QVERIFY(opened.isEmpty());
+    QTRY_COMPARE(opened, QStringLiteral("abcd"));
+}
+
+void TestMailbox::losesNothingOfManyPosters()
+{
+    constexpr int posters = 4, letters = 500;
+    Mailbox mail;
+    std::vector<std::vector<int>> opened(posters);
+    std::vector<std::thread> threads;
+    for (int p = 0; p < posters; ++p)
+        threads.emplace_back([&, p] {
+            for (int i = 0; i < letters; ++i)
+                mail.post([&opened, p, pages = std::vector<int>(3, i)] { opened[p].insert(opened[p].end(), pages.begin(), pages.end()); });
+        });
+    const auto isComplete = [&] {
+        return std::all_of(opened.begin(), opened.end(), [](const auto& each) { return each.size() == 3 * letters; });
+    };
+    QTRY_VERIFY(isComplete());
+    for (auto& thread : threads)
+        thread.join();
+    for (const auto& each : opened)
+        QVERIFY(std::is_sorted(each.begin(), each.end()));
+}
+
+/// As a question to the person does.
+void TestMailbox::opensOthersWhileOneWaits()
+{
+    Mailbox mail;
+    QEventLoop question;
+    bool isAnswered = false, isOver = false;
+    mail.post([&] {
+        mail.post([&] {
+            isAnswered = true;
+            question.quit();
+        });
+        question.exec();
+        isOver = isAnswered;
+    });
+    QTRY_VERIFY(isOver);
+}
+
+void TestMailbox::dropsWhatWaitsWhenItGoes()
+{
+    const auto page = std::make_shared<int>();
+    bool isOpened = false;
+    {
+        Mailbox mail;
+        mail.post([&isOpened, page] { isOpened = true; });
+        QCOMPARE(page.use_count(), 2L);
+    }
+    QCOMPARE(page.use_count(), 1L);
+    QCoreApplication::processEvents();
+    QVERIFY(!isOpened);
+}
+
+QTEST_GUILESS_MAIN(TestMailbox)
+#include "tst_mailbox.moc"

@@ -1,0 +1,50 @@
+#include "side_thread.h"
+
+#include <utility>
+
+namespace ui
+{
+SideThread::~SideThread()
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        m_isEnding = true;
+    }
+    m_wake.notify_one();
+    if (m_thread.joinable())
+        m_thread.join();
+}
+
+void SideThread::run(std::function<void()> job)
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        m_jobs.push_back(std::move(job));
+        if (!m_thread.joinable())
+            m_thread = std::thread([this] { work(); });
+    }
+    m_wake.notify_one();
+}
+
+void SideThread::drop()
+{
+    const std::lock_guard lock(m_mutex);
+    m_jobs.clear();
+}
+
+void SideThread::work()
+{
+    std::unique_lock lock(m_mutex);
+    for (;;) {
+        m_wake.wait(lock, [this] { return m_isEnding || !m_jobs.empty(); });
+        if (m_jobs.empty())
+            return;
+        auto job = std::move(m_jobs.front());
+        m_jobs.pop_front();
+        lock.unlock();
+        job();
+        job = nullptr; // what it holds may take long to go, too
+        lock.lock();
+    }
+}
+} // namespace ui
