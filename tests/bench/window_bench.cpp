@@ -3,6 +3,7 @@
 //   window_bench [VERTICES...]
 // CPU milliseconds of the gui thread; software GL rasterises in "clay" and in "blit", a graphics card does not.
 #include "app/drawing_worker.h"
+#include "app/job_queue.h"
 
 #include "bench_models.h"
 #include "core/mesh_io.h"
@@ -20,8 +21,17 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
+#include <cstring>
+#include <execinfo.h>
+#include <link.h>
+#include <pthread.h>
+#include <thread>
 #include <unistd.h>
 
 namespace
@@ -46,35 +56,79 @@ struct Samples
     }
 };
 
-/// How long the event loop was away, without the frames that were drawn meanwhile.
+/// How long the event loop was away, without what the GL driver did meanwhile: each second millisecond a signal asks the gui
+/// thread where it is.
 class Absence
 {
 public:
-    explicit Absence(const ui::Viewport* viewport) : m_viewport(viewport)
+    Absence()
     {
-        m_clock.start();
+        s_guiThread = pthread_self();
+        void* warm[1];
+        backtrace(warm, 1); // its first call loads a library
+        s_driver.clear();
+        dl_iterate_phdr(noteDriver, nullptr);
+        struct sigaction action = {};
+        action.sa_handler = look;
+        action.sa_flags = SA_RESTART;
+        sigaction(SIGUSR2, &action, nullptr);
         m_timer.setTimerType(Qt::PreciseTimer);
-        m_timer.callOnTimeout([this] { look(); });
+        m_timer.callOnTimeout([this] { comeBack(); });
         m_timer.start(1);
+        m_asker = std::jthread([](const std::stop_token& stop) {
+            while (!stop.stop_requested()) {
+                std::this_thread::sleep_for(std::chrono::milliseconds(2));
+                pthread_kill(s_guiThread, SIGUSR2);
+            }
+        });
     }
     double worst() const { return m_worst; }
 
 private:
-    void look()
+    static double nowMs() { return static_cast<double>(app::steadyNs()) * 1e-6; }
+
+    /// Keeps where the code of the driver and its compiler lies.
+    static int noteDriver(dl_phdr_info* library, std::size_t, void*)
     {
-        const double away = static_cast<double>(m_clock.nsecsElapsed()) * 1e-6;
-        const auto& stats = m_viewport->stats();
-        const double drawing = stats.frames > m_frames ? stats.frameMs : 0;
-        m_worst = std::max(m_worst, away - drawing);
-        m_frames = stats.frames;
-        m_clock.restart();
+        if (std::strstr(library->dlpi_name, "_dri.so") == nullptr && std::strstr(library->dlpi_name, "LLVM") == nullptr)
+            return 0;
+        for (int i = 0; i < library->dlpi_phnum; ++i)
+            if (const auto& part = library->dlpi_phdr[i]; part.p_type == PT_LOAD && (part.p_flags & PF_X) != 0)
+                s_driver.emplace_back(library->dlpi_addr + part.p_vaddr, library->dlpi_addr + part.p_vaddr + part.p_memsz);
+        return 0;
     }
 
-    const ui::Viewport* m_viewport;
+    /// What passed since the last look was the driver's if the thread is in the driver now.
+    static void look(int)
+    {
+        std::array<void*, 64> frames;
+        const int count = backtrace(frames.data(), static_cast<int>(frames.size()));
+        const double now = nowMs();
+        const auto isOfDriver = [](void* frame) {
+            const auto at = reinterpret_cast<std::uintptr_t>(frame);
+            return std::ranges::any_of(s_driver, [at](const auto& part) { return at >= part.first && at < part.second; });
+        };
+        if (std::any_of(frames.begin(), frames.begin() + count, isOfDriver))
+            s_driverMs = s_driverMs + now - s_lookedMs;
+        s_lookedMs = now;
+    }
+
+    void comeBack()
+    {
+        const double now = nowMs();
+        if (m_leftMs > 0)
+            m_worst = std::max(m_worst, now - m_leftMs - s_driverMs);
+        m_leftMs = now;
+        s_lookedMs = now;
+        s_driverMs = 0;
+    }
+
+    static inline pthread_t s_guiThread;
+    static inline std::vector<std::pair<std::uintptr_t, std::uintptr_t>> s_driver;
+    static inline std::atomic<double> s_driverMs = 0, s_lookedMs = 0;
     QTimer m_timer;
-    QElapsedTimer m_clock;
-    quint64 m_frames = 0;
-    double m_worst = 0;
+    double m_worst = 0, m_leftMs = 0;
+    std::jthread m_asker;
 };
 
 double secondsSinceProcessStart()
@@ -96,7 +150,7 @@ void open(Program& program, const QString& path)
 {
     int told = 0;
     const auto counting = QObject::connect(&program.document, &app::Document::progressed, &program.window, [&] { ++told; });
-    Absence absence(program.window.viewport());
+    Absence absence;
     QElapsedTimer clock;
     clock.start();
     const quint64 wholes = program.window.viewport()->stats().wholeUploads;
@@ -127,7 +181,7 @@ void stroke(Program& program, const char* what)
         if (drawings->latencyMs() > 0)
             drawing.values.push_back(drawings->latencyMs());
     });
-    Absence absence(viewport);
+    Absence absence;
     const QPoint middle = viewport->rect().center();
     const auto at = [&](int i) {
         const double turn = 0.25 * i, radius = 0.9 * i;
