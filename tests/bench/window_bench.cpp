@@ -66,8 +66,8 @@ public:
         s_guiThread = pthread_self();
         void* warm[1];
         backtrace(warm, 1); // its first call loads a library
-        s_driver.clear();
-        dl_iterate_phdr(noteDriver, nullptr);
+        s_code.clear();
+        dl_iterate_phdr(note, nullptr);
         struct sigaction action = {};
         action.sa_handler = look;
         action.sa_flags = SA_RESTART;
@@ -87,15 +87,28 @@ public:
 private:
     static double nowMs() { return static_cast<double>(app::steadyNs()) * 1e-6; }
 
-    /// Keeps where the code of the driver and its compiler lies.
-    static int noteDriver(dl_phdr_info* library, std::size_t, void*)
+    struct Code
     {
-        if (std::strstr(library->dlpi_name, "_dri.so") == nullptr && std::strstr(library->dlpi_name, "LLVM") == nullptr)
-            return 0;
+        std::uintptr_t begin, end;
+        bool isDriver;
+    };
+
+    /// Keeps where a library's code lies; software GL's compiler is of the driver.
+    static int note(dl_phdr_info* library, std::size_t, void*)
+    {
+        const bool isDriver = std::strstr(library->dlpi_name, "_dri.so") != nullptr || std::strstr(library->dlpi_name, "LLVM") != nullptr;
         for (int i = 0; i < library->dlpi_phnum; ++i)
             if (const auto& part = library->dlpi_phdr[i]; part.p_type == PT_LOAD && (part.p_flags & PF_X) != 0)
-                s_driver.emplace_back(library->dlpi_addr + part.p_vaddr, library->dlpi_addr + part.p_vaddr + part.p_memsz);
+                s_code.push_back({library->dlpi_addr + part.p_vaddr, library->dlpi_addr + part.p_vaddr + part.p_memsz, isDriver});
         return 0;
+    }
+
+    /// What software GL compiles lies in no library.
+    static bool isOfDriver(void* frame)
+    {
+        const auto at = reinterpret_cast<std::uintptr_t>(frame);
+        const auto code = std::ranges::find_if(s_code, [at](const Code& c) { return at >= c.begin && at < c.end; });
+        return code == s_code.end() || code->isDriver;
     }
 
     /// What passed since the last look was the driver's if the thread is in the driver now.
@@ -104,10 +117,6 @@ private:
         std::array<void*, 64> frames;
         const int count = backtrace(frames.data(), static_cast<int>(frames.size()));
         const double now = nowMs();
-        const auto isOfDriver = [](void* frame) {
-            const auto at = reinterpret_cast<std::uintptr_t>(frame);
-            return std::ranges::any_of(s_driver, [at](const auto& part) { return at >= part.first && at < part.second; });
-        };
         if (std::any_of(frames.begin(), frames.begin() + count, isOfDriver))
             s_driverMs = s_driverMs + now - s_lookedMs;
         s_lookedMs = now;
@@ -124,7 +133,7 @@ private:
     }
 
     static inline pthread_t s_guiThread;
-    static inline std::vector<std::pair<std::uintptr_t, std::uintptr_t>> s_driver;
+    static inline std::vector<Code> s_code;
     static inline std::atomic<double> s_driverMs = 0, s_lookedMs = 0;
     QTimer m_timer;
     double m_worst = 0, m_leftMs = 0;
