@@ -95,6 +95,7 @@ void DrawingWorker::tellOfPatch(const std::weak_ptr<Desk>& weak)
     if (const auto desk = weak.lock()) {
         const std::lock_guard lock(desk->mutex);
         desk->hasPatch = true;
+        desk->changedNs = desk->changedNs != 0 ? desk->changedNs : steadyNs();
         desk->stopFine.request_stop();
         desk->wake.notify_all();
     }
@@ -133,7 +134,7 @@ void DrawingWorker::draw()
     const Turn turn = takeTurn();
     if (turn.inbox != std::exchange(m_inbox, turn.inbox)) {
         m_drawer.reset();
-        m_sampledNs = 0;
+        m_changedNs = 0;
     }
     m_isFine = true;
     if (!m_inbox)
@@ -143,7 +144,8 @@ void DrawingWorker::draw()
     const auto patch = m_inbox->take();
     if (patch) {
         m_drawer->apply(*patch);
-        m_sampledNs = m_sampledNs != 0 ? m_sampledNs : patch->sampledNs;
+        if (patch->sampledNs != 0 && m_changedNs == 0)
+            m_changedNs = turn.changedNs;
     }
     if (m_drawer->model().faces.empty())
         return;
@@ -159,7 +161,8 @@ DrawingWorker::Turn DrawingWorker::takeTurn()
     m_desk->hasPatch = false;
     m_desk->stop = {};
     m_desk->stopFine = {};
-    return {m_desk->inbox, m_desk->shaded, std::exchange(m_desk->hasNews, false), m_desk->stop.get_token(), m_desk->stopFine.get_token()};
+    return {m_desk->inbox, m_desk->shaded, std::exchange(m_desk->hasNews, false), std::exchange(m_desk->changedNs, 0),
+            m_desk->stop.get_token(), m_desk->stopFine.get_token()};
 }
 
 /// If it was stopped, something newer is to be drawn.
@@ -169,9 +172,9 @@ void DrawingWorker::show(std::optional<core::LineDrawing> drawing, bool isFine)
     if (!drawing)
         return;
     drawing->isInterim = !isFine;
-    if (m_sampledNs != 0) {
+    if (m_changedNs != 0) {
         const std::lock_guard lock(m_desk->mutex);
-        m_desk->latencyMs = msSince(std::exchange(m_sampledNs, 0));
+        m_desk->latencyMs = msSince(std::exchange(m_changedNs, 0));
     }
     m_mail.post([this, made = std::make_shared<const core::LineDrawing>(*std::move(drawing))] { Q_EMIT drawn(made); });
 }

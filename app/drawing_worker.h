@@ -30,7 +30,7 @@ public:
     explicit DrawingWorker(SculptWorker* worker, QObject* parent = nullptr);
     ~DrawingWorker() override;
 
-    /// From the input to the drawing that shows it, ms: the last, 0 if there was none. Any thread.
+    /// From a stroke's change of the mesh to the drawing that shows it, ms: the last, 0 if there was none. Any thread.
     double latencyMs() const;
 
 public Q_SLOTS:
@@ -58,6 +58,7 @@ private:
         bool hasPatch = false, hasNews = false, isStopping = false;
         bool isSeen = false, shaded = false;
         double latencyMs = 0;
+        std::int64_t changedNs = 0;        ///< when the oldest patch came that waits
         std::shared_ptr<PatchInbox> inbox; ///< null while nobody looks
         std::deque<Order> orders;
         std::stop_source stop;     ///< of the drawing at hand: what it shows is not wanted any more
@@ -69,6 +70,7 @@ private:
     {
         std::shared_ptr<PatchInbox> inbox;
         bool shaded, hasNews;
+        std::int64_t changedNs;
         std::stop_token stop, stopFine;
     };
 
@@ -88,7 +90,7 @@ private:
     std::optional<core::LineDrawer> m_drawer; ///< while somebody looks
     std::shared_ptr<PatchInbox> m_inbox;      ///< whose patches it is made of
     bool m_isFine = true;                     ///< the last drawing was, or there is none to be made finer
-    std::int64_t m_sampledNs = 0;        ///< the oldest input that no drawing shows yet
+    std::int64_t m_changedNs = 0;             ///< of the oldest change by a stroke that no drawing shows yet
 
     std::thread m_thread; ///< last: it uses the others
 };
