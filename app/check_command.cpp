@@ -5,6 +5,7 @@
 #include "core/mesh_check.h"
 #include "core/mesh_io.h"
 #include "ui/messages.h"
+#include "ui/model_formats.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -137,8 +138,8 @@ void printReport(const CheckOptions& options, const QString& file, const core::M
 QStringList modelsIn(const QString& folder)
 {
     QStringList patterns;
-    for (const std::string_view ending : core::meshEndings())
-        patterns << QStringLiteral("*.") + QString::fromUtf8(ending.data(), static_cast<qsizetype>(ending.size()));
+    for (const QString& ending : ui::modelEndings())
+        patterns << QStringLiteral("*.") + ending;
     std::error_code problem;
     const std::filesystem::directory_iterator readable(toPath(folder), problem);
     if (problem)
@@ -147,7 +148,7 @@ QStringList modelsIn(const QString& folder)
     for (const QString& name : QDir(folder).entryList(patterns, QDir::Files, QDir::Name))
         files << QDir(folder).filePath(name);
     if (files.isEmpty())
-        CommandLine::fail(CheckWords::tr("%1: there is no STL, OBJ or PLY file in this folder.").arg(folder));
+        CommandLine::fail(CheckWords::tr("%1: there is no model in this folder (%2).").arg(folder, ui::modelFormats()));
     return files;
 }
 

@@ -3,6 +3,7 @@
 #include "model_loader.h"
 
 #include "core/mesh_io.h"
+#include "ui/model_formats.h"
 
 #include <QFileInfo>
 
@@ -124,12 +125,12 @@ void CommandLine::fail(const QString& sentence)
 
 void CommandLine::requireMeshEnding(const QString& path)
 {
-    static const QStringList later{QStringLiteral("off"), QStringLiteral("glb"), QStringLiteral("gltf"), QStringLiteral("3mf")};
+    static const QStringList later{QStringLiteral("glb"), QStringLiteral("gltf"), QStringLiteral("3mf")};
     const QString ending = QFileInfo(path).suffix().toLower();
     if (later.contains(ending))
-        fail(tr("%1: the format \"%2\" is not there yet; STL, OBJ and PLY can be written.").arg(path, ending));
+        fail(tr("%1: the format \"%2\" is not there yet; %3 can be written.").arg(path, ending, ui::modelFormats()));
     if (!core::meshFormatOf(toPath(path)))
-        fail(tr("%1: its ending does not say a format; STL, OBJ and PLY can be written.").arg(path));
+        fail(tr("%1: its ending does not say a format; %2 can be written.").arg(path, ui::modelFormats()));
 }
 
 void CommandLine::print(const QString& text)
@@ -162,7 +163,8 @@ QString CommandLine::help()
               "  fettle help COMMAND              the options of check, convert or replay\n"
               "  fettle --version\n"
               "\n"
-              "Formats: STL, OBJ, PLY. Lengths are in millimetres.\n"
-              "Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standard error).\n");
+              "Formats: %1. Lengths are in millimetres.\n"
+              "Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standard error).\n")
+        .arg(ui::modelFormats());
 }
 } // namespace app

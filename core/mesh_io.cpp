@@ -20,7 +20,7 @@ namespace
 {
 using namespace mesh_io;
 
-constexpr std::array<std::string_view, 3> endings{"stl", "obj", "ply"};
+constexpr std::array<std::string_view, 4> endings{"stl", "obj", "ply", "off"};
 constexpr std::uint64_t maxFileSize = std::uint64_t(1) << 31;
 
 std::string endingOf(const std::filesystem::path& path)
@@ -146,6 +146,8 @@ TriangleMesh parse(const FileBytes& file, MeshFormat format)
         return readObj(file);
     case MeshFormat::Ply:
         return readPly(file);
+    case MeshFormat::Off:
+        return readOff(file);
     }
     return {};
 }
@@ -255,6 +257,9 @@ void writeMesh(const std::filesystem::path& path, const TriangleMesh& mesh, cons
         break;
     case MeshFormat::Ply:
         writePly(out, mesh, options);
+        break;
+    case MeshFormat::Off:
+        writeOff(out, mesh, options.palette);
         break;
     }
     out.commit();

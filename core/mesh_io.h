@@ -10,7 +10,7 @@
 
 namespace core
 {
-enum class MeshFormat { Stl, Obj, Ply };
+enum class MeshFormat { Stl, Obj, Ply, Off };
 
 /// The formats by their endings (lower case, without dot), in the order of MeshFormat.
 std::span<const std::string_view> meshEndings();
@@ -37,7 +37,7 @@ struct ReadingStopped
 struct WriteOptions
 {
     std::optional<UpAxis> up = {}; ///< of the file; missing: usualUp
-    bool ascii = false;       ///< STL and PLY as text. OBJ is text always.
+    bool ascii = false;       ///< STL and PLY as text. OBJ and OFF are text always.
     std::vector<Rgb> palette = {}; ///< colours at hand, kept beside the model in a comment; in STL they are lost
 };
 

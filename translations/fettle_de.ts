@@ -24,10 +24,6 @@
         <translation>druckfertig</translation>
     </message>
     <message>
-        <source>%1: there is no STL, OBJ or PLY file in this folder.</source>
-        <translation>%1: In diesem Ordner liegt keine STL-, OBJ- oder PLY-Datei.</translation>
-    </message>
-    <message>
         <source>Says whether models are closed, manifold, oriented, free of self-intersections, and bound a solid. Status 0: all are; 1: not all.</source>
         <translation>Sagt, ob Modelle geschlossen, mannigfaltig, einheitlich orientiert und frei von Selbstdurchdringungen sind und einen Körper umschließen. Status 0: alle; 1: nicht alle.</translation>
     </message>
@@ -55,6 +51,10 @@
         <source>%1: this folder cannot be read (%2).</source>
         <translation>%1: Dieser Ordner ist nicht lesbar (%2).</translation>
     </message>
+    <message>
+        <source>%1: there is no model in this folder (%2).</source>
+        <translation>%1: In diesem Ordner liegt kein Modell (%2).</translation>
+    </message>
 </context>
 <context>
     <name>app::CommandLine</name>
@@ -78,12 +78,20 @@
         </translation>
     </message>
     <message>
-        <source>%1: the format &quot;%2&quot; is not there yet; STL, OBJ and PLY can be written.</source>
-        <translation>%1: Das Format „%2“ gibt es noch nicht; geschrieben werden STL, OBJ und PLY.</translation>
+        <source>Says this.</source>
+        <translation>Zeigt diese Hilfe.</translation>
     </message>
     <message>
-        <source>%1: its ending does not say a format; STL, OBJ and PLY can be written.</source>
-        <translation>%1: Die Endung nennt kein Format; geschrieben werden STL, OBJ und PLY.</translation>
+        <source>The answer cannot be written to the standard output (%1).</source>
+        <translation>Die Antwort kann nicht auf die Standardausgabe geschrieben werden (%1).</translation>
+    </message>
+    <message>
+        <source>%1: the format &quot;%2&quot; is not there yet; %3 can be written.</source>
+        <translation>%1: Das Format „%2“ gibt es noch nicht; geschrieben werden %3.</translation>
+    </message>
+    <message>
+        <source>%1: its ending does not say a format; %2 can be written.</source>
+        <translation>%1: Die Endung nennt kein Format; geschrieben werden %2.</translation>
     </message>
     <message>
         <source>Fettle sculpts closed models that stay ready to print.
@@ -98,7 +106,7 @@
   fettle help COMMAND              the options of check, convert or replay
   fettle --version
 
-Formats: STL, OBJ, PLY. Lengths are in millimetres.
+Formats: %1. Lengths are in millimetres.
 Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standard error).
 </source>
         <translation>Fettle formt geschlossene Modelle, die druckfertig bleiben.
@@ -113,17 +121,9 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
   fettle help COMMAND              die Optionen von check, convert oder replay
   fettle --version
 
-Formate: STL, OBJ, PLY. Längen in Millimetern.
+Formate: %1. Längen in Millimetern.
 Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mit einer Zeile auf der Standardfehlerausgabe).
 </translation>
-    </message>
-    <message>
-        <source>Says this.</source>
-        <translation>Zeigt diese Hilfe.</translation>
-    </message>
-    <message>
-        <source>The answer cannot be written to the standard output (%1).</source>
-        <translation>Die Antwort kann nicht auf die Standardausgabe geschrieben werden (%1).</translation>
     </message>
 </context>
 <context>
@@ -632,16 +632,8 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Ö&amp;ffnen …</translation>
     </message>
     <message>
-        <source>Opens a model: STL, OBJ or PLY.</source>
-        <translation>Öffnet ein Modell: STL, OBJ oder PLY.</translation>
-    </message>
-    <message>
         <source>&amp;Export…</source>
         <translation>E&amp;xportieren …</translation>
-    </message>
-    <message>
-        <source>Writes the model to a file: STL, OBJ or PLY.</source>
-        <translation>Schreibt das Modell in eine Datei: STL, OBJ oder PLY.</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
@@ -1395,6 +1387,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>Files &amp;Panel</source>
         <translation>&amp;Bedienfeld „Dateien“</translation>
     </message>
+    <message>
+        <source>Opens a model from a file.</source>
+        <translation>Öffnet ein Modell aus einer Datei.</translation>
+    </message>
+    <message>
+        <source>Writes the model to a file of any format; its own stays as it is.</source>
+        <translation>Schreibt das Modell in eine Datei in beliebigem Format; seine eigene bleibt, wie sie ist.</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -1890,16 +1890,16 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         </translation>
     </message>
     <message>
-        <source>No models lie here: STL, OBJ or PLY.</source>
-        <translation>Hier liegen keine Modelle: STL, OBJ oder PLY.</translation>
-    </message>
-    <message>
         <source>No name here has %1 in it.</source>
         <translation>Kein Name hier enthält %1.</translation>
     </message>
     <message>
         <source>Files</source>
         <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>No models lie here (%1).</source>
+        <translation>Hier liegen keine Modelle (%1).</translation>
     </message>
 </context>
 <context>
@@ -2259,14 +2259,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>%1 ist zu groß: Die Datei hat %2, gelesen werden höchstens %3.</translation>
     </message>
     <message>
-        <source>%1 has no ending that says its format: STL, OBJ and PLY can be used.</source>
-        <translation>%1 hat keine Endung, die das Format nennt: Verwendbar sind STL, OBJ und PLY.</translation>
-    </message>
-    <message>
-        <source>%1: the format &quot;%2&quot; is not known; STL, OBJ and PLY can be used.</source>
-        <translation>%1: Das Format „%2“ ist unbekannt; verwendbar sind STL, OBJ und PLY.</translation>
-    </message>
-    <message>
         <source>%1 does not hold what its ending says.</source>
         <translation>%1 enthält nicht, was die Endung sagt.</translation>
     </message>
@@ -2409,6 +2401,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>The reference image %1 is not there any more.</source>
         <translation>Das Vorlagenbild %1 ist nicht mehr da.</translation>
+    </message>
+    <message>
+        <source>%1 has no ending that says its format: %2 can be used.</source>
+        <translation>%1 hat keine Endung, die das Format nennt: Verwendbar sind %2.</translation>
+    </message>
+    <message>
+        <source>%1: the format &quot;%2&quot; is not known; %3 can be used.</source>
+        <translation>%1: Das Format „%2“ ist unbekannt; verwendbar sind %3.</translation>
     </message>
 </context>
 <context>

@@ -24,10 +24,6 @@
         <translation>可打印</translation>
     </message>
     <message>
-        <source>%1: there is no STL, OBJ or PLY file in this folder.</source>
-        <translation>%1：此文件夹中没有 STL、OBJ 或 PLY 文件。</translation>
-    </message>
-    <message>
         <source>Says whether models are closed, manifold, oriented, free of self-intersections, and bound a solid. Status 0: all are; 1: not all.</source>
         <translation>检查模型是否封闭、是流形、朝向一致、无自相交，并围成实体。状态 0：全部符合；1：并非全部符合。</translation>
     </message>
@@ -55,6 +51,10 @@
         <source>%1: this folder cannot be read (%2).</source>
         <translation>%1：无法读取此文件夹（%2）。</translation>
     </message>
+    <message>
+        <source>%1: there is no model in this folder (%2).</source>
+        <translation>%1：此文件夹中没有模型（%2）。</translation>
+    </message>
 </context>
 <context>
     <name>app::CommandLine</name>
@@ -77,12 +77,20 @@
         </translation>
     </message>
     <message>
-        <source>%1: the format &quot;%2&quot; is not there yet; STL, OBJ and PLY can be written.</source>
-        <translation>%1：尚不支持“%2”格式；可写入 STL、OBJ 和 PLY。</translation>
+        <source>Says this.</source>
+        <translation>显示此帮助。</translation>
     </message>
     <message>
-        <source>%1: its ending does not say a format; STL, OBJ and PLY can be written.</source>
-        <translation>%1：无法从扩展名得知格式；可写入 STL、OBJ 和 PLY。</translation>
+        <source>The answer cannot be written to the standard output (%1).</source>
+        <translation>无法将结果写入标准输出（%1）。</translation>
+    </message>
+    <message>
+        <source>%1: the format &quot;%2&quot; is not there yet; %3 can be written.</source>
+        <translation>%1：尚不支持格式“%2”；可写入 %3。</translation>
+    </message>
+    <message>
+        <source>%1: its ending does not say a format; %2 can be written.</source>
+        <translation>%1：扩展名没有说明格式；可写入 %2。</translation>
     </message>
     <message>
         <source>Fettle sculpts closed models that stay ready to print.
@@ -97,7 +105,7 @@
   fettle help COMMAND              the options of check, convert or replay
   fettle --version
 
-Formats: STL, OBJ, PLY. Lengths are in millimetres.
+Formats: %1. Lengths are in millimetres.
 Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standard error).
 </source>
         <translation>Fettle 用于雕刻封闭模型，并使其始终可以打印。
@@ -112,17 +120,9 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
   fettle help COMMAND              check、convert 或 replay 的选项
   fettle --version
 
-格式：STL、OBJ、PLY。长度单位为毫米。
+格式：%1。长度单位为毫米。
 状态：0 完成，1 结果为否，2 输入或用法有误（标准错误输出一行说明）。
 </translation>
-    </message>
-    <message>
-        <source>Says this.</source>
-        <translation>显示此帮助。</translation>
-    </message>
-    <message>
-        <source>The answer cannot be written to the standard output (%1).</source>
-        <translation>无法将结果写入标准输出（%1）。</translation>
     </message>
 </context>
 <context>
@@ -630,16 +630,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>打开(&amp;O)…</translation>
     </message>
     <message>
-        <source>Opens a model: STL, OBJ or PLY.</source>
-        <translation>打开模型：STL、OBJ 或 PLY。</translation>
-    </message>
-    <message>
         <source>&amp;Export…</source>
         <translation>导出(&amp;E)…</translation>
-    </message>
-    <message>
-        <source>Writes the model to a file: STL, OBJ or PLY.</source>
-        <translation>将模型写入文件：STL、OBJ 或 PLY。</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
@@ -1393,6 +1385,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>Files &amp;Panel</source>
         <translation>文件面板(&amp;P)</translation>
     </message>
+    <message>
+        <source>Opens a model from a file.</source>
+        <translation>从文件打开模型。</translation>
+    </message>
+    <message>
+        <source>Writes the model to a file of any format; its own stays as it is.</source>
+        <translation>把模型写入任意格式的另一个文件；模型自己的文件不变。</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -1884,16 +1884,16 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         </translation>
     </message>
     <message>
-        <source>No models lie here: STL, OBJ or PLY.</source>
-        <translation>这里没有模型：STL、OBJ 或 PLY。</translation>
-    </message>
-    <message>
         <source>No name here has %1 in it.</source>
         <translation>这里没有名称包含“%1”的项目。</translation>
     </message>
     <message>
         <source>Files</source>
         <translation>文件</translation>
+    </message>
+    <message>
+        <source>No models lie here (%1).</source>
+        <translation>这里没有模型（%1）。</translation>
     </message>
 </context>
 <context>
@@ -2251,14 +2251,6 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>%1 过大：文件大小为 %2，最多可读取 %3。</translation>
     </message>
     <message>
-        <source>%1 has no ending that says its format: STL, OBJ and PLY can be used.</source>
-        <translation>%1 没有表明格式的扩展名：可使用 STL、OBJ 和 PLY。</translation>
-    </message>
-    <message>
-        <source>%1: the format &quot;%2&quot; is not known; STL, OBJ and PLY can be used.</source>
-        <translation>%1：未知格式“%2”；可使用 STL、OBJ 和 PLY。</translation>
-    </message>
-    <message>
         <source>%1 does not hold what its ending says.</source>
         <translation>%1 的内容与扩展名不符。</translation>
     </message>
@@ -2401,6 +2393,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>The reference image %1 is not there any more.</source>
         <translation>参考图 %1 已不存在。</translation>
+    </message>
+    <message>
+        <source>%1 has no ending that says its format: %2 can be used.</source>
+        <translation>%1 没有说明格式的扩展名：可使用 %2。</translation>
+    </message>
+    <message>
+        <source>%1: the format &quot;%2&quot; is not known; %3 can be used.</source>
+        <translation>%1：未知格式“%2”；可使用 %3。</translation>
     </message>
 </context>
 <context>

@@ -15,7 +15,7 @@ namespace
 // clang-format off
 constexpr ActionInfo table[] = {
     {MenuId::File, "file.open", QT_TRANSLATE_NOOP("ui::Actions", "&Open…"),
-     QT_TRANSLATE_NOOP("ui::Actions", "Opens a model: STL, OBJ or PLY."), "Ctrl+O", "open", false, Bar::Top},
+     QT_TRANSLATE_NOOP("ui::Actions", "Opens a model from a file."), "Ctrl+O", "open", false, Bar::Top},
     {MenuId::File, "file.browse", QT_TRANSLATE_NOOP("ui::Actions", "&Browse Files"),
      QT_TRANSLATE_NOOP("ui::Actions", "Shows the panel with a folder of models as pictures."), "Ctrl+Shift+O", "files"},
     {MenuId::File, "file.revert", QT_TRANSLATE_NOOP("ui::Actions", "Re&vert"),
@@ -27,7 +27,7 @@ constexpr ActionInfo table[] = {
     {MenuId::File, "file.saveCopy", QT_TRANSLATE_NOOP("ui::Actions", "Save Nu&mbered Copy"),
      QT_TRANSLATE_NOOP("ui::Actions", "Writes the model beside its file, with the next free number in the name."), "Ctrl+Alt+S", "save-copy"},
     {MenuId::File, "file.exportAs", QT_TRANSLATE_NOOP("ui::Actions", "&Export…"),
-     QT_TRANSLATE_NOOP("ui::Actions", "Writes the model to a file: STL, OBJ or PLY."), "Ctrl+E", "export", false, Bar::Top},
+     QT_TRANSLATE_NOOP("ui::Actions", "Writes the model to a file of any format; its own stays as it is."), "Ctrl+E", "export", false, Bar::Top},
     {MenuId::File, "file.exportDrawing", QT_TRANSLATE_NOOP("ui::Actions", "Export &Drawing…"),
      QT_TRANSLATE_NOOP("ui::Actions", "Writes a sheet with front, side and top view to scale: PDF, SVG or PNG."), "Ctrl+Shift+D", "drawing"},
     {MenuId::File, "file.quit", QT_TRANSLATE_NOOP("ui::Actions", "&Quit"),

@@ -1,8 +1,7 @@
 #include "file_dialogs.h"
 
 #include "drawing_sheet.h"
-
-#include "core/mesh_io.h"
+#include "model_formats.h"
 
 #include <QCoreApplication>
 #include <QFileDialog>
@@ -16,14 +15,6 @@ namespace ui
 {
 namespace
 {
-QStringList endings()
-{
-    QStringList all;
-    for (const std::string_view ending : core::meshEndings())
-        all << QLatin1StringView(ending.data(), static_cast<qsizetype>(ending.size()));
-    return all;
-}
-
 class FileDialogs
 {
     Q_DECLARE_TR_FUNCTIONS(ui::FileDialogs)
@@ -70,21 +61,21 @@ void askForModel(QWidget* parent, ModelUse use, const QString& folder, PathAnswe
     auto* dialog = new QFileDialog(parent, title, folder);
     dialog->setObjectName(QStringLiteral("openDialog"));
     dialog->setFileMode(QFileDialog::ExistingFile);
-    const QString patterns = QStringLiteral("*.") + endings().join(QStringLiteral(" *."));
+    const QString patterns = QStringLiteral("*.") + modelEndings().join(QStringLiteral(" *."));
     dialog->setNameFilters({FileDialogs::tr("Models (%1)").arg(patterns), FileDialogs::tr("All files (*)")});
     show(dialog, answer);
 }
 
 void askForSaving(QWidget* parent, const QString& folder, const QString& modelName, PathAnswer answer)
 {
-    QStringList all = endings();
+    QStringList all = modelEndings();
     std::ranges::stable_partition(all, [](const QString& ending) { return ending == QLatin1StringView("ply"); });
     askForTarget(parent, FileDialogs::tr("Save the Model"), QStringLiteral("saveDialog"), folder, modelName, all, answer);
 }
 
 void askForExport(QWidget* parent, const QString& folder, const QString& modelName, PathAnswer answer)
 {
-    askForTarget(parent, FileDialogs::tr("Export the Model"), QStringLiteral("exportDialog"), folder, modelName, endings(), answer);
+    askForTarget(parent, FileDialogs::tr("Export the Model"), QStringLiteral("exportDialog"), folder, modelName, modelEndings(), answer);
 }
 
 void askForPicture(QWidget* parent, const QString& folder, PathAnswer answer)

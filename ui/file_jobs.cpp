@@ -1,8 +1,7 @@
 #include "file_jobs.h"
 
 #include "messages.h"
-
-#include "core/mesh_io.h"
+#include "model_formats.h"
 
 #include <QDateTime>
 #include <QDir>
@@ -25,9 +24,7 @@ FileEntry entryFrom(const QFileInfo& file)
 
 bool isModel(const QFileInfo& file)
 {
-    const QByteArray ending = file.suffix().toLower().toUtf8();
-    const auto known = core::meshEndings();
-    return std::find(known.begin(), known.end(), std::string_view(ending.constData(), static_cast<std::size_t>(ending.size()))) != known.end();
+    return modelEndings().contains(file.suffix().toLower());
 }
 
 /// Where the home's trash cannot be made, Qt 6.4 takes the folder that the program runs in for one.

@@ -5,6 +5,7 @@
 #include "file_list_model.h"
 #include "files_panel.h"
 #include "model_files.h"
+#include "model_formats.h"
 #include "settings.h"
 #include "themed_icon.h"
 #include "thumbnail_maker.h"
@@ -196,7 +197,7 @@ void FilesPanel::showState()
     if (isEmpty)
         m_empty->setText(!m_problem.isEmpty()          ? m_problem
                          : !m_isListed                 ? QString()
-                         : m_files->rowCount() == 0    ? tr("No models lie here: STL, OBJ or PLY.")
+                         : m_files->rowCount() == 0    ? tr("No models lie here (%1).").arg(modelFormats())
                                                        : tr("No name here has %1 in it.").arg(m_filter->text().trimmed()));
 }
 

@@ -1,5 +1,7 @@
 #include "messages.h"
 
+#include "model_formats.h"
+
 #include "core/mesh_check.h"
 
 #include <QDir>
@@ -147,8 +149,8 @@ QString Messages::reading(const core::FileError& error)
             .arg(path, bytes(error.found), bytes(error.expected));
     case FileErrorKind::UnknownFormat:
         return error.token.empty()
-                   ? tr("%1 has no ending that says its format: STL, OBJ and PLY can be used.").arg(path)
-                   : tr("%1: the format \"%2\" is not known; STL, OBJ and PLY can be used.").arg(path, token(error));
+                   ? tr("%1 has no ending that says its format: %2 can be used.").arg(path, modelFormats())
+                   : tr("%1: the format \"%2\" is not known; %3 can be used.").arg(path, token(error), modelFormats());
     case FileErrorKind::NotWhatItsEndingSays:
         return error.token.empty()
                    ? tr("%1 does not hold what its ending says.").arg(path)

@@ -51,7 +51,7 @@ FileError errorAtLine(FileErrorKind kind, const FileBytes& file, const char* at,
 FileError errorAtByte(FileErrorKind kind, const FileBytes& file, const char* at, std::string_view token = {});
 FileError tooMany(std::string_view what, std::size_t most, FileError error);
 
-/// By the first bytes and the size: "stl", "obj", "ply", another format's name ("png", "zip", ...), "text", or empty.
+/// By the first bytes and the size: "stl", "obj", "ply", "off", another format's name ("png", "zip", ...), "text", or empty.
 std::string_view looksLike(std::string_view start, std::uint64_t fileSize);
 
 inline constexpr std::size_t stlHeaderSize = 84;
@@ -66,8 +66,10 @@ bool isTextStl(std::string_view start);
 TriangleMesh readStl(const FileBytes& file);
 TriangleMesh readObj(const FileBytes& file);
 TriangleMesh readPly(const FileBytes& file);
+TriangleMesh readOff(const FileBytes& file);
 
 void writeStl(AtomicFile& out, const TriangleMesh& mesh, bool ascii);
 void writeObj(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette);
 void writePly(AtomicFile& out, const TriangleMesh& mesh, const WriteOptions& options);
+void writeOff(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette);
 } // namespace core::mesh_io

@@ -26,9 +26,6 @@ constexpr std::array magics{
     Magic{"GIF8"sv, "gif"},
     Magic{"%PDF"sv, "pdf"},
     Magic{"\x1f\x8b"sv, "gz"},
-    Magic{"OFF\n"sv, "off"},
-    Magic{"OFF\r"sv, "off"},
-    Magic{"COFF"sv, "off"},
     Magic{"\x7f"
           "ELF"sv,
           "program"},
@@ -63,18 +60,31 @@ std::string_view withoutBlanks(std::string_view text)
     return first == std::string_view::npos ? std::string_view() : text.substr(first);
 }
 
-/// The first line that is neither empty nor a comment is one of OBJ's.
+/// From the first line on that is neither empty nor a comment.
+std::string_view withoutComments(std::string_view text)
+{
+    text = withoutBlanks(text);
+    while (text.starts_with('#')) {
+        const std::size_t end = text.find_first_of("\r\n");
+        text = end == std::string_view::npos ? std::string_view() : withoutBlanks(text.substr(end));
+    }
+    return text;
+}
+
 bool isObj(std::string_view start)
 {
     constexpr std::array words{"v "sv, "vn "sv, "vt "sv,     "f "sv,      "g "sv,
                                "o "sv, "s "sv,  "mtllib "sv, "usemtl "sv, "v\t"sv};
-    for (std::string_view rest = withoutBlanks(start); !rest.empty();) {
-        if (rest.front() != '#')
-            return std::any_of(words.begin(), words.end(), [rest](std::string_view w) { return rest.starts_with(w); });
-        const std::size_t end = rest.find_first_of("\r\n");
-        rest = end == std::string_view::npos ? std::string_view() : withoutBlanks(rest.substr(end));
-    }
-    return false;
+    const std::string_view text = withoutComments(start);
+    return std::any_of(words.begin(), words.end(), [text](std::string_view w) { return text.starts_with(w); });
+}
+
+/// OFF, with ST, C, N, 4 and n before it or not.
+bool isOff(std::string_view start)
+{
+    const std::string_view text = withoutComments(start);
+    const std::string_view keyword = text.substr(0, text.find_first_of(" \t\r\n"));
+    return keyword.ends_with("OFF") && keyword.find_first_not_of("STCN4nOF") == std::string_view::npos;
 }
 } // namespace
 
@@ -109,7 +119,7 @@ std::string_view looksLike(std::string_view start, std::uint64_t fileSize)
     if (isTextStl(start))
         return "stl";
     if (isText(start))
-        return isObj(start) ? "obj" : "text";
+        return isObj(start) ? "obj" : isOff(start) ? "off" : "text";
     return {};
 }
 } // namespace core::mesh_io

@@ -1,6 +1,8 @@
-// STL: triangles as loose corners, binary or text. Corners with equal bits are welded.
+// STL: triangles as loose corners, binary or text. Corners with equal bits are welded. Colours are read where a binary file has them; none
+// are written: a triangle's colour is not a vertex's.
 
 #include "binary.h"
+#include "stl_colors.h"
 #include "text_scanner.h"
 #include "text_writer.h"
 #include "welder.h"
@@ -19,6 +21,8 @@ TriangleMesh readBinary(const FileBytes& file)
     const std::size_t count = (file.bytes.size() - stlHeaderSize) / stlTriangleSize;
     Welder welder(count / 2); // as many as a closed surface has
     mesh.triangles.reserve(count);
+    std::vector<std::uint16_t> words;
+    words.reserve(count);
     StopCheck stopCheck(file.stop);
     for (std::size_t i = 0; i < count; ++i) {
         stopCheck();
@@ -34,8 +38,10 @@ TriangleMesh readBinary(const FileBytes& file)
             corner = welder.add(p);
         }
         mesh.triangles.push_back(triangle);
+        words.push_back(load<std::uint16_t>(at, std::endian::little));
     }
     mesh.points = welder.takePoints();
+    mesh.colors = stlColors(file.bytes.substr(0, stlHeaderSize - 4), words, mesh, stopCheck);
     return mesh;
 }
 

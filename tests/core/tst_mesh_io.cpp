@@ -216,6 +216,10 @@ const char* const textPly =
     "property int vertex2\nend_header\n0 0 0 255 0 0 9\n1 0 0 0 255 0 9\n1 1 0 0 0 255 9\n0 1 0 1 2 3 9\n"
     "4 0 1 2 3\n3 2 1 0\n0 1\n";
 
+const char* const smallOff =
+    "# before\nCNOFF # with colours and normals\n\n5 3 0 # counts\n0 0 0 0 0 1 255 0 0 255\n1 0 0 0 0 1 0 255 0 255 # second\n"
+    "# between\n1 1 0 0 0 1\n0 1 0 0 0 1 1 2 3\n\n0 0 5 0 0 1 9 9 9 9\n4 0 1 2 3 0.5 0.5 0.5\n2 0 1\n3 4 3 2 7\n";
+
 double area(const TriangleMesh& mesh)
 {
     double sum = 0;
@@ -246,10 +250,13 @@ private Q_SLOTS:
 
     void stl_binaryMayBeginWithSolid();
     void stl_textIsRead();
+    void stl_colorsOfVisCamAndMagicsAreRead();
     void obj_isRead();
     void obj_facesMayComeBeforeVertices();
     void ply_textIsRead();
     void ply_bigEndianIsRead();
+    void off_isRead();
+    void off_colorsGoToOneOrTo255();
     void equalVertices_areWelded();
     void polygons_areCutInside();
 
@@ -307,7 +314,7 @@ void TestMeshIo::roundTrip_isBitIdentical_data()
     QTest::addColumn<QString>("name");
     QTest::addColumn<bool>("ascii");
     QTest::addColumn<bool>("colored");
-    for (const char* name : {"a.obj", "a.ply", "A.PLY"})
+    for (const char* name : {"a.obj", "a.ply", "A.PLY", "a.off"})
         for (const bool ascii : {false, true})
             for (const bool colored : {false, true})
                 QTest::newRow(qPrintable(QString("%1 %2 %3").arg(QString(name)).arg(ascii).arg(colored)))
@@ -332,7 +339,7 @@ void TestMeshIo::palette_isKeptBesideTheModel()
 {
     const std::vector<Rgb> palette = {{0, 0, 0}, {255, 254, 253}, {1, 160, 18}};
     const TriangleMesh ball = core::icosphere(2, 10);
-    for (const char* name : {"a.ply", "a.obj"})
+    for (const char* name : {"a.ply", "a.obj", "a.off"})
         for (const bool ascii : {false, true}) {
             core::writeMesh(file(name), ball, {.ascii = ascii, .palette = palette});
             QVERIFY2(core::readPalette(file(name)) == palette, name);
@@ -396,6 +403,9 @@ void TestMeshIo::text_knowsNoLocale()
     core::writeMesh(file("a.obj"), mesh);
     QVERIFY(readBytes(file("a.obj")).find(',') == std::string::npos);
     QVERIFY(sameBits(core::readMesh(file("a.obj")), mesh));
+    core::writeMesh(file("a.off"), mesh);
+    QVERIFY(readBytes(file("a.off")).find(',') == std::string::npos);
+    QVERIFY(sameBits(core::readMesh(file("a.off")), mesh));
     core::writeMesh(file("a.ply"), mesh, {.up = {}, .ascii = true});
     QVERIFY(sameBits(core::readMesh(file("a.ply")), mesh));
     core::writeMesh(file("a.stl"), mesh, {.up = {}, .ascii = true});
@@ -424,6 +434,35 @@ void TestMeshIo::stl_textIsRead()
     QCOMPARE(mesh.triangles.size(), std::size_t(1));
     QVERIFY(sameBits(mesh.points[1], {1, 0, 0}));
     QVERIFY(sameBits(mesh.points[2], {0, 1, 0}));
+}
+
+void TestMeshIo::stl_colorsOfVisCamAndMagicsAreRead()
+{
+    const auto colorsOf = [this](std::string header, const std::array<std::uint16_t, 4>& words) {
+        std::string bytes = smallStl();
+        header.resize(80, ' ');
+        bytes.replace(0, 80, header);
+        for (std::size_t i = 0; i < words.size(); ++i) {
+            bytes[84 + 50 * i + 48] = static_cast<char>(words[i] & 0xff);
+            bytes[84 + 50 * i + 49] = static_cast<char>(words[i] >> 8);
+        }
+        const TriangleMesh mesh = parsed("a.stl", bytes);
+        std::vector<Rgb> colors = mesh.colors;
+        std::sort(colors.begin(), colors.end(), [](Rgb a, Rgb b) { return std::tie(a.r, a.g, a.b) < std::tie(b.r, b.g, b.b); });
+        return colors;
+    };
+    const std::uint16_t red = 31, green = 31 << 5, high = 31 << 10, flag = 1 << 15;
+    QVERIFY(colorsOf("plain", {0, 0, 0, 0}).empty());
+    QVERIFY(colorsOf("other bits", {7, 9, 0, 0}).empty());
+    const auto all = [](Rgb color) { return std::vector<Rgb>(4, color); };
+    const std::uint16_t viscamRed = flag | high;
+    QCOMPARE(colorsOf("viscam", {viscamRed, viscamRed, viscamRed, viscamRed}), all({255, 0, 0}));
+    const std::string magics = "COLOR=\x0a\x14\x1e\xff";
+    QCOMPARE(colorsOf(magics, {0, 0, 0, 0}), all({10, 20, 30}));
+    QCOMPARE(colorsOf(magics, {flag, flag, flag, flag}), all({10, 20, 30}));
+    QCOMPARE(colorsOf(magics, {red, red, red, red}), all({255, 0, 0}));
+    // A corner of a tetrahedron lies on three of its faces: one lies on no green one.
+    QCOMPARE(colorsOf(magics, {red, red, red, green}), (std::vector<Rgb>{{170, 85, 0}, {170, 85, 0}, {170, 85, 0}, {255, 0, 0}}));
 }
 
 void TestMeshIo::obj_isRead()
@@ -462,6 +501,31 @@ void TestMeshIo::ply_bigEndianIsRead()
     QCOMPARE(mesh.colors[1], (Rgb{255, 128, 255}));
     QCOMPARE(mesh.triangles.size(), std::size_t(3));
     QCOMPARE(mesh.triangles[2], (core::Triangle{2, 1, 0}));
+}
+
+void TestMeshIo::off_isRead()
+{
+    const TriangleMesh mesh = parsed("a.off", smallOff);
+    const std::vector<core::Triangle> expected{{0, 1, 2}, {0, 2, 3}, {4, 3, 2}};
+    QCOMPARE(mesh.triangles, expected);
+    QCOMPARE(mesh.points.size(), std::size_t(5));
+    QVERIFY(sameBits(mesh.points[4], {0, 0, 5}));
+    QCOMPARE(mesh.colors.size(), mesh.points.size());
+    QCOMPARE(mesh.colors[1], (Rgb{0, 255, 0}));
+    QCOMPARE(mesh.colors[2], Rgb());
+    QCOMPARE(mesh.colors[3], (Rgb{1, 2, 3}));
+    QCOMPARE(parsed("a.off", "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2").triangles.size(), std::size_t(1));
+}
+
+void TestMeshIo::off_colorsGoToOneOrTo255()
+{
+    const auto colorOf = [this](const std::string& words) {
+        return parsed("a.off", "COFF\n3 1 0\n0 0 0 " + words + "\n1 0 0\n0 1 0\n3 0 1 2\n").colors.at(0);
+    };
+    QCOMPARE(colorOf("1 0 0.5 1"), (Rgb{255, 0, 128}));
+    QCOMPARE(colorOf("1 0 0 1"), (Rgb{255, 0, 0}));
+    QCOMPARE(colorOf("1 0 0 255"), (Rgb{1, 0, 0}));
+    QCOMPARE(colorOf("200 100 0"), (Rgb{200, 100, 0}));
 }
 
 void TestMeshIo::equalVertices_areWelded()
@@ -578,6 +642,17 @@ void TestMeshIo::badInput_data()
     row("obj cut off", "a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2", Kind::CutOff, "line 4");
     row("obj without faces", "a.obj", "v 0 0 0\nv 1 0 0\n", Kind::NoFaces, "");
 
+    row("obj as off", "a.off", smallObj, Kind::NotWhatItsEndingSays, "byte 0", "obj");
+    row("off in four dimensions", "a.off", "4OFF\n1 1 0\n0 0 0 0\n", Kind::Malformed, "line 1", "4OFF");
+    row("binary off", "a.off", "OFF BINARY\n0000", Kind::NotANumber, "line 1", "BINARY");
+    row("off lying", "a.off", "OFF\n4000 1 0\n0 0 0\n", Kind::CutOff, "line 4");
+    row("off with too many", "a.off", "OFF\n4000000000 1 0\n0 0 0\n", Kind::TooManyElements, "line 2", "vertices");
+    row("off with nan", "a.off", "OFF\n3 1 0\n0 0 0\n0 nan 0\n1 1 1\n3 0 1 2\n", Kind::NotANumber, "line 4", "nan");
+    row("off index too large", "a.off", "OFF\n3 1 0\n0 0 0\n0 1 0\n1 1 1\n3 0 1 3 \n", Kind::IndexOutOfRange, "line 6", "3");
+    row("off face of none", "a.off", "OFF\n3 1 0\n0 0 0\n0 1 0\n1 1 1\n0 0 1 3\n", Kind::Malformed, "line 6", "0");
+    row("off cut off", "a.off", "OFF\n3 1 0\n0 0 0\n0 1 0\n1 1 1\n3 0 1", Kind::CutOff, "line 6");
+    row("off without faces", "a.off", "OFF\n3 0 0\n0 0 0\n0 1 0\n1 1 1\n", Kind::NoFaces, "");
+
     row("ply without end of header", "a.ply", "ply\nformat ascii 1.0\nelement vertex 3\n", Kind::CutOff, "line 4");
     row("ply of unknown encoding", "a.ply", "ply\nformat utf8 1.0\nend_header\n", Kind::Malformed, "line 2", "utf8");
     row("ply of unknown type", "a.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty half x\nend_header\n",
@@ -664,7 +739,7 @@ void TestMeshIo::hugeFiles_areRefusedQuickly()
         return error && quick ? static_cast<int>(error->kind) : -1;
     };
     constexpr std::uintmax_t gigabyte = 1'000'000'000;
-    for (const char* name : {"huge.stl", "huge.obj", "huge.ply"})
+    for (const char* name : {"huge.stl", "huge.obj", "huge.ply", "huge.off"})
         QCOMPARE(sparse(name, "", 3 * gigabyte), static_cast<int>(Kind::TooLarge));
     QCOMPARE(sparse("zeros.stl", "", 2 * gigabyte), static_cast<int>(Kind::CountMismatch));
     QCOMPARE(sparse("zeros.obj", "", 2 * gigabyte), static_cast<int>(Kind::NotWhatItsEndingSays));
@@ -686,6 +761,8 @@ void TestMeshIo::truncatedFiles_areRefused_data()
     QTest::newRow("binary ply") << "a.ply" << written("w.ply", false) << true;
     QTest::newRow("text ply") << "a.ply" << written("w.ply", true) << true;
     QTest::newRow("big-endian ply") << "a.ply" << QByteArray::fromStdString(bigEndianPly()) << true;
+    QTest::newRow("off") << "a.off" << written("w.off", false) << true;
+    QTest::newRow("off of all kinds") << "a.off" << QByteArray(smallOff) << false; // a colour may be shorter
     QTest::newRow("obj") << "a.obj" << written("w.obj", false) << false; // has no end
     QTest::newRow("obj of all kinds") << "a.obj" << QByteArray(smallObj) << false;
 }
@@ -711,6 +788,7 @@ void TestMeshIo::mutatedFiles_neverGetThrough_data()
     QTest::newRow("binary stl") << "a.stl" << QByteArray::fromStdString(smallStl());
     QTest::newRow("text stl") << "a.stl" << QByteArray(textStl);
     QTest::newRow("obj") << "a.obj" << QByteArray(smallObj);
+    QTest::newRow("off") << "a.off" << QByteArray(smallOff);
     QTest::newRow("text ply") << "a.ply" << QByteArray(textPly);
     QTest::newRow("big-endian ply") << "a.ply" << QByteArray::fromStdString(bigEndianPly());
     core::writeMesh(file("w.ply"), shapes::cube(1));

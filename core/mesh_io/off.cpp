@@ -1,0 +1,213 @@
+// OFF and COFF: a header with the counts, a vertex a line (with normal or colour, if the header says so), a face a line, whose colour
+// is passed over.
+
+#include "palette.h"
+#include "polygons.h"
+#include "text_scanner.h"
+#include "text_writer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace core::mesh_io
+{
+namespace
+{
+/// A vertex takes at least "0 0 0\n" of a file, a face "1 0\n".
+constexpr std::size_t leastVertex = 6, leastFace = 4;
+
+using RawColor = std::array<float, 3>;
+constexpr RawColor noColor{-1, -1, -1};
+
+class OffReader
+{
+public:
+    explicit OffReader(const FileBytes& file) : m_file(file), m_text(file, file.bytes.data()), m_stopCheck(file.stop) {}
+
+    TriangleMesh read()
+    {
+        readKeyword();
+        const std::size_t vertices = readCount("vertices", maxVertices, leastVertex);
+        const std::size_t faces = readCount("faces", maxFaces, leastFace);
+        m_mesh.points.reserve(vertices);
+        m_text.word(); // edges; on this line, if at all
+        while (m_mesh.points.size() < vertices) {
+            toLine();
+            readVertex();
+        }
+        for (std::size_t i = 0; i < faces; ++i) {
+            toLine();
+            readFace(vertices);
+        }
+        m_mesh.triangles = m_faces.triangles(m_mesh.points, m_stopCheck);
+        makeColors();
+        return std::move(m_mesh);
+    }
+
+private:
+    /// ST, C and N in this order, each if present; 4OFF and nOFF have other than three coordinates.
+    void readKeyword()
+    {
+        const std::string_view keyword = nextWord();
+        std::string_view rest = keyword;
+        const auto takes = [&rest](std::string_view part) {
+            const bool has = rest.starts_with(part);
+            rest.remove_prefix(has ? part.size() : 0);
+            return has;
+        };
+        takes("ST");
+        m_hasColors = takes("C");
+        m_coordinates = takes("N") ? 6 : 3;
+        if (rest != "OFF")
+            m_text.fail(FileErrorKind::Malformed, keyword);
+    }
+
+    /// The next word that is not of a comment; CutOff at the end of the file.
+    std::string_view nextWord()
+    {
+        for (;;) {
+            const std::string_view word = m_text.wordAnywhere();
+            if (!word.starts_with('#')) {
+                if (word.empty())
+                    m_text.fail(FileErrorKind::CutOff, {});
+                return word;
+            }
+            m_text.nextLine();
+        }
+    }
+
+    std::size_t readCount(std::string_view what, std::size_t most, std::size_t leastBytes)
+    {
+        const std::string_view word = nextWord();
+        const std::int64_t count = m_text.toInteger(word);
+        if (count < 0)
+            m_text.fail(FileErrorKind::Malformed, word);
+        if (static_cast<std::uint64_t>(count) > most)
+            throw tooMany(what, most, errorAtLine({}, m_file, word.data()));
+        if (static_cast<std::uint64_t>(count) > m_file.bytes.size() / leastBytes)
+            throw errorAtLine(FileErrorKind::CutOff, m_file, m_file.bytes.data() + m_file.bytes.size());
+        return static_cast<std::size_t>(count);
+    }
+
+    /// To the next line with words that are not a comment.
+    void toLine()
+    {
+        m_stopCheck();
+        do
+            if (!m_text.nextLine())
+                m_text.fail(FileErrorKind::CutOff, {});
+        while (m_text.atLineEnd() || *m_text.position() == '#');
+    }
+
+    bool isLineDone() { return m_text.atLineEnd() || *m_text.position() == '#'; }
+
+    void readVertex()
+    {
+        std::array<float, 3> point;
+        for (float& x : point)
+            x = m_text.number();
+        for (std::size_t i = point.size(); i < m_coordinates; ++i)
+            m_text.number();
+        if (m_hasColors && !isLineDone())
+            readColor();
+        m_mesh.points.emplace_back(point[0], point[1], point[2]);
+    }
+
+    /// r g b, with or without a. Kept as it stands until it is known whether they go to 1 or to 255.
+    void readColor()
+    {
+        m_colors.resize(m_mesh.points.size(), noColor);
+        RawColor& color = m_colors.emplace_back();
+        for (float& c : color)
+            c = readComponent();
+        if (!isLineDone())
+            readComponent();
+    }
+
+    float readComponent()
+    {
+        const std::string_view word = m_text.word();
+        const float component = m_text.toNumber(word);
+        m_hasFractions = m_hasFractions || word.find('.') != std::string_view::npos;
+        m_largest = std::max(m_largest, component);
+        return component;
+    }
+
+    void makeColors()
+    {
+        if (m_colors.empty())
+            return;
+        m_colors.resize(m_mesh.points.size(), noColor);
+        const float scale = m_hasFractions || m_largest <= 1 ? 255.0F : 1.0F;
+        const auto byte = [scale](float x) { return static_cast<std::uint8_t>(std::lround(std::clamp(x * scale, 0.0F, 255.0F))); };
+        m_mesh.colors.reserve(m_colors.size());
+        for (const RawColor& c : m_colors) {
+            m_stopCheck();
+            m_mesh.colors.push_back(c == noColor ? Rgb() : Rgb{byte(c[0]), byte(c[1]), byte(c[2])});
+        }
+    }
+
+    void readFace(std::size_t vertices)
+    {
+        const std::string_view word = m_text.word();
+        const std::int64_t corners = m_text.toInteger(word);
+        if (corners < 1)
+            m_text.fail(FileErrorKind::Malformed, word);
+        if (corners < 3) // a point or an edge
+            return;
+        if (corners > static_cast<std::int64_t>(maxCorners))
+            throw tooMany("corners", maxCorners, errorAtLine({}, m_file, word.data()));
+        for (std::int64_t i = 0; i < corners; ++i)
+            m_faces.addCorner(readCorner(vertices));
+        m_faces.endFace();
+    }
+
+    Slot readCorner(std::size_t vertices)
+    {
+        const std::string_view word = m_text.word();
+        const std::int64_t index = m_text.toInteger(word);
+        if (index < 0 || index >= static_cast<std::int64_t>(vertices)) {
+            FileError error = errorAtLine(FileErrorKind::IndexOutOfRange, m_file, word.data(), word);
+            error.expected = vertices;
+            throw error;
+        }
+        return static_cast<Slot>(index);
+    }
+
+    const FileBytes& m_file;
+    TextScanner m_text;
+    StopCheck m_stopCheck;
+    bool m_hasColors = false;
+    std::size_t m_coordinates = 3; ///< of a vertex, before its colour
+    TriangleMesh m_mesh;
+    std::vector<RawColor> m_colors; ///< as in the file; shorter than the points while none came since
+    bool m_hasFractions = false;
+    float m_largest = 0;
+    Polygons m_faces;
+};
+} // namespace
+
+TriangleMesh readOff(const FileBytes& file)
+{
+    return OffReader(file).read();
+}
+
+void writeOff(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette)
+{
+    TextWriter text(out);
+    text << (mesh.colors.empty() ? "OFF\n" : "COFF\n");
+    if (!palette.empty())
+        text << "# " << paletteWords(palette) << '\n';
+    text << mesh.points.size() << ' ' << mesh.triangles.size() << " 0\n";
+    for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+        const Vec3f& p = mesh.points[i];
+        text << p.x() << ' ' << p.y() << ' ' << p.z();
+        if (!mesh.colors.empty())
+            text << ' ' << mesh.colors[i].r << ' ' << mesh.colors[i].g << ' ' << mesh.colors[i].b << " 255";
+        text << '\n';
+    }
+    for (const Triangle& t : mesh.triangles)
+        text << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
+}
+} // namespace core::mesh_io

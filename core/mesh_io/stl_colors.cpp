@@ -1,0 +1,77 @@
+#include "stl_colors.h"
+
+#include <algorithm>
+#include <array>
+
+namespace core::mesh_io
+{
+namespace
+{
+constexpr std::uint16_t flag = 1 << 15;
+
+std::uint8_t channel(std::uint16_t word, int shift)
+{
+    constexpr int most = 31;
+    return static_cast<std::uint8_t>(((word >> shift & most) * 255 + most / 2) / most);
+}
+
+/// Of the whole model, where Magics wrote it.
+std::optional<Rgb> colorOfHeader(std::string_view header)
+{
+    constexpr std::string_view title = "COLOR=";
+    const std::size_t at = header.find(title);
+    if (at == std::string_view::npos || header.size() < at + title.size() + 3)
+        return std::nullopt;
+    const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(header[at + title.size() + i]); };
+    return Rgb{byte(0), byte(1), byte(2)};
+}
+
+Rgb viscamColor(std::uint16_t word)
+{
+    return (word & flag) != 0 ? Rgb{channel(word, 10), channel(word, 5), channel(word, 0)} : Rgb();
+}
+
+/// The mean of what was added.
+struct Mean
+{
+    std::array<std::uint32_t, 3> sum{};
+    std::uint32_t count = 0;
+
+    void add(const Rgb& color)
+    {
+        sum[0] += color.r;
+        sum[1] += color.g;
+        sum[2] += color.b;
+        ++count;
+    }
+    Rgb color() const
+    {
+        const auto mean = [this](std::size_t i) { return static_cast<std::uint8_t>((sum[i] + count / 2) / count); };
+        return count == 0 ? Rgb() : Rgb{mean(0), mean(1), mean(2)};
+    }
+};
+} // namespace
+
+std::vector<Rgb> stlColors(std::string_view header, std::span<const std::uint16_t> words, const TriangleMesh& mesh, StopCheck& stopCheck)
+{
+    const std::optional<Rgb> whole = colorOfHeader(header);
+    if (!whole && std::ranges::none_of(words, [](std::uint16_t word) { return (word & flag) != 0; }))
+        return {};
+    const bool isPlain = std::ranges::all_of(words, [](std::uint16_t word) { return word == 0; }); // then 0 is no black
+    const auto colorOf = [&](std::uint16_t word) {
+        if (!whole)
+            return viscamColor(word);
+        return isPlain || (word & flag) != 0 ? *whole : Rgb{channel(word, 0), channel(word, 5), channel(word, 10)};
+    };
+    std::vector<Mean> means(mesh.points.size());
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        stopCheck();
+        for (const Slot corner : mesh.triangles[i])
+            means[corner].add(colorOf(words[i]));
+    }
+    std::vector<Rgb> colors;
+    colors.reserve(means.size());
+    std::ranges::transform(means, std::back_inserter(colors), &Mean::color);
+    return colors;
+}
+} // namespace core::mesh_io
