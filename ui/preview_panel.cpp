@@ -140,10 +140,11 @@ void PreviewPanel::choose()
 
 void PreviewPanel::setDrawing(SharedDrawing drawing)
 {
-    const bool isInterim = drawing && drawing->isInterim, isShort = drawing && !drawing->hasCreases;
-    m_note->setVisible(isInterim || isShort);
-    m_note->setText(isInterim ? tr("Coarser while you sculpt; the fine drawing follows.")
-                              : tr("Creases are left out: the surface has too many."));
+    const bool isShort = drawing && !drawing->hasCreases;
+    m_note->setVisible(isShort);
+    if (isShort)
+        m_note->setText(drawing->isInterim ? tr("Coarser while you sculpt; the fine drawing follows.")
+                                           : tr("Creases are left out: the surface has too many."));
     m_canvas->setDrawing(std::move(drawing));
 }
 

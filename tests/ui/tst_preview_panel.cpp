@@ -18,11 +18,11 @@
 
 namespace
 {
-ui::SharedDrawing drawingOf(const core::TriangleMesh& mesh, bool isInterim = false)
+ui::SharedDrawing drawingOf(const core::TriangleMesh& mesh, bool isInterim = false, std::size_t mostEdges = 1000)
 {
     core::DrawArrays model;
     model.apply(core::wholePatchOf(*mesh_asserts::sculptable(mesh)));
-    auto drawing = std::make_shared<core::LineDrawing>(core::drawLines(model, {512, true}, {}).value());
+    auto drawing = std::make_shared<core::LineDrawing>(core::drawLines(model, {512, true, mostEdges}, {}).value());
     drawing->isInterim = isInterim;
     return drawing;
 }
@@ -103,7 +103,12 @@ private Q_SLOTS:
         shown.panel->setDrawing(drawingOf(shapes::cube(40)));
         QVERIFY(!note->isVisible());
         shown.panel->setDrawing(drawingOf(shapes::cube(40), true));
-        QVERIFY(note->isVisible() && !note->text().isEmpty());
+        QVERIFY(!note->isVisible()); // coarser, but all is there
+        shown.panel->setDrawing(drawingOf(shapes::cube(40), true, 2));
+        QVERIFY(note->isVisible());
+        const QString interim = note->text();
+        shown.panel->setDrawing(drawingOf(shapes::cube(40), false, 2));
+        QVERIFY(note->isVisible() && !note->text().isEmpty() && note->text() != interim);
     }
 
     void keysAndWheelZoomAndZeroFits()
