@@ -337,15 +337,6 @@ void TestEndToEnd::farModelIsMovedAndItIsSaid()
 
 int main(int argc, char* argv[])
 {
-    if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY")) {
-        qInfo("SKIP: no display");
-        return 0;
-    }
-    ui::prepareGraphics();
-    QApplication application(argc, argv);
-    QCoreApplication::setOrganizationName(QStringLiteral("Fettle"));
-    QCoreApplication::setApplicationName(QStringLiteral("tst_end_to_end"));
-    TestEndToEnd test;
-    return QTest::qExec(&test, argc, argv);
+    return runOnScreen<TestEndToEnd>(argc, argv, "tst_end_to_end");
 }
 #include "tst_end_to_end.moc"

@@ -208,15 +208,6 @@ void TestModelFile::ownWritingIsNotAnothers()
 
 int main(int argc, char* argv[])
 {
-    if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY")) {
-        qInfo("SKIP: no display");
-        return 0;
-    }
-    ui::prepareGraphics();
-    QApplication application(argc, argv);
-    QCoreApplication::setOrganizationName(QStringLiteral("Fettle"));
-    QCoreApplication::setApplicationName(QStringLiteral("tst_model_file"));
-    TestModelFile test;
-    return QTest::qExec(&test, argc, argv);
+    return runOnScreen<TestModelFile>(argc, argv, "tst_model_file");
 }
 #include "tst_model_file.moc"

@@ -230,15 +230,6 @@ void TestOpening::theFirstThatCannotBeReadIsNoMatter()
 
 int main(int argc, char* argv[])
 {
-    if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY")) {
-        qInfo("SKIP: no display");
-        return 0;
-    }
-    ui::prepareGraphics();
-    QApplication application(argc, argv);
-    QCoreApplication::setOrganizationName(QStringLiteral("Fettle"));
-    QCoreApplication::setApplicationName(QStringLiteral("tst_opening"));
-    TestOpening test;
-    return QTest::qExec(&test, argc, argv);
+    return runOnScreen<TestOpening>(argc, argv, "tst_opening");
 }
 #include "tst_opening.moc"

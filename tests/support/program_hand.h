@@ -36,6 +36,21 @@ inline void drag(QWidget* widget, const QPoint& by, Qt::KeyboardModifiers modifi
     QTest::mouseRelease(widget, Qt::LeftButton, modifiers, from + by);
 }
 
+/// main() of a test of the real window.
+template <class Test> int runOnScreen(int argc, char* argv[], const char* name)
+{
+    if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY")) {
+        qInfo("SKIP: no display");
+        return 0;
+    }
+    ui::prepareGraphics();
+    QApplication application(argc, argv);
+    QCoreApplication::setOrganizationName(QStringLiteral("Fettle"));
+    QCoreApplication::setApplicationName(QLatin1StringView(name));
+    Test test;
+    return QTest::qExec(&test, argc, argv);
+}
+
 /// The window with a ball of clay that has a stroke more than any file.
 inline void sculptBall(Program& program)
 {
