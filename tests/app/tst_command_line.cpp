@@ -1,4 +1,5 @@
 #include "core/mesh_io.h"
+#include "tests/support/hard_places.h"
 
 #include <QDir>
 #include <QFile>
@@ -8,8 +9,6 @@
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
-
-#include <unistd.h>
 
 namespace
 {
@@ -68,6 +67,11 @@ void write(const QString& path, const QByteArray& bytes)
     file.write(bytes);
 }
 
+QStringList filesIn(const QString& folder)
+{
+    return QDir(folder).entryList(QDir::Files | QDir::Hidden, QDir::Name);
+}
+
 QByteArray strokes(const QByteArray& stroke, const QByteArray& samples = R"({"position":[1,0,0]})")
 {
     return R"({"format":"fettle-strokes","version":1,"strokes":[{"samples":[)" + samples + "]," + stroke + "}]}";
@@ -82,6 +86,9 @@ const QByteArray cube = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv
 class TestCommandLine : public QObject
 {
     Q_OBJECT
+
+public:
+    explicit TestCommandLine(const places::SmallDisk* smallDisk) : m_smallDisk(smallDisk) {}
 
 private Q_SLOTS:
     void init();
@@ -106,6 +113,9 @@ private Q_SLOTS:
     void convert_refusals_data();
     void convert_refusals();
     void convert_ontoItself();
+    void convert_ontoAFullDisk_data();
+    void convert_ontoAFullDisk();
+    void convert_whereNothingMayBeWritten();
     void replay_statsHaveTheFields();
     void replay_isDeterministic();
     void replay_outIsInOrder();
@@ -120,8 +130,9 @@ private Q_SLOTS:
 
 private:
     QString at(const char* name) const { return m_folder->filePath(QString::fromUtf8(name)); }
-    QStringList left() const { return QDir(m_folder->path()).entryList(QDir::Files | QDir::Hidden, QDir::Name); }
+    QStringList left() const { return filesIn(m_folder->path()); }
 
+    const places::SmallDisk* m_smallDisk;
     std::unique_ptr<QTemporaryDir> m_folder;
 };
 
@@ -164,18 +175,12 @@ void TestCommandLine::files_thatMayNotBeReadSayWhy()
 {
     write(at("a.obj"), cube);
     QVERIFY(QDir(m_folder->path()).mkdir(QStringLiteral("locked")));
-    const auto asNobody = [&](const QString& name) { // root may read everything
-        QStringList arguments{QStringLiteral(FETTLE_PROGRAM), QStringLiteral("check"), name};
-        if (::geteuid() == 0)
-            arguments = QStringList{QStringLiteral("setpriv"), QStringLiteral("--reuid=65534"), QStringLiteral("--regid=65534"), QStringLiteral("--clear-groups")} + arguments;
-        return run(arguments.first(), arguments.mid(1), m_folder->path());
-    };
-    QFile::setPermissions(m_folder->path(), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner | QFile::ReadOther | QFile::ExeOther);
-    QCOMPARE(asNobody(QStringLiteral("a.obj")).status, 0);
+    const auto check = [&](const QString& name) { return fettle({QStringLiteral("check"), name}, {}, m_folder->path()); };
+    QCOMPARE(check(QStringLiteral("a.obj")).status, 0);
     QFile::setPermissions(at("a.obj"), {});
     QFile::setPermissions(at("locked"), {});
-    VERIFY_REFUSED(asNobody(QStringLiteral("a.obj")), "a.obj cannot be read (Permission denied)");
-    VERIFY_REFUSED(asNobody(QStringLiteral("locked")), "locked: this folder cannot be read (Permission denied)");
+    VERIFY_REFUSED(check(QStringLiteral("a.obj")), "a.obj cannot be read (Permission denied)");
+    VERIFY_REFUSED(check(QStringLiteral("locked")), "locked: this folder cannot be read (Permission denied)");
     QFile::setPermissions(at("locked"), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
 }
 
@@ -414,6 +419,53 @@ void TestCommandLine::convert_ontoItself()
     QCOMPARE(read(at("a.stl")).size(), before.size());
 }
 
+void TestCommandLine::convert_ontoAFullDisk_data()
+{
+    QTest::addColumn<QString>("name");
+    for (const char* name : {"model.stl", "model.obj", "model.ply"})
+        QTest::newRow(name) << QString::fromLatin1(name);
+}
+
+void TestCommandLine::convert_ontoAFullDisk()
+{
+    if (!m_smallDisk->isThere())
+        QSKIP("A small disk cannot be mounted here.");
+    QFETCH(QString, name);
+    const QString folder = QString::fromStdString(m_smallDisk->folder().string()), out = folder + QLatin1Char('/') + name;
+    core::writeMesh(at("large.stl").toStdString(), core::icosphere(5, 10));
+    write(at("a.obj"), cube);
+    QCOMPARE(fettle({QStringLiteral("convert"), at("a.obj"), out}).status, 0); // there is room for this
+    const QByteArray before = read(out);
+    const QStringList files = filesIn(folder);
+    const Answer answer = fettle({QStringLiteral("convert"), at("large.stl"), out});
+    VERIFY_REFUSED(answer, "the disk is full.");
+    VERIFY_REFUSED(answer, "model.");
+    QVERIFY(!before.isEmpty() && read(out) == before);
+    QCOMPARE(filesIn(folder), files);
+    QVERIFY(QFile::remove(out));
+    VERIFY_REFUSED(fettle({QStringLiteral("convert"), at("large.stl"), out}), "the disk is full.");
+    QVERIFY(filesIn(folder).isEmpty());
+}
+
+void TestCommandLine::convert_whereNothingMayBeWritten()
+{
+    write(at("a.obj"), cube);
+    QVERIFY(QDir(m_folder->path()).mkdir(QStringLiteral("closed")));
+    write(at("closed/old.obj"), "old");
+    QFile::setPermissions(at("closed"), QFile::ReadOwner | QFile::ExeOwner);
+    for (const char* name : {"closed/old.obj", "closed/new.stl"}) {
+        const Answer answer = fettle({QStringLiteral("convert"), at("a.obj"), at(name)});
+        VERIFY_REFUSED(answer, "cannot be written: it is not permitted (Permission denied).");
+        QVERIFY(QString::fromUtf8(answer.err).contains(at(name)));
+    }
+    QFile::setPermissions(at("closed"), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+    QCOMPARE(filesIn(at("closed")), QStringList{QStringLiteral("old.obj")});
+    QCOMPARE(read(at("closed/old.obj")), "old");
+    QFile::setPermissions(at("closed/old.obj"), QFile::ReadOwner); // it would be replaced, not written
+    VERIFY_REFUSED(fettle({QStringLiteral("convert"), at("a.obj"), at("closed/old.obj")}), "cannot be written: it is not permitted");
+    QCOMPARE(read(at("closed/old.obj")), "old");
+}
+
 void TestCommandLine::replay_statsHaveTheFields()
 {
     write(at("s.json"), strokes(R"("tool":"pull","radius":0.25)", R"({"position":[1,0,0]},{"position":[0,1,0]},{"position":[0,7,0]})"));
@@ -587,5 +639,13 @@ void TestCommandLine::numbers_haveNoLocale()
     }
 }
 
-QTEST_GUILESS_MAIN(TestCommandLine)
+int main(int argc, char* argv[])
+{
+    const QTemporaryDir folder;
+    const places::SmallDisk smallDisk(folder.filePath(QStringLiteral("small")).toStdString());
+    places::obeyPermissions();
+    const QCoreApplication application(argc, argv);
+    TestCommandLine test(&smallDisk);
+    return QTest::qExec(&test, argc, argv);
+}
 #include "tst_command_line.moc"

@@ -1,0 +1,234 @@
+#include "tests/support/hard_places.h"
+#include "tests/support/program_hand.h"
+
+#include "core/mesh_io.h"
+#include "ui/mailbox.h"
+
+#include <QAction>
+#include <QDir>
+#include <QTemporaryDir>
+
+using namespace app;
+
+namespace
+{
+enum class Fault { DiskFull, NotPermitted };
+
+QByteArray read(const QString& path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// A folder with a model, which can be spoilt and mended.
+class Place
+{
+public:
+    Place(const places::SmallDisk& disk, Fault fault) : m_disk(disk), m_fault(fault)
+    {
+        QFile::remove(at("filler"));
+        core::writeMesh(at("lion.ply").toStdString(), core::icosphere(3, 20));
+    }
+    ~Place()
+    {
+        mend();
+        for (const QString& name : files())
+            QFile::remove(at(name.toUtf8().constData()));
+    }
+    void spoil() const
+    {
+        if (m_fault == Fault::DiskFull)
+            m_disk.fill();
+        else
+            QFile::setPermissions(folder(), QFile::ReadOwner | QFile::ExeOwner);
+    }
+    void mend() const
+    {
+        if (m_fault == Fault::DiskFull)
+            QFile::remove(at("filler"));
+        else
+            QFile::setPermissions(folder(), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+    }
+    QString folder() const { return m_fault == Fault::DiskFull ? QString::fromStdString(m_disk.folder().string()) : m_own.path(); }
+    QString at(const char* name) const { return folder() + QLatin1Char('/') + QString::fromUtf8(name); }
+    QStringList files() const { return QDir(folder()).entryList(QDir::Files | QDir::Hidden, QDir::Name); }
+    QString word() const { return m_fault == Fault::DiskFull ? QStringLiteral("the disk is full.") : QStringLiteral("it is not permitted (Permission denied)."); }
+
+private:
+    const places::SmallDisk& m_disk;
+    Fault m_fault;
+    QTemporaryDir m_own;
+};
+
+/// The model of that place with a stroke more than its file, and the place spoilt.
+struct Spoilt
+{
+    Spoilt(const places::SmallDisk& disk, Fault fault) : place(disk, fault)
+    {
+        program.window.resize(900, 700);
+        program.window.show();
+        program.document.open(place.at("lion.ply"));
+    }
+    void sculpt()
+    {
+        QVERIFY(QTest::qWaitForWindowExposed(&program.window));
+        QTRY_VERIFY(!program.document.isBusy() && program.document.path() == place.at("lion.ply"));
+        QTRY_VERIFY(program.window.viewport()->stats().patches > 0);
+        drag(program.window.viewport(), {40, 20});
+        QTRY_COMPARE(program.document.undoStack().count(), 1);
+        QTRY_VERIFY(program.document.isSettled());
+        place.spoil();
+        bytes = read(place.at("lion.ply"));
+        files = place.files();
+        hash = state();
+    }
+    std::uint64_t state()
+    {
+        std::optional<std::uint64_t> answer;
+        ui::Mailbox mail;
+        program.worker.post([&](core::Sculptor& sculptor) { mail.post([&answer, value = sculptor.mesh().stateHash()] { answer = value; }); });
+        [&] { QTRY_VERIFY(answer); }();
+        return answer.value_or(0);
+    }
+    QMessageBox* problem() const { return program.window.findChild<QMessageBox*>(QStringLiteral("problem")); }
+    void press(const char* id) { program.window.action(QLatin1StringView(id))->trigger(); }
+    /// One sentence about that file; what was there is there, whole, and nothing else; the model is as it was.
+    void verifyRefused(const QString& name)
+    {
+        QTRY_VERIFY(problem() && problem()->isVisible() && !program.document.isBusy());
+        const QString sentence = problem()->text();
+        QVERIFY2(sentence.startsWith(place.at(name.toUtf8().constData())) && sentence.endsWith(place.word()), qPrintable(sentence));
+        QTest::mouseClick(problem()->button(QMessageBox::Ok), Qt::LeftButton);
+        QTRY_VERIFY(!problem());
+        QCOMPARE(read(place.at("lion.ply")), bytes);
+        QCOMPARE(place.files(), files);
+        QCOMPARE(state(), hash);
+        QVERIFY(program.document.isModified() && program.window.isWindowModified() && program.document.canUndo());
+        QCOMPARE(program.document.path(), place.at("lion.ply"));
+    }
+
+    Place place;
+    Program program;
+    QByteArray bytes;
+    QStringList files;
+    std::uint64_t hash = 0;
+};
+} // namespace
+
+/// Saving and exporting to full disks and to folders that are closed to us.
+class TestHardPlaces : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit TestHardPlaces(const places::SmallDisk* disk) : m_disk(disk) {}
+
+private Q_SLOTS:
+    void save_losesNothing_data() { faults(); }
+    void save_losesNothing();
+    void closing_staysWhenItsSaveFails_data() { faults(); }
+    void closing_staysWhenItsSaveFails();
+    void numberedCopy_isWholeOrNotThere_data() { faults(); }
+    void numberedCopy_isWholeOrNotThere();
+    void exports_areWholeOrNotThere_data();
+    void exports_areWholeOrNotThere();
+
+private:
+    static void faults();
+    bool isMissing(Fault fault) const { return fault == Fault::DiskFull && !m_disk->isThere(); }
+
+    const places::SmallDisk* m_disk;
+};
+
+#define SKIP_WITHOUT(fault)                                                                                            \
+    if (isMissing(fault))                                                                                              \
+    QSKIP("A small disk cannot be mounted here.")
+
+void TestHardPlaces::faults()
+{
+    QTest::addColumn<Fault>("fault");
+    QTest::newRow("full disk") << Fault::DiskFull;
+    QTest::newRow("closed folder") << Fault::NotPermitted;
+}
+
+void TestHardPlaces::save_losesNothing()
+{
+    QFETCH(Fault, fault);
+    SKIP_WITHOUT(fault);
+    Spoilt s(*m_disk, fault);
+    s.sculpt();
+    s.press("file.save");
+    s.verifyRefused(QStringLiteral("lion.ply"));
+    s.place.mend();
+    s.press("file.save");
+    QTRY_VERIFY(!s.program.document.isModified() && !s.program.document.isBusy());
+    QVERIFY(read(s.place.at("lion.ply")) != s.bytes);
+    QCOMPARE(core::readMesh(s.place.at("lion.ply").toStdString()).points.size(), s.program.document.facts().vertices);
+}
+
+void TestHardPlaces::closing_staysWhenItsSaveFails()
+{
+    QFETCH(Fault, fault);
+    SKIP_WITHOUT(fault);
+    Spoilt s(*m_disk, fault);
+    s.sculpt();
+    answerQuestion(s.program, QMessageBox::Save);
+    QVERIFY(!s.program.window.close());
+    s.verifyRefused(QStringLiteral("lion.ply"));
+    QVERIFY(s.program.window.isVisible());
+    s.place.mend();
+    s.press("file.save"); // this time nobody asked to close
+    QTRY_VERIFY(!s.program.document.isModified() && !s.program.document.isBusy());
+    QVERIFY(s.program.window.isVisible());
+}
+
+void TestHardPlaces::numberedCopy_isWholeOrNotThere()
+{
+    QFETCH(Fault, fault);
+    SKIP_WITHOUT(fault);
+    Spoilt s(*m_disk, fault);
+    s.sculpt();
+    s.press("file.saveCopy");
+    s.verifyRefused(QStringLiteral("lion-001.ply"));
+}
+
+void TestHardPlaces::exports_areWholeOrNotThere_data()
+{
+    QTest::addColumn<Fault>("fault");
+    QTest::addColumn<QString>("name");
+    for (const char* name : {"lion.stl", "lion.obj", "sheet.pdf", "sheet.svg", "sheet.png"}) {
+        QTest::addRow("%s, full disk", name) << Fault::DiskFull << QString::fromLatin1(name);
+        QTest::addRow("%s, closed folder", name) << Fault::NotPermitted << QString::fromLatin1(name);
+    }
+}
+
+void TestHardPlaces::exports_areWholeOrNotThere()
+{
+    QFETCH(Fault, fault);
+    QFETCH(QString, name);
+    SKIP_WITHOUT(fault);
+    Spoilt s(*m_disk, fault);
+    s.sculpt();
+    const bool isDrawing = name.startsWith(QLatin1StringView("sheet"));
+    s.press(isDrawing ? "file.exportDrawing" : "file.exportAs");
+    chooseFile(s.program, isDrawing ? "drawingDialog" : "exportDialog", s.place.folder() + QLatin1Char('/') + name);
+    s.verifyRefused(name);
+}
+
+int main(int argc, char* argv[])
+{
+    if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY")) {
+        qInfo("SKIP: no display");
+        return 0;
+    }
+    const QTemporaryDir folder;
+    const places::SmallDisk disk(folder.filePath(QStringLiteral("small")).toStdString());
+    places::obeyPermissions();
+    ui::prepareGraphics();
+    QApplication application(argc, argv);
+    QCoreApplication::setOrganizationName(QStringLiteral("Fettle"));
+    QCoreApplication::setApplicationName(QStringLiteral("tst_hard_places"));
+    TestHardPlaces test(&disk);
+    return QTest::qExec(&test, argc, argv);
+}
+#include "tst_hard_places.moc"
