@@ -2,6 +2,8 @@
 #include "tests/support/program_hand.h"
 
 #include "core/mesh_io.h"
+#include "ui/file_grid.h"
+#include "ui/files_panel.h"
 #include "ui/mailbox.h"
 
 #include <QAction>
@@ -91,6 +93,15 @@ struct Spoilt
         return answer.value_or(0);
     }
     QMessageBox* problem() const { return program.window.findChild<QMessageBox*>(QStringLiteral("problem")); }
+    /// The panel with the place's folder.
+    void browse()
+    {
+        press("file.browse");
+        program.window.findChild<ui::FilesPanel*>()->goTo(place.folder());
+        auto* grid = program.window.findChild<ui::FileGrid*>();
+        QTRY_COMPARE(grid->model()->rowCount(), 1);
+        grid->setCurrentIndex(grid->model()->index(0, 0));
+    }
     void press(const char* id) { program.window.action(QLatin1StringView(id))->trigger(); }
     /// One sentence about that file; what was there is there, whole, and nothing else; the model is as it was.
     void verifyRefused(const QString& name)
@@ -115,7 +126,7 @@ struct Spoilt
 };
 } // namespace
 
-/// Saving and exporting to full disks and to folders that are closed to us.
+/// Full disks, and folders and files that are closed to us.
 class TestHardPlaces : public QObject
 {
     Q_OBJECT
@@ -132,6 +143,9 @@ private Q_SLOTS:
     void numberedCopy_isWholeOrNotThere();
     void exports_areWholeOrNotThere_data();
     void exports_areWholeOrNotThere();
+    void duplicate_isWholeOrNotThere_data() { faults(); }
+    void duplicate_isWholeOrNotThere();
+    void filesThatMayNoMoreBeRead_haveAWord();
 
 private:
     static void faults();
@@ -213,6 +227,40 @@ void TestHardPlaces::exports_areWholeOrNotThere()
     s.press(isDrawing ? "file.exportDrawing" : "file.exportAs");
     chooseFile(s.program, isDrawing ? "drawingDialog" : "exportDialog", s.place.folder() + QLatin1Char('/') + name);
     s.verifyRefused(name);
+}
+
+void TestHardPlaces::duplicate_isWholeOrNotThere()
+{
+    QFETCH(Fault, fault);
+    SKIP_WITHOUT(fault);
+    Spoilt s(*m_disk, fault);
+    s.sculpt();
+    s.browse();
+    s.press("files.duplicate");
+    const QString word = fault == Fault::DiskFull ? QStringLiteral("No space left") : QStringLiteral("not permitted");
+    QTRY_VERIFY2(notice(s.program).contains(word), qPrintable(notice(s.program)));
+    QCOMPARE(s.place.files(), s.files);
+    QCOMPARE(read(s.place.at("lion.ply")), s.bytes);
+}
+
+void TestHardPlaces::filesThatMayNoMoreBeRead_haveAWord()
+{
+    Spoilt s(*m_disk, Fault::NotPermitted);
+    s.sculpt();
+    s.browse();
+    QFile::setPermissions(s.place.at("lion.ply"), {});
+    answerQuestion(s.program, QMessageBox::Discard);
+    s.press("files.open");
+    QTRY_VERIFY(s.problem() && s.problem()->isVisible());
+    QCOMPARE(s.problem()->text(), s.place.at("lion.ply") + QStringLiteral(" cannot be read (Permission denied)."));
+    QTest::mouseClick(s.problem()->button(QMessageBox::Ok), Qt::LeftButton);
+    QTRY_VERIFY(!s.problem() && !s.program.document.isBusy());
+    QCOMPARE(s.state(), s.hash);
+    QVERIFY(s.program.document.isModified());
+    QFile::setPermissions(s.place.folder(), {});
+    const auto* empty = s.program.window.findChild<QLabel*>(QStringLiteral("files.empty"));
+    QTRY_VERIFY(empty->isVisible());
+    QCOMPARE(empty->text(), s.place.folder() + QStringLiteral(" cannot be looked into: it is not permitted."));
 }
 
 int main(int argc, char* argv[])
