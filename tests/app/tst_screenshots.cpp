@@ -1,7 +1,9 @@
 #include "tests/support/program.h"
+#include "tests/ui/ui_test.h"
 
 #include "core/mesh_io.h"
 #include "core/starter_models.h"
+#include "ui/drawing_canvas.h"
 #include "ui/files_panel.h"
 #include "ui/guide_window.h"
 #include "ui/main_window.h"
@@ -37,7 +39,7 @@ using namespace app;
 namespace
 {
 constexpr QSize smallScreen{1280, 720};
-constexpr int settleMs = 250; ///< layouts, and what comes from other threads: drawings, facts
+constexpr int settleMs = 250; ///< layouts, and what comes from other threads: facts
 
 /// The words of one language, while it lives.
 class Words
@@ -188,6 +190,8 @@ void TestScreenshots::takePanels(Program& program)
         panel->raise();
         if (auto* files = panel->findChild<ui::FilesPanel*>())
             showModels(files);
+        if (auto* drawing = panel->findChild<ui::DrawingCanvas*>())
+            QTRY_VERIFY(inked(drawing->picture()) > 0 && !panel->findChild<QLabel*>(QStringLiteral("preview.note"))->isVisible());
         QTRY_COMPARE(program.window.size(), smallScreen);
         take(program.window, QStringLiteral("panel-") + panel->objectName());
         panel->setHidden(wasHidden);
