@@ -422,7 +422,7 @@ void TestCommandLine::convert_ontoItself()
 void TestCommandLine::convert_ontoAFullDisk_data()
 {
     QTest::addColumn<QString>("name");
-    for (const char* name : {"model.stl", "model.obj", "model.ply"})
+    for (const char* name : {"model.stl", "model.obj", "model.ply", "model.off"})
         QTest::newRow(name) << QString::fromLatin1(name);
 }
 
