@@ -855,12 +855,12 @@ private Q_SLOTS:
         act(window, "file.exportAs")->trigger();
         auto* dialog = child<QFileDialog>(window, "exportDialog");
         QVERIFY(dialog);
-        QCOMPARE(dialog->nameFilters().size(), 3);
+        QCOMPARE(dialog->nameFilters().size(), 4);
         QCOMPARE(dialog->defaultSuffix(), QStringLiteral("stl"));
         Q_EMIT dialog->filterSelected(dialog->nameFilters().constLast());
-        QCOMPARE(dialog->defaultSuffix(), QStringLiteral("ply"));
+        QCOMPARE(dialog->defaultSuffix(), QStringLiteral("off"));
         dialog->setDirectory(folder.path());
-        QVERIFY(dialog->selectedFiles().constFirst().endsWith(QStringLiteral("cup.ply")));
+        QVERIFY(dialog->selectedFiles().constFirst().endsWith(QStringLiteral("cup.off")));
         dialog->reject();
     }
 
