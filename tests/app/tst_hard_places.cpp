@@ -132,7 +132,7 @@ class TestHardPlaces : public QObject
     Q_OBJECT
 
 public:
-    explicit TestHardPlaces(const places::SmallDisk* disk) : m_disk(disk) {}
+    static inline const places::SmallDisk* disk = nullptr; ///< mounted by main()
 
 private Q_SLOTS:
     void save_losesNothing_data() { faults(); }
@@ -149,9 +149,7 @@ private Q_SLOTS:
 
 private:
     static void faults();
-    bool isMissing(Fault fault) const { return fault == Fault::DiskFull && !m_disk->isThere(); }
-
-    const places::SmallDisk* m_disk;
+    bool isMissing(Fault fault) const { return fault == Fault::DiskFull && !disk->isThere(); }
 };
 
 #define SKIP_WITHOUT(fault)                                                                                            \
@@ -169,7 +167,7 @@ void TestHardPlaces::save_losesNothing()
 {
     QFETCH(Fault, fault);
     SKIP_WITHOUT(fault);
-    Spoilt s(*m_disk, fault);
+    Spoilt s(*disk, fault);
     s.sculpt();
     s.press("file.save");
     s.verifyRefused(QStringLiteral("lion.ply"));
@@ -184,7 +182,7 @@ void TestHardPlaces::closing_staysWhenItsSaveFails()
 {
     QFETCH(Fault, fault);
     SKIP_WITHOUT(fault);
-    Spoilt s(*m_disk, fault);
+    Spoilt s(*disk, fault);
     s.sculpt();
     answerQuestion(s.program, QMessageBox::Save);
     QVERIFY(!s.program.window.close());
@@ -200,7 +198,7 @@ void TestHardPlaces::numberedCopy_isWholeOrNotThere()
 {
     QFETCH(Fault, fault);
     SKIP_WITHOUT(fault);
-    Spoilt s(*m_disk, fault);
+    Spoilt s(*disk, fault);
     s.sculpt();
     s.press("file.saveCopy");
     s.verifyRefused(QStringLiteral("lion-001.ply"));
@@ -221,7 +219,7 @@ void TestHardPlaces::exports_areWholeOrNotThere()
     QFETCH(Fault, fault);
     QFETCH(QString, name);
     SKIP_WITHOUT(fault);
-    Spoilt s(*m_disk, fault);
+    Spoilt s(*disk, fault);
     s.sculpt();
     const bool isDrawing = name.startsWith(QLatin1StringView("sheet"));
     s.press(isDrawing ? "file.exportDrawing" : "file.exportAs");
@@ -233,7 +231,7 @@ void TestHardPlaces::duplicate_isWholeOrNotThere()
 {
     QFETCH(Fault, fault);
     SKIP_WITHOUT(fault);
-    Spoilt s(*m_disk, fault);
+    Spoilt s(*disk, fault);
     s.sculpt();
     s.browse();
     s.press("files.duplicate");
@@ -245,7 +243,7 @@ void TestHardPlaces::duplicate_isWholeOrNotThere()
 
 void TestHardPlaces::filesThatMayNoMoreBeRead_haveAWord()
 {
-    Spoilt s(*m_disk, Fault::NotPermitted);
+    Spoilt s(*disk, Fault::NotPermitted);
     s.sculpt();
     s.browse();
     QFile::setPermissions(s.place.at("lion.ply"), {});
@@ -265,18 +263,10 @@ void TestHardPlaces::filesThatMayNoMoreBeRead_haveAWord()
 
 int main(int argc, char* argv[])
 {
-    if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY")) {
-        qInfo("SKIP: no display");
-        return 0;
-    }
     const QTemporaryDir folder;
     const places::SmallDisk disk(folder.filePath(QStringLiteral("small")).toStdString());
     places::obeyPermissions();
-    ui::prepareGraphics();
-    QApplication application(argc, argv);
-    QCoreApplication::setOrganizationName(QStringLiteral("Fettle"));
-    QCoreApplication::setApplicationName(QStringLiteral("tst_hard_places"));
-    TestHardPlaces test(&disk);
-    return QTest::qExec(&test, argc, argv);
+    TestHardPlaces::disk = &disk;
+    return runOnScreen<TestHardPlaces>(argc, argv, "tst_hard_places");
 }
 #include "tst_hard_places.moc"
