@@ -21,6 +21,8 @@ public:
     void write(std::string_view bytes);
     void commit();
 
+    const std::filesystem::path& path() const { return m_path; } ///< as asked
+
 private:
     void openTemporary();
     void flush();

@@ -20,7 +20,7 @@ namespace
 {
 using namespace mesh_io;
 
-constexpr std::array<std::string_view, 4> endings{"stl", "obj", "ply", "off"};
+constexpr std::array<std::string_view, 5> endings{"stl", "obj", "ply", "off", "glb"};
 constexpr std::uint64_t maxFileSize = std::uint64_t(1) << 31;
 
 std::string endingOf(const std::filesystem::path& path)
@@ -148,6 +148,8 @@ TriangleMesh parse(const FileBytes& file, MeshFormat format)
         return readPly(file);
     case MeshFormat::Off:
         return readOff(file);
+    case MeshFormat::Glb:
+        return readGlb(file);
     }
     return {};
 }
@@ -260,6 +262,9 @@ void writeMesh(const std::filesystem::path& path, const TriangleMesh& mesh, cons
         break;
     case MeshFormat::Off:
         writeOff(out, mesh, options.palette);
+        break;
+    case MeshFormat::Glb:
+        writeGlb(out, mesh, options.palette);
         break;
     }
     out.commit();

@@ -10,7 +10,7 @@
 
 namespace core
 {
-enum class MeshFormat { Stl, Obj, Ply, Off };
+enum class MeshFormat { Stl, Obj, Ply, Off, Glb };
 
 /// The formats by their endings (lower case, without dot), in the order of MeshFormat.
 std::span<const std::string_view> meshEndings();
@@ -37,14 +37,15 @@ struct ReadingStopped
 struct WriteOptions
 {
     std::optional<UpAxis> up = {}; ///< of the file; missing: usualUp
-    bool ascii = false;       ///< STL and PLY as text. OBJ and OFF are text always.
+    bool ascii = false;       ///< STL and PLY as text. OBJ and OFF are text always, GLB never.
     std::vector<Rgb> palette = {}; ///< colours at hand, kept beside the model in a comment; in STL they are lost
 };
 
 /// Throws FileError. What it returns has at least one face, indices in range and finite points, nothing more: faces may be
 /// degenerate, vertices unused. Vertices of equal bits (-0 = 0) are one, whatever the format: STL knows no others, and other
 /// files split them along seams. Vertices and faces keep their order; polygons are cut into triangles. Text numbers are
-/// rounded to the nearest float32. A file is not read beyond its header when its size contradicts it. Units are the file's.
+/// rounded to the nearest float32. A file is not read beyond its header when its size contradicts it. Units are the file's; a GLB's metres
+/// become millimetres.
 TriangleMesh readMesh(const std::filesystem::path& path, const ReadOptions& options = {});
 
 /// What writeMesh() was given as palette; empty if the file has none, or cannot be read. Never throws FileError.

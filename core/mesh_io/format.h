@@ -67,9 +67,11 @@ TriangleMesh readStl(const FileBytes& file);
 TriangleMesh readObj(const FileBytes& file);
 TriangleMesh readPly(const FileBytes& file);
 TriangleMesh readOff(const FileBytes& file);
+TriangleMesh readGlb(const FileBytes& file); ///< in mm
 
 void writeStl(AtomicFile& out, const TriangleMesh& mesh, bool ascii);
 void writeObj(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette);
 void writePly(AtomicFile& out, const TriangleMesh& mesh, const WriteOptions& options);
 void writeOff(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette);
+void writeGlb(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette);
 } // namespace core::mesh_io

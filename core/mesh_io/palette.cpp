@@ -43,7 +43,7 @@ std::vector<Rgb> paletteIn(std::string_view start)
             begin = at + mark.size() + title.size();
     if (begin == std::string_view::npos)
         return {};
-    std::string_view rest = start.substr(begin, start.find_first_of("\r\n", begin) - begin);
+    std::string_view rest = start.substr(begin, start.find_first_of("\r\n\"", begin) - begin);
     std::vector<Rgb> palette;
     while (rest.size() > digits && rest.front() == ' ' && palette.size() < mostColors) {
         const auto color = colorOf(rest.substr(1, digits));

@@ -18,7 +18,7 @@ qt6-l10n-tools      Qt: translations in the build
 qt6-translations-l10n  Qt: the translations of its own texts
 libopenmesh-dev     OpenMesh: the mesh kernel
 libeigen3-dev       Eigen: vectors and matrices
-nlohmann-json3-dev  JSON: stroke files, reports
+nlohmann-json3-dev  JSON: stroke files, reports, GLB
 libopenxr-dev       OpenXR: the headset
 libgl-dev           OpenGL
 libgl1-mesa-dri     OpenGL drivers, with one in software

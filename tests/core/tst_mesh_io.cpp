@@ -220,6 +220,44 @@ const char* const smallOff =
     "# before\nCNOFF # with colours and normals\n\n5 3 0 # counts\n0 0 0 0 0 1 255 0 0 255\n1 0 0 0 0 1 0 255 0 255 # second\n"
     "# between\n1 1 0 0 0 1\n0 1 0 0 0 1 1 2 3\n\n0 0 5 0 0 1 9 9 9 9\n4 0 1 2 3 0.5 0.5 0.5\n2 0 1\n3 4 3 2 7\n";
 
+std::string glbOf(std::string json, std::string binary)
+{
+    json.resize((json.size() + 3) / 4 * 4, ' ');
+    binary.resize((binary.size() + 3) / 4 * 4);
+    const auto number = [](std::size_t value) {
+        const auto bytes = std::bit_cast<std::array<char, 4>>(static_cast<std::uint32_t>(value)); // little-endian machines only
+        return std::string(bytes.data(), bytes.size());
+    };
+    return "glTF" + number(2) + number(28 + json.size() + binary.size()) + number(json.size()) + "JSON" + json + number(binary.size()) +
+           std::string("BIN\0", 4) + binary;
+}
+
+std::string bytesOf(std::initializer_list<float> numbers)
+{
+    std::string bytes;
+    for (const float x : numbers) {
+        const auto four = std::bit_cast<std::array<char, 4>>(x);
+        bytes.append(four.data(), four.size());
+    }
+    return bytes;
+}
+
+/// Four points 16 bytes apart, the third of them elsewhere; a strip of two triangles and a fan of two, below two nodes.
+std::string smallGlb()
+{
+    const std::string points = bytesOf({0, 0, 0, 9, 1, 0, 0, 9, 7, 7, 7, 9, 0, 1, 0, 9});
+    const std::string third = bytesOf({1, 1, 0});
+    return glbOf(R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],
+"nodes":[{"children":[1,2],"scale":[0.001,0.001,0.001]},{"mesh":0,"translation":[0,0,5]},{"mesh":1,"matrix":[-1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0,"COLOR_0":2},"indices":1,"mode":5}]},{"primitives":[{"attributes":{"POSITION":0},"mode":6},{"attributes":{"POSITION":0},"mode":1}]}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","sparse":{"count":1,"indices":{"bufferView":1,"componentType":5121},"values":{"bufferView":2}}},
+{"bufferView":1,"byteOffset":1,"componentType":5121,"count":4,"type":"SCALAR"},
+{"bufferView":3,"componentType":5121,"normalized":true,"count":4,"type":"VEC3"}],
+"bufferViews":[{"buffer":0,"byteLength":64,"byteStride":16},{"buffer":0,"byteOffset":64,"byteLength":8},{"buffer":0,"byteOffset":72,"byteLength":12},{"buffer":0,"byteOffset":84,"byteLength":12}],
+"buffers":[{"byteLength":96}]})",
+                 points + std::string("\2\0\1\3\2\0\0\0", 8) + third + std::string("\377\0\0\0\377\0\0\0\377\0\0\0", 12));
+}
+
 double area(const TriangleMesh& mesh)
 {
     double sum = 0;
@@ -257,6 +295,9 @@ private Q_SLOTS:
     void ply_bigEndianIsRead();
     void off_isRead();
     void off_colorsGoToOneOrTo255();
+    void glb_isReadInMillimetres();
+    void glb_nodesStripsAndSparseAccessorsAreRead();
+    void glb_colorsComeBackFromLight();
     void equalVertices_areWelded();
     void polygons_areCutInside();
 
@@ -314,7 +355,7 @@ void TestMeshIo::roundTrip_isBitIdentical_data()
     QTest::addColumn<QString>("name");
     QTest::addColumn<bool>("ascii");
     QTest::addColumn<bool>("colored");
-    for (const char* name : {"a.obj", "a.ply", "A.PLY", "a.off"})
+    for (const char* name : {"a.obj", "a.ply", "A.PLY", "a.off", "a.glb"})
         for (const bool ascii : {false, true})
             for (const bool colored : {false, true})
                 QTest::newRow(qPrintable(QString("%1 %2 %3").arg(QString(name)).arg(ascii).arg(colored)))
@@ -339,7 +380,7 @@ void TestMeshIo::palette_isKeptBesideTheModel()
 {
     const std::vector<Rgb> palette = {{0, 0, 0}, {255, 254, 253}, {1, 160, 18}};
     const TriangleMesh ball = core::icosphere(2, 10);
-    for (const char* name : {"a.ply", "a.obj", "a.off"})
+    for (const char* name : {"a.ply", "a.obj", "a.off", "a.glb"})
         for (const bool ascii : {false, true}) {
             core::writeMesh(file(name), ball, {.ascii = ascii, .palette = palette});
             QVERIFY2(core::readPalette(file(name)) == palette, name);
@@ -528,6 +569,41 @@ void TestMeshIo::off_colorsGoToOneOrTo255()
     QCOMPARE(colorOf("200 100 0"), (Rgb{200, 100, 0}));
 }
 
+void TestMeshIo::glb_isReadInMillimetres()
+{
+    core::writeMesh(file("a.glb"), shapes::cube(40));
+    QVERIFY(sameBits(core::readMesh(file("a.glb")), shapes::cube(40)));
+    const std::string metres = glbOf(R"({"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],"bufferViews":[{"byteLength":36}],"buffers":[{"byteLength":36}]})",
+                                     bytesOf({0, 0, 0, 1, 0, 0, 0, 0.5F, 0}));
+    const TriangleMesh mesh = parsed("a.glb", metres);
+    QVERIFY(sameBits(mesh.points[1], {1000, 0, 0}));
+    QVERIFY(sameBits(mesh.points[2], {0, 500, 0}));
+    QVERIFY(mesh.colors.empty());
+}
+
+void TestMeshIo::glb_nodesStripsAndSparseAccessorsAreRead()
+{
+    const TriangleMesh mesh = parsed("a.glb", smallGlb());
+    const std::vector<core::Triangle> expected{{0, 1, 3}, {1, 2, 3}, {4, 6, 5}, {4, 7, 6}};
+    QCOMPARE(mesh.triangles, expected);
+    QVERIFY(sameBits(mesh.points[2], {1, 1, 5})); // sparse, and moved
+    QVERIFY(sameBits(mesh.points[6], {-1, 1, 0})); // mirrored
+    QCOMPARE(mesh.colors[0], (Rgb{255, 0, 0}));
+    QCOMPARE(mesh.colors[1], (Rgb{0, 255, 0}));
+    QCOMPARE(mesh.colors[7], Rgb());
+}
+
+void TestMeshIo::glb_colorsComeBackFromLight()
+{
+    TriangleMesh mesh = core::icosphere(3, 10);
+    for (std::size_t i = 0; i < mesh.points.size(); ++i)
+        mesh.colors.push_back({static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(255 - i), static_cast<std::uint8_t>(7 * i)});
+    QVERIFY(mesh.points.size() >= 256);
+    core::writeMesh(file("a.glb"), mesh);
+    QVERIFY(sameBits(core::readMesh(file("a.glb")), mesh));
+}
+
 void TestMeshIo::equalVertices_areWelded()
 {
     const TriangleMesh mesh =
@@ -653,6 +729,20 @@ void TestMeshIo::badInput_data()
     row("off cut off", "a.off", "OFF\n3 1 0\n0 0 0\n0 1 0\n1 1 1\n3 0 1", Kind::CutOff, "line 6");
     row("off without faces", "a.off", "OFF\n3 0 0\n0 0 0\n0 1 0\n1 1 1\n", Kind::NoFaces, "");
 
+    const QByteArray glb = QByteArray::fromStdString(smallGlb());
+    const auto glbWith = [&glb](const char* old, const QByteArray& text) { return QByteArray(glb).replace(old, text.leftJustified(qsizetype(strlen(old)))); };
+    row("glb cut off", "a.glb", glb.left(glb.size() - 8), Kind::CutOff, "end");
+    row("glb of version 1", "a.glb", QByteArray(glb).replace(4, 1, "\1"), Kind::Malformed, "byte 4", "1");
+    row("glb without JSON", "a.glb", QByteArray(glb).replace(16, 4, "MORE"), Kind::Malformed, "byte 12");
+    row("glb with broken JSON", "a.glb", glbWith("\"asset\"", "\"asset"), Kind::Malformed, "byte 32");
+    row("glb index too large", "a.glb", QByteArray(glb).replace(glb.size() - 31, 1, "\4"), Kind::IndexOutOfRange, "", "4");
+    row("glb accessor beyond its view", "a.glb", glbWith("\"count\":4,\"type\":\"SCALAR\"", "\"count\":9,\"type\":\"SCALAR\""), Kind::Malformed, "",
+        "bufferViews/1");
+    row("glb node of itself", "a.glb", glbWith("\"children\":[1,2]", "\"children\":[0,2]"), Kind::Malformed, "", "nodes");
+    row("glb with far data", "a.glb", glbWith("\"byteLength\":96", "\"uri\":\"a.b\""), Kind::Malformed, "", "uri");
+    row("glb that needs what we lack", "a.glb",
+        QByteArray::fromStdString(glbOf(R"({"extensionsRequired":["KHR_draco_mesh_compression"]})", "")), Kind::Malformed, "", "KHR_draco_mesh_compression");
+
     row("ply without end of header", "a.ply", "ply\nformat ascii 1.0\nelement vertex 3\n", Kind::CutOff, "line 4");
     row("ply of unknown encoding", "a.ply", "ply\nformat utf8 1.0\nend_header\n", Kind::Malformed, "line 2", "utf8");
     row("ply of unknown type", "a.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty half x\nend_header\n",
@@ -739,7 +829,7 @@ void TestMeshIo::hugeFiles_areRefusedQuickly()
         return error && quick ? static_cast<int>(error->kind) : -1;
     };
     constexpr std::uintmax_t gigabyte = 1'000'000'000;
-    for (const char* name : {"huge.stl", "huge.obj", "huge.ply", "huge.off"})
+    for (const char* name : {"huge.stl", "huge.obj", "huge.ply", "huge.off", "huge.glb"})
         QCOMPARE(sparse(name, "", 3 * gigabyte), static_cast<int>(Kind::TooLarge));
     QCOMPARE(sparse("zeros.stl", "", 2 * gigabyte), static_cast<int>(Kind::CountMismatch));
     QCOMPARE(sparse("zeros.obj", "", 2 * gigabyte), static_cast<int>(Kind::NotWhatItsEndingSays));
@@ -761,6 +851,7 @@ void TestMeshIo::truncatedFiles_areRefused_data()
     QTest::newRow("binary ply") << "a.ply" << written("w.ply", false) << true;
     QTest::newRow("text ply") << "a.ply" << written("w.ply", true) << true;
     QTest::newRow("big-endian ply") << "a.ply" << QByteArray::fromStdString(bigEndianPly()) << true;
+    QTest::newRow("glb") << "a.glb" << written("w.glb", false) << true;
     QTest::newRow("off") << "a.off" << written("w.off", false) << true;
     QTest::newRow("off of all kinds") << "a.off" << QByteArray(smallOff) << false; // a colour may be shorter
     QTest::newRow("obj") << "a.obj" << written("w.obj", false) << false; // has no end
@@ -789,6 +880,7 @@ void TestMeshIo::mutatedFiles_neverGetThrough_data()
     QTest::newRow("text stl") << "a.stl" << QByteArray(textStl);
     QTest::newRow("obj") << "a.obj" << QByteArray(smallObj);
     QTest::newRow("off") << "a.off" << QByteArray(smallOff);
+    QTest::newRow("glb") << "a.glb" << QByteArray::fromStdString(smallGlb());
     QTest::newRow("text ply") << "a.ply" << QByteArray(textPly);
     QTest::newRow("big-endian ply") << "a.ply" << QByteArray::fromStdString(bigEndianPly());
     core::writeMesh(file("w.ply"), shapes::cube(1));

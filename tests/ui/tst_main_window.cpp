@@ -3,6 +3,7 @@
 #include "ui/command_list.h"
 #include "ui/falloff_curve.h"
 #include "ui/main_window.h"
+#include "ui/model_formats.h"
 #include "ui/settings.h"
 
 #include "ui_test.h"
@@ -855,12 +856,13 @@ private Q_SLOTS:
         act(window, "file.exportAs")->trigger();
         auto* dialog = child<QFileDialog>(window, "exportDialog");
         QVERIFY(dialog);
-        QCOMPARE(dialog->nameFilters().size(), 4);
-        QCOMPARE(dialog->defaultSuffix(), QStringLiteral("stl"));
+        const QStringList endings = ui::modelEndings();
+        QCOMPARE(dialog->nameFilters().size(), endings.size());
+        QCOMPARE(dialog->defaultSuffix(), endings.constFirst());
         Q_EMIT dialog->filterSelected(dialog->nameFilters().constLast());
-        QCOMPARE(dialog->defaultSuffix(), QStringLiteral("off"));
+        QCOMPARE(dialog->defaultSuffix(), endings.constLast());
         dialog->setDirectory(folder.path());
-        QVERIFY(dialog->selectedFiles().constFirst().endsWith(QStringLiteral("cup.off")));
+        QVERIFY(dialog->selectedFiles().constFirst().endsWith(QStringLiteral("cup.") + endings.constLast()));
         dialog->reject();
     }
 

@@ -1,0 +1,187 @@
+// GLB: the scene's nodes from the root down: each primitive's triangles with the transforms above it, metres made millimetres.
+
+#include "gltf.h"
+#include "srgb.h"
+
+#include <Eigen/Geometry>
+
+#include <numeric>
+
+namespace core::mesh_io
+{
+namespace
+{
+using Json = Gltf::Json;
+
+constexpr int mostDepth = 256;
+constexpr std::size_t mostNodes = 1 << 16;
+/// Vertices for each byte of the file: a mesh may stand in a scene many times.
+constexpr std::size_t mostCopies = 16;
+constexpr double millimetres = 1000;
+
+enum Mode { Triangles = 4, TriangleStrip = 5, TriangleFan = 6 };
+
+class GlbReader
+{
+public:
+    explicit GlbReader(const FileBytes& file) : m_file(file), m_gltf(file), m_stopCheck(file.stop) {}
+
+    TriangleMesh read()
+    {
+        const Eigen::Matrix4d root = Eigen::Vector4d(millimetres, millimetres, millimetres, 1).asDiagonal();
+        const Json& scene = m_gltf.element("scenes", m_gltf.sizeIn(m_gltf.document(), "scene", 0));
+        for (const Json& node : m_gltf.arrayIn(scene, "nodes"))
+            addNode(m_gltf.toIndex(node, "nodes"), root, 0);
+        if (m_hasColors)
+            m_mesh.colors.resize(m_mesh.points.size(), Rgb());
+        return std::move(m_mesh);
+    }
+
+private:
+    void addNode(std::size_t index, const Eigen::Matrix4d& above, int depth)
+    {
+        m_stopCheck();
+        if (depth > mostDepth || ++m_nodes > mostNodes)
+            m_gltf.refuse("nodes");
+        const Json& node = m_gltf.element("nodes", index);
+        const Eigen::Matrix4d transform = above * transformOf(node);
+        if (const auto mesh = m_gltf.indexIn(node, "mesh"))
+            for (const Json& primitive : m_gltf.arrayIn(m_gltf.element("meshes", *mesh), "primitives"))
+                addPrimitive(primitive, transform);
+        for (const Json& child : m_gltf.arrayIn(node, "children"))
+            addNode(m_gltf.toIndex(child, "children"), transform, depth + 1);
+    }
+
+    template <int count> std::optional<Eigen::Matrix<double, count, 1>> numbersIn(const Json& node, const char* key) const
+    {
+        const Json& values = m_gltf.arrayIn(node, key);
+        if (values.empty())
+            return std::nullopt;
+        if (values.size() != count)
+            m_gltf.refuse(key);
+        Eigen::Matrix<double, count, 1> numbers;
+        for (int i = 0; i < count; ++i) {
+            if (!values[static_cast<std::size_t>(i)].is_number())
+                m_gltf.refuse(key);
+            numbers[i] = values[static_cast<std::size_t>(i)].get<double>();
+        }
+        return numbers;
+    }
+
+    Eigen::Matrix4d transformOf(const Json& node) const
+    {
+        if (const auto matrix = numbersIn<16>(node, "matrix"))
+            return Eigen::Map<const Eigen::Matrix4d>(matrix->data()); // columns first, as glTF has them
+        Eigen::Affine3d transform = Eigen::Affine3d::Identity();
+        if (const auto by = numbersIn<3>(node, "translation"))
+            transform.translate(*by);
+        if (const auto turn = numbersIn<4>(node, "rotation"))
+            transform.rotate(Eigen::Quaterniond((*turn)[3], (*turn)[0], (*turn)[1], (*turn)[2]).normalized());
+        if (const auto scale = numbersIn<3>(node, "scale"))
+            transform.scale(*scale);
+        return transform.matrix();
+    }
+
+    void addPrimitive(const Json& primitive, const Eigen::Matrix4d& transform)
+    {
+        if (!primitive.is_object())
+            m_gltf.refuse("primitives");
+        const std::size_t mode = m_gltf.sizeIn(primitive, "mode", Triangles);
+        const auto attributes = primitive.find("attributes");
+        if (attributes == primitive.end() || !attributes->is_object())
+            m_gltf.refuse("attributes");
+        const auto positions = m_gltf.indexIn(*attributes, "POSITION");
+        if (!positions || (mode != Triangles && mode != TriangleStrip && mode != TriangleFan))
+            return; // points and lines
+        const auto first = static_cast<Slot>(m_mesh.points.size());
+        const std::vector<float> numbers = m_gltf.valuesOf(*positions, m_gltf.layoutOf(*positions, 3, 3), m_stopCheck);
+        const std::size_t count = numbers.size() / 3;
+        if (const std::size_t most = std::min(maxVertices, mostCopies * m_file.bytes.size()); m_mesh.points.size() + count > most)
+            throw tooMany("vertices", most, errorAtByte({}, m_file, m_file.bytes.data()));
+        addPoints(numbers, transform);
+        if (const auto colors = m_gltf.indexIn(*attributes, "COLOR_0"))
+            addColors(first, count, *colors);
+        const bool isMirrored = transform.topLeftCorner<3, 3>().determinant() < 0;
+        addTriangles(cornersOf(primitive, count), static_cast<Mode>(mode), first, isMirrored);
+    }
+
+    void addPoints(const std::vector<float>& numbers, const Eigen::Matrix4d& transform)
+    {
+        const bool isPlain = transform == Eigen::Matrix4d::Identity();
+        for (std::size_t i = 0; i < numbers.size(); i += 3) {
+            m_stopCheck();
+            Vec3f point(numbers[i], numbers[i + 1], numbers[i + 2]);
+            if (!isPlain)
+                point = (transform * point.cast<double>().homogeneous()).head<3>().cast<float>();
+            if (!point.allFinite())
+                throw errorAtByte(FileErrorKind::NotANumber, m_file, m_file.bytes.data() + m_file.bytes.size());
+            m_mesh.points.push_back(point);
+        }
+    }
+
+    /// Linear, with or without alpha.
+    void addColors(Slot first, std::size_t count, std::size_t accessor)
+    {
+        const GltfLayout layout = m_gltf.layoutOf(accessor, 3, 4);
+        const std::vector<float> numbers = m_gltf.valuesOf(accessor, layout, m_stopCheck);
+        const auto components = static_cast<std::size_t>(layout.components);
+        if (numbers.size() != count * components)
+            m_gltf.refuse("COLOR_0");
+        m_hasColors = true;
+        m_mesh.colors.resize(first, Rgb());
+        for (std::size_t i = 0; i < numbers.size(); i += components) {
+            m_stopCheck();
+            const auto seen = [&](std::size_t k) { return seenOf(static_cast<double>(numbers[i + k])); };
+            m_mesh.colors.push_back({seen(0), seen(1), seen(2)});
+        }
+    }
+
+    std::vector<std::uint32_t> cornersOf(const Json& primitive, std::size_t vertices)
+    {
+        std::vector<std::uint32_t> corners(vertices);
+        std::iota(corners.begin(), corners.end(), 0U);
+        const auto indices = m_gltf.indexIn(primitive, "indices");
+        if (!indices)
+            return corners;
+        corners = m_gltf.wholesOf(*indices, m_stopCheck);
+        for (const std::uint32_t corner : corners)
+            if (corner >= vertices) {
+                FileError error(FileErrorKind::IndexOutOfRange, m_file.path);
+                error.token = std::to_string(corner);
+                error.expected = vertices;
+                throw error;
+            }
+        return corners;
+    }
+
+    void addTriangles(const std::vector<std::uint32_t>& corners, Mode mode, Slot first, bool isMirrored)
+    {
+        const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
+            if (isMirrored)
+                std::swap(b, c);
+            m_mesh.triangles.push_back({first + corners[a], first + corners[b], first + corners[c]});
+        };
+        if (mode == Triangles)
+            for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
+                add(i, i + 1, i + 2);
+        else
+            for (std::size_t i = 0; i + 2 < corners.size(); ++i)
+                mode == TriangleFan ? add(0, i + 1, i + 2) : add(i, i + 1 + i % 2, i + 2 - i % 2);
+        if (m_mesh.triangles.size() > maxFaces)
+            throw tooMany("faces", maxFaces, errorAtByte({}, m_file, m_file.bytes.data()));
+    }
+
+    const FileBytes& m_file;
+    Gltf m_gltf;
+    StopCheck m_stopCheck;
+    TriangleMesh m_mesh;
+    bool m_hasColors = false;
+    std::size_t m_nodes = 0;
+};
+} // namespace
+
+TriangleMesh readGlb(const FileBytes& file)
+{
+    return GlbReader(file).read();
+}
+} // namespace core::mesh_io

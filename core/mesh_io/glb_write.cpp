@@ -1,0 +1,147 @@
+// GLB: a node that scales millimetres to glTF's metres, one mesh of one primitive, its colours linear in 16 bits.
+
+#include "binary.h"
+#include "palette.h"
+#include "srgb.h"
+
+#include "format.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace core::mesh_io
+{
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+constexpr std::uint32_t magic = 0x46546c67, version = 2, jsonChunk = 0x4e4f534a, binaryChunk = 0x004e4942;
+constexpr int floatType = 5126, shortType = 5123, indexType = 5125, vertexTarget = 34962, indexTarget = 34963;
+
+/// GLB's sizes have 32 bits.
+constexpr std::size_t mostBytes = 4'000'000'000;
+
+/// Area-weighted, of unit length; glTF takes no others.
+std::vector<Vec3f> normalsOf(const TriangleMesh& mesh)
+{
+    std::vector<Vec3> sums(mesh.points.size(), Vec3::Zero());
+    for (const Triangle& t : mesh.triangles) {
+        const Vec3 a = mesh.points[t[0]].cast<double>();
+        const Vec3 area = (mesh.points[t[1]].cast<double>() - a).cross(mesh.points[t[2]].cast<double>() - a);
+        for (const Slot corner : t)
+            sums[corner] += area;
+    }
+    std::vector<Vec3f> normals;
+    normals.reserve(sums.size());
+    for (const Vec3& sum : sums) {
+        const double length = sum.norm();
+        normals.push_back(length > 0 && std::isfinite(length) ? Vec3f((sum / length).cast<float>()) : Vec3f(0, 0, 1));
+    }
+    return normals;
+}
+
+/// Buffer views one after the other, an accessor each.
+class Layout
+{
+public:
+    int add(std::size_t count, std::size_t bytesEach, int componentType, const char* type, int target)
+    {
+        m_views.push_back({{"buffer", 0}, {"byteOffset", m_bytes}, {"byteLength", count * bytesEach}, {"target", target}});
+        m_accessors.push_back({{"bufferView", m_views.size() - 1}, {"componentType", componentType}, {"count", count}, {"type", type}});
+        m_bytes += count * bytesEach;
+        return static_cast<int>(m_accessors.size()) - 1;
+    }
+    Json& accessor(int index) { return m_accessors[static_cast<std::size_t>(index)]; }
+    std::size_t bytes() const { return m_bytes; }
+    void moveTo(Json& document)
+    {
+        document["accessors"] = std::move(m_accessors);
+        document["bufferViews"] = std::move(m_views);
+        document["buffers"] = {{{"byteLength", m_bytes}}};
+    }
+
+private:
+    Json m_views = Json::array(), m_accessors = Json::array();
+    std::size_t m_bytes = 0;
+};
+
+Json documentOf(const TriangleMesh& mesh, std::span<const Rgb> palette, std::size_t& bytes)
+{
+    Layout layout;
+    Json attributes;
+    const int positions = layout.add(mesh.points.size(), 12, floatType, "VEC3", vertexTarget);
+    Eigen::AlignedBox3f box;
+    for (const Vec3f& p : mesh.points)
+        box.extend(p);
+    const auto corner = [](const Vec3f& p) { return Json{p.x(), p.y(), p.z()}; };
+    layout.accessor(positions)["min"] = corner(box.min());
+    layout.accessor(positions)["max"] = corner(box.max());
+    attributes["POSITION"] = positions;
+    attributes["NORMAL"] = layout.add(mesh.points.size(), 12, floatType, "VEC3", vertexTarget);
+    if (!mesh.colors.empty()) {
+        attributes["COLOR_0"] = layout.add(mesh.points.size(), 8, shortType, "VEC4", vertexTarget);
+        layout.accessor(attributes["COLOR_0"])["normalized"] = true;
+    }
+    const int indices = layout.add(3 * mesh.triangles.size(), 4, indexType, "SCALAR", indexTarget);
+    Json document;
+    document["asset"] = {{"version", "2.0"}, {"generator", "Fettle"}};
+    if (!palette.empty())
+        document["asset"]["extras"] = {{"palette", "# " + paletteWords(palette)}};
+    document["scene"] = 0;
+    document["scenes"] = {{{"nodes", {0}}}};
+    document["nodes"] = {{{"mesh", 0}, {"scale", {0.001, 0.001, 0.001}}}};
+    document["materials"] = {{{"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 0.8}}}}};
+    document["meshes"] = {{{"primitives", {{{"attributes", attributes}, {"indices", indices}, {"material", 0}}}}}};
+    bytes = layout.bytes();
+    layout.moveTo(document);
+    return document;
+}
+
+void writePoints(AtomicFile& out, const std::vector<Vec3f>& points)
+{
+    std::string record;
+    for (const Vec3f& p : points) {
+        record.clear();
+        for (int i = 0; i < 3; ++i)
+            append(record, p[i]);
+        out.write(record);
+    }
+}
+} // namespace
+
+void writeGlb(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette)
+{
+    std::size_t bytes = 0;
+    std::string json = documentOf(mesh, palette, bytes).dump();
+    json.resize((json.size() + 3) / 4 * 4, ' ');
+    if (bytes > mostBytes)
+        throw FileError(FileErrorKind::WriteFailed, out.path());
+    std::string head;
+    append(head, magic);
+    append(head, version);
+    append(head, static_cast<std::uint32_t>(28 + json.size() + bytes));
+    append(head, static_cast<std::uint32_t>(json.size()));
+    append(head, jsonChunk);
+    head += json;
+    append(head, static_cast<std::uint32_t>(bytes));
+    append(head, binaryChunk);
+    out.write(head);
+    writePoints(out, mesh.points);
+    writePoints(out, normalsOf(mesh));
+    std::string record;
+    for (const Rgb& c : mesh.colors) {
+        record.clear();
+        for (const std::uint8_t part : {c.r, c.g, c.b})
+            append(record, static_cast<std::uint16_t>(std::lround(65535 * lightOf(part))));
+        append(record, std::uint16_t(65535));
+        out.write(record);
+    }
+    for (const Triangle& t : mesh.triangles) {
+        record.clear();
+        for (const Slot corner : t)
+            append(record, static_cast<std::uint32_t>(corner));
+        out.write(record);
+    }
+}
+} // namespace core::mesh_io

@@ -1,0 +1,257 @@
+// Source: Khronos, glTF 2.0 specification, sections 3.6 (accessors, sparse ones) and 4 (GLB).
+#include "gltf.h"
+
+#include "binary.h"
+
+#include <cmath>
+#include <limits>
+
+namespace core::mesh_io
+{
+namespace
+{
+constexpr std::size_t headSize = 12, chunkHeadSize = 8;
+constexpr std::uint32_t jsonChunk = 0x4e4f534a, binaryChunk = 0x004e4942;
+/// Its parsed form takes up to eighty times that, if it is nothing but brackets. Models' own numbers are not in it.
+constexpr std::size_t mostJson = std::size_t(1) << 23;
+
+std::size_t sizeOf(int componentType)
+{
+    switch (componentType) {
+    case 5120:
+    case 5121: return 1;
+    case 5122:
+    case 5123: return 2;
+    case 5125:
+    case 5126: return 4;
+    default: return 0;
+    }
+}
+
+bool isWhole(int componentType)
+{
+    return componentType == 5121 || componentType == 5123 || componentType == 5125;
+}
+
+/// As a number; normalised ones go to 1.
+double numberAt(const char* at, int componentType, bool normalized)
+{
+    constexpr auto order = std::endian::little;
+    const auto whole = [normalized](auto x) {
+        return normalized ? std::max(-1.0, static_cast<double>(x) / std::numeric_limits<decltype(x)>::max()) : static_cast<double>(x);
+    };
+    switch (componentType) {
+    case 5120: return whole(load<std::int8_t>(at, order));
+    case 5121: return whole(load<std::uint8_t>(at, order));
+    case 5122: return whole(load<std::int16_t>(at, order));
+    case 5123: return whole(load<std::uint16_t>(at, order));
+    case 5125: return whole(load<std::uint32_t>(at, order));
+    default: return static_cast<double>(load<float>(at, order));
+    }
+}
+
+} // namespace
+
+Gltf::Gltf(const FileBytes& file) : m_file(file)
+{
+    readChunks();
+    refuseExtensions();
+}
+
+void Gltf::refuse(std::string_view what) const
+{
+    FileError error(FileErrorKind::Malformed, m_file.path);
+    error.token = what;
+    throw error;
+}
+
+void Gltf::refuseCutOff() const
+{
+    throw errorAtByte(FileErrorKind::CutOff, m_file, m_file.bytes.data() + m_file.bytes.size());
+}
+
+void Gltf::readChunks()
+{
+    const std::string_view bytes = m_file.bytes;
+    if (bytes.size() < headSize + chunkHeadSize)
+        refuseCutOff();
+    const auto numberAtByte = [&](std::size_t at) { return load<std::uint32_t>(bytes.data() + at, std::endian::little); };
+    if (numberAtByte(4) != 2)
+        throw errorAtByte(FileErrorKind::Malformed, m_file, bytes.data() + 4, std::to_string(numberAtByte(4)));
+    if (numberAtByte(8) > bytes.size())
+        refuseCutOff();
+    for (std::size_t at = headSize; at + chunkHeadSize <= numberAtByte(8);) {
+        const std::size_t size = numberAtByte(at);
+        const std::uint32_t type = numberAtByte(at + 4);
+        const std::string_view chunk = bytes.substr(at + chunkHeadSize, size);
+        if (chunk.size() < size)
+            refuseCutOff();
+        if (type == jsonChunk && at == headSize)
+            parse(chunk);
+        else if (type == binaryChunk && m_binary.empty())
+            m_binary = chunk;
+        at += chunkHeadSize + (size + 3) / 4 * 4;
+    }
+    if (!m_document.is_object())
+        throw errorAtByte(FileErrorKind::Malformed, m_file, bytes.data() + headSize);
+}
+
+void Gltf::parse(std::string_view text)
+{
+    if (text.size() > mostJson)
+        throw tooMany("JSON", mostJson, errorAtByte({}, m_file, text.data()));
+    try {
+        m_document = Json::parse(text);
+    } catch (const Json::parse_error& error) {
+        throw errorAtByte(FileErrorKind::Malformed, m_file, text.data() + std::min(error.byte, text.size()));
+    } catch (const Json::exception&) { // a number beyond all bounds
+        throw errorAtByte(FileErrorKind::Malformed, m_file, text.data());
+    }
+}
+
+/// What cannot be passed over.
+void Gltf::refuseExtensions() const
+{
+    for (const Json& extension : arrayIn(m_document, "extensionsRequired"))
+        if (extension != "KHR_mesh_quantization" && extension != "KHR_materials_unlit" && extension != "KHR_texture_transform")
+            refuse(extension.is_string() ? extension.get_ref<const std::string&>() : "extensionsRequired");
+}
+
+/// Empty if there is none.
+const Gltf::Json& Gltf::arrayIn(const Json& object, const char* key) const
+{
+    static const Json none = Json::array();
+    const auto found = object.find(key);
+    if (found == object.end())
+        return none;
+    if (!found->is_array())
+        refuse(key);
+    return *found;
+}
+
+std::size_t Gltf::toIndex(const Json& value, const char* what) const
+{
+    if (!value.is_number_integer() || value < 0)
+        refuse(what);
+    return value.get<std::size_t>();
+}
+
+std::optional<std::size_t> Gltf::indexIn(const Json& object, const char* key) const
+{
+    const auto found = object.find(key);
+    if (found == object.end())
+        return std::nullopt;
+    return toIndex(*found, key);
+}
+
+const Gltf::Json& Gltf::element(const char* list, std::size_t index) const
+{
+    const Json& elements = arrayIn(m_document, list);
+    if (index >= elements.size() || !elements[index].is_object())
+        refuse(std::string(list) + '/' + std::to_string(index));
+    return elements[index];
+}
+
+/// `count` elements of `size` bytes from `offset` on in a buffer view; all of them are in the file.
+GltfLayout Gltf::elementsIn(const Json& at, std::size_t count, std::size_t size, std::size_t ownStride) const
+{
+    const auto index = indexIn(at, "bufferView");
+    if (!index)
+        refuse("bufferView");
+    const Json& view = element("bufferViews", *index);
+    const Json& buffer = element("buffers", sizeIn(view, "buffer", 0));
+    if (buffer.contains("uri") || sizeIn(view, "buffer", 0) != 0)
+        refuse("uri");
+    const std::size_t length = sizeIn(view, "byteLength", 0), begin = sizeIn(view, "byteOffset", 0), offset = sizeIn(at, "byteOffset", 0);
+    if (begin > m_binary.size() || length > m_binary.size() - begin)
+        refuseCutOff();
+    const std::size_t stride = std::max(size, ownStride != 0 ? ownStride : sizeIn(view, "byteStride", size));
+    if (offset > length || count == 0 || size > length - offset || (length - offset - size) / stride < count - 1)
+        refuse("bufferViews/" + std::to_string(*index));
+    return {.first = m_binary.data() + begin + offset, .count = count, .stride = stride};
+}
+
+/// An accessor with so many components, its sparse part aside.
+GltfLayout Gltf::layoutOf(std::size_t accessor, int fewest, int most) const
+{
+    const Json& from = element("accessors", accessor);
+    const std::string name = "accessors/" + std::to_string(accessor);
+    const auto type = from.find("type");
+    const int components = type == from.end() ? 0 : *type == "SCALAR" ? 1 : *type == "VEC3" ? 3 : *type == "VEC4" ? 4 : 0;
+    const auto componentType = static_cast<int>(std::min<std::size_t>(sizeIn(from, "componentType", 0), 65535));
+    const std::size_t count = sizeIn(from, "count", 0);
+    if (components < fewest || components > most || sizeOf(componentType) == 0 || count == 0 || count > m_file.bytes.size())
+        refuse(name);
+    GltfLayout layout;
+    if (from.contains("bufferView"))
+        layout = elementsIn(from, count, sizeOf(componentType) * static_cast<std::size_t>(components), 0);
+    layout.count = count;
+    layout.componentType = componentType;
+    layout.components = components;
+    layout.normalized = from.value("normalized", Json(false)) == true;
+    return layout;
+}
+
+/// What stands at some of an accessor's places instead of its own numbers.
+Gltf::Sparse Gltf::sparseOf(std::size_t accessor, const GltfLayout& layout) const
+{
+    const Json& from = element("accessors", accessor);
+    const auto sparse = from.find("sparse");
+    if (sparse == from.end())
+        return {};
+    const auto part = [&](const char* key) -> const Json& {
+        const auto found = sparse->is_object() ? sparse->find(key) : sparse->end();
+        if (!sparse->is_object() || found == sparse->end() || !found->is_object())
+            refuse("sparse");
+        return *found;
+    };
+    const auto type = static_cast<int>(std::min<std::size_t>(sizeIn(part("indices"), "componentType", 0), 65535));
+    const std::size_t count = sizeIn(*sparse, "count", 0);
+    const std::size_t size = sizeOf(layout.componentType) * static_cast<std::size_t>(layout.components);
+    if (!isWhole(type) || count > layout.count)
+        refuse("sparse");
+    Sparse result{elementsIn(part("indices"), count, sizeOf(type), sizeOf(type)), elementsIn(part("values"), count, size, size)};
+    result.places.componentType = type;
+    return result;
+}
+
+/// work(address) for each element; the address is null for zeros.
+template <class Work> void Gltf::eachElement(std::size_t accessor, const GltfLayout& layout, StopCheck& stopCheck, Work work) const
+{
+    const auto [places, values] = sparseOf(accessor, layout);
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < layout.count; ++i) {
+        stopCheck();
+        const char* at = layout.first ? layout.first + i * layout.stride : nullptr;
+        if (next < places.count && numberAt(places.first + next * places.stride, places.componentType, false) == static_cast<double>(i))
+            at = values.first + next++ * values.stride;
+        work(at);
+    }
+}
+
+std::vector<float> Gltf::valuesOf(std::size_t accessor, const GltfLayout& layout, StopCheck& stopCheck) const
+{
+    const std::size_t size = sizeOf(layout.componentType);
+    const auto components = static_cast<std::size_t>(layout.components);
+    std::vector<float> values;
+    values.reserve(layout.count * components);
+    eachElement(accessor, layout, stopCheck, [&](const char* at) {
+        for (std::size_t k = 0; k < components; ++k)
+            values.push_back(at ? static_cast<float>(numberAt(at + k * size, layout.componentType, layout.normalized)) : 0.0F);
+    });
+    return values;
+}
+
+std::vector<std::uint32_t> Gltf::wholesOf(std::size_t accessor, StopCheck& stopCheck) const
+{
+    const GltfLayout layout = layoutOf(accessor, 1, 1);
+    if (!isWhole(layout.componentType))
+        refuse("accessors/" + std::to_string(accessor));
+    std::vector<std::uint32_t> wholes;
+    wholes.reserve(layout.count);
+    eachElement(accessor, layout, stopCheck, [&](const char* at) {
+        wholes.push_back(at ? static_cast<std::uint32_t>(numberAt(at, layout.componentType, false)) : 0);
+    });
+    return wholes;
+}
+} // namespace core::mesh_io

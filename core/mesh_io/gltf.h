@@ -1,0 +1,67 @@
+#pragma once
+
+#include "format.h"
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+
+namespace core::mesh_io
+{
+/// How the numbers of an accessor lie in a GLB's binary chunk.
+struct GltfLayout
+{
+    const char* first = nullptr; ///< null: all are 0
+    std::size_t count = 0, stride = 0;
+    int componentType = 0, components = 0;
+    bool normalized = false;
+};
+
+/// A GLB's JSON, parsed by a library, and its binary chunk. What is asked for is looked at before anything is read by it: wrong types,
+/// indices and sizes throw FileError with the JSON's word for what is wrong.
+class Gltf
+{
+public:
+    using Json = nlohmann::json;
+
+    explicit Gltf(const FileBytes& file);
+
+    const Json& document() const { return m_document; }
+
+    /// Empty if there is none.
+    const Json& arrayIn(const Json& object, const char* key) const;
+    std::size_t toIndex(const Json& value, const char* what) const;
+    std::optional<std::size_t> indexIn(const Json& object, const char* key) const;
+    std::size_t sizeIn(const Json& object, const char* key, std::size_t otherwise) const
+    {
+        return indexIn(object, key).value_or(otherwise);
+    }
+    /// Of one of the document's lists: an object.
+    const Json& element(const char* list, std::size_t index) const;
+
+    /// An accessor with so many components, its sparse part aside.
+    GltfLayout layoutOf(std::size_t accessor, int fewest, int most) const;
+    /// The accessor's numbers, element after element; normalised ones from -1 or 0 to 1.
+    std::vector<float> valuesOf(std::size_t accessor, const GltfLayout& layout, StopCheck& stopCheck) const;
+    std::vector<std::uint32_t> wholesOf(std::size_t accessor, StopCheck& stopCheck) const;
+
+    [[noreturn]] void refuse(std::string_view what) const;
+
+private:
+    void readChunks();
+    void parse(std::string_view text);
+    void refuseExtensions() const;
+    [[noreturn]] void refuseCutOff() const;
+    GltfLayout elementsIn(const Json& at, std::size_t count, std::size_t size, std::size_t ownStride) const;
+    struct Sparse
+    {
+        GltfLayout places, values;
+    };
+    Sparse sparseOf(std::size_t accessor, const GltfLayout& layout) const;
+    template <class Work> void eachElement(std::size_t accessor, const GltfLayout& layout, StopCheck& stopCheck, Work work) const;
+
+    const FileBytes& m_file;
+    Json m_document;
+    std::string_view m_binary;
+};
+} // namespace core::mesh_io
