@@ -33,5 +33,7 @@ exec xvfb-run -a -s '-screen 0 1600x1000x24' bash -c '
     status=0
     ctest "$@" || status=$?
     kill $manager
+    echo "Skipped, and why:"
+    grep "^SKIP" "$2/Testing/Temporary/LastTest.log" || echo "nothing"
     exit $status
 ' test.sh --test-dir "$fettle_root/build/$preset" --output-on-failure --no-tests=error -j "$(nproc)" ${soak[@]+"${soak[@]}"} "$@"
