@@ -125,10 +125,6 @@ void CommandLine::fail(const QString& sentence)
 
 void CommandLine::requireMeshEnding(const QString& path)
 {
-    static const QStringList later{QStringLiteral("gltf"), QStringLiteral("3mf")};
-    const QString ending = QFileInfo(path).suffix().toLower();
-    if (later.contains(ending))
-        fail(tr("%1: the format \"%2\" is not there yet; %3 can be written.").arg(path, ending, ui::modelFormats()));
     if (!core::meshFormatOf(toPath(path)))
         fail(tr("%1: its ending does not say a format; %2 can be written.").arg(path, ui::modelFormats()));
 }

@@ -20,7 +20,7 @@ namespace
 {
 using namespace mesh_io;
 
-constexpr std::array<std::string_view, 5> endings{"stl", "obj", "ply", "off", "glb"};
+constexpr std::array<std::string_view, 6> endings{"stl", "obj", "ply", "off", "glb", "3mf"};
 constexpr std::uint64_t maxFileSize = std::uint64_t(1) << 31;
 
 std::string endingOf(const std::filesystem::path& path)
@@ -89,7 +89,7 @@ void refuseSize(const std::filesystem::path& path, std::uint64_t size)
 void refuseOtherContent(const FileBytes& start, std::uint64_t size, MeshFormat format)
 {
     const std::string_view looks = looksLike(start.bytes, size);
-    if (looks == endings[static_cast<std::size_t>(format)])
+    if (looks == endings[static_cast<std::size_t>(format)] || (format == MeshFormat::ThreeMf && looks == "zip"))
         return;
     const bool undecided = looks.empty() || looks == "text";
     const bool couldBe = format == MeshFormat::Obj   ? undecided && start.bytes.find('\0') == std::string_view::npos
@@ -150,6 +150,8 @@ TriangleMesh parse(const FileBytes& file, MeshFormat format)
         return readOff(file);
     case MeshFormat::Glb:
         return readGlb(file);
+    case MeshFormat::ThreeMf:
+        return readThreeMf(file);
     }
     return {};
 }
@@ -193,7 +195,7 @@ bool holdsColors(MeshFormat format)
 
 UpAxis usualUp(MeshFormat format)
 {
-    return format == MeshFormat::Stl ? UpAxis::Z : UpAxis::Y;
+    return format == MeshFormat::Stl || format == MeshFormat::ThreeMf ? UpAxis::Z : UpAxis::Y;
 }
 
 TriangleMesh readMesh(const std::filesystem::path& path, const ReadOptions& options)
@@ -266,13 +268,14 @@ void writeMesh(const std::filesystem::path& path, const TriangleMesh& mesh, cons
     case MeshFormat::Glb:
         writeGlb(out, mesh, options.palette);
         break;
+    case MeshFormat::ThreeMf:
+        writeThreeMf(out, mesh, options.palette);
+        break;
     }
     out.commit();
 }
 
 namespace mesh_io
-{
-namespace
 {
 FileError errorWithToken(FileErrorKind kind, const FileBytes& file, std::string_view token)
 {
@@ -281,6 +284,8 @@ FileError errorWithToken(FileErrorKind kind, const FileBytes& file, std::string_
     return error;
 }
 
+namespace
+{
 std::uint64_t lineOf(std::string_view textBefore)
 {
     const auto feeds = std::count(textBefore.begin(), textBefore.end(), '\n');

@@ -10,7 +10,7 @@
 
 namespace core
 {
-enum class MeshFormat { Stl, Obj, Ply, Off, Glb };
+enum class MeshFormat { Stl, Obj, Ply, Off, Glb, ThreeMf };
 
 /// The formats by their endings (lower case, without dot), in the order of MeshFormat.
 std::span<const std::string_view> meshEndings();
@@ -19,7 +19,7 @@ std::optional<MeshFormat> meshFormatOf(const std::filesystem::path& path);
 
 /// Which axis of a file points up. In a document it is Y.
 enum class UpAxis { Y, Z };
-/// STL: Z, the print bed's habit. The others: Y.
+/// STL and 3MF: Z, the print bed's habit. The others: Y.
 UpAxis usualUp(MeshFormat format);
 
 bool holdsColors(MeshFormat format);
@@ -37,7 +37,7 @@ struct ReadingStopped
 struct WriteOptions
 {
     std::optional<UpAxis> up = {}; ///< of the file; missing: usualUp
-    bool ascii = false;       ///< STL and PLY as text. OBJ and OFF are text always, GLB never.
+    bool ascii = false;       ///< STL and PLY as text. OBJ and OFF are text always, GLB and 3MF never.
     std::vector<Rgb> palette = {}; ///< colours at hand, kept beside the model in a comment; in STL they are lost
 };
 
@@ -45,13 +45,13 @@ struct WriteOptions
 /// degenerate, vertices unused. Vertices of equal bits (-0 = 0) are one, whatever the format: STL knows no others, and other
 /// files split them along seams. Vertices and faces keep their order; polygons are cut into triangles. Text numbers are
 /// rounded to the nearest float32. A file is not read beyond its header when its size contradicts it. Units are the file's; a GLB's metres
-/// become millimetres.
+/// and the unit that a 3MF names become millimetres.
 TriangleMesh readMesh(const std::filesystem::path& path, const ReadOptions& options = {});
 
 /// What writeMesh() was given as palette; empty if the file has none, or cannot be read. Never throws FileError.
 std::vector<Rgb> readPalette(const std::filesystem::path& path);
 
 /// Throws FileError; then the path holds what it held before. Read again, points and colours come back bit for bit (STL: no
-/// colours, no unused vertices, no -0).
+/// colours, no unused vertices, no -0; 3MF: no colours of unused vertices).
 void writeMesh(const std::filesystem::path& path, const TriangleMesh& mesh, const WriteOptions& options = {});
 } // namespace core

@@ -86,10 +86,6 @@
         <translation>Die Antwort kann nicht auf die Standardausgabe geschrieben werden (%1).</translation>
     </message>
     <message>
-        <source>%1: the format &quot;%2&quot; is not there yet; %3 can be written.</source>
-        <translation>%1: Das Format „%2“ gibt es noch nicht; geschrieben werden %3.</translation>
-    </message>
-    <message>
         <source>%1: its ending does not say a format; %2 can be written.</source>
         <translation>%1: Die Endung nennt kein Format; geschrieben werden %2.</translation>
     </message>
@@ -2409,6 +2405,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>%1: the format &quot;%2&quot; is not known; %3 can be used.</source>
         <translation>%1: Das Format „%2“ ist unbekannt; verwendbar sind %3.</translation>
+    </message>
+    <message>
+        <source>%1 is not read: what is packed in it takes more than %2, which is too much for a file of its size.</source>
+        <translation>%1 wird nicht gelesen: Was darin gepackt ist, braucht mehr als %2, und das ist zu viel für eine Datei ihrer Größe.</translation>
     </message>
 </context>
 <context>

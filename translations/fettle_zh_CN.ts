@@ -85,10 +85,6 @@
         <translation>无法将结果写入标准输出（%1）。</translation>
     </message>
     <message>
-        <source>%1: the format &quot;%2&quot; is not there yet; %3 can be written.</source>
-        <translation>%1：尚不支持格式“%2”；可写入 %3。</translation>
-    </message>
-    <message>
         <source>%1: its ending does not say a format; %2 can be written.</source>
         <translation>%1：扩展名没有说明格式；可写入 %2。</translation>
     </message>
@@ -2401,6 +2397,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>%1: the format &quot;%2&quot; is not known; %3 can be used.</source>
         <translation>%1：未知格式“%2”；可使用 %3。</translation>
+    </message>
+    <message>
+        <source>%1 is not read: what is packed in it takes more than %2, which is too much for a file of its size.</source>
+        <translation>未读取 %1：其中压缩的内容超过 %2，对这样大小的文件来说太大了。</translation>
     </message>
 </context>
 <context>

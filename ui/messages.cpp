@@ -180,6 +180,8 @@ QString Messages::content(const core::FileError& error)
     case FileErrorKind::IndexOutOfRange:
         return tr("%1: a face names vertex %2, but there are %3 vertices.")
             .arg(where, token(error), number(error.expected));
+    case FileErrorKind::UnpacksTooLarge:
+        return tr("%1 is not read: what is packed in it takes more than %2, which is too much for a file of its size.").arg(where, bytes(error.expected));
     case FileErrorKind::TooManyElements:
         return tr("%1: too many %2; at most %3 are taken.").arg(where, token(error), number(error.expected));
     case FileErrorKind::NoFaces:

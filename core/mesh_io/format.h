@@ -49,6 +49,7 @@ inline constexpr std::size_t startSize = 4096;
 /// `at` points into the file; the place is its line, or its byte.
 FileError errorAtLine(FileErrorKind kind, const FileBytes& file, const char* at, std::string_view token = {});
 FileError errorAtByte(FileErrorKind kind, const FileBytes& file, const char* at, std::string_view token = {});
+FileError errorWithToken(FileErrorKind kind, const FileBytes& file, std::string_view token);
 FileError tooMany(std::string_view what, std::size_t most, FileError error);
 
 /// By the first bytes and the size: "stl", "obj", "ply", "off", another format's name ("png", "zip", ...), "text", or empty.
@@ -68,10 +69,12 @@ TriangleMesh readObj(const FileBytes& file);
 TriangleMesh readPly(const FileBytes& file);
 TriangleMesh readOff(const FileBytes& file);
 TriangleMesh readGlb(const FileBytes& file); ///< in mm
+TriangleMesh readThreeMf(const FileBytes& file); ///< in mm. Memory: some ten times the file; at worst (packed a hundredfold, objects placed very often) a thousand times
 
 void writeStl(AtomicFile& out, const TriangleMesh& mesh, bool ascii);
 void writeObj(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette);
 void writePly(AtomicFile& out, const TriangleMesh& mesh, const WriteOptions& options);
 void writeOff(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette);
 void writeGlb(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette);
+void writeThreeMf(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette);
 } // namespace core::mesh_io

@@ -1,7 +1,8 @@
 #include "stl_colors.h"
 
+#include "mean_color.h"
+
 #include <algorithm>
-#include <array>
 
 namespace core::mesh_io
 {
@@ -30,26 +31,6 @@ Rgb viscamColor(std::uint16_t word)
 {
     return (word & flag) != 0 ? Rgb{channel(word, 10), channel(word, 5), channel(word, 0)} : Rgb();
 }
-
-/// The mean of what was added.
-struct Mean
-{
-    std::array<std::uint32_t, 3> sum{};
-    std::uint32_t count = 0;
-
-    void add(const Rgb& color)
-    {
-        sum[0] += color.r;
-        sum[1] += color.g;
-        sum[2] += color.b;
-        ++count;
-    }
-    Rgb color() const
-    {
-        const auto mean = [this](std::size_t i) { return static_cast<std::uint8_t>((sum[i] + count / 2) / count); };
-        return count == 0 ? Rgb() : Rgb{mean(0), mean(1), mean(2)};
-    }
-};
 } // namespace
 
 std::vector<Rgb> stlColors(std::string_view header, std::span<const std::uint16_t> words, const TriangleMesh& mesh, StopCheck& stopCheck)
@@ -63,7 +44,7 @@ std::vector<Rgb> stlColors(std::string_view header, std::span<const std::uint16_
             return viscamColor(word);
         return isPlain || (word & flag) != 0 ? *whole : Rgb{channel(word, 0), channel(word, 5), channel(word, 10)};
     };
-    std::vector<Mean> means(mesh.points.size());
+    std::vector<MeanColor> means(mesh.points.size());
     for (std::size_t i = 0; i < words.size(); ++i) {
         stopCheck();
         for (const Slot corner : mesh.triangles[i])
@@ -71,7 +52,7 @@ std::vector<Rgb> stlColors(std::string_view header, std::span<const std::uint16_
     }
     std::vector<Rgb> colors;
     colors.reserve(means.size());
-    std::ranges::transform(means, std::back_inserter(colors), &Mean::color);
+    std::ranges::transform(means, std::back_inserter(colors), &MeanColor::color);
     return colors;
 }
 } // namespace core::mesh_io

@@ -1,7 +1,6 @@
 #include "text_scanner.h"
 
-#include <charconv>
-#include <cmath>
+#include "numbers.h"
 
 namespace core::mesh_io
 {
@@ -15,22 +14,6 @@ bool isLineEnd(char c)
 bool isBlank(char c)
 {
     return c == ' ' || c == '\t' || c == '\v' || c == '\f';
-}
-
-const char* afterPlus(std::string_view word)
-{
-    return word.data() + (word.size() > 1 && word[0] == '+' && word[1] != '-' ? 1 : 0);
-}
-
-/// A number beyond float32's range: rounds to zero or a denormal, or is infinite (NaN returned).
-float farNumber(std::string_view word)
-{
-    double value = 0;
-    const auto [end, error] = std::from_chars(afterPlus(word), word.data() + word.size(), value);
-    const bool tiny = error == std::errc() ? std::abs(value) < 1 : word.find('-', 1) != std::string_view::npos;
-    if (!tiny)
-        return std::nanf("");
-    return error == std::errc() ? static_cast<float>(value) : word.front() == '-' ? -0.0f : 0.0f;
 }
 } // namespace
 
@@ -90,28 +73,20 @@ float TextScanner::toNumber(std::string_view word) const
 {
     if (word.empty())
         fail(FileErrorKind::Malformed, {});
-    const char* const last = word.data() + word.size();
-    float value = 0;
-    const auto [end, error] = std::from_chars(afterPlus(word), last, value);
-    if (error == std::errc::result_out_of_range && end == last)
-        value = farNumber(word);
-    else if (error != std::errc() || end != last)
+    const auto value = floatOf(word);
+    if (!value)
         fail(FileErrorKind::NotANumber, word);
-    if (!std::isfinite(value))
-        fail(FileErrorKind::NotANumber, word);
-    return value;
+    return *value;
 }
 
 std::int64_t TextScanner::toInteger(std::string_view word) const
 {
     if (word.empty())
         fail(FileErrorKind::Malformed, {});
-    const char* const last = word.data() + word.size();
-    std::int64_t value = 0;
-    const auto [end, error] = std::from_chars(afterPlus(word), last, value);
-    if (error != std::errc() || end != last)
+    const auto value = wholeOf(word);
+    if (!value)
         fail(FileErrorKind::NotANumber, word);
-    return value;
+    return *value;
 }
 
 void TextScanner::fail(FileErrorKind kind, std::string_view word) const

@@ -19,6 +19,8 @@ qt6-translations-l10n  Qt: the translations of its own texts
 libopenmesh-dev     OpenMesh: the mesh kernel
 libeigen3-dev       Eigen: vectors and matrices
 nlohmann-json3-dev  JSON: stroke files, reports, GLB
+libexpat1-dev       Expat: the XML of 3MF
+libzip-dev          libzip: the packages that 3MF files are
 libopenxr-dev       OpenXR: the headset
 libgl-dev           OpenGL
 libgl1-mesa-dri     OpenGL drivers, with one in software

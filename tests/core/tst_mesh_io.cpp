@@ -355,7 +355,7 @@ void TestMeshIo::roundTrip_isBitIdentical_data()
     QTest::addColumn<QString>("name");
     QTest::addColumn<bool>("ascii");
     QTest::addColumn<bool>("colored");
-    for (const char* name : {"a.obj", "a.ply", "A.PLY", "a.off", "a.glb"})
+    for (const char* name : {"a.obj", "a.ply", "A.PLY", "a.off", "a.glb", "a.3mf"})
         for (const bool ascii : {false, true})
             for (const bool colored : {false, true})
                 QTest::newRow(qPrintable(QString("%1 %2 %3").arg(QString(name)).arg(ascii).arg(colored)))
@@ -369,8 +369,8 @@ void TestMeshIo::roundTrip_isBitIdentical()
     QFETCH(bool, colored);
     const TriangleMesh mesh = wildMesh(colored, true);
     const auto path = file(name.toStdString());
-    core::writeMesh(path, mesh, {.up = {}, .ascii = ascii});
-    QVERIFY(sameBits(core::readMesh(path), mesh));
+    core::writeMesh(path, mesh, {.up = UpAxis::Y, .ascii = ascii});
+    QVERIFY(sameBits(core::readMesh(path, {.up = UpAxis::Y}), mesh));
     const TriangleMesh plain = wildMesh(colored, false); // the turn takes the sign from -0
     core::writeMesh(path, plain, {.up = UpAxis::Z, .ascii = ascii});
     QVERIFY(sameBits(core::readMesh(path, {.up = UpAxis::Z}), plain));
@@ -380,7 +380,7 @@ void TestMeshIo::palette_isKeptBesideTheModel()
 {
     const std::vector<Rgb> palette = {{0, 0, 0}, {255, 254, 253}, {1, 160, 18}};
     const TriangleMesh ball = core::icosphere(2, 10);
-    for (const char* name : {"a.ply", "a.obj", "a.off", "a.glb"})
+    for (const char* name : {"a.ply", "a.obj", "a.off", "a.glb", "a.3mf"})
         for (const bool ascii : {false, true}) {
             core::writeMesh(file(name), ball, {.ascii = ascii, .palette = palette});
             QVERIFY2(core::readPalette(file(name)) == palette, name);
@@ -447,6 +447,8 @@ void TestMeshIo::text_knowsNoLocale()
     core::writeMesh(file("a.off"), mesh);
     QVERIFY(readBytes(file("a.off")).find(',') == std::string::npos);
     QVERIFY(sameBits(core::readMesh(file("a.off")), mesh));
+    core::writeMesh(file("a.3mf"), mesh);
+    QVERIFY(sameBits(core::readMesh(file("a.3mf")), mesh));
     core::writeMesh(file("a.ply"), mesh, {.up = {}, .ascii = true});
     QVERIFY(sameBits(core::readMesh(file("a.ply")), mesh));
     core::writeMesh(file("a.stl"), mesh, {.up = {}, .ascii = true});
@@ -829,7 +831,7 @@ void TestMeshIo::hugeFiles_areRefusedQuickly()
         return error && quick ? static_cast<int>(error->kind) : -1;
     };
     constexpr std::uintmax_t gigabyte = 1'000'000'000;
-    for (const char* name : {"huge.stl", "huge.obj", "huge.ply", "huge.off", "huge.glb"})
+    for (const char* name : {"huge.stl", "huge.obj", "huge.ply", "huge.off", "huge.glb", "huge.3mf"})
         QCOMPARE(sparse(name, "", 3 * gigabyte), static_cast<int>(Kind::TooLarge));
     QCOMPARE(sparse("zeros.stl", "", 2 * gigabyte), static_cast<int>(Kind::CountMismatch));
     QCOMPARE(sparse("zeros.obj", "", 2 * gigabyte), static_cast<int>(Kind::NotWhatItsEndingSays));
@@ -852,6 +854,7 @@ void TestMeshIo::truncatedFiles_areRefused_data()
     QTest::newRow("text ply") << "a.ply" << written("w.ply", true) << true;
     QTest::newRow("big-endian ply") << "a.ply" << QByteArray::fromStdString(bigEndianPly()) << true;
     QTest::newRow("glb") << "a.glb" << written("w.glb", false) << true;
+    QTest::newRow("3mf") << "a.3mf" << written("w.3mf", false) << true;
     QTest::newRow("off") << "a.off" << written("w.off", false) << true;
     QTest::newRow("off of all kinds") << "a.off" << QByteArray(smallOff) << false; // a colour may be shorter
     QTest::newRow("obj") << "a.obj" << written("w.obj", false) << false; // has no end
@@ -885,6 +888,8 @@ void TestMeshIo::mutatedFiles_neverGetThrough_data()
     QTest::newRow("big-endian ply") << "a.ply" << QByteArray::fromStdString(bigEndianPly());
     core::writeMesh(file("w.ply"), shapes::cube(1));
     QTest::newRow("binary ply") << "a.ply" << QByteArray::fromStdString(readBytes(file("w.ply")));
+    core::writeMesh(file("w.3mf"), shapes::cube(1));
+    QTest::newRow("3mf") << "a.3mf" << QByteArray::fromStdString(readBytes(file("w.3mf")));
 }
 
 /// Whatever the bytes: an error, or a mesh that keeps the reader's promises. Never a crash, never long.

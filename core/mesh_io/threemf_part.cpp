@@ -1,0 +1,198 @@
+// Source: 3MF Consortium, Core Specification 1.3; Materials and Properties Extension 1.2 (colour groups); Production Extension 1.1 (paths).
+// Elements come in the order that the specification asks for: what is named stands before what names it.
+#include "threemf_part.h"
+
+#include "mean_color.h"
+#include "numbers.h"
+
+#include <array>
+#include <charconv>
+
+namespace core::mesh_io
+{
+namespace
+{
+constexpr std::string_view coreSpace = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02|",
+                           materialSpace = "http://schemas.microsoft.com/3dmanufacturing/material/2015/02|",
+                           pathAttribute = "http://schemas.microsoft.com/3dmanufacturing/production/2015/06|path";
+
+double millimetresOf(std::string_view unit, const XmlAttributes& attributes)
+{
+    constexpr std::pair<std::string_view, double> units[] = {{"millimeter", 1}, {"micron", 0.001}, {"centimeter", 10},
+                                                             {"inch", 25.4},    {"foot", 304.8},   {"meter", 1000}};
+    for (const auto& [name, millimetres] : units)
+        if (unit == name || (unit.empty() && millimetres == 1))
+            return millimetres;
+    attributes.refuse(FileErrorKind::Malformed, unit);
+}
+
+/// #rrggbb, or #rrggbbaa.
+std::optional<Rgb> colorOf(std::string_view text)
+{
+    std::uint32_t value = 0;
+    if ((text.size() != 7 && text.size() != 9) || text.front() != '#')
+        return std::nullopt;
+    const auto [end, error] = std::from_chars(text.data() + 1, text.data() + 7, value, 16);
+    if (error != std::errc() || end != text.data() + 7)
+        return std::nullopt;
+    return Rgb{static_cast<std::uint8_t>(value >> 16), static_cast<std::uint8_t>(value >> 8), static_cast<std::uint8_t>(value)};
+}
+
+/// Twelve numbers: the rows of a matrix that points are rows to the left of.
+Eigen::Matrix4d transformOf(const XmlAttributes& attributes)
+{
+    Eigen::Matrix4d transform = Eigen::Matrix4d::Identity();
+    std::string_view rest = attributes.text("transform");
+    if (rest.empty())
+        return transform;
+    for (int i = 0; i < 12; ++i) {
+        rest.remove_prefix(std::min(rest.find_first_not_of(" \t\r\n"), rest.size()));
+        const std::string_view word = rest.substr(0, rest.find_first_of(" \t\r\n"));
+        const auto value = doubleOf(word);
+        if (!value)
+            attributes.refuse(FileErrorKind::NotANumber, word);
+        transform(i % 3, i / 3) = *value;
+        rest.remove_prefix(word.size());
+    }
+    return transform;
+}
+} // namespace
+
+/// The groups that properties come from, and what they make of the open object.
+struct ThreeMfPartReader::Colors
+{
+    std::map<std::uint32_t, std::vector<std::optional<Rgb>>> groups;
+    std::vector<std::optional<Rgb>>* openGroup = nullptr;
+    std::optional<std::uint32_t> objectGroup, objectIndex;
+    std::vector<MeanColor> means; ///< one per vertex, from the first coloured triangle on
+
+    std::optional<Rgb> find(std::optional<std::uint32_t> group, std::optional<std::uint32_t> index) const
+    {
+        const auto found = group && index ? groups.find(*group) : groups.end();
+        return found != groups.end() && *index < found->second.size() ? found->second[*index] : std::nullopt;
+    }
+
+    void add(const Triangle& triangle, std::size_t vertices, const XmlAttributes& attributes)
+    {
+        const auto group = attributes.wholeIfAny("pid"), first = attributes.wholeIfAny("p1");
+        const auto ofObject = group ? group : objectGroup;
+        for (std::size_t i = 0; i < 3; ++i) {
+            constexpr std::array<std::string_view, 3> names{"p1", "p2", "p3"};
+            const auto own = i == 0 ? first : attributes.wholeIfAny(names[i]);
+            const auto color = first ? find(ofObject, own ? own : first) : find(objectGroup, objectIndex);
+            if (!color)
+                continue;
+            means.resize(vertices);
+            means[triangle[i]].add(*color);
+        }
+    }
+};
+
+std::string threeMfPath(const FileBytes& file, std::string_view path)
+{
+    std::string within;
+    for (std::string_view rest = path; !rest.empty();) {
+        const std::string_view step = rest.substr(0, rest.find('/'));
+        rest.remove_prefix(std::min(step.size() + 1, rest.size()));
+        if (step == "..")
+            throw errorWithToken(FileErrorKind::Malformed, file, path);
+        if (step.empty() || step == ".")
+            continue;
+        within += (within.empty() ? "" : "/") + std::string(step);
+    }
+    return within;
+}
+
+ThreeMfPartReader::ThreeMfPartReader(const FileBytes& file)
+    : m_file(file)
+    , m_stopCheck(file.stop)
+    , m_colors(std::make_unique<Colors>())
+    , m_xml(
+          file, [this](std::string_view name, const XmlAttributes& attributes) { begin(name, attributes); },
+          [this](std::string_view name) { end(name); })
+{}
+
+ThreeMfPartReader::~ThreeMfPartReader() = default;
+
+void ThreeMfPartReader::begin(std::string_view name, const XmlAttributes& attributes)
+{
+    m_stopCheck();
+    if (name.starts_with(coreSpace))
+        beginCore(name.substr(coreSpace.size()), attributes);
+    if (!name.starts_with(materialSpace))
+        return;
+    name.remove_prefix(materialSpace.size());
+    if (name == "colorgroup")
+        m_colors->openGroup = &m_colors->groups[attributes.whole("id")];
+    else if (name == "color" && m_colors->openGroup)
+        m_colors->openGroup->push_back(colorOf(attributes.text("color")));
+}
+
+void ThreeMfPartReader::beginCore(std::string_view name, const XmlAttributes& attributes)
+{
+    if (name == "triangle")
+        addTriangle(attributes);
+    else if (name == "vertex" && m_object)
+        m_object->mesh.points.emplace_back(attributes.number("x"), attributes.number("y"), attributes.number("z"));
+    else if (name == "component" && m_object)
+        m_object->components.push_back(componentOf(attributes));
+    else if (name == "item")
+        m_part.build.push_back(componentOf(attributes));
+    else if (name == "object")
+        beginObject(attributes);
+    else if (name == "basematerials")
+        m_colors->openGroup = &m_colors->groups[attributes.whole("id")];
+    else if (name == "base" && m_colors->openGroup)
+        m_colors->openGroup->push_back(colorOf(attributes.text("displaycolor")));
+    else if (name == "model")
+        m_part.millimetres = millimetresOf(attributes.text("unit"), attributes);
+}
+
+void ThreeMfPartReader::beginObject(const XmlAttributes& attributes)
+{
+    const std::string_view type = attributes.text("type");
+    m_object = &m_part.objects[attributes.whole("id")];
+    if (!m_object->mesh.points.empty() || !m_object->components.empty())
+        attributes.refuse(FileErrorKind::Malformed, "id"); // it is another one's
+    m_object->isSolid = type.empty() || type == "model" || type == "solidsupport" || type == "surface";
+    m_colors->objectGroup = attributes.wholeIfAny("pid");
+    m_colors->objectIndex = attributes.wholeIfAny("pindex");
+    m_colors->means.clear();
+}
+
+void ThreeMfPartReader::addTriangle(const XmlAttributes& attributes)
+{
+    if (!m_object)
+        return;
+    const Triangle triangle{attributes.whole("v1"), attributes.whole("v2"), attributes.whole("v3")};
+    const std::size_t vertices = m_object->mesh.points.size();
+    for (const Slot corner : triangle)
+        if (corner >= vertices) {
+            FileError error = errorWithToken(FileErrorKind::IndexOutOfRange, m_file, std::to_string(corner));
+            error.expected = vertices;
+            throw error;
+        }
+    m_object->mesh.triangles.push_back(triangle);
+    m_colors->add(triangle, vertices, attributes);
+}
+
+void ThreeMfPartReader::end(std::string_view name)
+{
+    if (name.ends_with("|colorgroup") || name.ends_with("|basematerials"))
+        m_colors->openGroup = nullptr;
+    if (!m_object || !name.starts_with(coreSpace) || !name.ends_with("|object"))
+        return;
+    TriangleMesh& mesh = m_object->mesh;
+    for (const MeanColor& mean : m_colors->means)
+        mesh.colors.push_back(mean.color());
+    if (!mesh.colors.empty())
+        mesh.colors.resize(mesh.points.size(), Rgb());
+    m_colors->means = {};
+    m_object = nullptr;
+}
+
+ThreeMfComponent ThreeMfPartReader::componentOf(const XmlAttributes& attributes) const
+{
+    return {threeMfPath(m_file, attributes.text(pathAttribute)), attributes.whole("objectid"), transformOf(attributes)};
+}
+} // namespace core::mesh_io

@@ -1,0 +1,132 @@
+// 3MF: the package names its model part; the items of its build say which objects stand where, and their components what they are made of.
+// What other parts hold is read when it is asked for.
+#include "threemf_part.h"
+#include "zip_package.h"
+
+#include <Eigen/LU>
+
+namespace core::mesh_io
+{
+namespace
+{
+constexpr int mostDepth = 64;
+constexpr std::size_t mostInstances = 1 << 16, mostParts = 1 << 12;
+/// Vertices and triangles for each byte of the file: an object may stand in a build many times.
+constexpr std::size_t mostVertexCopies = 16, mostFaceCopies = 32;
+
+/// Empty where the package names none.
+std::string modelPathOf(const FileBytes& file, ZipPackage& package)
+{
+    constexpr std::string_view modelType = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
+    std::string path;
+    XmlReader xml(
+        file,
+        [&](std::string_view name, const XmlAttributes& attributes) {
+            if (name.ends_with("|Relationship") && attributes.text("Type") == modelType && attributes.text("TargetMode") != "External")
+                path = threeMfPath(file, attributes.text("Target"));
+        },
+        [](std::string_view) {});
+    package.read("_rels/.rels", [&xml](std::string_view piece) { xml.take(piece); });
+    return path;
+}
+
+class ThreeMfReader
+{
+public:
+    explicit ThreeMfReader(const FileBytes& file) : m_file(file), m_package(file), m_stopCheck(file.stop) {}
+
+    TriangleMesh read()
+    {
+        const std::string path = modelPathOf(m_file, m_package);
+        if (path.empty())
+            throw errorWithToken(FileErrorKind::Malformed, m_file, "_rels/.rels");
+        const ThreeMfPart& root = part(path);
+        const Eigen::Matrix4d unit = Eigen::Vector4d(root.millimetres, root.millimetres, root.millimetres, 1).asDiagonal();
+        for (const ThreeMfComponent& item : root.build)
+            add(path, item, unit, 0);
+        if (m_hasColors)
+            m_mesh.colors.resize(m_mesh.points.size(), Rgb());
+        return std::move(m_mesh);
+    }
+
+private:
+    const ThreeMfPart& part(const std::string& path)
+    {
+        const auto [found, isNew] = m_parts.try_emplace(path);
+        if (isNew) {
+            if (m_parts.size() > mostParts)
+                throw tooMany("parts", mostParts, errorWithToken({}, m_file, {}));
+            ThreeMfPartReader reader(m_file);
+            m_package.read(path, [&reader](std::string_view piece) { reader.take(piece); });
+            found->second = reader.part();
+        }
+        return found->second;
+    }
+
+    void add(const std::string& from, const ThreeMfComponent& component, const Eigen::Matrix4d& above, int depth)
+    {
+        m_stopCheck();
+        if (depth > mostDepth || ++m_instances > mostInstances)
+            throw tooMany("components", mostInstances, errorWithToken({}, m_file, {}));
+        const std::string& path = component.part.empty() ? from : component.part;
+        const auto& objects = part(path).objects;
+        const auto object = objects.find(component.object);
+        if (object == objects.end())
+            throw errorWithToken(FileErrorKind::Malformed, m_file, "objectid " + std::to_string(component.object));
+        if (!object->second.isSolid)
+            return;
+        const Eigen::Matrix4d transform = above * component.transform;
+        addMesh(object->second.mesh, transform);
+        for (const ThreeMfComponent& inner : object->second.components)
+            add(path, inner, transform, depth + 1);
+    }
+
+    void addMesh(const TriangleMesh& mesh, const Eigen::Matrix4d& transform)
+    {
+        requireRoom("vertices", m_mesh.points.size() + mesh.points.size(), std::min(maxVertices, mostVertexCopies * m_file.bytes.size()));
+        requireRoom("faces", m_mesh.triangles.size() + mesh.triangles.size(), std::min(maxFaces, mostFaceCopies * m_file.bytes.size()));
+        const auto first = static_cast<Slot>(m_mesh.points.size());
+        const bool isPlain = transform == Eigen::Matrix4d::Identity();
+        for (Vec3f point : mesh.points) {
+            m_stopCheck();
+            if (!isPlain)
+                point = (transform * point.cast<double>().homogeneous()).head<3>().cast<float>();
+            if (!point.allFinite())
+                throw errorWithToken(FileErrorKind::NotANumber, m_file, {});
+            m_mesh.points.push_back(point);
+        }
+        if (!mesh.colors.empty()) {
+            m_hasColors = true;
+            m_mesh.colors.resize(first, Rgb());
+            m_mesh.colors.insert(m_mesh.colors.end(), mesh.colors.begin(), mesh.colors.end());
+        }
+        const bool isMirrored = transform.topLeftCorner<3, 3>().determinant() < 0;
+        for (auto [a, b, c] : mesh.triangles) {
+            m_stopCheck();
+            if (isMirrored)
+                std::swap(b, c);
+            m_mesh.triangles.push_back({first + a, first + b, first + c});
+        }
+    }
+
+    void requireRoom(std::string_view what, std::size_t wanted, std::size_t most) const
+    {
+        if (wanted > most)
+            throw tooMany(what, most, errorWithToken({}, m_file, {}));
+    }
+
+    const FileBytes& m_file;
+    ZipPackage m_package;
+    StopCheck m_stopCheck;
+    std::map<std::string, ThreeMfPart> m_parts;
+    TriangleMesh m_mesh;
+    bool m_hasColors = false;
+    std::size_t m_instances = 0;
+};
+} // namespace
+
+TriangleMesh readThreeMf(const FileBytes& file)
+{
+    return ThreeMfReader(file).read();
+}
+} // namespace core::mesh_io

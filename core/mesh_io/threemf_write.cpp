@@ -1,0 +1,250 @@
+// 3MF: content types, relationships and one model part, whose text is made while it is packed: an object, one build item, and, if there are
+// colours, a colour group that the triangles' corners point into.
+#include "format.h"
+#include "palette.h"
+
+#include <zip.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <memory>
+
+namespace core::mesh_io
+{
+namespace
+{
+constexpr std::string_view contentTypes = R"(<?xml version="1.0" encoding="UTF-8"?>
+<Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types">
+<Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/>
+<Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/>
+</Types>
+)";
+constexpr std::string_view relationships = R"(<?xml version="1.0" encoding="UTF-8"?>
+<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">
+<Relationship Target="/3D/3dmodel.model" Id="model" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/>
+</Relationships>
+)";
+constexpr std::string_view modelStart = R"(<?xml version="1.0" encoding="UTF-8"?>
+<model unit="millimeter" xml:lang="en-US" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02" xmlns:m="http://schemas.microsoft.com/3dmanufacturing/material/2015/02">
+<metadata name="Application">Fettle</metadata>
+<resources>
+)";
+constexpr std::string_view modelEnd = "</triangles></mesh></object>\n</resources>\n<build><item objectid=\"1\"/></build>\n</model>\n";
+
+constexpr int packing = 3; ///< of deflate's 1 to 9: at 6 a model takes three times as long, and is a tenth smaller
+constexpr std::uint16_t firstDosDay = 0x21; ///< 1980-01-01: the same model gives the same bytes
+
+std::uint32_t numberOf(const Rgb& color)
+{
+    return static_cast<std::uint32_t>(color.r) << 16 | static_cast<std::uint32_t>(color.g) << 8 | color.b;
+}
+
+/// The model part's text, a piece at a time.
+class ModelText
+{
+public:
+    explicit ModelText(const TriangleMesh& mesh) : m_mesh(mesh)
+    {
+        m_colors.reserve(mesh.colors.size());
+        for (const Rgb& color : mesh.colors)
+            m_colors.push_back(numberOf(color));
+        std::ranges::sort(m_colors);
+        m_colors.erase(std::ranges::unique(m_colors).begin(), m_colors.end());
+    }
+
+    /// To be asked before it is read. The package's heads are of the old, short kind only when it is known.
+    std::size_t size()
+    {
+        std::size_t bytes = 0;
+        for (restart(); addNext(); m_text.clear())
+            bytes += m_text.size();
+        return bytes;
+    }
+
+    void restart() { m_next = m_taken = 0, m_text.clear(); }
+
+    std::size_t read(char* to, std::size_t size)
+    {
+        while (m_text.size() - m_taken < size && addNext()) {}
+        const std::size_t given = std::min(size, m_text.size() - m_taken);
+        std::memcpy(to, m_text.data() + m_taken, given);
+        m_taken += given;
+        constexpr std::size_t enough = 1 << 16;
+        if (m_taken > enough) {
+            m_text.erase(0, m_taken);
+            m_taken = 0;
+        }
+        return given;
+    }
+
+private:
+    /// The elements in their order: start, colours, vertices, triangles, end.
+    bool addNext()
+    {
+        std::size_t at = m_next++;
+        const auto isOf = [&at](std::size_t count) {
+            const bool is = at < count;
+            at -= is ? 0 : count;
+            return is;
+        };
+        if (isOf(1))
+            *this << modelStart << (m_colors.empty() ? "" : "<m:colorgroup id=\"2\">\n");
+        else if (isOf(m_colors.size()))
+            addColor(m_colors[at]);
+        else if (isOf(1))
+            *this << (m_colors.empty() ? "" : "</m:colorgroup>\n") << "<object id=\"1\" type=\"model\""
+                  << (m_colors.empty() ? "" : " pid=\"2\" pindex=\"0\"") << "><mesh><vertices>\n";
+        else if (isOf(m_mesh.points.size()))
+            *this << "<vertex x=\"" << m_mesh.points[at].x() << "\" y=\"" << m_mesh.points[at].y() << "\" z=\"" << m_mesh.points[at].z()
+                  << "\"/>\n";
+        else if (isOf(1))
+            *this << "</vertices><triangles>\n";
+        else if (isOf(m_mesh.triangles.size()))
+            addTriangle(m_mesh.triangles[at]);
+        else if (isOf(1))
+            *this << modelEnd;
+        else
+            return false;
+        return true;
+    }
+
+    void addColor(std::uint32_t color)
+    {
+        constexpr std::string_view hex = "0123456789ABCDEF";
+        *this << "<m:color color=\"#";
+        for (int shift = 20; shift >= 0; shift -= 4)
+            *this << hex.substr(color >> shift & 15, 1);
+        *this << "\"/>\n";
+    }
+
+    void addTriangle(const Triangle& t)
+    {
+        *this << "<triangle v1=\"" << t[0] << "\" v2=\"" << t[1] << "\" v3=\"" << t[2];
+        if (!m_colors.empty()) {
+            const auto [a, b, c] = std::array{indexOf(t[0]), indexOf(t[1]), indexOf(t[2])};
+            *this << "\" p1=\"" << a;
+            if (b != a || c != a)
+                *this << "\" p2=\"" << b << "\" p3=\"" << c;
+        }
+        *this << "\"/>\n";
+    }
+
+    std::size_t indexOf(Slot corner) const
+    {
+        return static_cast<std::size_t>(std::ranges::lower_bound(m_colors, numberOf(m_mesh.colors[corner])) - m_colors.begin());
+    }
+
+    ModelText& operator<<(std::string_view text)
+    {
+        m_text += text;
+        return *this;
+    }
+    template <typename Number>
+    requires std::is_arithmetic_v<Number> ModelText& operator<<(Number number)
+    {
+        char digits[64];
+        const auto [end, error] = std::to_chars(digits, digits + sizeof digits, number);
+        return *this << std::string_view(digits, static_cast<std::size_t>(end - digits));
+    }
+
+    const TriangleMesh& m_mesh;
+    std::vector<std::uint32_t> m_colors; ///< each once, sorted
+    std::size_t m_next = 0;  ///< element
+    std::string m_text;      ///< from m_taken on it was not read yet
+    std::size_t m_taken = 0;
+};
+
+struct ModelSource
+{
+    ModelText text;
+    std::size_t size = text.size();
+};
+
+/// What the library asks of a source of bytes.
+zip_int64_t answer(void* self, void* data, zip_uint64_t size, zip_source_cmd_t command)
+{
+    auto& [text, textSize] = *static_cast<ModelSource*>(self);
+    switch (command) {
+    case ZIP_SOURCE_OPEN:
+        text.restart();
+        return 0;
+    case ZIP_SOURCE_READ:
+        try {
+            return static_cast<zip_int64_t>(text.read(static_cast<char*>(data), size));
+        } catch (const std::bad_alloc&) {
+            return -1;
+        }
+    case ZIP_SOURCE_STAT:
+        zip_stat_init(static_cast<zip_stat_t*>(data));
+        static_cast<zip_stat_t*>(data)->valid = ZIP_STAT_SIZE;
+        static_cast<zip_stat_t*>(data)->size = textSize;
+        return sizeof(zip_stat_t);
+    case ZIP_SOURCE_ERROR: {
+        const std::array<int, 2> error{ZIP_ER_MEMORY, ENOMEM};
+        std::memcpy(data, error.data(), sizeof error);
+        return sizeof error;
+    }
+    case ZIP_SOURCE_SUPPORTS:
+        return zip_source_make_command_bitmap(ZIP_SOURCE_OPEN, ZIP_SOURCE_READ, ZIP_SOURCE_CLOSE, ZIP_SOURCE_STAT, ZIP_SOURCE_ERROR,
+                                              ZIP_SOURCE_FREE, -1);
+    default:
+        return 0;
+    }
+}
+
+void addPart(zip* package, const char* name, zip_source_t* source, zip_int32_t method)
+{
+    const zip_int64_t index = source ? zip_file_add(package, name, source, ZIP_FL_ENC_UTF_8) : -1;
+    if (index < 0) {
+        zip_source_free(source);
+        throw std::bad_alloc();
+    }
+    const auto part = static_cast<zip_uint64_t>(index);
+    zip_set_file_compression(package, part, method, packing);
+    zip_file_set_dostime(package, part, 0, firstDosDay, 0);
+}
+
+void copy(zip_source_t* from, AtomicFile& out)
+{
+    if (zip_source_open(from) != 0)
+        throw std::bad_alloc();
+    std::array<char, 1 << 16> piece;
+    for (;;) {
+        const zip_int64_t got = zip_source_read(from, piece.data(), piece.size());
+        if (got <= 0)
+            break;
+        out.write({piece.data(), static_cast<std::size_t>(got)});
+    }
+    zip_source_close(from);
+}
+} // namespace
+
+void writeThreeMf(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette)
+{
+    // the first part is not packed: readPalette() looks at the file's start
+    std::string types(contentTypes);
+    if (!palette.empty())
+        types += "<!--\n# " + paletteWords(palette) + "\n-->\n";
+    ModelSource model{ModelText(mesh)};
+    const std::unique_ptr<zip_source_t, void (*)(zip_source_t*)> packed(zip_source_buffer_create(nullptr, 0, 0, nullptr), &zip_source_free);
+    if (!packed)
+        throw std::bad_alloc();
+    zip_source_keep(packed.get()); // the package frees it once
+    std::unique_ptr<zip, void (*)(zip*)> package(zip_open_from_source(packed.get(), ZIP_CREATE | ZIP_TRUNCATE, nullptr), &zip_discard);
+    if (!package) {
+        zip_source_free(packed.get());
+        throw std::bad_alloc();
+    }
+    const auto inMemory = [&](std::string_view bytes) { return zip_source_buffer(package.get(), bytes.data(), bytes.size(), 0); };
+    addPart(package.get(), "[Content_Types].xml", inMemory(types), ZIP_CM_STORE);
+    addPart(package.get(), "_rels/.rels", inMemory(relationships), ZIP_CM_STORE);
+    addPart(package.get(), "3D/3dmodel.model", zip_source_function(package.get(), &answer, &model), ZIP_CM_DEFLATE);
+    if (zip_close(package.get()) != 0)
+        throw std::bad_alloc(); // all of it goes on in memory
+    package.release();
+    copy(packed.get(), out);
+}
+} // namespace core::mesh_io

@@ -1,0 +1,138 @@
+#include "xml_reader.h"
+
+#include "numbers.h"
+
+#include <expat.h>
+
+#include <algorithm>
+#include <limits>
+#include <new>
+
+namespace core::mesh_io
+{
+namespace
+{
+constexpr int mostDepth = 64;
+constexpr std::uint64_t longestTag = 1 << 20;
+constexpr char namespaceEnd = '|';
+} // namespace
+
+std::string_view XmlAttributes::text(std::string_view name) const
+{
+    for (const char** pair = m_pairs; *pair; pair += 2)
+        if (name == pair[0]) {
+            constexpr const char* blanks = " \t\r\n";
+            const std::string_view value(pair[1]);
+            const std::size_t first = value.find_first_not_of(blanks);
+            return first == std::string_view::npos ? std::string_view() : value.substr(first, value.find_last_not_of(blanks) + 1 - first);
+        }
+    return {};
+}
+
+float XmlAttributes::number(std::string_view name) const
+{
+    const std::string_view word = text(name);
+    if (word.empty())
+        refuse(FileErrorKind::Malformed, name);
+    const auto value = floatOf(word);
+    if (!value)
+        refuse(FileErrorKind::NotANumber, word);
+    return *value;
+}
+
+std::optional<std::uint32_t> XmlAttributes::wholeIfAny(std::string_view name) const
+{
+    const std::string_view word = text(name);
+    if (word.empty())
+        return std::nullopt;
+    const auto value = wholeOf(word);
+    if (!value || *value < 0 || *value > std::numeric_limits<std::uint32_t>::max())
+        refuse(FileErrorKind::NotANumber, word);
+    return static_cast<std::uint32_t>(*value);
+}
+
+std::uint32_t XmlAttributes::whole(std::string_view name) const
+{
+    const auto value = wholeIfAny(name);
+    if (!value)
+        refuse(FileErrorKind::Malformed, name);
+    return *value;
+}
+
+void XmlAttributes::refuse(FileErrorKind kind, std::string_view token) const
+{
+    throw errorWithToken(kind, m_file, token);
+}
+
+/// No exception passes through the library: it is kept, and parsing ends.
+struct XmlReader::Callbacks
+{
+    static void begin(void* self, const char* name, const char** pairs)
+    {
+        auto& reader = *static_cast<XmlReader*>(self);
+        reader.guarded([&] {
+            if (++reader.m_depth > mostDepth)
+                reader.refuse();
+            reader.m_begin(name, XmlAttributes(reader.m_file, pairs));
+        });
+    }
+    static void end(void* self, const char* name)
+    {
+        auto& reader = *static_cast<XmlReader*>(self);
+        --reader.m_depth;
+        reader.guarded([&] { reader.m_end(name); });
+    }
+    static void documentType(void* self, const char*, const char*, const char*, int)
+    {
+        auto& reader = *static_cast<XmlReader*>(self);
+        reader.guarded([&] { reader.refuse(); });
+    }
+};
+
+XmlReader::XmlReader(const FileBytes& file, Begin begin, End end)
+    : m_file(file), m_begin(std::move(begin)), m_end(std::move(end)), m_parser(XML_ParserCreateNS(nullptr, namespaceEnd), &XML_ParserFree)
+{
+    if (!m_parser)
+        throw std::bad_alloc();
+    XML_SetUserData(m_parser.get(), this);
+    XML_SetElementHandler(m_parser.get(), &Callbacks::begin, &Callbacks::end);
+    XML_SetStartDoctypeDeclHandler(m_parser.get(), &Callbacks::documentType);
+}
+
+void XmlReader::guarded(const std::function<void()>& work)
+{
+    if (m_problem)
+        return;
+    try {
+        work();
+    } catch (FileError& error) {
+        if (error.place.unit == FilePlace::Unit::None)
+            error.place = {FilePlace::Unit::Line, XML_GetCurrentLineNumber(m_parser.get())};
+        m_problem = std::make_exception_ptr(error);
+    } catch (...) {
+        m_problem = std::current_exception();
+    }
+    if (m_problem)
+        XML_StopParser(m_parser.get(), XML_FALSE);
+}
+
+void XmlReader::take(std::string_view piece)
+{
+    m_given += piece.size();
+    const XML_Status status = XML_Parse(m_parser.get(), piece.data(), static_cast<int>(piece.size()), piece.empty());
+    if (m_problem)
+        std::rethrow_exception(m_problem);
+    if (status != XML_STATUS_OK && XML_GetErrorCode(m_parser.get()) == XML_ERROR_NO_MEMORY)
+        throw std::bad_alloc();
+    const auto understood = static_cast<std::uint64_t>(std::max<XML_Index>(0, XML_GetCurrentByteIndex(m_parser.get())));
+    if (status != XML_STATUS_OK || m_given > understood + longestTag)
+        refuse();
+}
+
+void XmlReader::refuse() const
+{
+    FileError error(FileErrorKind::Malformed, m_file.path);
+    error.place = {FilePlace::Unit::Line, XML_GetCurrentLineNumber(m_parser.get())};
+    throw error;
+}
+} // namespace core::mesh_io

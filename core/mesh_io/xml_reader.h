@@ -1,0 +1,61 @@
+#pragma once
+
+#include "format.h"
+
+#include <exception>
+#include <functional>
+#include <memory>
+#include <optional>
+
+struct XML_ParserStruct;
+
+namespace core::mesh_io
+{
+/// The attributes of one element; views last as long as its begin() does. Names: "name", or "namespace|name".
+class XmlAttributes
+{
+public:
+    XmlAttributes(const FileBytes& file, const char** pairs) : m_file(file), m_pairs(pairs) {}
+
+    /// Without blanks around it; empty if there is none.
+    std::string_view text(std::string_view name) const;
+    /// Throw FileError: NotANumber with the text, or Malformed with the name if there is none.
+    float number(std::string_view name) const;
+    std::uint32_t whole(std::string_view name) const;
+    /// Empty if there is none.
+    std::optional<std::uint32_t> wholeIfAny(std::string_view name) const;
+
+    [[noreturn]] void refuse(FileErrorKind kind, std::string_view token) const;
+
+private:
+    const FileBytes& m_file;
+    const char** m_pairs;
+};
+
+/// Strangers' XML, parsed piece by piece by a library (expat), in UTF-8 or UTF-16. There are no document types, so there are no entities
+/// but the five, and nothing outside is ever opened; elements lie at most 64 deep, and no tag is longer than 1 MiB. Errors name the line.
+class XmlReader
+{
+public:
+    using Begin = std::function<void(std::string_view name, const XmlAttributes& attributes)>;
+    using End = std::function<void(std::string_view name)>;
+
+    XmlReader(const FileBytes& file, Begin begin, End end);
+
+    /// The last piece is empty. Throws FileError, and what begin and end throw.
+    void take(std::string_view piece);
+
+private:
+    struct Callbacks;
+    void guarded(const std::function<void()>& work);
+    [[noreturn]] void refuse() const;
+
+    const FileBytes& m_file;
+    Begin m_begin;
+    End m_end;
+    std::unique_ptr<XML_ParserStruct, void (*)(XML_ParserStruct*)> m_parser;
+    int m_depth = 0;
+    std::uint64_t m_given = 0; ///< bytes
+    std::exception_ptr m_problem;
+};
+} // namespace core::mesh_io

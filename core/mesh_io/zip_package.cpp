@@ -1,0 +1,83 @@
+#include "zip_package.h"
+
+#include <zip.h>
+
+#include <algorithm>
+#include <array>
+
+namespace core::mesh_io
+{
+namespace
+{
+constexpr std::uint64_t mostTimes = 100, alwaysTaken = std::uint64_t(16) << 20, mostUnpacked = std::uint64_t(4) << 30;
+
+std::uint64_t limitFor(std::size_t fileSize)
+{
+    return std::clamp(mostTimes * fileSize, alwaysTaken, mostUnpacked);
+}
+
+FileError cutOff(const FileBytes& file)
+{
+    return errorAtByte(FileErrorKind::CutOff, file, file.bytes.data() + file.bytes.size());
+}
+
+FileError unpacksTooLarge(const FileBytes& file)
+{
+    FileError error(FileErrorKind::UnpacksTooLarge, file.path);
+    error.expected = limitFor(file.bytes.size());
+    return error;
+}
+
+zip* opened(const FileBytes& file)
+{
+    zip_source_t* const source = zip_source_buffer_create(file.bytes.data(), file.bytes.size(), 0, nullptr);
+    if (!source)
+        throw std::bad_alloc();
+    zip* const archive = zip_open_from_source(source, ZIP_RDONLY, nullptr);
+    if (!archive) {
+        zip_source_free(source);
+        throw cutOff(file); // the directory stands at the end
+    }
+    return archive;
+}
+} // namespace
+
+ZipPackage::ZipPackage(const FileBytes& file) : m_file(file), m_zip(opened(file), &zip_discard), m_left(limitFor(file.bytes.size())) {}
+
+ZipPackage::~ZipPackage() = default;
+
+void ZipPackage::read(const std::string& part, const Take& take)
+{
+    const auto refuse = [&] {
+        FileError error(FileErrorKind::Malformed, m_file.path);
+        error.token = part;
+        throw error;
+    };
+    const zip_int64_t index = zip_name_locate(m_zip.get(), part.c_str(), ZIP_FL_NOCASE);
+    zip_stat_t stat;
+    constexpr zip_uint64_t needed = ZIP_STAT_SIZE | ZIP_STAT_COMP_METHOD | ZIP_STAT_ENCRYPTION_METHOD;
+    if (index < 0 || zip_stat_index(m_zip.get(), static_cast<zip_uint64_t>(index), 0, &stat) != 0 || (stat.valid & needed) != needed
+        || (stat.comp_method != ZIP_CM_STORE && stat.comp_method != ZIP_CM_DEFLATE) || stat.encryption_method != ZIP_EM_NONE)
+        refuse();
+    if (stat.size > m_left)
+        throw unpacksTooLarge(m_file);
+    const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> packed(zip_fopen_index(m_zip.get(), static_cast<zip_uint64_t>(index), 0),
+                                                                   &zip_fclose);
+    if (!packed)
+        refuse();
+    std::array<char, 1 << 16> piece;
+    for (;;) {
+        if (m_file.stop.stop_requested())
+            throw ReadingStopped();
+        const zip_int64_t got = zip_fread(packed.get(), piece.data(), piece.size());
+        if (got < 0)
+            throw cutOff(m_file);
+        if (static_cast<std::uint64_t>(got) > m_left)
+            throw unpacksTooLarge(m_file);
+        m_left -= static_cast<std::uint64_t>(got);
+        take({piece.data(), static_cast<std::size_t>(got)});
+        if (got == 0)
+            return;
+    }
+}
+} // namespace core::mesh_io

@@ -1,0 +1,363 @@
+// 3MF packages of others: units, components, colours, parts elsewhere; and what hostile ones try.
+
+#include "core/file_error.h"
+#include "core/mesh_io.h"
+#include "tests/support/shapes.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <zip.h>
+
+#include <clocale>
+#include <fstream>
+#include <map>
+#include <random>
+
+namespace
+{
+using core::FileError;
+using core::Rgb;
+using core::TriangleMesh;
+using core::UpAxis;
+using core::Vec3f;
+using Kind = core::FileErrorKind;
+using Parts = std::map<std::string, std::string>;
+
+constexpr unsigned seed = 20261122;
+
+const std::string relationships =
+    R"(<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Target="/3D/a.model" Id="x" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>)";
+const std::string modelHead =
+    R"(xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02" xmlns:m="http://schemas.microsoft.com/3dmanufacturing/material/2015/02" xmlns:p="http://schemas.microsoft.com/3dmanufacturing/production/2015/06" requiredextensions="p")";
+
+/// A right-angled tetrahedron; `more` goes into each of its triangles.
+std::string mesh(const std::string& more = {})
+{
+    std::string text = R"(<mesh><vertices><vertex x="0" y="0" z="0"/><vertex x="1" y="0" z="0"/><vertex x="0" y=" +2.0 " z="0"/>)"
+                       R"(<vertex x="0" y="0" z="3e0"/></vertices><triangles>)";
+    for (const char* corners : {R"(v1="0" v2="2" v3="1")", R"(v1="0" v2="1" v3="3")", R"(v1="0" v2="3" v3="2")", R"(v1="1" v2="2" v3="3")"})
+        text += std::string("<triangle ") + corners + " " + more + "/>";
+    return text + "</triangles></mesh>";
+}
+
+std::string model(const std::string& resources, const std::string& items, const std::string& attributes = {})
+{
+    return "<?xml version=\"1.0\"?><model " + modelHead + " " + attributes + "><resources>" + resources + "</resources><build>" + items +
+           "</build></model>";
+}
+
+std::string object(int id, const std::string& content, const std::string& attributes = {})
+{
+    return "<object id=\"" + std::to_string(id) + "\" " + attributes + ">" + content + "</object>";
+}
+
+std::string item(int id, const std::string& attributes = {})
+{
+    return "<item objectid=\"" + std::to_string(id) + "\" " + attributes + "/>";
+}
+
+double volume(const TriangleMesh& mesh)
+{
+    double six = 0;
+    for (const auto& [a, b, c] : mesh.triangles)
+        six += mesh.points[a].cast<double>().dot(mesh.points[b].cast<double>().cross(mesh.points[c].cast<double>()));
+    return six / 6;
+}
+
+Vec3f largest(const TriangleMesh& mesh)
+{
+    Vec3f most = mesh.points.front();
+    for (const Vec3f& p : mesh.points)
+        most = most.cwiseMax(p);
+    return most;
+}
+} // namespace
+
+class TestThreeMf : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QVERIFY(m_dir.isValid()); }
+
+    void units_becomeMillimetres_data();
+    void units_becomeMillimetres();
+    void components_areTransformed();
+    void mirroredComponents_stayOutward();
+    void partsElsewhere_areRead();
+    void supports_areLeftOut();
+    void colors_areRead();
+    void sameModel_givesSameBytes();
+    void insideAnApplication_withCommas_bitsStay();
+
+    void badPackages_areRefused_data();
+    void badPackages_areRefused();
+    void bombs_areRefused();
+    void manyCopies_areRefused();
+    void mutatedModels_neverGetThrough();
+
+private:
+    std::filesystem::path file(const std::string& name) const { return std::filesystem::path(m_dir.path().toStdString()) / name; }
+    std::filesystem::path package(const Parts& parts, int packing = ZIP_CM_DEFLATE) const;
+    TriangleMesh read(const std::string& model) const
+    {
+        return core::readMesh(package({{"_rels/.rels", relationships}, {"3D/a.model", model}}), {.up = UpAxis::Y});
+    }
+    static std::optional<FileError> errorOf(const std::function<void()>& action);
+
+    QTemporaryDir m_dir;
+};
+
+std::filesystem::path TestThreeMf::package(const Parts& parts, int packing) const
+{
+    const auto path = file("a.3mf");
+    std::filesystem::remove(path);
+    zip* const archive = zip_open(path.c_str(), ZIP_CREATE, nullptr);
+    for (const auto& [name, text] : parts) {
+        const auto index = zip_file_add(archive, name.c_str(), zip_source_buffer(archive, text.data(), text.size(), 0), 0);
+        zip_set_file_compression(archive, static_cast<zip_uint64_t>(index), packing, 0);
+    }
+    zip_close(archive);
+    return path;
+}
+
+std::optional<FileError> TestThreeMf::errorOf(const std::function<void()>& action)
+{
+    try {
+        action();
+    } catch (const FileError& error) {
+        return error;
+    }
+    return std::nullopt;
+}
+
+void TestThreeMf::units_becomeMillimetres_data()
+{
+    QTest::addColumn<QString>("attribute");
+    QTest::addColumn<double>("millimetres");
+    QTest::newRow("none") << "" << 1.0;
+    for (const auto& [name, millimetres] : std::initializer_list<std::pair<const char*, double>>{
+             {"micron", 0.001}, {"millimeter", 1}, {"centimeter", 10}, {"inch", 25.4}, {"foot", 304.8}, {"meter", 1000}})
+        QTest::newRow(name) << QStringLiteral("unit=\"%1\"").arg(QLatin1StringView(name)) << millimetres;
+}
+
+void TestThreeMf::units_becomeMillimetres()
+{
+    QFETCH(QString, attribute);
+    QFETCH(double, millimetres);
+    const TriangleMesh read = this->read(model(object(1, mesh()), item(1), attribute.toStdString()));
+    QCOMPARE(read.points.size(), std::size_t(4));
+    const Vec3f wanted(static_cast<float>(millimetres), static_cast<float>(2 * millimetres), static_cast<float>(3 * millimetres));
+    QVERIFY(largest(read) == wanted);
+    const TriangleMesh turned = core::readMesh(file("a.3mf"));
+    QVERIFY(turned.points[3] == Vec3f(0, wanted.z(), 0)); // Z is up
+}
+
+void TestThreeMf::components_areTransformed()
+{
+    // a tetrahedron at its place and one 10 away, both turned by a quarter about z (x becomes y), all doubled
+    const std::string parts = R"(<components><component objectid="1"/><component objectid="1" transform="1 0 0 0 1 0 0 0 1 10 0 0"/></components>)";
+    const TriangleMesh read = this->read(model(object(1, mesh()) + object(2, parts), item(2, R"(transform="0 2 0 -2 0 0  0 0 2	5 0 0 ")")));
+    QCOMPARE(read.triangles.size(), std::size_t(8));
+    QCOMPARE(volume(read), 16.0);
+    QVERIFY(read.points[1] == Vec3f(5, 2, 0));
+    QVERIFY(read.points[4] == Vec3f(5, 20, 0));
+}
+
+void TestThreeMf::mirroredComponents_stayOutward()
+{
+    const TriangleMesh read = this->read(model(object(1, mesh()), item(1, R"(transform="-1 0 0 0 1 0 0 0 1 0 0 0")")));
+    QCOMPARE(volume(read), 1.0);
+}
+
+void TestThreeMf::partsElsewhere_areRead()
+{
+    const std::string root = model(object(1, R"(<components><component p:path="/3D/Objects/b.model" objectid="7"/></components>)"), item(1));
+    const auto path = package({{"_rels/.rels", relationships}, {"3D/a.model", root}, {"3D/Objects/b.model", model(object(7, mesh()), "")}});
+    QCOMPARE(volume(core::readMesh(path)), 1.0);
+}
+
+void TestThreeMf::supports_areLeftOut()
+{
+    const std::string both = object(1, mesh()) + object(2, mesh(), R"(type="support")") + object(3, mesh(), R"(type="other")");
+    const TriangleMesh read = this->read(model(both, item(1) + item(2) + item(3, R"(transform="1 0 0 0 1 0 0 0 1 9 9 9")")));
+    QCOMPARE(read.triangles.size(), std::size_t(4));
+}
+
+void TestThreeMf::colors_areRead()
+{
+    const std::string group = R"(<m:colorgroup id="5"><m:color color="#FF0000"/><m:color color="#0080FF80"/></m:colorgroup>)";
+    const std::string materials = R"(<basematerials id="6"><base name="a" displaycolor="#010203"/></basematerials>)";
+    const auto colorsOf = [&](const std::string& objectAttributes, const std::string& triangleAttributes) {
+        return read(model(group + materials + object(1, mesh(triangleAttributes), objectAttributes), item(1))).colors;
+    };
+    const Rgb red{255, 0, 0}, blue{0, 128, 255}, material{1, 2, 3};
+    QVERIFY(colorsOf("", "").empty());
+    QVERIFY(colorsOf(R"(pid="5" pindex="1")", "") == std::vector<Rgb>(4, blue));
+    QVERIFY(colorsOf(R"(pid="5" pindex="1")", R"(p1="0")") == std::vector<Rgb>(4, red));
+    QVERIFY(colorsOf(R"(pid="5" pindex="1")", R"(pid="6" p1="0")") == std::vector<Rgb>(4, material));
+    QVERIFY(colorsOf("", R"(pid="6" p1="9")").empty());
+    QVERIFY(colorsOf("", R"(pid="9" p1="0")").empty());
+    const std::vector<Rgb> mixed = colorsOf("", R"(pid="5" p1="0" p2="1" p3="1")");
+    QVERIFY(mixed[0] == red);  // the first corner of three triangles
+    QVERIFY(mixed[2] == blue); // never the first one
+    QCOMPARE(mixed[1].r, std::uint8_t(85)); // once of three
+}
+
+void TestThreeMf::sameModel_givesSameBytes()
+{
+    const auto bytes = [this](const char* name) {
+        core::writeMesh(file(name), core::icosphere(3, 10));
+        std::ifstream stream(file(name), std::ios::binary);
+        return std::string(std::istreambuf_iterator<char>(stream), {});
+    };
+    QVERIFY(bytes("one.3mf") == bytes("two.3mf"));
+}
+
+/// QCoreApplication takes the environment's locale over.
+void TestThreeMf::insideAnApplication_withCommas_bitsStay()
+{
+    QVERIFY(QCoreApplication::instance());
+    const std::string before = std::setlocale(LC_ALL, nullptr);
+    const bool hasCommas = std::setlocale(LC_ALL, "de_DE.UTF-8") != nullptr;
+    std::mt19937 engine(seed);
+    TriangleMesh wanted = core::icosphere(3, 10);
+    for (Vec3f& p : wanted.points) {
+        p += 0.001F * Vec3f(static_cast<float>(engine() % 997), static_cast<float>(engine() % 991), static_cast<float>(engine() % 983));
+        wanted.colors.push_back({std::uint8_t(engine()), std::uint8_t(engine()), std::uint8_t(engine())});
+    }
+    core::writeMesh(file("commas.3mf"), wanted);
+    const TriangleMesh read = core::readMesh(file("commas.3mf"));
+    std::setlocale(LC_ALL, before.c_str());
+    QVERIFY(read.points == wanted.points && read.triangles == wanted.triangles && read.colors == wanted.colors);
+    if (!hasCommas)
+        qInfo("de_DE.UTF-8 is not installed: tried without commas");
+}
+
+void TestThreeMf::badPackages_areRefused_data()
+{
+    QTest::addColumn<QByteArray>("relations");
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<Kind>("kind");
+    QTest::addColumn<QString>("token");
+    const auto row = [](const char* name, Kind kind, const QString& token, const std::string& text, const std::string& relations = relationships) {
+        QTest::newRow(name) << QByteArray::fromStdString(relations) << QByteArray::fromStdString(text) << kind << token;
+    };
+    const std::string good = model(object(1, mesh()), item(1));
+    const auto pointing = [](const std::string& to) { return std::string(relationships).replace(relationships.find("/3D/a.model"), 11, to); };
+    row("out of the package", Kind::Malformed, "/../../etc/passwd", good, pointing("/../../etc/passwd"));
+    row("to a part that is not there", Kind::Malformed, "etc/passwd", good, pointing("/etc/passwd"));
+    row("to nothing", Kind::Malformed, "_rels/.rels", good, R"(<Relationships xmlns="x"/>)");
+    row("to another machine", Kind::Malformed, "_rels/.rels", good, pointing("/3D/a.model\" TargetMode=\"External"));
+    row("components out of the package", Kind::Malformed, "../b.model",
+        model(object(1, R"(<components><component p:path="../b.model" objectid="1"/></components>)"), item(1)));
+    row("laughs", Kind::Malformed, "", R"(<!DOCTYPE model [<!ENTITY a "aaaaaaaaaa"><!ENTITY b "&a;&a;&a;&a;">]>)" + good.substr(21));
+    row("a file from outside", Kind::Malformed, "", R"(<!DOCTYPE model [<!ENTITY a SYSTEM "file:///etc/passwd">]>)" + good.substr(21));
+    row("no end", Kind::Malformed, "", good.substr(0, good.size() - 9));
+    row("not XML", Kind::Malformed, "", "solid");
+    row("unknown unit", Kind::Malformed, "furlong", model(object(1, mesh()), item(1), R"(unit="furlong")"));
+    row("no such object", Kind::Malformed, "objectid 3", model(object(1, mesh()), item(3)));
+    row("the same object twice", Kind::Malformed, "id", model(object(1, mesh()) + object(1, mesh()), item(1)));
+    row("in itself", Kind::TooManyElements, "components",
+        model(object(1, R"(<components><component objectid="1"/></components>)"), item(1)));
+    row("nothing to build", Kind::NoFaces, "", model(object(1, mesh()), ""));
+    row("no coordinate", Kind::Malformed, "z", model(object(1, R"(<mesh><vertices><vertex x="0" y="0"/></vertices></mesh>)"), item(1)));
+    row("nan", Kind::NotANumber, "nan", model(object(1, R"(<mesh><vertices><vertex x="nan" y="0" z="0"/></vertices></mesh>)"), item(1)));
+    row("commas", Kind::NotANumber, "0,5", model(object(1, R"(<mesh><vertices><vertex x="0,5" y="0" z="0"/></vertices></mesh>)"), item(1)));
+    row("index", Kind::IndexOutOfRange, "4", model(object(1, R"(<mesh><triangles><triangle v1="4" v2="1" v3="0"/></triangles></mesh>)"), item(1)));
+    row("negative index", Kind::NotANumber, "-1", model(object(1, R"(<mesh><triangles><triangle v1="-1" v2="1" v3="0"/></triangles></mesh>)"), item(1)));
+    row("transform of eleven", Kind::NotANumber, "", model(object(1, mesh()), item(1, R"(transform="1 0 0 0 1 0 0 0 1 0 0")")));
+    row("transform too far", Kind::NotANumber, "", model(object(1, mesh()), item(1, R"(transform="1e300 0 0 0 1 0 0 0 1 0 0 0")")));
+    std::string deep;
+    for (int i = 0; i < 100'000; ++i)
+        deep += "<a>";
+    row("deep", Kind::Malformed, "", deep);
+    row("a long tag", Kind::Malformed, "", "<model " + std::string(3'000'000, ' ') + "/>");
+}
+
+void TestThreeMf::badPackages_areRefused()
+{
+    QFETCH(QByteArray, relations);
+    QFETCH(QByteArray, text);
+    QFETCH(Kind, kind);
+    QFETCH(QString, token);
+    const auto path = package({{"_rels/.rels", relations.toStdString()}, {"3D/a.model", text.toStdString()}});
+    const auto error = errorOf([&] { core::readMesh(path); });
+    QVERIFY(error);
+    QCOMPARE(static_cast<int>(error->kind), static_cast<int>(kind));
+    QCOMPARE(QString::fromStdString(error->token), token);
+}
+
+void TestThreeMf::bombs_areRefused()
+{
+    // blanks between elements take no memory, but time
+    const std::string blanks(std::size_t(64) << 20, ' ');
+    const std::string bomb = model(object(1, mesh()) + blanks, item(1));
+    const auto path = package({{"_rels/.rels", relationships}, {"3D/a.model", bomb}});
+    QVERIFY(std::filesystem::file_size(path) < 100'000);
+    const auto error = errorOf([&] { core::readMesh(path); });
+    QVERIFY(error && error->kind == Kind::UnpacksTooLarge);
+    QCOMPARE(error->expected, std::uint64_t(16) << 20);
+    // as large as that, but not packed: a large file
+    const auto plain = package({{"_rels/.rels", relationships}, {"3D/a.model", bomb}}, ZIP_CM_STORE);
+    QCOMPARE(volume(core::readMesh(plain)), 1.0);
+    // many parts, none of them large
+    Parts parts{{"_rels/.rels", relationships}};
+    std::string components;
+    for (int i = 0; i < 20; ++i) {
+        const std::string name = "3D/" + std::to_string(i) + ".model";
+        parts[name] = model(object(1, mesh()) + std::string(4'000'000, ' '), "");
+        components += "<component p:path=\"/" + name + "\" objectid=\"1\"/>";
+    }
+    parts["3D/a.model"] = model(object(1, "<components>" + components + "</components>"), item(1));
+    const auto together = errorOf([&] { core::readMesh(package(parts)); });
+    QVERIFY(together && together->kind == Kind::UnpacksTooLarge);
+}
+
+void TestThreeMf::manyCopies_areRefused()
+{
+    std::string objects = object(1, mesh());
+    for (int i = 2; i < 40; ++i) { // each holds the one before twice
+        const std::string before = "<component objectid=\"" + std::to_string(i - 1) + "\"/>";
+        objects += object(i, "<components>" + before + before + "</components>");
+    }
+    const auto error = errorOf([&] { read(model(objects, item(39))); });
+    QVERIFY(error && error->kind == Kind::TooManyElements);
+}
+
+/// The package is whole, its XML is not.
+void TestThreeMf::mutatedModels_neverGetThrough()
+{
+    const int rounds = qEnvironmentVariableIsSet("FETTLE_SOAK") ? 200'000 : 1'500;
+    const std::string group = R"(<m:colorgroup id="5"><m:color color="#FF0000"/></m:colorgroup>)";
+    const std::string good = model(group + object(1, mesh(R"(pid="5" p1="0")")) + object(2, R"(<components><component objectid="1"/></components>)"),
+                                   item(2, R"(transform="1 0 0 0 1 0 0 0 1 0 0 0")"));
+    const std::vector<std::string> words{"-1", "0", "4294967295", "1e99", "nan", "\"", "<", ">", "/>", "<!--", "</object>", "<mesh>", "<object id=\"1\">",
+                                         "<triangle v1=\"0\" v2=\"1\" v3=\"2\"/>", "&lt;", "&#0;", std::string(1, '\0'), "\xff\xfe", "]]>", "<?x?>"};
+    std::mt19937 engine(seed);
+    int refused = 0;
+    for (int round = 0; round < rounds; ++round) {
+        std::string text = good;
+        for (auto edits = 1 + engine() % 3; edits != 0; --edits) {
+            const std::size_t at = engine() % text.size();
+            switch (engine() % 3) {
+            case 0: text[at] = static_cast<char>(engine()); break;
+            case 1: text.erase(at, 1 + engine() % 8); break;
+            default: text.insert(at, words[engine() % words.size()]); break;
+            }
+        }
+        const auto error = errorOf([&] {
+            const TriangleMesh read = this->read(text);
+            for (const core::Triangle& t : read.triangles)
+                for (const core::Slot corner : t)
+                    QVERIFY2(corner < read.points.size(), qPrintable(QStringLiteral("round %1").arg(round)));
+            QVERIFY(read.colors.empty() || read.colors.size() == read.points.size());
+        });
+        refused += error.has_value();
+    }
+    qInfo("%d of %d refused, seed %u", refused, rounds, seed);
+}
+
+QTEST_GUILESS_MAIN(TestThreeMf)
+#include "tst_threemf.moc"
