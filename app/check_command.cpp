@@ -2,8 +2,8 @@
 #include "command_line.h"
 #include "model_loader.h"
 
-#include "core/mesh_check.h"
 #include "core/mesh_io.h"
+#include "core/print_check.h"
 #include "ui/messages.h"
 #include "ui/model_formats.h"
 
@@ -32,11 +32,46 @@ struct CheckOptions
     QStringList files;
     bool json = false, csv = false;
     bool table = false; ///< several files, or a folder
+    std::optional<core::PrintLimits> print; ///< asked for
+    bool hasBed = false;
+};
+
+/// What was found of a file.
+struct Checked
+{
+    core::MeshReport report;
+    std::optional<core::PrintReport> print;
 };
 
 template <class Value> Json orNull(const std::optional<Value>& value)
 {
     return value ? Json(*value) : Json(nullptr);
+}
+
+const char* nameOf(core::UnitDoubt doubt)
+{
+    return doubt == core::UnitDoubt::Inches ? "inches" : "metres";
+}
+
+Json doubtOf(const core::MeshReport& report)
+{
+    const core::UnitDoubt doubt = core::unitDoubtOf(report.volume.value_or(core::PrintLimits::inchVolume));
+    return doubt == core::UnitDoubt::None ? Json(nullptr) : Json(nameOf(doubt));
+}
+
+/// After the keys that every check has.
+void addPrint(Json& json, const CheckOptions& options, const Checked& checked)
+{
+    const core::PrintReport& print = *checked.print;
+    const auto share = [&](double area) { return print.area > 0 ? area / print.area : 0; };
+    json["wall_limit_mm"] = options.print->leastWall;
+    json["min_wall_rays_mm"] = orNull(print.leastByRays);
+    json["min_wall_balls_mm"] = orNull(print.leastByBalls);
+    json["thin_share"] = print.leastByBalls ? Json(share(print.thin.area)) : Json(nullptr);
+    json["overhang_share"] = share(print.overhangs.area);
+    json["base_area_mm2"] = print.baseArea;
+    json["fits_bed"] = options.hasBed ? Json(print.fit != core::BedFit::Not) : Json(nullptr);
+    json["unit_doubt"] = doubtOf(checked.report);
 }
 
 Json toJson(const QString& file, const core::MeshReport& report)
@@ -108,30 +143,69 @@ QString page(const QString& file, const Json& json, const core::MeshReport& repo
     QString text;
     for (const auto& [key, value] : json.items())
         text += QStringLiteral("%1 %2\n").arg(QString::fromStdString(key), -18).arg(value.is_null() ? QStringLiteral("-") : word(value));
-    return text + (report.printReady() ? CheckWords::tr("%1 is in fine fettle.").arg(file) : ui::Messages::refusal(file, report))
-           + QLatin1Char('\n');
+    text += report.printReady() ? CheckWords::tr("%1 is in fine fettle.").arg(file) : ui::Messages::refusal(file, report);
+    if (report.volume)
+        if (const QString doubt = ui::Messages::unitDoubt(*report.volume); !doubt.isEmpty())
+            text += QLatin1Char('\n') + doubt;
+    return text + QLatin1Char('\n');
 }
 
-QString tableLine(const QString& file, const QString& faces, const QString& size, const QString& verdict)
+QString tableLine(const QStringList& fields)
 {
-    return QStringLiteral("%1  %2  %3  %4\n").arg(file, -32).arg(faces, 10).arg(size, -32).arg(verdict);
+    constexpr int widths[] = {-32, 10, -32, -11, 8, 8, 9, 0};
+    QStringList line;
+    for (qsizetype i = 0; i < fields.size(); ++i)
+        line << QStringLiteral("%1").arg(fields[i], widths[i]);
+    return line.join(QStringLiteral("  ")).trimmed() + QLatin1Char('\n');
+}
+
+QStringList tableHead(const CheckOptions& options)
+{
+    QStringList head = {CheckWords::tr("file"), CheckWords::tr("faces"), CheckWords::tr("size, mm"), CheckWords::tr("print-ready")};
+    if (options.print)
+        head << CheckWords::tr("wall, mm") << CheckWords::tr("overhang") << CheckWords::tr("base, mm²");
+    if (options.print && options.hasBed)
+        head << CheckWords::tr("fits");
+    return head;
+}
+
+QStringList tableFields(const CheckOptions& options, const QString& file, const Json& json)
+{
+    QStringList fields = {file, word(json["faces"]), word(json["size_mm"]), word(json["print_ready"])};
+    const auto rounded = [](const Json& value, double factor, int decimals) {
+        return value.is_null() ? QStringLiteral("-") : QString::number(factor * value.get<double>(), 'f', decimals);
+    };
+    if (options.print)
+        fields << rounded(json["min_wall_balls_mm"], 1, 2) << rounded(json["overhang_share"], 100, 1) + QStringLiteral(" %")
+               << rounded(json["base_area_mm2"], 1, 1);
+    if (options.print && options.hasBed)
+        fields << word(json["fits_bed"]);
+    return fields;
 }
 
 /// Writes what was found of one file; the first is preceded by the table's head.
-void printReport(const CheckOptions& options, const QString& file, const core::MeshReport& report, bool isFirst)
+void printReport(const CheckOptions& options, const QString& file, const Checked& checked, bool isFirst)
 {
-    const Json json = toJson(file, report);
+    Json json = toJson(file, checked.report);
+    if (checked.print)
+        addPrint(json, options, checked);
     if (options.json)
         CommandLine::print(QString::fromStdString(json.dump(-1, ' ', false, Json::error_handler_t::replace)) + QLatin1Char('\n'));
     else if (options.csv)
         CommandLine::print((isFirst ? csvLine(json, true) : QString()) + csvLine(json, false));
     else if (!options.table)
-        CommandLine::print(page(file, json, report));
+        CommandLine::print(page(file, json, checked.report));
     else
-        CommandLine::print((isFirst ? tableLine(CheckWords::tr("file"), CheckWords::tr("faces"), CheckWords::tr("size, mm"),
-                                                CheckWords::tr("print-ready"))
-                                    : QString())
-                           + tableLine(file, word(json["faces"]), word(json["size_mm"]), word(json["print_ready"])));
+        CommandLine::print((isFirst ? tableLine(tableHead(options)) : QString()) + tableLine(tableFields(options, file, json)));
+}
+
+Checked check(const CheckOptions& options, const QString& file)
+{
+    core::TriangleMesh mesh = core::readMesh(toPath(file));
+    if (!options.print)
+        return {core::checkMesh(mesh), {}};
+    const core::PrintMeasures measures = core::measureForPrint(std::move(mesh));
+    return {measures.report, core::judgeForPrint(measures, *options.print)};
 }
 
 /// A folder stands for the models in it, by name; those in folders further down are not looked at.
@@ -152,22 +226,64 @@ QStringList modelsIn(const QString& folder)
     return files;
 }
 
-std::optional<CheckOptions> parseOptions(const QStringList& arguments)
+double lengthOf(const QString& text, double most, const QString& problem)
 {
-    const QString json = QStringLiteral("json"), csv = QStringLiteral("csv");
-    QCommandLineParser parser;
+    bool ok = false;
+    const double length = text.toDouble(&ok);
+    if (!ok || !(length > 0 && length <= most))
+        CommandLine::fail(problem.arg(text));
+    return length;
+}
+
+std::optional<core::PrintLimits> printLimits(const QCommandLineParser& parser)
+{
+    const bool hasLimits = parser.isSet(QStringLiteral("nozzle")) || parser.isSet(QStringLiteral("bed"));
+    if (!parser.isSet(QStringLiteral("print"))) {
+        if (hasLimits)
+            CommandLine::fail(CheckWords::tr("check: --nozzle and --bed need --print."));
+        return std::nullopt;
+    }
+    core::PrintLimits limits;
+    if (parser.isSet(QStringLiteral("nozzle")))
+        limits.leastWall = core::PrintLimits::linesAWall
+                           * lengthOf(parser.value(QStringLiteral("nozzle")), core::PrintLimits::mostWall / core::PrintLimits::linesAWall,
+                                      CheckWords::tr("check: --nozzle %1 is no width in mm up to 5."));
+    if (parser.isSet(QStringLiteral("bed"))) {
+        const QString problem = CheckWords::tr("check: --bed needs three lengths in mm, as in 250,210,220, and not %1.");
+        const QStringList sides = parser.value(QStringLiteral("bed")).split(QLatin1Char(','));
+        if (sides.size() != 3)
+            CommandLine::fail(problem.arg(parser.value(QStringLiteral("bed"))));
+        constexpr double mostSide = 1e5;
+        limits.bed = {lengthOf(sides[0], mostSide, problem), lengthOf(sides[1], mostSide, problem), lengthOf(sides[2], mostSide, problem)};
+    }
+    return limits;
+}
+
+void addOptions(QCommandLineParser& parser)
+{
     parser.setApplicationDescription(CheckWords::tr("Says whether models are closed, manifold, oriented, free of self-intersections, "
                                                     "and bound a solid. Status 0: all are; 1: not all."));
     parser.addPositionalArgument(QStringLiteral("FILE..."), CheckWords::tr("Models, or folders of models."));
-    parser.addOptions({{json, CheckWords::tr("One JSON object per file, each on its line.")},
-                       {csv, CheckWords::tr("Comma-separated values, with a head line.")}});
+    parser.addOptions({{QStringLiteral("json"), CheckWords::tr("One JSON object per file, each on its line.")},
+                       {QStringLiteral("csv"), CheckWords::tr("Comma-separated values, with a head line.")},
+                       {QStringLiteral("print"), CheckWords::tr("Measures walls, overhangs beyond 45 degrees, and what stands on the bed, too.")},
+                       {QStringLiteral("nozzle"), CheckWords::tr("Walls are to be two lines of this width thick; else of 0.4."), QStringLiteral("MM")},
+                       {QStringLiteral("bed"), CheckWords::tr("Width, depth and height that the printer holds."), QStringLiteral("X,Y,Z")}});
+}
+
+std::optional<CheckOptions> parseOptions(const QStringList& arguments)
+{
+    QCommandLineParser parser;
+    addOptions(parser);
     if (!CommandLine::parse(parser, QStringLiteral("check"), arguments))
         return std::nullopt;
     CheckOptions options;
-    options.json = parser.isSet(json);
-    options.csv = parser.isSet(csv);
+    options.json = parser.isSet(QStringLiteral("json"));
+    options.csv = parser.isSet(QStringLiteral("csv"));
     if (options.json && options.csv)
         CommandLine::fail(CheckWords::tr("check: --json and --csv exclude each other."));
+    options.print = printLimits(parser);
+    options.hasBed = parser.isSet(QStringLiteral("bed"));
     for (const QString& name : parser.positionalArguments()) {
         const bool isFolder = QFileInfo(name).isDir();
         options.files += isFolder ? modelsIn(name) : QStringList(name);
@@ -189,10 +305,10 @@ ExitStatus checkCommand(const QStringList& arguments)
     bool isFirst = true;
     for (const QString& file : options->files) {
         try {
-            const core::MeshReport report = core::checkMesh(core::readMesh(toPath(file)));
-            printReport(*options, file, report, isFirst);
+            const Checked checked = check(*options, file);
+            printReport(*options, file, checked, isFirst);
             isFirst = false;
-            status = std::max(status, report.printReady() ? Done : AnswerIsNo);
+            status = std::max(status, checked.report.printReady() ? Done : AnswerIsNo);
         } catch (const core::FileError& error) {
             CommandLine::printError(ui::Messages::sentence(error));
             status = BadInput;

@@ -49,7 +49,12 @@ public:
     /// Calls visit(position) for each box from position `from` on that meets the query.
     template <typename Visit> void forEachMeeting(const FaceBox& query, Slot from, Visit visit) const;
 
+    /// Nearest first, about: reach(box) says how far away the box begins, infinity if it is not wanted; visit(position) returns the
+    /// distance from which on nothing is wanted any more, never more than `bound` or what it returned before.
+    template <typename Reach, typename Visit> void forEachNear(Reach reach, double bound, Visit visit) const;
+
 private:
+    static constexpr std::size_t maxLevels = 12; // 8^11 exceeds any number of faces
     std::vector<Slot> m_order;
     std::vector<std::vector<FaceBox>> m_levels; ///< boxes by position, then of nodes, and so on up to one
 };
@@ -60,7 +65,6 @@ template <typename Visit> void BoxTree::forEachMeeting(const FaceBox& query, Slo
     {
         std::uint32_t level, index;
     };
-    constexpr std::size_t maxLevels = 12; // 8^11 exceeds any number of faces
     std::array<Node, maxLevels * nodeSize> stack;
     std::size_t depth = 0;
     stack[depth++] = {static_cast<std::uint32_t>(m_levels.size()) - 1, 0};
@@ -77,6 +81,40 @@ template <typename Visit> void BoxTree::forEachMeeting(const FaceBox& query, Slo
                 visit(static_cast<Slot>(i));
             else
                 stack[depth++] = {level - 1, static_cast<std::uint32_t>(i)};
+        }
+    }
+}
+
+template <typename Reach, typename Visit> void BoxTree::forEachNear(Reach reach, double bound, Visit visit) const
+{
+    struct Node
+    {
+        double reach;
+        std::uint32_t level, index;
+    };
+    std::array<Node, maxLevels * nodeSize> stack;
+    std::size_t depth = 0;
+    stack[depth++] = {0, static_cast<std::uint32_t>(m_levels.size()) - 1, 0};
+    while (depth != 0) {
+        const Node node = stack[--depth];
+        if (!(node.reach < bound))
+            continue;
+        const std::vector<FaceBox>& below = m_levels[node.level - 1];
+        const auto first = static_cast<std::size_t>(node.index) * nodeSize;
+        const std::size_t last = std::min(first + nodeSize, below.size());
+        const std::size_t bottom = depth;
+        for (std::size_t i = first; i < last; ++i) {
+            const double distance = reach(below[i]);
+            if (!(distance < bound))
+                continue;
+            if (node.level == 1) {
+                bound = visit(static_cast<Slot>(i));
+                continue;
+            }
+            std::size_t place = depth++; // the nearest on top
+            for (; place > bottom && stack[place - 1].reach < distance; --place)
+                stack[place] = stack[place - 1];
+            stack[place] = {distance, node.level - 1, static_cast<std::uint32_t>(i)};
         }
     }
 }

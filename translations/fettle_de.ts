@@ -55,6 +55,46 @@
         <source>%1: there is no model in this folder (%2).</source>
         <translation>%1: In diesem Ordner liegt kein Modell (%2).</translation>
     </message>
+    <message>
+        <source>wall, mm</source>
+        <translation>Wand, mm</translation>
+    </message>
+    <message>
+        <source>overhang</source>
+        <translation>Überhang</translation>
+    </message>
+    <message>
+        <source>base, mm²</source>
+        <translation>Fuß, mm²</translation>
+    </message>
+    <message>
+        <source>fits</source>
+        <translation>passt</translation>
+    </message>
+    <message>
+        <source>check: --nozzle and --bed need --print.</source>
+        <translation>check: --nozzle und --bed brauchen --print.</translation>
+    </message>
+    <message>
+        <source>check: --nozzle %1 is no width in mm up to 5.</source>
+        <translation>check: --nozzle %1 ist keine Breite in mm bis 5.</translation>
+    </message>
+    <message>
+        <source>check: --bed needs three lengths in mm, as in 250,210,220, and not %1.</source>
+        <translation>check: --bed braucht drei Längen in mm, wie in 250,210,220, und nicht %1.</translation>
+    </message>
+    <message>
+        <source>Measures walls, overhangs beyond 45 degrees, and what stands on the bed, too.</source>
+        <translation>Misst auch Wände, Überhänge über 45 Grad und was auf dem Druckbett steht.</translation>
+    </message>
+    <message>
+        <source>Walls are to be two lines of this width thick; else of 0.4.</source>
+        <translation>Wände sollen zwei Linien dieser Breite dick sein; sonst von 0.4.</translation>
+    </message>
+    <message>
+        <source>Width, depth and height that the printer holds.</source>
+        <translation>Breite, Tiefe und Höhe, die der Drucker fasst.</translation>
+    </message>
 </context>
 <context>
     <name>app::CommandLine</name>
@@ -2409,6 +2449,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>%1 is not read: what is packed in it takes more than %2, which is too much for a file of its size.</source>
         <translation>%1 wird nicht gelesen: Was darin gepackt ist, braucht mehr als %2, und das ist zu viel für eine Datei ihrer Größe.</translation>
+    </message>
+    <message>
+        <source>The model has only %1 mm³: slicers may take it for one in inches.</source>
+        <translation>Das Modell hat nur %1 mm³: Druckprogramme könnten es für eines in Zoll halten.</translation>
+    </message>
+    <message>
+        <source>The model has only %1 mm³: slicers may take it for one in metres.</source>
+        <translation>Das Modell hat nur %1 mm³: Druckprogramme könnten es für eines in Metern halten.</translation>
     </message>
 </context>
 <context>

@@ -55,6 +55,46 @@
         <source>%1: there is no model in this folder (%2).</source>
         <translation>%1：此文件夹中没有模型（%2）。</translation>
     </message>
+    <message>
+        <source>wall, mm</source>
+        <translation>壁厚 mm</translation>
+    </message>
+    <message>
+        <source>overhang</source>
+        <translation>悬垂</translation>
+    </message>
+    <message>
+        <source>base, mm²</source>
+        <translation>底面 mm²</translation>
+    </message>
+    <message>
+        <source>fits</source>
+        <translation>放得下</translation>
+    </message>
+    <message>
+        <source>check: --nozzle and --bed need --print.</source>
+        <translation>check：--nozzle 和 --bed 需要 --print。</translation>
+    </message>
+    <message>
+        <source>check: --nozzle %1 is no width in mm up to 5.</source>
+        <translation>check：--nozzle %1 不是 5 以内的毫米宽度。</translation>
+    </message>
+    <message>
+        <source>check: --bed needs three lengths in mm, as in 250,210,220, and not %1.</source>
+        <translation>check：--bed 需要三个毫米长度，如 250,210,220，而不是 %1。</translation>
+    </message>
+    <message>
+        <source>Measures walls, overhangs beyond 45 degrees, and what stands on the bed, too.</source>
+        <translation>还测量壁厚、超过 45 度的悬垂，以及落在打印床上的面积。</translation>
+    </message>
+    <message>
+        <source>Walls are to be two lines of this width thick; else of 0.4.</source>
+        <translation>壁厚应为两条此宽度的线；默认 0.4。</translation>
+    </message>
+    <message>
+        <source>Width, depth and height that the printer holds.</source>
+        <translation>打印机能容纳的宽、深、高。</translation>
+    </message>
 </context>
 <context>
     <name>app::CommandLine</name>
@@ -2401,6 +2441,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>%1 is not read: what is packed in it takes more than %2, which is too much for a file of its size.</source>
         <translation>未读取 %1：其中压缩的内容超过 %2，对这样大小的文件来说太大了。</translation>
+    </message>
+    <message>
+        <source>The model has only %1 mm³: slicers may take it for one in inches.</source>
+        <translation>模型只有 %1 mm³：切片软件可能把它当作以英寸为单位。</translation>
+    </message>
+    <message>
+        <source>The model has only %1 mm³: slicers may take it for one in metres.</source>
+        <translation>模型只有 %1 mm³：切片软件可能把它当作以米为单位。</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 #include "model_formats.h"
 
 #include "core/mesh_check.h"
+#include "core/print_check.h"
 
 #include <QDir>
 #include <QLocale>
@@ -67,6 +68,20 @@ QString Messages::refusal(const QString& file, const core::MeshReport& report)
         faults << tr("it is inside out, or its shells are wrongly nested");
     return tr("%1 cannot be sculpted yet, because its surface does not bound a solid (%2).")
         .arg(file, faults.join(tr(", ", "between the faults of a model")));
+}
+
+QString Messages::unitDoubt(double volume)
+{
+    const QString size = QLocale().toString(std::abs(volume), 'g', 2);
+    switch (core::unitDoubtOf(volume)) {
+    case core::UnitDoubt::Inches:
+        return tr("The model has only %1 mm³: slicers may take it for one in inches.").arg(size);
+    case core::UnitDoubt::Metres:
+        return tr("The model has only %1 mm³: slicers may take it for one in metres.").arg(size);
+    case core::UnitDoubt::None:
+        break;
+    }
+    return {};
 }
 
 QString Messages::tooFine(const QString& file, quint64 faces)

@@ -26,6 +26,8 @@ public:
     static QString refusal(const QString& file, const core::MeshReport& report);
     /// Nothing is wrong with the model, but that many of its faces would meet where the lattice puts them.
     static QString tooFine(const QString& file, quint64 faces);
+    /// What a slicer may take a model of that volume (mm^3) for. Empty if it has a size that is usual.
+    static QString unitDoubt(double volume);
     /// What the brush did not do, and why. Empty if it did all.
     static QString shortfall(core::Shortfall shortfall);
     /// Of a mirrored stroke on a model that is not its own mirror image.

@@ -10,6 +10,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <cmath>
+
 namespace
 {
 struct Answer
@@ -105,6 +107,9 @@ private Q_SLOTS:
     void check_severalAndFolders();
     void check_badFiles_data();
     void check_badFiles();
+    void check_print();
+    void check_printRefusals_data();
+    void check_printRefusals();
     void check_goesOnAfterABadFile();
     void convert_keepsCoordinates();
     void convert_unitAndSize();
@@ -284,6 +289,67 @@ void TestCommandLine::check_severalAndFolders()
     QVERIFY(rows[0].startsWith("file,vertices,faces,closed"));
     for (const QByteArray& row : rows)
         QCOMPARE(row.count(','), rows[0].count(','));
+}
+
+/// A plate of 20 x 20 x 0.5 mm: without the option nothing is said of it, with it what a print needs to know.
+void TestCommandLine::check_print()
+{
+    write(at("plate.obj"), "v 0 0 0\nv 20 0 0\nv 20 0.5 0\nv 0 0.5 0\nv 0 0 20\nv 20 0 20\nv 20 0.5 20\nv 0 0.5 20\n"
+                           "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+    const QStringList asked{QStringLiteral("check"), at("plate.obj"), QStringLiteral("--print")};
+    const Answer answer = fettle(asked + QStringList{QStringLiteral("--json"), QStringLiteral("--bed"), QStringLiteral("25,15,10")});
+    QCOMPARE(answer.status, 0); // it is in fine fettle, thin as it is
+    const QJsonObject json = answer.json();
+    QCOMPARE(json.size(), 18 + 8);
+    QCOMPARE(json[QStringLiteral("wall_limit_mm")].toDouble(), 0.8);
+    for (const char* key : {"min_wall_rays_mm", "min_wall_balls_mm"})
+        QVERIFY2(std::abs(json[QLatin1String(key)].toDouble() - 0.5) < 1e-6, key);
+    QVERIFY(std::abs(json[QStringLiteral("thin_share")].toDouble() - 800.0 / 840) < 1e-6);
+    QCOMPARE(json[QStringLiteral("overhang_share")].toDouble(-1), 0.0);
+    QCOMPARE(json[QStringLiteral("base_area_mm2")].toDouble(), 400.0);
+    QVERIFY(!json[QStringLiteral("fits_bed")].toBool(true));
+    QVERIFY(json[QStringLiteral("unit_doubt")].isNull());
+
+    const QJsonObject fine = fettle(asked + QStringList{QStringLiteral("--json"), QStringLiteral("--nozzle"), QStringLiteral("0.2")}).json();
+    QCOMPARE(fine[QStringLiteral("thin_share")].toDouble(-1), 0.0);
+    QVERIFY(fine[QStringLiteral("fits_bed")].isNull());
+
+    write(at("cube.obj"), cube);
+    const Answer csv = fettle(asked + QStringList{at("cube.obj"), QStringLiteral("--csv")});
+    QCOMPARE(csv.out.count('\n'), 3);
+    QVERIFY(csv.out.split('\n')[0].endsWith("print_ready,wall_limit_mm,min_wall_rays_mm,min_wall_balls_mm,thin_share,overhang_share,"
+                                            "base_area_mm2,fits_bed,unit_doubt"));
+    QVERIFY(csv.out.contains(",inches\n"));
+    QCOMPARE(fettle(asked + QStringList{at("cube.obj")}).out.count('\n'), 3);
+    QVERIFY(fettle({QStringLiteral("check"), at("cube.obj")}).out.contains("inches"));
+
+    write(at("open.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const Answer open = fettle({QStringLiteral("check"), at("open.obj"), QStringLiteral("--print"), QStringLiteral("--json")});
+    QCOMPARE(open.status, 1);
+    for (const char* key : {"min_wall_rays_mm", "min_wall_balls_mm", "thin_share", "unit_doubt"})
+        QVERIFY2(open.json()[QLatin1String(key)].isNull(), key);
+}
+
+void TestCommandLine::check_printRefusals_data()
+{
+    QTest::addColumn<QStringList>("options");
+    QTest::addColumn<QString>("reason");
+    const QString print = QStringLiteral("--print"), nozzle = QStringLiteral("--nozzle"), bed = QStringLiteral("--bed");
+    QTest::newRow("nozzle alone") << QStringList{nozzle, QStringLiteral("0.4")} << QStringLiteral("--print");
+    QTest::newRow("bed alone") << QStringList{bed, QStringLiteral("1,2,3")} << QStringLiteral("--print");
+    for (const QString& wrong : {QStringLiteral("0"), QStringLiteral("-1"), QStringLiteral("six"), QStringLiteral("nan"), QStringLiteral("0,4")})
+        QTest::addRow("nozzle %s", qPrintable(wrong)) << QStringList{print, nozzle, wrong} << QStringLiteral("--nozzle ") + wrong;
+    for (const QString& wrong : {QStringLiteral("200"), QStringLiteral("200,200"), QStringLiteral("200,200,0"), QStringLiteral("1,2,3,4"), QStringLiteral("a,b,c")})
+        QTest::addRow("bed %s", qPrintable(wrong)) << QStringList{print, bed, wrong} << QStringLiteral("--bed");
+}
+
+void TestCommandLine::check_printRefusals()
+{
+    QFETCH(const QStringList, options);
+    QFETCH(const QString, reason);
+    write(at("cube.obj"), cube);
+    const Answer answer = fettle(QStringList{QStringLiteral("check"), at("cube.obj")} + options);
+    QVERIFY2(answer.isRefusal(reason), answer.err.constData());
 }
 
 void TestCommandLine::check_badFiles_data()

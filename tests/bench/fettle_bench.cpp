@@ -1,5 +1,5 @@
 // What a dab costs, in tables: the paper's Table 1, scale, large dabs, strength, memory. By hand, on a release build:
-//   fettle_bench [--benchmark_filter=table1|peersStroke|largeDab|strength|drawing|memory]
+//   fettle_bench [--benchmark_filter=table1|peersStroke|largeDab|strength|drawing|print|memory]
 //   FETTLE_AGED_DABS=100000 fettle_bench --benchmark_filter=agedStroke
 // Five interleaved runs of each row, of which the best counts; --benchmark_repetitions=1 is enough for a look.
 
@@ -52,6 +52,7 @@ std::vector<bench::Table> tables()
           {"whole", "whole", 3}}},
         {"drawing", "Drawings of 1,004,892 vertices, three views: milliseconds", {{"wall", "wall", 1}}},
         {"drawingStroke", "The same while a stroke goes on, each fifth dab drawn: milliseconds", {{"apply", "patch", 1}, {"wall", "all", 1}, {"worst", "worst", 1}}},
+        {"print", "Print check of 1,004,892 vertices: milliseconds", {{"wall", "wall", 1}}},
         {"memory",
          "Memory: bytes a vertex",
          {{"opened", "opened", 0},
