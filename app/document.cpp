@@ -46,6 +46,11 @@ void Document::setMayDiscard(MayDiscard mayDiscard)
     m_mayDiscard = std::move(mayDiscard);
 }
 
+void Document::setCompleteNotes(std::function<void(core::DocumentNotes&)> complete)
+{
+    m_completeNotes = std::move(complete);
+}
+
 bool Document::mayDiscard(const std::function<void()>& goOn) const
 {
     return !isModified() || !m_mayDiscard || m_mayDiscard(goOn);

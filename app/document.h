@@ -37,6 +37,8 @@ public:
     /// Asked before changes are lost: false keeps the present model, and `goOn` may be called later, when they are saved.
     using MayDiscard = std::function<bool(const std::function<void()>& goOn)>;
     void setMayDiscard(MayDiscard mayDiscard);
+    /// Asked when a file is about to be written: adds what others than the document know.
+    void setCompleteNotes(std::function<void(core::DocumentNotes&)> complete);
     bool mayDiscard(const std::function<void()>& goOn) const;
 
     const QString& path() const { return m_facts.path; } ///< empty: it comes from no file
@@ -151,6 +153,7 @@ private:
     ui::ModelFacts m_facts;
     std::shared_ptr<const core::Snapshot> m_start; ///< what Reset goes back to
     MayDiscard m_mayDiscard;
+    std::function<void(core::DocumentNotes&)> m_completeNotes;
 
     std::deque<Request> m_requests;
     std::deque<Request> m_afterStroke; ///< asked for while a stroke is open

@@ -92,7 +92,7 @@ void Document::install(std::shared_ptr<LoadedModel> model)
     m_changedBeyondHistory = false;
     m_facts.name = model->name;
     m_facts.path = model->path;
-    m_facts.palette = model->palette;
+    m_facts.notes = model->notes;
     m_start = std::exchange(model->start, nullptr);
     m_worker->setModel(std::exchange(model->sculptor, nullptr));
     if (!model->notice.isEmpty())
@@ -121,7 +121,7 @@ void Document::exportTo(const QString& path)
 
 void Document::setPalette(std::vector<core::Rgb> palette)
 {
-    m_facts.palette = std::move(palette);
+    m_facts.notes.palette = std::move(palette);
 }
 
 void Document::setPath(const QString& path)
@@ -143,10 +143,14 @@ void Document::write(const QString& path, Target target)
         return;
     m_work.begin((target == Target::Own ? tr("Saving %1") : tr("Exporting %1")).arg(QFileInfo(path).fileName()));
     request([this, path, target] {
-        m_worker->post([this, path, target, palette = m_facts.palette, index = m_stack.index()](core::Sculptor& sculptor) {
+        core::DocumentNotes notes = m_facts.notes;
+        if (m_completeNotes)
+            m_completeNotes(notes);
+        m_worker->post([this, path, target, notes, index = m_stack.index()](core::Sculptor& sculptor) mutable {
+            notes.frame = sculptor.mesh().frame();
             auto mesh = std::make_shared<core::TriangleMesh>(core::extractMesh(sculptor.mesh()));
-            auto work = [path, palette, mesh = std::move(mesh)] {
-                return Written{ModelLoader::save(path, *mesh, palette), !mesh->colors.empty() && !ModelLoader::holdsColors(path)};
+            auto work = [path, notes, mesh = std::move(mesh)] {
+                return Written{ModelLoader::save(path, *mesh, notes), !mesh->colors.empty() && !ModelLoader::holdsColors(path)};
             };
             m_work.run(std::move(work), [this, path, target, index](const Written& written) { finishWriting(path, target, index, written); });
         });
@@ -165,7 +169,7 @@ void Document::finishWriting(const QString& path, Target target, int index, cons
     else
         Q_EMIT exported(path);
     if (written.losesColors)
-        Q_EMIT noticed(tr("%1 was written without the colours, which its format does not hold.").arg(QFileInfo(path).fileName()));
+        Q_EMIT noticed(tr("%1 was written without the colours, which its format does not hold; GLB does.").arg(QFileInfo(path).fileName()));
 }
 
 /// The file holds what the model was at that step. If others followed, it has changes that no file holds.

@@ -47,7 +47,7 @@ LoadedModel ModelLoader::load(const QString& path, bool inPlace, const Tell& tel
     loaded.name = QFileInfo(path).fileName();
     try {
         const core::TriangleMesh mesh = core::readMesh(toPath(path), {.stop = watch.stop});
-        loaded.palette = core::readPalette(toPath(path));
+        loaded.notes = core::readNotes(toPath(path));
         if (tell)
             tell(tr("Checking %1").arg(loaded.name));
         watch.reached(afterReading);
@@ -64,7 +64,7 @@ LoadedModel ModelLoader::load(const QString& path, bool inPlace, const Tell& tel
 
 void ModelLoader::build(LoadedModel& loaded, const core::TriangleMesh& mesh, bool inPlace, const core::JobWatch& watch)
 {
-    core::BuildResult result = core::buildMesh(mesh, !inPlace, watch);
+    core::BuildResult result = core::buildMesh(mesh, !inPlace, watch, loaded.notes.frame);
     if (watch.stopped())
         return;
     if (!result.mesh && !result.report.printReady())
@@ -128,10 +128,10 @@ bool ModelLoader::holdsColors(const QString& path)
     return format && core::holdsColors(*format);
 }
 
-QString ModelLoader::save(const QString& path, const core::TriangleMesh& mesh, const std::vector<core::Rgb>& palette)
+QString ModelLoader::save(const QString& path, const core::TriangleMesh& mesh, const core::DocumentNotes& notes)
 {
     try {
-        core::writeMesh(toPath(path), mesh, {.palette = palette});
+        core::writeMesh(toPath(path), mesh, {.notes = notes});
     } catch (const core::FileError& error) {
         return ui::Messages::sentence(error);
     } catch (const std::bad_alloc&) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/document_notes.h"
 #include "core/file_error.h"
 #include "core/job_watch.h"
 #include "core/model_command.h"
@@ -23,7 +24,7 @@ struct LoadedModel
     QString notice;                           ///< what the person should know of a model that was taken; may be empty
     QString name;
     QString path; ///< empty: from no file
-    std::vector<core::Rgb> palette; ///< colours at hand that the file keeps; none: empty
+    core::DocumentNotes notes; ///< that the file keeps beside it
 };
 
 /// Files to models and back, in words for people. Any thread; takes as long as the model is large. Never throws.
@@ -44,7 +45,7 @@ public:
     static LoadedModel sphere(double radius);
     static LoadedModel starter(core::Starter starter);
     /// Empty, or what is wrong; then no file has changed.
-    static QString save(const QString& path, const core::TriangleMesh& mesh, const std::vector<core::Rgb>& palette = {});
+    static QString save(const QString& path, const core::TriangleMesh& mesh, const core::DocumentNotes& notes);
 
     /// Whether a file of that name would.
     static bool holdsColors(const QString& path);

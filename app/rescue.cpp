@@ -3,7 +3,6 @@
 #include "document.h"
 #include "model_loader.h"
 
-#include "core/mesh_build.h"
 #include "ui/settings.h"
 
 #include <QDateTime>
@@ -24,13 +23,13 @@ using namespace std::chrono_literals;
 
 constexpr auto mostPatience = 60s; ///< with what the mesh thread is at
 
-/// "head-20261121-173005.ply"
+/// "head-20261121-173005.glb"
 QString pathFor(const QString& name)
 {
     const QDir folder(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + QStringLiteral("/rescued"));
     folder.mkpath(QStringLiteral("."));
     const QString now = QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss"));
-    return folder.filePath(QStringLiteral("%1-%2.ply").arg(QFileInfo(name).completeBaseName(), now));
+    return folder.filePath(QStringLiteral("%1-%2.glb").arg(QFileInfo(name).completeBaseName(), now));
 }
 
 void say(const QString& sentence)
@@ -61,13 +60,16 @@ void Rescue::atExit()
 
 void Rescue::keepModel() const
 {
-    const auto surface = std::make_shared<std::promise<core::TriangleMesh>>();
-    auto answer = surface->get_future();
-    m_worker->post([surface](core::Sculptor& sculptor) { surface->set_value(core::extractMesh(sculptor.mesh())); });
+    const auto model = std::make_shared<std::promise<std::shared_ptr<const core::Snapshot>>>();
+    auto answer = model->get_future();
+    m_worker->post([model](core::Sculptor& sculptor) { model->set_value(core::snapshotOf(sculptor.mesh())); });
     if (answer.wait_for(mostPatience) != std::future_status::ready)
         return say(tr("The program ended before the changes to the model could be kept."));
     const QString path = pathFor(m_document->facts().name);
-    const QString problem = ModelLoader::save(path, answer.get());
+    const auto kept = answer.get();
+    core::DocumentNotes notes = m_document->facts().notes;
+    notes.frame = kept->frame;
+    const QString problem = ModelLoader::save(path, kept->surface, notes);
     if (!problem.isEmpty())
         return say(problem);
     ui::Settings().addRecentFile(path);

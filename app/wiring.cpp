@@ -14,6 +14,7 @@
 #include "ui/model_panel.h"
 #include "ui/preview_panel.h"
 #include "ui/viewport.h"
+#include "ui/window_notes.h"
 
 #include <QAction>
 
@@ -112,11 +113,18 @@ void wirePalette(ui::MainWindow& window, Document& document)
     const auto keep = [panel, &document] { document.setPalette({panel->swatches().begin(), panel->swatches().end()}); };
     QObject::connect(panel, &ColorPanel::swatchesChanged, &document, keep);
     QObject::connect(&document, &Document::opened, panel, [panel, keep](const ui::ModelFacts& facts) {
-        if (facts.palette.empty())
+        if (facts.notes.palette.empty())
             keep();
         else
-            panel->setSwatches({facts.palette.begin(), facts.palette.end()});
+            panel->setSwatches({facts.notes.palette.begin(), facts.notes.palette.end()});
     });
+}
+
+/// View and brush go with the document, too.
+void wireNotes(ui::MainWindow& window, Document& document)
+{
+    document.setCompleteNotes([&window](core::DocumentNotes& notes) { ui::addNotes(window, notes); });
+    QObject::connect(&document, &Document::opened, &window, [&window](const ui::ModelFacts& facts) { ui::takeNotes(window, facts.notes); });
 }
 
 void wireModelPanel(ui::MainWindow& window, Document& document, SculptWorker& worker)
@@ -177,6 +185,7 @@ void wire(ui::MainWindow& window, Document& document, SculptWorker& worker, cons
     wireHistory(window, document);
     wireHistoryPanel(window, document);
     wirePalette(window, document);
+    wireNotes(window, document);
     wireModelPanel(window, document, worker);
     wireStrokes(*window.viewport(), document);
     wireWorker(*window.viewport(), worker, inbox);

@@ -28,6 +28,17 @@ struct Placed
     bool exact = true;        ///< all lie on the lattice as they are
 };
 
+/// On the lattice that it had; nothing if it does not lie there.
+std::optional<Placed> placeAgain(const TriangleMesh& model, const std::optional<MeshFrame>& frame)
+{
+    if (!frame || !std::ranges::all_of(model.points, [&](const Vec3f& p) { return frame->lattice.isOnLattice(p); }))
+        return std::nullopt;
+    Placed placed{{frame->lattice}, {}};
+    for (const Vec3f& p : model.points)
+        placed.points.push_back(p.cast<double>());
+    return placed;
+}
+
 Placed place(const TriangleMesh& model, bool centre)
 {
     Box box;
@@ -69,14 +80,15 @@ TriangleMesh withoutUnusedVertices(const TriangleMesh& mesh)
     return result;
 }
 
-BuildResult buildMesh(const TriangleMesh& model, bool centre, const JobWatch& watch)
+BuildResult buildMesh(const TriangleMesh& model, bool centre, const JobWatch& watch, const std::optional<MeshFrame>& frame)
 {
     BuildResult result;
     result.report = checkMesh(model, watch.part(0, afterCheck));
     if (watch.stopped() || !result.report.printReady())
         return result;
     TriangleMesh used = withoutUnusedVertices(model);
-    const Placed placed = place(used, centre);
+    const std::optional<Placed> again = placeAgain(used, frame);
+    const Placed placed = again ? *again : place(used, centre);
     const Lattice& lattice = placed.placement.lattice;
     const bool seen = result.report.latticeOk.value_or(false) && placed.placement.moved == Vec3::Zero();
     LatticeFit fit;
@@ -93,6 +105,11 @@ BuildResult buildMesh(const TriangleMesh& model, bool centre, const JobWatch& wa
         used.points[v] = lattice.toPoint(fit.points[v]);
     result.moved = placed.placement.moved;
     result.mesh = std::make_unique<Mesh>(inMortonOrder(used, lattice), lattice);
+    if (again) {
+        result.mesh->beginStroke();
+        result.mesh->setUniformDetail(frame->uniformDetail);
+        result.mesh->endStroke();
+    }
     return result;
 }
 

@@ -20,7 +20,10 @@ struct BuildResult
 /// Makes the model sculptable: judges it exactly, places and snaps it on its lattice, lays its elements out along a Morton
 /// curve and builds the links. With `centre` the middle of its box goes to the origin (see placeOnLattice).
 /// Whole-mesh cost, on all cores; who stops it gets no mesh. The file's order does not matter for speed afterwards.
-BuildResult buildMesh(const TriangleMesh& model, bool centre = false, const JobWatch& watch = {});
+/// `frame`: that the model had before, perhaps. If all of it lies on that lattice it is that again, and stays where it is; so does its
+/// uniform detail.
+BuildResult buildMesh(const TriangleMesh& model, bool centre = false, const JobWatch& watch = {},
+                      const std::optional<MeshFrame>& frame = {});
 
 TriangleMesh withoutUnusedVertices(const TriangleMesh& mesh);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lattice.h"
+#include "mesh_frame.h"
 
 #include <OpenMesh/Core/Mesh/ArrayItems.hh>
 
@@ -35,15 +35,6 @@ struct FaceImage
     OpenMesh::ArrayItems::Face item;
 
     bool live() const { return corners[0] != corners[1]; }
-};
-
-/// What a mesh keeps as a whole.
-struct MeshFrame
-{
-    Lattice lattice = Lattice();
-    double uniformDetail = 0; ///< d_detail of the uniform topology (DESIGN section 3), document's unit
-
-    friend bool operator==(const MeshFrame&, const MeshFrame&) = default;
 };
 
 /// Lengths of the element arrays.

@@ -3,6 +3,7 @@
 #include "mesh_io.h"
 
 #include "mesh_io/format.h"
+#include "mesh_io/glb_notes.h"
 #include "mesh_io/palette.h"
 #include "mesh_io/welder.h"
 
@@ -230,15 +231,19 @@ TriangleMesh readMesh(const std::filesystem::path& path, const ReadOptions& opti
     return mesh;
 }
 
-std::vector<Rgb> readPalette(const std::filesystem::path& path)
+DocumentNotes readNotes(const std::filesystem::path& path)
 {
     const auto format = meshFormatOf(path);
     if (!format || !holdsColors(*format))
         return {};
     std::ifstream stream(path, std::ios::binary);
+    if (format == MeshFormat::Glb)
+        return readGlbNotes(stream);
     std::array<char, startSize> start;
     stream.read(start.data(), start.size());
-    return paletteIn({start.data(), static_cast<std::size_t>(stream.gcount())});
+    DocumentNotes notes;
+    notes.palette = paletteIn({start.data(), static_cast<std::size_t>(stream.gcount())});
+    return notes;
 }
 
 void writeMesh(const std::filesystem::path& path, const TriangleMesh& mesh, const WriteOptions& options)
@@ -257,19 +262,19 @@ void writeMesh(const std::filesystem::path& path, const TriangleMesh& mesh, cons
         writeStl(out, mesh, options.ascii);
         break;
     case MeshFormat::Obj:
-        writeObj(out, mesh, options.palette);
+        writeObj(out, mesh, options.notes.palette);
         break;
     case MeshFormat::Ply:
         writePly(out, mesh, options);
         break;
     case MeshFormat::Off:
-        writeOff(out, mesh, options.palette);
+        writeOff(out, mesh, options.notes.palette);
         break;
     case MeshFormat::Glb:
-        writeGlb(out, mesh, options.palette);
+        writeGlb(out, mesh, options.notes);
         break;
     case MeshFormat::ThreeMf:
-        writeThreeMf(out, mesh, options.palette);
+        writeThreeMf(out, mesh, options.notes.palette);
         break;
     }
     out.commit();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "document_notes.h"
 #include "triangle_mesh.h"
 
 #include <filesystem>
@@ -38,7 +39,9 @@ struct WriteOptions
 {
     std::optional<UpAxis> up = {}; ///< of the file; missing: usualUp
     bool ascii = false;       ///< STL and PLY as text. OBJ and OFF are text always, GLB and 3MF never.
-    std::vector<Rgb> palette = {}; ///< colours at hand, kept beside the model in a comment; in STL they are lost
+    /// Kept beside the surface, where the format can: all of it by GLB, in an extension that others pass over; the palette by
+    /// PLY, OBJ, OFF and 3MF, in a comment.
+    DocumentNotes notes = {};
 };
 
 /// Throws FileError. What it returns has at least one face, indices in range and finite points, nothing more: faces may be
@@ -48,8 +51,9 @@ struct WriteOptions
 /// and the unit that a 3MF names become millimetres.
 TriangleMesh readMesh(const std::filesystem::path& path, const ReadOptions& options = {});
 
-/// What writeMesh() was given as palette; empty if the file has none, or cannot be read. Never throws FileError.
-std::vector<Rgb> readPalette(const std::filesystem::path& path);
+/// What writeMesh() was given as notes, as far as the format keeps them. What is not as we write it is left out; so is all of a
+/// file that cannot be read. Never throws FileError.
+DocumentNotes readNotes(const std::filesystem::path& path);
 
 /// Throws FileError; then the path holds what it held before. Read again, points and colours come back bit for bit (STL: no
 /// colours, no unused vertices, no -0; 3MF: no colours of unused vertices).

@@ -247,12 +247,12 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>%1 wird gespeichert</translation>
     </message>
     <message>
-        <source>%1 was written without the colours, which its format does not hold.</source>
-        <translation>%1 wurde ohne die Farben geschrieben, die sein Format nicht aufnimmt.</translation>
-    </message>
-    <message>
         <source>The model that you chose opens as soon as this is done.</source>
         <translation>Das gewählte Modell wird geöffnet, sobald dies fertig ist.</translation>
+    </message>
+    <message>
+        <source>%1 was written without the colours, which its format does not hold; GLB does.</source>
+        <translation>%1 wurde ohne die Farben geschrieben, die sein Format nicht behält; GLB behält sie.</translation>
     </message>
 </context>
 <context>
@@ -2679,6 +2679,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>%1 was not there any more and was written anew.</source>
         <translation>%1 war nicht mehr da und wurde neu geschrieben.</translation>
+    </message>
+    <message>
+        <source>%1 was written. View, brush and symmetry are kept by GLB files only: Save As.</source>
+        <translation>%1 wurde geschrieben. Ansicht, Pinsel und Symmetrie behalten nur GLB-Dateien: Speichern unter.</translation>
     </message>
 </context>
 <context>

@@ -245,12 +245,12 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>正在保存 %1</translation>
     </message>
     <message>
-        <source>%1 was written without the colours, which its format does not hold.</source>
-        <translation>%1 已写入，但不含颜色：该格式不能保存颜色。</translation>
-    </message>
-    <message>
         <source>The model that you chose opens as soon as this is done.</source>
         <translation>此操作完成后将打开您选择的模型。</translation>
+    </message>
+    <message>
+        <source>%1 was written without the colours, which its format does not hold; GLB does.</source>
+        <translation>已写入 %1，但不含颜色：该格式不保存颜色，GLB 则保存。</translation>
     </message>
 </context>
 <context>
@@ -2671,6 +2671,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>%1 was not there any more and was written anew.</source>
         <translation>%1 已不存在，现已重新写入。</translation>
+    </message>
+    <message>
+        <source>%1 was written. View, brush and symmetry are kept by GLB files only: Save As.</source>
+        <translation>已写入 %1。只有 GLB 文件保存视图、笔刷和对称设置：请使用“另存为”。</translation>
     </message>
 </context>
 <context>

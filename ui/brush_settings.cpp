@@ -81,6 +81,18 @@ void BrushSettings::scaleRadius(double factor)
     setValue(core::Parameter::Radius, m_stroke.radius * factor);
 }
 
+void BrushSettings::take(const core::StrokeSettings& stroke)
+{
+    const core::StrokeSettings own = std::exchange(m_stroke, stroke);
+    m_stroke.place = own.place;
+    m_stroke.add = own.add;
+    m_stroke.detailLength = own.detailLength;
+    m_stroke.radius = std::clamp(stroke.radius, minOf(core::Parameter::Radius), m_maxRadius);
+    if (stroke.symmetry != core::Symmetry::None)
+        m_plane = stroke.symmetry;
+    Q_EMIT changed();
+}
+
 void BrushSettings::setSteady(bool steady)
 {
     if (std::exchange(m_isSteady, steady) == steady)

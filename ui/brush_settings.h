@@ -40,6 +40,8 @@ public:
     /// Clamped to the range of the parameter table (the radius also to the model), falloff rounded to a legal n.
     void setValue(core::Parameter parameter, double value);
     void scaleRadius(double factor);
+    /// What a person chooses of a stroke; the radius as far as the model takes it.
+    void take(const core::StrokeSettings& stroke);
 
     /// A steady stroke hangs on a string behind the pointer.
     bool isSteady() const { return m_isSteady; }

@@ -69,7 +69,7 @@ void askForModel(QWidget* parent, ModelUse use, const QString& folder, PathAnswe
 void askForSaving(QWidget* parent, const QString& folder, const QString& modelName, PathAnswer answer)
 {
     QStringList all = modelEndings();
-    std::ranges::stable_partition(all, [](const QString& ending) { return ending == QLatin1StringView("ply"); });
+    std::ranges::stable_partition(all, [](const QString& ending) { return ending == QLatin1StringView("glb"); });
     askForTarget(parent, FileDialogs::tr("Save the Model"), QStringLiteral("saveDialog"), folder, modelName, all, answer);
 }
 

@@ -15,7 +15,7 @@ enum class ModelUse { Open, Insert };
 void askForModel(QWidget* parent, ModelUse use, const QString& folder, PathAnswer answer);
 
 // They suggest the model's name. The filter gives the ending if none is typed.
-/// First what holds all of the model, with its colours.
+/// First what holds all of the document.
 void askForSaving(QWidget* parent, const QString& folder, const QString& modelName, PathAnswer answer);
 void askForExport(QWidget* parent, const QString& folder, const QString& modelName, PathAnswer answer);
 

@@ -1,10 +1,8 @@
 #pragma once
 
-#include "core/geometry.h"
+#include "core/document_notes.h"
 
 #include <QString>
-
-#include <vector>
 
 namespace ui
 {
@@ -20,6 +18,6 @@ struct ModelFacts
     double uniformDetail = 0;             ///< mm; d_detail of the uniform topology
     double leastDetail = 0;               ///< mm; the finest d_detail that the model's lattice holds
     QString path = {};                    ///< empty: it comes from no file
-    std::vector<core::Rgb> palette = {};  ///< swatches that its file keeps; empty: none
+    core::DocumentNotes notes = {};       ///< that its file keeps; when it was opened, but for the palette
 };
 } // namespace ui

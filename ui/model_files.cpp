@@ -5,6 +5,7 @@
 #include "file_jobs.h"
 #include "model_dialogs.h"
 #include "model_facts.h"
+#include "model_formats.h"
 #include "reference_image.h"
 #include "settings.h"
 
@@ -38,7 +39,7 @@ QString droppedFile(const QMimeData* data)
             return url.toLocalFile();
     return {};
 }
-/// "vase.ply" and "vase-002.ply" give "vase-003.ply" where that is the first number after all that are there.
+/// "vase.glb" and "vase-002.glb" give "vase-003.glb" where that is the first number after all that are there.
 QString numberedCopyOf(const QString& path)
 {
     static const QRegularExpression number(QStringLiteral("-(\\d{3,9})$"));
@@ -111,7 +112,7 @@ void ModelFiles::setOpened(const ModelFacts& model)
     m_name = model.name;
     m_path = model.path;
     m_file = FileJobs::entryOf(m_path);
-    m_isGone = false;
+    m_isGone = m_toldFormat = false;
     m_afterSave = nullptr;
     if (!m_path.isEmpty()) {
         remember(m_path);
@@ -247,9 +248,13 @@ void ModelFiles::setSaved(const ModelFacts& model)
 {
     const auto goOn = std::exchange(m_afterSave, nullptr);
     const bool wasGone = m_isGone && m_path == model.path;
+    const bool wasTold = m_toldFormat;
     setOpened(model);
+    m_toldFormat = true;
     if (wasGone)
         Q_EMIT noticed(tr("%1 was not there any more and was written anew.").arg(QDir::toNativeSeparators(m_path)));
+    else if (!wasTold && !isDocumentFormat(m_path))
+        Q_EMIT noticed(tr("%1 was written. View, brush and symmetry are kept by GLB files only: Save As.").arg(QDir::toNativeSeparators(m_path)));
     if (goOn)
         goOn();
 }

@@ -83,6 +83,7 @@ private:
     QString m_name, m_path; ///< of the model; no path: it comes from no file
     FileEntry m_file;       ///< at the path, when the model was read or written
     bool m_isGone = false;
+    bool m_toldFormat = false; ///< that the file does not hold all of the document
     std::function<void()> m_afterSave; ///< which was preferred to losing changes
 };
 } // namespace ui

@@ -16,4 +16,9 @@ QString modelFormats()
 {
     return modelEndings().join(QStringLiteral(", ")).toUpper();
 }
+
+bool isDocumentFormat(const QString& path)
+{
+    return core::meshFormatOf(path.toStdU16String()) == core::MeshFormat::Glb;
+}
 } // namespace ui

@@ -8,4 +8,6 @@ namespace ui
 QStringList modelEndings();
 /// "STL, OBJ, PLY": for sentences.
 QString modelFormats();
+/// A file of that name holds all of a document: GLB.
+bool isDocumentFormat(const QString& path);
 } // namespace ui

@@ -118,6 +118,23 @@ void OrbitCamera::zoom(double factor, const Pixel& toward)
     m_distance = distance;
 }
 
+core::SavedView OrbitCamera::saved() const
+{
+    return {m_target, m_distance, m_yaw, m_pitch, m_projection == Projection::Orthographic};
+}
+
+void OrbitCamera::setView(const core::SavedView& view)
+{
+    if ((view.target - m_sceneCenter).norm() > m_sceneRadius * farthestZoom)
+        return;
+    m_pivot.reset();
+    m_projection = view.orthographic ? Projection::Orthographic : Projection::Perspective;
+    m_yaw = std::remainder(view.yaw, 2 * std::numbers::pi);
+    m_pitch = std::clamp(view.pitch, -std::numbers::pi / 2, std::numbers::pi / 2);
+    m_distance = reachable(view.distance);
+    m_target = view.target;
+}
+
 double OrbitCamera::reachable(double distance) const
 {
     return std::clamp(distance, m_sceneRadius * nearestZoom, m_sceneRadius * farthestZoom);

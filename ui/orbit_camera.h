@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry.h"
+#include "core/document_notes.h"
 
 #include <Eigen/Core>
 
@@ -49,6 +49,10 @@ public:
     void pan(const Pixel& delta);
     /// `factor` < 1 comes nearer. What lies under the pixel at the target's depth stays under it.
     void zoom(double factor, const Pixel& toward);
+
+    core::SavedView saved() const;
+    /// Of a view that does not see the scene, nothing. The pivot is the scene's centre again.
+    void setView(const core::SavedView& view);
 
     core::Vec3 target() const { return m_target; }
     double distance() const { return m_distance; } ///< from eye to target; says the size in orthographic views too

@@ -208,6 +208,12 @@ void Viewport::frame()
     m_state->input.viewMoved();
 }
 
+void Viewport::setView(const core::SavedView& view)
+{
+    m_state->camera.setView(view);
+    m_state->input.viewMoved();
+}
+
 void Viewport::turnTo(OrbitCamera::Side side)
 {
     m_state->camera.turnTo(side);

@@ -61,6 +61,7 @@ public:
     /// Shows the whole box from the present direction.
     void frame();
     void turnTo(OrbitCamera::Side side);
+    void setView(const core::SavedView& view);
     /// About the Y axis by so many radians, anticlockwise seen from above, in so many seconds; under an open stroke, too.
     void turnModel(double angle, double seconds);
     void setProjection(OrbitCamera::Projection projection);

@@ -75,6 +75,6 @@ void writeStl(AtomicFile& out, const TriangleMesh& mesh, bool ascii);
 void writeObj(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette);
 void writePly(AtomicFile& out, const TriangleMesh& mesh, const WriteOptions& options);
 void writeOff(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette);
-void writeGlb(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette);
+void writeGlb(AtomicFile& out, const TriangleMesh& mesh, const DocumentNotes& notes);
 void writeThreeMf(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette);
 } // namespace core::mesh_io

@@ -1,7 +1,8 @@
 // GLB: a node that scales millimetres to glTF's metres, one mesh of one primitive, its colours linear in 16 bits.
 
 #include "binary.h"
-#include "palette.h"
+#include "glb_notes.h"
+#include "gltf.h"
 #include "srgb.h"
 
 #include "format.h"
@@ -16,7 +17,6 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
-constexpr std::uint32_t magic = 0x46546c67, version = 2, jsonChunk = 0x4e4f534a, binaryChunk = 0x004e4942;
 constexpr int floatType = 5126, shortType = 5123, indexType = 5125, vertexTarget = 34962, indexTarget = 34963;
 
 /// GLB's sizes have 32 bits.
@@ -66,7 +66,7 @@ private:
     std::size_t m_bytes = 0;
 };
 
-Json documentOf(const TriangleMesh& mesh, std::span<const Rgb> palette, std::size_t& bytes)
+Json documentOf(const TriangleMesh& mesh, const DocumentNotes& notes, std::size_t& bytes)
 {
     Layout layout;
     Json attributes;
@@ -86,13 +86,12 @@ Json documentOf(const TriangleMesh& mesh, std::span<const Rgb> palette, std::siz
     const int indices = layout.add(3 * mesh.triangles.size(), 4, indexType, "SCALAR", indexTarget);
     Json document;
     document["asset"] = {{"version", "2.0"}, {"generator", "Fettle"}};
-    if (!palette.empty())
-        document["asset"]["extras"] = {{"palette", "# " + paletteWords(palette)}};
     document["scene"] = 0;
     document["scenes"] = {{{"nodes", {0}}}};
     document["nodes"] = {{{"mesh", 0}, {"scale", {0.001, 0.001, 0.001}}}};
     document["materials"] = {{{"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 0.8}}}}};
     document["meshes"] = {{{"primitives", {{{"attributes", attributes}, {"indices", indices}, {"material", 0}}}}}};
+    addNotes(document, notes);
     bytes = layout.bytes();
     layout.moveTo(document);
     return document;
@@ -110,22 +109,22 @@ void writePoints(AtomicFile& out, const std::vector<Vec3f>& points)
 }
 } // namespace
 
-void writeGlb(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette)
+void writeGlb(AtomicFile& out, const TriangleMesh& mesh, const DocumentNotes& notes)
 {
     std::size_t bytes = 0;
-    std::string json = documentOf(mesh, palette, bytes).dump();
+    std::string json = documentOf(mesh, notes, bytes).dump();
     json.resize((json.size() + 3) / 4 * 4, ' ');
     if (bytes > mostBytes)
         throw FileError(FileErrorKind::WriteFailed, out.path());
     std::string head;
-    append(head, magic);
-    append(head, version);
+    append(head, glbMagic);
+    append(head, glbVersion);
     append(head, static_cast<std::uint32_t>(28 + json.size() + bytes));
     append(head, static_cast<std::uint32_t>(json.size()));
-    append(head, jsonChunk);
+    append(head, glbJsonChunk);
     head += json;
     append(head, static_cast<std::uint32_t>(bytes));
-    append(head, binaryChunk);
+    append(head, glbBinaryChunk);
     out.write(head);
     writePoints(out, mesh.points);
     writePoints(out, normalsOf(mesh));

@@ -10,8 +10,6 @@ namespace core::mesh_io
 {
 namespace
 {
-constexpr std::size_t headSize = 12, chunkHeadSize = 8;
-constexpr std::uint32_t jsonChunk = 0x4e4f534a, binaryChunk = 0x004e4942;
 /// Its parsed form takes up to eighty times that, if it is nothing but brackets. Models' own numbers are not in it.
 constexpr std::size_t mostJson = std::size_t(1) << 23;
 
@@ -73,27 +71,27 @@ void Gltf::refuseCutOff() const
 void Gltf::readChunks()
 {
     const std::string_view bytes = m_file.bytes;
-    if (bytes.size() < headSize + chunkHeadSize)
+    if (bytes.size() < glbHeadSize + glbChunkHeadSize)
         refuseCutOff();
     const auto numberAtByte = [&](std::size_t at) { return load<std::uint32_t>(bytes.data() + at, std::endian::little); };
     if (numberAtByte(4) != 2)
         throw errorAtByte(FileErrorKind::Malformed, m_file, bytes.data() + 4, std::to_string(numberAtByte(4)));
     if (numberAtByte(8) > bytes.size())
         refuseCutOff();
-    for (std::size_t at = headSize; at + chunkHeadSize <= numberAtByte(8);) {
+    for (std::size_t at = glbHeadSize; at + glbChunkHeadSize <= numberAtByte(8);) {
         const std::size_t size = numberAtByte(at);
         const std::uint32_t type = numberAtByte(at + 4);
-        const std::string_view chunk = bytes.substr(at + chunkHeadSize, size);
+        const std::string_view chunk = bytes.substr(at + glbChunkHeadSize, size);
         if (chunk.size() < size)
             refuseCutOff();
-        if (type == jsonChunk && at == headSize)
+        if (type == glbJsonChunk && at == glbHeadSize)
             parse(chunk);
-        else if (type == binaryChunk && m_binary.empty())
+        else if (type == glbBinaryChunk && m_binary.empty())
             m_binary = chunk;
-        at += chunkHeadSize + (size + 3) / 4 * 4;
+        at += glbChunkHeadSize + (size + 3) / 4 * 4;
     }
     if (!m_document.is_object())
-        throw errorAtByte(FileErrorKind::Malformed, m_file, bytes.data() + headSize);
+        throw errorAtByte(FileErrorKind::Malformed, m_file, bytes.data() + glbHeadSize);
 }
 
 void Gltf::parse(std::string_view text)

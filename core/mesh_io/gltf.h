@@ -8,6 +8,9 @@
 
 namespace core::mesh_io
 {
+inline constexpr std::size_t glbHeadSize = 12, glbChunkHeadSize = 8;
+inline constexpr std::uint32_t glbMagic = 0x46546c67, glbVersion = 2, glbJsonChunk = 0x4e4f534a, glbBinaryChunk = 0x004e4942;
+
 /// How the numbers of an accessor lie in a GLB's binary chunk.
 struct GltfLayout
 {

@@ -1,16 +1,26 @@
 #include "palette.h"
 
 #include <charconv>
-#include <optional>
 
 namespace core::mesh_io
 {
 namespace
 {
 constexpr std::string_view title = "fettle palette";
-constexpr std::size_t mostColors = 64, digits = 6;
+constexpr std::size_t digits = 6;
+} // namespace
 
-/// Nothing but six hexadecimal digits.
+std::string hexOf(const Rgb& color)
+{
+    constexpr std::string_view hex = "0123456789abcdef";
+    std::string word;
+    for (const std::uint8_t part : {color.r, color.g, color.b}) {
+        word += hex[part >> 4];
+        word += hex[part & 15];
+    }
+    return word;
+}
+
 std::optional<Rgb> colorOf(std::string_view word)
 {
     std::uint32_t value = 0;
@@ -19,19 +29,12 @@ std::optional<Rgb> colorOf(std::string_view word)
         return std::nullopt;
     return Rgb{static_cast<std::uint8_t>(value >> 16), static_cast<std::uint8_t>(value >> 8), static_cast<std::uint8_t>(value)};
 }
-} // namespace
 
 std::string paletteWords(std::span<const Rgb> palette)
 {
-    constexpr std::string_view hex = "0123456789abcdef";
     std::string words(title);
-    for (const Rgb& color : palette) {
-        words += ' ';
-        for (const std::uint8_t part : {color.r, color.g, color.b}) {
-            words += hex[part >> 4];
-            words += hex[part & 15];
-        }
-    }
+    for (const Rgb& color : palette)
+        words += ' ' + hexOf(color);
     return words;
 }
 
@@ -45,7 +48,7 @@ std::vector<Rgb> paletteIn(std::string_view start)
         return {};
     std::string_view rest = start.substr(begin, start.find_first_of("\r\n\"", begin) - begin);
     std::vector<Rgb> palette;
-    while (rest.size() > digits && rest.front() == ' ' && palette.size() < mostColors) {
+    while (rest.size() > digits && rest.front() == ' ' && palette.size() < mostPaletteColors) {
         const auto color = colorOf(rest.substr(1, digits));
         if (!color)
             return {};

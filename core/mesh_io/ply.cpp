@@ -209,8 +209,8 @@ private:
 void writeHeader(TextWriter& text, const TriangleMesh& mesh, const WriteOptions& options)
 {
     text << "ply\nformat " << (options.ascii ? "ascii" : "binary_little_endian") << " 1.0\n";
-    if (!options.palette.empty())
-        text << "comment " << paletteWords(options.palette) << '\n';
+    if (!options.notes.palette.empty())
+        text << "comment " << paletteWords(options.notes.palette) << '\n';
     text << "element vertex " << mesh.points.size() << "\nproperty float x\nproperty float y\nproperty float z\n";
     if (!mesh.colors.empty())
         text << "property uchar red\nproperty uchar green\nproperty uchar blue\n";

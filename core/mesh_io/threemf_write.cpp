@@ -224,7 +224,7 @@ void copy(zip_source_t* from, AtomicFile& out)
 
 void writeThreeMf(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette)
 {
-    // the first part is not packed: readPalette() looks at the file's start
+    // the first part is not packed: readNotes() looks at the file's start
     std::string types(contentTypes);
     if (!palette.empty())
         types += "<!--\n# " + paletteWords(palette) + "\n-->\n";

@@ -28,6 +28,8 @@ fonts-wqy-microhei  a font that has Chinese
 '
 fettle_test_packages='
 libcgal-dev         CGAL: an independent judge of meshes
+libtinygltf-dev     tinygltf: reads what we write
+libassimp-dev       Assimp: reads what we write
 libbenchmark-dev    Google Benchmark
 xvfb                a display without a screen
 xauth               for xvfb-run

@@ -213,23 +213,24 @@ void TestModelFile::aTypedNameWinsOverTheSuggestedOne()
     Opened o;
     o.wait();
     ui::Settings().setLastFolder(o.folder.path());
-    core::writeMesh(o.folder.filePath(QStringLiteral("tiger-old.ply")).toStdString(), core::icosphere(1, 20));
+    for (const char* name : {"lion.glb", "tiger-old.glb"})
+        core::writeMesh(o.folder.filePath(QString::fromLatin1(name)).toStdString(), core::icosphere(1, 20));
     o.press("file.saveAs");
     QFileDialog* dialog = nullptr;
     QTRY_VERIFY((dialog = o.program.window.findChild<QFileDialog*>(QStringLiteral("saveDialog"))) && dialog->isVisible());
     QVERIFY(QTest::qWaitForWindowActive(dialog));
     auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
     QTRY_VERIFY(name->hasFocus());
-    QTRY_COMPARE(dialog->selectedFiles(), QStringList{o.path}); // the suggestion is a file that is there
+    QTRY_COMPARE(dialog->selectedFiles(), QStringList{o.folder.filePath(QStringLiteral("lion.glb"))}); // the suggestion is a file that is there
     for (const char letter : {'t', 'i', 'g', 'e', 'r'}) {
         QTest::keyClick(dialog->windowHandle(), letter);
         QTRY_VERIFY(name->text().endsWith(QLatin1Char(letter)));
     }
     QTRY_VERIFY(QApplication::activePopupWidget());
     QTest::keyClick(dialog->windowHandle(), Qt::Key_Return);
-    QTRY_COMPARE(o.program.document.path(), o.folder.filePath(QStringLiteral("tiger.ply")));
+    QTRY_COMPARE(o.program.document.path(), o.folder.filePath(QStringLiteral("tiger.glb")));
     QTRY_VERIFY(!o.program.document.isBusy());
-    QCOMPARE(QDir(o.folder.path()).entryList(QDir::Files).size(), 4);
+    QCOMPARE(QDir(o.folder.path()).entryList(QDir::Files).size(), 5);
 }
 
 int main(int argc, char* argv[])

@@ -77,6 +77,11 @@ bool sameCorners(const TriangleMesh& a, const TriangleMesh& b)
     return true;
 }
 
+std::vector<Rgb> readPalette(const std::filesystem::path& path)
+{
+    return core::readNotes(path).palette;
+}
+
 bool isSound(const TriangleMesh& mesh)
 {
     for (const core::Triangle& t : mesh.triangles)
@@ -382,15 +387,15 @@ void TestMeshIo::palette_isKeptBesideTheModel()
     const TriangleMesh ball = core::icosphere(2, 10);
     for (const char* name : {"a.ply", "a.obj", "a.off", "a.glb", "a.3mf"})
         for (const bool ascii : {false, true}) {
-            core::writeMesh(file(name), ball, {.ascii = ascii, .palette = palette});
-            QVERIFY2(core::readPalette(file(name)) == palette, name);
+            core::writeMesh(file(name), ball, {.ascii = ascii, .notes = {.palette = palette, .frame = {}, .view = {}, .brush = {}}});
+            QVERIFY2(readPalette(file(name)) == palette, name);
             QVERIFY2(core::readMesh(file(name)).points == ball.points, name);
             core::writeMesh(file(name), ball, {.ascii = ascii});
-            QVERIFY2(core::readPalette(file(name)).empty(), name);
+            QVERIFY2(readPalette(file(name)).empty(), name);
         }
-    core::writeMesh(file("a.stl"), ball, {.palette = palette});
-    QVERIFY(core::readPalette(file("a.stl")).empty());
-    QVERIFY(core::readPalette(file("none.ply")).empty());
+    core::writeMesh(file("a.stl"), ball, {.notes = {.palette = palette, .frame = {}, .view = {}, .brush = {}}});
+    QVERIFY(readPalette(file("a.stl")).empty());
+    QVERIFY(readPalette(file("none.ply")).empty());
 }
 
 void TestMeshIo::palette_thatIsNoneIsNotRead()
@@ -398,10 +403,10 @@ void TestMeshIo::palette_thatIsNoneIsNotRead()
     for (const std::string_view line : {"# fettle palette 12345\n", "# fettle palette 123456 zz0000\n", "# fettle palette 1234567\n", "# fettle palette -12345\n",
                                         "# fettle palette", "# fettle palette 123456  123456\n", "fettle palette 123456\n"}) {
         writeBytes(file("a.obj"), line);
-        QVERIFY2(core::readPalette(file("a.obj")).empty(), line.data());
+        QVERIFY2(readPalette(file("a.obj")).empty(), line.data());
     }
     writeBytes(file("a.obj"), "# fettle palette 123456\r\nv 0 0 0\n");
-    QVERIFY((core::readPalette(file("a.obj")) == std::vector<Rgb>{{0x12, 0x34, 0x56}}));
+    QVERIFY((readPalette(file("a.obj")) == std::vector<Rgb>{{0x12, 0x34, 0x56}}));
 }
 
 void TestMeshIo::stl_keepsCornersAndWelds()

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "mesh_frame.h"
+#include "stroke.h"
+
+#include <optional>
+#include <vector>
+
+namespace core
+{
+/// From where a model was looked at last. World space, mm.
+struct SavedView
+{
+    Vec3 target = Vec3::Zero();
+    double distance = 1; ///< from the eye, above 0
+    double yaw = 0, pitch = 0; ///< radians; 0, 0 looks along -Z, pitch above 0 looks down
+    bool orthographic = false;
+};
+
+/// What a file keeps of a document beside its surface.
+struct DocumentNotes
+{
+    std::vector<Rgb> palette;          ///< colours at hand, at most 64; none: empty
+    std::optional<MeshFrame> frame;    ///< that the surface had
+    std::optional<SavedView> view;
+    std::optional<StrokeSettings> brush; ///< that was in the hand, with its symmetry
+};
+} // namespace core

@@ -1,0 +1,168 @@
+#include "glb_notes.h"
+
+#include "binary.h"
+#include "gltf.h"
+#include "palette.h"
+
+#include "core/stroke_file.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace core::mesh_io
+{
+namespace
+{
+using Json = nlohmann::json;
+
+constexpr const char* extensionName = "FETTLE_document";
+constexpr int version = 1;
+/// Ours are a few thousand bytes long; whoever rewrote the file may have added to them.
+constexpr std::size_t mostJson = 1 << 20;
+/// What an import can come to, and more.
+constexpr int mostExponent = 64;
+constexpr double farthest = 1e9; ///< mm
+
+nlohmann::ordered_json jsonOf(const SavedView& view)
+{
+    return {{"target", {view.target.x(), view.target.y(), view.target.z()}}, {"distance", view.distance}, {"yaw", view.yaw},
+            {"pitch", view.pitch}, {"orthographic", view.orthographic}};
+}
+
+/// As a stroke file has it.
+nlohmann::ordered_json jsonOf(const StrokeSettings& brush)
+{
+    std::ostringstream text;
+    writeStrokes(text, {Stroke{brush, {}}});
+    nlohmann::ordered_json stroke = nlohmann::ordered_json::parse(text.str())["strokes"][0];
+    stroke.erase("samples");
+    return stroke;
+}
+
+/// Null where the object has none.
+const Json& valueIn(const Json& object, const char* key)
+{
+    static const Json none;
+    const auto found = object.is_object() ? object.find(key) : object.end();
+    return object.is_object() && found != object.end() ? *found : none;
+}
+
+std::optional<double> numberIn(const Json& object, const char* key, double least, double most)
+{
+    const Json& value = valueIn(object, key);
+    if (!value.is_number() || !(value.get<double>() >= least && value.get<double>() <= most))
+        return std::nullopt;
+    return value.get<double>();
+}
+
+std::optional<MeshFrame> frameIn(const Json& notes)
+{
+    const auto exponent = numberIn(notes, "lattice", -mostExponent, mostExponent);
+    if (!exponent || *exponent != std::trunc(*exponent))
+        return std::nullopt;
+    MeshFrame frame{Lattice(static_cast<int>(*exponent))};
+    const auto detail = numberIn(notes, "uniformDetail", frame.lattice.minDetail(), farthest);
+    if (!detail)
+        return std::nullopt;
+    frame.uniformDetail = *detail;
+    return frame;
+}
+
+std::optional<SavedView> viewIn(const Json& notes)
+{
+    constexpr double fullTurn = 6.284;
+    const Json& from = valueIn(notes, "view");
+    const Json& target = valueIn(from, "target");
+    const auto distance = numberIn(from, "distance", 1 / farthest, farthest);
+    const auto yaw = numberIn(from, "yaw", -fullTurn, fullTurn), pitch = numberIn(from, "pitch", -fullTurn, fullTurn);
+    if (!distance || !yaw || !pitch || !target.is_array() || target.size() != 3)
+        return std::nullopt;
+    SavedView view{Vec3::Zero(), *distance, *yaw, *pitch, valueIn(from, "orthographic") == true};
+    for (int i = 0; i < 3; ++i) {
+        const Json& x = target[static_cast<std::size_t>(i)];
+        if (!x.is_number() || !(std::abs(x.get<double>()) <= farthest))
+            return std::nullopt;
+        view.target[i] = x.get<double>();
+    }
+    return view;
+}
+
+/// Nothing in it has parts of its own, however deep: what is copied and written goes as deep as it.
+bool isFlat(const Json& value)
+{
+    return std::ranges::none_of(value, [](const Json& part) { return part.is_structured(); });
+}
+
+std::optional<StrokeSettings> brushIn(const Json& notes)
+{
+    const Json& brush = valueIn(notes, "brush");
+    if (!brush.is_object() || brush.contains("command") || !std::ranges::all_of(brush, isFlat))
+        return std::nullopt;
+    Json stroke = brush;
+    stroke["samples"] = Json::array();
+    const Json file = {{"format", "fettle-strokes"}, {"version", 1}, {"strokes", Json::array({stroke})}};
+    try {
+        return std::get<Stroke>(parseStrokes(file.dump()).at(0)).settings;
+    } catch (const StrokeFileError&) {
+        return std::nullopt;
+    }
+}
+
+std::vector<Rgb> paletteIn(const Json& notes)
+{
+    const Json& words = valueIn(notes, "palette");
+    std::vector<Rgb> palette;
+    for (const Json& word : words.is_array() ? words : Json::array()) {
+        const auto color = word.is_string() ? colorOf(word.get_ref<const std::string&>()) : std::nullopt;
+        if (!color || palette.size() == mostPaletteColors)
+            return {};
+        palette.push_back(*color);
+    }
+    return palette;
+}
+
+/// Empty if this is no GLB, or its JSON is longer than we write it.
+std::string jsonChunkOf(std::istream& file)
+{
+    std::array<char, glbHeadSize + glbChunkHeadSize> head{};
+    if (!file.read(head.data(), head.size()))
+        return {};
+    const auto numberAt = [&](std::size_t at) { return load<std::uint32_t>(head.data() + at, std::endian::little); };
+    const std::size_t size = numberAt(glbHeadSize);
+    if (numberAt(0) != glbMagic || numberAt(glbHeadSize + 4) != glbJsonChunk || size > mostJson)
+        return {};
+    std::string text(size, '\0');
+    file.read(text.data(), static_cast<std::streamsize>(size));
+    return file ? text : std::string();
+}
+} // namespace
+
+void addNotes(nlohmann::ordered_json& document, const DocumentNotes& notes)
+{
+    nlohmann::ordered_json json = {{"version", version}, {"unit", "mm"}};
+    if (notes.frame) {
+        json["lattice"] = notes.frame->lattice.exponent();
+        json["uniformDetail"] = notes.frame->uniformDetail;
+    }
+    for (const Rgb& color : notes.palette)
+        json["palette"].push_back(hexOf(color));
+    if (notes.view)
+        json["view"] = jsonOf(*notes.view);
+    if (notes.brush)
+        json["brush"] = jsonOf(*notes.brush);
+    document["extensionsUsed"] = nlohmann::ordered_json::array({extensionName});
+    document["extensions"] = {{extensionName, std::move(json)}};
+}
+
+DocumentNotes readGlbNotes(std::istream& file)
+{
+    const std::string text = jsonChunkOf(file);
+    if (text.find(extensionName) == std::string::npos)
+        return {};
+    const Json document = Json::parse(text, nullptr, false);
+    const Json& json = valueIn(valueIn(document, "extensions"), extensionName);
+    if (valueIn(json, "version") != version || valueIn(json, "unit") != "mm")
+        return {};
+    return {paletteIn(json), frameIn(json), viewIn(json), brushIn(json)};
+}
+} // namespace core::mesh_io

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/document_notes.h"
+
+#include <nlohmann/json.hpp>
+
+#include <istream>
+
+namespace core::mesh_io
+{
+/// Into a glTF document, as the extension FETTLE_document, which no reader needs:
+///
+///     {"version": 1, "unit": "mm", "lattice": 16, "uniformDetail": 1.5, "palette": ["c86e50", "8a5a3c"],
+///      "view": {"target": [0, 0, 0], "distance": 300, "yaw": 0.5, "pitch": 0.35, "orthographic": false},
+///      "brush": {...}}
+///
+/// Coordinates are multiples of 2^-lattice mm; "brush" is a stroke of a stroke file, without samples.
+void addNotes(nlohmann::ordered_json& document, const DocumentNotes& notes);
+
+/// From the start of a GLB. What is not as we write it is left out.
+DocumentNotes readGlbNotes(std::istream& file);
+} // namespace core::mesh_io

@@ -1,0 +1,171 @@
+#include "tests/support/program_hand.h"
+
+#include "core/mesh_io.h"
+#include "ui/color_panel.h"
+#include "ui/mailbox.h"
+
+#include <QAction>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+
+using namespace app;
+
+namespace
+{
+struct MeshState
+{
+    std::uint64_t hash = 0;
+    core::MeshFrame frame;
+    friend bool operator==(const MeshState&, const MeshState&) = default;
+};
+
+MeshState stateOf(Program& program)
+{
+    std::optional<MeshState> answer;
+    ui::Mailbox mail;
+    program.worker.post([&](core::Sculptor& sculptor) {
+        mail.post([&answer, state = MeshState{sculptor.mesh().meshHash(), sculptor.mesh().frame()}] { answer = state; });
+    });
+    [&] { QTRY_VERIFY(answer); }();
+    return answer.value_or(MeshState());
+}
+
+/// A ball with a stroke, saved in the dialog under a name without an ending.
+void saveNew(Program& program, const QString& path)
+{
+    sculptBall(program);
+    QTest::keyClick(&program.window, Qt::Key_S, Qt::ControlModifier);
+    chooseFile(program, "saveDialog", path);
+    QTRY_VERIFY(!program.document.isModified() && !program.document.isBusy());
+}
+} // namespace
+
+/// What a saved file brings back.
+class TestSavedDocument : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void untitled_isSavedAsGlb();
+    void reopened_isTheSame();
+    void oftenReopened_isStillTheSame();
+    void formatThatHoldsLess_isToldOnce();
+    void strangersGlb_leavesBrushAndViewAlone();
+
+private:
+    QTemporaryDir m_folder;
+};
+
+void TestSavedDocument::untitled_isSavedAsGlb()
+{
+    Program program;
+    saveNew(program, m_folder.filePath(QStringLiteral("first")));
+    QCOMPARE(program.document.path(), m_folder.filePath(QStringLiteral("first.glb")));
+    QVERIFY(!core::readMesh(m_folder.filePath(QStringLiteral("first.glb")).toStdString()).triangles.empty());
+}
+
+void TestSavedDocument::reopened_isTheSame()
+{
+    const QString path = m_folder.filePath(QStringLiteral("head.glb"));
+    Program program;
+    sculptBall(program);
+    program.document.apply(core::RemeshUniformly{9}); // another uniform detail than an import would give it
+    QTRY_COMPARE(program.document.undoStack().count(), 2);
+    program.document.apply(core::Move{{10, 0, 3}}); // an import would take it back
+    QTRY_COMPARE(program.document.undoStack().count(), 3);
+    ui::BrushSettings& brush = *program.window.brush();
+    brush.set(&core::StrokeSettings::symmetry, core::Symmetry::Z);
+    brush.set(&core::StrokeSettings::topology, core::Topology::Uniform);
+    brush.set(&core::StrokeSettings::color, core::Rgb{1, 2, 3});
+    brush.setTool(core::Tool::Paint);
+    brush.setValue(core::Parameter::Radius, 17);
+    program.window.viewport()->turnTo(ui::OrbitCamera::Side::Left);
+    program.window.action(QStringLiteral("view.orthographic"))->setChecked(true);
+    const QList<core::Rgb> swatches = {{9, 8, 7}, {200, 1, 1}};
+    auto* colors = program.window.findChild<ui::ColorPanel*>();
+    colors->setSwatches(swatches);
+    Q_EMIT colors->swatchesChanged();
+    program.document.save(path);
+    QTRY_VERIFY(!program.document.isModified() && !program.document.isBusy());
+    const MeshState saved = stateOf(program);
+    const core::SavedView view = program.window.viewport()->camera().saved();
+
+    program.document.openStarter(core::Starter::Cube);
+    QTRY_VERIFY(program.document.path().isEmpty() && !program.document.isBusy());
+    brush.set(&core::StrokeSettings::symmetry, core::Symmetry::None);
+    brush.set(&core::StrokeSettings::topology, core::Topology::Adaptive);
+    brush.setTool(core::Tool::Pull);
+    colors->setSwatches({{0, 0, 0}});
+    program.window.viewport()->turnTo(ui::OrbitCamera::Side::Top);
+    program.window.action(QStringLiteral("view.orthographic"))->setChecked(false);
+
+    program.document.open(path);
+    QTRY_VERIFY(program.document.path() == path && !program.document.isBusy());
+    QVERIFY(stateOf(program) == saved);
+    QVERIFY(!program.document.isModified());
+    const core::SavedView seen = program.window.viewport()->camera().saved();
+    QVERIFY(seen.target == view.target && seen.distance == view.distance && seen.yaw == view.yaw && seen.pitch == view.pitch && seen.orthographic);
+    QVERIFY(program.window.action(QStringLiteral("view.orthographic"))->isChecked());
+    QCOMPARE(brush.stroke().symmetry, core::Symmetry::Z);
+    QVERIFY(program.window.action(QStringLiteral("symmetry.on"))->isChecked());
+    QCOMPARE(brush.stroke().topology, core::Topology::Uniform);
+    QCOMPARE(brush.tool(), core::Tool::Paint);
+    QVERIFY((brush.stroke().color == core::Rgb{1, 2, 3}));
+    QCOMPARE(brush.value(core::Parameter::Radius), 17.0);
+    QVERIFY(QList<core::Rgb>(colors->swatches().begin(), colors->swatches().end()) == swatches);
+}
+
+/// Each time it is laid out anew, and saved by another hand.
+void TestSavedDocument::oftenReopened_isStillTheSame()
+{
+    const QString path = m_folder.filePath(QStringLiteral("often.glb"));
+    Program program;
+    saveNew(program, path);
+    const MeshState saved = stateOf(program);
+    for (int i = 0; i < 3; ++i) {
+        program.document.open(path);
+        QTRY_VERIFY(!program.document.isBusy() && program.document.undoStack().count() == 0);
+        QVERIFY(stateOf(program) == saved);
+        program.document.save(path);
+        QTRY_VERIFY(!program.document.isBusy());
+    }
+}
+
+void TestSavedDocument::formatThatHoldsLess_isToldOnce()
+{
+    const QString path = m_folder.filePath(QStringLiteral("scan.stl"));
+    core::writeMesh(path.toStdString(), core::icosphere(3, 20));
+    Program program;
+    sculptBall(program);
+    answerQuestion(program, QMessageBox::Discard);
+    program.document.open(path);
+    QTRY_VERIFY(program.document.path() == path && !program.document.isBusy());
+    drag(program.window.viewport(), {40, 20});
+    QTRY_COMPARE(program.document.undoStack().count(), 1);
+    QTest::keyClick(&program.window, Qt::Key_S, Qt::ControlModifier); // to the same file, in its format
+    QTRY_VERIFY(!program.document.isModified() && !program.document.isBusy());
+    QVERIFY2(notice(program).contains(QStringLiteral("GLB")), qPrintable(notice(program)));
+    QCOMPARE(core::readMesh(path.toStdString()).points.size(), program.document.facts().vertices);
+    QTest::keyClick(&program.window, Qt::Key_S, Qt::ControlModifier);
+    QTRY_VERIFY(!notice(program).contains(QStringLiteral("GLB")));
+}
+
+void TestSavedDocument::strangersGlb_leavesBrushAndViewAlone()
+{
+    const QString path = m_folder.filePath(QStringLiteral("stranger.glb"));
+    core::writeMesh(path.toStdString(), core::icosphere(3, 20));
+    Program program;
+    program.window.brush()->setTool(core::Tool::Flatten);
+    program.window.brush()->set(&core::StrokeSettings::symmetry, core::Symmetry::Y);
+    program.document.open(path);
+    QTRY_VERIFY(program.document.path() == path && !program.document.isBusy());
+    QCOMPARE(program.window.brush()->tool(), core::Tool::Flatten);
+    QCOMPARE(program.window.brush()->stroke().symmetry, core::Symmetry::Y);
+}
+
+int main(int argc, char* argv[])
+{
+    QStandardPaths::setTestModeEnabled(true);
+    return runOnScreen<TestSavedDocument>(argc, argv, "tst_saved_document");
+}
+#include "tst_saved_document.moc"

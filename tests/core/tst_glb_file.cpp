@@ -1,0 +1,434 @@
+#include "tests/support/mesh_asserts.h"
+
+#include "core/mesh_build.h"
+#include "core/mesh_io.h"
+
+#include <assimp/Importer.hpp>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <nlohmann/json.hpp>
+#include <tiny_gltf.h>
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <bit>
+#include <cmath>
+#include <fstream>
+#include <random>
+#include <sstream>
+
+using core::DocumentNotes;
+using core::Rgb;
+using core::Slot;
+using core::TriangleMesh;
+using core::Vec3f;
+
+namespace
+{
+using Json = nlohmann::json;
+
+constexpr std::size_t headSize = 12, chunkHeadSize = 8;
+
+/// A ball with a colour at each vertex, not centred, on a lattice.
+TriangleMesh painted()
+{
+    TriangleMesh mesh = core::icosphere(3, 20);
+    std::mt19937 engine(7);
+    const core::Lattice lattice(14);
+    for (Vec3f& p : mesh.points) {
+        p = lattice.snap(p.cast<double>() + core::Vec3(5, 1, -2));
+        mesh.colors.push_back({static_cast<std::uint8_t>(engine()), static_cast<std::uint8_t>(engine()), static_cast<std::uint8_t>(engine())});
+    }
+    return mesh;
+}
+
+DocumentNotes someNotes()
+{
+    DocumentNotes notes;
+    notes.palette = {{0, 0, 0}, {255, 254, 253}, {1, 160, 18}};
+    notes.frame = core::MeshFrame{core::Lattice(14), 0.7};
+    notes.view = core::SavedView{{1.0 / 3, -2e-5, 77}, 123.456, -1.25, 0.1, true};
+    core::StrokeSettings brush;
+    brush.tool = core::Tool::Flatten;
+    brush.brush = core::BrushShape::Ray;
+    brush.topology = core::Topology::Uniform;
+    brush.symmetry = core::Symmetry::Z;
+    brush.radius = 1.0 / 7;
+    brush.strength = 0.3;
+    brush.falloff = 7;
+    brush.detail = 1.1;
+    brush.spacing = 0.25;
+    brush.fusion = false;
+    brush.color = {1, 2, 3};
+    notes.brush = brush;
+    return notes;
+}
+
+std::string bytesOf(const std::filesystem::path& path)
+{
+    std::ifstream in(path, std::ios::binary);
+    std::ostringstream out;
+    out << in.rdbuf();
+    return out.str();
+}
+
+std::uint32_t wordAt(const std::string& bytes, std::size_t at)
+{
+    std::uint32_t word = 0;
+    std::memcpy(&word, bytes.data() + at, 4);
+    return word;
+}
+
+struct Glb
+{
+    Json json;
+    std::string binary;
+};
+
+Glb takenApart(const std::string& bytes)
+{
+    const std::size_t length = wordAt(bytes, headSize);
+    return {Json::parse(bytes.substr(headSize + chunkHeadSize, length)), bytes.substr(headSize + 2 * chunkHeadSize + length)};
+}
+
+void appendWord(std::string& bytes, std::uint32_t word)
+{
+    bytes.append(reinterpret_cast<const char*>(&word), 4);
+}
+
+std::string putTogether(const Glb& glb)
+{
+    std::string json = glb.json.dump(), bytes = "glTF";
+    json.resize((json.size() + 3) / 4 * 4, ' ');
+    appendWord(bytes, 2);
+    appendWord(bytes, static_cast<std::uint32_t>(headSize + 2 * chunkHeadSize + json.size() + glb.binary.size()));
+    appendWord(bytes, static_cast<std::uint32_t>(json.size()));
+    bytes += "JSON" + json;
+    appendWord(bytes, static_cast<std::uint32_t>(glb.binary.size()));
+    return bytes + std::string("BIN\0", 4) + glb.binary;
+}
+
+/// What in the file goes against sections 3 and 4 of the glTF 2.0 specification, as far as our files use them. Empty: nothing.
+class Rules
+{
+public:
+    explicit Rules(const std::string& bytes) : m_bytes(bytes)
+    {
+        container();
+        if (m_broken.empty())
+            document();
+    }
+    const std::string& broken() const { return m_broken; }
+
+private:
+    void expect(bool holds, const std::string& rule)
+    {
+        if (!holds && m_broken.empty())
+            m_broken = rule;
+    }
+
+    void container()
+    {
+        expect(m_bytes.size() >= headSize + chunkHeadSize && m_bytes.starts_with("glTF") && wordAt(m_bytes, 4) == 2, "head");
+        expect(wordAt(m_bytes, 8) == m_bytes.size(), "length");
+        const std::size_t json = wordAt(m_bytes, headSize), second = headSize + chunkHeadSize + json;
+        expect(json % 4 == 0 && m_bytes.substr(headSize + 4, 4) == "JSON", "the first chunk is JSON, whole words");
+        expect(second + chunkHeadSize <= m_bytes.size() && m_bytes.substr(second + 4, 4) == std::string("BIN\0", 4), "the second is binary");
+        expect(wordAt(m_bytes, second) % 4 == 0 && second + chunkHeadSize + wordAt(m_bytes, second) == m_bytes.size(), "and the last");
+    }
+
+    void document()
+    {
+        m_glb = takenApart(m_bytes);
+        const Json& json = m_glb.json;
+        expect(json.at("asset").at("version") == "2.0", "version");
+        expect(json.at("buffers").size() == 1 && json["buffers"][0].at("byteLength") <= m_glb.binary.size() &&
+                   m_glb.binary.size() - json["buffers"][0]["byteLength"].get<std::size_t>() < 4, "buffer");
+        expect(!json.contains("extensionsRequired"), "nothing is required");
+        const Json extensions = json.value("extensions", Json::object());
+        for (const auto& [name, extension] : extensions.items())
+            expect(std::ranges::count(json.at("extensionsUsed"), Json(name)) == 1, name + " is listed");
+        for (const Json& accessor : json.at("accessors"))
+            accessorHolds(accessor);
+        for (const Json& mesh : json.at("meshes"))
+            for (const Json& primitive : mesh.at("primitives"))
+                primitiveHolds(primitive);
+        expect(json.at("scenes").at(json.at("scene").get<std::size_t>()).at("nodes").size() == 1, "scene");
+    }
+
+    static std::size_t sizeOf(const Json& accessor)
+    {
+        const std::size_t each = accessor.at("componentType") == 5126 || accessor.at("componentType") == 5125 ? 4
+                                 : accessor.at("componentType") == 5123                                       ? 2
+                                                                                                              : 1;
+        const std::size_t count = accessor.at("type") == "SCALAR" ? 1 : accessor.at("type") == "VEC3" ? 3 : 4;
+        return each * count;
+    }
+
+    const Json& viewOf(const Json& accessor) const { return m_glb.json.at("bufferViews").at(accessor.at("bufferView").get<std::size_t>()); }
+
+    void accessorHolds(const Json& accessor)
+    {
+        const Json& view = viewOf(accessor);
+        const std::size_t begin = view.value("byteOffset", std::size_t(0)) + accessor.value("byteOffset", std::size_t(0));
+        const std::size_t size = sizeOf(accessor), count = accessor.at("count");
+        expect(count > 0, "count");
+        expect(begin % 4 == 0 && size % 4 == 0, "whole words");
+        expect(accessor.value("byteOffset", std::size_t(0)) + count * size <= view.at("byteLength").get<std::size_t>(), "within its view");
+        expect(view.value("byteOffset", std::size_t(0)) + view.at("byteLength").get<std::size_t>() <= m_glb.binary.size(), "within the buffer");
+        if (accessor.at("componentType") == 5126)
+            for (std::size_t i = 0; i < count * size / 4; ++i)
+                expect(std::isfinite(std::bit_cast<float>(wordAt(m_glb.binary, begin + 4 * i))), "a number");
+    }
+
+    void primitiveHolds(const Json& primitive)
+    {
+        const Json& accessors = m_glb.json.at("accessors");
+        const Json& positions = accessors.at(primitive.at("attributes").at("POSITION").get<std::size_t>());
+        for (const auto& [name, index] : primitive["attributes"].items()) {
+            expect(accessors.at(index.get<std::size_t>()).at("count") == positions.at("count"), name + " for each vertex");
+            expect(viewOf(accessors[index.get<std::size_t>()]).value("target", 0) == 34962, name + " is of vertices");
+        }
+        boundsHold(positions);
+        normalsHold(accessors.at(primitive["attributes"].at("NORMAL").get<std::size_t>()));
+        const Json& indices = accessors.at(primitive.at("indices").get<std::size_t>());
+        expect(viewOf(indices).value("target", 0) == 34963 && indices.at("type") == "SCALAR", "indices");
+        for (std::size_t i = 0; i < indices.at("count"); ++i)
+            expect(wordAt(m_glb.binary, viewOf(indices).at("byteOffset").get<std::size_t>() + 4 * i) < positions.at("count"), "an index in range");
+        expect(primitive.at("material") < m_glb.json.at("materials").size(), "material");
+    }
+
+    float componentAt(const Json& accessor, std::size_t i) const
+    {
+        return std::bit_cast<float>(wordAt(m_glb.binary, viewOf(accessor).value("byteOffset", std::size_t(0)) + 4 * i));
+    }
+
+    void boundsHold(const Json& positions)
+    {
+        for (std::size_t k = 0; k < 3; ++k) {
+            float least = componentAt(positions, k), most = least;
+            for (std::size_t i = k; i < 3 * positions.at("count").get<std::size_t>(); i += 3) {
+                least = std::min(least, componentAt(positions, i));
+                most = std::max(most, componentAt(positions, i));
+            }
+            expect(positions.at("min").at(k).get<float>() == least && positions.at("max").at(k).get<float>() == most, "min and max");
+        }
+    }
+
+    void normalsHold(const Json& normals)
+    {
+        for (std::size_t i = 0; i < 3 * normals.at("count").get<std::size_t>(); i += 3) {
+            const Vec3f n(componentAt(normals, i), componentAt(normals, i + 1), componentAt(normals, i + 2));
+            expect(std::abs(n.norm() - 1) < 1e-3F, "normals of unit length");
+        }
+    }
+
+    const std::string& m_bytes;
+    Glb m_glb;
+    std::string m_broken;
+};
+} // namespace
+
+class TestGlbFile : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void notes_comeBackUnchanged();
+    void notes_thatAreNotAsWeWriteThemAreLeftOut_data();
+    void notes_thatAreNotAsWeWriteThemAreLeftOut();
+    void latticeAndBits_comeBackUnchanged();
+    void latticeThatDoesNotFit_isNotTaken();
+    void structure_keepsTheSpecification_data();
+    void structure_keepsTheSpecification();
+    void tinygltf_readsTheSame();
+    void assimp_readsTheSame();
+
+private:
+    std::filesystem::path file(const char* name) const { return m_folder.filePath(QString::fromLatin1(name)).toStdString(); }
+    DocumentNotes notesAfter(const std::function<void(Json& notes)>& change) const;
+
+    QTemporaryDir m_folder;
+};
+
+void TestGlbFile::notes_comeBackUnchanged()
+{
+    const DocumentNotes notes = someNotes();
+    core::writeMesh(file("a.glb"), painted(), {.notes = notes});
+    const DocumentNotes read = core::readNotes(file("a.glb"));
+    QVERIFY(read.palette == notes.palette);
+    QVERIFY(read.frame == notes.frame);
+    QVERIFY(read.view && read.view->target == notes.view->target && read.view->distance == notes.view->distance);
+    QVERIFY(read.view->yaw == notes.view->yaw && read.view->pitch == notes.view->pitch && read.view->orthographic);
+    QVERIFY(read.brush && read.brush->tool == notes.brush->tool && read.brush->brush == notes.brush->brush);
+    QVERIFY(read.brush->topology == notes.brush->topology && read.brush->symmetry == notes.brush->symmetry);
+    QVERIFY(read.brush->radius == notes.brush->radius && read.brush->strength == notes.brush->strength);
+    QVERIFY(read.brush->falloff == notes.brush->falloff && read.brush->detail == notes.brush->detail);
+    QVERIFY(read.brush->spacing == notes.brush->spacing && read.brush->fusion == notes.brush->fusion && read.brush->color == notes.brush->color);
+
+    core::writeMesh(file("a.glb"), painted());
+    const DocumentNotes none = core::readNotes(file("a.glb"));
+    QVERIFY(none.palette.empty() && !none.frame && !none.view && !none.brush);
+}
+
+DocumentNotes TestGlbFile::notesAfter(const std::function<void(Json&)>& change) const
+{
+    core::writeMesh(file("a.glb"), painted(), {.notes = someNotes()});
+    Glb glb = takenApart(bytesOf(file("a.glb")));
+    change(glb.json["extensions"]["FETTLE_document"]);
+    std::ofstream(file("b.glb"), std::ios::binary) << putTogether(glb);
+    return core::readNotes(file("b.glb"));
+}
+
+void TestGlbFile::notes_thatAreNotAsWeWriteThemAreLeftOut_data()
+{
+    QTest::addColumn<QString>("path");
+    QTest::addColumn<QString>("value");
+    QTest::addColumn<QString>("left"); ///< which of palette, frame, view, brush are
+    const auto row = [](const char* path, const char* value, const char* left) {
+        QTest::addRow("%s: %s", path, value) << QString::fromLatin1(path) << QString::fromLatin1(value) << QString::fromLatin1(left);
+    };
+    row("/new", "[1,{}]", "pfvb"); // what we do not know is passed over
+    row("/version", "2", "");
+    row("/version", "\"1\"", "");
+    row("/unit", "\"m\"", "");
+    row("/palette", "[\"12345\"]", "fvb");
+    row("/palette", "7", "fvb");
+    row("/palette", "[[[1]]]", "fvb");
+    row("/lattice", "1.5", "pvb");
+    row("/lattice", "1e300", "pvb");
+    row("/lattice", "-2000000000", "pvb");
+    row("/uniformDetail", "0", "pvb");
+    row("/uniformDetail", "\"long\"", "pvb");
+    row("/view", "[]", "pfb");
+    row("/view/distance", "0", "pfb");
+    row("/view/yaw", "1e300", "pfb");
+    row("/view/target", "[0,0]", "pfb");
+    row("/view/target", "[0,0,null]", "pfb");
+    row("/view/target", "[0,0,1e40]", "pfb");
+    row("/brush/tool", "\"melt\"", "pfv");
+    row("/brush/radius", "-1", "pfv");
+    row("/brush/symmetry", "[[[[]]]]", "pfv");
+    row("/brush/color", "[1,2,300]", "pfv");
+    row("/brush/command", "\"recentre\"", "pfv");
+    row("/brush", "\"big\"", "pfv");
+}
+
+void TestGlbFile::notes_thatAreNotAsWeWriteThemAreLeftOut()
+{
+    QFETCH(QString, path);
+    QFETCH(QString, value);
+    QFETCH(QString, left);
+    const DocumentNotes notes = notesAfter([&](Json& json) { json[Json::json_pointer(path.toStdString())] = Json::parse(value.toStdString()); });
+    QCOMPARE(!notes.palette.empty(), left.contains(u'p'));
+    QCOMPARE(notes.frame.has_value(), left.contains(u'f'));
+    QCOMPARE(notes.view.has_value(), left.contains(u'v'));
+    QCOMPARE(notes.brush.has_value(), left.contains(u'b'));
+}
+
+/// A document's surface, which nobody would import like that: not in the middle, on another lattice than its size asks for.
+void TestGlbFile::latticeAndBits_comeBackUnchanged()
+{
+    const core::MeshFrame frame = *someNotes().frame;
+    const core::BuildResult first = core::buildMesh(painted(), false, {}, frame);
+    QVERIFY(first.mesh && first.mesh->frame() == frame);
+    core::writeMesh(file("a.glb"), core::extractMesh(*first.mesh), {.notes = {.palette = {}, .frame = first.mesh->frame(), .view = {}, .brush = {}}});
+    const core::BuildResult again = core::buildMesh(core::readMesh(file("a.glb")), true, {}, core::readNotes(file("a.glb")).frame);
+    QVERIFY(again.mesh && again.moved == core::Vec3::Zero());
+    QVERIFY(again.mesh->frame() == frame);
+    QCOMPARE(again.mesh->meshHash(), first.mesh->meshHash());
+    QCOMPARE(again.mesh->stateHash(), first.mesh->stateHash()); // it was laid out along the curve, and is again
+    const core::BuildResult stranger = core::buildMesh(core::readMesh(file("a.glb")), true);
+    QVERIFY(stranger.moved != core::Vec3::Zero() && stranger.mesh->lattice() != frame.lattice);
+}
+
+/// Somebody moved a vertex, and left our notes in the file.
+void TestGlbFile::latticeThatDoesNotFit_isNotTaken()
+{
+    TriangleMesh mesh = painted();
+    mesh.points[3].x() += 1e-4F;
+    const core::MeshFrame frame = *someNotes().frame;
+    QVERIFY(!frame.lattice.isOnLattice(mesh.points[3]));
+    const core::BuildResult built = core::buildMesh(mesh, true, {}, frame);
+    QVERIFY(built.mesh && built.mesh->lattice() != frame.lattice && built.moved != core::Vec3::Zero());
+    const core::BuildResult tooSmall = core::buildMesh(painted(), true, {}, core::MeshFrame{core::Lattice(19), 1});
+    QVERIFY(tooSmall.mesh && tooSmall.mesh->lattice() != core::Lattice(19)); // which ends at 16 mm
+}
+
+void TestGlbFile::structure_keepsTheSpecification_data()
+{
+    QTest::addColumn<TriangleMesh>("mesh");
+    QTest::addColumn<bool>("noted");
+    TriangleMesh plain = painted();
+    plain.colors.clear();
+    TriangleMesh unused = painted(), huge = core::icosphere(1, 1e30), tiny = core::icosphere(1, 1e-30);
+    unused.points.push_back({1, 2, 3});
+    unused.colors.push_back({});
+    for (const bool noted : {false, true}) {
+        const char* with = noted ? "with notes" : "bare";
+        QTest::addRow("colours, %s", with) << painted() << noted;
+        QTest::addRow("no colours, %s", with) << plain << noted;
+        QTest::addRow("unused vertex, %s", with) << unused << noted;
+        QTest::addRow("huge, %s", with) << huge << noted;
+        QTest::addRow("tiny, %s", with) << tiny << noted;
+    }
+}
+
+void TestGlbFile::structure_keepsTheSpecification()
+{
+    QFETCH(TriangleMesh, mesh);
+    QFETCH(bool, noted);
+    core::writeMesh(file("a.glb"), mesh, {.notes = noted ? someNotes() : DocumentNotes()});
+    const std::string bytes = bytesOf(file("a.glb"));
+    const Rules rules(bytes);
+    QVERIFY2(rules.broken().empty(), rules.broken().c_str());
+    Glb spoilt = takenApart(bytes); // the rules can fail
+    spoilt.json["accessors"][0]["max"][0] = 1e31;
+    const std::string other = putTogether(spoilt);
+    QCOMPARE(Rules(other).broken(), "min and max");
+}
+
+void TestGlbFile::tinygltf_readsTheSame()
+{
+    const TriangleMesh mesh = painted();
+    core::writeMesh(file("a.glb"), mesh, {.notes = someNotes()});
+    tinygltf::Model model;
+    std::string error, warning;
+    QVERIFY(tinygltf::TinyGLTF().LoadBinaryFromFile(&model, &error, &warning, file("a.glb").string()));
+    QCOMPARE(error, "");
+    QCOMPARE(warning, "");
+    QVERIFY(model.extensionsUsed == std::vector<std::string>{"FETTLE_document"} && model.extensionsRequired.empty());
+    QCOMPARE(model.extensions.at("FETTLE_document").Get("lattice").GetNumberAsInt(), 14);
+    const tinygltf::Primitive& primitive = model.meshes.at(0).primitives.at(0);
+    const auto bytesOfAccessor = [&](int index) {
+        const tinygltf::Accessor& accessor = model.accessors.at(static_cast<std::size_t>(index));
+        const tinygltf::BufferView& view = model.bufferViews.at(static_cast<std::size_t>(accessor.bufferView));
+        return model.buffers.at(0).data.data() + view.byteOffset + accessor.byteOffset;
+    };
+    QVERIFY(std::memcmp(bytesOfAccessor(primitive.attributes.at("POSITION")), mesh.points.data(), 12 * mesh.points.size()) == 0);
+    QVERIFY(std::memcmp(bytesOfAccessor(primitive.indices), mesh.triangles.data(), 12 * mesh.triangles.size()) == 0);
+    QCOMPARE(model.nodes.at(0).scale, std::vector<double>(3, 0.001));
+}
+
+void TestGlbFile::assimp_readsTheSame()
+{
+    const TriangleMesh mesh = painted();
+    core::writeMesh(file("a.glb"), mesh, {.notes = someNotes()});
+    Assimp::Importer importer;
+    const aiScene* scene = importer.ReadFile(file("a.glb").string(), aiProcess_PreTransformVertices);
+    QVERIFY2(scene, importer.GetErrorString());
+    QCOMPARE(scene->mNumMeshes, 1U);
+    const aiMesh& read = *scene->mMeshes[0];
+    QCOMPARE(std::size_t(read.mNumFaces), mesh.triangles.size());
+    QVERIFY(read.HasVertexColors(0));
+    for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
+        for (unsigned k = 0; k < 3; ++k) {
+            const aiVector3D& p = read.mVertices[read.mFaces[f].mIndices[k]]; // metres
+            const Vec3f& q = mesh.points[mesh.triangles[f][k]];
+            QVERIFY((1000 * Vec3f(p.x, p.y, p.z) - q).norm() < 1e-4F);
+        }
+}
+
+QTEST_APPLESS_MAIN(TestGlbFile)
+#include "tst_glb_file.moc"
