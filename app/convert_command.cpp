@@ -2,6 +2,8 @@
 #include "command_line.h"
 #include "model_loader.h"
 
+#include "core/decimate.h"
+#include "core/mesh_build.h"
 #include "core/mesh_check.h"
 #include "core/mesh_io.h"
 #include "ui/messages.h"
@@ -27,6 +29,7 @@ struct ConvertOptions
     std::optional<double> unit; ///< of IN, in mm
     std::optional<double> size; ///< of OUT's longest side, mm
     std::optional<UpAxis> up; ///< of IN
+    std::size_t triangles = 0; ///< OUT has at most so many; 0: all
 };
 
 double unitNamed(const QString& word)
@@ -47,6 +50,15 @@ double sizeFrom(const QString& word)
     return size;
 }
 
+unsigned trianglesFrom(const QString& word)
+{
+    bool isNumber = false;
+    const unsigned triangles = QLocale::c().toUInt(word, &isNumber);
+    if (!isNumber || triangles < 4)
+        CommandLine::fail(ConvertWords::tr("convert: --triangles is a whole number, at least 4, not %1.").arg(word));
+    return triangles;
+}
+
 UpAxis upNamed(const QString& word)
 {
     if (word != QLatin1String("y") && word != QLatin1String("z"))
@@ -57,7 +69,7 @@ UpAxis upNamed(const QString& word)
 std::optional<ConvertOptions> parseOptions(const QStringList& arguments)
 {
     const QString unit = QStringLiteral("unit"), size = QStringLiteral("size"), up = QStringLiteral("up"),
-                  legalise = QStringLiteral("legalise");
+                  triangles = QStringLiteral("triangles"), legalise = QStringLiteral("legalise");
     QCommandLineParser parser;
     parser.setApplicationDescription(ConvertWords::tr("Writes a model in another format, unit or size."));
     parser.addPositionalArgument(QStringLiteral("IN"), ConvertWords::tr("The model to read."));
@@ -65,6 +77,8 @@ std::optional<ConvertOptions> parseOptions(const QStringList& arguments)
     parser.addOptions({{unit, ConvertWords::tr("What IN is measured in; OUT is in mm."), QStringLiteral("mm|cm|m|in")},
                        {size, ConvertWords::tr("How long the longest side becomes."), QStringLiteral("MM")},
                        {up, ConvertWords::tr("Which axis of IN points up; else z for STL, y for others."), QStringLiteral("y|z")},
+                       {triangles, ConvertWords::tr("OUT has at most so many triangles; where they go, shape and colours lose least."),
+                        QStringLiteral("N")},
                        {legalise, ConvertWords::tr("Not there yet.")}});
     if (!CommandLine::parse(parser, QStringLiteral("convert"), arguments))
         return std::nullopt;
@@ -74,13 +88,15 @@ std::optional<ConvertOptions> parseOptions(const QStringList& arguments)
                                            static_cast<int>(files.size())));
     if (parser.isSet(legalise))
         CommandLine::fail(ConvertWords::tr("convert: --legalise is not there yet."));
-    ConvertOptions options{files[0], files[1], {}, {}, {}};
+    ConvertOptions options{files[0], files[1], {}, {}, {}, 0};
     if (parser.isSet(unit))
         options.unit = unitNamed(parser.value(unit));
     if (parser.isSet(size))
         options.size = sizeFrom(parser.value(size));
     if (parser.isSet(up))
         options.up = upNamed(parser.value(up));
+    if (parser.isSet(triangles))
+        options.triangles = trianglesFrom(parser.value(triangles));
     return options;
 }
 
@@ -106,6 +122,19 @@ void scale(core::TriangleMesh& mesh, double factor)
     for (core::Vec3f& point : mesh.points)
         point = (point.cast<double>() * factor).cast<float>();
 }
+
+/// On the lattice that an import would choose.
+core::TriangleMesh reduced(const ConvertOptions& options, const core::TriangleMesh& mesh)
+{
+    core::BuildResult built = core::buildMesh(mesh);
+    if (!built.mesh)
+        throw CommandFailure{ui::Messages::tooFine(options.in, built.unsnappable), AnswerIsNo};
+    core::TriangleMesh few = core::decimate(std::move(*built.mesh), options.triangles).mesh;
+    for (core::Vec3f& point : few.points) // a model far from the origin was moved there
+        point = (point.cast<double>() - built.moved).cast<float>();
+    requireSound(options.in, few);
+    return few;
+}
 } // namespace
 
 ExitStatus convertCommand(const QStringList& arguments)
@@ -124,6 +153,8 @@ ExitStatus convertCommand(const QStringList& arguments)
                     CommandLine::fail(ConvertWords::tr("%1: at that size the coordinates are no numbers any more.").arg(options->in));
             requireSound(options->in, mesh);
         }
+        if (options->triangles > 0 && mesh.triangles.size() > options->triangles)
+            mesh = reduced(*options, mesh);
         core::writeMesh(toPath(options->out), mesh);
     } catch (const core::FileError& error) {
         CommandLine::fail(ui::Messages::sentence(error));

@@ -18,6 +18,8 @@ namespace app
 {
 struct LoadedModel;
 struct ModelOutcome;
+struct ExportOrder;
+struct ExportOutcome;
 
 /// The model that is open: its name, its history, what may be done with it. Gui thread; what takes long is done elsewhere,
 /// and signals say when it is.
@@ -69,8 +71,8 @@ public Q_SLOTS:
     void loseFile();
     /// To a file that from now on is the model's own.
     void save(const QString& path);
-    /// To some other file: changes stay unsaved.
-    void exportTo(const QString& path);
+    /// To some other file, with at most so many triangles (0: all), which is read back and judged: changes stay unsaved.
+    void exportTo(const QString& path, quint64 mostTriangles = 0);
 
     /// Changes the whole model, as one step: worked out aside on a copy, while strokes are refused.
     /// A Reset needs no start.
@@ -96,7 +98,8 @@ Q_SIGNALS:
     void modifiedChanged(bool modified);
     void historyChanged();
     void saved(const QString& path);
-    void exported(const QString& path);
+    /// The verdict: one line on the file as it was read back.
+    void exported(const QString& path, const QString& verdict);
     void refused(const QString& sentence);
     void noticed(const QString& sentence);
     void busy(const QString& what);
@@ -128,14 +131,15 @@ private:
     void install(std::shared_ptr<LoadedModel> model);
     void startChange(core::ModelCommand command, const QString& insertedPath);
     void finishChange(const core::ModelCommand& command, ModelOutcome outcome);
-    enum class Target { Own, Other };
     struct Written
     {
         QString problem; ///< empty: there is a file
         bool losesColors;
     };
-    void write(const QString& path, Target target);
-    void finishWriting(const QString& path, Target target, int index, const Written& written);
+    core::DocumentNotes notesNow() const;
+    void finishSaving(const QString& path, int index, const Written& written);
+    void startExport(const ExportOrder& order, const core::JobWatch& watch);
+    void finishExport(const QString& path, const ExportOutcome& outcome);
     void takeSaved(const QString& path, int index);
     void request(std::function<void()> run);
     void strokeRequest(std::function<void()> run);

@@ -2,7 +2,9 @@
 
 #include "document.h"
 
+#include "model_export.h"
 #include "model_loader.h"
+#include "model_trial.h"
 
 #include "core/mesh_build.h"
 
@@ -109,16 +111,6 @@ void Document::takeModel(const MeshFacts& facts)
     runRequests();
 }
 
-void Document::save(const QString& path)
-{
-    write(path, Target::Own);
-}
-
-void Document::exportTo(const QString& path)
-{
-    write(path, Target::Other);
-}
-
 void Document::setPalette(std::vector<core::Rgb> palette)
 {
     m_facts.notes.palette = std::move(palette);
@@ -137,39 +129,71 @@ void Document::loseFile()
     tellState();
 }
 
-void Document::write(const QString& path, Target target)
+core::DocumentNotes Document::notesNow() const
+{
+    core::DocumentNotes notes = m_facts.notes;
+    if (m_completeNotes)
+        m_completeNotes(notes);
+    return notes;
+}
+
+void Document::save(const QString& path)
 {
     if (m_work.isBusy())
         return;
-    m_work.begin((target == Target::Own ? tr("Saving %1") : tr("Exporting %1")).arg(QFileInfo(path).fileName()));
-    request([this, path, target] {
-        core::DocumentNotes notes = m_facts.notes;
-        if (m_completeNotes)
-            m_completeNotes(notes);
-        m_worker->post([this, path, target, notes, index = m_stack.index()](core::Sculptor& sculptor) mutable {
+    m_work.begin(tr("Saving %1").arg(QFileInfo(path).fileName()));
+    request([this, path] {
+        m_worker->post([this, path, notes = notesNow(), index = m_stack.index()](core::Sculptor& sculptor) mutable {
             notes.frame = sculptor.mesh().frame();
             auto mesh = std::make_shared<core::TriangleMesh>(core::extractMesh(sculptor.mesh()));
             auto work = [path, notes, mesh = std::move(mesh)] {
                 return Written{ModelLoader::save(path, *mesh, notes), !mesh->colors.empty() && !ModelLoader::holdsColors(path)};
             };
-            m_work.run(std::move(work), [this, path, target, index](const Written& written) { finishWriting(path, target, index, written); });
+            m_work.run(std::move(work), [this, path, index](const Written& written) { finishSaving(path, index, written); });
         });
     });
 }
 
-void Document::finishWriting(const QString& path, Target target, int index, const Written& written)
+void Document::finishSaving(const QString& path, int index, const Written& written)
 {
     m_work.end();
     if (!written.problem.isEmpty()) {
         Q_EMIT refused(written.problem);
         return;
     }
-    if (target == Target::Own)
-        takeSaved(path, index);
-    else
-        Q_EMIT exported(path);
+    takeSaved(path, index);
     if (written.losesColors)
         Q_EMIT noticed(tr("%1 was written without the colours, which its format does not hold; GLB does.").arg(QFileInfo(path).fileName()));
+}
+
+void Document::exportTo(const QString& path, quint64 mostTriangles)
+{
+    if (m_work.isBusy())
+        return;
+    const core::JobWatch watch = m_work.beginStoppable(tr("Exporting %1").arg(QFileInfo(path).fileName()));
+    request([this, path, mostTriangles, watch] { startExport({path, mostTriangles, notesNow()}, watch); });
+}
+
+void Document::startExport(const ExportOrder& order, const core::JobWatch& watch)
+{
+    m_worker->post([this, order = order, watch](core::Sculptor& sculptor) mutable {
+        order.mesh = ModelTrial::copyOf(sculptor.mesh());
+        order.notes.frame = sculptor.mesh().frame();
+        auto work = [this, order, watch] { return ModelExport::run(order, [this](const QString& what) { m_work.rename(what); }, watch); };
+        m_work.run(std::move(work), [this, path = order.path](const ExportOutcome& outcome) { finishExport(path, outcome); });
+    });
+}
+
+void Document::finishExport(const QString& path, const ExportOutcome& outcome)
+{
+    m_work.keep();
+    m_work.end();
+    if (!outcome.problem.isEmpty())
+        Q_EMIT refused(outcome.problem);
+    else if (!outcome.verdict.isEmpty())
+        Q_EMIT exported(path, outcome.verdict);
+    else
+        Q_EMIT noticed(tr("%1 was not written.").arg(QFileInfo(path).fileName()));
 }
 
 /// The file holds what the model was at that step. If others followed, it has changes that no file holds.

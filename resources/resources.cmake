@@ -14,6 +14,7 @@ set(FETTLE_RESOURCE_FILES
     icons/drawing.svg
     icons/duplicate.svg
     icons/export.svg
+    icons/export-for.svg
     icons/fettle.svg
     icons/files.svg
     icons/fill.svg

@@ -219,6 +219,14 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>convert: --up is y or z, not %1.</source>
         <translation>convert: --up ist y oder z, nicht %1.</translation>
     </message>
+    <message>
+        <source>OUT has at most so many triangles; where they go, shape and colours lose least.</source>
+        <translation>OUT hat höchstens so viele Dreiecke; sie gehen dort, wo Form und Farben am wenigsten verlieren.</translation>
+    </message>
+    <message>
+        <source>convert: --triangles is a whole number, at least 4, not %1.</source>
+        <translation>convert: --triangles ist eine ganze Zahl, mindestens 4, nicht %1.</translation>
+    </message>
 </context>
 <context>
     <name>app::Document</name>
@@ -254,12 +262,55 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>%1 was written without the colours, which its format does not hold; GLB does.</source>
         <translation>%1 wurde ohne die Farben geschrieben, die sein Format nicht behält; GLB behält sie.</translation>
     </message>
+    <message>
+        <source>%1 was not written.</source>
+        <translation>%1 wurde nicht geschrieben.</translation>
+    </message>
 </context>
 <context>
     <name>app::DrawingWorker</name>
     <message>
         <source>%1 was written.</source>
         <translation>%1 wurde geschrieben.</translation>
+    </message>
+</context>
+<context>
+    <name>app::ModelExport</name>
+    <message>
+        <source>Reducing the triangles</source>
+        <translation>Dreiecke werden weniger</translation>
+    </message>
+    <message>
+        <source>%1 was written; it was not read back.</source>
+        <translation>%1 wurde geschrieben, aber nicht wieder gelesen.</translation>
+    </message>
+    <message>
+        <source>%1: there is not enough memory to write this model.</source>
+        <translation>%1: Der Speicher reicht nicht, um dieses Modell zu schreiben.</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>%1 wird exportiert</translation>
+    </message>
+    <message>
+        <source>Reading %1 back</source>
+        <translation>%1 wird wieder gelesen</translation>
+    </message>
+    <message>
+        <source>%1 was written, but it does not hold what was written. The disk may be failing, or another program changes the file.</source>
+        <translation>%1 wurde geschrieben, enthält aber nicht, was geschrieben wurde. Vielleicht ist der Datenträger schadhaft, oder ein anderes Programm ändert die Datei.</translation>
+    </message>
+    <message>
+        <source>%1: %2 × %3 × %4 mm, %5 triangles; read back bit for bit, in fine fettle.</source>
+        <translation>%1: %2 × %3 × %4 mm, %5 Dreiecke; Bit für Bit wieder gelesen, in bester Ordnung.</translation>
+    </message>
+    <message>
+        <source>Its format does not hold the colours; GLB and 3MF do.</source>
+        <translation>Sein Format behält die Farben nicht; GLB und 3MF behalten sie.</translation>
+    </message>
+    <message>
+        <source>With fewer triangles its handles and parts could not all stay.</source>
+        <translation>Mit weniger Dreiecken könnten nicht alle Henkel und Teile bleiben.</translation>
     </message>
 </context>
 <context>
@@ -1431,6 +1482,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>Writes the model to a file of any format; its own stays as it is.</source>
         <translation>Schreibt das Modell in eine Datei in beliebigem Format; seine eigene bleibt, wie sie ist.</translation>
     </message>
+    <message>
+        <source>Export for &amp;Print or Game…</source>
+        <translation>Für Druc&amp;k oder Spiel exportieren …</translation>
+    </message>
+    <message>
+        <source>Writes STL, 3MF or GLB with as many triangles as you like, and judges the file.</source>
+        <translation>Schreibt STL, 3MF oder GLB mit so vielen Dreiecken, wie Sie möchten, und beurteilt die Datei.</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -1677,6 +1736,65 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>True to scale when printed at 100 % on A4</source>
         <translation>Maßstäblich, wenn mit 100 % auf A4 gedruckt</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ExportDialog</name>
+    <message>
+        <source>&amp;Print: STL</source>
+        <translation>&amp;Drucken: STL</translation>
+    </message>
+    <message>
+        <source>The shape alone, in millimetres, Z up. Every slicer reads it.</source>
+        <translation>Nur die Form, in Millimetern, Z nach oben. Jeder Slicer liest es.</translation>
+    </message>
+    <message>
+        <source>Print with &amp;colour: 3MF</source>
+        <translation>In &amp;Farbe drucken: 3MF</translation>
+    </message>
+    <message>
+        <source>Shape and colours, in millimetres for certain, Z up. Newer slicers read it.</source>
+        <translation>Form und Farben, sicher in Millimetern, Z nach oben. Neuere Slicer lesen es.</translation>
+    </message>
+    <message>
+        <source>&amp;Game: GLB</source>
+        <translation>&amp;Spiel: GLB</translation>
+    </message>
+    <message>
+        <source>Shape and colours, in metres, Y up. Game engines, web pages and Blender read it.</source>
+        <translation>Form und Farben, in Metern, Y nach oben. Spiele-Engines, Webseiten und Blender lesen es.</translation>
+    </message>
+    <message>
+        <source>Export for Print or Game</source>
+        <translation>Für Druck oder Spiel exportieren</translation>
+    </message>
+    <message>
+        <source>What is the file for?</source>
+        <translation>Wofür ist die Datei?</translation>
+    </message>
+    <message>
+        <source>At &amp;most so many triangles:</source>
+        <translation>&amp;Höchstens so viele Dreiecke:</translation>
+    </message>
+    <message>
+        <source>Takes away triangles where the shape and the colours lose least by it. The model in the window keeps its own.</source>
+        <translation>Nimmt Dreiecke dort weg, wo Form und Farben am wenigsten verlieren. Das Modell im Fenster behält seine.</translation>
+    </message>
+    <message>
+        <source>Most triangles</source>
+        <translation>Höchstzahl der Dreiecke</translation>
+    </message>
+    <message>
+        <source>The file has at most so many triangles.</source>
+        <translation>Die Datei hat höchstens so viele Dreiecke.</translation>
+    </message>
+    <message>
+        <source>The model has %1 triangles. The file is read back and judged when it is written.</source>
+        <translation>Das Modell hat %1 Dreiecke. Ist die Datei geschrieben, wird sie wieder gelesen und beurteilt.</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren …</translation>
     </message>
 </context>
 <context>

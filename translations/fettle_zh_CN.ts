@@ -217,6 +217,14 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>convert: --up is y or z, not %1.</source>
         <translation>convert：--up 应为 y 或 z，而不是 %1。</translation>
     </message>
+    <message>
+        <source>OUT has at most so many triangles; where they go, shape and colours lose least.</source>
+        <translation>OUT 最多有这么多三角形；在形状和颜色损失最小处减少。</translation>
+    </message>
+    <message>
+        <source>convert: --triangles is a whole number, at least 4, not %1.</source>
+        <translation>convert：--triangles 必须是不小于 4 的整数，而不是 %1。</translation>
+    </message>
 </context>
 <context>
     <name>app::Document</name>
@@ -252,12 +260,55 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>%1 was written without the colours, which its format does not hold; GLB does.</source>
         <translation>已写入 %1，但不含颜色：该格式不保存颜色，GLB 则保存。</translation>
     </message>
+    <message>
+        <source>%1 was not written.</source>
+        <translation>未写入 %1。</translation>
+    </message>
 </context>
 <context>
     <name>app::DrawingWorker</name>
     <message>
         <source>%1 was written.</source>
         <translation>已写入 %1。</translation>
+    </message>
+</context>
+<context>
+    <name>app::ModelExport</name>
+    <message>
+        <source>Reducing the triangles</source>
+        <translation>正在减少三角形</translation>
+    </message>
+    <message>
+        <source>%1 was written; it was not read back.</source>
+        <translation>已写入 %1；未重新读取。</translation>
+    </message>
+    <message>
+        <source>%1: there is not enough memory to write this model.</source>
+        <translation>%1：内存不足，无法写出此模型。</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>正在导出 %1</translation>
+    </message>
+    <message>
+        <source>Reading %1 back</source>
+        <translation>正在重新读取 %1</translation>
+    </message>
+    <message>
+        <source>%1 was written, but it does not hold what was written. The disk may be failing, or another program changes the file.</source>
+        <translation>已写入 %1，但其内容与写入的不一致。可能是磁盘出现故障，或有其他程序正在修改该文件。</translation>
+    </message>
+    <message>
+        <source>%1: %2 × %3 × %4 mm, %5 triangles; read back bit for bit, in fine fettle.</source>
+        <translation>%1：%2 × %3 × %4 毫米，%5 个三角形；重新读取逐位一致，状态良好。</translation>
+    </message>
+    <message>
+        <source>Its format does not hold the colours; GLB and 3MF do.</source>
+        <translation>该格式不保存颜色；GLB 和 3MF 保存颜色。</translation>
+    </message>
+    <message>
+        <source>With fewer triangles its handles and parts could not all stay.</source>
+        <translation>若三角形更少，就无法保留所有的环柄和部件。</translation>
     </message>
 </context>
 <context>
@@ -1429,6 +1480,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>Writes the model to a file of any format; its own stays as it is.</source>
         <translation>把模型写入任意格式的另一个文件；模型自己的文件不变。</translation>
     </message>
+    <message>
+        <source>Export for &amp;Print or Game…</source>
+        <translation>导出用于打印或游戏(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Writes STL, 3MF or GLB with as many triangles as you like, and judges the file.</source>
+        <translation>写出 STL、3MF 或 GLB，三角形数量由您决定，并检查该文件。</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -1675,6 +1734,65 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>True to scale when printed at 100 % on A4</source>
         <translation>以 100 % 在 A4 纸上打印时比例准确</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ExportDialog</name>
+    <message>
+        <source>&amp;Print: STL</source>
+        <translation>打印：STL(&amp;P)</translation>
+    </message>
+    <message>
+        <source>The shape alone, in millimetres, Z up. Every slicer reads it.</source>
+        <translation>只有形状，以毫米计，Z 轴向上。所有切片软件都能读取。</translation>
+    </message>
+    <message>
+        <source>Print with &amp;colour: 3MF</source>
+        <translation>彩色打印：3MF(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Shape and colours, in millimetres for certain, Z up. Newer slicers read it.</source>
+        <translation>形状和颜色，明确以毫米为单位，Z 轴向上。较新的切片软件可以读取。</translation>
+    </message>
+    <message>
+        <source>&amp;Game: GLB</source>
+        <translation>游戏：GLB(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Shape and colours, in metres, Y up. Game engines, web pages and Blender read it.</source>
+        <translation>形状和颜色，以米计，Y 轴向上。游戏引擎、网页和 Blender 都能读取。</translation>
+    </message>
+    <message>
+        <source>Export for Print or Game</source>
+        <translation>导出用于打印或游戏</translation>
+    </message>
+    <message>
+        <source>What is the file for?</source>
+        <translation>文件的用途是什么？</translation>
+    </message>
+    <message>
+        <source>At &amp;most so many triangles:</source>
+        <translation>三角形最多(&amp;M)：</translation>
+    </message>
+    <message>
+        <source>Takes away triangles where the shape and the colours lose least by it. The model in the window keeps its own.</source>
+        <translation>在形状和颜色损失最小的地方减少三角形。窗口中的模型保持不变。</translation>
+    </message>
+    <message>
+        <source>Most triangles</source>
+        <translation>三角形上限</translation>
+    </message>
+    <message>
+        <source>The file has at most so many triangles.</source>
+        <translation>文件中的三角形不超过此数。</translation>
+    </message>
+    <message>
+        <source>The model has %1 triangles. The file is read back and judged when it is written.</source>
+        <translation>模型有 %1 个三角形。文件写出后会重新读取并检查。</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>导出(&amp;E)…</translation>
     </message>
 </context>
 <context>

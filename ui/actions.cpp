@@ -28,6 +28,8 @@ constexpr ActionInfo table[] = {
      QT_TRANSLATE_NOOP("ui::Actions", "Writes the model beside its file, with the next free number in the name."), "Ctrl+Alt+S", "save-copy"},
     {MenuId::File, "file.exportAs", QT_TRANSLATE_NOOP("ui::Actions", "&Export…"),
      QT_TRANSLATE_NOOP("ui::Actions", "Writes the model to a file of any format; its own stays as it is."), "Ctrl+E", "export", false, Bar::Top},
+    {MenuId::File, "file.exportFor", QT_TRANSLATE_NOOP("ui::Actions", "Export for &Print or Game…"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Writes STL, 3MF or GLB with as many triangles as you like, and judges the file."), "Ctrl+Shift+E", "export-for"},
     {MenuId::File, "file.exportDrawing", QT_TRANSLATE_NOOP("ui::Actions", "Export &Drawing…"),
      QT_TRANSLATE_NOOP("ui::Actions", "Writes a sheet with front, side and top view to scale: PDF, SVG or PNG."), "Ctrl+Shift+D", "drawing"},
     {MenuId::File, "file.quit", QT_TRANSLATE_NOOP("ui::Actions", "&Quit"),

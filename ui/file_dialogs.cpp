@@ -73,9 +73,9 @@ void askForSaving(QWidget* parent, const QString& folder, const QString& modelNa
     askForTarget(parent, FileDialogs::tr("Save the Model"), QStringLiteral("saveDialog"), folder, modelName, all, answer);
 }
 
-void askForExport(QWidget* parent, const QString& folder, const QString& modelName, PathAnswer answer)
+void askForExport(QWidget* parent, const QString& folder, const QString& modelName, const QStringList& endings, PathAnswer answer)
 {
-    askForTarget(parent, FileDialogs::tr("Export the Model"), QStringLiteral("exportDialog"), folder, modelName, modelEndings(), answer);
+    askForTarget(parent, FileDialogs::tr("Export the Model"), QStringLiteral("exportDialog"), folder, modelName, endings, answer);
 }
 
 void askForPicture(QWidget* parent, const QString& folder, PathAnswer answer)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <QString>
+#include <QStringList>
 
 #include <functional>
 
@@ -17,7 +17,8 @@ void askForModel(QWidget* parent, ModelUse use, const QString& folder, PathAnswe
 // They suggest the model's name. The filter gives the ending if none is typed.
 /// First what holds all of the document.
 void askForSaving(QWidget* parent, const QString& folder, const QString& modelName, PathAnswer answer);
-void askForExport(QWidget* parent, const QString& folder, const QString& modelName, PathAnswer answer);
+/// `endings`: of the formats that are offered.
+void askForExport(QWidget* parent, const QString& folder, const QString& modelName, const QStringList& endings, PathAnswer answer);
 
 void askForPicture(QWidget* parent, const QString& folder, PathAnswer answer);
 

@@ -168,6 +168,7 @@ void MainWindow::State::connectActions()
 
 void MainWindow::State::connectFiles()
 {
+    on("file.exportFor", [this] { files.exportFor(model); });
     on("file.quit", [this] { q->close(); });
     connect(&files, &ModelFiles::openRequested, q, &MainWindow::openRequested);
     connect(&files, &ModelFiles::starterRequested, q, &MainWindow::starterRequested);
@@ -192,7 +193,7 @@ void MainWindow::State::setBusy(bool isBusy)
     for (const ActionInfo& row : actionTable())
         if (row.menu == MenuId::Model)
             actions.get(QLatin1StringView(row.id))->setEnabled(!isBusy);
-    for (const char* id : {"file.save", "file.saveAs", "file.saveCopy", "file.exportAs", "file.exportDrawing"})
+    for (const char* id : {"file.save", "file.saveAs", "file.saveCopy", "file.exportAs", "file.exportFor", "file.exportDrawing"})
         actions.get(QLatin1StringView(id))->setEnabled(!isBusy);
 }
 
@@ -300,9 +301,9 @@ void MainWindow::showSaved(const ModelFacts& facts)
     m_state->files.setSaved(facts);
 }
 
-void MainWindow::showExported(const QString& path)
+void MainWindow::showExported(const QString& path, const QString& verdict)
 {
-    showNotice(tr("%1 was written.").arg(QDir::toNativeSeparators(path)));
+    showNotice(verdict.isEmpty() ? tr("%1 was written.").arg(QDir::toNativeSeparators(path)) : verdict);
     m_state->files.setExported(path);
 }
 

@@ -66,8 +66,8 @@ public Q_SLOTS:
     void showProblem(const QString& sentence);
     /// The model has that file now.
     void showSaved(const ui::ModelFacts& facts);
-    /// It was written.
-    void showExported(const QString& path);
+    /// It was written; the verdict, one line, is what the file was found to be.
+    void showExported(const QString& path, const QString& verdict = {});
     /// A small word over the view, which goes by itself.
     void showNotice(const QString& sentence);
     /// Something long is going on, in the status bar; Open, Save, Export and the model's menu rest meanwhile.
@@ -85,7 +85,7 @@ Q_SIGNALS:
     void starterRequested(core::Starter starter);
     /// By dialog, which has asked about overwriting. The ending says the format; one is added if it was missing.
     void saveRequested(const QString& path);
-    void exportRequested(const QString& path);
+    void exportRequested(const QString& path, quint64 mostTriangles = 0);
     /// By dialog or menu. What is inserted comes with its file's path instead of a model.
     void commandRequested(const core::ModelCommand& command);
     void insertRequested(const QString& path, const core::Insert& how);

@@ -1,6 +1,7 @@
 #include "model_files.h"
 
 #include "actions.h"
+#include "export_dialog.h"
 #include "file_dialogs.h"
 #include "file_jobs.h"
 #include "model_dialogs.h"
@@ -224,9 +225,19 @@ void ModelFiles::saveCopy()
 
 void ModelFiles::exportAs()
 {
-    askForExport(m_window, m_settings->lastFolder(), m_name, [this](const QString& path) {
+    askForExport(m_window, m_settings->lastFolder(), m_name, modelEndings(), [this](const QString& path) {
         remember(path);
         Q_EMIT exportRequested(path);
+    });
+}
+
+void ModelFiles::exportFor(const ModelFacts& model)
+{
+    askForExportChoice(m_window, model, [this](const ExportChoice& choice) {
+        askForExport(m_window, m_settings->lastFolder(), m_name, {choice.ending}, [this, choice](const QString& path) {
+            remember(path);
+            Q_EMIT exportRequested(path, choice.mostTriangles);
+        });
     });
 }
 

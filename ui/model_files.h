@@ -36,6 +36,8 @@ public:
     /// True if the changes may be lost. If the person would rather save them, `goOn` is called when that is done.
     bool askToDiscard(const std::function<void()>& goOn);
     void setOpened(const ModelFacts& model);
+    /// Asks what for, and where to.
+    void exportFor(const ModelFacts& model);
     /// The present model has a file of its own now.
     void setSaved(const ModelFacts& model);
     /// Perhaps to the model's own file.
@@ -53,7 +55,8 @@ Q_SIGNALS:
     void starterRequested(core::Starter starter);
     /// The file is the model's own, or a dialog has asked about overwriting. The ending says the format.
     void saveRequested(const QString& path);
-    void exportRequested(const QString& path);
+    /// With at most so many triangles; 0: all.
+    void exportRequested(const QString& path, quint64 mostTriangles = 0);
     /// By drag and drop: a local path that is named like an image.
     void pictureDropped(const QString& path);
     void insertRequested(const QString& path, const core::Insert& how);

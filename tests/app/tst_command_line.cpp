@@ -113,6 +113,7 @@ private Q_SLOTS:
     void check_goesOnAfterABadFile();
     void convert_keepsCoordinates();
     void convert_unitAndSize();
+    void convert_triangles();
     void convert_up();
     void convert_brokenModelWritesNothing();
     void convert_refusals_data();
@@ -193,7 +194,7 @@ void TestCommandLine::usage_isRefused_data()
 {
     QTest::addColumn<QString>("line");
     for (const char* line : {"check", "check --jsn a.stl", "check --json --csv a.stl", "convert", "convert a.stl", "convert a.stl b.stl c.stl",
-                             "convert a.stl b.stl --unit ft", "convert a.stl b.stl --size 0", "convert a.stl b.stl --size nan", "convert a.stl b.stl --size 1e999",
+                             "convert a.stl b.stl --unit ft", "convert a.stl b.stl --size 0", "convert a.stl b.stl --triangles 3", "convert a.stl b.stl --triangles many", "convert a.stl b.stl --size nan", "convert a.stl b.stl --size 1e999",
                              "convert a.stl b.stl --size 10mm", "convert a.stl b.stl --up x", "convert a.stl b.stl --legalise", "replay",
                              "replay s.json", "replay --strokes", "replay --strokes s.json --verify most", "replay --strokes s.json --verify none --out a.stl",
                              "replay --strokes s.json --stats ./s.json", "replay --strokes s.json --in a.stl --out b/../a.stl",
@@ -430,6 +431,20 @@ void TestCommandLine::convert_unitAndSize()
     QCOMPARE(float(sizeAfter({QStringLiteral("--unit"), QStringLiteral("in")})), 25.4f);
     QCOMPARE(sizeAfter({QStringLiteral("--size"), QStringLiteral("80")}), 80.0);
     QCOMPARE(sizeAfter({QStringLiteral("--size"), QStringLiteral("1e-300")}), -1.0); // nothing would be left of it
+}
+
+void TestCommandLine::convert_triangles()
+{
+    core::TriangleMesh ball = core::icosphere(4, 30);
+    for (const core::Vec3f& p : ball.points)
+        ball.colors.push_back(p.x() > 0 ? core::Rgb{200, 10, 10} : core::Rgb{10, 10, 200});
+    core::writeMesh(at("ball.ply").toStdString(), ball);
+    QCOMPARE(fettle({QStringLiteral("convert"), at("ball.ply"), at("few.glb"), QStringLiteral("--triangles"), QStringLiteral("400")}).status, 0);
+    const core::TriangleMesh few = core::readMesh(at("few.glb").toStdString());
+    QVERIFY(few.triangles.size() <= 400 && few.triangles.size() > 390 && !few.colors.empty());
+    QCOMPARE(fettle({QStringLiteral("check"), at("few.glb")}).status, 0);
+    QCOMPARE(fettle({QStringLiteral("convert"), at("ball.ply"), at("all.ply"), QStringLiteral("--triangles"), QStringLiteral("5120")}).status, 0);
+    QVERIFY(core::readMesh(at("all.ply").toStdString()).points == ball.points);
 }
 
 void TestCommandLine::convert_up()

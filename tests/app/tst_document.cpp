@@ -728,10 +728,14 @@ void TestDocument::coloursThatAFormatDoesNotHold_areNamed()
     QSignalSpy noticed(&session.document, &Document::noticed), exported(&session.document, &Document::exported);
     session.document.exportTo(folder.filePath(QStringLiteral("a.ply")));
     QTRY_COMPARE(exported.size(), 1);
-    QVERIFY(noticed.isEmpty());
+    QVERIFY(!exported.at(0).at(1).toString().contains(QStringLiteral("colours")));
     session.document.exportTo(folder.filePath(QStringLiteral("a.stl")));
+    QTRY_COMPARE(exported.size(), 2);
+    QVERIFY(exported.at(1).at(1).toString().contains(QStringLiteral("a.stl")) && exported.at(1).at(1).toString().contains(QStringLiteral("colours")));
+    QVERIFY(noticed.isEmpty());
+    session.document.save(folder.filePath(QStringLiteral("b.stl")));
     QTRY_COMPARE(noticed.size(), 1);
-    QVERIFY(noticed.at(0).at(0).toString().contains(QStringLiteral("a.stl")));
+    QVERIFY(noticed.at(0).at(0).toString().contains(QStringLiteral("b.stl")));
 }
 
 void TestDocument::export_intoNowhereIsRefused()

@@ -1,0 +1,243 @@
+// Edges are collapsed one by one, those first that change the shape least:
+//   1. quadrics   of each vertex: the planes of its faces, in space or in space and colour together    quadric
+//   2. queue      each edge by its error at the best place for its ends to meet
+//   3. collapse   the first, if it turns no face over and narrows none to a sliver
+//   4. judge      what changed, exactly; a collapse after which faces meet is taken back                judged_mesh
+//   5. repeat     until there are few enough triangles, or none can go
+// Source: Garland and Heckbert 1997 and 1998 (quadric.h). MeshLab, Blender, meshoptimizer and OpenMesh's decimater do 1 to 3, none of them
+// does 4. Measured on a wavy ball, 82 thousand to 8 thousand triangles, mean distance: 0.348 mm here, 0.363 mm meshoptimizer 0.18 (fifty
+// times faster, 7 pairs of faces meet), 0.369 mm OpenMesh 9 (6 pairs meet).
+
+#include "decimate.h"
+
+#include "deform.h"
+#include "judged_mesh.h"
+#include "mesh_build.h"
+#include "quadric.h"
+
+#include <algorithm>
+#include <queue>
+
+namespace core
+{
+namespace
+{
+/// A whole step of a colour weighs as much as this share of the longest side. Chosen by measurement: doubled, faces without colour get
+/// visibly coarser; halved, painted edges fray.
+constexpr double colorReach = 0.1;
+/// Where a surface is flat its vertices stay in the middle, and short edges go first.
+constexpr double pull = 1e-6, perLength = 1e-4;
+/// A face may turn by at most about 75 degrees in one step.
+constexpr double leastTurnCosine = 0.25;
+/// Of equilateral triangles 1. A face may come below if it was worse before.
+constexpr double leastShape = 0.02;
+constexpr std::size_t looksEvery = 1024;
+
+template <int N> class Decimater
+{
+public:
+    Decimater(Mesh& mesh, std::size_t triangles, const JobWatch& watch)
+        : m_mesh(mesh), m_surface(mesh), m_target(triangles), m_watch(watch), m_stamps(mesh.slots().vertices, 0), m_start(mesh.live().faces)
+    {
+        Box box;
+        for (Slot v = 0; v < mesh.slots().vertices; ++v)
+            if (mesh.isVertex(v))
+                box.extend(mesh.point(v).template cast<double>());
+        m_perColor = colorReach * box.sizes().maxCoeff() / 255;
+    }
+
+    std::uint64_t run();
+
+private:
+    using Point = typename Quadric<N>::Point;
+    struct Candidate
+    {
+        float error;
+        Slot v0, v1;
+        std::uint32_t stamp0, stamp1;
+
+        bool operator<(const Candidate& other) const // the queue's first is its greatest
+        {
+            return std::tie(other.error, other.v0, other.v1) < std::tie(error, v0, v1);
+        }
+    };
+    struct Place
+    {
+        Vec3f point;
+        Rgb color;
+        double error;
+    };
+
+    void gatherQuadrics();
+    Point pointOf(Slot v) const;
+    Place placeFor(Slot v0, Slot v1) const;
+    void push(Slot v0, Slot v1);
+    void pushAll();
+    std::size_t collapseQueue();
+    bool collapse(const Candidate& candidate);
+    bool keepsFaces(Slot v, Slot other, const Vec3& p) const;
+    bool isDone() const { return m_mesh.live().faces <= m_target || m_watch.stopped(); }
+    void tell() const;
+
+    Mesh& m_mesh;
+    JudgedMesh m_surface;
+    std::size_t m_target;
+    const JobWatch& m_watch;
+    double m_perColor = 0; ///< mm
+    std::vector<Quadric<N>> m_quadrics;
+    std::vector<std::uint32_t> m_stamps; ///< by vertex: its changes so far
+    std::priority_queue<Candidate> m_queue;
+    std::size_t m_start;
+    std::uint64_t m_refused = 0;
+};
+
+template <int N> std::uint64_t Decimater<N>::run()
+{
+    gatherQuadrics();
+    for (bool hasChanged = true; hasChanged && !isDone();) {
+        pushAll(); // again: what stood in the way of a collapse may be gone
+        hasChanged = collapseQueue() > 0;
+    }
+    return m_refused;
+}
+
+template <int N> typename Decimater<N>::Point Decimater<N>::pointOf(Slot v) const
+{
+    Point p;
+    p.template head<3>() = m_mesh.point(v).template cast<double>();
+    if constexpr (N == 6) {
+        const Rgb c = m_mesh.color(v);
+        p.template tail<3>() = m_perColor * Vec3(c.r, c.g, c.b);
+    }
+    return p;
+}
+
+template <int N> void Decimater<N>::gatherQuadrics()
+{
+    m_quadrics.resize(m_mesh.slots().vertices);
+    for (Slot f = 0; f < m_mesh.slots().faces; ++f) {
+        if (!m_mesh.isFace(f))
+            continue;
+        const Triangle& t = m_mesh.corners(f);
+        const auto quadric = Quadric<N>::ofTriangle(pointOf(t[0]), pointOf(t[1]), pointOf(t[2]));
+        for (const Slot v : t)
+            m_quadrics[v] += quadric;
+    }
+}
+
+template <int N> typename Decimater<N>::Place Decimater<N>::placeFor(Slot v0, Slot v1) const
+{
+    const Quadric<N> sum = m_quadrics[v0] + m_quadrics[v1];
+    const Point p0 = pointOf(v0), p1 = pointOf(v1), middle = (p0 + p1) / 2;
+    Point best = sum.least(middle, pull);
+    const double length2 = (p1 - p0).squaredNorm();
+    if (!((best - middle).squaredNorm() < length2)) // nearly flat in some direction: not to be trusted there
+        best = sum.at(p0) < sum.at(p1) ? p0 : p1;
+    Place place;
+    place.point = m_mesh.lattice().snap(Vec3(best.template head<3>()));
+    place.color = m_mesh.color(v1);
+    if constexpr (N == 6) {
+        const auto part = [&](int i) { return static_cast<std::uint8_t>(std::lround(std::clamp(best[i] / m_perColor, 0.0, 255.0))); };
+        place.color = {part(3), part(4), part(5)};
+    }
+    place.error = sum.at(best) + perLength * sum.weight() * length2;
+    return place;
+}
+
+template <int N> void Decimater<N>::push(Slot v0, Slot v1)
+{
+    m_queue.push({static_cast<float>(placeFor(v0, v1).error), v0, v1, m_stamps[v0], m_stamps[v1]});
+}
+
+template <int N> void Decimater<N>::pushAll()
+{
+    for (Slot e = 0; e < m_mesh.slots().edges; ++e)
+        if (m_mesh.isEdge(e))
+            push(m_mesh.from(2 * e), m_mesh.to(2 * e));
+}
+
+template <int N> std::size_t Decimater<N>::collapseQueue()
+{
+    std::size_t collapses = 0;
+    for (std::size_t steps = 0; !m_queue.empty() && !(steps % looksEvery == 0 ? isDone() : m_mesh.live().faces <= m_target); ++steps) {
+        const Candidate candidate = m_queue.top();
+        m_queue.pop();
+        if (candidate.stamp0 != m_stamps[candidate.v0] || candidate.stamp1 != m_stamps[candidate.v1] || !collapse(candidate))
+            continue;
+        ++collapses;
+        m_mesh.forEachOutgoing(candidate.v1, [&](Slot h) { push(candidate.v1, m_mesh.to(h)); });
+        if (steps % looksEvery == 0)
+            tell();
+    }
+    return collapses;
+}
+
+template <int N> bool Decimater<N>::collapse(const Candidate& candidate)
+{
+    const auto [error, v0, v1, stamp0, stamp1] = candidate;
+    const Slot h = m_mesh.findHalfedge(v0, v1);
+    if (h == noSlot || !m_mesh.isCollapseOk(h))
+        return false;
+    const Place place = placeFor(v0, v1);
+    const Vec3 p = place.point.template cast<double>();
+    if (!m_mesh.lattice().contains(p) || !keepsFaces(v0, v1, p) || !keepsFaces(v1, v0, p))
+        return false;
+    const bool isSound = m_surface.attempt([&, gone = v0, stays = v1] {
+        m_mesh.collapse(h, place.point);
+        if (m_mesh.color(stays) != place.color)
+            m_mesh.setColor(stays, place.color);
+    });
+    if (!isSound) {
+        ++m_refused;
+        return false;
+    }
+    m_quadrics[v1] += m_quadrics[v0];
+    ++m_stamps[v0];
+    ++m_stamps[v1];
+    return true;
+}
+
+/// The faces around v but not around the other keep their side, and do not become slivers, when v goes to p.
+template <int N> bool Decimater<N>::keepsFaces(Slot v, Slot other, const Vec3& p) const
+{
+    bool keeps = true;
+    m_mesh.forEachOutgoing(v, [&](Slot h) {
+        const Slot a = m_mesh.to(h), b = m_mesh.to(m_mesh.next(h));
+        if (!keeps || a == other || b == other)
+            return;
+        const Vec3 pa = m_mesh.point(a).template cast<double>(), pb = m_mesh.point(b).template cast<double>();
+        const Vec3 before = faceNormal(m_mesh, m_mesh.face(h)), after = (pa - p).cross(pb - p);
+        const auto shape = [&](const Vec3& corner, const Vec3& normal) {
+            const double edges2 = (pa - corner).squaredNorm() + (pb - corner).squaredNorm() + (pb - pa).squaredNorm();
+            return 2 * std::sqrt(3.0) * normal.norm() / edges2;
+        };
+        const double least = std::min(leastShape, shape(m_mesh.point(v).template cast<double>(), before));
+        keeps = after.dot(before) > leastTurnCosine * after.norm() * before.norm() && shape(p, after) >= least;
+    });
+    return keeps;
+}
+
+template <int N> void Decimater<N>::tell() const
+{
+    const double gone = static_cast<double>(m_start - m_mesh.live().faces);
+    m_watch.reached(gone / static_cast<double>(std::max<std::size_t>(1, m_start - std::min(m_start, m_target))));
+}
+
+bool isColored(const Mesh& mesh)
+{
+    for (Slot v = 0; v < mesh.slots().vertices; ++v)
+        if (mesh.isVertex(v) && mesh.color(v) != Rgb())
+            return true;
+    return false;
+}
+} // namespace
+
+Decimated decimate(Mesh mesh, std::size_t triangles, const JobWatch& watch)
+{
+    mesh.beginStroke();
+    const std::uint64_t refused = isColored(mesh) ? Decimater<6>(mesh, triangles, watch).run() : Decimater<3>(mesh, triangles, watch).run();
+    if (watch.stopped())
+        return {};
+    return {extractMesh(mesh), refused};
+}
+} // namespace core

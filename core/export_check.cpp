@@ -1,0 +1,32 @@
+#include "export_check.h"
+
+#include "mesh_io.h"
+
+#include <algorithm>
+
+namespace core
+{
+namespace
+{
+/// Whether same(corner of one, corner of the other) holds for every corner of every triangle.
+template <class Same> bool alike(const TriangleMesh& a, const TriangleMesh& b, Same same)
+{
+    return std::ranges::equal(a.triangles, b.triangles, [&](const Triangle& s, const Triangle& t) {
+        return same(s[0], t[0]) && same(s[1], t[1]) && same(s[2], t[2]);
+    });
+}
+} // namespace
+
+ExportVerdict checkExport(const std::filesystem::path& path, const TriangleMesh& written, const JobWatch& watch)
+{
+    const TriangleMesh read = readMesh(path, {.stop = watch.stop});
+    ExportVerdict verdict;
+    verdict.sameCorners = alike(read, written, [&](Slot a, Slot b) { return read.points[a] == written.points[b]; });
+    const auto format = meshFormatOf(path);
+    const bool hasColors = !written.colors.empty() && format && holdsColors(*format);
+    verdict.sameColors = !hasColors || (!read.colors.empty() &&
+                                        alike(read, written, [&](Slot a, Slot b) { return read.colors[a] == written.colors[b]; }));
+    verdict.report = checkMesh(read, watch);
+    return verdict;
+}
+} // namespace core

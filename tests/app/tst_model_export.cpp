@@ -1,0 +1,220 @@
+#include "tests/support/program_hand.h"
+
+#include "app/model_export.h"
+
+#include "core/mesh_build.h"
+#include "core/mesh_io.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QDialog>
+#include <QRadioButton>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+
+using namespace app;
+
+namespace
+{
+constexpr int gapToCircle = 8;
+const ModelExport::Tell quiet = [](const QString&) {};
+
+std::shared_ptr<core::Mesh> ball(double radius)
+{
+    return std::shared_ptr<core::Mesh>(core::buildMesh(core::icosphere(4, radius)).mesh);
+}
+
+template <class Widget> Widget* in(const QDialog* dialog, const char* name)
+{
+    return dialog->findChild<Widget*>(QLatin1StringView(name));
+}
+/// On its circle: what is right of the words is not the button.
+void press(QRadioButton* button)
+{
+    QTest::mouseClick(button, Qt::LeftButton, {}, {gapToCircle, button->height() / 2});
+}
+} // namespace
+
+/// What leaves for other programs is what it says it is.
+class TestModelExport : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void verdict_isOneLine_data();
+    void verdict_isOneLine();
+    void verdict_tellsWhatSlicersMisread();
+    void damagedFile_isFound_data();
+    void damagedFile_isFound();
+    void stoppedInTime_writesNothing();
+    void stoppedLater_isNotReadBack();
+    void fewerTriangles_leaveTheModelAlone();
+    void dialog_writesWhatItIsAskedFor();
+    void dialog_presetsSetTheBudget();
+    void stop_endsAnExport();
+
+private:
+    QString path(const char* name) const { return m_folder.filePath(QString::fromLatin1(name)); }
+    QTemporaryDir m_folder;
+};
+
+void TestModelExport::verdict_isOneLine_data()
+{
+    QTest::addColumn<QString>("name");
+    for (const std::string_view ending : core::meshEndings())
+        QTest::addRow("%s", ending.data()) << QStringLiteral("ball.") + QLatin1StringView(ending.data(), static_cast<qsizetype>(ending.size()));
+}
+
+void TestModelExport::verdict_isOneLine()
+{
+    QFETCH(QString, name);
+    const QString target = m_folder.filePath(name);
+    const ExportOutcome outcome = ModelExport::run({target, 0, {}, ball(20)}, quiet, {});
+    QVERIFY2(outcome.problem.isEmpty(), qPrintable(outcome.problem));
+    QVERIFY2(outcome.verdict.contains(target) && outcome.verdict.contains(QStringLiteral("40.0 × 40.0 × 40.0 mm"))
+                 && outcome.verdict.contains(QStringLiteral("5,120 triangles")) && outcome.verdict.contains(QStringLiteral("in fine fettle")),
+             qPrintable(outcome.verdict));
+    QVERIFY(!outcome.verdict.contains(u'\n') && !outcome.verdict.contains(QStringLiteral("inches")));
+}
+
+void TestModelExport::verdict_tellsWhatSlicersMisread()
+{
+    const ExportOutcome outcome = ModelExport::run({path("small.stl"), 0, {}, ball(1)}, quiet, {});
+    QVERIFY2(outcome.verdict.contains(QStringLiteral("inches")), qPrintable(outcome.verdict));
+}
+
+void TestModelExport::damagedFile_isFound_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<int>("at"); ///< the byte that is turned over; -1: the file is gone
+    QTest::newRow("STL, a coordinate") << QStringLiteral("a.stl") << 84 + 12;
+    QTest::newRow("STL, the count") << QStringLiteral("a.stl") << 80;
+    QTest::newRow("PLY, a coordinate") << QStringLiteral("a.ply") << 400;
+    QTest::newRow("GLB, the head") << QStringLiteral("a.glb") << 0;
+    QTest::newRow("gone") << QStringLiteral("a.stl") << -1;
+}
+
+/// By a failing disk, between writing and reading.
+void TestModelExport::damagedFile_isFound()
+{
+    QFETCH(QString, name);
+    QFETCH(int, at);
+    const QString target = m_folder.filePath(name);
+    const auto damage = [&](const QString& what) {
+        QFile file(target);
+        if (!what.startsWith(QStringLiteral("Reading")))
+            return;
+        if (at < 0) {
+            file.remove();
+            return;
+        }
+        QVERIFY(file.open(QIODevice::ReadWrite) && file.seek(at));
+        char byte = 0;
+        QVERIFY(file.getChar(&byte) && file.seek(at) && file.putChar(static_cast<char>(~byte)));
+    };
+    const ExportOutcome outcome = ModelExport::run({target, 0, {}, ball(20)}, damage, {});
+    QVERIFY(outcome.verdict.isEmpty());
+    QVERIFY2(outcome.problem.contains(target), qPrintable(outcome.problem));
+}
+
+void TestModelExport::stoppedInTime_writesNothing()
+{
+    std::stop_source stop;
+    const core::JobWatch watch{stop.get_token(), [&](double) { stop.request_stop(); }};
+    const ExportOutcome outcome = ModelExport::run({path("stopped.stl"), 200, {}, ball(20)}, quiet, watch);
+    QVERIFY(outcome.problem.isEmpty() && outcome.verdict.isEmpty());
+    QVERIFY(!QFile::exists(path("stopped.stl")));
+}
+
+void TestModelExport::stoppedLater_isNotReadBack()
+{
+    std::stop_source stop;
+    const auto tell = [&](const QString& what) {
+        if (what.startsWith(QStringLiteral("Reading")))
+            stop.request_stop();
+    };
+    const ExportOutcome outcome = ModelExport::run({path("later.stl"), 0, {}, ball(20)}, tell, {stop.get_token(), {}});
+    QVERIFY2(outcome.verdict.contains(QStringLiteral("not read back")), qPrintable(outcome.verdict));
+    QVERIFY(QFile::exists(path("later.stl")));
+}
+
+void TestModelExport::fewerTriangles_leaveTheModelAlone()
+{
+    Program program;
+    sculptBall(program);
+    const quint64 faces = program.document.facts().faces;
+    QSignalSpy exported(&program.document, &Document::exported);
+    program.document.exportTo(path("few.stl"), 500);
+    QTRY_COMPARE(exported.size(), 1);
+    const core::TriangleMesh few = core::readMesh(path("few.stl").toStdString());
+    QVERIFY(few.triangles.size() <= 500 && core::checkMesh(few).printReady());
+    QCOMPARE(program.document.facts().faces, faces);
+    QVERIFY(program.document.isModified() && program.document.path().isEmpty());
+}
+
+void TestModelExport::dialog_writesWhatItIsAskedFor()
+{
+    Program program;
+    sculptBall(program);
+    QTest::keyClick(&program.window, Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
+    QDialog* dialog = nullptr;
+    QTRY_VERIFY((dialog = program.window.findChild<QDialog*>(QStringLiteral("exportChoice"))) && dialog->isVisible());
+    press(in<QRadioButton>(dialog, "glb"));
+    auto* most = in<QSpinBox>(dialog, "most");
+    QVERIFY(most->isEnabled());
+    most->selectAll();
+    QTest::keyClicks(most, QStringLiteral("321"));
+    QTest::keyClick(most, Qt::Key_Return);
+    chooseFile(program, "exportDialog", path("game")); // its ending comes from the preset
+    QTRY_VERIFY2(notice(program).contains(QStringLiteral("in fine fettle")), qPrintable(notice(program)));
+    const core::TriangleMesh game = core::readMesh(path("game.glb").toStdString());
+    QVERIFY(game.triangles.size() <= 321 && game.triangles.size() > 300);
+    QVERIFY(notice(program).contains(QString::number(game.triangles.size())));
+}
+
+void TestModelExport::dialog_presetsSetTheBudget()
+{
+    Program program;
+    sculptBall(program);
+    program.window.action(QStringLiteral("file.exportFor"))->trigger();
+    QDialog* dialog = nullptr;
+    QTRY_VERIFY((dialog = program.window.findChild<QDialog*>(QStringLiteral("exportChoice"))) && dialog->isVisible());
+    const auto* limits = in<QCheckBox>(dialog, "limits");
+    QVERIFY(in<QRadioButton>(dialog, "stl")->isChecked() && !limits->isChecked() && !in<QSpinBox>(dialog, "most")->isEnabled());
+    QTRY_VERIFY(in<QRadioButton>(dialog, "stl")->hasFocus());
+    for (const char* name : {"stl", "3mf"})
+        QTest::keyClick(in<QRadioButton>(dialog, name), Qt::Key_Down);
+    QVERIFY(in<QRadioButton>(dialog, "glb")->isChecked());
+    QTRY_VERIFY(limits->isChecked() && in<QSpinBox>(dialog, "most")->isEnabled());
+    press(in<QRadioButton>(dialog, "3mf"));
+    QVERIFY(!limits->isChecked());
+    QTest::keyClick(dialog, Qt::Key_Escape);
+    QTRY_VERIFY(!program.window.findChild<QDialog*>(QStringLiteral("exportChoice")));
+    QVERIFY(!program.window.findChild<QDialog*>(QStringLiteral("exportDialog")));
+}
+
+void TestModelExport::stop_endsAnExport()
+{
+    Program program;
+    const QString large = path("large.ply");
+    core::writeMesh(large.toStdString(), core::icosphere(7, 50)); // 327,680 triangles: seconds of work
+    program.window.show();
+    program.document.open(large);
+    QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy() && program.document.path() == large, 60000);
+    QSignalSpy noticed(&program.document, &Document::noticed), progressed(&program.document, &Document::progressed);
+    program.document.exportTo(path("never.stl"), 100);
+    QTRY_VERIFY_WITH_TIMEOUT(!progressed.isEmpty(), 60000);
+    program.window.action(QStringLiteral("edit.stop"))->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy(), 60000);
+    QCOMPARE(noticed.size(), 1);
+    QVERIFY(!QFile::exists(path("never.stl")));
+}
+
+int main(int argc, char* argv[])
+{
+    QStandardPaths::setTestModeEnabled(true);
+    return runOnScreen<TestModelExport>(argc, argv, "tst_model_export");
+}
+#include "tst_model_export.moc"

@@ -1,0 +1,223 @@
+#include "tests/support/clay.h"
+#include "tests/support/cgal_judge.h"
+#include "tests/support/shapes.h"
+
+#include "core/decimate.h"
+#include "core/mesh_build.h"
+#include "core/starter_models.h"
+
+#include <QTest>
+
+#include <cmath>
+
+using core::Rgb;
+using core::TriangleMesh;
+using core::Vec3;
+using core::Vec3f;
+
+namespace
+{
+TriangleMesh wavyBall()
+{
+    TriangleMesh mesh = core::icosphere(5, 50);
+    for (Vec3f& p : mesh.points)
+        p *= 1 + 0.08F * std::sin(0.2F * p.x()) * std::sin(0.25F * p.y());
+    return mesh;
+}
+
+/// A checked ball: blue where x y z is above 0, else red.
+TriangleMesh twoColored()
+{
+    TriangleMesh mesh = core::icosphere(5, 50);
+    for (const Vec3f& p : mesh.points)
+        mesh.colors.push_back(p.x() * p.y() * p.z() > 0 ? Rgb{20, 40, 220} : Rgb{220, 40, 20});
+    return mesh;
+}
+
+core::Mesh built(const TriangleMesh& mesh)
+{
+    return std::move(*core::buildMesh(mesh).mesh);
+}
+
+/// V - E + F of a closed surface.
+std::int64_t eulerNumber(const TriangleMesh& mesh)
+{
+    return static_cast<std::int64_t>(mesh.points.size()) - static_cast<std::int64_t>(mesh.triangles.size()) / 2;
+}
+
+double squaredDistance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c)
+{
+    // Ericson, Real-Time Collision Detection, 5.1.5
+    const Vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
+    const double d1 = ab.dot(ap), d2 = ac.dot(ap), d3 = ab.dot(bp), d4 = ac.dot(bp), d5 = ab.dot(cp), d6 = ac.dot(cp);
+    const double va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
+    Vec3 nearest = a + (vb * ab + vc * ac) / (va + vb + vc);
+    if (d1 <= 0 && d2 <= 0)
+        nearest = a;
+    else if (d3 >= 0 && d4 <= d3)
+        nearest = b;
+    else if (d6 >= 0 && d5 <= d6)
+        nearest = c;
+    else if (vc <= 0 && d1 >= 0 && d3 <= 0)
+        nearest = a + d1 / (d1 - d3) * ab;
+    else if (vb <= 0 && d2 >= 0 && d6 <= 0)
+        nearest = a + d2 / (d2 - d6) * ac;
+    else if (va <= 0 && d4 >= d3 && d5 >= d6)
+        nearest = b + (d4 - d3) / (d4 - d3 + d5 - d6) * (c - b);
+    return (p - nearest).squaredNorm();
+}
+
+/// How far the farthest vertex of one lies from the other's surface.
+double farthest(const TriangleMesh& from, const TriangleMesh& surface, std::size_t step)
+{
+    double most = 0;
+    for (std::size_t i = 0; i < from.points.size(); i += step) {
+        double least = 1e300;
+        for (const core::Triangle& t : surface.triangles)
+            least = std::min(least, squaredDistance(from.points[i].cast<double>(), surface.points[t[0]].cast<double>(),
+                                                    surface.points[t[1]].cast<double>(), surface.points[t[2]].cast<double>()));
+        most = std::max(most, least);
+    }
+    return std::sqrt(most);
+}
+} // namespace
+
+class TestDecimate : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void surface_staysSound_data();
+    void surface_staysSound();
+    void flatFaces_needNoTriangles();
+    void colors_stayWhereTheyAre();
+    void tooSmallABudget_keepsTopology();
+    void enough_changesNothing();
+    void sameInput_sameBits();
+    void stopped_givesNothing();
+    void closeSheets_doNotMeet();
+};
+
+void TestDecimate::surface_staysSound_data()
+{
+    QTest::addColumn<TriangleMesh>("mesh");
+    QTest::addColumn<int>("triangles");
+    QTest::addColumn<double>("within"); ///< mm
+    QTest::newRow("ball, a tenth") << core::icosphere(5, 50) << 2048 << 0.3;
+    QTest::newRow("ball, a hundredth") << core::icosphere(5, 50) << 204 << 2.0;
+    QTest::newRow("waves") << wavyBall() << 2000 << 0.6;
+    QTest::newRow("two colours") << twoColored() << 2000 << 2.0;
+    QTest::newRow("torus") << shapes::scaled(shapes::torus({3, 1, 120, 60}), 10) << 1000 << 0.6;
+    QTest::newRow("bowl") << shapes::scaled(clay::bowl(), 50) << 500 << 1.5;
+    QTest::newRow("shell with a cavity") << shapes::scaled(shapes::nestedSpheres(true), 20) << 60 << 8.0;
+    QTest::newRow("head") << core::starterModel(core::Starter::Head) << 1000 << 1.5;
+    QTest::newRow("noise") << shapes::noisy(core::icosphere(5, 50), 0.1F, 3) << 3000 << 0.6;
+}
+
+void TestDecimate::surface_staysSound()
+{
+    QFETCH(TriangleMesh, mesh);
+    QFETCH(int, triangles);
+    QFETCH(double, within);
+    const core::BuildResult input = core::buildMesh(mesh);
+    QVERIFY(input.mesh);
+    const TriangleMesh before = core::extractMesh(*input.mesh);
+    const core::Lattice lattice = input.mesh->lattice();
+    const TriangleMesh few = core::decimate(*input.mesh, static_cast<std::size_t>(triangles)).mesh;
+    QVERIFY(few.triangles.size() <= static_cast<std::size_t>(triangles) && few.triangles.size() + 2 > static_cast<std::size_t>(triangles) - 1);
+    const auto verdict = judgedByCgal(few);
+    QVERIFY(verdict && verdict->allWell());
+    QCOMPARE(eulerNumber(few), eulerNumber(before));
+    QVERIFY(std::ranges::all_of(few.points, [&](const Vec3f& p) { return lattice.isOnLattice(p); }));
+    const double there = farthest(few, before, 1 + few.points.size() / 500), back = farthest(before, few, 1 + before.points.size() / 1000);
+    QVERIFY2(std::max(there, back) < within, qPrintable(QStringLiteral("%1 mm and back %2 mm").arg(there).arg(back)));
+}
+
+/// A cube of thousands of triangles is a cube of twelve: edges and corners stay where they are.
+void TestDecimate::flatFaces_needNoTriangles()
+{
+    const TriangleMesh slab = clay::slab(40, 10, 24);
+    const TriangleMesh few = core::decimate(built(slab), 12).mesh;
+    QCOMPARE(few.triangles.size(), std::size_t(12));
+    QVERIFY(farthest(slab, few, 1) < 1e-3 && farthest(few, slab, 1) < 1e-3);
+}
+
+/// Seen from a vertex of the model, the nearest vertex of what is left has nearly the colour that was there, but near the borders.
+void TestDecimate::colors_stayWhereTheyAre()
+{
+    const TriangleMesh mesh = twoColored();
+    const TriangleMesh few = core::decimate(built(mesh), 2000).mesh;
+    QCOMPARE(few.colors.size(), few.points.size());
+    std::size_t wrong = 0, looked = 0;
+    for (std::size_t i = 0; i < few.points.size(); ++i) {
+        const Vec3f p = few.points[i];
+        if (p.cwiseAbs().minCoeff() < 4) // near a border
+            continue;
+        ++looked;
+        const Rgb expected = p.x() * p.y() * p.z() > 0 ? Rgb{20, 40, 220} : Rgb{220, 40, 20};
+        const Rgb c = few.colors[i];
+        wrong += std::abs(c.r - expected.r) > 12 || std::abs(c.g - expected.g) > 12 || std::abs(c.b - expected.b) > 12 ? 1U : 0U;
+    }
+    QVERIFY(looked > few.points.size() / 10);
+    QCOMPARE(wrong, std::size_t(0));
+    // Where colours meet there are more triangles than where they do not.
+    const auto near = [](const Vec3f& p) { return p.cwiseAbs().minCoeff() < 4; };
+    const auto share = [&](const TriangleMesh& m) {
+        return static_cast<double>(std::ranges::count_if(m.points, near)) / static_cast<double>(m.points.size());
+    };
+    QVERIFY(share(few) > 1.5 * share(mesh));
+}
+
+void TestDecimate::tooSmallABudget_keepsTopology()
+{
+    const TriangleMesh torus = core::decimate(built(shapes::torus({3, 1, 48, 24})), 4).mesh;
+    QCOMPARE(eulerNumber(torus), 0);
+    const TriangleMesh shells = core::decimate(built(shapes::scaled(shapes::nestedSpheres(true), 20)), 4).mesh;
+    QCOMPARE(eulerNumber(shells), 4);
+    for (const TriangleMesh* mesh : {&torus, &shells}) {
+        const auto verdict = judgedByCgal(*mesh);
+        QVERIFY(verdict && verdict->allWell());
+        QVERIFY2(mesh->triangles.size() <= 60, qPrintable(QString::number(mesh->triangles.size())));
+    }
+}
+
+void TestDecimate::enough_changesNothing()
+{
+    const core::BuildResult input = core::buildMesh(twoColored());
+    const TriangleMesh before = core::extractMesh(*input.mesh), after = core::decimate(*input.mesh, before.triangles.size()).mesh;
+    QVERIFY(after.points == before.points && after.triangles == before.triangles && after.colors == before.colors);
+}
+
+void TestDecimate::sameInput_sameBits()
+{
+    const TriangleMesh one = core::decimate(built(twoColored()), 1500).mesh, two = core::decimate(built(twoColored()), 1500).mesh;
+    QVERIFY(one.points == two.points && one.triangles == two.triangles && one.colors == two.colors);
+}
+
+void TestDecimate::stopped_givesNothing()
+{
+    std::stop_source stop;
+    double last = 0;
+    core::JobWatch watch{stop.get_token(), [&](double share) {
+        QVERIFY(share >= last && share <= 1);
+        last = share;
+        stop.request_stop();
+    }};
+    QVERIFY(core::decimate(built(wavyBall()), 500, watch).mesh.triangles.empty());
+    QVERIFY(last > 0 && last < 1);
+}
+
+/// Coarse triangles of one sheet would go through the other: such steps are taken back, and others found.
+void TestDecimate::closeSheets_doNotMeet()
+{
+    for (const TriangleMesh& mesh : {clay::spiral(), clay::cutRing(0.02), clay::twoFingers(0.01)}) {
+        const core::Decimated result = core::decimate(built(mesh), 300);
+        const auto verdict = judgedByCgal(result.mesh);
+        QVERIFY(verdict && verdict->allWell());
+        QCOMPARE(eulerNumber(result.mesh), eulerNumber(mesh));
+        QVERIFY(result.mesh.triangles.size() < mesh.triangles.size() / 2);
+    }
+}
+
+QTEST_APPLESS_MAIN(TestDecimate)
+#include "tst_decimate.moc"
