@@ -71,8 +71,9 @@ public Q_SLOTS:
     void loseFile();
     /// To a file that from now on is the model's own.
     void save(const QString& path);
-    /// To some other file, with at most so many triangles (0: all), which is read back and judged: changes stay unsaved.
-    void exportTo(const QString& path, quint64 mostTriangles = 0);
+    /// To some other file, with at most so many triangles (0: all), which is read back and judged, perhaps by an installed slicer, too: changes
+    /// stay unsaved.
+    void exportTo(const QString& path, quint64 mostTriangles = 0, bool slices = false);
 
     /// Changes the whole model, as one step: worked out aside on a copy, while strokes are refused.
     /// A Reset needs no start.

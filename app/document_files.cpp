@@ -166,12 +166,12 @@ void Document::finishSaving(const QString& path, int index, const Written& writt
         Q_EMIT noticed(tr("%1 was written without the colours, which its format does not hold; GLB does.").arg(QFileInfo(path).fileName()));
 }
 
-void Document::exportTo(const QString& path, quint64 mostTriangles)
+void Document::exportTo(const QString& path, quint64 mostTriangles, bool slices)
 {
     if (m_work.isBusy())
         return;
     const core::JobWatch watch = m_work.beginStoppable(tr("Exporting %1").arg(QFileInfo(path).fileName()));
-    request([this, path, mostTriangles, watch] { startExport({path, mostTriangles, notesNow()}, watch); });
+    request([this, path, mostTriangles, slices, watch] { startExport({path, mostTriangles, slices, notesNow()}, watch); });
 }
 
 void Document::startExport(const ExportOrder& order, const core::JobWatch& watch)

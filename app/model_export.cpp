@@ -1,6 +1,7 @@
 #include "model_export.h"
 
 #include "model_loader.h"
+#include "slicer_trial.h"
 
 #include "core/decimate.h"
 #include "core/mesh_build.h"
@@ -49,7 +50,12 @@ ExportOutcome ModelExport::write(const ExportOrder& order, const core::TriangleM
         return {problem, {}};
     watch.reached(afterWriting);
     tell(tr("Reading %1 back").arg(QFileInfo(order.path).fileName()));
-    return judge(order, mesh, watch.part(afterWriting, 1));
+    ExportOutcome outcome = judge(order, mesh, watch.part(afterWriting, 1));
+    if (!order.slices || outcome.verdict.isEmpty())
+        return outcome;
+    tell(tr("Slicing %1").arg(QFileInfo(order.path).fileName()));
+    outcome.verdict += u' ' + SlicerTrial::run(order.path, watch);
+    return outcome;
 }
 
 ExportOutcome ModelExport::judge(const ExportOrder& order, const core::TriangleMesh& mesh, const core::JobWatch& watch)

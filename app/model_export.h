@@ -17,6 +17,7 @@ struct ExportOrder
 {
     QString path;                            ///< the ending says the format
     quint64 mostTriangles = 0;               ///< 0: all
+    bool slices = false;                     ///< an installed slicer tries the file then
     core::DocumentNotes notes = {};
     std::shared_ptr<core::Mesh> mesh = {};   ///< a copy; null: there was not enough memory
 };

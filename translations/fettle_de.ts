@@ -312,6 +312,10 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>With fewer triangles its handles and parts could not all stay.</source>
         <translation>Mit weniger Dreiecken könnten nicht alle Henkel und Teile bleiben.</translation>
     </message>
+    <message>
+        <source>Slicing %1</source>
+        <translation>%1 wird geschnitten</translation>
+    </message>
 </context>
 <context>
     <name>app::ModelLoader</name>
@@ -572,6 +576,25 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>The program ended from outside; the model was kept in %1.</source>
         <translation>Das Programm wurde von außen beendet; das Modell liegt in %1.</translation>
+    </message>
+</context>
+<context>
+    <name>app::SlicerTrial</name>
+    <message>
+        <source>PrusaSlicer was stopped.</source>
+        <translation>PrusaSlicer wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>PrusaSlicer took longer than three minutes and was stopped.</source>
+        <translation>PrusaSlicer brauchte länger als drei Minuten und wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>PrusaSlicer does not slice it: %1</source>
+        <translation>PrusaSlicer schneidet es nicht: %1</translation>
+    </message>
+    <message>
+        <source>PrusaSlicer slices it: layers %1, time %2.</source>
+        <translation>PrusaSlicer schneidet es: Schichten %1, Zeit %2.</translation>
     </message>
 </context>
 <context>
@@ -1795,6 +1818,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>&amp;Export…</source>
         <translation>&amp;Exportieren …</translation>
+    </message>
+    <message>
+        <source>&amp;Try whether PrusaSlicer slices it</source>
+        <translation>&amp;Versuchen, ob PrusaSlicer es schneidet</translation>
+    </message>
+    <message>
+        <source>Slices the file with PrusaSlicer&apos;s own settings, and tells layers and time or its complaint; Esc stops it.</source>
+        <translation>Schneidet die Datei mit PrusaSlicers eigenen Einstellungen und nennt Schichten und Zeit oder seine Beschwerde; Esc hält es an.</translation>
     </message>
 </context>
 <context>

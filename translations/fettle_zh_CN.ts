@@ -310,6 +310,10 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>With fewer triangles its handles and parts could not all stay.</source>
         <translation>若三角形更少，就无法保留所有的环柄和部件。</translation>
     </message>
+    <message>
+        <source>Slicing %1</source>
+        <translation>正在切片 %1</translation>
+    </message>
 </context>
 <context>
     <name>app::ModelLoader</name>
@@ -570,6 +574,25 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>The program ended from outside; the model was kept in %1.</source>
         <translation>程序被外部终止；模型已保留在 %1。</translation>
+    </message>
+</context>
+<context>
+    <name>app::SlicerTrial</name>
+    <message>
+        <source>PrusaSlicer was stopped.</source>
+        <translation>PrusaSlicer 已停止。</translation>
+    </message>
+    <message>
+        <source>PrusaSlicer took longer than three minutes and was stopped.</source>
+        <translation>PrusaSlicer 用时超过三分钟，已停止。</translation>
+    </message>
+    <message>
+        <source>PrusaSlicer does not slice it: %1</source>
+        <translation>PrusaSlicer 无法切片：%1</translation>
+    </message>
+    <message>
+        <source>PrusaSlicer slices it: layers %1, time %2.</source>
+        <translation>PrusaSlicer 可以切片：层数 %1，时间 %2。</translation>
     </message>
 </context>
 <context>
@@ -1793,6 +1816,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>&amp;Export…</source>
         <translation>导出(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>&amp;Try whether PrusaSlicer slices it</source>
+        <translation>试用 PrusaSlicer 切片(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Slices the file with PrusaSlicer&apos;s own settings, and tells layers and time or its complaint; Esc stops it.</source>
+        <translation>用 PrusaSlicer 自己的设置切片，并显示层数和时间或其报告的问题；Esc 可停止。</translation>
     </message>
 </context>
 <context>

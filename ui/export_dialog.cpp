@@ -1,5 +1,7 @@
 #include "export_dialog.h"
 
+#include "slicer.h"
+
 #include <QButtonGroup>
 #include <QCheckBox>
 #include <QCoreApplication>
@@ -25,15 +27,16 @@ struct Preset
 {
     const char* ending;
     int triangles;
+    bool prints;
     const char* title;
     const char* words;
 };
 constexpr Preset presets[] = {
-    {"stl", 0, QT_TRANSLATE_NOOP("ui::ExportDialog", "&Print: STL"),
+    {"stl", 0, true, QT_TRANSLATE_NOOP("ui::ExportDialog", "&Print: STL"),
      QT_TRANSLATE_NOOP("ui::ExportDialog", "The shape alone, in millimetres, Z up. Every slicer reads it.")},
-    {"3mf", 0, QT_TRANSLATE_NOOP("ui::ExportDialog", "Print with &colour: 3MF"),
+    {"3mf", 0, true, QT_TRANSLATE_NOOP("ui::ExportDialog", "Print with &colour: 3MF"),
      QT_TRANSLATE_NOOP("ui::ExportDialog", "Shape and colours, in millimetres for certain, Z up. Newer slicers read it.")},
-    {"glb", 20'000, QT_TRANSLATE_NOOP("ui::ExportDialog", "&Game: GLB"),
+    {"glb", 20'000, false, QT_TRANSLATE_NOOP("ui::ExportDialog", "&Game: GLB"),
      QT_TRANSLATE_NOOP("ui::ExportDialog", "Shape and colours, in metres, Y up. Game engines, web pages and Blender read it.")}};
 
 class ExportDialog : public QDialog
@@ -54,6 +57,7 @@ public:
             addPreset(column, preset);
         column->addSpacing(gap);
         addBudget(column, facts);
+        addTrial(column);
         column->addSpacing(gap);
         addButtons(column);
         column->setSizeConstraint(QLayout::SetFixedSize);
@@ -67,7 +71,8 @@ public:
 
     ExportChoice choice() const
     {
-        return {QLatin1StringView(presets[m_presets->checkedId()].ending), m_limits->isChecked() ? static_cast<quint64>(m_most->value()) : 0};
+        return {QLatin1StringView(presets[m_presets->checkedId()].ending), m_limits->isChecked() ? static_cast<quint64>(m_most->value()) : 0,
+                m_slices->isEnabled() && m_slices->isChecked()};
     }
 
 private:
@@ -116,6 +121,16 @@ private:
         connect(m_limits, &QCheckBox::toggled, m_most, &QWidget::setEnabled);
     }
 
+    /// Seen where there is a slicer.
+    void addTrial(QVBoxLayout* column)
+    {
+        m_slices = new QCheckBox(tr("&Try whether PrusaSlicer slices it"));
+        m_slices->setObjectName(QStringLiteral("slices"));
+        m_slices->setToolTip(tr("Slices the file with PrusaSlicer's own settings, and tells layers and time or its complaint; Esc stops it."));
+        column->addWidget(m_slices);
+        m_slices->setVisible(!installedSlicer().isEmpty());
+    }
+
     void addButtons(QVBoxLayout* column)
     {
         auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
@@ -128,6 +143,7 @@ private:
 
     void choose(const Preset& preset)
     {
+        m_slices->setEnabled(preset.prints);
         m_limits->setChecked(preset.triangles > 0);
         m_most->setEnabled(preset.triangles > 0);
         if (preset.triangles > 0)
@@ -137,6 +153,7 @@ private:
     QButtonGroup* m_presets;
     QCheckBox* m_limits = nullptr;
     QSpinBox* m_most = nullptr;
+    QCheckBox* m_slices = nullptr;
 };
 } // namespace
 

@@ -13,6 +13,7 @@ struct ExportChoice
 {
     QString ending;            ///< of the format
     quint64 mostTriangles = 0; ///< 0: all
+    bool slices = false;       ///< and then an installed slicer slices it to try
 };
 
 /// What it is for, and with how many triangles. Returns at once; the answer is called when the person agreed, and never else.

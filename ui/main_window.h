@@ -85,7 +85,7 @@ Q_SIGNALS:
     void starterRequested(core::Starter starter);
     /// By dialog, which has asked about overwriting. The ending says the format; one is added if it was missing.
     void saveRequested(const QString& path);
-    void exportRequested(const QString& path, quint64 mostTriangles = 0);
+    void exportRequested(const QString& path, quint64 mostTriangles = 0, bool slices = false);
     /// By dialog or menu. What is inserted comes with its file's path instead of a model.
     void commandRequested(const core::ModelCommand& command);
     void insertRequested(const QString& path, const core::Insert& how);

@@ -236,7 +236,7 @@ void ModelFiles::exportFor(const ModelFacts& model)
     askForExportChoice(m_window, model, [this](const ExportChoice& choice) {
         askForExport(m_window, m_settings->lastFolder(), m_name, {choice.ending}, [this, choice](const QString& path) {
             remember(path);
-            Q_EMIT exportRequested(path, choice.mostTriangles);
+            Q_EMIT exportRequested(path, choice.mostTriangles, choice.slices);
         });
     });
 }

@@ -55,8 +55,8 @@ Q_SIGNALS:
     void starterRequested(core::Starter starter);
     /// The file is the model's own, or a dialog has asked about overwriting. The ending says the format.
     void saveRequested(const QString& path);
-    /// With at most so many triangles; 0: all.
-    void exportRequested(const QString& path, quint64 mostTriangles = 0);
+    /// With at most so many triangles; 0: all. Perhaps a slicer tries it.
+    void exportRequested(const QString& path, quint64 mostTriangles = 0, bool slices = false);
     /// By drag and drop: a local path that is named like an image.
     void pictureDropped(const QString& path);
     void insertRequested(const QString& path, const core::Insert& how);

@@ -30,6 +30,26 @@ template <class Widget> Widget* in(const QDialog* dialog, const char* name)
 {
     return dialog->findChild<Widget*>(QLatin1StringView(name));
 }
+/// A shell script in a slicer's place, while it lives.
+class SlicerOnPath
+{
+public:
+    explicit SlicerOnPath(const QByteArray& script) : m_before(qgetenv("PATH"))
+    {
+        QFile file(m_folder.filePath(QStringLiteral("prusa-slicer")));
+        if (file.open(QIODevice::WriteOnly))
+            file.write("#!/bin/sh\n" + script + "\n");
+        file.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+        qputenv("PATH", m_folder.path().toLocal8Bit() + ':' + m_before);
+    }
+    ~SlicerOnPath() { qputenv("PATH", m_before); }
+    Q_DISABLE_COPY_MOVE(SlicerOnPath)
+
+private:
+    QTemporaryDir m_folder;
+    QByteArray m_before;
+};
+
 /// On its circle: what is right of the words is not the button.
 void press(QRadioButton* button)
 {
@@ -54,6 +74,9 @@ private Q_SLOTS:
     void dialog_writesWhatItIsAskedFor();
     void dialog_presetsSetTheBudget();
     void stop_endsAnExport();
+    void slicer_tellsWhatItSays_data();
+    void slicer_tellsWhatItSays();
+    void slicer_thatHangsIsStopped();
 
 private:
     QString path(const char* name) const { return m_folder.filePath(QString::fromLatin1(name)); }
@@ -71,7 +94,7 @@ void TestModelExport::verdict_isOneLine()
 {
     QFETCH(QString, name);
     const QString target = m_folder.filePath(name);
-    const ExportOutcome outcome = ModelExport::run({target, 0, {}, ball(20)}, quiet, {});
+    const ExportOutcome outcome = ModelExport::run({target, 0, false, {}, ball(20)}, quiet, {});
     QVERIFY2(outcome.problem.isEmpty(), qPrintable(outcome.problem));
     QVERIFY2(outcome.verdict.contains(target) && outcome.verdict.contains(QStringLiteral("40.0 × 40.0 × 40.0 mm"))
                  && outcome.verdict.contains(QStringLiteral("5,120 triangles")) && outcome.verdict.contains(QStringLiteral("in fine fettle")),
@@ -81,7 +104,7 @@ void TestModelExport::verdict_isOneLine()
 
 void TestModelExport::verdict_tellsWhatSlicersMisread()
 {
-    const ExportOutcome outcome = ModelExport::run({path("small.stl"), 0, {}, ball(1)}, quiet, {});
+    const ExportOutcome outcome = ModelExport::run({path("small.stl"), 0, false, {}, ball(1)}, quiet, {});
     QVERIFY2(outcome.verdict.contains(QStringLiteral("inches")), qPrintable(outcome.verdict));
 }
 
@@ -114,7 +137,7 @@ void TestModelExport::damagedFile_isFound()
         char byte = 0;
         QVERIFY(file.getChar(&byte) && file.seek(at) && file.putChar(static_cast<char>(~byte)));
     };
-    const ExportOutcome outcome = ModelExport::run({target, 0, {}, ball(20)}, damage, {});
+    const ExportOutcome outcome = ModelExport::run({target, 0, false, {}, ball(20)}, damage, {});
     QVERIFY(outcome.verdict.isEmpty());
     QVERIFY2(outcome.problem.contains(target), qPrintable(outcome.problem));
 }
@@ -123,7 +146,7 @@ void TestModelExport::stoppedInTime_writesNothing()
 {
     std::stop_source stop;
     const core::JobWatch watch{stop.get_token(), [&](double) { stop.request_stop(); }};
-    const ExportOutcome outcome = ModelExport::run({path("stopped.stl"), 200, {}, ball(20)}, quiet, watch);
+    const ExportOutcome outcome = ModelExport::run({path("stopped.stl"), 200, false, {}, ball(20)}, quiet, watch);
     QVERIFY(outcome.problem.isEmpty() && outcome.verdict.isEmpty());
     QVERIFY(!QFile::exists(path("stopped.stl")));
 }
@@ -135,7 +158,7 @@ void TestModelExport::stoppedLater_isNotReadBack()
         if (what.startsWith(QStringLiteral("Reading")))
             stop.request_stop();
     };
-    const ExportOutcome outcome = ModelExport::run({path("later.stl"), 0, {}, ball(20)}, tell, {stop.get_token(), {}});
+    const ExportOutcome outcome = ModelExport::run({path("later.stl"), 0, false, {}, ball(20)}, tell, {stop.get_token(), {}});
     QVERIFY2(outcome.verdict.contains(QStringLiteral("not read back")), qPrintable(outcome.verdict));
     QVERIFY(QFile::exists(path("later.stl")));
 }
@@ -210,6 +233,40 @@ void TestModelExport::stop_endsAnExport()
     QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy(), 60000);
     QCOMPARE(noticed.size(), 1);
     QVERIFY(!QFile::exists(path("never.stl")));
+}
+
+void TestModelExport::slicer_tellsWhatItSays_data()
+{
+    QTest::addColumn<QByteArray>("program"); ///< after --export-gcode --output G-CODE MODEL
+    QTest::addColumn<QString>("said");
+    QTest::newRow("slices") << QByteArray("printf ';LAYER_CHANGE\\n;LAYER_CHANGE\\n; estimated printing time (normal mode) = 1h 2m\\n' > \"$3\"")
+                            << QStringLiteral("layers 2, time 1h 2m");
+    QTest::newRow("complains") << QByteArray("echo first; echo 'All objects are outside of the print volume.' >&2; exit 1")
+                               << QStringLiteral("All objects are outside of the print volume.");
+    QTest::newRow("writes nothing") << QByteArray("echo done") << QStringLiteral("does not slice it: done");
+    QTest::newRow("crashes") << QByteArray("echo ouch; kill -SEGV $$") << QStringLiteral("does not slice it: ouch");
+}
+
+/// A program of that name on the PATH.
+void TestModelExport::slicer_tellsWhatItSays()
+{
+    QFETCH(QByteArray, program);
+    QFETCH(QString, said);
+    const SlicerOnPath slicer(program);
+    const ExportOutcome outcome = ModelExport::run({path("sliced.stl"), 0, true, {}, ball(20)}, quiet, {});
+    QVERIFY2(outcome.verdict.contains(QStringLiteral("in fine fettle")) && outcome.verdict.contains(said), qPrintable(outcome.verdict));
+}
+
+void TestModelExport::slicer_thatHangsIsStopped()
+{
+    const SlicerOnPath slicer("exec sleep 1000");
+    std::stop_source stop;
+    const auto tell = [&](const QString& what) {
+        if (what.startsWith(QStringLiteral("Slicing")))
+            stop.request_stop();
+    };
+    const ExportOutcome outcome = ModelExport::run({path("sliced.stl"), 0, true, {}, ball(20)}, tell, {stop.get_token(), {}});
+    QVERIFY2(outcome.verdict.contains(QStringLiteral("was stopped")), qPrintable(outcome.verdict));
 }
 
 int main(int argc, char* argv[])

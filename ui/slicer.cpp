@@ -1,0 +1,11 @@
+#include "slicer.h"
+
+#include <QStandardPaths>
+
+namespace ui
+{
+QString installedSlicer()
+{
+    return QStandardPaths::findExecutable(QStringLiteral("prusa-slicer"));
+}
+} // namespace ui
