@@ -1,0 +1,234 @@
+// Whatever a stranger made becomes the boundary of a solid:
+//   1. snap      to the lattice, and weld                                        tidy
+//   2. tidy      faces without area, faces that are there twice                  tidy
+//   3. orient    along edges of two; sheets inside go                            orient
+//   4. fill      holes                                                           holes
+//   5. outwards  parts that face inwards                                         orient
+//   6. resolve   cut along all intersections, keep the boundary of what is wound around, round to the lattice; again while
+//                rounding makes faces meet                                       arrangement, solid
+//   7. separate  parts that touch at edges and vertices; again from 6 if clay was added                  separate
+//   8. judge     the whole; if it is not in order, or too much was lost, make it anew from the winding number    wrap
+//   9. measure   how far it is from what it was                                  surface_distance
+
+#include "legalise.h"
+
+#include "lattice_placement.h"
+
+#include "mending/holes.h"
+#include "mending/orient.h"
+#include "mending/separate.h"
+#include "mending/solid.h"
+#include "mending/tidy.h"
+#include "mending/wrap.h"
+
+namespace core
+{
+namespace
+{
+using mending::Surface;
+
+/// Shares of the time.
+constexpr double afterMending = 0.1, afterResolving = 0.8;
+
+Surface surfaceOf(const TriangleMesh& mesh, const LatticePlacement& placement)
+{
+    Surface surface;
+    surface.points.reserve(mesh.points.size());
+    for (const Vec3f& p : mesh.points)
+        surface.points.push_back(placement.toLattice(p));
+    surface.colors = mesh.colors;
+    surface.triangles = mesh.triangles;
+    return surface;
+}
+
+TriangleMesh meshOf(Surface surface, const Lattice& lattice)
+{
+    mending::weld(surface);
+    TriangleMesh mesh;
+    mesh.points.reserve(surface.points.size());
+    for (const LatticePoint& p : surface.points)
+        mesh.points.push_back(lattice.toPoint(p));
+    mesh.colors = std::move(surface.colors);
+    mesh.triangles = std::move(surface.triangles);
+    return mesh;
+}
+
+/// What steps 1 to 5 come to.
+struct Mended
+{
+    bool isRefused = false; ///< a large hole is not to be filled
+    bool isLoose = false; ///< there was nearly as much to fill as there was to keep: triangles that hang together badly
+    Surface unfilled;     ///< as it was before step 4
+};
+
+Mended mend(Surface& surface, const LegaliseOptions& options, LegaliseReport& report, const JobWatch& watch)
+{
+    constexpr double nearlyAll = 0.75;
+    report.welded = mending::weld(surface);
+    const mending::Tidied tidied = mending::tidy(surface, mending::Duplicates::KeepOne);
+    report.degenerateFaces = tidied.degenerate;
+    report.duplicateFaces = tidied.duplicates;
+    const mending::Oriented oriented = mending::orient(surface);
+    report.turnedFaces = oriented.turned;
+    report.membraneFaces = oriented.membranes;
+    Mended mended;
+    mended.unfilled = surface;
+    const mending::Filled filled = mending::fillHoles(surface, options.fillLargeHoles, watch);
+    report.holes = filled.holes;
+    report.largeHoles = filled.largeHoles;
+    mended.isRefused = filled.largeHoles > 0 && !options.fillLargeHoles;
+    mended.isLoose = filled.share > nearlyAll;
+    mending::tidy(surface, mending::Duplicates::Cancel);
+    const mending::Faced faced = mending::faceOutwards(surface, options.innerAreCavities);
+    report.turnedFaces += faced.turned;
+    report.innerParts = faced.inner;
+    return mended;
+}
+
+struct Resolved
+{
+    bool isDone = false; ///< it came to an end
+    double insideOut = 0;
+};
+
+/// Step 6.
+Resolved resolve(Surface& surface, mending::Inside inside, LegaliseReport& report, const JobWatch& watch)
+{
+    constexpr std::size_t mostRounds = 12;
+    constexpr std::size_t mostPairs = 4'000'000;
+    Resolved resolved;
+    report.rounds = 0;
+    for (std::size_t round = 0; round < mostRounds && !watch.stopped(); ++round) {
+        const IntersectionReport met =
+            selfIntersections<LatticePredicates>(surface.points, surface.triangles, mostPairs, watch.stop);
+        if (round == 0)
+            report.intersections = met.count;
+        resolved.isDone = round > 0 && met.count == 0;
+        if (resolved.isDone || met.count > mostPairs)
+            break;
+        report.rounds += met.count > 0;
+        mending::Solid solid = mending::solidOf(surface, mending::arrange(surface, met.pairs, watch), inside, watch);
+        surface = std::move(solid.surface);
+        resolved.insideOut = std::max(resolved.insideOut, solid.insideOut);
+        mending::tidy(surface, mending::Duplicates::Cancel);
+        watch.reached(static_cast<double>(round + 1) / mostRounds);
+    }
+    return resolved;
+}
+
+/// Steps 6 and 7, as long as 7 adds something.
+Resolved resolveAndSeparate(Surface& surface, mending::Inside inside, LegaliseReport& report, const JobWatch& watch)
+{
+    constexpr int mostTimes = 4;
+    constexpr std::size_t mostDrops = 200; // more would be another model
+    const Resolved resolved = resolve(surface, inside, report, watch);
+    for (int time = 0; time < mostTimes && resolved.isDone && !watch.stopped(); ++time) {
+        const MeshTopology topology = topologyOf(surface.points.size(), surface.triangles);
+        if (topology.nonManifoldEdges.count + topology.nonManifoldVertices.count == 0)
+            break;
+        const mending::Separated separated = mending::separate(surface, watch);
+        report.touchingEdges += separated.edges;
+        report.touchingVertices += separated.vertices;
+        if (separated.joined == 0)
+            break;
+        if (separated.joined > mostDrops)
+            return {};
+        LegaliseReport unread;
+        mending::weld(surface);
+        if (!resolve(surface, inside, unread, {watch.stop, {}}).isDone)
+            return {};
+    }
+    return resolved;
+}
+
+/// A surface that is in order, and how far it is from what it was.
+struct Outcome
+{
+    TriangleMesh mesh;
+    SurfaceDistance fromOld, fromNew;
+};
+
+/// Steps 8 and 9; nothing if it is not in order.
+std::optional<Outcome> judged(Surface surface, const Lattice& lattice, const TriangleMesh& old, const JobWatch& watch)
+{
+    Outcome outcome{meshOf(std::move(surface), lattice), {}, {}};
+    if (outcome.mesh.triangles.empty() || !checkMesh(outcome.mesh, watch).printReady())
+        return std::nullopt;
+    outcome.fromOld = distanceFrom(old, outcome.mesh, watch);
+    outcome.fromNew = distanceFrom(outcome.mesh, old, watch);
+    return outcome;
+}
+
+TriangleMesh movedBy(const Vec3& by, TriangleMesh mesh)
+{
+    for (Vec3f& p : mesh.points)
+        p = (p.cast<double>() + by).cast<float>();
+    return mesh;
+}
+
+Box boxOf(const TriangleMesh& mesh)
+{
+    Box box;
+    for (const Triangle& t : mesh.triangles)
+        for (const Slot v : t)
+            box.extend(mesh.points[v].cast<double>());
+    return box;
+}
+} // namespace
+
+Legalised legalise(const TriangleMesh& mesh, const LegaliseOptions& options, const JobWatch& watch)
+{
+    Legalised result;
+    LegaliseReport& report = result.report;
+    const Box box = boxOf(mesh);
+    result.refusal = LegaliseRefusal::EnclosesNothing;
+    if (box.sizes().maxCoeff() <= 0)
+        return result;
+    const LatticePlacement placement = placeOnLattice(box);
+    report.moved = placement.moved;
+    const TriangleMesh old = movedBy(placement.moved, mesh);
+    Surface surface = surfaceOf(mesh, placement);
+    const Mended mended = mend(surface, options, report, watch);
+    watch.reached(afterMending);
+    if (mended.isRefused) {
+        result.refusal = LegaliseRefusal::LargeHoles;
+        return result;
+    }
+    std::optional<Outcome> outcome;
+    const auto attempt = [&](mending::Inside inside, const JobWatch& part) {
+        Surface attempted = surface;
+        LegaliseReport itsReport = report;
+        const Resolved resolved = resolveAndSeparate(attempted, inside, itsReport, part);
+        if (!resolved.isDone)
+            return resolved;
+        auto better = judged(std::move(attempted), placement.lattice, old, watch);
+        if (better && (!outcome || better->fromOld.mean < outcome->fromOld.mean)) {
+            outcome = std::move(better);
+            report = itsReport;
+        }
+        return resolved;
+    };
+    constexpr double muchInsideOut = 0.2, muchLost = 0.01;
+    const Resolved resolved = attempt(mending::Inside::Positive, watch.part(afterMending, afterResolving));
+    const bool isMuchLost = !outcome || outcome->fromOld.mean > muchLost * box.diagonal().norm();
+    if (resolved.insideOut > muchInsideOut && isMuchLost && !watch.stopped())
+        attempt(mending::Inside::NonZero, {watch.stop, {}});
+    watch.reached(afterResolving);
+    if ((!outcome || mended.isLoose) && !watch.stopped() && !mended.unfilled.triangles.empty()) {
+        const int cell = mending::cellFor(mended.unfilled);
+        auto anew = judged(mending::wrap(mended.unfilled, cell, watch), placement.lattice, old, watch);
+        if (anew && (!outcome || anew->fromOld.mean < outcome->fromOld.mean)) {
+            outcome = std::move(anew);
+            report.remeshedAt = cell * placement.lattice.unit();
+        }
+    }
+    if (watch.stopped() || !outcome)
+        return result;
+    report.fromOld = outcome->fromOld;
+    report.fromNew = outcome->fromNew;
+    result.mesh = std::move(outcome->mesh);
+    result.refusal = LegaliseRefusal::None;
+    watch.reached(1);
+    return result;
+}
+} // namespace core

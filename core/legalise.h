@@ -1,0 +1,56 @@
+#pragma once
+
+#include "job_watch.h"
+#include "mesh_check.h"
+#include "surface_distance.h"
+#include "triangle_mesh.h"
+
+#include <optional>
+
+namespace core
+{
+/// What to do where more than one outcome is right.
+struct LegaliseOptions
+{
+    bool fillLargeHoles = true;    ///< else a surface with a hole longer than a quarter of it is refused
+    bool innerAreCavities = false; ///< a part inside of another that faces outwards: a cavity, else it is filled
+};
+
+/// What was done, in the order of the steps. Counts of what was found and mended.
+struct LegaliseReport
+{
+    std::size_t welded = 0;          ///< vertices that lay where others did, on the lattice
+    std::size_t degenerateFaces = 0; ///< without area
+    std::size_t duplicateFaces = 0;
+    std::size_t turnedFaces = 0;     ///< that ran against most of their neighbours, or whose part faced inwards
+    std::size_t membraneFaces = 0;   ///< of sheets between other faces that are seen from nowhere outside: they went
+    std::size_t holes = 0;           ///< that were filled
+    std::size_t largeHoles = 0;      ///< of these, or that were the reason to refuse
+    std::size_t innerParts = 0;      ///< inside of others and facing outwards
+    std::uint64_t intersections = 0; ///< pairs of faces that met after all this
+    std::size_t rounds = 0;          ///< of cutting the surface along its intersections
+    std::size_t touchingEdges = 0, touchingVertices = 0; ///< at which parts were drawn apart
+    /// The surface was made anew from the space that it winds around, with edges of about this length. Missing: it was kept.
+    std::optional<double> remeshedAt;
+
+    Vec3 moved =
+        Vec3::Zero(); ///< was added to each point, as the model lay far from the origin; distances are without that
+    SurfaceDistance fromOld; ///< of the old surface, from the new one: what went
+    SurfaceDistance fromNew; ///< of the new surface, from the old one: what was added, and what moved
+    double hausdorff() const { return std::max(fromOld.largest, fromNew.largest); }
+};
+
+enum class LegaliseRefusal { None, LargeHoles, EnclosesNothing };
+
+struct Legalised
+{
+    std::optional<TriangleMesh> mesh; ///< print-ready, and on its lattice; missing if refused or stopped
+    LegaliseRefusal refusal = LegaliseRefusal::None;
+    LegaliseReport report;
+};
+
+/// Makes one closed, manifold, consistently oriented surface without intersections out of whatever triangles there are: the
+/// boundary of the space that they wind around. Away from what was wrong no coordinate changes but by the snap to the lattice
+/// (half a unit). Indices in range, points finite, at least one face. Whole-mesh cost, on all cores.
+Legalised legalise(const TriangleMesh& mesh, const LegaliseOptions& options = {}, const JobWatch& watch = {});
+} // namespace core

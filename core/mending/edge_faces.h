@@ -1,0 +1,54 @@
+#pragma once
+
+#include "../geometry.h"
+
+#include <algorithm>
+#include <span>
+#include <tuple>
+#include <vector>
+
+namespace core::mending
+{
+/// A face at an edge.
+struct EdgeFace
+{
+    Slot low, high; ///< the edge's ends, low < high
+    Slot face;
+    bool forward; ///< the face runs it from low to high
+
+    /// Of the face's corners, the one across.
+    Slot apex(const Triangle& t) const
+    {
+        return t[0] != low && t[0] != high ? t[0] : t[1] != low && t[1] != high ? t[1] : t[2];
+    }
+};
+
+/// All of them, edge by edge, faces ascending.
+inline std::vector<EdgeFace> edgeFacesOf(std::span<const Triangle> triangles)
+{
+    std::vector<EdgeFace> edges;
+    edges.reserve(3 * triangles.size());
+    for (Slot f = 0; f < triangles.size(); ++f) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Slot from = triangles[f][i], to = triangles[f][i == 2 ? 0 : i + 1];
+            edges.push_back({std::min(from, to), std::max(from, to), f, from < to});
+        }
+    }
+    std::ranges::sort(edges, [](const EdgeFace& a, const EdgeFace& b) {
+        return std::tie(a.low, a.high, a.face) < std::tie(b.low, b.high, b.face);
+    });
+    return edges;
+}
+
+/// Calls visit(faces around) for each edge.
+template <typename Visit> void forEachEdge(std::span<const Triangle> triangles, Visit visit)
+{
+    const std::vector<EdgeFace> edges = edgeFacesOf(triangles);
+    for (std::size_t begin = 0, end; begin < edges.size(); begin = end) {
+        end = begin;
+        while (end < edges.size() && edges[end].low == edges[begin].low && edges[end].high == edges[begin].high)
+            ++end;
+        visit(std::span(edges).subspan(begin, end - begin));
+    }
+}
+} // namespace core::mending

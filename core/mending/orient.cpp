@@ -1,0 +1,261 @@
+#include "orient.h"
+
+#include "edge_faces.h"
+
+#include "../box_tree.h"
+#include "../winding_number.h"
+
+#include <cmath>
+
+namespace core::mending
+{
+namespace
+{
+/// The parts of a surface that hang together by edges of two.
+struct Parts
+{
+    std::vector<std::vector<Slot>> faces;
+    std::vector<Slot> ofFace;
+};
+
+void turn(Triangle& t)
+{
+    std::swap(t[1], t[2]);
+}
+
+/// Runs through each part and turns what runs against where it began, or the others if those are fewer.
+class Flood
+{
+public:
+    explicit Flood(Surface& surface) : m_triangles(surface.triangles), m_across(3 * m_triangles.size(), noSlot)
+    {
+        forEachEdge(m_triangles, [&](std::span<const EdgeFace> around) {
+            if (around.size() != 2)
+                return;
+            const bool agree = around[0].forward != around[1].forward;
+            connect(around[0].face, around[1].face, agree);
+            connect(around[1].face, around[0].face, agree);
+        });
+    }
+
+    Parts run(std::size_t& turned)
+    {
+        Parts parts;
+        parts.ofFace.assign(m_triangles.size(), noSlot);
+        std::vector<bool> isAgainst(m_triangles.size(), false);
+        for (Slot seed = 0; seed < m_triangles.size(); ++seed) {
+            if (parts.ofFace[seed] != noSlot)
+                continue;
+            const auto part = static_cast<Slot>(parts.faces.size());
+            std::vector<Slot> faces{seed};
+            parts.ofFace[seed] = part;
+            std::size_t against = 0;
+            for (std::size_t i = 0; i < faces.size(); ++i) {
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const Slot link = m_across[3 * faces[i] + k];
+                    if (link == noSlot || parts.ofFace[link / 2] != noSlot)
+                        continue;
+                    const Slot next = link / 2;
+                    parts.ofFace[next] = part;
+                    isAgainst[next] = isAgainst[faces[i]] == (link % 2 == 1);
+                    against += isAgainst[next];
+                    faces.push_back(next);
+                }
+            }
+            const bool fewerAgainst = 2 * against <= faces.size();
+            for (const Slot f : faces) {
+                if (isAgainst[f] == fewerAgainst) {
+                    turn(m_triangles[f]);
+                    ++turned;
+                }
+            }
+            parts.faces.push_back(std::move(faces));
+        }
+        return parts;
+    }
+
+private:
+    /// Kept as 2 x face + whether they agree.
+    void connect(Slot from, Slot to, bool agree)
+    {
+        Slot* link = &m_across[3 * from];
+        while (*link != noSlot)
+            ++link;
+        *link = 2 * to + (agree ? 1 : 0);
+    }
+
+    std::vector<Triangle>& m_triangles;
+    std::vector<Slot> m_across;
+};
+
+/// Looks along the axes.
+class Lookout
+{
+public:
+    explicit Lookout(const Surface& surface) : m_surface(surface), m_tree(boxesOf(surface)) {}
+
+    /// From the middle of the face: how many of the axes' ways lead out before it, less how many behind. Both are added to `seen`.
+    int balance(Slot face, std::size_t& seen) const
+    {
+        const Triangle& t = m_surface.triangles[face];
+        const Vec3 a = at(t[0]), b = at(t[1]), c = at(t[2]);
+        const Vec3 middle = (a + b + c) / 3, normal = (b - a).cross(c - a);
+        int result = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            for (const int way : {-1, 1}) {
+                if (normal[axis] == 0 || !leadsOut(face, middle, axis, way))
+                    continue;
+                ++seen;
+                result += normal[axis] * way > 0 ? 1 : -1;
+            }
+        }
+        return result;
+    }
+
+private:
+    static std::vector<FaceBox> boxesOf(const Surface& surface)
+    {
+        std::vector<FaceBox> boxes(surface.triangles.size());
+        for (std::size_t f = 0; f < boxes.size(); ++f)
+            for (const Slot corner : surface.triangles[f])
+                boxes[f].extend(surface.points[corner].array().cast<float>());
+        return boxes;
+    }
+
+    Vec3 at(Slot v) const { return m_surface.points[v].cast<double>(); }
+
+    bool leadsOut(Slot face, const Vec3& from, int axis, int way) const
+    {
+        FaceBox line;
+        line.extend(from.array().cast<float>());
+        Eigen::Array3f end = from.array().cast<float>();
+        end[axis] = static_cast<float>(2 * way * Lattice::limit);
+        line.extend(end);
+        bool isBlocked = false;
+        m_tree.forEachMeeting(line, 0, [&](Slot position) {
+            const Slot other = m_tree.at(position);
+            isBlocked = isBlocked || (other != face && blocks(other, from, axis, way));
+        });
+        return !isBlocked;
+    }
+
+    bool blocks(Slot face, const Vec3& from, int axis, int way) const
+    {
+        const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+        const Triangle& t = m_surface.triangles[face];
+        const std::array<Vec3, 3> p{at(t[0]) - from, at(t[1]) - from, at(t[2]) - from};
+        std::array<double, 3> weight;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec3 &u = p[(k + 1) % 3], &v = p[(k + 2) % 3];
+            weight[k] = u[i] * v[j] - u[j] * v[i];
+        }
+        const double sum = weight[0] + weight[1] + weight[2];
+        if (sum == 0 || weight[0] * sum < 0 || weight[1] * sum < 0 || weight[2] * sum < 0)
+            return false;
+        return way * (weight[0] * p[0][axis] + weight[1] * p[1][axis] + weight[2] * p[2][axis]) / sum > 0;
+    }
+
+    const Surface& m_surface;
+    BoxTree m_tree;
+};
+
+/// Turns the parts that hang on edges of three or more to where they are seen from. True: some were not seen, and went.
+bool lookAtSheets(Surface& surface, const Parts& parts, Oriented& oriented)
+{
+    std::vector<bool> hangs(parts.faces.size(), false);
+    bool doAny = false;
+    forEachEdge(surface.triangles, [&](std::span<const EdgeFace> around) {
+        if (around.size() < 3)
+            return;
+        doAny = true;
+        for (const EdgeFace& e : around)
+            hangs[parts.ofFace[e.face]] = true;
+    });
+    if (!doAny)
+        return false;
+    const Lookout lookout(surface);
+    std::vector<bool> goes(surface.triangles.size(), false);
+    std::size_t gone = 0;
+    for (std::size_t part = 0; part < parts.faces.size(); ++part) {
+        if (!hangs[part])
+            continue;
+        constexpr std::size_t samples = 64;
+        const std::vector<Slot>& faces = parts.faces[part];
+        const std::size_t step = std::max<std::size_t>(1, faces.size() / samples);
+        std::size_t seen = 0;
+        int balance = 0;
+        for (std::size_t i = 0; i < faces.size(); i += step)
+            balance += lookout.balance(faces[i], seen);
+        for (const Slot f : faces) {
+            goes[f] = seen == 0;
+            if (balance < 0)
+                turn(surface.triangles[f]);
+        }
+        gone += seen == 0 ? faces.size() : 0;
+        oriented.turned += balance < 0 ? faces.size() : 0;
+    }
+    std::size_t kept = 0;
+    for (Slot f = 0; f < surface.triangles.size(); ++f)
+        if (!goes[f])
+            surface.triangles[kept++] = surface.triangles[f];
+    surface.triangles.resize(kept);
+    oriented.membranes += gone;
+    return gone > 0;
+}
+
+double volumeOf(const Surface& surface, const std::vector<Slot>& faces)
+{
+    const auto at = [&](Slot v) { return Vec3(surface.points[v].cast<double>()); };
+    const Vec3 origin = at(surface.triangles[faces[0]][0]);
+    double volume = 0;
+    for (const Slot f : faces) {
+        const auto& [a, b, c] = surface.triangles[f];
+        volume += (at(a) - origin).dot((at(b) - origin).cross(at(c) - origin)) / 6;
+    }
+    return volume;
+}
+} // namespace
+
+Oriented orient(Surface& surface)
+{
+    Oriented oriented;
+    bool again = true;
+    while (again) {
+        const Parts parts = Flood(surface).run(oriented.turned);
+        again = lookAtSheets(surface, parts, oriented);
+    }
+    return oriented;
+}
+
+Faced faceOutwards(Surface& surface, bool innerAreCavities)
+{
+    Faced faced;
+    std::size_t turned = 0;
+    const Parts parts = Flood(surface).run(turned);
+    std::vector<Vec3> points;
+    points.reserve(surface.points.size());
+    for (const LatticePoint& p : surface.points)
+        points.push_back(p.cast<double>());
+    const bool areSeveral = parts.faces.size() > 1;
+    const WindingNumber winding(points, areSeveral ? std::span<const Triangle>(surface.triangles)
+                                                   : std::span<const Triangle>());
+    for (const std::vector<Slot>& faces : parts.faces) {
+        const double volume = volumeOf(surface, faces);
+        bool isInside = false;
+        if (areSeveral) {
+            const Triangle& t = surface.triangles[faces[0]];
+            const double own = volume < 0 ? -0.5 : 0.5; // of the rest of the part, at its own surface
+            const Vec3 middle = (points[t[0]] + points[t[1]] + points[t[2]]) / 3;
+            isInside = std::abs(winding.at(middle, std::span(faces).first(1)) - own) > 0.5;
+        }
+        const bool facesIn = volume < 0;
+        const bool shouldTurn = isInside ? !facesIn && innerAreCavities : facesIn;
+        faced.inner += isInside && !facesIn;
+        faced.turned += shouldTurn && !isInside;
+        if (shouldTurn)
+            for (const Slot f : faces)
+                turn(surface.triangles[f]);
+    }
+    return faced;
+}
+} // namespace core::mending

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "surface.h"
+
+#include "../job_watch.h"
+
+#include <cstddef>
+
+namespace core::mending
+{
+struct Oriented
+{
+    std::size_t turned = 0;    ///< faces
+    std::size_t membranes = 0; ///< faces of sheets between others that nobody sees from outside: they went
+};
+
+/// Faces joined by edges of two run the same way as most of them did. Sheets that hang on edges of three or more are turned
+/// to where they are seen from, along the axes; those that are not seen at all go.
+Oriented orient(Surface& surface);
+
+struct Faced
+{
+    std::size_t turned = 0; ///< parts that faced inwards and lie in no other
+    std::size_t inner = 0;  ///< parts that lie inside others and face outwards, and so will be filled; or were turned
+};
+
+/// Closed parts face outwards; those inside of others keep their way: inwards, they are cavities. With `innerAreCavities` parts
+/// inside of others that face outwards are turned as well.
+Faced faceOutwards(Surface& surface, bool innerAreCavities);
+} // namespace core::mending

@@ -1,0 +1,366 @@
+// 1. halve   each edge of four faces or more gets a vertex in its middle, so that every part of it will have an end of its own
+// 2. pair    faces at such an edge that have solid between them, by their exact order around it
+// 3. split   each vertex into one for each fan of faces that are joined around it
+// 4. part    the copies of each vertex: into their own cones, until nothing meets there, by an exact judgement of the whole
+// 5. drop    a little clay where that does not help
+
+#include "separate.h"
+
+#include "edge_faces.h"
+
+#include "../predicates.h"
+#include "../self_intersection.h"
+
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <set>
+
+namespace core::mending
+{
+namespace
+{
+std::size_t halveEdges(Surface& surface)
+{
+    std::vector<std::pair<std::pair<Slot, Slot>, Slot>> halved;
+    forEachEdge(surface.triangles, [&](std::span<const EdgeFace> around) {
+        if (around.size() > 2)
+            halved.push_back({{around[0].low, around[0].high}, noSlot});
+    });
+    for (auto& [ends, middle] : halved) {
+        const auto [a, b] = ends;
+        const LatticePoint between = surface.points[a] + (surface.points[b] - surface.points[a]) / 2;
+        middle = surface.addPoint(between, a, b);
+    }
+    const auto middleOf = [&](Slot a, Slot b) {
+        const std::pair<Slot, Slot> ends = std::minmax(a, b);
+        const auto found = std::ranges::lower_bound(halved, ends, {}, [](const auto& h) { return h.first; });
+        return found != halved.end() && found->first == ends ? found->second : noSlot;
+    };
+    std::vector<Triangle> open;
+    std::vector<Triangle> result;
+    for (const Triangle& face : surface.triangles) {
+        open.assign(1, face);
+        while (!open.empty()) {
+            const Triangle t = open.back();
+            open.pop_back();
+            std::size_t i = 0;
+            Slot middle = noSlot;
+            for (; i < 3 && middle == noSlot; ++i)
+                middle = middleOf(t[i], t[(i + 1) % 3]);
+            if (middle == noSlot) {
+                result.push_back(t);
+                continue;
+            }
+            --i;
+            open.push_back({t[i], middle, t[(i + 2) % 3]});
+            open.push_back({middle, t[(i + 1) % 3], t[(i + 2) % 3]});
+        }
+    }
+    surface.triangles = std::move(result);
+    return halved.size();
+}
+
+/// The order of faces around an edge, seen from its high end: counter-clockwise, the first face first. Exact.
+class Around
+{
+public:
+    Around(const Surface& surface, const EdgeFace& first) : m_surface(surface), m_first(first) {}
+
+    bool operator()(const EdgeFace& a, const EdgeFace& b) const
+    {
+        const int halfOfA = half(a), halfOfB = half(b);
+        if (halfOfA != halfOfB)
+            return halfOfA < halfOfB;
+        return turn(apex(a), apex(b)) > 0;
+    }
+
+private:
+    const LatticePoint& apex(const EdgeFace& e) const { return m_surface.points[e.apex(m_surface.triangles[e.face])]; }
+    /// Sign of the turn from a to b about the edge.
+    int turn(const LatticePoint& a, const LatticePoint& b) const
+    {
+        return LatticePredicates::orient3d(m_surface.points[m_first.low], m_surface.points[m_first.high], a, b);
+    }
+    /// 0: the first itself; 1: less than half a turn away; 2: half a turn; 3: more.
+    int half(const EdgeFace& e) const
+    {
+        if (e.face == m_first.face)
+            return 0;
+        const int side = turn(apex(m_first), apex(e));
+        return side > 0 ? 1 : side == 0 ? 2 : 3;
+    }
+
+    const Surface& m_surface;
+    EdgeFace m_first;
+};
+
+/// Corners of faces (3 x face + corner) that belong to one vertex in the end.
+class Fans
+{
+public:
+    explicit Fans(const Surface& surface) : m_surface(surface), m_parent(3 * surface.triangles.size())
+    {
+        std::iota(m_parent.begin(), m_parent.end(), Slot(0));
+        forEachEdge(surface.triangles, [&](std::span<const EdgeFace> around) {
+            if (around.size() == 2)
+                join(around[0], around[1]);
+            else if (around.size() > 2)
+                pair({around.begin(), around.end()});
+        });
+    }
+
+    Slot root(Slot corner)
+    {
+        while (m_parent[corner] != corner)
+            corner = m_parent[corner] = m_parent[m_parent[corner]];
+        return corner;
+    }
+
+private:
+    /// A face that runs the edge forward has the solid on one side of it, seen along the edge; one that runs it back, on the other.
+    void pair(std::vector<EdgeFace> around)
+    {
+        std::sort(around.begin(), around.end(), Around(m_surface, around[0]));
+        const std::size_t n = around.size();
+        for (std::size_t i = 0; i < n; ++i) {
+            const EdgeFace &face = around[i], &next = around[(i + 1) % n];
+            if (!face.forward && next.forward)
+                join(face, next);
+        }
+    }
+
+    void join(const EdgeFace& a, const EdgeFace& b)
+    {
+        for (const Slot v : {a.low, a.high})
+            unite(cornerAt(a.face, v), cornerAt(b.face, v));
+    }
+    Slot cornerAt(Slot face, Slot v) const
+    {
+        const Triangle& t = m_surface.triangles[face];
+        return 3 * face + (t[0] == v ? 0 : t[1] == v ? 1 : 2);
+    }
+    void unite(Slot a, Slot b)
+    {
+        a = root(a);
+        b = root(b);
+        m_parent[std::max(a, b)] = std::min(a, b);
+    }
+
+    const Surface& m_surface;
+    std::vector<Slot> m_parent;
+};
+
+/// The copies of one vertex.
+using Copies = std::vector<Slot>;
+
+std::vector<Copies> splitVertices(Surface& surface)
+{
+    Fans fans(surface);
+    std::map<Slot, std::vector<Slot>> fansOf; // by vertex; roots, but for the first
+    std::vector<Slot> firstFan(surface.points.size(), noSlot);
+    for (Slot f = 0; f < surface.triangles.size(); ++f) {
+        for (Slot i = 0; i < 3; ++i) {
+            const Slot v = surface.triangles[f][i], fan = fans.root(3 * f + i);
+            if (firstFan[v] == noSlot)
+                firstFan[v] = fan;
+            else if (firstFan[v] != fan)
+                fansOf[v].push_back(fan);
+        }
+    }
+    std::map<Slot, Slot> vertexOfFan;
+    std::vector<Copies> split;
+    for (auto& [v, others] : fansOf) {
+        std::ranges::sort(others);
+        others.erase(std::ranges::unique(others).begin(), others.end());
+        split.push_back({v});
+        for (const Slot fan : others)
+            split.back().push_back(vertexOfFan[fan] = surface.addPoint(LatticePoint(surface.points[v]), v, v));
+    }
+    for (Slot f = 0; f < surface.triangles.size() && !split.empty(); ++f) {
+        for (Slot i = 0; i < 3; ++i) {
+            const auto found = vertexOfFan.find(fans.root(3 * f + i));
+            if (found != vertexOfFan.end())
+                surface.triangles[f][i] = found->second;
+        }
+    }
+    return split;
+}
+
+/// A direction with a positive part along all of the unit vectors, by the perceptron's rule.
+std::optional<Vec3> directionAlong(const std::vector<Vec3>& vectors, Vec3 start)
+{
+    constexpr int steps = 1000;
+    constexpr double clearly = 1e-3; // sine of the angle to each face
+    for (int i = 0; i < steps; ++i) {
+        const double length = start.norm();
+        const auto worst = std::ranges::min_element(vectors, {}, [&](const Vec3& v) { return v.dot(start); });
+        if (length > 0 && worst->dot(start) > clearly * length)
+            return Vec3(start / length);
+        start += *worst;
+    }
+    return std::nullopt;
+}
+
+/// The faces around a vertex.
+struct Fan
+{
+    std::vector<Vec3> inwards;  ///< their normals, turned over
+    Vec3 middle = Vec3::Zero(); ///< the sum of the ways along its edges
+    double shortestEdge = std::numeric_limits<double>::infinity();
+};
+
+/// Into the cone that the fan is, be it one of the solid or one of what is outside: never into the space around it, where other
+/// fans may be. Zero if it is no cone with a view of all of its faces.
+Vec3 wayInto(const Fan& fan)
+{
+    for (const double side : {1.0, -1.0}) {
+        std::vector<Vec3> ways;
+        for (const Vec3& inwards : fan.inwards)
+            ways.push_back(side * inwards);
+        const std::optional<Vec3> way = directionAlong(ways, fan.middle);
+        if (way && way->dot(fan.middle) > 0)
+            return *way;
+    }
+    return Vec3::Zero();
+}
+
+/// Moves the copies of each vertex out of each other's way.
+class Parting
+{
+public:
+    Parting(Surface& surface, const std::vector<Copies>& split) : m_surface(surface), m_start(surface.points)
+    {
+        m_groupOf.assign(surface.points.size(), noSlot);
+        for (Slot g = 0; g < split.size(); ++g) {
+            m_groups.push_back({split[g], std::vector<Fan>(split[g].size()), {}});
+            for (const Slot v : split[g])
+                m_groupOf[v] = g;
+        }
+        for (const Triangle& t : surface.triangles)
+            for (std::size_t i = 0; i < 3; ++i)
+                if (m_groupOf[t[i]] != noSlot)
+                    addFace(m_groups[m_groupOf[t[i]]], t, i);
+        for (Group& group : m_groups)
+            for (const Fan& fan : group.fans)
+                group.ways.push_back(wayInto(fan));
+    }
+
+    /// Those that nothing would help are back where they were.
+    void run(const JobWatch& watch)
+    {
+        for (const Group& group : m_groups)
+            move(group);
+        std::vector<Slot> unsound = unsoundFaces(watch.stop);
+        while (!watch.stopped() && moveOtherwise(unsound))
+            unsound = unsoundFaces(watch.stop);
+    }
+
+    /// A drop of clay where copies could not be parted: an octahedron around them, all in one.
+    std::size_t addDrops()
+    {
+        std::size_t drops = 0;
+        for (const Group& group : m_groups) {
+            if (group.choice < distances.size())
+                continue;
+            ++drops;
+            double shortest = std::numeric_limits<double>::infinity();
+            for (const Fan& fan : group.fans)
+                shortest = std::min(shortest, fan.shortestEdge);
+            addDrop(group.copies[0], static_cast<int>(std::clamp(shortest / 8, 16.0, 1024.0)));
+        }
+        return drops;
+    }
+
+private:
+    struct Group
+    {
+        Copies copies;
+        std::vector<Fan> fans;  ///< of the copies
+        std::vector<Vec3> ways; ///< for the copies
+        std::size_t choice = 0; ///< of distances
+    };
+
+    static constexpr std::array<double, 7> distances{16, 64, 4, 256, 1, 1024, 4096}; ///< lattice units
+
+    void addFace(Group& group, const Triangle& t, std::size_t corner)
+    {
+        const auto at = [&](std::size_t k) { return Vec3(m_start[t[k % 3]].cast<double>()); };
+        const Vec3 u = at(corner + 1) - at(corner), w = at(corner + 2) - at(corner);
+        const auto copy = static_cast<std::size_t>(std::ranges::find(group.copies, t[corner]) - group.copies.begin());
+        Fan& fan = group.fans[copy];
+        fan.inwards.push_back(-u.cross(w).normalized());
+        fan.middle += u.normalized() + w.normalized();
+        fan.shortestEdge = std::min({fan.shortestEdge, u.norm(), w.norm()});
+    }
+
+    void move(const Group& group)
+    {
+        for (std::size_t i = 0; i < group.copies.size(); ++i) {
+            const double wanted = group.choice < distances.size() ? distances[group.choice] : 0;
+            const double step = std::min(wanted, std::max(1.0, group.fans[i].shortestEdge / 4));
+            const LatticePoint by = (step * group.ways[i]).array().round().cast<int>();
+            m_surface.points[group.copies[i]] = m_start[group.copies[i]] + by;
+        }
+    }
+
+    std::vector<Slot> unsoundFaces(const std::stop_token& stop) const
+    {
+        constexpr std::size_t mostPairs = 100'000;
+        std::vector<Slot> faces = degenerateFaces<LatticePredicates>(m_surface.points, m_surface.triangles);
+        for (const FacePair& pair :
+             selfIntersections<LatticePredicates>(m_surface.points, m_surface.triangles, mostPairs, stop).pairs) {
+            faces.push_back(pair.first);
+            faces.push_back(pair.second);
+        }
+        return faces;
+    }
+
+    /// The groups at these faces take their next choice. False: none has.
+    bool moveOtherwise(const std::vector<Slot>& faces)
+    {
+        std::set<Slot> groups;
+        for (const Slot f : faces)
+            for (const Slot v : m_surface.triangles[f])
+                if (m_groupOf[v] != noSlot && m_groups[m_groupOf[v]].choice < distances.size())
+                    groups.insert(m_groupOf[v]);
+        for (const Slot g : groups) {
+            ++m_groups[g].choice;
+            move(m_groups[g]);
+        }
+        return !groups.empty();
+    }
+
+    void addDrop(Slot at, int radius)
+    {
+        const LatticePoint middle = m_start[at];
+        const int r = radius, s = radius / 3; // askew: nothing of the model is likely to lie in its planes
+        const auto first = static_cast<Slot>(m_surface.points.size());
+        for (const LatticePoint& way : {LatticePoint(r, s, -s), LatticePoint(-s, r, s), LatticePoint(s, -s, r)})
+            for (const int sign : {1, -1})
+                m_surface.addPoint(middle + sign * way, at, at);
+        for (const Triangle& t : {Triangle{0, 2, 4}, Triangle{2, 1, 4}, Triangle{1, 3, 4}, Triangle{3, 0, 4},
+                                  Triangle{2, 0, 5}, Triangle{1, 2, 5}, Triangle{3, 1, 5}, Triangle{0, 3, 5}})
+            m_surface.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+    }
+
+    Surface& m_surface;
+    std::vector<LatticePoint> m_start;
+    std::vector<Slot> m_groupOf; ///< by vertex; noSlot for most
+    std::vector<Group> m_groups;
+};
+} // namespace
+
+Separated separate(Surface& surface, const JobWatch& watch)
+{
+    Separated separated;
+    separated.edges = halveEdges(surface);
+    const std::vector<Copies> split = splitVertices(surface);
+    separated.vertices = split.size() - std::min(split.size(), separated.edges); // without the edges' middles
+    Parting parting(surface, split);
+    parting.run(watch);
+    separated.joined = parting.addDrops();
+    return separated;
+}
+} // namespace core::mending

@@ -1,0 +1,140 @@
+// 1. patches   pieces joined by edges of two, in one orientation: each has one winding number before and one behind
+// 2. classify  each patch by the winding numbers at the middle of its largest piece
+// 3. keep      those with the inside behind, and turned over those with the inside before them
+
+#include "solid.h"
+
+#include "edge_faces.h"
+#include "tidy.h"
+
+#include "../parallel.h"
+#include "../winding_number.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace core::mending
+{
+namespace
+{
+class Patches
+{
+public:
+    explicit Patches(const Arrangement& arrangement) : m_parent(arrangement.faces.size())
+    {
+        std::iota(m_parent.begin(), m_parent.end(), Slot(0));
+        std::vector<Triangle> triangles;
+        triangles.reserve(arrangement.faces.size());
+        for (const ArrangedFace& face : arrangement.faces)
+            triangles.push_back(face.corners);
+        forEachEdge(triangles, [&](std::span<const EdgeFace> around) {
+            if (around.size() == 2 && around[0].forward != around[1].forward &&
+                arrangement.faces[around[0].face].jump == arrangement.faces[around[1].face].jump)
+                m_parent[std::max(root(around[0].face), root(around[1].face))] =
+                    std::min(root(around[0].face), root(around[1].face));
+        });
+    }
+
+    Slot root(Slot face)
+    {
+        while (m_parent[face] != face)
+            face = m_parent[face] = m_parent[m_parent[face]];
+        return face;
+    }
+
+private:
+    std::vector<Slot> m_parent;
+};
+
+double areaOf(const Arrangement& arrangement, Slot face)
+{
+    const Triangle& t = arrangement.faces[face].corners;
+    const Vec3& a = arrangement.points[t[0]];
+    return (arrangement.points[t[1]] - a).cross(arrangement.points[t[2]] - a).norm();
+}
+
+/// What the space around a piece is wound around: more than a half is inside, less than minus a half inside out.
+struct Sides
+{
+    int before = 0, behind = 0; ///< -1, 0, 1
+};
+
+Sides judge(const Arrangement& arrangement, const WindingNumber& winding, Slot face)
+{
+    const auto& [corners, original, jump] = arrangement.faces[face];
+    const Vec3 middle =
+        (arrangement.points[corners[0]] + arrangement.points[corners[1]] + arrangement.points[corners[2]]) / 3;
+    std::vector<Slot> here = arrangement.upon[original];
+    here.insert(std::ranges::lower_bound(here, original), original);
+    const double around = winding.at(middle, here);
+    const auto sign = [](double number) { return number > 0.5 ? 1 : number < -0.5 ? -1 : 0; };
+    return {sign(around - 0.5 * jump), sign(around + 0.5 * jump)};
+}
+
+std::vector<Sides> judgeAll(const Surface& original, const Arrangement& arrangement, const JobWatch& watch)
+{
+    Patches patches(arrangement);
+    const std::size_t count = arrangement.faces.size();
+    std::vector<Slot> largest(count, noSlot); ///< of each patch, at its root
+    for (Slot f = 0; f < count; ++f) {
+        Slot& best = largest[patches.root(f)];
+        if (best == noSlot || areaOf(arrangement, f) > areaOf(arrangement, best))
+            best = f;
+    }
+    std::vector<Slot> roots;
+    for (Slot f = 0; f < count; ++f)
+        if (largest[f] != noSlot)
+            roots.push_back(f);
+    std::vector<Vec3> points;
+    points.reserve(original.points.size());
+    for (const LatticePoint& p : original.points)
+        points.push_back(p.cast<double>());
+    const WindingNumber winding(points, original.triangles);
+    std::vector<Sides> sides(count);
+    constexpr std::size_t patchesPerChunk = 4;
+    forEachChunk(roots.size(), patchesPerChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end && !watch.stopped(); ++i)
+            sides[roots[i]] = judge(arrangement, winding, largest[roots[i]]);
+    });
+    for (Slot f = 0; f < count; ++f)
+        sides[f] = sides[patches.root(f)];
+    return sides;
+}
+
+/// Share of the boundary between what is inside out and what is not.
+double insideOutShare(const Arrangement& arrangement, const std::vector<Sides>& sides)
+{
+    double area = 0, insideOut = 0;
+    for (Slot f = 0; f < sides.size(); ++f) {
+        const auto [before, behind] = sides[f];
+        if (before == behind)
+            continue;
+        area += areaOf(arrangement, f);
+        insideOut += before + behind < 0 ? areaOf(arrangement, f) : 0;
+    }
+    return area > 0 ? insideOut / area : 0;
+}
+} // namespace
+
+Solid solidOf(const Surface& original, const Arrangement& arrangement, Inside inside, const JobWatch& watch)
+{
+    Solid solid;
+    Surface& surface = solid.surface;
+    surface.colors = arrangement.colors;
+    surface.points.reserve(arrangement.points.size());
+    for (const Vec3& p : arrangement.points)
+        surface.points.push_back(p.array().round().cast<int>());
+    const std::vector<Sides> sides = judgeAll(original, arrangement, watch);
+    solid.insideOut = insideOutShare(arrangement, sides);
+    const auto isSolid = [&](int side) { return side > 0 || (side < 0 && inside == Inside::NonZero); };
+    for (Slot f = 0; f < sides.size(); ++f) {
+        const bool before = isSolid(sides[f].before), behind = isSolid(sides[f].behind);
+        const Triangle& t = arrangement.faces[f].corners;
+        if (before != behind)
+            surface.triangles.push_back(behind ? t : Triangle{t[0], t[2], t[1]});
+    }
+    weld(surface);
+    return solid;
+}
+} // namespace core::mending

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "../lattice.h"
+
+#include <vector>
+
+namespace core::mending
+{
+/// A stranger's triangles on the lattice, while they are being mended. No promise but indices in range.
+struct Surface
+{
+    std::vector<LatticePoint> points;
+    std::vector<Rgb> colors; ///< empty, or one per point
+    std::vector<Triangle> triangles;
+
+    /// With the colour between those of two points, or of one.
+    Slot addPoint(const LatticePoint& p, Slot colorOf, Slot otherColorOf)
+    {
+        points.push_back(p);
+        if (!colors.empty()) {
+            const Rgb a = colors[colorOf], b = colors[otherColorOf];
+            const auto middle = [](std::uint8_t x, std::uint8_t y) {
+                return static_cast<std::uint8_t>((x + y + 1) / 2);
+            };
+            colors.push_back({middle(a.r, b.r), middle(a.g, b.g), middle(a.b, b.b)});
+        }
+        return static_cast<Slot>(points.size() - 1);
+    }
+};
+} // namespace core::mending

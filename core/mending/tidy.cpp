@@ -1,0 +1,184 @@
+#include "tidy.h"
+
+#include "edge_faces.h"
+
+#include "../predicates.h"
+
+#include <numeric>
+
+namespace core::mending
+{
+namespace
+{
+bool repeatsCorner(const Triangle& t)
+{
+    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+}
+
+std::size_t dropRepeatedCorners(Surface& surface)
+{
+    return std::erase_if(surface.triangles, repeatsCorner);
+}
+
+Triangle sortedCorners(Triangle t)
+{
+    std::ranges::sort(t);
+    return t;
+}
+
+/// 1 if the face runs its sorted corners forwards, else -1.
+int runOf(const Triangle& t)
+{
+    const Triangle s = sortedCorners(t);
+    return (t[0] == s[0] && t[1] == s[1]) || (t[1] == s[0] && t[2] == s[1]) || (t[2] == s[0] && t[0] == s[1]) ? 1 : -1;
+}
+
+std::size_t dropDuplicates(Surface& surface, Duplicates duplicates)
+{
+    std::vector<Triangle>& triangles = surface.triangles;
+    std::vector<std::pair<Triangle, Slot>> byCorners;
+    for (Slot f = 0; f < triangles.size(); ++f)
+        byCorners.emplace_back(sortedCorners(triangles[f]), f);
+    std::ranges::sort(byCorners);
+    std::vector<bool> goes(triangles.size(), false);
+    for (std::size_t begin = 0, end; begin < byCorners.size(); begin = end) {
+        int net = 0;
+        for (end = begin; end < byCorners.size() && byCorners[end].first == byCorners[begin].first; ++end)
+            net += runOf(triangles[byCorners[end].second]);
+        if (end == begin + 1)
+            continue;
+        if (duplicates == Duplicates::KeepOne)
+            net = runOf(triangles[byCorners[begin].second]);
+        for (std::size_t i = begin; i < end; ++i) {
+            const Slot face = byCorners[i].second;
+            const bool stays = net * runOf(triangles[face]) > 0;
+            net -= stays ? runOf(triangles[face]) : 0;
+            goes[face] = !stays;
+        }
+    }
+    std::size_t kept = 0;
+    for (Slot f = 0; f < triangles.size(); ++f)
+        if (!goes[f])
+            triangles[kept++] = triangles[f];
+    const std::size_t dropped = triangles.size() - kept;
+    triangles.resize(kept);
+    return dropped;
+}
+
+/// Of corners on a line, the one between the others.
+std::size_t middleCorner(const Surface& surface, const Triangle& t)
+{
+    std::array<std::int64_t, 3> acrossFrom; // squared length of the side across from the corner
+    for (std::size_t i = 0; i < 3; ++i)
+        acrossFrom[i] =
+            (surface.points[t[(i + 1) % 3]] - surface.points[t[(i + 2) % 3]]).cast<std::int64_t>().squaredNorm();
+    return static_cast<std::size_t>(std::ranges::max_element(acrossFrom) - acrossFrom.begin());
+}
+
+/// One round: each face takes part in one exchange at most. Returns how many faces without area were dealt with.
+std::size_t giveMiddlesAway(Surface& surface)
+{
+    std::vector<Triangle>& triangles = surface.triangles;
+    std::vector<Slot> flat;
+    for (Slot f = 0; f < triangles.size(); ++f) {
+        const auto& [a, b, c] = triangles[f];
+        if (LatticePredicates::collinear(surface.points[a], surface.points[b], surface.points[c]))
+            flat.push_back(f);
+    }
+    if (flat.empty())
+        return 0;
+    const std::vector<EdgeFace> edges = edgeFacesOf(triangles);
+    std::vector<bool> isTouched(triangles.size(), false);
+    for (const Slot f : flat) {
+        const Triangle t = triangles[f];
+        const std::size_t middle = middleCorner(surface, t);
+        const Slot from = t[(middle + 1) % 3], b = t[middle], to = t[(middle + 2) % 3]; // the long side runs from -> to
+        const auto [first, last] =
+            std::ranges::equal_range(edges, std::pair(std::min(from, to), std::max(from, to)), {},
+                                     [](const EdgeFace& e) { return std::pair(e.low, e.high); });
+        if (isTouched[f])
+            continue;
+        const auto across = std::find_if(first, last, [&](const EdgeFace& e) {
+            return e.face != f && e.forward != (from < to) && !isTouched[e.face];
+        });
+        const bool mustWait = across == last && std::any_of(first, last, [&](const EdgeFace& e) {
+                                  return e.face != f && isTouched[e.face];
+                              });
+        if (mustWait)
+            continue;
+        isTouched[f] = true;
+        if (across == last) {
+            triangles[f] = {b, b, b};
+            continue;
+        }
+        isTouched[across->face] = true;
+        const Slot apex = across->apex(triangles[across->face]); // that face runs to -> from
+        triangles[f] = {to, b, apex};
+        triangles[across->face] = {b, from, apex};
+    }
+    return flat.size();
+}
+} // namespace
+
+std::size_t weld(Surface& surface)
+{
+    std::vector<Slot> order(surface.points.size());
+    std::iota(order.begin(), order.end(), Slot(0));
+    const auto key = [&](Slot v) {
+        const LatticePoint& p = surface.points[v];
+        return std::tuple(p.x(), p.y(), p.z(), v);
+    };
+    std::ranges::sort(order, {}, key);
+    std::vector<Slot> first(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const bool isSame = i > 0 && surface.points[order[i]] == surface.points[order[i - 1]];
+        first[order[i]] = isSame ? first[order[i - 1]] : order[i];
+    }
+    std::vector<bool> isUsed(order.size(), false);
+    std::vector<bool> isMerged(order.size(), false);
+    for (Triangle& t : surface.triangles) {
+        for (Slot& v : t) {
+            isMerged[v] = first[v] != v;
+            v = first[v];
+            isUsed[v] = true;
+        }
+    }
+    Surface result;
+    std::vector<Slot> newSlot(order.size(), noSlot);
+    for (Slot v = 0; v < order.size(); ++v) {
+        if (!isUsed[v])
+            continue;
+        newSlot[v] = static_cast<Slot>(result.points.size());
+        result.points.push_back(surface.points[v]);
+        if (!surface.colors.empty())
+            result.colors.push_back(surface.colors[v]);
+    }
+    for (Triangle& t : surface.triangles)
+        for (Slot& v : t)
+            v = newSlot[v];
+    surface.points = std::move(result.points);
+    surface.colors = std::move(result.colors);
+    return static_cast<std::size_t>(std::ranges::count(isMerged, true));
+}
+
+Tidied tidy(Surface& surface, Duplicates duplicates)
+{
+    constexpr int mostRounds = 1000; // each ends nearer: middles travel to faces with area
+    Tidied tidied;
+    tidied.degenerate = dropRepeatedCorners(surface);
+    bool isFirst = true;
+    for (int round = 0; round < mostRounds; ++round) {
+        tidied.duplicates += dropDuplicates(surface, duplicates);
+        const std::size_t flat = giveMiddlesAway(surface);
+        tidied.degenerate += isFirst ? flat : 0;
+        isFirst = false;
+        if (flat == 0)
+            return tidied;
+        dropRepeatedCorners(surface);
+    }
+    std::erase_if(surface.triangles, [&](const Triangle& t) {
+        return LatticePredicates::collinear(surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]);
+    });
+    return tidied;
+}
+} // namespace core::mending

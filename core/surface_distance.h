@@ -1,0 +1,19 @@
+#pragma once
+
+#include "job_watch.h"
+#include "triangle_mesh.h"
+
+namespace core
+{
+/// How far one surface lies from another, in the model's unit.
+struct SurfaceDistance
+{
+    double largest = 0;
+    double mean = 0; ///< over the area
+};
+
+/// From `a` to the nearest points of `b`: at a's corners and, evenly by area, at 200,000 points or one a face. The larger of both
+/// ways is the Hausdorff distance, as closely as the samples show it. Both have faces. All cores; the same on any machine. Who stopped it
+/// must not use the result. About 2 us a sample.
+SurfaceDistance distanceFrom(const TriangleMesh& a, const TriangleMesh& b, const JobWatch& watch = {});
+} // namespace core

@@ -1,0 +1,112 @@
+#include "winding_number.h"
+
+#include "parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace core
+{
+namespace
+{
+constexpr std::size_t nodeSize = BoxTree::nodeSize;
+constexpr std::size_t nodesPerChunk = 1 << 8;
+/// A node's faces are one dipole for points farther away than so many of its radii.
+constexpr double farAway = 3;
+
+/// Of the triangle as seen from p (Van Oosterom and Strackee 1983); outwards is positive.
+double solidAngle(const std::array<Vec3, 3>& triangle, const Vec3& p)
+{
+    const Vec3 a = triangle[0] - p, b = triangle[1] - p, c = triangle[2] - p;
+    const double la = a.norm(), lb = b.norm(), lc = c.norm();
+    return 2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+}
+
+std::vector<FaceBox> boxesOf(std::span<const Vec3> points, std::span<const Triangle> triangles)
+{
+    std::vector<FaceBox> boxes(triangles.size());
+    for (std::size_t f = 0; f < triangles.size(); ++f)
+        for (const Slot corner : triangles[f])
+            boxes[f].extend(points[corner].array().cast<float>());
+    return boxes;
+}
+} // namespace
+
+WindingNumber::WindingNumber(std::span<const Vec3> points, std::span<const Triangle> triangles)
+{
+    const BoxTree order(boxesOf(points, triangles));
+    for (Slot position = 0; position < order.size(); ++position) {
+        const Slot face = order.at(position);
+        const Triangle& t = triangles[face];
+        m_faces.push_back(face);
+        m_triangles.push_back({points[t[0]], points[t[1]], points[t[2]]});
+    }
+    for (std::size_t covers = nodeSize; !m_triangles.empty(); covers *= nodeSize) {
+        Level level;
+        level.nodes.resize(chunksOf(m_triangles.size(), covers));
+        forEachChunk(level.nodes.size(), nodesPerChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                level.nodes[i] = dipoleOf(i * covers, std::min((i + 1) * covers, m_triangles.size()));
+        });
+        m_levels.push_back(std::move(level));
+        if (m_levels.back().nodes.size() == 1)
+            break;
+    }
+}
+
+WindingNumber::Dipole WindingNumber::dipoleOf(std::size_t from, std::size_t to) const
+{
+    Dipole dipole;
+    double area = 0;
+    for (std::size_t i = from; i < to; ++i) {
+        const auto& [a, b, c] = m_triangles[i];
+        const Vec3 moment = 0.5 * (b - a).cross(c - a);
+        const double weight = moment.norm();
+        dipole.moment += moment;
+        dipole.centre += weight * (a + b + c) / 3;
+        area += weight;
+    }
+    if (area > 0)
+        dipole.centre /= area;
+    else
+        dipole.centre = m_triangles[from][0];
+    for (std::size_t i = from; i < to; ++i)
+        for (const Vec3& corner : m_triangles[i])
+            dipole.radius = std::max(dipole.radius, (corner - dipole.centre).norm());
+    return dipole;
+}
+
+double WindingNumber::at(const Vec3& p, std::span<const Slot> without) const
+{
+    if (m_levels.empty())
+        return 0;
+    struct Node
+    {
+        std::size_t level, index;
+    };
+    std::vector<Node> open{{m_levels.size() - 1, 0}};
+    double angle = 0;
+    while (!open.empty()) {
+        const auto [level, index] = open.back();
+        open.pop_back();
+        const Dipole& dipole = m_levels[level].nodes[index];
+        const Vec3 way = dipole.centre - p;
+        const double distance = way.norm();
+        if (distance > farAway * dipole.radius) {
+            angle += dipole.moment.dot(way) / (distance * distance * distance);
+            continue;
+        }
+        const std::size_t first = index * nodeSize;
+        if (level > 0) {
+            for (std::size_t i = first; i < std::min(first + nodeSize, m_levels[level - 1].nodes.size()); ++i)
+                open.push_back({level - 1, i});
+            continue;
+        }
+        for (std::size_t i = first; i < std::min(first + nodeSize, m_triangles.size()); ++i)
+            if (!std::ranges::binary_search(without, m_faces[i]))
+                angle += solidAngle(m_triangles[i], p);
+    }
+    return angle / (4 * std::numbers::pi);
+}
+} // namespace core

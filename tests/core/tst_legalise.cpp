@@ -1,0 +1,279 @@
+#include "core/legalise.h"
+#include "core/mesh_build.h"
+#include "core/mesh_hash.h"
+#include "core/worker_pool.h"
+#include "tests/support/bad_models.h"
+#include "tests/support/cgal_judge.h"
+#include "tests/support/shapes.h"
+
+#include <QTest>
+
+#include <random>
+
+using namespace core;
+
+namespace
+{
+const BadModel& badModel(const QString& name)
+{
+    static const std::vector<BadModel> models = badModels();
+    return *std::ranges::find(models, name.toStdString(), &BadModel::name);
+}
+
+std::uint64_t hashOf(const TriangleMesh& mesh)
+{
+    return wholeHash(*buildMesh(mesh).mesh);
+}
+
+double volumeOf(const TriangleMesh& mesh)
+{
+    return checkMesh(mesh).volume.value_or(0);
+}
+
+/// A strange model by its seed: triangles, tetrahedra or cubes on a coarse grid, where corners, edges and planes coincide, or a
+/// crumpled ball or torus with faces turned over, repeated, taken out, or led astray.
+TriangleMesh strangeModel(unsigned seed)
+{
+    std::mt19937 random(seed);
+    const auto below = [&random](unsigned n) { return static_cast<Slot>(random() % n); };
+    TriangleMesh mesh;
+    const auto gridPoint = [&](unsigned n) {
+        const auto x = static_cast<float>(below(n)), y = static_cast<float>(below(n)), z = static_cast<float>(below(n));
+        return Vec3f(10 * x, 10 * y, 10 * z);
+    };
+    switch (seed % 4) {
+    case 0:
+        for (Slot i = 0; i < 30; ++i)
+            mesh.points.push_back(gridPoint(4));
+        for (unsigned i = 5 + below(40); i > 0; --i)
+            mesh.triangles.push_back({below(30), below(30), below(30)});
+        return mesh;
+    case 1:
+        for (unsigned i = 2 + below(8); i > 0; --i) {
+            const auto o = static_cast<Slot>(mesh.points.size());
+            for (int k = 0; k < 4; ++k)
+                mesh.points.push_back(gridPoint(5));
+            for (const Triangle& t : shapes::tetrahedron().triangles)
+                mesh.triangles.push_back({o + t[0], o + t[1], o + t[2]});
+        }
+        return mesh;
+    case 2:
+        for (unsigned i = 2 + below(10); i > 0; --i)
+            mesh = shapes::together(mesh, shapes::moved(shapes::cube(20), gridPoint(6)));
+        return mesh;
+    default:
+        mesh = below(2) == 0 ? icosphere(2, 50) : shapes::torus({40, 15, 24, 12});
+        mesh = shapes::noisy(mesh, 0.5f * static_cast<float>(below(20)), seed);
+        for (Triangle& t : mesh.triangles) {
+            if (below(50) == 0)
+                std::swap(t[0], t[1]);
+            if (below(80) == 0)
+                t = mesh.triangles[below(static_cast<unsigned>(mesh.triangles.size()))];
+            if (below(200) == 0)
+                t[below(3)] = below(static_cast<unsigned>(mesh.points.size()));
+        }
+        std::erase_if(mesh.triangles, [&](const Triangle&) { return below(60) == 0; });
+        return mesh;
+    }
+}
+} // namespace
+
+class TestLegalise : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void badModels_becomeSolids_data();
+    void badModels_becomeSolids();
+    void soundModel_keepsItsPoints();
+    void unions_haveTheVolumeOfTheUnion();
+    void holes_areClosedAndNothingElseMoves();
+    void largeHoles_areRefusedIfAsked();
+    void innerParts_areFilledOrCavities();
+    void touchingParts_partByMicrometres();
+    void soup_isMadeAnewNearby();
+    void colors_stay();
+    void nothingEnclosed_isRefused();
+    void farModel_isMovedAndSaid();
+    void threads_doNotChangeTheOutcome();
+    void stopped_hasNoMesh();
+    void strangeModels_becomeSolidsOrAreRefused();
+};
+
+void TestLegalise::badModels_becomeSolids_data()
+{
+    QTest::addColumn<QString>("name");
+    for (const BadModel& bad : badModels())
+        if (bad.name != "three faces at an edge")
+            QTest::newRow(bad.name.c_str()) << QString::fromStdString(bad.name);
+}
+
+void TestLegalise::badModels_becomeSolids()
+{
+    QFETCH(QString, name);
+    const TriangleMesh& bad = badModel(name).mesh;
+    QVERIFY(!checkMesh(bad).printReady());
+    const Legalised result = legalise(bad);
+    QVERIFY(result.mesh);
+    const auto verdict = judgedByCgal(*result.mesh);
+    QVERIFY(verdict && verdict->allWell());
+    QVERIFY(buildMesh(*result.mesh).mesh);
+    const double size = checkMesh(bad).size.maxCoeff();
+    QVERIFY(result.report.fromOld.mean <= 0.05 * size);
+    QVERIFY(result.report.fromOld.largest <= result.report.hausdorff());
+}
+
+void TestLegalise::soundModel_keepsItsPoints()
+{
+    const TriangleMesh onLattice = extractMesh(*buildMesh(shapes::torus({40, 15, 40, 20})).mesh);
+    const Legalised result = legalise(onLattice);
+    QVERIFY(result.mesh);
+    QCOMPARE(hashOf(*result.mesh), hashOf(onLattice));
+    QCOMPARE(result.report.hausdorff(), 0.0);
+}
+
+void TestLegalise::unions_haveTheVolumeOfTheUnion()
+{
+    const auto volume = [](const char* name) { return volumeOf(*legalise(badModel(QLatin1String(name)).mesh).mesh); };
+    QVERIFY(std::abs(volume("coplanar overlap") - (2 * 64000 - 20 * 30 * 40)) < 1);
+    QVERIFY(std::abs(volume("stacked cubes") - 2 * 64000) < 1);
+    QVERIFY(std::abs(volume("crossing cubes") - (2 * 64000 - 20 * 20 * 20)) < 1);
+    QVERIFY(std::abs(volume("membrane") - 60 * 60 * 60) < 1);
+    const double whole = volumeOf(icosphere(4, 50));
+    for (const char* name : {"flipped faces", "inside out", "duplicate faces", "slivers"})
+        QVERIFY2(std::abs(volume(name) - whole) < 1, name);
+}
+
+void TestLegalise::holes_areClosedAndNothingElseMoves()
+{
+    const Legalised result = legalise(badModel(QStringLiteral("holes")).mesh);
+    QCOMPARE(result.report.holes, std::size_t(2));
+    QCOMPARE(result.report.largeHoles, std::size_t(0));
+    QVERIFY(result.report.fromOld.largest < 1e-4);
+    QVERIFY(result.report.fromNew.largest < 12);
+}
+
+void TestLegalise::largeHoles_areRefusedIfAsked()
+{
+    const Legalised result = legalise(badModel(QStringLiteral("open bowl")).mesh, {.fillLargeHoles = false});
+    QVERIFY(!result.mesh);
+    QVERIFY(result.refusal == LegaliseRefusal::LargeHoles);
+    QCOMPARE(result.report.largeHoles, std::size_t(1));
+    QVERIFY(legalise(badModel(QStringLiteral("holes")).mesh, {.fillLargeHoles = false}).mesh);
+}
+
+void TestLegalise::innerParts_areFilledOrCavities()
+{
+    const TriangleMesh& bad = badModel(QStringLiteral("inner shells")).mesh;
+    const Legalised filled = legalise(bad), hollow = legalise(bad, {.innerAreCavities = true});
+    QCOMPARE(filled.report.innerParts, std::size_t(2));
+    QCOMPARE(checkMesh(*filled.mesh).components, std::size_t(1));
+    QCOMPARE(checkMesh(*hollow.mesh).components, std::size_t(3));
+    const double inner = volumeOf(icosphere(3, 20)) + volumeOf(icosphere(2, 5));
+    QVERIFY(std::abs(volumeOf(*filled.mesh) - volumeOf(*hollow.mesh) - inner) < 1);
+    const TriangleMesh right = shapes::scaled(shapes::nestedSpheres(true), 20); // a cavity stays one
+    QVERIFY(std::abs(volumeOf(*legalise(right).mesh) - volumeOf(right)) < 1);
+}
+
+void TestLegalise::touchingParts_partByMicrometres()
+{
+    for (const char* name : {"non-manifold edge", "non-manifold vertex", "bow tie", "touching cubes"}) {
+        const Legalised result = legalise(badModel(QLatin1String(name)).mesh);
+        QVERIFY2(result.mesh, name);
+        QVERIFY2(result.report.touchingEdges + result.report.touchingVertices > 0, name);
+        QVERIFY2(result.report.hausdorff() < 0.01, name);
+        QCOMPARE(checkMesh(*result.mesh).components, std::size_t(2));
+    }
+}
+
+void TestLegalise::soup_isMadeAnewNearby()
+{
+    const Legalised result = legalise(badModel(QStringLiteral("soup")).mesh);
+    QVERIFY(result.report.remeshedAt);
+    QVERIFY(result.report.hausdorff() < 2 * *result.report.remeshedAt);
+    QVERIFY(result.report.fromOld.mean < 0.1);
+    QCOMPARE(checkMesh(*result.mesh).genus, std::optional<std::int64_t>(0));
+}
+
+void TestLegalise::colors_stay()
+{
+    TriangleMesh bad = badModel(QStringLiteral("crossing shells")).mesh;
+    for (const Vec3f& p : bad.points)
+        bad.colors.push_back(p.x() < 20 ? Rgb{200, 0, 0} : Rgb{0, 0, 200});
+    const TriangleMesh mesh = *legalise(bad).mesh;
+    QCOMPARE(mesh.colors.size(), mesh.points.size());
+    for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+        if (mesh.points[v].x() < 10)
+            QVERIFY((mesh.colors[v] == Rgb{200, 0, 0}));
+        if (mesh.points[v].x() > 30)
+            QVERIFY((mesh.colors[v] == Rgb{0, 0, 200}));
+    }
+}
+
+void TestLegalise::nothingEnclosed_isRefused()
+{
+    const TriangleMesh point{{{1, 1, 1}}, {}, {{0, 0, 0}}};
+    const TriangleMesh sheet{{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}}, {}, {{0, 1, 2}}};
+    for (const TriangleMesh& mesh : {point, sheet, badModel(QStringLiteral("three faces at an edge")).mesh}) {
+        const Legalised result = legalise(mesh);
+        QVERIFY(!result.mesh);
+        QVERIFY(result.refusal == LegaliseRefusal::EnclosesNothing);
+    }
+}
+
+void TestLegalise::farModel_isMovedAndSaid()
+{
+    const Legalised result = legalise(shapes::moved(badModel(QStringLiteral("crossing cubes")).mesh, {4000, 0, 0}));
+    QVERIFY(result.mesh);
+    QVERIFY(result.report.moved.x() < -3900);
+    QVERIFY(result.report.fromNew.largest < 0.01);
+}
+
+void TestLegalise::threads_doNotChangeTheOutcome()
+{
+    for (const char* name : {"winding torus knot", "soup"}) {
+        std::vector<std::uint64_t> hashes;
+        for (const std::size_t threads : {std::size_t(1), std::size_t(4)}) {
+            WorkerPool::shared().setThreads(threads);
+            hashes.push_back(hashOf(*legalise(badModel(QLatin1String(name)).mesh).mesh));
+        }
+        WorkerPool::shared().setThreads(0);
+        QCOMPARE(hashes[0], hashes[1]);
+    }
+}
+
+void TestLegalise::stopped_hasNoMesh()
+{
+    std::stop_source stop;
+    double last = 0;
+    const Legalised result =
+        legalise(badModel(QStringLiteral("winding torus knot")).mesh, {}, {stop.get_token(), [&](double share) {
+                                                                               QVERIFY(share >= last);
+                                                                               last = share;
+                                                                               if (share > 0.1)
+                                                                                   stop.request_stop();
+                                                                           }});
+    QVERIFY(last > 0.1);
+    QVERIFY(!result.mesh);
+}
+
+void TestLegalise::strangeModels_becomeSolidsOrAreRefused()
+{
+    const bool isSoak = qEnvironmentVariableIsSet("FETTLE_SOAK");
+    const unsigned count = isSoak ? 20'000 : 40;
+    for (unsigned seed = 1; seed <= count; ++seed) {
+        const TriangleMesh mesh = strangeModel(seed);
+        const Legalised result = legalise(mesh);
+        if (!result.mesh) {
+            QVERIFY2(result.refusal == LegaliseRefusal::EnclosesNothing, qPrintable(QString::number(seed)));
+            QVERIFY2(seed % 4 == 0, qPrintable(QString::number(seed))); // the others enclose something
+            continue;
+        }
+        const auto verdict = judgedByCgal(*result.mesh);
+        QVERIFY2(verdict && verdict->allWell(), qPrintable(QString::number(seed)));
+        QVERIFY2(buildMesh(*result.mesh).mesh, qPrintable(QString::number(seed)));
+    }
+}
+
+QTEST_APPLESS_MAIN(TestLegalise)
+#include "tst_legalise.moc"
