@@ -1,11 +1,13 @@
-// convert: read, judge, scale if asked to, judge again, write. A model that is not in order is not written.
+// convert: read, judge, scale if asked to, judge again, write. A model that is not in order is not written, or legalised if asked to.
 #include "command_line.h"
 #include "model_loader.h"
 
 #include "core/decimate.h"
+#include "core/legalise.h"
 #include "core/mesh_build.h"
 #include "core/mesh_check.h"
 #include "core/mesh_io.h"
+#include "ui/mending_words.h"
 #include "ui/messages.h"
 
 #include <QLocale>
@@ -30,6 +32,7 @@ struct ConvertOptions
     std::optional<double> size; ///< of OUT's longest side, mm
     std::optional<UpAxis> up; ///< of IN
     std::size_t triangles = 0; ///< OUT has at most so many; 0: all
+    std::optional<core::LegaliseOptions> legalise;
 };
 
 double unitNamed(const QString& word)
@@ -66,10 +69,21 @@ UpAxis upNamed(const QString& word)
     return word == QLatin1String("y") ? UpAxis::Y : UpAxis::Z;
 }
 
+/// True for the first word.
+bool isFirstOf(const QString& option, const QString& first, const QString& second, const QString& word)
+{
+    if (word != first && word != second)
+        CommandLine::fail(ConvertWords::tr("convert: --%1 is %2 or %3, not %4.").arg(option, first, second, word));
+    return word == first;
+}
+
 std::optional<ConvertOptions> parseOptions(const QStringList& arguments)
 {
     const QString unit = QStringLiteral("unit"), size = QStringLiteral("size"), up = QStringLiteral("up"),
-                  triangles = QStringLiteral("triangles"), legalise = QStringLiteral("legalise");
+                  triangles = QStringLiteral("triangles"),
+                  legalise = QStringLiteral("legalise"), largeHoles = QStringLiteral("large-holes"),
+                  innerParts = QStringLiteral("inner-parts"), fill = QStringLiteral("fill"),
+                  refuse = QStringLiteral("refuse"), hollow = QStringLiteral("hollow");
     QCommandLineParser parser;
     parser.setApplicationDescription(ConvertWords::tr("Writes a model in another format, unit or size."));
     parser.addPositionalArgument(QStringLiteral("IN"), ConvertWords::tr("The model to read."));
@@ -79,16 +93,16 @@ std::optional<ConvertOptions> parseOptions(const QStringList& arguments)
                        {up, ConvertWords::tr("Which axis of IN points up; else z for STL, y for others."), QStringLiteral("y|z")},
                        {triangles, ConvertWords::tr("OUT has at most so many triangles; where they go, shape and colours lose least."),
                         QStringLiteral("N")},
-                       {legalise, ConvertWords::tr("Not there yet.")}});
+                       {legalise, ConvertWords::tr("Mends a model that is not in order, and says what changed.")},
+                       {largeHoles, ConvertWords::tr("With --legalise: holes longer than a quarter of the model; else fill."), QStringLiteral("fill|refuse")},
+                       {innerParts, ConvertWords::tr("With --legalise: parts inside of others that face outwards; else fill."), QStringLiteral("fill|hollow")}});
     if (!CommandLine::parse(parser, QStringLiteral("convert"), arguments))
         return std::nullopt;
     const QStringList files = parser.positionalArguments();
     if (files.size() != 2)
         CommandLine::fail(ConvertWords::tr("convert: two files are needed, IN and OUT, but %n were given.", nullptr,
                                            static_cast<int>(files.size())));
-    if (parser.isSet(legalise))
-        CommandLine::fail(ConvertWords::tr("convert: --legalise is not there yet."));
-    ConvertOptions options{files[0], files[1], {}, {}, {}, 0};
+    ConvertOptions options{files[0], files[1], {}, {}, {}, 0, {}};
     if (parser.isSet(unit))
         options.unit = unitNamed(parser.value(unit));
     if (parser.isSet(size))
@@ -97,6 +111,14 @@ std::optional<ConvertOptions> parseOptions(const QStringList& arguments)
         options.up = upNamed(parser.value(up));
     if (parser.isSet(triangles))
         options.triangles = trianglesFrom(parser.value(triangles));
+    if (parser.isSet(legalise))
+        options.legalise.emplace();
+    else if (parser.isSet(largeHoles) || parser.isSet(innerParts))
+        CommandLine::fail(ConvertWords::tr("convert: --large-holes and --inner-parts are for --legalise."));
+    if (parser.isSet(largeHoles))
+        options.legalise->fillLargeHoles = isFirstOf(largeHoles, fill, refuse, parser.value(largeHoles));
+    if (parser.isSet(innerParts))
+        options.legalise->innerAreCavities = !isFirstOf(innerParts, fill, hollow, parser.value(innerParts));
     return options;
 }
 
@@ -105,6 +127,20 @@ void requireSound(const QString& file, const core::TriangleMesh& mesh)
     const core::MeshReport report = core::checkMesh(mesh);
     if (!report.printReady())
         throw CommandFailure{ui::Messages::refusal(file, report), AnswerIsNo};
+}
+
+/// What was done is the answer. A model that is in order stays as it is.
+void makeSound(const QString& file, core::TriangleMesh& mesh, const core::LegaliseOptions& options)
+{
+    if (core::checkMesh(mesh).printReady())
+        return;
+    core::Legalised legalised = core::legalise(mesh, options);
+    if (!legalised.mesh)
+        throw CommandFailure{ui::MendingWords::refusal(file, legalised), AnswerIsNo};
+    mesh = std::move(*legalised.mesh);
+    QStringList steps = ui::MendingWords::steps(legalised.report);
+    steps << ui::MendingWords::distance(legalised.report);
+    CommandLine::print(steps.join(QLatin1Char('\n')) + QLatin1Char('\n'));
 }
 
 double scaleFor(const ConvertOptions& options, const core::TriangleMesh& mesh)
@@ -145,14 +181,18 @@ ExitStatus convertCommand(const QStringList& arguments)
     CommandLine::requireMeshEnding(options->out);
     try {
         core::TriangleMesh mesh = core::readMesh(toPath(options->in), {options->up});
-        requireSound(options->in, mesh);
+        if (!options->legalise)
+            requireSound(options->in, mesh);
         if (const double factor = scaleFor(*options, mesh); factor != 1) {
             scale(mesh, factor);
             for (const core::Vec3f& point : mesh.points)
                 if (!point.allFinite())
                     CommandLine::fail(ConvertWords::tr("%1: at that size the coordinates are no numbers any more.").arg(options->in));
-            requireSound(options->in, mesh);
+            if (!options->legalise)
+                requireSound(options->in, mesh);
         }
+        if (options->legalise)
+            makeSound(options->in, mesh, *options->legalise);
         if (options->triangles > 0 && mesh.triangles.size() > options->triangles)
             mesh = reduced(*options, mesh);
         core::writeMesh(toPath(options->out), mesh);

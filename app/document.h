@@ -4,6 +4,7 @@
 #include "long_work.h"
 #include "sculpt_worker.h"
 
+#include "core/legalise.h"
 #include "core/model_command.h"
 #include "core/starter_models.h"
 #include "ui/model_facts.h"
@@ -60,6 +61,8 @@ public:
 public Q_SLOTS:
     /// In the place of what is being opened just now; after what is being written or changed.
     void open(const QString& path);
+    /// The same, but a model that is not in order is legalised; it has no file then.
+    void openMended(const QString& path, const core::LegaliseOptions& options);
     /// The paper's sphere.
     void openSphere();
     void openStarter(core::Starter starter);
@@ -102,6 +105,10 @@ Q_SIGNALS:
     /// The verdict: one line on the file as it was read back.
     void exported(const QString& path, const QString& verdict);
     void refused(const QString& sentence);
+    /// A file's model is not in order: openMended() may take it.
+    void mendable(const QString& path, const QString& problem);
+    /// Of the model that comes: what was done to it, step by step.
+    void mended(const QString& name, const QStringList& steps);
     void noticed(const QString& sentence);
     void busy(const QString& what);
     /// While busy: stop() would end it, or has no effect any more.

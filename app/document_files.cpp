@@ -26,6 +26,14 @@ void Document::open(const QString& path)
     openFrom(tr("Opening %1").arg(name), [path, tell](const core::JobWatch& watch) { return ModelLoader::load(path, tell, watch); });
 }
 
+void Document::openMended(const QString& path, const core::LegaliseOptions& options)
+{
+    const QString name = QFileInfo(path).fileName();
+    const auto tell = [this](const QString& next) { m_work.rename(next); };
+    openFrom(tr("Opening %1").arg(name),
+             [path, options, tell](const core::JobWatch& watch) { return ModelLoader::loadMended(path, options, tell, watch); });
+}
+
 void Document::openSphere()
 {
     openFrom(tr("Preparing the clay"), [](const core::JobWatch&) { return ModelLoader::sphere(clayRadius); });
@@ -78,7 +86,9 @@ void Document::load(const QString& what, const Make& make)
         m_isLoading = false;
         m_letGo = m_letGo && m_next;
         m_work.end();
-        if (!watch.stopped())
+        if (!watch.stopped() && model->isMendable)
+            Q_EMIT mendable(model->path, model->problem);
+        else if (!watch.stopped())
             Q_EMIT refused(model->problem);
         if (m_facts.faces == 0 && !m_next) // never without a model
             openSphere();
@@ -91,7 +101,7 @@ void Document::install(std::shared_ptr<LoadedModel> model)
     m_isInstalling = true;
     m_history.clear();
     m_stack.clear();
-    m_changedBeyondHistory = false;
+    m_changedBeyondHistory = !model->mended.isEmpty();
     m_facts.name = model->name;
     m_facts.path = model->path;
     m_facts.notes = model->notes;
@@ -99,6 +109,8 @@ void Document::install(std::shared_ptr<LoadedModel> model)
     m_worker->setModel(std::exchange(model->sculptor, nullptr));
     if (!model->notice.isEmpty())
         Q_EMIT noticed(model->notice);
+    if (!model->mended.isEmpty())
+        Q_EMIT mended(model->name, model->mended);
 }
 
 void Document::takeModel(const MeshFacts& facts)

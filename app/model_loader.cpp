@@ -3,6 +3,7 @@
 #include "core/lattice_placement.h"
 #include "core/mesh_build.h"
 #include "core/mesh_io.h"
+#include "ui/mending_words.h"
 #include "ui/messages.h"
 
 #include <QFileInfo>
@@ -14,7 +15,7 @@ namespace app
 namespace
 {
 constexpr int paperSubdivisions = 4;
-constexpr double afterReading = 0.1; ///< share of the time
+constexpr double afterReading = 0.1, afterMending = 0.8; ///< shares of the time
 
 core::Box boxOf(const core::TriangleMesh& mesh)
 {
@@ -32,26 +33,55 @@ std::filesystem::path toPath(const QString& path)
 
 LoadedModel ModelLoader::load(const QString& path, const Tell& tell, const core::JobWatch& watch)
 {
-    return load(path, false, tell, watch);
+    return read(path, tell, watch, [](LoadedModel& loaded, const core::TriangleMesh& mesh, const core::JobWatch& part) {
+        build(loaded, mesh, false, part);
+        loaded.isMendable = !loaded.problem.isEmpty();
+    });
+}
+
+LoadedModel ModelLoader::loadMended(const QString& path, const core::LegaliseOptions& options, const Tell& tell, const core::JobWatch& watch)
+{
+    return read(path, tell, watch, [&](LoadedModel& loaded, core::TriangleMesh& mesh, const core::JobWatch& part) {
+        if (tell)
+            tell(tr("Mending %1").arg(loaded.name));
+        if (mend(loaded, mesh, options, part.part(0, afterMending)))
+            build(loaded, mesh, false, part.part(afterMending, 1));
+    });
+}
+
+bool ModelLoader::mend(LoadedModel& loaded, core::TriangleMesh& mesh, const core::LegaliseOptions& options, const core::JobWatch& watch)
+{
+    core::Legalised legalised = core::legalise(mesh, options, watch);
+    if (!legalised.mesh) {
+        if (!watch.stopped())
+            loaded.problem = ui::MendingWords::refusal(loaded.path, legalised);
+        return false;
+    }
+    mesh = std::move(*legalised.mesh);
+    loaded.mended = ui::MendingWords::steps(legalised.report) << ui::MendingWords::distance(legalised.report);
+    loaded.path.clear();
+    return true;
 }
 
 LoadedModel ModelLoader::loadInPlace(const QString& path)
 {
-    return load(path, true, {}, {});
+    return read(path, {}, {}, [](LoadedModel& loaded, const core::TriangleMesh& mesh, const core::JobWatch& watch) {
+        build(loaded, mesh, true, watch);
+    });
 }
 
-LoadedModel ModelLoader::load(const QString& path, bool inPlace, const Tell& tell, const core::JobWatch& watch)
+LoadedModel ModelLoader::read(const QString& path, const Tell& tell, const core::JobWatch& watch, const Take& take)
 {
     LoadedModel loaded;
     loaded.path = path;
     loaded.name = QFileInfo(path).fileName();
     try {
-        const core::TriangleMesh mesh = core::readMesh(toPath(path), {.stop = watch.stop});
+        core::TriangleMesh mesh = core::readMesh(toPath(path), {.stop = watch.stop});
         loaded.notes = core::readNotes(toPath(path));
         if (tell)
             tell(tr("Checking %1").arg(loaded.name));
         watch.reached(afterReading);
-        build(loaded, mesh, inPlace, watch.part(afterReading, 1));
+        take(loaded, mesh, watch.part(afterReading, 1));
     } catch (const core::ReadingStopped&) {
         return {};
     } catch (const core::FileError& error) {

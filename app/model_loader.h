@@ -3,6 +3,7 @@
 #include "core/document_notes.h"
 #include "core/file_error.h"
 #include "core/job_watch.h"
+#include "core/legalise.h"
 #include "core/model_command.h"
 #include "core/sculptor.h"
 #include "core/starter_models.h"
@@ -21,6 +22,8 @@ struct LoadedModel
     std::shared_ptr<core::Sculptor> sculptor; ///< null: refused
     std::shared_ptr<const core::Snapshot> start; ///< of its mesh; null: refused
     QString problem;                          ///< then: one sentence with file, place or counts, and reason
+    bool isMendable = false;                  ///< then: loadMended() may take it
+    QStringList mended;                       ///< what was done to it; empty: nothing
     QString notice;                           ///< what the person should know of a model that was taken; may be empty
     QString name;
     QString path; ///< empty: from no file
@@ -39,6 +42,9 @@ public:
     /// Reads, judges and builds for the window: the model's centre is put at the origin.
     /// Who stops it gets neither a model nor a problem.
     static LoadedModel load(const QString& path, const Tell& tell = {}, const core::JobWatch& watch = {});
+    /// The same, but a model that is not in order is legalised; then it has no path.
+    static LoadedModel loadMended(const QString& path, const core::LegaliseOptions& options, const Tell& tell = {},
+                                  const core::JobWatch& watch = {});
     /// The same for scripts: the model stays where it is, or is refused.
     static LoadedModel loadInPlace(const QString& path);
     /// The paper's sphere, 2562 vertices.
@@ -53,7 +59,9 @@ public:
 private:
     static void take(LoadedModel& loaded, std::unique_ptr<core::Mesh> mesh);
     static QString name(core::Starter starter);
-    static LoadedModel load(const QString& path, bool inPlace, const Tell& tell, const core::JobWatch& watch);
+    using Take = std::function<void(LoadedModel& loaded, core::TriangleMesh& mesh, const core::JobWatch& watch)>;
+    static LoadedModel read(const QString& path, const Tell& tell, const core::JobWatch& watch, const Take& take);
+    static bool mend(LoadedModel& loaded, core::TriangleMesh& mesh, const core::LegaliseOptions& options, const core::JobWatch& watch);
     static void build(LoadedModel& loaded, const core::TriangleMesh& mesh, bool inPlace, const core::JobWatch& watch);
 };
 

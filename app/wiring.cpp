@@ -11,6 +11,7 @@
 #include "ui/color_panel.h"
 #include "ui/history_panel.h"
 #include "ui/main_window.h"
+#include "ui/mending_dialogs.h"
 #include "ui/model_panel.h"
 #include "ui/preview_panel.h"
 #include "ui/viewport.h"
@@ -35,6 +36,12 @@ void wireDocument(ui::MainWindow& window, Document& document)
     QObject::connect(&document, &Document::modifiedChanged, &window, &MainWindow::setModified);
     QObject::connect(&document, &Document::refused, &window, &MainWindow::showProblem);
     QObject::connect(&document, &Document::noticed, &window, &MainWindow::showNotice);
+    QObject::connect(&document, &Document::mendable, &window, [&window, &document](const QString& path, const QString& problem) {
+        ui::askToMend(&window, problem, [&document, path](const core::LegaliseOptions& options) { document.openMended(path, options); });
+    });
+    QObject::connect(&document, &Document::mended, &window, [&window](const QString& name, const QStringList& steps) {
+        ui::showMended(&window, name, steps);
+    });
     QObject::connect(&document, &Document::busy, &window, &MainWindow::setBusy);
     QObject::connect(&document, &Document::idle, &window, &MainWindow::setIdle);
     QObject::connect(&document, &Document::progressed, &window, &MainWindow::setProgress);

@@ -196,20 +196,12 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>Which axis of IN points up; else z for STL, y for others.</source>
         <translation>Welche Achse von IN nach oben zeigt; sonst z bei STL, y bei anderen.</translation>
     </message>
-    <message>
-        <source>Not there yet.</source>
-        <translation>Gibt es noch nicht.</translation>
-    </message>
     <message numerus="yes">
         <source>convert: two files are needed, IN and OUT, but %n were given.</source>
         <translation>
             <numerusform>convert: Zwei Dateien sind nötig, IN und OUT, angegeben wurde %n.</numerusform>
             <numerusform>convert: Zwei Dateien sind nötig, IN und OUT, angegeben wurden %n.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>convert: --legalise is not there yet.</source>
-        <translation>convert: --legalise gibt es noch nicht.</translation>
     </message>
     <message>
         <source>%1: at that size the coordinates are no numbers any more.</source>
@@ -226,6 +218,26 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>convert: --triangles is a whole number, at least 4, not %1.</source>
         <translation>convert: --triangles ist eine ganze Zahl, mindestens 4, nicht %1.</translation>
+    </message>
+    <message>
+        <source>convert: --%1 is %2 or %3, not %4.</source>
+        <translation>convert: --%1 ist %2 oder %3, nicht %4.</translation>
+    </message>
+    <message>
+        <source>Mends a model that is not in order, and says what changed.</source>
+        <translation>Repariert ein Modell, das nicht in Ordnung ist, und sagt, was sich geändert hat.</translation>
+    </message>
+    <message>
+        <source>With --legalise: holes longer than a quarter of the model; else fill.</source>
+        <translation>Mit --legalise: Löcher, die länger als ein Viertel des Modells sind; sonst fill.</translation>
+    </message>
+    <message>
+        <source>With --legalise: parts inside of others that face outwards; else fill.</source>
+        <translation>Mit --legalise: Teile im Innern anderer, die nach außen zeigen; sonst fill.</translation>
+    </message>
+    <message>
+        <source>convert: --large-holes and --inner-parts are for --legalise.</source>
+        <translation>convert: --large-holes und --inner-parts gehören zu --legalise.</translation>
     </message>
 </context>
 <context>
@@ -370,6 +382,10 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>Ball</source>
         <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>Mending %1</source>
+        <translation>%1 wird repariert</translation>
     </message>
 </context>
 <context>
@@ -2374,6 +2390,100 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>%1 cm³</source>
         <translation>%1 cm³</translation>
+    </message>
+</context>
+<context>
+    <name>ui::MendingDialogs</name>
+    <message>
+        <source>Mend the Model</source>
+        <translation>Modell reparieren</translation>
+    </message>
+    <message>
+        <source>Fill large holes, too: longer than a quarter of the model</source>
+        <translation>Auch große Löcher füllen: länger als ein Viertel des Modells</translation>
+    </message>
+    <message>
+        <source>Parts inside of others are cavities, not solid</source>
+        <translation>Teile im Innern anderer sind Hohlräume, nicht voll</translation>
+    </message>
+    <message>
+        <source>Mend and Open</source>
+        <translation>Reparieren und öffnen</translation>
+    </message>
+    <message>
+        <source>Fettle can mend it: holes are filled, faces turned outwards, and parts that intersect become one. You will see what changed. The file stays as it is.</source>
+        <translation>Fettle kann es reparieren: Löcher werden gefüllt, Flächen nach außen gewendet, und Teile, die sich schneiden, werden eins. Sie sehen, was sich geändert hat. Die Datei bleibt, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>Fettle</source>
+        <translation>Fettle</translation>
+    </message>
+    <message>
+        <source>%1 was mended. It has no file of its own until you save it.</source>
+        <translation>%1 wurde repariert. Es hat keine eigene Datei, bis Sie es speichern.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::MendingWords</name>
+    <message>
+        <source>The model lay far from the origin and was moved there.</source>
+        <translation>Das Modell lag weit vom Ursprung entfernt und wurde dorthin verschoben.</translation>
+    </message>
+    <message>
+        <source>Points welded: %1</source>
+        <translation>Verschweißte Punkte: %1</translation>
+    </message>
+    <message>
+        <source>Faces without area removed: %1</source>
+        <translation>Entfernte Flächen ohne Inhalt: %1</translation>
+    </message>
+    <message>
+        <source>Duplicate faces removed: %1</source>
+        <translation>Entfernte doppelte Flächen: %1</translation>
+    </message>
+    <message>
+        <source>Faces or parts turned outwards: %1</source>
+        <translation>Nach außen gewendete Flächen oder Teile: %1</translation>
+    </message>
+    <message>
+        <source>Faces of inner sheets removed: %1</source>
+        <translation>Entfernte Flächen innerer Häute: %1</translation>
+    </message>
+    <message>
+        <source>Holes filled: %1</source>
+        <translation>Gefüllte Löcher: %1</translation>
+    </message>
+    <message>
+        <source>of these, longer than a quarter of the model: %1</source>
+        <translation>davon länger als ein Viertel des Modells: %1</translation>
+    </message>
+    <message>
+        <source>Parts inside of others: %1</source>
+        <translation>Teile im Innern anderer: %1</translation>
+    </message>
+    <message>
+        <source>Pairs of faces that met, cut and joined: %1</source>
+        <translation>Flächenpaare, die sich trafen, zerschnitten und verbunden: %1</translation>
+    </message>
+    <message>
+        <source>Edges and points at which parts merely touched, drawn apart: %1</source>
+        <translation>Kanten und Punkte, an denen Teile einander nur berührten, auseinandergezogen: %1</translation>
+    </message>
+    <message>
+        <source>The surface was made anew, with edges of about %1 mm.</source>
+        <translation>Die Oberfläche wurde neu gebildet, mit Kanten von etwa %1 mm.</translation>
+    </message>
+    <message>
+        <source>The new surface is at most %1 mm (mean %2 mm) from the old one; the old one at most %3 mm (mean %4 mm) from the new.</source>
+        <translation>Die neue Oberfläche ist höchstens %1 mm (im Mittel %2 mm) von der alten entfernt, die alte höchstens %3 mm (im Mittel %4 mm) von der neuen.</translation>
+    </message>
+    <message>
+        <source>%1 was not mended: it has holes longer than a quarter of it (%2).</source>
+        <translation>%1 wurde nicht repariert: Es hat Löcher, die länger als ein Viertel von ihm sind (%2).</translation>
+    </message>
+    <message>
+        <source>%1 cannot be mended: its faces enclose no space.</source>
+        <translation>%1 kann nicht repariert werden: Seine Flächen umschließen keinen Raum.</translation>
     </message>
 </context>
 <context>

@@ -195,19 +195,11 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>Which axis of IN points up; else z for STL, y for others.</source>
         <translation>IN 的哪个轴朝上；默认 STL 为 z，其他为 y。</translation>
     </message>
-    <message>
-        <source>Not there yet.</source>
-        <translation>尚未实现。</translation>
-    </message>
     <message numerus="yes">
         <source>convert: two files are needed, IN and OUT, but %n were given.</source>
         <translation>
             <numerusform>convert：需要 IN 和 OUT 两个文件，但指定了 %n 个。</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>convert: --legalise is not there yet.</source>
-        <translation>convert：--legalise 尚未实现。</translation>
     </message>
     <message>
         <source>%1: at that size the coordinates are no numbers any more.</source>
@@ -224,6 +216,26 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>convert: --triangles is a whole number, at least 4, not %1.</source>
         <translation>convert：--triangles 必须是不小于 4 的整数，而不是 %1。</translation>
+    </message>
+    <message>
+        <source>convert: --%1 is %2 or %3, not %4.</source>
+        <translation>convert：--%1 是 %2 或 %3，而不是 %4。</translation>
+    </message>
+    <message>
+        <source>Mends a model that is not in order, and says what changed.</source>
+        <translation>修复有问题的模型，并说明改动了什么。</translation>
+    </message>
+    <message>
+        <source>With --legalise: holes longer than a quarter of the model; else fill.</source>
+        <translation>与 --legalise 一起：长于模型四分之一的孔；默认为 fill。</translation>
+    </message>
+    <message>
+        <source>With --legalise: parts inside of others that face outwards; else fill.</source>
+        <translation>与 --legalise 一起：位于其他部分内部且朝外的部分；默认为 fill。</translation>
+    </message>
+    <message>
+        <source>convert: --large-holes and --inner-parts are for --legalise.</source>
+        <translation>convert：--large-holes 和 --inner-parts 须与 --legalise 一起使用。</translation>
     </message>
 </context>
 <context>
@@ -368,6 +380,10 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>Ball</source>
         <translation>球</translation>
+    </message>
+    <message>
+        <source>Mending %1</source>
+        <translation>正在修复 %1</translation>
     </message>
 </context>
 <context>
@@ -2366,6 +2382,100 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>%1 cm³</source>
         <translation>%1 cm³</translation>
+    </message>
+</context>
+<context>
+    <name>ui::MendingDialogs</name>
+    <message>
+        <source>Mend the Model</source>
+        <translation>修复模型</translation>
+    </message>
+    <message>
+        <source>Fill large holes, too: longer than a quarter of the model</source>
+        <translation>也填补大孔：长于模型的四分之一</translation>
+    </message>
+    <message>
+        <source>Parts inside of others are cavities, not solid</source>
+        <translation>位于其他部分内部的部分是空腔而非实体</translation>
+    </message>
+    <message>
+        <source>Mend and Open</source>
+        <translation>修复并打开</translation>
+    </message>
+    <message>
+        <source>Fettle can mend it: holes are filled, faces turned outwards, and parts that intersect become one. You will see what changed. The file stays as it is.</source>
+        <translation>Fettle 可以修复它：填补孔洞，将面翻转朝外，并把相交的部分合为一体。您会看到改动了什么。文件保持不变。</translation>
+    </message>
+    <message>
+        <source>Fettle</source>
+        <translation>Fettle</translation>
+    </message>
+    <message>
+        <source>%1 was mended. It has no file of its own until you save it.</source>
+        <translation>%1 已修复。在您保存之前，它没有自己的文件。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::MendingWords</name>
+    <message>
+        <source>The model lay far from the origin and was moved there.</source>
+        <translation>模型离原点很远，已移到原点。</translation>
+    </message>
+    <message>
+        <source>Points welded: %1</source>
+        <translation>合并的点：%1</translation>
+    </message>
+    <message>
+        <source>Faces without area removed: %1</source>
+        <translation>移除的无面积面：%1</translation>
+    </message>
+    <message>
+        <source>Duplicate faces removed: %1</source>
+        <translation>移除的重复面：%1</translation>
+    </message>
+    <message>
+        <source>Faces or parts turned outwards: %1</source>
+        <translation>翻转朝外的面或部分：%1</translation>
+    </message>
+    <message>
+        <source>Faces of inner sheets removed: %1</source>
+        <translation>移除的内部薄片的面：%1</translation>
+    </message>
+    <message>
+        <source>Holes filled: %1</source>
+        <translation>填补的孔：%1</translation>
+    </message>
+    <message>
+        <source>of these, longer than a quarter of the model: %1</source>
+        <translation>其中长于模型四分之一的：%1</translation>
+    </message>
+    <message>
+        <source>Parts inside of others: %1</source>
+        <translation>位于其他部分内部的部分：%1</translation>
+    </message>
+    <message>
+        <source>Pairs of faces that met, cut and joined: %1</source>
+        <translation>相交并已切开合并的面对：%1</translation>
+    </message>
+    <message>
+        <source>Edges and points at which parts merely touched, drawn apart: %1</source>
+        <translation>仅相互接触而被分开的边和点：%1</translation>
+    </message>
+    <message>
+        <source>The surface was made anew, with edges of about %1 mm.</source>
+        <translation>表面已重新生成，边长约 %1 mm。</translation>
+    </message>
+    <message>
+        <source>The new surface is at most %1 mm (mean %2 mm) from the old one; the old one at most %3 mm (mean %4 mm) from the new.</source>
+        <translation>新表面距旧表面最多 %1 mm（平均 %2 mm）；旧表面距新表面最多 %3 mm（平均 %4 mm）。</translation>
+    </message>
+    <message>
+        <source>%1 was not mended: it has holes longer than a quarter of it (%2).</source>
+        <translation>%1 未修复：它有长于自身四分之一的孔（%2 个）。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be mended: its faces enclose no space.</source>
+        <translation>%1 无法修复：它的面没有围成任何空间。</translation>
     </message>
 </context>
 <context>

@@ -1,3 +1,4 @@
+#include "core/mesh_check.h"
 #include "core/mesh_io.h"
 #include "tests/support/hard_places.h"
 
@@ -116,6 +117,7 @@ private Q_SLOTS:
     void convert_triangles();
     void convert_up();
     void convert_brokenModelWritesNothing();
+    void convert_legalise();
     void convert_refusals_data();
     void convert_refusals();
     void convert_ontoItself();
@@ -195,7 +197,7 @@ void TestCommandLine::usage_isRefused_data()
     QTest::addColumn<QString>("line");
     for (const char* line : {"check", "check --jsn a.stl", "check --json --csv a.stl", "convert", "convert a.stl", "convert a.stl b.stl c.stl",
                              "convert a.stl b.stl --unit ft", "convert a.stl b.stl --size 0", "convert a.stl b.stl --triangles 3", "convert a.stl b.stl --triangles many", "convert a.stl b.stl --size nan", "convert a.stl b.stl --size 1e999",
-                             "convert a.stl b.stl --size 10mm", "convert a.stl b.stl --up x", "convert a.stl b.stl --legalise", "replay",
+                             "convert a.stl b.stl --size 10mm", "convert a.stl b.stl --up x", "convert a.stl b.stl --inner-parts hollow", "convert a.stl b.stl --legalise --large-holes perhaps", "replay",
                              "replay s.json", "replay --strokes", "replay --strokes s.json --verify most", "replay --strokes s.json --verify none --out a.stl",
                              "replay --strokes s.json --stats ./s.json", "replay --strokes s.json --in a.stl --out b/../a.stl",
                              "help me"})
@@ -469,6 +471,29 @@ void TestCommandLine::convert_brokenModelWritesNothing()
     QVERIFY(answer.err.contains("open.obj") && answer.err.count('\n') == 1);
     QCOMPARE(read(at("out.stl")), QByteArray("what was there"));
     QCOMPARE(left().size(), 2);
+}
+
+void TestCommandLine::convert_legalise()
+{
+    core::TriangleMesh open = core::icosphere(3, 10);
+    open.triangles.resize(open.triangles.size() - 3);
+    core::writeMesh(at("open.ply").toStdString(), open);
+    const QStringList convert{QStringLiteral("convert"), at("open.ply"), at("out.stl"), QStringLiteral("--legalise")};
+    const Answer answer = fettle(convert, {{QStringLiteral("LC_ALL"), QStringLiteral("C")}});
+    QCOMPARE(answer.status, 0);
+    QVERIFY(answer.err.isEmpty());
+    QVERIFY(answer.out.contains("Holes filled: 1\n"));
+    QVERIFY(answer.out.contains("The new surface is at most"));
+    QVERIFY(core::checkMesh(core::readMesh(at("out.stl").toStdString())).printReady());
+
+    QCOMPARE(fettle({QStringLiteral("convert"), at("out.stl"), at("same.stl"), QStringLiteral("--legalise")}).out, QByteArray());
+    QCOMPARE(read(at("same.stl")), read(at("out.stl"))); // what is in order stays as it is
+
+    write(at("sheet.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const Answer no = fettle({QStringLiteral("convert"), at("sheet.obj"), at("none.stl"), QStringLiteral("--legalise")});
+    QCOMPARE(no.status, 1);
+    QVERIFY(no.out.isEmpty() && no.err.contains("sheet.obj") && no.err.count('\n') == 1);
+    QVERIFY(!QFile::exists(at("none.stl")));
 }
 
 void TestCommandLine::convert_refusals_data()

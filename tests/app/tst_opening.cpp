@@ -1,4 +1,5 @@
 #include "tests/support/program_hand.h"
+#include "tests/support/shapes.h"
 
 #include "core/mesh_io.h"
 #include "ui/file_grid.h"
@@ -73,6 +74,8 @@ private Q_SLOTS:
     void afterSaving();
     void stopEndsBoth();
     void theFirstThatCannotBeReadIsNoMatter();
+    void aBrokenModelIsMended_data();
+    void aBrokenModelIsMended();
 };
 
 void TestOpening::theLatestChoiceWins()
@@ -225,6 +228,43 @@ void TestOpening::theFirstThatCannotBeReadIsNoMatter()
     QVERIFY(program.document.isBusy());
     program.document.open(files.small);
     expectOnly(program, opened, files.small);
+    QVERIFY(refused.isEmpty());
+}
+
+void TestOpening::aBrokenModelIsMended_data()
+{
+    QTest::addColumn<bool>("agrees");
+    QTest::newRow("who wants it gets a model without a file") << true;
+    QTest::newRow("who does not keeps the model that is there") << false;
+}
+
+void TestOpening::aBrokenModelIsMended()
+{
+    QFETCH(bool, agrees);
+    const QTemporaryDir folder;
+    const QString broken = folder.filePath(QStringLiteral("broken.ply"));
+    core::writeMesh(broken.toStdString(), shapes::together(core::icosphere(2, 10), shapes::moved(core::icosphere(2, 10), {9, 0, 0})));
+    Program program;
+    program.window.show();
+    QSignalSpy opened(&program.document, &Document::opened), refused(&program.document, &Document::refused);
+    program.document.open(broken);
+    const auto dialog = [&program] { return program.window.findChild<QDialog*>(QStringLiteral("mendDialog")); };
+    QTRY_VERIFY_WITH_TIMEOUT(dialog() && !program.document.isBusy(), longestWait);
+    opened.clear();
+    QTest::keyClick(dialog(), agrees ? Qt::Key_Return : Qt::Key_Escape);
+    QTRY_VERIFY(!dialog());
+    if (agrees) {
+        QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, longestWait);
+        auto* report = program.window.findChild<QMessageBox*>(QStringLiteral("mendedDialog"));
+        QVERIFY(report);
+        QVERIFY(report->informativeText().contains(QStringLiteral("Pairs of faces that met")));
+        QVERIFY(program.document.path().isEmpty());
+        QVERIFY(program.document.isModified()); // the file has it broken
+        QVERIFY(std::abs(program.document.facts().size.x() - 29) < 0.1);
+    } else {
+        QTest::qWait(200);
+        QVERIFY(opened.isEmpty());
+    }
     QVERIFY(refused.isEmpty());
 }
 

@@ -1,0 +1,63 @@
+#include "mending_words.h"
+
+#include <QLocale>
+
+#include <cmath>
+
+namespace ui
+{
+namespace
+{
+QString number(std::uint64_t n)
+{
+    return QLocale().toString(static_cast<qulonglong>(n));
+}
+
+/// Three digits that count.
+QString millimetres(double length)
+{
+    if (length <= 0)
+        return QLocale().toString(0);
+    const int decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(length))), 0, 6);
+    return QLocale().toString(length, 'f', decimals);
+}
+} // namespace
+
+QStringList MendingWords::steps(const core::LegaliseReport& report)
+{
+    QStringList steps;
+    const auto add = [&steps](std::uint64_t count, const QString& step) {
+        if (count > 0)
+            steps << step.arg(number(count));
+    };
+    if (!report.moved.isZero(0))
+        steps << tr("The model lay far from the origin and was moved there.");
+    add(report.welded, tr("Points welded: %1"));
+    add(report.degenerateFaces, tr("Faces without area removed: %1"));
+    add(report.duplicateFaces, tr("Duplicate faces removed: %1"));
+    add(report.turnedFaces, tr("Faces or parts turned outwards: %1"));
+    add(report.membraneFaces, tr("Faces of inner sheets removed: %1"));
+    add(report.holes, tr("Holes filled: %1"));
+    add(report.largeHoles, tr("of these, longer than a quarter of the model: %1"));
+    add(report.innerParts, tr("Parts inside of others: %1"));
+    add(report.intersections, tr("Pairs of faces that met, cut and joined: %1"));
+    add(report.touchingEdges + report.touchingVertices, tr("Edges and points at which parts merely touched, drawn apart: %1"));
+    if (report.remeshedAt)
+        steps << tr("The surface was made anew, with edges of about %1 mm.").arg(millimetres(*report.remeshedAt));
+    return steps;
+}
+
+QString MendingWords::distance(const core::LegaliseReport& report)
+{
+    return tr("The new surface is at most %1 mm (mean %2 mm) from the old one; the old one at most %3 mm (mean %4 mm) from the new.")
+        .arg(millimetres(report.fromNew.largest), millimetres(report.fromNew.mean), millimetres(report.fromOld.largest),
+             millimetres(report.fromOld.mean));
+}
+
+QString MendingWords::refusal(const QString& file, const core::Legalised& legalised)
+{
+    if (legalised.refusal == core::LegaliseRefusal::LargeHoles)
+        return tr("%1 was not mended: it has holes longer than a quarter of it (%2).").arg(file, number(legalised.report.largeHoles));
+    return tr("%1 cannot be mended: its faces enclose no space.").arg(file);
+}
+} // namespace ui

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/legalise.h"
+
+#include <QCoreApplication>
+#include <QString>
+#include <QStringList>
+
+namespace ui
+{
+/// What legalising a model came to, in words: plain text, for the window and for the command line alike. Any thread.
+class MendingWords
+{
+    Q_DECLARE_TR_FUNCTIONS(ui::MendingWords)
+
+public:
+    /// What was found and mended, step by step, with counts; steps that found nothing are left out.
+    static QStringList steps(const core::LegaliseReport& report);
+    /// How far the surface moved.
+    static QString distance(const core::LegaliseReport& report);
+    /// Why there is no mended model.
+    static QString refusal(const QString& file, const core::Legalised& legalised);
+};
+} // namespace ui
