@@ -2,7 +2,6 @@
 
 #include "model_loader.h"
 
-#include "core/mesh_io.h"
 #include "ui/model_formats.h"
 
 #include <QFileInfo>
@@ -125,8 +124,8 @@ void CommandLine::fail(const QString& sentence)
 
 void CommandLine::requireMeshEnding(const QString& path)
 {
-    if (!core::meshFormatOf(toPath(path)))
-        fail(tr("%1: its ending does not say a format; %2 can be written.").arg(path, ui::modelFormats()));
+    if (!ui::isWritten(path))
+        fail(tr("%1: its ending does not say a format that is written; %2 are.").arg(path, ui::writtenFormats()));
 }
 
 void CommandLine::print(const QString& text)

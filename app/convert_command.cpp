@@ -180,7 +180,7 @@ ExitStatus convertCommand(const QStringList& arguments)
         return Done;
     CommandLine::requireMeshEnding(options->out);
     try {
-        core::TriangleMesh mesh = core::readMesh(toPath(options->in), {options->up});
+        auto [mesh, remarks] = core::readModel(toPath(options->in), {options->up});
         if (!options->legalise)
             requireSound(options->in, mesh);
         if (const double factor = scaleFor(*options, mesh); factor != 1) {
@@ -196,6 +196,8 @@ ExitStatus convertCommand(const QStringList& arguments)
         if (options->triangles > 0 && mesh.triangles.size() > options->triangles)
             mesh = reduced(*options, mesh);
         core::writeMesh(toPath(options->out), mesh);
+        if (const QString left = ui::Messages::remarks(options->in, remarks); !left.isEmpty())
+            CommandLine::printError(left);
     } catch (const core::FileError& error) {
         CommandLine::fail(ui::Messages::sentence(error));
     }

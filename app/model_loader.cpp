@@ -76,12 +76,14 @@ LoadedModel ModelLoader::read(const QString& path, const Tell& tell, const core:
     loaded.path = path;
     loaded.name = QFileInfo(path).fileName();
     try {
-        core::TriangleMesh mesh = core::readMesh(toPath(path), {.stop = watch.stop});
+        auto [mesh, remarks] = core::readModel(toPath(path), {.stop = watch.stop});
         loaded.notes = core::readNotes(toPath(path));
         if (tell)
             tell(tr("Checking %1").arg(loaded.name));
         watch.reached(afterReading);
         take(loaded, mesh, watch.part(afterReading, 1));
+        if (loaded.sculptor)
+            loaded.notice = QStringList({ui::Messages::remarks(loaded.name, remarks), loaded.notice}).join(QLatin1Char(' ')).trimmed();
     } catch (const core::ReadingStopped&) {
         return {};
     } catch (const core::FileError& error) {

@@ -22,10 +22,12 @@ enum class FileErrorKind {
     Malformed,            ///< place, token: what cannot be understood there, or empty
     NotANumber,           ///< place, token: the word that is not a number, or is infinite or NaN; empty in binary files
     IndexOutOfRange,      ///< place, token: the index as written, expected: number of vertices
+    OutsideFolder,        ///< token: another file that it names, which is not in its folder
     UnpacksTooLarge,      ///< expected: the most bytes that are unpacked of a file of its size
     TooManyElements,      ///< place, token: what ("vertices", "faces", "corners"), expected: the most that is taken
     NoFaces,              ///< vertices perhaps, but nothing to sculpt
     // Writing; nothing has changed on disk
+    NotWritten,  ///< a format that is only read; token: the ending
     NoFolder,    ///< the folder that the file would be in is not there
     NotWritable, ///< not permitted; systemError
     DiskFull,    ///< systemError

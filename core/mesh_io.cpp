@@ -21,7 +21,8 @@ namespace
 {
 using namespace mesh_io;
 
-constexpr std::array<std::string_view, 6> endings{"stl", "obj", "ply", "off", "glb", "3mf"};
+constexpr std::array<std::string_view, 7> endings{"stl", "obj", "ply", "off", "glb", "3mf", "gltf"};
+constexpr std::size_t written = 6;
 constexpr std::uint64_t maxFileSize = std::uint64_t(1) << 31;
 
 std::string endingOf(const std::filesystem::path& path)
@@ -43,13 +44,18 @@ std::string printable(std::string_view text)
     return result;
 }
 
+FileError errorOfEnding(FileErrorKind kind, const std::filesystem::path& path)
+{
+    FileError error(kind, path);
+    error.token = printable(endingOf(path));
+    return error;
+}
+
 MeshFormat requireFormat(const std::filesystem::path& path)
 {
     if (const auto format = meshFormatOf(path))
         return *format;
-    FileError error(FileErrorKind::UnknownFormat, path);
-    error.token = printable(endingOf(path));
-    throw error;
+    throw errorOfEnding(FileErrorKind::UnknownFormat, path);
 }
 
 FileError unreadable(const std::filesystem::path& path, int systemError)
@@ -93,8 +99,9 @@ void refuseOtherContent(const FileBytes& start, std::uint64_t size, MeshFormat f
     if (looks == endings[static_cast<std::size_t>(format)] || (format == MeshFormat::ThreeMf && looks == "zip"))
         return;
     const bool undecided = looks.empty() || looks == "text";
-    const bool couldBe = format == MeshFormat::Obj   ? undecided && start.bytes.find('\0') == std::string_view::npos
-                         : format == MeshFormat::Stl ? looks.empty()
+    const bool couldBe = format == MeshFormat::Obj    ? undecided && start.bytes.find('\0') == std::string_view::npos
+                         : format == MeshFormat::Gltf ? looks == "text"
+                         : format == MeshFormat::Stl  ? looks.empty()
                                                      : false;
     if (!couldBe)
         throw errorAtByte(FileErrorKind::NotWhatItsEndingSays, start, start.bytes.data(), looks);
@@ -138,19 +145,20 @@ std::string_view readInto(std::ifstream& file, char* buffer, std::uint64_t size,
     return {buffer, static_cast<std::size_t>(got)};
 }
 
-TriangleMesh parse(const FileBytes& file, MeshFormat format)
+ReadResult parse(const FileBytes& file, MeshFormat format)
 {
     switch (format) {
     case MeshFormat::Stl:
-        return readStl(file);
+        return {readStl(file), {}};
     case MeshFormat::Obj:
         return readObj(file);
     case MeshFormat::Ply:
-        return readPly(file);
+        return {readPly(file), {}};
     case MeshFormat::Off:
-        return readOff(file);
+        return {readOff(file), {}};
     case MeshFormat::Glb:
-        return readGlb(file);
+    case MeshFormat::Gltf:
+        return readGltf(file, format == MeshFormat::Glb);
     case MeshFormat::ThreeMf:
         return readThreeMf(file);
     }
@@ -181,12 +189,23 @@ std::span<const std::string_view> meshEndings()
     return endings;
 }
 
+std::span<const std::string_view> writtenEndings()
+{
+    return std::span(endings).first(written);
+}
+
 std::optional<MeshFormat> meshFormatOf(const std::filesystem::path& path)
 {
     const auto found = std::find(endings.begin(), endings.end(), endingOf(path));
     if (found == endings.end())
         return std::nullopt;
     return static_cast<MeshFormat>(found - endings.begin());
+}
+
+bool isWritten(const std::filesystem::path& path)
+{
+    const auto format = meshFormatOf(path);
+    return format && static_cast<std::size_t>(*format) < written;
 }
 
 bool holdsColors(MeshFormat format)
@@ -199,7 +218,7 @@ UpAxis usualUp(MeshFormat format)
     return format == MeshFormat::Stl || format == MeshFormat::ThreeMf ? UpAxis::Z : UpAxis::Y;
 }
 
-TriangleMesh readMesh(const std::filesystem::path& path, const ReadOptions& options)
+ReadResult readModel(const std::filesystem::path& path, const ReadOptions& options)
 {
     const std::uint64_t size = requireFileSize(path);
     const MeshFormat format = requireFormat(path);
@@ -214,13 +233,14 @@ TriangleMesh readMesh(const std::filesystem::path& path, const ReadOptions& opti
     if (format == MeshFormat::Stl)
         refuseStlSize(first, size);
 
-    TriangleMesh mesh;
+    ReadResult result;
+    TriangleMesh& mesh = result.mesh;
     {
         const auto buffer = std::make_unique_for_overwrite<char[]>(size);
         const FileBytes file{path, readInto(stream, buffer.get(), size, path, options.stop), options.stop};
         if (file.bytes.size() < size) // it became shorter just now
             throw errorAtByte(FileErrorKind::CutOff, file, file.bytes.data() + file.bytes.size());
-        mesh = parse(file, format);
+        result = parse(file, format);
     }
     if (format != MeshFormat::Stl) // its reader has done so
         weld(mesh, StopCheck(options.stop));
@@ -228,7 +248,12 @@ TriangleMesh readMesh(const std::filesystem::path& path, const ReadOptions& opti
         throw FileError(FileErrorKind::NoFaces, path);
     if (options.up.value_or(usualUp(format)) == UpAxis::Z)
         fromZUp(mesh.points);
-    return mesh;
+    return result;
+}
+
+TriangleMesh readMesh(const std::filesystem::path& path, const ReadOptions& options)
+{
+    return readModel(path, options).mesh;
 }
 
 DocumentNotes readNotes(const std::filesystem::path& path)
@@ -249,6 +274,8 @@ DocumentNotes readNotes(const std::filesystem::path& path)
 void writeMesh(const std::filesystem::path& path, const TriangleMesh& mesh, const WriteOptions& options)
 {
     const MeshFormat format = requireFormat(path);
+    if (!isWritten(path))
+        throw errorOfEnding(FileErrorKind::NotWritten, path);
     if (options.up.value_or(usualUp(format)) == UpAxis::Z) {
         TriangleMesh turned = mesh;
         toZUp(turned.points);
@@ -276,6 +303,8 @@ void writeMesh(const std::filesystem::path& path, const TriangleMesh& mesh, cons
     case MeshFormat::ThreeMf:
         writeThreeMf(out, mesh, options.notes.palette);
         break;
+    case MeshFormat::Gltf:
+        break; // refused above
     }
     out.commit();
 }

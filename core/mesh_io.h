@@ -11,12 +11,17 @@
 
 namespace core
 {
-enum class MeshFormat { Stl, Obj, Ply, Off, Glb, ThreeMf };
+/// All are read; all but the last are written, too.
+enum class MeshFormat { Stl, Obj, Ply, Off, Glb, ThreeMf, Gltf };
 
 /// The formats by their endings (lower case, without dot), in the order of MeshFormat.
 std::span<const std::string_view> meshEndings();
+/// Of those that are written.
+std::span<const std::string_view> writtenEndings();
 /// By the ending, in either case.
 std::optional<MeshFormat> meshFormatOf(const std::filesystem::path& path);
+/// Whether writeMesh() takes that ending.
+bool isWritten(const std::filesystem::path& path);
 
 /// Which axis of a file points up. In a document it is Y.
 enum class UpAxis { Y, Z };
@@ -29,6 +34,22 @@ struct ReadOptions
 {
     std::optional<UpAxis> up = {}; ///< of the file; missing: usualUp
     std::stop_token stop = {};     ///< then ReadingStopped is thrown, within some 20 ms
+};
+
+/// What a file holds and a sculpted model does not.
+struct ReadRemarks
+{
+    std::size_t objects = 1; ///< they are one mesh now
+    bool materials = false, textures = false;
+    bool poses = false; ///< skins and morph targets: the model stands as it was made
+
+    friend bool operator==(const ReadRemarks&, const ReadRemarks&) = default;
+};
+
+struct ReadResult
+{
+    TriangleMesh mesh;
+    ReadRemarks remarks;
 };
 
 /// What was read is not wanted any more.
@@ -47,8 +68,10 @@ struct WriteOptions
 /// Throws FileError. What it returns has at least one face, indices in range and finite points, nothing more: faces may be
 /// degenerate, vertices unused. Vertices of equal bits (-0 = 0) are one, whatever the format: STL knows no others, and other
 /// files split them along seams. Vertices and faces keep their order; polygons are cut into triangles. Text numbers are
-/// rounded to the nearest float32. A file is not read beyond its header when its size contradicts it. Units are the file's; a GLB's metres
-/// and the unit that a 3MF names become millimetres.
+/// rounded to the nearest float32. A file is not read beyond its header when its size contradicts it. Units are the file's; glTF's metres
+/// and the unit that a 3MF names become millimetres. What a .gltf names must lie in its folder, links followed.
+ReadResult readModel(const std::filesystem::path& path, const ReadOptions& options = {});
+/// Its mesh alone.
 TriangleMesh readMesh(const std::filesystem::path& path, const ReadOptions& options = {});
 
 /// What writeMesh() was given as notes, as far as the format keeps them. What is not as we write it is left out; so is all of a

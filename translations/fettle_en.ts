@@ -78,4 +78,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>ui::Messages</name>
+    <message numerus="yes">
+        <source>%n objects are one model now</source>
+        <translation>
+            <numerusform>%n object is one model now</numerusform>
+            <numerusform>%n objects are one model now</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

@@ -68,7 +68,7 @@ void askForModel(QWidget* parent, ModelUse use, const QString& folder, PathAnswe
 
 void askForSaving(QWidget* parent, const QString& folder, const QString& modelName, PathAnswer answer)
 {
-    QStringList all = modelEndings();
+    QStringList all = writtenEndings();
     std::ranges::stable_partition(all, [](const QString& ending) { return ending == QLatin1StringView("glb"); });
     askForTarget(parent, FileDialogs::tr("Save the Model"), QStringLiteral("saveDialog"), folder, modelName, all, answer);
 }

@@ -3,6 +3,7 @@
 #include "model_formats.h"
 
 #include "core/mesh_check.h"
+#include "core/mesh_io.h"
 #include "core/print_check.h"
 
 #include <QDir>
@@ -89,6 +90,22 @@ QString Messages::tooFine(const QString& file, quint64 faces)
     return tr("%1 cannot be sculpted yet, because some of its faces would meet on the program's working grid (faces: "
               "%2).")
         .arg(file, number(faces));
+}
+
+QString Messages::remarks(const QString& file, const core::ReadRemarks& remarks)
+{
+    QStringList left, clauses;
+    if (remarks.materials)
+        left << tr("materials");
+    if (remarks.textures)
+        left << tr("textures");
+    if (remarks.poses)
+        left << tr("poses");
+    if (!left.isEmpty())
+        clauses << tr("left out: %1", "materials, textures").arg(left.join(tr(", ", "between the parts of a model that are left out")));
+    if (remarks.objects > 1)
+        clauses << tr("%n objects are one model now", nullptr, static_cast<int>(remarks.objects));
+    return clauses.isEmpty() ? QString() : QStringLiteral("%1: %2.").arg(file, clauses.join(QStringLiteral("; ")));
 }
 
 QString Messages::shortfall(core::Shortfall shortfall)
@@ -195,6 +212,8 @@ QString Messages::content(const core::FileError& error)
     case FileErrorKind::IndexOutOfRange:
         return tr("%1: a face names vertex %2, but there are %3 vertices.")
             .arg(where, token(error), number(error.expected));
+    case FileErrorKind::OutsideFolder:
+        return tr("%1 names \"%2\", which is not in its folder; nothing from elsewhere is read.").arg(where, token(error));
     case FileErrorKind::UnpacksTooLarge:
         return tr("%1 is not read: what is packed in it takes more than %2, which is too much for a file of its size.").arg(where, bytes(error.expected));
     case FileErrorKind::TooManyElements:
@@ -210,6 +229,8 @@ QString Messages::writing(const core::FileError& error)
 {
     const QString path = nativePath(error.path), reason = systemReason(error);
     switch (error.kind) {
+    case FileErrorKind::NotWritten:
+        return tr("%1 was not written: %2 is only read; %3 can be written.").arg(path, token(error).toUpper(), writtenFormats());
     case FileErrorKind::NoFolder:
         return tr("%1 cannot be written: there is no folder %2.").arg(path, nativePath(error.path.parent_path()));
     case FileErrorKind::NotWritable:

@@ -10,6 +10,7 @@
 namespace core
 {
 struct MeshReport;
+struct ReadRemarks;
 }
 
 namespace ui
@@ -28,6 +29,8 @@ public:
     static QString tooFine(const QString& file, quint64 faces);
     /// What a slicer may take a model of that volume (mm^3) for. Empty if it has a size that is usual.
     static QString unitDoubt(double volume);
+    /// What of a file is not in its model; empty if all is.
+    static QString remarks(const QString& file, const core::ReadRemarks& remarks);
     /// What the brush did not do, and why. Empty if it did all.
     static QString shortfall(core::Shortfall shortfall);
     /// Of a mirrored stroke on a model that is not its own mirror image.

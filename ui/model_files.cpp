@@ -143,7 +143,7 @@ void ModelFiles::insert()
 void ModelFiles::save()
 {
     m_afterSave = nullptr; // an earlier question was not answered to the end
-    if (m_path.isEmpty())
+    if (m_path.isEmpty() || !isWritten(m_path))
         return saveAs();
     look();
     if (m_isGone || FileJobs::entryOf(m_path) == m_file)
@@ -218,7 +218,7 @@ void ModelFiles::saveAs()
 
 void ModelFiles::saveCopy()
 {
-    if (m_path.isEmpty())
+    if (m_path.isEmpty() || !isWritten(m_path))
         return saveAs();
     Q_EMIT exportRequested(numberedCopyOf(m_path));
 }

@@ -4,12 +4,25 @@
 
 namespace ui
 {
+namespace
+{
+QStringList toList(std::span<const std::string_view> words)
+{
+    QStringList list;
+    for (const std::string_view word : words)
+        list << QLatin1StringView(word.data(), static_cast<qsizetype>(word.size()));
+    return list;
+}
+} // namespace
+
 QStringList modelEndings()
 {
-    QStringList endings;
-    for (const std::string_view ending : core::meshEndings())
-        endings << QLatin1StringView(ending.data(), static_cast<qsizetype>(ending.size()));
-    return endings;
+    return toList(core::meshEndings());
+}
+
+QStringList writtenEndings()
+{
+    return toList(core::writtenEndings());
 }
 
 QString modelFormats()
@@ -20,5 +33,15 @@ QString modelFormats()
 bool isDocumentFormat(const QString& path)
 {
     return core::meshFormatOf(path.toStdU16String()) == core::MeshFormat::Glb;
+}
+
+QString writtenFormats()
+{
+    return writtenEndings().join(QStringLiteral(", ")).toUpper();
+}
+
+bool isWritten(const QString& path)
+{
+    return core::isWritten(path.toStdU16String());
 }
 } // namespace ui

@@ -4,10 +4,15 @@
 
 namespace ui
 {
-/// Of the files that models are read from and written to: lower case, without dot.
+/// Of the files that models are read from: lower case, without dot.
 QStringList modelEndings();
+/// Of those that they are written to, too.
+QStringList writtenEndings();
 /// "STL, OBJ, PLY": for sentences.
 QString modelFormats();
+QString writtenFormats();
+/// Whether a model can be written under that name, by its ending.
+bool isWritten(const QString& path);
 /// A file of that name holds all of a document: GLB.
 bool isDocumentFormat(const QString& path);
 } // namespace ui

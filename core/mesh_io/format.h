@@ -65,11 +65,11 @@ bool isTextStl(std::string_view start);
 
 /// Vertices as they stand in the file, axes included, but for the weld and -0 of STL.
 TriangleMesh readStl(const FileBytes& file);
-TriangleMesh readObj(const FileBytes& file);
+ReadResult readObj(const FileBytes& file);
 TriangleMesh readPly(const FileBytes& file);
 TriangleMesh readOff(const FileBytes& file);
-TriangleMesh readGlb(const FileBytes& file); ///< in mm
-TriangleMesh readThreeMf(const FileBytes& file); ///< in mm. Memory: some ten times the file; at worst (packed a hundredfold, objects placed very often) a thousand times
+ReadResult readGltf(const FileBytes& file, bool isBinary); ///< in mm
+ReadResult readThreeMf(const FileBytes& file); ///< in mm. Memory: some ten times the file; at worst (packed a hundredfold, objects placed very often) a thousand times
 
 void writeStl(AtomicFile& out, const TriangleMesh& mesh, bool ascii);
 void writeObj(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette);

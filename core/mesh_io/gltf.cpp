@@ -2,6 +2,7 @@
 #include "gltf.h"
 
 #include "binary.h"
+#include "gltf_buffers.h"
 
 #include <cmath>
 #include <limits>
@@ -10,8 +11,26 @@ namespace core::mesh_io
 {
 namespace
 {
-/// Its parsed form takes up to eighty times that, if it is nothing but brackets. Models' own numbers are not in it.
+/// Its parsed form takes up to eighty times that, if it is nothing but brackets. Models' own numbers are not in it, but in its texts.
 constexpr std::size_t mostJson = std::size_t(1) << 23;
+/// As many bytes as a model's file may have.
+constexpr std::size_t mostBytes = std::size_t(1) << 31;
+
+/// Of JSON, what is not inside of texts; each text counts as its two quotes.
+std::size_t sizeBesideTexts(std::string_view json)
+{
+    std::size_t size = 0;
+    bool isInText = false;
+    for (std::size_t i = 0; i < json.size(); ++i) {
+        if (isInText && json[i] == '\\')
+            ++i;
+        else if (json[i] == '"')
+            isInText = !isInText, ++size;
+        else
+            size += isInText ? 0 : 1;
+    }
+    return size;
+}
 
 std::size_t sizeOf(int componentType)
 {
@@ -50,10 +69,16 @@ double numberAt(const char* at, int componentType, bool normalized)
 
 } // namespace
 
-Gltf::Gltf(const FileBytes& file) : m_file(file)
+Gltf::Gltf(const FileBytes& file, bool isBinary) : m_file(file), m_bytes(file.bytes.size())
 {
-    readChunks();
+    if (isBinary)
+        readChunks();
+    else
+        parse(file.bytes);
+    if (!m_document.is_object())
+        throw errorAtByte(FileErrorKind::Malformed, m_file, file.bytes.data() + (isBinary ? glbHeadSize : 0));
     refuseExtensions();
+    loadBuffers();
 }
 
 void Gltf::refuse(std::string_view what) const
@@ -90,13 +115,11 @@ void Gltf::readChunks()
             m_binary = chunk;
         at += glbChunkHeadSize + (size + 3) / 4 * 4;
     }
-    if (!m_document.is_object())
-        throw errorAtByte(FileErrorKind::Malformed, m_file, bytes.data() + glbHeadSize);
 }
 
 void Gltf::parse(std::string_view text)
 {
-    if (text.size() > mostJson)
+    if (sizeBesideTexts(text) > mostJson)
         throw tooMany("JSON", mostJson, errorAtByte({}, m_file, text.data()));
     try {
         m_document = Json::parse(text);
@@ -113,6 +136,25 @@ void Gltf::refuseExtensions() const
     for (const Json& extension : arrayIn(m_document, "extensionsRequired"))
         if (extension != "KHR_mesh_quantization" && extension != "KHR_materials_unlit" && extension != "KHR_texture_transform")
             refuse(extension.is_string() ? extension.get_ref<const std::string&>() : "extensionsRequired");
+}
+
+void Gltf::loadBuffers()
+{
+    for (const Json& buffer : arrayIn(m_document, "buffers")) {
+        const auto uri = buffer.is_object() ? buffer.find("uri") : buffer.end();
+        if (!buffer.is_object() || (uri != buffer.end() && !uri->is_string()))
+            refuse("buffers/" + std::to_string(m_buffers.size()));
+        if (uri == buffer.end()) { // the chunk is the first one's
+            m_buffers.push_back(m_buffers.empty() ? m_binary : std::string_view());
+            continue;
+        }
+        const std::size_t length = sizeIn(buffer, "byteLength", 0);
+        if (length > mostBytes - std::min(m_bytes, mostBytes))
+            throw tooMany("bytes", mostBytes, errorWithToken({}, m_file, {}));
+        m_loaded.push_back(gltfBuffer(m_file, uri->get_ref<const std::string&>(), length));
+        m_buffers.emplace_back(m_loaded.back());
+        m_bytes += m_loaded.back().size();
+    }
 }
 
 /// Empty if there is none.
@@ -157,16 +199,17 @@ GltfLayout Gltf::elementsIn(const Json& at, std::size_t count, std::size_t size,
     if (!index)
         refuse("bufferView");
     const Json& view = element("bufferViews", *index);
-    const Json& buffer = element("buffers", sizeIn(view, "buffer", 0));
-    if (buffer.contains("uri") || sizeIn(view, "buffer", 0) != 0)
-        refuse("uri");
+    const std::size_t number = sizeIn(view, "buffer", 0);
+    if (number >= m_buffers.size())
+        refuse("buffers/" + std::to_string(number));
+    const std::string_view buffer = m_buffers[number];
     const std::size_t length = sizeIn(view, "byteLength", 0), begin = sizeIn(view, "byteOffset", 0), offset = sizeIn(at, "byteOffset", 0);
-    if (begin > m_binary.size() || length > m_binary.size() - begin)
+    if (begin > buffer.size() || length > buffer.size() - begin)
         refuseCutOff();
     const std::size_t stride = std::max(size, ownStride != 0 ? ownStride : sizeIn(view, "byteStride", size));
     if (offset > length || count == 0 || size > length - offset || (length - offset - size) / stride < count - 1)
         refuse("bufferViews/" + std::to_string(*index));
-    return {.first = m_binary.data() + begin + offset, .count = count, .stride = stride};
+    return {.first = buffer.data() + begin + offset, .count = count, .stride = stride};
 }
 
 /// An accessor with so many components, its sparse part aside.
@@ -178,7 +221,7 @@ GltfLayout Gltf::layoutOf(std::size_t accessor, int fewest, int most) const
     const int components = type == from.end() ? 0 : *type == "SCALAR" ? 1 : *type == "VEC3" ? 3 : *type == "VEC4" ? 4 : 0;
     const auto componentType = static_cast<int>(std::min<std::size_t>(sizeIn(from, "componentType", 0), 65535));
     const std::size_t count = sizeIn(from, "count", 0);
-    if (components < fewest || components > most || sizeOf(componentType) == 0 || count == 0 || count > m_file.bytes.size())
+    if (components < fewest || components > most || sizeOf(componentType) == 0 || count == 0 || count > m_bytes)
         refuse(name);
     GltfLayout layout;
     if (from.contains("bufferView"))

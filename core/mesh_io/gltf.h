@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <deque>
 #include <optional>
 
 namespace core::mesh_io
@@ -11,7 +12,7 @@ namespace core::mesh_io
 inline constexpr std::size_t glbHeadSize = 12, glbChunkHeadSize = 8;
 inline constexpr std::uint32_t glbMagic = 0x46546c67, glbVersion = 2, glbJsonChunk = 0x4e4f534a, glbBinaryChunk = 0x004e4942;
 
-/// How the numbers of an accessor lie in a GLB's binary chunk.
+/// How the numbers of an accessor lie in a buffer.
 struct GltfLayout
 {
     const char* first = nullptr; ///< null: all are 0
@@ -20,16 +21,18 @@ struct GltfLayout
     bool normalized = false;
 };
 
-/// A GLB's JSON, parsed by a library, and its binary chunk. What is asked for is looked at before anything is read by it: wrong types,
+/// A glTF's JSON, parsed by a library, and its buffers: in the GLB, in the JSON, or in files beside it. What is asked for is looked at before anything is read by it: wrong types,
 /// indices and sizes throw FileError with the JSON's word for what is wrong.
 class Gltf
 {
 public:
     using Json = nlohmann::json;
 
-    explicit Gltf(const FileBytes& file);
+    Gltf(const FileBytes& file, bool isBinary);
 
     const Json& document() const { return m_document; }
+    /// Of the file and its buffers.
+    std::size_t bytes() const { return m_bytes; }
 
     /// Empty if there is none.
     const Json& arrayIn(const Json& object, const char* key) const;
@@ -54,6 +57,7 @@ private:
     void readChunks();
     void parse(std::string_view text);
     void refuseExtensions() const;
+    void loadBuffers();
     [[noreturn]] void refuseCutOff() const;
     GltfLayout elementsIn(const Json& at, std::size_t count, std::size_t size, std::size_t ownStride) const;
     struct Sparse
@@ -65,6 +69,9 @@ private:
 
     const FileBytes& m_file;
     Json m_document;
-    std::string_view m_binary;
+    std::string_view m_binary; ///< chunk of a GLB
+    std::deque<std::string> m_loaded;
+    std::vector<std::string_view> m_buffers; ///< into the chunk, and what was loaded
+    std::size_t m_bytes = 0;
 };
 } // namespace core::mesh_io

@@ -1,4 +1,4 @@
-// OBJ: the lines v (with colour, if any) and f; all others are passed over. Faces may name vertices that come later.
+// OBJ: the lines v (with colour, if any) and f; all others are passed over, materials with a remark. Faces may name vertices that come later.
 
 #include "palette.h"
 #include "polygons.h"
@@ -20,7 +20,7 @@ class ObjReader
 public:
     explicit ObjReader(const FileBytes& file) : m_file(file), m_text(file, afterMark(file)), m_stopCheck(file.stop) {}
 
-    TriangleMesh read()
+    ReadResult read()
     {
         do
             readLine();
@@ -30,7 +30,8 @@ public:
         checkLargestIndex();
         m_mesh.triangles = m_faces.triangles(m_mesh.points, m_stopCheck);
         makeColors();
-        return std::move(m_mesh);
+        m_remarks.objects = std::max<std::size_t>(m_remarks.objects, 1);
+        return {std::move(m_mesh), m_remarks};
     }
 
 private:
@@ -48,6 +49,10 @@ private:
             readVertex();
         else if (keyword == "f")
             readFace();
+        else if (keyword == "mtllib" || keyword == "usemtl")
+            m_remarks.materials = true;
+        else if (keyword == "o")
+            ++m_remarks.objects;
     }
 
     /// v x y z, with or without a weight, with or without r g b.
@@ -139,12 +144,13 @@ private:
     TriangleMesh m_mesh;
     std::vector<RawColor> m_colors; ///< as in the file; shorter than the points while none came since
     Polygons m_faces;
+    ReadRemarks m_remarks{.objects = 0};
     std::int64_t m_largest = -1;
     std::string_view m_largestWord;
 };
 } // namespace
 
-TriangleMesh readObj(const FileBytes& file)
+ReadResult readObj(const FileBytes& file)
 {
     return ObjReader(file).read();
 }

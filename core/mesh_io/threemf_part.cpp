@@ -124,6 +124,8 @@ void ThreeMfPartReader::begin(std::string_view name, const XmlAttributes& attrib
     name.remove_prefix(materialSpace.size());
     if (name == "colorgroup")
         m_colors->openGroup = &m_colors->groups[attributes.whole("id")];
+    else if (name == "texture2dgroup")
+        m_part.hasTextures = true;
     else if (name == "color" && m_colors->openGroup)
         m_colors->openGroup->push_back(colorOf(attributes.text("color")));
 }

@@ -30,6 +30,7 @@ struct ThreeMfPart
     double millimetres = 1; ///< of its unit
     std::map<std::uint32_t, ThreeMfObject> objects;
     std::vector<ThreeMfComponent> build;
+    bool hasTextures = false;
 };
 
 /// Of the package's path as a part names it: without the slash at its front. Throws FileError::Malformed where it leaves the package.

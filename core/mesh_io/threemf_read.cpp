@@ -35,7 +35,7 @@ class ThreeMfReader
 public:
     explicit ThreeMfReader(const FileBytes& file) : m_file(file), m_package(file), m_stopCheck(file.stop) {}
 
-    TriangleMesh read()
+    ReadResult read()
     {
         const std::string path = modelPathOf(m_file, m_package);
         if (path.empty())
@@ -46,7 +46,8 @@ public:
             add(path, item, unit, 0);
         if (m_hasColors)
             m_mesh.colors.resize(m_mesh.points.size(), Rgb());
-        return std::move(m_mesh);
+        m_remarks.objects = std::max<std::size_t>(m_remarks.objects, 1);
+        return {std::move(m_mesh), m_remarks};
     }
 
 private:
@@ -59,6 +60,7 @@ private:
             ThreeMfPartReader reader(m_file);
             m_package.read(path, [&reader](std::string_view piece) { reader.take(piece); });
             found->second = reader.part();
+            m_remarks.textures = m_remarks.textures || found->second.hasTextures;
         }
         return found->second;
     }
@@ -86,6 +88,7 @@ private:
         requireRoom("vertices", m_mesh.points.size() + mesh.points.size(), std::min(maxVertices, mostVertexCopies * m_file.bytes.size()));
         requireRoom("faces", m_mesh.triangles.size() + mesh.triangles.size(), std::min(maxFaces, mostFaceCopies * m_file.bytes.size()));
         const auto first = static_cast<Slot>(m_mesh.points.size());
+        m_remarks.objects += mesh.triangles.empty() ? 0 : 1;
         const bool isPlain = transform == Eigen::Matrix4d::Identity();
         for (Vec3f point : mesh.points) {
             m_stopCheck();
@@ -122,10 +125,11 @@ private:
     TriangleMesh m_mesh;
     bool m_hasColors = false;
     std::size_t m_instances = 0;
+    ReadRemarks m_remarks{.objects = 0};
 };
 } // namespace
 
-TriangleMesh readThreeMf(const FileBytes& file)
+ReadResult readThreeMf(const FileBytes& file)
 {
     return ThreeMfReader(file).read();
 }

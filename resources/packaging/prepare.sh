@@ -19,7 +19,7 @@ qt6-translations-l10n  Qt: the translations of its own texts
 libopenmesh-dev     OpenMesh: the mesh kernel
 libeigen3-dev       Eigen: vectors and matrices
 libboost-dev        Boost.Multiprecision: exact points where faces cross
-nlohmann-json3-dev  JSON: stroke files, reports, GLB
+nlohmann-json3-dev  JSON: stroke files, reports, glTF
 libexpat1-dev       Expat: the XML of 3MF
 libzip-dev          libzip: the packages that 3MF files are
 libopenxr-dev       OpenXR: the headset

@@ -303,6 +303,7 @@ private Q_SLOTS:
     void glb_isReadInMillimetres();
     void glb_nodesStripsAndSparseAccessorsAreRead();
     void glb_colorsComeBackFromLight();
+    void remarks_tellWhatIsLeftOut();
     void equalVertices_areWelded();
     void polygons_areCutInside();
 
@@ -611,6 +612,24 @@ void TestMeshIo::glb_colorsComeBackFromLight()
     QVERIFY(sameBits(core::readMesh(file("a.glb")), mesh));
 }
 
+void TestMeshIo::remarks_tellWhatIsLeftOut()
+{
+    const auto remarksOf = [this](const char* name, std::string_view bytes) {
+        writeBytes(file(name), bytes);
+        return core::readModel(file(name)).remarks;
+    };
+    const core::ReadRemarks obj = remarksOf("a.obj", smallObj);
+    QVERIFY(obj.materials && !obj.textures && !obj.poses);
+    QCOMPARE(obj.objects, std::size_t(2));
+    QVERIFY(remarksOf("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n") == core::ReadRemarks());
+    QCOMPARE(remarksOf("a.glb", smallGlb()).objects, std::size_t(2));
+    for (const std::string_view ending : core::writtenEndings()) { // our own hold nothing else
+        const auto path = file("own." + std::string(ending));
+        core::writeMesh(path, shapes::cube(1), {.palette = {{1, 2, 3}}});
+        QVERIFY(core::readModel(path).remarks == core::ReadRemarks());
+    }
+}
+
 void TestMeshIo::equalVertices_areWelded()
 {
     const TriangleMesh mesh =
@@ -746,7 +765,7 @@ void TestMeshIo::badInput_data()
     row("glb accessor beyond its view", "a.glb", glbWith("\"count\":4,\"type\":\"SCALAR\"", "\"count\":9,\"type\":\"SCALAR\""), Kind::Malformed, "",
         "bufferViews/1");
     row("glb node of itself", "a.glb", glbWith("\"children\":[1,2]", "\"children\":[0,2]"), Kind::Malformed, "", "nodes");
-    row("glb with far data", "a.glb", glbWith("\"byteLength\":96", "\"uri\":\"a.b\""), Kind::Malformed, "", "uri");
+    row("glb with far data", "a.glb", glbWith("\"byteLength\":96", "\"uri\":\"../a.b\""), Kind::OutsideFolder, "", "../a.b");
     row("glb that needs what we lack", "a.glb",
         QByteArray::fromStdString(glbOf(R"({"extensionsRequired":["KHR_draco_mesh_compression"]})", "")), Kind::Malformed, "", "KHR_draco_mesh_compression");
 

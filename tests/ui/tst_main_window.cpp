@@ -856,7 +856,7 @@ private Q_SLOTS:
         act(window, "file.exportAs")->trigger();
         auto* dialog = child<QFileDialog>(window, "exportDialog");
         QVERIFY(dialog);
-        const QStringList endings = ui::modelEndings();
+        const QStringList endings = ui::writtenEndings();
         QCOMPARE(dialog->nameFilters().size(), endings.size());
         QCOMPARE(dialog->defaultSuffix(), endings.constFirst());
         Q_EMIT dialog->filterSelected(dialog->nameFilters().constLast());

@@ -1,4 +1,4 @@
-// GLB: the scene's nodes from the root down: each primitive's triangles with the transforms above it, metres made millimetres.
+// glTF: the scene's nodes from the root down: each primitive's triangles with the transforms above it, metres made millimetres.
 
 #include "gltf.h"
 #include "srgb.h"
@@ -15,18 +15,18 @@ using Json = Gltf::Json;
 
 constexpr int mostDepth = 256;
 constexpr std::size_t mostNodes = 1 << 16;
-/// Vertices for each byte of the file: a mesh may stand in a scene many times.
-constexpr std::size_t mostCopies = 16;
+/// Vertices and triangles for each byte of the file: a mesh may stand in a scene many times.
+constexpr std::size_t mostCopies = 16, mostFaceCopies = 32;
 constexpr double millimetres = 1000;
 
 enum Mode { Triangles = 4, TriangleStrip = 5, TriangleFan = 6 };
 
-class GlbReader
+class GltfReader
 {
 public:
-    explicit GlbReader(const FileBytes& file) : m_file(file), m_gltf(file), m_stopCheck(file.stop) {}
+    GltfReader(const FileBytes& file, bool isBinary) : m_file(file), m_gltf(file, isBinary), m_stopCheck(file.stop) {}
 
-    TriangleMesh read()
+    ReadResult read()
     {
         const Eigen::Matrix4d root = Eigen::Vector4d(millimetres, millimetres, millimetres, 1).asDiagonal();
         const Json& scene = m_gltf.element("scenes", m_gltf.sizeIn(m_gltf.document(), "scene", 0));
@@ -34,10 +34,18 @@ public:
             addNode(m_gltf.toIndex(node, "nodes"), root, 0);
         if (m_hasColors)
             m_mesh.colors.resize(m_mesh.points.size(), Rgb());
-        return std::move(m_mesh);
+        return {std::move(m_mesh), remarks()};
     }
 
 private:
+    ReadRemarks remarks() const
+    {
+        const Json& document = m_gltf.document();
+        return {.objects = std::max<std::size_t>(m_objects, 1),
+                .textures = !m_gltf.arrayIn(document, "textures").empty(),
+                .poses = m_hasTargets || !m_gltf.arrayIn(document, "skins").empty()};
+    }
+
     void addNode(std::size_t index, const Eigen::Matrix4d& above, int depth)
     {
         m_stopCheck();
@@ -46,10 +54,16 @@ private:
         const Json& node = m_gltf.element("nodes", index);
         const Eigen::Matrix4d transform = above * transformOf(node);
         if (const auto mesh = m_gltf.indexIn(node, "mesh"))
-            for (const Json& primitive : m_gltf.arrayIn(m_gltf.element("meshes", *mesh), "primitives"))
-                addPrimitive(primitive, transform);
+            addMesh(*mesh, transform);
         for (const Json& child : m_gltf.arrayIn(node, "children"))
             addNode(m_gltf.toIndex(child, "children"), transform, depth + 1);
+    }
+
+    void addMesh(std::size_t index, const Eigen::Matrix4d& transform)
+    {
+        ++m_objects;
+        for (const Json& primitive : m_gltf.arrayIn(m_gltf.element("meshes", index), "primitives"))
+            addPrimitive(primitive, transform);
     }
 
     template <int count> std::optional<Eigen::Matrix<double, count, 1>> numbersIn(const Json& node, const char* key) const
@@ -90,13 +104,14 @@ private:
         const auto attributes = primitive.find("attributes");
         if (attributes == primitive.end() || !attributes->is_object())
             m_gltf.refuse("attributes");
+        m_hasTargets = m_hasTargets || primitive.contains("targets");
         const auto positions = m_gltf.indexIn(*attributes, "POSITION");
         if (!positions || (mode != Triangles && mode != TriangleStrip && mode != TriangleFan))
             return; // points and lines
         const auto first = static_cast<Slot>(m_mesh.points.size());
         const std::vector<float> numbers = m_gltf.valuesOf(*positions, m_gltf.layoutOf(*positions, 3, 3), m_stopCheck);
         const std::size_t count = numbers.size() / 3;
-        if (const std::size_t most = std::min(maxVertices, mostCopies * m_file.bytes.size()); m_mesh.points.size() + count > most)
+        if (const std::size_t most = std::min(maxVertices, mostCopies * m_gltf.bytes()); m_mesh.points.size() + count > most)
             throw tooMany("vertices", most, errorAtByte({}, m_file, m_file.bytes.data()));
         addPoints(numbers, transform);
         if (const auto colors = m_gltf.indexIn(*attributes, "COLOR_0"))
@@ -167,21 +182,22 @@ private:
         else
             for (std::size_t i = 0; i + 2 < corners.size(); ++i)
                 mode == TriangleFan ? add(0, i + 1, i + 2) : add(i, i + 1 + i % 2, i + 2 - i % 2);
-        if (m_mesh.triangles.size() > maxFaces)
-            throw tooMany("faces", maxFaces, errorAtByte({}, m_file, m_file.bytes.data()));
+        if (const std::size_t most = std::min(maxFaces, mostFaceCopies * m_gltf.bytes()); m_mesh.triangles.size() > most)
+            throw tooMany("faces", most, errorAtByte({}, m_file, m_file.bytes.data()));
     }
 
     const FileBytes& m_file;
     Gltf m_gltf;
     StopCheck m_stopCheck;
     TriangleMesh m_mesh;
-    bool m_hasColors = false;
+    bool m_hasColors = false, m_hasTargets = false;
+    std::size_t m_objects = 0;
     std::size_t m_nodes = 0;
 };
 } // namespace
 
-TriangleMesh readGlb(const FileBytes& file)
+ReadResult readGltf(const FileBytes& file, bool isBinary)
 {
-    return GlbReader(file).read();
+    return GltfReader(file, isBinary).read();
 }
 } // namespace core::mesh_io
