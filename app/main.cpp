@@ -1,5 +1,7 @@
 #include "command_line.h"
 #include "document.h"
+#include "foreign_import.h"
+#include "foreign_reader.h"
 #include "process_signals.h"
 #include "rescue.h"
 #include "wiring.h"
@@ -123,8 +125,11 @@ int runWindow(int argc, char* argv[])
 
 int main(int argc, char* argv[])
 {
+    if (argc == 3 && qstrcmp(argv[1], app::foreignWord) == 0)
+        return app::importForeign(argv[2]);
     nameProgram();
     app::surviveFileSizeLimit();
+    app::installForeignReader();
     QStringList arguments;
     for (int i = 1; i < argc; ++i)
         arguments << QString::fromLocal8Bit(argv[i]);

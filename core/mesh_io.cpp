@@ -2,6 +2,7 @@
 
 #include "mesh_io.h"
 
+#include "foreign_reader.h"
 #include "mesh_io/format.h"
 #include "mesh_io/glb_notes.h"
 #include "mesh_io/palette.h"
@@ -165,6 +166,11 @@ ReadResult parse(const FileBytes& file, MeshFormat format)
     return {};
 }
 
+bool isForeign(const std::filesystem::path& path)
+{
+    return std::ranges::find(foreignReader().endings, endingOf(path)) != foreignReader().endings.end();
+}
+
 float negated(float x)
 {
     return x == 0 ? 0 : -x;
@@ -182,6 +188,17 @@ void toZUp(std::vector<Vec3f>& points)
     for (Vec3f& p : points)
         p = Vec3f(p.x() + 0.0f, negated(p.z()), p.y() + 0.0f);
 }
+ReadResult readForeign(const std::filesystem::path& path, std::uint64_t size, const ReadOptions& options)
+{
+    refuseSize(path, size);
+    ReadResult result = foreignReader().read(path, options.stop);
+    weld(result.mesh, StopCheck(options.stop));
+    if (result.mesh.triangles.empty())
+        throw FileError(FileErrorKind::NoFaces, path);
+    if (options.up == UpAxis::Z)
+        fromZUp(result.mesh.points);
+    return result;
+}
 } // namespace
 
 std::span<const std::string_view> meshEndings()
@@ -192,6 +209,13 @@ std::span<const std::string_view> meshEndings()
 std::span<const std::string_view> writtenEndings()
 {
     return std::span(endings).first(written);
+}
+
+std::vector<std::string_view> readEndings()
+{
+    std::vector<std::string_view> all(endings.begin(), endings.end());
+    all.insert(all.end(), foreignReader().endings.begin(), foreignReader().endings.end());
+    return all;
 }
 
 std::optional<MeshFormat> meshFormatOf(const std::filesystem::path& path)
@@ -221,6 +245,8 @@ UpAxis usualUp(MeshFormat format)
 ReadResult readModel(const std::filesystem::path& path, const ReadOptions& options)
 {
     const std::uint64_t size = requireFileSize(path);
+    if (isForeign(path))
+        return readForeign(path, size, options);
     const MeshFormat format = requireFormat(path);
     refuseSize(path, size);
     errno = 0;
@@ -273,9 +299,9 @@ DocumentNotes readNotes(const std::filesystem::path& path)
 
 void writeMesh(const std::filesystem::path& path, const TriangleMesh& mesh, const WriteOptions& options)
 {
-    const MeshFormat format = requireFormat(path);
-    if (!isWritten(path))
+    if ((isForeign(path) || meshFormatOf(path)) && !isWritten(path))
         throw errorOfEnding(FileErrorKind::NotWritten, path);
+    const MeshFormat format = requireFormat(path);
     if (options.up.value_or(usualUp(format)) == UpAxis::Z) {
         TriangleMesh turned = mesh;
         toZUp(turned.points);

@@ -18,6 +18,8 @@ enum class MeshFormat { Stl, Obj, Ply, Off, Glb, ThreeMf, Gltf };
 std::span<const std::string_view> meshEndings();
 /// Of those that are written.
 std::span<const std::string_view> writtenEndings();
+/// Of all that are read: ours, then those of the foreign reader (foreign_reader.h).
+std::vector<std::string_view> readEndings();
 /// By the ending, in either case.
 std::optional<MeshFormat> meshFormatOf(const std::filesystem::path& path);
 /// Whether writeMesh() takes that ending.

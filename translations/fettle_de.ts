@@ -126,10 +126,6 @@
         <translation>Die Antwort kann nicht auf die Standardausgabe geschrieben werden (%1).</translation>
     </message>
     <message>
-        <source>%1: its ending does not say a format; %2 can be written.</source>
-        <translation>%1: Die Endung nennt kein Format; geschrieben werden %2.</translation>
-    </message>
-    <message>
         <source>Fettle sculpts closed models that stay ready to print.
 
   fettle [FILE]                    open the window, with a model or with a ball of clay
@@ -160,6 +156,10 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
 Formate: %1. Längen in Millimetern.
 Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mit einer Zeile auf der Standardfehlerausgabe).
 </translation>
+    </message>
+    <message>
+        <source>%1: its ending does not say a format that is written; %2 are.</source>
+        <translation>%1: Die Endung nennt kein Format, das geschrieben wird; das sind %2.</translation>
     </message>
 </context>
 <context>
@@ -2717,6 +2717,63 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>The model has only %1 mm³: slicers may take it for one in metres.</source>
         <translation>Das Modell hat nur %1 mm³: Druckprogramme könnten es für eines in Metern halten.</translation>
     </message>
+    <message>
+        <source>materials</source>
+        <translation>Materialien</translation>
+    </message>
+    <message>
+        <source>textures</source>
+        <translation>Texturen</translation>
+    </message>
+    <message>
+        <source>poses</source>
+        <translation>Posen</translation>
+    </message>
+    <message>
+        <source>left out: %1</source>
+        <comment>materials, textures</comment>
+        <translation>weggelassen: %1</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between the parts of a model that are left out</comment>
+        <translation>, </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n objects are one model now</source>
+        <translation>
+            <numerusform>aus %n Objekt wurde ein Modell</numerusform>
+            <numerusform>aus %n Objekten wurde ein Modell</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 names &quot;%2&quot;, which is not in its folder; nothing from elsewhere is read.</source>
+        <translation>%1 nennt „%2“, was nicht in seinem Ordner liegt; von anderswo wird nichts gelesen.</translation>
+    </message>
+    <message>
+        <source>%1 was not written: %2 is only read; %3 can be written.</source>
+        <translation>%1 wurde nicht geschrieben: %2 wird nur gelesen; geschrieben werden können %3.</translation>
+    </message>
+    <message>
+        <source>%1: its reader cannot make anything of it.</source>
+        <translation>%1: Der Leser kann damit nichts anfangen.</translation>
+    </message>
+    <message>
+        <source>%1: its reader cannot make anything of it (%2).</source>
+        <translation>%1: Der Leser kann damit nichts anfangen (%2).</translation>
+    </message>
+    <message>
+        <source>%1 was not read: its reader, a process of its own, broke off over it.</source>
+        <translation>%1 wurde nicht gelesen: Der Leser, ein eigener Prozess, ist darüber abgebrochen.</translation>
+    </message>
+    <message>
+        <source>%1 was not read: its reader took more than the %2 seconds that a file of its size is given.</source>
+        <translation>%1 wurde nicht gelesen: Der Leser brauchte mehr als die %2 Sekunden, die eine Datei dieser Größe bekommt.</translation>
+    </message>
+    <message>
+        <source>%1 was not read: its reader asked for more memory than the %2 that a file of its size is given.</source>
+        <translation>%1 wurde nicht gelesen: Der Leser verlangte mehr als die %2 Speicher, die eine Datei dieser Größe bekommt.</translation>
+    </message>
 </context>
 <context>
     <name>ui::ModelDialogs</name>
@@ -2942,6 +2999,13 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>%1 was written. View, brush and symmetry are kept by GLB files only: Save As.</source>
         <translation>%1 wurde geschrieben. Ansicht, Pinsel und Symmetrie behalten nur GLB-Dateien: Speichern unter.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ModelFormats</name>
+    <message>
+        <source>%1 and others</source>
+        <translation>%1 und andere</translation>
     </message>
 </context>
 <context>

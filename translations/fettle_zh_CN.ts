@@ -125,10 +125,6 @@
         <translation>无法将结果写入标准输出（%1）。</translation>
     </message>
     <message>
-        <source>%1: its ending does not say a format; %2 can be written.</source>
-        <translation>%1：扩展名没有说明格式；可写入 %2。</translation>
-    </message>
-    <message>
         <source>Fettle sculpts closed models that stay ready to print.
 
   fettle [FILE]                    open the window, with a model or with a ball of clay
@@ -159,6 +155,10 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
 格式：%1。长度单位为毫米。
 状态：0 完成，1 结果为否，2 输入或用法有误（标准错误输出一行说明）。
 </translation>
+    </message>
+    <message>
+        <source>%1: its ending does not say a format that is written; %2 are.</source>
+        <translation>%1：其扩展名不是可写入的格式；可写入的格式为 %2。</translation>
     </message>
 </context>
 <context>
@@ -2709,6 +2709,62 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>The model has only %1 mm³: slicers may take it for one in metres.</source>
         <translation>模型只有 %1 mm³：切片软件可能把它当作以米为单位。</translation>
     </message>
+    <message>
+        <source>materials</source>
+        <translation>材质</translation>
+    </message>
+    <message>
+        <source>textures</source>
+        <translation>纹理</translation>
+    </message>
+    <message>
+        <source>poses</source>
+        <translation>姿态</translation>
+    </message>
+    <message>
+        <source>left out: %1</source>
+        <comment>materials, textures</comment>
+        <translation>已略去：%1</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between the parts of a model that are left out</comment>
+        <translation>、</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n objects are one model now</source>
+        <translation>
+            <numerusform>%n 个对象已合为一个模型</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 names &quot;%2&quot;, which is not in its folder; nothing from elsewhere is read.</source>
+        <translation>%1 指向“%2”，它不在该文件所在的文件夹中；不会读取其他位置的内容。</translation>
+    </message>
+    <message>
+        <source>%1 was not written: %2 is only read; %3 can be written.</source>
+        <translation>未写入 %1：%2 只能读取；可写入 %3。</translation>
+    </message>
+    <message>
+        <source>%1: its reader cannot make anything of it.</source>
+        <translation>%1：读取程序无法识别其内容。</translation>
+    </message>
+    <message>
+        <source>%1: its reader cannot make anything of it (%2).</source>
+        <translation>%1：读取程序无法识别其内容（%2）。</translation>
+    </message>
+    <message>
+        <source>%1 was not read: its reader, a process of its own, broke off over it.</source>
+        <translation>未读取 %1：读取它的独立进程中途崩溃了。</translation>
+    </message>
+    <message>
+        <source>%1 was not read: its reader took more than the %2 seconds that a file of its size is given.</source>
+        <translation>未读取 %1：读取所用时间超过了这样大小的文件所允许的 %2 秒。</translation>
+    </message>
+    <message>
+        <source>%1 was not read: its reader asked for more memory than the %2 that a file of its size is given.</source>
+        <translation>未读取 %1：读取所需内存超过了这样大小的文件所允许的 %2。</translation>
+    </message>
 </context>
 <context>
     <name>ui::ModelDialogs</name>
@@ -2934,6 +2990,13 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>%1 was written. View, brush and symmetry are kept by GLB files only: Save As.</source>
         <translation>已写入 %1。只有 GLB 文件保存视图、笔刷和对称设置：请使用“另存为”。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ModelFormats</name>
+    <message>
+        <source>%1 and others</source>
+        <translation>%1 等</translation>
     </message>
 </context>
 <context>

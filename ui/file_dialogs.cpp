@@ -61,6 +61,7 @@ void askForModel(QWidget* parent, ModelUse use, const QString& folder, PathAnswe
     auto* dialog = new QFileDialog(parent, title, folder);
     dialog->setObjectName(QStringLiteral("openDialog"));
     dialog->setFileMode(QFileDialog::ExistingFile);
+    dialog->setOption(QFileDialog::HideNameFilterDetails); // there are too many to be read
     const QString patterns = QStringLiteral("*.") + modelEndings().join(QStringLiteral(" *."));
     dialog->setNameFilters({FileDialogs::tr("Models (%1)").arg(patterns), FileDialogs::tr("All files (*)")});
     show(dialog, answer);

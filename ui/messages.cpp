@@ -218,6 +218,15 @@ QString Messages::content(const core::FileError& error)
         return tr("%1 is not read: what is packed in it takes more than %2, which is too much for a file of its size.").arg(where, bytes(error.expected));
     case FileErrorKind::TooManyElements:
         return tr("%1: too many %2; at most %3 are taken.").arg(where, token(error), number(error.expected));
+    case FileErrorKind::ReaderRefused:
+        return error.token.empty() ? tr("%1: its reader cannot make anything of it.").arg(where)
+                                   : tr("%1: its reader cannot make anything of it (%2).").arg(where, token(error));
+    case FileErrorKind::ReaderDied:
+        return tr("%1 was not read: its reader, a process of its own, broke off over it.").arg(where);
+    case FileErrorKind::ReaderTooSlow:
+        return tr("%1 was not read: its reader took more than the %2 seconds that a file of its size is given.").arg(where, number(error.expected));
+    case FileErrorKind::ReaderOutOfMemory:
+        return tr("%1 was not read: its reader asked for more memory than the %2 that a file of its size is given.").arg(where, bytes(error.expected));
     case FileErrorKind::NoFaces:
         return tr("%1 holds no faces.").arg(where);
     default:

@@ -225,7 +225,7 @@ void ModelFiles::saveCopy()
 
 void ModelFiles::exportAs()
 {
-    askForExport(m_window, m_settings->lastFolder(), m_name, modelEndings(), [this](const QString& path) {
+    askForExport(m_window, m_settings->lastFolder(), m_name, writtenEndings(), [this](const QString& path) {
         remember(path);
         Q_EMIT exportRequested(path);
     });

@@ -2,6 +2,10 @@
 
 #include "core/mesh_io.h"
 
+#include <QCoreApplication>
+
+#include <algorithm>
+
 namespace ui
 {
 namespace
@@ -13,11 +17,16 @@ QStringList toList(std::span<const std::string_view> words)
         list << QLatin1StringView(word.data(), static_cast<qsizetype>(word.size()));
     return list;
 }
+
+class ModelFormats
+{
+    Q_DECLARE_TR_FUNCTIONS(ui::ModelFormats)
+};
 } // namespace
 
 QStringList modelEndings()
 {
-    return toList(core::meshEndings());
+    return toList(core::readEndings());
 }
 
 QStringList writtenEndings()
@@ -27,7 +36,11 @@ QStringList writtenEndings()
 
 QString modelFormats()
 {
-    return modelEndings().join(QStringLiteral(", ")).toUpper();
+    constexpr qsizetype named = 4;
+    const auto own = static_cast<qsizetype>(core::meshEndings().size());
+    const QStringList all = modelEndings();
+    const QString words = all.first(std::min(all.size(), own + named)).join(QStringLiteral(", ")).toUpper();
+    return all.size() > own + named ? ModelFormats::tr("%1 and others").arg(words) : words;
 }
 
 bool isDocumentFormat(const QString& path)

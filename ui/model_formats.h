@@ -8,7 +8,7 @@ namespace ui
 QStringList modelEndings();
 /// Of those that they are written to, too.
 QStringList writtenEndings();
-/// "STL, OBJ, PLY": for sentences.
+/// "STL, OBJ, PLY", or "STL, OBJ, PLY and others": for sentences.
 QString modelFormats();
 QString writtenFormats();
 /// Whether a model can be written under that name, by its ending.

@@ -20,6 +20,7 @@ libopenmesh-dev     OpenMesh: the mesh kernel
 libeigen3-dev       Eigen: vectors and matrices
 libboost-dev        Boost.Multiprecision: exact points where faces cross
 nlohmann-json3-dev  JSON: stroke files, reports, glTF
+libassimp-dev       Assimp: reads the formats that we do not
 libexpat1-dev       Expat: the XML of 3MF
 libzip-dev          libzip: the packages that 3MF files are
 libopenxr-dev       OpenXR: the headset
@@ -30,7 +31,6 @@ fonts-wqy-microhei  a font that has Chinese
 fettle_test_packages='
 libcgal-dev         CGAL: an independent judge of meshes
 libtinygltf-dev     tinygltf: reads what we write
-libassimp-dev       Assimp: reads what we write
 libbenchmark-dev    Google Benchmark
 xvfb                a display without a screen
 xauth               for xvfb-run

@@ -86,7 +86,7 @@ private:
 void TestModelExport::verdict_isOneLine_data()
 {
     QTest::addColumn<QString>("name");
-    for (const std::string_view ending : core::meshEndings())
+    for (const std::string_view ending : core::writtenEndings())
         QTest::addRow("%s", ending.data()) << QStringLiteral("ball.") + QLatin1StringView(ending.data(), static_cast<qsizetype>(ending.size()));
 }
 

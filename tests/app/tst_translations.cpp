@@ -1,6 +1,5 @@
 // Every language says everything: the files in translations/ against the sources, against themselves, and in the program.
 #include "ui/actions.h"
-#include "ui/model_formats.h"
 
 #include <QAction>
 #include <QApplication>
@@ -364,7 +363,7 @@ void TestTranslations::theProgram_speaksIt()
         if (!message.source.startsWith(QStringLiteral("Fettle sculpts")))
             continue;
         QVERIFY(message.translations.first() != message.source);
-        QVERIFY(fettle({QStringLiteral("--help")}, language).contains(message.translations.first().arg(ui::modelFormats())));
+        QVERIFY(fettle({QStringLiteral("--help")}, language).contains(message.translations.first().section(QStringLiteral("%1"), 0, 0)));
         return;
     }
     QFAIL("the help is missing");

@@ -43,7 +43,7 @@ private:
 void TestExportCheck::whatWasWritten_isThere_data()
 {
     QTest::addColumn<QString>("name");
-    for (const std::string_view ending : core::meshEndings())
+    for (const std::string_view ending : core::writtenEndings())
         QTest::addRow("%s", ending.data()) << QStringLiteral("a.") + QLatin1StringView(ending.data(), static_cast<qsizetype>(ending.size()));
 }
 

@@ -623,9 +623,11 @@ void TestMeshIo::remarks_tellWhatIsLeftOut()
     QCOMPARE(obj.objects, std::size_t(2));
     QVERIFY(remarksOf("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n") == core::ReadRemarks());
     QCOMPARE(remarksOf("a.glb", smallGlb()).objects, std::size_t(2));
+    core::WriteOptions options;
+    options.notes.palette = {{1, 2, 3}};
     for (const std::string_view ending : core::writtenEndings()) { // our own hold nothing else
         const auto path = file("own." + std::string(ending));
-        core::writeMesh(path, shapes::cube(1), {.palette = {{1, 2, 3}}});
+        core::writeMesh(path, shapes::cube(1), options);
         QVERIFY(core::readModel(path).remarks == core::ReadRemarks());
     }
 }

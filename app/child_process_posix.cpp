@@ -1,0 +1,107 @@
+#include "child_process.h"
+
+#include <QCoreApplication>
+
+#include <cerrno>
+#include <csignal>
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <optional>
+
+namespace app
+{
+namespace
+{
+using Clock = std::chrono::steady_clock;
+using End = ChildAnswer::End;
+
+constexpr int lookEveryMs = 20;
+
+/// The child's end of the pipe is its standard output.
+std::optional<pid_t> start(const std::vector<std::string>& command, int output)
+{
+    std::vector<char*> arguments;
+    for (const std::string& word : command)
+        arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    posix_spawn_file_actions_t files;
+    posix_spawn_file_actions_init(&files);
+    posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_adddup2(&files, output, STDOUT_FILENO);
+    pid_t child = 0;
+    const int problem = posix_spawn(&child, arguments.front(), &files, nullptr, arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&files);
+    return problem == 0 ? std::optional(child) : std::nullopt;
+}
+
+/// Until the child closes its end. Exited: it did.
+End collect(int input, const ChildOrder& order, Clock::time_point deadline, std::string& bytes)
+{
+    std::array<char, 1 << 16> piece;
+    for (;;) {
+        if (order.stop.stop_requested())
+            return End::Stopped;
+        if (Clock::now() > deadline)
+            return End::TooSlow;
+        pollfd what{input, POLLIN, 0};
+        if (poll(&what, 1, lookEveryMs) <= 0)
+            continue;
+        const ssize_t got = read(input, piece.data(), piece.size());
+        if (got < 0 && errno == EINTR)
+            continue;
+        if (got <= 0)
+            return got == 0 ? End::Exited : End::Died;
+        if (bytes.size() + static_cast<std::size_t>(got) > order.mostBytes)
+            return End::Died;
+        bytes.append(piece.data(), static_cast<std::size_t>(got));
+    }
+}
+
+/// Who has closed its output is about to end; who is not gets no more than a second.
+int statusOf(pid_t child, bool isEnding)
+{
+    int status = 0;
+    const auto deadline = Clock::now() + std::chrono::seconds(isEnding ? 1 : 0);
+    while (waitpid(child, &status, WNOHANG) == 0) {
+        if (Clock::now() >= deadline)
+            kill(child, SIGKILL);
+        poll(nullptr, 0, 1);
+    }
+    return status;
+}
+} // namespace
+
+std::string ownProgram()
+{
+#ifdef __linux__
+    return "/proc/self/exe";
+#else
+    return QCoreApplication::applicationFilePath().toStdString();
+#endif
+}
+
+ChildAnswer runChild(const ChildOrder& order)
+{
+    std::array<int, 2> ends{};
+    if (pipe2(ends.data(), O_CLOEXEC) != 0)
+        return {End::NotStarted, {}};
+    const auto child = start(order.command, ends[1]);
+    close(ends[1]);
+    ChildAnswer answer{End::NotStarted, {}};
+    if (child) {
+        answer.end = collect(ends[0], order, Clock::now() + order.time, answer.bytes);
+        const int status = statusOf(*child, answer.end == End::Exited);
+        const bool byLimit = WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL);
+        if (answer.end == End::Exited && !(WIFEXITED(status) && WEXITSTATUS(status) == 0))
+            answer.end = byLimit ? End::TooSlow : End::Died;
+    }
+    close(ends[0]);
+    return answer;
+}
+} // namespace app
