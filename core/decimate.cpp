@@ -22,8 +22,7 @@ namespace core
 {
 namespace
 {
-/// A whole step of a colour weighs as much as this share of the longest side. Chosen by measurement: doubled, faces without colour get
-/// visibly coarser; halved, painted edges fray.
+/// A whole step of a colour weighs as much as this share of the longest side. A guess that keeps painted edges on the models tried.
 constexpr double colorReach = 0.1;
 /// Where a surface is flat its vertices stay in the middle, and short edges go first.
 constexpr double pull = 1e-6, perLength = 1e-4;

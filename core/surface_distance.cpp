@@ -4,13 +4,15 @@
 #include "parallel.h"
 #include "surface_query.h"
 
+#include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace core
 {
 namespace
 {
-constexpr double fewestSamples = 200'000;
+constexpr double sampleCount = 200'000;
 
 std::array<Vec3, 3> cornersOf(const TriangleMesh& mesh, Slot face)
 {
@@ -73,13 +75,20 @@ Vec3 sampleIn(const std::array<Vec3, 3>& t, std::size_t i)
 
 struct Sums
 {
-    double largest = 0, weighted = 0, area = 0;
+    double largest = 0, sum = 0;
+    std::size_t count = 0;
 
+    void add(double distance)
+    {
+        largest = std::max(largest, distance);
+        sum += distance;
+        ++count;
+    }
     void add(const Sums& other)
     {
         largest = std::max(largest, other.largest);
-        weighted += other.weighted;
-        area += other.area;
+        sum += other.sum;
+        count += other.count;
     }
 };
 
@@ -103,19 +112,6 @@ private:
     double m_distance = std::numeric_limits<double>::infinity();
 };
 
-Sums measureFace(const std::array<Vec3, 3>& t, double areaPerSample, Measuring& measure)
-{
-    Sums sums;
-    sums.area = areaOf(t);
-    const auto samples = static_cast<std::size_t>(std::ceil(std::max(1.0, sums.area / areaPerSample)));
-    for (std::size_t i = 0; i < samples; ++i) {
-        const double distance = measure(sampleIn(t, i));
-        sums.largest = std::max(sums.largest, distance);
-        sums.weighted += distance * sums.area / static_cast<double>(samples);
-    }
-    return sums;
-}
-
 template <typename Measure>
 Sums summed(std::size_t count, const Nearest& nearest, const JobWatch& watch, Measure measure)
 {
@@ -131,25 +127,60 @@ Sums summed(std::size_t count, const Nearest& nearest, const JobWatch& watch, Me
         all.add(part);
     return all;
 }
+/// Evenly over the surface, face by face: how many samples there are in the faces up to and with each.
+std::vector<std::size_t> samplesUpTo(const TriangleMesh& mesh)
+{
+    std::vector<double> area;
+    double sum = 0;
+    for (Slot f = 0; f < mesh.triangles.size(); ++f)
+        area.push_back(sum += areaOf(cornersOf(mesh, f)));
+    std::vector<std::size_t> samples;
+    for (const double upTo : area)
+        samples.push_back(sum > 0 ? static_cast<std::size_t>(sampleCount * (upTo / sum)) : 0);
+    return samples;
+}
+
+/// The corners that the other surface does not have as they are.
+std::vector<Vec3f> cornersBeside(const TriangleMesh& a, const TriangleMesh& b)
+{
+    const auto isLess = [](const Vec3f& p, const Vec3f& q) {
+        return std::tie(p.x(), p.y(), p.z()) < std::tie(q.x(), q.y(), q.z());
+    };
+    const auto cornersOf = [&](const TriangleMesh& mesh) {
+        std::vector<bool> isUsed(mesh.points.size(), false);
+        for (const Triangle& t : mesh.triangles)
+            for (const Slot v : t)
+                isUsed[v] = true;
+        std::vector<Vec3f> points;
+        for (std::size_t v = 0; v < isUsed.size(); ++v)
+            if (isUsed[v])
+                points.push_back(mesh.points[v]);
+        std::ranges::sort(points, isLess);
+        return points;
+    };
+    std::vector<Vec3f> result;
+    std::ranges::set_difference(cornersOf(a), cornersOf(b), std::back_inserter(result), isLess);
+    return result;
+}
 } // namespace
 
 SurfaceDistance distanceFrom(const TriangleMesh& a, const TriangleMesh& b, const JobWatch& watch)
 {
     const Nearest nearest(b);
-    double area = 0;
-    std::vector<bool> isUsed(a.points.size(), false);
-    for (Slot f = 0; f < a.triangles.size(); ++f) {
-        area += areaOf(cornersOf(a, f));
-        for (const Slot v : a.triangles[f])
-            isUsed[v] = true;
-    }
-    const double areaPerSample = std::max(area / fewestSamples, std::numeric_limits<double>::min());
-    Sums sums = summed(a.triangles.size(), nearest, watch, [&](std::size_t f, Measuring& measuring) {
-        return measureFace(cornersOf(a, static_cast<Slot>(f)), areaPerSample, measuring);
+    const std::vector<std::size_t> samples = samplesUpTo(a);
+    const Sums over = summed(a.triangles.size(), nearest, watch, [&](std::size_t f, Measuring& measuring) {
+        Sums face;
+        const std::array<Vec3, 3> triangle = cornersOf(a, static_cast<Slot>(f));
+        for (std::size_t i = f == 0 ? 0 : samples[f - 1]; i < samples[f]; ++i)
+            face.add(measuring(sampleIn(triangle, i)));
+        return face;
     });
-    sums.add(summed(a.points.size(), nearest, watch, [&](std::size_t v, Measuring& measuring) {
-        return isUsed[v] ? Sums{measuring(a.points[v].cast<double>()), 0, 0} : Sums();
-    }));
-    return {sums.largest, sums.area > 0 ? sums.weighted / sums.area : 0};
+    const std::vector<Vec3f> corners = cornersBeside(a, b);
+    const Sums at = summed(corners.size(), nearest, watch, [&](std::size_t i, Measuring& measuring) {
+        Sums corner;
+        corner.add(measuring(corners[i].cast<double>()));
+        return corner;
+    });
+    return {std::max(over.largest, at.largest), over.count > 0 ? over.sum / static_cast<double>(over.count) : 0};
 }
 } // namespace core

@@ -12,8 +12,8 @@ struct SurfaceDistance
     double mean = 0; ///< over the area
 };
 
-/// From `a` to the nearest points of `b`: at a's corners and, evenly by area, at 200,000 points or one a face. The larger of both
-/// ways is the Hausdorff distance, as closely as the samples show it. Both have faces. All cores; the same on any machine. Who stopped it
-/// must not use the result. About 2 us a sample.
+/// From `a` to the nearest points of `b`: at 200,000 points of a, evenly by area, and at those of its corners that b does not
+/// have. The larger of both ways is the Hausdorff distance, as closely as the samples show it. Both have faces. All cores; the
+/// same on any machine. Who stopped it must not use the result. 2 to 50 us a sample, the more the farther apart they are.
 SurfaceDistance distanceFrom(const TriangleMesh& a, const TriangleMesh& b, const JobWatch& watch = {});
 } // namespace core
