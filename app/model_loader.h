@@ -55,10 +55,13 @@ public:
 
     /// Whether a file of that name would.
     static bool holdsColors(const QString& path);
+    static bool holdsUnit(const QString& path);
 
 private:
     static void take(LoadedModel& loaded, std::unique_ptr<core::Mesh> mesh);
     static QString name(core::Starter starter);
+    /// Empty, or why the model may have been meant larger.
+    static QString unitNotice(const QString& name, double volume);
     using Take = std::function<void(LoadedModel& loaded, core::TriangleMesh& mesh, const core::JobWatch& watch)>;
     static LoadedModel read(const QString& path, const Tell& tell, const core::JobWatch& watch, const Take& take);
     static bool mend(LoadedModel& loaded, core::TriangleMesh& mesh, const core::LegaliseOptions& options, const core::JobWatch& watch);

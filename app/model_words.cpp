@@ -17,7 +17,7 @@ QString ModelWords::icon(const core::ModelCommand& command)
     static const QString icons[] = {QStringLiteral("move"),   QStringLiteral("rotate"),   QStringLiteral("scale"),
                                     QStringLiteral("mirror"), QStringLiteral("recentre"), QStringLiteral("insert"),
                                     QStringLiteral("fill"),   QStringLiteral("remesh"),   QStringLiteral("symmetrize"),
-                                    QStringLiteral("reset")};
+                                    QStringLiteral("reset"),  QStringLiteral("place-on-bed"), QStringLiteral("flatten-base")};
     static_assert(std::size(icons) == std::variant_size_v<core::ModelCommand>);
     return icons[command.index()];
 }
@@ -77,6 +77,16 @@ ModelWords::Words ModelWords::wordsOf(const core::Reset&)
     return {tr("Reset", "undo step"), tr("Going back to the start")};
 }
 
+ModelWords::Words ModelWords::wordsOf(const core::PlaceOnBed&)
+{
+    return {tr("Place on Bed", "undo step"), tr("Placing the model on the bed")};
+}
+
+ModelWords::Words ModelWords::wordsOf(const core::FlattenBase&)
+{
+    return {tr("Flatten Base", "undo step"), tr("Flattening the base")};
+}
+
 QString ModelWords::nothing(const core::ModelCommand& command)
 {
     return std::holds_alternative<core::RemeshUniformly>(command) ? tr("The mesh is as uniform as that already.")
@@ -107,6 +117,8 @@ QString ModelWords::refusal(const core::ModelChange& change, const QString& inse
         return tr("The model stays as it is, because nothing of it lies on the side that was to be kept.");
     case core::ModelRefusal::HalvesMeet:
         return tr("The model stays as it is, because the half and its mirror image would not make one sound surface.");
+    case core::ModelRefusal::NoBase:
+        return tr("The model stays as it is, because a cut at this height would not leave one sound surface; another height may do.");
     case core::ModelRefusal::TooFine:
         return tr("The mesh stays as it is: with edges this short it would need too many triangles (%1).").arg(faces);
     }

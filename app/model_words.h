@@ -39,5 +39,7 @@ private:
     static Words wordsOf(const core::RemeshUniformly&);
     static Words wordsOf(const core::Symmetrize&);
     static Words wordsOf(const core::Reset&);
+    static Words wordsOf(const core::PlaceOnBed&);
+    static Words wordsOf(const core::FlattenBase&);
 };
 } // namespace app

@@ -6,6 +6,7 @@
 #include "history_list.h"
 #include "model_inquiry.h"
 #include "patch_inbox.h"
+#include "print_inquiry.h"
 #include "sculpt_worker.h"
 
 #include "ui/color_panel.h"
@@ -14,6 +15,7 @@
 #include "ui/mending_dialogs.h"
 #include "ui/model_panel.h"
 #include "ui/preview_panel.h"
+#include "ui/print_panel.h"
 #include "ui/viewport.h"
 #include "ui/window_notes.h"
 
@@ -144,6 +146,38 @@ void wireModelPanel(ui::MainWindow& window, Document& document, SculptWorker& wo
     QObject::connect(inquiry, &ModelInquiry::answered, panel, &ModelPanel::setReport);
 }
 
+/// The model shows what was measured while the panel can be seen and the answer is of the model as it is.
+void wirePrintPanel(ui::MainWindow& window, Document& document, SculptWorker& worker)
+{
+    using ui::PrintPanel;
+    auto* panel = window.findChild<PrintPanel*>();
+    ui::Viewport* viewport = window.viewport();
+    auto* inquiry = new PrintInquiry(&document, &worker);
+    const auto wish = [panel, inquiry] { inquiry->setWishes({panel->limits(), panel->picture()}); };
+    wish();
+    QObject::connect(panel, &PrintPanel::wishesChanged, inquiry, wish);
+    QObject::connect(panel, &PrintPanel::checkRequested, inquiry, &PrintInquiry::askAgain);
+    QObject::connect(panel, &PrintPanel::stopRequested, inquiry, &PrintInquiry::stop);
+    QObject::connect(panel, &PrintPanel::watched, inquiry, [viewport, inquiry, wish](bool isWatched) {
+        inquiry->setWanted(isWatched);
+        if (isWatched)
+            wish();
+        else
+            viewport->setShades(nullptr);
+    });
+    QObject::connect(inquiry, &PrintInquiry::progressed, panel, &PrintPanel::setProgress);
+    QObject::connect(inquiry, &PrintInquiry::outdated, panel, [panel, viewport] {
+        panel->setStale();
+        viewport->setShades(nullptr);
+        viewport->forgetMark();
+    });
+    QObject::connect(inquiry, &PrintInquiry::answered, panel,
+                     [panel, viewport](const core::MeshReport& mesh, const core::PrintReport& print, const std::shared_ptr<const core::Footprint>& shades) {
+                         panel->setReport(mesh, print);
+                         viewport->setShades(panel->isVisible() ? shades : nullptr);
+                     });
+}
+
 void wireStrokes(ui::Viewport& viewport, Document& document)
 {
     using ui::Viewport;
@@ -194,6 +228,7 @@ void wire(ui::MainWindow& window, Document& document, SculptWorker& worker, cons
     wirePalette(window, document);
     wireNotes(window, document);
     wireModelPanel(window, document, worker);
+    wirePrintPanel(window, document, worker);
     wireStrokes(*window.viewport(), document);
     wireWorker(*window.viewport(), worker, inbox);
     wireDrawings(window, worker);

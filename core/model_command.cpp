@@ -1,5 +1,6 @@
 #include "model_command.h"
 
+#include "flatten_base.h"
 #include "mesh_build.h"
 #include "model_insert.h"
 #include "model_transform.h"
@@ -28,6 +29,11 @@ void edit(Mesh& mesh, const RemeshUniformly& command, ModelChange& change, const
 void edit(Mesh& mesh, const Symmetrize& command, ModelChange& change, const JobWatch& watch)
 {
     symmetrize(mesh, command, change, watch);
+}
+
+void edit(Mesh& mesh, const FlattenBase& command, ModelChange& change, const JobWatch& watch)
+{
+    flattenBase(mesh, command, change, watch);
 }
 
 void edit(Mesh& mesh, const Fill& command, ModelChange&, const JobWatch&)

@@ -35,6 +35,15 @@ struct Mirror
 struct Recentre
 {
 };
+/// The lowest point goes to y = 0, where a printer's bed is.
+struct PlaceOnBed
+{
+};
+/// What lies below a level plane goes, and the cut is closed: a flat base.
+struct FlattenBase
+{
+    double height = 0; ///< of the plane above the lowest point; above 0, below the model's height
+};
 /// Another model becomes part of this one: outside it, or wholly in one of its voids, and touching nothing.
 struct Insert
 {
@@ -80,7 +89,8 @@ struct Reset
     std::shared_ptr<const Snapshot> start;
 };
 
-using ModelCommand = std::variant<Move, Rotate, Scale, Mirror, Recentre, Insert, Fill, RemeshUniformly, Symmetrize, Reset>;
+using ModelCommand = std::variant<Move, Rotate, Scale, Mirror, Recentre, Insert, Fill, RemeshUniformly, Symmetrize, Reset,
+                                  PlaceOnBed, FlattenBase>;
 
 /// Why the model was left as it is.
 enum class ModelRefusal {
@@ -93,6 +103,7 @@ enum class ModelRefusal {
     Touching,  ///< the inserted model would touch the present one
     EmptyHalf,  ///< nothing of the model lies on that side of the plane
     HalvesMeet, ///< the half and its image do not make a sound solid: they touch, or meet at `faces` pairs of faces
+    NoBase,    ///< there is nothing to cut at that height, or what is left makes no sound solid
     TooFine    ///< the mesh would need too many faces (`faces`), or edges that the lattice cannot hold
 };
 

@@ -133,6 +133,11 @@ void transform(Mesh& mesh, const Mirror& command, ModelChange& change, const Job
     goTo(mesh, mapped(mesh, [&](const Vec3& p) { return Vec3(signs.cwiseProduct(p)); }), true, change, watch);
 }
 
+void transform(Mesh& mesh, const PlaceOnBed&, ModelChange& change, const JobWatch& watch)
+{
+    transform(mesh, Move{{0, -boxOf(mesh).min().y(), 0}}, change, watch);
+}
+
 void transform(Mesh& mesh, const Recentre&, ModelChange& change, const JobWatch& watch)
 {
     const Vec3 middle = mesh.lattice().snap(boxOf(mesh).center()).cast<double>();

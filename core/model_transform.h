@@ -20,5 +20,6 @@ void transform(Mesh& mesh, const Move& command, ModelChange& change, const JobWa
 void transform(Mesh& mesh, const Rotate& command, ModelChange& change, const JobWatch& watch);
 void transform(Mesh& mesh, const Scale& command, ModelChange& change, const JobWatch& watch);
 void transform(Mesh& mesh, const Mirror& command, ModelChange& change, const JobWatch& watch);
+void transform(Mesh& mesh, const PlaceOnBed& command, ModelChange& change, const JobWatch& watch);
 void transform(Mesh& mesh, const Recentre& command, ModelChange& change, const JobWatch& watch);
 } // namespace core

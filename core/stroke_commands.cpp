@@ -15,8 +15,9 @@ struct CommandKeys
     std::string_view name;
     unsigned required, optional;
 };
-enum CommandName { MoveName, RotateName, ScaleName, MirrorName, RecentreName, InsertName, FillName, RemeshName, SymmetrizeName, ResetName };
-constexpr std::array<CommandKeys, 10> commandTable{{
+enum CommandName { MoveName, RotateName, ScaleName, MirrorName, RecentreName, InsertName, FillName, RemeshName, SymmetrizeName, ResetName,
+                   PlaceOnBedName, FlattenBaseName };
+constexpr std::array<CommandKeys, 12> commandTable{{
     {"move", bit(ByKey), 0},
     {"rotate", bit(TurnKey), 0},
     {"scale", bit(FactorKey), 0},
@@ -27,6 +28,8 @@ constexpr std::array<CommandKeys, 10> commandTable{{
     {"remesh", 0, bit(DetailLengthKey)},
     {"symmetrize", bit(PlaneKey), bit(KeepKey)},
     {"reset", 0, 0},
+    {"place_on_bed", 0, 0},
+    {"flatten_base", bit(HeightKey), 0},
 }};
 constexpr std::array<std::string_view, 2> keepTable{"positive", "negative"};
 constexpr std::array<std::string_view, 3> whereTable{"beside", "as_it_is", "centre"};
@@ -50,6 +53,8 @@ ModelCommand commandOf(CommandName name, const CommandDraft& draft, const Stroke
     case FillName: return Fill{settings.color};
     case RemeshName: return RemeshUniformly{settings.detailLength};
     case SymmetrizeName: return Symmetrize{draft.plane, draft.keep};
+    case PlaceOnBedName: return PlaceOnBed{};
+    case FlattenBaseName: return FlattenBase{draft.height};
     case ResetName: break;
     }
     return Reset{};

@@ -127,6 +127,16 @@ std::string keysOf(const Reset&, const std::string&)
     return "\"reset\"";
 }
 
+std::string keysOf(const PlaceOnBed&, const std::string&)
+{
+    return "\"place_on_bed\"";
+}
+
+std::string keysOf(const FlattenBase& flatten, const std::string&)
+{
+    return "\"flatten_base\",\"height\":" + shortest(flatten.height);
+}
+
 void write(std::ostream& out, const FileCommand& entry)
 {
     out << "{\"command\":" << std::visit([&](const auto& command) { return keysOf(command, entry.file); }, entry.command) << '}';

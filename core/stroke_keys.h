@@ -27,12 +27,13 @@ inline constexpr Keys<3> fileKeys{{"format", "version", "strokes"}, 3};
 enum StrokeKey {
     ToolKey, RadiusKey, SamplesKey, BrushKey, StrengthKey, FalloffKey, DetailKey, DetailLengthKey, TopologyKey, FusionKey,
     SymmetryKey, SpacingKey, PlaceKey, AddKey, ColorKey, TurntableKey,
-    CommandKey, ByKey, TurnKey, FactorKey, PlaneKey, KeepKey, ModelKey, WhereKey, CentreKey // of commands
+    CommandKey, ByKey, TurnKey, FactorKey, PlaneKey, KeepKey, ModelKey, WhereKey, CentreKey, HeightKey // of commands
 };
-inline constexpr Keys<25> strokeKeys{{"tool", "radius", "samples", "brush", "strength", "falloff", "detail", "detail_length",
+inline constexpr Keys<26> strokeKeys{{"tool", "radius", "samples", "brush", "strength", "falloff", "detail", "detail_length",
                                       "topology", "fusion", "symmetry", "spacing", "place", "add", "color",
                                       "turntable_deg_per_s",
-                                      "command", "by", "rotation", "factor", "plane", "keep", "file", "where", "centre"},
+                                      "command", "by", "rotation", "factor", "plane", "keep", "file", "where", "centre",
+                                      "height"},
                                      3};
 
 /// Those that no stroke has, a bit each.

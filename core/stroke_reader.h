@@ -13,7 +13,7 @@ struct CommandDraft
     std::string name, file;
     Vec3 by = Vec3::Zero(), centre = Vec3::Zero();
     Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
-    double factor = 1;
+    double factor = 1, height = 0;
     Symmetry plane = Symmetry::None;
     Half keep = Half::Positive;
     Insert::Place where = Insert::Place::Beside;

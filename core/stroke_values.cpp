@@ -133,6 +133,7 @@ void StrokeReader::strokeNumber(double value)
     case StrengthKey: settings.strength = inRange(value, Parameter::Strength); break;
     case DetailKey: settings.detail = inRange(value, Parameter::Detail); break;
     case DetailLengthKey: settings.detailLength = inRange(value, info(Parameter::Radius).min, info(Parameter::Radius).max); break;
+    case HeightKey: m_command.height = inRange(value, ModelLimits::leastExtent, ModelLimits::mostExtent); break;
     case FactorKey: m_command.factor = inRange(value, leastFactor, 1 / leastFactor); break;
     case TurntableKey: m_turntable = inRange(value, -farthestSample, farthestSample); break;
     case SpacingKey: settings.spacing = zeroOrInRange(value, leastSpacing, info(Parameter::Spacing).max); break;

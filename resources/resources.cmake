@@ -19,6 +19,7 @@ set(FETTLE_RESOURCE_FILES
     icons/files.svg
     icons/fill.svg
     icons/flat.svg
+    icons/flatten-base.svg
     icons/flatten.svg
     icons/folder.svg
     icons/folder-up.svg
@@ -45,8 +46,10 @@ set(FETTLE_RESOURCE_FILES
     icons/panel-close.svg
     icons/panel-float.svg
     icons/pick.svg
+    icons/place-on-bed.svg
     icons/plus.svg
     icons/preferences.svg
+    icons/print-check.svg
     icons/pull.svg
     icons/push.svg
     icons/quit.svg

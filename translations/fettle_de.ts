@@ -387,6 +387,14 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>Mending %1</source>
         <translation>%1 wird repariert</translation>
     </message>
+    <message>
+        <source>%1 is very small in millimetres (%2). If it was made in inches or another unit, Model &gt; Scale gives it its size.</source>
+        <translation>%1 ist in Millimetern sehr klein (%2). Ist es in Zoll oder einer anderen Einheit gemacht, gibt ihm Modell &gt; Skalieren seine Größe.</translation>
+    </message>
+    <message>
+        <source>%1 is tiny in millimetres (%2). If it was made in metres or another unit, Model &gt; Scale gives it its size.</source>
+        <translation>%1 ist in Millimetern winzig (%2). Ist es in Metern oder einer anderen Einheit gemacht, gibt ihm Modell &gt; Skalieren seine Größe.</translation>
+    </message>
 </context>
 <context>
     <name>app::ModelTrial</name>
@@ -526,6 +534,28 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>Going back to the start</source>
         <translation>Zurück zum Anfang</translation>
+    </message>
+    <message>
+        <source>Place on Bed</source>
+        <comment>undo step</comment>
+        <translation>Aufs Druckbett stellen</translation>
+    </message>
+    <message>
+        <source>Placing the model on the bed</source>
+        <translation>Das Modell wird aufs Druckbett gestellt</translation>
+    </message>
+    <message>
+        <source>Flatten Base</source>
+        <comment>undo step</comment>
+        <translation>Fuß abflachen</translation>
+    </message>
+    <message>
+        <source>Flattening the base</source>
+        <translation>Der Fuß wird abgeflacht</translation>
+    </message>
+    <message>
+        <source>The model stays as it is, because a cut at this height would not leave one sound surface; another height may do.</source>
+        <translation>Das Modell bleibt, wie es ist, weil ein Schnitt in dieser Höhe keine einwandfreie Oberfläche ließe; vielleicht geht es in einer anderen.</translation>
     </message>
 </context>
 <context>
@@ -1528,6 +1558,30 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Writes STL, 3MF or GLB with as many triangles as you like, and judges the file.</source>
         <translation>Schreibt STL, 3MF oder GLB mit so vielen Dreiecken, wie Sie möchten, und beurteilt die Datei.</translation>
+    </message>
+    <message>
+        <source>P&amp;lace on Bed</source>
+        <translation>Aufs Druckbett s&amp;tellen</translation>
+    </message>
+    <message>
+        <source>Puts the model&apos;s lowest point at height 0, where a printer&apos;s bed is.</source>
+        <translation>Setzt den tiefsten Punkt des Modells auf Höhe 0, wo das Bett eines Druckers liegt.</translation>
+    </message>
+    <message>
+        <source>Flatten &amp;Base…</source>
+        <translation>F&amp;uß abflachen …</translation>
+    </message>
+    <message>
+        <source>Cuts the model level a little above its lowest point, so that it stands flat.</source>
+        <translation>Schneidet das Modell knapp über seinem tiefsten Punkt waagrecht ab, damit es flach steht.</translation>
+    </message>
+    <message>
+        <source>&amp;Print Check</source>
+        <translation>Druckp&amp;rüfung</translation>
+    </message>
+    <message>
+        <source>Shows whether the model prints: walls, overhangs, base, and the printer&apos;s bed.</source>
+        <translation>Zeigt, ob sich das Modell drucken lässt: Wände, Überhänge, Fuß und das Bett des Druckers.</translation>
     </message>
 </context>
 <context>
@@ -2953,6 +3007,42 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>The model turns about an axis through the origin, anticlockwise as seen from the axis&apos;s tip.</source>
         <translation>Das Modell dreht sich um eine Achse durch den Ursprung, von der Spitze der Achse aus gesehen gegen den Uhrzeigersinn.</translation>
     </message>
+    <message>
+        <source>Flatten the Base</source>
+        <translation>Fuß abflachen</translation>
+    </message>
+    <message>
+        <source>What lies below a level cut goes, and the model stands flat. How high above its lowest point is the cut?</source>
+        <translation>Was unter einem waagrechten Schnitt liegt, fällt weg, und das Modell steht flach. Wie hoch über dem tiefsten Punkt liegt der Schnitt?</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Flatten</source>
+        <translation>Abflachen</translation>
+    </message>
+    <message>
+        <source>It was made in</source>
+        <translation>Gemacht in</translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation>Millimetern</translation>
+    </message>
+    <message>
+        <source>Centimetres</source>
+        <translation>Zentimetern</translation>
+    </message>
+    <message>
+        <source>Inches</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation>Metern</translation>
+    </message>
 </context>
 <context>
     <name>ui::ModelFiles</name>
@@ -3341,6 +3431,302 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Creases are left out: the surface has too many.</source>
         <translation>Kanten sind weggelassen: Die Oberfläche hat zu viele.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PrintFindings</name>
+    <message>
+        <source>%1 mm²</source>
+        <translation>%1 mm²</translation>
+    </message>
+    <message>
+        <source>%1 cm²</source>
+        <translation>%1 cm²</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Sound surface</source>
+        <translation>Einwandfreie Oberfläche</translation>
+    </message>
+    <message>
+        <source>Closed, every face looks outward, nothing meets itself: checked exactly.</source>
+        <translation>Geschlossen, jede Fläche schaut nach außen, nichts berührt sich selbst: exakt geprüft.</translation>
+    </message>
+    <message>
+        <source>The surface is not sound</source>
+        <translation>Die Oberfläche ist nicht in Ordnung</translation>
+    </message>
+    <message>
+        <source>It is not closed, meets itself, or bounds no solid; walls were not measured.</source>
+        <translation>Sie ist nicht geschlossen, berührt sich selbst oder umschließt keinen Körper; Wände wurden nicht gemessen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln parts</source>
+        <translation>
+            <numerusform>%Ln Teil</numerusform>
+            <numerusform>%Ln Teile</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Parts of the surface that do not hang together; hollows count, too.</source>
+        <translation>Teile der Oberfläche, die nicht zusammenhängen; Hohlräume zählen mit.</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 mm wide, deep and high.</source>
+        <translation>%1 × %2 × %3 mm breit, tief und hoch.</translation>
+    </message>
+    <message>
+        <source>Fits %1</source>
+        <translation>Passt auf %1</translation>
+    </message>
+    <message>
+        <source>Fits %1, turned by 90°</source>
+        <translation>Passt auf %1, um 90° gedreht</translation>
+    </message>
+    <message>
+        <source>Too large for %1</source>
+        <translation>Zu groß für %1</translation>
+    </message>
+    <message>
+        <source>Shares are of the surface. The thinnest place: %1 mm by rays, %2 mm by balls that fit inside.</source>
+        <translation>Anteile sind solche der Oberfläche. Die dünnste Stelle: %1 mm nach Strahlen, %2 mm nach Kugeln, die hineinpassen.</translation>
+    </message>
+    <message>
+        <source>Walls from %1 mm on</source>
+        <translation>Wände ab %1 mm</translation>
+    </message>
+    <message>
+        <source>No thin walls</source>
+        <translation>Keine dünnen Wände</translation>
+    </message>
+    <message>
+        <source>%1 thinner than %2 mm</source>
+        <translation>%1 dünner als %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm, %2</source>
+        <comment>thickness, area</comment>
+        <translation>%1 mm, %2</translation>
+    </message>
+    <message>
+        <source>Faces that lean out more than %1 from the vertical print on supports only; those on the bed do not count.</source>
+        <translation>Flächen, die sich mehr als %1 aus der Senkrechten neigen, brauchen Stützen; die auf dem Druckbett zählen nicht.</translation>
+    </message>
+    <message>
+        <source>No overhangs beyond %1</source>
+        <translation>Keine Überhänge über %1</translation>
+    </message>
+    <message>
+        <source>%1 overhangs beyond %2</source>
+        <translation>%1 Überhang über %2</translation>
+    </message>
+    <message>
+        <source>up to %1, %2</source>
+        <translation>bis %1, %2</translation>
+    </message>
+    <message>
+        <source>How much of the surface lies flat on the bed.</source>
+        <translation>Wie viel der Oberfläche flach auf dem Druckbett liegt.</translation>
+    </message>
+    <message>
+        <source>Stands on %1</source>
+        <translation>Steht auf %1</translation>
+    </message>
+    <message>
+        <source>Stands on a point or an edge</source>
+        <translation>Steht auf einer Spitze oder Kante</translation>
+    </message>
+    <message>
+        <source>Scale the model, or choose millimetres in the slicer.</source>
+        <translation>Skalieren Sie das Modell, oder wählen Sie im Druckprogramm Millimeter.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PrintLegend</name>
+    <message>
+        <source>Colours on the model</source>
+        <translation>Farben am Modell</translation>
+    </message>
+    <message>
+        <source>What the colours on the model mean. What is hatched is beyond the limit.</source>
+        <translation>Was die Farben am Modell bedeuten. Schraffiert ist, was die Grenze verletzt.</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>thick</source>
+        <translation>dick</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PrintPanel</name>
+    <message>
+        <source>Printers…</source>
+        <translation>Drucker …</translation>
+    </message>
+    <message>
+        <source>Changes the list of printers.</source>
+        <translation>Ändert die Liste der Drucker.</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Wandstärke</translation>
+    </message>
+    <message>
+        <source>Overhang</source>
+        <translation>Überhang</translation>
+    </message>
+    <message>
+        <source>Printer</source>
+        <translation>Drucker</translation>
+    </message>
+    <message>
+        <source>Whose bed the model is compared with.</source>
+        <translation>Mit dessen Bett das Modell verglichen wird.</translation>
+    </message>
+    <message>
+        <source>Least wall</source>
+        <translation>Wand ab</translation>
+    </message>
+    <message>
+        <source>Thinner walls are found: two lines of the nozzle, as a rule.</source>
+        <translation>Dünnere Wände werden gefunden: in der Regel zwei Linien der Düse.</translation>
+    </message>
+    <message>
+        <source>How far faces may lean out from the vertical.</source>
+        <translation>Wie weit Flächen sich aus der Senkrechten neigen dürfen.</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Shows on the model how thick it is, or how far it leans out.</source>
+        <translation>Zeigt am Modell, wie dick es ist oder wie weit es überhängt.</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Befunde</translation>
+    </message>
+    <message>
+        <source>What was found. A click or Return on a place shows it on the model.</source>
+        <translation>Was gefunden wurde. Ein Klick oder die Eingabetaste auf einer Stelle zeigt sie am Modell.</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>gut</translation>
+    </message>
+    <message>
+        <source>take care</source>
+        <translation>Vorsicht</translation>
+    </message>
+    <message>
+        <source>to be changed</source>
+        <translation>zu ändern</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Check Now</source>
+        <translation>Jetzt prüfen</translation>
+    </message>
+    <message>
+        <source>Ends the check.</source>
+        <translation>Beendet die Prüfung.</translation>
+    </message>
+    <message>
+        <source>Checks the model as it is now.</source>
+        <translation>Prüft das Modell, wie es jetzt ist.</translation>
+    </message>
+    <message>
+        <source>Prints as it is</source>
+        <translation>Druckt, wie es ist</translation>
+    </message>
+    <message>
+        <source>Prints with some care</source>
+        <translation>Druckt mit etwas Vorsicht</translation>
+    </message>
+    <message>
+        <source>Should be changed before it is printed</source>
+        <translation>Sollte vor dem Druck geändert werden</translation>
+    </message>
+    <message>
+        <source>Checking…</source>
+        <translation>Wird geprüft …</translation>
+    </message>
+    <message>
+        <source>Not checked since the last change</source>
+        <translation>Seit der letzten Änderung nicht geprüft</translation>
+    </message>
+    <message>
+        <source>Print Check</source>
+        <translation>Druckprüfung</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PrintersDialog</name>
+    <message>
+        <source>Printers</source>
+        <translation>Drucker</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>&amp;Hinzufügen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>Another printer</source>
+        <translation>Weiterer Drucker</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
     </message>
 </context>
 <context>

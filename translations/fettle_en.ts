@@ -88,4 +88,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>ui::PrintFindings</name>
+    <message numerus="yes">
+        <source>%Ln parts</source>
+        <translation>
+            <numerusform>%Ln part</numerusform>
+            <numerusform>%Ln parts</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

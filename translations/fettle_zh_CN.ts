@@ -385,6 +385,14 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>Mending %1</source>
         <translation>正在修复 %1</translation>
     </message>
+    <message>
+        <source>%1 is very small in millimetres (%2). If it was made in inches or another unit, Model &gt; Scale gives it its size.</source>
+        <translation>%1 以毫米计非常小（%2）。若以英寸或其他单位制作，可用 模型 &gt; 缩放 恢复其大小。</translation>
+    </message>
+    <message>
+        <source>%1 is tiny in millimetres (%2). If it was made in metres or another unit, Model &gt; Scale gives it its size.</source>
+        <translation>%1 以毫米计极小（%2）。若以米或其他单位制作，可用 模型 &gt; 缩放 恢复其大小。</translation>
+    </message>
 </context>
 <context>
     <name>app::ModelTrial</name>
@@ -524,6 +532,28 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>Going back to the start</source>
         <translation>正在回到起点</translation>
+    </message>
+    <message>
+        <source>Place on Bed</source>
+        <comment>undo step</comment>
+        <translation>放到打印床</translation>
+    </message>
+    <message>
+        <source>Placing the model on the bed</source>
+        <translation>正在把模型放到打印床</translation>
+    </message>
+    <message>
+        <source>Flatten Base</source>
+        <comment>undo step</comment>
+        <translation>压平底部</translation>
+    </message>
+    <message>
+        <source>Flattening the base</source>
+        <translation>正在压平底部</translation>
+    </message>
+    <message>
+        <source>The model stays as it is, because a cut at this height would not leave one sound surface; another height may do.</source>
+        <translation>模型保持不变，因为在此高度切开不会得到完好的表面；可换一个高度。</translation>
     </message>
 </context>
 <context>
@@ -1526,6 +1556,30 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Writes STL, 3MF or GLB with as many triangles as you like, and judges the file.</source>
         <translation>写出 STL、3MF 或 GLB，三角形数量由您决定，并检查该文件。</translation>
+    </message>
+    <message>
+        <source>P&amp;lace on Bed</source>
+        <translation>放到打印床(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Puts the model&apos;s lowest point at height 0, where a printer&apos;s bed is.</source>
+        <translation>把模型的最低点放到高度 0，即打印床所在处。</translation>
+    </message>
+    <message>
+        <source>Flatten &amp;Base…</source>
+        <translation>压平底部(&amp;B)…</translation>
+    </message>
+    <message>
+        <source>Cuts the model level a little above its lowest point, so that it stands flat.</source>
+        <translation>在最低点稍上方水平切开模型，使其平稳站立。</translation>
+    </message>
+    <message>
+        <source>&amp;Print Check</source>
+        <translation>打印检查(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Shows whether the model prints: walls, overhangs, base, and the printer&apos;s bed.</source>
+        <translation>显示模型能否打印：壁厚、悬垂、底面和打印机的打印床。</translation>
     </message>
 </context>
 <context>
@@ -2944,6 +2998,42 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>The model turns about an axis through the origin, anticlockwise as seen from the axis&apos;s tip.</source>
         <translation>模型绕过原点的轴旋转，从轴的尖端看为逆时针。</translation>
     </message>
+    <message>
+        <source>Flatten the Base</source>
+        <translation>压平底部</translation>
+    </message>
+    <message>
+        <source>What lies below a level cut goes, and the model stands flat. How high above its lowest point is the cut?</source>
+        <translation>水平切面以下的部分被去掉，模型便能平稳站立。切面高出最低点多少？</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高度</translation>
+    </message>
+    <message>
+        <source>Flatten</source>
+        <translation>压平</translation>
+    </message>
+    <message>
+        <source>It was made in</source>
+        <translation>制作单位</translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation>毫米</translation>
+    </message>
+    <message>
+        <source>Centimetres</source>
+        <translation>厘米</translation>
+    </message>
+    <message>
+        <source>Inches</source>
+        <translation>英寸</translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation>米</translation>
+    </message>
 </context>
 <context>
     <name>ui::ModelFiles</name>
@@ -3332,6 +3422,301 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Creases are left out: the surface has too many.</source>
         <translation>已省略折痕：表面折痕过多。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PrintFindings</name>
+    <message>
+        <source>%1 mm²</source>
+        <translation>%1 mm²</translation>
+    </message>
+    <message>
+        <source>%1 cm²</source>
+        <translation>%1 cm²</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1%</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Sound surface</source>
+        <translation>表面完好</translation>
+    </message>
+    <message>
+        <source>Closed, every face looks outward, nothing meets itself: checked exactly.</source>
+        <translation>封闭，每个面朝外，没有自相交：已精确检查。</translation>
+    </message>
+    <message>
+        <source>The surface is not sound</source>
+        <translation>表面不完好</translation>
+    </message>
+    <message>
+        <source>It is not closed, meets itself, or bounds no solid; walls were not measured.</source>
+        <translation>表面不封闭、自相交或不围成实体；未测量壁厚。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln parts</source>
+        <translation>
+            <numerusform>%Ln 个部分</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Parts of the surface that do not hang together; hollows count, too.</source>
+        <translation>互不相连的表面部分；空腔也计算在内。</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 mm wide, deep and high.</source>
+        <translation>宽、深、高 %1 × %2 × %3 mm。</translation>
+    </message>
+    <message>
+        <source>Fits %1</source>
+        <translation>适合 %1</translation>
+    </message>
+    <message>
+        <source>Fits %1, turned by 90°</source>
+        <translation>旋转 90° 后适合 %1</translation>
+    </message>
+    <message>
+        <source>Too large for %1</source>
+        <translation>对 %1 太大</translation>
+    </message>
+    <message>
+        <source>Shares are of the surface. The thinnest place: %1 mm by rays, %2 mm by balls that fit inside.</source>
+        <translation>比例相对于整个表面。最薄处：射线法 %1 mm，内切球法 %2 mm。</translation>
+    </message>
+    <message>
+        <source>Walls from %1 mm on</source>
+        <translation>壁厚 %1 mm 起</translation>
+    </message>
+    <message>
+        <source>No thin walls</source>
+        <translation>没有薄壁</translation>
+    </message>
+    <message>
+        <source>%1 thinner than %2 mm</source>
+        <translation>%1 薄于 %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm, %2</source>
+        <comment>thickness, area</comment>
+        <translation>%1 mm，%2</translation>
+    </message>
+    <message>
+        <source>Faces that lean out more than %1 from the vertical print on supports only; those on the bed do not count.</source>
+        <translation>偏离垂直方向超过 %1 的面需要支撑才能打印；打印床上的面不计。</translation>
+    </message>
+    <message>
+        <source>No overhangs beyond %1</source>
+        <translation>没有超过 %1 的悬垂</translation>
+    </message>
+    <message>
+        <source>%1 overhangs beyond %2</source>
+        <translation>%1 悬垂超过 %2</translation>
+    </message>
+    <message>
+        <source>up to %1, %2</source>
+        <translation>最大 %1，%2</translation>
+    </message>
+    <message>
+        <source>How much of the surface lies flat on the bed.</source>
+        <translation>平放在打印床上的表面面积。</translation>
+    </message>
+    <message>
+        <source>Stands on %1</source>
+        <translation>底面 %1</translation>
+    </message>
+    <message>
+        <source>Stands on a point or an edge</source>
+        <translation>只靠一点或一条边站立</translation>
+    </message>
+    <message>
+        <source>Scale the model, or choose millimetres in the slicer.</source>
+        <translation>请缩放模型，或在切片软件中选择毫米。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PrintLegend</name>
+    <message>
+        <source>Colours on the model</source>
+        <translation>模型上的颜色</translation>
+    </message>
+    <message>
+        <source>What the colours on the model mean. What is hatched is beyond the limit.</source>
+        <translation>模型上颜色的含义。带斜线处超出限度。</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>thick</source>
+        <translation>厚</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PrintPanel</name>
+    <message>
+        <source>Printers…</source>
+        <translation>打印机…</translation>
+    </message>
+    <message>
+        <source>Changes the list of printers.</source>
+        <translation>修改打印机列表。</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>厚度</translation>
+    </message>
+    <message>
+        <source>Overhang</source>
+        <translation>悬垂</translation>
+    </message>
+    <message>
+        <source>Printer</source>
+        <translation>打印机</translation>
+    </message>
+    <message>
+        <source>Whose bed the model is compared with.</source>
+        <translation>与其打印床比较模型大小。</translation>
+    </message>
+    <message>
+        <source>Least wall</source>
+        <translation>最小壁厚</translation>
+    </message>
+    <message>
+        <source>Thinner walls are found: two lines of the nozzle, as a rule.</source>
+        <translation>找出更薄的壁：通常为喷嘴的两条线宽。</translation>
+    </message>
+    <message>
+        <source>How far faces may lean out from the vertical.</source>
+        <translation>面允许偏离垂直方向多少。</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>Shows on the model how thick it is, or how far it leans out.</source>
+        <translation>在模型上显示厚度或悬垂程度。</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>检查结果</translation>
+    </message>
+    <message>
+        <source>What was found. A click or Return on a place shows it on the model.</source>
+        <translation>检查结果。点击某处或按回车可在模型上查看。</translation>
+    </message>
+    <message>
+        <source>good</source>
+        <translation>良好</translation>
+    </message>
+    <message>
+        <source>take care</source>
+        <translation>注意</translation>
+    </message>
+    <message>
+        <source>to be changed</source>
+        <translation>需修改</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Check Now</source>
+        <translation>立即检查</translation>
+    </message>
+    <message>
+        <source>Ends the check.</source>
+        <translation>结束检查。</translation>
+    </message>
+    <message>
+        <source>Checks the model as it is now.</source>
+        <translation>检查当前的模型。</translation>
+    </message>
+    <message>
+        <source>Prints as it is</source>
+        <translation>可直接打印</translation>
+    </message>
+    <message>
+        <source>Prints with some care</source>
+        <translation>稍加注意即可打印</translation>
+    </message>
+    <message>
+        <source>Should be changed before it is printed</source>
+        <translation>打印前应修改</translation>
+    </message>
+    <message>
+        <source>Checking…</source>
+        <translation>正在检查…</translation>
+    </message>
+    <message>
+        <source>Not checked since the last change</source>
+        <translation>上次更改后未检查</translation>
+    </message>
+    <message>
+        <source>Print Check</source>
+        <translation>打印检查</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PrintersDialog</name>
+    <message>
+        <source>Printers</source>
+        <translation>打印机</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>宽</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>深</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高度</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>添加(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>移除(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Another printer</source>
+        <translation>另一台打印机</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
     </message>
 </context>
 <context>

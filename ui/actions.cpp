@@ -139,6 +139,13 @@ constexpr ActionInfo table[] = {
     {MenuId::Model, "model.remesh", QT_TRANSLATE_NOOP("ui::Actions", "Remesh &Uniformly…"),
      QT_TRANSLATE_NOOP("ui::Actions", "Makes all triangles of the model about as large."), "", "remesh"},
 
+    {MenuId::Model, "model.placeOnBed", QT_TRANSLATE_NOOP("ui::Actions", "P&lace on Bed"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Puts the model's lowest point at height 0, where a printer's bed is."), "", "place-on-bed", true},
+    {MenuId::Model, "model.flattenBase", QT_TRANSLATE_NOOP("ui::Actions", "Flatten &Base…"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Cuts the model level a little above its lowest point, so that it stands flat."), "", "flatten-base"},
+    {MenuId::Model, "model.printCheck", QT_TRANSLATE_NOOP("ui::Actions", "&Print Check"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Shows whether the model prints: walls, overhangs, base, and the printer's bed."), "Ctrl+P", "print-check"},
+
     {MenuId::View, "view.frame", QT_TRANSLATE_NOOP("ui::Actions", "&Frame Model"),
      QT_TRANSLATE_NOOP("ui::Actions", "Shows the whole model."), "Home; .", "frame", true, Bar::Top},
     {MenuId::View, "view.front", QT_TRANSLATE_NOOP("ui::Actions", "F&ront"),

@@ -29,6 +29,7 @@ void ClayBuffer::create(QOpenGLFunctions_3_3_Core* gl)
     m_gl = gl;
     m_gl->glGenVertexArrays(1, &m_vertexArray);
     m_tint.create(gl);
+    m_shades.create(gl);
 }
 
 void ClayBuffer::destroy()
@@ -39,6 +40,7 @@ void ClayBuffer::destroy()
     m_gl->glDeleteBuffers(1, &m_indices.id);
     m_gl->glDeleteVertexArrays(1, &m_vertexArray);
     m_tint.destroy();
+    m_shades.destroy();
     *this = {};
 }
 
@@ -49,12 +51,15 @@ void ClayBuffer::apply(const core::MeshPatch& patch)
         allocate(m_vertices, withReserve(vertices));
         allocate(m_indices, withReserve(faces));
         m_tint.clear(m_vertices.capacity / vertexBytes);
+        m_shades.clear(m_vertices.capacity / vertexBytes);
+        m_isShaded = false;
         bindAttributes();
         ++m_counters.wholeUploads;
     } else if (vertices > m_vertices.capacity || faces > m_indices.capacity) {
         grow(m_vertices, m_vertexSlots * vertexBytes, vertices);
         grow(m_indices, m_faceSlots * faceBytes, faces);
         m_tint.grow(m_vertices.capacity / vertexBytes);
+        m_shades.grow(m_vertices.capacity / vertexBytes);
         bindAttributes();
     }
     upload(m_vertices, patch.vertexSpans, patch.vertices);
@@ -124,7 +129,9 @@ void ClayBuffer::bindAttributes() const
     m_gl->glVertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, offset(offsetof(core::DrawVertex, color)));
     m_gl->glBindBuffer(GL_ARRAY_BUFFER, m_tint.id());
     m_gl->glVertexAttribPointer(3, 1, GL_UNSIGNED_BYTE, GL_TRUE, 1, nullptr);
-    for (GLuint i = 0; i < 4; ++i)
+    m_gl->glBindBuffer(GL_ARRAY_BUFFER, m_shades.id());
+    m_gl->glVertexAttribPointer(4, 1, GL_UNSIGNED_BYTE, GL_TRUE, 1, nullptr);
+    for (GLuint i = 0; i < 5; ++i)
         m_gl->glEnableVertexAttribArray(i);
     m_gl->glBindVertexArray(0);
 }

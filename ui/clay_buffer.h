@@ -29,7 +29,15 @@ public:
     /// Marks the vertices of a footprint, in place of those before; null: none. A whole patch takes the marks away.
     void tint(const core::Footprint* footprint) { m_tint.show(footprint); }
 
-    /// Every face slot; free ones (0,0,0) cover no pixel. Attributes: 0 position, 1 normal, 2 colour, 3 the footprint's weight.
+    /// Colours vertices by shades (see PrintScale), likewise; where there are none they keep their own.
+    void shade(const core::Footprint* shades)
+    {
+        m_shades.show(shades);
+        m_isShaded = shades != nullptr;
+    }
+    bool isShaded() const { return m_isShaded; }
+
+    /// Every face slot; free ones (0,0,0) cover no pixel. Attributes: 0 position, 1 normal, 2 colour, 3 the footprint's weight, 4 the shade.
     void draw() const;
 
     bool empty() const { return m_faceSlots == 0; }
@@ -53,7 +61,8 @@ private:
     QOpenGLFunctions_3_3_Core* m_gl = nullptr;
     unsigned int m_vertexArray = 0;
     Buffer m_vertices, m_indices;
-    TintBuffer m_tint;
+    TintBuffer m_tint, m_shades;
+    bool m_isShaded = false;
     core::Slot m_vertexSlots = 0, m_faceSlots = 0;
     Counters m_counters;
 };

@@ -122,6 +122,7 @@ void ClayPainter::drawClay(const OrbitCamera& camera, const ClayPicture& picture
     m_clayProgram->setUniformValue("cut", m_cutNormal.isZero() ? 0.0F : 1.0F);
     m_clayProgram->setUniformValue("ball", m_ball);
     m_clayProgram->setUniformValue("ballImage", m_ballImage);
+    m_clayProgram->setUniformValue("shaded", m_clay.isShaded() ? 1.0F : 0.0F);
     m_clayProgram->setUniformValue("ballFalloff", m_ballFalloff);
     m_clay.draw();
     m_clayProgram->release();

@@ -19,6 +19,7 @@
 #include "model_panel.h"
 #include "preferences_actions.h"
 #include "preview_panel.h"
+#include "print_panel.h"
 #include "reference_actions.h"
 #include "scene.h"
 #include "settings.h"
@@ -132,6 +133,7 @@ void MainWindow::State::buildPanels(QMenu* toggles)
     addColorPanel({q, toggles, viewport}, &brush, &settings, actions, [this](const QString& word) { q->showNotice(word); });
     history = addHistoryPanel(q, &settings, toggles);
     modelPanel = addModelPanel(q, toggles);
+    addPrintPanel({q, toggles, viewport}, &settings, actions);
     addFilesPanel({q, toggles, &files}, &settings, actions, [this](const QString& word) { q->showNotice(word); });
     addReferences({q, toggles, viewport, &files}, &settings, actions, [this](const QString& word) { q->showNotice(word); });
     addPreview(q, &settings, actions.get(QStringLiteral("file.exportDrawing")), [this] { return model.name; }, toggles);

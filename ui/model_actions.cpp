@@ -21,6 +21,8 @@ void connectModel(const Actions& actions, QWidget* window, const std::function<c
     on("model.mirror", [=] { askForMirror(window, request); });
     on("model.symmetrize", [=] { askForSymmetry(window, request); });
     on("model.recentre", [=] { request(core::Recentre{}); });
+    on("model.placeOnBed", [=] { request(core::PlaceOnBed{}); });
+    on("model.flattenBase", [=] { askForBase(window, facts(), request); });
     on("model.reset", [=] { request(core::Reset{}); });
     on("model.fill", [=] { request(core::Fill{brush->stroke().color}); });
     on("model.remesh", [=] { askForRemesh(window, facts(), request); });

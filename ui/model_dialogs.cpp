@@ -181,6 +181,12 @@ void askForScale(QWidget* parent, const ModelFacts& facts, const CommandAnswer& 
                                      ModelDialogs::tr("How large is the model to be?"));
     auto* longest = dialog->addNumber("longest", ModelDialogs::tr("Longest side"), millimetres(size, 0.001));
     auto* factor = dialog->addNumber("factor", ModelDialogs::tr("Factor"), {1, 1e-6, 1e6, 6, {}});
+    const auto* units = dialog->addChoice(ModelDialogs::tr("It was made in"), {ModelDialogs::tr("Millimetres"), ModelDialogs::tr("Centimetres"),
+                                                                               ModelDialogs::tr("Inches"), ModelDialogs::tr("Metres")});
+    QObject::connect(units, &QButtonGroup::idClicked, factor, [factor](int unit) {
+        constexpr double millimetresAUnit[] = {1, 10, 25.4, 1000};
+        factor->setValue(millimetresAUnit[unit]);
+    });
     const auto last = std::make_shared<double>(1); // exactly, whichever box it was typed into
     QObject::connect(longest, &QDoubleSpinBox::valueChanged, factor, [=](double mm) {
         *last = mm / size;
@@ -238,6 +244,16 @@ void askForRemesh(QWidget* parent, const ModelFacts& facts, const CommandAnswer&
     dialog->ask(ModelDialogs::tr("Remesh"), answer, [longest, shown = longest->value()] {
         return core::RemeshUniformly{longest->value() == shown ? 0 : longest->value()};
     });
+}
+
+void askForBase(QWidget* parent, const ModelFacts& facts, const CommandAnswer& answer)
+{
+    constexpr double usualShare = 0.02; ///< of the height
+    const double height = facts.size.y(), least = std::min(0.001, height / 2);
+    auto* dialog = new CommandDialog(parent, "baseDialog", ModelDialogs::tr("Flatten the Base"),
+                                     ModelDialogs::tr("What lies below a level cut goes, and the model stands flat. How high above its lowest point is the cut?"));
+    const auto* cut = dialog->addNumber("height", ModelDialogs::tr("Height"), millimetres(usualShare * height, least, std::max(height - least, least)));
+    dialog->ask(ModelDialogs::tr("Flatten"), answer, [cut] { return core::FlattenBase{cut->value()}; });
 }
 
 void askForPlace(QWidget* parent, const QString& modelName, const CommandAnswer& answer)

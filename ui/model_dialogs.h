@@ -20,6 +20,7 @@ void askForScale(QWidget* parent, const ModelFacts& facts, const CommandAnswer& 
 void askForMirror(QWidget* parent, const CommandAnswer& answer);
 void askForSymmetry(QWidget* parent, const CommandAnswer& answer);
 void askForRemesh(QWidget* parent, const ModelFacts& facts, const CommandAnswer& answer);
+void askForBase(QWidget* parent, const ModelFacts& facts, const CommandAnswer& answer);
 
 /// Where a model that is inserted goes; the answer's command has no model yet.
 void askForPlace(QWidget* parent, const QString& modelName, const CommandAnswer& answer);

@@ -140,6 +140,30 @@ double OrbitCamera::reachable(double distance) const
     return std::clamp(distance, m_sceneRadius * nearestZoom, m_sceneRadius * farthestZoom);
 }
 
+void OrbitCamera::setPose(const Pose& pose)
+{
+    m_target = pose.target;
+    m_distance = reachable(pose.distance);
+    m_yaw = std::remainder(pose.yaw, 2 * std::numbers::pi);
+    m_pitch = std::clamp(pose.pitch, -std::numbers::pi / 2, std::numbers::pi / 2);
+}
+
+OrbitCamera::Pose OrbitCamera::facing(const core::Vec3& point, const core::Vec3& normal, double extent) const
+{
+    constexpr double steepest = 75 * std::numbers::pi / 180, aside = 0.35;
+    const bool hasYaw = std::hypot(normal.x(), normal.z()) > 1e-3 * normal.norm();
+    const double pitch = std::atan2(normal.y(), std::hypot(normal.x(), normal.z()));
+    const double distance = reachable(1.5 * extent / std::tan(halfFieldOfView));
+    return {point, distance, hasYaw ? std::atan2(normal.x(), normal.z()) + aside : m_yaw, std::clamp(pitch, -steepest, steepest)};
+}
+
+OrbitCamera::Pose OrbitCamera::between(const Pose& from, const Pose& to, double share)
+{
+    const double turn = std::remainder(to.yaw - from.yaw, 2 * std::numbers::pi);
+    return {from.target + share * (to.target - from.target), from.distance * std::pow(to.distance / from.distance, share),
+            from.yaw + share * turn, from.pitch + share * (to.pitch - from.pitch)};
+}
+
 core::Vec3 OrbitCamera::eye() const
 {
     return m_target - m_distance * viewDirection();

@@ -70,6 +70,19 @@ public:
     /// How many logical pixels a length of 1 mm, parallel to the picture at that point, covers.
     double pixelsPerMm(const core::Vec3& at) const;
 
+    /// Where it stands; what lies between two is a flight.
+    struct Pose
+    {
+        core::Vec3 target;
+        double distance, yaw, pitch;
+    };
+    Pose pose() const { return {m_target, m_distance, m_yaw, m_pitch}; }
+    void setPose(const Pose& pose);
+    /// Looks at a point of a surface with that normal, a little from above, so that `extent` mm fill a third of the picture.
+    Pose facing(const core::Vec3& point, const core::Vec3& normal, double extent) const;
+    /// `share` 0 to 1 of the way, the shorter way round.
+    static Pose between(const Pose& from, const Pose& to, double share);
+
     /// Column vectors, OpenGL clip space (-1..1).
     Eigen::Matrix4d viewMatrix() const;
     Eigen::Matrix4d projectionMatrix() const;

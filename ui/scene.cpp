@@ -22,6 +22,7 @@ class SceneWords
 };
 
 constexpr int samplesPerPixel = 4;
+const QColor markColor(255, 70, 200); ///< on no scale of shades
 
 double milliseconds(const QElapsedTimer& since)
 {
@@ -40,7 +41,7 @@ struct Scene::State
     std::unique_ptr<QOpenGLContext> ownContext; ///< Layered only
     std::unique_ptr<Qt3dEngine> engine;
     Ground* ground = nullptr;      ///< owned by the engine's root
-    BrushCursor* cursor = nullptr; ///< owned by the engine's root
+    BrushCursor *cursor = nullptr, *mark = nullptr; ///< owned by the engine's root
     SymmetryPlane* plane = nullptr; ///< owned by the engine's root
     Mode mode = Mode::InQt3dContext;
     QOpenGLContext* context = nullptr; ///< the one that clay and target live in
@@ -53,6 +54,7 @@ struct Scene::State
     unsigned int noVertices = 0;
     ClayPicture picture;
     std::shared_ptr<const core::Footprint> footprint; ///< that is tinted
+    std::shared_ptr<const core::Footprint> shades;
     bool hasModel = false, wantsGround = true;
     bool usable = false;
 
@@ -74,6 +76,9 @@ void Scene::State::startEngine(Qt3dEngine::Target wanted)
     ground->setEnabled(false);
     cursor = new BrushCursor(engine->root());
     cursor->setEnabled(false);
+    mark = new BrushCursor(engine->root());
+    mark->setColor(markColor);
+    mark->setEnabled(false);
     plane = new SymmetryPlane(engine->root());
     plane->setEnabled(false);
     engine->start();
@@ -134,7 +139,7 @@ void Scene::State::drawOverlay()
         gl->glDisable(GL_RASTERIZER_DISCARD);
         gl->glEnable(GL_DEPTH_TEST);
         engine->frame();
-    } else if (cursor->isEnabled()) {
+    } else if (cursor->isEnabled() || mark->isEnabled()) {
         engine->frame();
         makeCurrent();
         target.bind();
@@ -172,6 +177,7 @@ void Scene::State::warmUp()
     ground->setEnabled(mode == Mode::InQt3dContext);
     plane->setEnabled(mode == Mode::InQt3dContext);
     cursor->setEnabled(true);
+    mark->setEnabled(true);
     for (int i = 0; i < Qt3dEngine::warmUpFrames; ++i) {
         makeCurrent();
         target.resize({16, 16});
@@ -179,6 +185,7 @@ void Scene::State::warmUp()
         drawOverlay();
     }
     cursor->setEnabled(false);
+    mark->setEnabled(false);
     plane->setEnabled(false);
     ground->setEnabled(false); // until there is a model
 }
@@ -255,6 +262,25 @@ void Scene::tint(const std::shared_ptr<const core::Footprint>& footprint)
     clay().tint(footprint.get());
 }
 
+void Scene::shade(const std::shared_ptr<const core::Footprint>& shades)
+{
+    if (shades == m_state->shades)
+        return;
+    m_state->shades = shades;
+    clay().shade(shades.get());
+}
+
+void Scene::showMark(const core::Vec3& point, const core::Vec3& normal, double radius)
+{
+    m_state->mark->place(point, normal, radius);
+    m_state->mark->setEnabled(true);
+}
+
+void Scene::hideMark()
+{
+    m_state->mark->setEnabled(false);
+}
+
 void Scene::showPlane(core::Symmetry symmetry, const core::Box& box)
 {
     const bool shown = symmetry != core::Symmetry::None && !box.isEmpty();
@@ -289,6 +315,7 @@ Scene::Image Scene::render(const OrbitCamera& camera, QSize pixels, double pixel
     QElapsedTimer timer;
     s.engine->setView(camera, pixels);
     s.cursor->setPixels(pixels, pixelRatio);
+    s.mark->setPixels(pixels, pixelRatio);
     s.plane->setPixelRatio(pixelRatio);
     s.makeCurrent();
     if (!s.target.resize(pixels))

@@ -53,6 +53,11 @@ public:
     void tintBall(const core::Vec3& center, const core::StrokeSettings& brush);
     /// Those of a footprint; null: none.
     void tint(const std::shared_ptr<const core::Footprint>& footprint);
+    /// Colours the clay by them, see PrintScale; null: by its own colours.
+    void shade(const std::shared_ptr<const core::Footprint>& shades);
+    /// A ring around a point of the surface, and a tick along the normal; seen through clay, too.
+    void showMark(const core::Vec3& point, const core::Vec3& normal, double radius);
+    void hideMark();
     /// The pane of that plane through the box, and the line where it cuts the clay; without symmetry neither.
     void showPlane(core::Symmetry symmetry, const core::Box& box);
     /// In the next images, until another is named; its picture may be null.

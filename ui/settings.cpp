@@ -29,6 +29,11 @@ const QString stringKey = QStringLiteral("hand/string");
 const QString drawnSidesKey = QStringLiteral("drawing/sides");
 const QString drawnShadedKey = QStringLiteral("drawing/shaded");
 const QString drawnDimensionsKey = QStringLiteral("drawing/dimensions");
+const QString printerKey = QStringLiteral("print/printer");
+const QString printersKey = QStringLiteral("print/printers");
+const QString printWallKey = QStringLiteral("print/wall");
+const QString printOverhangKey = QStringLiteral("print/overhang");
+const QString printPictureKey = QStringLiteral("print/picture");
 const QString turnSpeedKey = QStringLiteral("turntable/speed");
 const QString clockwiseKey = QStringLiteral("turntable/clockwise");
 const QString radiusShareKey = QStringLiteral("brush/radiusShare");
@@ -196,6 +201,32 @@ void Settings::setDrawing(const DrawingChoice& choice)
     m_settings.setValue(drawnDimensionsKey, choice.dimensions);
 }
 
+PrintChoice Settings::print() const
+{
+    const PrintChoice usual;
+    return {m_settings.value(printerKey).toString(), number(m_settings, printWallKey, 0, core::PrintLimits::mostWall, usual.wall),
+            number(m_settings, printOverhangKey, 0, 90, usual.overhang), static_cast<int>(number(m_settings, printPictureKey, 0, 2, usual.picture))};
+}
+
+void Settings::setPrint(const PrintChoice& choice)
+{
+    m_settings.setValue(printerKey, choice.printer);
+    m_settings.setValue(printWallKey, choice.wall);
+    m_settings.setValue(printOverhangKey, choice.overhang);
+    m_settings.setValue(printPictureKey, choice.picture);
+}
+
+QList<Printer> Settings::printers() const
+{
+    const QList<Printer> stored = printersOf(m_settings.value(printersKey).toStringList());
+    return stored.isEmpty() ? usualPrinters() : stored;
+}
+
+void Settings::setPrinters(const QList<Printer>& printers)
+{
+    m_settings.setValue(printersKey, toLines(printers));
+}
+
 double Settings::value(core::Parameter parameter) const
 {
     const core::ParameterInfo& row = core::info(parameter);
@@ -248,7 +279,7 @@ void Settings::setPreferences(const Preferences& preferences)
 void Settings::reset()
 {
     for (const QString& key : m_settings.allKeys())
-        if (key != recentKey && key != folderKey && key != swatchesKey && !key.startsWith(referenceKeys))
+        if (key != recentKey && key != folderKey && key != swatchesKey && key != printersKey && !key.startsWith(referenceKeys))
             m_settings.remove(key);
     for (const auto& takeUp : m_onReset)
         takeUp();

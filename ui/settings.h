@@ -4,6 +4,7 @@
 #include "drawing_painter.h"
 #include "files_choice.h"
 #include "preferences.h"
+#include "printers.h"
 #include "reference_image.h"
 #include "turntable_motor.h"
 #include "view_look.h"
@@ -42,6 +43,15 @@ struct StoredReference
     bool operator==(const StoredReference&) const = default;
 };
 
+/// Of the print check: whose bed, what is too thin and what leans out too far, and what the model shows (0: nothing).
+struct PrintChoice
+{
+    QString printer; ///< by name
+    double wall = 0.8; ///< mm
+    double overhang = 45; ///< degrees
+    int picture = 1; ///< 1 and core::PrintPicture
+};
+
 /// Every stored preference: its key, type and default in one place. A missing or broken entry gives the default. The
 /// program sets organisation and application name before. Gui thread.
 class Settings
@@ -72,6 +82,12 @@ public:
     DrawingChoice drawing() const;
     void setDrawing(const DrawingChoice& choice);
 
+    PrintChoice print() const;
+    void setPrint(const PrintChoice& choice);
+    /// Not empty: the usual ones where none are stored.
+    QList<Printer> printers() const;
+    void setPrinters(const QList<Printer>& printers);
+
     /// Of the brush; the radius is kept as a share instead.
     double value(core::Parameter parameter) const;
     void setValue(core::Parameter parameter, double value);
@@ -82,7 +98,7 @@ public:
     Preferences preferences() const;
     void setPreferences(const Preferences& preferences);
 
-    /// Everything to its default but what a person made: recent files and folder, swatches, reference images. Then all are called that asked
+    /// Everything to its default but what a person made: recent files and folder, swatches, reference images, printers. Then all are called that asked
     /// for it, in that order, to take up what holds now.
     void reset();
     void onReset(std::function<void()> takeUp);

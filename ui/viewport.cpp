@@ -134,6 +134,7 @@ Viewport::Viewport(BrushSettings* brush, QWidget* parent)
     setAccessibleName(tr("Model"));
     m_state->scaleBar = new ScaleBar(this);
     m_state->string = new StringLine(this);
+    prepareFlight();
 
     PointerInput* input = &m_state->input;
     connect(input, &PointerInput::hoverRequested, this, &Viewport::hoverRequested);
@@ -187,6 +188,8 @@ void Viewport::showModel(const core::Box& box)
     if (m_state->scene && m_state->scene->usable())
         m_state->scene->placeGround(box);
     m_state->input.forgetHover();
+    m_state->shades.reset();
+    forgetMark();
     m_state->camera.setPivot({});
     frame();
 }
@@ -195,6 +198,8 @@ void Viewport::setBox(const core::Box& box)
 {
     m_state->box = box;
     m_state->camera.setScene(box);
+    if (m_state->scene && m_state->scene->usable() && !box.isEmpty())
+        m_state->scene->placeGround(box);
 }
 
 const core::Box& Viewport::box() const
@@ -347,6 +352,7 @@ void Viewport::paintGL()
     timer.start();
     const bool surfaceChanged = s.applyPatch();
     s.placeCursor();
+    s.placeMark();
     s.scene->showPlane(s.brush->stroke().symmetry, s.box);
     const bool darkTheme = palette().window().color().lightness() < 128;
     s.scene->setLook(s.look, darkTheme);

@@ -55,7 +55,7 @@ public:
 
     /// Another model: moves the ground under its box and frames it.
     void showModel(const core::Box& box);
-    /// The same model has another box now.
+    /// The same model has another box now; the ground stays under it.
     void setBox(const core::Box& box);
     const core::Box& box() const;
     /// Shows the whole box from the present direction.
@@ -74,6 +74,12 @@ public:
 
     const OrbitCamera& camera() const;
     const ViewportStats& stats() const;
+    /// Colours the model by shades (see PrintScale) until the next model or null; they belong to the mesh as it is drawn.
+    void setShades(const std::shared_ptr<const core::Footprint>& shades);
+    /// Flies to a place of the surface that is `extent` mm large, and marks it.
+    void flyTo(const core::Vec3& point, const core::Vec3& normal, double extent);
+    void forgetMark();
+
     /// How many logical pixels 1 mm covers where the cursor lies, else at the depth that the view turns about.
     double pixelsPerMm() const;
     bool strokeOpen() const;
@@ -133,6 +139,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    void prepareFlight();
     void chooseCursor();
     void sayThatNothingCanBeShown();
 

@@ -58,6 +58,7 @@ void Viewport::changeEvent(QEvent* event)
 
 void Viewport::mousePressEvent(QMouseEvent* event)
 {
+    m_state->flight.stop();
     m_state->input.handle(pointerEvent(PointerEvent::Kind::Press, *event));
 }
 
@@ -86,6 +87,7 @@ void Viewport::tabletEvent(QTabletEvent* event)
 
 void Viewport::wheelEvent(QWheelEvent* event)
 {
+    m_state->flight.stop();
     const double notches = event->angleDelta().y() / wheelNotch;
     if (notches != 0)
         m_state->input.zoom(std::pow(zoomPerNotch, notches), pixelOf(event->position()));

@@ -7,6 +7,8 @@
 #include "touch_input.h"
 #include "viewport.h"
 
+#include <QVariantAnimation>
+
 namespace ui
 {
 /// For the viewport's own files: viewport.cpp shows, viewport_events.cpp takes what the hand does.
@@ -25,6 +27,15 @@ struct Viewport::State
     ScaleBar* scaleBar = nullptr;
     StringLine* string = nullptr;
     std::function<std::optional<core::MeshPatch>()> take;
+    struct Mark
+    {
+        core::Vec3 point, normal;
+        double radius;
+    };
+    std::optional<Mark> mark;
+    std::shared_ptr<const core::Footprint> shades;
+    OrbitCamera::Pose from, to; ///< of the flight
+    QVariantAnimation flight;
     bool patchWaiting = false;
     unsigned int readFramebuffer = 0;
     ViewportStats stats;
@@ -32,6 +43,7 @@ struct Viewport::State
     bool applyPatch();
     void placeCursor();
     void spanString();
+    void placeMark();
     void show(const Scene::Image& image, QSize pixels, unsigned int widgetFramebuffer);
 };
 } // namespace ui

@@ -7,6 +7,7 @@ in vec3 eyeNormal;
 in vec3 albedo;
 in float fromCut;
 in float taken;
+in float fault;
 
 uniform mat4 view;        // mm to eye space
 uniform vec3 tint;        // linear; times the vertex's colour
@@ -19,6 +20,7 @@ uniform vec3 sheen;       // linear; where the surface turns away
 uniform bool flatShading; // each triangle in one shade
 uniform float encodeSrgb;
 uniform float cut;       // 1: a line where fromCut is 0
+uniform float shaded;    // 1: coloured by fault in the place of its own colours
 
 out vec4 fragColor;
 
@@ -55,6 +57,15 @@ vec3 withFootprint(vec3 color)
     return mix(color, vec3(0.42, 0.72, 1.0), 0.26 * taken);
 }
 
+// Blue to pale below one half; above, where a limit is broken, yellow to vermilion, and hatched.
+vec3 faultColor()
+{
+    if (fault < 0.5)
+        return mix(vec3(0.0, 0.168, 0.445), vec3(0.672, 0.807, 0.855), 2.0 * fault);
+    float stripe = smoothstep(0.28, 0.36, abs(fract((gl_FragCoord.x + gl_FragCoord.y) / 10.0) - 0.5));
+    return mix(vec3(0.871, 0.776, 0.054), vec3(0.578, 0.045, 0.0), 2.0 * fault - 1.0) * mix(1.0, 0.45, stripe);
+}
+
 void main()
 {
     vec3 n = normalize(flatShading ? cross(dFdx(eyePosition), dFdy(eyePosition)) : eyeNormal);
@@ -69,7 +80,7 @@ void main()
     float highlight = pow(max(dot(n, normalize(keyDirection + v)), 0.0), sharpness) * gloss;
     float edge = pow(1.0 - facing, 4.0) * (0.25 + 0.75 * up) * rim;
     float shadowEdge = exp(-9.0 * key * key);
-    vec3 color = albedo * tint * light + keyColor * highlight * step(0.0, key) + skyColor * edge;
+    vec3 color = mix(albedo * tint, faultColor(), shaded) * light + keyColor * highlight * step(0.0, key) + skyColor * edge;
     color += through * shadowEdge + sheen * (1.0 - facing) * (1.0 - facing) * (0.4 + 0.6 * up);
 
     color = withCut(withFootprint(soften(color)));

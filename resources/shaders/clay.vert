@@ -4,6 +4,7 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 normal;
 layout(location = 2) in vec4 color; // sRGB
 layout(location = 3) in float footprint; // b(x), or 0 outside
+layout(location = 4) in float shade; // of what was measured there, 0 to 1
 
 uniform mat4 view;       // mm to eye space
 uniform mat4 projection; // perspective or orthographic
@@ -17,6 +18,7 @@ out vec3 eyePosition;
 out vec3 eyeNormal;
 out vec3 albedo; // linear
 out float fromCut; // mm
+out float fault; // the shade
 out float taken; // by the brush: 0 not, else so much, and seen at its rim, too
 
 vec3 toLinear(vec3 c)
@@ -41,6 +43,7 @@ void main()
     toEye = mix(-eye.xyz, vec3(0.0, 0.0, 1.0), projection[3][3]);
     eyeNormal = mat3(view) * normal.xyz;
     albedo = toLinear(color.rgb);
+    fault = shade;
     fromCut = dot(cutNormal, position);
     taken = max(max(share(ball), share(ballImage)), footprint > 0.0 ? mix(atRim, 1.0, footprint) : 0.0);
     gl_Position = projection * eye;

@@ -331,6 +331,9 @@ void TestStrokeFile::refuses_data()
     command(R"("command":"fill","color":[1,2,256])", Kind::OutOfRange, "color");
     command(R"("command":"remesh","detail_length":0)", Kind::OutOfRange, "detail_length");
     command(R"("command":"symmetrize","plane":"x","keep":"left")", Kind::UnknownValue, "keep: \"left\"");
+    command(R"("command":"flatten_base")", Kind::MissingKey, "height");
+    command(R"("command":"flatten_base","height":0)", Kind::OutOfRange, "height");
+    command(R"("command":"place_on_bed","height":1)", Kind::UnknownKey, "height");
     command(R"("command":"insert")", Kind::MissingKey, "file");
     command(R"("command":"insert","file":"")", Kind::UnknownValue, "file: \"\"");
     command(R"("command":"insert","file":"a.stl","centre":[0,0,0])", Kind::UnknownKey, "centre");
@@ -466,10 +469,12 @@ void TestStrokeFile::commands_roundTrip()
 {"command":"remesh"},
 {"command":"remesh","detail_length":0.1},
 {"command":"symmetrize","plane":"y","keep":"positive"},
-{"command":"symmetrize","plane":"x","keep":"negative"}]}
+{"command":"symmetrize","plane":"x","keep":"negative"},
+{"command":"place_on_bed"},
+{"command":"flatten_base","height":0.5}]}
 )";
     const std::vector<FileEntry> entries = parseStrokes(text);
-    QCOMPARE(entries.size(), std::size_t(13));
+    QCOMPARE(entries.size(), std::size_t(15));
     std::ostringstream out;
     writeStrokes(out, entries);
     QCOMPARE(out.str(), text);
@@ -479,6 +484,7 @@ void TestStrokeFile::commands_roundTrip()
     QCOMPARE(commandAt(5).file, "a \"b\".stl");
     QVERIFY(std::get<Insert>(commandAt(7).command).place == Insert::Place::Centre);
     QVERIFY(std::get<Symmetrize>(commandAt(12).command).keep == Half::Negative);
+    QCOMPARE(std::get<core::FlattenBase>(commandAt(14).command).height, 0.5);
 
     const auto swapped = parseStrokes(R"({"format":"fettle-strokes","version":1,"strokes":[{"by":[1,0,0],"command":"move"}]})");
     QVERIFY(std::get<Move>(std::get<FileCommand>(swapped.at(0)).command).by == Vec3(1, 0, 0));

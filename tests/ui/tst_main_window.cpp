@@ -22,6 +22,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QProgressBar>
+#include <QStatusBar>
 #include <QPushButton>
 #include <QScreen>
 #include <QSettings>
@@ -918,7 +919,7 @@ private Q_SLOTS:
         window.setProgress(0.25);
         window.setBusy(QStringLiteral("Checking lion.stl"));
         QCOMPARE(child<QLabel>(window, "busyText")->text(), QStringLiteral("Checking lion.stl"));
-        QCOMPARE(window.findChild<QProgressBar*>()->value(), 25);
+        QCOMPARE(window.statusBar()->findChild<QProgressBar*>()->value(), 25);
         QVERIFY(act(window, "edit.stop")->isEnabled());
         QTest::keyClick(&window, Qt::Key_Escape);
         QCOMPARE(stopped.count(), 1);
@@ -926,7 +927,7 @@ private Q_SLOTS:
         QVERIFY(!act(window, "edit.stop")->isEnabled());
         window.setBusy(QStringLiteral("Opening cup.stl"));
         QVERIFY(!act(window, "edit.stop")->isEnabled());
-        QCOMPARE(window.findChild<QProgressBar*>()->maximum(), 0);
+        QCOMPARE(window.statusBar()->findChild<QProgressBar*>()->maximum(), 0);
     }
 
     void closingAsks()

@@ -44,6 +44,7 @@ private Q_SLOTS:
     void move_givesThreeNumbers();
     void rotate_turnsAboutTheAxisChosen();
     void scale_boxesFollowEachOther();
+    void scale_knowsUnits();
     void mirror_givesTheSide();
     void symmetry_givesPlaneAndHalf();
     void remesh_saysWhatWillBe();
@@ -74,6 +75,19 @@ void TestModelDialogs::rotate_turnsAboutTheAxisChosen()
         asking.dialog("rotateDialog")->accept();
         const Vec3 image = std::get<Rotate>(asking.command.value()).rotation * Vec3::UnitX();
         QVERIFY((image - images[i]).norm() < 1e-12);
+    }
+}
+
+void TestModelDialogs::scale_knowsUnits()
+{
+    const double factors[] = {1, 10, 25.4, 1000};
+    for (int i = 3; i >= 0; --i) {
+        Asking asking;
+        ui::askForScale(&asking.window, ball(), asking.answer);
+        asking.in<QRadioButton>("scaleDialog", qPrintable(QStringLiteral("choice%1").arg(i)))->click();
+        QCOMPARE(asking.in<QDoubleSpinBox>("scaleDialog", "longest")->value(), factors[i] * ball().size.maxCoeff());
+        asking.dialog("scaleDialog")->accept();
+        QCOMPARE(std::get<core::Scale>(asking.command.value()).factor, factors[i]);
     }
 }
 

@@ -353,6 +353,30 @@ private Q_SLOTS:
         const double covered = (camera.project(at + camera.right()) - camera.project(at)).norm();
         QVERIFY(std::abs(covered - camera.pixelsPerMm(at)) < tolerance);
     }
+
+    void facingAPlaceShowsItInTheMiddle_data() { addProjections(); }
+
+    void facingAPlaceShowsItInTheMiddle()
+    {
+        QFETCH(Projection, projection);
+        const Vec3 place(10, 20, -5);
+        for (const Vec3& normal : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0), Vec3(-1, -2, 3)}) {
+            OrbitCamera camera = framed(projection);
+            const OrbitCamera::Pose from = camera.pose(), to = camera.facing(place, normal, 8);
+            camera.setPose(to);
+            QVERIFY((camera.project(place) - camera.viewport() / 2).norm() < tolerance);
+            QVERIFY(camera.viewDirection().dot(normal.normalized()) < -0.9);
+            QVERIFY(8 * camera.pixelsPerMm(place) < camera.viewport().y() / 2);
+            camera.setPose(OrbitCamera::between(from, to, 0));
+            QVERIFY((camera.target() - from.target).norm() < tolerance && std::abs(camera.distance() - from.distance) < tolerance);
+            for (double share = 0; share < 1; share += 0.125) {
+                camera.setPose(OrbitCamera::between(from, to, share));
+                const double before = (camera.target() - place).norm();
+                camera.setPose(OrbitCamera::between(from, to, share + 0.125));
+                QVERIFY((camera.target() - place).norm() <= before + tolerance);
+            }
+        }
+    }
 };
 
 QTEST_APPLESS_MAIN(TestOrbitCamera)

@@ -1,0 +1,170 @@
+// A flat base: what lies below a level plane goes, and the cut is closed in the plane.
+//   1. settle   vertices that are all but in the plane go into it
+//   2. part     edges that cross it are split there: in the plane exactly, and on the lattice
+//   3. cap      faces without a corner above go; the loops that are left are filled            polygon_fill
+//   4. judge    the whole, exactly. If it is not sound, again without the first step, and a little higher
+
+#include "flatten_base.h"
+
+#include "mesh_build.h"
+#include "model_transform.h"
+#include "polygon_fill.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace core
+{
+namespace
+{
+/// "All but in the plane", in terms of the shortest edge around the vertex.
+constexpr double settledPerEdge = 0.1;
+/// Lattice units by which the plane is raised where a cut is not sound.
+constexpr int raisings[] = {0, 1, 17};
+constexpr double afterCapping = 0.4; ///< share of the time
+
+class BaseCutter
+{
+public:
+    BaseCutter(Mesh& mesh, float level) : m_mesh(mesh), m_level(level) {}
+
+    void settle();
+    void part();
+    bool cap();
+
+private:
+    float height(Slot v) const { return m_mesh.point(v).y() - m_level; }
+    double shortestEdge(Slot v) const;
+    bool isKept(const Triangle& t) const { return height(t[0]) > 0 || height(t[1]) > 0 || height(t[2]) > 0; }
+    std::vector<std::vector<Slot>> openLoops() const;
+
+    Mesh& m_mesh;
+    float m_level;
+};
+
+double BaseCutter::shortestEdge(Slot v) const
+{
+    double shortest = std::numeric_limits<double>::infinity();
+    m_mesh.forEachOutgoing(v, [&](Slot h) {
+        shortest = std::min(shortest, (m_mesh.point(m_mesh.to(h)) - m_mesh.point(v)).cast<double>().norm());
+    });
+    return shortest;
+}
+
+void BaseCutter::settle()
+{
+    for (Slot v = 0; v < m_mesh.slots().vertices; ++v) {
+        if (!m_mesh.isVertex(v) || height(v) == 0 || std::abs(static_cast<double>(height(v))) > settledPerEdge * shortestEdge(v))
+            continue;
+        Vec3f p = m_mesh.point(v);
+        p.y() = m_level;
+        m_mesh.setPoint(v, p);
+    }
+}
+
+/// No new edge crosses the plane, so one pass finds all.
+void BaseCutter::part()
+{
+    const Slot edges = m_mesh.slots().edges;
+    for (Slot e = 0; e < edges; ++e) {
+        if (!m_mesh.isEdge(e))
+            continue;
+        const Slot a = m_mesh.to(2 * e), b = m_mesh.to(2 * e + 1);
+        const auto ha = static_cast<double>(height(a)), hb = static_cast<double>(height(b));
+        if (ha * hb >= 0)
+            continue;
+        const Vec3 p = m_mesh.point(a).cast<double>(), q = m_mesh.point(b).cast<double>();
+        Vec3f cut = m_mesh.lattice().snap(p + ha / (ha - hb) * (q - p));
+        cut.y() = m_level;
+        m_mesh.splitEdge(e, cut);
+    }
+}
+
+/// Of the faces that stay, as the faces that close them run along. Empty if they meet in a point.
+std::vector<std::vector<Slot>> BaseCutter::openLoops() const
+{
+    std::unordered_map<Slot, Slot> next;
+    std::vector<Slot> starts;
+    for (Slot f = 0; f < m_mesh.slots().faces; ++f) {
+        if (!m_mesh.isFace(f) || !isKept(m_mesh.corners(f)))
+            continue;
+        Slot h = m_mesh.faceHalfedge(f);
+        for (int i = 0; i < 3; ++i, h = m_mesh.next(h)) {
+            if (isKept(m_mesh.corners(m_mesh.face(h ^ 1))))
+                continue;
+            if (!next.emplace(m_mesh.to(h), m_mesh.from(h)).second)
+                return {};
+            starts.push_back(m_mesh.to(h));
+        }
+    }
+    std::vector<std::vector<Slot>> loops;
+    for (const Slot start : starts) {
+        std::vector<Slot> loop;
+        for (auto step = next.find(start); step != next.end(); step = next.find(loop.back())) {
+            loop.push_back(step->second);
+            next.erase(step);
+        }
+        if (!loop.empty())
+            loops.push_back(std::move(loop));
+    }
+    return loops;
+}
+
+/// False if the cut cannot be closed.
+bool BaseCutter::cap()
+{
+    std::vector<std::vector<Slot>> loops = openLoops();
+    std::vector<Slot> vertices;
+    std::vector<FlatPoint> points;
+    for (std::vector<Slot>& loop : loops) {
+        for (Slot& v : loop) {
+            const LatticePoint p = m_mesh.latticePoint(v);
+            vertices.push_back(v);
+            points.emplace_back(p.x(), p.z());
+            v = static_cast<Slot>(points.size()) - 1;
+        }
+    }
+    const auto filling = loops.empty() ? std::nullopt : fillPolygon(points, std::move(loops));
+    if (!filling)
+        return false;
+    Surgery surgery;
+    surgery.near = vertices[0];
+    for (const auto& [a, b, c] : *filling)
+        surgery.faces.push_back({vertices[a], vertices[b], vertices[c]});
+    for (Slot f = 0; f < m_mesh.slots().faces; ++f)
+        if (m_mesh.isFace(f) && !isKept(m_mesh.corners(f)))
+            surgery.removed.push_back(f);
+    if (!isSurgeryOk(m_mesh, surgery))
+        return false;
+    m_mesh.replaceFaces(surgery);
+    return true;
+}
+} // namespace
+
+void flattenBase(Mesh& mesh, const FlattenBase& command, ModelChange& change, const JobWatch& watch)
+{
+    const Box box = boxOf(mesh);
+    const double level = mesh.lattice().snap(box.min().y() + command.height);
+    if (!(level > box.min().y() && level < box.max().y())) {
+        change.refusal = ModelRefusal::NoBase;
+        return;
+    }
+    const Mesh::Mark mark = mesh.mark();
+    for (const int raising : raisings) {
+        for (const bool settled : {true, false}) {
+            BaseCutter cutter(mesh, static_cast<float>(level + raising * mesh.lattice().unit()));
+            if (settled)
+                cutter.settle();
+            cutter.part();
+            const bool closed = cutter.cap();
+            watch.reached(afterCapping);
+            if (closed && !watch.stopped() && checkMesh(extractMesh(mesh), watch.part(afterCapping, 1)).printReady())
+                return;
+            mesh.rollback(mark);
+            if (watch.stopped())
+                return;
+        }
+    }
+    change.refusal = ModelRefusal::NoBase;
+}
+} // namespace core

@@ -1,0 +1,9 @@
+#pragma once
+
+#include "model_command.h"
+
+namespace core
+{
+/// Edits the mesh, whose stroke is open, or leaves it alone and says why in `change`.
+void flattenBase(Mesh& mesh, const FlattenBase& command, ModelChange& change, const JobWatch& watch);
+} // namespace core

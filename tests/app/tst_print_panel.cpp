@@ -1,0 +1,290 @@
+// The print check in the real window: what it finds, shows and forgets; and the commands that belong to it.
+
+#include "tests/support/clay.h"
+#include "tests/support/program_hand.h"
+#include "tests/support/shapes.h"
+
+#include "core/mesh_io.h"
+#include "ui/print_panel.h"
+#include "ui/settings.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSettings>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QToolButton>
+
+using namespace app;
+
+namespace
+{
+/// The window with a model from a file, active.
+void open(Program& program, const core::TriangleMesh& mesh, const QTemporaryDir& folder)
+{
+    const QString path = folder.filePath(QStringLiteral("model.stl"));
+    core::writeMesh(path.toStdString(), mesh);
+    program.window.resize(1200, 800);
+    program.window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&program.window));
+    Q_EMIT program.window.openRequested(path);
+    QTRY_COMPARE(program.document.path(), path);
+    QTRY_VERIFY(!program.document.isBusy());
+    QTRY_VERIFY(program.window.viewport()->stats().patches > 0);
+    program.window.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&program.window));
+}
+
+/// A plate of half a millimetre beside a cube.
+core::TriangleMesh plateAndCube()
+{
+    return shapes::together(shapes::moved(shapes::cube(20), {-40, -10, -10}), clay::slab(30, 0.5, 6));
+}
+
+template <class Widget> Widget* part(Program& program, const char* name)
+{
+    return program.window.findChild<Widget*>(QLatin1StringView(name));
+}
+
+QString verdict(Program& program)
+{
+    return part<QLabel>(program, "print.verdict")->text();
+}
+
+QListWidgetItem* rowWith(Program& program, const QString& text)
+{
+    const auto rows = part<QListWidget>(program, "print.findings")->findItems(text, Qt::MatchContains);
+    return rows.isEmpty() ? nullptr : rows[0];
+}
+
+bool isAnswered(Program& program)
+{
+    return part<QListWidget>(program, "print.findings")->isEnabled() && part<QListWidget>(program, "print.findings")->count() > 0;
+}
+
+void check(Program& program)
+{
+    QTest::keyClick(&program.window, Qt::Key_P, Qt::ControlModifier);
+    QTRY_VERIFY(part<QDockWidget>(program, "printPanel")->isVisible());
+    QTRY_VERIFY(isAnswered(program));
+}
+
+/// Pixels of the picture that are blue or orange, as clay never is.
+int shadedPixels(Program& program)
+{
+    const QImage picture = program.window.viewport()->grabFramebuffer();
+    int count = 0;
+    for (int y = 0; y < picture.height(); y += 2) {
+        for (int x = 0; x < picture.width(); x += 2) {
+            const QColor color = picture.pixelColor(x, y);
+            count += color.blue() > color.red() + 70 || color.red() > color.blue() + 120 ? 1 : 0;
+        }
+    }
+    return count;
+}
+} // namespace
+
+class TestPrintPanelWindow : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init();
+    void check_findsThinWallsAndShowsThem();
+    void places_areFlownTo();
+    void changes_outdateIt();
+    void closing_takesColoursAway();
+    void limits_judgeAnew();
+    void printers_areEdited();
+    void stopping_leavesItUnchecked();
+    void base_isFlattenedAndPlaced();
+    void units_areDoubted();
+
+private:
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+void TestPrintPanelWindow::init()
+{
+    QSettings().clear();
+    m_folder = std::make_unique<QTemporaryDir>();
+}
+
+void TestPrintPanelWindow::check_findsThinWallsAndShowsThem()
+{
+    Program program;
+    open(program, plateAndCube(), *m_folder);
+    QCOMPARE(shadedPixels(program), 0);
+    check(program);
+    QVERIFY(rowWith(program, QStringLiteral("thinner than 0.8")));
+    QVERIFY(rowWith(program, QStringLiteral("0.500 mm")));
+    QVERIFY(rowWith(program, QStringLiteral("Fits")));
+    QVERIFY(verdict(program).contains(QStringLiteral("Should be changed")));
+    QTRY_VERIFY(shadedPixels(program) > 1000);
+}
+
+void TestPrintPanelWindow::places_areFlownTo()
+{
+    Program program;
+    open(program, plateAndCube(), *m_folder);
+    check(program);
+    auto* list = part<QListWidget>(program, "print.findings");
+    QListWidgetItem* place = rowWith(program, QStringLiteral("0.500 mm"));
+    list->setFocus();
+    list->setCurrentItem(place);
+    const core::Vec3 before = program.window.viewport()->camera().target();
+    QTest::keyClick(list, Qt::Key_Return);
+    QTRY_VERIFY((program.window.viewport()->camera().target() - before).norm() > 1);
+    const ui::OrbitCamera& camera = program.window.viewport()->camera();
+    const double plate = program.document.facts().box.max().x() - 15; // the middle of the plate
+    QTRY_VERIFY(std::abs(camera.target().x() - plate) < 15.1 && std::abs(camera.viewDirection().y()) > 0.9);
+    QTest::qWait(800); // it has arrived
+    const core::Vec3 eye = camera.eye();
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(rowWith(program, QStringLiteral("Fits"))).center());
+    QTest::qWait(500);
+    QCOMPARE(camera.eye(), eye); // that is no place
+}
+
+void TestPrintPanelWindow::changes_outdateIt()
+{
+    Program program;
+    open(program, core::icosphere(5, 30), *m_folder);
+    check(program);
+    QTRY_VERIFY(shadedPixels(program) > 1000);
+    const QString known = verdict(program);
+    drag(program.window.viewport(), {30, 10});
+    QTRY_VERIFY(!isAnswered(program));
+    QVERIFY(verdict(program) != known);
+    QTRY_COMPARE(shadedPixels(program), 0);
+    QTRY_VERIFY(isAnswered(program)); // by itself, when it rests
+    QTRY_VERIFY(shadedPixels(program) > 1000);
+}
+
+void TestPrintPanelWindow::closing_takesColoursAway()
+{
+    Program program;
+    open(program, core::icosphere(5, 30), *m_folder);
+    check(program);
+    QTRY_VERIFY(shadedPixels(program) > 1000);
+    part<QDockWidget>(program, "printPanel")->close();
+    QTRY_COMPARE(shadedPixels(program), 0);
+    QTest::keyClick(&program.window, Qt::Key_P, Qt::ControlModifier);
+    QTRY_VERIFY(shadedPixels(program) > 1000);
+    part<QComboBox>(program, "print.picture")->setFocus();
+    QTest::keyClick(part<QComboBox>(program, "print.picture"), Qt::Key_Up);
+    QTRY_COMPARE(shadedPixels(program), 0);
+}
+
+void TestPrintPanelWindow::limits_judgeAnew()
+{
+    Program program;
+    open(program, plateAndCube(), *m_folder);
+    check(program);
+    auto* wall = part<QDoubleSpinBox>(program, "print.wall");
+    wall->setFocus();
+    wall->selectAll();
+    QTest::keyClicks(wall, QStringLiteral("0.4"));
+    QTest::keyClick(wall, Qt::Key_Return);
+    QTRY_VERIFY(!rowWith(program, QStringLiteral("thinner than")));
+    QVERIFY(rowWith(program, QStringLiteral("Walls from 0.500 mm")));
+    QVERIFY(rowWith(program, QStringLiteral("overhangs beyond 45")));
+    auto* overhang = part<QDoubleSpinBox>(program, "print.overhang");
+    overhang->setFocus();
+    overhang->selectAll();
+    QTest::keyClicks(overhang, QStringLiteral("90"));
+    QTest::keyClick(overhang, Qt::Key_Return);
+    QTRY_VERIFY(rowWith(program, QStringLiteral("No overhangs")));
+    QCOMPARE(ui::Settings().print().wall, 0.4);
+}
+
+void TestPrintPanelWindow::printers_areEdited()
+{
+    Program program;
+    open(program, plateAndCube(), *m_folder);
+    check(program);
+    QTest::mouseClick(part<QToolButton>(program, "print.printers"), Qt::LeftButton);
+    QDialog* dialog = nullptr;
+    QTRY_VERIFY((dialog = part<QDialog>(program, "printersDialog")) && dialog->isVisible());
+    auto* table = dialog->findChild<QTableWidget*>();
+    while (table->rowCount() > 1) {
+        table->setCurrentCell(0, 0);
+        QTest::mouseClick(dialog->findChild<QPushButton*>(QStringLiteral("removePrinter")), Qt::LeftButton);
+    }
+    table->item(0, 0)->setText(QStringLiteral("Tiny"));
+    for (int i = 1; i <= 3; ++i)
+        qobject_cast<QDoubleSpinBox*>(table->cellWidget(0, i))->setValue(30);
+    QTest::mouseClick(dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
+    QTRY_VERIFY(rowWith(program, QStringLiteral("Too large for Tiny")));
+    QCOMPARE(ui::Settings().printers().size(), 1);
+    QCOMPARE(ui::Settings().printers()[0].bed.z, 30.0);
+}
+
+void TestPrintPanelWindow::stopping_leavesItUnchecked()
+{
+    Program program;
+    open(program, core::icosphere(7, 30), *m_folder);
+    QTest::keyClick(&program.window, Qt::Key_P, Qt::ControlModifier);
+    auto* button = part<QToolButton>(program, "print.check");
+    QTRY_COMPARE(button->accessibleName(), QStringLiteral("Stop"));
+    QTest::mouseClick(button, Qt::LeftButton);
+    QTRY_COMPARE(button->accessibleName(), QStringLiteral("Check Now"));
+    QTest::qWait(1500);
+    QVERIFY(!isAnswered(program));
+    QTest::mouseClick(button, Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(program), 120'000);
+}
+
+void TestPrintPanelWindow::base_isFlattenedAndPlaced()
+{
+    Program program;
+    open(program, core::icosphere(5, 30), *m_folder);
+    check(program);
+    QVERIFY(rowWith(program, QStringLiteral("Stands on a point")));
+    program.window.action(QStringLiteral("model.flattenBase"))->trigger();
+    QDialog* dialog = nullptr;
+    QTRY_VERIFY((dialog = part<QDialog>(program, "baseDialog")) && dialog->isVisible());
+    auto* height = dialog->findChild<QDoubleSpinBox*>(QStringLiteral("height"));
+    height->selectAll();
+    QTest::keyClicks(height, QStringLiteral("5"));
+    QTest::keyClick(height, Qt::Key_Return);
+    QTRY_COMPARE(program.document.undoStack().count(), 1);
+    QTRY_VERIFY(std::abs(program.document.facts().box.min().y() + 25) < 0.01);
+    QTRY_VERIFY(isAnswered(program) && !rowWith(program, QStringLiteral("Stands on a point")));
+    program.window.action(QStringLiteral("model.placeOnBed"))->trigger();
+    QTRY_COMPARE(program.document.facts().box.min().y(), 0.0);
+    QCOMPARE(program.document.undoStack().count(), 2);
+    program.window.activateWindow();
+    QTest::keyClick(&program.window, Qt::Key_Z, Qt::ControlModifier);
+    QTest::keyClick(&program.window, Qt::Key_Z, Qt::ControlModifier);
+    QTRY_VERIFY(std::abs(program.document.facts().box.min().y() + 30) < 0.01);
+}
+
+/// 1.5 mm wide: said when it is opened, but not of a format that knows its unit.
+void TestPrintPanelWindow::units_areDoubted()
+{
+    Program program;
+    QStringList said;
+    QObject::connect(&program.document, &Document::noticed, [&](const QString& sentence) { said << sentence; });
+    open(program, shapes::cube(1.5F), *m_folder);
+    QCOMPARE(said.size(), 1);
+    QVERIFY(said[0].contains(QStringLiteral("inches")) && said[0].contains(QStringLiteral("model.stl")));
+    core::writeMesh(m_folder->filePath(QStringLiteral("out.glb")).toStdString(), shapes::cube(1.5F));
+    program.document.open(m_folder->filePath(QStringLiteral("out.glb")));
+    QTRY_COMPARE(program.document.facts().name, QStringLiteral("out.glb"));
+    QTRY_VERIFY(!program.document.isBusy());
+    QCOMPARE(said.size(), 1);
+}
+
+int main(int argc, char* argv[])
+{
+    return runOnScreen<TestPrintPanelWindow>(argc, argv, "tst_print_panel");
+}
+
+#include "tst_print_panel.moc"

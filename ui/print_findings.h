@@ -1,0 +1,25 @@
+#pragma once
+
+#include "printers.h"
+
+#include "core/print_check.h"
+
+#include <QList>
+#include <QString>
+
+namespace ui
+{
+enum class PrintVerdict { Good, Care, Bad };
+
+/// One thing that was looked at, in a sentence, and where in the model it is, if that is a place.
+struct PrintFinding
+{
+    PrintVerdict verdict = PrintVerdict::Good;
+    QString text, tip;
+    std::vector<core::PrintPlace> places;
+    QStringList placeTexts; ///< of each place
+};
+
+QList<PrintFinding> printFindings(const core::MeshReport& mesh, const core::PrintReport& print, const core::PrintLimits& limits,
+                                  const QString& printer);
+} // namespace ui

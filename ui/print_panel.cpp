@@ -1,0 +1,328 @@
+#include "print_panel.h"
+
+#include "actions.h"
+#include "panel_button.h"
+#include "printers_dialog.h"
+#include "settings.h"
+#include "side_dock.h"
+#include "themed_icon.h"
+#include "viewport.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QEvent>
+#include <QFormLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QMainWindow>
+#include <QMenu>
+#include <QProgressBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ui
+{
+namespace
+{
+constexpr int gap = 8; ///< of the window's spacing grid
+constexpr int iconSide = 20, rowIconSide = 16;
+constexpr double leastWall = 0.05, leastOverhang = 0, mostOverhang = 90;
+constexpr int findingRole = Qt::UserRole, placeRole = Qt::UserRole + 1; ///< place: -1 for the finding itself
+
+QString iconOf(PrintVerdict verdict)
+{
+    static const QString icons[] = {QStringLiteral("sound"), QStringLiteral("about"), QStringLiteral("unsound")};
+    return icons[static_cast<int>(verdict)];
+}
+
+QDoubleSpinBox* numberBox(const char* name, double least, double most, int decimals, const QString& unit)
+{
+    auto* box = new QDoubleSpinBox;
+    box->setObjectName(QLatin1StringView(name));
+    box->setRange(least, most);
+    box->setDecimals(decimals);
+    box->setSingleStep(decimals > 0 ? 0.1 : 5);
+    box->setSuffix(unit);
+    box->setKeyboardTracking(false);
+    return box;
+}
+} // namespace
+
+PrintPanel::PrintPanel(Settings* settings, QWidget* parent) : QWidget(parent), m_settings(settings)
+{
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(gap, gap, gap, gap);
+    column->setSpacing(gap);
+    addHead();
+    addWishes();
+    addList();
+    takeUp();
+    show(State::Stale);
+    settings->onReset([this] { takeUp(); });
+}
+
+void PrintPanel::addHead()
+{
+    m_icon = new QLabel;
+    m_word = new QLabel;
+    m_word->setObjectName(QStringLiteral("print.verdict"));
+    m_word->setWordWrap(true);
+    m_button = panelButton(QStringLiteral("print.check"), QStringLiteral("print-check"), {}, {});
+    connect(m_button, &QToolButton::clicked, this, [this] {
+        if (m_state == State::Running)
+            Q_EMIT stopRequested();
+        else
+            Q_EMIT checkRequested();
+    });
+    m_progress = new QProgressBar;
+    m_progress->setObjectName(QStringLiteral("print.progress"));
+    m_progress->setRange(0, 100);
+    m_progress->setTextVisible(false);
+    m_progress->setFixedHeight(gap / 2);
+    auto* head = new QHBoxLayout;
+    head->setSpacing(gap);
+    head->addWidget(m_icon);
+    head->addWidget(m_word, 1);
+    head->addWidget(m_button);
+    auto* column = static_cast<QVBoxLayout*>(layout());
+    column->addLayout(head);
+    column->addWidget(m_progress);
+}
+
+void PrintPanel::addWishes()
+{
+    m_form = new QFormLayout;
+    m_form->setSpacing(gap);
+    m_printer = new QComboBox;
+    m_printer->setObjectName(QStringLiteral("print.printer"));
+    m_printer->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_printer->setMinimumContentsLength(12);
+    auto* edit = panelButton(QStringLiteral("print.printers"), QStringLiteral("preferences"), tr("Printers…"), tr("Changes the list of printers."));
+    connect(edit, &QToolButton::clicked, this, &PrintPanel::editPrinters);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(gap / 2);
+    row->addWidget(m_printer, 1);
+    row->addWidget(edit);
+    m_wall = numberBox("print.wall", leastWall, core::PrintLimits::mostWall, 2, tr(" mm"));
+    m_overhang = numberBox("print.overhang", leastOverhang, mostOverhang, 0, tr("°"));
+    m_picture = new QComboBox;
+    m_picture->setObjectName(QStringLiteral("print.picture"));
+    m_picture->addItems({tr("None"), tr("Thickness"), tr("Overhang")});
+    m_legend = new PrintLegend;
+    m_legend->setObjectName(QStringLiteral("print.legend"));
+    const auto add = [this](const QString& name, auto* what, QWidget* named, const QString& tip) {
+        m_form->addRow(name, what);
+        named->setAccessibleName(name);
+        named->setToolTip(QStringLiteral("%1\n%2").arg(name, tip));
+    };
+    add(tr("Printer"), row, m_printer, tr("Whose bed the model is compared with."));
+    add(tr("Least wall"), m_wall, m_wall, tr("Thinner walls are found: two lines of the nozzle, as a rule."));
+    add(tr("Overhang"), m_overhang, m_overhang, tr("How far faces may lean out from the vertical."));
+    add(tr("Colours"), m_picture, m_picture, tr("Shows on the model how thick it is, or how far it leans out."));
+    auto* column = static_cast<QVBoxLayout*>(layout());
+    column->addLayout(m_form);
+    column->addWidget(m_legend);
+    for (QDoubleSpinBox* box : {m_wall, m_overhang})
+        connect(box, &QDoubleSpinBox::valueChanged, this, &PrintPanel::wish);
+    for (QComboBox* box : {m_printer, m_picture})
+        connect(box, &QComboBox::currentIndexChanged, this, &PrintPanel::wish);
+}
+
+void PrintPanel::addList()
+{
+    m_list = new QListWidget;
+    m_list->setObjectName(QStringLiteral("print.findings"));
+    m_list->setAccessibleName(tr("Findings"));
+    m_list->setToolTip(tr("What was found. A click or Return on a place shows it on the model."));
+    m_list->setWordWrap(true);
+    m_list->setResizeMode(QListView::Adjust);
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_list->setIconSize({rowIconSide, rowIconSide});
+    m_list->setMinimumHeight(96);
+    connect(m_list, &QListWidget::itemClicked, this, [this](QListWidgetItem* item) { choose(m_list->row(item)); });
+    connect(m_list, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) { choose(m_list->row(item)); });
+    layout()->addWidget(m_list);
+}
+
+/// What the settings say, into the controls.
+void PrintPanel::takeUp()
+{
+    m_isFilling = true;
+    const PrintChoice choice = m_settings->print();
+    m_printers = m_settings->printers();
+    m_printer->clear();
+    for (const Printer& printer : m_printers)
+        m_printer->addItem(printer.name);
+    const auto chosen = std::ranges::find(m_printers, choice.printer, &Printer::name);
+    m_printer->setCurrentIndex(chosen != m_printers.end() ? static_cast<int>(chosen - m_printers.begin()) : 0);
+    m_wall->setValue(choice.wall);
+    m_overhang->setValue(choice.overhang);
+    m_picture->setCurrentIndex(choice.picture);
+    m_isFilling = false;
+    wish();
+}
+
+void PrintPanel::wish()
+{
+    if (m_isFilling)
+        return;
+    m_settings->setPrint({m_printer->currentText(), m_wall->value(), m_overhang->value(), m_picture->currentIndex()});
+    m_legend->setVisible(picture().has_value());
+    if (const auto shown = picture())
+        m_legend->setScale({*shown, *shown == core::PrintPicture::Thickness ? m_wall->value() : m_overhang->value()});
+    Q_EMIT wishesChanged();
+}
+
+void PrintPanel::editPrinters()
+{
+    auto* dialog = new PrintersDialog(m_printers, window());
+    connect(dialog, &PrintersDialog::chosen, this, [this](const QList<Printer>& printers) {
+        m_settings->setPrinters(printers);
+        takeUp();
+    });
+    dialog->open();
+}
+
+core::PrintLimits PrintPanel::limits() const
+{
+    core::PrintLimits limits;
+    limits.leastWall = m_wall->value();
+    limits.overhang = m_overhang->value();
+    limits.bed = m_printers[std::max(0, m_printer->currentIndex())].bed;
+    return limits;
+}
+
+std::optional<core::PrintPicture> PrintPanel::picture() const
+{
+    const int chosen = m_picture->currentIndex();
+    return chosen > 0 ? std::optional(static_cast<core::PrintPicture>(chosen - 1)) : std::nullopt;
+}
+
+void PrintPanel::focusFindings()
+{
+    m_list->setFocus();
+}
+
+void PrintPanel::setReport(const core::MeshReport& mesh, const core::PrintReport& print)
+{
+    m_findings = printFindings(mesh, print, limits(), m_printer->currentText());
+    m_list->clear();
+    for (const PrintFinding& finding : m_findings)
+        addRow(finding);
+    m_list->setCurrentRow(0);
+    show(State::Answered);
+}
+
+void PrintPanel::setStale()
+{
+    show(State::Stale);
+}
+
+void PrintPanel::setProgress(double share)
+{
+    m_progress->setValue(static_cast<int>(std::lround(100 * share)));
+    if (m_state != State::Running)
+        show(State::Running);
+}
+
+/// A sentence, and its places indented below it.
+void PrintPanel::addRow(const PrintFinding& finding)
+{
+    static const char* const verdicts[] = {QT_TR_NOOP("good"), QT_TR_NOOP("take care"), QT_TR_NOOP("to be changed")};
+    const int number = static_cast<int>(&finding - m_findings.constData());
+    const auto add = [&](const QString& text, int place) {
+        auto* item = new QListWidgetItem(text, m_list);
+        item->setToolTip(finding.tip);
+        item->setData(findingRole, number);
+        item->setData(placeRole, place);
+        return item;
+    };
+    QListWidgetItem* row = add(finding.text, -1);
+    row->setIcon(themedIcon(iconOf(finding.verdict)));
+    row->setData(Qt::AccessibleTextRole, QStringLiteral("%1: %2").arg(tr(verdicts[static_cast<int>(finding.verdict)]), finding.text));
+    for (qsizetype i = 0; i < finding.placeTexts.size(); ++i)
+        add(QStringLiteral("      ") + finding.placeTexts[i], static_cast<int>(i))->setData(Qt::AccessibleTextRole, finding.placeTexts[i]);
+}
+
+/// A finding stands for its first place.
+void PrintPanel::choose(int row)
+{
+    const QListWidgetItem* item = m_list->item(row);
+    const PrintFinding& finding = m_findings[item->data(findingRole).toInt()];
+    if (m_state == State::Answered && !finding.places.empty())
+        Q_EMIT placeChosen(finding.places[static_cast<std::size_t>(std::max(0, item->data(placeRole).toInt()))]);
+}
+
+void PrintPanel::show(State state)
+{
+    m_state = state;
+    const bool isRunning = state == State::Running;
+    const QString what = isRunning ? tr("Stop") : tr("Check Now");
+    m_button->setIcon(themedIcon(isRunning ? QStringLiteral("stop") : QStringLiteral("print-check")));
+    m_button->setAccessibleName(what);
+    m_button->setToolTip(QStringLiteral("%1\n%2").arg(what, isRunning ? tr("Ends the check.") : tr("Checks the model as it is now.")));
+    m_button->setEnabled(state != State::Answered);
+    m_progress->setVisible(isRunning);
+    m_list->setEnabled(state == State::Answered);
+    showColors();
+}
+
+/// Icon and word say it; the worst finding gives the tone.
+void PrintPanel::showColors()
+{
+    PrintVerdict worst = PrintVerdict::Good;
+    for (const PrintFinding& finding : std::as_const(m_findings))
+        worst = std::max(worst, finding.verdict);
+    const QString words[] = {tr("Prints as it is"), tr("Prints with some care"), tr("Should be changed before it is printed")};
+    const bool isKnown = m_state == State::Answered;
+    m_word->setText(isKnown ? words[static_cast<int>(worst)] : m_state == State::Running ? tr("Checking…") : tr("Not checked since the last change"));
+    m_icon->setPixmap(themedIcon(isKnown ? iconOf(worst) : QStringLiteral("wait")).pixmap(QSize(iconSide, iconSide), devicePixelRatioF()));
+}
+
+void PrintPanel::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        showColors();
+}
+
+void PrintPanel::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    Q_EMIT watched(true);
+}
+
+void PrintPanel::hideEvent(QHideEvent* event)
+{
+    QWidget::hideEvent(event);
+    Q_EMIT watched(false);
+}
+
+void addPrintPanel(const PrintPanelPlace& place, Settings* settings, const Actions& actions)
+{
+    auto* panel = new PrintPanel(settings);
+    auto* dock = new QDockWidget(PrintPanel::tr("Print Check"));
+    dock->setObjectName(QStringLiteral("printPanel"));
+    dock->setWidget(panel);
+    addSideDock(place.window, place.toggles, dock, QStringLiteral("brushPanel"));
+    dock->hide();
+    Viewport* viewport = place.viewport;
+    QObject::connect(panel, &PrintPanel::placeChosen, viewport, [viewport](const core::PrintPlace& found) {
+        viewport->flyTo(found.point, found.normal, std::sqrt(found.area));
+    });
+    QObject::connect(panel, &PrintPanel::watched, viewport, [viewport](bool isWatched) {
+        if (!isWatched)
+            viewport->forgetMark();
+    });
+    QObject::connect(actions.get(QStringLiteral("model.printCheck")), &QAction::triggered, dock, [dock, panel] {
+        dock->show();
+        dock->raise();
+        panel->focusFindings();
+    });
+}
+} // namespace ui
