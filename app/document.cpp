@@ -5,6 +5,7 @@
 #include "model_words.h"
 #include "stroke_command.h"
 
+#include "core/journal/journal.h"
 #include "ui/messages.h"
 
 #include <algorithm>
@@ -101,7 +102,12 @@ void Document::finishChange(const core::ModelCommand& command, ModelOutcome outc
     const bool wasStopped = m_work.wasStopped();
     if (outcome.change.changes && !wasStopped) {
         auto delta = std::make_shared<core::MeshDelta>(std::move(outcome.change.delta));
-        m_worker->post([delta](core::Sculptor& sculptor) { sculptor.swap(*delta); });
+        const core::JournalStep step{ModelWords::name(command).toStdString(), QString(ModelWords::icon(command)).toStdString(), 0, 0};
+        m_worker->post([delta, step, journal = m_journal](core::Sculptor& sculptor) {
+            sculptor.swap(*delta);
+            if (journal)
+                journal->changed(sculptor.mesh(), *delta, step);
+        });
         const int index = m_stack.index();
         m_history.add(index, delta);
         m_stack.push(new StrokeCommand(ModelWords::name(command), {ModelWords::icon(command)}, &m_history, index));
@@ -204,9 +210,8 @@ void Document::takeReport(const StrokeReport& report)
         if (report.delta) {
             const int index = m_stack.index();
             m_history.add(index, report.delta);
-            const QString text = report.added ? StrokeCommand::textOfAdding() : StrokeCommand::textOf(report.tool);
-            const QString icon = report.added ? QStringLiteral("add") : StrokeCommand::iconOf(report.tool);
-            m_stack.push(new StrokeCommand(text, {icon, report.dabs, report.fusions}, &m_history, index));
+            const StepWords words = StrokeCommand::wordsOf(report);
+            m_stack.push(new StrokeCommand(words.text, words.marks, &m_history, index));
         }
         const bool isSeen = report.shortfall == core::Shortfall::Stuck && report.delta; // other dabs did something
         if (report.shortfall != core::Shortfall::None && !isSeen)
@@ -214,6 +219,7 @@ void Document::takeReport(const StrokeReport& report)
         else if (report.asymmetric)
             Q_EMIT noticed(ui::Messages::asymmetric());
         takeFacts(report.facts);
+        describeToJournal();
     }
     tellState();
     runRequests();
@@ -237,6 +243,9 @@ void Document::loseHistory()
     m_changedBeyondHistory = isModified();
     m_history.clear();
     m_stack.clear();
+    if (m_journal)
+        m_worker->post([journal = m_journal](core::Sculptor&) { journal->forget(); });
+    describeToJournal();
     tellState();
     Q_EMIT refused(tr("The earlier steps cannot be undone any more: their file on disk cannot be read. The model is in order."));
 }

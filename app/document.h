@@ -15,8 +15,14 @@
 #include <functional>
 #include <optional>
 
+namespace core
+{
+struct RecoveredDocument;
+}
+
 namespace app
 {
+class JournalShelf;
 struct LoadedModel;
 struct ModelOutcome;
 struct ExportOrder;
@@ -44,6 +50,11 @@ public:
     void setCompleteNotes(std::function<void(core::DocumentNotes&)> complete);
     bool mayDiscard(const std::function<void()>& goOn) const;
 
+    /// What is opened from now on is recorded there, as it changes. The shelf must outlive the document.
+    void keepJournals(JournalShelf* shelf);
+    /// Of the model that is open; null: nothing is recorded.
+    const std::shared_ptr<core::Journal>& journal() const { return m_journal; }
+
     const QString& path() const { return m_facts.path; } ///< empty: it comes from no file
     const ui::ModelFacts& facts() const { return m_facts; }
     bool isModified() const;
@@ -66,6 +77,8 @@ public Q_SLOTS:
     /// The paper's sphere.
     void openSphere();
     void openStarter(core::Starter starter);
+    /// A document that the shelf has an offer of, with its history.
+    void recover(quint64 offer, const QString& name);
     /// What its files keep beside the model. No change to be saved by itself.
     void setPalette(std::vector<core::Rgb> palette);
     /// Its file is called so now.
@@ -137,6 +150,9 @@ private:
     void openWaiting();
     void load(const QString& what, const Make& make);
     void install(std::shared_ptr<LoadedModel> model);
+    void giveWorker(std::shared_ptr<core::Sculptor> sculptor, std::shared_ptr<core::Journal> journal);
+    void restore(const core::RecoveredDocument& recovered);
+    void describeToJournal();
     void startChange(core::ModelCommand command, const QString& insertedPath);
     void finishChange(const core::ModelCommand& command, ModelOutcome outcome);
     struct Written
@@ -166,6 +182,9 @@ private:
     std::shared_ptr<const core::Snapshot> m_start; ///< what Reset goes back to
     MayDiscard m_mayDiscard;
     std::function<void(core::DocumentNotes&)> m_completeNotes;
+    JournalShelf* m_shelf = nullptr;
+    std::shared_ptr<core::Journal> m_journal; ///< null: nothing is recorded
+    std::shared_ptr<core::RecoveredDocument> m_recovered; ///< of the model that is being installed
 
     std::deque<Request> m_requests;
     std::deque<Request> m_afterStroke; ///< asked for while a stroke is open

@@ -2,6 +2,7 @@
 
 #include "document.h"
 
+#include "journal_shelf.h"
 #include "model_export.h"
 #include "model_loader.h"
 #include "model_trial.h"
@@ -79,10 +80,10 @@ void Document::load(const QString& what, const Make& make)
     const core::JobWatch watch = m_work.beginStoppable(what);
     const auto finish = [this, watch](const std::shared_ptr<LoadedModel>& model) {
         m_work.keep();
-        if (watch.stopped())
-            model->sculptor.reset();
-        if (model->sculptor)
+        if (!watch.stopped() && model->sculptor)
             return request([this, model] { install(model); });
+        if (m_shelf)
+            m_shelf->discard(model->journal);
         m_isLoading = false;
         m_letGo = m_letGo && m_next;
         m_work.end();
@@ -93,7 +94,13 @@ void Document::load(const QString& what, const Make& make)
         if (m_facts.faces == 0 && !m_next) // never without a model
             openSphere();
     };
-    m_work.run([make, watch] { return std::make_shared<LoadedModel>(make(watch)); }, finish);
+    auto work = [make, watch, shelf = m_shelf] {
+        auto model = std::make_shared<LoadedModel>(make(watch));
+        if (shelf && model->sculptor && !model->recovered && !watch.stopped())
+            model->journal = shelf->begin(*model);
+        return model;
+    };
+    m_work.run(std::move(work), finish);
 }
 
 void Document::install(std::shared_ptr<LoadedModel> model)
@@ -106,7 +113,8 @@ void Document::install(std::shared_ptr<LoadedModel> model)
     m_facts.path = model->path;
     m_facts.notes = model->notes;
     m_start = std::exchange(model->start, nullptr);
-    m_worker->setModel(std::exchange(model->sculptor, nullptr));
+    m_recovered = std::exchange(model->recovered, nullptr);
+    giveWorker(std::exchange(model->sculptor, nullptr), m_recovered ? m_shelf->goOn(model->offer, *m_recovered) : model->journal);
     if (!model->notice.isEmpty())
         Q_EMIT noticed(model->notice);
     if (!model->mended.isEmpty())
@@ -119,6 +127,8 @@ void Document::takeModel(const MeshFacts& facts)
     takeFacts(facts);
     m_work.end();
     Q_EMIT opened(m_facts);
+    if (const auto recovered = std::exchange(m_recovered, nullptr))
+        restore(*recovered);
     tellState();
     runRequests();
 }
@@ -126,18 +136,21 @@ void Document::takeModel(const MeshFacts& facts)
 void Document::setPalette(std::vector<core::Rgb> palette)
 {
     m_facts.notes.palette = std::move(palette);
+    describeToJournal();
 }
 
 void Document::setPath(const QString& path)
 {
     m_facts.path = path;
     m_facts.name = QFileInfo(path).fileName();
+    describeToJournal();
     Q_EMIT factsChanged(m_facts);
 }
 
 void Document::loseFile()
 {
     m_changedBeyondHistory = true;
+    describeToJournal();
     tellState();
 }
 
@@ -213,9 +226,12 @@ void Document::takeSaved(const QString& path, int index)
 {
     m_facts.path = path;
     m_facts.name = QFileInfo(path).fileName();
+    describeToJournal();
     if (m_stack.index() == index && !hasUnreported()) {
         m_stack.setClean();
         m_changedBeyondHistory = false;
+        if (m_journal)
+            m_journal->saved(static_cast<std::uint32_t>(index));
     }
     Q_EMIT saved(path);
     tellState();

@@ -1,5 +1,6 @@
 #include "history_store.h"
 
+#include "core/journal/journal.h"
 #include "core/sculptor.h"
 
 #include <QDir>
@@ -19,12 +20,12 @@ StoredDelta::~StoredDelta()
     drop();
 }
 
-bool StoredDelta::swap(core::Sculptor& sculptor)
+const core::MeshDelta* StoredDelta::swap(core::Sculptor& sculptor)
 {
     if (!m_delta && !load())
-        return false;
+        return nullptr;
     sculptor.swap(*m_delta);
-    return true;
+    return m_delta.get();
 }
 
 bool StoredDelta::spill(const QString& folder)
@@ -101,14 +102,37 @@ void HistoryStore::add(int index, std::shared_ptr<core::MeshDelta> delta)
     enforceCap();
 }
 
+void HistoryStore::setJournal(std::shared_ptr<core::Journal> journal)
+{
+    m_journal = std::move(journal);
+}
+
+void HistoryStore::restore(const std::vector<std::shared_ptr<core::MeshDelta>>& deltas, int present)
+{
+    m_entries.clear();
+    for (const auto& delta : deltas)
+        m_entries.push_back({std::make_shared<StoredDelta>(delta), delta ? delta->bytes() : 0});
+    m_present = m_first = m_end = present;
+    while (m_first > 0 && deltas[static_cast<std::size_t>(m_first) - 1])
+        --m_first;
+    while (m_end < static_cast<int>(deltas.size()) && deltas[static_cast<std::size_t>(m_end)])
+        ++m_end;
+    enforceCap();
+}
+
 void HistoryStore::swap(int index)
 {
+    if (index >= static_cast<int>(m_entries.size()))
+        return;
     const auto& delta = m_entries.at(static_cast<std::size_t>(index)).delta;
     m_present = index < m_present ? index : index + 1;
-    m_post([this, delta, meshSide = m_meshSide](core::Sculptor& sculptor) {
+    m_post([this, delta, index, meshSide = m_meshSide, journal = m_journal](core::Sculptor& sculptor) {
         if (meshSide->broken)
             return;
-        meshSide->broken = !delta->swap(sculptor);
+        const core::MeshDelta* swapped = delta->swap(sculptor);
+        meshSide->broken = !swapped;
+        if (swapped && journal)
+            journal->swapped(sculptor.mesh(), *swapped, static_cast<std::uint32_t>(index));
         m_mail.post([this, delta, bytes = delta->bytesInMemory(), isLost = meshSide->broken] {
             noteBytes(delta, bytes);
             if (isLost)

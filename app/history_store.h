@@ -12,8 +12,9 @@
 
 namespace core
 {
+class Journal;
 class Sculptor;
-}
+} // namespace core
 
 namespace app
 {
@@ -24,8 +25,8 @@ public:
     explicit StoredDelta(std::shared_ptr<core::MeshDelta> delta);
     ~StoredDelta();
 
-    /// Undoes it, or does it again. False if its file cannot be read; the mesh is untouched then.
-    bool swap(core::Sculptor& sculptor);
+    /// Undoes it, or does it again. Null if its file cannot be read; the mesh is untouched then.
+    const core::MeshDelta* swap(core::Sculptor& sculptor);
     /// Moves it from memory into a file of that folder. False if that is impossible; it stays in memory then.
     bool spill(const QString& folder);
     void drop();
@@ -60,8 +61,12 @@ public:
 
     /// The change made at `index` of the undo stack; what was undone there and after it is forgotten.
     void add(int index, std::shared_ptr<core::MeshDelta> delta);
-    /// Undoes or redoes the change at `index`.
+    /// Undoes or redoes the change at `index`; where none is kept nothing happens.
     void swap(int index);
+    /// Hears of each of them, on the mesh thread. May be null.
+    void setJournal(std::shared_ptr<core::Journal> journal);
+    /// Begins with these, of which so many are done; those that are null cannot be gone past.
+    void restore(const std::vector<std::shared_ptr<core::MeshDelta>>& deltas, int present);
     /// Forgets all, another model is there.
     void clear();
 
@@ -103,6 +108,7 @@ private:
     Post m_post;
     ui::Mailbox m_mail; ///< from the jobs
     std::shared_ptr<MeshSide> m_meshSide;
+    std::shared_ptr<core::Journal> m_journal;
     std::unique_ptr<QTemporaryDir> m_ownFolder;
     QString m_folder;
     std::size_t m_cap = defaultCap;

@@ -2,8 +2,8 @@
 #include "document.h"
 #include "foreign_import.h"
 #include "foreign_reader.h"
+#include "journal_shelf.h"
 #include "process_signals.h"
-#include "rescue.h"
 #include "wiring.h"
 
 #include "ui/main_window.h"
@@ -105,13 +105,14 @@ int runWindow(int argc, char* argv[])
         return failure.status;
     }
 
-    // They go in the order from below: the window, then the mesh thread with the document, then what it worked for.
+    // They go in the order from below: the window, then the mesh thread with the document, then what it worked for and what kept it.
+    app::JournalShelf shelf;
     app::SculptWorker worker;
     const auto inbox = std::make_shared<app::PatchInbox>();
     app::Document document(&worker);
     ui::MainWindow window;
     app::wire(window, document, worker, inbox);
-    const app::Rescue rescue(&document, &worker);
+    app::wireRecovery(window, document, shelf);
     window.show();
     if (file.isEmpty())
         document.openSphere();

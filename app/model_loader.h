@@ -14,6 +14,12 @@
 #include <functional>
 #include <memory>
 
+namespace core
+{
+class Journal;
+struct RecoveredDocument;
+} // namespace core
+
 namespace app
 {
 /// A model that may be sculpted, or the reason why not.
@@ -28,6 +34,9 @@ struct LoadedModel
     QString name;
     QString path; ///< empty: from no file
     core::DocumentNotes notes; ///< that the file keeps beside it
+    std::shared_ptr<core::Journal> journal; ///< that was begun for it; may be null
+    std::shared_ptr<core::RecoveredDocument> recovered; ///< of a model out of such a journal: its history; the mesh is the sculptor's
+    quint64 offer = 0;                                  ///< that it was
 };
 
 /// Files to models and back, in words for people. Any thread; takes as long as the model is large. Never throws.

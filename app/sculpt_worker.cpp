@@ -2,6 +2,10 @@
 // engine changed goes to the viewers' inboxes at a sub-step's end, at most once a frame while samples wait.
 #include "sculpt_worker.h"
 
+#include "stroke_command.h"
+
+#include "core/journal/journal.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -33,6 +37,8 @@ void SculptWorker::stop()
     m_queue.stop();
     if (m_thread.joinable())
         m_thread.join();
+    if (const auto journal = std::exchange(m_journal, nullptr))
+        journal->drain(); // its letters are ours
 }
 
 void SculptWorker::setInbox(Source source, std::shared_ptr<PatchInbox> inbox)
@@ -112,12 +118,14 @@ void SculptWorker::ask(Source source, const core::Ray& ray, const std::optional<
     m_queue.ask({source, ray, brush});
 }
 
-void SculptWorker::setModel(std::shared_ptr<core::Sculptor> sculptor)
+void SculptWorker::setModel(std::shared_ptr<core::Sculptor> sculptor, std::shared_ptr<core::Journal> journal)
 {
     const std::lock_guard lock(m_mutex);
     if (std::exchange(m_openSource, std::nullopt))
         m_queue.push(EndStroke{});
-    m_queue.push(Task([this, sculptor = std::move(sculptor)]() mutable { install(std::move(sculptor)); }));
+    m_queue.push(Task([this, sculptor = std::move(sculptor), journal = std::move(journal)]() mutable {
+        install(std::move(sculptor), std::move(journal));
+    }));
 }
 
 void SculptWorker::post(std::function<void(core::Sculptor&)> job)
@@ -183,6 +191,7 @@ void SculptWorker::run(BeginStroke& job)
     m_report = {};
     m_report.tool = job.settings.tool;
     m_settings = job.settings;
+    m_samples.clear();
     ++m_scanGeneration;
     if (m_sculptor) {
         m_fusionsBefore = m_sculptor->totals().fusions;
@@ -199,6 +208,8 @@ void SculptWorker::run(Sample& job)
         return;
     }
     m_sampledNs = job.postedNs;
+    if (m_journal)
+        m_samples.push_back(job.sample);
     const std::vector<core::DabReport> dabs = m_sculptor->addSample(job.sample);
     m_report.dabs += dabs.size();
     for (const core::DabReport& dab : dabs) {
@@ -224,9 +235,29 @@ void SculptWorker::run(EndStroke&)
             m_report.delta = std::move(delta);
         m_report.fusions = m_sculptor->totals().fusions - m_fusionsBefore;
         m_report.facts = facts();
+        if (m_journal && m_report.delta)
+            record(*m_report.delta);
         startScan();
     }
-    m_mail.post([this, report = std::exchange(m_report, {})] { Q_EMIT strokeFinished(report); });
+    tell([this, report = std::exchange(m_report, {})] { Q_EMIT strokeFinished(report); });
+}
+
+void SculptWorker::record(const core::MeshDelta& delta)
+{
+    const StepWords words = StrokeCommand::wordsOf(m_report);
+    m_journal->changed(m_sculptor->mesh(), delta,
+                       {words.text.toStdString(), words.marks.icon.toStdString(), words.marks.dabs, words.marks.fusions},
+                       core::Stroke{m_settings, std::exchange(m_samples, {})});
+}
+
+/// What is told is told in order, and not before it would survive the program.
+void SculptWorker::tell(std::function<void()> news)
+{
+    auto post = [this, news = std::move(news)]() mutable { m_mail.post(std::move(news)); };
+    if (m_journal)
+        m_journal->after(std::move(post));
+    else
+        post();
 }
 
 void SculptWorker::run(Task& job)
@@ -234,9 +265,11 @@ void SculptWorker::run(Task& job)
     job();
 }
 
-void SculptWorker::install(std::shared_ptr<core::Sculptor> sculptor)
+void SculptWorker::install(std::shared_ptr<core::Sculptor> sculptor, std::shared_ptr<core::Journal> journal)
 {
     ++m_scanGeneration;
+    if (const auto before = std::exchange(m_journal, std::move(journal)))
+        before->drain();
     m_sculptor = std::move(sculptor);
     m_sculptor->setBetweenSubsteps([this] { betweenSubsteps(); });
     m_sculptor->takePatch();
@@ -248,7 +281,7 @@ void SculptWorker::install(std::shared_ptr<core::Sculptor> sculptor)
     for (core::Slot f = 0; f < m_sculptor->mesh().slots().faces; ++f)
         m_area += areaOf(m_sculptor->mesh(), f);
     m_epoch = whole.epoch;
-    m_mail.post([this, facts = facts()] { Q_EMIT modelSet(facts); });
+    tell([this, facts = facts()] { Q_EMIT modelSet(facts); });
     for (const auto& inbox : m_inboxes)
         if (inbox)
             inbox->put(whole);
@@ -305,7 +338,7 @@ void SculptWorker::scan(core::Slot first, std::uint64_t generation)
     }
     m_box = m_scannedBox;
     m_area = m_scannedArea;
-    m_mail.post([this, facts = facts()] { Q_EMIT factsChanged(facts); });
+    tell([this, facts = facts()] { Q_EMIT factsChanged(facts); });
 }
 
 void SculptWorker::measureLatency(std::int64_t sampledNs)

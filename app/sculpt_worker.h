@@ -13,6 +13,11 @@
 #include <optional>
 #include <thread>
 
+namespace core
+{
+class Journal;
+}
+
 namespace app
 {
 /// What people want to know of the mesh.
@@ -83,8 +88,9 @@ public:
     /// The newest question of a source is answered once, by its answered signal; those that it overtook are not.
     void ask(Source source, const core::Ray& ray, const std::optional<core::StrokeSettings>& brush = {});
 
-    /// Puts another model in place of the present one, and into every inbox. A stroke that is open ends before.
-    void setModel(std::shared_ptr<core::Sculptor> sculptor);
+    /// Puts another model in place of the present one, and into every inbox. A stroke that is open ends before. `journal` hears of
+    /// each stroke, and no signal tells of one that is not recorded; null: none is.
+    void setModel(std::shared_ptr<core::Sculptor> sculptor, std::shared_ptr<core::Journal> journal = {});
     /// Runs a job on the mesh thread between strokes and samples; viewers get what it changed. Not run without a model.
     void post(std::function<void(core::Sculptor&)> job);
 
@@ -110,7 +116,9 @@ private:
     void run(Sample& job);
     void run(EndStroke& job);
     void run(Task& job);
-    void install(std::shared_ptr<core::Sculptor> sculptor);
+    void install(std::shared_ptr<core::Sculptor> sculptor, std::shared_ptr<core::Journal> journal);
+    void record(const core::MeshDelta& delta);
+    void tell(std::function<void()> news);
     void betweenSubsteps();
     bool flushPatch(); ///< whether there was anything
     void startScan();
@@ -132,6 +140,8 @@ private:
     StrokeReport m_report;
     quint64 m_fusionsBefore = 0; ///< the stroke
     core::StrokeSettings m_settings; ///< of the stroke in work
+    std::shared_ptr<core::Journal> m_journal;
+    std::vector<core::StrokeSample> m_samples; ///< of the stroke in work, for the journal
     core::Box m_box;
     core::Box m_scannedBox;
     double m_area = 0;

@@ -1,6 +1,7 @@
 #include "stroke_command.h"
 
 #include "history_store.h"
+#include "sculpt_worker.h"
 
 namespace app
 {
@@ -43,5 +44,11 @@ QString StrokeCommand::textOf(core::Tool tool)
 QString StrokeCommand::textOfAdding()
 {
     return tr("Add Ball", "undo step");
+}
+
+StepWords StrokeCommand::wordsOf(const StrokeReport& report)
+{
+    const StepMarks marks{report.added ? QStringLiteral("add") : iconOf(report.tool), report.dabs, report.fusions};
+    return {report.added ? textOfAdding() : textOf(report.tool), marks};
 }
 } // namespace app

@@ -8,6 +8,7 @@
 namespace app
 {
 class HistoryStore;
+struct StrokeReport;
 
 /// What History shows of a step besides its name.
 struct StepMarks
@@ -15,6 +16,12 @@ struct StepMarks
     QString icon;     ///< of those in resources/icons
     quint64 dabs = 0; ///< 0: it was no stroke
     quint64 fusions = 0;
+};
+
+struct StepWords
+{
+    QString text;
+    StepMarks marks;
 };
 
 /// A stroke, or another finished change of the mesh, in the undo stack. It is already done when it is pushed: the first
@@ -35,6 +42,8 @@ public:
     static QString textOf(core::Tool tool);
     static QString iconOf(core::Tool tool);
     static QString textOfAdding();
+    /// Any thread.
+    static StepWords wordsOf(const StrokeReport& report);
 
 private:
     StepMarks m_marks;

@@ -4,6 +4,7 @@
 #include "drawing_worker.h"
 #include "headset_inquiry.h"
 #include "history_list.h"
+#include "journal_shelf.h"
 #include "model_inquiry.h"
 #include "patch_inbox.h"
 #include "print_inquiry.h"
@@ -16,6 +17,7 @@
 #include "ui/model_panel.h"
 #include "ui/preview_panel.h"
 #include "ui/print_panel.h"
+#include "ui/recovery_bar.h"
 #include "ui/viewport.h"
 #include "ui/window_notes.h"
 
@@ -233,5 +235,22 @@ void wire(ui::MainWindow& window, Document& document, SculptWorker& worker, cons
     wireWorker(*window.viewport(), worker, inbox);
     wireDrawings(window, worker);
     wireHeadset(window);
+}
+
+void wireRecovery(ui::MainWindow& window, Document& document, JournalShelf& shelf)
+{
+    using ui::RecoveryBar;
+    document.keepJournals(&shelf);
+    const auto show = [&window, &document, &shelf](const RecoveryOffer& offer) {
+        for (RecoveryBar* before : window.findChildren<RecoveryBar*>())
+            before->leave();
+        if (offer.id == 0)
+            return;
+        auto* bar = new RecoveryBar({offer.name, offer.changed, offer.steps}, &window);
+        QObject::connect(bar, &RecoveryBar::recoverRequested, &document, [&document, offer] { document.recover(offer.id, offer.name); });
+        QObject::connect(bar, &RecoveryBar::discardRequested, &shelf, [&shelf, offer] { shelf.discard(offer.id); });
+    };
+    QObject::connect(&shelf, &JournalShelf::offered, &window, show);
+    shelf.look();
 }
 } // namespace app

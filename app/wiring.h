@@ -10,10 +10,14 @@ class MainWindow;
 namespace app
 {
 class Document;
+class JournalShelf;
 class PatchInbox;
 class SculptWorker;
 
 /// The rooms' lines to each other. All must outlive the event loop; the window goes before the document, and that before
 /// the worker.
 void wire(ui::MainWindow& window, Document& document, SculptWorker& worker, const std::shared_ptr<PatchInbox>& inbox);
+
+/// Changes are recorded on the shelf, and what it has from before is offered in the window. The shelf must outlive the document.
+void wireRecovery(ui::MainWindow& window, Document& document, JournalShelf& shelf);
 } // namespace app

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "file_error.h"
+
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -35,4 +37,7 @@ private:
     std::string m_buffer;
     int m_descriptor = -1;
 };
+
+/// Of what the system says when writing fails.
+FileErrorKind kindOfWriteError(int systemError);
 } // namespace core

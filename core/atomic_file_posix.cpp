@@ -1,7 +1,5 @@
 #include "atomic_file.h"
 
-#include "file_error.h"
-
 #include <atomic>
 #include <cerrno>
 #include <fcntl.h>
@@ -14,7 +12,22 @@ namespace
 {
 constexpr std::size_t bufferSize = 1 << 20;
 
-FileErrorKind kindOf(int systemError)
+/// A name beside the target that nobody else uses: of this process and this moment, and created exclusively.
+std::string temporaryName(const std::filesystem::path& target)
+{
+    static std::atomic<unsigned> counter{0};
+    const std::string name = ".fettle-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp";
+    return (target.parent_path() / name).string();
+}
+
+std::string folderOf(const std::filesystem::path& target)
+{
+    const std::filesystem::path folder = target.parent_path();
+    return folder.empty() ? "." : folder.string();
+}
+} // namespace
+
+FileErrorKind kindOfWriteError(int systemError)
 {
     switch (systemError) {
     case ENOSPC:
@@ -33,21 +46,6 @@ FileErrorKind kindOf(int systemError)
         return FileErrorKind::WriteFailed;
     }
 }
-
-/// A name beside the target that nobody else uses: of this process and this moment, and created exclusively.
-std::string temporaryName(const std::filesystem::path& target)
-{
-    static std::atomic<unsigned> counter{0};
-    const std::string name = ".fettle-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp";
-    return (target.parent_path() / name).string();
-}
-
-std::string folderOf(const std::filesystem::path& target)
-{
-    const std::filesystem::path folder = target.parent_path();
-    return folder.empty() ? "." : folder.string();
-}
-} // namespace
 
 AtomicFile::AtomicFile(const std::filesystem::path& path) : m_path(path), m_target(path)
 {
@@ -148,7 +146,7 @@ void AtomicFile::commit()
 
 void AtomicFile::fail(int systemError) const
 {
-    FileError error(kindOf(systemError), m_path);
+    FileError error(kindOfWriteError(systemError), m_path);
     error.systemError = systemError;
     throw error;
 }

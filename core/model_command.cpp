@@ -3,6 +3,7 @@
 #include "flatten_base.h"
 #include "mesh_build.h"
 #include "model_insert.h"
+#include "model_start.h"
 #include "model_transform.h"
 #include "symmetrize.h"
 #include "uniform_remesh.h"
@@ -46,17 +47,22 @@ void edit(Mesh& mesh, const Fill& command, ModelChange&, const JobWatch&)
 
 void edit(Mesh& mesh, const Reset& command, ModelChange&, const JobWatch&)
 {
-    Mesh start(command.start->surface, command.start->frame.lattice);
-    start.beginStroke();
-    start.setUniformDetail(command.start->frame.uniformDetail);
-    start.endStroke();
-    mesh.become(start);
+    mesh.become(*meshOf(*command.start));
 }
 } // namespace
 
 std::shared_ptr<const Snapshot> snapshotOf(const Mesh& mesh)
 {
     return std::make_shared<Snapshot>(Snapshot{extractMesh(mesh), mesh.frame()});
+}
+
+std::unique_ptr<Mesh> meshOf(const Snapshot& snapshot)
+{
+    auto mesh = std::make_unique<Mesh>(snapshot.surface, snapshot.frame.lattice);
+    mesh->beginStroke();
+    mesh->setUniformDetail(snapshot.frame.uniformDetail);
+    mesh->endStroke();
+    return mesh;
 }
 
 ModelChange tryOn(Mesh copy, const ModelCommand& command, const JobWatch& watch)

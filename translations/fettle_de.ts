@@ -278,12 +278,35 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>%1 was not written.</source>
         <translation>%1 wurde nicht geschrieben.</translation>
     </message>
+    <message>
+        <source>Recovering %1</source>
+        <translation>%1 wird wiederhergestellt</translation>
+    </message>
 </context>
 <context>
     <name>app::DrawingWorker</name>
     <message>
         <source>%1 was written.</source>
         <translation>%1 wurde geschrieben.</translation>
+    </message>
+</context>
+<context>
+    <name>app::JournalShelf</name>
+    <message>
+        <source>The program ended from outside; the changes to %1 are kept, and offered at the next start.</source>
+        <translation>Das Programm wurde von außen beendet; die Änderungen an %1 sind aufbewahrt und werden beim nächsten Start angeboten.</translation>
+    </message>
+    <message>
+        <source>Should the program end unexpectedly, changes since the last save would be lost: %1</source>
+        <translation>Endete das Programm unerwartet, gingen Änderungen seit dem letzten Speichern verloren: %1</translation>
+    </message>
+    <message>
+        <source>%1 cannot be recovered: what was kept of it is damaged.</source>
+        <translation>%1 kann nicht wiederhergestellt werden: Das Aufbewahrte ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>%1: there is not enough memory for this model.</source>
+        <translation>%1: Für dieses Modell reicht der Speicher nicht.</translation>
     </message>
 </context>
 <context>
@@ -611,17 +634,6 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>replay: strokes[%1]: %2</source>
         <translation>replay: strokes[%1]: %2</translation>
-    </message>
-</context>
-<context>
-    <name>app::Rescue</name>
-    <message>
-        <source>The program ended before the changes to the model could be kept.</source>
-        <translation>Das Programm endete, bevor die Änderungen am Modell aufbewahrt werden konnten.</translation>
-    </message>
-    <message>
-        <source>The program ended from outside; the model was kept in %1.</source>
-        <translation>Das Programm wurde von außen beendet; das Modell liegt in %1.</translation>
     </message>
 </context>
 <context>
@@ -3727,6 +3739,60 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source> mm</source>
         <translation> mm</translation>
+    </message>
+</context>
+<context>
+    <name>ui::RecoveryBar</name>
+    <message>
+        <source>Unsaved Model</source>
+        <translation>Ungespeichertes Modell</translation>
+    </message>
+    <message>
+        <source>%1 was not saved when Fettle ended: %2, %3.</source>
+        <translation>%1 war nicht gespeichert, als Fettle endete: %2, %3.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln steps</source>
+        <translation>
+            <numerusform>%Ln Schritt</numerusform>
+            <numerusform>%Ln Schritte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Rec&amp;over</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Opens it as it was, with its steps to undo and do again.</source>
+        <translation>Öffnet es, wie es war, samt seinen Schritten zum Zurücknehmen und Wiederholen.</translation>
+    </message>
+    <message>
+        <source>&amp;Discard…</source>
+        <translation>&amp;Verwerfen…</translation>
+    </message>
+    <message>
+        <source>Removes what was kept of it, after a question.</source>
+        <translation>Entfernt nach einer Rückfrage, was davon aufbewahrt ist.</translation>
+    </message>
+    <message>
+        <source>&amp;Later</source>
+        <translation>S&amp;päter</translation>
+    </message>
+    <message>
+        <source>Hides this bar; the next start offers it again.</source>
+        <translation>Blendet diese Leiste aus; der nächste Start bietet es wieder an.</translation>
+    </message>
+    <message>
+        <source>Fettle</source>
+        <translation>Fettle</translation>
+    </message>
+    <message>
+        <source>Should the unsaved changes to %1 be removed for good?</source>
+        <translation>Sollen die ungespeicherten Änderungen an %1 endgültig entfernt werden?</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
     </message>
 </context>
 <context>

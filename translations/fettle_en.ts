@@ -98,4 +98,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>ui::RecoveryBar</name>
+    <message numerus="yes">
+        <source>%Ln steps</source>
+        <translation>
+            <numerusform>%Ln step</numerusform>
+            <numerusform>%Ln steps</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

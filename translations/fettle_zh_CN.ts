@@ -276,12 +276,35 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>%1 was not written.</source>
         <translation>未写入 %1。</translation>
     </message>
+    <message>
+        <source>Recovering %1</source>
+        <translation>正在恢复 %1</translation>
+    </message>
 </context>
 <context>
     <name>app::DrawingWorker</name>
     <message>
         <source>%1 was written.</source>
         <translation>已写入 %1。</translation>
+    </message>
+</context>
+<context>
+    <name>app::JournalShelf</name>
+    <message>
+        <source>The program ended from outside; the changes to %1 are kept, and offered at the next start.</source>
+        <translation>程序被外部结束；对 %1 的更改已保留，下次启动时提供。</translation>
+    </message>
+    <message>
+        <source>Should the program end unexpectedly, changes since the last save would be lost: %1</source>
+        <translation>如果程序意外结束，上次保存后的更改将会丢失：%1</translation>
+    </message>
+    <message>
+        <source>%1 cannot be recovered: what was kept of it is damaged.</source>
+        <translation>无法恢复 %1：所保留的内容已损坏。</translation>
+    </message>
+    <message>
+        <source>%1: there is not enough memory for this model.</source>
+        <translation>%1：内存不足，无法载入此模型。</translation>
     </message>
 </context>
 <context>
@@ -609,17 +632,6 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>replay: strokes[%1]: %2</source>
         <translation>replay: strokes[%1]: %2</translation>
-    </message>
-</context>
-<context>
-    <name>app::Rescue</name>
-    <message>
-        <source>The program ended before the changes to the model could be kept.</source>
-        <translation>程序在保留模型更改之前就结束了。</translation>
-    </message>
-    <message>
-        <source>The program ended from outside; the model was kept in %1.</source>
-        <translation>程序被外部终止；模型已保留在 %1。</translation>
     </message>
 </context>
 <context>
@@ -3717,6 +3729,59 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source> mm</source>
         <translation> mm</translation>
+    </message>
+</context>
+<context>
+    <name>ui::RecoveryBar</name>
+    <message>
+        <source>Unsaved Model</source>
+        <translation>未保存的模型</translation>
+    </message>
+    <message>
+        <source>%1 was not saved when Fettle ended: %2, %3.</source>
+        <translation>Fettle 结束时，%1 尚未保存：%2，%3。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln steps</source>
+        <translation>
+            <numerusform>%Ln 步</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Rec&amp;over</source>
+        <translation>恢复(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Opens it as it was, with its steps to undo and do again.</source>
+        <translation>按原样打开，并保留可撤销和重做的步骤。</translation>
+    </message>
+    <message>
+        <source>&amp;Discard…</source>
+        <translation>放弃(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>Removes what was kept of it, after a question.</source>
+        <translation>询问后删除所保留的内容。</translation>
+    </message>
+    <message>
+        <source>&amp;Later</source>
+        <translation>以后(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Hides this bar; the next start offers it again.</source>
+        <translation>隐藏此提示条；下次启动时再提供。</translation>
+    </message>
+    <message>
+        <source>Fettle</source>
+        <translation>Fettle</translation>
+    </message>
+    <message>
+        <source>Should the unsaved changes to %1 be removed for good?</source>
+        <translation>要永久删除 %1 未保存的更改吗？</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>删除(&amp;R)</translation>
     </message>
 </context>
 <context>

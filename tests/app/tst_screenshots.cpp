@@ -8,6 +8,7 @@
 #include "ui/guide_window.h"
 #include "ui/main_window.h"
 #include "ui/scene.h"
+#include "ui/recovery_bar.h"
 #include "ui/settings.h"
 #include "ui/start_page.h"
 #include "ui/viewport.h"
@@ -124,6 +125,7 @@ private Q_SLOTS:
 
 private:
     void take(QWidget& window, const QString& state);
+    void takeRecovery(Program& program);
     void takePanels(Program& program);
     void showModels(ui::FilesPanel* panel);
     void takeMenus(Program& program);
@@ -167,6 +169,7 @@ void TestScreenshots::states()
     QTRY_VERIFY(program.document.isSettled());
     QTRY_COMPARE(program.window.size(), smallScreen);
     take(program.window, QStringLiteral("window"));
+    takeRecovery(program);
     takePanels(program);
     takeMenus(program);
     takeDialogs(program);
@@ -180,6 +183,16 @@ void TestScreenshots::take(QWidget& window, const QString& state)
     const QStringList clipped = clippedTexts(window);
     QVERIFY2(clipped.isEmpty(), qPrintable(QStringLiteral("%1: %2").arg(state, clipped.join(QStringLiteral("; ")))));
     QVERIFY2(window.width() <= smallScreen.width() && window.height() <= smallScreen.height(), qPrintable(state));
+}
+
+void TestScreenshots::takeRecovery(Program& program)
+{
+    auto* bar = new ui::RecoveryBar({QStringLiteral("a-vase-with-a-rather-long-name.glb"), QDateTime({2026, 11, 22}, {14, 3}), 128}, &program.window);
+    take(program.window, QStringLiteral("recovery"));
+    bar->findChild<QPushButton*>(QStringLiteral("discardRecovery"))->click();
+    take(*QApplication::activeModalWidget(), QStringLiteral("recovery-question"));
+    QApplication::activeModalWidget()->close();
+    bar->leave();
 }
 
 void TestScreenshots::takePanels(Program& program)

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+namespace core
+{
+/// Plain values one after the other, as this machine holds them: journals do not travel.
+class ByteWriter
+{
+public:
+    explicit ByteWriter(std::string& out) : m_out(out) {}
+
+    template <class T> void put(const T& value)
+    {
+        static_assert(std::is_trivially_copyable_v<T>);
+        m_out.append(reinterpret_cast<const char*>(&value), sizeof value);
+    }
+    void put(std::string_view text)
+    {
+        put(static_cast<std::uint32_t>(text.size()));
+        m_out.append(text);
+    }
+
+private:
+    std::string& m_out;
+};
+
+/// Reads them again. What is not there any more reads as zero, and isGood() is false from then on.
+class ByteReader
+{
+public:
+    explicit ByteReader(std::string_view bytes) : m_rest(bytes) {}
+
+    template <class T> T take()
+    {
+        static_assert(std::is_trivially_copyable_v<T>);
+        T value{};
+        if (need(sizeof value)) {
+            std::memcpy(static_cast<void*>(&value), m_rest.data(), sizeof value);
+            m_rest.remove_prefix(sizeof value);
+        }
+        return value;
+    }
+    std::string_view takeText()
+    {
+        const std::size_t size = take<std::uint32_t>();
+        if (!need(size))
+            return {};
+        const std::string_view text = m_rest.substr(0, size);
+        m_rest.remove_prefix(size);
+        return text;
+    }
+    /// How many of what needs so many bytes each; 0 if there is no room for them.
+    std::size_t takeCount(std::size_t bytesEach)
+    {
+        const std::size_t count = take<std::uint32_t>();
+        return need(0) && count <= m_rest.size() / bytesEach ? count : (m_isGood = false, 0);
+    }
+
+    bool isGood() const { return m_isGood; }
+    bool atEnd() const { return m_isGood && m_rest.empty(); }
+
+private:
+    bool need(std::size_t bytes)
+    {
+        m_isGood = m_isGood && bytes <= m_rest.size();
+        return m_isGood;
+    }
+
+    std::string_view m_rest;
+    bool m_isGood = true;
+};
+} // namespace core

@@ -1,0 +1,55 @@
+#include "compact.h"
+
+#include "files.h"
+#include "images.h"
+#include "replay.h"
+
+#include "../atomic_file.h"
+
+#include <algorithm>
+#include <new>
+
+namespace core
+{
+namespace
+{
+constexpr Slot slotsAPart = 1 << 16;
+
+void writeBase(const std::filesystem::path& file, const RecoveredDocument& document)
+{
+    AtomicFile out(file);
+    const SlotCounts counts = document.mesh->slots();
+    const Slot end = std::max({counts.vertices, counts.edges, counts.faces});
+    for (Slot first = 0; first < end; first += slotsAPart)
+        out.write(pack(PartRecord{imageOf(*document.mesh, first, first + slotsAPart)}, 0));
+    out.write(pack(BaseRecord{document.document, document.history}, document.nextRecord - 1));
+    out.commit();
+}
+} // namespace
+
+bool compactJournal(const std::filesystem::path& folder, unsigned segment, const std::stop_token& stop)
+{
+    try {
+        const auto document = replayJournal(folder, {.endSegment = segment, .stop = stop});
+        const std::string bytes = contentOf(segmentFile(folder, segment));
+        std::string_view rest = bytes;
+        const auto next = unpack(rest);
+        if (!document || !next || next->number != document->nextRecord || stop.stop_requested())
+            return false;
+        writeBase(baseFile(folder, segment), *document);
+    } catch (const FileError&) {
+        return false;
+    } catch (const std::bad_alloc&) {
+        return false;
+    }
+    const JournalFiles files = filesIn(folder);
+    std::error_code ignored; // what stays does no harm
+    for (const auto& base : files.bases)
+        if (base.first < segment)
+            std::filesystem::remove(baseFile(folder, base.first), ignored);
+    for (const auto& old : files.segments)
+        if (old.first < segment)
+            std::filesystem::remove(segmentFile(folder, old.first), ignored);
+    return true;
+}
+} // namespace core

@@ -1,0 +1,208 @@
+// From a journal's folder to a document:
+//   1. begin      with the newest whole base, or the start
+//   2. read on    the segments, record by record, while numbers and checksums are right
+//   3. apply      each image, if it fits the mesh and leads to the mesh_hash that it was written with
+
+#include "replay.h"
+
+#include "files.h"
+#include "images.h"
+
+#include "../mesh_hash.h"
+#include "../model_start.h"
+
+#include <algorithm>
+
+namespace core
+{
+namespace
+{
+class Replay
+{
+public:
+    explicit Replay(bool withMesh) : m_withMesh(withMesh) {}
+
+    bool beginWithStart(std::string_view bytes);
+    bool beginWithBase(std::string_view bytes, std::string_view startBytes);
+    /// The segment's records that follow what is there.
+    bool readOn(std::string_view bytes, const std::stop_token& stop);
+    RecoveredDocument take() { return std::move(m_found); }
+
+private:
+    bool swapIn(MeshDelta& image);
+    void comeTo(std::uint32_t index, bool follows);
+    std::shared_ptr<MeshDelta> kept(MeshDelta& image) const { return m_withMesh ? std::make_shared<MeshDelta>(std::move(image)) : nullptr; }
+    bool apply(StartRecord&) { return false; } // these three begin, and never follow
+    bool apply(PartRecord&) { return false; }
+    bool apply(BaseRecord&) { return false; }
+    bool apply(ChangeRecord& record);
+    bool apply(SwapRecord& record);
+    bool apply(StrokeRecord&) { return true; }
+    bool apply(SavedRecord& record);
+    bool apply(JournalDocument& record);
+    bool apply(ForgottenRecord&);
+
+    bool m_withMesh;
+    RecoveredDocument m_found;
+};
+
+template <class Record> Record* takeAs(std::optional<NumberedRecord>& found)
+{
+    return found ? std::get_if<Record>(&found->record) : nullptr;
+}
+
+bool Replay::beginWithStart(std::string_view bytes)
+{
+    auto found = unpack(bytes);
+    auto* record = takeAs<StartRecord>(found);
+    if (!record)
+        return false;
+    m_found.start = record->start;
+    m_found.document = std::move(record->document);
+    m_found.nextRecord = 1;
+    if (m_withMesh)
+        m_found.mesh = meshOf(*m_found.start);
+    return true;
+}
+
+/// The parts replace all that the start has.
+bool Replay::beginWithBase(std::string_view bytes, std::string_view startBytes)
+{
+    if (!beginWithStart(startBytes))
+        return false;
+    auto found = unpack(bytes);
+    for (; auto* part = takeAs<PartRecord>(found); found = unpack(bytes)) {
+        if (!m_withMesh)
+            continue;
+        if (!canSwap(*m_found.mesh, part->image))
+            return false;
+        m_found.mesh->swap(part->image);
+    }
+    auto* base = takeAs<BaseRecord>(found);
+    if (!base || (m_withMesh && wholeHash(*m_found.mesh) != m_found.mesh->meshHash()))
+        return false;
+    m_found.nextRecord = found->number + 1;
+    m_found.document = std::move(base->document);
+    m_found.history = std::move(base->history);
+    m_found.deltas.resize(m_found.history.steps.size());
+    return true;
+}
+
+bool Replay::readOn(std::string_view bytes, const std::stop_token& stop)
+{
+    while (!stop.stop_requested()) {
+        auto found = unpack(bytes);
+        if (!found || found->number != m_found.nextRecord || !std::visit([this](auto& record) { return apply(record); }, found->record))
+            return true;
+        ++m_found.nextRecord;
+    }
+    return false;
+}
+
+/// The mesh stays what it was if the image leads elsewhere than it says.
+bool Replay::swapIn(MeshDelta& image)
+{
+    if (!m_withMesh)
+        return true;
+    Mesh& mesh = *m_found.mesh;
+    if (!canSwap(mesh, image))
+        return false;
+    const std::uint64_t before = mesh.meshHash();
+    mesh.swap(image);
+    if (before + hashChange(mesh, image) == mesh.meshHash())
+        return true;
+    mesh.swap(image);
+    return false;
+}
+
+/// What the records say of the history counts; where it does not follow from what was before, nothing before can be gone to.
+void Replay::comeTo(std::uint32_t index, bool follows)
+{
+    if (!follows)
+        m_found.deltas.assign(m_found.deltas.size(), nullptr);
+    if (m_found.history.steps.size() <= index) {
+        m_found.history.steps.resize(index + 1);
+        m_found.deltas.resize(index + 1);
+    }
+}
+
+bool Replay::apply(ChangeRecord& record)
+{
+    JournalHistory& history = m_found.history;
+    if (!swapIn(record.image))
+        return false;
+    comeTo(record.index, record.index == history.present);
+    history.steps.resize(record.index + 1);
+    history.steps.back() = std::move(record.step);
+    history.present = record.index + 1;
+    if (history.saved && *history.saved > record.index)
+        history.saved.reset();
+    m_found.deltas.resize(record.index + 1);
+    m_found.deltas.back() = kept(record.image);
+    return true;
+}
+
+bool Replay::apply(SwapRecord& record)
+{
+    JournalHistory& history = m_found.history;
+    if (!swapIn(record.image))
+        return false;
+    const bool isUndo = record.index + 1 == history.present, isRedo = record.index == history.present;
+    comeTo(record.index, isUndo || isRedo);
+    history.present = record.isDone ? record.index + 1 : record.index;
+    m_found.deltas[record.index] = isUndo || isRedo ? kept(record.image) : nullptr;
+    return true;
+}
+
+bool Replay::apply(SavedRecord& record)
+{
+    m_found.history.saved = record.index;
+    m_found.document.changedBeyondHistory = false;
+    return true;
+}
+
+bool Replay::apply(JournalDocument& record)
+{
+    m_found.document = std::move(record);
+    return true;
+}
+
+bool Replay::apply(ForgottenRecord&)
+{
+    m_found.history = {};
+    m_found.deltas.clear();
+    return true;
+}
+
+/// With the newest beginning that is whole; the number of the segment that follows it.
+std::optional<unsigned> begin(Replay& replay, const std::filesystem::path& folder, const JournalFiles& files, const ReplayOptions& options)
+{
+    const std::string startBytes = contentOf(startFile(folder));
+    for (auto base = files.bases.rbegin(); base != files.bases.rend(); ++base) {
+        if (base->first > options.endSegment)
+            continue;
+        if (replay.beginWithBase(contentOf(baseFile(folder, base->first)), startBytes))
+            return base->first;
+        replay = Replay(options.mesh);
+    }
+    if (replay.beginWithStart(startBytes))
+        return 0;
+    return std::nullopt;
+}
+} // namespace
+
+std::optional<RecoveredDocument> replayJournal(const std::filesystem::path& folder, const ReplayOptions& options)
+{
+    const JournalFiles files = filesIn(folder);
+    Replay replay(options.mesh);
+    const auto first = begin(replay, folder, files, options);
+    if (!first)
+        return std::nullopt;
+    for (auto segment = files.segments.lower_bound(*first); segment != files.segments.end() && segment->first < options.endSegment; ++segment)
+        if (!replay.readOn(contentOf(segmentFile(folder, segment->first)), options.stop))
+            return std::nullopt;
+    RecoveredDocument found = replay.take();
+    found.nextSegment = files.segments.empty() ? *first : std::max(*first, files.segments.rbegin()->first + 1);
+    return found;
+}
+} // namespace core

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "record.h"
+
+#include "../job_watch.h"
+
+#include <filesystem>
+#include <limits>
+
+namespace core
+{
+/// A document out of its journal.
+struct RecoveredDocument
+{
+    JournalDocument document;
+    JournalHistory history;
+    /// Of each step: what takes it back, or does it again, by Mesh::swap. Null where the journal does not reach: only those from the
+    /// present to the first null on either side can be gone to.
+    std::vector<std::shared_ptr<MeshDelta>> deltas;
+    std::unique_ptr<Mesh> mesh; ///< null if only the words were asked for
+    std::shared_ptr<const Snapshot> start;
+    std::uint64_t nextRecord = 0; ///< its number
+    unsigned nextSegment = 0;
+
+    /// It has changes that no file holds.
+    bool isUnsaved() const { return document.changedBeyondHistory || history.saved != history.present; }
+};
+
+struct ReplayOptions
+{
+    bool mesh = true;                                            ///< else only the words are read, from records whose checksums are right
+    unsigned endSegment = std::numeric_limits<unsigned>::max();  ///< those from it on are left alone
+    std::stop_token stop = {};
+};
+
+/// Applies what a journal's folder holds, up to the first record that is not as it was written: damage costs what follows it, and
+/// never gives a state that was not. Never runs the engine. Nothing if there is no whole beginning, or it was stopped. Reads only.
+/// Cost: reading, and swapping each record's elements. May throw std::bad_alloc.
+std::optional<RecoveredDocument> replayJournal(const std::filesystem::path& folder, const ReplayOptions& options = {});
+} // namespace core

@@ -1,0 +1,271 @@
+#include "writer.h"
+
+#include "compact.h"
+#include "files.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace core
+{
+namespace
+{
+std::int64_t nowNs()
+{
+    using namespace std::chrono;
+    return duration_cast<nanoseconds>(steady_clock::now().time_since_epoch()).count();
+}
+
+double msSince(std::int64_t ns)
+{
+    return static_cast<double>(nowNs() - ns) * 1e-6;
+}
+
+std::size_t bytesOf(const JournalRecord& record)
+{
+    if (const auto* change = std::get_if<ChangeRecord>(&record))
+        return change->image.bytes();
+    if (const auto* swap = std::get_if<SwapRecord>(&record))
+        return swap->image.bytes();
+    return 0;
+}
+} // namespace
+
+JournalWriter::JournalWriter(std::filesystem::path folder, Place place, Broken broken, JournalLimits limits)
+    : m_folder(std::move(folder)), m_broken(std::move(broken)), m_limits(limits), m_segments(filesIn(m_folder).segments),
+      m_compactAt(limits.logBytes), m_nextRecord(place.nextRecord), m_segment{place.nextSegment, 0, nullptr}
+{
+    m_syncer = std::thread([this] { sync(); });
+    m_writer = std::thread([this] { write(); });
+}
+
+JournalWriter::~JournalWriter()
+{
+    flush();
+    {
+        const std::lock_guard lock(m_mutex);
+        m_isEnding = true;
+    }
+    m_stop.request_stop();
+    m_wakeWriter.notify_one();
+    m_wakeSyncer.notify_one();
+    m_writer.join(); // it may start the compactor
+    m_syncer.join();
+    if (m_compactor.joinable())
+        m_compactor.join();
+}
+
+void JournalWriter::add(JournalRecord record)
+{
+    const std::size_t bytes = bytesOf(record);
+    push({std::move(record), nowNs(), bytes});
+}
+
+void JournalWriter::after(std::function<void()> run)
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        if (!m_entries.empty() || m_isWriting) {
+            m_entries.push_back({Letter{std::move(run)}});
+            return;
+        }
+    }
+    run();
+}
+
+void JournalWriter::push(Entry entry)
+{
+    bool isTooMuch = false;
+    {
+        const std::lock_guard lock(m_mutex);
+        if (m_isBroken)
+            return;
+        m_waitingBytes += entry.bytes;
+        isTooMuch = m_waitingBytes > m_limits.waitingBytes;
+        m_entries.push_back(std::move(entry));
+    }
+    m_wakeWriter.notify_one();
+    if (isTooMuch)
+        breakOff(FileError(FileErrorKind::WriteFailed, m_folder));
+}
+
+void JournalWriter::drain()
+{
+    std::unique_lock lock(m_mutex);
+    m_settled.wait(lock, [this] { return m_entries.empty() && !m_isWriting; });
+}
+
+void JournalWriter::flush()
+{
+    std::unique_lock lock(m_mutex);
+    m_settled.wait(lock, [this] { return m_entries.empty() && !m_isWriting && (m_isBroken || (m_unsynced.empty() && !m_isSyncing)); });
+}
+
+JournalStats JournalWriter::stats() const
+{
+    const std::lock_guard lock(m_mutex);
+    JournalStats stats = m_stats;
+    stats.isCompacting = m_isCompacting;
+    return stats;
+}
+
+void writeStart(const std::filesystem::path& folder, const StartRecord& record)
+{
+    AppendFile(startFile(folder)).append(pack(record, 0));
+}
+
+// --- the writing thread ----------------------------------------------------------------------------------------------------------
+
+void JournalWriter::write()
+{
+    std::unique_lock lock(m_mutex);
+    for (;;) {
+        m_wakeWriter.wait(lock, [this] { return m_isEnding || !m_entries.empty(); });
+        if (m_entries.empty())
+            return;
+        Entry entry = std::move(m_entries.front());
+        m_entries.pop_front();
+        m_waitingBytes -= entry.bytes;
+        m_isWriting = true;
+        lock.unlock();
+        write(entry);
+        entry = {};
+        lock.lock();
+        m_isWriting = false;
+        m_settled.notify_all();
+    }
+}
+
+void JournalWriter::write(Entry& entry)
+{
+    if (const auto* letter = std::get_if<Letter>(&entry.what))
+        return letter->run();
+    try {
+        put(std::get<JournalRecord>(entry.what), entry.addedNs);
+        compactIfLong();
+    } catch (const FileError& error) {
+        breakOff(error);
+    } catch (const std::bad_alloc&) {
+        breakOff(FileError(FileErrorKind::WriteFailed, m_folder));
+    }
+}
+
+void JournalWriter::put(const JournalRecord& record, std::int64_t addedNs)
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        if (m_isBroken)
+            return;
+    }
+    const std::int64_t beganNs = nowNs();
+    const std::string bytes = pack(record, m_nextRecord++);
+    const double packMs = msSince(beganNs);
+    if (!m_segment.file || (m_segment.bytes > 0 && m_segment.bytes + bytes.size() > m_limits.segmentBytes))
+        beginSegment();
+    m_segment.file->append(bytes);
+    m_segment.bytes += bytes.size();
+    {
+        const std::lock_guard lock(m_mutex);
+        m_segments[m_segment.number] = m_segment.bytes;
+        if (m_unsynced.empty())
+            m_oldestUnsyncedNs = addedNs;
+        if (m_unsynced.empty() || m_unsynced.back() != m_segment.file)
+            m_unsynced.push_back(m_segment.file);
+        ++m_stats.records;
+        m_stats.bytes += bytes.size();
+        m_stats.packMs += packMs;
+        m_stats.writeMs += msSince(beganNs) - packMs;
+        m_stats.worstWrittenMs = std::max(m_stats.worstWrittenMs, msSince(addedNs));
+    }
+    m_wakeSyncer.notify_one();
+}
+
+void JournalWriter::beginSegment()
+{
+    if (m_segment.file)
+        ++m_segment.number;
+    m_segment.file = std::make_shared<AppendFile>(segmentFile(m_folder, m_segment.number));
+    m_segment.bytes = 0;
+}
+
+void JournalWriter::breakOff(const FileError& error)
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        if (std::exchange(m_isBroken, true))
+            return;
+    }
+    m_settled.notify_all();
+    m_broken(error);
+}
+
+// --- the syncing thread ----------------------------------------------------------------------------------------------------------
+
+void JournalWriter::sync()
+{
+    bool isFirst = true;
+    std::unique_lock lock(m_mutex);
+    for (;;) {
+        m_wakeSyncer.wait(lock, [this] { return m_isEnding || !m_unsynced.empty(); });
+        if (m_unsynced.empty())
+            return;
+        const auto files = std::exchange(m_unsynced, {});
+        const std::int64_t oldestNs = m_oldestUnsyncedNs;
+        m_isSyncing = true;
+        lock.unlock();
+        try {
+            if (std::exchange(isFirst, false)) {
+                syncFile(startFile(m_folder));
+                syncFolder(m_folder.parent_path());
+            }
+            for (const auto& file : files)
+                file->sync();
+            syncFolder(m_folder);
+        } catch (const FileError& error) {
+            breakOff(error);
+        }
+        lock.lock();
+        m_isSyncing = false;
+        m_stats.worstSyncedMs = std::max(m_stats.worstSyncedMs, msSince(oldestNs));
+        m_settled.notify_all();
+    }
+}
+
+// --- the compacting thread -------------------------------------------------------------------------------------------------------
+
+/// The oldest segments go, until half of what the log may have is left; the one that is being written stays.
+void JournalWriter::compactIfLong()
+{
+    const std::lock_guard lock(m_mutex);
+    std::uintmax_t bytes = 0;
+    for (const auto& segment : m_segments)
+        bytes += segment.second;
+    if (bytes <= m_compactAt || m_isCompacting || m_isEnding)
+        return;
+    auto first = m_segments.begin();
+    for (; first->first < m_segment.number && bytes > m_limits.logBytes / 2; ++first)
+        bytes -= first->second;
+    if (first == m_segments.begin())
+        return;
+    m_isCompacting = true;
+    if (m_compactor.joinable())
+        m_compactor.join();
+    m_compactor = std::thread([this, segment = first->first] { compact(segment); });
+}
+
+void JournalWriter::compact(unsigned segment)
+{
+    const bool isDone = compactJournal(m_folder, segment, m_stop.get_token());
+    const std::lock_guard lock(m_mutex);
+    m_compactAt = m_limits.logBytes;
+    if (isDone) {
+        m_segments.erase(m_segments.begin(), m_segments.lower_bound(segment));
+        ++m_stats.compactions;
+    } else { // not at once again
+        for (const auto& each : m_segments)
+            m_compactAt += each.second;
+    }
+    m_isCompacting = false;
+}
+} // namespace core

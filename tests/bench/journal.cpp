@@ -1,0 +1,117 @@
+// What it costs that nothing is lost: the same strokes without a journal and with one, on two models, with a base being made meanwhile.
+#include "bench_models.h"
+#include "bench_stroke.h"
+
+#include "core/journal/compact.h"
+#include "core/journal/journal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <unistd.h>
+
+namespace
+{
+using bench::Clocks;
+namespace fs = std::filesystem;
+
+constexpr int strokes = 40, dabsAStroke = 24;
+constexpr core::JournalLimits limits{.segmentBytes = 4 << 20, .logBytes = 24 << 20}; ///< small, so that bases are made meanwhile
+
+/// On this disk, gone with the object.
+class Home
+{
+public:
+    Home() : m_path(fs::temp_directory_path() / ("fettle-bench-journal-" + std::to_string(::getpid()))) {}
+    ~Home() { fs::remove_all(m_path); }
+    const fs::path& path() const { return m_path; }
+
+private:
+    fs::path m_path;
+};
+
+double percentile(std::vector<double> values, double part)
+{
+    std::ranges::sort(values);
+    return values[std::min(values.size() - 1, static_cast<std::size_t>(part * static_cast<double>(values.size())))];
+}
+
+struct Costs
+{
+    std::vector<double> dabUs, endUs, copyUs; ///< the mesh thread's wall clock
+};
+
+/// Short strokes all round the model.
+Costs sculpt(core::Sculptor& sculptor, double radius, core::Journal* journal)
+{
+    Costs costs;
+    core::StrokeSettings settings;
+    settings.radius = radius;
+    for (int i = 0; i < strokes * dabsAStroke; ++i) {
+        if (i % dabsAStroke == 0)
+            sculptor.beginStroke(settings);
+        const double angle = 0.126 * radius * i;
+        core::StrokeSample sample;
+        sample.position = {std::cos(angle), 0, std::sin(angle)};
+        const Clocks start = Clocks::now();
+        sculptor.addSample(sample);
+        benchmark::DoNotOptimize(sculptor.takePatch());
+        costs.dabUs.push_back(Clocks::now().since(start).wall);
+        if (i % dabsAStroke != dabsAStroke - 1)
+            continue;
+        const Clocks beforeEnd = Clocks::now();
+        const core::MeshDelta delta = sculptor.endStroke();
+        const Clocks ended = Clocks::now();
+        costs.endUs.push_back(ended.since(beforeEnd).wall);
+        if (journal)
+            journal->changed(sculptor.mesh(), delta, {"Pull", "pull", dabsAStroke, 0}, core::Stroke{settings, {sample}});
+        costs.copyUs.push_back(Clocks::now().since(ended).wall);
+    }
+    return costs;
+}
+
+void tell(benchmark::State& state, const std::string& what, const Costs& costs)
+{
+    state.counters[what + "_dab_us"] = percentile(costs.dabUs, 0.5);
+    state.counters[what + "_dab_p99_us"] = percentile(costs.dabUs, 0.99);
+    state.counters[what + "_end_us"] = percentile(costs.endUs, 0.5);
+}
+
+void journal(benchmark::State& state)
+{
+    const int divisions = static_cast<int>(state.range(0));
+    const double radius = 0.0126 * 317 / divisions;
+    const core::TriangleMesh& source = bench::geodesicSphere(divisions);
+    for ([[maybe_unused]] auto round : state) {
+        const Home home;
+        core::Sculptor without(bench::opened(source)), with(bench::opened(source));
+        tell(state, "without", sculpt(without, radius, nullptr));
+        const auto snapshot = core::snapshotOf(with.mesh());
+        const Clocks beforeStart = Clocks::now();
+        const auto kept = core::Journal::begin(home.path(), {snapshot, {"sphere", "", {}, false}}, {}, limits);
+        state.counters["start_ms"] = 1e-3 * Clocks::now().since(beforeStart).wall;
+        const Clocks beforeStrokes = Clocks::now();
+        const Costs costs = sculpt(with, radius, kept.get());
+        state.SetIterationTime(1e-6 * Clocks::now().since(beforeStrokes).wall);
+        tell(state, "with", costs);
+        state.counters["copy_us"] = percentile(costs.copyUs, 0.5);
+        state.counters["copy_worst_us"] = *std::ranges::max_element(costs.copyUs);
+        kept->flush();
+        const core::JournalStats stats = kept->stats();
+        state.counters["bytes_a_dab"] = static_cast<double>(stats.bytes) / (strokes * dabsAStroke);
+        state.counters["pack_ms_a_stroke"] = stats.packMs / strokes;
+        state.counters["write_ms_a_stroke"] = stats.writeMs / strokes;
+        state.counters["worst_written_ms"] = stats.worstWrittenMs;
+        state.counters["worst_synced_ms"] = stats.worstSyncedMs;
+        while (kept->stats().isCompacting)
+            ::usleep(1000);
+        state.counters["compactions"] = static_cast<double>(kept->stats().compactions);
+        const Clocks beforeReplay = Clocks::now();
+        const auto found = core::replayJournal(kept->folder());
+        state.counters["recover_ms"] = 1e-3 * Clocks::now().since(beforeReplay).wall;
+        if (!found || found->mesh->stateHash() != with.mesh().stateHash())
+            state.SkipWithError("another model came back");
+    }
+}
+BENCHMARK(journal)->Arg(63)->Arg(317)->Iterations(1)->UseManualTime()->Unit(benchmark::kMillisecond);
+} // namespace

@@ -1,0 +1,460 @@
+#include "core/journal/checksum.h"
+#include "core/journal/compact.h"
+#include "core/journal/files.h"
+#include "core/journal/journal.h"
+#include "core/mesh_build.h"
+#include "core/mesh_hash.h"
+#include "core/model_start.h"
+#include "core/sculptor.h"
+#include "core/stroke_file.h"
+#include "tests/support/shapes.h"
+#include "tests/support/stroke_fuzzer.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <fstream>
+
+using namespace core;
+namespace fs = std::filesystem;
+
+namespace
+{
+/// What must come back.
+struct State
+{
+    std::uint64_t mesh = 0, state = 0;
+    JournalHistory history;
+
+    friend bool operator==(const State&, const State&) = default;
+};
+
+State stateOf(const RecoveredDocument& document)
+{
+    return {document.mesh->meshHash(), document.mesh->stateHash(), document.history};
+}
+
+/// Somebody who sculpts, undoes and does again, and a journal.
+class Session
+{
+public:
+    Session(const fs::path& root, const TriangleMesh& model, std::uint64_t seed, JournalLimits limits = {}) : m_random(seed)
+    {
+        auto mesh = std::move(buildMesh(model).mesh);
+        const auto start = snapshotOf(*mesh);
+        m_sculptor = std::make_unique<Sculptor>(std::move(mesh));
+        DocumentNotes notes;
+        notes.palette = {{1, 2, 3}};
+        m_journal = Journal::begin(root, {start, {"clay", "", notes, false}}, {}, limits);
+        note();
+    }
+    /// Goes on with what was recovered.
+    Session(std::unique_ptr<JournalFolder> folder, RecoveredDocument document, std::uint64_t seed) : m_random(seed)
+    {
+        m_journal = Journal::goOn(std::move(folder), document, {});
+        m_sculptor = std::make_unique<Sculptor>(std::move(document.mesh));
+        m_deltas = document.deltas;
+        m_history = document.history;
+        note();
+    }
+
+    void stroke(const Stroke& stroke)
+    {
+        m_sculptor->beginStroke(stroke.settings);
+        for (const StrokeSample& sample : stroke.samples)
+            m_sculptor->addSample(sample);
+        auto delta = std::make_shared<MeshDelta>(m_sculptor->endStroke());
+        if (delta->empty())
+            return;
+        const JournalStep step{"step " + std::to_string(states.size()), "pull", stroke.samples.size(), 0};
+        m_journal->changed(m_sculptor->mesh(), *delta, step, stroke);
+        m_deltas.resize(m_history.present);
+        m_deltas.push_back(delta);
+        m_history.steps.resize(m_history.present++);
+        m_history.steps.push_back(step);
+        if (m_history.saved && *m_history.saved >= m_history.present)
+            m_history.saved.reset();
+        note();
+    }
+    void randomStroke() { stroke(m_random.stroke(m_sculptor->mesh())); }
+    bool swap(bool undo)
+    {
+        if (undo ? m_history.present == 0 : m_history.present == m_deltas.size())
+            return false;
+        const std::uint32_t index = undo ? --m_history.present : m_history.present++;
+        if (!m_deltas[index]) {
+            m_history.present = undo ? index + 1 : index;
+            return false;
+        }
+        m_sculptor->swap(*m_deltas[index]);
+        m_journal->swapped(m_sculptor->mesh(), *m_deltas[index], index);
+        note();
+        return true;
+    }
+    void save()
+    {
+        m_history.saved = m_history.present;
+        m_journal->saved(m_history.present);
+        note();
+    }
+    void act()
+    {
+        switch (m_random.below(8)) {
+        case 0:
+        case 1:
+            return static_cast<void>(swap(true));
+        case 2:
+            return static_cast<void>(swap(false));
+        case 3:
+            return save();
+        default:
+            return randomStroke();
+        }
+    }
+    Journal& journal() { return *m_journal; }
+    const Mesh& mesh() const { return m_sculptor->mesh(); }
+    State now() const { return {mesh().meshHash(), mesh().stateHash(), m_history}; }
+
+    std::vector<State> states; ///< after each record, the first before any
+
+private:
+    void note() { states.push_back(now()); }
+
+    StrokeFuzzer m_random;
+    std::unique_ptr<Sculptor> m_sculptor;
+    std::shared_ptr<Journal> m_journal;
+    std::vector<std::shared_ptr<MeshDelta>> m_deltas;
+    JournalHistory m_history;
+};
+
+void write(const fs::path& file, std::string_view bytes)
+{
+    std::ofstream(file, std::ios::binary | std::ios::trunc).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+}
+
+/// The end of each record, 0 first; and how many of them changed the state, up to there.
+struct Ends
+{
+    std::vector<std::size_t> bytes{0}, states{0};
+};
+
+Ends endsIn(const std::string& segment)
+{
+    Ends ends;
+    std::string_view rest = segment;
+    while (const auto record = unpack(rest)) {
+        ends.bytes.push_back(segment.size() - rest.size());
+        ends.states.push_back(ends.states.back() + (std::holds_alternative<StrokeRecord>(record->record) ? 0 : 1));
+    }
+    return ends;
+}
+} // namespace
+
+/// What a journal gives back, whatever becomes of its files.
+class TestJournal : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void checksum_isThatOfZip();
+    void recovery_givesTheStateAndTheHistory();
+    void words_areReadWithoutTheMesh();
+    void recovery_goesOnAsIfNothingHadBeen();
+    void truncation_atEveryByteLosesWhatFollowsOnly();
+    void truncatedBeginning_givesNothing();
+    void flippedBytes_neverGiveAnotherState();
+    void unsyncedPages_costWhatWasNotSynced();
+    void compaction_keepsTheDocumentWithinItsBound();
+    void tornBase_isNoBase();
+    void samples_areKept();
+    void folders_belongToWhoHoldsThem();
+
+private:
+    /// The only session's folder, copied, so that it can be spoilt.
+    fs::path copyOf(const fs::path& folder);
+
+    QTemporaryDir m_home;
+    int m_copies = 0;
+};
+
+fs::path TestJournal::copyOf(const fs::path& folder)
+{
+    const fs::path copy = fs::path(m_home.path().toStdString()) / ("copy-" + std::to_string(m_copies++));
+    fs::copy(folder, copy, fs::copy_options::recursive);
+    return copy;
+}
+
+void TestJournal::checksum_isThatOfZip()
+{
+    QCOMPARE(checksum("123456789"), 0xcbf43926u); // the check value of the catalogue of CRCs
+    const std::string bytes(1000, 'x');
+    QCOMPARE(checksum(std::string_view(bytes).substr(300), checksum(std::string_view(bytes).substr(0, 300))), checksum(bytes));
+}
+
+void TestJournal::recovery_givesTheStateAndTheHistory()
+{
+    Session session(m_home.path().toStdString(), icosphere(3, 20), 1);
+    for (int i = 0; i < 60; ++i)
+        session.act();
+    session.journal().drain();
+    const auto found = replayJournal(session.journal().folder());
+    QVERIFY(found);
+    QVERIFY(stateOf(*found) == session.now());
+    QCOMPARE(found->document.name, std::string("clay"));
+    QVERIFY(found->document.notes.palette == std::vector<Rgb>({{1, 2, 3}}));
+    QVERIFY(*found->start->surface.points.data() == Vec3f(snapshotOf(*meshOf(*found->start))->surface.points[0]));
+    core::DocumentNotes notes;
+    notes.view = SavedView{{1, 2, 3}, 4, 0.5, 0.25, true};
+    notes.brush.emplace().radius = 7;
+    session.journal().describe({"clay two", "/a/path", notes, true});
+    session.journal().drain();
+    const auto later = replayJournal(session.journal().folder());
+    QVERIFY(later && stateOf(*later) == session.now() && later->isUnsaved());
+    QCOMPARE(later->document.path, std::string("/a/path"));
+    QVERIFY(later->document.notes.view && later->document.notes.view->target == Vec3(1, 2, 3) && later->document.notes.view->orthographic);
+    QVERIFY(later->document.notes.brush && later->document.notes.brush->radius == 7);
+}
+
+void TestJournal::words_areReadWithoutTheMesh()
+{
+    Session session(m_home.path().toStdString(), icosphere(2, 20), 14);
+    for (int i = 0; i < 20; ++i)
+        session.act();
+    session.journal().drain();
+    const auto found = replayJournal(session.journal().folder());
+    QVERIFY(found);
+    const auto words = replayJournal(session.journal().folder(), {.mesh = false});
+    QVERIFY(words && !words->mesh && words->history == found->history && words->isUnsaved() == found->isUnsaved());
+}
+
+/// On the recovered mesh the same strokes give the same bits, and every step can be undone and done again.
+void TestJournal::recovery_goesOnAsIfNothingHadBeen()
+{
+    Session session(m_home.path().toStdString(), icosphere(3, 20), 2);
+    for (int i = 0; i < 40; ++i)
+        session.act();
+    session.journal().drain();
+    const auto copy = JournalFolder::make(m_home.path().toStdString());
+    fs::copy(session.journal().folder(), copy->path(), fs::copy_options::recursive | fs::copy_options::skip_existing);
+    auto document = replayJournal(copy->path());
+    QVERIFY(document);
+    const fs::path folder = copy->path();
+    Session later(std::make_unique<JournalFolder>(std::move(*copy)), std::move(*document), 77);
+    StrokeFuzzer random(5);
+    for (int i = 0; i < 10; ++i) {
+        const Stroke stroke = random.stroke(session.mesh());
+        session.stroke(stroke);
+        later.stroke(stroke);
+        QCOMPARE(later.mesh().stateHash(), session.mesh().stateHash());
+    }
+    while (session.swap(true)) {
+        QVERIFY(later.swap(true));
+        QCOMPARE(later.mesh().stateHash(), session.mesh().stateHash());
+    }
+    QVERIFY(!later.swap(true));
+    while (session.swap(false)) {
+        QVERIFY(later.swap(false));
+        QCOMPARE(later.mesh().stateHash(), session.mesh().stateHash());
+    }
+    later.journal().drain();
+    const auto again = replayJournal(folder);
+    QVERIFY(again && stateOf(*again).state == session.mesh().stateHash());
+    QCOMPARE(again->history.present, session.now().history.present);
+}
+
+void TestJournal::truncation_atEveryByteLosesWhatFollowsOnly()
+{
+    Session session(m_home.path().toStdString(), icosphere(0, 20), 3);
+    while (session.states.size() < 9)
+        session.act();
+    session.journal().drain();
+    const std::string whole = contentOf(segmentFile(session.journal().folder(), 0));
+    const Ends ends = endsIn(whole);
+    QCOMPARE(ends.bytes.back(), whole.size());
+    QCOMPARE(ends.states.back(), session.states.size() - 1);
+    const fs::path folder = copyOf(session.journal().folder());
+    std::size_t record = ends.bytes.size() - 1;
+    for (std::size_t bytes = whole.size(); bytes <= whole.size(); --bytes) {
+        fs::resize_file(segmentFile(folder, 0), bytes);
+        record -= bytes < ends.bytes[record];
+        const auto found = replayJournal(folder);
+        QVERIFY2(found && stateOf(*found) == session.states[ends.states[record]], qPrintable(QString::number(bytes)));
+    }
+    qInfo("%zu bytes, %zu states", whole.size(), session.states.size());
+}
+
+void TestJournal::truncatedBeginning_givesNothing()
+{
+    Session session(m_home.path().toStdString(), icosphere(0, 20), 4);
+    session.act();
+    session.journal().drain();
+    const std::string whole = contentOf(startFile(session.journal().folder()));
+    const fs::path folder = copyOf(session.journal().folder());
+    for (std::size_t bytes = whole.size(); bytes-- > 0;) {
+        fs::resize_file(startFile(folder), bytes);
+        QVERIFY(!replayJournal(folder));
+    }
+    fs::remove(startFile(folder));
+    QVERIFY(!replayJournal(folder));
+    QVERIFY(!replayJournal(folder / "nowhere"));
+}
+
+void TestJournal::flippedBytes_neverGiveAnotherState()
+{
+    Session session(m_home.path().toStdString(), icosphere(1, 20), 5);
+    while (session.states.size() < 12)
+        session.act();
+    session.journal().drain();
+    const std::string whole = contentOf(segmentFile(session.journal().folder(), 0));
+    const Ends ends = endsIn(whole);
+    const fs::path folder = copyOf(session.journal().folder());
+    StrokeFuzzer random(6);
+    for (int i = 0; i < 1000; ++i) {
+        std::string spoilt = whole;
+        std::size_t first = whole.size();
+        for (std::uint64_t flips = 1 + random.below(4); flips > 0; --flips) {
+            const std::size_t at = random.below(whole.size());
+            spoilt[at] = static_cast<char>(spoilt[at] ^ (1 + random.below(255)));
+            first = std::min(first, spoilt[at] == whole[at] ? first : at);
+        }
+        write(segmentFile(folder, 0), spoilt);
+        const auto found = replayJournal(folder);
+        const auto record = static_cast<std::size_t>(std::upper_bound(ends.bytes.begin(), ends.bytes.end(), first) - ends.bytes.begin()) - 1;
+        const bool isWhole = first == whole.size();
+        QVERIFY(found && stateOf(*found) == session.states[isWhole ? ends.states.back() : ends.states[record]]);
+    }
+}
+
+/// A power cut: what was not synced comes to disk in pages, some of them, in any order.
+void TestJournal::unsyncedPages_costWhatWasNotSynced()
+{
+    constexpr std::size_t page = 4096;
+    Session session(m_home.path().toStdString(), icosphere(2, 20), 7);
+    StrokeFuzzer random(8);
+    const fs::path folder = session.journal().folder();
+    for (int round = 0; round < 30; ++round) {
+        for (std::uint64_t i = random.below(3); i > 0; --i)
+            session.act();
+        session.journal().flush();
+        const std::string synced = contentOf(segmentFile(folder, 0));
+        const std::size_t states = session.states.size();
+        for (std::uint64_t i = 1 + random.below(3); i > 0; --i)
+            session.act();
+        session.journal().drain();
+        std::string bytes = contentOf(segmentFile(folder, 0));
+        if (random.below(2) == 0)
+            bytes.resize(synced.size() + random.below(bytes.size() - synced.size() + 1));
+        for (std::size_t at = synced.size(); at < bytes.size(); at = (at / page + 1) * page)
+            if (random.below(2) == 0)
+                std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(at), std::min(bytes.size() - at, page - at % page), '\0');
+        const fs::path copy = copyOf(folder);
+        write(segmentFile(copy, 0), bytes);
+        const auto found = replayJournal(copy);
+        QVERIFY(found);
+        const auto match = std::find(session.states.begin() + static_cast<std::ptrdiff_t>(states) - 1, session.states.end(), stateOf(*found));
+        QVERIFY2(match != session.states.end(), "older than what was synced, or a state that never was");
+        fs::remove_all(copy);
+    }
+}
+
+void TestJournal::compaction_keepsTheDocumentWithinItsBound()
+{
+    constexpr JournalLimits limits{.segmentBytes = 32 << 10, .logBytes = 256 << 10};
+    Session session(m_home.path().toStdString(), icosphere(3, 20), 9, limits);
+    const fs::path folder = session.journal().folder();
+    std::uintmax_t most = 0;
+    int reached = 0;
+    for (int round = 0; round < 30; ++round) {
+        for (int i = 0; i < 8; ++i)
+            session.act();
+        session.journal().flush();
+        while (session.journal().stats().isCompacting)
+            std::this_thread::yield();
+        const auto found = replayJournal(folder);
+        QVERIFY(found && stateOf(*found) == session.now());
+        for (std::size_t i = found->history.present; i > 0 && found->deltas[i - 1]; --i)
+            found->mesh->swap(*found->deltas[i - 1]), ++reached;
+        QCOMPARE(found->mesh->meshHash(), wholeHash(*found->mesh));
+        std::uintmax_t bytes = 0;
+        for (const auto& segment : filesIn(folder).segments)
+            bytes += segment.second;
+        most = std::max(most, bytes);
+    }
+    QVERIFY(session.journal().stats().compactions > 3);
+    QVERIFY(reached > 30);
+    qInfo("%.0f KiB recorded, at most %.0f KiB kept, %llu compactions", double(session.journal().stats().bytes) / 1024, double(most) / 1024,
+          static_cast<unsigned long long>(session.journal().stats().compactions));
+    QVERIFY(most < session.journal().stats().bytes / 2);
+}
+
+void TestJournal::tornBase_isNoBase()
+{
+    constexpr JournalLimits limits{.segmentBytes = 4 << 10};
+    Session session(m_home.path().toStdString(), icosphere(1, 20), 10, limits);
+    for (int i = 0; i < 30; ++i)
+        session.act();
+    session.journal().drain();
+    const fs::path complete = copyOf(session.journal().folder()), compacted = copyOf(complete);
+    const unsigned last = filesIn(complete).segments.rbegin()->first;
+    QVERIFY(last > 2 && compactJournal(compacted, last / 2));
+    QCOMPARE(filesIn(compacted).segments.begin()->first, last / 2);
+    const auto found = replayJournal(compacted);
+    QVERIFY(found && stateOf(*found) == session.now());
+    const std::string base = contentOf(baseFile(compacted, last / 2));
+    StrokeFuzzer random(11);
+    for (int i = 0; i < 300; ++i) { // as if it had come torn, beside what it stands for
+        write(baseFile(complete, last / 2), std::string_view(base).substr(0, random.below(base.size())));
+        const auto without = replayJournal(complete);
+        QVERIFY(without && stateOf(*without) == session.now());
+    }
+    QVERIFY(!compactJournal(complete, last + 5)); // there is no such segment
+}
+
+void TestJournal::samples_areKept()
+{
+    Session session(m_home.path().toStdString(), icosphere(3, 20), 12);
+    StrokeFuzzer random(13);
+    std::vector<Stroke> strokes;
+    while (session.states.size() < 8) {
+        const Stroke stroke = random.stroke(session.mesh());
+        const std::size_t before = session.states.size();
+        session.stroke(stroke);
+        if (session.states.size() > before)
+            strokes.push_back(stroke);
+    }
+    session.journal().drain();
+    const auto kept = strokesIn(contentOf(segmentFile(session.journal().folder(), 0)));
+    QCOMPARE(kept.size(), strokes.size());
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        const auto entries = parseStrokes(kept[i]);
+        const auto& stroke = std::get<Stroke>(entries.at(0));
+        QCOMPARE(stroke.samples.size(), strokes[i].samples.size());
+        QCOMPARE(stroke.settings.radius, strokes[i].settings.radius);
+        QVERIFY(stroke.samples.back().position == strokes[i].samples.back().position);
+    }
+}
+
+void TestJournal::folders_belongToWhoHoldsThem()
+{
+    const QTemporaryDir home;
+    const fs::path root = fs::path(home.path().toStdString()) / "state" / "journals";
+    QVERIFY(JournalFolder::abandoned(root).empty());
+    auto first = JournalFolder::make(root), second = JournalFolder::make(root);
+    QVERIFY(first->path() != second->path());
+    QVERIFY(JournalFolder::abandoned(root).empty());
+    const fs::path path = first->path();
+    first.reset(); // as when its program has ended
+    {
+        const auto found = JournalFolder::abandoned(root);
+        QCOMPARE(found.size(), std::size_t(1));
+        QCOMPARE(found[0]->path(), path);
+        QVERIFY(JournalFolder::abandoned(root).empty()); // it is held again
+        found[0]->remove();
+    }
+    QVERIFY(!fs::exists(path) && fs::exists(second->path()));
+    second->remove();
+    QVERIFY(fs::is_empty(root));
+}
+
+QTEST_APPLESS_MAIN(TestJournal)
+#include "tst_journal.moc"
