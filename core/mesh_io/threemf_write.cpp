@@ -52,7 +52,7 @@ public:
         for (const Rgb& color : mesh.colors)
             m_colors.push_back(numberOf(color));
         std::ranges::sort(m_colors);
-        m_colors.erase(std::ranges::unique(m_colors).begin(), m_colors.end());
+        m_colors.erase(std::unique(m_colors.begin(), m_colors.end()), m_colors.end()); // Clang 14, which the fuzzers need, knows no ranges::unique
     }
 
     /// To be asked before it is read. The package's heads are of the old, short kind only when it is known.

@@ -1,0 +1,59 @@
+// One reader, fed with a stranger's bytes: it returns a mesh as core/mesh_io.h promises, or throws a FileError; nothing else.
+#include "core/file_error.h"
+#include "core/mesh_io.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+#include <unistd.h>
+
+namespace
+{
+/// Of this process's own: glTF may name what lies in its file's folder.
+class Folder
+{
+public:
+    Folder() : m_path(std::filesystem::temp_directory_path() / ("fettle_fuzz_" + std::to_string(getpid())))
+    {
+        std::filesystem::create_directory(m_path);
+    }
+    ~Folder() { std::filesystem::remove_all(m_path); }
+
+    std::filesystem::path file() const { return m_path / "model." FETTLE_FORMAT; }
+
+private:
+    std::filesystem::path m_path;
+};
+
+void require(bool holds, const char* what)
+{
+    if (holds)
+        return;
+    std::fprintf(stderr, "the reader's promise is broken: %s\n", what);
+    std::abort();
+}
+
+void judge(const core::TriangleMesh& mesh)
+{
+    require(!mesh.triangles.empty(), "at least one face");
+    require(mesh.colors.empty() || mesh.colors.size() == mesh.points.size(), "a colour for each point, or none");
+    for (const core::Vec3f& p : mesh.points)
+        require(p.allFinite(), "finite points");
+    for (const core::Triangle& t : mesh.triangles)
+        for (const core::Slot v : t)
+            require(v < mesh.points.size(), "indices in range");
+}
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size)
+{
+    static const Folder folder;
+    std::ofstream(folder.file(), std::ios::binary).write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
+    try {
+        judge(core::readMesh(folder.file()));
+        core::readNotes(folder.file());
+    } catch (const core::FileError&) {
+    }
+    return 0;
+}
