@@ -32,8 +32,8 @@ fettle_test_packages='
 libcgal-dev         CGAL: an independent judge of meshes
 libtinygltf-dev     tinygltf: reads what we write
 libbenchmark-dev    Google Benchmark
-clang               libFuzzer: strangers' bytes for every reader
-libclang-rt-14-dev  libFuzzer's and the sanitizers' libraries
+clang               libFuzzer, which feeds every reader the bytes of strangers
+libclang-rt-14-dev  the libraries of libFuzzer and the sanitizers
 xvfb                a display without a screen
 xauth               for xvfb-run
 openbox             a window manager for that display
