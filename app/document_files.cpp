@@ -8,6 +8,7 @@
 #include "model_trial.h"
 
 #include "core/mesh_build.h"
+#include "ui/settings.h"
 
 #include <QFileInfo>
 
@@ -168,11 +169,12 @@ void Document::save(const QString& path)
         return;
     m_work.begin(tr("Saving %1").arg(QFileInfo(path).fileName()));
     request([this, path] {
-        m_worker->post([this, path, notes = notesNow(), index = m_stack.index()](core::Sculptor& sculptor) mutable {
+        const int kept = ui::Settings().preferences().keepsVersions ? ui::keptVersions : 0;
+        m_worker->post([this, path, notes = notesNow(), kept, index = m_stack.index()](core::Sculptor& sculptor) mutable {
             notes.frame = sculptor.mesh().frame();
             auto mesh = std::make_shared<core::TriangleMesh>(core::extractMesh(sculptor.mesh()));
-            auto work = [path, notes, mesh = std::move(mesh)] {
-                return Written{ModelLoader::save(path, *mesh, notes), !mesh->colors.empty() && !ModelLoader::holdsColors(path)};
+            auto work = [path, notes, kept, mesh = std::move(mesh)] {
+                return Written{ModelLoader::save(path, *mesh, notes, kept), !mesh->colors.empty() && !ModelLoader::holdsColors(path)};
             };
             m_work.run(std::move(work), [this, path, index](const Written& written) { finishSaving(path, index, written); });
         });

@@ -1,5 +1,6 @@
 #include "model_loader.h"
 
+#include "core/kept_version.h"
 #include "core/lattice_placement.h"
 #include "core/mesh_build.h"
 #include "core/mesh_io.h"
@@ -184,10 +185,12 @@ bool ModelLoader::holdsColors(const QString& path)
     return format && core::holdsColors(*format);
 }
 
-QString ModelLoader::save(const QString& path, const core::TriangleMesh& mesh, const core::DocumentNotes& notes)
+QString ModelLoader::save(const QString& path, const core::TriangleMesh& mesh, const core::DocumentNotes& notes, int keptVersions)
 {
     try {
+        core::KeptVersion before(toPath(path), keptVersions);
         core::writeMesh(toPath(path), mesh, {.notes = notes});
+        before.commit();
     } catch (const core::FileError& error) {
         return ui::Messages::sentence(error);
     } catch (const std::bad_alloc&) {

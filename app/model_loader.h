@@ -59,8 +59,8 @@ public:
     /// The paper's sphere, 2562 vertices.
     static LoadedModel sphere(double radius);
     static LoadedModel starter(core::Starter starter);
-    /// Empty, or what is wrong; then no file has changed.
-    static QString save(const QString& path, const core::TriangleMesh& mesh, const core::DocumentNotes& notes);
+    /// Empty, or what is wrong; then no file has changed. `keptVersions`: so many of what the file held before stay (core/kept_version.h).
+    static QString save(const QString& path, const core::TriangleMesh& mesh, const core::DocumentNotes& notes, int keptVersions = 0);
 
     /// Whether a file of that name would.
     static bool holdsColors(const QString& path);

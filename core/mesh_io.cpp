@@ -26,11 +26,15 @@ constexpr std::array<std::string_view, 7> endings{"stl", "obj", "ply", "off", "g
 constexpr std::size_t written = 6;
 constexpr std::uint64_t maxFileSize = std::uint64_t(1) << 31;
 
+/// "glb" of "vase.glb", and of "vase.glb~1", an earlier version of it (kept_version.h).
 std::string endingOf(const std::filesystem::path& path)
 {
     std::string ending = path.extension().string();
     if (!ending.empty())
         ending.erase(0, 1);
+    const std::size_t version = ending.find('~');
+    if (version != std::string::npos && version + 1 < ending.size() && ending.find_first_not_of("0123456789", version + 1) == std::string::npos)
+        ending.resize(version);
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
     return ending;

@@ -3369,6 +3369,22 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>Pen test</source>
         <translation>Stifttest</translation>
     </message>
+    <message>
+        <source>&amp;Files</source>
+        <translation>&amp;Dateien</translation>
+    </message>
+    <message>
+        <source>Keep the last three &amp;versions of a file that is saved again</source>
+        <translation>Beim Speichern die letzten drei &amp;Fassungen der Datei behalten</translation>
+    </message>
+    <message>
+        <source>What a file held before stays beside it, as vase.glb~1, vase.glb~2 and so on; it can be opened like any other.</source>
+        <translation>Was eine Datei vorher enthielt, bleibt neben ihr, als vase.glb~1, vase.glb~2 und so weiter; es lässt sich öffnen wie jede andere.</translation>
+    </message>
+    <message>
+        <source>Changes that are not saved yet are kept in any case, should Fettle end unexpectedly; the next start offers them.</source>
+        <translation>Noch nicht gespeicherte Änderungen bleiben in jedem Fall erhalten, sollte Fettle unerwartet enden; der nächste Start bietet sie an.</translation>
+    </message>
 </context>
 <context>
     <name>ui::PreviewPanel</name>

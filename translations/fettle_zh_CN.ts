@@ -3360,6 +3360,22 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>Pen test</source>
         <translation>压感笔测试</translation>
     </message>
+    <message>
+        <source>&amp;Files</source>
+        <translation>文件(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Keep the last three &amp;versions of a file that is saved again</source>
+        <translation>再次保存时保留文件的最近三个版本(&amp;V)</translation>
+    </message>
+    <message>
+        <source>What a file held before stays beside it, as vase.glb~1, vase.glb~2 and so on; it can be opened like any other.</source>
+        <translation>文件之前的内容保留在旁边，名为 vase.glb~1、vase.glb~2 等；可以像其他文件一样打开。</translation>
+    </message>
+    <message>
+        <source>Changes that are not saved yet are kept in any case, should Fettle end unexpectedly; the next start offers them.</source>
+        <translation>若 Fettle 意外结束，尚未保存的更改总会保留；下次启动时提供恢复。</translation>
+    </message>
 </context>
 <context>
     <name>ui::PreviewPanel</name>

@@ -37,6 +37,9 @@ struct HandHabits
     bool operator==(const HandHabits&) const = default;
 };
 
+/// Of a file that is saved again, if a person wishes so.
+inline constexpr int keptVersions = 3;
+
 /// What a person chooses once, in the Preferences.
 struct Preferences
 {
@@ -44,6 +47,7 @@ struct Preferences
     Language language = Language::System; ///< of the next start
     HandHabits hand;
     KeyChoice keys{};
+    bool keepsVersions = false; ///< what a file held stays beside it when it is saved again
 
     bool operator==(const Preferences&) const = default;
 

@@ -47,6 +47,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& now, const Actions& acti
     pages->addTab(appearancePage(), tr("&Appearance"));
     pages->addTab(inputPage(), tr("&Input"));
     pages->addTab(keysPage(actions), tr("&Keys"));
+    pages->addTab(filesPage(), tr("&Files"));
 
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(gap, gap, gap, gap);
@@ -98,12 +99,24 @@ QWidget* PreferencesDialog::inputPage()
     auto* page = new QWidget;
     QFormLayout* form = formIn(page);
     addCheck(form, {"pressureToStrength", tr("A pen's pressure is the &strength"), tr("A light touch changes little, a firm one much.")},
-             &HandHabits::pressureToStrength);
+             [](Preferences& all) { return &all.hand.pressureToStrength; });
     addCheck(form, {"pressureToRadius", tr("A pen's pressure is the &radius"), tr("A light touch makes a narrow stroke, a firm one a wide one.")},
-             &HandHabits::pressureToRadius);
+             [](Preferences& all) { return &all.hand.pressureToRadius; });
     addCheck(form, {"altMovesView", tr("Alt and the &mouse move the view"), tr("With Alt held, left orbits, middle pans and right zooms, on the model too; the keys of ZBrush have it otherwise.")},
-             &HandHabits::altMovesView);
+             [](Preferences& all) { return &all.hand.altMovesView; });
     addPen(form);
+    return page;
+}
+
+QWidget* PreferencesDialog::filesPage()
+{
+    static_assert(keptVersions == 3, "the words below");
+    auto* page = new QWidget;
+    QFormLayout* form = formIn(page);
+    addCheck(form, {"keepsVersions", tr("Keep the last three &versions of a file that is saved again"),
+                    tr("What a file held before stays beside it, as vase.glb~1, vase.glb~2 and so on; it can be opened like any other.")},
+             [](Preferences& all) { return &all.keepsVersions; });
+    form->addRow(remark(tr("Changes that are not saved yet are kept in any case, should Fettle end unexpectedly; the next start offers them.")));
     return page;
 }
 
@@ -137,18 +150,19 @@ void PreferencesDialog::addPen(QFormLayout* form)
     form->addRow(tr("Pen test"), test);
 }
 
-void PreferencesDialog::addCheck(QFormLayout* form, const Words& words, bool HandHabits::*what)
+/// part(preferences): which of them the box is about.
+template <class Part> void PreferencesDialog::addCheck(QFormLayout* form, const Words& words, Part part)
 {
     auto* box = new QCheckBox(words.label);
     box->setObjectName(QLatin1StringView(words.name));
     box->setAccessibleName(QString(words.label).remove(QLatin1Char('&')));
     box->setToolTip(words.tip);
-    connect(box, &QCheckBox::clicked, this, [this, what](bool checked) {
+    connect(box, &QCheckBox::clicked, this, [this, part](bool checked) {
         Preferences to = m_now;
-        to.hand.*what = checked;
+        *part(to) = checked;
         change(to);
     });
-    m_show.push_back([this, box, what] { box->setChecked(m_now.hand.*what); });
+    m_show.push_back([this, box, part] { box->setChecked(*part(m_now)); });
     form->addRow(box);
 }
 

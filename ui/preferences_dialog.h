@@ -40,12 +40,13 @@ private:
 
     QWidget* appearancePage();
     QWidget* inputPage();
+    QWidget* filesPage();
     QWidget* keysPage(const Actions& actions);
     QWidget* buttonRow();
     void askToReset();
     template <class T, std::size_t count>
     void addChoice(QFormLayout* form, const Words& words, const std::array<Named<T>, count>& choices, T Preferences::*what);
-    void addCheck(QFormLayout* form, const Words& words, bool HandHabits::*what);
+    template <class Part> void addCheck(QFormLayout* form, const Words& words, Part part);
     void addPen(QFormLayout* form);
     static QString words(ThemeChoice theme);
     static QString words(Language language);

@@ -38,6 +38,7 @@ const QString turnSpeedKey = QStringLiteral("turntable/speed");
 const QString clockwiseKey = QStringLiteral("turntable/clockwise");
 const QString radiusShareKey = QStringLiteral("brush/radiusShare");
 const QString themeKey = QStringLiteral("preferences/theme");
+const QString keepsVersionsKey = QStringLiteral("preferences/keepsVersions");
 const QString languageKey = QStringLiteral("preferences/language");
 const QString startPageKey = QStringLiteral("start/page");
 const QString keyPresetKey = QStringLiteral("keys/preset");
@@ -256,6 +257,7 @@ Preferences Settings::preferences() const
     for (const HabitSwitch& row : habitSwitches)
         preferences.hand.*row.what = yesNo(m_settings, row.key, preferences.hand.*row.what);
     preferences.hand.penExponent = number(m_settings, penKey, minPenExponent, maxPenExponent, preferences.hand.penExponent);
+    preferences.keepsVersions = yesNo(m_settings, keepsVersionsKey, preferences.keepsVersions);
     preferences.keys.preset = choice(m_settings, keyPresetKey, keyPresets, preferences.keys.preset);
     for (const QString& key : m_settings.allKeys())
         if (key.startsWith(ownKeys))
@@ -270,6 +272,7 @@ void Settings::setPreferences(const Preferences& preferences)
     for (const HabitSwitch& row : habitSwitches)
         m_settings.setValue(row.key, preferences.hand.*row.what);
     m_settings.setValue(penKey, preferences.hand.penExponent);
+    m_settings.setValue(keepsVersionsKey, preferences.keepsVersions);
     m_settings.setValue(keyPresetKey, wordFor(preferences.keys.preset, keyPresets));
     m_settings.remove(ownKeys.chopped(1));
     for (auto own = preferences.keys.own.cbegin(); own != preferences.keys.own.cend(); ++own)

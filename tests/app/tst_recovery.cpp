@@ -5,9 +5,11 @@
 #include "app/journal_shelf.h"
 #include "app/stroke_command.h"
 
+#include "core/kept_version.h"
 #include "core/mesh_build.h"
 #include "core/mesh_check.h"
 #include "core/mesh_io.h"
+#include "ui/settings.h"
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -236,6 +238,7 @@ private Q_SLOTS:
     void recovered_thatWasSavedIsNotOffered();
     void discarded_isNeverOfferedAgain();
     void closed_leavesNothing();
+    void earlierVersions_areKeptIfAskedFor();
     void another_program_isLeftAlone();
     void fullDisk_isSaidOnceAndLosesNoWork();
     void closedFolder_isSaidOnce();
@@ -427,6 +430,26 @@ void TestRecovery::closed_leavesNothing()
         QTRY_COMPARE(std::distance(fs::directory_iterator(root), {}), 1); // the model before is given up
     }
     QVERIFY(fs::is_empty(root));
+}
+
+void TestRecovery::earlierVersions_areKeptIfAskedFor()
+{
+    const QTemporaryDir home;
+    const QString file = home.filePath(QStringLiteral("ball.ply"));
+    const auto kept = [&](int version) { return core::KeptVersion::nameOf(file.toStdU16String(), version); };
+    Session session(newRoot());
+    session.openBall();
+    for (int i = 0; i < 6; ++i) { // the last four with the wish
+        ui::Settings().setPreferences({.keepsVersions = i >= 2});
+        session.apply(core::Fill{{static_cast<std::uint8_t>(i), 0, 0}});
+        session.document.save(file);
+        session.wait();
+        QVERIFY(i >= 2 || !fs::exists(kept(1)));
+    }
+    ui::Settings().setPreferences({});
+    for (int version = 1; version <= 3; ++version)
+        QCOMPARE(core::readMesh(kept(version)).colors.at(0).r, std::uint8_t(5 - version));
+    QVERIFY(!fs::exists(kept(4)));
 }
 
 void TestRecovery::another_program_isLeftAlone()

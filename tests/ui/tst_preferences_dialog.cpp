@@ -50,6 +50,16 @@ private Q_SLOTS:
         QCOMPARE(dialog.preferences().hand, (ui::HandHabits{false, true, false}));
     }
 
+    void earlierVersionsAreAskedFor()
+    {
+        PreferencesDialog dialog({}, m_actions, nullptr);
+        QVERIFY(!dialog.preferences().keepsVersions);
+        QTest::keyClick(child<QCheckBox>(dialog, "keepsVersions"), Qt::Key_Space);
+        QVERIFY(dialog.preferences().keepsVersions);
+        dialog.setPreferences({});
+        QVERIFY(!child<QCheckBox>(dialog, "keepsVersions")->isChecked());
+    }
+
     void thePensCurveIsBent()
     {
         PreferencesDialog dialog({}, m_actions, nullptr);

@@ -54,7 +54,8 @@ private Q_SLOTS:
         QCOMPARE(ui::Settings().preferences(), ui::Preferences());
         for (const auto& theme : ui::themeChoices)
             for (const auto& language : ui::languages) {
-                const ui::Preferences preferences{.theme = theme.value, .language = language.value, .hand = {false, true, false, 2.5}};
+                const ui::Preferences preferences{
+                    .theme = theme.value, .language = language.value, .hand = {false, true, false, 2.5}, .keepsVersions = true};
                 ui::Settings().setPreferences(preferences);
                 QCOMPARE(ui::Settings().preferences(), preferences);
             }
@@ -130,7 +131,7 @@ private Q_SLOTS:
         QFETCH(QVariant, stored);
         QSettings raw;
         for (const char* key : {"brush/strength", "brush/falloff", "brush/radiusShare", "files/lastFolder", "window/geometry", "view/material",
-                                "view/background", "preferences/theme", "preferences/language", "preferences/altMovesView", "keys/preset", "view/ground", "view/wireframe"})
+                                "view/background", "preferences/theme", "preferences/language", "preferences/altMovesView", "preferences/keepsVersions", "keys/preset", "view/ground", "view/wireframe"})
             raw.setValue(QLatin1StringView(key), stored);
         raw.sync();
         const ui::Settings settings;

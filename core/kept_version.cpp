@@ -1,0 +1,73 @@
+#include "kept_version.h"
+
+#include "atomic_file.h"
+
+#include <string>
+#include <system_error>
+
+namespace core
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+void check(const std::error_code& problem, const fs::path& file)
+{
+    if (!problem)
+        return;
+    FileError error(kindOfWriteError(problem.value()), file);
+    error.systemError = problem.value();
+    throw error;
+}
+} // namespace
+
+fs::path KeptVersion::nameOf(const fs::path& file, int version)
+{
+    fs::path name = file;
+    name += "~" + std::to_string(version);
+    return name;
+}
+
+KeptVersion::KeptVersion(const fs::path& file, int versions) : m_versions(versions)
+{
+    std::error_code problem;
+    m_file = fs::is_symlink(file, problem) ? fs::weakly_canonical(file, problem) : file;
+    if (versions < 1 || !fs::is_regular_file(m_file, problem))
+        return;
+    fs::path waiting = m_file.parent_path() / ("." + m_file.filename().string() + "~kept");
+    fs::remove(waiting, problem); // of a program that ended meanwhile
+    fs::create_hard_link(m_file, waiting, problem);
+    if (problem) { // not every file system has them
+        problem.clear();
+        fs::copy_file(m_file, waiting, problem);
+    }
+    m_waiting = std::move(waiting);
+    if (problem) {
+        std::error_code ignored;
+        fs::remove(m_waiting, ignored);
+        check(problem, m_file);
+    }
+}
+
+KeptVersion::~KeptVersion()
+{
+    std::error_code ignored;
+    if (!m_waiting.empty())
+        fs::remove(m_waiting, ignored);
+}
+
+void KeptVersion::commit()
+{
+    if (m_waiting.empty())
+        return;
+    std::error_code problem;
+    for (int version = m_versions - 1; version >= 1; --version) {
+        fs::rename(nameOf(m_file, version), nameOf(m_file, version + 1), problem);
+        if (problem && problem != std::errc::no_such_file_or_directory)
+            check(problem, nameOf(m_file, version));
+    }
+    fs::rename(m_waiting, nameOf(m_file, 1), problem);
+    check(problem, nameOf(m_file, 1));
+    m_waiting.clear();
+}
+} // namespace core
