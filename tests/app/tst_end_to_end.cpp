@@ -115,10 +115,10 @@ void TestEndToEnd::toolsByModifier()
 void TestEndToEnd::refusedFileLeavesTheModel()
 {
     QTemporaryDir folder;
-    const QString path = folder.filePath(QStringLiteral("open.obj"));
+    const QString path = folder.filePath(QStringLiteral("short.obj"));
     QFile file(path);
     QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    file.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n");
     file.close();
 
     Program program;
