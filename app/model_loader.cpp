@@ -1,5 +1,6 @@
 #include "model_loader.h"
 
+#include "core/face_geometry.h"
 #include "core/kept_version.h"
 #include "core/lattice_placement.h"
 #include "core/mesh_build.h"
@@ -19,14 +20,6 @@ namespace
 {
 constexpr int paperSubdivisions = 4;
 constexpr double afterReading = 0.1, afterMending = 0.8; ///< shares of the time
-
-core::Box boxOf(const core::TriangleMesh& mesh)
-{
-    core::Box box;
-    for (const core::Vec3f& p : mesh.points)
-        box.extend(p.cast<double>());
-    return box;
-}
 }
 
 std::filesystem::path toPath(const QString& path)

@@ -12,6 +12,7 @@
 
 #include "legalise.h"
 
+#include "face_geometry.h"
 #include "lattice_placement.h"
 
 #include "mending/holes.h"
@@ -164,15 +165,6 @@ TriangleMesh movedBy(const Vec3& by, TriangleMesh mesh)
     for (Vec3f& p : mesh.points)
         p = (p.cast<double>() + by).cast<float>();
     return mesh;
-}
-
-Box boxOf(const TriangleMesh& mesh)
-{
-    Box box;
-    for (const Triangle& t : mesh.triangles)
-        for (const Slot v : t)
-            box.extend(mesh.points[v].cast<double>());
-    return box;
 }
 } // namespace
 

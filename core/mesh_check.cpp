@@ -1,5 +1,6 @@
 #include "mesh_check.h"
 
+#include "face_geometry.h"
 #include "lattice_placement.h"
 #include "nesting.h"
 #include "parallel.h"
@@ -14,15 +15,6 @@ namespace
 constexpr double afterDegenerate = 0.02, afterTopology = 0.12, afterIntersections = 0.5, afterNesting = 0.55;
 
 constexpr std::size_t facesPerChunk = 1 << 14;
-
-Box boxOf(const TriangleMesh& mesh)
-{
-    Box box;
-    for (const Triangle& t : mesh.triangles)
-        for (const Slot corner : t)
-            box.extend(mesh.points[corner].cast<double>());
-    return box;
-}
 
 /// Sums over faces; added up chunk by chunk, so that they do not depend on the threads.
 struct Measures

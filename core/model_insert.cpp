@@ -7,6 +7,7 @@
 
 #include "model_insert.h"
 
+#include "face_geometry.h"
 #include "lattice_fit.h"
 #include "lattice_placement.h"
 #include "mesh_build.h"
@@ -26,14 +27,6 @@ constexpr double gapInSizes = 0.05;
 constexpr double farthestInSizes = 4;
 /// Shares of the time that an insertion takes.
 constexpr double afterJudging = 0.3, afterTouching = 0.6, afterFitting = 0.9;
-
-Box boxOf(const TriangleMesh& mesh)
-{
-    Box box;
-    for (const Vec3f& p : mesh.points)
-        box.extend(p.cast<double>());
-    return box;
-}
 
 double longest(const Box& box)
 {

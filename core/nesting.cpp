@@ -3,8 +3,9 @@
 
 #include "nesting.h"
 
-#include "box_tree.h"
+#include "disjoint_sets.h"
 #include "exact_sum.h"
+#include "face_geometry.h"
 
 #include <cmath>
 #include <numeric>
@@ -14,29 +15,6 @@ namespace core
 {
 namespace
 {
-/// Union of vertices, path halving.
-class DisjointSets
-{
-public:
-    explicit DisjointSets(std::size_t count) : m_parent(count) { std::iota(m_parent.begin(), m_parent.end(), Slot(0)); }
-
-    Slot root(Slot v)
-    {
-        while (m_parent[v] != v)
-            v = m_parent[v] = m_parent[m_parent[v]];
-        return v;
-    }
-    void unite(Slot a, Slot b)
-    {
-        a = root(a);
-        b = root(b);
-        m_parent[std::max(a, b)] = std::min(a, b);
-    }
-
-private:
-    std::vector<Slot> m_parent;
-};
-
 class Shells
 {
 public:
@@ -52,7 +30,7 @@ public:
     {
         if (m_components.count == 1)
             return volumeSign(0) > 0;
-        const BoxTree tree(boxes());
+        const BoxTree tree(faceBoxes(m_points, m_triangles));
         for (std::size_t shell = 0; shell < m_components.count; ++shell)
             if ((volumeSign(shell) > 0) == liesInOdd(shell, tree))
                 return false;
@@ -76,15 +54,6 @@ private:
         std::vector<std::size_t> next(m_firstFace.begin(), m_firstFace.end() - 1);
         for (Slot f = 0; f < m_triangles.size(); ++f)
             m_faces[next[m_components.ofFace[f]]++] = f;
-    }
-
-    std::vector<FaceBox> boxes() const
-    {
-        std::vector<FaceBox> result(m_triangles.size());
-        for (std::size_t f = 0; f < result.size(); ++f)
-            for (const Slot corner : m_triangles[f])
-                result[f].extend(m_points[corner].array());
-        return result;
     }
 
     /// Each term has a relative error of less than 8 roundings, as in an orientation, and the sum of n terms adds n more.

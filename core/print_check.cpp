@@ -2,11 +2,12 @@
 
 #include "print_check.h"
 
+#include "disjoint_sets.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
-#include <numeric>
 
 namespace core
 {
@@ -62,27 +63,24 @@ double leaningOf(const Side& side)
 class Places
 {
 public:
-    explicit Places(const TriangleMesh& mesh) : m_mesh(mesh), m_parent(mesh.points.size())
-    {
-        std::iota(m_parent.begin(), m_parent.end(), Slot(0));
-    }
+    explicit Places(const TriangleMesh& mesh) : m_mesh(mesh), m_sets(mesh.points.size()) {}
 
     /// Of two the one with the lower badness is the worse.
     void add(Slot face, double badness)
     {
         m_faces.push_back({face, badness});
         const auto& [a, b, c] = m_mesh.triangles[face];
-        unite(a, b);
-        unite(a, c);
+        m_sets.unite(a, b);
+        m_sets.unite(a, c);
     }
 
     template <class Value> PrintFault take(const Sides& sides, Value valueOf)
     {
         PrintFault fault;
         std::vector<double> least;
-        std::vector<Slot> number(m_parent.size(), noSlot);
+        std::vector<Slot> number(m_sets.size(), noSlot);
         for (const auto& [face, badness] : m_faces) {
-            Slot& place = number[root(m_mesh.triangles[face][0])];
+            Slot& place = number[m_sets.root(m_mesh.triangles[face][0])];
             const Side side = sides[face];
             if (place == noSlot) {
                 place = static_cast<Slot>(fault.places.size());
@@ -115,21 +113,8 @@ private:
         double badness;
     };
 
-    Slot root(Slot v)
-    {
-        while (m_parent[v] != v)
-            v = m_parent[v] = m_parent[m_parent[v]];
-        return v;
-    }
-    void unite(Slot a, Slot b)
-    {
-        a = root(a);
-        b = root(b);
-        m_parent[std::max(a, b)] = std::min(a, b);
-    }
-
     const TriangleMesh& m_mesh;
-    std::vector<Slot> m_parent; ///< by vertex
+    DisjointSets m_sets; ///< of vertices
     std::vector<Bad> m_faces;
 };
 

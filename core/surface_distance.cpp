@@ -1,7 +1,6 @@
 #include "surface_distance.h"
 
-#include "box_tree.h"
-#include "parallel.h"
+#include "face_geometry.h"
 #include "surface_query.h"
 
 #include <algorithm>
@@ -14,12 +13,6 @@ namespace
 {
 constexpr double sampleCount = 200'000;
 
-std::array<Vec3, 3> cornersOf(const TriangleMesh& mesh, Slot face)
-{
-    const Triangle& t = mesh.triangles[face];
-    return {mesh.points[t[0]].cast<double>(), mesh.points[t[1]].cast<double>(), mesh.points[t[2]].cast<double>()};
-}
-
 double areaOf(const std::array<Vec3, 3>& t)
 {
     return 0.5 * (t[1] - t[0]).cross(t[2] - t[0]).norm();
@@ -28,7 +21,7 @@ double areaOf(const std::array<Vec3, 3>& t)
 class Nearest
 {
 public:
-    explicit Nearest(const TriangleMesh& mesh) : m_mesh(mesh), m_tree(boxesOf(mesh)) {}
+    explicit Nearest(const TriangleMesh& mesh) : m_mesh(mesh), m_tree(faceBoxes(mesh.points, mesh.triangles)) {}
 
     /// `hint`: no less than the distance; the smaller, the faster.
     double distance(const Vec3& p, double hint) const
@@ -46,15 +39,6 @@ public:
     }
 
 private:
-    static std::vector<FaceBox> boxesOf(const TriangleMesh& mesh)
-    {
-        std::vector<FaceBox> boxes(mesh.triangles.size());
-        for (std::size_t f = 0; f < boxes.size(); ++f)
-            for (const Slot corner : mesh.triangles[f])
-                boxes[f].extend(mesh.points[corner].array());
-        return boxes;
-    }
-
     const TriangleMesh& m_mesh;
     BoxTree m_tree;
 };

@@ -8,8 +8,7 @@
 
 #include "wall_thickness.h"
 
-#include "box_tree.h"
-#include "parallel.h"
+#include "face_geometry.h"
 #include "surface_query.h"
 
 #include <cmath>
@@ -49,7 +48,7 @@ struct Hit
 class Walls
 {
 public:
-    Walls(const TriangleMesh& mesh, double largestBall) : m_tree(boxesOf(mesh)), m_walls(mesh.triangles.size()), m_largestBall(largestBall)
+    Walls(const TriangleMesh& mesh, double largestBall) : m_tree(faceBoxes(mesh.points, mesh.triangles)), m_walls(mesh.triangles.size()), m_largestBall(largestBall)
     {
         forEachChunk(m_walls.size(), facesPerChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
@@ -71,15 +70,6 @@ public:
     }
 
 private:
-    static std::vector<FaceBox> boxesOf(const TriangleMesh& mesh)
-    {
-        std::vector<FaceBox> boxes(mesh.triangles.size());
-        for (std::size_t f = 0; f < boxes.size(); ++f)
-            for (const Slot corner : mesh.triangles[f])
-                boxes[f].extend(mesh.points[corner].array());
-        return boxes;
-    }
-
     static Wall wallOf(const TriangleMesh& mesh, Slot face)
     {
         Wall wall;

@@ -1,6 +1,6 @@
 #include "winding_number.h"
 
-#include "parallel.h"
+#include "face_geometry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,20 +22,11 @@ double solidAngle(const std::array<Vec3, 3>& triangle, const Vec3& p)
     const double la = a.norm(), lb = b.norm(), lc = c.norm();
     return 2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
 }
-
-std::vector<FaceBox> boxesOf(std::span<const Vec3> points, std::span<const Triangle> triangles)
-{
-    std::vector<FaceBox> boxes(triangles.size());
-    for (std::size_t f = 0; f < triangles.size(); ++f)
-        for (const Slot corner : triangles[f])
-            boxes[f].extend(points[corner].array().cast<float>());
-    return boxes;
-}
 } // namespace
 
 WindingNumber::WindingNumber(std::span<const Vec3> points, std::span<const Triangle> triangles)
 {
-    const BoxTree order(boxesOf(points, triangles));
+    const BoxTree order(faceBoxes(points, triangles));
     for (Slot position = 0; position < order.size(); ++position) {
         const Slot face = order.at(position);
         const Triangle& t = triangles[face];

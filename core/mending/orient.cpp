@@ -2,7 +2,7 @@
 
 #include "edge_faces.h"
 
-#include "../box_tree.h"
+#include "../face_geometry.h"
 #include "../winding_number.h"
 
 #include <cmath>
@@ -92,7 +92,7 @@ private:
 class Lookout
 {
 public:
-    explicit Lookout(const Surface& surface) : m_surface(surface), m_tree(boxesOf(surface)) {}
+    explicit Lookout(const Surface& surface) : m_surface(surface), m_tree(faceBoxes(surface.points, surface.triangles)) {}
 
     /// From the middle of the face: how many of the axes' ways lead out before it, less how many behind. Both are added to `seen`.
     int balance(Slot face, std::size_t& seen) const
@@ -113,15 +113,6 @@ public:
     }
 
 private:
-    static std::vector<FaceBox> boxesOf(const Surface& surface)
-    {
-        std::vector<FaceBox> boxes(surface.triangles.size());
-        for (std::size_t f = 0; f < boxes.size(); ++f)
-            for (const Slot corner : surface.triangles[f])
-                boxes[f].extend(surface.points[corner].array().cast<float>());
-        return boxes;
-    }
-
     Vec3 at(Slot v) const { return m_surface.points[v].cast<double>(); }
 
     bool leadsOut(Slot face, const Vec3& from, int axis, int way) const

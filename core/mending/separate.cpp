@@ -8,12 +8,12 @@
 
 #include "edge_faces.h"
 
+#include "../disjoint_sets.h"
 #include "../predicates.h"
 #include "../self_intersection.h"
 
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <set>
 
@@ -100,9 +100,8 @@ private:
 class Fans
 {
 public:
-    explicit Fans(const Surface& surface) : m_surface(surface), m_parent(3 * surface.triangles.size())
+    explicit Fans(const Surface& surface) : m_surface(surface), m_sets(3 * surface.triangles.size())
     {
-        std::iota(m_parent.begin(), m_parent.end(), Slot(0));
         forEachEdge(surface.triangles, [&](std::span<const EdgeFace> around) {
             if (around.size() == 2)
                 join(around[0], around[1]);
@@ -111,12 +110,7 @@ public:
         });
     }
 
-    Slot root(Slot corner)
-    {
-        while (m_parent[corner] != corner)
-            corner = m_parent[corner] = m_parent[m_parent[corner]];
-        return corner;
-    }
+    Slot root(Slot corner) { return m_sets.root(corner); }
 
 private:
     /// A face that runs the edge forward has the solid on one side of it, seen along the edge; one that runs it back, on the other.
@@ -134,22 +128,16 @@ private:
     void join(const EdgeFace& a, const EdgeFace& b)
     {
         for (const Slot v : {a.low, a.high})
-            unite(cornerAt(a.face, v), cornerAt(b.face, v));
+            m_sets.unite(cornerAt(a.face, v), cornerAt(b.face, v));
     }
     Slot cornerAt(Slot face, Slot v) const
     {
         const Triangle& t = m_surface.triangles[face];
         return 3 * face + (t[0] == v ? 0 : t[1] == v ? 1 : 2);
     }
-    void unite(Slot a, Slot b)
-    {
-        a = root(a);
-        b = root(b);
-        m_parent[std::max(a, b)] = std::min(a, b);
-    }
 
     const Surface& m_surface;
-    std::vector<Slot> m_parent;
+    DisjointSets m_sets;
 };
 
 /// The copies of one vertex.

@@ -7,45 +7,32 @@
 #include "edge_faces.h"
 #include "tidy.h"
 
+#include "../disjoint_sets.h"
 #include "../parallel.h"
 #include "../winding_number.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace core::mending
 {
 namespace
 {
-class Patches
+/// Pieces joined by edges of two.
+DisjointSets patchesOf(const Arrangement& arrangement)
 {
-public:
-    explicit Patches(const Arrangement& arrangement) : m_parent(arrangement.faces.size())
-    {
-        std::iota(m_parent.begin(), m_parent.end(), Slot(0));
-        std::vector<Triangle> triangles;
-        triangles.reserve(arrangement.faces.size());
-        for (const ArrangedFace& face : arrangement.faces)
-            triangles.push_back(face.corners);
-        forEachEdge(triangles, [&](std::span<const EdgeFace> around) {
-            if (around.size() == 2 && around[0].forward != around[1].forward &&
-                arrangement.faces[around[0].face].jump == arrangement.faces[around[1].face].jump)
-                m_parent[std::max(root(around[0].face), root(around[1].face))] =
-                    std::min(root(around[0].face), root(around[1].face));
-        });
-    }
-
-    Slot root(Slot face)
-    {
-        while (m_parent[face] != face)
-            face = m_parent[face] = m_parent[m_parent[face]];
-        return face;
-    }
-
-private:
-    std::vector<Slot> m_parent;
-};
+    DisjointSets patches(arrangement.faces.size());
+    std::vector<Triangle> triangles;
+    triangles.reserve(arrangement.faces.size());
+    for (const ArrangedFace& face : arrangement.faces)
+        triangles.push_back(face.corners);
+    forEachEdge(triangles, [&](std::span<const EdgeFace> around) {
+        if (around.size() == 2 && around[0].forward != around[1].forward &&
+            arrangement.faces[around[0].face].jump == arrangement.faces[around[1].face].jump)
+            patches.unite(around[0].face, around[1].face);
+    });
+    return patches;
+}
 
 double areaOf(const Arrangement& arrangement, Slot face)
 {
@@ -74,7 +61,7 @@ Sides judge(const Arrangement& arrangement, const WindingNumber& winding, Slot f
 
 std::vector<Sides> judgeAll(const Surface& original, const Arrangement& arrangement, const JobWatch& watch)
 {
-    Patches patches(arrangement);
+    DisjointSets patches = patchesOf(arrangement);
     const std::size_t count = arrangement.faces.size();
     std::vector<Slot> largest(count, noSlot); ///< of each patch, at its root
     for (Slot f = 0; f < count; ++f) {

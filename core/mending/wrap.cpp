@@ -5,8 +5,7 @@
 
 #include "wrap.h"
 
-#include "../box_tree.h"
-#include "../parallel.h"
+#include "../face_geometry.h"
 #include "../winding_number.h"
 
 #include <algorithm>
@@ -46,7 +45,7 @@ public:
         , m_cell(cell)
         , m_points(pointsOf(surface))
         , m_winding(m_points, surface.triangles)
-        , m_tree(boxesOf(surface))
+        , m_tree(faceBoxes(surface.points, surface.triangles))
         , m_watch(watch)
     {
         LatticePoint low = LatticePoint::Constant(std::numeric_limits<int>::max());
@@ -78,15 +77,6 @@ private:
             points.push_back(p.cast<double>());
         return points;
     }
-    static std::vector<FaceBox> boxesOf(const Surface& surface)
-    {
-        std::vector<FaceBox> boxes(surface.triangles.size());
-        for (std::size_t f = 0; f < boxes.size(); ++f)
-            for (const Slot v : surface.triangles[f])
-                boxes[f].extend(surface.points[v].array().cast<float>());
-        return boxes;
-    }
-
     LatticePoint place(const Node& n) const { return m_origin + m_cell * n; }
 
     /// The cubes near a face's plane in the face's box.
