@@ -28,6 +28,7 @@ public:
 private:
     void openTemporary();
     void flush();
+    void writeNow(std::string_view bytes);
     void giveTemporaryName();
     [[noreturn]] void fail(int systemError) const;
 

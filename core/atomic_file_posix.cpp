@@ -97,21 +97,29 @@ void AtomicFile::write(std::string_view bytes)
 {
     if (m_buffer.size() + bytes.size() > bufferSize)
         flush();
-    m_buffer.append(bytes);
+    if (bytes.size() > bufferSize)
+        writeNow(bytes);
+    else
+        m_buffer.append(bytes);
 }
 
 void AtomicFile::flush()
 {
+    writeNow(m_buffer);
+    m_buffer.clear();
+}
+
+void AtomicFile::writeNow(std::string_view bytes)
+{
     std::size_t done = 0;
-    while (done < m_buffer.size()) {
-        const ssize_t written = ::write(m_descriptor, m_buffer.data() + done, m_buffer.size() - done);
+    while (done < bytes.size()) {
+        const ssize_t written = ::write(m_descriptor, bytes.data() + done, bytes.size() - done);
         if (written < 0 && errno == EINTR)
             continue;
         if (written <= 0)
             fail(written < 0 ? errno : EIO);
         done += static_cast<std::size_t>(written);
     }
-    m_buffer.clear();
 }
 
 void AtomicFile::giveTemporaryName()

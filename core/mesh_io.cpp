@@ -3,10 +3,13 @@
 #include "mesh_io.h"
 
 #include "foreign_reader.h"
+#include "large_buffer.h"
 #include "mesh_io/format.h"
 #include "mesh_io/glb_notes.h"
+#include "mesh_io/input_file.h"
 #include "mesh_io/palette.h"
 #include "mesh_io/welder.h"
+#include "parallel.h"
 
 #include <algorithm>
 #include <array>
@@ -130,24 +133,18 @@ void refuseStlSize(const FileBytes& start, std::uint64_t size)
     throw error;
 }
 
-/// Reads up to `size` bytes; fewer if the file has become shorter.
-std::string_view readInto(std::ifstream& file, char* buffer, std::uint64_t size, const std::filesystem::path& path,
-                          const std::stop_token& stop = {})
+/// The whole file, on all cores.
+LargeBuffer<char> allOf(const InputFile& input, const std::filesystem::path& path, std::uint64_t size, const std::stop_token& stop)
 {
-    constexpr std::uint64_t atOnce = 1 << 22;
-    file.clear();
-    file.seekg(0);
-    errno = 0;
-    std::uint64_t got = 0;
-    while (got < size && file) {
+    constexpr std::size_t atOnce = 1 << 22;
+    LargeBuffer<char> bytes(size);
+    forEachChunk(size, atOnce, [&](std::size_t, std::size_t begin, std::size_t end) {
         if (stop.stop_requested())
             throw ReadingStopped();
-        file.read(buffer + got, static_cast<std::streamsize>(std::min(atOnce, size - got)));
-        got += static_cast<std::uint64_t>(file.gcount());
-    }
-    if (file.bad() || (got == 0 && size != 0))
-        throw unreadable(path, errno);
-    return {buffer, static_cast<std::size_t>(got)};
+        if (const std::size_t got = input.read(begin, bytes.part(begin, end)); got < end - begin)
+            throw errorAtByte(FileErrorKind::CutOff, {path, {bytes.data(), size}}, bytes.data() + begin + got); // it became shorter just now
+    });
+    return bytes;
 }
 
 ReadResult parse(const FileBytes& file, MeshFormat format)
@@ -196,7 +193,7 @@ ReadResult readForeign(const std::filesystem::path& path, std::uint64_t size, co
 {
     refuseSize(path, size);
     ReadResult result = foreignReader().read(path, options.stop);
-    weld(result.mesh, StopCheck(options.stop));
+    weld(result.mesh, options.stop);
     if (result.mesh.triangles.empty())
         throw FileError(FileErrorKind::NoFaces, path);
     if (options.up == UpAxis::Z)
@@ -253,12 +250,9 @@ ReadResult readModel(const std::filesystem::path& path, const ReadOptions& optio
         return readForeign(path, size, options);
     const MeshFormat format = requireFormat(path);
     refuseSize(path, size);
-    errno = 0;
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream)
-        throw unreadable(path, errno);
+    const InputFile input(path);
     std::array<char, startSize> start;
-    const FileBytes first{path, readInto(stream, start.data(), std::min<std::uint64_t>(size, startSize), path)};
+    const FileBytes first{path, {start.data(), input.read(0, start)}};
     refuseOtherContent(first, size, format);
     if (format == MeshFormat::Stl)
         refuseStlSize(first, size);
@@ -266,14 +260,11 @@ ReadResult readModel(const std::filesystem::path& path, const ReadOptions& optio
     ReadResult result;
     TriangleMesh& mesh = result.mesh;
     {
-        const auto buffer = std::make_unique_for_overwrite<char[]>(size);
-        const FileBytes file{path, readInto(stream, buffer.get(), size, path, options.stop), options.stop};
-        if (file.bytes.size() < size) // it became shorter just now
-            throw errorAtByte(FileErrorKind::CutOff, file, file.bytes.data() + file.bytes.size());
-        result = parse(file, format);
+        const LargeBuffer<char> bytes = allOf(input, path, size, options.stop);
+        result = parse({path, {bytes.data(), bytes.size()}, options.stop}, format);
     }
     if (format != MeshFormat::Stl) // its reader has done so
-        weld(mesh, StopCheck(options.stop));
+        weld(mesh, options.stop);
     if (mesh.triangles.empty())
         throw FileError(FileErrorKind::NoFaces, path);
     if (options.up.value_or(usualUp(format)) == UpAxis::Z)

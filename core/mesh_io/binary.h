@@ -18,12 +18,24 @@ template <typename Number> Number load(const char* at, std::endian order)
     return std::bit_cast<Number>(bytes);
 }
 
-/// Appends the number, little-endian.
-template <typename Number> void append(std::string& out, Number number)
+template <typename Number> std::array<char, sizeof(Number)> littleEndian(Number number)
 {
     auto bytes = std::bit_cast<std::array<char, sizeof(Number)>>(number);
     if (std::endian::native == std::endian::big)
         std::reverse(bytes.begin(), bytes.end());
+    return bytes;
+}
+
+/// Appends the number, little-endian.
+template <typename Number> void append(std::string& out, Number number)
+{
+    const auto bytes = littleEndian(number);
     out.append(bytes.data(), bytes.size());
+}
+
+/// Puts the number there, little-endian, and goes past it.
+template <typename Number> void store(char*& at, Number number)
+{
+    at = std::ranges::copy(littleEndian(number), at).out;
 }
 } // namespace core::mesh_io

@@ -3,6 +3,7 @@
 #include "binary.h"
 #include "glb_notes.h"
 #include "gltf.h"
+#include "record_writer.h"
 #include "srgb.h"
 
 #include "format.h"
@@ -25,20 +26,36 @@ constexpr std::size_t mostBytes = 4'000'000'000;
 /// Area-weighted, of unit length; glTF takes no others.
 std::vector<Vec3f> normalsOf(const TriangleMesh& mesh)
 {
-    std::vector<Vec3> sums(mesh.points.size(), Vec3::Zero());
-    for (const Triangle& t : mesh.triangles) {
-        const Vec3 a = mesh.points[t[0]].cast<double>();
-        const Vec3 area = (mesh.points[t[1]].cast<double>() - a).cross(mesh.points[t[2]].cast<double>() - a);
-        for (const Slot corner : t)
-            sums[corner] += area;
-    }
-    std::vector<Vec3f> normals;
-    normals.reserve(sums.size());
-    for (const Vec3& sum : sums) {
-        const double length = sum.norm();
-        normals.push_back(length > 0 && std::isfinite(length) ? Vec3f((sum / length).cast<float>()) : Vec3f(0, 0, 1));
-    }
+    std::vector<Vec3f> normals(mesh.points.size());
+    const std::size_t chunkSize = chunksOf(mesh.points.size(), leastChunks); // each core goes through all triangles
+    forEachChunk(mesh.points.size(), chunkSize, [&](std::size_t, std::size_t begin, std::size_t end) {
+        std::vector<Vec3> sums(end - begin, Vec3::Zero());
+        const auto isOwn = [begin, end](Slot corner) { return corner >= begin && corner < end; };
+        for (const Triangle& t : mesh.triangles) {
+            if (!isOwn(t[0]) && !isOwn(t[1]) && !isOwn(t[2]))
+                continue;
+            const Vec3 a = mesh.points[t[0]].cast<double>();
+            const Vec3 area = (mesh.points[t[1]].cast<double>() - a).cross(mesh.points[t[2]].cast<double>() - a);
+            for (const Slot corner : t)
+                if (isOwn(corner))
+                    sums[corner - begin] += area;
+        }
+        for (std::size_t v = begin; v < end; ++v) {
+            const Vec3& sum = sums[v - begin];
+            const double length = sum.norm();
+            normals[v] = length > 0 && std::isfinite(length) ? Vec3f((sum / length).cast<float>()) : Vec3f(0, 0, 1);
+        }
+    });
     return normals;
+}
+
+/// Of each 8 bits as they are seen.
+std::array<std::uint16_t, 256> lights()
+{
+    std::array<std::uint16_t, 256> table;
+    for (std::size_t seen = 0; seen < table.size(); ++seen)
+        table[seen] = static_cast<std::uint16_t>(std::lround(65535 * lightOf(static_cast<std::uint8_t>(seen))));
+    return table;
 }
 
 /// Buffer views one after the other, an accessor each.
@@ -99,13 +116,10 @@ Json documentOf(const TriangleMesh& mesh, const DocumentNotes& notes, std::size_
 
 void writePoints(AtomicFile& out, const std::vector<Vec3f>& points)
 {
-    std::string record;
-    for (const Vec3f& p : points) {
-        record.clear();
-        for (int i = 0; i < 3; ++i)
-            append(record, p[i]);
-        out.write(record);
-    }
+    writeRecords(out, points.size(), 12, [&points](std::size_t i, char* into) {
+        for (int k = 0; k < 3; ++k)
+            store(into, points[i][k]);
+    });
 }
 } // namespace
 
@@ -128,19 +142,14 @@ void writeGlb(AtomicFile& out, const TriangleMesh& mesh, const DocumentNotes& no
     out.write(head);
     writePoints(out, mesh.points);
     writePoints(out, normalsOf(mesh));
-    std::string record;
-    for (const Rgb& c : mesh.colors) {
-        record.clear();
-        for (const std::uint8_t part : {c.r, c.g, c.b})
-            append(record, static_cast<std::uint16_t>(std::lround(65535 * lightOf(part))));
-        append(record, std::uint16_t(65535));
-        out.write(record);
-    }
-    for (const Triangle& t : mesh.triangles) {
-        record.clear();
-        for (const Slot corner : t)
-            append(record, static_cast<std::uint32_t>(corner));
-        out.write(record);
-    }
+    writeRecords(out, mesh.colors.size(), 8, [&mesh, table = lights()](std::size_t i, char* into) {
+        for (const std::uint8_t part : {mesh.colors[i].r, mesh.colors[i].g, mesh.colors[i].b})
+            store(into, table[part]);
+        store(into, std::uint16_t(65535));
+    });
+    writeRecords(out, mesh.triangles.size(), 12, [&mesh](std::size_t i, char* into) {
+        for (const Slot corner : mesh.triangles[i])
+            store(into, static_cast<std::uint32_t>(corner));
+    });
 }
 } // namespace core::mesh_io

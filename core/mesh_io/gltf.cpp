@@ -1,6 +1,7 @@
 // Source: Khronos, glTF 2.0 specification, sections 3.6 (accessors, sparse ones) and 4 (GLB).
 #include "gltf.h"
 
+#include "../parallel.h"
 #include "binary.h"
 #include "gltf_buffers.h"
 
@@ -50,23 +51,34 @@ bool isWhole(int componentType)
     return componentType == 5121 || componentType == 5123 || componentType == 5125;
 }
 
-/// As a number; normalised ones go to 1.
-double numberAt(const char* at, int componentType, bool normalized)
+/// Normalised ones go to 1. A float32 with as many bits as a float32 can hold.
+template <typename Number, typename Source> Number converted(Source x, bool isNormalized)
 {
-    constexpr auto order = std::endian::little;
-    const auto whole = [normalized](auto x) {
-        return normalized ? std::max(-1.0, static_cast<double>(x) / std::numeric_limits<decltype(x)>::max()) : static_cast<double>(x);
-    };
-    switch (componentType) {
-    case 5120: return whole(load<std::int8_t>(at, order));
-    case 5121: return whole(load<std::uint8_t>(at, order));
-    case 5122: return whole(load<std::int16_t>(at, order));
-    case 5123: return whole(load<std::uint16_t>(at, order));
-    case 5125: return whole(load<std::uint32_t>(at, order));
-    default: return static_cast<double>(load<float>(at, order));
-    }
+    if constexpr (std::is_floating_point_v<Source> || std::is_same_v<Number, std::uint32_t>)
+        return static_cast<Number>(x);
+    else
+        return static_cast<Number>(isNormalized ? std::max(-1.0, static_cast<double>(x) / std::numeric_limits<Source>::max()) : static_cast<double>(x));
 }
 
+template <typename Source, typename Number> void convertFrom(const GltfLayout& layout, std::size_t begin, std::size_t end, Number* into)
+{
+    for (std::size_t i = begin; i < end; ++i)
+        for (int k = 0; k < layout.components; ++k)
+            *into++ = converted<Number>(load<Source>(layout.first + i * layout.stride + static_cast<std::size_t>(k) * sizeof(Source), std::endian::little), layout.normalized);
+}
+
+/// The numbers of the elements from `begin` to `end`.
+template <typename Number> void convert(const GltfLayout& layout, std::size_t begin, std::size_t end, Number* into)
+{
+    switch (layout.componentType) {
+    case 5120: return convertFrom<std::int8_t>(layout, begin, end, into);
+    case 5121: return convertFrom<std::uint8_t>(layout, begin, end, into);
+    case 5122: return convertFrom<std::int16_t>(layout, begin, end, into);
+    case 5123: return convertFrom<std::uint16_t>(layout, begin, end, into);
+    case 5125: return convertFrom<std::uint32_t>(layout, begin, end, into);
+    default: return convertFrom<float>(layout, begin, end, into);
+    }
+}
 } // namespace
 
 Gltf::Gltf(const FileBytes& file, bool isBinary) : m_file(file), m_bytes(file.bytes.size())
@@ -253,46 +265,48 @@ Gltf::Sparse Gltf::sparseOf(std::size_t accessor, const GltfLayout& layout) cons
         refuse("sparse");
     Sparse result{elementsIn(part("indices"), count, sizeOf(type), sizeOf(type)), elementsIn(part("values"), count, size, size)};
     result.places.componentType = type;
+    result.places.components = 1;
+    result.values.componentType = layout.componentType;
+    result.values.components = layout.components;
+    result.values.normalized = layout.normalized;
     return result;
 }
 
-/// work(address) for each element; the address is null for zeros.
-template <class Work> void Gltf::eachElement(std::size_t accessor, const GltfLayout& layout, StopCheck& stopCheck, Work work) const
+/// On all cores.
+template <typename Number> LargeBuffer<Number> Gltf::numbersOf(std::size_t accessor, const GltfLayout& layout, const std::stop_token& stop) const
 {
-    const auto [places, values] = sparseOf(accessor, layout);
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < layout.count; ++i) {
-        stopCheck();
-        const char* at = layout.first ? layout.first + i * layout.stride : nullptr;
-        if (next < places.count && numberAt(places.first + next * places.stride, places.componentType, false) == static_cast<double>(i))
-            at = values.first + next++ * values.stride;
-        work(at);
-    }
-}
-
-std::vector<float> Gltf::valuesOf(std::size_t accessor, const GltfLayout& layout, StopCheck& stopCheck) const
-{
-    const std::size_t size = sizeOf(layout.componentType);
+    constexpr std::size_t chunkSize = 1 << 15;
     const auto components = static_cast<std::size_t>(layout.components);
-    std::vector<float> values;
-    values.reserve(layout.count * components);
-    eachElement(accessor, layout, stopCheck, [&](const char* at) {
-        for (std::size_t k = 0; k < components; ++k)
-            values.push_back(at ? static_cast<float>(numberAt(at + k * size, layout.componentType, layout.normalized)) : 0.0F);
+    LargeBuffer<Number> numbers(layout.count * components);
+    forEachChunk(layout.count, chunkSize, [&](std::size_t, std::size_t begin, std::size_t end) {
+        if (stop.stop_requested())
+            throw ReadingStopped();
+        if (layout.first)
+            convert(layout, begin, end, &numbers[begin * components]);
+        else
+            std::ranges::fill(numbers.part(begin * components, end * components), Number(0));
     });
-    return values;
+    const auto [places, values] = sparseOf(accessor, layout);
+    for (std::size_t i = 0; i < places.count; ++i) {
+        std::uint32_t place = 0;
+        convert(places, i, i + 1, &place);
+        if (place >= layout.count)
+            refuse("sparse");
+        convert(values, i, i + 1, &numbers[place * components]);
+    }
+    return numbers;
 }
 
-std::vector<std::uint32_t> Gltf::wholesOf(std::size_t accessor, StopCheck& stopCheck) const
+LargeBuffer<float> Gltf::valuesOf(std::size_t accessor, const GltfLayout& layout, const std::stop_token& stop) const
+{
+    return numbersOf<float>(accessor, layout, stop);
+}
+
+LargeBuffer<std::uint32_t> Gltf::wholesOf(std::size_t accessor, const std::stop_token& stop) const
 {
     const GltfLayout layout = layoutOf(accessor, 1, 1);
     if (!isWhole(layout.componentType))
         refuse("accessors/" + std::to_string(accessor));
-    std::vector<std::uint32_t> wholes;
-    wholes.reserve(layout.count);
-    eachElement(accessor, layout, stopCheck, [&](const char* at) {
-        wholes.push_back(at ? static_cast<std::uint32_t>(numberAt(at, layout.componentType, false)) : 0);
-    });
-    return wholes;
+    return numbersOf<std::uint32_t>(accessor, layout, stop);
 }
 } // namespace core::mesh_io

@@ -2,6 +2,8 @@
 
 #include "format.h"
 
+#include "../large_buffer.h"
+
 #include <nlohmann/json.hpp>
 
 #include <deque>
@@ -48,8 +50,8 @@ public:
     /// An accessor with so many components, its sparse part aside.
     GltfLayout layoutOf(std::size_t accessor, int fewest, int most) const;
     /// The accessor's numbers, element after element; normalised ones from -1 or 0 to 1.
-    std::vector<float> valuesOf(std::size_t accessor, const GltfLayout& layout, StopCheck& stopCheck) const;
-    std::vector<std::uint32_t> wholesOf(std::size_t accessor, StopCheck& stopCheck) const;
+    LargeBuffer<float> valuesOf(std::size_t accessor, const GltfLayout& layout, const std::stop_token& stop) const;
+    LargeBuffer<std::uint32_t> wholesOf(std::size_t accessor, const std::stop_token& stop) const;
 
     [[noreturn]] void refuse(std::string_view what) const;
 
@@ -65,7 +67,7 @@ private:
         GltfLayout places, values;
     };
     Sparse sparseOf(std::size_t accessor, const GltfLayout& layout) const;
-    template <class Work> void eachElement(std::size_t accessor, const GltfLayout& layout, StopCheck& stopCheck, Work work) const;
+    template <typename Number> LargeBuffer<Number> numbersOf(std::size_t accessor, const GltfLayout& layout, const std::stop_token& stop) const;
 
     const FileBytes& m_file;
     Json m_document;

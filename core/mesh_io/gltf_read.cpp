@@ -1,5 +1,6 @@
 // glTF: the scene's nodes from the root down: each primitive's triangles with the transforms above it, metres made millimetres.
 
+#include "../parallel.h"
 #include "gltf.h"
 #include "srgb.h"
 
@@ -18,6 +19,7 @@ constexpr std::size_t mostNodes = 1 << 16;
 /// Vertices and triangles for each byte of the file: a mesh may stand in a scene many times.
 constexpr std::size_t mostCopies = 16, mostFaceCopies = 32;
 constexpr double millimetres = 1000;
+constexpr std::size_t chunkSize = 1 << 15;
 
 enum Mode { Triangles = 4, TriangleStrip = 5, TriangleFan = 6 };
 
@@ -109,7 +111,7 @@ private:
         if (!positions || (mode != Triangles && mode != TriangleStrip && mode != TriangleFan))
             return; // points and lines
         const auto first = static_cast<Slot>(m_mesh.points.size());
-        const std::vector<float> numbers = m_gltf.valuesOf(*positions, m_gltf.layoutOf(*positions, 3, 3), m_stopCheck);
+        const LargeBuffer<float> numbers = m_gltf.valuesOf(*positions, m_gltf.layoutOf(*positions, 3, 3), m_file.stop);
         const std::size_t count = numbers.size() / 3;
         if (const std::size_t most = std::min(maxVertices, mostCopies * m_gltf.bytes()); m_mesh.points.size() + count > most)
             throw tooMany("vertices", most, errorAtByte({}, m_file, m_file.bytes.data()));
@@ -120,46 +122,52 @@ private:
         addTriangles(cornersOf(primitive, count), static_cast<Mode>(mode), first, isMirrored);
     }
 
-    void addPoints(const std::vector<float>& numbers, const Eigen::Matrix4d& transform)
+    void addPoints(const LargeBuffer<float>& numbers, const Eigen::Matrix4d& transform)
     {
         const bool isPlain = transform == Eigen::Matrix4d::Identity();
-        for (std::size_t i = 0; i < numbers.size(); i += 3) {
-            m_stopCheck();
-            Vec3f point(numbers[i], numbers[i + 1], numbers[i + 2]);
-            if (!isPlain)
-                point = (transform * point.cast<double>().homogeneous()).head<3>().cast<float>();
-            if (!point.allFinite())
-                throw errorAtByte(FileErrorKind::NotANumber, m_file, m_file.bytes.data() + m_file.bytes.size());
-            m_mesh.points.push_back(point);
-        }
+        const std::size_t first = m_mesh.points.size(), count = numbers.size() / 3;
+        m_mesh.points.resize(first + count);
+        forEachChunk(count, chunkSize, [&](std::size_t, std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                Vec3f& point = m_mesh.points[first + i];
+                point = Vec3f(numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]);
+                if (!isPlain)
+                    point = (transform * point.cast<double>().homogeneous()).head<3>().cast<float>();
+                if (!point.allFinite())
+                    throw errorAtByte(FileErrorKind::NotANumber, m_file, m_file.bytes.data() + m_file.bytes.size());
+            }
+        });
     }
 
     /// Linear, with or without alpha.
     void addColors(Slot first, std::size_t count, std::size_t accessor)
     {
         const GltfLayout layout = m_gltf.layoutOf(accessor, 3, 4);
-        const std::vector<float> numbers = m_gltf.valuesOf(accessor, layout, m_stopCheck);
+        const LargeBuffer<float> numbers = m_gltf.valuesOf(accessor, layout, m_file.stop);
         const auto components = static_cast<std::size_t>(layout.components);
         if (numbers.size() != count * components)
             m_gltf.refuse("COLOR_0");
         m_hasColors = true;
-        m_mesh.colors.resize(first, Rgb());
-        for (std::size_t i = 0; i < numbers.size(); i += components) {
-            m_stopCheck();
-            const auto seen = [&](std::size_t k) { return seenOf(static_cast<double>(numbers[i + k])); };
-            m_mesh.colors.push_back({seen(0), seen(1), seen(2)});
-        }
+        m_mesh.colors.resize(first + count, Rgb());
+        forEachChunk(count, chunkSize, [&](std::size_t, std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const auto seen = [&](std::size_t k) { return seenOf(static_cast<double>(numbers[i * components + k])); };
+                m_mesh.colors[first + i] = {seen(0), seen(1), seen(2)};
+            }
+        });
     }
 
-    std::vector<std::uint32_t> cornersOf(const Json& primitive, std::size_t vertices)
+    /// Of a primitive's vertices; without indices they follow each other.
+    LargeBuffer<std::uint32_t> cornersOf(const Json& primitive, std::size_t vertices) const
     {
-        std::vector<std::uint32_t> corners(vertices);
-        std::iota(corners.begin(), corners.end(), 0U);
         const auto indices = m_gltf.indexIn(primitive, "indices");
-        if (!indices)
+        if (!indices) {
+            LargeBuffer<std::uint32_t> corners(vertices);
+            std::iota(corners.data(), corners.data() + vertices, 0U);
             return corners;
-        corners = m_gltf.wholesOf(*indices, m_stopCheck);
-        for (const std::uint32_t corner : corners)
+        }
+        LargeBuffer<std::uint32_t> corners = m_gltf.wholesOf(*indices, m_file.stop);
+        for (const std::uint32_t corner : corners.part(0, corners.size()))
             if (corner >= vertices) {
                 FileError error(FileErrorKind::IndexOutOfRange, m_file.path);
                 error.token = std::to_string(corner);
@@ -169,21 +177,25 @@ private:
         return corners;
     }
 
-    void addTriangles(const std::vector<std::uint32_t>& corners, Mode mode, Slot first, bool isMirrored)
+    void addTriangles(const LargeBuffer<std::uint32_t>& corners, Mode mode, Slot first, bool isMirrored)
     {
-        const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
+        const std::size_t before = m_mesh.triangles.size(), count = mode == Triangles ? corners.size() / 3 : std::max<std::size_t>(corners.size(), 2) - 2;
+        if (const std::size_t most = std::min(maxFaces, mostFaceCopies * m_gltf.bytes()); before + count > most)
+            throw tooMany("faces", most, errorAtByte({}, m_file, m_file.bytes.data()));
+        m_mesh.triangles.resize(before + count);
+        const auto add = [&](std::size_t at, std::size_t a, std::size_t b, std::size_t c) {
             if (isMirrored)
                 std::swap(b, c);
-            m_mesh.triangles.push_back({first + corners[a], first + corners[b], first + corners[c]});
+            m_mesh.triangles[before + at] = {first + corners[a], first + corners[b], first + corners[c]};
         };
-        if (mode == Triangles)
-            for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
-                add(i, i + 1, i + 2);
-        else
-            for (std::size_t i = 0; i + 2 < corners.size(); ++i)
-                mode == TriangleFan ? add(0, i + 1, i + 2) : add(i, i + 1 + i % 2, i + 2 - i % 2);
-        if (const std::size_t most = std::min(maxFaces, mostFaceCopies * m_gltf.bytes()); m_mesh.triangles.size() > most)
-            throw tooMany("faces", most, errorAtByte({}, m_file, m_file.bytes.data()));
+        forEachChunk(count, chunkSize, [&](std::size_t, std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                switch (mode) {
+                case Triangles: add(i, 3 * i, 3 * i + 1, 3 * i + 2); break;
+                case TriangleStrip: add(i, i, i + 1 + i % 2, i + 2 - i % 2); break;
+                case TriangleFan: add(i, 0, i + 1, i + 2); break;
+                }
+        });
     }
 
     const FileBytes& m_file;

@@ -3,16 +3,20 @@
 #include "palette.h"
 #include "ply_source.h"
 #include "polygons.h"
+#include "record_writer.h"
 #include "text_writer.h"
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 
 namespace core::mesh_io
 {
 namespace
 {
+constexpr std::size_t rowsPerChunk = 1 << 15;
+
 enum class Role { X, Y, Z, Red, Green, Blue, Corners, None };
 
 Role roleOf(const PlyProperty& property, bool ofVertex)
@@ -76,7 +80,8 @@ public:
             else
                 skipAll(element);
         }
-        m_mesh.triangles = m_faces.triangles(m_mesh.points, m_stopCheck);
+        if (m_mesh.triangles.empty())
+            m_mesh.triangles = m_faces.triangles(m_mesh.points, m_stopCheck);
         return std::move(m_mesh);
     }
 
@@ -106,41 +111,58 @@ private:
         if (!has(roles, {Role::X, Role::Y, Role::Z}))
             throw errorAtLine(FileErrorKind::Malformed, m_file, element.line, element.name);
         const bool colored = has(roles, {Role::Red, Role::Green, Role::Blue});
-        m_mesh.points.reserve(element.count);
+        m_mesh.points.resize(element.count);
         if (colored)
-            m_mesh.colors.reserve(element.count);
-        for (std::uint64_t i = 0; i < element.count; ++i)
-            readVertex(element, roles, colored);
+            m_mesh.colors.resize(element.count);
+        const auto readAll = [&](Source& source, std::size_t begin, std::size_t end) {
+            StopCheck stopCheck(m_file.stop);
+            for (std::size_t i = begin; i < end; ++i) {
+                stopCheck();
+                readVertex(source, element, roles, colored, i);
+            }
+        };
+        if constexpr (Source::hasRows) {
+            if (std::ranges::none_of(element.properties, [](const PlyProperty& property) { return property.countType.has_value(); })) {
+                const std::uint64_t size = element.leastSize(m_header.encoding);
+                forEachChunk(element.count, rowsPerChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+                    Source rows = m_source;
+                    rows.skip(PlyType::Uint8, begin * size);
+                    readAll(rows, begin, end);
+                });
+                m_source.skip(PlyType::Uint8, element.count * size);
+                return;
+            }
+        }
+        readAll(m_source, 0, element.count);
     }
 
-    void readVertex(const PlyElement& element, const std::vector<Role>& roles, bool colored)
+    void readVertex(Source& source, const PlyElement& element, const std::vector<Role>& roles, bool colored, std::size_t index)
     {
         std::array<float, 3> point{};
         std::array<std::uint8_t, 3> color{};
-        m_stopCheck();
-        m_source.beginElement();
+        source.beginElement();
         for (std::size_t i = 0; i < roles.size(); ++i) {
             const PlyProperty& property = element.properties[i];
             if (roles[i] <= Role::Z)
-                point[static_cast<std::size_t>(roles[i])] = m_source.number(property.type);
+                point[static_cast<std::size_t>(roles[i])] = source.number(property.type);
             else if (roles[i] <= Role::Blue && colored)
-                color[static_cast<std::size_t>(roles[i]) - 3] = readColor(property.type);
+                color[static_cast<std::size_t>(roles[i]) - 3] = readColor(source, property.type);
             else
-                skip(property);
+                skip(source, property);
         }
-        m_source.endElement();
-        m_mesh.points.emplace_back(point[0], point[1], point[2]);
+        source.endElement();
+        m_mesh.points[index] = Vec3f(point[0], point[1], point[2]);
         if (colored)
-            m_mesh.colors.push_back({color[0], color[1], color[2]});
+            m_mesh.colors[index] = {color[0], color[1], color[2]};
     }
 
-    std::uint8_t readColor(PlyType type)
+    static std::uint8_t readColor(Source& source, PlyType type)
     {
         constexpr float full = 255.0f;
         constexpr std::int64_t wideToByte = 257; // 65535 / 255
         if (!isWhole(type))
-            return static_cast<std::uint8_t>(std::lround(std::clamp(m_source.number(type) * full, 0.0f, full)));
-        const std::int64_t value = m_source.whole(type) / (type == PlyType::Uint16 ? wideToByte : 1);
+            return static_cast<std::uint8_t>(std::lround(std::clamp(source.number(type) * full, 0.0f, full)));
+        const std::int64_t value = source.whole(type) / (type == PlyType::Uint16 ? wideToByte : 1);
         return static_cast<std::uint8_t>(std::clamp<std::int64_t>(value, 0, 255));
     }
 
@@ -150,31 +172,76 @@ private:
         const std::vector<Role> roles = rolesOf(element, false);
         if (!has(roles, {Role::Corners}))
             return skipAll(element);
+        if constexpr (Source::hasRows)
+            if (readFacesInRows(element, roles))
+                return;
         for (std::uint64_t i = 0; i < element.count; ++i) {
             m_stopCheck();
-            m_source.beginElement();
-            for (std::size_t k = 0; k < roles.size(); ++k)
-                roles[k] == Role::Corners ? readFace(element.properties[k]) : skip(element.properties[k]);
-            m_source.endElement();
+            readFace(m_source, element, roles, m_faces);
         }
     }
 
-    void readFace(const PlyProperty& property)
+    /// On all cores. False, and nothing is changed, if not all faces have as many corners as the first, or if anything is wrong.
+    bool readFacesInRows(const PlyElement& element, const std::vector<Role>& roles)
     {
-        const std::int64_t count = m_source.whole(*property.countType);
+        const auto lists = std::ranges::count_if(element.properties, [](const PlyProperty& property) { return property.countType.has_value(); });
+        if (lists != 1 || element.count == 0 || m_mesh.points.empty())
+            return false;
+        try {
+            Polygons first;
+            Source afterFirst = m_source;
+            readFace(afterFirst, element, roles, first);
+            const std::uint64_t size = m_source.bytesLeft() - afterFirst.bytesLeft(), trianglesEach = first.corners() - 2;
+            if (element.count > m_source.bytesLeft() / size || element.count * trianglesEach > maxFaces)
+                return false;
+            std::vector<Triangle> triangles(element.count * trianglesEach);
+            std::atomic<bool> areRows = true;
+            forEachChunk(element.count, rowsPerChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+                Source rows = m_source;
+                rows.skip(PlyType::Uint8, begin * size);
+                Polygons faces;
+                for (std::size_t i = begin; i < end && areRows; ++i) {
+                    readFace(rows, element, roles, faces);
+                    if (rows.bytesLeft() != m_source.bytesLeft() - (i + 1) * size)
+                        areRows = false;
+                }
+                if (areRows)
+                    std::ranges::copy(faces.triangles(m_mesh.points, StopCheck(m_file.stop)), triangles.begin() + static_cast<std::ptrdiff_t>(begin * trianglesEach));
+            });
+            if (!areRows)
+                return false;
+            m_mesh.triangles = std::move(triangles);
+            m_source.skip(PlyType::Uint8, element.count * size);
+            return true;
+        } catch (const FileError&) {
+            return false; // who reads it face by face says where
+        }
+    }
+
+    void readFace(Source& source, const PlyElement& element, const std::vector<Role>& roles, Polygons& faces) const
+    {
+        source.beginElement();
+        for (std::size_t k = 0; k < roles.size(); ++k)
+            roles[k] == Role::Corners ? readCorners(source, element.properties[k], faces) : skip(source, element.properties[k]);
+        source.endElement();
+    }
+
+    void readCorners(Source& source, const PlyProperty& property, Polygons& faces) const
+    {
+        const std::int64_t count = source.whole(*property.countType);
         if (count < 3)
-            m_source.fail(FileErrorKind::Malformed);
+            source.fail(FileErrorKind::Malformed);
         if (count > static_cast<std::int64_t>(maxCorners))
-            m_source.fail(FileErrorKind::TooManyElements, maxCorners, "corners");
+            source.fail(FileErrorKind::TooManyElements, maxCorners, "corners");
         const PlyElement* const vertices = m_header.find("vertex");
         const std::uint64_t most = vertices ? vertices->count : 0;
         for (std::int64_t i = 0; i < count; ++i) {
-            const std::int64_t index = m_source.whole(property.type);
+            const std::int64_t index = source.whole(property.type);
             if (index < 0 || static_cast<std::uint64_t>(index) >= most)
-                m_source.fail(FileErrorKind::IndexOutOfRange, most, std::to_string(index));
-            m_faces.addCorner(static_cast<Slot>(index));
+                source.fail(FileErrorKind::IndexOutOfRange, most, std::to_string(index));
+            faces.addCorner(static_cast<Slot>(index));
         }
-        m_faces.endFace();
+        faces.endFace();
     }
 
     void skipAll(const PlyElement& element)
@@ -185,17 +252,17 @@ private:
             m_stopCheck();
             m_source.beginElement();
             for (const PlyProperty& property : element.properties)
-                skip(property);
+                skip(m_source, property);
             m_source.endElement();
         }
     }
 
-    void skip(const PlyProperty& property)
+    static void skip(Source& source, const PlyProperty& property)
     {
-        const std::int64_t count = property.countType ? m_source.whole(*property.countType) : 1;
+        const std::int64_t count = property.countType ? source.whole(*property.countType) : 1;
         if (count < 0)
-            m_source.fail(FileErrorKind::Malformed);
-        m_source.skip(property.type, static_cast<std::uint64_t>(count));
+            source.fail(FileErrorKind::Malformed);
+        source.skip(property.type, static_cast<std::uint64_t>(count));
     }
 
     FileBytes m_file;
@@ -234,22 +301,19 @@ void writeText(TextWriter& text, const TriangleMesh& mesh)
 
 void writeBinary(AtomicFile& out, const TriangleMesh& mesh)
 {
-    std::string record;
-    for (std::size_t i = 0; i < mesh.points.size(); ++i) {
-        record.clear();
+    const bool colored = !mesh.colors.empty();
+    writeRecords(out, mesh.points.size(), colored ? 15 : 12, [&](std::size_t i, char* into) {
         for (int k = 0; k < 3; ++k)
-            append(record, mesh.points[i][k]);
-        if (!mesh.colors.empty())
-            for (const std::uint8_t c : {mesh.colors[i].r, mesh.colors[i].g, mesh.colors[i].b})
-                append(record, c);
-        out.write(record);
-    }
-    for (const Triangle& t : mesh.triangles) {
-        record.assign(1, char(3));
-        for (const Slot corner : t)
-            append(record, static_cast<std::int32_t>(corner));
-        out.write(record);
-    }
+            store(into, mesh.points[i][k]);
+        if (colored)
+            for (const std::uint8_t part : {mesh.colors[i].r, mesh.colors[i].g, mesh.colors[i].b})
+                store(into, part);
+    });
+    writeRecords(out, mesh.triangles.size(), 13, [&mesh](std::size_t i, char* into) {
+        store(into, std::uint8_t(3));
+        for (const Slot corner : mesh.triangles[i])
+            store(into, static_cast<std::int32_t>(corner));
+    });
 }
 } // namespace
 

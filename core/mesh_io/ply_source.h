@@ -12,6 +12,8 @@ namespace core::mesh_io
 class PlyTextSource
 {
 public:
+    static constexpr bool hasRows = false;
+
     PlyTextSource(const FileBytes& file, const PlyHeader& header) : m_file(file), m_text(file, header.body) {}
 
     std::uint64_t bytesLeft() const { return static_cast<std::uint64_t>(fileEnd() - m_text.position()); }
@@ -57,6 +59,9 @@ private:
 class PlyBinarySource
 {
 public:
+    /// Elements without lists, or with lists of one length, have one size: each can be found without reading those before it.
+    static constexpr bool hasRows = true;
+
     PlyBinarySource(const FileBytes& file, const PlyHeader& header)
         : m_file(file)
         , m_order(header.encoding == PlyEncoding::BigEndian ? std::endian::big : std::endian::little)

@@ -2,6 +2,7 @@
 // are written: a triangle's colour is not a vertex's.
 
 #include "binary.h"
+#include "record_writer.h"
 #include "stl_colors.h"
 #include "text_scanner.h"
 #include "text_writer.h"
@@ -15,32 +16,57 @@ namespace core::mesh_io
 {
 namespace
 {
+constexpr std::size_t chunkSize = 1 << 15;
+
+const char* cornerAt(const FileBytes& file, std::size_t corner)
+{
+    return file.bytes.data() + stlHeaderSize + corner / 3 * stlTriangleSize + 12 + corner % 3 * 12; // past the normal
+}
+
+/// The triangles that loose corners make, welded.
+TriangleMesh meshOf(std::size_t triangles, const PointLoader& corners, const std::stop_token& stop)
+{
+    const SamePoints same = samePoints(3 * triangles, corners, stop);
+    TriangleMesh mesh;
+    mesh.points.resize(same.firsts.size());
+    forEachChunk(same.firsts.size(), chunkSize, [&](std::size_t, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            corners(same.firsts[i], {&mesh.points[i], 1});
+    });
+    mesh.triangles.resize(triangles);
+    forEachChunk(triangles, chunkSize, [&](std::size_t, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            mesh.triangles[i] = {same.numbers[3 * i], same.numbers[3 * i + 1], same.numbers[3 * i + 2]};
+    });
+    return mesh;
+}
+
+/// The first that is none.
+[[noreturn]] void refuseNumber(const FileBytes& file)
+{
+    for (std::size_t corner = 0;; ++corner)
+        for (const char* at = cornerAt(file, corner); at != cornerAt(file, corner) + 12; at += 4)
+            if (!std::isfinite(load<float>(at, std::endian::little)))
+                throw errorAtByte(FileErrorKind::NotANumber, file, at);
+}
+
 TriangleMesh readBinary(const FileBytes& file)
 {
-    TriangleMesh mesh;
     const std::size_t count = (file.bytes.size() - stlHeaderSize) / stlTriangleSize;
-    Welder welder(count / 2); // as many as a closed surface has
-    mesh.triangles.reserve(count);
-    std::vector<std::uint16_t> words;
-    words.reserve(count);
-    StopCheck stopCheck(file.stop);
-    for (std::size_t i = 0; i < count; ++i) {
-        stopCheck();
-        const char* at = file.bytes.data() + stlHeaderSize + i * stlTriangleSize + 12; // past the normal
-        Triangle triangle;
-        for (Slot& corner : triangle) {
-            Vec3f p;
-            for (int k = 0; k < 3; ++k, at += 4) {
-                p[k] = load<float>(at, std::endian::little) + 0.0f; // adding 0 takes the sign from -0
-                if (!std::isfinite(p[k]))
-                    throw errorAtByte(FileErrorKind::NotANumber, file, at);
-            }
-            corner = welder.add(p);
+    const auto corners = [&file](std::size_t begin, std::span<Vec3f> into) {
+        for (Vec3f& p : into) {
+            const char* const at = cornerAt(file, begin++);
+            for (int k = 0; k < 3; ++k)
+                p[k] = load<float>(at + 4 * k, std::endian::little) + 0.0F; // adding 0 takes the sign from -0
         }
-        mesh.triangles.push_back(triangle);
-        words.push_back(load<std::uint16_t>(at, std::endian::little));
-    }
-    mesh.points = welder.takePoints();
+    };
+    TriangleMesh mesh = meshOf(count, corners, file.stop);
+    if (!std::ranges::all_of(mesh.points, [](const Vec3f& p) { return p.allFinite(); }))
+        refuseNumber(file);
+    std::vector<std::uint16_t> words(count);
+    for (std::size_t i = 0; i < count; ++i)
+        words[i] = load<std::uint16_t>(cornerAt(file, 3 * i) + 36, std::endian::little);
+    StopCheck stopCheck(file.stop);
     mesh.colors = stlColors(file.bytes.substr(0, stlHeaderSize - 4), words, mesh, stopCheck);
     return mesh;
 }
@@ -54,8 +80,8 @@ public:
     {
         while (readSolid()) {
         }
-        m_mesh.points = m_welder.takePoints();
-        return std::move(m_mesh);
+        const auto load = [this](std::size_t begin, std::span<Vec3f> into) { std::ranges::copy_n(m_corners.begin() + static_cast<std::ptrdiff_t>(begin), static_cast<std::ptrdiff_t>(into.size()), into.begin()); };
+        return meshOf(m_corners.size() / 3, load, m_file.stop);
     }
 
 private:
@@ -85,17 +111,14 @@ private:
                 m_text.fail(FileErrorKind::Malformed, {});
         require(m_text.wordAnywhere(), "outer");
         require(m_text.wordAnywhere(), "loop");
-        Triangle triangle;
-        for (Slot& corner : triangle) {
+        for (int corner = 0; corner < 3; ++corner) {
             require(m_text.wordAnywhere(), "vertex");
-            Vec3f p;
+            Vec3f& p = m_corners.emplace_back();
             for (int i = 0; i < 3; ++i)
-                p[i] = m_text.toNumber(m_text.wordAnywhere()) + 0.0f;
-            corner = m_welder.add(p);
+                p[i] = m_text.toNumber(m_text.wordAnywhere()) + 0.0F;
         }
         require(m_text.wordAnywhere(), "endloop");
         require(m_text.wordAnywhere(), "endfacet");
-        m_mesh.triangles.push_back(triangle);
     }
 
     static bool is(std::string_view word, std::string_view keyword)
@@ -113,8 +136,7 @@ private:
     FileBytes m_file;
     TextScanner m_text;
     StopCheck m_stopCheck;
-    TriangleMesh m_mesh;
-    Welder m_welder;
+    std::vector<Vec3f> m_corners;
 };
 
 /// Unit normal, or 0 if the triangle has no area.
@@ -132,17 +154,14 @@ void writeBinary(AtomicFile& out, const TriangleMesh& mesh)
     header.resize(stlHeaderSize - 4);
     append(header, static_cast<std::uint32_t>(mesh.triangles.size()));
     out.write(header);
-    std::string record;
-    for (const Triangle& t : mesh.triangles) {
-        const std::array<Vec3f, 3> corners{mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]};
-        record.clear();
-        const Vec3f normal = normalOf(corners);
-        for (const Vec3f& p : {normal, corners[0], corners[1], corners[2]})
-            for (int i = 0; i < 3; ++i)
-                append(record, p[i] + 0.0f);
-        append(record, std::uint16_t(0));
-        out.write(record);
-    }
+    writeRecords(out, mesh.triangles.size(), stlTriangleSize, [&mesh](std::size_t i, char* into) {
+        const auto& [a, b, c] = mesh.triangles[i];
+        const std::array<Vec3f, 3> corners{mesh.points[a], mesh.points[b], mesh.points[c]};
+        for (const Vec3f& p : {normalOf(corners), corners[0], corners[1], corners[2]})
+            for (int k = 0; k < 3; ++k)
+                store(into, p[k] + 0.0F);
+        store(into, std::uint16_t(0));
+    });
 }
 
 void writeText(AtomicFile& out, const TriangleMesh& mesh)

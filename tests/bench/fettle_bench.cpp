@@ -1,5 +1,5 @@
 // What a dab costs, in tables: the paper's Table 1, scale, large dabs, strength, memory. By hand, on a release build:
-//   fettle_bench [--benchmark_filter=table1|peersStroke|largeDab|strength|drawing|print|memory]
+//   fettle_bench [--benchmark_filter=table1|peersStroke|largeDab|strength|drawing|print|files|memory]
 //   FETTLE_AGED_DABS=100000 fettle_bench --benchmark_filter=agedStroke
 // Five interleaved runs of each row, of which the best counts; --benchmark_repetitions=1 is enough for a look.
 
@@ -52,6 +52,16 @@ std::vector<bench::Table> tables()
           {"whole", "whole", 3}}},
         {"drawing", "Drawings of 1,004,892 vertices, three views: milliseconds", {{"wall", "wall", 1}}},
         {"drawingStroke", "The same while a stroke goes on, each fifth dab drawn: milliseconds", {{"apply", "patch", 1}, {"wall", "all", 1}, {"worst", "worst", 1}}},
+        {"files",
+         "Files of 1,004,892 vertices in no order: milliseconds; plain: the same bytes, without a look at them, safe on the disk",
+         {{"megabytes", "MB", 0},
+          {"plain", "plain read", 1},
+          {"read", "read", 1},
+          {"read_plain", "/ plain", 2},
+          {"assimp", "Assimp", 0},
+          {"build", "document", 0},
+          {"plain_write", "plain write", 0},
+          {"write", "write", 0}}},
         {"print", "Print check of 1,004,892 vertices: milliseconds", {{"wall", "wall", 1}}},
         {"journal",
          "Journal, strokes of 24 dabs: microseconds of the mesh thread without it and with it, bytes a dab, milliseconds of its own threads",

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <type_traits>
+
+namespace core
+{
+/// Throws std::bad_alloc. From some megabytes on it lies in the system's large pages, where there are any: to touch new memory
+/// page by page costs more than to fill it.
+std::unique_ptr<std::byte, void (*)(void*)> allocateLarge(std::size_t bytes);
+
+/// So many numbers, of any value until they are written.
+template <typename Number> class LargeBuffer
+{
+    static_assert(std::is_trivially_copyable_v<Number> && std::is_trivially_destructible_v<Number>);
+
+public:
+    explicit LargeBuffer(std::size_t size) : m_bytes(allocateLarge(size * sizeof(Number))), m_size(size) {}
+
+    std::size_t size() const { return m_size; }
+    Number* data() { return reinterpret_cast<Number*>(m_bytes.get()); }
+    const Number* data() const { return reinterpret_cast<const Number*>(m_bytes.get()); }
+    Number& operator[](std::size_t i) { return data()[i]; }
+    const Number& operator[](std::size_t i) const { return data()[i]; }
+    std::span<Number> part(std::size_t begin, std::size_t end) { return {data() + begin, end - begin}; }
+
+private:
+    std::unique_ptr<std::byte, void (*)(void*)> m_bytes;
+    std::size_t m_size;
+};
+} // namespace core

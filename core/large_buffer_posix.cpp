@@ -1,0 +1,28 @@
+#include "large_buffer.h"
+
+#include <cstdlib>
+#include <new>
+#include <sys/mman.h>
+
+namespace core
+{
+namespace
+{
+constexpr std::size_t pageSize = std::size_t(1) << 21; ///< a large page of the common processors
+constexpr std::size_t worthPages = 2 * pageSize;
+} // namespace
+
+std::unique_ptr<std::byte, void (*)(void*)> allocateLarge(std::size_t bytes)
+{
+    const bool isLarge = bytes >= worthPages;
+    const std::size_t rounded = isLarge ? (bytes + pageSize - 1) / pageSize * pageSize : bytes + 1;
+    void* const memory = isLarge ? std::aligned_alloc(pageSize, rounded) : std::malloc(rounded);
+    if (!memory)
+        throw std::bad_alloc();
+#ifdef MADV_HUGEPAGE
+    if (isLarge)
+        ::madvise(memory, rounded, MADV_HUGEPAGE); // a wish
+#endif
+    return {static_cast<std::byte*>(memory), std::free};
+}
+} // namespace core
