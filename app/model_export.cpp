@@ -22,7 +22,7 @@ namespace
 constexpr double afterDecimating = 0.85, afterWriting = 0.2;
 } // namespace
 
-ExportOutcome ModelExport::run(const ExportOrder& order, const Tell& tell, const core::JobWatch& watch)
+ExportOutcome ModelExport::run(ExportOrder order, const Tell& tell, const core::JobWatch& watch)
 {
     const bool decimates = order.mostTriangles > 0 && order.mesh && order.mesh->live().faces > order.mostTriangles;
     try {
@@ -34,6 +34,7 @@ ExportOutcome ModelExport::run(const ExportOrder& order, const Tell& tell, const
         const core::Decimated few = core::decimate(std::move(*order.mesh), order.mostTriangles, watch.part(0, afterDecimating));
         if (watch.stopped())
             return {};
+        order.notes = {}; // they are of the whole model
         return write(order, few.mesh, tell, watch.part(afterDecimating, 1));
     } catch (const core::ReadingStopped&) {
         return {{}, tr("%1 was written; it was not read back.").arg(QDir::toNativeSeparators(order.path))};

@@ -1,15 +1,15 @@
 #include "export_dialog.h"
 
+#include "dialog_parts.h"
+#include "settings.h"
 #include "slicer.h"
 
 #include <QButtonGroup>
 #include <QCheckBox>
 #include <QCoreApplication>
 #include <QDialog>
-#include <QDialogButtonBox>
 #include <QLabel>
 #include <QLocale>
-#include <QPushButton>
 #include <QRadioButton>
 #include <QSpinBox>
 #include <QVBoxLayout>
@@ -18,25 +18,21 @@ namespace ui
 {
 namespace
 {
-constexpr int margin = 16, gap = 8; ///< of the window's spacing grid
 constexpr int textWidth = 380;
-constexpr int leastTriangles = 4, mostTriangles = 100'000'000;
+constexpr int gameTriangles = 20'000; ///< what such programs usually take
 
-/// A row of the dialog. The number of triangles is what such programs usually take; 0: as many as there are.
+/// A row of the dialog; they stand as in `exportUses`.
 struct Preset
 {
-    const char* ending;
-    int triangles;
-    bool prints;
     const char* title;
     const char* words;
 };
 constexpr Preset presets[] = {
-    {"stl", 0, true, QT_TRANSLATE_NOOP("ui::ExportDialog", "&Print: STL"),
+    {QT_TRANSLATE_NOOP("ui::ExportDialog", "&Print: STL"),
      QT_TRANSLATE_NOOP("ui::ExportDialog", "The shape alone, in millimetres, Z up. Every slicer reads it.")},
-    {"3mf", 0, true, QT_TRANSLATE_NOOP("ui::ExportDialog", "Print with &colour: 3MF"),
+    {QT_TRANSLATE_NOOP("ui::ExportDialog", "Print with &colour: 3MF"),
      QT_TRANSLATE_NOOP("ui::ExportDialog", "Shape and colours, in millimetres for certain, Z up. Newer slicers read it.")},
-    {"glb", 20'000, false, QT_TRANSLATE_NOOP("ui::ExportDialog", "&Game: GLB"),
+    {QT_TRANSLATE_NOOP("ui::ExportDialog", "&Game: GLB"),
      QT_TRANSLATE_NOOP("ui::ExportDialog", "Shape and colours, in metres, Y up. Game engines, web pages and Blender read it.")}};
 
 class ExportDialog : public QDialog
@@ -44,57 +40,41 @@ class ExportDialog : public QDialog
     Q_DECLARE_TR_FUNCTIONS(ui::ExportDialog)
 
 public:
-    ExportDialog(QWidget* parent, const ModelFacts& facts) : QDialog(parent), m_presets(new QButtonGroup(this))
+    ExportDialog(QWidget* parent, const ModelFacts& facts, const ExportChoice& last) : QDialog(parent), m_presets(new QButtonGroup(this))
     {
-        setObjectName(QStringLiteral("exportChoice"));
-        setAttribute(Qt::WA_DeleteOnClose);
-        setWindowTitle(tr("Export for Print or Game"));
-        auto* column = new QVBoxLayout(this);
-        column->setContentsMargins(margin, margin, margin, margin);
-        column->setSpacing(gap);
-        column->addWidget(text(tr("What is the file for?")));
-        for (const Preset& preset : presets)
-            addPreset(column, preset);
-        column->addSpacing(gap);
+        QVBoxLayout* column = beginDialog(this, "exportChoice", tr("Export for Print or Game"));
+        column->addWidget(dialogText(tr("What is the file for?"), textWidth));
+        for (std::size_t i = 0; i < exportUses.size(); ++i)
+            addPreset(column, presets[i], exportUses[i].key);
+        column->addSpacing(dialogGap);
         addBudget(column, facts);
         addTrial(column);
-        column->addSpacing(gap);
-        addButtons(column);
-        column->setSizeConstraint(QLayout::SetFixedSize);
-        connect(m_presets, &QButtonGroup::idToggled, this, [this](int id, bool isChosen) {
+        column->addSpacing(dialogGap);
+        addAnswers(this, tr("&Export…"));
+        takeUp(last);
+        connect(m_presets, &QButtonGroup::idToggled, this, [this](int, bool isChosen) {
             if (isChosen)
-                choose(presets[id]);
+                takeUsual();
         });
-        m_presets->button(0)->setChecked(true);
-        m_presets->button(0)->setFocus();
     }
 
-    ExportChoice choice() const
-    {
-        return {QLatin1StringView(presets[m_presets->checkedId()].ending), m_limits->isChecked() ? static_cast<quint64>(m_most->value()) : 0,
-                m_slices->isEnabled() && m_slices->isChecked()};
-    }
+    ExportChoice choice() const { return {use(), m_limits->isChecked() ? static_cast<quint64>(m_most->value()) : 0, m_slices->isChecked()}; }
+    bool tries() const { return m_slices->isChecked() && prints() && !installedSlicer().isEmpty(); }
 
 private:
-    static QLabel* text(const QString& sentence)
-    {
-        auto* label = new QLabel(sentence);
-        label->setWordWrap(true);
-        label->setTextFormat(Qt::PlainText);
-        label->setFixedWidth(textWidth);
-        return label;
-    }
+    ExportUse use() const { return exportUses[static_cast<std::size_t>(m_presets->checkedId())].value; }
+    bool prints() const { return use() != ExportUse::Game; }
 
-    void addPreset(QVBoxLayout* column, const Preset& preset)
+    void addPreset(QVBoxLayout* column, const Preset& preset, const char* ending)
     {
         auto* button = new QRadioButton(tr(preset.title));
-        button->setObjectName(QLatin1StringView(preset.ending));
+        button->setObjectName(QLatin1StringView(ending));
         button->setToolTip(tr(preset.words));
         button->setAccessibleDescription(tr(preset.words));
         m_presets->addButton(button, static_cast<int>(m_presets->buttons().size()));
         column->addWidget(button);
-        QLabel* words = text(tr(preset.words));
-        words->setIndent(3 * gap);
+        QLabel* words = dialogText(tr(preset.words), textWidth);
+        words->setIndent(3 * dialogGap);
         column->addWidget(words);
     }
 
@@ -107,17 +87,16 @@ private:
         m_most->setObjectName(QStringLiteral("most"));
         m_most->setAccessibleName(tr("Most triangles"));
         m_most->setToolTip(tr("The file has at most so many triangles."));
-        m_most->setRange(leastTriangles, mostTriangles);
+        m_most->setRange(leastExportTriangles, mostExportTriangles);
         m_most->setGroupSeparatorShown(true);
         m_most->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-        m_most->setValue(presets[2].triangles);
         auto* row = new QHBoxLayout;
-        row->setSpacing(gap);
+        row->setSpacing(dialogGap);
         row->addWidget(m_limits);
         row->addWidget(m_most, 1);
         column->addLayout(row);
-        column->addWidget(text(tr("The model has %1 triangles. The file is read back and judged when it is written.")
-                                   .arg(QLocale().toString(facts.faces))));
+        column->addWidget(dialogText(
+            tr("The model has %1 triangles. The file is read back and judged when it is written.").arg(QLocale().toString(facts.faces)), textWidth));
         connect(m_limits, &QCheckBox::toggled, m_most, &QWidget::setEnabled);
     }
 
@@ -131,23 +110,28 @@ private:
         m_slices->setVisible(!installedSlicer().isEmpty());
     }
 
-    void addButtons(QVBoxLayout* column)
+    void takeUp(const ExportChoice& last)
     {
-        auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
-        auto* agree = buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
-        column->addWidget(buttons);
-        agree->setDefault(true);
-        connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-        connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+        const auto row = std::ranges::find(exportUses, last.use, &Named<ExportUse>::value) - exportUses.begin();
+        m_presets->button(static_cast<int>(row))->setChecked(true);
+        m_presets->button(static_cast<int>(row))->setFocus();
+        setTriangles(last.mostTriangles);
+        m_slices->setChecked(last.slices);
+        m_slices->setEnabled(prints());
     }
 
-    void choose(const Preset& preset)
+    void takeUsual()
     {
-        m_slices->setEnabled(preset.prints);
-        m_limits->setChecked(preset.triangles > 0);
-        m_most->setEnabled(preset.triangles > 0);
-        if (preset.triangles > 0)
-            m_most->setValue(preset.triangles);
+        setTriangles(prints() ? 0 : gameTriangles);
+        m_slices->setEnabled(prints());
+    }
+
+    /// 0: all
+    void setTriangles(quint64 most)
+    {
+        m_limits->setChecked(most > 0);
+        m_most->setEnabled(most > 0);
+        m_most->setValue(most > 0 ? static_cast<int>(most) : gameTriangles);
     }
 
     QButtonGroup* m_presets;
@@ -157,10 +141,15 @@ private:
 };
 } // namespace
 
-void askForExportChoice(QWidget* parent, const ModelFacts& facts, const std::function<void(const ExportChoice&)>& answer)
+void askForExportChoice(QWidget* parent, const ModelFacts& facts, Settings* settings, const std::function<void(const ExportChoice&)>& answer)
 {
-    auto* dialog = new ExportDialog(parent, facts);
-    QObject::connect(dialog, &QDialog::accepted, dialog, [dialog, answer] { answer(dialog->choice()); });
+    auto* dialog = new ExportDialog(parent, facts, settings->exporting());
+    QObject::connect(dialog, &QDialog::accepted, dialog, [dialog, settings, answer] {
+        ExportChoice choice = dialog->choice();
+        settings->setExporting(choice);
+        choice.slices = dialog->tries();
+        answer(choice);
+    });
     dialog->open();
 }
 } // namespace ui

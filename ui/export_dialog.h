@@ -1,5 +1,6 @@
 #pragma once
 
+#include "export_choice.h"
 #include "model_facts.h"
 
 #include <functional>
@@ -8,14 +9,9 @@ class QWidget;
 
 namespace ui
 {
-/// How a model leaves for another program.
-struct ExportChoice
-{
-    QString ending;            ///< of the format
-    quint64 mostTriangles = 0; ///< 0: all
-    bool slices = false;       ///< and then an installed slicer slices it to try
-};
+class Settings;
 
-/// What it is for, and with how many triangles. Returns at once; the answer is called when the person agreed, and never else.
-void askForExportChoice(QWidget* parent, const ModelFacts& facts, const std::function<void(const ExportChoice&)>& answer);
+/// What it is for, and with how many triangles; as last time, which the settings keep. Returns at once; the answer is called when the
+/// person agreed, and never else. It slices only where there is a slicer and the file is for print.
+void askForExportChoice(QWidget* parent, const ModelFacts& facts, Settings* settings, const std::function<void(const ExportChoice&)>& answer);
 } // namespace ui

@@ -1,9 +1,10 @@
 #include "mending_dialogs.h"
 
+#include "dialog_parts.h"
+
 #include <QCheckBox>
 #include <QCoreApplication>
 #include <QDialog>
-#include <QDialogButtonBox>
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
@@ -18,17 +19,7 @@ class MendingDialogs
     Q_DECLARE_TR_FUNCTIONS(ui::MendingDialogs)
 };
 
-constexpr int margin = 16, gap = 8; ///< of the window's spacing grid
 constexpr int textWidth = 400;
-
-QLabel* text(const QString& sentence)
-{
-    auto* label = new QLabel(sentence);
-    label->setWordWrap(true);
-    label->setTextFormat(Qt::PlainText);
-    label->setFixedWidth(textWidth);
-    return label;
-}
 
 QCheckBox* check(const char* name, const QString& label, bool isChecked)
 {
@@ -42,32 +33,19 @@ QCheckBox* check(const char* name, const QString& label, bool isChecked)
 void askToMend(QWidget* parent, const QString& problem, const std::function<void(const core::LegaliseOptions& options)>& answer)
 {
     auto* dialog = new QDialog(parent);
-    dialog->setObjectName(QStringLiteral("mendDialog"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setWindowTitle(MendingDialogs::tr("Mend the Model"));
+    QVBoxLayout* column = beginDialog(dialog, "mendDialog", MendingDialogs::tr("Mend the Model"));
     const core::LegaliseOptions defaults;
     auto* largeHoles = check("largeHoles", MendingDialogs::tr("Fill large holes, too: longer than a quarter of the model"), defaults.fillLargeHoles);
     auto* cavities = check("cavities", MendingDialogs::tr("Parts inside of others are cavities, not solid"), defaults.innerAreCavities);
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
-    QPushButton* agree = buttons->addButton(MendingDialogs::tr("Mend and Open"), QDialogButtonBox::AcceptRole);
-
-    auto* column = new QVBoxLayout(dialog);
-    column->setContentsMargins(margin, margin, margin, margin);
-    column->setSpacing(gap);
-    column->setSizeConstraint(QLayout::SetFixedSize);
-    column->addWidget(text(problem));
-    column->addWidget(text(MendingDialogs::tr("Fettle can mend it: holes are filled, faces turned outwards, and parts that "
-                                              "intersect become one. You will see what changed. The file stays as it is.")));
-    column->addSpacing(gap);
+    column->addWidget(dialogText(problem, textWidth));
+    column->addWidget(dialogText(MendingDialogs::tr("Fettle can mend it: holes are filled, faces turned outwards, and parts that "
+                                                    "intersect become one. You will see what changed. The file stays as it is."), textWidth));
+    column->addSpacing(dialogGap);
     column->addWidget(largeHoles);
     column->addWidget(cavities);
-    column->addSpacing(gap);
-    column->addWidget(buttons);
-    agree->setDefault(true);
-    agree->setFocus();
+    column->addSpacing(dialogGap);
+    addAnswers(dialog, MendingDialogs::tr("Mend and Open"))->setFocus();
 
-    QObject::connect(buttons, &QDialogButtonBox::accepted, dialog, &QDialog::accept);
-    QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
     QObject::connect(dialog, &QDialog::accepted, dialog, [answer, largeHoles, cavities] {
         answer({.fillLargeHoles = largeHoles->isChecked(), .innerAreCavities = cavities->isChecked()});
     });

@@ -1,14 +1,14 @@
 #include "model_dialogs.h"
 
+#include "dialog_parts.h"
+
 #include <QButtonGroup>
 #include <QCoreApplication>
 #include <QDialog>
-#include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLocale>
-#include <QPushButton>
 #include <QRadioButton>
 
 #include <algorithm>
@@ -19,7 +19,6 @@ namespace ui
 {
 namespace
 {
-constexpr int margin = 16, gap = 8; ///< of the window's spacing grid
 constexpr int textWidth = 320;
 constexpr double farthest = 1e6; ///< mm, for what is typed
 
@@ -46,16 +45,11 @@ class CommandDialog : public QDialog
 public:
     CommandDialog(QWidget* parent, const char* name, const QString& title, const QString& sentence) : QDialog(parent), m_form(new QFormLayout)
     {
-        setObjectName(QLatin1StringView(name));
-        setAttribute(Qt::WA_DeleteOnClose);
-        setWindowTitle(title);
-        m_form->setSpacing(gap);
-        auto* column = new QVBoxLayout(this);
-        column->setContentsMargins(margin, margin, margin, margin);
-        column->setSpacing(margin);
-        column->addWidget(text(sentence));
+        QVBoxLayout* column = beginDialog(this, name, title);
+        column->setSpacing(dialogMargin);
+        column->addWidget(dialogText(sentence, textWidth));
         column->addLayout(m_form);
-        column->setSizeConstraint(QLayout::SetFixedSize);
+        m_form->setSpacing(dialogGap);
     }
 
     QDoubleSpinBox* addNumber(const char* name, const QString& label, const Number& number)
@@ -88,33 +82,19 @@ public:
 
     QLabel* addText(const QString& sentence)
     {
-        auto* label = text(sentence);
-        static_cast<QVBoxLayout*>(layout())->addWidget(label);
+        QLabel* label = dialogText(sentence, textWidth);
+        layout()->addWidget(label);
         return label;
     }
 
     void ask(const QString& verb, const CommandAnswer& answer, const std::function<core::ModelCommand()>& command)
     {
-        auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
-        auto* agree = buttons->addButton(verb, QDialogButtonBox::AcceptRole);
-        layout()->addWidget(buttons);
-        agree->setDefault(true);
-        connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-        connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+        addAnswers(this, verb);
         connect(this, &QDialog::accepted, this, [answer, command] { answer(command()); });
         open();
     }
 
 private:
-    static QLabel* text(const QString& sentence)
-    {
-        auto* label = new QLabel(sentence);
-        label->setWordWrap(true);
-        label->setTextFormat(Qt::PlainText);
-        label->setFixedWidth(textWidth);
-        return label;
-    }
-
     QFormLayout* m_form;
 };
 

@@ -233,8 +233,9 @@ void ModelFiles::exportAs()
 
 void ModelFiles::exportFor(const ModelFacts& model)
 {
-    askForExportChoice(m_window, model, [this](const ExportChoice& choice) {
-        askForExport(m_window, m_settings->lastFolder(), m_name, {choice.ending}, [this, choice](const QString& path) {
+    askForExportChoice(m_window, model, m_settings, [this](const ExportChoice& choice) {
+        const QString ending = QLatin1StringView(std::ranges::find(exportUses, choice.use, &Named<ExportUse>::value)->key);
+        askForExport(m_window, m_settings->lastFolder(), m_name, {ending}, [this, choice](const QString& path) {
             remember(path);
             Q_EMIT exportRequested(path, choice.mostTriangles, choice.slices);
         });

@@ -2,6 +2,7 @@
 
 #include "brush_settings.h"
 #include "drawing_painter.h"
+#include "export_choice.h"
 #include "files_choice.h"
 #include "preferences.h"
 #include "printers.h"
@@ -62,11 +63,11 @@ public:
     QByteArray windowState() const;
     void setWindowState(const QByteArray& state);
 
-    /// The folder of the last file opened or exported; the user's home if there is none, or it is gone.
     /// Paths, the latest first.
     QStringList recentFiles() const;
     void addRecentFile(const QString& path);
     void setRecentFiles(const QStringList& paths);
+    /// The folder of the last file opened or exported; the user's home if there is none, or it is gone.
     QString lastFolder() const;
     void setLastFolder(const QString& folder);
 
@@ -81,6 +82,10 @@ public:
     /// How the 2D preview shows the model.
     DrawingChoice drawing() const;
     void setDrawing(const DrawingChoice& choice);
+
+    /// As it was agreed to last.
+    ExportChoice exporting() const;
+    void setExporting(const ExportChoice& choice);
 
     PrintChoice print() const;
     void setPrint(const PrintChoice& choice);

@@ -139,6 +139,8 @@ std::string jsonChunkOf(std::istream& file)
 
 void addNotes(nlohmann::ordered_json& document, const DocumentNotes& notes)
 {
+    if (!notes.frame && notes.palette.empty() && !notes.view && !notes.brush)
+        return;
     nlohmann::ordered_json json = {{"version", version}, {"unit", "mm"}};
     if (notes.frame) {
         json["lattice"] = notes.frame->lattice.exponent();

@@ -14,7 +14,7 @@ namespace core::mesh_io
 ///      "view": {"target": [0, 0, 0], "distance": 300, "yaw": 0.5, "pitch": 0.35, "orthographic": false},
 ///      "brush": {...}}
 ///
-/// Coordinates are multiples of 2^-lattice mm; "brush" is a stroke of a stroke file, without samples.
+/// Where there is nothing to note, there is no extension. Coordinates are multiples of 2^-lattice mm; "brush" is a stroke of a stroke file, without samples.
 void addNotes(nlohmann::ordered_json& document, const DocumentNotes& notes);
 
 /// From the start of a GLB. What is not as we write it is left out.

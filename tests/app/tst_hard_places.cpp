@@ -7,7 +7,11 @@
 #include "ui/mailbox.h"
 
 #include <QAction>
+#include <QCheckBox>
+#include <QDialog>
 #include <QDir>
+#include <QSettings>
+#include <QSpinBox>
 #include <QTemporaryDir>
 
 using namespace app;
@@ -143,6 +147,8 @@ private Q_SLOTS:
     void numberedCopy_isWholeOrNotThere();
     void exports_areWholeOrNotThere_data();
     void exports_areWholeOrNotThere();
+    void reducedExport_leavesTheOldFile_data() { faults(); }
+    void reducedExport_leavesTheOldFile();
     void duplicate_isWholeOrNotThere_data() { faults(); }
     void duplicate_isWholeOrNotThere();
     void filesThatMayNoMoreBeRead_haveAWord();
@@ -225,6 +231,28 @@ void TestHardPlaces::exports_areWholeOrNotThere()
     s.press(isDrawing ? "file.exportDrawing" : "file.exportAs");
     chooseFile(s.program, isDrawing ? "drawingDialog" : "exportDialog", s.place.folder() + QLatin1Char('/') + name);
     s.verifyRefused(name);
+}
+
+/// Onto the model's own file, as the person agrees to.
+void TestHardPlaces::reducedExport_leavesTheOldFile()
+{
+    QFETCH(Fault, fault);
+    SKIP_WITHOUT(fault);
+    QSettings().clear();
+    Spoilt s(*disk, fault);
+    s.sculpt();
+    s.program.document.exportTo(s.place.at("lion.ply"), 800);
+    s.verifyRefused(QStringLiteral("lion.ply"));
+    s.press("file.exportFor");
+    auto* choice = s.program.window.findChild<QDialog*>(QStringLiteral("exportChoice"));
+    QTRY_VERIFY(choice->isVisible());
+    auto* most = choice->findChild<QSpinBox*>();
+    QTest::keyClick(choice->findChild<QCheckBox*>(QStringLiteral("limits")), Qt::Key_Space);
+    most->selectAll();
+    QTest::keyClicks(most, QStringLiteral("800"));
+    QTest::keyClick(most, Qt::Key_Return);
+    chooseFile(s.program, "exportDialog", s.place.at("lion.stl"));
+    s.verifyRefused(QStringLiteral("lion.stl"));
 }
 
 void TestHardPlaces::duplicate_isWholeOrNotThere()

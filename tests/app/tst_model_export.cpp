@@ -8,7 +8,9 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QDialog>
+#include <QPointer>
 #include <QRadioButton>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QStandardPaths>
@@ -73,6 +75,9 @@ private Q_SLOTS:
     void fewerTriangles_leaveTheModelAlone();
     void dialog_writesWhatItIsAskedFor();
     void dialog_presetsSetTheBudget();
+    void dialog_comesBackAsItWasAgreedTo();
+    void fewerTriangles_carryNoNotes_data();
+    void fewerTriangles_carryNoNotes();
     void stop_endsAnExport();
     void slicer_tellsWhatItSays_data();
     void slicer_tellsWhatItSays();
@@ -199,6 +204,7 @@ void TestModelExport::dialog_writesWhatItIsAskedFor()
 
 void TestModelExport::dialog_presetsSetTheBudget()
 {
+    QSettings().clear();
     Program program;
     sculptBall(program);
     program.window.action(QStringLiteral("file.exportFor"))->trigger();
@@ -216,6 +222,85 @@ void TestModelExport::dialog_presetsSetTheBudget()
     QTest::keyClick(dialog, Qt::Key_Escape);
     QTRY_VERIFY(!program.window.findChild<QDialog*>(QStringLiteral("exportChoice")));
     QVERIFY(!program.window.findChild<QDialog*>(QStringLiteral("exportDialog")));
+}
+
+/// What was agreed to is there again, what was given up is not.
+void TestModelExport::dialog_comesBackAsItWasAgreedTo()
+{
+    QSettings().clear();
+    const SlicerOnPath slicer("exit 0");
+    Program program;
+    sculptBall(program);
+    const auto ask = [&program]() -> QDialog* {
+        program.window.action(QStringLiteral("file.exportFor"))->trigger();
+        return program.window.findChild<QDialog*>(QStringLiteral("exportChoice"));
+    };
+    QPointer<QDialog> dialog = ask();
+    QTRY_VERIFY(dialog && dialog->isVisible());
+    press(in<QRadioButton>(dialog, "3mf"));
+    QTest::keyClick(in<QCheckBox>(dialog, "slices"), Qt::Key_Space);
+    QTest::keyClick(in<QCheckBox>(dialog, "limits"), Qt::Key_Space);
+    in<QSpinBox>(dialog, "most")->selectAll();
+    QTest::keyClicks(in<QSpinBox>(dialog, "most"), QStringLiteral("777"));
+    QTest::keyClick(dialog, Qt::Key_Escape);
+    QTRY_VERIFY(!dialog);
+    dialog = ask();
+    QTRY_VERIFY(dialog && dialog->isVisible());
+    QVERIFY(in<QRadioButton>(dialog, "stl")->isChecked() && !in<QCheckBox>(dialog, "limits")->isChecked() && !in<QCheckBox>(dialog, "slices")->isChecked());
+
+    press(in<QRadioButton>(dialog, "3mf"));
+    QTest::keyClick(in<QCheckBox>(dialog, "slices"), Qt::Key_Space);
+    QTest::keyClick(in<QCheckBox>(dialog, "limits"), Qt::Key_Space);
+    in<QSpinBox>(dialog, "most")->selectAll();
+    QTest::keyClicks(in<QSpinBox>(dialog, "most"), QStringLiteral("777"));
+    QTest::keyClick(in<QSpinBox>(dialog, "most"), Qt::Key_Return);
+    chooseFile(program, "exportDialog", path("again.3mf"));
+    QTRY_VERIFY(!program.document.isBusy() && QFile::exists(path("again.3mf")));
+    dialog = ask();
+    QTRY_VERIFY(dialog && dialog->isVisible());
+    QVERIFY(in<QRadioButton>(dialog, "3mf")->isChecked() && in<QCheckBox>(dialog, "slices")->isChecked());
+    QTRY_VERIFY(in<QRadioButton>(dialog, "3mf")->hasFocus());
+    QVERIFY(in<QCheckBox>(dialog, "limits")->isChecked() && in<QSpinBox>(dialog, "most")->isEnabled());
+    QCOMPARE(in<QSpinBox>(dialog, "most")->value(), 777);
+    press(in<QRadioButton>(dialog, "glb")); // no slicer reads it, but the wish for it is not forgotten
+    QVERIFY(!in<QCheckBox>(dialog, "slices")->isEnabled() && in<QCheckBox>(dialog, "slices")->isChecked());
+    QTest::keyClick(dialog, Qt::Key_Escape);
+    QTRY_VERIFY(!dialog);
+}
+
+void TestModelExport::fewerTriangles_carryNoNotes_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<quint64>("most");
+    QTest::addColumn<bool>("carries");
+    QTest::newRow("all triangles") << QStringLiteral("all.glb") << quint64(0) << true;
+    QTest::newRow("a budget that it keeps") << QStringLiteral("kept.glb") << quint64(1'000'000) << true;
+    QTest::newRow("fewer triangles") << QStringLiteral("few.glb") << quint64(500) << false;
+    QTest::newRow("fewer triangles, palette in a comment") << QStringLiteral("few.ply") << quint64(500) << false;
+}
+
+/// Lattice, view and brush are of the model as it is in the window.
+void TestModelExport::fewerTriangles_carryNoNotes()
+{
+    QFETCH(QString, name);
+    QFETCH(quint64, most);
+    QFETCH(bool, carries);
+    Program program;
+    sculptBall(program);
+    QSignalSpy exported(&program.document, &Document::exported);
+    program.document.exportTo(m_folder.filePath(name), most);
+    QTRY_COMPARE(exported.size(), 1);
+    const std::filesystem::path file = m_folder.filePath(name).toStdString();
+    const core::DocumentNotes notes = core::readNotes(file);
+    QCOMPARE(notes.frame.has_value(), carries);
+    QCOMPARE(notes.view.has_value(), carries);
+    QCOMPARE(notes.brush.has_value(), carries);
+    QCOMPARE(!notes.palette.empty(), carries);
+    QFile bytes(m_folder.filePath(name));
+    QVERIFY(bytes.open(QIODevice::ReadOnly));
+    const QByteArray all = bytes.readAll();
+    QCOMPARE(all.contains("FETTLE_document"), carries);
+    QCOMPARE(all.contains("extensionsUsed"), carries);
 }
 
 void TestModelExport::stop_endsAnExport()

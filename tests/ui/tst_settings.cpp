@@ -61,6 +61,23 @@ private Q_SLOTS:
             }
     }
 
+    void exportsComeBack()
+    {
+        QCOMPARE(ui::Settings().exporting(), ui::ExportChoice());
+        for (const auto& use : ui::exportUses)
+            for (const quint64 triangles : {quint64(0), quint64(ui::leastExportTriangles), quint64(ui::mostExportTriangles)})
+                for (const bool slices : {false, true}) {
+                    const ui::ExportChoice choice{use.value, triangles, slices};
+                    ui::Settings().setExporting(choice);
+                    QCOMPARE(ui::Settings().exporting(), choice);
+                }
+        QSettings().setValue(QStringLiteral("export/mostTriangles"), 3);
+        QSettings().setValue(QStringLiteral("export/use"), QStringLiteral("gcode"));
+        QCOMPARE(ui::Settings().exporting(), (ui::ExportChoice{ui::ExportUse::Print, 0, true}));
+        ui::Settings().reset();
+        QCOMPARE(ui::Settings().exporting(), ui::ExportChoice());
+    }
+
     void keysComeBack()
     {
         ui::Preferences preferences;

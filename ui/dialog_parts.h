@@ -1,0 +1,24 @@
+#pragma once
+
+#include <QString>
+
+class QDialog;
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+
+namespace ui
+{
+// What the small dialogs have in common. Gui thread.
+
+inline constexpr int dialogMargin = 16, dialogGap = 8; ///< of the window's spacing grid
+
+/// Makes it a dialog of one column that is as large as what stands in it, and that deletes itself when it closes.
+QVBoxLayout* beginDialog(QDialog* dialog, const char* name, const QString& title);
+
+/// Sentences that break at `width`.
+QLabel* dialogText(const QString& sentences, int width);
+
+/// As the last row: Cancel, and what agrees, which is the default.
+QPushButton* addAnswers(QDialog* dialog, const QString& verb);
+} // namespace ui

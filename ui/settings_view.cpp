@@ -1,0 +1,125 @@
+// How the model is shown, and what stands beside it.
+
+#include "settings.h"
+
+#include "color_convert.h"
+#include "stored_values.h"
+
+namespace ui
+{
+namespace
+{
+using namespace stored;
+
+const QString drawnSidesKey = QStringLiteral("drawing/sides");
+const QString drawnShadedKey = QStringLiteral("drawing/shaded");
+const QString drawnDimensionsKey = QStringLiteral("drawing/dimensions");
+const QString materialKey = QStringLiteral("view/material");
+const QString backgroundKey = QStringLiteral("view/background");
+const QString showsReferencesKey = QStringLiteral("view/references");
+
+/// Clay, earth, slip, white, grey, black, and what children paint with.
+const QList<core::Rgb> firstSwatches = {{200, 110, 80}, {138, 90, 60},  {242, 227, 204}, {255, 255, 255},
+                                        {128, 128, 128}, {32, 32, 32},  {216, 58, 52},   {240, 180, 41},
+                                        {76, 154, 74},  {47, 111, 181}, {122, 79, 160}};
+
+struct LookSwitch
+{
+    QString key;
+    bool ViewLook::*what;
+};
+const LookSwitch lookSwitches[] = {{QStringLiteral("view/wireframe"), &ViewLook::wireframe},
+                                   {QStringLiteral("view/flat"), &ViewLook::flat},
+                                   {QStringLiteral("view/ground"), &ViewLook::ground},
+                                   {QStringLiteral("view/scaleBar"), &ViewLook::scaleBar}};
+} // namespace
+
+ViewLook Settings::look() const
+{
+    ViewLook look;
+    look.material = choice(m_settings, materialKey, materials, look.material);
+    look.background = choice(m_settings, backgroundKey, backgrounds, look.background);
+    for (const LookSwitch& row : lookSwitches)
+        look.*row.what = yesNo(m_settings, row.key, look.*row.what);
+    return look;
+}
+
+void Settings::setLook(const ViewLook& look)
+{
+    m_settings.setValue(materialKey, wordFor(look.material, materials));
+    m_settings.setValue(backgroundKey, wordFor(look.background, backgrounds));
+    for (const LookSwitch& row : lookSwitches)
+        m_settings.setValue(row.key, look.*row.what);
+}
+
+DrawingChoice Settings::drawing() const
+{
+    const double sides = number(m_settings, drawnSidesKey, 0, static_cast<int>(DrawnSides::Top), 0);
+    return {static_cast<DrawnSides>(static_cast<int>(sides)), m_settings.value(drawnShadedKey, false).toBool(),
+            m_settings.value(drawnDimensionsKey, true).toBool()};
+}
+
+void Settings::setDrawing(const DrawingChoice& choice)
+{
+    m_settings.setValue(drawnSidesKey, static_cast<int>(choice.sides));
+    m_settings.setValue(drawnShadedKey, choice.shaded);
+    m_settings.setValue(drawnDimensionsKey, choice.dimensions);
+}
+
+QList<core::Rgb> Settings::swatches() const
+{
+    if (!m_settings.contains(swatchesKey))
+        return firstSwatches;
+    QList<core::Rgb> swatches;
+    for (const QString& name : m_settings.value(swatchesKey).toStringList())
+        if (const QColor color(name); color.isValid())
+            swatches << toRgb(color);
+    return swatches;
+}
+
+void Settings::setSwatches(const QList<core::Rgb>& swatches)
+{
+    QStringList names;
+    for (const core::Rgb& color : swatches)
+        names << toQt(color).name();
+    m_settings.setValue(swatchesKey, names);
+}
+
+StoredReference Settings::reference(OrbitCamera::Side side) const
+{
+    const QString key = referenceKeys + wordFor(side, viewSides) + u'/';
+    const ReferencePlacement usual;
+    StoredReference stored;
+    stored.path = m_settings.value(key + QStringLiteral("path")).toString();
+    stored.placement = {number(m_settings, key + QStringLiteral("width"), minReferenceWidth, maxReferenceWidth, usual.width),
+                        number(m_settings, key + QStringLiteral("x"), -maxReferenceOffset, maxReferenceOffset, usual.x),
+                        number(m_settings, key + QStringLiteral("y"), -maxReferenceOffset, maxReferenceOffset, usual.y),
+                        number(m_settings, key + QStringLiteral("opacity"), minReferenceOpacity, 1, usual.opacity),
+                        yesNo(m_settings, key + QStringLiteral("inFront"), usual.inFront)};
+    return stored;
+}
+
+void Settings::setReference(OrbitCamera::Side side, const StoredReference& reference)
+{
+    const QString key = referenceKeys + wordFor(side, viewSides);
+    m_settings.remove(key);
+    if (reference.path.isEmpty())
+        return;
+    m_settings.setValue(key + QStringLiteral("/path"), reference.path);
+    m_settings.setValue(key + QStringLiteral("/width"), reference.placement.width);
+    m_settings.setValue(key + QStringLiteral("/x"), reference.placement.x);
+    m_settings.setValue(key + QStringLiteral("/y"), reference.placement.y);
+    m_settings.setValue(key + QStringLiteral("/opacity"), reference.placement.opacity);
+    m_settings.setValue(key + QStringLiteral("/inFront"), reference.placement.inFront);
+}
+
+bool Settings::showsReferences() const
+{
+    return yesNo(m_settings, showsReferencesKey, true);
+}
+
+void Settings::setShowsReferences(bool shows)
+{
+    m_settings.setValue(showsReferencesKey, shows);
+}
+} // namespace ui
