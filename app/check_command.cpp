@@ -1,5 +1,6 @@
 // check: is a model in order? One file: a few lines, or one JSON object. Several, or a folder: a table, or an object a line.
 #include "command_line.h"
+#include "command_unit.h"
 #include "model_loader.h"
 
 #include "core/mesh_io.h"
@@ -20,7 +21,10 @@ namespace app
 {
 namespace
 {
+using core::PrintBed; // lupdate would lose its place at a function that returns a core::PrintBed
 using Json = nlohmann::ordered_json;
+
+constexpr double leastLength = 1e-6; ///< mm, of what is typed
 
 class CheckWords
 {
@@ -32,6 +36,7 @@ struct CheckOptions
     QStringList files;
     bool json = false, csv = false;
     bool table = false; ///< several files, or a folder
+    double unit = 1; ///< of the files, in mm
     std::optional<core::PrintLimits> print; ///< asked for
     bool hasBed = false;
 };
@@ -202,6 +207,8 @@ void printReport(const CheckOptions& options, const QString& file, const Checked
 Checked check(const CheckOptions& options, const QString& file)
 {
     core::TriangleMesh mesh = core::readMesh(toPath(file));
+    if (options.unit != 1)
+        CommandUnit::scale(file, mesh, options.unit);
     if (!options.print)
         return {core::checkMesh(mesh), {}};
     const core::PrintMeasures measures = core::measureForPrint(std::move(mesh));
@@ -226,36 +233,44 @@ QStringList modelsIn(const QString& folder)
     return files;
 }
 
-double lengthOf(const QString& text, double most, const QString& problem)
+double numberOf(const QString& text, double least, double most, const QString& problem)
 {
     bool ok = false;
-    const double length = text.toDouble(&ok);
-    if (!ok || !(length > 0 && length <= most))
+    const double number = text.toDouble(&ok);
+    if (!ok || !(number >= least && number <= most))
         CommandLine::fail(problem.arg(text));
-    return length;
+    return number;
+}
+
+PrintBed bedOf(const QString& text)
+{
+    constexpr double mostSide = 1e5;
+    const QString problem = CheckWords::tr("check: --bed needs three lengths in mm, as in 250,210,220, and not %1.");
+    const QStringList sides = text.split(QLatin1Char(','));
+    if (sides.size() != 3)
+        CommandLine::fail(problem.arg(text));
+    return {numberOf(sides[0], leastLength, mostSide, problem), numberOf(sides[1], leastLength, mostSide, problem), numberOf(sides[2], leastLength, mostSide, problem)};
 }
 
 std::optional<core::PrintLimits> printLimits(const QCommandLineParser& parser)
 {
-    const bool hasLimits = parser.isSet(QStringLiteral("nozzle")) || parser.isSet(QStringLiteral("bed"));
+    constexpr double mostNozzle = core::PrintLimits::mostWall / core::PrintLimits::linesAWall;
+    const QString nozzle = parser.value(QStringLiteral("nozzle")), bed = parser.value(QStringLiteral("bed")),
+                  overhang = parser.value(QStringLiteral("overhang"));
     if (!parser.isSet(QStringLiteral("print"))) {
-        if (hasLimits)
-            CommandLine::fail(CheckWords::tr("check: --nozzle and --bed need --print."));
+        if (parser.isSet(QStringLiteral("nozzle")) || parser.isSet(QStringLiteral("bed")) || parser.isSet(QStringLiteral("overhang")))
+            CommandLine::fail(CheckWords::tr("check: --nozzle, --overhang and --bed need --print."));
         return std::nullopt;
     }
     core::PrintLimits limits;
     if (parser.isSet(QStringLiteral("nozzle")))
         limits.leastWall = core::PrintLimits::linesAWall
-                           * lengthOf(parser.value(QStringLiteral("nozzle")), core::PrintLimits::mostWall / core::PrintLimits::linesAWall,
-                                      CheckWords::tr("check: --nozzle %1 is no width in mm up to 5."));
-    if (parser.isSet(QStringLiteral("bed"))) {
-        const QString problem = CheckWords::tr("check: --bed needs three lengths in mm, as in 250,210,220, and not %1.");
-        const QStringList sides = parser.value(QStringLiteral("bed")).split(QLatin1Char(','));
-        if (sides.size() != 3)
-            CommandLine::fail(problem.arg(parser.value(QStringLiteral("bed"))));
-        constexpr double mostSide = 1e5;
-        limits.bed = {lengthOf(sides[0], mostSide, problem), lengthOf(sides[1], mostSide, problem), lengthOf(sides[2], mostSide, problem)};
-    }
+                           * numberOf(nozzle, leastLength, mostNozzle, CheckWords::tr("check: --nozzle %1 is no width in mm up to 5."));
+    if (parser.isSet(QStringLiteral("overhang")))
+        limits.overhang = numberOf(overhang, 0, 90,
+                                   CheckWords::tr("check: --overhang %1 is no angle from 0 to 90 degrees."));
+    if (parser.isSet(QStringLiteral("bed")))
+        limits.bed = bedOf(bed);
     return limits;
 }
 
@@ -264,10 +279,12 @@ void addOptions(QCommandLineParser& parser)
     parser.setApplicationDescription(CheckWords::tr("Says whether models are closed, manifold, oriented, free of self-intersections, "
                                                     "and bound a solid. Status 0: all are; 1: not all."));
     parser.addPositionalArgument(QStringLiteral("FILE..."), CheckWords::tr("Models, or folders of models."));
-    parser.addOptions({{QStringLiteral("json"), CheckWords::tr("One JSON object per file, each on its line.")},
+    parser.addOptions({{QStringLiteral("unit"), CheckWords::tr("What the files are measured in; else mm."), CommandUnit::words()},
+                       {QStringLiteral("json"), CheckWords::tr("One JSON object per file, each on its line.")},
                        {QStringLiteral("csv"), CheckWords::tr("Comma-separated values, with a head line.")},
-                       {QStringLiteral("print"), CheckWords::tr("Measures walls, overhangs beyond 45 degrees, and what stands on the bed, too.")},
+                       {QStringLiteral("print"), CheckWords::tr("Measures walls, overhangs, and what stands on the bed, too.")},
                        {QStringLiteral("nozzle"), CheckWords::tr("Walls are to be two lines of this width thick; else of 0.4."), QStringLiteral("MM")},
+                       {QStringLiteral("overhang"), CheckWords::tr("So far faces may lean out from the vertical; else 45."), QStringLiteral("DEGREES")},
                        {QStringLiteral("bed"), CheckWords::tr("Width, depth and height that the printer holds."), QStringLiteral("X,Y,Z")}});
 }
 
@@ -282,6 +299,8 @@ std::optional<CheckOptions> parseOptions(const QStringList& arguments)
     options.csv = parser.isSet(QStringLiteral("csv"));
     if (options.json && options.csv)
         CommandLine::fail(CheckWords::tr("check: --json and --csv exclude each other."));
+    if (parser.isSet(QStringLiteral("unit")))
+        options.unit = CommandUnit::named(QStringLiteral("check"), parser.value(QStringLiteral("unit")));
     options.print = printLimits(parser);
     options.hasBed = parser.isSet(QStringLiteral("bed"));
     for (const QString& name : parser.positionalArguments()) {

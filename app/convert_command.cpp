@@ -1,5 +1,6 @@
 // convert: read, judge, scale if asked to, judge again, write. A model that is not in order is not written, or legalised if asked to.
 #include "command_line.h"
+#include "command_unit.h"
 #include "model_loader.h"
 
 #include "core/decimate.h"
@@ -34,15 +35,6 @@ struct ConvertOptions
     std::size_t triangles = 0; ///< OUT has at most so many; 0: all
     std::optional<core::LegaliseOptions> legalise;
 };
-
-double unitNamed(const QString& word)
-{
-    constexpr std::pair<const char*, double> units[] = {{"mm", 1}, {"cm", 10}, {"m", 1000}, {"in", 25.4}};
-    for (const auto& [name, millimetres] : units)
-        if (word == QLatin1String(name))
-            return millimetres;
-    CommandLine::fail(ConvertWords::tr("convert: --unit is mm, cm, m or in, not %1.").arg(word));
-}
 
 double sizeFrom(const QString& word)
 {
@@ -88,7 +80,7 @@ std::optional<ConvertOptions> parseOptions(const QStringList& arguments)
     parser.setApplicationDescription(ConvertWords::tr("Writes a model in another format, unit or size."));
     parser.addPositionalArgument(QStringLiteral("IN"), ConvertWords::tr("The model to read."));
     parser.addPositionalArgument(QStringLiteral("OUT"), ConvertWords::tr("Where it goes; the ending says the format."));
-    parser.addOptions({{unit, ConvertWords::tr("What IN is measured in; OUT is in mm."), QStringLiteral("mm|cm|m|in")},
+    parser.addOptions({{unit, ConvertWords::tr("What IN is measured in; OUT is in mm."), CommandUnit::words()},
                        {size, ConvertWords::tr("How long the longest side becomes."), QStringLiteral("MM")},
                        {up, ConvertWords::tr("Which axis of IN points up; else z for STL, y for others."), QStringLiteral("y|z")},
                        {triangles, ConvertWords::tr("OUT has at most so many triangles; where they go, shape and colours lose least."),
@@ -104,7 +96,7 @@ std::optional<ConvertOptions> parseOptions(const QStringList& arguments)
                                            static_cast<int>(files.size())));
     ConvertOptions options{files[0], files[1], {}, {}, {}, 0, {}};
     if (parser.isSet(unit))
-        options.unit = unitNamed(parser.value(unit));
+        options.unit = CommandUnit::named(QStringLiteral("convert"), parser.value(unit));
     if (parser.isSet(size))
         options.size = sizeFrom(parser.value(size));
     if (parser.isSet(up))
@@ -153,12 +145,6 @@ double scaleFor(const ConvertOptions& options, const core::TriangleMesh& mesh)
     return *options.size / box.sizes().maxCoeff();
 }
 
-void scale(core::TriangleMesh& mesh, double factor)
-{
-    for (core::Vec3f& point : mesh.points)
-        point = (point.cast<double>() * factor).cast<float>();
-}
-
 /// On the lattice that an import would choose.
 core::TriangleMesh reduced(const ConvertOptions& options, const core::TriangleMesh& mesh)
 {
@@ -184,10 +170,7 @@ ExitStatus convertCommand(const QStringList& arguments)
         if (!options->legalise)
             requireSound(options->in, mesh);
         if (const double factor = scaleFor(*options, mesh); factor != 1) {
-            scale(mesh, factor);
-            for (const core::Vec3f& point : mesh.points)
-                if (!point.allFinite())
-                    CommandLine::fail(ConvertWords::tr("%1: at that size the coordinates are no numbers any more.").arg(options->in));
+            CommandUnit::scale(options->in, mesh, factor);
             if (!options->legalise)
                 requireSound(options->in, mesh);
         }

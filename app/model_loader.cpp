@@ -5,8 +5,6 @@
 #include "core/lattice_placement.h"
 #include "core/mesh_build.h"
 #include "core/mesh_io.h"
-#include "core/print_check.h"
-#include "ui/measures.h"
 #include "ui/mending_words.h"
 #include "ui/messages.h"
 
@@ -105,22 +103,8 @@ void ModelLoader::build(LoadedModel& loaded, const core::TriangleMesh& mesh, boo
         take(loaded, std::move(result.mesh));
     if (loaded.sculptor && !result.moved.isZero(0) && core::liesFar(boxOf(mesh)))
         loaded.notice = tr("%1 lay far from the origin and was moved there.").arg(loaded.name);
-    else if (loaded.sculptor && !inPlace && !holdsUnit(loaded.path))
-        loaded.notice = unitNotice(loaded.name, *result.report.volume);
-}
-
-QString ModelLoader::unitNotice(const QString& name, double volume)
-{
-    const QString size = ui::volumeText(volume);
-    switch (core::unitDoubtOf(volume)) {
-    case core::UnitDoubt::None:
-        break;
-    case core::UnitDoubt::Inches:
-        return tr("%1 is very small in millimetres (%2). If it was made in inches or another unit, Model > Scale gives it its size.").arg(name, size);
-    case core::UnitDoubt::Metres:
-        return tr("%1 is tiny in millimetres (%2). If it was made in metres or another unit, Model > Scale gives it its size.").arg(name, size);
-    }
-    return {};
+    if (loaded.sculptor && !inPlace && !holdsUnit(loaded.name))
+        loaded.unitGuess = core::guessedUnit(*result.report.volume, result.report.size.maxCoeff());
 }
 
 bool ModelLoader::holdsUnit(const QString& path)

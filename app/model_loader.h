@@ -5,6 +5,7 @@
 #include "core/job_watch.h"
 #include "core/legalise.h"
 #include "core/model_command.h"
+#include "core/print_check.h"
 #include "core/sculptor.h"
 #include "core/starter_models.h"
 
@@ -31,6 +32,7 @@ struct LoadedModel
     bool isMendable = false;                  ///< then: loadMended() may take it
     QStringList mended;                       ///< what was done to it; empty: nothing
     QString notice;                           ///< what the person should know of a model that was taken; may be empty
+    core::UnitDoubt unitGuess = core::UnitDoubt::None; ///< of a model whose file has none
     QString name;
     QString path; ///< empty: from no file
     core::DocumentNotes notes; ///< that the file keeps beside it
@@ -69,8 +71,6 @@ public:
 private:
     static void take(LoadedModel& loaded, std::unique_ptr<core::Mesh> mesh);
     static QString name(core::Starter starter);
-    /// Empty, or why the model may have been meant larger.
-    static QString unitNotice(const QString& name, double volume);
     using Take = std::function<void(LoadedModel& loaded, core::TriangleMesh& mesh, const core::JobWatch& watch)>;
     static LoadedModel read(const QString& path, const Tell& tell, const core::JobWatch& watch, const Take& take);
     static bool mend(LoadedModel& loaded, core::TriangleMesh& mesh, const core::LegaliseOptions& options, const core::JobWatch& watch);

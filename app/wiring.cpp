@@ -18,6 +18,7 @@
 #include "ui/preview_panel.h"
 #include "ui/print_panel.h"
 #include "ui/recovery_bar.h"
+#include "ui/unit_bar.h"
 #include "ui/viewport.h"
 #include "ui/window_notes.h"
 
@@ -58,6 +59,29 @@ void wireDocument(ui::MainWindow& window, Document& document)
     QObject::connect(&document, &Document::exported, &window, &MainWindow::showExported);
     document.setMayDiscard([&window](const std::function<void()>& goOn) { return window.askToDiscard(goOn); });
     window.setMayClose([&window, &document] { return document.mayDiscard([&window] { window.close(); }); });
+}
+
+/// The doubt lasts until the model is another one, by whatever means.
+void wireUnits(ui::MainWindow& window, Document& document)
+{
+    using ui::UnitBar;
+    const auto leave = [&window] {
+        for (UnitBar* bar : window.findChildren<UnitBar*>())
+            bar->leave();
+    };
+    QObject::connect(&document.undoStack(), &QUndoStack::indexChanged, &window, leave);
+    QObject::connect(&document, &Document::opened, &window, [&window, &document, leave](const ui::ModelFacts& facts) {
+        leave();
+        if (facts.unitGuess == core::UnitDoubt::None)
+            return;
+        auto* bar = new UnitBar({facts.name, facts.size.maxCoeff(), facts.unitGuess}, &window);
+        QObject::connect(&document, &Document::busy, bar, [bar] { bar->setEnabled(false); });
+        QObject::connect(&document, &Document::idle, bar, [bar] { bar->setEnabled(true); });
+        QObject::connect(bar, &UnitBar::unitChosen, &document, [&window, &document](double millimetres) {
+            window.viewport()->setFocus();
+            document.apply(core::Scale{millimetres});
+        });
+    });
 }
 
 /// What the hand did last counts among the changes, though it may not have come to the document yet.
@@ -224,6 +248,7 @@ void wireHeadset(ui::MainWindow& window)
 void wire(ui::MainWindow& window, Document& document, SculptWorker& worker, const std::shared_ptr<PatchInbox>& inbox)
 {
     wireDocument(window, document);
+    wireUnits(window, document);
     wireSettling(window, document);
     wireHistory(window, document);
     wireHistoryPanel(window, document);

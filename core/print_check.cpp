@@ -192,6 +192,13 @@ UnitDoubt unitDoubtOf(double volume)
     return size < PrintLimits::metreVolume ? UnitDoubt::Metres : size < PrintLimits::inchVolume ? UnitDoubt::Inches : UnitDoubt::None;
 }
 
+UnitDoubt guessedUnit(double volume, double longestSide)
+{
+    if (unitDoubtOf(volume) == UnitDoubt::None)
+        return UnitDoubt::None;
+    return longestSide < 1 ? UnitDoubt::Metres : UnitDoubt::Inches;
+}
+
 std::vector<float> pictureOf(const PrintMeasures& measures, PrintPicture picture)
 {
     constexpr float infinity = std::numeric_limits<float>::infinity();

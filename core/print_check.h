@@ -76,6 +76,8 @@ PrintReport judgeForPrint(const PrintMeasures& measures, const PrintLimits& limi
 /// What a slicer would take a model of that volume for. By PrusaSlicer's thresholds, which others have, too.
 enum class UnitDoubt { None, Inches, Metres };
 UnitDoubt unitDoubtOf(double volume);
+/// In which unit a model was made that is too small for slicers in millimetres: below an inch long, metres are likelier than inches.
+UnitDoubt guessedUnit(double volume, double longestSide);
 
 enum class PrintPicture { Thickness, Overhang };
 /// By vertex, for a picture: the least thickness of its faces in mm, or the most that one of them leans out, degrees from the vertical

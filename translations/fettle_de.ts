@@ -72,20 +72,8 @@
         <translation>passt</translation>
     </message>
     <message>
-        <source>check: --nozzle and --bed need --print.</source>
-        <translation>check: --nozzle und --bed brauchen --print.</translation>
-    </message>
-    <message>
         <source>check: --nozzle %1 is no width in mm up to 5.</source>
         <translation>check: --nozzle %1 ist keine Breite in mm bis 5.</translation>
-    </message>
-    <message>
-        <source>check: --bed needs three lengths in mm, as in 250,210,220, and not %1.</source>
-        <translation>check: --bed braucht drei Längen in mm, wie in 250,210,220, und nicht %1.</translation>
-    </message>
-    <message>
-        <source>Measures walls, overhangs beyond 45 degrees, and what stands on the bed, too.</source>
-        <translation>Misst auch Wände, Überhänge über 45 Grad und was auf dem Druckbett steht.</translation>
     </message>
     <message>
         <source>Walls are to be two lines of this width thick; else of 0.4.</source>
@@ -94,6 +82,30 @@
     <message>
         <source>Width, depth and height that the printer holds.</source>
         <translation>Breite, Tiefe und Höhe, die der Drucker fasst.</translation>
+    </message>
+    <message>
+        <source>check: --nozzle, --overhang and --bed need --print.</source>
+        <translation>check: --nozzle, --overhang und --bed brauchen --print.</translation>
+    </message>
+    <message>
+        <source>check: --overhang %1 is no angle from 0 to 90 degrees.</source>
+        <translation>check: --overhang %1 ist kein Winkel von 0 bis 90 Grad.</translation>
+    </message>
+    <message>
+        <source>What the files are measured in; else mm.</source>
+        <translation>Worin die Dateien gemessen sind; sonst mm.</translation>
+    </message>
+    <message>
+        <source>Measures walls, overhangs, and what stands on the bed, too.</source>
+        <translation>Misst auch Wände, Überhänge und was auf dem Druckbett steht.</translation>
+    </message>
+    <message>
+        <source>So far faces may lean out from the vertical; else 45.</source>
+        <translation>So weit dürfen Flächen aus der Senkrechten überhängen; sonst 45.</translation>
+    </message>
+    <message>
+        <source>check: --bed needs three lengths in mm, as in 250,210,220, and not %1.</source>
+        <translation>check: --bed braucht drei Längen in mm, wie in 250,210,220, und nicht %1.</translation>
     </message>
 </context>
 <context>
@@ -126,13 +138,17 @@
         <translation>Die Antwort kann nicht auf die Standardausgabe geschrieben werden (%1).</translation>
     </message>
     <message>
+        <source>%1: its ending does not say a format that is written; %2 are.</source>
+        <translation>%1: Die Endung nennt kein Format, das geschrieben wird; das sind %2.</translation>
+    </message>
+    <message>
         <source>Fettle sculpts closed models that stay ready to print.
 
   fettle [FILE]                    open the window, with a model or with a ball of clay
-  fettle check FILE... [--json] [--csv]
+  fettle check FILE... [--unit mm|cm|m|in] [--print] [--json] [--csv]
                                    say whether models are in order; several files or a folder: a table
-  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z]
-                                   write a model in another format or size
+  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]
+                                   write a model in another format or size, mended, or with fewer triangles
   fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--verify local|full|none]
                                    play recorded strokes on a model
   fettle help COMMAND              the options of check, convert or replay
@@ -144,10 +160,10 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>Fettle formt geschlossene Modelle, die druckfertig bleiben.
 
   fettle [FILE]                    das Fenster öffnen, mit einem Modell oder einer Tonkugel
-  fettle check FILE... [--json] [--csv]
+  fettle check FILE... [--unit mm|cm|m|in] [--print] [--json] [--csv]
                                    sagen, ob Modelle in Ordnung sind; mehrere Dateien oder ein Ordner: eine Tabelle
-  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z]
-                                   ein Modell in anderem Format oder anderer Größe schreiben
+  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]
+                                   ein Modell in anderem Format oder anderer Größe schreiben, repariert oder mit weniger Dreiecken
   fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--verify local|full|none]
                                    aufgezeichnete Striche auf einem Modell abspielen
   fettle help COMMAND              die Optionen von check, convert oder replay
@@ -157,17 +173,20 @@ Formate: %1. Längen in Millimetern.
 Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mit einer Zeile auf der Standardfehlerausgabe).
 </translation>
     </message>
+</context>
+<context>
+    <name>app::CommandUnit</name>
     <message>
-        <source>%1: its ending does not say a format that is written; %2 are.</source>
-        <translation>%1: Die Endung nennt kein Format, das geschrieben wird; das sind %2.</translation>
+        <source>%1: --unit is mm, cm, m or in, not %2.</source>
+        <translation>%1: --unit ist mm, cm, m oder in, nicht %2.</translation>
+    </message>
+    <message>
+        <source>%1: at that size the coordinates are no numbers any more.</source>
+        <translation>%1: Bei dieser Größe sind die Koordinaten keine Zahlen mehr.</translation>
     </message>
 </context>
 <context>
     <name>app::ConvertCommand</name>
-    <message>
-        <source>convert: --unit is mm, cm, m or in, not %1.</source>
-        <translation>convert: --unit ist mm, cm, m oder in, nicht %1.</translation>
-    </message>
     <message>
         <source>convert: --size is a length in millimetres, more than 0, not %1.</source>
         <translation>convert: --size ist eine Länge in Millimetern, größer als 0, nicht %1.</translation>
@@ -202,10 +221,6 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
             <numerusform>convert: Zwei Dateien sind nötig, IN und OUT, angegeben wurde %n.</numerusform>
             <numerusform>convert: Zwei Dateien sind nötig, IN und OUT, angegeben wurden %n.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>%1: at that size the coordinates are no numbers any more.</source>
-        <translation>%1: In dieser Größe sind die Koordinaten keine Zahlen mehr.</translation>
     </message>
     <message>
         <source>convert: --up is y or z, not %1.</source>
@@ -409,14 +424,6 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>Mending %1</source>
         <translation>%1 wird repariert</translation>
-    </message>
-    <message>
-        <source>%1 is very small in millimetres (%2). If it was made in inches or another unit, Model &gt; Scale gives it its size.</source>
-        <translation>%1 ist in Millimetern sehr klein (%2). Ist es in Zoll oder einer anderen Einheit gemacht, gibt ihm Modell &gt; Skalieren seine Größe.</translation>
-    </message>
-    <message>
-        <source>%1 is tiny in millimetres (%2). If it was made in metres or another unit, Model &gt; Scale gives it its size.</source>
-        <translation>%1 ist in Millimetern winzig (%2). Ist es in Metern oder einer anderen Einheit gemacht, gibt ihm Modell &gt; Skalieren seine Größe.</translation>
     </message>
 </context>
 <context>
@@ -4042,6 +4049,53 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Turntable</source>
         <translation>Drehscheibe</translation>
+    </message>
+</context>
+<context>
+    <name>ui::UnitBar</name>
+    <message>
+        <source>%1 is %2 units long: metres? That would be %3 mm.</source>
+        <translation>%1 ist %2 Einheiten lang: Meter? Das wären %3 mm.</translation>
+    </message>
+    <message>
+        <source>As Me&amp;tres</source>
+        <translation>Als Me&amp;ter</translation>
+    </message>
+    <message>
+        <source>Makes the model 1000 times as large, as one step.</source>
+        <translation>Macht das Modell 1000-mal so groß, in einem Schritt.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 units long: inches? That would be %3 mm.</source>
+        <translation>%1 ist %2 Einheiten lang: Zoll? Das wären %3 mm.</translation>
+    </message>
+    <message>
+        <source>As I&amp;nches</source>
+        <translation>Als Z&amp;oll</translation>
+    </message>
+    <message>
+        <source>Makes the model 25.4 times as large, as one step.</source>
+        <translation>Macht das Modell 25,4-mal so groß, in einem Schritt.</translation>
+    </message>
+    <message>
+        <source>As &amp;Centimetres</source>
+        <translation>Als Ze&amp;ntimeter</translation>
+    </message>
+    <message>
+        <source>Makes the model 10 times as large, as one step.</source>
+        <translation>Macht das Modell 10-mal so groß, in einem Schritt.</translation>
+    </message>
+    <message>
+        <source>Unit of the Model</source>
+        <translation>Einheit des Modells</translation>
+    </message>
+    <message>
+        <source>Le&amp;ave as mm</source>
+        <translation>M&amp;illimeter lassen</translation>
+    </message>
+    <message>
+        <source>Leaves the model as it is, and hides this bar.</source>
+        <translation>Lässt das Modell, wie es ist, und blendet diese Leiste aus.</translation>
     </message>
 </context>
 <context>

@@ -72,20 +72,8 @@
         <translation>放得下</translation>
     </message>
     <message>
-        <source>check: --nozzle and --bed need --print.</source>
-        <translation>check：--nozzle 和 --bed 需要 --print。</translation>
-    </message>
-    <message>
         <source>check: --nozzle %1 is no width in mm up to 5.</source>
         <translation>check：--nozzle %1 不是 5 以内的毫米宽度。</translation>
-    </message>
-    <message>
-        <source>check: --bed needs three lengths in mm, as in 250,210,220, and not %1.</source>
-        <translation>check：--bed 需要三个毫米长度，如 250,210,220，而不是 %1。</translation>
-    </message>
-    <message>
-        <source>Measures walls, overhangs beyond 45 degrees, and what stands on the bed, too.</source>
-        <translation>还测量壁厚、超过 45 度的悬垂，以及落在打印床上的面积。</translation>
     </message>
     <message>
         <source>Walls are to be two lines of this width thick; else of 0.4.</source>
@@ -94,6 +82,30 @@
     <message>
         <source>Width, depth and height that the printer holds.</source>
         <translation>打印机能容纳的宽、深、高。</translation>
+    </message>
+    <message>
+        <source>check: --nozzle, --overhang and --bed need --print.</source>
+        <translation>check：--nozzle、--overhang 和 --bed 需要 --print。</translation>
+    </message>
+    <message>
+        <source>check: --overhang %1 is no angle from 0 to 90 degrees.</source>
+        <translation>check：--overhang %1 不是 0 到 90 度的角度。</translation>
+    </message>
+    <message>
+        <source>What the files are measured in; else mm.</source>
+        <translation>文件所用的单位；默认为 mm。</translation>
+    </message>
+    <message>
+        <source>Measures walls, overhangs, and what stands on the bed, too.</source>
+        <translation>还测量壁厚、悬垂和立在打印床上的部分。</translation>
+    </message>
+    <message>
+        <source>So far faces may lean out from the vertical; else 45.</source>
+        <translation>面可以偏离竖直方向多少度；默认为 45。</translation>
+    </message>
+    <message>
+        <source>check: --bed needs three lengths in mm, as in 250,210,220, and not %1.</source>
+        <translation>check：--bed 需要三个毫米长度，如 250,210,220，而不是 %1。</translation>
     </message>
 </context>
 <context>
@@ -125,13 +137,17 @@
         <translation>无法将结果写入标准输出（%1）。</translation>
     </message>
     <message>
+        <source>%1: its ending does not say a format that is written; %2 are.</source>
+        <translation>%1：其扩展名不是可写入的格式；可写入的格式为 %2。</translation>
+    </message>
+    <message>
         <source>Fettle sculpts closed models that stay ready to print.
 
   fettle [FILE]                    open the window, with a model or with a ball of clay
-  fettle check FILE... [--json] [--csv]
+  fettle check FILE... [--unit mm|cm|m|in] [--print] [--json] [--csv]
                                    say whether models are in order; several files or a folder: a table
-  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z]
-                                   write a model in another format or size
+  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]
+                                   write a model in another format or size, mended, or with fewer triangles
   fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--verify local|full|none]
                                    play recorded strokes on a model
   fettle help COMMAND              the options of check, convert or replay
@@ -143,10 +159,10 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>Fettle 用于雕刻封闭模型，并使其始终可以打印。
 
   fettle [FILE]                    打开窗口，载入模型或一个黏土球
-  fettle check FILE... [--json] [--csv]
+  fettle check FILE... [--unit mm|cm|m|in] [--print] [--json] [--csv]
                                    检查模型是否完好；多个文件或文件夹则输出表格
-  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z]
-                                   以其他格式或尺寸写出模型
+  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]
+                                   以其他格式或尺寸写出模型，可修复，也可减少三角形
   fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--verify local|full|none]
                                    在模型上回放录制的笔触
   fettle help COMMAND              check、convert 或 replay 的选项
@@ -156,17 +172,20 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
 状态：0 完成，1 结果为否，2 输入或用法有误（标准错误输出一行说明）。
 </translation>
     </message>
+</context>
+<context>
+    <name>app::CommandUnit</name>
     <message>
-        <source>%1: its ending does not say a format that is written; %2 are.</source>
-        <translation>%1：其扩展名不是可写入的格式；可写入的格式为 %2。</translation>
+        <source>%1: --unit is mm, cm, m or in, not %2.</source>
+        <translation>%1：--unit 可以是 mm、cm、m 或 in，不能是 %2。</translation>
+    </message>
+    <message>
+        <source>%1: at that size the coordinates are no numbers any more.</source>
+        <translation>%1：这样的大小下坐标不再是数。</translation>
     </message>
 </context>
 <context>
     <name>app::ConvertCommand</name>
-    <message>
-        <source>convert: --unit is mm, cm, m or in, not %1.</source>
-        <translation>convert：--unit 应为 mm、cm、m 或 in，而不是 %1。</translation>
-    </message>
     <message>
         <source>convert: --size is a length in millimetres, more than 0, not %1.</source>
         <translation>convert：--size 应为大于 0 的长度（毫米），而不是 %1。</translation>
@@ -200,10 +219,6 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>
             <numerusform>convert：需要 IN 和 OUT 两个文件，但指定了 %n 个。</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>%1: at that size the coordinates are no numbers any more.</source>
-        <translation>%1：以此尺寸，坐标将超出数值范围。</translation>
     </message>
     <message>
         <source>convert: --up is y or z, not %1.</source>
@@ -407,14 +422,6 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>Mending %1</source>
         <translation>正在修复 %1</translation>
-    </message>
-    <message>
-        <source>%1 is very small in millimetres (%2). If it was made in inches or another unit, Model &gt; Scale gives it its size.</source>
-        <translation>%1 以毫米计非常小（%2）。若以英寸或其他单位制作，可用 模型 &gt; 缩放 恢复其大小。</translation>
-    </message>
-    <message>
-        <source>%1 is tiny in millimetres (%2). If it was made in metres or another unit, Model &gt; Scale gives it its size.</source>
-        <translation>%1 以毫米计极小（%2）。若以米或其他单位制作，可用 模型 &gt; 缩放 恢复其大小。</translation>
     </message>
 </context>
 <context>
@@ -4031,6 +4038,53 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Turntable</source>
         <translation>转盘</translation>
+    </message>
+</context>
+<context>
+    <name>ui::UnitBar</name>
+    <message>
+        <source>%1 is %2 units long: metres? That would be %3 mm.</source>
+        <translation>%1 长 %2 个单位：是米吗？那就是 %3 mm。</translation>
+    </message>
+    <message>
+        <source>As Me&amp;tres</source>
+        <translation>按米(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Makes the model 1000 times as large, as one step.</source>
+        <translation>一步把模型放大到 1000 倍。</translation>
+    </message>
+    <message>
+        <source>%1 is %2 units long: inches? That would be %3 mm.</source>
+        <translation>%1 长 %2 个单位：是英寸吗？那就是 %3 mm。</translation>
+    </message>
+    <message>
+        <source>As I&amp;nches</source>
+        <translation>按英寸(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Makes the model 25.4 times as large, as one step.</source>
+        <translation>一步把模型放大到 25.4 倍。</translation>
+    </message>
+    <message>
+        <source>As &amp;Centimetres</source>
+        <translation>按厘米(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Makes the model 10 times as large, as one step.</source>
+        <translation>一步把模型放大到 10 倍。</translation>
+    </message>
+    <message>
+        <source>Unit of the Model</source>
+        <translation>模型的单位</translation>
+    </message>
+    <message>
+        <source>Le&amp;ave as mm</source>
+        <translation>保持毫米(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Leaves the model as it is, and hides this bar.</source>
+        <translation>模型保持不变，并隐藏此栏。</translation>
     </message>
 </context>
 <context>

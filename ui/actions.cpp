@@ -2,10 +2,15 @@
 
 #include "themed_icon.h"
 
+#include <QAbstractItemView>
+#include <QAbstractSlider>
 #include <QAction>
+#include <QApplication>
+#include <QComboBox>
 #include <QKeyEvent>
 #include <QMenu>
 #include <QRegularExpression>
+#include <QTabBar>
 #include <QToolBar>
 
 namespace ui
@@ -304,12 +309,26 @@ QString Actions::heldWords(KeyPreset preset)
     return held.rightOrbits ? brush + u' ' + tr("The right button turns the view.") : brush;
 }
 
+namespace
+{
+/// Where Home goes to the first of something: there it is the control's and no command's.
+bool hasHome(const QWidget* focus)
+{
+    return qobject_cast<const QComboBox*>(focus) || qobject_cast<const QAbstractItemView*>(focus) || qobject_cast<const QAbstractSlider*>(focus)
+           || qobject_cast<const QTabBar*>(focus);
+}
+} // namespace
+
 /// On X11 Qt looks up the shortcuts of the number pad's keys without saying that they are of the pad: "Num+1" would be
 /// "1". What no widget has taken comes here first.
 bool Actions::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress) {
         const auto* key = static_cast<QKeyEvent*>(event);
+        if (event->type() == QEvent::ShortcutOverride && key->key() == Qt::Key_Home && hasHome(QApplication::focusWidget())) {
+            event->accept();
+            return true;
+        }
         const QString id = key->modifiers() & Qt::KeypadModifier ? m_keys.owner(key->keyCombination()) : QString();
         if (!id.isEmpty() && get(id)->shortcutContext() == Qt::WindowShortcut) {
             event->accept();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/document_notes.h"
+#include "core/print_check.h"
 
 #include <QString>
 
@@ -19,5 +20,6 @@ struct ModelFacts
     double leastDetail = 0;               ///< mm; the finest d_detail that the model's lattice holds
     QString path = {};                    ///< empty: it comes from no file
     core::DocumentNotes notes = {};       ///< that its file keeps; when it was opened, but for the palette
+    core::UnitDoubt unitGuess = core::UnitDoubt::None; ///< when it was opened, where its file has no unit
 };
 } // namespace ui

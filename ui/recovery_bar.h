@@ -1,9 +1,8 @@
 #pragma once
 
-#include <QDateTime>
-#include <QToolBar>
+#include "offer_bar.h"
 
-class QMainWindow;
+#include <QDateTime>
 
 namespace ui
 {
@@ -15,17 +14,13 @@ struct Unsaved
     int steps = 0;
 };
 
-/// Offers a model that was not saved, under the window's tool bar, while work goes on. It stays until somebody chooses. Gui thread.
-class RecoveryBar : public QToolBar
+/// Offers a model that was not saved. Gui thread.
+class RecoveryBar : public OfferBar
 {
     Q_OBJECT
 
 public:
-    /// Shows itself in the window.
     RecoveryBar(const Unsaved& unsaved, QMainWindow* window);
-
-    /// It is of no use any more: it hides, and deletes itself.
-    void leave();
 
 Q_SIGNALS:
     void recoverRequested();
@@ -33,7 +28,6 @@ Q_SIGNALS:
     void discardRequested();
 
 private:
-    void addButton(const char* name, const QString& text, const QString& tip, void (RecoveryBar::*what)());
     void askToDiscard();
 
     QString m_name;

@@ -109,6 +109,8 @@ private Q_SLOTS:
     void check_badFiles_data();
     void check_badFiles();
     void check_print();
+    void check_overhangAngle();
+    void check_unit();
     void check_printRefusals_data();
     void check_printRefusals();
     void check_goesOnAfterABadFile();
@@ -333,12 +335,51 @@ void TestCommandLine::check_print()
         QVERIFY2(open.json()[QLatin1String(key)].isNull(), key);
 }
 
+/// A cone upside down, whose side leans out by 30 degrees.
+void TestCommandLine::check_overhangAngle()
+{
+    QByteArray cone = "v 0 0 0\n";
+    constexpr int corners = 64;
+    for (int i = 0; i < corners; ++i) {
+        const double turn = 2 * 3.14159265358979 * i / corners;
+        cone += "v " + QByteArray::number(10 * std::tan(3.14159265358979 / 6) * std::cos(turn), 'f', 7) + " 10 "
+                + QByteArray::number(10 * std::tan(3.14159265358979 / 6) * std::sin(turn), 'f', 7) + '\n';
+    }
+    QByteArray lid = "f";
+    for (int i = 0; i < corners; ++i) {
+        cone += "f 1 " + QByteArray::number(2 + i) + ' ' + QByteArray::number(2 + (i + 1) % corners) + '\n';
+        lid += ' ' + QByteArray::number(1 + corners - i);
+    }
+    write(at("cone.obj"), cone + lid + '\n');
+    const auto share = [&](const QStringList& options) {
+        const Answer answer = fettle(QStringList{QStringLiteral("check"), at("cone.obj"), QStringLiteral("--print"), QStringLiteral("--json")} + options);
+        return answer.json()[QStringLiteral("overhang_share")].toDouble(-1);
+    };
+    QCOMPARE(share({}), 0.0);
+    QCOMPARE(share({QStringLiteral("--overhang"), QStringLiteral("31")}), 0.0);
+    QVERIFY(share({QStringLiteral("--overhang"), QStringLiteral("29")}) > 0.6);
+}
+
+void TestCommandLine::check_unit()
+{
+    write(at("cube.obj"), cube);
+    const QJsonObject inches = fettle({QStringLiteral("check"), QStringLiteral("--json"), QStringLiteral("--unit"), QStringLiteral("in"), at("cube.obj")}).json();
+    QVERIFY(std::abs(inches[QStringLiteral("volume_mm3")].toDouble() - 25.4 * 25.4 * 25.4) < 0.01);
+    const Answer page = fettle({QStringLiteral("check"), QStringLiteral("--unit"), QStringLiteral("in"), at("cube.obj")});
+    QVERIFY(page.status == 0 && !page.out.contains("inches")); // nobody doubts what was told
+    VERIFY_REFUSED(fettle({QStringLiteral("check"), QStringLiteral("--unit"), QStringLiteral("ft"), at("cube.obj")}), "not ft");
+}
+
 void TestCommandLine::check_printRefusals_data()
 {
     QTest::addColumn<QStringList>("options");
     QTest::addColumn<QString>("reason");
     const QString print = QStringLiteral("--print"), nozzle = QStringLiteral("--nozzle"), bed = QStringLiteral("--bed");
     QTest::newRow("nozzle alone") << QStringList{nozzle, QStringLiteral("0.4")} << QStringLiteral("--print");
+    const QString overhang = QStringLiteral("--overhang");
+    QTest::newRow("overhang alone") << QStringList{overhang, QStringLiteral("30")} << QStringLiteral("--print");
+    for (const QString& wrong : {QStringLiteral("-1"), QStringLiteral("90.5"), QStringLiteral("nan"), QStringLiteral("steep")})
+        QTest::addRow("overhang %s", qPrintable(wrong)) << QStringList{print, overhang, wrong} << QStringLiteral("--overhang ") + wrong;
     QTest::newRow("bed alone") << QStringList{bed, QStringLiteral("1,2,3")} << QStringLiteral("--print");
     for (const QString& wrong : {QStringLiteral("0"), QStringLiteral("-1"), QStringLiteral("six"), QStringLiteral("nan"), QStringLiteral("0,4")})
         QTest::addRow("nozzle %s", qPrintable(wrong)) << QStringList{print, nozzle, wrong} << QStringLiteral("--nozzle ") + wrong;

@@ -105,7 +105,7 @@ private Q_SLOTS:
     void printers_areEdited();
     void stopping_leavesItUnchecked();
     void base_isFlattenedAndPlaced();
-    void units_areDoubted();
+    void home_isTheControlsThatHasTheFocus();
 
 private:
     std::unique_ptr<QTemporaryDir> m_folder;
@@ -266,20 +266,28 @@ void TestPrintPanelWindow::base_isFlattenedAndPlaced()
     QTRY_VERIFY(std::abs(program.document.facts().box.min().y() + 30) < 0.01);
 }
 
-/// 1.5 mm wide: said when it is opened, but not of a format that knows its unit.
-void TestPrintPanelWindow::units_areDoubted()
+/// Home frames the model, but not where a control goes to its first entry by it.
+void TestPrintPanelWindow::home_isTheControlsThatHasTheFocus()
 {
     Program program;
-    QStringList said;
-    QObject::connect(&program.document, &Document::noticed, [&](const QString& sentence) { said << sentence; });
-    open(program, shapes::cube(1.5F), *m_folder);
-    QCOMPARE(said.size(), 1);
-    QVERIFY(said[0].contains(QStringLiteral("inches")) && said[0].contains(QStringLiteral("model.stl")));
-    core::writeMesh(m_folder->filePath(QStringLiteral("out.glb")).toStdString(), shapes::cube(1.5F));
-    program.document.open(m_folder->filePath(QStringLiteral("out.glb")));
-    QTRY_COMPARE(program.document.facts().name, QStringLiteral("out.glb"));
-    QTRY_VERIFY(!program.document.isBusy());
-    QCOMPARE(said.size(), 1);
+    open(program, core::icosphere(4, 30), *m_folder);
+    check(program);
+    const ui::OrbitCamera& camera = program.window.viewport()->camera();
+    const core::Vec3 framed = camera.eye();
+    program.window.viewport()->setFocus();
+    program.window.viewport()->flyTo({0, 30, 0}, {0, 1, 0}, 5);
+    QTRY_VERIFY((camera.eye() - framed).norm() > 10);
+    QTest::qWait(800); // it has arrived
+    const core::Vec3 near = camera.eye();
+    auto* printer = part<QComboBox>(program, "print.printer");
+    printer->setCurrentIndex(3);
+    printer->setFocus();
+    QTest::keyClick(printer, Qt::Key_Home);
+    QCOMPARE(printer->currentIndex(), 0);
+    QCOMPARE(camera.eye(), near);
+    program.window.viewport()->setFocus();
+    QTest::keyClick(program.window.viewport(), Qt::Key_Home);
+    QTRY_VERIFY((camera.eye() - near).norm() > 10);
 }
 
 int main(int argc, char* argv[])

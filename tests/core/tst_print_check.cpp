@@ -346,6 +346,9 @@ void TestPrintCheck::units_areDoubtedBySize()
     QVERIFY(core::unitDoubtOf(0.001) == UnitDoubt::Inches);
     QVERIFY(core::unitDoubtOf(0.0009) == UnitDoubt::Metres);
     QVERIFY(core::unitDoubtOf(-1e6) == UnitDoubt::None); // inside out, not small
+    QVERIFY(core::guessedUnit(7, 4) == UnitDoubt::Inches);
+    QVERIFY(core::guessedUnit(0.9, 0.99) == UnitDoubt::Metres);
+    QVERIFY(core::guessedUnit(8, 0.5) == UnitDoubt::None);
 }
 
 void TestPrintCheck::stopped_endsSoon()

@@ -1,0 +1,133 @@
+// Models without a unit in the real window: the doubt, and what becomes of it.
+
+#include "tests/support/program_hand.h"
+#include "tests/support/shapes.h"
+
+#include "core/mesh_io.h"
+#include "ui/unit_bar.h"
+
+#include <QAction>
+#include <QPushButton>
+#include <QSettings>
+#include <QTemporaryDir>
+
+using namespace app;
+
+class TestUnits : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init();
+    void unit_scalesInOneStep_data();
+    void unit_scalesInOneStep();
+    void otherChanges_endTheDoubt();
+    void anotherModel_endsTheDoubt();
+    void knownUnits_areNotDoubted_data();
+    void knownUnits_areNotDoubted();
+
+private:
+    /// Of a cube of that side, as the window opens it.
+    void open(Program& program, const char* name, float side)
+    {
+        const QString path = m_folder->filePath(QLatin1StringView(name));
+        core::writeMesh(path.toStdString(), shapes::cube(side));
+        program.window.resize(1200, 800);
+        program.window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&program.window));
+        Q_EMIT program.window.openRequested(path);
+        QTRY_COMPARE(program.document.path(), path);
+        QTRY_VERIFY(!program.document.isBusy());
+        program.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&program.window));
+    }
+    static ui::UnitBar* bar(const Program& program) { return program.window.findChild<ui::UnitBar*>(); }
+    static double side(const Program& program) { return program.document.facts().size.maxCoeff(); }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+void TestUnits::init()
+{
+    QSettings().clear();
+    m_folder = std::make_unique<QTemporaryDir>();
+}
+
+void TestUnits::unit_scalesInOneStep_data()
+{
+    QTest::addColumn<float>("side");
+    QTest::addColumn<QString>("button");
+    QTest::addColumn<double>("becomes");
+    QTest::newRow("inches, as guessed") << 1.5F << QStringLiteral("asInches") << 38.1;
+    QTest::newRow("metres, as guessed") << 0.25F << QStringLiteral("asMetres") << 250.0;
+    QTest::newRow("centimetres") << 1.5F << QStringLiteral("asCentimetres") << 15.0;
+}
+
+void TestUnits::unit_scalesInOneStep()
+{
+    QFETCH(float, side);
+    QFETCH(QString, button);
+    QFETCH(double, becomes);
+    Program program;
+    open(program, "part.stl", side);
+    QTRY_VERIFY(bar(program) && bar(program)->isVisible());
+    const double before = TestUnits::side(program);
+    auto* unit = bar(program)->findChild<QPushButton*>(button);
+    QCOMPARE(unit->isDefault(), button != QStringLiteral("asCentimetres"));
+    unit->setFocus();
+    QTest::keyClick(unit, Qt::Key_Return);
+    QTRY_COMPARE(program.document.undoStack().count(), 1);
+    QTRY_VERIFY(!bar(program));
+    QTRY_VERIFY(std::abs(TestUnits::side(program) - becomes) < 1e-3 * becomes);
+    QVERIFY(program.document.isModified());
+    QVERIFY(program.window.viewport()->hasFocus());
+    QTest::keyClick(&program.window, Qt::Key_Z, Qt::ControlModifier);
+    QTRY_COMPARE(TestUnits::side(program), before);
+    QVERIFY(!program.document.isModified() && !program.document.canUndo());
+    QVERIFY(!bar(program));
+}
+
+void TestUnits::otherChanges_endTheDoubt()
+{
+    Program program;
+    open(program, "part.stl", 1.5F);
+    QTRY_VERIFY(bar(program));
+    program.window.action(QStringLiteral("model.placeOnBed"))->trigger();
+    QTRY_COMPARE(program.document.undoStack().count(), 1);
+    QTRY_VERIFY(!bar(program));
+}
+
+void TestUnits::anotherModel_endsTheDoubt()
+{
+    Program program;
+    open(program, "part.stl", 1.5F);
+    QTRY_VERIFY(bar(program));
+    open(program, "other.stl", 1.2F);
+    QTRY_COMPARE(program.window.findChildren<ui::UnitBar*>().size(), 1);
+    open(program, "large.stl", 20);
+    QTRY_VERIFY(!bar(program));
+}
+
+void TestUnits::knownUnits_areNotDoubted_data()
+{
+    QTest::addColumn<QByteArray>("name");
+    QTest::addColumn<float>("side");
+    QTest::newRow("GLB knows its unit") << QByteArray("part.glb") << 1.5F;
+    QTest::newRow("3MF knows its unit") << QByteArray("part.3mf") << 1.5F;
+    QTest::newRow("large enough") << QByteArray("part.stl") << 2.0F;
+}
+
+void TestUnits::knownUnits_areNotDoubted()
+{
+    QFETCH(QByteArray, name);
+    QFETCH(float, side);
+    Program program;
+    open(program, name.constData(), side);
+    QVERIFY(!bar(program));
+}
+
+int main(int argc, char* argv[])
+{
+    return runOnScreen<TestUnits>(argc, argv, "tst_units");
+}
+#include "tst_units.moc"

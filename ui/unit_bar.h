@@ -1,0 +1,27 @@
+#pragma once
+
+#include "offer_bar.h"
+
+#include "core/print_check.h"
+
+namespace ui
+{
+/// Doubts that a model without a unit was made in millimetres, and offers others. Gui thread.
+class UnitBar : public OfferBar
+{
+    Q_OBJECT
+
+public:
+    struct Doubt
+    {
+        QString name;
+        double longest = 0; ///< side of the model, as its file has it
+        core::UnitDoubt guess = core::UnitDoubt::Inches; ///< not None
+    };
+    UnitBar(const Doubt& doubt, QMainWindow* window);
+
+Q_SIGNALS:
+    /// So many millimetres are one of the model's units.
+    void unitChosen(double millimetres);
+};
+} // namespace ui
