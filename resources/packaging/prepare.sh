@@ -40,6 +40,7 @@ openbox             a window manager for that display
 dbus-daemon         a session bus, for a desktop that says whether it is dark
 desktop-file-utils  checks the desktop entry
 appstream           checks the description for software centres
+locales             the German one, for tests where numbers have commas
 shared-mime-info    checks the file types
 dpkg-dev            makes the .deb
 file                makes the .deb

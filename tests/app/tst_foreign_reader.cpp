@@ -7,6 +7,7 @@
 #include "core/mesh_io.h"
 #include "tests/support/shapes.h"
 
+#include <QDir>
 #include <QElapsedTimer>
 #include <QProcess>
 #include <QTemporaryDir>
@@ -108,6 +109,7 @@ private Q_SLOTS:
     void hungryFiles_areRefused();
     void ownLimits_hold();
     void badFiles_areRefused();
+    void filesBeyondTheFolder_areNotRead();
     void mutatedFiles_neverGetThrough();
 
 private:
@@ -314,6 +316,25 @@ void TestForeignReader::badFiles_areRefused()
     QVERIFY(empty && empty->kind == Kind::Empty);
     const auto none = errorOf([&] { core::readMesh(file(QStringLiteral("none.fbx"))); });
     QVERIFY(none && none->kind == Kind::NotFound);
+}
+
+/// A LightWave scene is made of the files that it names.
+void TestForeignReader::filesBeyondTheFolder_areNotRead()
+{
+    QVERIFY(QDir(m_dir.path()).mkpath(QStringLiteral("scene")));
+    const QByteArray part = "p 3\n0.5 0 0\n1.25 0 0\n0 1.75 0\n";
+    write(QStringLiteral("scene/part.nff"), part);
+    write(QStringLiteral("outside.nff"), part);
+    QVERIFY(QFile::link(m_dir.filePath(QStringLiteral("outside.nff")), m_dir.filePath(QStringLiteral("scene/link.nff"))));
+    const auto errorWith = [this](const QByteArray& named) {
+        write(QStringLiteral("scene/a.lws"), "LWSC\n1\n\nLoadObject " + named + "\nShowObject 7\n\n");
+        return errorOf([this] { core::readMesh(file(QStringLiteral("scene/a.lws"))); });
+    };
+    QVERIFY(!errorWith("part.nff"));
+    for (const QByteArray& named : {QByteArray("../outside.nff"), m_dir.filePath(QStringLiteral("outside.nff")).toUtf8(), QByteArray("link.nff")}) {
+        const auto error = errorWith(named);
+        QVERIFY2(error && error->kind == Kind::NoFaces, named.constData());
+    }
 }
 
 void TestForeignReader::mutatedFiles_neverGetThrough()
