@@ -7,10 +7,14 @@
 #include "ui/files_panel.h"
 #include "ui/guide_window.h"
 #include "ui/main_window.h"
-#include "ui/scene.h"
+#include "ui/mending_dialogs.h"
+#include "ui/mending_words.h"
+#include "ui/messages.h"
 #include "ui/recovery_bar.h"
+#include "ui/scene.h"
 #include "ui/settings.h"
 #include "ui/start_page.h"
+#include "ui/unit_bar.h"
 #include "ui/viewport.h"
 
 #include <QAction>
@@ -40,6 +44,7 @@ using namespace app;
 namespace
 {
 constexpr QSize smallScreen{1280, 720};
+constexpr int flightMs = 600; ///< of the view, to a place
 constexpr int settleMs = 250; ///< layouts, and what comes from other threads: facts
 
 /// The words of one language, while it lives.
@@ -126,11 +131,16 @@ private Q_SLOTS:
 private:
     void take(QWidget& window, const QString& state);
     void takeRecovery(Program& program);
+    void takeUnits(Program& program);
+    void takePrint(Program& program);
+    void takeMending(Program& program);
+    void takeExport(Program& program);
     void takePanels(Program& program);
     void showModels(ui::FilesPanel* panel);
     void takeMenus(Program& program);
     void takeDialogs(Program& program);
     void takeHelp(Program& program);
+    void takeDialog(const QString& state);
 
     QDir m_folder;
     QTemporaryDir m_models;
@@ -170,6 +180,10 @@ void TestScreenshots::states()
     QTRY_COMPARE(program.window.size(), smallScreen);
     take(program.window, QStringLiteral("window"));
     takeRecovery(program);
+    takeUnits(program);
+    takePrint(program);
+    takeMending(program);
+    takeExport(program);
     takePanels(program);
     takeMenus(program);
     takeDialogs(program);
@@ -193,6 +207,82 @@ void TestScreenshots::takeRecovery(Program& program)
     take(*QApplication::activeModalWidget(), QStringLiteral("recovery-question"));
     QApplication::activeModalWidget()->close();
     bar->leave();
+}
+
+void TestScreenshots::takeUnits(Program& program)
+{
+    for (const auto guess : {core::UnitDoubt::Inches, core::UnitDoubt::Metres}) {
+        auto* bar = new ui::UnitBar({QStringLiteral("a-model-with-a-rather-long-name.stl"), 1.234, guess}, &program.window);
+        take(program.window, QStringLiteral("units-%1").arg(static_cast<int>(guess)));
+        bar->leave();
+    }
+}
+
+/// The vase's wall, jumped to, with its thickness in colours; then its overhangs.
+void TestScreenshots::takePrint(Program& program)
+{
+    program.window.action(QStringLiteral("model.printCheck"))->trigger();
+    auto* findings = program.window.findChild<QListWidget*>(QStringLiteral("print.findings"));
+    auto* picture = program.window.findChild<QComboBox*>(QStringLiteral("print.picture"));
+    for (int shown = 1; shown < picture->count(); ++shown) {
+        picture->setCurrentIndex(shown);
+        QTRY_VERIFY_WITH_TIMEOUT(findings->isEnabled() && findings->count() > 0, 60'000);
+        take(program.window, QStringLiteral("print-%1").arg(shown));
+    }
+    for (int row = 0; row < findings->count(); ++row)
+        if (findings->item(row)->text().startsWith(u' ')) { // a place
+            Q_EMIT findings->itemActivated(findings->item(row));
+            QTest::qWait(flightMs);
+            take(program.window, QStringLiteral("print-place"));
+            break;
+        }
+    program.window.findChild<QDockWidget*>(QStringLiteral("printPanel"))->close();
+    program.window.action(QStringLiteral("view.frame"))->trigger();
+}
+
+void TestScreenshots::takeMending(Program& program)
+{
+    core::MeshReport report;
+    report.openEdges.count = 1234;
+    report.nonManifoldEdges.count = 12;
+    report.misorientedEdges.count = 345;
+    report.intersections.count = 6789;
+    ui::askToMend(&program.window, ui::Messages::refusal(QStringLiteral("/home/someone/Models/scans/a-scan-with-a-long-name.obj"), report), [](const auto&) {});
+    takeDialog(QStringLiteral("mend"));
+    core::LegaliseReport steps;
+    steps.welded = 1234;
+    steps.degenerateFaces = steps.duplicateFaces = 56;
+    steps.turnedFaces = 345;
+    steps.holes = 7;
+    steps.largeHoles = steps.innerParts = 1;
+    steps.intersections = 6789;
+    steps.touchingEdges = 12;
+    steps.fromOld.largest = 0.123;
+    ui::showMended(&program.window, QStringLiteral("a-scan-with-a-long-name.obj"),
+                   ui::MendingWords::steps(steps) << ui::MendingWords::distance(steps));
+    takeDialog(QStringLiteral("mended"));
+}
+
+void TestScreenshots::takeExport(Program& program)
+{
+    program.window.action(QStringLiteral("file.exportFor"))->trigger();
+    QTRY_VERIFY(QApplication::activeModalWidget());
+    QApplication::activeModalWidget()->findChild<QAbstractButton*>(QStringLiteral("glb"))->click();
+    takeDialog(QStringLiteral("export"));
+    program.document.exportTo(m_models.filePath(QStringLiteral("vase.stl")), 2000);
+    const auto* banner = program.window.findChild<QLabel*>(QStringLiteral("banner"));
+    QTRY_VERIFY_WITH_TIMEOUT(banner->isVisible() && banner->text().contains(QStringLiteral("vase.stl")), 60'000);
+    take(program.window, QStringLiteral("export-verdict"));
+}
+
+/// The one that is open, which is closed.
+void TestScreenshots::takeDialog(const QString& state)
+{
+    QDialog* dialog = nullptr;
+    QTRY_VERIFY((dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) && dialog->isVisible());
+    take(*dialog, state);
+    dialog->reject();
+    QTRY_VERIFY(!QApplication::activeModalWidget());
 }
 
 void TestScreenshots::takePanels(Program& program)
@@ -237,7 +327,7 @@ void TestScreenshots::takeMenus(Program& program)
 void TestScreenshots::takeDialogs(Program& program)
 {
     for (const char* id : {"edit.preferences", "help.keys", "help.about", "model.move", "model.rotate", "model.scale", "model.mirror",
-                           "model.symmetrize", "model.remesh"}) {
+                           "model.symmetrize", "model.remesh", "model.flattenBase"}) {
         program.window.action(QLatin1StringView(id))->trigger();
         QDialog* dialog = nullptr;
         QTRY_VERIFY((dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())));
