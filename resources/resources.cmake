@@ -52,6 +52,7 @@ set(FETTLE_RESOURCE_FILES
     icons/print-check.svg
     icons/pull.svg
     icons/push.svg
+    icons/question.svg
     icons/quit.svg
     icons/radius.svg
     icons/ray.svg

@@ -89,6 +89,15 @@ int AppStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const 
     return metric == PM_ToolBarSeparatorExtent || metric == PM_TabBarTabHSpace ? 2 * gap : QProxyStyle::pixelMetric(metric, option, widget);
 }
 
+/// Words do not touch the frame of their button.
+QSize AppStyle::sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size, const QWidget* widget) const
+{
+    QSize whole = QProxyStyle::sizeFromContents(type, option, size, widget);
+    if (type == CT_PushButton)
+        whole.setWidth(std::max(whole.width(), size.width() + 3 * gap));
+    return whole;
+}
+
 /// A panel's title begins where what is below it does.
 QRect AppStyle::subElementRect(SubElement element, const QStyleOption* option, const QWidget* widget) const
 {
@@ -105,6 +114,13 @@ QIcon AppStyle::standardIcon(StandardPixmap icon, const QStyleOption* option, co
         return themedIcon(QStringLiteral("panel-float"));
     case SP_TitleBarCloseButton:
         return themedIcon(QStringLiteral("panel-close"));
+    case SP_MessageBoxInformation:
+        return themedIcon(QStringLiteral("about"));
+    case SP_MessageBoxQuestion:
+        return themedIcon(QStringLiteral("question"));
+    case SP_MessageBoxWarning:
+    case SP_MessageBoxCritical:
+        return themedIcon(QStringLiteral("unsound"));
     default:
         return QProxyStyle::standardIcon(icon, option, widget);
     }
@@ -143,7 +159,8 @@ void AppStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* optio
         return;
     }
     QProxyStyle::drawPrimitive(element, option, painter, widget);
-    if ((element != PE_IndicatorCheckBox && element != PE_IndicatorRadioButton) || !isDark(option->palette) || option->state & State_HasFocus)
+    const bool isOutlined = option->state & State_HasFocus && option->state & State_KeyboardFocusChange;
+    if ((element != PE_IndicatorCheckBox && element != PE_IndicatorRadioButton) || !isDark(option->palette) || isOutlined)
         return;
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing, element == PE_IndicatorRadioButton);

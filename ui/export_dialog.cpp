@@ -72,10 +72,13 @@ private:
         button->setToolTip(tr(preset.words));
         button->setAccessibleDescription(tr(preset.words));
         m_presets->addButton(button, static_cast<int>(m_presets->buttons().size()));
-        column->addWidget(button);
         QLabel* words = dialogText(tr(preset.words), textWidth);
         words->setIndent(3 * dialogGap);
-        column->addWidget(words);
+        auto* both = new QVBoxLayout;
+        both->setSpacing(0);
+        both->addWidget(button);
+        both->addWidget(words);
+        column->addLayout(both);
     }
 
     void addBudget(QVBoxLayout* column, const ModelFacts& facts)

@@ -16,7 +16,8 @@ QString number(std::uint64_t n)
 /// Three digits that count.
 QString millimetres(double length)
 {
-    if (length <= 0)
+    constexpr double least = 5e-7; // that is seen of six decimals
+    if (length < least)
         return QLocale().toString(0);
     const int decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(length))), 0, 6);
     return QLocale().toString(length, 'f', decimals);

@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace ui
 {
@@ -211,6 +212,7 @@ void PrintPanel::focusFindings()
 void PrintPanel::setReport(const core::MeshReport& mesh, const core::PrintReport& print)
 {
     m_findings = printFindings(mesh, print, limits(), m_printer->currentText());
+    std::ranges::stable_sort(m_findings, std::greater(), &PrintFinding::verdict); // what is to be done comes first
     m_list->clear();
     for (const PrintFinding& finding : m_findings)
         addRow(finding);
@@ -245,8 +247,13 @@ void PrintPanel::addRow(const PrintFinding& finding)
     QListWidgetItem* row = add(finding.text, -1);
     row->setIcon(themedIcon(iconOf(finding.verdict)));
     row->setData(Qt::AccessibleTextRole, QStringLiteral("%1: %2").arg(tr(verdicts[static_cast<int>(finding.verdict)]), finding.text));
-    for (qsizetype i = 0; i < finding.placeTexts.size(); ++i)
-        add(QStringLiteral("      ") + finding.placeTexts[i], static_cast<int>(i))->setData(Qt::AccessibleTextRole, finding.placeTexts[i]);
+    QPixmap nothing(rowIconSide, rowIconSide); // below its sentence, not below the sign
+    nothing.fill(Qt::transparent);
+    for (qsizetype i = 0; i < finding.placeTexts.size(); ++i) {
+        QListWidgetItem* place = add(QStringLiteral("  ") + finding.placeTexts[i], static_cast<int>(i));
+        place->setIcon(nothing);
+        place->setData(Qt::AccessibleTextRole, finding.placeTexts[i]);
+    }
 }
 
 /// A finding stands for its first place.

@@ -231,11 +231,14 @@ void TestScreenshots::takePrint(Program& program)
     }
     for (int row = 0; row < findings->count(); ++row)
         if (findings->item(row)->text().startsWith(u' ')) { // a place
-            Q_EMIT findings->itemActivated(findings->item(row));
+            findings->setCurrentRow(row);
+            QTest::keyClick(findings, Qt::Key_Return);
             QTest::qWait(flightMs);
             take(program.window, QStringLiteral("print-place"));
             break;
         }
+    program.window.findChild<QAbstractButton*>(QStringLiteral("print.printers"))->click();
+    takeDialog(QStringLiteral("printers"));
     program.window.findChild<QDockWidget*>(QStringLiteral("printPanel"))->close();
     program.window.action(QStringLiteral("view.frame"))->trigger();
 }

@@ -2,11 +2,16 @@
 
 #include "ui_test.h"
 
+#include <QCheckBox>
 #include <QDBusConnection>
 #include <QDBusMessage>
 #include <QDBusVariant>
 #include <QDBusVirtualObject>
+#include <QPainter>
 #include <QProcess>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QStyleOptionButton>
 #include <QTabBar>
 #include <QToolButton>
 
@@ -139,6 +144,47 @@ private Q_SLOTS:
             QVERIFY(marked(1) >= tabs.tabRect(1).width());
             QCOMPARE(marked(0), 0);
         }
+    }
+
+    /// Also the one that was clicked last.
+    void boxesHaveOutlines_data()
+    {
+        QTest::addColumn<bool>("isRadio");
+        QTest::addColumn<bool>("isFocused");
+        QTest::newRow("to tick") << false << false;
+        QTest::newRow("to tick, clicked") << false << true;
+        QTest::newRow("to choose") << true << false;
+        QTest::newRow("to choose, clicked") << true << true;
+    }
+
+    void boxesHaveOutlines()
+    {
+        QFETCH(bool, isRadio);
+        QFETCH(bool, isFocused);
+        for (const ThemeChoice choice : {ThemeChoice::Light, ThemeChoice::Dark}) {
+            const ui::Theme theme(choice);
+            const std::unique_ptr<QAbstractButton> box(isRadio ? static_cast<QAbstractButton*>(new QRadioButton) : new QCheckBox);
+            QStyleOptionButton option;
+            option.initFrom(box.get());
+            option.state = QStyle::State_Enabled | QStyle::State_Off | (isFocused ? QStyle::State_HasFocus : QStyle::State_None);
+            option.rect = QRect(0, 0, 14, 14);
+            QImage image(option.rect.size(), QImage::Format_RGB32);
+            image.fill(option.palette.color(QPalette::Window));
+            QPainter painter(&image);
+            box->style()->drawPrimitive(isRadio ? QStyle::PE_IndicatorRadioButton : QStyle::PE_IndicatorCheckBox, &option, &painter, box.get());
+            painter.end();
+            double most = 0; // of the edge's pixels, along the middle
+            for (int x = 0; x < 3; ++x)
+                most = std::max(most, contrast(image.pixelColor(x, 7), option.palette.color(QPalette::Window)));
+            QVERIFY2(most > 1.5, qPrintable(QString::number(most)));
+        }
+    }
+
+    void wordsKeepAwayFromTheFrame()
+    {
+        const ui::Theme theme(ThemeChoice::Light);
+        const QPushButton button(QStringLiteral("Set all of it back to the defaults"));
+        QVERIFY(button.sizeHint().width() >= button.fontMetrics().horizontalAdvance(button.text()) + 24);
     }
 
     void everythingCanBeRead()
