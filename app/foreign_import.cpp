@@ -13,6 +13,7 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -49,6 +50,15 @@ private:
     fs::path m_folder;
 };
 
+std::string lowerEnding(const fs::path& path)
+{
+    std::string ending = path.extension().string();
+    std::ranges::transform(ending, ending.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return ending;
+}
+
+constexpr std::string_view endingsInMetres[] = {".dae", ".zae", ".x3d", ".x3db", ".lwo", ".ifc"}; ///< as their specifications have it
+
 /// Millimetres in the unit of what Assimp gives, and Z made Y where it leaves that to us.
 Eigen::Matrix4d placeOf(const aiScene& scene, const std::string& ending)
 {
@@ -65,7 +75,7 @@ Eigen::Matrix4d placeOf(const aiScene& scene, const std::string& ending)
         if (up == 2)
             place << 1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1;
     }
-    for (const char* inMetres : {".dae", ".zae", ".x3d", ".x3db", ".lwo", ".ifc"}) // as their specifications have it
+    for (const std::string_view inMetres : endingsInMetres)
         unit = ending == inMetres ? 1000 : unit;
     place.topRows<3>() *= unit;
     return place;
@@ -170,13 +180,6 @@ int refuse(std::string_view words)
     return answer(head, {});
 }
 
-std::string lowerEnding(const fs::path& path)
-{
-    std::string ending = path.extension().string();
-    std::ranges::transform(ending, ending.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return ending;
-}
-
 int import(const fs::path& path, const ForeignLimits& limits)
 {
     Assimp::Importer importer;
@@ -192,6 +195,12 @@ int import(const fs::path& path, const ForeignLimits& limits)
     return answer(reader.head, std::move(reader.mesh));
 }
 } // namespace
+
+bool foreignHoldsUnit(const fs::path& file)
+{
+    const std::string ending = lowerEnding(file);
+    return ending == ".fbx" || std::ranges::find(endingsInMetres, ending) != std::end(endingsInMetres);
+}
 
 int importForeign(const char* file)
 {

@@ -1,5 +1,7 @@
 #include "model_loader.h"
 
+#include "foreign_import.h"
+
 #include "core/face_geometry.h"
 #include "core/kept_version.h"
 #include "core/lattice_placement.h"
@@ -110,7 +112,9 @@ void ModelLoader::build(LoadedModel& loaded, const core::TriangleMesh& mesh, boo
 bool ModelLoader::holdsUnit(const QString& path)
 {
     const auto format = core::meshFormatOf(toPath(path));
-    return format == core::MeshFormat::Glb || format == core::MeshFormat::ThreeMf;
+    if (!format)
+        return foreignHoldsUnit(toPath(path));
+    return format == core::MeshFormat::Glb || format == core::MeshFormat::Gltf || format == core::MeshFormat::ThreeMf;
 }
 
 void ModelLoader::take(LoadedModel& loaded, std::unique_ptr<core::Mesh> mesh)

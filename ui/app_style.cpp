@@ -86,7 +86,15 @@ int AppStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidge
 
 int AppStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const
 {
-    return metric == PM_ToolBarSeparatorExtent || metric == PM_TabBarTabHSpace ? 2 * gap : QProxyStyle::pixelMetric(metric, option, widget);
+    switch (metric) {
+    case PM_ToolBarSeparatorExtent:
+    case PM_TabBarTabHSpace:
+        return 2 * gap;
+    case PM_MessageBoxIconSize:
+        return 4 * gap;
+    default:
+        return QProxyStyle::pixelMetric(metric, option, widget);
+    }
 }
 
 /// Words do not touch the frame of their button.

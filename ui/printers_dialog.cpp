@@ -25,13 +25,16 @@ PrintersDialog::PrintersDialog(const QList<Printer>& printers, QWidget* parent) 
     m_table->setHorizontalHeaderLabels({tr("Name"), tr("Width"), tr("Depth"), tr("Height")});
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->verticalHeader()->hide();
+    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeading | Qt::AlignVCenter);
     m_table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
     for (const Printer& printer : printers)
         addRow(printer);
 
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
-    auto* add = buttons->addButton(tr("&Add"), QDialogButtonBox::ActionRole);
-    auto* remove = buttons->addButton(tr("&Remove"), QDialogButtonBox::ActionRole);
+    auto* add = new QPushButton(tr("&Add"));
+    auto* remove = new QPushButton(tr("&Remove"));
+    for (QPushButton* button : {add, remove})
+        button->setAutoDefault(false); // Return is for OK
     add->setObjectName(QStringLiteral("addPrinter"));
     remove->setObjectName(QStringLiteral("removePrinter"));
     connect(add, &QPushButton::clicked, this, [this] {
@@ -47,7 +50,13 @@ PrintersDialog::PrintersDialog(const QList<Printer>& printers, QWidget* parent) 
     column->setContentsMargins(margin, margin, margin, margin);
     column->setSpacing(gap);
     column->addWidget(m_table);
-    column->addWidget(buttons);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(gap);
+    row->addWidget(add);
+    row->addWidget(remove);
+    row->addStretch();
+    row->addWidget(buttons);
+    column->addLayout(row);
     resize(usualSize);
 }
 
@@ -63,6 +72,7 @@ void PrintersDialog::addRow(const Printer& printer)
         box->setDecimals(1);
         box->setSuffix(tr(" mm"));
         box->setValue(side);
+        box->setFrame(false);
         box->setAccessibleName(m_table->horizontalHeaderItem(column)->text());
         m_table->setCellWidget(row, column++, box);
     }

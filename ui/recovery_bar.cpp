@@ -12,9 +12,12 @@ RecoveryBar::RecoveryBar(const Unsaved& unsaved, QMainWindow* window)
     const QString time = QLocale().toString(unsaved.changed, QLocale::ShortFormat);
     say("recoveryText", tr("%1 was not saved when Fettle ended: %2, %3.").arg(m_name, tr("%Ln steps", nullptr, unsaved.steps), time), unsaved.name);
     const auto add = [this](const char* name, const QString& text, const QString& tip, void (RecoveryBar::*what)()) {
-        connect(addButton(name, text, tip), &QPushButton::clicked, this, what);
+        QPushButton* button = addButton(name, text, tip);
+        connect(button, &QPushButton::clicked, this, what);
+        return button;
     };
-    add("recover", tr("Rec&over"), tr("Opens it as it was, with its steps to undo and do again."), &RecoveryBar::recoverRequested);
+    QPushButton* recover = add("recover", tr("Rec&over"), tr("Opens it as it was, with its steps to undo and do again."), &RecoveryBar::recoverRequested);
+    recover->setDefault(true);
     add("discardRecovery", tr("&Discard…"), tr("Removes what was kept of it, after a question."), &RecoveryBar::askToDiscard);
     add("recoverLater", tr("&Later"), tr("Hides this bar; the next start offers it again."), &RecoveryBar::leave);
 }

@@ -1,6 +1,7 @@
 // Formats that come in through Assimp, written by Assimp's own exporters; and what hostile files and broken readers do to us: nothing.
 
 #include "app/child_process.h"
+#include "app/foreign_import.h"
 #include "app/foreign_reader.h"
 #include "app/own_limits.h"
 #include "core/file_error.h"
@@ -180,6 +181,7 @@ void TestForeignReader::formats_areRead()
     QFETCH(bool, isColored);
     const TriangleMesh mesh = shapes::cube(2); // of numbers that all formats hold
     const TriangleMesh read = core::readMesh(written(qPrintable(exporter), name, mesh, isColored));
+    QCOMPARE(app::foreignHoldsUnit(file(name)), millimetres != 1);
     QCOMPARE(read.triangles.size(), mesh.triangles.size());
     QCOMPARE(read.points.size(), mesh.points.size());
     QCOMPARE(volume(read), volume(mesh) * millimetres * millimetres * millimetres);

@@ -7,11 +7,35 @@
 #include "ui/unit_bar.h"
 
 #include <QAction>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QPushButton>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <QtEndian>
 
 using namespace app;
+
+namespace
+{
+/// With its buffer inside.
+void writeGltf(const QString& path, const core::TriangleMesh& mesh)
+{
+    constexpr qsizetype jsonAt = 20, chunkHead = 8;
+    core::writeMesh((path + QStringLiteral(".glb")).toStdString(), mesh);
+    QFile packed(path + QStringLiteral(".glb")), text(path);
+    QVERIFY(packed.open(QIODevice::ReadOnly) && text.open(QIODevice::WriteOnly));
+    const QByteArray bytes = packed.readAll();
+    const auto size = static_cast<qsizetype>(qFromLittleEndian<quint32>(bytes.constData() + 12));
+    QJsonObject document = QJsonDocument::fromJson(bytes.mid(jsonAt, size)).object();
+    QJsonObject buffer = document[QStringLiteral("buffers")][0].toObject();
+    buffer[QStringLiteral("uri")] = QStringLiteral("data:application/octet-stream;base64,") + QString::fromLatin1(bytes.mid(jsonAt + size + chunkHead).toBase64());
+    document[QStringLiteral("buffers")] = QJsonArray{buffer};
+    text.write(QJsonDocument(document).toJson());
+}
+} // namespace
 
 class TestUnits : public QObject
 {
@@ -31,7 +55,10 @@ private:
     void open(Program& program, const char* name, float side)
     {
         const QString path = m_folder->filePath(QLatin1StringView(name));
-        core::writeMesh(path.toStdString(), shapes::cube(side));
+        if (path.endsWith(QStringLiteral(".gltf")))
+            writeGltf(path, shapes::cube(side));
+        else
+            core::writeMesh(path.toStdString(), shapes::cube(side));
         program.window.resize(1200, 800);
         program.window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&program.window));
@@ -113,6 +140,7 @@ void TestUnits::knownUnits_areNotDoubted_data()
     QTest::addColumn<QByteArray>("name");
     QTest::addColumn<float>("side");
     QTest::newRow("GLB knows its unit") << QByteArray("part.glb") << 1.5F;
+    QTest::newRow("glTF knows its unit") << QByteArray("part.gltf") << 1.5F;
     QTest::newRow("3MF knows its unit") << QByteArray("part.3mf") << 1.5F;
     QTest::newRow("large enough") << QByteArray("part.stl") << 2.0F;
 }
