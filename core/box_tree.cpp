@@ -2,6 +2,7 @@
 
 #include "morton_code.h"
 #include "parallel.h"
+#include "radix_sort.h"
 
 namespace core
 {
@@ -13,7 +14,6 @@ struct Key
 {
     std::uint64_t code;
     Slot box;
-    friend auto operator<=>(const Key&, const Key&) = default;
 };
 
 std::vector<Key> mortonKeys(const std::vector<FaceBox>& boxes)
@@ -47,13 +47,15 @@ std::vector<FaceBox> nodesOver(const std::vector<FaceBox>& below)
 BoxTree::BoxTree(const std::vector<FaceBox>& boxes)
 {
     std::vector<Key> keys = mortonKeys(boxes);
-    std::sort(keys.begin(), keys.end());
-    m_order.reserve(keys.size());
-    m_levels.emplace_back().reserve(keys.size());
-    for (const Key& key : keys) {
-        m_order.push_back(key.box);
-        m_levels[0].push_back(boxes[key.box]);
-    }
+    radixSort(keys, &Key::code);
+    m_order.resize(keys.size());
+    m_levels.emplace_back().resize(keys.size());
+    forEachChunk(keys.size(), chunkSize, [&](std::size_t, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            m_order[i] = keys[i].box;
+            m_levels[0][i] = boxes[keys[i].box];
+        }
+    });
     do
         m_levels.push_back(nodesOver(m_levels.back()));
     while (m_levels.back().size() > 1);

@@ -41,46 +41,84 @@ public:
     /// The index in `boxes` of the box at a position.
     Slot at(Slot position) const { return m_order[position]; }
     const FaceBox& box(Slot position) const { return m_levels[0][position]; }
-    const FaceBox& nodeBox(Slot node) const { return m_levels[1][node]; }
 
-    static constexpr Slot nodeSize = 8;
-    Slot nodes() const { return static_cast<Slot>(m_levels[1].size()); }
+    /// Calls visit(position) for each box that meets the query.
+    template <typename Visit> void forEachMeeting(const FaceBox& query, Visit visit) const { forEachMeetingAt(0, query, 0, visit); }
 
-    /// Calls visit(position) for each box from position `from` on that meets the query.
-    template <typename Visit> void forEachMeeting(const FaceBox& query, Slot from, Visit visit) const;
+    /// For questions about all pairs, on many cores: so many parts of the boxes.
+    Slot blocks() const { return static_cast<Slot>(m_levels[blockLevel()].size()); }
+    /// Calls visit(i, j) for each pair of positions i < j whose boxes meet, i in the block.
+    template <typename Visit> void forEachMeetingPair(Slot block, Visit visit) const;
 
     /// Nearest first, about: reach(box) says how far away the box begins, infinity if it is not wanted; visit(position) returns the
     /// distance from which on nothing is wanted any more, never more than `bound` or what it returned before.
     template <typename Reach, typename Visit> void forEachNear(Reach reach, double bound, Visit visit) const;
 
+    static constexpr Slot nodeSize = 8;
+
 private:
     static constexpr std::size_t maxLevels = 12; // 8^11 exceeds any number of faces
+
+    std::size_t blockLevel() const { return std::min<std::size_t>(3, m_levels.size() - 1); }
+    /// visit(i) for each entry of a level, from one on, that meets the query.
+    template <typename Visit> void forEachMeetingAt(std::size_t target, const FaceBox& query, Slot from, Visit visit) const;
+    /// Of nodes a <= b of a level, which meet.
+    template <typename Visit> void visitPairs(std::size_t level, std::size_t a, std::size_t b, Visit& visit) const;
+
     std::vector<Slot> m_order;
     std::vector<std::vector<FaceBox>> m_levels; ///< boxes by position, then of nodes, and so on up to one
 };
 
-template <typename Visit> void BoxTree::forEachMeeting(const FaceBox& query, Slot from, Visit visit) const
+template <typename Visit> void BoxTree::forEachMeetingAt(std::size_t target, const FaceBox& query, Slot from, Visit visit) const
 {
     struct Node
     {
-        std::uint32_t level, index;
+        std::size_t level, index;
     };
     std::array<Node, maxLevels * nodeSize> stack;
     std::size_t depth = 0;
-    stack[depth++] = {static_cast<std::uint32_t>(m_levels.size()) - 1, 0};
+    stack[depth++] = {m_levels.size() - 1, 0};
     while (depth != 0) {
         const auto [level, index] = stack[--depth];
+        if (level == target) {
+            visit(static_cast<Slot>(index));
+            continue;
+        }
         const std::vector<FaceBox>& below = m_levels[level - 1];
-        const auto first = static_cast<std::size_t>(index) * nodeSize;
-        const std::size_t last = std::min(first + nodeSize, below.size());
-        const unsigned shift = 3 * (level - 1); // a box there covers 8^(level - 1) positions
-        for (std::size_t i = first; i < last; ++i) {
-            if (((i + 1) << shift) <= from || !below[i].meets(query))
+        const std::size_t first = index * nodeSize, last = std::min(first + nodeSize, below.size());
+        const std::size_t shift = 3 * (level - 1 - target); // an entry below covers 8^that of the target's
+        for (std::size_t i = first; i < last; ++i)
+            if (((i + 1) << shift) > from && below[i].meets(query))
+                stack[depth++] = {level - 1, i};
+    }
+}
+
+template <typename Visit> void BoxTree::forEachMeetingPair(Slot block, Visit visit) const
+{
+    const std::size_t level = blockLevel();
+    forEachMeetingAt(level, m_levels[level][block], block, [&](Slot other) { visitPairs(level, block, other, visit); });
+}
+
+template <typename Visit> void BoxTree::visitPairs(std::size_t level, std::size_t a, std::size_t b, Visit& visit) const
+{
+    const std::vector<FaceBox>& below = m_levels[level - 1];
+    const FaceBox &boxA = m_levels[level][a], &boxB = m_levels[level][b];
+    std::array<std::size_t, nodeSize> near; // of b's those that meet a
+    std::size_t count = 0;
+    for (std::size_t j = b * nodeSize; j < std::min((b + 1) * nodeSize, below.size()); ++j)
+        if (a == b || below[j].meets(boxA))
+            near[count++] = j;
+    for (std::size_t i = a * nodeSize; i < std::min((a + 1) * nodeSize, below.size()); ++i) {
+        if (a != b && !below[i].meets(boxB))
+            continue;
+        for (std::size_t n = 0; n < count; ++n) {
+            const std::size_t j = near[n];
+            if (j < i || !below[i].meets(below[j]))
                 continue;
-            if (level == 1)
-                visit(static_cast<Slot>(i));
-            else
-                stack[depth++] = {level - 1, static_cast<std::uint32_t>(i)};
+            if (level > 1)
+                visitPairs(level - 1, i, j, visit);
+            else if (i != j)
+                visit(static_cast<Slot>(i), static_cast<Slot>(j));
         }
     }
 }

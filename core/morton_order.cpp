@@ -1,6 +1,7 @@
 #include "morton_order.h"
 
 #include "morton_code.h"
+#include "radix_sort.h"
 
 #include <algorithm>
 #include <numeric>
@@ -13,25 +14,47 @@ std::vector<Slot> vertexOrder(const TriangleMesh& mesh, const Lattice& lattice)
 {
     struct Key
     {
-        std::uint64_t code;
-        LatticePoint point; ///< decides between equal codes; two vertices never share a point
-        Slot vertex;
+        std::uint64_t code = 0;
+        Slot vertex = 0;
     };
-    std::vector<Key> keys;
-    keys.reserve(mesh.points.size());
-    for (Slot v = 0; v < mesh.points.size(); ++v) {
-        const LatticePoint p = lattice.toLattice(mesh.points[v]);
-        keys.push_back({mortonCodeOf(p), p, v});
+    std::vector<Key> keys(mesh.points.size());
+    for (Slot v = 0; v < keys.size(); ++v)
+        keys[v] = {mortonCodeOf(lattice.toLattice(mesh.points[v])), v};
+    radixSort(keys, &Key::code);
+    const auto pointOf = [&](const Key& key) {
+        const LatticePoint p = lattice.toLattice(mesh.points[key.vertex]);
+        return std::array{p.x(), p.y(), p.z()};
+    };
+    for (auto begin = keys.begin(); begin != keys.end();) { // between equal codes the point decides: two vertices never share one
+        const auto end = std::find_if(begin, keys.end(), [&](const Key& key) { return key.code != begin->code; });
+        if (end - begin > 1)
+            std::ranges::sort(begin, end, {}, pointOf);
+        begin = end;
     }
-    std::ranges::sort(keys, [](const Key& a, const Key& b) {
-        return std::tie(a.code, a.point.x(), a.point.y(), a.point.z()) <
-               std::tie(b.code, b.point.x(), b.point.y(), b.point.z());
-    });
     std::vector<Slot> order;
     order.reserve(keys.size());
     for (const Key& key : keys)
         order.push_back(key.vertex);
     return order;
+}
+
+/// Ascending, by counting: those of a vertex are few.
+std::vector<Triangle> sorted(const std::vector<Triangle>& triangles, std::size_t vertices)
+{
+    std::vector<Slot> ends(vertices + 1);
+    for (const Triangle& t : triangles)
+        ++ends[t[0] + 1];
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    std::vector<Triangle> result(triangles.size());
+    for (const Triangle& t : triangles)
+        result[ends[t[0]]++] = t;
+    auto begin = result.begin();
+    for (Slot v = 0; v < vertices; ++v) {
+        const auto end = result.begin() + ends[v];
+        std::sort(begin, end);
+        begin = end;
+    }
+    return result;
 }
 } // namespace
 
@@ -53,13 +76,14 @@ TriangleMesh inMortonOrder(const TriangleMesh& mesh, const Lattice& lattice)
         if (!mesh.colors.empty())
             result.colors.push_back(mesh.colors[order[v]]);
     }
-    result.triangles.reserve(mesh.triangles.size());
+    std::vector<Triangle> triangles;
+    triangles.reserve(mesh.triangles.size());
     for (const Triangle& t : mesh.triangles) {
         Triangle moved = {newSlot[t[0]], newSlot[t[1]], newSlot[t[2]]};
         std::ranges::rotate(moved, std::ranges::min_element(moved));
-        result.triangles.push_back(moved);
+        triangles.push_back(moved);
     }
-    std::ranges::sort(result.triangles);
+    result.triangles = sorted(triangles, result.points.size());
     return result;
 }
 } // namespace core

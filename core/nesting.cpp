@@ -103,7 +103,7 @@ private:
         ray.extend(origin.array());
         ray.max.z() = std::numeric_limits<float>::infinity();
         bool odd = false;
-        tree.forEachMeeting(ray, 0, [&](Slot position) {
+        tree.forEachMeeting(ray, [&](Slot position) {
             const Slot face = tree.at(position);
             if (m_components.ofFace[face] != shell && liesAbove(m_triangles[face], origin))
                 odd = !odd;

@@ -1,5 +1,4 @@
-// All pairs of faces that meet: a tree of their boxes in Morton order; each node of eight faces asks the tree for the faces
-// after it whose boxes meet its own; what remains after comparing single boxes is tested exactly.
+// All pairs of faces that meet: those whose boxes meet in a tree of boxes are tested exactly.
 
 #include "self_intersection.h"
 
@@ -8,79 +7,75 @@
 #include "parallel.h"
 #include "triangle_pair.h"
 
+#include <atomic>
+#include <numeric>
+
 namespace core
 {
 namespace
 {
 constexpr std::size_t facesPerChunk = 1 << 12;
-constexpr std::size_t nodesPerChunk = 1 << 8;
+constexpr std::size_t blocksPerChunk = 4;
 
-template <typename Predicates> class PairSearch
+class PairSearch
 {
 public:
-    using Point = typename Predicates::Point;
-    using Pairs = FirstFew<FacePair>;
-
-    PairSearch(std::span<const Point> points, std::span<const Triangle> triangles, std::vector<Slot> faces)
-        : m_points(points)
-        , m_triangles(triangles)
+    /// Of some faces, ascending.
+    template <typename Points>
+    PairSearch(const Points& points, std::span<const Triangle> triangles, std::vector<Slot> faces)
+        : m_triangles(triangles)
         , m_faces(std::move(faces))
-        , m_tree(boxes())
+        , m_tree(boxes(points))
     {}
 
-    Pairs find(std::size_t keep, const std::stop_token& stop) const
+    /// meet(i, j) for the faces at two positions whose boxes meet.
+    template <typename Meet> IntersectionReport find(std::size_t keep, const std::stop_token& stop, Meet meet) const
     {
-        std::vector<Pairs> found(chunksOf(m_tree.nodes(), nodesPerChunk), Pairs(keep));
-        forEachChunk(m_tree.nodes(), nodesPerChunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-            for (std::size_t node = begin; node < end && !stop.stop_requested(); ++node)
-                findFrom(static_cast<Slot>(node), found[chunk]);
+        using Pairs = FirstFew<FacePair>;
+        std::vector<Pairs> found(chunksOf(m_tree.blocks(), blocksPerChunk), Pairs(keep));
+        forEachChunk(m_tree.blocks(), blocksPerChunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+            for (std::size_t block = begin; block < end && !stop.stop_requested(); ++block)
+                m_tree.forEachMeetingPair(static_cast<Slot>(block), [&](Slot i, Slot j) {
+                    if (meet(i, j))
+                        found[chunk].add(orderedPair(faceAt(i), faceAt(j)));
+                });
         });
         Pairs all(keep);
         for (const Pairs& pairs : found)
             all.add(pairs);
-        return all;
+        return {all.count(), all.take()};
+    }
+
+    /// By position, in memory: neighbours are met with again and again.
+    template <typename Predicates>
+    std::vector<CornerTriangle<Predicates>> inOrder(std::span<const typename Predicates::Point> points) const
+    {
+        std::vector<CornerTriangle<Predicates>> result(m_faces.size());
+        forEachChunk(m_faces.size(), facesPerChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const Triangle& t = m_triangles[faceAt(static_cast<Slot>(i))];
+                result[i] = {t, {points[t[0]], points[t[1]], points[t[2]]}};
+            }
+        });
+        return result;
     }
 
 private:
-    std::vector<FaceBox> boxes() const
+    template <typename Points> std::vector<FaceBox> boxes(const Points& points) const
     {
         std::vector<FaceBox> result(m_faces.size());
         forEachChunk(m_faces.size(), facesPerChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
                 for (const Slot corner : m_triangles[m_faces[i]])
-                    result[i].extend(m_points[corner].array().template cast<float>());
+                    result[i].extend(points[corner].array().template cast<float>());
         });
         return result;
     }
 
     Slot faceAt(Slot position) const { return m_faces[m_tree.at(position)]; }
 
-    CornerTriangle<Predicates> triangleAt(Slot position) const
-    {
-        const Triangle& t = m_triangles[faceAt(position)];
-        return {t, {m_points[t[0]], m_points[t[1]], m_points[t[2]]}};
-    }
-
-    /// Pairs of a face of the node and a face at a later position.
-    void findFrom(Slot node, Pairs& found) const
-    {
-        const Slot first = node * BoxTree::nodeSize;
-        const Slot last = std::min(first + BoxTree::nodeSize, m_tree.size());
-        std::array<CornerTriangle<Predicates>, BoxTree::nodeSize> own;
-        for (Slot i = first; i < last; ++i)
-            own[i - first] = triangleAt(i);
-        m_tree.forEachMeeting(m_tree.nodeBox(node), first, [&](Slot other) {
-            const FaceBox& box = m_tree.box(other);
-            const CornerTriangle<Predicates> triangle = triangleAt(other);
-            for (Slot i = first; i < std::min(other, last); ++i)
-                if (m_tree.box(i).meets(box) && trianglesMeet(own[i - first], triangle))
-                    found.add(orderedPair(faceAt(i), faceAt(other)));
-        });
-    }
-
     static FacePair orderedPair(Slot a, Slot b) { return {std::min(a, b), std::max(a, b)}; }
 
-    std::span<const Point> m_points;
     std::span<const Triangle> m_triangles;
     std::vector<Slot> m_faces; ///< those that take part, ascending
     BoxTree m_tree;
@@ -106,9 +101,26 @@ template <typename Predicates>
 IntersectionReport selfIntersections(std::span<const typename Predicates::Point> points,
                                      std::span<const Triangle> triangles, std::size_t keep, const std::stop_token& stop)
 {
-    std::vector<Slot> faces = facesThatAre<Predicates>(false, points, triangles);
-    auto found = PairSearch<Predicates>(points, triangles, std::move(faces)).find(keep, stop);
-    return {found.count(), found.take()};
+    const PairSearch search(points, triangles, facesThatAre<Predicates>(false, points, triangles));
+    const auto ordered = search.inOrder<Predicates>(points);
+    return search.find(keep, stop, [&](Slot i, Slot j) { return trianglesMeet(ordered[i], ordered[j]); });
+}
+
+SurfaceAndImage selfIntersections(std::span<const Vec3f> points, std::span<const LatticePoint> image, std::span<const Triangle> triangles,
+                                  std::size_t keep, const std::stop_token& stop)
+{
+    std::vector<Slot> all(triangles.size());
+    std::iota(all.begin(), all.end(), Slot(0));
+    const PairSearch search(image, triangles, std::move(all));
+    const auto ordered = search.inOrder<FloatPredicates>(points);
+    const auto orderedImage = search.inOrder<LatticePredicates>(image);
+    std::atomic<bool> imageMeets = false;
+    IntersectionReport report = search.find(keep, stop, [&](Slot i, Slot j) {
+        if (!imageMeets.load(std::memory_order_relaxed) && trianglesMeet(orderedImage[i], orderedImage[j]))
+            imageMeets = true;
+        return trianglesMeet(ordered[i], ordered[j]);
+    });
+    return {std::move(report), imageMeets};
 }
 
 template <typename Predicates>

@@ -30,6 +30,17 @@ IntersectionReport selfIntersections(std::span<const typename Predicates::Point>
                                      std::span<const Triangle> triangles, std::size_t keep = 1000,
                                      const std::stop_token& stop = {});
 
+struct SurfaceAndImage
+{
+    IntersectionReport surface;
+    bool imageMeets = false; ///< itself, somewhere
+};
+
+/// A surface and its image on a lattice at once, in little more than the time of one. Neither has a degenerate face, and the order of
+/// coordinates is kept: of two points, none comes before the other in the image that came after it.
+SurfaceAndImage selfIntersections(std::span<const Vec3f> points, std::span<const LatticePoint> image, std::span<const Triangle> triangles,
+                                  std::size_t keep, const std::stop_token& stop);
+
 /// Faces whose corners are collinear, or not three, ascending.
 template <typename Predicates>
 std::vector<Slot> degenerateFaces(std::span<const typename Predicates::Point> points,

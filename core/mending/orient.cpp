@@ -123,7 +123,7 @@ private:
         end[axis] = static_cast<float>(2 * way * Lattice::limit);
         line.extend(end);
         bool isBlocked = false;
-        m_tree.forEachMeeting(line, 0, [&](Slot position) {
+        m_tree.forEachMeeting(line, [&](Slot position) {
             const Slot other = m_tree.at(position);
             isBlocked = isBlocked || (other != face && blocks(other, from, axis, way));
         });

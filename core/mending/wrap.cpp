@@ -210,7 +210,7 @@ private:
         box.extend(from.array().cast<float>());
         box.extend(to.array().cast<float>());
         double best = std::numeric_limits<double>::infinity();
-        m_tree.forEachMeeting(box, 0, [&](Slot position) {
+        m_tree.forEachMeeting(box, [&](Slot position) {
             const Slot f = m_tree.at(position);
             const Triangle& t = m_original.triangles[f];
             const Vec3 a = m_points[t[0]], u = m_points[t[1]] - a, v = m_points[t[2]] - a, way = to - from;

@@ -120,6 +120,7 @@ private Q_SLOTS:
     void orderOfElements_doesNotMatter();
     void keptPairs_areTheFirst();
     void latticeAndFloatAgree();
+    void surfaceAndImage_areJudgedAsEachAlone();
     void lattice_tellsWhatImportWouldBreak();
     void placement_movesFarModels();
     void randomShapes_agreeWithCgal_data();
@@ -328,6 +329,29 @@ void TestMeshCheck::latticeAndFloatAgree()
         if (onLattice.count == 0)
             QCOMPARE(core::boundsSolid(points, mesh.triangles), core::boundsSolid(mesh.points, mesh.triangles));
     }
+}
+
+void TestMeshCheck::surfaceAndImage_areJudgedAsEachAlone()
+{
+    int imagesThatMeet = 0, surfacesThatMeet = 0;
+    for (unsigned i = 0; i < 40; ++i) {
+        const float noise = i % 2 == 0 ? 0 : 0.03F;
+        const TriangleMesh mesh = shapes::scaled(shapes::noisy(core::icosphere(4, 1), noise, i), 20.0F + static_cast<float>(3 * i));
+        std::vector<LatticePoint> image;
+        for (const Vec3f& p : mesh.points)
+            image.push_back(p.array().round().matrix().cast<int>());
+        if (!core::degenerateFaces<LatticePredicates>(image, mesh.triangles).empty())
+            continue;
+        const auto surface = core::selfIntersections<FloatPredicates>(mesh.points, mesh.triangles, 100);
+        const auto alone = core::selfIntersections<LatticePredicates>(image, mesh.triangles, 0);
+        const auto both = core::selfIntersections(mesh.points, image, mesh.triangles, 100, {});
+        QCOMPARE(both.surface.count, surface.count);
+        QVERIFY(both.surface.pairs == surface.pairs);
+        QCOMPARE(both.imageMeets, alone.count != 0);
+        imagesThatMeet += both.imageMeets && surface.count == 0 ? 1 : 0;
+        surfacesThatMeet += surface.count != 0 ? 1 : 0;
+    }
+    QVERIFY2(imagesThatMeet > 0 && surfacesThatMeet > 0, qPrintable(QStringLiteral("%1 %2").arg(imagesThatMeet).arg(surfacesThatMeet)));
 }
 
 void TestMeshCheck::lattice_tellsWhatImportWouldBreak()
