@@ -67,7 +67,10 @@ template <typename Source> class BodyReader
 {
 public:
     BodyReader(const FileBytes& file, const PlyHeader& header) : m_file(file), m_header(header), m_source(file, header), m_stopCheck(file.stop)
-    {}
+    {
+        if (const PlyElement* const vertices = header.find("vertex"))
+            m_vertices = vertices->count;
+    }
 
     TriangleMesh read()
     {
@@ -199,10 +202,12 @@ private:
             forEachChunk(element.count, rowsPerChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
                 Source rows = m_source;
                 rows.skip(PlyType::Uint8, begin * size);
+                const std::uint64_t left = rows.bytesLeft();
                 Polygons faces;
+                faces.reserve(end - begin, trianglesEach + 2);
                 for (std::size_t i = begin; i < end && areRows; ++i) {
                     readFace(rows, element, roles, faces);
-                    if (rows.bytesLeft() != m_source.bytesLeft() - (i + 1) * size)
+                    if (rows.bytesLeft() != left - (i + 1 - begin) * size)
                         areRows = false;
                 }
                 if (areRows)
@@ -233,12 +238,10 @@ private:
             source.fail(FileErrorKind::Malformed);
         if (count > static_cast<std::int64_t>(maxCorners))
             source.fail(FileErrorKind::TooManyElements, maxCorners, "corners");
-        const PlyElement* const vertices = m_header.find("vertex");
-        const std::uint64_t most = vertices ? vertices->count : 0;
         for (std::int64_t i = 0; i < count; ++i) {
             const std::int64_t index = source.whole(property.type);
-            if (index < 0 || static_cast<std::uint64_t>(index) >= most)
-                source.fail(FileErrorKind::IndexOutOfRange, most, std::to_string(index));
+            if (index < 0 || static_cast<std::uint64_t>(index) >= m_vertices)
+                source.fail(FileErrorKind::IndexOutOfRange, m_vertices, std::to_string(index));
             faces.addCorner(static_cast<Slot>(index));
         }
         faces.endFace();
@@ -267,6 +270,7 @@ private:
 
     FileBytes m_file;
     const PlyHeader& m_header;
+    std::uint64_t m_vertices = 0; ///< as announced
     Source m_source;
     StopCheck m_stopCheck;
     TriangleMesh m_mesh;

@@ -109,7 +109,11 @@ std::vector<Triangle> Polygons::triangles(const std::vector<Vec3f>& points, Stop
     result.reserve(m_corners.size() - 2 * m_ends.size());
     std::size_t first = 0;
     for (const std::size_t end : m_ends) {
-        appendPolygon(result, points, std::span(m_corners).subspan(first, end - first), stopCheck);
+        stopCheck();
+        if (end - first == 3) // most are
+            result.push_back({m_corners[first], m_corners[first + 1], m_corners[first + 2]});
+        else
+            appendPolygon(result, points, std::span(m_corners).subspan(first, end - first), stopCheck);
         first = end;
     }
     return result;

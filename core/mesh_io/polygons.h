@@ -20,6 +20,11 @@ void appendPolygon(std::vector<Triangle>& triangles, const std::vector<Vec3f>& p
 class Polygons
 {
 public:
+    void reserve(std::size_t faces, std::size_t cornersEach)
+    {
+        m_corners.reserve(faces * cornersEach);
+        m_ends.reserve(faces);
+    }
     void addCorner(Slot corner) { m_corners.push_back(corner); }
     /// Ends the face whose corners were added since the last.
     void endFace() { m_ends.push_back(static_cast<Slot>(m_corners.size())); }

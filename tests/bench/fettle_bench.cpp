@@ -53,7 +53,7 @@ std::vector<bench::Table> tables()
         {"drawing", "Drawings of 1,004,892 vertices, three views: milliseconds", {{"wall", "wall", 1}}},
         {"drawingStroke", "The same while a stroke goes on, each fifth dab drawn: milliseconds", {{"apply", "patch", 1}, {"wall", "all", 1}, {"worst", "worst", 1}}},
         {"files",
-         "Files of 1,004,892 vertices in no order: milliseconds; plain: the same bytes, without a look at them, safe on the disk",
+         "Files of 1,004,892 vertices, read in no order: milliseconds; plain: as many bytes, without a look at them",
          {{"megabytes", "MB", 0},
           {"plain", "plain read", 1},
           {"read", "read", 1},
