@@ -1,46 +1,156 @@
+// 1. same      faces that both surfaces have are nowhere apart
+// 2. inside    samples in the other faces, each search bounded by where the last one ended
+// 3. corners   only the largest distance is asked of them: a search ends as soon as a corner is known to be nearer than that
+
 #include "surface_distance.h"
 
 #include "face_geometry.h"
 #include "surface_query.h"
+#include "watched_chunks.h"
 
-#include <algorithm>
+#include <atomic>
+#include <bit>
 #include <cmath>
-#include <tuple>
+#include <unordered_map>
+#include <unordered_set>
 
 namespace core
 {
 namespace
 {
 constexpr double sampleCount = 200'000;
+constexpr std::size_t perChunk = 512;
 
 double areaOf(const std::array<Vec3, 3>& t)
 {
     return 0.5 * (t[1] - t[0]).cross(t[2] - t[0]).norm();
 }
 
+std::size_t mixed(std::size_t hash, std::uint32_t bits)
+{
+    return (hash ^ bits) * 0x9E3779B97F4A7C15 >> 7 ^ hash << 23;
+}
+
+/// What a surface consists of, to be found by where it is.
+class Parts
+{
+public:
+    explicit Parts(const TriangleMesh& mesh)
+    {
+        m_points.reserve(mesh.points.size());
+        m_faces.reserve(mesh.triangles.size());
+        for (const Triangle& t : mesh.triangles) {
+            Triangle places;
+            for (std::size_t i = 0; i < 3; ++i)
+                places[i] = m_points.try_emplace(mesh.points[t[i]], static_cast<Slot>(m_points.size())).first->second;
+            m_faces.insert(sorted(places));
+        }
+    }
+
+    bool hasPoint(const Vec3f& p) const { return m_points.contains(p); }
+    /// However it runs.
+    bool hasFace(const TriangleMesh& mesh, Slot face) const
+    {
+        Triangle places;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto found = m_points.find(mesh.points[mesh.triangles[face][i]]);
+            if (found == m_points.end())
+                return false;
+            places[i] = found->second;
+        }
+        return m_faces.contains(sorted(places));
+    }
+
+private:
+    struct PointHash
+    {
+        std::size_t operator()(const Vec3f& p) const
+        {
+            std::size_t hash = 0;
+            for (int i = 0; i < 3; ++i)
+                hash = mixed(hash, std::bit_cast<std::uint32_t>(p[i] + 0.0f)); // no -0
+            return hash;
+        }
+    };
+    struct FaceHash
+    {
+        std::size_t operator()(const Triangle& t) const { return mixed(mixed(mixed(0, t[0]), t[1]), t[2]); }
+    };
+
+    static Triangle sorted(Triangle t)
+    {
+        std::ranges::sort(t);
+        return t;
+    }
+
+    std::unordered_map<Vec3f, Slot, PointHash> m_points;
+    std::unordered_set<Triangle, FaceHash> m_faces;
+};
+
+/// A point of the surface, and how far it is from the one asked about, squared.
+struct Found
+{
+    double squared = std::numeric_limits<double>::infinity();
+    Vec3 point = Vec3::Zero();
+};
+
 class Nearest
 {
 public:
-    explicit Nearest(const TriangleMesh& mesh) : m_mesh(mesh), m_tree(faceBoxes(mesh.points, mesh.triangles)) {}
-
-    /// `hint`: no less than the distance; the smaller, the faster.
-    double distance(const Vec3& p, double hint) const
+    explicit Nearest(const TriangleMesh& mesh) : m_tree(faceBoxes(mesh.points, mesh.triangles)), m_corners(mesh.triangles.size())
     {
-        double best = hint;
+        forEachChunk(m_corners.size(), perChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                for (std::size_t k = 0; k < 3; ++k)
+                    m_corners[i][k] = mesh.points[mesh.triangles[m_tree.at(static_cast<Slot>(i))][k]];
+        });
+    }
+
+    /// `known`: some point of the surface; the nearer, the faster. A point that is near `enough`, squared, ends the search.
+    Found nearest(const Vec3& p, const Found& known, double enough) const
+    {
+        constexpr double slack = 1 + 1e-9; // the known point is found again, but for its rounding
+        Found best = known;
+        const Eigen::Array3d at = p.array();
         const auto reach = [&](const FaceBox& box) {
-            const Eigen::Array3d below = box.min.cast<double>() - p.array(), above = p.array() - box.max.cast<double>();
-            return below.max(above).max(0.0).matrix().norm();
+            return (box.min.cast<double>() - at).max(at - box.max.cast<double>()).max(0.0).matrix().squaredNorm();
         };
-        m_tree.forEachNear(reach, hint, [&](Slot position) {
-            best = std::min(best, (nearestInTriangle(p, cornersOf(m_mesh, m_tree.at(position))) - p).norm());
+        if (known.squared <= enough)
             return best;
+        m_tree.forEachNear(reach, slack * known.squared, [&](Slot position) {
+            const auto& [a, b, c] = m_corners[position];
+            const Vec3 q = nearestInTriangle(p, {a.cast<double>(), b.cast<double>(), c.cast<double>()});
+            const double squared = (q - p).squaredNorm();
+            if (squared < best.squared)
+                best = {squared, q};
+            return best.squared <= enough ? -1 : best.squared;
         });
         return best;
     }
 
 private:
-    const TriangleMesh& m_mesh;
     BoxTree m_tree;
+    std::vector<std::array<Vec3f, 3>> m_corners; ///< by position in the tree
+};
+
+/// Distances of points that lie near each other.
+class Measuring
+{
+public:
+    explicit Measuring(const Nearest& to) : m_to(to) {}
+
+    /// Exact if it is more than `enough`.
+    double operator()(const Vec3& p, double enough = 0)
+    {
+        if (m_last.squared < std::numeric_limits<double>::infinity())
+            m_last.squared = (m_last.point - p).squaredNorm();
+        m_last = m_to.nearest(p, m_last, enough * enough);
+        return std::sqrt(m_last.squared);
+    }
+
+private:
+    const Nearest& m_to;
+    Found m_last;
 };
 
 /// Evenly in the triangle: the R2 sequence (Roberts 2018), folded.
@@ -62,12 +172,6 @@ struct Sums
     double largest = 0, sum = 0;
     std::size_t count = 0;
 
-    void add(double distance)
-    {
-        largest = std::max(largest, distance);
-        sum += distance;
-        ++count;
-    }
     void add(const Sums& other)
     {
         largest = std::max(largest, other.largest);
@@ -76,95 +180,81 @@ struct Sums
     }
 };
 
-/// Distances of points that lie near each other: none is farther than the last one's nearest point.
-class Measuring
-{
-public:
-    explicit Measuring(const Nearest& to) : m_to(to) {}
-
-    double operator()(const Vec3& p)
-    {
-        constexpr double slack = 1 + 1e-9;
-        m_distance = m_to.distance(p, slack * (m_distance + (p - m_last).norm()));
-        m_last = p;
-        return m_distance;
-    }
-
-private:
-    const Nearest& m_to;
-    Vec3 m_last = Vec3::Zero();
-    double m_distance = std::numeric_limits<double>::infinity();
-};
-
-template <typename Measure>
-Sums summed(std::size_t count, const Nearest& nearest, const JobWatch& watch, Measure measure)
-{
-    constexpr std::size_t perChunk = 512;
-    std::vector<Sums> parts(chunksOf(count, perChunk));
-    forEachChunk(count, perChunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-        Measuring measuring(nearest);
-        for (std::size_t i = begin; i < end && !watch.stopped(); ++i)
-            parts[chunk].add(measure(i, measuring));
-    });
-    Sums all;
-    for (const Sums& part : parts)
-        all.add(part);
-    return all;
-}
 /// Evenly over the surface, face by face: how many samples there are in the faces up to and with each.
 std::vector<std::size_t> samplesUpTo(const TriangleMesh& mesh)
 {
     std::vector<double> area;
+    area.reserve(mesh.triangles.size());
     double sum = 0;
     for (Slot f = 0; f < mesh.triangles.size(); ++f)
         area.push_back(sum += areaOf(cornersOf(mesh, f)));
     std::vector<std::size_t> samples;
+    samples.reserve(area.size());
     for (const double upTo : area)
         samples.push_back(sum > 0 ? static_cast<std::size_t>(sampleCount * (upTo / sum)) : 0);
     return samples;
 }
 
-/// The corners that the other surface does not have as they are.
-std::vector<Vec3f> cornersBeside(const TriangleMesh& a, const TriangleMesh& b)
+Sums measureInside(const TriangleMesh& mesh, const Parts& parts, const Nearest& nearest, const JobWatch& watch)
 {
-    const auto isLess = [](const Vec3f& p, const Vec3f& q) {
-        return std::tie(p.x(), p.y(), p.z()) < std::tie(q.x(), q.y(), q.z());
-    };
-    const auto cornersOf = [&](const TriangleMesh& mesh) {
-        std::vector<bool> isUsed(mesh.points.size(), false);
-        for (const Triangle& t : mesh.triangles)
-            for (const Slot v : t)
-                isUsed[v] = true;
-        std::vector<Vec3f> points;
-        for (std::size_t v = 0; v < isUsed.size(); ++v)
-            if (isUsed[v])
-                points.push_back(mesh.points[v]);
-        std::ranges::sort(points, isLess);
-        return points;
-    };
-    std::vector<Vec3f> result;
-    std::ranges::set_difference(cornersOf(a), cornersOf(b), std::back_inserter(result), isLess);
-    return result;
+    const std::vector<std::size_t> samples = samplesUpTo(mesh);
+    std::vector<Sums> sums(chunksOf(samples.size(), perChunk));
+    forEachWatchedChunk(samples.size(), perChunk, watch, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+        Measuring measuring(nearest);
+        Sums& here = sums[chunk];
+        for (std::size_t f = begin; f < end && !watch.stopped(); ++f) {
+            const std::size_t first = f == 0 ? 0 : samples[f - 1];
+            here.count += samples[f] - first;
+            if (first == samples[f] || parts.hasFace(mesh, static_cast<Slot>(f)))
+                continue;
+            const std::array<Vec3, 3> triangle = cornersOf(mesh, static_cast<Slot>(f));
+            for (std::size_t i = first; i < samples[f]; ++i) {
+                const double distance = measuring(sampleIn(triangle, i));
+                here.largest = std::max(here.largest, distance);
+                here.sum += distance;
+            }
+        }
+    });
+    Sums all;
+    for (const Sums& part : sums)
+        all.add(part);
+    return all;
+}
+
+/// Of the corners that the other surface does not have as they are, and `known`.
+double farthestCorner(const TriangleMesh& mesh, const Parts& parts, const Nearest& nearest, double known, const JobWatch& watch)
+{
+    std::vector<bool> isUsed(mesh.points.size(), false);
+    for (const Triangle& t : mesh.triangles)
+        for (const Slot v : t)
+            isUsed[v] = true;
+    std::atomic<double> largest = known;
+    forEachWatchedChunk(mesh.points.size(), perChunk, watch, [&](std::size_t, std::size_t begin, std::size_t end) {
+        Measuring measuring(nearest);
+        for (std::size_t v = begin; v < end && !watch.stopped(); ++v) {
+            if (!isUsed[v] || parts.hasPoint(mesh.points[v]))
+                continue;
+            double soFar = largest.load(std::memory_order_relaxed);
+            const Vec3 p = mesh.points[v].cast<double>();
+            if (measuring(p, soFar) <= soFar)
+                continue;
+            const double distance = std::sqrt(nearest.nearest(p, {}, 0).squared); // whatever came before it, the same
+            while (distance > soFar && !largest.compare_exchange_weak(soFar, distance, std::memory_order_relaxed)) {
+            }
+        }
+    });
+    return largest;
 }
 } // namespace
 
 SurfaceDistance distanceFrom(const TriangleMesh& a, const TriangleMesh& b, const JobWatch& watch)
 {
+    constexpr double afterPreparing = 0.1, afterInside = 0.8; // shares of the time
+    const Parts parts(b);
     const Nearest nearest(b);
-    const std::vector<std::size_t> samples = samplesUpTo(a);
-    const Sums over = summed(a.triangles.size(), nearest, watch, [&](std::size_t f, Measuring& measuring) {
-        Sums face;
-        const std::array<Vec3, 3> triangle = cornersOf(a, static_cast<Slot>(f));
-        for (std::size_t i = f == 0 ? 0 : samples[f - 1]; i < samples[f]; ++i)
-            face.add(measuring(sampleIn(triangle, i)));
-        return face;
-    });
-    const std::vector<Vec3f> corners = cornersBeside(a, b);
-    const Sums at = summed(corners.size(), nearest, watch, [&](std::size_t i, Measuring& measuring) {
-        Sums corner;
-        corner.add(measuring(corners[i].cast<double>()));
-        return corner;
-    });
-    return {std::max(over.largest, at.largest), over.count > 0 ? over.sum / static_cast<double>(over.count) : 0};
+    watch.reached(afterPreparing);
+    const Sums inside = measureInside(a, parts, nearest, watch.part(afterPreparing, afterInside));
+    const double largest = farthestCorner(a, parts, nearest, inside.largest, watch.part(afterInside, 1));
+    return {largest, inside.count > 0 ? inside.sum / static_cast<double>(inside.count) : 0};
 }
 } // namespace core

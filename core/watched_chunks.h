@@ -1,0 +1,23 @@
+#pragma once
+
+#include "job_watch.h"
+#include "parallel.h"
+
+namespace core
+{
+/// forEachChunk() a part at a time, in the order of the parts: between them the watch hears how far it is, on the calling thread. What is
+/// left when it is stopped is not done.
+template <typename Work> void forEachWatchedChunk(std::size_t count, std::size_t chunkSize, const JobWatch& watch, Work work)
+{
+    constexpr std::size_t chunksPerPart = 64, mostParts = 64;
+    const std::size_t perPart = std::max(chunksPerPart, chunksOf(chunksOf(count, chunkSize), mostParts));
+    for (std::size_t first = 0; first < count && !watch.stopped(); first += perPart * chunkSize) {
+        const std::size_t here = std::min(count - first, perPart * chunkSize);
+        forEachChunk(here, chunkSize, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+            if (!watch.stopped())
+                work(first / chunkSize + chunk, first + begin, first + end);
+        });
+        watch.reached(static_cast<double>(first + here) / static_cast<double>(count));
+    }
+}
+} // namespace core
