@@ -22,6 +22,8 @@ struct LegaliseReport
     std::size_t welded = 0;          ///< vertices that lay where others did, on the lattice
     std::size_t degenerateFaces = 0; ///< without area
     std::size_t duplicateFaces = 0;
+    std::size_t joined = 0;          ///< open vertices at cracks, joined with others or with the edge that they lay on
+    double joinedWithin = 0;         ///< the farthest of these, in the model's unit
     std::size_t turnedFaces = 0;     ///< that ran against most of their neighbours, or whose part faced inwards
     std::size_t membraneFaces = 0;   ///< of sheets between other faces that are seen from nowhere outside: they went
     std::size_t holes = 0;           ///< that were filled
@@ -49,8 +51,14 @@ struct Legalised
     LegaliseReport report;
 };
 
+enum class LegaliseStep { Tidy, Join, Orient, Fill, Resolve, Remesh, Check, Measure };
+/// Is told what begins, on the job's thread; some steps come again.
+using LegaliseTell = std::function<void(LegaliseStep step)>;
+
 /// Makes one closed, manifold, consistently oriented surface without intersections out of whatever triangles there are: the
 /// boundary of the space that they wind around. Away from what was wrong no coordinate changes but by the snap to the lattice
-/// (half a unit). Indices in range, points finite, at least one face. Whole-mesh cost, on all cores.
-Legalised legalise(const TriangleMesh& mesh, const LegaliseOptions& options = {}, const JobWatch& watch = {});
+/// (half a unit), and where cracks close (mending/seams.h). Indices in range, points finite, at least one face. Whole-mesh cost, on
+/// all cores.
+Legalised legalise(const TriangleMesh& mesh, const LegaliseOptions& options = {}, const JobWatch& watch = {},
+                   const LegaliseTell& tell = {});
 } // namespace core

@@ -5,7 +5,7 @@
 
 #include "face_cutter.h"
 
-#include "../parallel.h"
+#include "../watched_chunks.h"
 
 #include <algorithm>
 
@@ -110,7 +110,7 @@ Arrangement arrange(const Surface& surface, std::span<const FacePair> pairs, con
 
     constexpr std::size_t facesPerChunk = 16;
     std::vector<FacePieces> cut(met.size());
-    forEachChunk(met.size(), facesPerChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+    forEachWatchedChunk(met.size(), facesPerChunk, watch, [&](std::size_t, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end && !watch.stopped(); ++i)
             cut[i] = cutFace(surface, met[i], others[met[i]]);
     });

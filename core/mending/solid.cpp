@@ -8,7 +8,7 @@
 #include "tidy.h"
 
 #include "../disjoint_sets.h"
-#include "../parallel.h"
+#include "../watched_chunks.h"
 #include "../winding_number.h"
 
 #include <algorithm>
@@ -80,7 +80,7 @@ std::vector<Sides> judgeAll(const Surface& original, const Arrangement& arrangem
     const WindingNumber winding(points, original.triangles);
     std::vector<Sides> sides(count);
     constexpr std::size_t patchesPerChunk = 4;
-    forEachChunk(roots.size(), patchesPerChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+    forEachWatchedChunk(roots.size(), patchesPerChunk, watch, [&](std::size_t, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end && !watch.stopped(); ++i)
             sides[roots[i]] = judge(arrangement, winding, largest[roots[i]]);
     });

@@ -42,10 +42,10 @@ void row(const std::string& name, const TriangleMesh& mesh)
         return;
     }
     const auto verdict = judgedByCgal(*result.mesh);
-    std::printf("%zu | welded %zu flat %zu double %zu turned %zu sheets %zu holes %zu inner %zu meeting %llu in %zu "
+    std::printf("%zu | welded %zu joined %zu in %.4f mm flat %zu double %zu turned %zu sheets %zu holes %zu inner %zu meeting %llu in %zu "
                 "apart %zu+%zu%s"
                 " | %.4f, %.5f | %.4f, %.5f | %s | %.2f |\n",
-                result.mesh->triangles.size(), r.welded, r.degenerateFaces, r.duplicateFaces, r.turnedFaces,
+                result.mesh->triangles.size(), r.welded, r.joined, r.joinedWithin, r.degenerateFaces, r.duplicateFaces, r.turnedFaces,
                 r.membraneFaces, r.holes, r.innerParts, static_cast<unsigned long long>(r.intersections), r.rounds,
                 r.touchingEdges, r.touchingVertices,
                 r.remeshedAt ? (" remeshed at " + std::to_string(*r.remeshedAt)).c_str() : "", r.fromOld.largest,

@@ -11,6 +11,7 @@
 #include <random>
 
 using namespace core;
+using namespace Qt::StringLiterals;
 
 namespace
 {
@@ -92,6 +93,10 @@ private Q_SLOTS:
     void innerParts_areFilledOrCavities();
     void touchingParts_partByMicrometres();
     void soup_isMadeAnewNearby();
+    void cracks_areJoinedAndNothingElseMoves_data();
+    void cracks_areJoinedAndNothingElseMoves();
+    void distantRims_areNotJoined();
+    void tangle_comesToAnEnd();
     void colors_stay();
     void nothingEnclosed_isRefused();
     void farModel_isMovedAndSaid();
@@ -190,9 +195,65 @@ void TestLegalise::soup_isMadeAnewNearby()
 {
     const Legalised result = legalise(badModel(QStringLiteral("soup")).mesh);
     QVERIFY(result.report.remeshedAt);
+    QCOMPARE(result.report.joined, std::size_t(0)); // what happens to come near is no crack
     QVERIFY(result.report.hausdorff() < 2 * *result.report.remeshedAt);
     QVERIFY(result.report.fromOld.mean < 0.1);
     QCOMPARE(checkMesh(*result.mesh).genus, std::optional<std::int64_t>(0));
+}
+
+void TestLegalise::cracks_areJoinedAndNothingElseMoves_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<double>("farthest");
+    QTest::addColumn<qulonglong>("vertices");
+    QTest::newRow("everywhere") << u"cracked everywhere"_s << 0.0104 << qulonglong(642); // the cube's diagonal
+    QTest::newRow("seam") << u"cracked seam"_s << 0.0055 << qulonglong(2562);
+    QTest::newRow("T junctions") << u"T junctions"_s << 0.02 << qulonglong(0);
+}
+
+void TestLegalise::cracks_areJoinedAndNothingElseMoves()
+{
+    QFETCH(QString, name);
+    QFETCH(double, farthest);
+    QFETCH(qulonglong, vertices);
+    const TriangleMesh& cracked = badModel(name).mesh;
+    const Legalised result = legalise(cracked);
+    QVERIFY(result.mesh);
+    QVERIFY(result.report.joined > 0);
+    QVERIFY(result.report.joinedWithin > 0.001 && result.report.joinedWithin <= farthest);
+    QCOMPARE(result.report.holes, std::size_t(0));
+    QVERIFY(!result.report.remeshedAt);
+    QVERIFY(result.report.hausdorff() <= farthest);
+    const MeshReport report = checkMesh(*result.mesh);
+    QCOMPARE(report.components, std::size_t(1));
+    QCOMPARE(report.genus, std::optional<std::int64_t>(0));
+    if (vertices > 0)
+        QCOMPARE(result.mesh->points.size(), std::size_t(vertices));
+    QVERIFY(!legalise(cracked, {.fillLargeHoles = false}).report.largeHoles); // there was none
+}
+
+/// Rims farther from each other than what counts as a crack, and points inside the surface, stay where they are.
+void TestLegalise::distantRims_areNotJoined()
+{
+    TriangleMesh upper = icosphere(3, 50), lower = upper;
+    std::erase_if(upper.triangles, [&](const Triangle& t) { return lower.points[t[0]].y() <= 0; });
+    std::erase_if(lower.triangles, [&](const Triangle& t) { return lower.points[t[0]].y() > 0; });
+    const Legalised apart = legalise(shapes::together(upper, shapes::moved(lower, {0, -1, 0})));
+    QCOMPARE(apart.report.joined, std::size_t(0));
+    QVERIFY(apart.report.holes > 0);
+    const TriangleMesh balls = shapes::together(icosphere(3, 50), shapes::moved(icosphere(3, 50), {100.001f, 0, 0}));
+    const Legalised near = legalise(balls);
+    QCOMPARE(near.report.joined, std::size_t(0));
+    QCOMPARE(checkMesh(*near.mesh).components, std::size_t(2));
+}
+
+/// Rounding made more and more faces of this one meet, for twenty minutes.
+void TestLegalise::tangle_comesToAnEnd()
+{
+    const Legalised result = legalise(strangeModel(93));
+    QVERIFY(result.mesh);
+    const auto verdict = judgedByCgal(*result.mesh);
+    QVERIFY(verdict && verdict->allWell());
 }
 
 void TestLegalise::colors_stay()

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <set>
 
 namespace
 {
@@ -86,18 +87,55 @@ TriangleMesh knot(int p, int q, double tube)
     return mesh;
 }
 
-/// Each triangle of a ball on its own, its corners a little off.
-TriangleMesh soup()
+/// Each triangle of a ball on its own, its corners up to so far off along each axis.
+TriangleMesh soup(float farthest)
 {
     const TriangleMesh whole = icosphere(3, 50);
     std::mt19937 random(7);
-    std::uniform_real_distribution<float> off(-0.4f, 0.4f);
+    std::uniform_real_distribution<float> off(-farthest, farthest);
     TriangleMesh mesh;
     for (const Triangle& t : whole.triangles) {
         const auto first = static_cast<Slot>(mesh.points.size());
         for (const Slot v : t)
             mesh.points.push_back(whole.points[v] + Vec3f(off(random), off(random), off(random)));
         mesh.triangles.push_back({first, first + 1, first + 2});
+    }
+    return mesh;
+}
+
+/// Two halves of a ball, one of them a few micrometres off.
+TriangleMesh crackedSeam()
+{
+    TriangleMesh upper = ball(), lower = upper;
+    const auto isUp = [&](const Triangle& t) { return lower.points[t[0]].y() > 0; };
+    std::erase_if(upper.triangles, [&](const Triangle& t) { return !isUp(t); });
+    std::erase_if(lower.triangles, isUp);
+    return shapes::together(upper, shapes::moved(lower, Vec3f(0.004f, -0.003f, 0.002f)));
+}
+
+/// The same, and one half has a corner in the middle of each edge at the crack.
+TriangleMesh tJunctions()
+{
+    TriangleMesh mesh = crackedSeam();
+    std::set<std::pair<Slot, Slot>> ways;
+    for (const Triangle& t : mesh.triangles)
+        for (std::size_t i = 0; i < 3; ++i)
+            ways.emplace(t[i], t[(i + 1) % 3]);
+    const std::size_t faces = mesh.triangles.size();
+    for (std::size_t f = 0; f < faces; ++f) {
+        const Triangle t = mesh.triangles[f];
+        if (mesh.points[t[0]].y() <= 0)
+            continue;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Slot a = t[i], b = t[(i + 1) % 3], c = t[(i + 2) % 3];
+            if (ways.contains({b, a}))
+                continue;
+            const auto middle = static_cast<Slot>(mesh.points.size());
+            mesh.points.push_back(0.5f * (mesh.points[a] + mesh.points[b]));
+            mesh.triangles[f] = {a, middle, c};
+            mesh.triangles.push_back({middle, b, c});
+            break;
+        }
     }
     return mesh;
 }
@@ -158,7 +196,7 @@ std::vector<BadModel> badModels()
             {"inner shells", together(ball(), together(icosphere(3, 20), moved(icosphere(2, 5), Vec3f(35, 0, 0))))},
             {"torus knot", knot(2, 3, 14)},
             {"winding torus knot", knot(3, 7, 7)},
-            {"soup", soup()},
+            {"soup", soup(0.4f)},
             {"coplanar overlap", together(cube(40), moved(cube(40), Vec3f(20, 10, 0)))},
             {"stacked cubes", together(cube(40), moved(cube(40), Vec3f(10, 40, 10)))},
             {"slivers", slivers()},
@@ -167,5 +205,8 @@ std::vector<BadModel> badModels()
             {"membrane", membrane()},
             {"crossing cubes", together(cube(40), moved(cube(40), Vec3f(20, 20, 20)))},
             {"touching cubes", scaled(touchingCubes(), 20)},
+            {"cracked everywhere", soup(0.003f)},
+            {"cracked seam", crackedSeam()},
+            {"T junctions", tJunctions()},
             {"three faces at an edge", scaled(threeFacesAtEdge(), 40)}};
 }

@@ -1,0 +1,330 @@
+// 1. join    open vertices near each other: the one that comes first stays where it is
+// 2. split   open edges at the open vertices near them
+
+#include "seams.h"
+
+#include "edge_faces.h"
+
+#include "../box_tree.h"
+#include "../disjoint_sets.h"
+#include "../proximity_grid.h"
+
+#include <cmath>
+#include <unordered_map>
+
+namespace core::mending
+{
+namespace
+{
+constexpr double nearInSizes = 1.0 / 5000; // 0.02 mm of 100: files written with few digits, or welded by halves
+constexpr double nearInEdges = 1.0 / 4;
+
+/// The edges that one face has, and their ends.
+class Rim
+{
+public:
+    explicit Rim(const Surface& surface) : m_surface(surface)
+    {
+        forEachEdge(surface.triangles, [&](std::span<const EdgeFace> around) {
+            if (around.size() == 1)
+                edges.push_back(around[0]);
+        });
+        for (const EdgeFace& e : edges) {
+            vertices.push_back(e.low);
+            vertices.push_back(e.high);
+        }
+        std::ranges::sort(vertices);
+        vertices.erase(std::ranges::unique(vertices).begin(), vertices.end());
+        measureReach();
+    }
+
+    Vec3 at(Slot v) const { return m_surface.points[v].cast<double>(); }
+    /// How far from the vertex another one is as good as it. Lattice units.
+    double reach(Slot v) const { return m_reach[v]; }
+    double farthestReach() const { return m_farthestReach; }
+
+    std::vector<EdgeFace> edges;
+    std::vector<Slot> vertices; ///< ascending
+
+private:
+    void measureReach()
+    {
+        m_reach.assign(m_surface.points.size(), 0);
+        if (vertices.empty())
+            return;
+        LatticePoint low = m_surface.points[vertices[0]], high = low;
+        for (const Triangle& t : m_surface.triangles) {
+            for (const Slot v : t) {
+                low = low.cwiseMin(m_surface.points[v]);
+                high = high.cwiseMax(m_surface.points[v]);
+            }
+        }
+        for (const Slot v : vertices)
+            m_reach[v] = nearInSizes * (high - low).maxCoeff();
+        for (const Triangle& t : m_surface.triangles) {
+            for (std::size_t i = 0; i < 3; ++i) {
+                const Slot a = t[i], b = t[i == 2 ? 0 : i + 1];
+                if (m_reach[a] == 0 && m_reach[b] == 0)
+                    continue;
+                const double near = nearInEdges * (at(b) - at(a)).norm();
+                m_reach[a] = std::min(m_reach[a], near);
+                m_reach[b] = std::min(m_reach[b], near);
+            }
+        }
+        for (const Slot v : vertices)
+            m_farthestReach = std::max(m_farthestReach, m_reach[v]);
+    }
+
+    const Surface& m_surface;
+    std::vector<double> m_reach; ///< by vertex; zero where it is not open
+    double m_farthestReach = 0;
+};
+
+/// Open vertices that become one: nearest pairs first, and nobody goes farther than he reaches.
+class Clusters
+{
+public:
+    explicit Clusters(const Rim& rim) : m_rim(rim), m_sets(rim.vertices.size()), m_members(rim.vertices.size())
+    {
+        std::vector<Vec3> places;
+        for (const Slot v : rim.vertices)
+            places.push_back(rim.at(v));
+        for (Slot i = 0; i < m_members.size(); ++i)
+            m_members[i] = {i};
+        for (const auto& [distance, i, j] : nearPairs(places))
+            unite(i, j);
+    }
+
+    /// Calls visit(vertex, the one whose place it takes) for each that moves.
+    template <typename Visit> void forEachMove(Visit visit)
+    {
+        for (Slot i = 0; i < m_rim.vertices.size(); ++i)
+            if (const Slot to = m_sets.root(i); to != i)
+                visit(m_rim.vertices[i], m_rim.vertices[to]);
+    }
+
+private:
+    using Pair = std::tuple<double, Slot, Slot>; ///< distance, places in Rim::vertices
+
+    std::vector<Pair> nearPairs(const std::vector<Vec3>& places) const
+    {
+        const ProximityGrid grid(places, m_rim.farthestReach());
+        std::vector<Pair> pairs;
+        for (Slot i = 0; i < places.size(); ++i) {
+            grid.forEachNear(places[i], [&](Slot j) {
+                const double distance = (places[i] - places[j]).norm();
+                if (i < j && distance <= reachOf(i) && distance <= reachOf(j))
+                    pairs.emplace_back(distance, i, j);
+            });
+        }
+        std::ranges::sort(pairs);
+        return pairs;
+    }
+
+    double reachOf(Slot i) const { return m_rim.reach(m_rim.vertices[i]); }
+
+    void unite(Slot i, Slot j)
+    {
+        const auto [to, from] = std::minmax({m_sets.root(i), m_sets.root(j)});
+        if (to == from)
+            return;
+        const Vec3 place = m_rim.at(m_rim.vertices[to]);
+        const bool allReachIt = std::ranges::all_of(m_members[from], [&](Slot member) {
+            return (m_rim.at(m_rim.vertices[member]) - place).norm() <= reachOf(member);
+        });
+        if (!allReachIt)
+            return;
+        m_sets.unite(to, from);
+        m_members[to].insert(m_members[to].end(), m_members[from].begin(), m_members[from].end());
+        m_members[from].clear();
+    }
+
+    const Rim& m_rim;
+    DisjointSets m_sets;                        ///< of places in Rim::vertices
+    std::vector<std::vector<Slot>> m_members; ///< by root
+};
+
+void joinVertices(Surface& surface, Joined& joined)
+{
+    const Rim rim(surface);
+    if (rim.farthestReach() == 0)
+        return;
+    std::vector<Slot> becomes(surface.points.size());
+    std::iota(becomes.begin(), becomes.end(), Slot(0));
+    Clusters(rim).forEachMove([&](Slot v, Slot to) {
+        becomes[v] = to;
+        ++joined.vertices;
+        joined.farthest = std::max(joined.farthest, (rim.at(v) - rim.at(to)).norm());
+    });
+    for (Triangle& t : surface.triangles)
+        for (Slot& v : t)
+            v = becomes[v];
+}
+
+/// Where open edges are to be split: by their ends in the order in which the face runs them.
+class Splits
+{
+public:
+    Splits(const Surface& surface, Joined& joined) : m_surface(surface), m_rim(surface)
+    {
+        if (m_rim.farthestReach() == 0)
+            return;
+        findPoints();
+        while (dropLoose()) {
+        }
+        std::vector<Slot> vertices;
+        for (const auto& [ends, points] : m_points) {
+            for (const Point& point : points) {
+                vertices.push_back(point.vertex);
+                joined.farthest = std::max(joined.farthest, point.distance);
+            }
+        }
+        std::ranges::sort(vertices);
+        joined.vertices += vertices.size() - std::ranges::unique(vertices).size();
+    }
+
+    bool isEmpty() const { return m_points.empty(); }
+
+    /// The face cut into a fan for each of its edges.
+    void cut(const Triangle& face, std::vector<Triangle>& result) const
+    {
+        std::vector<Part> open{{face, {true, true, true}}};
+        while (!open.empty()) {
+            const auto [t, isWhole] = open.back();
+            open.pop_back();
+            std::size_t i = 0;
+            while (i < 3 && !(isWhole[i] && m_points.contains(key(t[i], t[(i + 1) % 3]))))
+                ++i;
+            if (i == 3) {
+                result.push_back(t);
+                continue;
+            }
+            const Slot to = t[(i + 1) % 3], apex = t[(i + 2) % 3];
+            Slot from = t[i];
+            bool isFirst = true;
+            for (const auto& [share, v, distance] : m_points.at(key(from, to))) {
+                open.push_back({{from, v, apex}, {false, false, isFirst && isWhole[(i + 2) % 3]}});
+                from = v;
+                isFirst = false;
+            }
+            open.push_back({{from, to, apex}, {false, isWhole[(i + 1) % 3], false}});
+        }
+    }
+
+private:
+    struct Part
+    {
+        Triangle corners;
+        std::array<bool, 3> isWhole; ///< the side after the corner is one of the face's own
+    };
+    /// On an edge.
+    struct Point
+    {
+        double share; ///< of the edge, from where it begins
+        Slot vertex;
+        double distance; ///< from the edge
+        friend auto operator<=>(const Point&, const Point&) = default;
+    };
+
+    static std::uint64_t key(Slot from, Slot to) { return std::uint64_t(from) << 32 | to; }
+
+    std::vector<FaceBox> boxesOfEdges() const
+    {
+        std::vector<FaceBox> boxes(m_rim.edges.size());
+        for (std::size_t i = 0; i < boxes.size(); ++i)
+            for (const Slot end : {m_rim.edges[i].low, m_rim.edges[i].high})
+                boxes[i].extend(m_surface.points[end].array().cast<float>());
+        return boxes;
+    }
+
+    void findPoints()
+    {
+        const BoxTree tree(boxesOfEdges());
+        for (const Slot v : m_rim.vertices) {
+            const LatticePoint reach = LatticePoint::Constant(static_cast<int>(std::ceil(m_rim.reach(v))));
+            FaceBox around;
+            around.extend((m_surface.points[v] - reach).array().cast<float>());
+            around.extend((m_surface.points[v] + reach).array().cast<float>());
+            tree.forEachMeeting(around, [&](Slot position) { add(v, m_rim.edges[tree.at(position)]); });
+        }
+        for (auto& [ends, points] : m_points)
+            std::ranges::sort(points);
+    }
+
+    static std::pair<Slot, Slot> endsOf(const EdgeFace& edge)
+    {
+        return edge.forward ? std::pair(edge.low, edge.high) : std::pair(edge.high, edge.low);
+    }
+
+    void add(Slot v, const EdgeFace& edge)
+    {
+        const Slot apex = edge.apex(m_surface.triangles[edge.face]);
+        if (v == edge.low || v == edge.high || v == apex)
+            return;
+        const auto [from, to] = endsOf(edge);
+        const Vec3 along = m_rim.at(to) - m_rim.at(from), way = m_rim.at(v) - m_rim.at(from);
+        const double length = along.norm(), share = way.dot(along) / along.squaredNorm();
+        const double distance = way.cross(along).norm() / length;
+        const double height = (m_rim.at(apex) - m_rim.at(from)).cross(along).norm() / length;
+        if (share > 0 && share < 1 && distance <= m_rim.reach(v) && distance <= nearInEdges * height)
+            m_points[key(from, to)].push_back({share, v, distance});
+    }
+
+    /// Calls visit(end, other end) for each part of the edge.
+    template <typename Visit> void forEachPart(const EdgeFace& edge, Visit visit) const
+    {
+        auto [from, to] = endsOf(edge);
+        if (const auto found = m_points.find(key(from, to)); found != m_points.end()) {
+            for (const Point& point : found->second) {
+                visit(from, point.vertex);
+                from = point.vertex;
+            }
+        }
+        visit(from, to);
+    }
+
+    /// An edge is split only if each part of it then lies along another one: what happens to come near is no crack. Any dropped?
+    bool dropLoose()
+    {
+        std::unordered_map<std::uint64_t, int> times;
+        for (const EdgeFace& edge : m_rim.edges)
+            forEachPart(edge, [&](Slot a, Slot b) { ++times[key(std::min(a, b), std::max(a, b))]; });
+        std::vector<std::uint64_t> loose;
+        for (const EdgeFace& edge : m_rim.edges) {
+            bool isLoose = false;
+            forEachPart(edge, [&](Slot a, Slot b) { isLoose = isLoose || times[key(std::min(a, b), std::max(a, b))] < 2; });
+            const auto [from, to] = endsOf(edge);
+            if (isLoose && m_points.contains(key(from, to)))
+                loose.push_back(key(from, to));
+        }
+        for (const std::uint64_t edge : loose)
+            m_points.erase(edge);
+        return !loose.empty();
+    }
+
+    const Surface& m_surface;
+    Rim m_rim;
+    std::unordered_map<std::uint64_t, std::vector<Point>> m_points;
+};
+
+void splitEdges(Surface& surface, Joined& joined)
+{
+    const Splits splits(surface, joined);
+    if (splits.isEmpty())
+        return;
+    std::vector<Triangle> result;
+    result.reserve(surface.triangles.size());
+    for (const Triangle& face : surface.triangles)
+        splits.cut(face, result);
+    surface.triangles = std::move(result);
+}
+} // namespace
+
+Joined joinSeams(Surface& surface)
+{
+    Joined joined;
+    joinVertices(surface, joined);
+    splitEdges(surface, joined);
+    return joined;
+}
+} // namespace core::mending
