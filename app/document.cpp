@@ -62,13 +62,19 @@ bool Document::mayDiscard(const std::function<void()>& goOn) const
 void Document::apply(const core::ModelCommand& command)
 {
     if (!m_work.isBusy())
-        request([this, command] { startChange(command, {}); });
+        request([this, command] { startChange(command, Insertion()); });
 }
 
 void Document::insert(const QString& path, core::Insert::Place place, const core::Vec3& centre)
 {
     if (!m_work.isBusy())
-        request([this, path, place, centre] { startChange(core::Insert{{}, place, centre}, path); });
+        request([this, path, place, centre] { startChange(core::Insert{{}, place, centre}, {path, std::nullopt}); });
+}
+
+void Document::insertMended(const QString& path, core::Insert::Place place, const core::Vec3& centre, const core::LegaliseOptions& options)
+{
+    if (!m_work.isBusy())
+        request([this, path, place, centre, options] { startChange(core::Insert{{}, place, centre}, {path, options}); });
 }
 
 void Document::stop()
@@ -78,26 +84,26 @@ void Document::stop()
 }
 
 /// Until it is finished, strokes are refused and undo waits: the mesh stays the one that was copied.
-void Document::startChange(core::ModelCommand command, const QString& insertedPath)
+void Document::startChange(core::ModelCommand command, const Insertion& insertion)
 {
     if (m_work.isBusy())
         return;
     if (!m_worker->hold()) // another hand was faster
-        return request([this, command = std::move(command), insertedPath] { startChange(command, insertedPath); });
+        return request([this, command = std::move(command), insertion] { startChange(command, insertion); });
     if (auto* const reset = std::get_if<core::Reset>(&command))
         reset->start = m_start;
     m_isChanging = true;
     const core::JobWatch watch = m_work.beginStoppable(ModelWords::doing(command));
-    m_worker->post([this, command = std::move(command), insertedPath, watch](core::Sculptor& sculptor) {
+    m_worker->post([this, command = std::move(command), insertion, watch](core::Sculptor& sculptor) {
         auto copy = ModelTrial::copyOf(sculptor.mesh());
-        auto work = [copy = std::move(copy), command, insertedPath, watch]() mutable {
-            return ModelTrial::run(copy, command, insertedPath, watch);
+        auto work = [this, copy = std::move(copy), command, insertion, watch]() mutable {
+            return ModelTrial::run(copy, command, insertion, [this](const QString& what) { m_work.rename(what); }, watch);
         };
-        m_work.run(std::move(work), [this, command](ModelOutcome outcome) { finishChange(command, std::move(outcome)); });
+        m_work.run(std::move(work), [this, command, insertion](ModelOutcome outcome) { finishChange(command, insertion, std::move(outcome)); });
     });
 }
 
-void Document::finishChange(const core::ModelCommand& command, ModelOutcome outcome)
+void Document::finishChange(const core::ModelCommand& command, const Insertion& insertion, ModelOutcome outcome)
 {
     const bool wasStopped = m_work.wasStopped();
     if (outcome.change.changes && !wasStopped) {
@@ -116,12 +122,25 @@ void Document::finishChange(const core::ModelCommand& command, ModelOutcome outc
     m_worker->release();
     m_work.keep();
     m_work.end();
-    if (!outcome.problem.isEmpty())
-        Q_EMIT refused(outcome.problem);
-    else if (!outcome.change.changes && !wasStopped)
-        Q_EMIT noticed(ModelWords::nothing(command));
+    if (!wasStopped)
+        tellOutcome(command, insertion, outcome);
     tellState();
     runRequests();
+}
+
+void Document::tellOutcome(const core::ModelCommand& command, const Insertion& insertion, const ModelOutcome& outcome)
+{
+    const auto* insert = std::get_if<core::Insert>(&command);
+    if (insert && outcome.isMendable && !insertion.mend)
+        return Q_EMIT insertionMendable(insertion.path, outcome.problem, insert->place, insert->centre);
+    if (!outcome.problem.isEmpty())
+        return Q_EMIT refused(outcome.problem);
+    if (!outcome.change.changes)
+        return Q_EMIT noticed(ModelWords::nothing(command));
+    if (!outcome.notice.isEmpty())
+        Q_EMIT noticed(outcome.notice);
+    if (!outcome.mended.isEmpty())
+        Q_EMIT insertedMended(QFileInfo(insertion.path).fileName(), outcome.mended);
 }
 
 // --- strokes and history -----------------------------------------------------------------------------------------------

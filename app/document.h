@@ -25,6 +25,7 @@ namespace app
 class JournalShelf;
 struct LoadedModel;
 struct ModelOutcome;
+struct Insertion;
 struct ExportOrder;
 struct ExportOutcome;
 
@@ -96,6 +97,8 @@ public Q_SLOTS:
     void apply(const core::ModelCommand& command);
     /// Of a model in a file; the place is as in core::Insert.
     void insert(const QString& path, core::Insert::Place place, const core::Vec3& centre);
+    /// The same, but a model that is not in order is legalised.
+    void insertMended(const QString& path, core::Insert::Place place, const core::Vec3& centre, const core::LegaliseOptions& options);
     /// Ends the opening or the change of the whole model that is going on; everything stays as it is.
     void stop();
 
@@ -122,6 +125,9 @@ Q_SIGNALS:
     void mendable(const QString& path, const QString& problem);
     /// Of the model that comes: what was done to it, step by step.
     void mended(const QString& name, const QStringList& steps);
+    /// The same of a model that was to be inserted, and insertMended().
+    void insertionMendable(const QString& path, const QString& problem, core::Insert::Place place, const core::Vec3& centre);
+    void insertedMended(const QString& name, const QStringList& steps);
     void noticed(const QString& sentence);
     void busy(const QString& what);
     /// While busy: stop() would end it, or has no effect any more.
@@ -153,8 +159,9 @@ private:
     void giveWorker(std::shared_ptr<core::Sculptor> sculptor, std::shared_ptr<core::Journal> journal);
     void restore(const core::RecoveredDocument& recovered);
     void describeToJournal();
-    void startChange(core::ModelCommand command, const QString& insertedPath);
-    void finishChange(const core::ModelCommand& command, ModelOutcome outcome);
+    void startChange(core::ModelCommand command, const Insertion& insertion);
+    void finishChange(const core::ModelCommand& command, const Insertion& insertion, ModelOutcome outcome);
+    void tellOutcome(const core::ModelCommand& command, const Insertion& insertion, const ModelOutcome& outcome);
     struct Written
     {
         QString problem; ///< empty: there is a file

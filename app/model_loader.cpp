@@ -7,6 +7,7 @@
 #include "core/lattice_placement.h"
 #include "core/mesh_build.h"
 #include "core/mesh_io.h"
+#include "ui/measures.h"
 #include "ui/mending_words.h"
 #include "ui/messages.h"
 
@@ -38,16 +39,20 @@ LoadedModel ModelLoader::load(const QString& path, const Tell& tell, const core:
 LoadedModel ModelLoader::loadMended(const QString& path, const core::LegaliseOptions& options, const Tell& tell, const core::JobWatch& watch)
 {
     return read(path, tell, watch, [&](LoadedModel& loaded, core::TriangleMesh& mesh, const core::JobWatch& part) {
+        if (!mend(loaded, mesh, options, tell, part.part(0, afterMending)))
+            return;
         if (tell)
-            tell(tr("Mending %1").arg(loaded.name));
-        if (mend(loaded, mesh, options, part.part(0, afterMending)))
-            build(loaded, mesh, false, part.part(afterMending, 1));
+            tell(tr("Checking %1").arg(loaded.name));
+        build(loaded, mesh, false, part.part(afterMending, 1));
     });
 }
 
-bool ModelLoader::mend(LoadedModel& loaded, core::TriangleMesh& mesh, const core::LegaliseOptions& options, const core::JobWatch& watch)
+bool ModelLoader::mend(LoadedModel& loaded, core::TriangleMesh& mesh, const core::LegaliseOptions& options, const Tell& tell, const core::JobWatch& watch)
 {
-    core::Legalised legalised = core::legalise(mesh, options, watch);
+    core::LegaliseTell doing;
+    if (tell)
+        doing = [&](core::LegaliseStep step) { tell(ui::MendingWords::doing(loaded.name, step)); };
+    core::Legalised legalised = core::legalise(mesh, options, watch, doing);
     if (!legalised.mesh) {
         if (!watch.stopped())
             loaded.problem = ui::MendingWords::refusal(loaded.path, legalised);
@@ -107,6 +112,14 @@ void ModelLoader::build(LoadedModel& loaded, const core::TriangleMesh& mesh, boo
         loaded.notice = tr("%1 lay far from the origin and was moved there.").arg(loaded.name);
     if (loaded.sculptor && !inPlace && !holdsUnit(loaded.name))
         loaded.unitGuess = core::guessedUnit(*result.report.volume, result.report.size.maxCoeff());
+}
+
+QString ModelLoader::insertedUnitNotice(const QString& path, double volume)
+{
+    if (holdsUnit(path) || core::unitDoubtOf(volume) == core::UnitDoubt::None)
+        return {};
+    return tr("%1 is very small in millimetres (%2). If it was made in another unit, give it its size in a document of its own before it is inserted.")
+        .arg(QFileInfo(path).fileName(), ui::volumeText(volume));
 }
 
 bool ModelLoader::holdsUnit(const QString& path)

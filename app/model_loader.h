@@ -67,13 +67,15 @@ public:
     /// Whether a file of that name would.
     static bool holdsColors(const QString& path);
     static bool holdsUnit(const QString& path);
+    /// Of a model that was inserted: empty, or why it may have been meant larger.
+    static QString insertedUnitNotice(const QString& path, double volume);
 
 private:
     static void take(LoadedModel& loaded, std::unique_ptr<core::Mesh> mesh);
     static QString name(core::Starter starter);
     using Take = std::function<void(LoadedModel& loaded, core::TriangleMesh& mesh, const core::JobWatch& watch)>;
     static LoadedModel read(const QString& path, const Tell& tell, const core::JobWatch& watch, const Take& take);
-    static bool mend(LoadedModel& loaded, core::TriangleMesh& mesh, const core::LegaliseOptions& options, const core::JobWatch& watch);
+    static bool mend(LoadedModel& loaded, core::TriangleMesh& mesh, const core::LegaliseOptions& options, const Tell& tell, const core::JobWatch& watch);
     static void build(LoadedModel& loaded, const core::TriangleMesh& mesh, bool inPlace, const core::JobWatch& watch);
 };
 

@@ -4,10 +4,20 @@
 #include "model_words.h"
 
 #include "core/mesh_io.h"
+#include "ui/mending_words.h"
 #include "ui/messages.h"
+
+#include <QFileInfo>
+
+#include <new>
 
 namespace app
 {
+namespace
+{
+constexpr double afterReading = 0.2, afterMending = 0.8; ///< shares of the time
+}
+
 std::shared_ptr<core::Mesh> ModelTrial::copyOf(const core::Mesh& mesh)
 {
     try {
@@ -17,22 +27,55 @@ std::shared_ptr<core::Mesh> ModelTrial::copyOf(const core::Mesh& mesh)
     }
 }
 
-ModelOutcome ModelTrial::run(const std::shared_ptr<core::Mesh>& copy, core::ModelCommand& command, const QString& insertedPath,
+ModelOutcome ModelTrial::run(const std::shared_ptr<core::Mesh>& copy, core::ModelCommand& command, const Insertion& insertion, const Tell& tell,
                              const core::JobWatch& watch)
 {
     ModelOutcome outcome;
+    core::JobWatch trial = watch;
     try {
         if (!copy)
             throw std::bad_alloc();
-        if (auto* insertion = std::get_if<core::Insert>(&command))
-            insertion->model = core::readMesh(toPath(insertedPath));
-        outcome.change = core::tryOn(std::move(*copy), command, watch);
-        outcome.problem = ModelWords::refusal(outcome.change, insertedPath);
+        if (auto* insert = std::get_if<core::Insert>(&command)) {
+            const double share = insertion.mend ? afterMending : afterReading;
+            read(outcome, *insert, insertion, tell, watch.part(0, share));
+            trial = watch.part(share, 1);
+        }
+        if (!outcome.problem.isEmpty() || watch.stopped())
+            return outcome;
+        outcome.change = core::tryOn(std::move(*copy), command, trial);
+        outcome.problem = ModelWords::refusal(outcome.change, insertion.path);
+        if (outcome.change.changes && outcome.change.report.volume)
+            outcome.notice = QStringList({outcome.notice, ModelLoader::insertedUnitNotice(insertion.path, *outcome.change.report.volume)}).join(u' ').trimmed();
+        outcome.isMendable = outcome.change.refusal == core::ModelRefusal::Unsound;
+    } catch (const core::ReadingStopped&) {
     } catch (const core::FileError& error) {
         outcome.problem = ui::Messages::sentence(error);
     } catch (const std::bad_alloc&) {
         outcome.problem = tr("There is not enough memory for that; the model stays as it is.");
     }
     return outcome;
+}
+
+/// Mended or not, it comes as its file has it: a model that lay far from the origin goes back there.
+void ModelTrial::read(ModelOutcome& outcome, core::Insert& command, const Insertion& insertion, const Tell& tell, const core::JobWatch& watch)
+{
+    auto [mesh, remarks] = core::readModel(toPath(insertion.path), {.stop = watch.stop});
+    const QString name = QFileInfo(insertion.path).fileName();
+    outcome.notice = ui::Messages::remarks(name, remarks);
+    if (insertion.mend) {
+        const auto doing = [&](core::LegaliseStep step) { tell(ui::MendingWords::doing(name, step)); };
+        core::Legalised legalised = core::legalise(mesh, *insertion.mend, watch, doing);
+        if (!legalised.mesh && !watch.stopped())
+            outcome.problem = ui::MendingWords::refusal(insertion.path, legalised);
+        if (!legalised.mesh)
+            return;
+        mesh = std::move(*legalised.mesh);
+        for (core::Vec3f& p : mesh.points)
+            p = (p.cast<double>() - legalised.report.moved).cast<float>();
+        legalised.report.moved.setZero();
+        outcome.mended = ui::MendingWords::steps(legalised.report) << ui::MendingWords::distance(legalised.report);
+        tell(ModelWords::doing(command));
+    }
+    command.model = std::move(mesh);
 }
 } // namespace app

@@ -1,19 +1,33 @@
 #pragma once
 
+#include "core/legalise.h"
 #include "core/model_command.h"
 
 #include <QCoreApplication>
 #include <QString>
+#include <QStringList>
 
+#include <functional>
 #include <memory>
+#include <optional>
 
 namespace app
 {
+/// Of a file, for core::Insert.
+struct Insertion
+{
+    QString path;
+    std::optional<core::LegaliseOptions> mend; ///< a model that is not in order is legalised; else it is refused
+};
+
 /// What became of a change of the whole model.
 struct ModelOutcome
 {
     core::ModelChange change;
-    QString problem; ///< it was not done: one sentence
+    QString problem;         ///< it was not done: one sentence
+    bool isMendable = false; ///< then: the model to be inserted is not in order; Insertion::mend may help
+    QString notice;          ///< what the person should know of an inserted model; may be empty
+    QStringList mended;      ///< what was done to it; empty: nothing
 };
 
 /// Works a change of the whole model out on a copy. Any thread.
@@ -24,8 +38,13 @@ class ModelTrial
 public:
     /// Null: there is not enough memory.
     static std::shared_ptr<core::Mesh> copyOf(const core::Mesh& mesh);
-    /// Uses the copy up. What is to be inserted is read from `insertedPath` first.
-    static ModelOutcome run(const std::shared_ptr<core::Mesh>& copy, core::ModelCommand& command, const QString& insertedPath,
+    /// What is going on, while it does.
+    using Tell = std::function<void(const QString& what)>;
+    /// Uses the copy up. What is to be inserted is read first.
+    static ModelOutcome run(const std::shared_ptr<core::Mesh>& copy, core::ModelCommand& command, const Insertion& insertion, const Tell& tell,
                             const core::JobWatch& watch);
+
+private:
+    static void read(ModelOutcome& outcome, core::Insert& command, const Insertion& insertion, const Tell& tell, const core::JobWatch& watch);
 };
 } // namespace app

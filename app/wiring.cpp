@@ -42,10 +42,19 @@ void wireDocument(ui::MainWindow& window, Document& document)
     QObject::connect(&document, &Document::refused, &window, &MainWindow::showProblem);
     QObject::connect(&document, &Document::noticed, &window, &MainWindow::showNotice);
     QObject::connect(&document, &Document::mendable, &window, [&window, &document](const QString& path, const QString& problem) {
-        ui::askToMend(&window, problem, [&document, path](const core::LegaliseOptions& options) { document.openMended(path, options); });
+        ui::askToMend(&window, ui::MendFor::Opening, problem, [&document, path](const core::LegaliseOptions& options) { document.openMended(path, options); });
     });
     QObject::connect(&document, &Document::mended, &window, [&window](const QString& name, const QStringList& steps) {
-        ui::showMended(&window, name, steps);
+        ui::showMended(&window, ui::MendFor::Opening, name, steps);
+    });
+    QObject::connect(&document, &Document::insertionMendable, &window,
+                     [&window, &document](const QString& path, const QString& problem, core::Insert::Place place, const core::Vec3& centre) {
+                         ui::askToMend(&window, ui::MendFor::Insertion, problem, [&document, path, place, centre](const core::LegaliseOptions& options) {
+                             document.insertMended(path, place, centre, options);
+                         });
+                     });
+    QObject::connect(&document, &Document::insertedMended, &window, [&window](const QString& name, const QStringList& steps) {
+        ui::showMended(&window, ui::MendFor::Insertion, name, steps);
     });
     QObject::connect(&document, &Document::busy, &window, &MainWindow::setBusy);
     QObject::connect(&document, &Document::idle, &window, &MainWindow::setIdle);

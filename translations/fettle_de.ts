@@ -422,8 +422,8 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Kugel</translation>
     </message>
     <message>
-        <source>Mending %1</source>
-        <translation>%1 wird repariert</translation>
+        <source>%1 is very small in millimetres (%2). If it was made in another unit, give it its size in a document of its own before it is inserted.</source>
+        <translation>%1 ist in Millimetern sehr klein (%2). Wenn es in einer anderen Einheit entstand, geben Sie ihm seine Größe in einem eigenen Dokument, bevor es eingefügt wird.</translation>
     </message>
 </context>
 <context>
@@ -2495,6 +2495,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>%1 was mended. It has no file of its own until you save it.</source>
         <translation>%1 wurde repariert. Es hat keine eigene Datei, bis Sie es speichern.</translation>
     </message>
+    <message>
+        <source>Mend and Insert</source>
+        <translation>Reparieren und einfügen</translation>
+    </message>
+    <message>
+        <source>%1 was mended and inserted. Undo takes both back.</source>
+        <translation>%1 wurde repariert und eingefügt. „Rückgängig“ nimmt beides zurück.</translation>
+    </message>
 </context>
 <context>
     <name>ui::MendingWords</name>
@@ -2557,6 +2565,42 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>%1 cannot be mended: its faces enclose no space.</source>
         <translation>%1 kann nicht repariert werden: Seine Flächen umschließen keinen Raum.</translation>
+    </message>
+    <message>
+        <source>Open points joined at cracks: %1, within %2 mm</source>
+        <translation>Offene Punkte an Rissen verbunden: %1, innerhalb von %2 mm</translation>
+    </message>
+    <message>
+        <source>Mending %1: points and faces</source>
+        <translation>%1 wird repariert: Punkte und Flächen</translation>
+    </message>
+    <message>
+        <source>Mending %1: cracks</source>
+        <translation>%1 wird repariert: Risse</translation>
+    </message>
+    <message>
+        <source>Mending %1: directions of the faces</source>
+        <translation>%1 wird repariert: Richtung der Flächen</translation>
+    </message>
+    <message>
+        <source>Mending %1: holes</source>
+        <translation>%1 wird repariert: Löcher</translation>
+    </message>
+    <message>
+        <source>Mending %1: intersections</source>
+        <translation>%1 wird repariert: Durchdringungen</translation>
+    </message>
+    <message>
+        <source>Mending %1: a new surface</source>
+        <translation>%1 wird repariert: neue Oberfläche</translation>
+    </message>
+    <message>
+        <source>Mending %1: the check</source>
+        <translation>%1 wird repariert: Prüfung</translation>
+    </message>
+    <message>
+        <source>Mending %1: measuring what moved</source>
+        <translation>%1 wird repariert: Abweichung messen</translation>
     </message>
 </context>
 <context>

@@ -420,8 +420,8 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>球</translation>
     </message>
     <message>
-        <source>Mending %1</source>
-        <translation>正在修复 %1</translation>
+        <source>%1 is very small in millimetres (%2). If it was made in another unit, give it its size in a document of its own before it is inserted.</source>
+        <translation>%1 以毫米计非常小（%2）。如果它是用其他单位制作的，请先在单独的文档中设定其尺寸，再插入。</translation>
     </message>
 </context>
 <context>
@@ -2487,6 +2487,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>%1 was mended. It has no file of its own until you save it.</source>
         <translation>%1 已修复。在您保存之前，它没有自己的文件。</translation>
     </message>
+    <message>
+        <source>Mend and Insert</source>
+        <translation>修复并插入</translation>
+    </message>
+    <message>
+        <source>%1 was mended and inserted. Undo takes both back.</source>
+        <translation>%1 已修复并插入。撤销会同时撤回这两步。</translation>
+    </message>
 </context>
 <context>
     <name>ui::MendingWords</name>
@@ -2549,6 +2557,42 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>%1 cannot be mended: its faces enclose no space.</source>
         <translation>%1 无法修复：它的面没有围成任何空间。</translation>
+    </message>
+    <message>
+        <source>Open points joined at cracks: %1, within %2 mm</source>
+        <translation>裂缝处合并的开放点：%1，距离不超过 %2 毫米</translation>
+    </message>
+    <message>
+        <source>Mending %1: points and faces</source>
+        <translation>正在修复 %1：点和面</translation>
+    </message>
+    <message>
+        <source>Mending %1: cracks</source>
+        <translation>正在修复 %1：裂缝</translation>
+    </message>
+    <message>
+        <source>Mending %1: directions of the faces</source>
+        <translation>正在修复 %1：面的朝向</translation>
+    </message>
+    <message>
+        <source>Mending %1: holes</source>
+        <translation>正在修复 %1：孔洞</translation>
+    </message>
+    <message>
+        <source>Mending %1: intersections</source>
+        <translation>正在修复 %1：自相交</translation>
+    </message>
+    <message>
+        <source>Mending %1: a new surface</source>
+        <translation>正在修复 %1：新表面</translation>
+    </message>
+    <message>
+        <source>Mending %1: the check</source>
+        <translation>正在修复 %1：检查</translation>
+    </message>
+    <message>
+        <source>Mending %1: measuring what moved</source>
+        <translation>正在修复 %1：测量偏移</translation>
     </message>
 </context>
 <context>

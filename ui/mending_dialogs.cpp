@@ -30,7 +30,7 @@ QCheckBox* check(const char* name, const QString& label, bool isChecked)
 }
 } // namespace
 
-void askToMend(QWidget* parent, const QString& problem, const std::function<void(const core::LegaliseOptions& options)>& answer)
+void askToMend(QWidget* parent, MendFor use, const QString& problem, const std::function<void(const core::LegaliseOptions& options)>& answer)
 {
     auto* dialog = new QDialog(parent);
     QVBoxLayout* column = beginDialog(dialog, "mendDialog", MendingDialogs::tr("Mend the Model"));
@@ -44,7 +44,7 @@ void askToMend(QWidget* parent, const QString& problem, const std::function<void
     column->addWidget(largeHoles);
     column->addWidget(cavities);
     column->addSpacing(dialogGap);
-    addAnswers(dialog, MendingDialogs::tr("Mend and Open"))->setFocus();
+    addAnswers(dialog, use == MendFor::Opening ? MendingDialogs::tr("Mend and Open") : MendingDialogs::tr("Mend and Insert"))->setFocus();
 
     QObject::connect(dialog, &QDialog::accepted, dialog, [answer, largeHoles, cavities] {
         answer({.fillLargeHoles = largeHoles->isChecked(), .innerAreCavities = cavities->isChecked()});
@@ -52,11 +52,11 @@ void askToMend(QWidget* parent, const QString& problem, const std::function<void
     dialog->open();
 }
 
-void showMended(QWidget* parent, const QString& name, const QStringList& steps)
+void showMended(QWidget* parent, MendFor use, const QString& name, const QStringList& steps)
 {
-    auto* dialog = new QMessageBox(QMessageBox::Information, MendingDialogs::tr("Fettle"),
-                                   MendingDialogs::tr("%1 was mended. It has no file of its own until you save it.").arg(name),
-                                   QMessageBox::Ok, parent);
+    const QString what = use == MendFor::Opening ? MendingDialogs::tr("%1 was mended. It has no file of its own until you save it.")
+                                                 : MendingDialogs::tr("%1 was mended and inserted. Undo takes both back.");
+    auto* dialog = new QMessageBox(QMessageBox::Information, MendingDialogs::tr("Fettle"), what.arg(name), QMessageBox::Ok, parent);
     dialog->setObjectName(QStringLiteral("mendedDialog"));
     dialog->setTextFormat(Qt::PlainText);
     dialog->setAttribute(Qt::WA_DeleteOnClose);

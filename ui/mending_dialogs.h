@@ -10,10 +10,12 @@ class QWidget;
 
 namespace ui
 {
+enum class MendFor { Opening, Insertion };
+
 /// Says why a model cannot be sculpted, and asks whether and how it is to be mended. Returns at once; the answer is called when the person
 /// agreed, and never else.
-void askToMend(QWidget* parent, const QString& problem, const std::function<void(const core::LegaliseOptions& options)>& answer);
+void askToMend(QWidget* parent, MendFor use, const QString& problem, const std::function<void(const core::LegaliseOptions& options)>& answer);
 
-/// What was done to the model that is open now. Returns at once.
-void showMended(QWidget* parent, const QString& name, const QStringList& steps);
+/// What was done to the model that is open now, or that was inserted. Returns at once.
+void showMended(QWidget* parent, MendFor use, const QString& name, const QStringList& steps);
 } // namespace ui

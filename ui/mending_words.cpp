@@ -36,6 +36,8 @@ QStringList MendingWords::steps(const core::LegaliseReport& report)
     add(report.welded, tr("Points welded: %1"));
     add(report.degenerateFaces, tr("Faces without area removed: %1"));
     add(report.duplicateFaces, tr("Duplicate faces removed: %1"));
+    if (report.joined > 0)
+        steps << tr("Open points joined at cracks: %1, within %2 mm").arg(number(report.joined), millimetres(report.joinedWithin));
     add(report.turnedFaces, tr("Faces or parts turned outwards: %1"));
     add(report.membraneFaces, tr("Faces of inner sheets removed: %1"));
     add(report.holes, tr("Holes filled: %1"));
@@ -46,6 +48,21 @@ QStringList MendingWords::steps(const core::LegaliseReport& report)
     if (report.remeshedAt)
         steps << tr("The surface was made anew, with edges of about %1 mm.").arg(millimetres(*report.remeshedAt));
     return steps;
+}
+
+QString MendingWords::doing(const QString& file, core::LegaliseStep step)
+{
+    switch (step) {
+    case core::LegaliseStep::Tidy: return tr("Mending %1: points and faces").arg(file);
+    case core::LegaliseStep::Join: return tr("Mending %1: cracks").arg(file);
+    case core::LegaliseStep::Orient: return tr("Mending %1: directions of the faces").arg(file);
+    case core::LegaliseStep::Fill: return tr("Mending %1: holes").arg(file);
+    case core::LegaliseStep::Resolve: return tr("Mending %1: intersections").arg(file);
+    case core::LegaliseStep::Remesh: return tr("Mending %1: a new surface").arg(file);
+    case core::LegaliseStep::Check: return tr("Mending %1: the check").arg(file);
+    case core::LegaliseStep::Measure: return tr("Mending %1: measuring what moved").arg(file);
+    }
+    return {};
 }
 
 QString MendingWords::distance(const core::LegaliseReport& report)

@@ -16,6 +16,8 @@ class MendingWords
 public:
     /// What was found and mended, step by step, with counts; steps that found nothing are left out.
     static QStringList steps(const core::LegaliseReport& report);
+    /// What goes on while `file` is legalised.
+    static QString doing(const QString& file, core::LegaliseStep step);
     /// How far the surface moved.
     static QString distance(const core::LegaliseReport& report);
     /// Why there is no mended model.

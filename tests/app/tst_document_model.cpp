@@ -1,6 +1,7 @@
 #include "app/document.h"
 
 #include "core/mesh_io.h"
+#include "tests/support/shapes.h"
 #include "ui/mailbox.h"
 
 #include <QSignalSpy>
@@ -97,6 +98,8 @@ private Q_SLOTS:
     void stop_leavesAllAsItIs();
     void insert_fromAFile();
     void insert_refusalsNameTheFile();
+    void insert_brokenIsMendedAsOneStep();
+    void insert_tellsWhatWasLeftOut();
     void facts_followTheModel();
     void progress_grows();
     void reset_isTheStartAndOneStep();
@@ -250,6 +253,53 @@ void TestDocumentModel::insert_refusalsNameTheFile()
     for (const QList<QVariant>& arguments : refused)
         QVERIFY2(arguments[0].toString().contains(QStringLiteral("small")), qPrintable(arguments[0].toString()));
     QCOMPARE(session.document.undoStack().count(), 0);
+}
+
+void TestDocumentModel::insert_brokenIsMendedAsOneStep()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("broken.ply"));
+    core::writeMesh(path.toStdString(), shapes::together(core::icosphere(2, 10), shapes::moved(core::icosphere(2, 10), {9, 0, 0})));
+    Session session;
+    const std::uint64_t start = session.state();
+    QSignalSpy refused(&session.document, &Document::refused), mendable(&session.document, &Document::insertionMendable),
+        mended(&session.document, &Document::insertedMended);
+    session.document.insert(path, core::Insert::Place::Beside, {});
+    session.wait();
+    QCOMPARE(mendable.size(), 1);
+    QVERIFY(mendable[0][1].toString().contains(QStringLiteral("broken.ply")));
+    QCOMPARE(session.state(), start);
+    session.document.insertMended(path, mendable[0][2].value<core::Insert::Place>(), mendable[0][3].value<core::Vec3>(), {});
+    session.wait();
+    QVERIFY(refused.isEmpty());
+    QCOMPARE(mended.size(), 1);
+    QVERIFY(!mended[0][1].toStringList().isEmpty());
+    QCOMPARE(session.document.undoStack().count(), 1);
+    QVERIFY(session.document.facts().size.x() > 100 + 29);
+    session.document.undo();
+    QCOMPARE(session.state(), start);
+    core::writeMesh(path.toStdString(), {{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}}, {}, {{0, 1, 2}}}); // encloses nothing
+    session.document.insertMended(path, core::Insert::Place::Beside, {}, {});
+    session.wait();
+    QCOMPARE(refused.size(), 1);
+    QCOMPARE(session.state(), start);
+}
+
+void TestDocumentModel::insert_tellsWhatWasLeftOut()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("tiny.obj"));
+    core::writeMesh(path.toStdString(), core::icosphere(1, 0.5));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::Append) && file.write("mtllib gold.mtl\nusemtl gold\n") > 0);
+    file.close();
+    Session session;
+    QSignalSpy noticed(&session.document, &Document::noticed);
+    session.document.insert(path, core::Insert::Place::Beside, {});
+    session.wait();
+    QCOMPARE(noticed.size(), 1);
+    QVERIFY(noticed[0][0].toString().contains(QStringLiteral("materials")));
+    QVERIFY(noticed[0][0].toString().contains(QStringLiteral("in millimetres")));
 }
 
 void TestDocumentModel::facts_followTheModel()
