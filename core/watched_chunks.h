@@ -9,7 +9,7 @@ namespace core
 /// left when it is stopped is not done.
 template <typename Work> void forEachWatchedChunk(std::size_t count, std::size_t chunkSize, const JobWatch& watch, Work work)
 {
-    constexpr std::size_t chunksPerPart = 64, mostParts = 64;
+    constexpr std::size_t chunksPerPart = 16, mostParts = 256;
     const std::size_t perPart = std::max(chunksPerPart, chunksOf(chunksOf(count, chunkSize), mostParts));
     for (std::size_t first = 0; first < count && !watch.stopped(); first += perPart * chunkSize) {
         const std::size_t here = std::min(count - first, perPart * chunkSize);

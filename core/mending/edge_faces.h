@@ -3,6 +3,7 @@
 #include "../geometry.h"
 
 #include <algorithm>
+#include <numeric>
 #include <span>
 #include <tuple>
 #include <vector>
@@ -23,20 +24,29 @@ struct EdgeFace
     }
 };
 
-/// All of them, edge by edge, faces ascending.
+/// All of them, edge by edge, faces ascending. Cost: linear, but for vertices with many faces.
 inline std::vector<EdgeFace> edgeFacesOf(std::span<const Triangle> triangles)
 {
-    std::vector<EdgeFace> edges;
-    edges.reserve(3 * triangles.size());
-    for (Slot f = 0; f < triangles.size(); ++f) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            const Slot from = triangles[f][i], to = triangles[f][i == 2 ? 0 : i + 1];
-            edges.push_back({std::min(from, to), std::max(from, to), f, from < to});
+    const auto forEach = [&](auto visit) {
+        for (Slot f = 0; f < triangles.size(); ++f) {
+            for (std::size_t i = 0; i < 3; ++i) {
+                const Slot from = triangles[f][i], to = triangles[f][i == 2 ? 0 : i + 1];
+                visit(EdgeFace{std::min(from, to), std::max(from, to), f, from < to});
+            }
         }
-    }
-    std::ranges::sort(edges, [](const EdgeFace& a, const EdgeFace& b) {
-        return std::tie(a.low, a.high, a.face) < std::tie(b.low, b.high, b.face);
+    };
+    std::vector<std::size_t> end; // of the edges of each lower vertex; at first where they begin
+    forEach([&](const EdgeFace& e) {
+        if (end.size() < e.low + std::size_t(2))
+            end.resize(e.low + std::size_t(2), 0);
+        ++end[e.low + 1];
     });
+    std::partial_sum(end.begin(), end.end(), end.begin());
+    std::vector<EdgeFace> edges(3 * triangles.size());
+    forEach([&](const EdgeFace& e) { edges[end[e.low]++] = e; });
+    for (std::size_t begin = 0, v = 0; begin < edges.size(); begin = end[v++])
+        std::sort(edges.begin() + static_cast<std::ptrdiff_t>(begin), edges.begin() + static_cast<std::ptrdiff_t>(end[v]),
+                  [](const EdgeFace& a, const EdgeFace& b) { return std::tie(a.high, a.face) < std::tie(b.high, b.face); });
     return edges;
 }
 
