@@ -17,8 +17,11 @@
 
 namespace core
 {
+class JournalFolder;
+struct JournalDocument;
+struct JournalHistory;
 struct RecoveredDocument;
-}
+} // namespace core
 
 namespace app
 {
@@ -158,6 +161,10 @@ private:
     void install(std::shared_ptr<LoadedModel> model);
     void giveWorker(std::shared_ptr<core::Sculptor> sculptor, std::shared_ptr<core::Journal> journal);
     void restore(const core::RecoveredDocument& recovered);
+    void wantJournal();
+    void recordLate(const std::shared_ptr<core::JournalFolder>& folder);
+    core::JournalDocument forJournal() const;
+    core::JournalHistory historyNow() const;
     void describeToJournal();
     void startChange(core::ModelCommand command, const Insertion& insertion);
     void finishChange(const core::ModelCommand& command, const Insertion& insertion, ModelOutcome outcome);

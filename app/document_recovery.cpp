@@ -4,6 +4,7 @@
 
 #include "journal_shelf.h"
 #include "model_loader.h"
+#include "model_trial.h"
 #include "stroke_command.h"
 
 #include <utility>
@@ -13,7 +14,9 @@ namespace app
 void Document::keepJournals(JournalShelf* shelf)
 {
     m_shelf = shelf;
-    connect(shelf, &JournalShelf::failed, this, &Document::noticed);
+    connect(shelf, &JournalShelf::told, this, &Document::noticed);
+    connect(shelf, &JournalShelf::mayRecord, this, &Document::wantJournal);
+    connect(shelf, &JournalShelf::roomFound, this, &Document::recordLate);
 }
 
 void Document::recover(quint64 offer, const QString& name)
@@ -27,6 +30,8 @@ void Document::giveWorker(std::shared_ptr<core::Sculptor> sculptor, std::shared_
     const auto before = std::exchange(m_journal, std::move(journal));
     m_history.setJournal(m_journal);
     m_worker->setModel(std::move(sculptor), m_journal);
+    if (m_shelf)
+        m_shelf->setPresent(m_journal);
     if (before)
         m_worker->post([shelf = m_shelf, before](core::Sculptor&) { shelf->discard(before); });
 }
@@ -51,13 +56,55 @@ void Document::restore(const core::RecoveredDocument& recovered)
     m_history.restore(recovered.deltas, static_cast<int>(history.present));
 }
 
+/// Nothing is recorded of the model that is open, and that may be possible again.
+void Document::wantJournal()
+{
+    if (m_facts.faces > 0 && (!m_journal || m_journal->isBroken()))
+        m_shelf->findRoom(m_facts.faces);
+}
+
+/// From here on, on top of the model as it is: nobody waits for that to be written.
+void Document::recordLate(const std::shared_ptr<core::JournalFolder>& folder)
+{
+    request([this, folder] {
+        if (m_journal && !m_journal->isBroken())
+            return;
+        if (!m_worker->hold()) // another hand sculpts
+            return recordLate(folder);
+        const core::BaseRecord base{forJournal(), historyNow()};
+        const core::StartRecord start{m_start, base.document};
+        m_journal = m_shelf->beginLate(folder, base.history.present);
+        m_history.setJournal(m_journal);
+        m_worker->setJournal(m_journal);
+        m_worker->post([journal = m_journal, start, base](core::Sculptor& sculptor) {
+            journal->beginWith(ModelTrial::copyOf(sculptor.mesh()), start, base);
+        });
+        m_worker->release();
+    });
+}
+
+core::JournalDocument Document::forJournal() const
+{
+    return {m_facts.name.toStdString(), m_facts.path.toStdString(), notesNow(), m_changedBeyondHistory};
+}
+
+core::JournalHistory Document::historyNow() const
+{
+    core::JournalHistory history;
+    history.saved.reset();
+    for (int i = 0; i < m_stack.count(); ++i) {
+        const StepMarks& marks = static_cast<const StrokeCommand*>(m_stack.command(i))->marks();
+        history.steps.push_back({m_stack.text(i).toStdString(), marks.icon.toStdString(), marks.dabs, marks.fusions});
+    }
+    history.present = static_cast<std::uint32_t>(m_stack.index());
+    if (m_stack.cleanIndex() >= 0)
+        history.saved = static_cast<std::uint32_t>(m_stack.cleanIndex());
+    return history;
+}
+
 void Document::describeToJournal()
 {
-    if (!m_journal || m_recovered) // or it says already what is to come
-        return;
-    core::DocumentNotes notes = m_facts.notes;
-    if (m_completeNotes)
-        m_completeNotes(notes);
-    m_journal->describe({m_facts.name.toStdString(), m_facts.path.toStdString(), std::move(notes), m_changedBeyondHistory});
+    if (m_journal && !m_recovered) // or it says already what is to come
+        m_journal->describe(forJournal());
 }
 } // namespace app

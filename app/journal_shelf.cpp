@@ -5,6 +5,7 @@
 #include "ui/messages.h"
 
 #include <QDir>
+#include <QLocale>
 #include <QStandardPaths>
 
 #include <algorithm>
@@ -20,16 +21,25 @@ void say(const QString& sentence)
     std::fprintf(stderr, "fettle: %s\n", qPrintable(sentence));
 }
 
-QDateTime toDateTime(std::filesystem::file_time_type time)
-{
-    using namespace std::chrono;
-    const auto system = time_point_cast<milliseconds>(file_clock::to_sys(time));
-    return QDateTime::fromMSecsSinceEpoch(system.time_since_epoch().count());
-}
-
 std::string text(const QString& string)
 {
     return string.toUtf8().toStdString();
+}
+
+constexpr std::chrono::milliseconds usualPatience = std::chrono::seconds(10), longestWait = std::chrono::minutes(5);
+constexpr std::uintmax_t bytesAFace = 128; ///< of a start and a base, with some free slots
+
+/// Null if there is no room, or it may not be.
+std::shared_ptr<core::JournalFolder> roomIn(const std::filesystem::path& root, std::uintmax_t bytes)
+{
+    try {
+        std::shared_ptr<core::JournalFolder> folder = core::JournalFolder::makeHidden(root);
+        std::error_code problem;
+        const auto space = std::filesystem::space(root, problem);
+        return !problem && space.available < bytes ? nullptr : folder;
+    } catch (const core::FileError&) {
+        return nullptr;
+    }
 }
 } // namespace
 
@@ -54,6 +64,9 @@ JournalShelf::JournalShelf(std::filesystem::path root, core::JournalLimits limit
 {
     Q_ASSERT(!s_present);
     s_present = this;
+    setPatience(usualPatience);
+    m_again.setSingleShot(true);
+    connect(&m_again, &QTimer::timeout, this, &JournalShelf::mayRecord);
     static const int registered = std::atexit(atExit);
     Q_UNUSED(registered)
 }
@@ -85,27 +98,23 @@ std::shared_ptr<core::Journal> JournalShelf::begin(const LoadedModel& model)
 {
     try {
         const core::StartRecord start{model.start, {text(model.name), text(model.path), model.notes, !model.mended.isEmpty()}};
-        auto journal = core::Journal::begin(m_root, start, teller(), m_limits);
+        auto journal = core::Journal::begin(m_root, start, news(), m_limits);
         const std::lock_guard lock(m_mutex);
         m_open.push_back(journal);
         return journal;
     } catch (const core::FileError& error) {
-        teller()(error);
+        news().broken(error);
     } catch (const std::bad_alloc&) {
-        teller()(core::FileError(core::FileErrorKind::WriteFailed, m_root));
+        news().broken(core::FileError(core::FileErrorKind::WriteFailed, m_root));
     }
     return nullptr;
 }
 
-core::JournalWriter::Broken JournalShelf::teller()
+core::JournalNews JournalShelf::news()
 {
-    return [this](const core::FileError& error) { m_mail.post([this, error] { tellFailure(error); }); };
-}
-
-void JournalShelf::tellFailure(const core::FileError& error)
-{
-    if (!std::exchange(m_hasFailed, true))
-        Q_EMIT failed(tr("Should the program end unexpectedly, changes since the last save would be lost: %1").arg(ui::Messages::sentence(error)));
+    return {.broken = [this](const core::FileError& error) { m_mail.post([this, error] { tellFailure(error); }); },
+            .late = [this](double ms) { m_mail.post([this, ms] { tellLate(ms); }); },
+            .begun = [this] { m_mail.post([this] { takeBegun(); }); }};
 }
 
 void JournalShelf::discard(std::shared_ptr<core::Journal> journal)
@@ -119,108 +128,75 @@ void JournalShelf::discard(std::shared_ptr<core::Journal> journal)
     m_aside.run([journal = std::move(journal)] { journal->remove(); });
 }
 
-// --- journals that were left -----------------------------------------------------------------------------------------------------
+// --- the present one, and when it fails -------------------------------------------------------------------------------------------
 
-void JournalShelf::look()
+void JournalShelf::setPatience(std::chrono::milliseconds patience)
 {
-    m_aside.run([root = m_root] { return std::make_shared<std::vector<Left>>(leftIn(root)); },
-                [this](const std::shared_ptr<std::vector<Left>>& left) {
-                    {
-                        const std::lock_guard lock(m_mutex);
-                        m_left = std::move(*left);
-                    }
-                    offerNext();
+    m_patience = m_wait = patience;
+}
+
+void JournalShelf::setPresent(std::shared_ptr<core::Journal> journal)
+{
+    m_journal = std::move(journal);
+    for (auto& before : std::exchange(m_superseded, {}))
+        discard(std::move(before));
+    if (m_journal && !m_journal->isBroken())
+        tellWorks();
+}
+
+void JournalShelf::findRoom(quint64 faces)
+{
+    m_aside.run([root = m_root, bytes = bytesAFace * faces + m_limits.segmentBytes] { return roomIn(root, bytes); },
+                [this](const std::shared_ptr<core::JournalFolder>& folder) {
+                    if (folder)
+                        Q_EMIT roomFound(folder);
+                    else
+                        m_again.start(m_wait);
                 });
 }
 
-/// What was saved, or never changed, is removed.
-std::vector<JournalShelf::Left> JournalShelf::leftIn(const std::filesystem::path& root)
+std::shared_ptr<core::Journal> JournalShelf::beginLate(const std::shared_ptr<core::JournalFolder>& folder, quint32 present)
 {
-    std::vector<Left> left;
-    for (auto& folder : core::JournalFolder::abandoned(root)) {
-        const auto document = core::replayJournal(folder->path(), {.mesh = false});
-        if (!document || !document->isUnsaved()) {
-            folder->remove();
-            continue;
-        }
-        RecoveryOffer offer{left.size() + 1, QString::fromStdString(document->document.name), toDateTime(folder->changed()),
-                            static_cast<int>(document->history.present)};
-        left.push_back({std::move(offer), std::move(folder)});
-    }
-    return left;
-}
-
-void JournalShelf::offerNext()
-{
-    RecoveryOffer next;
-    {
-        const std::lock_guard lock(m_mutex);
-        if (!m_left.empty())
-            next = m_left.front().offer;
-    }
-    Q_EMIT offered(next);
-}
-
-LoadedModel JournalShelf::recover(quint64 offer, const core::JobWatch& watch)
-{
-    std::filesystem::path folder;
-    LoadedModel model;
-    {
-        const std::lock_guard lock(m_mutex);
-        const auto found = std::ranges::find(m_left, offer, [](const Left& each) { return each.offer.id; });
-        if (found != m_left.end()) {
-            folder = found->folder->path();
-            model.name = found->offer.name;
-        }
-    }
-    try {
-        if (auto document = core::replayJournal(folder, {.stop = watch.stop})) {
-            model.name = QString::fromStdString(document->document.name);
-            model.path = QString::fromStdString(document->document.path);
-            model.notes = document->document.notes;
-            model.start = document->start;
-            model.sculptor = std::make_shared<core::Sculptor>(std::move(document->mesh));
-            model.recovered = std::make_shared<core::RecoveredDocument>(std::move(*document));
-            model.offer = offer;
-        } else {
-            model.problem = tr("%1 cannot be recovered: what was kept of it is damaged.").arg(model.name);
-        }
-    } catch (const std::bad_alloc&) {
-        model.problem = tr("%1: there is not enough memory for this model.").arg(model.name);
-    }
-    return model;
-}
-
-std::shared_ptr<core::Journal> JournalShelf::goOn(quint64 offer, const core::RecoveredDocument& document)
-{
-    Left left = take(offer);
-    auto journal = core::Journal::goOn(std::move(left.folder), document, teller(), m_limits);
-    {
-        const std::lock_guard lock(m_mutex);
-        m_open.push_back(journal);
-    }
-    offerNext();
+    auto journal = core::Journal::beginLate(folder, present, news(), m_limits);
+    if (const auto before = std::exchange(m_journal, journal))
+        m_superseded.push_back(before);
+    const std::lock_guard lock(m_mutex);
+    m_open.push_back(journal);
     return journal;
 }
 
-void JournalShelf::discard(quint64 offer)
+/// That of some other journal than the present one is found out by who hears mayRecord().
+void JournalShelf::tellFailure(const core::FileError& error)
 {
-    const auto folder = std::make_shared<std::unique_ptr<core::JournalFolder>>(take(offer).folder);
-    m_aside.run([folder] {
-        if (*folder)
-            (*folder)->remove();
-    });
-    offerNext();
+    if (!std::exchange(m_isFailing, true))
+        Q_EMIT told(tr("Should the program end unexpectedly, changes since the last save would be lost: %1").arg(ui::Messages::sentence(error)));
+    m_again.start(m_wait);
+    m_wait = std::min(2 * m_wait, longestWait);
 }
 
-JournalShelf::Left JournalShelf::take(quint64 offer)
+void JournalShelf::tellLate(double ms)
 {
-    const std::lock_guard lock(m_mutex);
-    const auto found = std::ranges::find(m_left, offer, [](const Left& each) { return each.offer.id; });
-    if (found == m_left.end())
-        return {};
-    Left left = std::move(*found);
-    m_left.erase(found);
-    return left;
+    if (!std::exchange(m_hasBeenLate, true))
+        Q_EMIT told(tr("The disk is slow: a power cut could cost the changes of the last %1 seconds.").arg(QLocale().toString(ms / 1000, 'f', 1)));
+}
+
+void JournalShelf::tellWorks()
+{
+    m_wait = m_patience;
+    if (std::exchange(m_isFailing, false))
+        Q_EMIT told(tr("Changes are recorded again: should the program end unexpectedly, they come back."));
+}
+
+void JournalShelf::takeBegun()
+{
+    if (!m_journal || m_journal->isBroken())
+        return;
+    for (auto& before : std::exchange(m_superseded, {}))
+        discard(std::move(before));
+    m_aside.run([damaged = std::exchange(m_damaged, {}), root = m_root] {
+        for (const auto& folder : damaged)
+            putAside(*folder, {}, root);
+    });
+    tellWorks();
 }
 } // namespace app

@@ -128,6 +128,11 @@ void SculptWorker::setModel(std::shared_ptr<core::Sculptor> sculptor, std::share
     }));
 }
 
+void SculptWorker::setJournal(std::shared_ptr<core::Journal> journal)
+{
+    m_queue.push(Task([this, journal = std::move(journal)]() mutable { takeJournal(std::move(journal)); }));
+}
+
 void SculptWorker::post(std::function<void(core::Sculptor&)> job)
 {
     m_queue.push(Task([this, job = std::move(job)] {
@@ -268,8 +273,7 @@ void SculptWorker::run(Task& job)
 void SculptWorker::install(std::shared_ptr<core::Sculptor> sculptor, std::shared_ptr<core::Journal> journal)
 {
     ++m_scanGeneration;
-    if (const auto before = std::exchange(m_journal, std::move(journal)))
-        before->drain();
+    takeJournal(std::move(journal));
     m_sculptor = std::move(sculptor);
     m_sculptor->setBetweenSubsteps([this] { betweenSubsteps(); });
     m_sculptor->takePatch();
@@ -285,6 +289,12 @@ void SculptWorker::install(std::shared_ptr<core::Sculptor> sculptor, std::shared
     for (const auto& inbox : m_inboxes)
         if (inbox)
             inbox->put(whole);
+}
+
+void SculptWorker::takeJournal(std::shared_ptr<core::Journal> journal)
+{
+    if (const auto before = std::exchange(m_journal, std::move(journal)))
+        before->drain();
 }
 
 /// The mesh is valid here and its index up to date: viewers may see it and ask.

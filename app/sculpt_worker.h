@@ -91,6 +91,8 @@ public:
     /// Puts another model in place of the present one, and into every inbox. A stroke that is open ends before. `journal` hears of
     /// each stroke, and no signal tells of one that is not recorded; null: none is.
     void setModel(std::shared_ptr<core::Sculptor> sculptor, std::shared_ptr<core::Journal> journal = {});
+    /// Another journal hears of what follows.
+    void setJournal(std::shared_ptr<core::Journal> journal);
     /// Runs a job on the mesh thread between strokes and samples; viewers get what it changed. Not run without a model.
     void post(std::function<void(core::Sculptor&)> job);
 
@@ -117,6 +119,7 @@ private:
     void run(EndStroke& job);
     void run(Task& job);
     void install(std::shared_ptr<core::Sculptor> sculptor, std::shared_ptr<core::Journal> journal);
+    void takeJournal(std::shared_ptr<core::Journal> journal);
     void record(const core::MeshDelta& delta);
     void tell(std::function<void()> news);
     void betweenSubsteps();

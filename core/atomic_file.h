@@ -21,6 +21,8 @@ public:
 
     /// Buffered.
     void write(std::string_view bytes);
+    /// What was written so far is on disk, though nothing is seen of it.
+    void sync();
     void commit();
 
     const std::filesystem::path& path() const { return m_path; } ///< as asked

@@ -122,6 +122,13 @@ void AtomicFile::writeNow(std::string_view bytes)
     }
 }
 
+void AtomicFile::sync()
+{
+    flush();
+    if (::fdatasync(m_descriptor) != 0)
+        fail(errno);
+}
+
 void AtomicFile::giveTemporaryName()
 {
     const std::string self = "/proc/self/fd/" + std::to_string(m_descriptor);

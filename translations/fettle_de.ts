@@ -323,6 +323,26 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>%1: there is not enough memory for this model.</source>
         <translation>%1: Für dieses Modell reicht der Speicher nicht.</translation>
     </message>
+    <message>
+        <source>What was kept of an unsaved model is damaged and cannot be opened. It is in %1.</source>
+        <translation>Was von einem nicht gespeicherten Modell aufbewahrt wurde, ist beschädigt und lässt sich nicht öffnen. Es liegt in %1.</translation>
+    </message>
+    <message>
+        <source>What was kept of %1 is damaged and cannot be opened. It is in %2.</source>
+        <translation>Was von %1 aufbewahrt wurde, ist beschädigt und lässt sich nicht öffnen. Es liegt in %2.</translation>
+    </message>
+    <message>
+        <source>Some of what was kept of %1 is damaged: its last steps may be missing. It is in %2.</source>
+        <translation>Ein Teil dessen, was von %1 aufbewahrt wurde, ist beschädigt: Die letzten Schritte können fehlen. Er liegt in %2.</translation>
+    </message>
+    <message>
+        <source>The disk is slow: a power cut could cost the changes of the last %1 seconds.</source>
+        <translation>Die Festplatte ist langsam: Ein Stromausfall könnte die Änderungen der letzten %1 Sekunden kosten.</translation>
+    </message>
+    <message>
+        <source>Changes are recorded again: should the program end unexpectedly, they come back.</source>
+        <translation>Änderungen werden wieder aufgezeichnet: Endete das Programm unerwartet, kämen sie zurück.</translation>
+    </message>
 </context>
 <context>
     <name>app::ModelExport</name>

@@ -321,6 +321,26 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>%1: there is not enough memory for this model.</source>
         <translation>%1：内存不足，无法载入此模型。</translation>
     </message>
+    <message>
+        <source>What was kept of an unsaved model is damaged and cannot be opened. It is in %1.</source>
+        <translation>为某个未保存的模型保留的数据已损坏，无法打开，现存放于 %1。</translation>
+    </message>
+    <message>
+        <source>What was kept of %1 is damaged and cannot be opened. It is in %2.</source>
+        <translation>为 %1 保留的数据已损坏，无法打开，现存放于 %2。</translation>
+    </message>
+    <message>
+        <source>Some of what was kept of %1 is damaged: its last steps may be missing. It is in %2.</source>
+        <translation>为 %1 保留的部分数据已损坏，最后几步可能缺失，现存放于 %2。</translation>
+    </message>
+    <message>
+        <source>The disk is slow: a power cut could cost the changes of the last %1 seconds.</source>
+        <translation>磁盘较慢：断电可能会丢失最近 %1 秒内的更改。</translation>
+    </message>
+    <message>
+        <source>Changes are recorded again: should the program end unexpectedly, they come back.</source>
+        <translation>更改已恢复记录：如果程序意外结束，可以找回这些更改。</translation>
+    </message>
 </context>
 <context>
     <name>app::ModelExport</name>

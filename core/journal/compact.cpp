@@ -1,32 +1,15 @@
 #include "compact.h"
 
+#include "base.h"
 #include "files.h"
-#include "images.h"
 #include "replay.h"
 
-#include "../atomic_file.h"
+#include "../file_error.h"
 
-#include <algorithm>
 #include <new>
 
 namespace core
 {
-namespace
-{
-constexpr Slot slotsAPart = 1 << 16;
-
-void writeBase(const std::filesystem::path& file, const RecoveredDocument& document)
-{
-    AtomicFile out(file);
-    const SlotCounts counts = document.mesh->slots();
-    const Slot end = std::max({counts.vertices, counts.edges, counts.faces});
-    for (Slot first = 0; first < end; first += slotsAPart)
-        out.write(pack(PartRecord{imageOf(*document.mesh, first, first + slotsAPart)}, 0));
-    out.write(pack(BaseRecord{document.document, document.history}, document.nextRecord - 1));
-    out.commit();
-}
-} // namespace
-
 bool compactJournal(const std::filesystem::path& folder, unsigned segment, const std::stop_token& stop)
 {
     try {
@@ -36,7 +19,7 @@ bool compactJournal(const std::filesystem::path& folder, unsigned segment, const
         const auto next = unpack(rest);
         if (!document || !next || next->number != document->nextRecord || stop.stop_requested())
             return false;
-        writeBase(baseFile(folder, segment), *document);
+        writeBase(baseFile(folder, segment), *document->mesh, {document->document, document->history}, document->nextRecord - 1);
     } catch (const FileError&) {
         return false;
     } catch (const std::bad_alloc&) {

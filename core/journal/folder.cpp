@@ -37,6 +37,20 @@ std::unique_ptr<FolderLock> lockOf(const fs::path& folder)
     }
 }
 
+fs::path hiddenOf(const fs::path& folder)
+{
+    return folder.parent_path() / (hiddenMark + folder.filename().string());
+}
+
+void check(const std::error_code& problem, const fs::path& path)
+{
+    if (!problem)
+        return;
+    FileError error(kindOfWriteError(problem.value()), path);
+    error.systemError = problem.value();
+    throw error;
+}
+
 void clear(const fs::path& hidden)
 {
     std::error_code problem;
@@ -48,24 +62,42 @@ void clear(const fs::path& hidden)
 
 std::unique_ptr<JournalFolder> JournalFolder::make(const fs::path& root)
 {
-    const std::string name = newName();
-    const fs::path hidden = root / (hiddenMark + name), path = root / name;
+    auto folder = makeHidden(root);
+    folder->show();
+    return folder;
+}
+
+std::unique_ptr<JournalFolder> JournalFolder::makeHidden(const fs::path& root)
+{
+    const fs::path path = root / newName(), hidden = hiddenOf(path);
     std::error_code problem;
-    const auto check = [&] {
-        if (!problem)
-            return;
-        FileError error(kindOfWriteError(problem.value()), root);
-        error.systemError = problem.value();
-        throw error;
-    };
     fs::create_directories(hidden, problem);
-    check();
+    check(problem, root);
     fs::permissions(hidden, fs::perms::owner_all, problem);
-    check();
+    check(problem, root);
     auto lock = std::make_unique<FolderLock>(hidden);
-    fs::rename(hidden, path, problem);
-    check();
-    return std::unique_ptr<JournalFolder>(new JournalFolder(path, std::move(lock)));
+    std::unique_ptr<JournalFolder> folder(new JournalFolder(path, std::move(lock)));
+    folder->m_isHidden = true;
+    return folder;
+}
+
+JournalFolder::~JournalFolder()
+{
+    if (m_lock && m_isHidden)
+        remove();
+}
+
+fs::path JournalFolder::hiddenPath() const
+{
+    return hiddenOf(m_path);
+}
+
+void JournalFolder::show()
+{
+    std::error_code problem;
+    fs::rename(hiddenPath(), m_path, problem);
+    check(problem, m_path);
+    m_isHidden = false;
 }
 
 std::vector<std::unique_ptr<JournalFolder>> JournalFolder::abandoned(const fs::path& root)
@@ -94,8 +126,26 @@ fs::file_time_type JournalFolder::changed() const
 void JournalFolder::remove()
 {
     std::error_code ignored;
-    const fs::path hidden = m_path.parent_path() / (hiddenMark + m_path.filename().string());
-    fs::rename(m_path, hidden, ignored);
-    fs::remove_all(hidden, ignored);
+    fs::rename(m_path, hiddenPath(), ignored);
+    fs::remove_all(hiddenPath(), ignored);
+}
+
+fs::path JournalFolder::setAside(const fs::path& root, std::size_t most)
+{
+    std::error_code problem;
+    fs::create_directories(root, problem);
+    const fs::path path = root / m_path.filename();
+    fs::rename(m_path, path, problem);
+    if (problem)
+        return {};
+    m_path = path;
+    fs::last_write_time(path, fs::file_time_type::clock::now(), problem);
+    std::vector<std::pair<fs::file_time_type, fs::path>> kept;
+    for (const auto& entry : fs::directory_iterator(root, problem))
+        kept.emplace_back(entry.last_write_time(problem), entry.path());
+    std::ranges::sort(kept, std::greater());
+    for (std::size_t i = most; i < kept.size(); ++i)
+        fs::remove_all(kept[i].second, problem);
+    return path;
 }
 } // namespace core

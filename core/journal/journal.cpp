@@ -1,18 +1,20 @@
 #include "journal.h"
 
+#include "base.h"
+#include "files.h"
 #include "images.h"
+
+#include <new>
 
 namespace core
 {
-Journal::Journal(std::unique_ptr<JournalFolder> folder, JournalWriter::Place place, JournalWriter::Broken broken, JournalLimits limits,
-                 std::uint32_t present)
+Journal::Journal(std::shared_ptr<JournalFolder> folder, JournalWriter::Place place, JournalNews news, JournalLimits limits, std::uint32_t present)
     : m_folder(std::move(folder)), m_present(present),
-      m_writer(std::make_unique<JournalWriter>(m_folder->path(), place, std::move(broken), limits))
+      m_writer(std::make_unique<JournalWriter>(m_folder->path(), place, std::move(news), limits))
 {
 }
 
-std::shared_ptr<Journal> Journal::begin(const std::filesystem::path& root, const StartRecord& start, JournalWriter::Broken broken,
-                                        JournalLimits limits)
+std::shared_ptr<Journal> Journal::begin(const std::filesystem::path& root, const StartRecord& start, JournalNews news, JournalLimits limits)
 {
     auto folder = JournalFolder::make(root);
     try {
@@ -21,14 +23,33 @@ std::shared_ptr<Journal> Journal::begin(const std::filesystem::path& root, const
         folder->remove();
         throw;
     }
-    return std::shared_ptr<Journal>(new Journal(std::move(folder), {}, std::move(broken), limits, 0));
+    return std::shared_ptr<Journal>(new Journal(std::move(folder), {}, std::move(news), limits, 0));
 }
 
-std::shared_ptr<Journal> Journal::goOn(std::unique_ptr<JournalFolder> folder, const RecoveredDocument& document,
-                                       JournalWriter::Broken broken, JournalLimits limits)
+std::shared_ptr<Journal> Journal::goOn(std::unique_ptr<JournalFolder> folder, const RecoveredDocument& document, JournalNews news,
+                                       JournalLimits limits)
 {
     const JournalWriter::Place place{document.nextRecord, document.nextSegment};
-    return std::shared_ptr<Journal>(new Journal(std::move(folder), place, std::move(broken), limits, document.history.present));
+    return std::shared_ptr<Journal>(new Journal(std::move(folder), place, std::move(news), limits, document.history.present));
+}
+
+std::shared_ptr<Journal> Journal::beginLate(std::shared_ptr<JournalFolder> folder, std::uint32_t present, JournalNews news, JournalLimits limits)
+{
+    return std::shared_ptr<Journal>(new Journal(std::move(folder), {.waits = true}, std::move(news), limits, present));
+}
+
+void Journal::beginWith(std::shared_ptr<const Mesh> mesh, StartRecord start, BaseRecord base)
+{
+    m_writer->begin([this, mesh = std::move(mesh), start = std::move(start), base = std::move(base)] {
+        if (!mesh)
+            throw std::bad_alloc();
+        const std::filesystem::path folder = m_folder->hiddenPath();
+        writeStart(folder, start);
+        syncFile(startFile(folder));
+        writeBase(baseFile(folder, 0), *mesh, base, 0);
+        m_folder->show();
+        syncFolder(m_folder->path().parent_path());
+    });
 }
 
 void Journal::changed(const Mesh& mesh, const MeshDelta& delta, JournalStep step, std::optional<Stroke> stroke)

@@ -12,11 +12,16 @@ class Journal
 {
 public:
     /// Of a model that was just opened. Any thread; takes writing the start. Throws FileError.
-    static std::shared_ptr<Journal> begin(const std::filesystem::path& root, const StartRecord& start, JournalWriter::Broken broken,
+    static std::shared_ptr<Journal> begin(const std::filesystem::path& root, const StartRecord& start, JournalNews news,
                                           JournalLimits limits = {});
     /// Goes on where the folder's journal ended.
-    static std::shared_ptr<Journal> goOn(std::unique_ptr<JournalFolder> folder, const RecoveredDocument& document,
-                                         JournalWriter::Broken broken, JournalLimits limits = {});
+    static std::shared_ptr<Journal> goOn(std::unique_ptr<JournalFolder> folder, const RecoveredDocument& document, JournalNews news,
+                                         JournalLimits limits = {});
+    /// Of a document with a history, in a hidden folder: beginWith() must follow. Any thread; what is recorded before waits for that.
+    static std::shared_ptr<Journal> beginLate(std::shared_ptr<JournalFolder> folder, std::uint32_t present, JournalNews news,
+                                              JournalLimits limits = {});
+    /// Writes the document's present in the background; nobody waits. No mesh: there was no memory for it. Any thread, once.
+    void beginWith(std::shared_ptr<const Mesh> mesh, StartRecord start, BaseRecord base);
 
     // --- the mesh thread; cost: a copy of what changed ---
     /// A step was done: `delta` takes it back.
@@ -32,6 +37,7 @@ public:
     void after(std::function<void()> run) { m_writer->after(std::move(run)); }
     void drain() { m_writer->drain(); }
     void flush() { m_writer->flush(); }
+    bool isBroken() const { return m_writer->isBroken(); } ///< nothing is recorded any more
     JournalStats stats() const { return m_writer->stats(); }
     const std::filesystem::path& folder() const { return m_folder->path(); }
 
@@ -39,10 +45,9 @@ public:
     void remove();
 
 private:
-    Journal(std::unique_ptr<JournalFolder> folder, JournalWriter::Place place, JournalWriter::Broken broken, JournalLimits limits,
-            std::uint32_t present);
+    Journal(std::shared_ptr<JournalFolder> folder, JournalWriter::Place place, JournalNews news, JournalLimits limits, std::uint32_t present);
 
-    std::unique_ptr<JournalFolder> m_folder;
+    std::shared_ptr<JournalFolder> m_folder;
     std::uint32_t m_present; ///< steps that are done; the mesh thread's
     std::unique_ptr<JournalWriter> m_writer;
 };

@@ -319,6 +319,17 @@ std::optional<NumberedRecord> unpack(std::string_view& bytes)
     return NumberedRecord{raw->head.number, std::move(*record)};
 }
 
+bool holdsRecord(std::string_view bytes)
+{
+    const std::string_view sign(reinterpret_cast<const char*>(&mark), sizeof mark);
+    for (std::size_t at = bytes.find(sign); at != bytes.npos; at = bytes.find(sign, at + 1)) {
+        std::string_view rest = bytes.substr(at);
+        if (takeRaw(rest))
+            return true;
+    }
+    return false;
+}
+
 std::vector<std::string> strokesIn(std::string_view bytes)
 {
     std::vector<std::string> strokes;

@@ -101,6 +101,8 @@ struct NumberedRecord
 };
 /// The first record of these bytes, which are cut by it; nothing if it is not whole. A StrokeRecord comes back empty: see strokesIn().
 std::optional<NumberedRecord> unpack(std::string_view& bytes);
+/// Whether there is a whole record anywhere in them.
+bool holdsRecord(std::string_view bytes);
 /// The strokes of a file's whole records, as text of a stroke file each.
 std::vector<std::string> strokesIn(std::string_view bytes);
 } // namespace core

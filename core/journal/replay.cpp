@@ -8,6 +8,7 @@
 #include "files.h"
 #include "images.h"
 
+#include "../mesh_build.h"
 #include "../mesh_hash.h"
 #include "../model_start.h"
 
@@ -24,8 +25,9 @@ public:
 
     bool beginWithStart(std::string_view bytes);
     bool beginWithBase(std::string_view bytes, std::string_view startBytes);
-    /// The segment's records that follow what is there.
-    bool readOn(std::string_view bytes, const std::stop_token& stop);
+    /// The segment's records that follow what is there; the rest of its bytes is left.
+    bool readOn(std::string_view& bytes, const std::stop_token& stop);
+    void noteDamage() { m_found.isDamaged = true; }
     RecoveredDocument take() { return std::move(m_found); }
 
 private:
@@ -65,11 +67,14 @@ bool Replay::beginWithStart(std::string_view bytes)
     return true;
 }
 
-/// The parts replace all that the start has.
+/// The parts replace all that the start has; if that is lost they do without it.
 bool Replay::beginWithBase(std::string_view bytes, std::string_view startBytes)
 {
-    if (!beginWithStart(startBytes))
-        return false;
+    if (!beginWithStart(startBytes)) {
+        noteDamage();
+        if (m_withMesh)
+            m_found.mesh = std::make_unique<Mesh>(TriangleMesh(), Lattice());
+    }
     auto found = unpack(bytes);
     for (; auto* part = takeAs<PartRecord>(found); found = unpack(bytes)) {
         if (!m_withMesh)
@@ -85,15 +90,19 @@ bool Replay::beginWithBase(std::string_view bytes, std::string_view startBytes)
     m_found.document = std::move(base->document);
     m_found.history = std::move(base->history);
     m_found.deltas.resize(m_found.history.steps.size());
+    if (m_withMesh && !m_found.start)
+        m_found.start = std::make_shared<Snapshot>(Snapshot{extractMesh(*m_found.mesh), m_found.mesh->frame()});
     return true;
 }
 
-bool Replay::readOn(std::string_view bytes, const std::stop_token& stop)
+bool Replay::readOn(std::string_view& bytes, const std::stop_token& stop)
 {
     while (!stop.stop_requested()) {
-        auto found = unpack(bytes);
+        std::string_view rest = bytes;
+        auto found = unpack(rest);
         if (!found || found->number != m_found.nextRecord || !std::visit([this](auto& record) { return apply(record); }, found->record))
             return true;
+        bytes = rest;
         ++m_found.nextRecord;
     }
     return false;
@@ -178,16 +187,23 @@ bool Replay::apply(ForgottenRecord&)
 std::optional<unsigned> begin(Replay& replay, const std::filesystem::path& folder, const JournalFiles& files, const ReplayOptions& options)
 {
     const std::string startBytes = contentOf(startFile(folder));
+    bool isDamaged = false;
     for (auto base = files.bases.rbegin(); base != files.bases.rend(); ++base) {
         if (base->first > options.endSegment)
             continue;
-        if (replay.beginWithBase(contentOf(baseFile(folder, base->first)), startBytes))
+        if (replay.beginWithBase(contentOf(baseFile(folder, base->first)), startBytes)) {
+            if (isDamaged)
+                replay.noteDamage();
             return base->first;
+        }
         replay = Replay(options.mesh);
+        isDamaged = true;
     }
-    if (replay.beginWithStart(startBytes))
-        return 0;
-    return std::nullopt;
+    if (!replay.beginWithStart(startBytes))
+        return std::nullopt;
+    if (isDamaged)
+        replay.noteDamage();
+    return 0;
 }
 } // namespace
 
@@ -198,9 +214,14 @@ std::optional<RecoveredDocument> replayJournal(const std::filesystem::path& fold
     const auto first = begin(replay, folder, files, options);
     if (!first)
         return std::nullopt;
-    for (auto segment = files.segments.lower_bound(*first); segment != files.segments.end() && segment->first < options.endSegment; ++segment)
-        if (!replay.readOn(contentOf(segmentFile(folder, segment->first)), options.stop))
+    for (auto segment = files.segments.lower_bound(*first); segment != files.segments.end() && segment->first < options.endSegment; ++segment) {
+        const std::string bytes = contentOf(segmentFile(folder, segment->first));
+        std::string_view rest = bytes;
+        if (!replay.readOn(rest, options.stop))
             return std::nullopt;
+        if (holdsRecord(rest))
+            replay.noteDamage();
+    }
     RecoveredDocument found = replay.take();
     found.nextSegment = files.segments.empty() ? *first : std::max(*first, files.segments.rbegin()->first + 1);
     return found;

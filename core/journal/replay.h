@@ -18,9 +18,11 @@ struct RecoveredDocument
     /// present to the first null on either side can be gone to.
     std::vector<std::shared_ptr<MeshDelta>> deltas;
     std::unique_ptr<Mesh> mesh; ///< null if only the words were asked for
-    std::shared_ptr<const Snapshot> start;
+    std::shared_ptr<const Snapshot> start; ///< null if only the words were asked for
     std::uint64_t nextRecord = 0; ///< its number
     unsigned nextSegment = 0;
+    /// More was recorded than can be read any more. Where that is the start itself, `start` is what the newest base has.
+    bool isDamaged = false;
 
     /// It has changes that no file holds.
     bool isUnsaved() const { return document.changedBeyondHistory || history.saved != history.present; }
@@ -34,7 +36,7 @@ struct ReplayOptions
 };
 
 /// Applies what a journal's folder holds, up to the first record that is not as it was written: damage costs what follows it, and
-/// never gives a state that was not. Never runs the engine. Nothing if there is no whole beginning, or it was stopped. Reads only.
+/// never gives a state that was not. Never runs the engine. Nothing if neither the start nor a base is whole, or it was stopped. Reads only.
 /// Cost: reading, and swapping each record's elements. May throw std::bad_alloc.
 std::optional<RecoveredDocument> replayJournal(const std::filesystem::path& folder, const ReplayOptions& options = {});
 } // namespace core

@@ -1,5 +1,6 @@
 #include "writer.h"
 
+#include "background.h"
 #include "compact.h"
 #include "files.h"
 
@@ -11,6 +12,9 @@ namespace core
 {
 namespace
 {
+constexpr int oftenLate = 3; ///< one after the other: the disk is slow, and was not busy just once
+constexpr double muchTooLate = 25; ///< times what is promised: once is enough
+
 std::int64_t nowNs()
 {
     using namespace std::chrono;
@@ -32,9 +36,9 @@ std::size_t bytesOf(const JournalRecord& record)
 }
 } // namespace
 
-JournalWriter::JournalWriter(std::filesystem::path folder, Place place, Broken broken, JournalLimits limits)
-    : m_folder(std::move(folder)), m_broken(std::move(broken)), m_limits(limits), m_segments(filesIn(m_folder).segments),
-      m_compactAt(limits.logBytes), m_nextRecord(place.nextRecord), m_segment{place.nextSegment, 0, nullptr}
+JournalWriter::JournalWriter(std::filesystem::path folder, Place place, JournalNews news, JournalLimits limits)
+    : m_folder(std::move(folder)), m_news(std::move(news)), m_limits(limits), m_waits(place.waits), m_isSyncing(!place.waits),
+      m_segments(filesIn(m_folder).segments), m_compactAt(limits.logBytes), m_nextRecord(place.nextRecord), m_segment{place.nextSegment, 0, nullptr}
 {
     m_syncer = std::thread([this] { sync(); });
     m_writer = std::thread([this] { write(); });
@@ -66,12 +70,21 @@ void JournalWriter::after(std::function<void()> run)
 {
     {
         const std::lock_guard lock(m_mutex);
-        if (!m_entries.empty() || m_isWriting) {
+        if (!m_waits && (!m_entries.empty() || m_isWriting)) {
             m_entries.push_back({Letter{std::move(run)}});
             return;
         }
     }
     run();
+}
+
+void JournalWriter::begin(std::function<void()> make)
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        m_make = std::move(make);
+    }
+    m_wakeWriter.notify_one();
 }
 
 void JournalWriter::push(Entry entry)
@@ -81,8 +94,8 @@ void JournalWriter::push(Entry entry)
         const std::lock_guard lock(m_mutex);
         if (m_isBroken)
             return;
+        isTooMuch = entry.bytes > 0 && m_waitingBytes > m_limits.waitingBytes; // one change may be larger than that
         m_waitingBytes += entry.bytes;
-        isTooMuch = m_waitingBytes > m_limits.waitingBytes;
         m_entries.push_back(std::move(entry));
     }
     m_wakeWriter.notify_one();
@@ -93,13 +106,19 @@ void JournalWriter::push(Entry entry)
 void JournalWriter::drain()
 {
     std::unique_lock lock(m_mutex);
-    m_settled.wait(lock, [this] { return m_entries.empty() && !m_isWriting; });
+    m_settled.wait(lock, [this] { return isWritten(); });
 }
 
 void JournalWriter::flush()
 {
     std::unique_lock lock(m_mutex);
-    m_settled.wait(lock, [this] { return m_entries.empty() && !m_isWriting && (m_isBroken || (m_unsynced.empty() && !m_isSyncing)); });
+    m_settled.wait(lock, [this] { return isWritten() && (m_isBroken || (m_unsynced.empty() && !m_isSyncing)); });
+}
+
+bool JournalWriter::isBroken() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_isBroken;
 }
 
 JournalStats JournalWriter::stats() const
@@ -117,13 +136,34 @@ void writeStart(const std::filesystem::path& folder, const StartRecord& record)
 
 // --- the writing thread ----------------------------------------------------------------------------------------------------------
 
+bool JournalWriter::mayWrite() const
+{
+    return m_make || (!m_waits && !m_entries.empty());
+}
+
+/// Or never will be.
+bool JournalWriter::isWritten() const
+{
+    return !m_isWriting && !mayWrite();
+}
+
 void JournalWriter::write()
 {
+    stepBack(Background::Soon);
     std::unique_lock lock(m_mutex);
     for (;;) {
-        m_wakeWriter.wait(lock, [this] { return m_isEnding || !m_entries.empty(); });
-        if (m_entries.empty())
+        m_wakeWriter.wait(lock, [this] { return m_isEnding || mayWrite(); });
+        if (!mayWrite())
             return;
+        if (auto make = std::exchange(m_make, nullptr)) {
+            m_isWriting = true;
+            lock.unlock();
+            beginFolder(std::move(make));
+            lock.lock();
+            m_isWriting = false;
+            m_settled.notify_all();
+            continue;
+        }
         Entry entry = std::move(m_entries.front());
         m_entries.pop_front();
         m_waitingBytes -= entry.bytes;
@@ -135,6 +175,25 @@ void JournalWriter::write()
         m_isWriting = false;
         m_settled.notify_all();
     }
+}
+
+void JournalWriter::beginFolder(std::function<void()> make)
+{
+    try {
+        if (!isBroken())
+            make();
+        make = nullptr; // it may hold a mesh
+    } catch (const FileError& error) {
+        breakOff(error);
+    } catch (const std::bad_alloc&) {
+        breakOff(FileError(FileErrorKind::WriteFailed, m_folder));
+    }
+    {
+        const std::lock_guard lock(m_mutex);
+        m_waits = false; // from now on nobody is told too early
+    }
+    if (!isBroken() && m_news.begun)
+        m_news.begun();
 }
 
 void JournalWriter::write(Entry& entry)
@@ -197,16 +256,21 @@ void JournalWriter::breakOff(const FileError& error)
             return;
     }
     m_settled.notify_all();
-    m_broken(error);
+    if (m_news.broken)
+        m_news.broken(error);
 }
 
 // --- the syncing thread ----------------------------------------------------------------------------------------------------------
 
 void JournalWriter::sync()
 {
-    bool isFirst = true;
+    stepBack(Background::Soon);
+    if (m_isSyncing)
+        syncStart();
     std::unique_lock lock(m_mutex);
     for (;;) {
+        m_isSyncing = false;
+        m_settled.notify_all();
         m_wakeSyncer.wait(lock, [this] { return m_isEnding || !m_unsynced.empty(); });
         if (m_unsynced.empty())
             return;
@@ -215,21 +279,40 @@ void JournalWriter::sync()
         m_isSyncing = true;
         lock.unlock();
         try {
-            if (std::exchange(isFirst, false)) {
-                syncFile(startFile(m_folder));
-                syncFolder(m_folder.parent_path());
-            }
             for (const auto& file : files)
                 file->sync();
             syncFolder(m_folder);
         } catch (const FileError& error) {
             breakOff(error);
         }
+        const double ms = msSince(oldestNs);
+        if (isTooLate(ms) && m_news.late)
+            m_news.late(ms);
         lock.lock();
-        m_isSyncing = false;
-        m_stats.worstSyncedMs = std::max(m_stats.worstSyncedMs, msSince(oldestNs));
-        m_settled.notify_all();
+        m_stats.worstSyncedMs = std::max(m_stats.worstSyncedMs, ms);
+        m_stats.late += ms > m_limits.promisedMs;
     }
+}
+
+/// At once: the first change shall not wait for it.
+void JournalWriter::syncStart()
+{
+    try {
+        syncFile(startFile(m_folder));
+        syncFolder(m_folder.parent_path());
+    } catch (const FileError& error) {
+        breakOff(error);
+    }
+}
+
+/// The syncing thread's.
+bool JournalWriter::isTooLate(double ms)
+{
+    if (m_isToldLate)
+        return false;
+    m_lateInARow = ms > m_limits.promisedMs ? m_lateInARow + 1 : 0;
+    m_isToldLate = m_lateInARow >= oftenLate || ms > muchTooLate * m_limits.promisedMs;
+    return m_isToldLate;
 }
 
 // --- the compacting thread -------------------------------------------------------------------------------------------------------
@@ -237,25 +320,30 @@ void JournalWriter::sync()
 /// The oldest segments go, until half of what the log may have is left; the one that is being written stays.
 void JournalWriter::compactIfLong()
 {
-    const std::lock_guard lock(m_mutex);
-    std::uintmax_t bytes = 0;
-    for (const auto& segment : m_segments)
-        bytes += segment.second;
-    if (bytes <= m_compactAt || m_isCompacting || m_isEnding)
-        return;
-    auto first = m_segments.begin();
-    for (; first->first < m_segment.number && bytes > m_limits.logBytes / 2; ++first)
-        bytes -= first->second;
-    if (first == m_segments.begin())
-        return;
-    m_isCompacting = true;
+    unsigned segment = 0;
+    {
+        const std::lock_guard lock(m_mutex);
+        std::uintmax_t bytes = 0;
+        for (const auto& each : m_segments)
+            bytes += each.second;
+        if (bytes <= m_compactAt || m_isCompacting || m_isEnding)
+            return;
+        auto first = m_segments.begin();
+        for (; first->first < m_segment.number && bytes > m_limits.logBytes / 2; ++first)
+            bytes -= first->second;
+        if (first == m_segments.begin())
+            return;
+        segment = first->first;
+        m_isCompacting = true;
+    }
     if (m_compactor.joinable())
         m_compactor.join();
-    m_compactor = std::thread([this, segment = first->first] { compact(segment); });
+    m_compactor = std::thread([this, segment] { compact(segment); });
 }
 
 void JournalWriter::compact(unsigned segment)
 {
+    stepBack(Background::Later);
     const bool isDone = compactJournal(m_folder, segment, m_stop.get_token());
     const std::lock_guard lock(m_mutex);
     m_compactAt = m_limits.logBytes;

@@ -19,7 +19,17 @@ struct JournalLimits
     std::size_t segmentBytes = std::size_t(16) << 20; ///< a segment that has so many is followed by another
     /// With more than so many in segments a new base is made, and what is before it goes: about half of it stays.
     std::size_t logBytes = std::size_t(256) << 20;
-    std::size_t waitingBytes = std::size_t(512) << 20; ///< in memory; if the disk is slower than that, nothing is recorded any more
+    /// In memory; if more waits when a change comes, the disk is too slow, and nothing is recorded any more.
+    std::size_t waitingBytes = std::size_t(512) << 20;
+    double promisedMs = 200; ///< from a change until it outlives a power cut
+};
+
+/// What a journal tells of itself, from one of its threads.
+struct JournalNews
+{
+    std::function<void(const FileError&)> broken; ///< once: nothing is recorded any more
+    std::function<void(double ms)> late; ///< once: the disk does not hold what is promised, so long did it take
+    std::function<void()> begun; ///< of one that begins with a base: all that was before is in it, whatever happens
 };
 
 /// What a journal costs. Times in milliseconds.
@@ -29,6 +39,7 @@ struct JournalStats
     double packMs = 0, writeMs = 0; ///< on the writing thread, sums
     double worstWrittenMs = 0;      ///< from add() until it outlives the process
     double worstSyncedMs = 0;       ///< from add() until it outlives a power cut
+    std::uint64_t late = 0;         ///< so often that took longer than promised
     bool isCompacting = false;      ///< just now
 };
 
@@ -41,24 +52,28 @@ public:
     {
         std::uint64_t nextRecord = 1;
         unsigned nextSegment = 0;
+        bool waits = false; ///< for begin()
     };
-    /// Called once, from one of the threads: nothing is recorded any more.
-    using Broken = std::function<void(const FileError&)>;
 
     /// Of a folder with a start. Syncs that, too.
-    JournalWriter(std::filesystem::path folder, Place place, Broken broken, JournalLimits limits = {});
+    JournalWriter(std::filesystem::path folder, Place place, JournalNews news, JournalLimits limits = {});
     /// All that was added is written and synced before.
     ~JournalWriter();
     JournalWriter(const JournalWriter&) = delete;
     JournalWriter& operator=(const JournalWriter&) = delete;
 
     void add(JournalRecord record);
-    /// Runs it when all that was added before outlives the process, or nothing is recorded any more: in order, here or on the writing thread.
+    /// What makes the folder, with a start, on the writing thread; what was added waits in memory until then. It may throw FileError and
+    /// std::bad_alloc.
+    void begin(std::function<void()> make);
+    /// Runs it when all that was added before outlives the process, or nothing is recorded any more: in order, here or on the writing
+    /// thread. Of a journal that has not begun: here, at once.
     void after(std::function<void()> run);
     /// Waits until all that was added outlives the process, or nothing is recorded any more.
     void drain();
     /// Waits until all that was added is synced, or nothing is recorded any more.
     void flush();
+    bool isBroken() const; ///< nothing is recorded any more
     JournalStats stats() const;
 
 private:
@@ -80,33 +95,43 @@ private:
     };
 
     void push(Entry entry);
+    bool mayWrite() const;
+    bool isWritten() const;
     void write();
+    void beginFolder(std::function<void()> make);
     void write(Entry& entry);
     void put(const JournalRecord& record, std::int64_t addedNs);
     void beginSegment();
     void sync();
+    void syncStart();
+    bool isTooLate(double ms);
     void breakOff(const FileError& error);
     void compactIfLong();
     void compact(unsigned segment);
 
     const std::filesystem::path m_folder;
-    const Broken m_broken;
+    const JournalNews m_news;
     const JournalLimits m_limits;
 
     mutable std::mutex m_mutex; ///< guards all down to the threads, but the writing thread's own
     std::condition_variable m_wakeWriter, m_wakeSyncer, m_settled;
     std::deque<Entry> m_entries;
     std::size_t m_waitingBytes = 0;
+    bool m_waits; ///< until the folder is made
+    std::function<void()> m_make;
     bool m_isWriting = false, m_isEnding = false, m_isBroken = false, m_isCompacting = false;
     std::deque<std::shared_ptr<AppendFile>> m_unsynced;
     std::int64_t m_oldestUnsyncedNs = 0;
-    bool m_isSyncing = false;
+    bool m_isSyncing; ///< the start, to begin with
     std::map<unsigned, std::uintmax_t> m_segments; ///< sizes of those that there are
     std::uintmax_t m_compactAt; ///< when the segments have so many bytes
     JournalStats m_stats;
 
     std::uint64_t m_nextRecord; ///< the writing thread's own, as the next
     Segment m_segment;
+
+    int m_lateInARow = 0; ///< the syncing thread's own, as the next
+    bool m_isToldLate = false;
 
     std::stop_source m_stop;
     std::thread m_compactor, m_syncer, m_writer;

@@ -3,6 +3,7 @@
 #include "core/journal/files.h"
 #include "core/journal/journal.h"
 #include "core/mesh_build.h"
+#include "core/mesh_check.h"
 #include "core/mesh_hash.h"
 #include "core/model_start.h"
 #include "core/sculptor.h"
@@ -13,6 +14,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <atomic>
 #include <fstream>
 
 using namespace core;
@@ -68,6 +70,8 @@ public:
             return;
         const JournalStep step{"step " + std::to_string(states.size()), "pull", stroke.samples.size(), 0};
         m_journal->changed(m_sculptor->mesh(), *delta, step, stroke);
+        if (m_other)
+            m_other->changed(m_sculptor->mesh(), *delta, step, stroke);
         m_deltas.resize(m_history.present);
         m_deltas.push_back(delta);
         m_history.steps.resize(m_history.present++);
@@ -88,6 +92,8 @@ public:
         }
         m_sculptor->swap(*m_deltas[index]);
         m_journal->swapped(m_sculptor->mesh(), *m_deltas[index], index);
+        if (m_other)
+            m_other->swapped(m_sculptor->mesh(), *m_deltas[index], index);
         note();
         return true;
     }
@@ -95,6 +101,8 @@ public:
     {
         m_history.saved = m_history.present;
         m_journal->saved(m_history.present);
+        if (m_other)
+            m_other->saved(m_history.present);
         note();
     }
     void act()
@@ -112,6 +120,8 @@ public:
         }
     }
     Journal& journal() { return *m_journal; }
+    /// Another journal of the same.
+    void alsoTell(std::shared_ptr<Journal> journal) { m_other = std::move(journal); }
     const Mesh& mesh() const { return m_sculptor->mesh(); }
     State now() const { return {mesh().meshHash(), mesh().stateHash(), m_history}; }
 
@@ -122,7 +132,7 @@ private:
 
     StrokeFuzzer m_random;
     std::unique_ptr<Sculptor> m_sculptor;
-    std::shared_ptr<Journal> m_journal;
+    std::shared_ptr<Journal> m_journal, m_other;
     std::vector<std::shared_ptr<MeshDelta>> m_deltas;
     JournalHistory m_history;
 };
@@ -166,8 +176,15 @@ private Q_SLOTS:
     void unsyncedPages_costWhatWasNotSynced();
     void compaction_keepsTheDocumentWithinItsBound();
     void tornBase_isNoBase();
+    void lostStart_isDoneWithoutIfThereIsABase();
+    void damage_isToldFromATornEnd();
+    void lateBeginning_holdsWhatWasAndWhatCame();
+    void lateBeginning_withoutMemoryIsBroken();
+    void slowDisk_isToldOnce();
+    void largeChange_isNotTooMuchByItself();
     void samples_areKept();
     void folders_belongToWhoHoldsThem();
+    void folders_setAsideAreBounded();
 
 private:
     /// The only session's folder, copied, so that it can be spoilt.
@@ -279,6 +296,7 @@ void TestJournal::truncation_atEveryByteLosesWhatFollowsOnly()
         record -= bytes < ends.bytes[record];
         const auto found = replayJournal(folder);
         QVERIFY2(found && stateOf(*found) == session.states[ends.states[record]], qPrintable(QString::number(bytes)));
+        QVERIFY(!found->isDamaged); // a power cut does that
     }
     qInfo("%zu bytes, %zu states", whole.size(), session.states.size());
 }
@@ -410,6 +428,157 @@ void TestJournal::tornBase_isNoBase()
     QVERIFY(!compactJournal(complete, last + 5)); // there is no such segment
 }
 
+/// What the start is for then is done by the base.
+void TestJournal::lostStart_isDoneWithoutIfThereIsABase()
+{
+    constexpr JournalLimits limits{.segmentBytes = 4 << 10};
+    Session session(m_home.path().toStdString(), icosphere(1, 20), 15, limits);
+    for (int i = 0; i < 30; ++i)
+        session.act();
+    session.journal().drain();
+    const fs::path folder = copyOf(session.journal().folder());
+    const unsigned middle = filesIn(folder).segments.rbegin()->first / 2;
+    QVERIFY(middle > 0 && compactJournal(folder, middle));
+    QVERIFY(!replayJournal(folder)->isDamaged);
+    fs::resize_file(startFile(folder), fs::file_size(startFile(folder)) / 2);
+    const State before = session.now();
+    for (const bool mesh : {true, false}) {
+        auto found = replayJournal(folder, {.mesh = mesh});
+        QVERIFY(found && found->isDamaged && found->history == before.history);
+        if (!mesh)
+            continue;
+        QVERIFY(stateOf(*found) == before);
+        QVERIFY(checkMesh(extractMesh(*meshOf(*found->start))).printReady());
+        Sculptor sculptor(std::move(found->mesh)); // it can be worked on
+        StrokeFuzzer random(16);
+        const Stroke stroke = random.stroke(sculptor.mesh());
+        session.stroke(stroke);
+        sculptor.beginStroke(stroke.settings);
+        for (const StrokeSample& sample : stroke.samples)
+            sculptor.addSample(sample);
+        sculptor.endStroke();
+        QCOMPARE(sculptor.mesh().stateHash(), session.mesh().stateHash());
+    }
+    fs::resize_file(baseFile(folder, middle), 1000);
+    QVERIFY(!replayJournal(folder));
+}
+
+void TestJournal::damage_isToldFromATornEnd()
+{
+    constexpr JournalLimits limits{.segmentBytes = 4 << 10};
+    Session session(m_home.path().toStdString(), icosphere(1, 20), 17, limits);
+    for (int i = 0; i < 30; ++i)
+        session.act();
+    session.journal().drain();
+    const fs::path complete = copyOf(session.journal().folder());
+    const unsigned last = filesIn(complete).segments.rbegin()->first;
+    QVERIFY(last > 4 && !replayJournal(complete)->isDamaged);
+    for (unsigned number = 0; number < last; ++number) { // any but the last: what follows it is lost
+        const fs::path folder = copyOf(complete);
+        std::string bytes = contentOf(segmentFile(folder, number));
+        bytes[bytes.size() / 2] = static_cast<char>(~bytes[bytes.size() / 2]);
+        write(segmentFile(folder, number), bytes);
+        const auto found = replayJournal(folder);
+        QVERIFY(found && found->isDamaged && found->history.present <= session.now().history.steps.size());
+        fs::remove(segmentFile(folder, number));
+        QVERIFY(replayJournal(folder)->isDamaged);
+    }
+    QVERIFY(compactJournal(complete, last / 2));
+    fs::resize_file(baseFile(complete, last / 2), 1000); // what was before it is gone
+    const auto found = replayJournal(complete);
+    QVERIFY(found && found->isDamaged && found->history.steps.empty() && stateOf(*found) == session.states.front());
+}
+
+/// A journal that begins on top of what was done before, while the hand goes on.
+void TestJournal::lateBeginning_holdsWhatWasAndWhatCame()
+{
+    const QTemporaryDir home;
+    const fs::path root = home.path().toStdString();
+    Session session(root / "first", icosphere(3, 20), 18);
+    for (int i = 0; i < 20; ++i)
+        session.act();
+    std::atomic<bool> hasBegun = false;
+    JournalNews news;
+    news.begun = [&] { hasBegun = true; };
+    const std::shared_ptr<JournalFolder> folder = JournalFolder::makeHidden(root / "second");
+    const State before = session.now();
+    const auto mesh = std::make_shared<Mesh>(session.mesh());
+    const auto journal = Journal::beginLate(folder, before.history.present, news);
+    session.alsoTell(journal);
+    for (int i = 0; i < 10; ++i)
+        session.act();
+    bool isTold = false;
+    journal->after([&] { isTold = true; }); // nobody waits for it
+    QVERIFY(isTold && !hasBegun);
+    journal->drain();
+    QVERIFY(JournalFolder::abandoned(root / "second").empty() && !fs::exists(journal->folder()));
+    journal->beginWith(mesh, {snapshotOf(*buildMesh(icosphere(3, 20)).mesh), {"clay", "", {}, false}}, {{"clay", "", {}, false}, before.history});
+    for (int i = 0; i < 10; ++i)
+        session.act();
+    journal->flush();
+    QVERIFY(hasBegun);
+    const auto found = replayJournal(journal->folder());
+    QVERIFY(found && !found->isDamaged && stateOf(*found) == session.now());
+    const Session later(JournalFolder::make(root / "third"), std::move(*replayJournal(journal->folder())), 1); // it can be gone on with
+    QVERIFY(later.now() == session.now());
+}
+
+void TestJournal::lateBeginning_withoutMemoryIsBroken()
+{
+    const QTemporaryDir home;
+    const fs::path root = home.path().toStdString();
+    int broken = 0;
+    {
+        JournalNews news;
+        news.broken = [&](const FileError&) { ++broken; };
+        news.begun = [&] { broken += 100; };
+        const auto journal = Journal::beginLate(JournalFolder::makeHidden(root), 0, news);
+        journal->saved(0);
+        journal->beginWith(nullptr, {}, {});
+        journal->flush();
+        QVERIFY(journal->isBroken());
+        const auto unused = Journal::beginLate(JournalFolder::makeHidden(root), 0, news); // given up before
+        unused->saved(0);
+    }
+    QCOMPARE(broken, 1);
+    QVERIFY(fs::is_empty(root));
+}
+
+void TestJournal::slowDisk_isToldOnce()
+{
+    for (const double promised : {0.0, 1e9}) {
+        std::atomic<int> told = 0;
+        JournalNews news;
+        news.late = [&](double ms) { told += ms > 0 ? 1 : 100; };
+        JournalLimits limits;
+        limits.promisedMs = promised;
+        const fs::path root = m_home.path().toStdString();
+        const auto mesh = buildMesh(icosphere(1, 20)).mesh;
+        const auto journal = Journal::begin(root, {snapshotOf(*mesh), {}}, news, limits);
+        for (int i = 0; i < 10; ++i) {
+            journal->saved(0);
+            journal->flush();
+        }
+        QCOMPARE(told.load(), promised > 0 ? 0 : 1);
+        QVERIFY(promised > 0 ? journal->stats().late == 0 : journal->stats().late > 3);
+        journal->remove();
+    }
+}
+
+void TestJournal::largeChange_isNotTooMuchByItself()
+{
+    JournalLimits limits;
+    limits.waitingBytes = 1;
+    Session session(m_home.path().toStdString(), icosphere(2, 20), 19, limits);
+    for (int i = 0; i < 10; ++i) {
+        session.act();
+        session.journal().drain();
+    }
+    QVERIFY(!session.journal().isBroken());
+    const auto found = replayJournal(session.journal().folder());
+    QVERIFY(found && stateOf(*found) == session.now());
+}
+
 void TestJournal::samples_areKept()
 {
     Session session(m_home.path().toStdString(), icosphere(3, 20), 12);
@@ -454,6 +623,27 @@ void TestJournal::folders_belongToWhoHoldsThem()
     QVERIFY(!fs::exists(path) && fs::exists(second->path()));
     second->remove();
     QVERIFY(fs::is_empty(root));
+}
+
+void TestJournal::folders_setAsideAreBounded()
+{
+    const QTemporaryDir home;
+    const fs::path root = fs::path(home.path().toStdString()) / "journals", aside = fs::path(home.path().toStdString()) / "aside";
+    fs::path last;
+    for (int i = 0; i < 5; ++i) {
+        const auto folder = JournalFolder::make(root);
+        write(folder->path() / "start", "x");
+        last = folder->setAside(aside, 3);
+        QCOMPARE(last, folder->path());
+        QVERIFY(fs::exists(last / "start"));
+        QCOMPARE(std::distance(fs::directory_iterator(aside), {}), std::min(i + 1, 3));
+        std::this_thread::sleep_for(std::chrono::milliseconds(20)); // times of files are coarse
+    }
+    QVERIFY(fs::is_empty(root) && fs::exists(last));
+    fs::remove_all(aside);
+    write(aside, "no folder");
+    const auto folder = JournalFolder::make(root);
+    QVERIFY(folder->setAside(aside, 3).empty() && fs::exists(folder->path()));
 }
 
 QTEST_APPLESS_MAIN(TestJournal)

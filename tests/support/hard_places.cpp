@@ -43,12 +43,12 @@ void obeyPermissions()
     ::syscall(SYS_capset, &header, data);
 }
 
-SmallDisk::SmallDisk(std::filesystem::path folder) : m_folder(std::move(folder))
+SmallDisk::SmallDisk(std::filesystem::path folder, unsigned kibibytes) : m_folder(std::move(folder))
 {
     std::filesystem::create_directories(m_folder);
     static const bool mayMount = ownMounts();
     m_isThere = mayMount && ::mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0
-                && ::mount("none", m_folder.c_str(), "tmpfs", 0, "size=64k") == 0;
+                && ::mount("none", m_folder.c_str(), "tmpfs", 0, ("size=" + std::to_string(kibibytes) + 'k').c_str()) == 0;
 }
 
 SmallDisk::~SmallDisk()
@@ -60,6 +60,6 @@ SmallDisk::~SmallDisk()
 void SmallDisk::fill() const
 {
     std::ofstream filler(m_folder / "filler", std::ios::binary);
-    while (filler.put('x').flush()) {}
+    for (const std::string page(4096, 'x'); filler.write(page.data(), static_cast<std::streamsize>(page.size())).flush();) {}
 }
 } // namespace places

@@ -8,12 +8,12 @@ namespace places
 /// From here on permissions of files bind this process, though it be root's. Before there are threads.
 void obeyPermissions();
 
-/// A folder on a disk of its own that holds 64 KiB, empty, seen by this process only; gone with the object.
+/// A folder on a disk of its own that holds so much, empty, seen by this process only; gone with the object.
 class SmallDisk
 {
 public:
     /// Before there are threads: the first one makes the process's mounts its own, which takes root's rights or user namespaces.
-    explicit SmallDisk(std::filesystem::path folder);
+    explicit SmallDisk(std::filesystem::path folder, unsigned kibibytes = 64);
     ~SmallDisk();
     SmallDisk(const SmallDisk&) = delete;
     SmallDisk& operator=(const SmallDisk&) = delete;

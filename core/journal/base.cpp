@@ -1,0 +1,28 @@
+#include "base.h"
+
+#include "images.h"
+
+#include "../atomic_file.h"
+
+#include <algorithm>
+
+namespace core
+{
+namespace
+{
+constexpr Slot slotsAPart = 1 << 16; ///< about 5 MB
+} // namespace
+
+void writeBase(const std::filesystem::path& file, const Mesh& mesh, const BaseRecord& base, std::uint64_t number)
+{
+    AtomicFile out(file);
+    const SlotCounts counts = mesh.slots();
+    const Slot end = std::max({counts.vertices, counts.edges, counts.faces});
+    for (Slot first = 0; first < end; first += slotsAPart) {
+        out.write(pack(PartRecord{imageOf(mesh, first, first + slotsAPart)}, 0));
+        out.sync();
+    }
+    out.write(pack(base, number));
+    out.commit();
+}
+} // namespace core
