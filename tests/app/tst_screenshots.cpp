@@ -250,8 +250,11 @@ void TestScreenshots::takeMending(Program& program)
     report.nonManifoldEdges.count = 12;
     report.misorientedEdges.count = 345;
     report.intersections.count = 6789;
-    ui::askToMend(&program.window, ui::Messages::refusal(QStringLiteral("/home/someone/Models/scans/a-scan-with-a-long-name.obj"), report), [](const auto&) {});
+    const QString problem = ui::Messages::refusal(QStringLiteral("/home/someone/Models/scans/a-scan-with-a-long-name.obj"), report);
+    ui::askToMend(&program.window, ui::MendFor::Opening, problem, [](const auto&) {});
     takeDialog(QStringLiteral("mend"));
+    ui::askToMend(&program.window, ui::MendFor::Insertion, problem, [](const auto&) {});
+    takeDialog(QStringLiteral("mend-and-insert"));
     core::LegaliseReport steps;
     steps.welded = 1234;
     steps.degenerateFaces = steps.duplicateFaces = 56;
@@ -261,7 +264,9 @@ void TestScreenshots::takeMending(Program& program)
     steps.intersections = 6789;
     steps.touchingEdges = 12;
     steps.fromOld.largest = 0.123;
-    ui::showMended(&program.window, QStringLiteral("a-scan-with-a-long-name.obj"),
+    steps.joined = 1234;
+    steps.joinedWithin = 0.0123;
+    ui::showMended(&program.window, ui::MendFor::Opening, QStringLiteral("a-scan-with-a-long-name.obj"),
                    ui::MendingWords::steps(steps) << ui::MendingWords::distance(steps));
     takeDialog(QStringLiteral("mended"));
 }
