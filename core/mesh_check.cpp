@@ -124,9 +124,10 @@ MeshReport checkMesh(const TriangleMesh& mesh, const JobWatch& watch)
     addTopology(report, mesh);
     watch.reached(afterTopology);
     addMeasures(report, mesh, box);
-    const std::vector<LatticePoint> image = latticeImage(mesh, box);
+    const bool hasArea = report.degenerateFaces.count == 0; // everywhere; without any there may be no lattice
+    const std::vector<LatticePoint> image = hasArea ? latticeImage(mesh, box) : std::vector<LatticePoint>();
     bool staysValid = image.empty() || degenerateFaces<LatticePredicates>(image, mesh.triangles).empty();
-    if (staysValid && !image.empty() && report.degenerateFaces.count == 0) {
+    if (staysValid && !image.empty()) {
         SurfaceAndImage both = selfIntersections(mesh.points, image, mesh.triangles, Finding::maxFirst, watch.stop);
         report.intersections = std::move(both.surface);
         staysValid = !both.imageMeets;
@@ -134,7 +135,7 @@ MeshReport checkMesh(const TriangleMesh& mesh, const JobWatch& watch)
         report.intersections = selfIntersections<FloatPredicates>(mesh.points, mesh.triangles, Finding::maxFirst, watch.stop);
     }
     watch.reached(afterIntersections);
-    if (watch.stopped() || report.degenerateFaces.count != 0 || report.intersections.count != 0)
+    if (watch.stopped() || !hasArea || report.intersections.count != 0)
         return report;
 
     if (report.closed && report.manifold && report.oriented)
