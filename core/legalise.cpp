@@ -160,7 +160,7 @@ Resolved resolve(Surface& surface, mending::Inside inside, LegaliseReport& repor
         report.rounds += met.count > 0;
         mending::Solid solid = mending::solidOf(surface, mending::arrange(surface, met.pairs, part.part(afterMeeting, afterCutting)), inside, part.part(afterCutting, 1));
         surface = std::move(solid.surface);
-        inside = mending::Inside::Positive; // it bounds what was asked for now; what rounding turns inside out goes
+        inside = mending::Inside::Positive; // now it bounds what was asked for; what rounding turns inside out goes
         resolved.insideOut = std::max(resolved.insideOut, solid.insideOut);
         mending::tidy(surface, mending::Duplicates::Cancel);
     }
