@@ -83,6 +83,9 @@ MeshPatch DirtySlots::take(const Mesh& mesh)
     m_vertices.clear();
     m_faces.clear();
     fillValues(patch, mesh);
+    patch.shortens = patch.vertexSlots < m_vertexSlots || patch.faceSlots < m_faceSlots;
+    m_vertexSlots = patch.vertexSlots;
+    m_faceSlots = patch.faceSlots;
     patch.epoch = ++m_epoch;
     return patch;
 }

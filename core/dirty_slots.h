@@ -16,6 +16,7 @@ public:
 
 private:
     SlotSet m_vertices, m_faces;
+    Slot m_vertexSlots = 0, m_faceSlots = 0; ///< lengths of the draw arrays when a patch was last taken
     std::uint64_t m_epoch = 0;
 };
 

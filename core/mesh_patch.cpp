@@ -91,6 +91,7 @@ void MeshPatch::merge(MeshPatch&& newer)
     faceSlots = newer.faceSlots;
     liveVertices = newer.liveVertices;
     liveFaces = newer.liveFaces;
+    shortens = shortens || newer.shortens;
     epoch = newer.epoch;
     sampledNs = sampledNs != 0 ? sampledNs : newer.sampledNs; // the oldest input that still waits to be seen
 }

@@ -39,8 +39,9 @@ struct MeshPatch
     std::uint64_t epoch = 0;    ///< grows with each patch of a mesh
     std::int64_t sampledNs = 0; ///< steady-clock time of the input that this patch answers, 0 if none (latency)
     bool whole = false;         ///< covers every slot: an earlier patch, or another mesh, need not be known
+    bool shortens = false;      ///< the draw arrays end sooner than they did: all that changes, where the last slots are given back
 
-    bool empty() const { return vertexSpans.empty() && faceSpans.empty() && !whole; }
+    bool empty() const { return vertexSpans.empty() && faceSpans.empty() && !whole && !shortens; }
 
     /// Lays `newer` over this patch. Cost: the sum of both patches' values.
     void merge(MeshPatch&& newer);

@@ -2,7 +2,7 @@
 
 #include "self_intersection.h"
 
-#include "box_tree.h"
+#include "face_geometry.h"
 #include "first_few.h"
 #include "parallel.h"
 #include "triangle_pair.h"
@@ -25,7 +25,7 @@ public:
     PairSearch(const Points& points, std::span<const Triangle> triangles, std::vector<Slot> faces)
         : m_triangles(triangles)
         , m_faces(std::move(faces))
-        , m_tree(boxes(points))
+        , m_tree(faceBoxes(points, m_faces.size(), [this](std::size_t i) -> const Triangle& { return m_triangles[m_faces[i]]; }))
     {}
 
     /// meet(i, j) for the faces at two positions whose boxes meet.
@@ -61,17 +61,6 @@ public:
     }
 
 private:
-    template <typename Points> std::vector<FaceBox> boxes(const Points& points) const
-    {
-        std::vector<FaceBox> result(m_faces.size());
-        forEachChunk(m_faces.size(), facesPerChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i)
-                for (const Slot corner : m_triangles[m_faces[i]])
-                    result[i].extend(points[corner].array().template cast<float>());
-        });
-        return result;
-    }
-
     Slot faceAt(Slot position) const { return m_faces[m_tree.at(position)]; }
 
     static FacePair orderedPair(Slot a, Slot b) { return {std::min(a, b), std::max(a, b)}; }

@@ -60,7 +60,8 @@ void showMended(QWidget* parent, MendFor use, const QString& name, const QString
     dialog->setObjectName(QStringLiteral("mendedDialog"));
     dialog->setTextFormat(Qt::PlainText);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setInformativeText(steps.join(QLatin1Char('\n')));
+    const QString lines = steps.join(QLatin1Char('\n'));
+    dialog->setInformativeText(QString(lines).replace(QStringLiteral(" mm"), QStringLiteral("\u00A0mm"))); // no line ends before its unit
     dialog->open();
 }
 } // namespace ui

@@ -52,19 +52,11 @@ void TestEndToEnd::openPullUndoExport()
     core::writeMesh(in.toStdString(), core::icosphere(4, 30));
 
     Program program;
-    program.window.resize(900, 700);
-    program.window.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&program.window));
-    Q_EMIT program.window.openRequested(in);
-    QTRY_COMPARE(program.document.path(), in);
-    QTRY_VERIFY(!program.document.isBusy());
+    openFile(program, in, {900, 700});
     QVERIFY(program.window.windowTitle().contains(QStringLiteral("ball.stl")));
-    QTRY_VERIFY(program.window.viewport()->stats().patches > 0);
 
     QAction* undo = program.window.action(QStringLiteral("edit.undo"));
     QVERIFY(!undo->isEnabled());
-    program.window.activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(&program.window));
     drag(program.window.viewport(), {40, 20});
     QTRY_COMPARE(program.document.undoStack().count(), 1);
     QVERIFY(undo->isEnabled() && program.window.isWindowModified());

@@ -45,6 +45,23 @@ void expectOnly(const Program& program, const QSignalSpy& opened, const QString&
     QCOMPARE(program.document.path(), path);
 }
 
+/// The question whether a broken model shall be mended, or none.
+QDialog* mendingQuestion(const Program& program)
+{
+    return program.window.findChild<QDialog*>(QStringLiteral("mendDialog"));
+}
+
+QString mendingReport(const Program& program)
+{
+    auto* report = program.window.findChild<QMessageBox*>(QStringLiteral("mendedDialog"));
+    return report ? report->informativeText() : QString();
+}
+
+void writeCrossingBalls(const QString& path)
+{
+    core::writeMesh(path.toStdString(), shapes::together(core::icosphere(2, 10), shapes::moved(core::icosphere(2, 10), {9, 0, 0})));
+}
+
 /// How often the person was asked about changes.
 struct Asked
 {
@@ -76,6 +93,7 @@ private Q_SLOTS:
     void theFirstThatCannotBeReadIsNoMatter();
     void aBrokenModelIsMended_data();
     void aBrokenModelIsMended();
+    void aBrokenModelIsMendedAndInserted();
 };
 
 void TestOpening::theLatestChoiceWins()
@@ -243,21 +261,18 @@ void TestOpening::aBrokenModelIsMended()
     QFETCH(bool, agrees);
     const QTemporaryDir folder;
     const QString broken = folder.filePath(QStringLiteral("broken.ply"));
-    core::writeMesh(broken.toStdString(), shapes::together(core::icosphere(2, 10), shapes::moved(core::icosphere(2, 10), {9, 0, 0})));
+    writeCrossingBalls(broken);
     Program program;
     program.window.show();
     QSignalSpy opened(&program.document, &Document::opened), refused(&program.document, &Document::refused);
     program.document.open(broken);
-    const auto dialog = [&program] { return program.window.findChild<QDialog*>(QStringLiteral("mendDialog")); };
-    QTRY_VERIFY_WITH_TIMEOUT(dialog() && !program.document.isBusy(), longestWait);
+    QTRY_VERIFY_WITH_TIMEOUT(mendingQuestion(program) && !program.document.isBusy(), longestWait);
     opened.clear();
-    QTest::keyClick(dialog(), agrees ? Qt::Key_Return : Qt::Key_Escape);
-    QTRY_VERIFY(!dialog());
+    QTest::keyClick(mendingQuestion(program), agrees ? Qt::Key_Return : Qt::Key_Escape);
+    QTRY_VERIFY(!mendingQuestion(program));
     if (agrees) {
         QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, longestWait);
-        auto* report = program.window.findChild<QMessageBox*>(QStringLiteral("mendedDialog"));
-        QVERIFY(report);
-        QVERIFY(report->informativeText().contains(QStringLiteral("Pairs of faces that met")));
+        QVERIFY(mendingReport(program).contains(QStringLiteral("Pairs of faces that met")));
         QVERIFY(program.document.path().isEmpty());
         QVERIFY(program.document.isModified()); // the file has it broken
         QVERIFY(std::abs(program.document.facts().size.x() - 29) < 0.1);
@@ -266,6 +281,33 @@ void TestOpening::aBrokenModelIsMended()
         QVERIFY(opened.isEmpty());
     }
     QVERIFY(refused.isEmpty());
+}
+
+void TestOpening::aBrokenModelIsMendedAndInserted()
+{
+    const QTemporaryDir folder;
+    const QString broken = folder.filePath(QStringLiteral("broken.ply"));
+    writeCrossingBalls(broken);
+    Program program;
+    sculptBall(program);
+    const double before = program.document.facts().size.x();
+    program.window.action(QStringLiteral("model.insert"))->trigger();
+    chooseFile(program, "openDialog", broken);
+    QDialog* place = nullptr;
+    QTRY_VERIFY((place = program.window.findChild<QDialog*>(QStringLiteral("insertDialog"))) && place->isVisible());
+    QTest::keyClick(place, Qt::Key_Return);
+    QTRY_VERIFY_WITH_TIMEOUT(mendingQuestion(program) && !program.document.isBusy(), longestWait);
+    QTest::keyClick(mendingQuestion(program), Qt::Key_Return);
+    QTRY_VERIFY_WITH_TIMEOUT(mendingReport(program).contains(QStringLiteral("Pairs of faces that met")), longestWait);
+    QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy(), longestWait);
+    QCOMPARE(program.document.undoStack().count(), 2);
+    QTRY_VERIFY(program.document.facts().size.x() > before + 29);
+    QTest::keyClick(program.window.findChild<QMessageBox*>(QStringLiteral("mendedDialog")), Qt::Key_Return);
+    QTRY_VERIFY(mendingReport(program).isEmpty());
+    program.window.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&program.window));
+    QTest::keyClick(&program.window, Qt::Key_Z, Qt::ControlModifier);
+    QTRY_COMPARE(program.document.facts().size.x(), before);
 }
 
 int main(int argc, char* argv[])

@@ -31,15 +31,7 @@ void open(Program& program, const core::TriangleMesh& mesh, const QTemporaryDir&
 {
     const QString path = folder.filePath(QStringLiteral("model.stl"));
     core::writeMesh(path.toStdString(), mesh);
-    program.window.resize(1200, 800);
-    program.window.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&program.window));
-    Q_EMIT program.window.openRequested(path);
-    QTRY_COMPARE(program.document.path(), path);
-    QTRY_VERIFY(!program.document.isBusy());
-    QTRY_VERIFY(program.window.viewport()->stats().patches > 0);
-    program.window.activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(&program.window));
+    openFile(program, path);
 }
 
 /// A plate of half a millimetre beside a cube.

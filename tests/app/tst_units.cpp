@@ -59,14 +59,7 @@ private:
             writeGltf(path, shapes::cube(side));
         else
             core::writeMesh(path.toStdString(), shapes::cube(side));
-        program.window.resize(1200, 800);
-        program.window.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&program.window));
-        Q_EMIT program.window.openRequested(path);
-        QTRY_COMPARE(program.document.path(), path);
-        QTRY_VERIFY(!program.document.isBusy());
-        program.window.activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(&program.window));
+        openFile(program, path);
     }
     static ui::UnitBar* bar(const Program& program) { return program.window.findChild<ui::UnitBar*>(); }
     static double side(const Program& program) { return program.document.facts().size.maxCoeff(); }

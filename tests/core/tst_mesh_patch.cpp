@@ -2,6 +2,7 @@
 
 #include "core/dirty_slots.h"
 #include "core/mesh_patch.h"
+#include "core/model_command.h"
 #include "core/sculptor.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/shapes.h"
@@ -129,6 +130,7 @@ private Q_SLOTS:
     void merge_intoTheWhole_staysWhole();
     void whole_replacesWhatWasBefore();
     void undo_shrinksTheArrays();
+    void undoOfAnInsertion_isSeen();
     void merge_ofSmallSpans_agreesWithSlots();
     void nothingChanged_isAnEmptyPatch();
 };
@@ -206,6 +208,25 @@ void TestMeshPatch::undo_shrinksTheArrays()
     patch.merge(sculptor.takePatch());
     QCOMPARE(patch.vertexSlots, before);
     QVERIFY(isInForm(patch));
+}
+
+/// All that changes is where the arrays end.
+void TestMeshPatch::undoOfAnInsertion_isSeen()
+{
+    Sculptor sculptor(sculptable(core::icosphere(2, 1)));
+    Viewer viewer = viewerOf(sculptor.wholePatch());
+    const core::Insert insertion{shapes::moved(core::icosphere(1, 1), {5, 0, 0}), core::Insert::Place::AsItIs};
+    core::ModelChange change = core::tryOn(sculptor.mesh(), insertion);
+    QVERIFY(change.changes);
+    for (int i = 0; i < 4; ++i) { // in, out, in, out
+        sculptor.swap(change.delta);
+        const MeshPatch patch = sculptor.takePatch();
+        QCOMPARE(patch.shortens, i % 2 == 1);
+        QVERIFY(!patch.empty());
+        viewer.apply(patch);
+        QVERIFY(viewer == viewerOf(sculptor.wholePatch()));
+    }
+    QVERIFY(sculptor.takePatch().empty());
 }
 
 /// Against arrays with one entry a slot.

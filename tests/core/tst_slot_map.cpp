@@ -85,7 +85,7 @@ void TestSlotMap::randomUse_agreesWithASet()
     std::set<Slot> free;
     for (int i = 0; i < 200'000; ++i) {
         const Slot slot = map.size() > 0 ? static_cast<Slot>(engine() % map.size()) : 0;
-        const unsigned choice = engine() % 1000;
+        const auto choice = static_cast<unsigned>(engine() % 1000);
         if (choice == 0) {
             const Slot size = static_cast<Slot>(engine() % 3000);
             for (Slot s = map.size(); s < size; ++s)

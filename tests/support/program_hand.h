@@ -51,6 +51,20 @@ template <class Test> int runOnScreen(int argc, char* argv[], const char* name)
     return QTest::qExec(&test, argc, argv);
 }
 
+/// The window with a model from a file, seen and active.
+inline void openFile(Program& program, const QString& path, const QSize& size = {1200, 800})
+{
+    program.window.resize(size);
+    program.window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&program.window));
+    Q_EMIT program.window.openRequested(path);
+    QTRY_COMPARE(program.document.path(), path);
+    QTRY_VERIFY(!program.document.isBusy());
+    QTRY_VERIFY(program.window.viewport()->stats().patches > 0);
+    program.window.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&program.window));
+}
+
 /// The window with a ball of clay that has a stroke more than any file.
 inline void sculptBall(Program& program)
 {
