@@ -2,6 +2,7 @@
 
 #include "core/mesh_io.h"
 #include "tests/support/shapes.h"
+#include "tests/support/viewer.h"
 #include "ui/mailbox.h"
 
 #include <QSignalSpy>
@@ -22,6 +23,7 @@ struct Session
 {
     Session()
     {
+        worker.setInbox(Source::Desktop, inbox);
         document.openSphere();
         wait();
     }
@@ -47,16 +49,22 @@ struct Session
         }
     }
 
+    /// Of the mesh, as which the viewer sees it, too.
     std::uint64_t state()
     {
         settle();
         std::optional<std::uint64_t> hash;
+        core::MeshPatch whole;
         ui::Mailbox mail;
         worker.post([&](core::Sculptor& sculptor) {
+            whole = sculptor.wholePatch();
             const std::uint64_t value = sculptor.mesh().stateHash();
             mail.post([&hash, value] { hash = value; });
         });
         [&] { QTRY_VERIFY_WITH_TIMEOUT(hash, longestWait); }();
+        if (const auto patch = inbox->take())
+            seen.apply(*patch);
+        [&] { QVERIFY(seen.drawsLike(viewerOf(whole))); }();
         return hash.value_or(0);
     }
 
@@ -79,6 +87,8 @@ struct Session
 
     SculptWorker worker;
     Document document{&worker};
+    std::shared_ptr<PatchInbox> inbox = std::make_shared<PatchInbox>();
+    Viewer seen;
 };
 } // namespace
 

@@ -2,6 +2,7 @@
 #include "app/sculpt_worker.h"
 
 #include "core/mesh_build.h"
+#include "tests/support/viewer.h"
 #include "ui/mailbox.h"
 
 #include <QSignalSpy>
@@ -62,45 +63,6 @@ template <class Value> struct Heard
     QObject here;
 };
 using Answer = std::optional<core::SurfaceHit>;
-
-/// The draw arrays that a viewer has.
-struct Arrays
-{
-    std::vector<core::DrawVertex> vertices;
-    std::vector<core::Triangle> faces;
-
-    void take(const core::MeshPatch& patch)
-    {
-        vertices.resize(patch.vertexSlots);
-        faces.resize(patch.faceSlots);
-        lay(patch.vertexSpans, patch.vertices, vertices);
-        lay(patch.faceSpans, patch.faces, faces);
-    }
-
-    template <class Value>
-    static void lay(const std::vector<core::SlotSpan>& spans, const std::vector<Value>& values, std::vector<Value>& onto)
-    {
-        auto from = values.begin();
-        for (const core::SlotSpan& span : spans) {
-            std::copy(from, from + span.count, onto.begin() + span.first);
-            from += span.count;
-        }
-        QCOMPARE(from, values.end());
-    }
-
-    /// Of live faces, what is drawn: the values of vertices that no face uses do not matter.
-    bool drawsLike(const Arrays& other) const
-    {
-        if (faces != other.faces)
-            return false;
-        for (const core::Triangle& face : faces)
-            for (const core::Slot v : face)
-                if (vertices[v].position != other.vertices[v].position || vertices[v].normal != other.vertices[v].normal
-                    || vertices[v].color != other.vertices[v].color)
-                    return false;
-        return true;
-    }
-};
 
 std::vector<Job> drain(JobQueue& queue)
 {
@@ -406,11 +368,11 @@ void TestSculptWorker::inbox_mergedEqualsWhole()
     QFETCH(int, patchesPerTake);
     const auto sculptor = sphere();
     PatchInbox inbox;
-    Arrays seen, whole;
+    Viewer seen, whole;
     inbox.put(sculptor->wholePatch());
     sculptor->takePatch();
     if (patchesPerTake < 1000)
-        seen.take(*inbox.take());
+        seen.apply(*inbox.take());
 
     std::mt19937_64 random(3);
     std::vector<core::MeshDelta> deltas;
@@ -429,11 +391,11 @@ void TestSculptWorker::inbox_mergedEqualsWhole()
             inbox.put(std::move(patch));
         if (i % patchesPerTake == patchesPerTake - 1)
             if (const auto patch = inbox.take())
-                seen.take(*patch);
+                seen.apply(*patch);
     }
     if (const auto patch = inbox.take())
-        seen.take(*patch);
-    whole.take(sculptor->wholePatch());
+        seen.apply(*patch);
+    whole.apply(sculptor->wholePatch());
     QVERIFY(seen.drawsLike(whole));
 }
 
@@ -470,14 +432,14 @@ void TestSculptWorker::inbox_survivesTwoThreads()
         }
         done = true;
     });
-    Arrays seen, whole;
+    Viewer seen, whole;
     while (!done)
         if (const auto patch = inbox.take())
-            seen.take(*patch);
+            seen.apply(*patch);
     producer.join();
     if (const auto patch = inbox.take())
-        seen.take(*patch);
-    whole.take(sculptor->wholePatch());
+        seen.apply(*patch);
+    whole.apply(sculptor->wholePatch());
     QVERIFY(seen.drawsLike(whole));
 }
 

@@ -7,11 +7,10 @@
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/shapes.h"
 #include "tests/support/stroke_fuzzer.h"
+#include "tests/support/viewer.h"
 
 #include <QTest>
 
-#include <algorithm>
-#include <cstring>
 
 using core::MeshPatch;
 using core::Sculptor;
@@ -22,46 +21,6 @@ using mesh_asserts::sculptable;
 namespace
 {
 constexpr std::uint64_t seed = 20240812;
-
-/// The draw arrays of a viewer.
-struct Viewer
-{
-    std::vector<core::DrawVertex> vertices;
-    std::vector<core::Triangle> faces;
-
-    void apply(const MeshPatch& patch)
-    {
-        vertices.resize(patch.vertexSlots, {core::Vec3f::Constant(-77), {1, 2, 3, 4}, {}}); // garbage until told
-        faces.resize(patch.faceSlots, {7, 7, 7});
-        put(patch.vertexSpans, patch.vertices, vertices);
-        put(patch.faceSpans, patch.faces, faces);
-    }
-
-    template <class Value>
-    static void put(const std::vector<SlotSpan>& spans, const std::vector<Value>& values, std::vector<Value>& array)
-    {
-        std::size_t at = 0;
-        for (const SlotSpan& span : spans) {
-            for (Slot i = 0; i < span.count; ++i)
-                array.at(span.first + i) = values.at(at++);
-        }
-    }
-
-    bool operator==(const Viewer& other) const
-    {
-        const auto same = [](const core::DrawVertex& a, const core::DrawVertex& b) {
-            return a.position == b.position && a.normal == b.normal && a.color == b.color;
-        };
-        return std::ranges::equal(vertices, other.vertices, same) && faces == other.faces;
-    }
-};
-
-Viewer viewerOf(const MeshPatch& whole)
-{
-    Viewer viewer;
-    viewer.apply(whole);
-    return viewer;
-}
 
 bool isInForm(const std::vector<SlotSpan>& spans, std::size_t values, Slot length)
 {
