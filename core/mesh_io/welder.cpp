@@ -1,8 +1,7 @@
-// Points that are one, by hashing, in four passes over chunks of points, each on all cores:
-//   1. count   the points of each chunk in each of many drawers, by hash
-//   2. file    the points into the drawers, those of a drawer in the order of the file
-//   3. search  each drawer, which a core's cache holds: each point takes the index of the first that is like it
-//   4. number  the first ones in the order of the file
+// Points that are one, by hashing, in three passes, each on all cores:
+//   1. file    the points of each chunk into the chunk's many drawers, by hash, in the order of the file
+//   2. search  each drawer in all chunks together, which a core's cache holds: each point takes the index of the first that is like it
+//   3. number  the first ones in the order of the file
 
 #include "welder.h"
 
@@ -51,13 +50,12 @@ public:
         , m_stop(stop)
         , m_drawerOf(count)
         , m_filed(count)
-        , m_starts(chunksOf(count, chunkSize) * m_drawers + 1)
+        , m_starts(chunksOf(count, chunkSize) * m_drawers + 1, static_cast<Slot>(count))
     {}
 
     SamePoints find()
     {
-        countPoints();
-        filePoints();
+        inChunks([this](std::size_t chunk, std::size_t begin, std::size_t end) { file(chunk, begin, end); });
         forEachChunk(m_drawers, 1, [&](std::size_t, std::size_t begin, std::size_t end) {
             for (std::size_t drawer = begin; drawer < end; ++drawer)
                 search(drawer);
@@ -84,48 +82,27 @@ private:
         });
     }
 
-    /// work(i, bits) for each point of a chunk.
-    template <typename Work> void inPoints(std::size_t begin, std::size_t end, Work work) const
+    /// Where what a chunk has for a drawer begins; it ends where the next begins.
+    Slot& startOf(std::size_t chunk, std::size_t drawer) { return m_starts[chunk * m_drawers + drawer]; }
+
+    std::span<Filed> contentOf(std::size_t chunk, std::size_t drawer) { return m_filed.part(startOf(chunk, drawer), startOf(chunk, drawer + 1)); }
+
+    void file(std::size_t chunk, std::size_t begin, std::size_t end)
     {
         std::array<Vec3f, chunkSize> points;
         m_load(begin, std::span(points).first(end - begin));
+        std::vector<Slot> places(m_drawers);
+        for (std::size_t i = begin; i < end; ++i) {
+            m_drawerOf[i] = static_cast<std::uint16_t>(Bits(points[i - begin]).hash(m_seed) & (m_drawers - 1));
+            ++places[m_drawerOf[i]];
+        }
+        auto sum = static_cast<Slot>(begin);
+        for (std::size_t drawer = 0; drawer < m_drawers; ++drawer) {
+            startOf(chunk, drawer) = sum;
+            sum += std::exchange(places[drawer], sum);
+        }
         for (std::size_t i = begin; i < end; ++i)
-            work(i, Bits(points[i - begin]));
-    }
-
-    /// Where what a chunk has for a drawer begins. By drawers first: a drawer's content is in the order of the chunks.
-    Slot& startOf(std::size_t chunk, std::size_t drawer) { return m_starts[drawer * chunksOf(m_count, chunkSize) + chunk]; }
-
-    void countPoints()
-    {
-        inChunks([&](std::size_t chunk, std::size_t begin, std::size_t end) {
-            std::vector<Slot> counts(m_drawers);
-            inPoints(begin, end, [&](std::size_t i, const Bits& bits) {
-                m_drawerOf[i] = static_cast<std::uint16_t>(bits.hash(m_seed) & (m_drawers - 1));
-                ++counts[m_drawerOf[i]];
-            });
-            for (std::size_t drawer = 0; drawer < m_drawers; ++drawer)
-                startOf(chunk, drawer) = counts[drawer];
-        });
-        Slot sum = 0;
-        for (Slot& start : m_starts)
-            sum += std::exchange(start, sum);
-    }
-
-    std::vector<Slot> startsOf(std::size_t chunk)
-    {
-        std::vector<Slot> starts(m_drawers);
-        for (std::size_t drawer = 0; drawer < m_drawers; ++drawer)
-            starts[drawer] = startOf(chunk, drawer);
-        return starts;
-    }
-
-    void filePoints()
-    {
-        inChunks([&](std::size_t chunk, std::size_t begin, std::size_t end) {
-            std::vector<Slot> places = startsOf(chunk);
-            inPoints(begin, end, [&](std::size_t i, const Bits& bits) { m_filed[places[m_drawerOf[i]]++] = {bits, static_cast<Slot>(i)}; });
-        });
+            m_filed[places[m_drawerOf[i]]++] = {Bits(points[i - begin]), static_cast<Slot>(i)};
     }
 
     /// Open addressing.
@@ -134,7 +111,10 @@ private:
         if (m_stop.stop_requested())
             throw ReadingStopped();
         const std::size_t chunks = chunksOf(m_count, chunkSize);
-        const std::span<Filed> content = m_filed.part(m_starts[drawer * chunks], m_starts[(drawer + 1) * chunks]);
+        std::vector<Filed> content;
+        content.reserve(2 * m_count / m_drawers);
+        for (std::size_t chunk = 0; chunk < chunks; ++chunk)
+            content.insert(content.end(), contentOf(chunk, drawer).begin(), contentOf(chunk, drawer).end());
         std::vector<Slot> table(std::bit_ceil(2 * content.size() + 1), noSlot);
         const std::size_t mask = table.size() - 1;
         for (Slot i = 0; i < content.size(); ++i) {
@@ -145,6 +125,10 @@ private:
                 table[at] = i;
             content[i].index = content[table[at]].index;
         }
+        auto searched = content.begin();
+        for (std::size_t chunk = 0; chunk < chunks; ++chunk)
+            for (Filed& filed : contentOf(chunk, drawer))
+                filed.index = (searched++)->index;
     }
 
     SamePoints number()
@@ -153,7 +137,7 @@ private:
         LargeBuffer<bool> isFirst(m_count);
         std::vector<std::size_t> distinct(chunksOf(m_count, chunkSize) + 1);
         inChunks([&](std::size_t chunk, std::size_t begin, std::size_t end) {
-            std::vector<Slot> places = startsOf(chunk);
+            std::vector<Slot> places(&startOf(chunk, 0), &startOf(chunk, m_drawers));
             for (std::size_t i = begin; i < end; ++i) {
                 same.numbers[i] = m_filed[places[m_drawerOf[i]]++].index;
                 isFirst[i] = same.numbers[i] == i;

@@ -16,7 +16,7 @@ struct SamePoints
     std::vector<Slot> firsts;  ///< of each distinct one: the first point that is it
 };
 
-/// Puts the points [begin, begin + into.size()) there; called twice for each part, on all cores, in any order.
+/// Puts the points [begin, begin + into.size()) there; called once for each part, on all cores, in any order.
 using PointLoader = std::function<void(std::size_t begin, std::span<Vec3f> into)>;
 
 /// On all cores; 25 bytes a point. Throws ReadingStopped.
