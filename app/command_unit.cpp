@@ -2,6 +2,9 @@
 
 #include "command_line.h"
 
+#include "core/scaling.h"
+#include "ui/messages.h"
+
 namespace app
 {
 namespace
@@ -24,10 +27,7 @@ QString CommandUnit::words()
 
 void CommandUnit::scale(const QString& file, core::TriangleMesh& mesh, double factor)
 {
-    for (core::Vec3f& point : mesh.points) {
-        point = (point.cast<double>() * factor).cast<float>();
-        if (!point.allFinite())
-            CommandLine::fail(tr("%1: at that size the coordinates are no numbers any more.").arg(file));
-    }
+    if (!core::scale(mesh, factor))
+        CommandLine::fail(ui::Messages::tooLarge(file));
 }
 } // namespace app

@@ -118,7 +118,7 @@ void requireSound(const QString& file, const core::TriangleMesh& mesh)
 {
     const core::MeshReport report = core::checkMesh(mesh);
     if (!report.printReady())
-        throw CommandFailure{ui::Messages::refusal(file, report), AnswerIsNo};
+        throw CommandFailure{ui::Messages::refusal(file, report) + u' ' + ConvertWords::tr("--legalise may mend it."), AnswerIsNo};
 }
 
 /// What was done is the answer. A model that is in order stays as it is.

@@ -62,19 +62,13 @@ bool Document::mayDiscard(const std::function<void()>& goOn) const
 void Document::apply(const core::ModelCommand& command)
 {
     if (!m_work.isBusy())
-        request([this, command] { startChange(command, Insertion()); });
+        request([this, command] { startChange(command, {}); });
 }
 
-void Document::insert(const QString& path, core::Insert::Place place, const core::Vec3& centre)
+void Document::insert(const ui::Insertion& insertion)
 {
     if (!m_work.isBusy())
-        request([this, path, place, centre] { startChange(core::Insert{{}, place, centre}, {path, std::nullopt}); });
-}
-
-void Document::insertMended(const QString& path, core::Insert::Place place, const core::Vec3& centre, const core::LegaliseOptions& options)
-{
-    if (!m_work.isBusy())
-        request([this, path, place, centre, options] { startChange(core::Insert{{}, place, centre}, {path, options}); });
+        request([this, insertion] { startChange(core::Insert{{}, insertion.place, insertion.centre}, insertion); });
 }
 
 void Document::stop()
@@ -84,7 +78,7 @@ void Document::stop()
 }
 
 /// Until it is finished, strokes are refused and undo waits: the mesh stays the one that was copied.
-void Document::startChange(core::ModelCommand command, const Insertion& insertion)
+void Document::startChange(core::ModelCommand command, const ui::Insertion& insertion)
 {
     if (m_work.isBusy())
         return;
@@ -103,7 +97,7 @@ void Document::startChange(core::ModelCommand command, const Insertion& insertio
     });
 }
 
-void Document::finishChange(const core::ModelCommand& command, const Insertion& insertion, ModelOutcome outcome)
+void Document::finishChange(const core::ModelCommand& command, const ui::Insertion& insertion, ModelOutcome outcome)
 {
     const bool wasStopped = m_work.wasStopped();
     if (outcome.change.changes && !wasStopped) {
@@ -128,11 +122,10 @@ void Document::finishChange(const core::ModelCommand& command, const Insertion& 
     runRequests();
 }
 
-void Document::tellOutcome(const core::ModelCommand& command, const Insertion& insertion, const ModelOutcome& outcome)
+void Document::tellOutcome(const core::ModelCommand& command, const ui::Insertion& insertion, const ModelOutcome& outcome)
 {
-    const auto* insert = std::get_if<core::Insert>(&command);
-    if (insert && outcome.isMendable && !insertion.mend)
-        return Q_EMIT insertionMendable(insertion.path, outcome.problem, insert->place, insert->centre);
+    if (std::holds_alternative<core::Insert>(command) && outcome.isMendable && !insertion.mend)
+        return Q_EMIT insertionMendable(insertion, outcome.problem);
     if (!outcome.problem.isEmpty())
         return Q_EMIT refused(outcome.problem);
     if (!outcome.change.changes)

@@ -4,9 +4,8 @@
 #include "long_work.h"
 #include "sculpt_worker.h"
 
-#include "core/legalise.h"
-#include "core/model_command.h"
 #include "core/starter_models.h"
+#include "ui/insertion.h"
 #include "ui/model_facts.h"
 
 #include <QUndoStack>
@@ -28,7 +27,6 @@ namespace app
 class JournalShelf;
 struct LoadedModel;
 struct ModelOutcome;
-struct Insertion;
 struct ExportOrder;
 struct ExportOutcome;
 
@@ -98,10 +96,7 @@ public Q_SLOTS:
     /// Changes the whole model, as one step: worked out aside on a copy, while strokes are refused.
     /// A Reset needs no start.
     void apply(const core::ModelCommand& command);
-    /// Of a model in a file; the place is as in core::Insert.
-    void insert(const QString& path, core::Insert::Place place, const core::Vec3& centre);
-    /// The same, but a model that is not in order is legalised.
-    void insertMended(const QString& path, core::Insert::Place place, const core::Vec3& centre, const core::LegaliseOptions& options);
+    void insert(const ui::Insertion& insertion);
     /// Ends the opening or the change of the whole model that is going on; everything stays as it is.
     void stop();
 
@@ -128,8 +123,8 @@ Q_SIGNALS:
     void mendable(const QString& path, const QString& problem);
     /// Of the model that comes: what was done to it, step by step.
     void mended(const QString& name, const QStringList& steps);
-    /// The same of a model that was to be inserted, and insertMended().
-    void insertionMendable(const QString& path, const QString& problem, core::Insert::Place place, const core::Vec3& centre);
+    /// The same of a model that was to be inserted, and insert() with Insertion::mend.
+    void insertionMendable(const ui::Insertion& insertion, const QString& problem);
     void insertedMended(const QString& name, const QStringList& steps);
     void noticed(const QString& sentence);
     void busy(const QString& what);
@@ -166,9 +161,9 @@ private:
     core::JournalDocument forJournal() const;
     core::JournalHistory historyNow() const;
     void describeToJournal();
-    void startChange(core::ModelCommand command, const Insertion& insertion);
-    void finishChange(const core::ModelCommand& command, const Insertion& insertion, ModelOutcome outcome);
-    void tellOutcome(const core::ModelCommand& command, const Insertion& insertion, const ModelOutcome& outcome);
+    void startChange(core::ModelCommand command, const ui::Insertion& insertion);
+    void finishChange(const core::ModelCommand& command, const ui::Insertion& insertion, ModelOutcome outcome);
+    void tellOutcome(const core::ModelCommand& command, const ui::Insertion& insertion, const ModelOutcome& outcome);
     struct Written
     {
         QString problem; ///< empty: there is a file

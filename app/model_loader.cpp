@@ -7,6 +7,7 @@
 #include "core/lattice_placement.h"
 #include "core/mesh_build.h"
 #include "core/mesh_io.h"
+#include "ui/insertion.h"
 #include "ui/measures.h"
 #include "ui/mending_words.h"
 #include "ui/messages.h"
@@ -114,12 +115,12 @@ void ModelLoader::build(LoadedModel& loaded, const core::TriangleMesh& mesh, boo
         loaded.unitGuess = core::guessedUnit(*result.report.volume, result.report.size.maxCoeff());
 }
 
-QString ModelLoader::insertedUnitNotice(const QString& path, double volume)
+QString ModelLoader::insertedUnitNotice(const ui::Insertion& insertion, double volume)
 {
-    if (holdsUnit(path) || core::unitDoubtOf(volume) == core::UnitDoubt::None)
+    if (insertion.unit != 1 || holdsUnit(insertion.path) || core::unitDoubtOf(volume) == core::UnitDoubt::None)
         return {};
-    return tr("%1 is very small in millimetres (%2). If it was made in another unit, give it its size in a document of its own before it is inserted.")
-        .arg(QFileInfo(path).fileName(), ui::volumeText(volume));
+    return tr("%1 is very small in millimetres (%2). If it was made in another unit, undo, and say which when you insert it again.")
+        .arg(QFileInfo(insertion.path).fileName(), ui::volumeText(volume));
 }
 
 bool ModelLoader::holdsUnit(const QString& path)

@@ -20,6 +20,10 @@ namespace core
 class Journal;
 struct RecoveredDocument;
 } // namespace core
+namespace ui
+{
+struct Insertion;
+}
 
 namespace app
 {
@@ -68,7 +72,7 @@ public:
     static bool holdsColors(const QString& path);
     static bool holdsUnit(const QString& path);
     /// Of a model that was inserted: empty, or why it may have been meant larger.
-    static QString insertedUnitNotice(const QString& path, double volume);
+    static QString insertedUnitNotice(const ui::Insertion& insertion, double volume);
 
 private:
     static void take(LoadedModel& loaded, std::unique_ptr<core::Mesh> mesh);

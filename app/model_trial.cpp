@@ -4,6 +4,7 @@
 #include "model_words.h"
 
 #include "core/mesh_io.h"
+#include "core/scaling.h"
 #include "ui/mending_words.h"
 #include "ui/messages.h"
 
@@ -27,7 +28,7 @@ std::shared_ptr<core::Mesh> ModelTrial::copyOf(const core::Mesh& mesh)
     }
 }
 
-ModelOutcome ModelTrial::run(const std::shared_ptr<core::Mesh>& copy, core::ModelCommand& command, const Insertion& insertion, const Tell& tell,
+ModelOutcome ModelTrial::run(const std::shared_ptr<core::Mesh>& copy, core::ModelCommand& command, const ui::Insertion& insertion, const Tell& tell,
                              const core::JobWatch& watch)
 {
     ModelOutcome outcome;
@@ -45,7 +46,7 @@ ModelOutcome ModelTrial::run(const std::shared_ptr<core::Mesh>& copy, core::Mode
         outcome.change = core::tryOn(std::move(*copy), command, trial);
         outcome.problem = ModelWords::refusal(outcome.change, insertion.path);
         if (outcome.change.changes && outcome.change.report.volume)
-            outcome.notice = QStringList({outcome.notice, ModelLoader::insertedUnitNotice(insertion.path, *outcome.change.report.volume)}).join(u' ').trimmed();
+            outcome.notice = QStringList({outcome.notice, ModelLoader::insertedUnitNotice(insertion, *outcome.change.report.volume)}).join(u' ').trimmed();
         outcome.isMendable = outcome.change.refusal == core::ModelRefusal::Unsound;
     } catch (const core::ReadingStopped&) {
     } catch (const core::FileError& error) {
@@ -57,11 +58,15 @@ ModelOutcome ModelTrial::run(const std::shared_ptr<core::Mesh>& copy, core::Mode
 }
 
 /// Mended or not, it comes as its file has it: a model that lay far from the origin goes back there.
-void ModelTrial::read(ModelOutcome& outcome, core::Insert& command, const Insertion& insertion, const Tell& tell, const core::JobWatch& watch)
+void ModelTrial::read(ModelOutcome& outcome, core::Insert& command, const ui::Insertion& insertion, const Tell& tell, const core::JobWatch& watch)
 {
     auto [mesh, remarks] = core::readModel(toPath(insertion.path), {.stop = watch.stop});
     const QString name = QFileInfo(insertion.path).fileName();
     outcome.notice = ui::Messages::remarks(name, remarks);
+    if (!core::scale(mesh, insertion.unit)) {
+        outcome.problem = ui::Messages::tooLarge(insertion.path);
+        return;
+    }
     if (insertion.mend) {
         const auto doing = [&](core::LegaliseStep step) { tell(ui::MendingWords::doing(name, step)); };
         core::Legalised legalised = core::legalise(mesh, *insertion.mend, watch, doing);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/legalise.h"
 #include "core/model_command.h"
+#include "ui/insertion.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -9,23 +9,15 @@
 
 #include <functional>
 #include <memory>
-#include <optional>
 
 namespace app
 {
-/// Of a file, for core::Insert.
-struct Insertion
-{
-    QString path;
-    std::optional<core::LegaliseOptions> mend; ///< a model that is not in order is legalised; else it is refused
-};
-
 /// What became of a change of the whole model.
 struct ModelOutcome
 {
     core::ModelChange change;
     QString problem;         ///< it was not done: one sentence
-    bool isMendable = false; ///< then: the model to be inserted is not in order; Insertion::mend may help
+    bool isMendable = false; ///< then: the model to be inserted is not in order; ui::Insertion::mend may help
     QString notice;          ///< what the person should know of an inserted model; may be empty
     QStringList mended;      ///< what was done to it; empty: nothing
 };
@@ -41,10 +33,10 @@ public:
     /// What is going on, while it does.
     using Tell = std::function<void(const QString& what)>;
     /// Uses the copy up. What is to be inserted is read first.
-    static ModelOutcome run(const std::shared_ptr<core::Mesh>& copy, core::ModelCommand& command, const Insertion& insertion, const Tell& tell,
+    static ModelOutcome run(const std::shared_ptr<core::Mesh>& copy, core::ModelCommand& command, const ui::Insertion& insertion, const Tell& tell,
                             const core::JobWatch& watch);
 
 private:
-    static void read(ModelOutcome& outcome, core::Insert& command, const Insertion& insertion, const Tell& tell, const core::JobWatch& watch);
+    static void read(ModelOutcome& outcome, core::Insert& command, const ui::Insertion& insertion, const Tell& tell, const core::JobWatch& watch);
 };
 } // namespace app

@@ -47,12 +47,12 @@ void wireDocument(ui::MainWindow& window, Document& document)
     QObject::connect(&document, &Document::mended, &window, [&window](const QString& name, const QStringList& steps) {
         ui::showMended(&window, ui::MendFor::Opening, name, steps);
     });
-    QObject::connect(&document, &Document::insertionMendable, &window,
-                     [&window, &document](const QString& path, const QString& problem, core::Insert::Place place, const core::Vec3& centre) {
-                         ui::askToMend(&window, ui::MendFor::Insertion, problem, [&document, path, place, centre](const core::LegaliseOptions& options) {
-                             document.insertMended(path, place, centre, options);
-                         });
-                     });
+    QObject::connect(&document, &Document::insertionMendable, &window, [&window, &document](ui::Insertion insertion, const QString& problem) {
+        ui::askToMend(&window, ui::MendFor::Insertion, problem, [&document, insertion](const core::LegaliseOptions& options) mutable {
+            insertion.mend = options;
+            document.insert(insertion);
+        });
+    });
     QObject::connect(&document, &Document::insertedMended, &window, [&window](const QString& name, const QStringList& steps) {
         ui::showMended(&window, ui::MendFor::Insertion, name, steps);
     });
@@ -62,8 +62,7 @@ void wireDocument(ui::MainWindow& window, Document& document)
     QObject::connect(&document, &Document::stoppable, &window, &MainWindow::setStoppable);
     QObject::connect(&window, &MainWindow::stopRequested, &document, &Document::stop);
     QObject::connect(&window, &MainWindow::commandRequested, &document, &Document::apply);
-    QObject::connect(&window, &MainWindow::insertRequested, &document,
-                     [&document](const QString& path, const core::Insert& how) { document.insert(path, how.place, how.centre); });
+    QObject::connect(&window, &MainWindow::insertRequested, &document, &Document::insert);
     QObject::connect(&document, &Document::saved, &window, [&window, &document] { window.showSaved(document.facts()); });
     QObject::connect(&document, &Document::exported, &window, &MainWindow::showExported);
     document.setMayDiscard([&window](const std::function<void()>& goOn) { return window.askToDiscard(goOn); });

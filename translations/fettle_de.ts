@@ -180,10 +180,6 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>%1: --unit is mm, cm, m or in, not %2.</source>
         <translation>%1: --unit ist mm, cm, m oder in, nicht %2.</translation>
     </message>
-    <message>
-        <source>%1: at that size the coordinates are no numbers any more.</source>
-        <translation>%1: Bei dieser Größe sind die Koordinaten keine Zahlen mehr.</translation>
-    </message>
 </context>
 <context>
     <name>app::ConvertCommand</name>
@@ -253,6 +249,10 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>convert: --large-holes and --inner-parts are for --legalise.</source>
         <translation>convert: --large-holes und --inner-parts gehören zu --legalise.</translation>
+    </message>
+    <message>
+        <source>--legalise may mend it.</source>
+        <translation>Vielleicht repariert --legalise es.</translation>
     </message>
 </context>
 <context>
@@ -442,8 +442,8 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Kugel</translation>
     </message>
     <message>
-        <source>%1 is very small in millimetres (%2). If it was made in another unit, give it its size in a document of its own before it is inserted.</source>
-        <translation>%1 ist in Millimetern sehr klein (%2). Wenn es in einer anderen Einheit entstand, geben Sie ihm seine Größe in einem eigenen Dokument, bevor es eingefügt wird.</translation>
+        <source>%1 is very small in millimetres (%2). If it was made in another unit, undo, and say which when you insert it again.</source>
+        <translation>%1 ist in Millimetern sehr klein (%2). Wenn es in einer anderen Einheit entstand, machen Sie das Einfügen rückgängig und nennen Sie beim nächsten Mal die Einheit.</translation>
     </message>
 </context>
 <context>
@@ -2911,6 +2911,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>%1 was not read: its reader asked for more memory than the %2 that a file of its size is given.</source>
         <translation>%1 wurde nicht gelesen: Der Leser verlangte mehr als die %2 Speicher, die eine Datei dieser Größe bekommt.</translation>
     </message>
+    <message>
+        <source>%1: at that size the coordinates are no numbers any more.</source>
+        <translation>%1: Bei dieser Größe sind die Koordinaten keine Zahlen mehr.</translation>
+    </message>
 </context>
 <context>
     <name>ui::ModelDialogs</name>
@@ -3125,6 +3129,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Metres</source>
         <translation>Metern</translation>
+    </message>
+    <message>
+        <source>Its unit</source>
+        <translation>Seine Einheit</translation>
+    </message>
+    <message>
+        <source>As the file says, or millimetres</source>
+        <translation>Wie die Datei sagt, sonst Millimeter</translation>
     </message>
 </context>
 <context>

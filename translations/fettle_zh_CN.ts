@@ -179,10 +179,6 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>%1: --unit is mm, cm, m or in, not %2.</source>
         <translation>%1：--unit 可以是 mm、cm、m 或 in，不能是 %2。</translation>
     </message>
-    <message>
-        <source>%1: at that size the coordinates are no numbers any more.</source>
-        <translation>%1：这样的大小下坐标不再是数。</translation>
-    </message>
 </context>
 <context>
     <name>app::ConvertCommand</name>
@@ -251,6 +247,10 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>convert: --large-holes and --inner-parts are for --legalise.</source>
         <translation>convert：--large-holes 和 --inner-parts 须与 --legalise 一起使用。</translation>
+    </message>
+    <message>
+        <source>--legalise may mend it.</source>
+        <translation>用 --legalise 或许可以修复。</translation>
     </message>
 </context>
 <context>
@@ -440,8 +440,8 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>球</translation>
     </message>
     <message>
-        <source>%1 is very small in millimetres (%2). If it was made in another unit, give it its size in a document of its own before it is inserted.</source>
-        <translation>%1 以毫米计非常小（%2）。如果它是用其他单位制作的，请先在单独的文档中设定其尺寸，再插入。</translation>
+        <source>%1 is very small in millimetres (%2). If it was made in another unit, undo, and say which when you insert it again.</source>
+        <translation>%1 以毫米计非常小（%2）。如果它是用其他单位制作的，请撤销，再次插入时选择单位。</translation>
     </message>
 </context>
 <context>
@@ -2902,6 +2902,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>%1 was not read: its reader asked for more memory than the %2 that a file of its size is given.</source>
         <translation>未读取 %1：读取所需内存超过了这样大小的文件所允许的 %2。</translation>
     </message>
+    <message>
+        <source>%1: at that size the coordinates are no numbers any more.</source>
+        <translation>%1：这样的大小下坐标不再是数。</translation>
+    </message>
 </context>
 <context>
     <name>ui::ModelDialogs</name>
@@ -3116,6 +3120,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Metres</source>
         <translation>米</translation>
+    </message>
+    <message>
+        <source>Its unit</source>
+        <translation>它的单位</translation>
+    </message>
+    <message>
+        <source>As the file says, or millimetres</source>
+        <translation>按文件所述，否则为毫米</translation>
     </message>
 </context>
 <context>

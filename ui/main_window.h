@@ -1,9 +1,9 @@
 #pragma once
 
 #include "brush_settings.h"
+#include "insertion.h"
 #include "model_facts.h"
 
-#include "core/model_command.h"
 #include "core/starter_models.h"
 
 #include <QMainWindow>
@@ -86,9 +86,9 @@ Q_SIGNALS:
     /// By dialog, which has asked about overwriting. The ending says the format; one is added if it was missing.
     void saveRequested(const QString& path);
     void exportRequested(const QString& path, quint64 mostTriangles = 0, bool slices = false);
-    /// By dialog or menu. What is inserted comes with its file's path instead of a model.
+    /// By dialog or menu.
     void commandRequested(const core::ModelCommand& command);
-    void insertRequested(const QString& path, const core::Insert& how);
+    void insertRequested(const ui::Insertion& insertion);
     /// The model's own file is called so now.
     void modelRenamed(const QString& path);
     /// The model's own file is not there any more.

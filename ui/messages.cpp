@@ -92,6 +92,11 @@ QString Messages::tooFine(const QString& file, quint64 faces)
         .arg(file, number(faces));
 }
 
+QString Messages::tooLarge(const QString& file)
+{
+    return tr("%1: at that size the coordinates are no numbers any more.").arg(file);
+}
+
 QString Messages::remarks(const QString& file, const core::ReadRemarks& remarks)
 {
     QStringList left, clauses;

@@ -27,6 +27,8 @@ public:
     static QString refusal(const QString& file, const core::MeshReport& report);
     /// Nothing is wrong with the model, but that many of its faces would meet where the lattice puts them.
     static QString tooFine(const QString& file, quint64 faces);
+    /// In the unit or of the size that was asked for.
+    static QString tooLarge(const QString& file);
     /// What a slicer may take a model of that volume (mm^3) for. Empty if it has a size that is usual.
     static QString unitDoubt(double volume);
     /// What of a file is not in its model; empty if all is.

@@ -3,9 +3,11 @@
 #include "dialog_parts.h"
 
 #include <QButtonGroup>
+#include <QComboBox>
 #include <QCoreApplication>
 #include <QDialog>
 #include <QDoubleSpinBox>
+#include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLocale>
@@ -87,10 +89,20 @@ public:
         return label;
     }
 
-    void ask(const QString& verb, const CommandAnswer& answer, const std::function<core::ModelCommand()>& command)
+    /// The first is chosen.
+    QComboBox* addList(const char* name, const QString& label, const QStringList& choices)
+    {
+        auto* box = new QComboBox;
+        box->setObjectName(QLatin1StringView(name));
+        box->addItems(choices);
+        m_form->addRow(label, box);
+        return box;
+    }
+
+    template <class Answer, class Wish> void ask(const QString& verb, const Answer& answer, const Wish& wish)
     {
         addAnswers(this, verb);
-        connect(this, &QDialog::accepted, this, [answer, command] { answer(command()); });
+        connect(this, &QDialog::accepted, this, [answer, wish] { answer(wish()); });
         open();
     }
 
@@ -236,18 +248,22 @@ void askForBase(QWidget* parent, const ModelFacts& facts, const CommandAnswer& a
     dialog->ask(ModelDialogs::tr("Flatten"), answer, [cut] { return core::FlattenBase{cut->value()}; });
 }
 
-void askForPlace(QWidget* parent, const QString& modelName, const CommandAnswer& answer)
+void askForPlace(QWidget* parent, const QString& path, const std::function<void(const Insertion& insertion)>& answer)
 {
     auto* dialog = new CommandDialog(parent, "insertDialog", ModelDialogs::tr("Insert a Model"),
-                                     ModelDialogs::tr("%1 must not touch the present model. Where does it go?").arg(modelName));
+                                     ModelDialogs::tr("%1 must not touch the present model. Where does it go?").arg(QFileInfo(path).fileName()));
     const auto* places = dialog->addChoice({}, {ModelDialogs::tr("Beside the present model"), ModelDialogs::tr("Where its file has it"),
                                                 ModelDialogs::tr("With its middle at")});
     const Coordinates centre = addCoordinates(dialog);
     centre.setEnabled(false);
     QObject::connect(places, &QButtonGroup::idToggled, dialog, [centre, places] { centre.setEnabled(places->checkedId() == 2); });
-    dialog->ask(ModelDialogs::tr("Insert"), answer, [places, centre] {
+    const auto* units = dialog->addList("unit", ModelDialogs::tr("Its unit"),
+                                        {ModelDialogs::tr("As the file says, or millimetres"), ModelDialogs::tr("Centimetres"),
+                                         ModelDialogs::tr("Metres"), ModelDialogs::tr("Inches")});
+    dialog->ask(ModelDialogs::tr("Insert"), answer, [path, places, centre, units] {
         constexpr core::Insert::Place all[] = {core::Insert::Place::Beside, core::Insert::Place::AsItIs, core::Insert::Place::Centre};
-        return core::Insert{{}, all[places->checkedId()], centre.value()};
+        constexpr double millimetresOf[] = {1, 10, 1000, 25.4};
+        return Insertion{path, all[places->checkedId()], centre.value(), millimetresOf[units->currentIndex()], {}};
     });
 }
 } // namespace ui

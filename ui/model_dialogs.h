@@ -1,5 +1,6 @@
 #pragma once
 
+#include "insertion.h"
 #include "model_facts.h"
 
 #include "core/model_command.h"
@@ -22,6 +23,6 @@ void askForSymmetry(QWidget* parent, const CommandAnswer& answer);
 void askForRemesh(QWidget* parent, const ModelFacts& facts, const CommandAnswer& answer);
 void askForBase(QWidget* parent, const ModelFacts& facts, const CommandAnswer& answer);
 
-/// Where a model that is inserted goes; the answer's command has no model yet.
-void askForPlace(QWidget* parent, const QString& modelName, const CommandAnswer& answer);
+/// Where the model of a file goes, and how large it is.
+void askForPlace(QWidget* parent, const QString& path, const std::function<void(const Insertion& insertion)>& answer);
 } // namespace ui

@@ -134,9 +134,7 @@ void ModelFiles::insert()
 {
     askForModel(m_window, ModelUse::Insert, m_settings->lastFolder(), [this](const QString& path) {
         remember(path);
-        askForPlace(m_window, QFileInfo(path).fileName(), [this, path](const core::ModelCommand& command) {
-            Q_EMIT insertRequested(path, std::get<core::Insert>(command));
-        });
+        askForPlace(m_window, path, [this](const Insertion& insertion) { Q_EMIT insertRequested(insertion); });
     });
 }
 

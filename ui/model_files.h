@@ -1,8 +1,8 @@
 #pragma once
 
 #include "file_entry.h"
+#include "insertion.h"
 
-#include "core/model_command.h"
 #include "core/starter_models.h"
 
 #include <QObject>
@@ -59,7 +59,7 @@ Q_SIGNALS:
     void exportRequested(const QString& path, quint64 mostTriangles = 0, bool slices = false);
     /// By drag and drop: a local path that is named like an image.
     void pictureDropped(const QString& path);
-    void insertRequested(const QString& path, const core::Insert& how);
+    void insertRequested(const ui::Insertion& insertion);
     /// The model's own file is called so now.
     void renamed(const QString& path);
     /// The model's own file is not there any more.

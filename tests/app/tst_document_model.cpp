@@ -110,6 +110,7 @@ private Q_SLOTS:
     void insert_refusalsNameTheFile();
     void insert_brokenIsMendedAsOneStep();
     void insert_tellsWhatWasLeftOut();
+    void insert_takesTheUnit();
     void facts_followTheModel();
     void progress_grows();
     void reset_isTheStartAndOneStep();
@@ -238,7 +239,7 @@ void TestDocumentModel::insert_fromAFile()
     core::writeMesh(path.toStdString(), core::icosphere(2, 10));
     Session session;
     const std::uint64_t start = session.state();
-    session.document.insert(path, core::Insert::Place::Beside, {});
+    session.document.insert({path, core::Insert::Place::Beside});
     session.wait();
     QCOMPARE(session.document.facts().vertices, quint64(2562 + 162));
     QVERIFY(session.document.facts().size.x() > 120);
@@ -253,11 +254,11 @@ void TestDocumentModel::insert_refusalsNameTheFile()
     core::writeMesh(path.toStdString(), core::icosphere(2, 10));
     Session session;
     QSignalSpy refused(&session.document, &Document::refused);
-    session.document.insert(path, core::Insert::Place::AsItIs, {});
+    session.document.insert({path, core::Insert::Place::AsItIs});
     session.wait();
-    session.document.insert(path, core::Insert::Place::Centre, {50, 0, 0});
+    session.document.insert({path, core::Insert::Place::Centre, {50, 0, 0}});
     session.wait();
-    session.document.insert(folder.filePath(QStringLiteral("small.not.there.ply")), core::Insert::Place::Beside, {});
+    session.document.insert({folder.filePath(QStringLiteral("small.not.there.ply")), core::Insert::Place::Beside});
     session.wait();
     QCOMPARE(refused.size(), 3);
     for (const QList<QVariant>& arguments : refused)
@@ -274,12 +275,15 @@ void TestDocumentModel::insert_brokenIsMendedAsOneStep()
     const std::uint64_t start = session.state();
     QSignalSpy refused(&session.document, &Document::refused), mendable(&session.document, &Document::insertionMendable),
         mended(&session.document, &Document::insertedMended);
-    session.document.insert(path, core::Insert::Place::Beside, {});
+    session.document.insert({path, core::Insert::Place::Beside});
     session.wait();
     QCOMPARE(mendable.size(), 1);
     QVERIFY(mendable[0][1].toString().contains(QStringLiteral("broken.ply")));
     QCOMPARE(session.state(), start);
-    session.document.insertMended(path, mendable[0][2].value<core::Insert::Place>(), mendable[0][3].value<core::Vec3>(), {});
+    auto insertion = mendable[0][0].value<ui::Insertion>();
+    QCOMPARE(insertion.path, path);
+    insertion.mend.emplace();
+    session.document.insert(insertion);
     session.wait();
     QVERIFY(refused.isEmpty());
     QCOMPARE(mended.size(), 1);
@@ -289,7 +293,7 @@ void TestDocumentModel::insert_brokenIsMendedAsOneStep()
     session.document.undo();
     QCOMPARE(session.state(), start);
     core::writeMesh(path.toStdString(), {{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}}, {}, {{0, 1, 2}}}); // encloses nothing
-    session.document.insertMended(path, core::Insert::Place::Beside, {}, {});
+    session.document.insert(insertion);
     session.wait();
     QCOMPARE(refused.size(), 1);
     QCOMPARE(session.state(), start);
@@ -305,11 +309,29 @@ void TestDocumentModel::insert_tellsWhatWasLeftOut()
     file.close();
     Session session;
     QSignalSpy noticed(&session.document, &Document::noticed);
-    session.document.insert(path, core::Insert::Place::Beside, {});
+    session.document.insert({path, core::Insert::Place::Beside});
     session.wait();
     QCOMPARE(noticed.size(), 1);
     QVERIFY(noticed[0][0].toString().contains(QStringLiteral("materials")));
     QVERIFY(noticed[0][0].toString().contains(QStringLiteral("in millimetres")));
+}
+
+void TestDocumentModel::insert_takesTheUnit()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("inch.stl"));
+    core::writeMesh(path.toStdString(), shapes::cube(1));
+    Session session;
+    QSignalSpy noticed(&session.document, &Document::noticed), refused(&session.document, &Document::refused);
+    session.document.insert({.path = path, .place = core::Insert::Place::Centre, .centre = {80, 0, 0}, .unit = 25.4});
+    session.wait();
+    QVERIFY(noticed.isEmpty()); // whoever names a unit is not doubted
+    QTRY_VERIFY(std::abs(session.document.facts().box.max().x() - (80 + 12.7)) < 1e-3);
+    session.document.undo();
+    session.document.insert({.path = path, .unit = 1e39});
+    session.wait();
+    QCOMPARE(refused.size(), 1);
+    QVERIFY(refused[0][0].toString().contains(QStringLiteral("no numbers")));
 }
 
 void TestDocumentModel::facts_followTheModel()

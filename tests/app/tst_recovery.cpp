@@ -184,7 +184,7 @@ struct Session
     /// A small ball beside the model.
     void insert()
     {
-        document.insert(file("ball.stl"), core::Insert::Place::Beside, core::Vec3::Zero());
+        document.insert({file("ball.stl")});
         wait();
     }
 

@@ -2,6 +2,7 @@
 
 #include "ui_test.h"
 
+#include <QComboBox>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
@@ -155,14 +156,18 @@ void TestModelDialogs::remesh_untouchedIsTheDefault()
 void TestModelDialogs::insert_givesThePlace()
 {
     Asking asking;
-    ui::askForPlace(&asking.window, QStringLiteral("part.stl"), asking.answer);
+    std::optional<ui::Insertion> insertion;
+    ui::askForPlace(&asking.window, QStringLiteral("/models/part.stl"), [&insertion](const ui::Insertion& given) { insertion = given; });
+    QVERIFY(asking.dialog("insertDialog")->findChildren<QLabel*>().first()->text().startsWith(QStringLiteral("part.stl")));
     QVERIFY(!asking.in<QDoubleSpinBox>("insertDialog", "x")->isEnabled());
     asking.in<QRadioButton>("insertDialog", "choice2")->setChecked(true);
     QVERIFY(asking.in<QDoubleSpinBox>("insertDialog", "x")->isEnabled());
     asking.type("insertDialog", "y", 70);
+    asking.in<QComboBox>("insertDialog", "unit")->setCurrentText(QStringLiteral("Inches"));
     asking.dialog("insertDialog")->accept();
-    const Insert insertion = std::get<Insert>(asking.command.value());
-    QVERIFY(insertion.place == Insert::Place::Centre && insertion.centre == Vec3(0, 70, 0));
+    QVERIFY(insertion && insertion->path == QStringLiteral("/models/part.stl") && !insertion->mend);
+    QVERIFY(insertion->place == Insert::Place::Centre && insertion->centre == Vec3(0, 70, 0));
+    QCOMPARE(insertion->unit, 25.4);
 }
 
 void TestModelDialogs::verb_isTheDefaultButton()

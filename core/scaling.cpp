@@ -1,0 +1,14 @@
+#include "scaling.h"
+
+namespace core
+{
+bool scale(TriangleMesh& mesh, double factor)
+{
+    bool areNumbers = true;
+    for (Vec3f& point : mesh.points) {
+        point = (point.cast<double>() * factor).cast<float>();
+        areNumbers = areNumbers && point.allFinite();
+    }
+    return areNumbers;
+}
+} // namespace core

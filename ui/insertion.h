@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/legalise.h"
+#include "core/model_command.h"
+
+#include <QString>
+
+#include <optional>
+
+namespace ui
+{
+/// A model in a file that is to be added to the present one, as the person wants it. A value.
+struct Insertion
+{
+    QString path;
+    core::Insert::Place place = core::Insert::Place::Beside;
+    core::Vec3 centre = core::Vec3::Zero(); ///< with Place::Centre
+    double unit = 1;                        ///< as so many mm the file's unit is taken; above 0
+    std::optional<core::LegaliseOptions> mend = std::nullopt; ///< a model that is not in order is legalised; else it is refused
+};
+} // namespace ui
