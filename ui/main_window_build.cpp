@@ -1,0 +1,147 @@
+// What the main window is made of, and which part hears which.
+
+#include "main_window_state.h"
+
+#include "banner.h"
+#include "brush_actions.h"
+#include "brush_bar.h"
+#include "brush_panels.h"
+#include "busy_bar.h"
+#include "color_panel.h"
+#include "facts_bar.h"
+#include "files_panel.h"
+#include "hand_actions.h"
+#include "help_actions.h"
+#include "history_panel.h"
+#include "look_actions.h"
+#include "messages.h"
+#include "model_actions.h"
+#include "model_panel.h"
+#include "preferences_actions.h"
+#include "preview_panel.h"
+#include "print_panel.h"
+#include "reference_actions.h"
+#include "scene.h"
+#include "start_page.h"
+#include "view_actions.h"
+
+#include <QAction>
+#include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
+#include <QStatusBar>
+#include <QToolBar>
+
+namespace ui
+{
+/// The viewport, or a sentence in its place.
+void MainWindow::State::buildView()
+{
+    const QString unable = graphicsProblem();
+    viewport = new Viewport(&brush);
+    if (unable.isEmpty()) {
+        q->setCentralWidget(viewport);
+    } else {
+        spareViewport.reset(viewport);
+        auto* sentence = new QLabel(unable);
+        sentence->setObjectName(QStringLiteral("graphicsProblem"));
+        sentence->setAlignment(Qt::AlignCenter);
+        sentence->setWordWrap(true);
+        q->setCentralWidget(sentence);
+    }
+    banner = new Banner(q->centralWidget());
+}
+
+void MainWindow::State::buildBars()
+{
+    for (const MenuId id : {MenuId::File, MenuId::Edit, MenuId::Sculpt, MenuId::Model, MenuId::View, MenuId::Vr, MenuId::Help}) {
+        QMenu* menu = q->menuBar()->addMenu(actions.menuTitle(id));
+        actions.fill(menu, id);
+        if (id == MenuId::File)
+            files.addMenus(menu, actions);
+        if (id != MenuId::View)
+            continue;
+        addLooks(actions, viewport, &settings, menu);
+        buildPanels(menu->addMenu(tr("&Panels")));
+    }
+
+    auto* bar = q->addToolBar(tr("Tool Bar"));
+    bar->setObjectName(QStringLiteral("toolBar"));
+    bar->setIconSize(QSize(22, 22));
+    actions.fill(bar, Bar::Top);
+    bar->addSeparator();
+    auto* brushBar = new BrushBar(&brush);
+    bar->addWidget(brushBar);
+    connect(brushBar, &BrushBar::entered, viewport, qOverload<>(&Viewport::setFocus));
+
+    auto* palette = new QToolBar(tr("Tool Palette"));
+    palette->setObjectName(QStringLiteral("toolPalette"));
+    palette->setIconSize(QSize(26, 26));
+    actions.fill(palette, Bar::Palette);
+    q->addToolBar(Qt::LeftToolBarArea, palette);
+}
+
+void MainWindow::State::buildPanels(QMenu* toggles)
+{
+    addBrushPanels(q, &brush, toggles, [this] { viewport->setFocus(); });
+    connectHand({q, toggles, viewport, [this](const QString& word) { q->showNotice(word); }}, &brush, &settings, actions);
+    addColorPanel({q, toggles, viewport}, &brush, &settings, actions, [this](const QString& word) { q->showNotice(word); });
+    history = addHistoryPanel(q, &settings, toggles);
+    modelPanel = addModelPanel(q, toggles);
+    addPrintPanel({q, toggles, viewport}, &settings, actions);
+    addFilesPanel({q, toggles, &files}, &settings, actions, [this](const QString& word) { q->showNotice(word); });
+    addReferences({q, toggles, viewport, &files}, &settings, actions, [this](const QString& word) { q->showNotice(word); });
+    addPreview(q, &settings, actions.get(QStringLiteral("file.exportDrawing")), [this] { return model.name; }, toggles);
+}
+
+void MainWindow::State::buildStatusBar()
+{
+    busy = new BusyBar(actions.get(QStringLiteral("edit.stop")));
+    facts = new FactsBar(&brush);
+    q->statusBar()->addPermanentWidget(busy);
+    q->statusBar()->addPermanentWidget(facts);
+}
+
+template <class What> void MainWindow::State::on(const char* id, What what)
+{
+    connect(actions.get(QLatin1StringView(id)), &QAction::triggered, q, what);
+}
+
+void MainWindow::State::connectActions()
+{
+    connectFiles();
+    connectModel(actions, q, [this]() -> const ModelFacts& { return model; }, &brush,
+                 [this](const core::ModelCommand& command) { Q_EMIT q->commandRequested(command); });
+    connectTools();
+    on("edit.stop", [this] { Q_EMIT q->stopRequested(); });
+    connectView(actions, viewport);
+    connectPreferences({q, &actions, &settings, &brush, viewport});
+    StartPage* start = connectHelp(actions, &settings, q);
+    connect(start, &StartPage::fileChosen, q, &MainWindow::openRequested);
+    connect(q, &MainWindow::openRequested, start, &StartPage::close);
+    for (const char* id : {"edit.undo", "edit.redo"})
+        actions.get(QLatin1StringView(id))->setEnabled(false);
+}
+
+void MainWindow::State::connectFiles()
+{
+    on("file.exportFor", [this] { files.exportFor(model); });
+    on("file.quit", [this] { q->close(); });
+    connect(&files, &ModelFiles::openRequested, q, &MainWindow::openRequested);
+    connect(&files, &ModelFiles::starterRequested, q, &MainWindow::starterRequested);
+    connect(&files, &ModelFiles::saveRequested, q, &MainWindow::saveRequested);
+    connect(&files, &ModelFiles::exportRequested, q, &MainWindow::exportRequested);
+    connect(&files, &ModelFiles::insertRequested, q, &MainWindow::insertRequested);
+    connect(&files, &ModelFiles::renamed, q, &MainWindow::modelRenamed);
+    connect(&files, &ModelFiles::gone, q, &MainWindow::modelFileGone);
+    connect(&files, &ModelFiles::noticed, q, &MainWindow::showNotice);
+}
+
+void MainWindow::State::connectTools()
+{
+    connectBrush(actions, &brush);
+    connect(&brush, &BrushSettings::clamped, q, [this](core::Parameter parameter) {
+        q->showNotice(Messages::range(parameter, brush.minOf(parameter), brush.maxOf(parameter)));
+    });
+}
+} // namespace ui

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "actions.h"
+#include "brush_settings.h"
+#include "main_window.h"
+#include "model_files.h"
+#include "settings.h"
+#include "viewport.h"
+
+#include <QPointer>
+
+class QMenu;
+class QMessageBox;
+
+namespace ui
+{
+class Banner;
+class BusyBar;
+class FactsBar;
+
+/// What the window is made of. Gui thread.
+struct MainWindow::State
+{
+    explicit State(MainWindow* window) : brush(window), actions(window), files(&settings, window), q(window) {}
+
+    Settings settings;
+    BrushSettings brush;
+    Actions actions;
+    ModelFiles files;
+    MainWindow* q;
+    std::unique_ptr<Viewport> spareViewport; ///< where there is no OpenGL, the viewport must stay out of the window
+    Viewport* viewport = nullptr;
+    Banner* banner = nullptr;
+    FactsBar* facts = nullptr;
+    HistoryPanel* history = nullptr;
+    ModelPanel* modelPanel = nullptr;
+    BusyBar* busy = nullptr;
+    QPointer<QMessageBox> problem;
+    std::function<bool()> mayClose, isSettled;
+    bool closesLater = false;
+    ModelFacts model;
+
+    void buildView();
+    void buildBars();
+    void buildPanels(QMenu* toggles);
+    void buildStatusBar();
+    template <class What> void on(const char* id, What what);
+    void connectActions();
+    void connectFiles();
+    void connectTools();
+    void setBusy(bool isBusy);
+    void showName();
+    void restore();
+    void save();
+};
+} // namespace ui
