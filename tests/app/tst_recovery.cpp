@@ -291,7 +291,9 @@ int runOnDisplay(const fs::path& root, bool changes)
         else
             ready();
     });
-    QObject::connect(&document, &Document::modifiedChanged, &document, ready);
+    QObject::connect(&document, &Document::modifiedChanged, &document, [&] {
+        worker.post([ready](core::Sculptor&) { ready(); }); // the change itself is the job before
+    });
     document.openStarter(core::Starter::Head);
     return QApplication::exec();
 }
