@@ -1,9 +1,12 @@
+// FETTLE_SOAK=1: 20,000 strange models, some six hours of a core. FETTLE_SEED=n: from another seed on. FETTLE_MODELS=n: another number of them.
+
 #include "core/legalise.h"
 #include "core/mesh_build.h"
 #include "core/mesh_hash.h"
 #include "core/worker_pool.h"
 #include "tests/support/bad_models.h"
 #include "tests/support/cgal_judge.h"
+#include "tests/support/environment.h"
 #include "tests/support/shapes.h"
 
 #include <QTest>
@@ -320,9 +323,9 @@ void TestLegalise::stopped_hasNoMesh()
 
 void TestLegalise::strangeModels_becomeSolidsOrAreRefused()
 {
-    const bool isSoak = qEnvironmentVariableIsSet("FETTLE_SOAK");
-    const unsigned count = isSoak ? 20'000 : 40;
-    for (unsigned seed = 1; seed <= count; ++seed) {
+    const auto first = static_cast<unsigned>(numberFromEnvironment("FETTLE_SEED", 1));
+    const auto count = static_cast<unsigned>(numberFromEnvironment("FETTLE_MODELS", qEnvironmentVariableIsSet("FETTLE_SOAK") ? 20'000 : 40));
+    for (unsigned seed = first; seed < first + count; ++seed) {
         const TriangleMesh mesh = strangeModel(seed);
         const Legalised result = legalise(mesh);
         if (!result.mesh) {

@@ -5,6 +5,7 @@
 #include "core/model_command.h"
 #include "core/sculptor.h"
 #include "tests/support/clay.h"
+#include "tests/support/environment.h"
 #include "tests/support/mirror_asserts.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solid_asserts.h"
@@ -40,13 +41,6 @@ constexpr std::uint64_t usualDabs = 60;
 #else
 constexpr std::uint64_t usualDabs = 15; // 5 to 30 times slower
 #endif
-
-std::uint64_t numberFromEnvironment(const char* name, std::uint64_t otherwise)
-{
-    bool isNumber = false;
-    const std::uint64_t value = qEnvironmentVariable(name).toULongLong(&isNumber);
-    return isNumber ? value : otherwise;
-}
 
 core::TriangleMesh symmetrized(const core::TriangleMesh& shape, Symmetry plane)
 {

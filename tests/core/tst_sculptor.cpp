@@ -8,6 +8,7 @@
 #include "core/mesh_io.h"
 #include "core/worker_pool.h"
 #include "tests/support/clay.h"
+#include "tests/support/environment.h"
 #include "tests/support/fuzz_run.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solid_asserts.h"
@@ -37,13 +38,6 @@ constexpr std::uint64_t usualDabs = 20'000;
 #else
 constexpr std::uint64_t usualDabs = 300; // 5 to 30 times slower
 #endif
-
-std::uint64_t numberFromEnvironment(const char* name, std::uint64_t otherwise)
-{
-    bool isNumber = false;
-    const std::uint64_t value = qEnvironmentVariable(name).toULongLong(&isNumber);
-    return isNumber ? value : otherwise;
-}
 } // namespace
 
 class TestSculptor : public QObject
