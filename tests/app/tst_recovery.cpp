@@ -291,9 +291,7 @@ int runOnDisplay(const fs::path& root, bool changes)
         else
             ready();
     });
-    QObject::connect(&document, &Document::modifiedChanged, &document, [&] {
-        worker.post([ready](core::Sculptor&) { ready(); }); // the change itself is the job before
-    });
+    QObject::connect(&document, &Document::modifiedChanged, &document, ready);
     document.openStarter(core::Starter::Head);
     return QApplication::exec();
 }
