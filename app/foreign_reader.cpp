@@ -69,7 +69,8 @@ bool isSound(const TriangleMesh& mesh)
 {
     if (head.outcome == ForeignHead::Outcome::OutOfMemory)
         throw errorOf(FileErrorKind::ReaderOutOfMemory, path, limits.memory);
-    FileError error = errorOf(FileErrorKind::ReaderRefused, path);
+    const bool isOutside = head.outcome == ForeignHead::Outcome::Outside;
+    FileError error = errorOf(isOutside ? FileErrorKind::OutsideFolder : FileErrorKind::ReaderRefused, path);
     constexpr std::size_t longest = 40;
     for (const char* c = head.words; *c && error.token.size() < longest; ++c)
         error.token += *c < ' ' || *c > '~' ? '?' : *c;
