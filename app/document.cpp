@@ -330,10 +330,8 @@ QString Document::redoText() const
 
 void Document::tellState()
 {
-    if (m_moves > 0)
-        return;
     Q_EMIT historyChanged();
-    if (std::exchange(m_toldModified, isModified()) != isModified())
+    if (m_moves == 0 && std::exchange(m_toldModified, isModified()) != isModified())
         Q_EMIT modifiedChanged(m_toldModified);
 }
 } // namespace app

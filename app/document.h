@@ -34,8 +34,8 @@ struct ExportOutcome;
 /// and signals say when it is.
 ///
 /// Undo, redo and jumps are done in the order in which they were asked for, among strokes too: they wait until every stroke
-/// before them has reported, and strokes after them wait for them. Nobody waits by blocking. Every change is told of when it is
-/// done and would survive the program.
+/// before them has reported, and strokes after them wait for them. Nobody waits by blocking. A change comes to the undo stack when it is
+/// done and would survive the program, and not before that a way along the stack counts as gone: modifiedChanged(), isSettled().
 class Document : public QObject
 {
     Q_OBJECT
