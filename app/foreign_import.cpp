@@ -158,7 +158,7 @@ private:
 
 bool send(const void* data, std::size_t size)
 {
-    return std::fwrite(data, 1, size, stdout) == size;
+    return size == 0 || std::fwrite(data, 1, size, stdout) == size; // data may be null then
 }
 
 template <class Element> bool send(const std::vector<Element>& elements)
