@@ -23,6 +23,7 @@ Document::Document(SculptWorker* worker, QObject* parent)
     connect(&m_work, &LongWork::idle, this, &Document::openWaiting, Qt::QueuedConnection);
     connect(worker, &SculptWorker::strokeFinished, this, &Document::takeReport);
     connect(worker, &SculptWorker::modelSet, this, &Document::takeModel);
+    connect(worker, &SculptWorker::confirmed, this, &Document::takeConfirmation);
     connect(worker, &SculptWorker::factsChanged, this, &Document::takeFacts);
     connect(worker, &SculptWorker::strokeRefused, this, [this] {
         if (m_isChanging)
@@ -99,24 +100,44 @@ void Document::startChange(core::ModelCommand command, const ui::Insertion& inse
 
 void Document::finishChange(const core::ModelCommand& command, const ui::Insertion& insertion, ModelOutcome outcome)
 {
-    const bool wasStopped = m_work.wasStopped();
-    if (outcome.change.changes && !wasStopped) {
-        auto delta = std::make_shared<core::MeshDelta>(std::move(outcome.change.delta));
-        const core::JournalStep step{ModelWords::name(command).toStdString(), QString(ModelWords::icon(command)).toStdString(), 0, 0};
-        m_worker->post([delta, step, journal = m_journal](core::Sculptor& sculptor) {
-            sculptor.swap(*delta);
-            if (journal)
-                journal->changed(sculptor.mesh(), *delta, step);
-        });
+    if (m_work.wasStopped() || !outcome.change.changes)
+        return endChange(command, insertion, outcome);
+    m_work.keep();
+    auto delta = std::make_shared<core::MeshDelta>(std::move(outcome.change.delta));
+    const core::JournalStep step{ModelWords::name(command).toStdString(), QString(ModelWords::icon(command)).toStdString(), 0, 0};
+    m_worker->post([delta, step, journal = m_journal](core::Sculptor& sculptor) {
+        sculptor.swap(*delta);
+        if (journal)
+            journal->changed(sculptor.mesh(), *delta, step);
+    });
+    whenRecorded([this, command, insertion, outcome = std::move(outcome), delta] {
         const int index = m_stack.index();
         m_history.add(index, delta);
         m_stack.push(new StrokeCommand(ModelWords::name(command), {ModelWords::icon(command)}, &m_history, index));
-    }
+        endChange(command, insertion, outcome);
+    });
+}
+
+/// What was posted before is told of then: not before it would survive the program.
+void Document::whenRecorded(std::function<void()> tell)
+{
+    m_unconfirmed.push_back(std::move(tell));
+    m_worker->confirm();
+}
+
+void Document::takeConfirmation()
+{
+    const auto tell = std::move(m_unconfirmed.front());
+    m_unconfirmed.pop_front();
+    tell();
+}
+
+void Document::endChange(const core::ModelCommand& command, const ui::Insertion& insertion, const ModelOutcome& outcome)
+{
     m_isChanging = false;
     m_worker->release();
-    m_work.keep();
     m_work.end();
-    if (!wasStopped)
+    if (!m_work.wasStopped())
         tellOutcome(command, insertion, outcome);
     tellState();
     runRequests();
@@ -171,7 +192,7 @@ void Document::undo()
 {
     request([this] {
         if (m_history.canUndo(m_stack.index()))
-            m_stack.undo();
+            moveTo(m_stack.index() - 1);
     });
 }
 
@@ -179,13 +200,26 @@ void Document::redo()
 {
     request([this] {
         if (m_stack.canRedo() && m_history.canRedo(m_stack.index()))
-            m_stack.redo();
+            moveTo(m_stack.index() + 1);
     });
 }
 
 void Document::goTo(int index)
 {
-    request([this, index] { m_stack.setIndex(std::clamp(index, m_history.firstIndex(), m_history.lastIndex())); });
+    request([this, index] { moveTo(std::clamp(index, m_history.firstIndex(), m_history.lastIndex())); });
+}
+
+void Document::moveTo(int index)
+{
+    if (!m_worker->hold()) // another hand was faster
+        return goTo(index);
+    ++m_moves;
+    m_stack.setIndex(index);
+    m_worker->release();
+    whenRecorded([this] {
+        --m_moves;
+        tellState();
+    });
 }
 
 /// What must see the model as all strokes before it left it.
@@ -269,7 +303,7 @@ bool Document::isModified() const
 
 bool Document::isSettled() const
 {
-    return !m_strokeOpen && m_requests.empty() && !hasUnreported() && !m_isChanging;
+    return !m_strokeOpen && m_requests.empty() && !hasUnreported() && !m_isChanging && m_moves == 0;
 }
 
 bool Document::canUndo() const
@@ -297,7 +331,7 @@ QString Document::redoText() const
 void Document::tellState()
 {
     Q_EMIT historyChanged();
-    if (std::exchange(m_toldModified, isModified()) != isModified())
+    if (m_moves == 0 && std::exchange(m_toldModified, isModified()) != isModified())
         Q_EMIT modifiedChanged(m_toldModified);
 }
 } // namespace app

@@ -34,7 +34,8 @@ struct ExportOutcome;
 /// and signals say when it is.
 ///
 /// Undo, redo and jumps are done in the order in which they were asked for, among strokes too: they wait until every stroke
-/// before them has reported, and strokes after them wait for them. Nobody waits by blocking.
+/// before them has reported, and strokes after them wait for them. Nobody waits by blocking. A change comes to the undo stack when it is
+/// done and would survive the program, and not before that a way along the stack counts as gone: modifiedChanged(), isSettled().
 class Document : public QObject
 {
     Q_OBJECT
@@ -163,6 +164,9 @@ private:
     void describeToJournal();
     void startChange(core::ModelCommand command, const ui::Insertion& insertion);
     void finishChange(const core::ModelCommand& command, const ui::Insertion& insertion, ModelOutcome outcome);
+    void endChange(const core::ModelCommand& command, const ui::Insertion& insertion, const ModelOutcome& outcome);
+    void whenRecorded(std::function<void()> tell);
+    void takeConfirmation();
     void tellOutcome(const core::ModelCommand& command, const ui::Insertion& insertion, const ModelOutcome& outcome);
     struct Written
     {
@@ -174,6 +178,7 @@ private:
     void startExport(const ExportOrder& order, const core::JobWatch& watch);
     void finishExport(const QString& path, const ExportOutcome& outcome);
     void takeSaved(const QString& path, int index);
+    void moveTo(int index);
     void request(std::function<void()> run);
     void strokeRequest(std::function<void()> run);
     void runRequests();
@@ -205,6 +210,8 @@ private:
     bool m_letGo = false; ///< the changes, by the person, for what is being opened; there are no others since
     bool m_isInstalling = false;       ///< the worker has another model than the undo stack knows
     bool m_isChanging = false; ///< the whole model, aside
+    int m_moves = 0;           ///< along the undo stack, whose index is there already, that the mesh thread has to confirm
+    std::deque<std::function<void()>> m_unconfirmed;
     bool m_changedBeyondHistory = false;
     bool m_toldModified = false;
     LongWork m_work; ///< last

@@ -9,14 +9,14 @@ namespace app
 /// Both ends are the same program on the same machine.
 struct ForeignHead
 {
-    enum class Outcome : std::uint32_t { Read, Refused, OutOfMemory };
+    enum class Outcome : std::uint32_t { Read, Refused, OutOfMemory, Outside };
     static constexpr std::uint32_t magicNumber = 0x464f5231;
 
     std::uint32_t magic = magicNumber;
     Outcome outcome = Outcome::Refused;
     std::uint64_t points = 0, colors = 0, triangles = 0, objects = 1;
     std::uint8_t materials = 0, textures = 0, poses = 0;
-    char words[41] = {}; ///< why it was refused
+    char words[41] = {}; ///< why it was refused, or the name of what is outside of its folder
 };
 
 inline constexpr std::uint32_t foreignEnd = 0x454e4421;

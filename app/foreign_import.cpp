@@ -26,11 +26,11 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/// Lets Assimp read in one folder, links followed, and write nowhere.
+/// Lets Assimp read in one folder, links followed, and write nowhere. What it asks for elsewhere is noted in `outside`, by name.
 class OneFolder : public Assimp::DefaultIOSystem
 {
 public:
-    explicit OneFolder(fs::path folder) : m_folder(std::move(folder)) {}
+    OneFolder(fs::path folder, std::string& outside) : m_folder(std::move(folder)), m_outside(outside) {}
 
     bool Exists(const char* file) const override { return isWithin(file) && DefaultIOSystem::Exists(file); }
     Assimp::IOStream* Open(const char* file, const char* mode) override
@@ -44,10 +44,16 @@ private:
     {
         std::error_code problem;
         const fs::path path = fs::canonical(file, problem);
-        return !problem && std::mismatch(m_folder.begin(), m_folder.end(), path.begin(), path.end()).first == m_folder.end();
+        if (problem)
+            return false;
+        const bool isWithin = std::mismatch(m_folder.begin(), m_folder.end(), path.begin(), path.end()).first == m_folder.end();
+        if (!isWithin)
+            m_outside = fs::path(file).filename().string();
+        return isWithin;
     }
 
     fs::path m_folder;
+    std::string& m_outside;
 };
 
 std::string lowerEnding(const fs::path& path)
@@ -152,7 +158,7 @@ private:
 
 bool send(const void* data, std::size_t size)
 {
-    return std::fwrite(data, 1, size, stdout) == size;
+    return size == 0 || std::fwrite(data, 1, size, stdout) == size; // data may be null then
 }
 
 template <class Element> bool send(const std::vector<Element>& elements)
@@ -172,24 +178,27 @@ int answer(ForeignHead head, core::TriangleMesh mesh)
     return isSent ? 0 : 1;
 }
 
-int refuse(std::string_view words)
+int refuse(ForeignHead::Outcome outcome, std::string_view words)
 {
     ForeignHead head;
-    head.outcome = words.find("bad_alloc") != std::string_view::npos ? ForeignHead::Outcome::OutOfMemory : ForeignHead::Outcome::Refused;
+    head.outcome = words.find("bad_alloc") != std::string_view::npos ? ForeignHead::Outcome::OutOfMemory : outcome;
     std::copy_n(words.begin(), std::min(words.size(), sizeof head.words - 1), head.words);
     return answer(head, {});
 }
 
 int import(const fs::path& path, const ForeignLimits& limits)
 {
+    std::string outside;
     Assimp::Importer importer;
-    importer.SetIOHandler(new OneFolder(fs::canonical(path.parent_path()))); // the importer's from now on
+    importer.SetIOHandler(new OneFolder(fs::canonical(path.parent_path()), outside)); // the importer's from now on
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
     const aiScene* const scene = importer.ReadFile(path.string(), aiProcess_Triangulate);
     if (!scene || !scene->mRootNode)
-        return refuse(importer.GetErrorString());
+        return outside.empty() ? refuse(ForeignHead::Outcome::Refused, importer.GetErrorString()) : refuse(ForeignHead::Outcome::Outside, outside);
     SceneReader reader(*scene, limits);
     reader.add(*scene->mRootNode, placeOf(*scene, lowerEnding(path)));
+    if (reader.mesh.triangles.empty() && !outside.empty())
+        return refuse(ForeignHead::Outcome::Outside, outside);
     reader.addRemarks();
     reader.head.outcome = ForeignHead::Outcome::Read;
     return answer(reader.head, std::move(reader.mesh));
@@ -210,9 +219,9 @@ int importForeign(const char* file)
         limitOwnProcess(limits.memory, limits.seconds);
         return import(path, limits);
     } catch (const std::bad_alloc&) {
-        return refuse("bad_alloc");
+        return refuse(ForeignHead::Outcome::OutOfMemory, {});
     } catch (const std::exception& problem) {
-        return refuse(problem.what());
+        return refuse(ForeignHead::Outcome::Refused, problem.what());
     }
 }
 } // namespace app

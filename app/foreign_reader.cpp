@@ -6,8 +6,8 @@
 
 #include "core/file_error.h"
 
+#include <algorithm>
 #include <array>
-#include <cstring>
 
 namespace app
 {
@@ -39,7 +39,7 @@ public:
     {
         if (size > m_rest.size())
             return false;
-        std::memcpy(to, m_rest.data(), size);
+        std::copy_n(m_rest.data(), size, static_cast<char*>(to)); // std::memcpy() may not be given a null pointer, not even for nothing
         m_rest.remove_prefix(size);
         return true;
     }
@@ -69,7 +69,8 @@ bool isSound(const TriangleMesh& mesh)
 {
     if (head.outcome == ForeignHead::Outcome::OutOfMemory)
         throw errorOf(FileErrorKind::ReaderOutOfMemory, path, limits.memory);
-    FileError error = errorOf(FileErrorKind::ReaderRefused, path);
+    const bool isOutside = head.outcome == ForeignHead::Outcome::Outside;
+    FileError error = errorOf(isOutside ? FileErrorKind::OutsideFolder : FileErrorKind::ReaderRefused, path);
     constexpr std::size_t longest = 40;
     for (const char* c = head.words; *c && error.token.size() < longest; ++c)
         error.token += *c < ' ' || *c > '~' ? '?' : *c;

@@ -37,6 +37,7 @@ void LongWork::rename(const QString& what)
 
 void LongWork::keep()
 {
+    m_stop = std::stop_source(std::nostopstate);
     Q_EMIT stoppable(false);
 }
 

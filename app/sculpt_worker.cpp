@@ -144,6 +144,13 @@ void SculptWorker::post(std::function<void(core::Sculptor&)> job)
     }));
 }
 
+void SculptWorker::confirm()
+{
+    m_queue.push(Task([this] {
+        tell([this] { Q_EMIT confirmed(); });
+    }));
+}
+
 WorkerStats SculptWorker::stats() const
 {
     const std::lock_guard lock(m_mutex);

@@ -95,6 +95,8 @@ public:
     void setJournal(std::shared_ptr<core::Journal> journal);
     /// Runs a job on the mesh thread between strokes and samples; viewers get what it changed. Not run without a model.
     void post(std::function<void(core::Sculptor&)> job);
+    /// confirmed(), once what was posted before is done and would survive the program.
+    void confirm();
 
     WorkerStats stats() const;
 
@@ -102,6 +104,8 @@ Q_SIGNALS:
     void modelSet(const app::MeshFacts& facts);
     void strokeFinished(const app::StrokeReport& report);
     void strokeRefused(app::Source source);
+    /// To confirm().
+    void confirmed();
     /// To ask(Source::Desktop, ...). `footprint`: of the brush, if one was asked about and the ray hits. `epoch`: of the last patch
     /// that viewers were given before.
     void answeredDesktop(const std::optional<core::SurfaceHit>& hit, const std::shared_ptr<const core::Footprint>& footprint, quint64 epoch);

@@ -1,15 +1,30 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <span>
 #include <type_traits>
+#include <vector>
 
 namespace core
 {
 /// Throws std::bad_alloc. From some megabytes on it lies in the system's large pages, where there are any: to touch new memory
 /// page by page costs more than to fill it.
 std::unique_ptr<std::byte, void (*)(void*)> allocateLarge(std::size_t bytes);
+
+/// Asks for large pages there, as far as they fit in and nothing has touched it yet.
+void wishLargePages(void* memory, std::size_t bytes);
+
+/// As resize(), but what it must allocate is asked for in large pages.
+template <typename Element> void resizeInLargePages(std::vector<Element>& elements, std::size_t size)
+{
+    if (size > elements.capacity()) {
+        elements.reserve(std::max(size, 2 * elements.size()));
+        wishLargePages(elements.data() + elements.size(), (elements.capacity() - elements.size()) * sizeof(Element));
+    }
+    elements.resize(size);
+}
 
 /// So many numbers, of any value until they are written.
 template <typename Number> class LargeBuffer

@@ -19,10 +19,16 @@ std::unique_ptr<std::byte, void (*)(void*)> allocateLarge(std::size_t bytes)
     void* const memory = isLarge ? std::aligned_alloc(pageSize, rounded) : std::malloc(rounded);
     if (!memory)
         throw std::bad_alloc();
-#ifdef MADV_HUGEPAGE
-    if (isLarge)
-        ::madvise(memory, rounded, MADV_HUGEPAGE); // a wish
-#endif
+    wishLargePages(memory, rounded);
     return {static_cast<std::byte*>(memory), std::free};
+}
+
+void wishLargePages(void* memory, std::size_t bytes)
+{
+#ifdef MADV_HUGEPAGE
+    void* first = memory;
+    if (bytes >= worthPages && std::align(pageSize, pageSize, first, bytes))
+        ::madvise(first, bytes, MADV_HUGEPAGE); // the system may do otherwise
+#endif
 }
 } // namespace core

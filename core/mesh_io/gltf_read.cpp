@@ -126,7 +126,7 @@ private:
     {
         const bool isPlain = transform == Eigen::Matrix4d::Identity();
         const std::size_t first = m_mesh.points.size(), count = numbers.size() / 3;
-        m_mesh.points.resize(first + count);
+        resizeInLargePages(m_mesh.points, first + count);
         forEachChunk(count, chunkSize, [&](std::size_t, std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 Vec3f& point = m_mesh.points[first + i];
@@ -182,7 +182,7 @@ private:
         const std::size_t before = m_mesh.triangles.size(), count = mode == Triangles ? corners.size() / 3 : std::max<std::size_t>(corners.size(), 2) - 2;
         if (const std::size_t most = std::min(maxFaces, mostFaceCopies * m_gltf.bytes()); before + count > most)
             throw tooMany("faces", most, errorAtByte({}, m_file, m_file.bytes.data()));
-        m_mesh.triangles.resize(before + count);
+        resizeInLargePages(m_mesh.triangles, before + count);
         const auto add = [&](std::size_t at, std::size_t a, std::size_t b, std::size_t c) {
             if (isMirrored)
                 std::swap(b, c);

@@ -63,6 +63,27 @@ bool has(const std::vector<Role>& roles, std::initializer_list<Role> wanted)
                        [&](Role role) { return std::find(roles.begin(), roles.end(), role) != roles.end(); });
 }
 
+/// Takes faces of three corners where they belong; what a face has beyond that is not taken.
+class TriangleRows
+{
+public:
+    explicit TriangleRows(Triangle* first) : m_at(first) {}
+    void addCorner(Slot corner)
+    {
+        if (m_corners < 3)
+            (*m_at)[m_corners++] = corner;
+    }
+    void endFace()
+    {
+        ++m_at;
+        m_corners = 0;
+    }
+
+private:
+    Triangle* m_at;
+    std::size_t m_corners = 0;
+};
+
 template <typename Source> class BodyReader
 {
 public:
@@ -114,7 +135,7 @@ private:
         if (!has(roles, {Role::X, Role::Y, Role::Z}))
             throw errorAtLine(FileErrorKind::Malformed, m_file, element.line, element.name);
         const bool colored = has(roles, {Role::Red, Role::Green, Role::Blue});
-        m_mesh.points.resize(element.count);
+        resizeInLargePages(m_mesh.points, element.count);
         if (colored)
             m_mesh.colors.resize(element.count);
         const auto readAll = [&](Source& source, std::size_t begin, std::size_t end) {
@@ -197,19 +218,27 @@ private:
             const std::uint64_t size = m_source.bytesLeft() - afterFirst.bytesLeft(), trianglesEach = first.corners() - 2;
             if (element.count > m_source.bytesLeft() / size || element.count * trianglesEach > maxFaces)
                 return false;
-            std::vector<Triangle> triangles(element.count * trianglesEach);
+            std::vector<Triangle> triangles;
+            resizeInLargePages(triangles, element.count * trianglesEach);
             std::atomic<bool> areRows = true;
             forEachChunk(element.count, rowsPerChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
                 Source rows = m_source;
                 rows.skip(PlyType::Uint8, begin * size);
-                const std::uint64_t left = rows.bytesLeft();
+                const auto readAll = [&](auto& faces) {
+                    for (std::size_t i = begin; i < end && areRows; ++i) {
+                        const std::uint64_t left = rows.bytesLeft();
+                        readFace(rows, element, roles, faces);
+                        if (rows.bytesLeft() != left - size)
+                            areRows = false;
+                    }
+                };
+                if (trianglesEach == 1) {
+                    TriangleRows faces(&triangles[begin]);
+                    return readAll(faces);
+                }
                 Polygons faces;
                 faces.reserve(end - begin, trianglesEach + 2);
-                for (std::size_t i = begin; i < end && areRows; ++i) {
-                    readFace(rows, element, roles, faces);
-                    if (rows.bytesLeft() != left - (i + 1 - begin) * size)
-                        areRows = false;
-                }
+                readAll(faces);
                 if (areRows)
                     std::ranges::copy(faces.triangles(m_mesh.points, StopCheck(m_file.stop)), triangles.begin() + static_cast<std::ptrdiff_t>(begin * trianglesEach));
             });
@@ -223,7 +252,7 @@ private:
         }
     }
 
-    void readFace(Source& source, const PlyElement& element, const std::vector<Role>& roles, Polygons& faces) const
+    template <typename Faces> void readFace(Source& source, const PlyElement& element, const std::vector<Role>& roles, Faces& faces) const
     {
         source.beginElement();
         for (std::size_t k = 0; k < roles.size(); ++k)
@@ -231,7 +260,7 @@ private:
         source.endElement();
     }
 
-    void readCorners(Source& source, const PlyProperty& property, Polygons& faces) const
+    template <typename Faces> void readCorners(Source& source, const PlyProperty& property, Faces& faces) const
     {
         const std::int64_t count = source.whole(*property.countType);
         if (count < 3)

@@ -28,12 +28,12 @@ TriangleMesh meshOf(std::size_t triangles, const PointLoader& corners, const std
 {
     const SamePoints same = samePoints(3 * triangles, corners, stop);
     TriangleMesh mesh;
-    mesh.points.resize(same.firsts.size());
+    resizeInLargePages(mesh.points, same.firsts.size());
     forEachChunk(same.firsts.size(), chunkSize, [&](std::size_t, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             corners(same.firsts[i], {&mesh.points[i], 1});
     });
-    mesh.triangles.resize(triangles);
+    resizeInLargePages(mesh.triangles, triangles);
     forEachChunk(triangles, chunkSize, [&](std::size_t, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             mesh.triangles[i] = {same.numbers[3 * i], same.numbers[3 * i + 1], same.numbers[3 * i + 2]};
@@ -64,8 +64,10 @@ TriangleMesh readBinary(const FileBytes& file)
     if (!std::ranges::all_of(mesh.points, [](const Vec3f& p) { return p.allFinite(); }))
         refuseNumber(file);
     std::vector<std::uint16_t> words(count);
-    for (std::size_t i = 0; i < count; ++i)
-        words[i] = load<std::uint16_t>(cornerAt(file, 3 * i) + 36, std::endian::little);
+    forEachChunk(count, chunkSize, [&](std::size_t, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            words[i] = load<std::uint16_t>(cornerAt(file, 3 * i) + 36, std::endian::little);
+    });
     StopCheck stopCheck(file.stop);
     mesh.colors = stlColors(file.bytes.substr(0, stlHeaderSize - 4), words, mesh, stopCheck);
     return mesh;

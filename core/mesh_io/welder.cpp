@@ -1,7 +1,7 @@
 // Points that are one, by hashing, in three passes, each on all cores:
 //   1. file    the points of each chunk into the chunk's many drawers, by hash, in the order of the file
 //   2. search  each drawer in all chunks together, which a core's cache holds: each point takes the index of the first that is like it
-//   3. number  the first ones in the order of the file
+//   3. number  the first ones in the order of the file, each by how many bits before its own are set: so few that the cache holds them
 
 #include "welder.h"
 
@@ -50,6 +50,7 @@ public:
         , m_stop(stop)
         , m_drawerOf(count)
         , m_filed(count)
+        , m_numbers(count)
         , m_starts(chunksOf(count, chunkSize) * m_drawers + 1, static_cast<Slot>(count))
     {}
 
@@ -67,7 +68,7 @@ private:
     struct Filed
     {
         Bits bits;
-        Slot index; ///< of the point; once searched, of the first that is like it
+        Slot index; ///< of the point
     };
 
     /// work(chunk, begin, end), whatever forEachChunk puts together.
@@ -85,7 +86,10 @@ private:
     /// Where what a chunk has for a drawer begins; it ends where the next begins.
     Slot& startOf(std::size_t chunk, std::size_t drawer) { return m_starts[chunk * m_drawers + drawer]; }
 
-    std::span<Filed> contentOf(std::size_t chunk, std::size_t drawer) { return m_filed.part(startOf(chunk, drawer), startOf(chunk, drawer + 1)); }
+    std::span<const Filed> contentOf(std::size_t chunk, std::size_t drawer)
+    {
+        return m_filed.part(startOf(chunk, drawer), startOf(chunk, drawer + 1));
+    }
 
     void file(std::size_t chunk, std::size_t begin, std::size_t end)
     {
@@ -117,52 +121,58 @@ private:
             content.insert(content.end(), contentOf(chunk, drawer).begin(), contentOf(chunk, drawer).end());
         std::vector<Slot> table(std::bit_ceil(2 * content.size() + 1), noSlot);
         const std::size_t mask = table.size() - 1;
-        for (Slot i = 0; i < content.size(); ++i) {
-            std::size_t at = (content[i].bits.hash(m_seed) >> std::countr_zero(m_drawers)) & mask;
-            while (table[at] != noSlot && content[table[at]].bits != content[i].bits)
-                at = (at + 1) & mask;
-            if (table[at] == noSlot)
-                table[at] = i;
-            content[i].index = content[table[at]].index;
-        }
-        auto searched = content.begin();
+        Slot next = 0;
         for (std::size_t chunk = 0; chunk < chunks; ++chunk)
-            for (Filed& filed : contentOf(chunk, drawer))
-                filed.index = (searched++)->index;
+            for (Slot place = startOf(chunk, drawer); place < startOf(chunk, drawer + 1); ++place) {
+                const Slot i = next++;
+                std::size_t at = (content[i].bits.hash(m_seed) >> std::countr_zero(m_drawers)) & mask;
+                while (table[at] != noSlot && content[table[at]].bits != content[i].bits)
+                    at = (at + 1) & mask;
+                if (table[at] == noSlot)
+                    table[at] = i;
+                m_numbers[place] = content[table[at]].index;
+            }
     }
 
+    /// m_numbers hold, of each point as it was filed, the first that is like it; then of each point of the file its number.
     SamePoints number()
     {
-        SamePoints same{LargeBuffer<Slot>(m_count), {}};
-        LargeBuffer<bool> isFirst(m_count);
-        std::vector<std::size_t> distinct(chunksOf(m_count, chunkSize) + 1);
+        std::vector<FirstOnes> firstOnes(chunksOf(m_count, firstOnesSize));
         inChunks([&](std::size_t chunk, std::size_t begin, std::size_t end) {
+            const std::vector<Slot> filed(&m_numbers[begin], &m_numbers[begin] + (end - begin));
             std::vector<Slot> places(&startOf(chunk, 0), &startOf(chunk, m_drawers));
             for (std::size_t i = begin; i < end; ++i) {
-                same.numbers[i] = m_filed[places[m_drawerOf[i]]++].index;
-                isFirst[i] = same.numbers[i] == i;
-                distinct[chunk + 1] += isFirst[i] ? 1 : 0;
+                m_numbers[i] = filed[places[m_drawerOf[i]]++ - begin];
+                firstOnes[i / firstOnesSize].bits |= std::uint64_t(m_numbers[i] == i) << i % firstOnesSize;
             }
         });
-        for (std::size_t chunk = 1; chunk < distinct.size(); ++chunk)
-            distinct[chunk] += distinct[chunk - 1];
-        same.firsts.resize(distinct.back());
-        inChunks([&](std::size_t chunk, std::size_t begin, std::size_t end) {
-            std::size_t next = distinct[chunk];
-            for (std::size_t i = begin; i < end; ++i) {
-                if (!isFirst[i])
-                    continue;
-                same.firsts[next] = static_cast<Slot>(i);
-                same.numbers[i] = static_cast<Slot>(next++);
-            }
-        });
+        Slot distinct = 0;
+        for (FirstOnes& ones : firstOnes) {
+            ones.before = distinct;
+            distinct += static_cast<Slot>(std::popcount(ones.bits));
+        }
+        SamePoints same{LargeBuffer<Slot>(0), std::vector<Slot>(distinct)};
         inChunks([&](std::size_t, std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i)
-                if (!isFirst[i])
-                    same.numbers[i] = same.numbers[same.numbers[i]];
+            for (std::size_t i = begin; i < end; ++i) {
+                const Slot first = m_numbers[i];
+                const FirstOnes& ones = firstOnes[first / firstOnesSize];
+                m_numbers[i] = ones.before + static_cast<Slot>(std::popcount(ones.bits & ((std::uint64_t(1) << first % firstOnesSize) - 1)));
+                if (first == i)
+                    same.firsts[m_numbers[i]] = first;
+            }
         });
+        same.numbers = std::move(m_numbers);
         return same;
     }
+
+    /// Of so many points in a row, which are the first of their kind, and how many such there are before.
+    static constexpr std::size_t firstOnesSize = 64;
+    struct FirstOnes
+    {
+        std::uint64_t bits = 0;
+        Slot before = 0;
+    };
+    static_assert(chunkSize % firstOnesSize == 0); // no two cores write to the same bits
 
     const std::uint64_t m_seed = std::random_device()(); ///< nobody can make a file of points that hash alike
     std::size_t m_count;
@@ -171,6 +181,7 @@ private:
     const std::stop_token& m_stop;
     LargeBuffer<std::uint16_t> m_drawerOf;
     LargeBuffer<Filed> m_filed;
+    LargeBuffer<Slot> m_numbers;
     std::vector<Slot> m_starts;
 };
 } // namespace

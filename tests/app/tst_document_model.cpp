@@ -5,6 +5,8 @@
 #include "tests/support/viewer.h"
 #include "ui/mailbox.h"
 
+#include <QScopeGuard>
+#include <QSemaphore>
 #include <QSignalSpy>
 #include <QStandardPaths>
 #include <QTemporaryDir>
@@ -106,6 +108,8 @@ private Q_SLOTS:
     void nothing_isNoStepAndIsSaid();
     void refusal_leavesAllAsItIsAndSaysWhy();
     void stop_leavesAllAsItIs();
+    void change_isToldOnceItIsMade();
+    void undo_isToldOnceItIsMade();
     void insert_fromAFile();
     void insert_refusalsNameTheFile();
     void insert_brokenIsMendedAsOneStep();
@@ -230,6 +234,47 @@ void TestDocumentModel::stop_leavesAllAsItIs()
     QVERIFY(refused.isEmpty() && !session.document.isModified());
     session.apply(core::Mirror{0}); // and all goes on
     QCOMPARE(session.document.undoStack().count(), 1);
+}
+
+/// The mesh thread is late: what it has not recorded would not survive the program.
+void TestDocumentModel::change_isToldOnceItIsMade()
+{
+    QSemaphore delay;
+    Session session;
+    const auto letGo = qScopeGuard([&delay] { delay.release(); });
+    QSignalSpy stoppable(&session.document, &Document::stoppable), noticed(&session.document, &Document::noticed);
+    session.document.apply(core::Scale{2}); // the mesh thread copies
+    session.worker.post([&delay](core::Sculptor&) { delay.acquire(); });
+    QTRY_VERIFY_WITH_TIMEOUT(!stoppable.isEmpty() && !stoppable.last()[0].toBool(), longestWait);
+    QVERIFY(!session.document.isModified() && !session.document.canUndo() && session.document.isBusy());
+    session.stroke({0, 0, 50});
+    session.document.stop(); // too late
+    session.document.undo();
+    delay.release();
+    session.wait();
+    QVERIFY(session.document.canRedo() && !session.document.canUndo());
+    QCOMPARE(noticed.size(), 1);
+}
+
+void TestDocumentModel::undo_isToldOnceItIsMade()
+{
+    QSemaphore delay;
+    Session session;
+    const auto letGo = qScopeGuard([&delay] { delay.release(); });
+    session.stroke({0, 0, 50});
+    session.wait();
+    session.worker.post([&delay](core::Sculptor&) { delay.acquire(); });
+    QSignalSpy modified(&session.document, &Document::modifiedChanged);
+    session.document.undo();
+    QVERIFY(session.document.canRedo());
+    session.document.redo();
+    session.document.undo();
+    QTest::qWait(100);
+    QVERIFY(modified.isEmpty() && !session.document.isSettled());
+    delay.release();
+    session.wait();
+    QCOMPARE(modified.size(), 1);
+    QVERIFY(!session.document.isModified() && session.document.canRedo());
 }
 
 void TestDocumentModel::insert_fromAFile()
