@@ -34,6 +34,7 @@ libtinygltf-dev     tinygltf: reads what we write
 libbenchmark-dev    Google Benchmark
 clang               libFuzzer, which feeds every reader the bytes of strangers
 libclang-rt-14-dev  the libraries of libFuzzer and the sanitizers
+openxr-layer-corevalidation  says where a client of OpenXR breaks its rules
 xvfb                a display without a screen
 xauth               for xvfb-run
 openbox             a window manager for that display
