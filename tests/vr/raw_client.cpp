@@ -39,9 +39,9 @@ XrGraphicsBindingOpenGLXlibKHR currentBinding(QOpenGLContext& gl)
 XrResult askRequirements(XrInstance instance, XrSystemId system)
 {
     PFN_xrGetOpenGLGraphicsRequirementsKHR ask = nullptr;
-    const XrResult found = xrGetInstanceProcAddr(instance, "xrGetOpenGLGraphicsRequirementsKHR", reinterpret_cast<PFN_xrVoidFunction*>(&ask));
-    if (XR_FAILED(found))
-        return found;
+    auto* function = reinterpret_cast<PFN_xrVoidFunction*>(&ask);
+    if (const XrResult result = xrGetInstanceProcAddr(instance, "xrGetOpenGLGraphicsRequirementsKHR", function); XR_FAILED(result))
+        return result;
     XrGraphicsRequirementsOpenGLKHR requirements{};
     requirements.type = XR_TYPE_GRAPHICS_REQUIREMENTS_OPENGL_KHR;
     return ask(instance, system, &requirements);
@@ -92,6 +92,20 @@ XrResult RawClient::createSession()
     return xrCreateSession(instance, &info, &session);
 }
 
+XrResult RawClient::createSwapchain(const XrSwapchainCreateInfo& info, Eye& eye)
+{
+    if (const XrResult result = xrCreateSwapchain(session, &info, &eye.swapchain); XR_FAILED(result))
+        return result;
+    std::uint32_t count = 0;
+    xrEnumerateSwapchainImages(eye.swapchain, 0, &count, nullptr);
+    std::vector<XrSwapchainImageOpenGLKHR> images(count, {XR_TYPE_SWAPCHAIN_IMAGE_OPENGL_KHR, nullptr, 0});
+    auto* first = reinterpret_cast<XrSwapchainImageBaseHeader*>(images.data());
+    const XrResult result = xrEnumerateSwapchainImages(eye.swapchain, count, &count, first);
+    for (const auto& image : images)
+        eye.images.push_back(image.image);
+    return result;
+}
+
 XrResult RawClient::createSwapchains()
 {
     std::uint32_t count = 0;
@@ -101,17 +115,12 @@ XrResult RawClient::createSwapchains()
         return result;
     eyes.assign(count, {});
     for (std::uint32_t i = 0; i < count; ++i) {
-        eyes[i].size = {static_cast<int>(sizes[i].recommendedImageRectWidth), static_cast<int>(sizes[i].recommendedImageRectHeight)};
+        const std::uint32_t width = sizes[i].recommendedImageRectWidth, height = sizes[i].recommendedImageRectHeight;
+        eyes[i].size = {static_cast<int>(width), static_cast<int>(height)};
         const XrSwapchainCreateInfo info{XR_TYPE_SWAPCHAIN_CREATE_INFO, nullptr, 0, XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT,
-                                         GL_SRGB8_ALPHA8, 1, sizes[i].recommendedImageRectWidth, sizes[i].recommendedImageRectHeight,
-                                         1, 1, 1};
-        if (const XrResult result = xrCreateSwapchain(session, &info, &eyes[i].swapchain); XR_FAILED(result))
+                                         GL_SRGB8_ALPHA8, 1, width, height, 1, 1, 1};
+        if (const XrResult result = createSwapchain(info, eyes[i]); XR_FAILED(result))
             return result;
-        std::vector<XrSwapchainImageOpenGLKHR> images(3, {XR_TYPE_SWAPCHAIN_IMAGE_OPENGL_KHR, nullptr, 0});
-        std::uint32_t made = 0;
-        xrEnumerateSwapchainImages(eyes[i].swapchain, 3, &made, reinterpret_cast<XrSwapchainImageBaseHeader*>(images.data()));
-        for (const auto& image : images)
-            eyes[i].images.push_back(image.image);
     }
     return XR_SUCCESS;
 }

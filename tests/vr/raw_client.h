@@ -30,6 +30,7 @@ public:
     /// Each returns the first result that is an error, or the last.
     XrResult createInstance(std::vector<const char*> extensions = {"XR_KHR_opengl_enable"});
     XrResult createSession();
+    XrResult createSwapchain(const XrSwapchainCreateInfo& info, Eye& eye);
     XrResult createSwapchains();
     XrResult createSpaces();
     /// The three above.

@@ -26,9 +26,14 @@ QStringList texts(const QJsonValue& value)
 }
 } // namespace
 
-ScriptedRuntime::ScriptedRuntime(const QByteArray& script)
+void ScriptedRuntime::choose()
 {
     qputenv("XR_RUNTIME_JSON", FETTLE_XR_MANIFEST);
+}
+
+ScriptedRuntime::ScriptedRuntime(const QByteArray& script)
+{
+    choose();
     if (const QString complaint = load(script); !complaint.isEmpty())
         qFatal("%s", qPrintable(complaint));
 }

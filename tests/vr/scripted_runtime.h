@@ -12,6 +12,9 @@ public:
     /// Begins anew; no instance may exist. Log and pictures go where FETTLE_XR_LOG and FETTLE_XR_FRAMES say.
     explicit ScriptedRuntime(const QByteArray& script = "{}");
 
+    /// The loader takes it from now on, here and in processes that are started from here. It does what FETTLE_XR_SCRIPT says, unless
+    /// one was loaded.
+    static void choose();
     /// What is wrong with a script; empty: it is in force.
     static QString load(const QByteArray& script);
 

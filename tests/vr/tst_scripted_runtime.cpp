@@ -7,6 +7,7 @@
 #include <QImage>
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <QOpenGLExtraFunctions>
 #include <QOpenGLFunctions>
 #include <QTemporaryDir>
 
@@ -34,8 +35,10 @@ private Q_SLOTS:
     void initTestCase() { SKIP_WITHOUT_GLX(); }
     void init();
 
+    void followsTheEnvironment(); // first: later ones load scripts of their own
     void livesThroughASession();
     void keepsPictures();
+    void keepsQuads();
     void writesALog();
     void givesTheContextBack();
     void passesTheValidationLayer();
@@ -55,6 +58,21 @@ void TestScriptedRuntime::init()
     qunsetenv("FETTLE_XR_LOG");
     qunsetenv("FETTLE_XR_FRAMES");
     qunsetenv("XR_ENABLE_API_LAYERS");
+}
+
+void TestScriptedRuntime::followsTheEnvironment()
+{
+    QTemporaryDir folder;
+    QFile script(folder.filePath("script"));
+    QVERIFY(script.open(QIODevice::WriteOnly));
+    script.write(R"({"start": {"pace": "fast", "size": [20, 10]}})");
+    script.close();
+    qputenv("FETTLE_XR_SCRIPT", script.fileName().toUtf8());
+    ScriptedRuntime::choose();
+    RawClient client;
+    QSUCCEEDS(client.enter());
+    QCOMPARE(client.eyes[0].size.width, 20);
+    QCOMPARE(client.eyes[1].size.height, 10);
 }
 
 void TestScriptedRuntime::livesThroughASession()
@@ -96,6 +114,46 @@ void TestScriptedRuntime::keepsPictures()
     QCOMPARE(left.pixel(0, 24), qRgb(255, 0, 0));
     QCOMPARE(left.pixel(63, 47), qRgb(255, 0, 0));
     QCOMPARE(right.pixel(32, 24), qRgb(0, 255, 0));
+}
+
+/// One with alpha in a linear format on an array's second layer, and one that covers.
+void TestScriptedRuntime::keepsQuads()
+{
+    constexpr std::int64_t linear = 0x8058, texture2DArray = 0x8C1A; // GL_RGBA8, GL_TEXTURE_2D_ARRAY
+    QTemporaryDir folder;
+    qputenv("FETTLE_XR_FRAMES", folder.path().toUtf8());
+    ScriptedRuntime runtime(fast);
+    RawClient client;
+    QSUCCEEDS(client.enter());
+    RawClient::Eye panel;
+    panel.size = {8, 4};
+    const XrSwapchainCreateInfo info{XR_TYPE_SWAPCHAIN_CREATE_INFO, nullptr, 0, XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT, linear, 1, 8, 4, 1, 2, 1};
+    QSUCCEEDS(client.createSwapchain(info, panel));
+    std::uint32_t image = 0;
+    QSUCCEEDS(xrAcquireSwapchainImage(panel.swapchain, nullptr, &image));
+    const XrSwapchainImageWaitInfo wait{XR_TYPE_SWAPCHAIN_IMAGE_WAIT_INFO, nullptr, 0};
+    QSUCCEEDS(xrWaitSwapchainImage(panel.swapchain, &wait));
+    const std::vector<unsigned char> grey(8 * 4 * 4, 55); // of red, green, blue and alpha
+    client.gl.functions()->glBindTexture(texture2DArray, panel.images[image]);
+    client.gl.extraFunctions()->glTexSubImage3D(texture2DArray, 0, 0, 0, 1, 8, 4, 1, GL_RGBA, GL_UNSIGNED_BYTE, grey.data());
+    QSUCCEEDS(xrReleaseSwapchainImage(panel.swapchain, nullptr));
+    XrCompositionLayerQuad quads[2]{};
+    for (XrCompositionLayerQuad& quad : quads)
+        quad = {XR_TYPE_COMPOSITION_LAYER_QUAD, nullptr, 0, client.local, XR_EYE_VISIBILITY_BOTH,
+                {panel.swapchain, {{2, 0}, {6, 4}}, 1}, {{0, 0, 0, 1}, {0, 0, -1}}, {0.5F, 0.3F}};
+    quads[0].layerFlags = XR_COMPOSITION_LAYER_BLEND_TEXTURE_SOURCE_ALPHA_BIT;
+    const XrCompositionLayerBaseHeader* layers[]{reinterpret_cast<XrCompositionLayerBaseHeader*>(&quads[0]),
+                                                 reinterpret_cast<XrCompositionLayerBaseHeader*>(&quads[1])};
+    runtime.set(R"({"keep": true})");
+    QSUCCEEDS(xrWaitFrame(client.session, nullptr, &client.frameState));
+    QSUCCEEDS(xrBeginFrame(client.session, nullptr));
+    const XrFrameEndInfo end{XR_TYPE_FRAME_END_INFO, nullptr, client.frameState.predictedDisplayTime, XR_ENVIRONMENT_BLEND_MODE_OPAQUE, 2, layers};
+    QSUCCEEDS(xrEndFrame(client.session, &end));
+    const QImage through(folder.filePath("session0_frame0003_quad0.png")), covering(folder.filePath("session0_frame0003_quad1.png"));
+    QCOMPARE(through.size(), QSize(6, 4));
+    QCOMPARE(through.pixel(3, 2), qRgba(128, 128, 128, 55)); // 55 of 255 is half as bright to the eye
+    QCOMPARE(covering.pixel(3, 2), qRgba(128, 128, 128, 255));
+    QCOMPARE(runtime.clientErrors(), QStringList());
 }
 
 void TestScriptedRuntime::writesALog()
@@ -232,7 +290,9 @@ void TestScriptedRuntime::refusesBadLayers_data()
     using View = XrCompositionLayerProjectionView;
     QTest::addColumn<Spoil>("spoil");
     QTest::addColumn<int>("result");
-    const auto row = [](const char* name, const Spoil& spoil, XrResult result) { QTest::newRow(name) << spoil << static_cast<int>(result); };
+    const auto row = [](const char* name, const Spoil& spoil, XrResult result) {
+        QTest::newRow(name) << spoil << static_cast<int>(result);
+    };
     row("nothing is wrong", [](End&, Layer&, View&) {}, XR_SUCCESS);
     row("time", [](End& end, Layer&, View&) { end.displayTime = 0; }, XR_ERROR_TIME_INVALID);
     row("blend mode", [](End& end, Layer&, View&) { end.environmentBlendMode = XR_ENVIRONMENT_BLEND_MODE_ADDITIVE; },
@@ -269,7 +329,8 @@ void TestScriptedRuntime::refusesBadLayers()
 
 void TestScriptedRuntime::warnsOfWhatSwims()
 {
-    ScriptedRuntime runtime(R"({"start": {"pace": "fast", "size": [64, 48]}, "steps": [{"frame": 5, "over": 90, "head": {"position": [1, 1.6, 0]}}]})");
+    ScriptedRuntime runtime(R"({"start": {"pace": "fast", "size": [64, 48]}, "steps": [
+        {"frame": 5, "over": 90, "head": {"position": [1, 1.6, 0]}}]})");
     RawClient client;
     QSUCCEEDS(client.enter());
     for (int i = 0; i < 5; ++i)

@@ -78,7 +78,8 @@ SuggestedBinding checkedBinding(Call& call, const Instance& instance, const Prof
     require(!static_cast<const ActionSet&>(*action.parent).isAttached, XR_ERROR_ACTIONSETS_ALREADY_ATTACHED, "the action set is attached");
     require(hasPath(profile, path), XR_ERROR_PATH_UNSUPPORTED, "the profile has no such path");
     const auto source = sourceAt(profile, path, action.type);
-    warnOfLostBinding(call, instance.paths, action, source ? &*source : nullptr);
+    if (!profile.components.empty())
+        warnOfLostBinding(call, instance.paths, action, source ? &*source : nullptr);
     return {call.runtime.handles.get<Action>(suggested.action), path};
 }
 } // namespace

@@ -1,6 +1,5 @@
 #include "gl_share_glx.h"
 
-#define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 #include <GL/glext.h>
 #include <GL/glx.h>
@@ -34,6 +33,22 @@ std::uint8_t encoded(std::uint8_t linear)
 GLenum targetOf(const TextureForm& form)
 {
     return form.layers > 1 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D;
+}
+
+/// Not by its name: clients have variables of that name.
+template <class Function> Function glFunction(const char* name)
+{
+    return reinterpret_cast<Function>(glXGetProcAddressARB(reinterpret_cast<const GLubyte*>(name)));
+}
+
+/// Of the texture that is bound.
+void allocate(const TextureForm& form)
+{
+    const auto format = static_cast<GLenum>(form.format);
+    if (form.layers > 1)
+        glFunction<PFNGLTEXSTORAGE3DPROC>("glTexStorage3D")(targetOf(form), form.levels, format, form.width, form.height, form.layers);
+    else
+        glFunction<PFNGLTEXSTORAGE2DPROC>("glTexStorage2D")(targetOf(form), form.levels, format, form.width, form.height);
 }
 
 /// The part of one layer's pixels, turned upside up.
@@ -120,10 +135,7 @@ std::vector<unsigned int> ShareContext::createTextures(const TextureForm& form, 
     glGenTextures(static_cast<GLsizei>(count), textures.data());
     for (const unsigned int texture : textures) {
         glBindTexture(targetOf(form), texture);
-        if (form.layers > 1)
-            glTexStorage3D(targetOf(form), form.levels, static_cast<GLenum>(form.format), form.width, form.height, form.layers);
-        else
-            glTexStorage2D(targetOf(form), form.levels, static_cast<GLenum>(form.format), form.width, form.height);
+        allocate(form);
     }
     if (glGetError() != GL_NO_ERROR)
         throw std::runtime_error("OpenGL makes no such texture");

@@ -74,12 +74,39 @@ constexpr Component touch[] = {{"/input/x/click", Boolean, Input::ButtonA, Where
 constexpr Component motion[] = {menuClick, squeezeClick, triggerValue, stickX, stickY, stickClick,
                                 padX, padY, padClick, padTouch, gripPose, aimPose, haptic};
 
+constexpr Component daydream[] = {{"/input/select/click", Boolean, Input::Trigger}, padX, padY, padClick, padTouch, gripPose, aimPose};
+
+constexpr Component go[] = {{"/input/system/click", Boolean, Input::Menu, Where::Both, never},
+                            {"/input/back/click", Boolean, Input::Menu},
+                            triggerClick, padX, padY, padClick, padTouch, gripPose, aimPose};
+
+constexpr std::string_view vivePro[] = {"/user/head/input/system/click", "/user/head/input/volume_up/click",
+                                        "/user/head/input/volume_down/click", "/user/head/input/mute_mic/click"};
+
+constexpr std::string_view gamepad[] = {
+    "/user/gamepad/input/menu/click",          "/user/gamepad/input/view/click",
+    "/user/gamepad/input/a/click",             "/user/gamepad/input/b/click",
+    "/user/gamepad/input/x/click",             "/user/gamepad/input/y/click",
+    "/user/gamepad/input/dpad_down/click",     "/user/gamepad/input/dpad_right/click",
+    "/user/gamepad/input/dpad_up/click",       "/user/gamepad/input/dpad_left/click",
+    "/user/gamepad/input/shoulder_left/click", "/user/gamepad/input/shoulder_right/click",
+    "/user/gamepad/input/thumbstick_left/x",   "/user/gamepad/input/thumbstick_left/y",
+    "/user/gamepad/input/thumbstick_left/click", "/user/gamepad/input/thumbstick_right/x",
+    "/user/gamepad/input/thumbstick_right/y",  "/user/gamepad/input/thumbstick_right/click",
+    "/user/gamepad/input/trigger_left/value",  "/user/gamepad/input/trigger_right/value",
+    "/user/gamepad/output/haptic_left",        "/user/gamepad/output/haptic_right",
+    "/user/gamepad/output/haptic_left_trigger", "/user/gamepad/output/haptic_right_trigger"};
+
 constexpr Profile known[] = {
     {"/interaction_profiles/htc/vive_controller", "Vive Controller", vive},
     {"/interaction_profiles/khr/simple_controller", "Simple Controller", simple},
     {"/interaction_profiles/valve/index_controller", "Index Controller", index},
     {"/interaction_profiles/oculus/touch_controller", "Touch Controller", touch},
     {"/interaction_profiles/microsoft/motion_controller", "Mixed Reality Controller", motion},
+    {"/interaction_profiles/google/daydream_controller", "Daydream Controller", daydream},
+    {"/interaction_profiles/oculus/go_controller", "Go Controller", go},
+    {"/interaction_profiles/htc/vive_pro", "Vive Pro", {}, vivePro},
+    {"/interaction_profiles/microsoft/xbox_controller", "Xbox Controller", {}, gamepad},
 };
 
 /// A path of the whole, cut after the hand.
@@ -103,10 +130,11 @@ bool isOn(const Component& component, Hand hand)
     return component.where == Where::Both || (component.where == Where::Left) == (hand == Hand::Left);
 }
 
-bool isParent(std::string_view parent, std::string_view path)
+/// "/input/trigger" of "/input/trigger/value"
+std::string_view parentOf(std::string_view path)
 {
-    return path.size() > parent.size() + 1 && path.starts_with(parent) && path[parent.size()] == '/'
-           && path.find('/', parent.size() + 1) == std::string_view::npos && parent.starts_with("/input/");
+    const std::string_view parent = path.substr(0, path.rfind('/'));
+    return parent.ends_with("/input") || parent.ends_with("/output") ? std::string_view() : parent;
 }
 
 const Component* find(const Profile& profile, Hand hand, std::string_view path)
@@ -183,9 +211,11 @@ const Profile* profileAt(std::string_view path)
 bool hasPath(const Profile& profile, std::string_view path)
 {
     const auto at = cut(path);
-    return at && std::any_of(profile.components.begin(), profile.components.end(), [&](const Component& it) {
-               return isOn(it, at->hand) && (it.path == at->rest || isParent(at->rest, it.path));
-           });
+    if (!at || at->rest.empty())
+        return std::any_of(profile.unread.begin(), profile.unread.end(), [&](auto it) { return it == path || parentOf(it) == path; });
+    return std::any_of(profile.components.begin(), profile.components.end(), [&](const Component& it) {
+        return isOn(it, at->hand) && (it.path == at->rest || parentOf(it.path) == at->rest);
+    });
 }
 
 std::optional<Source> sourceAt(const Profile& profile, std::string_view path, XrActionType type)

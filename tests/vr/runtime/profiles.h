@@ -55,12 +55,13 @@ struct Profile
     std::string_view path;
     std::string_view name; ///< for people
     std::span<const Component> components;
+    std::span<const std::string_view> unread = {}; ///< whole paths that may be bound, of what nobody holds in a hand
 };
 
 std::span<const Profile> profiles();
 const Profile* profileAt(std::string_view path);
 
-/// Whether the profile has that input or output, or the parent of some.
+/// Whether the profile has that input or output, or the parent of some inputs.
 bool hasPath(const Profile& profile, std::string_view path);
 
 /// What an action of that type reads at that path, which the profile has; none if the value cannot be converted.

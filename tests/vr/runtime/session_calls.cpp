@@ -5,12 +5,10 @@ namespace scripted
 {
 namespace
 {
-std::shared_ptr<ShareContext> shareWith(const XrSessionCreateInfo& info)
+std::shared_ptr<ShareContext> shareWith(const ShareContext::Client& client)
 {
-    const auto client = ShareContext::find(info.next);
-    require(client.has_value(), XR_ERROR_GRAPHICS_DEVICE_INVALID, "no OpenGL binding for Xlib");
     try {
-        return std::make_shared<ShareContext>(*client);
+        return std::make_shared<ShareContext>(client);
     } catch (const std::runtime_error&) {
         throw Failure{XR_ERROR_GRAPHICS_DEVICE_INVALID, "no OpenGL context can be shared with the binding's"};
     }
@@ -25,10 +23,12 @@ XrResult createSession(Call& call, XrInstance handle, const XrSessionCreateInfo*
     given(out);
     require(info->createFlags == 0, XR_ERROR_VALIDATION_FAILURE, "there are no flags");
     requireSystem(info->systemId);
-    require(instance.takesOpenGl && instance.requirementsAsked, XR_ERROR_GRAPHICS_REQUIREMENTS_CALL_MISSING,
+    const auto client = ShareContext::find(info->next);
+    require(instance.takesOpenGl && client, XR_ERROR_GRAPHICS_DEVICE_INVALID, "no OpenGL binding for Xlib");
+    require(instance.requirementsAsked, XR_ERROR_GRAPHICS_REQUIREMENTS_CALL_MISSING,
             "xrGetOpenGLGraphicsRequirementsKHR was not called");
     require(!runtime.session, XR_ERROR_LIMIT_REACHED, "one session at a time");
-    auto session = std::make_shared<Session>(runtime, shareWith(*info));
+    auto session = std::make_shared<Session>(runtime, shareWith(*client));
     *out = runtime.handles.add<XrSession>(session, &instance);
     runtime.session = session;
     call.wantContext(*session);

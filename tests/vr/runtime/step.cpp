@@ -88,7 +88,8 @@ Change lateChange(const json& value, Over)
 
 Change recentreChange(const json& value, Over)
 {
-    const std::map<std::string, XrReferenceSpaceType> spaces{{"local", XR_REFERENCE_SPACE_TYPE_LOCAL}, {"stage", XR_REFERENCE_SPACE_TYPE_STAGE}};
+    const std::map<std::string, XrReferenceSpaceType> spaces{{"local", XR_REFERENCE_SPACE_TYPE_LOCAL},
+                                                             {"stage", XR_REFERENCE_SPACE_TYPE_STAGE}};
     Recentring recentring;
     for (const auto& [key, part] : members(value)) {
         if (key == "space")
