@@ -40,6 +40,7 @@ private Q_SLOTS:
     void keepsPictures();
     void keepsQuads();
     void writesALog();
+    void isTheSameEveryTime();
     void givesTheContextBack();
     void passesTheValidationLayer();
     void comesAgain();
@@ -171,7 +172,7 @@ void TestScriptedRuntime::writesALog()
     QStringList complaints;
     for (const QJsonObject& line : lines(folder.filePath("log"))) {
         begun += line["call"] == "xrBeginFrame" && line["result"] == "XR_SUCCESS" ? 1 : 0;
-        const QJsonObject frame = line["frame"].toObject();
+        const QJsonObject frame = line["ended_frame"].toObject();
         const QJsonArray layers = frame["layers"].toArray();
         if (!layers.isEmpty()) {
             ++shown;
@@ -184,6 +185,27 @@ void TestScriptedRuntime::writesALog()
     QCOMPARE(begun, 4);
     QCOMPARE(shown, 2);
     QCOMPARE(complaints, QStringList("xrBeginFrame: XR_ERROR_CALL_ORDER_INVALID, no frame was waited for"));
+}
+
+void TestScriptedRuntime::isTheSameEveryTime()
+{
+    QTemporaryDir folder;
+    QList<QByteArray> logs;
+    for (int run = 0; run < 2; ++run) {
+        const QString path = folder.filePath(QString::number(run));
+        qputenv("FETTLE_XR_LOG", path.toUtf8());
+        ScriptedRuntime runtime(R"({"start": {"pace": "fast", "size": [64, 48]}, "steps": [{"frame": 4, "late_ms": 5},
+            {"frame": 6, "over": 20, "head": {"position": [1, 1, 1]}}, {"frame": 20, "focus": false}]})");
+        RawClient client;
+        QSUCCEEDS(client.enter());
+        for (int i = 0; i < 30; ++i)
+            QSUCCEEDS(client.frame());
+        QFile log(path);
+        QVERIFY(log.open(QIODevice::ReadOnly));
+        logs << log.readAll();
+    }
+    QVERIFY(logs[0].count('\n') > 300);
+    QVERIFY(logs[0] == logs[1]);
 }
 
 void TestScriptedRuntime::givesTheContextBack()

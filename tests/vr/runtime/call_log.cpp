@@ -42,7 +42,7 @@ void CallLog::haptic(const json& pulse)
 void CallLog::frame(const json& frame)
 {
     m_lastFrame = frame;
-    write({{"frame", frame}});
+    write({{"ended_frame", frame}});
     flush();
 }
 

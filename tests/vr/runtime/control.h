@@ -1,10 +1,17 @@
 #pragma once
 
-/// How a test in the client's process steers the runtime, found by dlsym() in its library. Any thread. A script and these share one
-/// vocabulary; texts are JSON and stay valid until the thread's next call.
+/// How the runtime is steered: by a script that the environment names, or by a test in the client's process through the functions
+/// below, found by dlsym() in the library. Both speak JSON with one vocabulary.
 ///
-/// A script: {"start": STEP, "steps": [STEP with "frame": n and perhaps "session": n, ...]}. Frames count from 0 in each session. What
-/// a step does to a frame is seen by that frame: it happens when the client waits for it. In a STEP, all optional:
+///     FETTLE_XR_SCRIPT    a file with a script; none: a headset that lies still
+///     FETTLE_XR_LOG       a file that is written, an object a line: {"call", "result", "session", "frame", ...},
+///                         {"ended_frame"}, {"haptic"}, {"client_error"}, {"client_warning"}
+///     FETTLE_XR_FRAMES    a folder for pictures: session0_frame0012_left.png, _right, _mono, _quad0 ...
+///
+/// A script: {"start": STEP, "steps": [STEP with "frame": n and perhaps "session": n, ...]}. Frames count from 0 in each session,
+/// sessions in each process; a step without "session" is of the first. A step happens when the client waits for its frame, which
+/// sees it first. The display time moves by exactly one period a frame, so that a run is the same every time. Nothing hindering, a
+/// session shall render from frame 2 on and has the focus from frame 3 on. In a STEP, all optional:
 ///
 ///     "over": n                   movements of this step take n frames instead of happening at once
 ///     "head": {"position": [x,y,z], "rotation": [x,y,z,w] or "yaw_pitch_roll": [degrees], "tracked": true|false|"rotation"}
@@ -18,13 +25,14 @@
 ///     "pace": "real"|"fast"|"stepped"
 ///     "worn", "visible", "focus", "should_render": bool
 ///     "exit": true                the session is asked to stop for good
-///     "late_ms": n                the next frame is late
+///     "late_ms": n                the frame comes so much later, and its display time as many periods
 ///     "recentre": {"space": "local"|"stage", "position", "rotation", "after": n}   the space's new origin in the room
 ///     "lose_session": n, "lose_instance": n    foretold now, lost n frames later
 ///     "fail": {"call": name, "result": XrResult's name, "times": n}                 answers in the call's stead
-///     "keep": true|[frames], "keep_every": n   whose pictures are written to the folder FETTLE_XR_FRAMES
+///     "keep": true|[frames], "keep_every": n   whose pictures are kept; true: of the next frame
 ///
 /// Poses are in the room: metres, Y up, the floor at y = 0. A wand's pose is its grip.
+/// Any thread may call these; a text stays valid until the thread's next call.
 extern "C" {
 /// Begins anew with that script; the environment's log and folder are opened again. Null, or what is wrong.
 const char* fettle_xr_load(const char* script);

@@ -14,7 +14,7 @@ namespace
 template <std::size_t N> struct Name
 {
     consteval Name(const char (&given)[N]) { std::copy_n(given, N, text); }
-    char text[N]; // NOLINT(readability-identifier-naming): a template's argument has no private members
+    char text[N]{}; // NOLINT(readability-identifier-naming): a template's argument has no private members
 };
 
 bool isClientsFault(XrResult result)
@@ -63,27 +63,27 @@ template <class Implementation> XrResult answered(Call& call, Implementation imp
     }
 }
 
-template <Name name, auto implementation> struct Entry;
+template <Name FunctionName, auto Implementation> struct Entry;
 
-template <Name name, class... Arguments, XrResult (*implementation)(Call&, Arguments...)> struct Entry<name, implementation>
+template <Name FunctionName, class... Arguments, XrResult (*Implementation)(Call&, Arguments...)> struct Entry<FunctionName, Implementation>
 {
     static XrResult XRAPI_CALL call(Arguments... arguments)
     {
         Runtime& runtime = Runtime::get();
         std::unique_lock lock(runtime.mutex);
-        Call call(name.text, runtime, lock);
-        const XrResult result = answered(call, [&] { return implementation(call, arguments...); });
+        Call call(FunctionName.text, runtime, lock);
+        const XrResult result = answered(call, [&] { return Implementation(call, arguments...); });
         call.line["result"] = nameOf(result);
         call.line.update(call.where());
-        runtime.log.call(name.text, std::move(call.line));
+        runtime.log.call(FunctionName.text, std::move(call.line));
         return result;
     }
 };
 
-template <class Function, Name name, auto implementation> std::pair<std::string_view, PFN_xrVoidFunction> entry()
+template <class Function, Name FunctionName, auto Implementation> std::pair<std::string_view, PFN_xrVoidFunction> entry()
 {
-    constexpr Function function = &Entry<name, implementation>::call; // so that the two agree on the arguments
-    return {name.text, reinterpret_cast<PFN_xrVoidFunction>(function)};
+    constexpr Function function = &Entry<FunctionName, Implementation>::call; // so that the two agree on the arguments
+    return {FunctionName.text, reinterpret_cast<PFN_xrVoidFunction>(function)};
 }
 
 #define FETTLE_ENTRY(FUNCTION, IMPLEMENTATION) entry<PFN_##FUNCTION, #FUNCTION, IMPLEMENTATION>()

@@ -79,8 +79,7 @@ json projection(Call& call, const Session& session, const XrCompositionLayerProj
         views.push_back({{"pose", listOf(view.pose)},
                          {"fov", listOf(view.fov)},
                          {"rect", {part.x, part.y, part.width, part.height}},
-                         {"layer", part.layer},
-                         {"texture", part.texture}});
+                         {"layer", part.layer}});
     }
     return {{"type", "projection"}, {"space", nameOf(call.get<Space>(layer.space))}, {"views", views}};
 }

@@ -13,9 +13,9 @@ using nlohmann::json;
 
 using Reader = Change (*)(const json& value, Over over);
 
-template <auto member> Change flag(const json& value, Over)
+template <auto Member> Change flag(const json& value, Over)
 {
-    return [on = readBool(value)](Runtime& runtime, XrTime) { runtime.world.*member = on; };
+    return [on = readBool(value)](Runtime& runtime, XrTime) { runtime.world.*Member = on; };
 }
 
 Change sizeChange(const json& value, Over)
