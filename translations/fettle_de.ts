@@ -4204,5 +4204,9 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>%1 is ready, through %2.</source>
         <translation>%1 ist bereit, über %2.</translation>
     </message>
+    <message>
+        <source>The headset is in use here.</source>
+        <translation>Die VR-Brille ist hier schon in Gebrauch.</translation>
+    </message>
 </context>
 </TS>

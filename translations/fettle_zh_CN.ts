@@ -4193,5 +4193,9 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>%1 is ready, through %2.</source>
         <translation>%1 已就绪（通过 %2）。</translation>
     </message>
+    <message>
+        <source>The headset is in use here.</source>
+        <translation>头戴设备正在本程序中使用。</translation>
+    </message>
 </context>
 </TS>
