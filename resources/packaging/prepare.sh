@@ -25,6 +25,8 @@ libexpat1-dev       Expat: the XML of 3MF
 libzip-dev          libzip: the packages that 3MF files are
 libopenxr-dev       OpenXR: the headset
 libgl-dev           OpenGL
+libegl-dev          OpenGL of the headset, under Wayland
+libx11-dev          OpenGL of the headset, under X11
 libgl1-mesa-dri     OpenGL drivers, with one in software
 fonts-wqy-microhei  a font that has Chinese
 '
