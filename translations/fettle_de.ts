@@ -4186,6 +4186,49 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
+    <name>vr::Actions</name>
+    <message>
+        <source>Hand</source>
+        <translation>Hand</translation>
+    </message>
+    <message>
+        <source>Pointing</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>Abzug</translation>
+    </message>
+    <message>
+        <source>Pad</source>
+        <translation>Touchpad</translation>
+    </message>
+    <message>
+        <source>Pad touched</source>
+        <translation>Touchpad berührt</translation>
+    </message>
+    <message>
+        <source>Pad pressed</source>
+        <translation>Touchpad gedrückt</translation>
+    </message>
+    <message>
+        <source>Side button</source>
+        <translation>Seitentaste</translation>
+    </message>
+    <message>
+        <source>Menu button</source>
+        <translation>Menütaste</translation>
+    </message>
+    <message>
+        <source>Buzz</source>
+        <translation>Vibration</translation>
+    </message>
+    <message>
+        <source>Sculpting</source>
+        <translation>Modellieren</translation>
+    </message>
+</context>
+<context>
     <name>vr::OpenXrRuntime</name>
     <message>
         <source>No OpenXR runtime answers (%1). Start SteamVR, Monado or the headset&apos;s own program, then ask again.</source>

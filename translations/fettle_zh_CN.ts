@@ -4175,6 +4175,49 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
 </context>
 <context>
+    <name>vr::Actions</name>
+    <message>
+        <source>Hand</source>
+        <translation>手</translation>
+    </message>
+    <message>
+        <source>Pointing</source>
+        <translation>指向</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>扳机</translation>
+    </message>
+    <message>
+        <source>Pad</source>
+        <translation>触摸板</translation>
+    </message>
+    <message>
+        <source>Pad touched</source>
+        <translation>触摸触摸板</translation>
+    </message>
+    <message>
+        <source>Pad pressed</source>
+        <translation>按下触摸板</translation>
+    </message>
+    <message>
+        <source>Side button</source>
+        <translation>侧键</translation>
+    </message>
+    <message>
+        <source>Menu button</source>
+        <translation>菜单键</translation>
+    </message>
+    <message>
+        <source>Buzz</source>
+        <translation>振动</translation>
+    </message>
+    <message>
+        <source>Sculpting</source>
+        <translation>雕塑</translation>
+    </message>
+</context>
+<context>
     <name>vr::OpenXrRuntime</name>
     <message>
         <source>No OpenXR runtime answers (%1). Start SteamVR, Monado or the headset&apos;s own program, then ask again.</source>
