@@ -4,6 +4,16 @@
 
 namespace vr
 {
+/// What a runtime wants filled: a GL_TEXTURE_2D of one sample and one level.
+struct EyeImage
+{
+    unsigned int texture = 0;
+    unsigned int format = 0; ///< OpenGL's sized one, GL_SRGB8_ALPHA8 or another that can be drawn into
+    int width = 0, height = 0;
+
+    friend bool operator==(const EyeImage&, const EyeImage&) = default;
+};
+
 /// What one eye draws into and how.
 struct EyeView
 {
