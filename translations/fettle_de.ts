@@ -4306,4 +4306,95 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Die VR-Brille ist hier schon in Gebrauch.</translation>
     </message>
 </context>
+<context>
+    <name>vr::Presets</name>
+    <message>
+        <source>Turn clockwise</source>
+        <translation>Im Uhrzeigersinn drehen</translation>
+    </message>
+    <message>
+        <source>Turn anticlockwise</source>
+        <translation>Gegen den Uhrzeigersinn drehen</translation>
+    </message>
+    <message>
+        <source>Uniform or adaptive</source>
+        <translation>Gleichmäßig oder angepasst</translation>
+    </message>
+    <message>
+        <source>Slide: scale</source>
+        <translation>Wischen: Größe</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Previous tool</source>
+        <translation>Voriges Werkzeug</translation>
+    </message>
+    <message>
+        <source>Next tool</source>
+        <translation>Nächstes Werkzeug</translation>
+    </message>
+    <message>
+        <source>Move model</source>
+        <translation>Modell bewegen</translation>
+    </message>
+    <message>
+        <source>Hold: save</source>
+        <translation>Halten: speichern</translation>
+    </message>
+    <message>
+        <source>Sphere or ray</source>
+        <translation>Kugel oder Strahl</translation>
+    </message>
+    <message>
+        <source>Symmetry</source>
+        <translation>Symmetrie</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Slide: radius</source>
+        <translation>Wischen: Radius</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Previous channel</source>
+        <translation>Voriger Kanal</translation>
+    </message>
+    <message>
+        <source>Next channel</source>
+        <translation>Nächster Kanal</translation>
+    </message>
+    <message>
+        <source>Slide: value</source>
+        <translation>Wischen: Wert</translation>
+    </message>
+    <message>
+        <source>Sculpt</source>
+        <translation>Formen</translation>
+    </message>
+    <message>
+        <source>Hold: restore</source>
+        <translation>Halten: zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Glätten</translation>
+    </message>
+    <message>
+        <source>Hold: invert</source>
+        <translation>Halten: umkehren</translation>
+    </message>
+</context>
 </TS>

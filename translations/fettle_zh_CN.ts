@@ -4295,4 +4295,95 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>头戴设备正在本程序中使用。</translation>
     </message>
 </context>
+<context>
+    <name>vr::Presets</name>
+    <message>
+        <source>Turn clockwise</source>
+        <translation>顺时针旋转</translation>
+    </message>
+    <message>
+        <source>Turn anticlockwise</source>
+        <translation>逆时针旋转</translation>
+    </message>
+    <message>
+        <source>Uniform or adaptive</source>
+        <translation>均匀或自适应</translation>
+    </message>
+    <message>
+        <source>Slide: scale</source>
+        <translation>滑动：缩放</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>Previous tool</source>
+        <translation>上一个工具</translation>
+    </message>
+    <message>
+        <source>Next tool</source>
+        <translation>下一个工具</translation>
+    </message>
+    <message>
+        <source>Move model</source>
+        <translation>移动模型</translation>
+    </message>
+    <message>
+        <source>Hold: save</source>
+        <translation>按住：保存</translation>
+    </message>
+    <message>
+        <source>Sphere or ray</source>
+        <translation>球形或射线</translation>
+    </message>
+    <message>
+        <source>Symmetry</source>
+        <translation>对称</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>重做</translation>
+    </message>
+    <message>
+        <source>Slide: radius</source>
+        <translation>滑动：半径</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>Previous channel</source>
+        <translation>上一个通道</translation>
+    </message>
+    <message>
+        <source>Next channel</source>
+        <translation>下一个通道</translation>
+    </message>
+    <message>
+        <source>Slide: value</source>
+        <translation>滑动：数值</translation>
+    </message>
+    <message>
+        <source>Sculpt</source>
+        <translation>雕刻</translation>
+    </message>
+    <message>
+        <source>Hold: restore</source>
+        <translation>按住：重置</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>平滑</translation>
+    </message>
+    <message>
+        <source>Hold: invert</source>
+        <translation>按住：反转</translation>
+    </message>
+</context>
 </TS>
