@@ -52,10 +52,7 @@ private:
     Qt3DRender::QParameter *m_viewport, *m_halfWidth, *m_color;
 };
 
-/// The unit normal of the plane about which a stroke is mirrored, which goes through the origin; zero without symmetry.
-core::Vec3 planeNormal(core::Symmetry symmetry);
-
-/// The plane of symmetry: a pane through the model, a little larger than it. Clay hides what lies within.
+/// The plane of symmetry: a core::SymmetryPane. Clay hides what lies within.
 class SymmetryPlane : public Qt3DCore::QEntity
 {
     Q_OBJECT
