@@ -108,6 +108,7 @@ set(FETTLE_RESOURCE_FILES
     shaders/layer.frag
     shaders/plane.frag
     shaders/plane.vert
+    shaders/rectangle.vert
     shaders/reference.frag
     shaders/reference.vert
     shaders/wire.frag
