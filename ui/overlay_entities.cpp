@@ -163,6 +163,7 @@ Ground::Ground(Qt3DCore::QNode* parent) : Qt3DCore::QEntity(parent), m_transform
     auto* look = material({blendedPass(program(QStringLiteral("ground")), Qt3DRender::QDepthTest::LessOrEqual)});
     m_cell = parameter(look, "cell", 10.0F);
     m_center = parameter(look, "center", QVector3D());
+    m_under = parameter(look, "under", QVector3D());
     m_reach = parameter(look, "reach", 400.0F);
     m_footprint = parameter(look, "footprint", QVector2D(50, 50));
     m_lineColor = parameter(look, "lineColor", QVector3D());
@@ -183,6 +184,7 @@ void Ground::place(const core::Box& box)
     m_transform->setScale(reach);
     m_cell->setValue(static_cast<float>(gridCell(box.sizes().maxCoeff())));
     m_center->setValue(toQt(center));
+    m_under->setValue(toQt(center));
     m_reach->setValue(reach);
     m_footprint->setValue(QVector2D(static_cast<float>(half.x()), static_cast<float>(half.z())));
 }

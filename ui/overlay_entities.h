@@ -31,7 +31,7 @@ public:
 
 private:
     Qt3DCore::QTransform* m_transform;
-    Qt3DRender::QParameter *m_cell, *m_center, *m_reach, *m_footprint, *m_lineColor, *m_lineAlpha, *m_shade;
+    Qt3DRender::QParameter *m_cell, *m_center, *m_under, *m_reach, *m_footprint, *m_lineColor, *m_lineAlpha, *m_shade;
 };
 
 /// The brush's ring in the tangent plane, with a tick along the normal. Where clay hides it, it is drawn faintly.
