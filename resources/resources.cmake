@@ -103,13 +103,22 @@ set(FETTLE_RESOURCE_FILES
     shaders/clay.vert
     shaders/cursor.frag
     shaders/cursor.vert
+    shaders/dome.frag
+    shaders/dome.vert
     shaders/ground.frag
     shaders/ground.vert
     shaders/layer.frag
+    shaders/line.frag
+    shaders/line.vert
+    shaders/picture.frag
     shaders/plane.frag
     shaders/plane.vert
+    shaders/rectangle.vert
     shaders/reference.frag
     shaders/reference.vert
+    shaders/ring.frag
+    shaders/shell.frag
+    shaders/shell.vert
     shaders/wire.frag
     shaders/wire.geom)
 foreach(LANGUAGE en de zh_CN)
