@@ -1,6 +1,7 @@
 #include "draw_arrays.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace core
 {
@@ -23,5 +24,18 @@ void DrawArrays::apply(const MeshPatch& patch)
     faces.resize(patch.faceSlots, Triangle{0, 0, 0});
     put(patch.vertexSpans, patch.vertices, vertices);
     put(patch.faceSpans, patch.faces, faces);
+}
+
+MeshPatch wholePatchOf(DrawArrays arrays)
+{
+    MeshPatch patch;
+    patch.whole = true;
+    patch.vertexSlots = patch.liveVertices = static_cast<Slot>(arrays.vertices.size());
+    patch.faceSlots = patch.liveFaces = static_cast<Slot>(arrays.faces.size());
+    patch.vertexSpans = {{0, patch.vertexSlots}};
+    patch.faceSpans = {{0, patch.faceSlots}};
+    patch.vertices = std::move(arrays.vertices);
+    patch.faces = std::move(arrays.faces);
+    return patch;
 }
 } // namespace core

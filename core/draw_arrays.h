@@ -15,4 +15,7 @@ struct DrawArrays
 
     bool isFree(Slot face) const { return faces[face][0] == faces[face][1]; }
 };
+
+/// The patch that makes these arrays of whatever was there.
+MeshPatch wholePatchOf(DrawArrays arrays);
 } // namespace core

@@ -2,6 +2,7 @@
 # On executables only: in a static library resources can be lost when it is linked.
 set(FETTLE_RESOURCE_FILES
     icons/about.svg
+    icons/adaptive.svg
     icons/add.svg
     icons/background-black.svg
     icons/background-dark.svg
@@ -40,6 +41,7 @@ set(FETTLE_RESOURCE_FILES
     icons/material-wax.svg
     icons/mirror.svg
     icons/move.svg
+    icons/next.svg
     icons/open.svg
     icons/orthographic.svg
     icons/paint.svg
@@ -49,6 +51,7 @@ set(FETTLE_RESOURCE_FILES
     icons/place-on-bed.svg
     icons/plus.svg
     icons/preferences.svg
+    icons/previous.svg
     icons/print-check.svg
     icons/pull.svg
     icons/push.svg
@@ -76,6 +79,7 @@ set(FETTLE_RESOURCE_FILES
     icons/smooth.svg
     icons/sort-down.svg
     icons/sort-up.svg
+    icons/sphere.svg
     icons/start.svg
     icons/steady.svg
     icons/sound.svg
@@ -103,13 +107,22 @@ set(FETTLE_RESOURCE_FILES
     shaders/clay.vert
     shaders/cursor.frag
     shaders/cursor.vert
+    shaders/dome.frag
+    shaders/dome.vert
     shaders/ground.frag
     shaders/ground.vert
     shaders/layer.frag
+    shaders/line.frag
+    shaders/line.vert
+    shaders/picture.frag
     shaders/plane.frag
     shaders/plane.vert
+    shaders/rectangle.vert
     shaders/reference.frag
     shaders/reference.vert
+    shaders/ring.frag
+    shaders/shell.frag
+    shaders/shell.vert
     shaders/wire.frag
     shaders/wire.geom)
 foreach(LANGUAGE en de zh_CN)

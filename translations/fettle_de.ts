@@ -4186,6 +4186,103 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
+    <name>vr::Actions</name>
+    <message>
+        <source>Hand</source>
+        <translation>Hand</translation>
+    </message>
+    <message>
+        <source>Pointing</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>Abzug</translation>
+    </message>
+    <message>
+        <source>Pad</source>
+        <translation>Touchpad</translation>
+    </message>
+    <message>
+        <source>Pad touched</source>
+        <translation>Touchpad berührt</translation>
+    </message>
+    <message>
+        <source>Pad pressed</source>
+        <translation>Touchpad gedrückt</translation>
+    </message>
+    <message>
+        <source>Side button</source>
+        <translation>Seitentaste</translation>
+    </message>
+    <message>
+        <source>Menu button</source>
+        <translation>Menütaste</translation>
+    </message>
+    <message>
+        <source>Buzz</source>
+        <translation>Vibration</translation>
+    </message>
+    <message>
+        <source>Sculpting</source>
+        <translation>Modellieren</translation>
+    </message>
+</context>
+<context>
+    <name>vr::HeadsetReport</name>
+    <message>
+        <source>VR starts. Put on the headset.</source>
+        <translation>VR startet. Bitte die VR-Brille aufsetzen.</translation>
+    </message>
+    <message>
+        <source>VR is on, but the headset shows another program.</source>
+        <translation>VR läuft, aber die VR-Brille zeigt ein anderes Programm.</translation>
+    </message>
+    <message>
+        <source>The headset&apos;s own menu is open: the wands rest here.</source>
+        <translation>Das Menü der VR-Brille ist offen: Die Controller ruhen hier.</translation>
+    </message>
+    <message>
+        <source>In VR with %1.</source>
+        <extracomment>%1: a headset&apos;s name</extracomment>
+        <translation>In VR mit %1.</translation>
+    </message>
+    <message>
+        <source>The headset is off. Put it on to go on.</source>
+        <translation>Die VR-Brille ist abgesetzt. Zum Weitermachen wieder aufsetzen.</translation>
+    </message>
+    <message>
+        <source>Left VR.</source>
+        <translation>VR verlassen.</translation>
+    </message>
+    <message>
+        <source>VR was ended in the headset&apos;s own program.</source>
+        <translation>VR wurde im Programm der VR-Brille beendet.</translation>
+    </message>
+    <message>
+        <source>The headset&apos;s program takes no pictures from windows of the kind “%1”. Start Fettle with QT_QPA_PLATFORM=xcb and QT_XCB_GL_INTEGRATION=xcb_glx, then enter VR again.</source>
+        <extracomment>%1: a window system, such as wayland</extracomment>
+        <translation>Das Programm der VR-Brille nimmt keine Bilder von Fenstern der Art „%1“ an. Bitte Fettle mit QT_QPA_PLATFORM=xcb und QT_XCB_GL_INTEGRATION=xcb_glx starten und VR erneut betreten.</translation>
+    </message>
+    <message>
+        <source>VR cannot be drawn with this OpenGL.</source>
+        <translation>VR lässt sich mit diesem OpenGL nicht zeichnen.</translation>
+    </message>
+    <message>
+        <source>The headset&apos;s program has stopped. The model is as it was; when the program runs again, enter VR again.</source>
+        <translation>Das Programm der VR-Brille läuft nicht mehr. Das Modell ist, wie es war; sobald das Programm wieder läuft, VR erneut betreten.</translation>
+    </message>
+    <message>
+        <source>The headset is gone. The model is as it was; plug the headset in, then enter VR again.</source>
+        <translation>Die VR-Brille ist nicht mehr da. Das Modell ist, wie es war; bitte die VR-Brille anschließen und VR erneut betreten.</translation>
+    </message>
+    <message>
+        <source>VR ended: the headset&apos;s program reports a fault (%1). The model is as it was; try to enter VR again.</source>
+        <extracomment>%1: a call of OpenXR and its result, such as xrCreateSession: XR_ERROR_RUNTIME_FAILURE</extracomment>
+        <translation>VR ist beendet: Das Programm der VR-Brille meldet einen Fehler (%1). Das Modell ist, wie es war; bitte VR erneut betreten.</translation>
+    </message>
+</context>
+<context>
     <name>vr::OpenXrRuntime</name>
     <message>
         <source>No OpenXR runtime answers (%1). Start SteamVR, Monado or the headset&apos;s own program, then ask again.</source>
@@ -4203,6 +4300,101 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>%1 is ready, through %2.</source>
         <translation>%1 ist bereit, über %2.</translation>
+    </message>
+    <message>
+        <source>The headset is in use here.</source>
+        <translation>Die VR-Brille ist hier schon in Gebrauch.</translation>
+    </message>
+</context>
+<context>
+    <name>vr::Presets</name>
+    <message>
+        <source>Turn clockwise</source>
+        <translation>Im Uhrzeigersinn drehen</translation>
+    </message>
+    <message>
+        <source>Turn anticlockwise</source>
+        <translation>Gegen den Uhrzeigersinn drehen</translation>
+    </message>
+    <message>
+        <source>Uniform or adaptive</source>
+        <translation>Gleichmäßig oder angepasst</translation>
+    </message>
+    <message>
+        <source>Slide: scale</source>
+        <translation>Wischen: Größe</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Previous tool</source>
+        <translation>Voriges Werkzeug</translation>
+    </message>
+    <message>
+        <source>Next tool</source>
+        <translation>Nächstes Werkzeug</translation>
+    </message>
+    <message>
+        <source>Move model</source>
+        <translation>Modell bewegen</translation>
+    </message>
+    <message>
+        <source>Hold: save</source>
+        <translation>Halten: speichern</translation>
+    </message>
+    <message>
+        <source>Sphere or ray</source>
+        <translation>Kugel oder Strahl</translation>
+    </message>
+    <message>
+        <source>Symmetry</source>
+        <translation>Symmetrie</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Slide: radius</source>
+        <translation>Wischen: Radius</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Previous channel</source>
+        <translation>Voriger Kanal</translation>
+    </message>
+    <message>
+        <source>Next channel</source>
+        <translation>Nächster Kanal</translation>
+    </message>
+    <message>
+        <source>Slide: value</source>
+        <translation>Wischen: Wert</translation>
+    </message>
+    <message>
+        <source>Sculpt</source>
+        <translation>Formen</translation>
+    </message>
+    <message>
+        <source>Hold: restore</source>
+        <translation>Halten: zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Glätten</translation>
+    </message>
+    <message>
+        <source>Hold: invert</source>
+        <translation>Halten: umkehren</translation>
     </message>
 </context>
 </TS>

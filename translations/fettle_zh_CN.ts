@@ -4175,6 +4175,103 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
 </context>
 <context>
+    <name>vr::Actions</name>
+    <message>
+        <source>Hand</source>
+        <translation>手</translation>
+    </message>
+    <message>
+        <source>Pointing</source>
+        <translation>指向</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>扳机</translation>
+    </message>
+    <message>
+        <source>Pad</source>
+        <translation>触摸板</translation>
+    </message>
+    <message>
+        <source>Pad touched</source>
+        <translation>触摸触摸板</translation>
+    </message>
+    <message>
+        <source>Pad pressed</source>
+        <translation>按下触摸板</translation>
+    </message>
+    <message>
+        <source>Side button</source>
+        <translation>侧键</translation>
+    </message>
+    <message>
+        <source>Menu button</source>
+        <translation>菜单键</translation>
+    </message>
+    <message>
+        <source>Buzz</source>
+        <translation>振动</translation>
+    </message>
+    <message>
+        <source>Sculpting</source>
+        <translation>雕塑</translation>
+    </message>
+</context>
+<context>
+    <name>vr::HeadsetReport</name>
+    <message>
+        <source>VR starts. Put on the headset.</source>
+        <translation>VR 正在启动。请戴上头戴设备。</translation>
+    </message>
+    <message>
+        <source>VR is on, but the headset shows another program.</source>
+        <translation>VR 已开启，但头戴设备正在显示其他程序。</translation>
+    </message>
+    <message>
+        <source>The headset&apos;s own menu is open: the wands rest here.</source>
+        <translation>头戴设备自己的菜单已打开：手柄在此暂停。</translation>
+    </message>
+    <message>
+        <source>In VR with %1.</source>
+        <extracomment>%1: a headset&apos;s name</extracomment>
+        <translation>正在使用 %1 进行 VR。</translation>
+    </message>
+    <message>
+        <source>The headset is off. Put it on to go on.</source>
+        <translation>头戴设备已摘下。戴上即可继续。</translation>
+    </message>
+    <message>
+        <source>Left VR.</source>
+        <translation>已离开 VR。</translation>
+    </message>
+    <message>
+        <source>VR was ended in the headset&apos;s own program.</source>
+        <translation>VR 已在头戴设备自己的程序中结束。</translation>
+    </message>
+    <message>
+        <source>The headset&apos;s program takes no pictures from windows of the kind “%1”. Start Fettle with QT_QPA_PLATFORM=xcb and QT_XCB_GL_INTEGRATION=xcb_glx, then enter VR again.</source>
+        <extracomment>%1: a window system, such as wayland</extracomment>
+        <translation>头戴设备的程序不接受“%1”类窗口的画面。请用 QT_QPA_PLATFORM=xcb 和 QT_XCB_GL_INTEGRATION=xcb_glx 启动 Fettle，然后重新进入 VR。</translation>
+    </message>
+    <message>
+        <source>VR cannot be drawn with this OpenGL.</source>
+        <translation>此 OpenGL 无法绘制 VR。</translation>
+    </message>
+    <message>
+        <source>The headset&apos;s program has stopped. The model is as it was; when the program runs again, enter VR again.</source>
+        <translation>头戴设备的程序已停止。模型保持原样；程序重新运行后，可再次进入 VR。</translation>
+    </message>
+    <message>
+        <source>The headset is gone. The model is as it was; plug the headset in, then enter VR again.</source>
+        <translation>头戴设备已断开。模型保持原样；请接上头戴设备，然后再次进入 VR。</translation>
+    </message>
+    <message>
+        <source>VR ended: the headset&apos;s program reports a fault (%1). The model is as it was; try to enter VR again.</source>
+        <extracomment>%1: a call of OpenXR and its result, such as xrCreateSession: XR_ERROR_RUNTIME_FAILURE</extracomment>
+        <translation>VR 已结束：头戴设备的程序报告错误（%1）。模型保持原样；请尝试再次进入 VR。</translation>
+    </message>
+</context>
+<context>
     <name>vr::OpenXrRuntime</name>
     <message>
         <source>No OpenXR runtime answers (%1). Start SteamVR, Monado or the headset&apos;s own program, then ask again.</source>
@@ -4192,6 +4289,101 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>%1 is ready, through %2.</source>
         <translation>%1 已就绪（通过 %2）。</translation>
+    </message>
+    <message>
+        <source>The headset is in use here.</source>
+        <translation>头戴设备正在本程序中使用。</translation>
+    </message>
+</context>
+<context>
+    <name>vr::Presets</name>
+    <message>
+        <source>Turn clockwise</source>
+        <translation>顺时针旋转</translation>
+    </message>
+    <message>
+        <source>Turn anticlockwise</source>
+        <translation>逆时针旋转</translation>
+    </message>
+    <message>
+        <source>Uniform or adaptive</source>
+        <translation>均匀或自适应</translation>
+    </message>
+    <message>
+        <source>Slide: scale</source>
+        <translation>滑动：缩放</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>Previous tool</source>
+        <translation>上一个工具</translation>
+    </message>
+    <message>
+        <source>Next tool</source>
+        <translation>下一个工具</translation>
+    </message>
+    <message>
+        <source>Move model</source>
+        <translation>移动模型</translation>
+    </message>
+    <message>
+        <source>Hold: save</source>
+        <translation>按住：保存</translation>
+    </message>
+    <message>
+        <source>Sphere or ray</source>
+        <translation>球形或射线</translation>
+    </message>
+    <message>
+        <source>Symmetry</source>
+        <translation>对称</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>重做</translation>
+    </message>
+    <message>
+        <source>Slide: radius</source>
+        <translation>滑动：半径</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>Previous channel</source>
+        <translation>上一个通道</translation>
+    </message>
+    <message>
+        <source>Next channel</source>
+        <translation>下一个通道</translation>
+    </message>
+    <message>
+        <source>Slide: value</source>
+        <translation>滑动：数值</translation>
+    </message>
+    <message>
+        <source>Sculpt</source>
+        <translation>雕刻</translation>
+    </message>
+    <message>
+        <source>Hold: restore</source>
+        <translation>按住：重置</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>平滑</translation>
+    </message>
+    <message>
+        <source>Hold: invert</source>
+        <translation>按住：反转</translation>
     </message>
 </context>
 </TS>

@@ -2,7 +2,7 @@
 
 namespace ui
 {
-Shading shadingOf(Material material)
+core::Shading shadingOf(Material material)
 {
     switch (material) {
     case Material::Clay: // sRGB 194, 150, 126

@@ -32,15 +32,15 @@ void setCamera(QOpenGLShaderProgram& to, const OrbitCamera& camera)
     to.setUniformValue("projection", toQt(camera.projectionMatrix()));
 }
 
-void setShading(QOpenGLShaderProgram& to, const Shading& shading)
+void setShading(QOpenGLShaderProgram& to, const core::Shading& shading)
 {
-    to.setUniformValue("tint", shading.tint);
+    to.setUniformValue("tint", toQt(shading.tint));
     to.setUniformValue("wrap", shading.wrap);
     to.setUniformValue("gloss", shading.gloss);
     to.setUniformValue("sharpness", shading.sharpness);
     to.setUniformValue("rim", shading.rim);
-    to.setUniformValue("through", shading.through);
-    to.setUniformValue("sheen", shading.sheen);
+    to.setUniformValue("through", toQt(shading.through));
+    to.setUniformValue("sheen", toQt(shading.sheen));
 }
 } // namespace
 
@@ -115,6 +115,8 @@ void ClayPainter::drawClay(const OrbitCamera& camera, const ClayPicture& picture
     m_gl->glDepthFunc(GL_LESS);
     m_clayProgram->bind();
     setCamera(*m_clayProgram, camera);
+    m_clayProgram->setUniformValue("up", toQt(core::Vec3(camera.viewMatrix().col(1).head<3>())));
+    m_clayProgram->setUniformValue("lights", QMatrix3x3());
     setShading(*m_clayProgram, picture.shading);
     m_clayProgram->setUniformValue("flatShading", picture.flat);
     m_clayProgram->setUniformValue("encodeSrgb", 1.0F);

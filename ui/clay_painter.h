@@ -17,7 +17,7 @@ namespace ui
 struct ClayPicture
 {
     Backdrop backdrop;
-    Shading shading;
+    core::Shading shading;
     bool flat = false;
     bool wireframe = false;
     QSize pixels;          ///< physical, of the framebuffer

@@ -22,6 +22,11 @@ inline QVector3D toQt(const Eigen::Vector3d& v)
     return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
 }
 
+inline QVector3D toQt(const Eigen::Vector3f& v)
+{
+    return {v.x(), v.y(), v.z()};
+}
+
 /// Red, green, blue, 0 to 1, as they are: sRGB.
 inline QVector3D toQt(const QColor& color)
 {

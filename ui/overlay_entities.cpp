@@ -2,6 +2,8 @@
 
 #include "gl_convert.h"
 
+#include "core/symmetry_pane.h"
+
 #include <QSize>
 #include <QUrl>
 #include <QVector2D>
@@ -35,7 +37,6 @@ using Qt3DRender::QParameter;
 
 constexpr double ringHalfWidth = 2.4; ///< logical pixels, dark edges included
 constexpr double planeBorder = 1.2;    ///< logical pixels
-constexpr double planeMargin = 0.12;  ///< of the model's longest side
 
 /// One attribute of an interleaved float array.
 struct Field
@@ -162,6 +163,7 @@ Ground::Ground(Qt3DCore::QNode* parent) : Qt3DCore::QEntity(parent), m_transform
     auto* look = material({blendedPass(program(QStringLiteral("ground")), Qt3DRender::QDepthTest::LessOrEqual)});
     m_cell = parameter(look, "cell", 10.0F);
     m_center = parameter(look, "center", QVector3D());
+    m_under = parameter(look, "under", QVector3D());
     m_reach = parameter(look, "reach", 400.0F);
     m_footprint = parameter(look, "footprint", QVector2D(50, 50));
     m_lineColor = parameter(look, "lineColor", QVector3D());
@@ -182,6 +184,7 @@ void Ground::place(const core::Box& box)
     m_transform->setScale(reach);
     m_cell->setValue(static_cast<float>(gridCell(box.sizes().maxCoeff())));
     m_center->setValue(toQt(center));
+    m_under->setValue(toQt(center));
     m_reach->setValue(reach);
     m_footprint->setValue(QVector2D(static_cast<float>(half.x()), static_cast<float>(half.z())));
 }
@@ -227,21 +230,6 @@ void BrushCursor::setPixels(QSize target, double ratio)
     m_halfWidth->setValue(static_cast<float>(ringHalfWidth * ratio));
 }
 
-core::Vec3 planeNormal(core::Symmetry symmetry)
-{
-    switch (symmetry) {
-    case core::Symmetry::None:
-        return core::Vec3::Zero();
-    case core::Symmetry::X:
-        return core::Vec3::UnitX();
-    case core::Symmetry::Y:
-        return core::Vec3::UnitY();
-    case core::Symmetry::Z:
-        return core::Vec3::UnitZ();
-    }
-    return core::Vec3::Zero();
-}
-
 SymmetryPlane::SymmetryPlane(Qt3DCore::QNode* parent) : Qt3DCore::QEntity(parent), m_transform(new Qt3DCore::QTransform)
 {
     auto* look = material({blendedPass(program(QStringLiteral("plane")), Qt3DRender::QDepthTest::LessOrEqual)});
@@ -253,15 +241,13 @@ SymmetryPlane::SymmetryPlane(Qt3DCore::QNode* parent) : Qt3DCore::QEntity(parent
     setDark(false);
 }
 
-/// The pane's own X becomes the next axis after its normal, its Y the one after that.
 void SymmetryPlane::place(core::Symmetry symmetry, const core::Box& box)
 {
-    const core::Vec3 normal = planeNormal(symmetry);
-    const core::Vec3 x(normal.z(), normal.x(), normal.y()), y(normal.y(), normal.z(), normal.x());
-    const core::Vec3 half = 0.5 * box.sizes() + core::Vec3::Constant(planeMargin * box.sizes().maxCoeff());
-    m_transform->setTranslation(toQt(core::Vec3(box.center() - normal * normal.dot(box.center()))));
-    m_transform->setRotation(QQuaternion::fromAxes(toQt(x), toQt(y), toQt(normal)));
-    m_transform->setScale3D({static_cast<float>(half.dot(x)), static_cast<float>(half.dot(y)), 1});
+    const core::SymmetryPane pane = core::symmetryPane(symmetry, box);
+    const core::Vec3 x = pane.halfX.normalized(), y = pane.halfY.normalized();
+    m_transform->setTranslation(toQt(pane.center));
+    m_transform->setRotation(QQuaternion::fromAxes(toQt(x), toQt(y), toQt(core::planeNormal(symmetry))));
+    m_transform->setScale3D({static_cast<float>(pane.halfX.norm()), static_cast<float>(pane.halfY.norm()), 1});
 }
 
 void SymmetryPlane::setDark(bool dark)

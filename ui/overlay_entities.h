@@ -31,7 +31,7 @@ public:
 
 private:
     Qt3DCore::QTransform* m_transform;
-    Qt3DRender::QParameter *m_cell, *m_center, *m_reach, *m_footprint, *m_lineColor, *m_lineAlpha, *m_shade;
+    Qt3DRender::QParameter *m_cell, *m_center, *m_under, *m_reach, *m_footprint, *m_lineColor, *m_lineAlpha, *m_shade;
 };
 
 /// The brush's ring in the tangent plane, with a tick along the normal. Where clay hides it, it is drawn faintly.
@@ -52,10 +52,7 @@ private:
     Qt3DRender::QParameter *m_viewport, *m_halfWidth, *m_color;
 };
 
-/// The unit normal of the plane about which a stroke is mirrored, which goes through the origin; zero without symmetry.
-core::Vec3 planeNormal(core::Symmetry symmetry);
-
-/// The plane of symmetry: a pane through the model, a little larger than it. Clay hides what lies within.
+/// The plane of symmetry: a core::SymmetryPane. Clay hides what lies within.
 class SymmetryPlane : public Qt3DCore::QEntity
 {
     Q_OBJECT

@@ -5,6 +5,8 @@
 #include "reference_painter.h"
 #include "render_target.h"
 
+#include "core/symmetry_pane.h"
+
 #include <QCoreApplication>
 #include <QElapsedTimer>
 #include <QOffscreenSurface>
@@ -250,7 +252,7 @@ void Scene::hideCursor()
 void Scene::tintBall(const core::Vec3& center, const core::StrokeSettings& brush)
 {
     tint(nullptr);
-    m_state->painter.setTintedBall({center, brush.radius}, brush.falloff, planeNormal(brush.symmetry));
+    m_state->painter.setTintedBall({center, brush.radius}, brush.falloff, core::planeNormal(brush.symmetry));
 }
 
 void Scene::tint(const std::shared_ptr<const core::Footprint>& footprint)
@@ -284,7 +286,7 @@ void Scene::hideMark()
 void Scene::showPlane(core::Symmetry symmetry, const core::Box& box)
 {
     const bool shown = symmetry != core::Symmetry::None && !box.isEmpty();
-    m_state->painter.setCut(shown ? planeNormal(symmetry) : core::Vec3::Zero());
+    m_state->painter.setCut(shown ? core::planeNormal(symmetry) : core::Vec3::Zero());
     if (shown)
         m_state->plane->place(symmetry, box);
     m_state->plane->setEnabled(shown && m_state->mode == Mode::InQt3dContext);

@@ -12,12 +12,14 @@ struct HeadsetStatus
         NoRuntime, ///< none installed, or it does not answer
         NoHeadset, ///< a runtime, but no headset that is ready
         NoOpenGl,  ///< a headset, but its runtime takes no OpenGL pictures
+        InUse,     ///< by this very program
         Ready
     };
 
     State state = State::NoRuntime;
     QString runtime; ///< name and version, if there is one
     QString headset; ///< the system's name, if there is one
+    QString reason;  ///< a name from OpenXR, such as XR_ERROR_RUNTIME_UNAVAILABLE
     QString text;    ///< one or two sentences for people, with the reason
 };
 
@@ -30,7 +32,7 @@ class OpenXrRuntime
 public:
     static HeadsetStatus probe();
 
-private:
-    static QString textOf(const HeadsetStatus& status, const QString& reason);
+    /// One or two sentences for people, with the reason.
+    static QString textOf(const HeadsetStatus& status);
 };
 } // namespace vr

@@ -25,6 +25,8 @@ libexpat1-dev       Expat: the XML of 3MF
 libzip-dev          libzip: the packages that 3MF files are
 libopenxr-dev       OpenXR: the headset
 libgl-dev           OpenGL
+libegl-dev          OpenGL of the headset, under Wayland
+libx11-dev          OpenGL of the headset, under X11
 libgl1-mesa-dri     OpenGL drivers, with one in software
 fonts-wqy-microhei  a font that has Chinese
 '
@@ -34,6 +36,7 @@ libtinygltf-dev     tinygltf: reads what we write
 libbenchmark-dev    Google Benchmark
 clang               libFuzzer, which feeds every reader the bytes of strangers
 libclang-rt-14-dev  the libraries of libFuzzer and the sanitizers
+openxr-layer-corevalidation  says where a client of OpenXR breaks its rules
 xvfb                a display without a screen
 xauth               for xvfb-run
 openbox             a window manager for that display

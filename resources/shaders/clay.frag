@@ -9,7 +9,8 @@ in float fromCut;
 in float taken;
 in float fault;
 
-uniform mat4 view;        // mm to eye space
+uniform vec3 up;          // eye space, unit length: towards the sky
+uniform mat3 lights;      // turns the lights' own axes, which are a desktop viewer's, into eye space
 uniform vec3 tint;        // linear; times the vertex's colour
 uniform float wrap;       // 0: shadow begins where the light grazes; 1: at the far side
 uniform float gloss;      // strength of the highlight
@@ -24,7 +25,7 @@ uniform float shaded;    // 1: coloured by fault in the place of its own colours
 
 out vec4 fragColor;
 
-const vec3 keyDirection = normalize(vec3(-0.45, 0.75, 0.62)); // eye space
+const vec3 keyDirection = normalize(vec3(-0.45, 0.75, 0.62)); // the lights' axes
 const vec3 fillDirection = normalize(vec3(0.85, -0.10, 0.45));
 const vec3 keyColor = vec3(1.00, 0.955, 0.88) * 1.12;
 const vec3 fillColor = vec3(0.62, 0.74, 0.95) * 0.16;
@@ -70,18 +71,19 @@ void main()
 {
     vec3 n = normalize(flatShading ? cross(dFdx(eyePosition), dFdy(eyePosition)) : eyeNormal);
     vec3 v = normalize(toEye);
-    float key = dot(n, keyDirection);
+    vec3 toKey = lights * keyDirection;
+    float key = dot(n, toKey);
     float wrapped = max((key + wrap) / (1.0 + wrap), 0.0);
-    float fill = max(dot(n, fillDirection), 0.0);
-    float up = 0.5 + 0.5 * dot(n, mat3(view)[1]);
-    vec3 light = keyColor * wrapped * wrapped + fillColor * fill + mix(tableColor, skyColor, up);
+    float fill = max(dot(n, lights * fillDirection), 0.0);
+    float sky = 0.5 + 0.5 * dot(n, up);
+    vec3 light = keyColor * wrapped * wrapped + fillColor * fill + mix(tableColor, skyColor, sky);
 
     float facing = max(dot(n, v), 0.0);
-    float highlight = pow(max(dot(n, normalize(keyDirection + v)), 0.0), sharpness) * gloss;
-    float edge = pow(1.0 - facing, 4.0) * (0.25 + 0.75 * up) * rim;
+    float highlight = pow(max(dot(n, normalize(toKey + v)), 0.0), sharpness) * gloss;
+    float edge = pow(1.0 - facing, 4.0) * (0.25 + 0.75 * sky) * rim;
     float shadowEdge = exp(-9.0 * key * key);
     vec3 color = mix(albedo * tint, faultColor(), shaded) * light + keyColor * highlight * step(0.0, key) + skyColor * edge;
-    color += through * shadowEdge + sheen * (1.0 - facing) * (1.0 - facing) * (0.4 + 0.6 * up);
+    color += through * shadowEdge + sheen * (1.0 - facing) * (1.0 - facing) * (0.4 + 0.6 * sky);
 
     color = withCut(withFootprint(soften(color)));
     fragColor = vec4(mix(color, toSrgb(color), encodeSrgb), 1.0);

@@ -1,16 +1,17 @@
 #version 330 core
 // Grid lines one pixel wide at every distance, each tenth one stronger, and a soft shade where the model stands.
-// Everything fades before it would shimmer.
+// Everything fades before it would shimmer. Lengths in mm, in the headset in m.
 in vec3 world;
 
 uniform vec3 eyePosition;      // Qt3D's, world space
 uniform mat4 viewMatrix;       // Qt3D's
 uniform mat4 projectionMatrix; // Qt3D's, perspective or orthographic
-uniform float cell;       // mm between the finest lines
-uniform vec3 center;      // mm; the ground under the model
-uniform float reach;      // mm; where the grid has faded away
-uniform vec2 footprint;   // mm; half width and depth of the model's box
-uniform vec3 lineColor;   // sRGB
+uniform float cell;       // between the finest lines
+uniform vec3 center;      // the middle of the grid
+uniform float reach;      // where the grid has faded away
+uniform vec3 under;       // the ground under the model
+uniform vec2 footprint;   // half width and depth of the model's box
+uniform vec3 lineColor;   // as the target takes colours
 uniform float lineAlpha;
 uniform float shade;
 
@@ -35,7 +36,7 @@ void main()
     fade *= smoothstep(0.02, 0.22, abs(toEye.y));
     float line = max(0.45 * lines(p, cell), lines(p, 10.0 * cell)) * lineAlpha * fade;
 
-    float from = length((p - center.xz) / footprint);
+    float from = length((p - under.xz) / footprint);
     float shadow = shade * exp(-1.6 * from * from) * smoothstep(0.0, 0.25, toEye.y);
 
     // The line over the shadow, as one colour with alpha.

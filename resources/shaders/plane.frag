@@ -2,7 +2,7 @@
 // A pane that hardly tints what is behind it, with a border of constant width on the screen.
 in vec2 at;
 
-uniform vec3 color;   // sRGB
+uniform vec3 color;   // as the target takes colours
 uniform float border; // pixels
 
 out vec4 fragColor;

@@ -1,0 +1,12 @@
+#pragma once
+
+/// What OpenGL calls its own things, for templates over a table of its functions: core includes none of its headers and links none
+/// of its libraries.
+namespace core::gl
+{
+inline constexpr unsigned int triangles = 0x0004;
+inline constexpr unsigned int signedByte = 0x1400, unsignedByte = 0x1401, unsignedInt = 0x1405, singleFloat = 0x1406;
+inline constexpr unsigned int arrayBuffer = 0x8892, elementArrayBuffer = 0x8893;
+inline constexpr unsigned int copyReadBuffer = 0x8F36, copyWriteBuffer = 0x8F37;
+inline constexpr unsigned int dynamicDraw = 0x88E8;
+} // namespace core::gl

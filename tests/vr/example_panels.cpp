@@ -1,0 +1,157 @@
+#include "example_panels.h"
+
+#include <QFile>
+#include <QHash>
+#include <QPainter>
+#include <QTranslator>
+#include <QXmlStreamReader>
+
+namespace
+{
+QString lengthened(const QString& text)
+{
+    const qsizetype more = (2 * text.size() + 4) / 5;
+    QString tail;
+    while (tail.size() < more)
+        tail += text.at(tail.size() % text.size()).isLetter() ? text.at(tail.size() % text.size()).toLower() : QLatin1Char('n');
+    return text + tail;
+}
+
+class Lengthener : public QTranslator
+{
+public:
+    QString translate(const char*, const char* text, const char*, int) const override { return lengthened(QString::fromUtf8(text)); }
+    bool isEmpty() const override { return false; }
+};
+
+class Catalogue : public QTranslator
+{
+public:
+    explicit Catalogue(const QString& path)
+    {
+        QFile file(path);
+        if (!file.open(QIODevice::ReadOnly))
+            return;
+        QXmlStreamReader xml(&file);
+        QString context, source;
+        while (!xml.atEnd()) {
+            if (xml.readNext() != QXmlStreamReader::StartElement)
+                continue;
+            if (xml.name() == QStringLiteral("name"))
+                context = xml.readElementText();
+            else if (xml.name() == QStringLiteral("source"))
+                source = xml.readElementText();
+            else if (xml.name() == QStringLiteral("translation"))
+                m_texts[context + QLatin1Char('|') + source] = xml.readElementText(QXmlStreamReader::IncludeChildElements);
+        }
+    }
+    QString translate(const char* context, const char* text, const char*, int) const override
+    {
+        return m_texts.value(QString::fromUtf8(context) + QLatin1Char('|') + QString::fromUtf8(text));
+    }
+    bool isEmpty() const override { return m_texts.isEmpty(); }
+
+private:
+    QHash<QString, QString> m_texts;
+};
+
+QImage modelPicture(int hue)
+{
+    QImage picture(256, 256, QImage::Format_ARGB32_Premultiplied);
+    picture.fill(Qt::transparent);
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    QRadialGradient light(QPointF(105, 95), 130);
+    light.setColorAt(0, QColor::fromHsv(hue, 60, 235));
+    light.setColorAt(1, QColor::fromHsv(hue, 90, 120));
+    painter.setBrush(light);
+    painter.drawEllipse(QRectF(38, 38, 180, 180));
+    return picture;
+}
+
+vr::FilesPanel files(int count)
+{
+    static const QStringList names{QStringLiteral("horn"), QStringLiteral("horn-2"), QStringLiteral("horn-3"), QStringLiteral("teapot with a long and winding name"),
+                                   QStringLiteral("head"), QStringLiteral("broken"), QStringLiteral("vase"), QStringLiteral("tablet"), QStringLiteral("花瓶-2")};
+    vr::FilesPanel panel;
+    panel.folder = QStringLiteral("Fettle");
+    for (int i = 0; i < count; ++i) {
+        vr::FileTile tile{QStringLiteral("/models/%1.glb").arg(i), names[i % names.size()], {}, i % names.size() == 5};
+        if (i % names.size() != 5 && i % names.size() != 4)
+            tile.picture = modelPicture(i * 40 % 360);
+        panel.files << tile;
+    }
+    return panel;
+}
+
+std::vector<ExamplePanel> toolPanels()
+{
+    const vr::ToolPanel plain;
+    vr::ToolPanel busy;
+    busy.tool = core::Tool::Paint;
+    busy.brush = core::BrushShape::Ray;
+    busy.topology = core::Topology::Uniform;
+    busy.isSymmetric = busy.isInverse = busy.canUndo = busy.canRedo = busy.showsFiles = busy.showsSettings = true;
+    return {{"tools", plain}, {"tools-all", busy}};
+}
+
+std::vector<ExamplePanel> colorPanels()
+{
+    vr::ColorPanel color{.color = {200, 120, 80}, .channel = 1, .swatches = {}};
+    const ExamplePanel bare{"color-bare", color};
+    for (const core::Rgb swatch : {core::Rgb{255, 255, 255}, {30, 30, 32}, {232, 190, 160}, {200, 120, 80}, {140, 74, 46}, {204, 52, 44}, {236, 156, 40},
+                                   {244, 216, 84}, {96, 160, 72}, {52, 124, 190}, {70, 62, 140}, {190, 90, 150}, {1, 2, 3}})
+        color.swatches << swatch;
+    return {{"color", color}, bare};
+}
+
+std::vector<ExamplePanel> filesPanels()
+{
+    vr::FilesPanel empty = files(0), chosen = files(9), last = files(9), busy = files(3);
+    chosen.chosen = chosen.files[1].path;
+    chosen.hasUnsavedChanges = true;
+    last.page = 1;
+    last.chosen = last.files[6].path;
+    last.saved = QStringLiteral("horn-4.glb, horn-4.stl");
+    busy.isBusy = true;
+    return {{"files", chosen}, {"files-last", last}, {"files-empty", empty}, {"files-busy", busy}};
+}
+} // namespace
+
+OtherWords::OtherWords(std::unique_ptr<QTranslator> translator) : m_translator(std::move(translator))
+{
+    QCoreApplication::installTranslator(m_translator.get());
+}
+
+OtherWords::~OtherWords()
+{
+    if (m_translator)
+        QCoreApplication::removeTranslator(m_translator.get());
+}
+
+OtherWords OtherWords::longer()
+{
+    return OtherWords(std::make_unique<Lengthener>());
+}
+
+OtherWords OtherWords::ofLanguage(const QString& language)
+{
+    return OtherWords(std::make_unique<Catalogue>(QStringLiteral(FETTLE_SOURCE_DIR "/translations/fettle_%1.ts").arg(language)));
+}
+
+std::vector<ExamplePanel> examplePanels()
+{
+    std::vector<ExamplePanel> all = toolPanels();
+    for (const auto& more : {colorPanels(), filesPanels()})
+        all.insert(all.end(), more.begin(), more.end());
+    vr::SettingsPanel feel{.page = vr::SettingsPage::Feel}, general{.raised = 0.12, .showsPerformance = true};
+    feel.levels = {1, 0.8, 0.5, 0.3, 0.05, 0};
+    all.push_back({"settings", vr::SettingsPanel()});
+    all.push_back({"settings-changed", general});
+    all.push_back({"settings-feel", feel});
+    all.push_back({"performance", vr::PerformancePanel{.framesPerSecond = 90, .cpuMs = {0.02, 0.11, 0.08, 0.31, 0.12, 0.54, 0.2}, .totalMs = 1.38, .dropped = 3}});
+    all.push_back({"notice", vr::Notice{QStringLiteral("Saved as horn-4.")}});
+    all.push_back({"notice-of-two-lines", vr::Notice{QStringLiteral("The ball would be too close to the model: move away from it, or make the brush smaller.")}});
+    return all;
+}

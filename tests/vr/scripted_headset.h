@@ -1,0 +1,106 @@
+#pragma once
+
+#include "scripted_runtime.h"
+
+#include "vr/headset_thread.h"
+
+#include <QImage>
+#include <QOpenGLContext>
+#include <QPointer>
+#include <QTemporaryDir>
+
+#include <atomic>
+#include <functional>
+#include <mutex>
+
+/// What a frame was to a client.
+struct SeenFrame
+{
+    vr::Wands wands;
+    std::optional<vr::Pose> head;
+    std::int64_t displayNs = 0;
+    std::int64_t periodNs = 0;
+    bool hasFocus = false;
+    bool roomMoved = false;
+    vr::WandKinds kinds;
+};
+
+/// Fills each eye with a colour and notes all that it is told.
+class NotingClient : public vr::FrameClient
+{
+public:
+    bool create(QOpenGLContext& context) override;
+    vr::FrameOutput frame(const vr::FrameInput& input) override;
+    void draw(std::size_t eye, const vr::EyeImage& image, const vr::EyeView& view) override;
+    double drawCallMs() const override { return m_clock.milliseconds(); }
+    void destroy() override;
+
+    /// Given back with the next frame.
+    void answer(const vr::FrameOutput& output);
+    SeenFrame last() const;
+    std::vector<vr::EyeImage> images() const; ///< by eye, of the last frame; none if it was not drawn
+    std::vector<vr::EyeView> views() const;   ///< the same
+
+    static QColor linear(std::size_t eye); ///< what it is filled with
+
+    std::atomic<bool> canDraw = true;
+    std::atomic<int> creates = 0, destroys = 0, frames = 0, draws = 0, moves = 0, glErrors = 0;
+    QPointer<QOpenGLContext> context;
+    std::thread::id thread;
+
+private:
+    mutable std::mutex m_mutex;
+    vr::FrameOutput m_answer;
+    SeenFrame m_last;
+    std::vector<vr::EyeImage> m_images;
+    std::vector<vr::EyeView> m_views;
+    unsigned int m_framebuffer = 0;
+    vr::DrawClock m_clock;
+};
+
+/// The scripted runtime behind Khronos' validation layer, with a folder for what they write. Words are written with ' in place of ".
+class ScriptedHeadset
+{
+public:
+    ScriptedHeadset();
+
+    /// Without the layer, as long as that lives.
+    [[nodiscard]] std::shared_ptr<void> withoutLayer() const;
+
+    /// Begins anew.
+    void load(const char* script);
+    void step(const char* step);
+    bool frames(int count);
+    QJsonObject report() const { return m_runtime.report(); }
+    int calls(const char* name) const;
+    /// What the runtime and the layer found wrong with us.
+    QString complaints() const;
+    /// The picture of a frame that was kept; null if there is none.
+    QImage picture(int session, int frame, const char* eye) const;
+
+private:
+    QTemporaryDir m_folder;
+    ScriptedRuntime m_runtime;
+};
+
+/// A thread with a client, and what it has reported.
+class Visitor
+{
+public:
+    explicit Visitor(ScriptedHeadset& headset);
+    ~Visitor(); ///< the runtime then gives frames freely, so that a test that has failed comes to an end
+
+    bool enter();
+    bool enterAndRun();
+    /// Waits for the end.
+    bool leave();
+    bool waitForEnd();
+    bool waitFor(vr::HeadsetStage stage);
+
+    std::shared_ptr<NotingClient> client = std::make_shared<NotingClient>();
+    QList<vr::HeadsetReport> reports;
+    vr::HeadsetThread thread;
+
+private:
+    ScriptedHeadset& m_headset;
+};

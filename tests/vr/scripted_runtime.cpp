@@ -1,0 +1,70 @@
+#include "scripted_runtime.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QLibrary>
+
+namespace
+{
+constexpr int patience = 60'000; ///< milliseconds with a client that is stuck
+
+template <class Function> Function function(const char* name)
+{
+    static QLibrary library(QStringLiteral(FETTLE_XR_LIBRARY));
+    const auto found = reinterpret_cast<Function>(library.resolve(name));
+    if (!found)
+        qFatal("%s", qPrintable(library.errorString()));
+    return found;
+}
+
+QStringList texts(const QJsonValue& value)
+{
+    QStringList list;
+    for (const QJsonValue& text : value.toArray())
+        list << text.toString();
+    return list;
+}
+} // namespace
+
+void ScriptedRuntime::choose()
+{
+    qputenv("XR_RUNTIME_JSON", FETTLE_XR_MANIFEST);
+}
+
+ScriptedRuntime::ScriptedRuntime(const QByteArray& script)
+{
+    choose();
+    if (const QString complaint = load(script); !complaint.isEmpty())
+        qFatal("%s", qPrintable(complaint));
+}
+
+QString ScriptedRuntime::load(const QByteArray& script)
+{
+    return QString::fromUtf8(function<const char* (*)(const char*)>("fettle_xr_load")(script));
+}
+
+void ScriptedRuntime::set(const QByteArray& step)
+{
+    if (const char* complaint = function<const char* (*)(const char*)>("fettle_xr_do")(step))
+        qFatal("%s", complaint);
+}
+
+bool ScriptedRuntime::frames(int count)
+{
+    return function<int (*)(int, int)>("fettle_xr_frames")(count, patience) >= count;
+}
+
+QJsonObject ScriptedRuntime::report() const
+{
+    return QJsonDocument::fromJson(function<const char* (*)()>("fettle_xr_report")()).object();
+}
+
+QStringList ScriptedRuntime::clientErrors() const
+{
+    return texts(report()[QStringLiteral("client_errors")]);
+}
+
+QStringList ScriptedRuntime::clientWarnings() const
+{
+    return texts(report()[QStringLiteral("client_warnings")]);
+}

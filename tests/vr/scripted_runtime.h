@@ -1,0 +1,29 @@
+#pragma once
+
+#include <QByteArray>
+#include <QJsonObject>
+#include <QStringList>
+
+/// The OpenXR runtime of tests/vr/runtime, in the process of the test: the loader takes it from now on, and the test steers it.
+/// The words are in runtime/control.h; a word that is not understood ends the test. Any thread.
+class ScriptedRuntime
+{
+public:
+    /// Begins anew; no instance may exist. Log and pictures go where FETTLE_XR_LOG and FETTLE_XR_FRAMES say.
+    explicit ScriptedRuntime(const QByteArray& script = "{}");
+
+    /// The loader takes it from now on, here and in processes that are started from here. It does what FETTLE_XR_SCRIPT says, unless
+    /// one was loaded.
+    static void choose();
+    /// What is wrong with a script; empty: it is in force.
+    static QString load(const QByteArray& script);
+
+    /// Does a step now: the next frame sees it.
+    void set(const QByteArray& step);
+    /// Waits until the client has ended so many more frames; at pace "stepped" they go only now.
+    bool frames(int count);
+    QJsonObject report() const;
+    /// Both must be empty of a client that knows the rules.
+    QStringList clientErrors() const;
+    QStringList clientWarnings() const;
+};

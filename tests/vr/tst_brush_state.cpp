@@ -1,0 +1,191 @@
+#include "vr/brush_state.h"
+
+#include "hand_motion.h"
+
+#include "core/stroke_path.h"
+
+#include <QTest>
+
+using core::Vec3;
+using vr::BrushState;
+using vr::Room;
+
+namespace
+{
+constexpr double tolerance = 1e-9;
+
+BrushState after(BrushState brush, std::initializer_list<vr::Deed> deeds)
+{
+    for (const vr::Deed& deed : deeds)
+        brush = vr::changed(brush, deed);
+    return brush;
+}
+
+Room someRoom()
+{
+    Room room(core::Box(Vec3(-50, -50, -50), Vec3(50, 50, 50)));
+    room.place({Eigen::Quaterniond(Eigen::AngleAxisd(0.4, Vec3::UnitY())), Vec3(0.3, 1.6, 0.1)});
+    room.scale(1.7);
+    return room;
+}
+
+/// The dabs of a wand that goes straight from here to there in two seconds and rests before and after.
+std::vector<Vec3> dabsAt(double rate, const BrushState& brush, const Room& room)
+{
+    core::StrokePath path(vr::strokeSettings(brush, {}, room));
+    std::vector<Vec3> dabs;
+    for (const double time : frameTimes(3, rate)) {
+        vr::StrokePoint point;
+        point.time = time;
+        const double share = std::clamp((time - 0.5) / 2, 0.0, 1.0);
+        point.tip.position = Vec3(-0.2, 1.4, -0.5) + share * Vec3(0.4, 0.1, 0.05);
+        path.add(vr::strokeSample(brush, point, room));
+        while (const auto due = path.next([](const Vec3& position, const Vec3&) { return std::optional(position); }))
+            dabs.push_back(due->dab.position);
+    }
+    return dabs;
+}
+} // namespace
+
+class TestBrushState : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void theFirstIsThePapers()
+    {
+        const BrushState brush;
+        QCOMPARE(brush.stroke.tool, core::Tool::Pull);
+        QCOMPARE(brush.stroke.brush, core::BrushShape::Sphere);
+        QCOMPARE(brush.stroke.topology, core::Topology::Adaptive);
+        QCOMPARE(brush.stroke.symmetry, core::Symmetry::None);
+        QCOMPARE(after(brush, {vr::ToggleSymmetry{}}).stroke.symmetry, core::Symmetry::Y);
+        QVERIFY(brush.radius >= vr::leastRadius && brush.radius <= vr::mostRadius);
+    }
+
+    void toolsComeRoundInPaletteOrder()
+    {
+        using core::Tool;
+        BrushState brush;
+        for (const Tool tool : {Tool::Push, Tool::Flatten, Tool::Smooth, Tool::Paint, Tool::Pull}) {
+            brush = after(brush, {vr::StepTool{1}});
+            QCOMPARE(brush.stroke.tool, tool);
+        }
+        for (const Tool tool : {Tool::Paint, Tool::Smooth, Tool::Flatten, Tool::Push, Tool::Pull}) {
+            brush = after(brush, {vr::StepTool{-1}});
+            QCOMPARE(brush.stroke.tool, tool);
+        }
+    }
+
+    void whatIsToggledTwiceIsAsBefore()
+    {
+        BrushState brush;
+        brush.plane = core::Symmetry::X;
+        for (int i = 1; i <= 4; ++i) {
+            brush =
+                after(brush, {vr::ToggleBrushShape{}, vr::ToggleTopology{}, vr::ToggleSymmetry{}, vr::ToggleInverse{}});
+            const bool isOn = i % 2 == 1;
+            QCOMPARE(brush.stroke.brush == core::BrushShape::Ray, isOn);
+            QCOMPARE(brush.stroke.topology == core::Topology::Uniform, isOn);
+            QCOMPARE(brush.stroke.symmetry, isOn ? core::Symmetry::X : core::Symmetry::None);
+            QCOMPARE(brush.isInverse, isOn);
+        }
+    }
+
+    void theRadiusStaysInItsRange()
+    {
+        const BrushState brush;
+        QCOMPARE(after(brush, {vr::ScaleRadius{1.5}}).radius, 1.5 * vr::defaultRadius);
+        QCOMPARE(after(brush, {vr::ScaleRadius{1e9}}).radius, vr::mostRadius);
+        QCOMPARE(after(brush, {vr::ScaleRadius{1e-9}}).radius, vr::leastRadius);
+    }
+
+    void channelsGoFrom0To255()
+    {
+        BrushState brush;
+        brush.stroke.color = {10, 20, 30};
+        QVERIFY((after(brush, {vr::ChangeChannel{0, 5}}).stroke.color == core::Rgb{15, 20, 30}));
+        QVERIFY((after(brush, {vr::ChangeChannel{1, -25}}).stroke.color == core::Rgb{10, 0, 30}));
+        QVERIFY((after(brush, {vr::ChangeChannel{2, 10000}, vr::ChangeChannel{2, -1}}).stroke.color ==
+                 core::Rgb{10, 20, 254}));
+    }
+
+    void whatIsNotTheBrushsLeavesItAlone()
+    {
+        const BrushState brush;
+        const BrushState same =
+            after(brush, {vr::Undo{}, vr::Redo{}, vr::SaveModel{}, vr::RestoreModel{}, vr::TurnModel{1},
+                          vr::ScaleModel{2}, vr::MoveModel{}, vr::StretchModel{}, vr::SelectChannel{2},
+                          vr::OpenToolMenu{}, vr::OpenColorPanel{}, vr::PressPanel{}, vr::ReleasePanel{}, vr::Refuse{},
+                          vr::BeginStroke{true}, vr::StrokePoint{}, vr::EndStroke{}});
+        QVERIFY(same.stroke.tool == brush.stroke.tool && same.stroke.brush == brush.stroke.brush &&
+                same.stroke.color == brush.stroke.color && same.stroke.topology == brush.stroke.topology &&
+                same.stroke.symmetry == brush.stroke.symmetry && same.radius == brush.radius &&
+                same.isInverse == brush.isInverse);
+    }
+
+    void aStrokeIsWhatTheHandMeans()
+    {
+        using core::Tool;
+        BrushState brush;
+        brush.stroke.falloff = 6;
+        brush.stroke.detail = 0.5;
+        brush.stroke.fusion = false;
+        brush.stroke.add = true;
+        const core::StrokeSettings settings = vr::strokeSettings(brush, {}, someRoom());
+        QVERIFY(settings.falloff == 6 && settings.detail == 0.5 && !settings.fusion && !settings.add);
+        QCOMPARE(settings.place, core::Placement::Point);
+        for (const Tool tool : {Tool::Pull, Tool::Push, Tool::Flatten, Tool::Smooth, Tool::Paint}) {
+            brush.stroke.tool = tool;
+            brush.isInverse = false;
+            QCOMPARE(vr::strokeSettings(brush, {}, someRoom()).tool, tool);
+            QCOMPARE(vr::strokeSettings(brush, {true}, someRoom()).tool, Tool::Smooth);
+            brush.isInverse = true;
+            const Tool inverse = tool == Tool::Pull ? Tool::Push : tool == Tool::Push ? Tool::Pull : tool;
+            QCOMPARE(vr::strokeSettings(brush, {}, someRoom()).tool, inverse);
+            QCOMPARE(vr::strokeSettings(brush, {true}, someRoom()).tool, Tool::Smooth);
+        }
+    }
+
+    /// A model shown twice as large has a brush half as large; the hand's place and way are told in the model's space.
+    void samplesAreInTheModelsSpace()
+    {
+        const BrushState brush;
+        Room room = someRoom();
+        vr::StrokePoint point;
+        point.time = 3;
+        point.pressure = 0.4;
+        point.tip = {Eigen::Quaterniond(Eigen::AngleAxisd(1, Vec3::UnitX())), Vec3(0.1, 1.5, -0.4)};
+        const core::StrokeSample sample = vr::strokeSample(brush, point, room);
+        QVERIFY((room.toRoom(sample.position) - point.tip.position).norm() < tolerance);
+        QVERIFY((room.directionToRoom(sample.direction) - point.tip.forward()).norm() < tolerance);
+        QCOMPARE(sample.time, 3.0);
+        QCOMPARE(sample.pressure, 0.4);
+        QVERIFY(core::isUsable(vr::strokeSettings(brush, {}, room), sample));
+        QCOMPARE(*sample.radius, vr::strokeSettings(brush, {}, room).radius);
+        QVERIFY(std::abs(room.lengthToRoom(*sample.radius) - brush.radius) < tolerance);
+        room.scale(2);
+        QVERIFY(std::abs(*vr::strokeSample(brush, point, room).radius - *sample.radius / 2) < tolerance);
+    }
+
+    /// However the frames fall.
+    void dabsStandEvenly()
+    {
+        const BrushState brush;
+        const Room room = someRoom();
+        const std::vector<Vec3> fast = dabsAt(144, brush, room);
+        const double step = vr::wandSpacing * vr::strokeSettings(brush, {}, room).radius;
+        QVERIFY(fast.size() > 100);
+        for (const double rate : frameRates) {
+            const std::vector<Vec3> dabs = dabsAt(rate, brush, room);
+            QCOMPARE(dabs.size(), fast.size());
+            for (std::size_t i = 0; i < dabs.size(); ++i) {
+                QVERIFY((dabs[i] - fast[i]).norm() < 1e-6 * step);
+                QVERIFY(i == 0 || std::abs((dabs[i] - dabs[i - 1]).norm() - step) < 1e-6 * step);
+            }
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(TestBrushState)
+#include "tst_brush_state.moc"

@@ -1,0 +1,51 @@
+// Runs once more where OpenGL comes by EGL.
+#include "scripted_headset.h"
+#include "vr_test.h"
+
+#include "vr/gl_binding.h"
+#include "vr/gl_context.h"
+
+class TestGlBinding : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void withoutAContextThereIsNone();
+    void theCurrentContextIsTold();
+    void whatTheRuntimeDoesNotTakeIsSaid();
+};
+
+void TestGlBinding::withoutAContextThereIsNone()
+{
+    QVERIFY(!vr::currentGlBinding());
+    QVERIFY(!vr::currentEglBinding());
+}
+
+void TestGlBinding::theCurrentContextIsTold()
+{
+    vr::GlContext gl;
+    if (!gl.take())
+        QSKIP("no OpenGL 3.3 here");
+    const auto binding = vr::currentGlBinding();
+    QVERIFY(binding && binding->next());
+    QCOMPARE(QString(binding->extension()), QString(glxProblem().isEmpty() ? "XR_KHR_opengl_enable" : "XR_MNDX_egl_enable"));
+    gl.destroy();
+    QVERIFY(!vr::currentGlBinding());
+}
+
+/// The scripted runtime takes OpenGL by GLX only.
+void TestGlBinding::whatTheRuntimeDoesNotTakeIsSaid()
+{
+    ScriptedHeadset headset;
+    Visitor visitor(headset);
+    const bool isTaken = glxProblem().isEmpty();
+    QCOMPARE(visitor.enterAndRun(), isTaken);
+    QVERIFY(visitor.leave());
+    QCOMPARE(visitor.reports.last().end, isTaken ? vr::HeadsetEnd::Left : vr::HeadsetEnd::NoBinding);
+    QCOMPARE(visitor.reports.last().text.contains(QGuiApplication::platformName()), !isTaken);
+    QCOMPARE(visitor.client->creates, isTaken ? 1 : 0);
+    QCOMPARE(headset.complaints(), QString());
+}
+
+VR_TEST_MAIN(TestGlBinding)
+#include "tst_gl_binding.moc"

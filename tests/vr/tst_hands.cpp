@@ -1,0 +1,959 @@
+#include "vr/hands.h"
+
+#include "deed_words.h"
+#include "hand_motion.h"
+
+#include "vr/room.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <random>
+#include <set>
+
+using core::Vec3;
+using Eigen::Vector2d;
+using vr::Gesture;
+using vr::HandCommand;
+using vr::HandRole;
+using vr::Hands;
+using vr::HandsFrame;
+using vr::Pose;
+using vr::Preset;
+using vr::Side;
+using vr::WandFunction;
+using vr::WandState;
+
+namespace
+{
+constexpr Preset presets[] = {Preset::Paper, Preset::Studio};
+constexpr Side sides[] = {Side::Left, Side::Right};
+constexpr HandRole roles[] = {HandRole::Sculpting, HandRole::Support};
+constexpr unsigned seed = 20261122;
+constexpr double frame = 1 / 90.0;
+
+std::size_t indexOf(Side side)
+{
+    return static_cast<std::size_t>(side);
+}
+
+Side opposite(Side side)
+{
+    return side == Side::Left ? Side::Right : Side::Left;
+}
+
+QStringList words(const std::vector<HandCommand>& commands)
+{
+    QStringList all;
+    for (const HandCommand& command : commands)
+        all << wordOf(command);
+    return all;
+}
+
+template <class T> std::vector<T> all(const std::vector<HandCommand>& commands)
+{
+    std::vector<T> found;
+    for (const HandCommand& command : commands)
+        if (const T* deed = std::get_if<T>(&command.deed))
+            found.push_back(*deed);
+    return found;
+}
+
+/// Two wands at rest where hands are, 90 frames a second.
+class Player
+{
+public:
+    explicit Player(const vr::HandsChoice& choice = {}) : m_hands(choice)
+    {
+        for (const Side side : sides)
+            rest(side);
+        play(frame);
+    }
+
+    Hands& hands() { return m_hands; }
+    Side sculpting() const { return m_hands.choice().sculpting; }
+    Side support() const { return opposite(sculpting()); }
+
+    WandState& wand(Side side) { return m_frame.wands[indexOf(side)]; }
+    void rest(Side side) { set(side, restingWand()); }
+    /// The wand stays where it is.
+    void set(Side side, const WandState& state)
+    {
+        const WandState before = wand(side);
+        wand(side) = state;
+        wand(side).grip = before.grip;
+        wand(side).aim = before.aim;
+    }
+    void move(Side side, const Vec3& by)
+    {
+        wand(side).grip.position += by;
+        wand(side).aim.position += by;
+    }
+    void pointAtPanel(Side side, bool points) { m_frame.pointsAtPanel[indexOf(side)] = points; }
+
+    /// One frame.
+    std::vector<HandCommand> step()
+    {
+        m_frame.time += frame;
+        return m_hands.step(m_frame);
+    }
+
+    /// The wands stay as they are.
+    std::vector<HandCommand> play(double seconds)
+    {
+        std::vector<HandCommand> commands;
+        for (double time = 0; time < seconds - 1e-9; time += frame)
+            for (const HandCommand& command : step())
+                commands.push_back(command);
+        return commands;
+    }
+
+    /// Holds the button for so long, and lets go.
+    std::vector<HandCommand> press(Side side, const WandState& pressed, double seconds = 0.2)
+    {
+        set(side, pressed);
+        std::vector<HandCommand> commands = play(seconds);
+        rest(side);
+        for (const HandCommand& command : play(2 * frame))
+            commands.push_back(command);
+        return commands;
+    }
+
+private:
+    Hands m_hands;
+    HandsFrame m_frame;
+};
+
+/// What a hand can do with its wand, and which gestures that is.
+struct Move
+{
+    const char* name;
+    WandState from, to; ///< the last, too: half a second from one to the other
+    double holdFor;
+    std::vector<Gesture> gestures;
+};
+
+const Move moves[] = {
+    {"trigger", pulling(1), pulling(1), 0.2, {Gesture::Trigger}},
+    {"pad left", pressing({-0.8, 0}), pressing({-0.8, 0}), 0.2, {Gesture::PadLeft}},
+    {"pad right", pressing({0.8, 0}), pressing({0.8, 0}), 0.2, {Gesture::PadRight}},
+    {"pad top", pressing({0, 0.8}), pressing({0, 0.8}), 0.2, {Gesture::PadTop}},
+    {"pad bottom", pressing({0, -0.8}), pressing({0, -0.8}), 0.2, {Gesture::PadBottom}},
+    {"pad centre", pressing({0.1, 0}), pressing({0.1, 0}), 0.2, {}},
+    {"thumb rests", touching({0.5, 0.5}), touching({0.52, 0.48}), 0.2, {}},
+    {"slide up", touching({0.1, -0.5}), touching({0.1, 0.5}), 0.2, {Gesture::Slide, Gesture::SlideUpDown}},
+    {"slide down", touching({0.1, 0.5}), touching({0.1, -0.5}), 0.2, {Gesture::Slide, Gesture::SlideUpDown}},
+    {"slide right", touching({-0.5, 0.1}), touching({0.5, 0.1}), 0.2, {Gesture::Slide}},
+    {"slide left", touching({0.5, 0.1}), touching({-0.5, 0.1}), 0.2, {Gesture::Slide}},
+    {"menu", pressingMenu(), pressingMenu(), 0.2, {Gesture::Menu, Gesture::MenuTap}},
+    {"menu, held", pressingMenu(), pressingMenu(), 1.0, {Gesture::Menu, Gesture::MenuHold}},
+    {"squeeze", squeezing(), squeezing(), 0.2, {Gesture::Squeeze}},
+    {"squeeze, held", squeezing(), squeezing(), 1.0, {Gesture::Squeeze, Gesture::SqueezeHold}},
+};
+
+/// While the hand itself moves.
+std::vector<HandCommand> play(Player& player, Side side, const Move& move)
+{
+    std::vector<HandCommand> commands;
+    const auto step = [&] {
+        player.move(side, {0.001, 0, 0});
+        for (const HandCommand& command : player.step())
+            commands.push_back(command);
+    };
+    const int frames = static_cast<int>(std::lround(move.holdFor / frame));
+    for (int i = 0; i <= frames; ++i) {
+        WandState state = move.from;
+        state.pad += double(i) / frames * (move.to.pad - move.from.pad);
+        player.set(side, state);
+        step();
+    }
+    player.rest(side);
+    step();
+    step();
+    return commands;
+}
+
+/// The words that a function is told in, by that move.
+std::set<QString> wordsOf(WandFunction function, const Move& move, bool isOpen)
+{
+    const QString sign = (move.to.pad - move.from.pad).sum() > 0 ? QStringLiteral("+") : QStringLiteral("-");
+    switch (function) {
+    case WandFunction::Sculpt:
+        return {QStringLiteral("begin smooth no"), QStringLiteral("point"), QStringLiteral("end")};
+    case WandFunction::Smooth:
+        return {};
+    case WandFunction::TurnClockwise:
+        return {QStringLiteral("turn -")};
+    case WandFunction::TurnAnticlockwise:
+        return {QStringLiteral("turn +")};
+    case WandFunction::MoveModel:
+        return {QStringLiteral("move")};
+    case WandFunction::ScaleModel:
+        return {QStringLiteral("scale ") + sign};
+    case WandFunction::SetRadius:
+        return {QStringLiteral("radius ") + sign};
+    case WandFunction::SetChannel:
+        return {QStringLiteral("color 0 ") + sign};
+    case WandFunction::Undo:
+        return {QStringLiteral("undo")};
+    case WandFunction::Redo:
+        return {QStringLiteral("redo")};
+    case WandFunction::SaveModel:
+        return {QStringLiteral("save")};
+    case WandFunction::RestoreModel:
+        return {QStringLiteral("restore")};
+    case WandFunction::ToggleTopology:
+        return {QStringLiteral("topology")};
+    case WandFunction::ToggleBrushShape:
+        return {QStringLiteral("shape")};
+    case WandFunction::ToggleSymmetry:
+        return {QStringLiteral("symmetry")};
+    case WandFunction::ToggleInverse:
+        return {QStringLiteral("inverse")};
+    case WandFunction::ToggleToolMenu:
+        return {QStringLiteral("tool menu") + DeedWords::isOn(!isOpen)};
+    case WandFunction::ToggleColorPanel:
+        return {QStringLiteral("color panel") + DeedWords::isOn(!isOpen)};
+    case WandFunction::PreviousTool:
+        return {QStringLiteral("tool -1")};
+    case WandFunction::NextTool:
+        return {QStringLiteral("tool 1")};
+    case WandFunction::PreviousChannel:
+        return {QStringLiteral("channel 2")};
+    case WandFunction::NextChannel:
+        return {QStringLiteral("channel 1")};
+    }
+    return {};
+}
+
+/// What happens once a press, and is not told frame by frame.
+bool isOnce(const QString& word)
+{
+    return !word.startsWith(QStringLiteral("turn")) && !word.startsWith(QStringLiteral("scale")) &&
+           !word.startsWith(QStringLiteral("radius")) && !word.startsWith(QStringLiteral("color 0")) &&
+           word != QStringLiteral("move") && word != QStringLiteral("point");
+}
+
+/// By its menu button.
+void openPanel(Player& player, Side side)
+{
+    player.press(side, pressingMenu());
+    player.play(0.1);
+}
+
+/// Both wands at random; a hand does several things at once, and sometimes none is seen for a while.
+class RandomWands
+{
+public:
+    HandsFrame next()
+    {
+        m_frame.time += 0.2 * share() * share();
+        for (std::size_t i = 0; i < vr::sideCount; ++i) {
+            turnOver(m_frame.pointsAtPanel[i], 0.02);
+            change(m_frame.wands[i]);
+        }
+        return m_frame;
+    }
+
+private:
+    double share() { return std::uniform_real_distribution<double>(0, 1)(m_random); }
+    void turnOver(bool& what, double often) { what = share() < often ? !what : what; }
+
+    void change(WandState& wand)
+    {
+        turnOver(wand.isActive, wand.isActive ? 0.003 : 0.3);
+        turnOver(wand.isTracked, wand.isTracked ? 0.01 : 0.3);
+        turnOver(wand.side, 0.03);
+        turnOver(wand.menu, 0.03);
+        turnOver(wand.padTouched, 0.05);
+        turnOver(wand.padPressed, 0.05);
+        turnOver(wand.isStick, 0.001);
+        if (share() < 0.05)
+            wand.trigger = share();
+        if (share() < 0.3)
+            wand.pad = 2 * Vector2d(share(), share()) - Vector2d(1, 1);
+        wand.grip.position = Vec3(share(), share(), share());
+        wand.grip.rotation = Eigen::AngleAxisd(share(), Vec3(share(), 1, share()).normalized());
+        wand.aim = wand.grip;
+    }
+
+    std::mt19937 m_random{seed};
+    HandsFrame m_frame;
+};
+
+void apply(const vr::Deed& deed, vr::Room& room)
+{
+    if (const auto* turn = std::get_if<vr::TurnModel>(&deed))
+        room.turn(turn->angle);
+    else if (const auto* scale = std::get_if<vr::ScaleModel>(&deed))
+        room.scale(scale->factor);
+    else if (const auto* move = std::get_if<vr::MoveModel>(&deed))
+        room.move(move->from, move->to);
+    else if (const auto* stretch = std::get_if<vr::StretchModel>(&deed))
+        room.stretch(stretch->from, stretch->to);
+}
+
+/// Counts, and sums of what slides.
+struct Outcome
+{
+    std::map<QString, int> once;
+    double scaled = 0, radius = 0, turned = 0;
+    int color = 0;
+
+    void add(const HandCommand& command)
+    {
+        if (const auto* scale = std::get_if<vr::ScaleModel>(&command.deed))
+            scaled += std::log2(scale->factor);
+        else if (const auto* sized = std::get_if<vr::ScaleRadius>(&command.deed))
+            radius += std::log2(sized->factor);
+        else if (const auto* turn = std::get_if<vr::TurnModel>(&command.deed))
+            turned += turn->angle;
+        else if (const auto* change = std::get_if<vr::ChangeChannel>(&command.deed))
+            color += change->by;
+        else if (isOnce(wordOf(command)))
+            ++once[wordOf(command)];
+    }
+};
+
+/// A little of everything, with the Paper's hands. Nothing is shorter than two frames at 5 Hz.
+vr::Wands paperSession(double time)
+{
+    WandState left = restingWand(), right = restingWand();
+    if (isWithin(time, 1, 3))
+        left = pressing({-0.8, 0.1});
+    else if (isWithin(time, 4, 6))
+        left = touching(ThumbWay{4.5, 5.5, {0.1, -0.6}, {0.1, 0.5}}.at(time));
+    else if (isWithin(time, 7, 7.5))
+        left = pressingMenu();
+    else if (isWithin(time, 8, 8.5) || isWithin(time, 9, 9.5))
+        left = pressing({0.8, 0});
+    else if (isWithin(time, 10, 11.2))
+        left = squeezing();
+    if (isWithin(time, 1.5, 2.5))
+        right = pulling(0.9);
+    else if (isWithin(time, 4, 6))
+        right = touching(ThumbWay{4.5, 5.5, {0.6, 0.1}, {-0.5, 0.1}}.at(time));
+    else if (isWithin(time, 7, 7.5) || isWithin(time, 8, 8.5))
+        right = pressing({-0.7, 0.2});
+    else if (isWithin(time, 9, 9.5))
+        right = pressingMenu();
+    else if (isWithin(time, 10, 10.5))
+        right = pressing({0.9, 0});
+    else if (isWithin(time, 11, 13))
+        right = touching(ThumbWay{11.5, 12.5, {0, -0.5}, {0.1, 0.9}}.at(time));
+    return {left, right};
+}
+} // namespace
+
+class TestHands : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void everyRowDoesItsFunctionAndNothingElseDoesAnything_data();
+    void everyRowDoesItsFunctionAndNothingElseDoesAnything();
+    void theBrushIsAtTheWandsTip();
+    void aStrokeIsFromThePullToTheRelease();
+    void aPressThatBeganOnAPanelNeverSculpts();
+    void aStrokeGoesOnOverAPanel();
+    void aHandThatDrawsDoesNothingElse();
+    void theOtherHandMayTurnMoveAndScaleMeanwhile();
+    void theDocumentWaitsForTheStroke();
+    void aLostWandEndsItsStroke();
+    void aBlinkIsNoLoss();
+    void whoIsNotSeenCannotBegin();
+    void theOtherTriggerSmooths();
+    void oneHandCarriesTheModel();
+    void twoHandsStretchTheModel();
+    void whoSculptsLetsGoOfTheModel();
+    void aRingShowsWhatIsHeld();
+    void channelsComeRoundAndOpenAndCloseWithThePanel();
+    void thePadsHeightIsHalfAChannel();
+    void whatGoesOnEndsWhenHandsAreChosenAnew();
+    void whatIsPressedMeanwhileMustBeLetGo();
+    void swappedHandsDoTheSame();
+    void frameRatesDoTheSame();
+    void atRandomNothingIsLeftOpen_data();
+    void atRandomNothingIsLeftOpen();
+};
+
+void TestHands::everyRowDoesItsFunctionAndNothingElseDoesAnything_data()
+{
+    QTest::addColumn<Preset>("preset");
+    QTest::addColumn<Side>("sculpting");
+    QTest::newRow("Paper") << Preset::Paper << Side::Right;
+    QTest::newRow("Paper, left-handed") << Preset::Paper << Side::Left;
+    QTest::newRow("Studio") << Preset::Studio << Side::Right;
+    QTest::newRow("Studio, left-handed") << Preset::Studio << Side::Left;
+}
+
+void TestHands::everyRowDoesItsFunctionAndNothingElseDoesAnything()
+{
+    QFETCH(Preset, preset);
+    QFETCH(Side, sculpting);
+    std::set<std::pair<WandFunction, Gesture>> done;
+    for (const HandRole role : roles)
+        for (const bool isOpen : {false, true})
+            for (const Move& move : moves) {
+                Player player({preset, sculpting});
+                const Side side = role == HandRole::Sculpting ? sculpting : opposite(sculpting);
+                if (isOpen)
+                    openPanel(player, side);
+                std::set<QString> expected;
+                std::set<Gesture> gestures;
+                for (const Gesture gesture : move.gestures)
+                    if (const auto function = vr::functionOf(preset, {role, player.hands().modeOf(side), gesture})) {
+                        expected.merge(wordsOf(*function, move, isOpen));
+                        gestures.insert(gesture);
+                        done.insert({*function, gesture});
+                    }
+                std::map<QString, int> found;
+                for (const HandCommand& command : play(player, side, move)) {
+                    ++found[wordOf(command)];
+                    QCOMPARE(command.side, side);
+                    QVERIFY(gestures.contains(command.gesture));
+                }
+                std::set<QString> said;
+                for (const auto& [word, count] : found) {
+                    said.insert(word);
+                    QVERIFY2(!isOnce(word) || count == 1, move.name);
+                }
+                QVERIFY2(said == expected, move.name);
+            }
+    for (const vr::PresetRow& row : vr::rows(preset))
+        QVERIFY(done.contains({row.function, row.gesture}));
+}
+
+/// Before the palm, the way the wand points, whatever the origin of its aim.
+void TestHands::theBrushIsAtTheWandsTip()
+{
+    WandState wand = restingWand();
+    wand.grip = {Eigen::Quaterniond(Eigen::AngleAxisd(1, Vec3::UnitX())), Vec3(0.3, 1.2, -0.4)};
+    wand.aim = {Eigen::Quaterniond(Eigen::AngleAxisd(0.5, Vec3::UnitY())), Vec3(0.3, 1.1, -0.6)};
+    const Pose tip = vr::tipOf(wand);
+    QVERIFY((tip.position - wand.grip.position - vr::tipReach * wand.aim.forward()).norm() < 1e-12);
+    QVERIFY((tip.forward() - wand.aim.forward()).norm() < 1e-12);
+
+    Player player;
+    player.wand(Side::Right) = wand;
+    player.wand(Side::Right).trigger = 1;
+    const auto points = all<vr::StrokePoint>(player.step());
+    QCOMPARE(points.size(), std::size_t(1));
+    QCOMPARE(points[0].tip.position, tip.position);
+    QCOMPARE(points[0].pressure, 1.0);
+}
+
+void TestHands::aStrokeIsFromThePullToTheRelease()
+{
+    Player player;
+    for (int stroke = 0; stroke < 3; ++stroke) {
+        player.wand(Side::Right).trigger = 0.8;
+        QCOMPARE(words(player.step()), QStringList({QStringLiteral("begin smooth no"), QStringLiteral("point")}));
+        QVERIFY(player.hands().draws(Side::Right));
+        for (const double trigger : {0.6, 0.5, 0.46, 1.0}) {
+            player.wand(Side::Right).trigger = trigger;
+            player.move(Side::Right, {0.01, 0, 0});
+            const auto points = all<vr::StrokePoint>(player.step());
+            QCOMPARE(points.size(), std::size_t(1));
+            QCOMPARE(points[0].tip.position, vr::tipOf(player.wand(Side::Right)).position);
+            QVERIFY(points[0].pressure > 0 && (points[0].pressure == 1) == (trigger == 1));
+        }
+        player.wand(Side::Right).trigger = 0.4;
+        QCOMPARE(words(player.step()), QStringList(QStringLiteral("end")));
+        QVERIFY(player.step().empty() && !player.hands().draws(Side::Right));
+    }
+}
+
+void TestHands::aPressThatBeganOnAPanelNeverSculpts()
+{
+    for (const Preset preset : presets)
+        for (const Side side : sides) {
+            Player player({preset, Side::Right});
+            player.pointAtPanel(side, true);
+            player.wand(side).trigger = 1;
+            QCOMPARE(words(player.step()), QStringList(QStringLiteral("press panel")));
+            player.pointAtPanel(side, false);
+            player.move(side, {0.3, 0, 0});
+            QVERIFY(player.play(2).empty());
+            player.wand(side).trigger = 0;
+            QCOMPARE(words(player.step()), QStringList(QStringLiteral("release panel yes")));
+
+            player.pointAtPanel(side, true);
+            player.wand(side).trigger = 1;
+            player.step();
+            player.wand(side).isActive = false;
+            QCOMPARE(words(player.step()), QStringList(QStringLiteral("release panel no")));
+            player.wand(side).isActive = true;
+            player.pointAtPanel(side, false);
+            QVERIFY(player.play(1).empty());
+        }
+}
+
+void TestHands::aStrokeGoesOnOverAPanel()
+{
+    Player player;
+    player.wand(Side::Right).trigger = 1;
+    player.step();
+    player.pointAtPanel(Side::Right, true);
+    QCOMPARE(words(player.step()), QStringList(QStringLiteral("point")));
+    player.wand(Side::Right).trigger = 0;
+    QCOMPARE(words(player.step()), QStringList(QStringLiteral("end")));
+}
+
+/// Who squeezes a wand to sculpt presses the rest of it, before, meanwhile and until after.
+void TestHands::aHandThatDrawsDoesNothingElse()
+{
+    for (const Preset preset : presets)
+        for (const Move& move : moves)
+            for (const bool isBefore : {false, true}) {
+                Player player({preset, Side::Right});
+                if (isBefore) {
+                    player.set(Side::Right, move.to);
+                    player.step();
+                }
+                for (int i = 0; i < 200; ++i) {
+                    WandState state = move.from;
+                    state.trigger = 1;
+                    state.pad += i % 50 / 50.0 * (move.to.pad - move.from.pad);
+                    player.set(Side::Right, state);
+                    for (const QString& word : words(player.step()))
+                        QVERIFY2(word == QStringLiteral("point") ||
+                                     (i == 0 && word == QStringLiteral("begin smooth no")),
+                                 move.name);
+                    QVERIFY(!player.hands().hold(Side::Right));
+                }
+                player.set(Side::Right, move.to);
+                player.wand(Side::Right).trigger = 0;
+                QCOMPARE(words(player.step()), QStringList(QStringLiteral("end")));
+                QVERIFY2(player.play(2).empty(), move.name);
+            }
+}
+
+/// And what they do is told before the point: the stroke is where the model is by then.
+void TestHands::theOtherHandMayTurnMoveAndScaleMeanwhile()
+{
+    for (const WandState& other : {pressing({-0.8, 0}), pulling(1), touching({0, 0.2})}) {
+        Player player;
+        player.set(Side::Left, other.padTouched && !other.padPressed ? touching({0, -0.2}) : other);
+        player.step();
+        player.wand(Side::Right).trigger = 1;
+        player.step();
+        player.set(Side::Left, other);
+        player.move(Side::Left, {0.01, 0, 0});
+        const QStringList said = words(player.step());
+        QCOMPARE(said.size(), 2);
+        QVERIFY(said[0] == QStringLiteral("turn -") || said[0] == QStringLiteral("move") ||
+                said[0] == QStringLiteral("scale +"));
+        QCOMPARE(said[1], QStringLiteral("point"));
+    }
+}
+
+void TestHands::theDocumentWaitsForTheStroke()
+{
+    Player paper;
+    paper.wand(Side::Right).trigger = 1;
+    paper.step();
+    const auto saving = paper.press(Side::Left, squeezing(), 1);
+    QCOMPARE(all<vr::Refuse>(saving).size(), std::size_t(1));
+    QVERIFY(all<vr::SaveModel>(saving).empty());
+    paper.rest(Side::Right);
+    paper.step();
+    QCOMPARE(words(paper.press(Side::Left, squeezing(), 1)), QStringList(QStringLiteral("save")));
+
+    Player studio({Preset::Studio, Side::Right});
+    studio.wand(Side::Right).trigger = 1;
+    studio.step();
+    for (const double x : {-0.8, 0.8}) {
+        const auto undoing = studio.press(Side::Left, pressing({x, 0}));
+        QCOMPARE(all<vr::Refuse>(undoing).size(), std::size_t(1));
+        QVERIFY(all<vr::Undo>(undoing).empty() && all<vr::Redo>(undoing).empty());
+    }
+}
+
+void TestHands::aLostWandEndsItsStroke()
+{
+    Player player;
+    player.wand(Side::Right).trigger = 1;
+    player.play(0.3);
+    player.wand(Side::Right).isActive = false;
+    QCOMPARE(words(player.step()), QStringList(QStringLiteral("end")));
+    player.wand(Side::Right).isActive = true;
+    QVERIFY(player.play(1).empty());
+    player.press(Side::Right, restingWand());
+
+    player.wand(Side::Right).trigger = 1;
+    player.play(0.3);
+    player.wand(Side::Right).isTracked = false;
+    QCOMPARE(words(player.play(0.5)), QStringList(QStringLiteral("end")));
+    player.wand(Side::Right).isTracked = true;
+    QVERIFY(player.play(1).empty());
+}
+
+/// It leaves a gap in the points, which core's path bridges.
+void TestHands::aBlinkIsNoLoss()
+{
+    Player player;
+    player.wand(Side::Right).trigger = 1;
+    player.play(0.3);
+    player.wand(Side::Right).isTracked = false;
+    QVERIFY(player.play(5 * frame).empty());
+    player.wand(Side::Right).isTracked = true;
+    QCOMPARE(words(player.play(2 * frame)), QStringList({QStringLiteral("point"), QStringLiteral("point")}));
+}
+
+void TestHands::whoIsNotSeenCannotBegin()
+{
+    Player player;
+    player.wand(Side::Right).isTracked = false;
+    player.wand(Side::Right).trigger = 1;
+    QCOMPARE(words(player.step()), QStringList(QStringLiteral("refuse")));
+    player.wand(Side::Right).isTracked = true;
+    QVERIFY(player.play(1).empty());
+}
+
+void TestHands::theOtherTriggerSmooths()
+{
+    const QString begin = QStringLiteral("begin smooth no"), smooth = QStringLiteral("begin smooth yes"),
+                  point = QStringLiteral("point"), end = QStringLiteral("end");
+    Player player({Preset::Studio, Side::Right});
+    player.wand(Side::Left).trigger = 1;
+    QVERIFY(player.play(0.2).empty());
+    player.wand(Side::Right).trigger = 1;
+    QCOMPARE(words(player.step()), QStringList({smooth, point}));
+    QCOMPARE(words(player.step()), QStringList(point));
+    player.wand(Side::Left).trigger = 0;
+    QCOMPARE(words(player.step()), QStringList({end, begin, point}));
+    QCOMPARE(words(player.step()), QStringList(point));
+    player.wand(Side::Left).trigger = 1;
+    QCOMPARE(words(player.step()), QStringList({end, smooth, point}));
+    player.wand(Side::Right).trigger = 0;
+    QCOMPARE(words(player.step()), QStringList(end));
+}
+
+/// The same as one step from where the hand took hold to where it let go; a hand that is not seen for a while takes hold anew.
+void TestHands::oneHandCarriesTheModel()
+{
+    const struct
+    {
+        Preset preset = Preset::Paper;
+        WandState grabbing;
+    } ways[] = {{Preset::Paper, pulling(1)}, {Preset::Studio, squeezing()}};
+    for (const auto& way : ways) {
+        Player player({way.preset, Side::Right});
+        vr::Room room;
+        room.place({Eigen::Quaterniond::Identity(), Vec3(0, 1.7, 0)});
+        vr::Room expected = room;
+        const auto carry = [&](int frames) {
+            for (int i = 0; i < frames; ++i) {
+                player.move(Side::Left, {0.003, 0.001, -0.002});
+                player.wand(Side::Left).grip.rotation = Eigen::AngleAxisd(0.02 * i, Vec3(1, 2, 0).normalized());
+                for (const HandCommand& command : player.step())
+                    apply(command.deed, room);
+            }
+        };
+        carry(5);
+        QCOMPARE(room.middle(), expected.middle());
+        player.set(Side::Left, way.grabbing);
+        player.step();
+        const Pose from = player.wand(Side::Left).grip;
+        carry(40);
+        expected.move(from, player.wand(Side::Left).grip);
+        QVERIFY((room.middle() - expected.middle()).norm() < 1e-9 &&
+                room.rotation().angularDistance(expected.rotation()) < 1e-9);
+
+        player.wand(Side::Left).isTracked = false;
+        carry(40);
+        player.wand(Side::Left).isTracked = true;
+        for (const HandCommand& command : player.step())
+            apply(command.deed, room);
+        QVERIFY((room.middle() - expected.middle()).norm() < 1e-9);
+        player.rest(Side::Left);
+        carry(5);
+        QVERIFY((room.middle() - expected.middle()).norm() < 1e-9);
+    }
+}
+
+/// The second hand that comes, and the first that goes, make nothing jump.
+void TestHands::twoHandsStretchTheModel()
+{
+    Player player({Preset::Studio, Side::Right});
+    vr::Room room;
+    room.place({Eigen::Quaterniond::Identity(), Vec3(0, 1.7, 0)});
+    player.move(Side::Left, {-0.2, 1.4, -0.5});
+    player.move(Side::Right, {0.2, 1.4, -0.5});
+    player.step();
+    const auto carry = [&](const Vec3& left, const Vec3& right) {
+        QStringList said;
+        for (int i = 0; i < 10; ++i) {
+            player.move(Side::Left, 0.1 * left);
+            player.move(Side::Right, 0.1 * right);
+            const auto commands = player.step();
+            said << words(commands);
+            for (const HandCommand& command : commands)
+                apply(command.deed, room);
+        }
+        said.removeDuplicates();
+        return said;
+    };
+    player.set(Side::Left, squeezing());
+    QCOMPARE(carry({0.1, 0, 0}, {0, 0.1, 0}), QStringList(QStringLiteral("move")));
+    player.set(Side::Right, squeezing());
+    QCOMPARE(carry({0, 0, 0}, {0, 0, 0}), QStringList(QStringLiteral("stretch")));
+    const Vec3 atLeft = room.toModel(player.wand(Side::Left).grip.position),
+               atRight = room.toModel(player.wand(Side::Right).grip.position);
+    const double before = room.metresPerMm();
+    QCOMPARE(carry({-0.1, 0.05, 0}, {0.1, 0, 0.1}), QStringList(QStringLiteral("stretch")));
+    QVERIFY(room.metresPerMm() > 1.2 * before);
+    QVERIFY((room.toRoom(atLeft) - player.wand(Side::Left).grip.position).norm() < 1e-9);
+    QVERIFY((room.toRoom(atRight) - player.wand(Side::Right).grip.position).norm() < 1e-9);
+    player.rest(Side::Left);
+    QCOMPARE(carry({0.3, 0, 0}, {0, 0.1, 0}), QStringList(QStringLiteral("move")));
+    QVERIFY((room.toRoom(atRight) - player.wand(Side::Right).grip.position).norm() < 1e-9);
+}
+
+/// With that hand: the other may hold it meanwhile. Squeezed before or after, the side button counts again when it was let go.
+void TestHands::whoSculptsLetsGoOfTheModel()
+{
+    Player player({Preset::Studio, Side::Right});
+    player.set(Side::Right, squeezing());
+    player.step();
+    player.move(Side::Right, {0.1, 0, 0});
+    QCOMPARE(words(player.step()), QStringList(QStringLiteral("move")));
+    player.wand(Side::Right).trigger = 1;
+    player.move(Side::Right, {0.1, 0, 0});
+    QCOMPARE(words(player.step()), QStringList({QStringLiteral("begin smooth no"), QStringLiteral("point")}));
+    player.set(Side::Left, squeezing());
+    player.step();
+    player.move(Side::Left, {0.1, 0, 0});
+    QCOMPARE(words(player.step()), QStringList({QStringLiteral("move"), QStringLiteral("point")}));
+    player.rest(Side::Left);
+    player.wand(Side::Right).trigger = 0;
+    player.play(0.1);
+    player.move(Side::Right, {0.1, 0, 0});
+    QVERIFY(player.play(0.5).empty());
+}
+
+void TestHands::aRingShowsWhatIsHeld()
+{
+    for (const Preset preset : presets)
+        for (const Side side : sides) {
+            Player player({preset, Side::Right});
+            const bool isPaper = preset == Preset::Paper, isSculpting = side == Side::Right;
+            for (const bool squeezes : {true, false}) {
+                player.set(side, squeezes ? squeezing() : pressingMenu());
+                const bool isHold = squeezes ? isPaper : !isPaper && isSculpting;
+                double before = 0;
+                for (int i = 0; i < 100; ++i) {
+                    player.step();
+                    const auto hold = player.hands().hold(side);
+                    QCOMPARE(hold.has_value(), isHold && i > 0);
+                    if (!hold)
+                        continue;
+                    QCOMPARE(hold->gesture, squeezes ? Gesture::SqueezeHold : Gesture::MenuHold);
+                    QVERIFY(hold->progress >= before && hold->progress <= 1);
+                    before = hold->progress;
+                }
+                QCOMPARE(before, isHold ? 1.0 : 0.0);
+                player.rest(side);
+                player.step();
+                QVERIFY(!player.hands().hold(side));
+            }
+        }
+}
+
+void TestHands::channelsComeRoundAndOpenAndCloseWithThePanel()
+{
+    Player player;
+    openPanel(player, Side::Right);
+    for (const int channel : {1, 2, 0, 1}) {
+        const auto selected = all<vr::SelectChannel>(player.press(Side::Right, pressing({0.8, 0})));
+        QCOMPARE(selected.size(), std::size_t(1));
+        QCOMPARE(selected[0].channel, channel);
+        QCOMPARE(player.hands().channel(), channel);
+    }
+    for (const int channel : {0, 2, 1, 0})
+        QCOMPARE(all<vr::SelectChannel>(player.press(Side::Right, pressing({-0.8, 0})))[0].channel, channel);
+    QCOMPARE(words(player.press(Side::Right, pressingMenu())), QStringList(QStringLiteral("color panel no")));
+    QCOMPARE(words(player.press(Side::Right, pressing({-0.8, 0}))), QStringList(QStringLiteral("undo")));
+}
+
+/// And the finest step is one.
+void TestHands::thePadsHeightIsHalfAChannel()
+{
+    Player player;
+    openPanel(player, Side::Right);
+    int sum = 0, least = 255;
+    for (int i = 0; i <= 2000; ++i) {
+        player.set(Side::Right, touching({0.05, -1 + i / 1000.0}));
+        for (const auto& change : all<vr::ChangeChannel>(player.step())) {
+            sum += change.by;
+            least = std::min(least, change.by);
+        }
+    }
+    QCOMPARE(sum, static_cast<int>(255 / 2.0 * (1 - vr::slideThreshold / 2)));
+    QCOMPARE(least, 1);
+}
+
+void TestHands::whatGoesOnEndsWhenHandsAreChosenAnew()
+{
+    Player player;
+    player.wand(Side::Right).trigger = 1;
+    player.pointAtPanel(Side::Left, true);
+    player.wand(Side::Left).trigger = 1;
+    player.step();
+    QStringList ended = words(player.hands().choose({Preset::Studio, Side::Left}));
+    ended.sort();
+    QCOMPARE(ended, QStringList({QStringLiteral("end"), QStringLiteral("release panel no")}));
+    QVERIFY(player.hands().letGo().empty());
+    QVERIFY(player.play(0.5).empty());
+    player.rest(Side::Right);
+    player.rest(Side::Left);
+    player.pointAtPanel(Side::Left, false);
+    QVERIFY(player.play(0.1).empty());
+    player.wand(Side::Left).trigger = 1;
+    QCOMPARE(words(player.step()), QStringList({QStringLiteral("begin smooth no"), QStringLiteral("point")}));
+}
+
+/// Nobody let go of what was pressed when everything was ended.
+void TestHands::whatIsPressedMeanwhileMustBeLetGo()
+{
+    for (const Preset preset : presets)
+        for (const Side side : sides)
+            for (const Move& move : moves) {
+                if (move.from.padTouched && !move.from.padPressed)
+                    continue; // a thumb may lie on the pad
+                Player player({preset, Side::Right});
+                player.set(side, move.from);
+                player.step();
+                player.hands().letGo();
+                QVERIFY2(player.play(2).empty(), move.name);
+                player.rest(side);
+                player.play(0.1);
+                const bool isBound = std::any_of(move.gestures.begin(), move.gestures.end(), [&](Gesture gesture) {
+                    return vr::functionOf(preset, {player.hands().roleOf(side), player.hands().modeOf(side), gesture})
+                               .value_or(WandFunction::Smooth) != WandFunction::Smooth;
+                });
+                QCOMPARE(!play(player, side, move).empty(), isBound);
+            }
+}
+
+void TestHands::swappedHandsDoTheSame()
+{
+    for (const Preset preset : presets) {
+        Hands rightHanded({preset, Side::Right}), leftHanded({preset, Side::Left});
+        RandomWands wands;
+        for (int i = 0; i < 20000; ++i) {
+            HandsFrame frame = wands.next();
+            const auto ones = rightHanded.step(frame);
+            std::swap(frame.wands[0], frame.wands[1]);
+            std::swap(frame.pointsAtPanel[0], frame.pointsAtPanel[1]);
+            const auto others = leftHanded.step(frame);
+            bool isSame = words(ones) == words(others);
+            for (std::size_t k = 0; isSame && k < ones.size(); ++k)
+                isSame = ones[k].side == opposite(others[k].side) && ones[k].gesture == others[k].gesture;
+            QVERIFY2(isSame, qPrintable(QStringLiteral("seed %1, frame %2").arg(seed).arg(i)));
+        }
+    }
+}
+
+void TestHands::frameRatesDoTheSame()
+{
+    const std::map<QString, int> once{
+        {QStringLiteral("begin smooth no"), 1}, {QStringLiteral("end"), 1},       {QStringLiteral("tool menu yes"), 1},
+        {QStringLiteral("tool 1"), 2},          {QStringLiteral("save"), 1},      {QStringLiteral("undo"), 2},
+        {QStringLiteral("color panel yes"), 1}, {QStringLiteral("channel 1"), 1},
+    };
+    for (const double rate : frameRates) {
+        Hands hands;
+        Outcome outcome;
+        for (const double time : frameTimes(14, rate)) {
+            HandsFrame frame;
+            frame.time = time;
+            frame.wands = paperSession(time);
+            for (const HandCommand& command : hands.step(frame))
+                outcome.add(command);
+        }
+        QVERIFY(outcome.once == once);
+        QVERIFY(std::abs(outcome.scaled - (1.1 - vr::slideThreshold)) < 1e-9);
+        QVERIFY(std::abs(outcome.radius + (1.1 - vr::slideThreshold)) < 1e-9);
+        QCOMPARE(outcome.color, static_cast<int>((1.4 - vr::slideThreshold) * 255 / 4));
+        const double turn = vr::turnSpeed * std::numbers::pi / 180; // for two seconds, clockwise
+        QVERIFY(std::abs(outcome.turned + 2 * turn) <= turn / rate + 1e-9);
+    }
+}
+
+void TestHands::atRandomNothingIsLeftOpen_data()
+{
+    everyRowDoesItsFunctionAndNothingElseDoesAnything_data();
+}
+
+void TestHands::atRandomNothingIsLeftOpen()
+{
+    QFETCH(Preset, preset);
+    QFETCH(Side, sculpting);
+    Hands hands({preset, sculpting});
+    RandomWands wands;
+    const core::Box box(Vec3(-50, -50, -50), Vec3(50, 50, 50));
+    vr::Room room(box);
+    bool isOpen = false;
+    std::array<bool, vr::sideCount> onPanel{};
+    std::array<double, vr::sideCount> squeezed{};
+    std::map<QString, int> told;
+    double before = 0;
+    for (int i = 0; i < 100000; ++i) {
+        const HandsFrame frame = wands.next();
+        for (const Side side : sides) {
+            const WandState& wand = frame.wands[indexOf(side)];
+            squeezed[indexOf(side)] = wand.side && wand.isActive ? squeezed[indexOf(side)] + frame.time - before : 0;
+        }
+        before = frame.time;
+        const QByteArray where = QStringLiteral("seed %1, frame %2").arg(seed).arg(i).toUtf8();
+        for (const HandCommand& command : hands.step(frame)) {
+            const QString word = wordOf(command);
+            bool& panel = onPanel[indexOf(command.side)];
+            ++told[word];
+            if (word.startsWith(QStringLiteral("begin"))) {
+                QVERIFY2(!isOpen && !panel && command.side == sculpting, where);
+                isOpen = true;
+            } else if (word == QStringLiteral("point")) {
+                QVERIFY2(isOpen && !panel, where);
+                const double pressure = std::get<vr::StrokePoint>(command.deed).pressure;
+                QVERIFY2(pressure > 0 && pressure <= 1, where);
+            } else if (word == QStringLiteral("end")) {
+                QVERIFY2(isOpen, where);
+                isOpen = false;
+            } else if (word == QStringLiteral("press panel")) {
+                QVERIFY2(!panel && frame.pointsAtPanel[indexOf(command.side)], where);
+                panel = true;
+            } else if (word.startsWith(QStringLiteral("release panel"))) {
+                QVERIFY2(panel, where);
+                panel = false;
+            } else if (word == QStringLiteral("save") || word == QStringLiteral("restore")) {
+                QVERIFY2(!isOpen && squeezed[indexOf(command.side)] >= vr::holdSeconds - 1e-6, where);
+            } else if (word == QStringLiteral("undo") || word == QStringLiteral("redo")) {
+                QVERIFY2(!isOpen, where);
+            }
+            apply(command.deed, room);
+            const double shown = room.lengthToRoom(100);
+            QVERIFY2(shown >= vr::Room::leastSize * (1 - 1e-9) && shown <= vr::Room::mostSize * (1 + 1e-9), where);
+            QVERIFY2(std::abs(room.rotation().norm() - 1) < 1e-12, where);
+        }
+        const WandState& drawing = frame.wands[indexOf(sculpting)];
+        QVERIFY2(isOpen == hands.draws(sculpting), where);
+        QVERIFY2(!isOpen || (drawing.isActive && drawing.trigger >= vr::triggerRelease), where);
+        for (const Side side : sides) {
+            const WandState& wand = frame.wands[indexOf(side)];
+            QVERIFY2(!onPanel[indexOf(side)] || (wand.isActive && wand.trigger >= vr::triggerRelease), where);
+        }
+    }
+    for (const char* word : {"begin smooth no", "point", "end", "undo", "redo", "press panel", "release panel yes",
+                             "release panel no", "move", "refuse"})
+        QVERIFY2(told[QLatin1String(word)] > 20, word);
+    hands.letGo();
+    QVERIFY(hands.letGo().empty());
+}
+
+QTEST_GUILESS_MAIN(TestHands)
+#include "tst_hands.moc"

@@ -1,0 +1,427 @@
+// What a frame brings to a client and takes from it. Against the scripted runtime, with Khronos' validation layer between.
+#include "scripted_headset.h"
+#include "vr_test.h"
+
+#include <QJsonArray>
+
+#include <cmath>
+
+using core::Vec3;
+using vr::HeadsetStage;
+using vr::Side;
+
+namespace
+{
+/// As a picture holds a share of light.
+int encoded(double linear)
+{
+    return static_cast<int>(std::lround(255 * (linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055)));
+}
+
+bool isClose(const Vec3& a, const Vec3& b)
+{
+    return (a - b).norm() < 1e-4;
+}
+} // namespace
+
+class TestHeadsetFrames : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+    void init() { m_headset->load("{'start': {'pace': 'stepped'}}"); }
+    void cleanup();
+
+    void picturesArrive();
+    void sizesAndViewsAreTheRuntimes_data();
+    void sizesAndViewsAreTheRuntimes();
+    void eyesAreBesideEachOther();
+    void nothingIsDrawnThatIsNotShown();
+    void lostHeadsShowNothing();
+    void wandsAreFeltAndSeen();
+    void lostWandsStayWhereTheyWere();
+    void wandsHaveNames();
+    void wandsMayChange();
+    void refusedKindsOfWandsAreLeftOut();
+    void pulsesAreFelt();
+    void theClientRecentres_data();
+    void theClientRecentres();
+    void theRuntimeRecentres();
+    void theClientLeaves();
+    void lateFramesAreCounted();
+    void phasesAreMeasured();
+
+private:
+    /// Enters a headset that gives frames one by one, and sees that the focus is ours.
+    void enter(Visitor& visitor);
+    void leave(Visitor& visitor);
+
+    std::unique_ptr<ScriptedHeadset> m_headset; ///< null where we skip
+};
+
+void TestHeadsetFrames::initTestCase()
+{
+    SKIP_WITHOUT_GLX();
+    m_headset = std::make_unique<ScriptedHeadset>();
+}
+
+void TestHeadsetFrames::cleanup()
+{
+    if (m_headset)
+        QCOMPARE(m_headset->complaints(), QString());
+}
+
+void TestHeadsetFrames::enter(Visitor& visitor)
+{
+    QVERIFY(visitor.enter());
+    QTRY_VERIFY(m_headset->report()["is_running"].toBool());
+    for (int i = 0; i < 20 && !visitor.client->last().hasFocus; ++i)
+        QVERIFY(m_headset->frames(1));
+    QVERIFY(visitor.client->last().hasFocus);
+}
+
+void TestHeadsetFrames::leave(Visitor& visitor)
+{
+    m_headset->step("{'pace': 'fast'}");
+    QVERIFY(visitor.leave());
+    QCOMPARE(visitor.reports.last().end, vr::HeadsetEnd::Left);
+    QCOMPARE(visitor.client->glErrors, 0);
+}
+
+/// Linear light is written, and the picture has it in sRGB: not too dark, not too bright.
+void TestHeadsetFrames::picturesArrive()
+{
+    Visitor visitor(*m_headset);
+    enter(visitor);
+    m_headset->step("{'keep': true}");
+    QVERIFY(m_headset->frames(1));
+    const int frame = visitor.client->frames - 1;
+    leave(visitor);
+    std::size_t eye = 0;
+    for (const char* name : {"left", "right"}) {
+        const QImage picture = m_headset->picture(0, frame, name);
+        QCOMPARE(picture.size(), QSize(1080, 1200));
+        const QColor written = NotingClient::linear(eye++);
+        for (const QPoint at : {QPoint(0, 0), QPoint(540, 600), QPoint(1079, 1199)}) {
+            const QColor seen = picture.pixelColor(at);
+            QVERIFY(std::abs(seen.red() - encoded(written.redF())) <= 1);
+            QVERIFY(std::abs(seen.green() - encoded(written.greenF())) <= 1);
+            QVERIFY(std::abs(seen.blue() - encoded(written.blueF())) <= 1);
+        }
+    }
+}
+
+void TestHeadsetFrames::sizesAndViewsAreTheRuntimes_data()
+{
+    QTest::addColumn<QString>("step");
+    QTest::addColumn<QSize>("size");
+    QTest::addColumn<int>("views");
+    QTest::newRow("as on a Vive") << "'size': [1080, 1200]" << QSize(1080, 1200) << 2;
+    QTest::newRow("small") << "'size': [320, 240], 'hz': 20" << QSize(320, 240) << 2;
+    QTest::newRow("odd") << "'size': [641, 333], 'hz': 5" << QSize(641, 333) << 2;
+    QTest::newRow("one eye") << "'views': 'mono'" << QSize(1080, 1200) << 1;
+    QTest::newRow("two are better than one") << "'views': 'mono_first'" << QSize(1080, 1200) << 2;
+}
+
+void TestHeadsetFrames::sizesAndViewsAreTheRuntimes()
+{
+    QFETCH(QString, step);
+    QFETCH(QSize, size);
+    QFETCH(int, views);
+    Visitor before(*m_headset); // a session of the usual kind
+    enter(before);
+    leave(before);
+    Visitor visitor(*m_headset);
+    m_headset->load(qPrintable("{'start': {'pace': 'stepped', " + step + "}}"));
+    enter(visitor);
+    QVERIFY(m_headset->frames(1));
+    const auto images = visitor.client->images();
+    QCOMPARE(static_cast<int>(images.size()), views);
+    for (const vr::EyeImage& image : images) {
+        QCOMPARE(QSize(image.width, image.height), size);
+        QVERIFY(image.texture != 0);
+        QCOMPARE(image.format, GLenum(GL_SRGB8_ALPHA8));
+    }
+    for (const vr::EyeView& view : visitor.client->views()) {
+        QCOMPARE(QSize(view.width, view.height), size);
+        QVERIFY(view.isSrgb);
+    }
+    leave(visitor);
+}
+
+/// The head looks along -Z from (0, 1.7, 0), with eyes 6.4 cm apart.
+void TestHeadsetFrames::eyesAreBesideEachOther()
+{
+    Visitor visitor(*m_headset);
+    enter(visitor);
+    m_headset->step("{'head': {'position': [0, 1.7, 0], 'rotation': [0, 0, 0, 1]}}");
+    QVERIFY(m_headset->frames(1));
+    const auto views = visitor.client->views();
+    QCOMPARE(views.size(), std::size_t(2));
+    for (std::size_t eye = 0; eye < 2; ++eye) {
+        const Vec3 place = views[eye].view.inverse().translation().cast<double>();
+        QVERIFY(isClose(place, {eye == 0 ? -0.032 : 0.032, 1.7, 0}));
+        const Eigen::Vector4f ahead = views[eye].projection * (views[eye].view * Eigen::Vector3f(0, 1.7F, -2)).homogeneous();
+        QVERIFY(ahead.w() > 0 && std::abs(ahead.x()) < ahead.w() && std::abs(ahead.y()) < ahead.w() && std::abs(ahead.z()) < ahead.w());
+    }
+    const auto head = visitor.client->last().head;
+    QVERIFY(head && isClose(head->position, {0, 1.7, 0}) && isClose(head->forward(), -Vec3::UnitZ()));
+    leave(visitor);
+}
+
+void TestHeadsetFrames::nothingIsDrawnThatIsNotShown()
+{
+    Visitor visitor(*m_headset);
+    enter(visitor);
+    m_headset->step("{'should_render': false}");
+    QVERIFY(m_headset->frames(1));
+    const int draws = visitor.client->draws, frames = visitor.client->frames;
+    QVERIFY(m_headset->frames(5));
+    QCOMPARE(visitor.client->draws, draws);
+    QCOMPARE(visitor.client->frames, frames + 5);
+    QCOMPARE(m_headset->report()["last_frame"].toObject()["layers"].toArray().size(), 0);
+
+    m_headset->step("{'should_render': true}");
+    QVERIFY(m_headset->frames(2));
+    QVERIFY(visitor.client->draws >= draws + 2);
+    QCOMPARE(m_headset->report()["last_frame"].toObject()["layers"].toArray().size(), 1);
+    leave(visitor);
+}
+
+/// While only the head's place is not seen, the picture goes on from where the runtime takes it to be.
+void TestHeadsetFrames::lostHeadsShowNothing()
+{
+    Visitor visitor(*m_headset);
+    enter(visitor);
+    m_headset->step("{'head': {'position': [0.5, 1.6, 0.25], 'tracked': 'rotation'}}");
+    QVERIFY(m_headset->frames(2));
+    QCOMPARE(visitor.client->views().size(), std::size_t(2));
+    QVERIFY(isClose(visitor.client->last().head->position, {0.5, 1.6, 0.25}));
+
+    m_headset->step("{'head': {'position': [3, 3, 3], 'tracked': false}}");
+    QVERIFY(m_headset->frames(2));
+    QVERIFY(visitor.client->views().empty());
+    QVERIFY(isClose(visitor.client->last().head->position, {0.5, 1.6, 0.25}));
+    QCOMPARE(m_headset->report()["last_frame"].toObject()["layers"].toArray().size(), 0);
+
+    m_headset->step("{'head': {'tracked': true}}");
+    QVERIFY(m_headset->frames(2));
+    QCOMPARE(visitor.client->views().size(), std::size_t(2));
+    QVERIFY(isClose(visitor.client->last().head->position, {3, 3, 3}));
+    leave(visitor);
+}
+
+void TestHeadsetFrames::wandsAreFeltAndSeen()
+{
+    Visitor visitor(*m_headset);
+    enter(visitor);
+    m_headset->step("{'left': {'position': [-0.2, 1.1, -0.3], 'trigger': 0.25, 'squeeze': true},"
+                    " 'right': {'position': [0.2, 1, -0.4], 'yaw_pitch_roll': [90, 0, 0], 'trigger': 1, 'pad': [0.5, -0.75],"
+                    "           'pad_touch': true, 'pad_press': true, 'menu': true}}");
+    QVERIFY(m_headset->frames(1));
+    const auto& [left, right] = visitor.client->last().wands;
+    QVERIFY(left.isTracked && left.isActive && right.isTracked && right.isActive);
+    QVERIFY(isClose(left.grip.position, {-0.2, 1.1, -0.3}));
+    QVERIFY(isClose(right.grip.position, {0.2, 1, -0.4}));
+    QVERIFY(isClose(right.grip.forward(), -Vec3::UnitX()));
+    QVERIFY(std::abs(left.trigger - 0.25) < 1e-6 && right.trigger == 1);
+    QVERIFY(left.side && !left.menu && !left.padTouched && !left.padPressed && left.pad.isZero());
+    QVERIFY(!right.side && right.menu && right.padTouched && right.padPressed);
+    QVERIFY((right.pad - Eigen::Vector2d(0.5, -0.75)).norm() < 1e-6);
+    QVERIFY(!left.isStick && !right.isStick);
+    leave(visitor);
+}
+
+void TestHeadsetFrames::lostWandsStayWhereTheyWere()
+{
+    Visitor visitor(*m_headset);
+    enter(visitor);
+    m_headset->step("{'right': {'position': [0.2, 1, -0.4]}}");
+    QVERIFY(m_headset->frames(2));
+    m_headset->step("{'right': {'tracked': false, 'position': [2, 2, 2], 'trigger': 0.5}}");
+    QVERIFY(m_headset->frames(2));
+    const vr::WandState lost = visitor.client->last().wands[1];
+    QVERIFY(!lost.isTracked && lost.isActive && lost.trigger == 0.5);
+    QVERIFY(isClose(lost.grip.position, {0.2, 1, -0.4}));
+    QVERIFY(visitor.client->last().wands[0].isTracked);
+
+    m_headset->step("{'right': {'on': false}}");
+    QVERIFY(m_headset->frames(2));
+    const vr::WandState off = visitor.client->last().wands[1];
+    QVERIFY(!off.isTracked && !off.isActive && off.trigger == 0);
+    leave(visitor);
+}
+
+void TestHeadsetFrames::wandsHaveNames()
+{
+    Visitor visitor(*m_headset);
+    enter(visitor);
+    QVERIFY(m_headset->frames(2));
+    for (const vr::WandKind& kind : visitor.client->last().kinds) {
+        QCOMPARE(kind.profile, QString("/interaction_profiles/htc/vive_controller"));
+        const QStringList names{kind.trigger, kind.pad, kind.side, kind.menu};
+        QVERIFY(!names.contains(QString()));
+        QCOMPARE(QSet<QString>(names.begin(), names.end()).size(), names.size());
+    }
+    leave(visitor);
+}
+
+void TestHeadsetFrames::wandsMayChange()
+{
+    Visitor visitor(*m_headset);
+    enter(visitor);
+    m_headset->step("{'profile': '/interaction_profiles/valve/index_controller', 'left': {'stick': [0.25, 0.5], 'button_b': true}}");
+    QVERIFY(m_headset->frames(4));
+    const SeenFrame frame = visitor.client->last();
+    QCOMPARE(frame.kinds[0].profile, QString("/interaction_profiles/valve/index_controller"));
+    QVERIFY(frame.wands[0].isStick && frame.wands[0].menu);
+    QVERIFY((frame.wands[0].pad - Eigen::Vector2d(0.25, 0.5)).norm() < 1e-6);
+    leave(visitor);
+}
+
+void TestHeadsetFrames::refusedKindsOfWandsAreLeftOut()
+{
+    m_headset->step("{'fail': {'call': 'xrSuggestInteractionProfileBindings', 'result': 'XR_ERROR_PATH_UNSUPPORTED'},"
+                    " 'profile': '/interaction_profiles/oculus/touch_controller', 'right': {'button_b': true}}");
+    Visitor visitor(*m_headset);
+    enter(visitor);
+    QVERIFY(m_headset->frames(2));
+    QVERIFY(visitor.client->last().wands[1].menu);
+    leave(visitor);
+}
+
+void TestHeadsetFrames::pulsesAreFelt()
+{
+    Visitor visitor(*m_headset);
+    enter(visitor);
+    vr::FrameOutput output;
+    output.pulses = {{Side::Right, 0.5, 160, 0.02}};
+    visitor.client->answer(output);
+    QVERIFY(m_headset->frames(2));
+    output.pulses = {{Side::Left, 2, 0, 0}};
+    visitor.client->answer(output);
+    QVERIFY(m_headset->frames(2));
+    const QJsonArray felt = m_headset->report()["haptics"].toArray();
+    QCOMPARE(felt.size(), 2);
+    const QJsonObject first = felt[0].toObject(), second = felt[1].toObject();
+    QVERIFY(first["hand"].toString().contains("right") && second["hand"].toString().contains("left"));
+    QCOMPARE(first["amplitude"].toDouble(), 0.5);
+    QCOMPARE(first["frequency"].toDouble(), 160.0);
+    QCOMPARE(second["amplitude"].toDouble(), 1.0);
+    leave(visitor);
+}
+
+void TestHeadsetFrames::theClientRecentres_data()
+{
+    QTest::addColumn<QString>("start");
+    QTest::addColumn<double>("height");
+    QTest::newRow("the floor is known: it stays") << "'stage': true" << 1.2;
+    QTest::newRow("it is not: the eyes are 1.5 m above it") << "'stage': false" << 1.5;
+}
+
+/// The head is then over the middle and looks along -Z, however it was tilted; and again, from there.
+void TestHeadsetFrames::theClientRecentres()
+{
+    QFETCH(QString, start);
+    QFETCH(double, height);
+    m_headset->load(qPrintable("{'start': {'pace': 'stepped', " + start + "}}"));
+    Visitor visitor(*m_headset);
+    enter(visitor);
+    for (const char* head : {"{'head': {'position': [1, 1.2, 2], 'yaw_pitch_roll': [70, 20, 10]}}",
+                             "{'head': {'position': [-1, 1.2, 0.5], 'yaw_pitch_roll': [-160, -30, 0]}}"}) {
+        m_headset->step(head);
+        QVERIFY(m_headset->frames(2));
+        const int moves = visitor.client->moves;
+        vr::FrameOutput output;
+        output.recentre = true;
+        visitor.client->answer(output);
+        QVERIFY(m_headset->frames(3));
+        QCOMPARE(visitor.client->moves, moves + 1);
+        const vr::Pose now = *visitor.client->last().head;
+        QVERIFY(isClose(now.position, {0, height, 0}));
+        QVERIFY(std::abs(now.forward().x()) < 1e-4 && now.forward().z() < 0);
+        QVERIFY(std::abs(now.forward().y()) > 0.1);
+    }
+    leave(visitor);
+}
+
+/// Our own recentring is void from the very frame on at which the runtime's takes place.
+void TestHeadsetFrames::theRuntimeRecentres()
+{
+    Visitor visitor(*m_headset);
+    enter(visitor);
+    m_headset->step("{'head': {'position': [1, 1.7, 2], 'rotation': [0, 0, 0, 1]}}");
+    QVERIFY(m_headset->frames(1));
+    vr::FrameOutput output;
+    output.recentre = true;
+    visitor.client->answer(output);
+    QVERIFY(m_headset->frames(2));
+    QVERIFY(isClose(visitor.client->last().head->position, {0, 1.7, 0}));
+
+    const int moves = visitor.client->moves;
+    m_headset->step("{'recentre': {'space': 'stage', 'position': [0, 0, 5], 'after': 3}}");
+    int frames = 0;
+    for (; frames < 10 && visitor.client->moves == moves; ++frames) {
+        QVERIFY(m_headset->frames(1));
+        QVERIFY(isClose(visitor.client->last().head->position, visitor.client->last().roomMoved ? Vec3(1, 1.7, -3) : Vec3(0, 1.7, 0)));
+    }
+    QVERIFY(frames >= 3 && frames < 10);
+    QVERIFY(m_headset->frames(3));
+    QCOMPARE(visitor.client->moves, moves + 1);
+    QVERIFY(isClose(visitor.client->last().head->position, {1, 1.7, -3}));
+    leave(visitor);
+}
+
+void TestHeadsetFrames::theClientLeaves()
+{
+    Visitor visitor(*m_headset);
+    enter(visitor);
+    vr::FrameOutput output;
+    output.leave = true;
+    visitor.client->answer(output);
+    m_headset->step("{'pace': 'fast'}");
+    QVERIFY(visitor.waitForEnd());
+    QCOMPARE(visitor.reports.last().end, vr::HeadsetEnd::Left);
+}
+
+void TestHeadsetFrames::lateFramesAreCounted()
+{
+    Visitor visitor(*m_headset);
+    enter(visitor);
+    QVERIFY(m_headset->frames(5));
+    QCOMPARE(visitor.thread.costs().lostFrames(), quint64(0));
+    m_headset->step("{'late_ms': 40}"); // less than four periods of 11.1 ms: the display takes it at the fourth
+    QVERIFY(m_headset->frames(5));
+    QCOMPARE(visitor.thread.costs().lostFrames(), quint64(4));
+    leave(visitor);
+}
+
+/// A frame is made of its phases, and no phase has more of a core than there is time; drawing is told apart.
+void TestHeadsetFrames::phasesAreMeasured()
+{
+    Visitor visitor(*m_headset);
+    enter(visitor);
+    QVERIFY(m_headset->frames(20));
+    leave(visitor);
+    const auto costs = visitor.thread.costs().last();
+    QCOMPARE(costs.size(), static_cast<std::size_t>(visitor.client->frames));
+    int shown = 0;
+    for (const vr::FrameCost& cost : costs) {
+        double work = 0;
+        for (const auto phase : {vr::FramePhase::Input, vr::FramePhase::Client, vr::FramePhase::Images, vr::FramePhase::Draw,
+                                 vr::FramePhase::Submit})
+            work += cost.of(phase);
+        QVERIFY(cost.of(vr::FramePhase::Input) > 0 && cost.of(vr::FramePhase::Submit) > 0);
+        QVERIFY(work < cost.workMs + 0.5);
+        QCOMPARE(cost.of(vr::FramePhase::Draw) > 0, cost.isShown);
+        QCOMPARE(cost.drawCallMs > 0, cost.isShown);
+        QVERIFY(cost.drawCallMs <= cost.of(vr::FramePhase::Draw));
+        shown += cost.isShown ? 1 : 0;
+    }
+    QVERIFY(shown >= 20);
+    QCOMPARE(2 * shown, visitor.client->draws.load());
+}
+
+VR_TEST_MAIN(TestHeadsetFrames)
+#include "tst_headset_frames.moc"

@@ -1,0 +1,201 @@
+// The same clay, drawn for the desktop and for an eye of the headset that looks from the same place.
+#include "offscreen_gl.h"
+#include "tests/ui/sphere_model.h"
+
+#include "ui/clay_painter.h"
+#include "vr/scene.h"
+
+#include "core/symmetry_pane.h"
+
+#include <QOpenGLFunctions_3_3_Core>
+#include <QOpenGLVersionFunctionsFactory>
+
+namespace
+{
+constexpr QSize size(240, 180);
+
+struct Difference
+{
+    int compared = 0, most = 0;
+};
+
+/// Of the colours, where the mask has clay.
+Difference difference(const QImage& a, const QImage& b, const QImage& mask)
+{
+    Difference result;
+    for (int y = 0; y < size.height(); ++y)
+        for (int x = 0; x < size.width(); ++x) {
+            if (qAlpha(mask.pixel(x, y)) == 0)
+                continue;
+            const QRgb p = a.pixel(x, y), q = b.pixel(x, y);
+            ++result.compared;
+            result.most = std::max({result.most, std::abs(qRed(p) - qRed(q)), std::abs(qGreen(p) - qGreen(q)), std::abs(qBlue(p) - qBlue(q))});
+        }
+    return result;
+}
+} // namespace
+
+class TestHeadsetShading : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+    void cleanup() { QCOMPARE(m_offscreen->error(), 0U); }
+    void cleanupTestCase()
+    {
+        m_painter.destroy();
+        m_scene.destroy();
+    }
+
+    void clay_looksAsOnTheDesktop_data();
+    void clay_looksAsOnTheDesktop();
+    void headsTurn_changesNoShade();
+
+private:
+    QImage desktop(const ui::ClayPicture& picture);
+    /// The model shrunk to metres and put somewhere in the room, turned; the head where the desktop's camera is.
+    vr::SceneState state(const core::Shading& shading) const;
+    /// With the camera's field of view.
+    vr::EyeView eye(const vr::Pose& pose, const TestImage& image) const;
+    QImage headset(const vr::SceneState& state, const vr::EyeView& view, const TestImage& image);
+
+    std::unique_ptr<OffscreenGl> m_offscreen;
+    ui::ClayPainter m_painter;
+    vr::Scene m_scene;
+    ui::OrbitCamera m_camera;
+    SphereModel m_model;
+    QImage m_mask; ///< transparent where no clay is
+};
+
+void TestHeadsetShading::initTestCase()
+{
+    m_offscreen = std::make_unique<OffscreenGl>();
+    if (!m_offscreen->isUsable())
+        QSKIP("no OpenGL 3.3 here");
+    QVERIFY(m_painter.create(QOpenGLVersionFunctionsFactory::get<QOpenGLFunctions_3_3_Core>(QOpenGLContext::currentContext())));
+    QVERIFY(m_scene.create(m_offscreen->gl()));
+    core::MeshPatch patch = m_model.whole();
+    for (std::size_t i = 0; i < patch.vertices.size(); ++i) // painted on one side
+        if (patch.vertices[i].position.x() > 20)
+            patch.vertices[i].color = {40, 90, 230, 255};
+    m_painter.clay().apply(patch);
+    m_scene.apply(patch);
+    m_camera.setViewport(size.width(), size.height());
+    m_camera.frame(m_model.box());
+
+    m_mask = QImage(size, QImage::Format_ARGB32);
+    m_mask.fill(Qt::transparent);
+    for (int y = 0; y < size.height(); ++y)
+        for (int x = 0; x < size.width(); ++x) {
+            const core::Ray ray = m_camera.ray({x + 0.5, y + 0.5});
+            const double nearest = ray.origin.cross(ray.direction.normalized()).norm();
+            if (nearest < 49)
+                m_mask.setPixel(x, y, 0xFFFFFFFF);
+        }
+}
+
+QImage TestHeadsetShading::desktop(const ui::ClayPicture& picture)
+{
+    const TestImage image(m_offscreen->gl(), size, GL_RGBA8);
+    m_offscreen->gl()->glDisable(GL_FRAMEBUFFER_SRGB);
+    m_offscreen->gl()->glBindFramebuffer(GL_FRAMEBUFFER, image.framebuffer());
+    m_offscreen->gl()->glViewport(0, 0, size.width(), size.height());
+    m_painter.draw(m_camera, picture);
+    return image.read();
+}
+
+vr::SceneState TestHeadsetShading::state(const core::Shading& shading) const
+{
+    vr::SceneState state;
+    state.model = Eigen::Translation3d(0.4, 1.2, -0.7) * Eigen::AngleAxisd(1.1, core::Vec3::UnitY()) * Eigen::UniformScaling(0.0037);
+    state.box = m_model.box();
+    state.shading = shading;
+    state.hasFloor = false;
+    const Eigen::Matrix4d fromEye = m_camera.viewMatrix().inverse();
+    const Eigen::Matrix3d turn = state.model.linear() / std::cbrt(state.model.linear().determinant());
+    state.head = {Eigen::Quaterniond(Eigen::Matrix3d(turn * fromEye.topLeftCorner<3, 3>())), state.model * core::Vec3(fromEye.col(3).head<3>())};
+    return state;
+}
+
+vr::EyeView TestHeadsetShading::eye(const vr::Pose& pose, const TestImage& image) const
+{
+    vr::EyeView view = eyeAt(pose, {}, image);
+    const double upward = 1 / m_camera.projectionMatrix()(1, 1), sideways = 1 / m_camera.projectionMatrix()(0, 0);
+    view.projection = projectionOf({sideways, sideways, upward, upward});
+    return view;
+}
+
+QImage TestHeadsetShading::headset(const vr::SceneState& state, const vr::EyeView& view, const TestImage& image)
+{
+    m_scene.prepare(state);
+    m_scene.draw(view);
+    return image.read();
+}
+
+void TestHeadsetShading::clay_looksAsOnTheDesktop_data()
+{
+    QTest::addColumn<int>("material");
+    QTest::addColumn<bool>("flat");
+    QTest::addColumn<bool>("mirrored");
+    for (const auto& row : ui::materials)
+        QTest::newRow(row.key) << static_cast<int>(row.value) << false << false;
+    QTest::newRow("flat") << 0 << true << false;
+    QTest::newRow("cut by the plane of symmetry") << 0 << false << true;
+}
+
+void TestHeadsetShading::clay_looksAsOnTheDesktop()
+{
+    QFETCH(int, material);
+    QFETCH(bool, flat);
+    QFETCH(bool, mirrored);
+    const core::Shading shading = ui::shadingOf(static_cast<ui::Material>(material));
+    const core::Symmetry symmetry = mirrored ? core::Symmetry::X : core::Symmetry::None;
+    m_painter.setCut(core::planeNormal(symmetry));
+    const QImage onDesktop = desktop({.backdrop = {}, .shading = shading, .flat = flat, .pixels = size});
+
+    vr::SceneState shown = state(shading);
+    shown.isFlat = flat;
+    shown.symmetry = symmetry;
+    shown.box.setEmpty(); // no pane before the clay
+    const TestImage image(m_offscreen->gl(), size);
+    const Difference found = difference(onDesktop, headset(shown, eye(shown.head, image), image), m_mask);
+    QVERIFY(found.compared > 5000);
+    QVERIFY2(found.most <= 2, qPrintable(QString::number(found.most)));
+}
+
+/// The lights go around the model with who looks at it, but do not turn with the head.
+void TestHeadsetShading::headsTurn_changesNoShade()
+{
+    vr::SceneState shown = state(ui::shadingOf(ui::Material::Clay));
+    const TestImage image(m_offscreen->gl(), size);
+    const vr::Pose straight = shown.head;
+    const vr::EyeView ahead = eye(straight, image);
+    const QImage before = headset(shown, ahead, image);
+    shown.head.rotation = shown.head.rotation * Eigen::AngleAxisd(0.15, core::Vec3(1, 1, 0.7).normalized());
+    const vr::EyeView aside = eye(shown.head, image);
+    const QImage after = headset(shown, aside, image);
+    const auto seen = [&](const QImage& picture, const vr::EyeView& view, const core::Vec3& point) {
+        const core::Vec3f eyeSpace = view.view * (shown.model * point).cast<float>();
+        const Eigen::Vector4f clip = view.projection * eyeSpace.homogeneous();
+        return qGray(picture.pixel(static_cast<int>((1 + clip.x() / clip.w()) / 2 * static_cast<float>(size.width())),
+                                   static_cast<int>((1 - clip.y() / clip.w()) / 2 * static_cast<float>(size.height()))));
+    };
+    const core::Vec3 back = shown.model.linear().transpose() * (straight.position - shown.model.translation());
+    int compared = 0, darkest = 255, lightest = 0;
+    for (const core::Vec3f& vertex : m_model.mesh.points) {
+        const core::Vec3 point = vertex.cast<double>();
+        if (point.normalized().dot(back.normalized()) < 0.6 || std::abs(point.x() - 20) < 6) // near the rim, or where the paint ends
+            continue;
+        ++compared;
+        const int gray = seen(before, ahead, point);
+        QVERIFY(std::abs(gray - seen(after, aside, point)) <= 4);
+        darkest = std::min(darkest, gray);
+        lightest = std::max(lightest, gray);
+    }
+    QVERIFY(compared > 100);
+    QVERIFY(lightest > darkest + 60);
+}
+
+VR_TEST_MAIN(TestHeadsetShading)
+#include "tst_headset_shading.moc"

@@ -1,0 +1,402 @@
+// Visits to the headset: how they begin, go on, and end, and that another may follow. Against the scripted runtime, with Khronos'
+// validation layer between.
+#include "scripted_headset.h"
+#include "vr_test.h"
+
+#include "vr/openxr_runtime.h"
+
+#include <QDir>
+
+using vr::HeadsetEnd;
+using vr::HeadsetStage;
+
+namespace
+{
+int entriesOf(const char* folder)
+{
+    return static_cast<int>(QDir(folder).entryList(QDir::AllEntries | QDir::System | QDir::NoDotAndDotDot).size());
+}
+
+struct Held
+{
+    int threads = entriesOf("/proc/self/task");
+    int files = entriesOf("/proc/self/fd");
+};
+
+/// Every call of OpenXR that a visit makes, and may hear no to; but for those whose refusal is an answer.
+const char* const refusable[] = {
+    "xrEnumerateViewConfigurations",
+    "xrEnumerateEnvironmentBlendModes",
+    "xrEnumerateViewConfigurationViews",
+    "xrGetOpenGLGraphicsRequirementsKHR",
+    "xrCreateSession",
+    "xrEnumerateSwapchainFormats",
+    "xrCreateActionSet",
+    "xrCreateAction",
+    "xrStringToPath",
+    "xrAttachSessionActionSets",
+    "xrCreateActionSpace",
+    "xrEnumerateReferenceSpaces",
+    "xrCreateReferenceSpace",
+    "xrCreateSwapchain",
+    "xrEnumerateSwapchainImages",
+    "xrPollEvent",
+    "xrBeginSession",
+    "xrWaitFrame",
+    "xrBeginFrame",
+    "xrSyncActions",
+    "xrLocateSpace",
+    "xrGetActionStateFloat",
+    "xrGetActionStateVector2f",
+    "xrGetActionStateBoolean",
+    "xrGetCurrentInteractionProfile",
+    "xrLocateViews",
+    "xrAcquireSwapchainImage",
+    "xrWaitSwapchainImage",
+    "xrReleaseSwapchainImage",
+    "xrEndFrame",
+};
+} // namespace
+
+class TestHeadsetThread : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+    void init() { m_headset->load("{}"); }
+    void cleanup();
+
+    void entersAndLeaves();
+    void entersAgainAndAgain();
+    void entersFromTheLastReport();
+    void leavesWhenItGoes();
+    void leavesBeforeItIsIn();
+    void theGuiIsNotWaitedFor();
+    void onlyOneAtATime();
+
+    void whatIsNotThereIsAnAnswer_data();
+    void whatIsNotThereIsAnAnswer();
+    void faults_data();
+    void faults();
+    void refusals_data();
+    void refusals();
+    void aClientThatCannotDraw();
+    void aRuntimeThatDoesNotLetGo();
+
+    void losesFocusAndGetsItBack();
+    void isHidden();
+    void isTakenOffAndPutOnAgain();
+    void isLeftWhileTakenOff();
+
+private:
+    std::unique_ptr<ScriptedHeadset> m_headset; ///< null where we skip
+};
+
+void TestHeadsetThread::initTestCase()
+{
+    SKIP_WITHOUT_GLX();
+    m_headset = std::make_unique<ScriptedHeadset>();
+}
+
+void TestHeadsetThread::cleanup()
+{
+    if (m_headset)
+        QCOMPARE(m_headset->complaints(), QString());
+}
+
+void TestHeadsetThread::entersAndLeaves()
+{
+    Visitor visitor(*m_headset);
+    QVERIFY(visitor.enter());
+    QVERIFY(visitor.thread.isIn());
+    QVERIFY(visitor.waitFor(HeadsetStage::Running));
+    QVERIFY(m_headset->frames(10));
+    QVERIFY(visitor.leave());
+
+    QList<HeadsetStage> stages;
+    for (const vr::HeadsetReport& report : visitor.reports) {
+        stages << report.stage;
+        QVERIFY(!report.text.isEmpty());
+    }
+    QCOMPARE(stages, (QList{HeadsetStage::Starting, HeadsetStage::Running, HeadsetStage::Ended}));
+    QCOMPARE(visitor.reports.last().end, HeadsetEnd::Left);
+    QVERIFY(!visitor.thread.isIn());
+    QCOMPARE(visitor.client->creates, 1);
+    QCOMPARE(visitor.client->destroys, 1);
+    QCOMPARE(visitor.client->glErrors, 0);
+    QVERIFY(visitor.client->thread != std::this_thread::get_id());
+    QVERIFY(visitor.client->draws > 0);
+    QCOMPARE(visitor.thread.costs().frames(), quint64(visitor.client->frames));
+    QCOMPARE(m_headset->report()["sessions"].toInt(), 1);
+    QCOMPARE(m_headset->report()["is_running"].toBool(), false);
+}
+
+/// Threads, files and contexts end with each visit.
+void TestHeadsetThread::entersAgainAndAgain()
+{
+    m_headset->load("{'start': {'pace': 'fast'}}");
+    Visitor visitor(*m_headset);
+    std::optional<Held> before;
+    constexpr int visits = 20;
+    for (int i = 0; i < visits; ++i) {
+        QVERIFY(visitor.enterAndRun());
+        QVERIFY(m_headset->frames(3));
+        QVERIFY(visitor.leave());
+        QCOMPARE(visitor.reports.last().end, HeadsetEnd::Left);
+        QVERIFY(visitor.client->context.isNull());
+        const Held now;
+        if (!before)
+            before = now; // drivers keep some for the next context
+        QCOMPARE(now.threads, before->threads);
+        QCOMPARE(now.files, before->files);
+    }
+    QCOMPARE(visitor.client->destroys, visits);
+    QCOMPARE(m_headset->report()["sessions"].toInt(), visits);
+    QCOMPARE(m_headset->calls("xrDestroyInstance"), visits);
+}
+
+void TestHeadsetThread::entersFromTheLastReport()
+{
+    Visitor visitor(*m_headset);
+    int more = 2;
+    QObject::connect(&visitor.thread, &vr::HeadsetThread::reported, &visitor.thread, [&](const vr::HeadsetReport& report) {
+        if (report.stage == HeadsetStage::Running)
+            visitor.thread.leave();
+        if (report.isEnded() && more-- > 0)
+            QVERIFY(visitor.enter());
+    });
+    QVERIFY(visitor.enter());
+    QTRY_COMPARE(visitor.client->destroys, 3);
+    QVERIFY(visitor.waitForEnd());
+}
+
+void TestHeadsetThread::leavesWhenItGoes()
+{
+    const auto client = std::make_shared<NotingClient>();
+    {
+        Visitor visitor(*m_headset);
+        visitor.client = client;
+        QVERIFY(visitor.enterAndRun());
+    }
+    QCOMPARE(client->destroys, 1);
+    QVERIFY(client->context.isNull());
+    QCOMPARE(m_headset->calls("xrDestroyInstance"), 1);
+}
+
+void TestHeadsetThread::leavesBeforeItIsIn()
+{
+    Visitor visitor(*m_headset);
+    QVERIFY(visitor.enter());
+    QVERIFY(visitor.leave());
+    QCOMPARE(visitor.reports.last().end, HeadsetEnd::Left);
+    QCOMPARE(visitor.client->creates, visitor.client->destroys);
+}
+
+/// This thread, which is the gui's, runs no event loop meanwhile.
+void TestHeadsetThread::theGuiIsNotWaitedFor()
+{
+    Visitor visitor(*m_headset);
+    QVERIFY(visitor.enterAndRun());
+    QVERIFY(m_headset->frames(90));
+    QVERIFY(visitor.leave());
+}
+
+void TestHeadsetThread::onlyOneAtATime()
+{
+    Visitor visitor(*m_headset);
+    QVERIFY(visitor.enterAndRun());
+    QVERIFY(!visitor.thread.enter(visitor.client));
+    QCOMPARE(vr::OpenXrRuntime::probe().state, vr::HeadsetStatus::State::InUse);
+    QVERIFY(visitor.leave());
+    const vr::HeadsetStatus status = vr::OpenXrRuntime::probe();
+    QCOMPARE(status.state, vr::HeadsetStatus::State::Ready);
+    QVERIFY(status.text.contains(status.headset) && status.text.contains(status.runtime));
+}
+
+void TestHeadsetThread::whatIsNotThereIsAnAnswer_data()
+{
+    QTest::addColumn<QString>("step");
+    QTest::addColumn<QString>("reason");
+    QTest::newRow("no runtime") << "'runtime': false" << "XR_ERROR_RUNTIME_UNAVAILABLE";
+    QTest::newRow("no headset") << "'headset': false" << "XR_ERROR_FORM_FACTOR_UNAVAILABLE";
+    QTest::newRow("no OpenGL") << "'opengl': false" << "OpenGL";
+}
+
+/// The validation layer does not come through this: it has an answer of its own.
+void TestHeadsetThread::whatIsNotThereIsAnAnswer()
+{
+    QFETCH(QString, step);
+    QFETCH(QString, reason);
+    const auto layer = m_headset->withoutLayer();
+    m_headset->step(qPrintable("{" + step + "}"));
+    Visitor visitor(*m_headset);
+    QVERIFY(visitor.enter());
+    QVERIFY(visitor.waitForEnd());
+    QCOMPARE(visitor.reports.last().end, HeadsetEnd::NotThere);
+    QVERIFY2(visitor.reports.last().text.contains(reason), qPrintable(visitor.reports.last().text));
+    QCOMPARE(visitor.reports.last().text, vr::OpenXrRuntime::probe().text);
+    QCOMPARE(visitor.client->creates, 0);
+
+    m_headset->load("{}");
+    QVERIFY(visitor.enterAndRun());
+    QVERIFY(visitor.leave());
+}
+
+void TestHeadsetThread::faults_data()
+{
+    QTest::addColumn<QString>("step");
+    QTest::addColumn<HeadsetEnd>("end");
+    QTest::newRow("the session is lost at once") << "'lose_session': 0" << HeadsetEnd::SessionLost;
+    QTest::newRow("the session will be lost") << "'lose_session': 20" << HeadsetEnd::SessionLost;
+    QTest::newRow("the runtime dies at once") << "'lose_instance': 0" << HeadsetEnd::RuntimeDied;
+    QTest::newRow("the runtime will die") << "'lose_instance': 20" << HeadsetEnd::RuntimeDied;
+    QTest::newRow("the runtime ends it") << "'exit': true" << HeadsetEnd::SentAway;
+    for (const char* call : {"xrWaitFrame", "xrBeginFrame", "xrSyncActions", "xrLocateViews", "xrAcquireSwapchainImage", "xrEndFrame",
+                             "xrPollEvent"}) {
+        const auto failing = [call](const char* result) {
+            return QStringLiteral("'fail': {'call': '%1', 'result': '%2'}").arg(call, result);
+        };
+        QTest::addRow("the session is lost in %s", call) << failing("XR_ERROR_SESSION_LOST") << HeadsetEnd::SessionLost;
+        QTest::addRow("the runtime dies in %s", call) << failing("XR_ERROR_INSTANCE_LOST") << HeadsetEnd::RuntimeDied;
+    }
+}
+
+/// Each ends the visit with a word, and another visit finds nothing amiss.
+void TestHeadsetThread::faults()
+{
+    QFETCH(QString, step);
+    QFETCH(HeadsetEnd, end);
+    Visitor visitor(*m_headset);
+    QVERIFY(visitor.enterAndRun());
+    QVERIFY(m_headset->frames(3));
+    m_headset->step(qPrintable("{" + step + "}"));
+    QVERIFY(visitor.waitForEnd());
+    QCOMPARE(visitor.reports.last().end, end);
+    QVERIFY(!visitor.reports.last().text.isEmpty());
+    QCOMPARE(visitor.client->creates, visitor.client->destroys);
+    QCOMPARE(m_headset->complaints(), QString());
+
+    m_headset->load("{}");
+    QVERIFY(visitor.enterAndRun());
+    QVERIFY(visitor.leave());
+}
+
+void TestHeadsetThread::refusals_data()
+{
+    QTest::addColumn<QString>("call");
+    for (const char* call : refusable)
+        QTest::newRow(call) << call;
+}
+
+/// Whatever call is refused, the visit ends, says which one it was, and leaves nothing behind: what was begun is ended.
+void TestHeadsetThread::refusals()
+{
+    QFETCH(QString, call);
+    m_headset->step(qPrintable(QStringLiteral("{'fail': {'call': '%1', 'result': 'XR_ERROR_RUNTIME_FAILURE'}}").arg(call)));
+    Visitor visitor(*m_headset);
+    QVERIFY(visitor.enter());
+    QVERIFY(visitor.waitForEnd());
+    QCOMPARE(visitor.reports.last().end, HeadsetEnd::Failed);
+    QVERIFY2(visitor.reports.last().text.contains(call + ": XR_ERROR_RUNTIME_FAILURE"), qPrintable(visitor.reports.last().text));
+    QCOMPARE(visitor.client->creates, visitor.client->destroys);
+    QVERIFY(visitor.client->context.isNull());
+    QCOMPARE(m_headset->calls("xrDestroyInstance"), 1);
+    QCOMPARE(m_headset->complaints(), QString());
+
+    QVERIFY(visitor.enterAndRun());
+    QVERIFY(visitor.leave());
+}
+
+void TestHeadsetThread::aClientThatCannotDraw()
+{
+    Visitor visitor(*m_headset);
+    visitor.client->canDraw = false;
+    QVERIFY(visitor.enter());
+    QVERIFY(visitor.waitForEnd());
+    QCOMPARE(visitor.reports.last().end, HeadsetEnd::NoPicture);
+    QCOMPARE(visitor.client->destroys, 1);
+    QCOMPARE(m_headset->report()["sessions"].toInt(), 0);
+}
+
+/// It says yes to the request, and goes on as if there had been none.
+void TestHeadsetThread::aRuntimeThatDoesNotLetGo()
+{
+    m_headset->step("{'fail': {'call': 'xrRequestExitSession', 'result': 'XR_SUCCESS'}}");
+    Visitor visitor(*m_headset);
+    QVERIFY(visitor.enterAndRun());
+    QVERIFY(visitor.leave());
+    QCOMPARE(visitor.reports.last().end, HeadsetEnd::Left);
+    QCOMPARE(m_headset->calls("xrDestroySession"), 1);
+}
+
+/// Without it nobody asks for the buttons, and the wands are at rest; the picture goes on.
+void TestHeadsetThread::losesFocusAndGetsItBack()
+{
+    Visitor visitor(*m_headset);
+    m_headset->step("{'right': {'trigger': 0.7, 'menu': true}}");
+    QVERIFY(visitor.enterAndRun());
+    QTRY_VERIFY(visitor.client->last().wands[1].menu);
+    m_headset->step("{'focus': false}");
+    QVERIFY(visitor.waitFor(HeadsetStage::Visible));
+    const int syncs = m_headset->calls("xrSyncActions"), draws = visitor.client->draws;
+    QVERIFY(m_headset->frames(10));
+    QCOMPARE(m_headset->calls("xrSyncActions"), syncs);
+    QVERIFY(visitor.client->draws >= draws + 18);
+    const vr::WandState wand = visitor.client->last().wands[1];
+    QVERIFY(!wand.isActive && !wand.menu && wand.trigger == 0);
+    QVERIFY(!visitor.client->last().hasFocus);
+
+    m_headset->step("{'focus': true}");
+    QVERIFY(visitor.waitFor(HeadsetStage::Running));
+    QTRY_VERIFY(visitor.client->last().wands[1].menu);
+    QVERIFY(visitor.leave());
+}
+
+void TestHeadsetThread::isHidden()
+{
+    Visitor visitor(*m_headset);
+    QVERIFY(visitor.enterAndRun());
+    m_headset->step("{'visible': false}");
+    QVERIFY(visitor.waitFor(HeadsetStage::Hidden));
+    const int draws = visitor.client->draws, frames = visitor.client->frames;
+    QVERIFY(m_headset->frames(10));
+    QCOMPARE(visitor.client->draws, draws);
+    QVERIFY(visitor.client->frames >= frames + 9);
+    QVERIFY(visitor.leave());
+    QCOMPARE(visitor.reports.last().end, HeadsetEnd::Left);
+}
+
+/// Meanwhile the session is ended, and the thread rests.
+void TestHeadsetThread::isTakenOffAndPutOnAgain()
+{
+    Visitor visitor(*m_headset);
+    QVERIFY(visitor.enterAndRun());
+    m_headset->step("{'worn': false}");
+    QVERIFY(visitor.waitFor(HeadsetStage::TakenOff));
+    QCOMPARE(m_headset->report()["is_running"].toBool(), false);
+    const int frames = visitor.client->frames, polls = m_headset->calls("xrPollEvent");
+    QTest::qWait(500);
+    QCOMPARE(visitor.client->frames, frames);
+    QVERIFY(m_headset->calls("xrPollEvent") - polls < 20);
+
+    m_headset->step("{'worn': true}");
+    QVERIFY(visitor.waitFor(HeadsetStage::Running));
+    QVERIFY(visitor.client->frames > frames);
+    QCOMPARE(m_headset->calls("xrBeginSession"), 2);
+    QCOMPARE(m_headset->report()["sessions"].toInt(), 1);
+    QVERIFY(visitor.leave());
+}
+
+void TestHeadsetThread::isLeftWhileTakenOff()
+{
+    Visitor visitor(*m_headset);
+    QVERIFY(visitor.enterAndRun());
+    m_headset->step("{'worn': false}");
+    QVERIFY(visitor.waitFor(HeadsetStage::TakenOff));
+    QVERIFY(visitor.leave());
+    QCOMPARE(visitor.reports.last().end, HeadsetEnd::Left);
+}
+
+VR_TEST_MAIN(TestHeadsetThread)
+#include "tst_headset_thread.moc"

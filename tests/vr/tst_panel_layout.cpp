@@ -1,0 +1,283 @@
+#include "vr/panels/panel_layout.h"
+
+#include "example_panels.h"
+#include "vr/panels/panel_theme.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+using vr::PanelAction;
+using vr::PanelCommand;
+using vr::PanelLayout;
+using vr::PanelPart;
+
+namespace
+{
+/// Of a panel's point in dmm: metres from its middle.
+Eigen::Vector2d inRoom(const PanelLayout& layout, const QPointF& point)
+{
+    return Eigen::Vector2d(point.x() - layout.size.width() / 2, layout.size.height() / 2 - point.y()) * layout.distance / 1000;
+}
+
+/// They share more than an edge.
+bool overlap(const QRectF& a, const QRectF& b)
+{
+    const QRectF shared = a & b;
+    return shared.width() > 1e-6 && shared.height() > 1e-6;
+}
+
+/// What the examples' panels let people want.
+std::vector<PanelAction> offered()
+{
+    std::vector<PanelAction> all;
+    for (const ExamplePanel& example : examplePanels())
+        for (const PanelPart& part : vr::layoutOf(example.content).parts)
+            if (part.answers())
+                all.push_back(*part.action);
+    return all;
+}
+
+std::vector<PanelAction> wanted()
+{
+    std::vector<PanelAction> all{PanelCommand::Undo, PanelCommand::Redo, PanelCommand::RestoreModel, PanelCommand::SaveModel, PanelCommand::Recentre,
+                                 PanelCommand::LeaveVr, core::BrushShape::Sphere, core::BrushShape::Ray, core::Topology::Adaptive, core::Topology::Uniform,
+                                 vr::Preset::Paper, vr::Preset::Studio, vr::SettingsPage::General, vr::SettingsPage::Feel,
+                                 vr::ChooseHand{vr::Side::Left}, vr::ChooseHand{vr::Side::Right}, vr::ShowPage{0}, vr::ShowPage{1}};
+    for (std::size_t i = 0; i < core::toolNames().size(); ++i)
+        all.push_back(static_cast<core::Tool>(i));
+    for (const auto kind : {vr::PanelKind::Files, vr::PanelKind::Settings})
+        for (const bool isShown : {false, true})
+            all.push_back(vr::ShowPanel{kind, isShown});
+    for (const bool isOn : {false, true}) {
+        all.push_back(vr::ChooseSymmetry{isOn});
+        all.push_back(vr::ShowPerformance{isOn});
+    }
+    for (int i = 0; i < 3; ++i)
+        all.push_back(vr::ChooseChannel{i});
+    for (int i = 0; i <= static_cast<int>(vr::PanelSlider::Hold); ++i)
+        all.push_back(vr::Slide{static_cast<vr::PanelSlider>(i), 0});
+    return all;
+}
+} // namespace
+
+class TestPanelLayout : public QObject
+{
+    Q_OBJECT
+
+public:
+    static void initMain() { qputenv("QT_QPA_PLATFORM", "offscreen"); }
+
+private Q_SLOTS:
+    void aPart_isHitAllOverAndNowhereElse_data() { addExamples(); }
+    void aPart_isHitAllOverAndNowhereElse();
+    void parts_keepApartAndWithinThePanel_data() { addExamples(); }
+    void parts_keepApartAndWithinThePanel();
+    void everythingCanBeWanted();
+    void whatCannotBe_isNotHit();
+    void aSlider_takesTheValueUnderThePoint_data() { addExamples(); }
+    void aSlider_takesTheValueUnderThePoint();
+    void aPanel_isAsLargeAsItLooks_data() { addExamples(); }
+    void aPanel_isAsLargeAsItLooks();
+    void everyFile_isOnOnePage();
+    void aPageThatIsNot_isTheNearest();
+    void aChoice_staysOnItsPanel();
+    void openingUnsaved_mustBeHeld();
+    void aNotice_isReadBeforeItFades();
+
+private:
+    static void addExamples();
+};
+
+void TestPanelLayout::addExamples()
+{
+    QTest::addColumn<int>("index");
+    const std::vector<ExamplePanel> examples = examplePanels();
+    for (std::size_t i = 0; i < examples.size(); ++i)
+        QTest::newRow(examples[i].name) << static_cast<int>(i);
+}
+
+static PanelLayout exampleLayout(int index)
+{
+    return vr::layoutOf(examplePanels()[static_cast<std::size_t>(index)].content);
+}
+
+/// Points everywhere, also beside the panel.
+void TestPanelLayout::aPart_isHitAllOverAndNowhereElse()
+{
+    QFETCH(int, index);
+    const PanelLayout layout = exampleLayout(index);
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> x(-50, layout.size.width() + 50), y(-50, layout.size.height() + 50);
+    std::size_t hits = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const QPointF point(x(random), y(random));
+        const auto part = std::ranges::find_if(layout.parts, [&](const PanelPart& p) { return p.answers() && p.area.contains(point); });
+        const std::optional<PanelAction> hit = layout.hit(inRoom(layout, point));
+        QCOMPARE(hit.has_value(), part != layout.parts.end());
+        if (!hit)
+            continue;
+        ++hits;
+        QVERIFY(vr::isSameItem(*hit, *part->action));
+        QVERIFY(layout.contains(inRoom(layout, point)));
+        QCOMPARE(layout.partAt(inRoom(layout, point)), &*part);
+    }
+    const bool acts = std::ranges::any_of(layout.parts, [](const PanelPart& part) { return part.answers(); });
+    QCOMPARE(hits > 0, acts);
+}
+
+void TestPanelLayout::parts_keepApartAndWithinThePanel()
+{
+    QFETCH(int, index);
+    const PanelLayout layout = exampleLayout(index);
+    const QRectF inside = QRectF(QPointF(), layout.size).adjusted(20, 20, -20, -20);
+    for (std::size_t i = 0; i < layout.parts.size(); ++i) {
+        const PanelPart& part = layout.parts[i];
+        QVERIFY(inside.contains(part.area));
+        if (part.action)
+            QVERIFY(part.area.width() >= 60 && part.area.height() >= 60); // 3.4 degrees: a hand that trembles meets it
+        for (std::size_t j = 0; j < i && !std::holds_alternative<vr::WellLook>(part.look); ++j)
+            QVERIFY(std::holds_alternative<vr::WellLook>(layout.parts[j].look) || !overlap(part.area, layout.parts[j].area));
+    }
+}
+
+void TestPanelLayout::everythingCanBeWanted()
+{
+    const std::vector<PanelAction> all = offered();
+    for (const PanelAction& action : wanted())
+        QVERIFY2(std::ranges::any_of(all, [&](const PanelAction& a) { return vr::isSameItem(a, action); }), qPrintable(QString::number(action.index())));
+    QVERIFY(std::ranges::any_of(all, [](const PanelAction& a) { return std::holds_alternative<vr::OpenFile>(a); }));
+    QVERIFY(std::ranges::any_of(all, [](const PanelAction& a) { return std::holds_alternative<vr::ChooseColor>(a); }));
+}
+
+void TestPanelLayout::whatCannotBe_isNotHit()
+{
+    vr::ToolPanel panel;
+    const auto isHit = [&](const PanelAction& action) { return panel.layout().partFor(action) != nullptr; };
+    QVERIFY(!isHit(PanelCommand::Undo) && !isHit(PanelCommand::Redo));
+    panel.canUndo = true;
+    QVERIFY(isHit(PanelCommand::Undo) && !isHit(PanelCommand::Redo));
+    panel.canRestore = false;
+    QVERIFY(!isHit(PanelCommand::RestoreModel));
+
+    vr::FilesPanel files;
+    files.files << vr::FileTile{QStringLiteral("a"), QStringLiteral("a"), {}, true};
+    QVERIFY(!files.layout().partFor(vr::ChooseFile{QStringLiteral("a")}));
+    QVERIFY(!files.layout().partFor(vr::OpenFile{}));
+    files.isBusy = true;
+    files.chosen = QStringLiteral("a");
+    QVERIFY(!files.layout().partFor(PanelCommand::SaveModel) && !files.layout().partFor(vr::OpenFile{files.chosen}));
+}
+
+/// From end to end, in steps, and beyond the ends the ends; and a value's own place means that value.
+void TestPanelLayout::aSlider_takesTheValueUnderThePoint()
+{
+    QFETCH(int, index);
+    for (const PanelPart& part : exampleLayout(index).parts) {
+        if (!part.isSlider())
+            continue;
+        const auto& look = std::get<vr::SliderLook>(part.look);
+        const auto valueAt = [&](double x) { return std::get<vr::Slide>(vr::actionAt(part, {x, part.area.center().y()})).value; };
+        double before = look.least;
+        for (double x = part.area.left() - 40; x < part.area.right() + 40; x += 0.7) {
+            const double value = valueAt(x), steps = (value - look.least) / look.step;
+            QVERIFY(value >= before && value <= look.most);
+            QVERIFY(std::abs(steps - std::round(steps)) < 1e-6);
+            before = value;
+        }
+        QCOMPARE(valueAt(part.area.left()), look.least);
+        QCOMPARE(valueAt(part.area.right()), look.most);
+        for (double value = look.least; value <= look.most; value += look.step)
+            QVERIFY(std::abs(valueAt(vr::sliderTrack(part.area).pointAt(vr::sliderShare(look, value)).x()) - value) < look.step / 100);
+    }
+}
+
+/// From where it is read, a dmm is a thousandth of the distance: seen at the same angle on every panel.
+void TestPanelLayout::aPanel_isAsLargeAsItLooks()
+{
+    QFETCH(int, index);
+    const PanelLayout layout = exampleLayout(index);
+    const Eigen::Vector2d half = layout.metres() / 2;
+    QVERIFY(half.x() > 0.02 && half.x() < 0.35 && half.y() > 0.02 && half.y() < 0.35);
+    QVERIFY((inRoom(layout, {0, 0}) - Eigen::Vector2d(-half.x(), half.y())).norm() < 1e-12);
+    QVERIFY((layout.toPanel(half) - QPointF(layout.size.width(), 0)).manhattanLength() < 1e-9);
+    QVERIFY(layout.contains(0.99 * half) && !layout.contains(1.01 * half));
+    const auto degreesAt = [](double dmm) { return 2 * std::atan(dmm / 2000) * 180 / std::numbers::pi; };
+    QVERIFY(degreesAt(vr::theme::titleHeight) > 3.45 && degreesAt(vr::theme::leastHeight) > 3.45 / 2);
+}
+
+void TestPanelLayout::everyFile_isOnOnePage()
+{
+    for (int count = 0; count < 20; ++count) {
+        vr::FilesPanel panel;
+        for (int i = 0; i < count; ++i)
+            panel.files << vr::FileTile{QString::number(i), QString::number(i), {}, false};
+        QStringList seen;
+        for (panel.page = 0; panel.page < panel.pageCount(); ++panel.page)
+            for (const PanelPart& part : panel.layout().parts)
+                if (part.action && std::holds_alternative<vr::ChooseFile>(*part.action))
+                    seen << std::get<vr::ChooseFile>(*part.action).path;
+        QCOMPARE(seen.size(), count);
+        for (int i = 0; i < count; ++i)
+            QCOMPARE(seen[i], QString::number(i));
+    }
+}
+
+void TestPanelLayout::aPageThatIsNot_isTheNearest()
+{
+    vr::FilesPanel panel = std::get<vr::FilesPanel>(examplePanels()[4].content);
+    QCOMPARE(panel.pageCount(), 2);
+    const auto shown = [](vr::FilesPanel files, int page) {
+        files.page = page;
+        return files.layout().partFor(vr::ChooseFile{files.files[8].path}) != nullptr;
+    };
+    QVERIFY(shown(panel, 1) && shown(panel, 7));
+    QVERIFY(!shown(panel, 0) && !shown(panel, -3));
+}
+
+void TestPanelLayout::aChoice_staysOnItsPanel()
+{
+    const vr::FilesPanel files = std::get<vr::FilesPanel>(examplePanels()[4].content);
+    QCOMPARE(files.after(vr::ShowPage{1}).page, 1);
+    QCOMPARE(files.after(vr::ChooseFile{QStringLiteral("x")}).chosen, QStringLiteral("x"));
+    QVERIFY(files.after(PanelCommand::SaveModel) == files);
+    const vr::SettingsPanel settings;
+    QVERIFY(settings.after(vr::SettingsPage::Feel).page == vr::SettingsPage::Feel);
+    QVERIFY(settings.after(PanelCommand::Recentre) == settings);
+}
+
+void TestPanelLayout::openingUnsaved_mustBeHeld()
+{
+    vr::FilesPanel panel = std::get<vr::FilesPanel>(examplePanels()[4].content);
+    const auto mustHold = [&] { return panel.layout().partFor(vr::OpenFile{panel.chosen})->mustHold; };
+    panel.hasUnsavedChanges = true;
+    QVERIFY(mustHold());
+    panel.hasUnsavedChanges = false;
+    QVERIFY(!mustHold());
+    QVERIFY(vr::ToolPanel().layout().partFor(PanelCommand::RestoreModel)->mustHold);
+}
+
+void TestPanelLayout::aNotice_isReadBeforeItFades()
+{
+    const vr::Notice brief{QStringLiteral("Saved.")}, wordy{QString(120, QLatin1Char('a'))};
+    const auto readable = [](const vr::Notice& notice) {
+        double seconds = 0;
+        for (double age = -1; age < 30; age += 0.01) {
+            const double opacity = vr::noticeOpacity(notice, age);
+            if (opacity < 0 || opacity > 1)
+                return -1.0;
+            seconds += opacity == 1 ? 0.01 : 0;
+        }
+        return seconds;
+    };
+    QVERIFY(readable(brief) > 2 && readable(brief) < 4);
+    QVERIFY(readable(wordy) > 120 * 0.05 && readable(wordy) < 12);
+    for (const double age : {-1.0, 0.0, 60.0})
+        QCOMPARE(vr::noticeOpacity(wordy, age), 0.0);
+}
+
+QTEST_MAIN(TestPanelLayout)
+#include "tst_panel_layout.moc"

@@ -1,0 +1,349 @@
+#include "vr/panels/panel_painter.h"
+
+#include "example_panels.h"
+#include "vr/panels/panel_icons.h"
+
+#include <QDir>
+#include <QPainter>
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+Q_DECLARE_METATYPE(vr::PanelContent)
+
+using vr::PanelLayout;
+using vr::PanelPart;
+using vr::PanelTouch;
+using vr::PanelTouches;
+
+namespace
+{
+constexpr double sharpness = vr::panelSharpness;
+
+/// Pixels that differ; null: none.
+QRect difference(const QImage& a, const QImage& b)
+{
+    QRect all;
+    for (int y = 0; y < a.height(); ++y) {
+        const auto *rowA = reinterpret_cast<const QRgb*>(a.constScanLine(y)), *rowB = reinterpret_cast<const QRgb*>(b.constScanLine(y));
+        const auto first = std::mismatch(rowA, rowA + a.width(), rowB).first - rowA;
+        if (first == a.width())
+            continue;
+        auto last = static_cast<std::ptrdiff_t>(a.width()) - 1;
+        while (rowA[last] == rowB[last])
+            --last;
+        all |= QRect(QPoint(static_cast<int>(first), y), QPoint(static_cast<int>(last), y));
+    }
+    return all;
+}
+
+/// In pixels, and all that it touches of them.
+QRect pixels(const QRectF& area)
+{
+    return QRectF(area.topLeft() * sharpness, area.size() * sharpness).adjusted(-0.01, -0.01, 0.01, 0.01).toAlignedRect();
+}
+
+QString textOf(const PanelPart& part)
+{
+    if (const auto* text = std::get_if<vr::TextLook>(&part.look))
+        return text->text;
+    if (const auto* button = std::get_if<vr::ButtonLook>(&part.look))
+        return button->text;
+    const auto* onOff = std::get_if<vr::SwitchLook>(&part.look);
+    return onOff ? onOff->text : QString();
+}
+
+QStringList iconsOf(const PanelLayout& layout)
+{
+    QStringList names;
+    for (const PanelPart& part : layout.parts) {
+        if (const auto* button = std::get_if<vr::ButtonLook>(&part.look); button && !button->icon.isEmpty())
+            names << button->icon;
+        if (const auto* tile = std::get_if<vr::TileLook>(&part.look))
+            names << tile->icon;
+    }
+    return names;
+}
+
+PanelLayout exampleLayout(int index)
+{
+    return vr::layoutOf(examplePanels()[static_cast<std::size_t>(index)].content);
+}
+
+PanelTouches touching(const PanelPart& part, bool isPressed, double held = 0)
+{
+    return {PanelTouch{*part.action, isPressed, held}, std::nullopt};
+}
+} // namespace
+
+class TestPanelPainter : public QObject
+{
+    Q_OBJECT
+
+public:
+    static void initMain() { qputenv("QT_QPA_PLATFORM", "offscreen"); }
+
+private Q_SLOTS:
+    void whatIsPointedAt_isLitWhereItIsHit_data() { addExamples(); }
+    void whatIsPointedAt_isLitWhereItIsHit();
+    void whatDoesNotAnswer_isNotLit();
+    void aHold_fillsItsRing();
+    void texts_keepWithinTheirParts_data() { addExamples(); }
+    void texts_keepWithinTheirParts();
+    void noTranslation_isCut_data();
+    void noTranslation_isCut();
+    void everyIcon_isThere();
+    void aValue_isSeen_data();
+    void aValue_isSeen();
+    void anotherThread_paintsTheSame();
+    void corners_areRoundAndPremultiplied();
+    void pictures_ofThemAll_data();
+    void pictures_ofThemAll();
+
+private:
+    static void addExamples();
+    static void addLanguages();
+};
+
+void TestPanelPainter::addExamples()
+{
+    QTest::addColumn<int>("index");
+    const std::vector<ExamplePanel> examples = examplePanels();
+    for (std::size_t i = 0; i < examples.size(); ++i)
+        QTest::newRow(examples[i].name) << static_cast<int>(i);
+}
+
+/// Nothing beside it changes, and the change reaches from edge to edge.
+void TestPanelPainter::whatIsPointedAt_isLitWhereItIsHit()
+{
+    QFETCH(int, index);
+    const PanelLayout layout = exampleLayout(index);
+    const QImage plain = vr::paint(layout);
+    QVERIFY(difference(plain, vr::paint(layout)).isNull());
+    for (const PanelPart& part : layout.parts) {
+        if (!part.answers())
+            continue;
+        const QImage lit = vr::paint(layout, touching(part, false)), pressed = vr::paint(layout, touching(part, true));
+        const QRect area = pixels(part.area), changed = difference(plain, lit);
+        QVERIFY(area.contains(changed));
+        QVERIFY(changed.width() >= area.width() - 8 && changed.height() >= area.height() - 8);
+        QVERIFY(area.contains(difference(plain, pressed)));
+        QVERIFY(!difference(lit, pressed).isNull());
+        QVERIFY(difference(lit, vr::paint(layout, {std::nullopt, PanelTouch{*part.action, false, 0}})).isNull());
+    }
+}
+
+void TestPanelPainter::whatDoesNotAnswer_isNotLit()
+{
+    const PanelLayout layout = vr::ToolPanel().layout();
+    QVERIFY(difference(vr::paint(layout), vr::paint(layout, {PanelTouch{vr::PanelCommand::Undo, false, 0}, std::nullopt})).isNull());
+}
+
+void TestPanelPainter::aHold_fillsItsRing()
+{
+    const PanelLayout layout = vr::ToolPanel().layout();
+    const PanelPart& restore = *layout.partFor(vr::PanelCommand::RestoreModel);
+    QImage before = vr::paint(layout, touching(restore, true, 0));
+    for (const double held : {0.25, 0.5, 0.75, 1.0}) {
+        const QImage now = vr::paint(layout, touching(restore, true, held));
+        QVERIFY(!difference(before, now).isNull());
+        QVERIFY(pixels(restore.area).contains(difference(before, now)));
+        before = now;
+    }
+}
+
+/// A text of any length changes nothing outside its part, and is not cut off by the part's edges: its last row of pixels stays as it is.
+void TestPanelPainter::texts_keepWithinTheirParts()
+{
+    QFETCH(int, index);
+    const PanelLayout layout = exampleLayout(index);
+    const QImage plain = vr::paint(layout);
+    for (std::size_t i = 0; i < layout.parts.size(); ++i) {
+        if (textOf(layout.parts[i]).isEmpty())
+            continue;
+        for (const QString& text : {QStringLiteral("Åg"), QStringLiteral("Ågjp ") + QString(60, QLatin1Char('W')), QStringLiteral("jÅg gÅp ").repeated(12)}) {
+            PanelLayout other = layout;
+            std::visit([&](auto& look) { if constexpr (requires { look.text; }) look.text = text; }, other.parts[i].look);
+            const QRect area = pixels(layout.parts[i].area), changed = difference(plain, vr::paint(other));
+            QVERIFY2(area.contains(changed), qPrintable(textOf(layout.parts[i])));
+            QVERIFY2(changed.top() > area.top() && changed.bottom() < area.bottom(), qPrintable(textOf(layout.parts[i]) + QLatin1Char('|') + text));
+        }
+    }
+}
+
+void TestPanelPainter::addLanguages()
+{
+    QTest::addColumn<QString>("language");
+    for (const QString& language : {QStringLiteral("de"), QStringLiteral("zh_CN")})
+        QTest::newRow(qPrintable(language)) << language;
+}
+
+void TestPanelPainter::noTranslation_isCut_data()
+{
+    addLanguages();
+    QTest::newRow("en") << QString();
+}
+
+/// What is appended to a text that is cut is not seen.
+void TestPanelPainter::noTranslation_isCut()
+{
+    QFETCH(QString, language);
+    const std::vector<ExamplePanel> examples = examplePanels();
+    std::optional<OtherWords> words;
+    if (!language.isEmpty())
+        words.emplace(OtherWords::ofLanguage(language));
+    for (const ExamplePanel& example : examples) {
+        const PanelLayout layout = vr::layoutOf(example.content);
+        const QImage plain = vr::paint(layout);
+        for (std::size_t i = 0; i < layout.parts.size(); ++i) {
+            if (textOf(layout.parts[i]).isEmpty())
+                continue;
+            PanelLayout more = layout;
+            std::visit([](auto& look) { if constexpr (requires { look.text; }) look.text += QStringLiteral("WWW"); }, more.parts[i].look);
+            QVERIFY2(!difference(plain, vr::paint(more)).isNull(), qPrintable(textOf(layout.parts[i])));
+        }
+    }
+}
+
+void TestPanelPainter::everyIcon_isThere()
+{
+    QStringList names;
+    for (const ExamplePanel& example : examplePanels())
+        names << iconsOf(vr::layoutOf(example.content));
+    names.removeDuplicates();
+    QVERIFY(names.size() > 15);
+    for (const QString& name : names) {
+        const QImage icon = vr::iconPicture(name, Qt::red, 60);
+        QVERIFY2(icon.size() == QSize(60, 60), qPrintable(name));
+        int inked = 0;
+        for (int y = 0; y < 60; ++y)
+            for (int x = 0; x < 60; ++x) {
+                const QColor pixel = icon.pixelColor(x, y);
+                inked += pixel.alpha() > 128 ? 1 : 0;
+                QVERIFY(pixel.alpha() < 250 || pixel == QColor(Qt::red));
+            }
+        QVERIFY2(inked > 60, qPrintable(name));
+    }
+    QVERIFY(vr::iconPicture(QStringLiteral("no such icon"), Qt::red, 60).isNull());
+}
+
+void TestPanelPainter::aValue_isSeen_data()
+{
+    QTest::addColumn<int>("before");
+    QTest::addColumn<vr::PanelContent>("after");
+    const std::vector<ExamplePanel> examples = examplePanels();
+    const auto row = [&](const char* name, int before, const auto& change) {
+        vr::PanelContent after = examples[static_cast<std::size_t>(before)].content;
+        std::visit([&](auto& panel) { if constexpr (requires { change(panel); }) change(panel); }, after);
+        QTest::newRow(name) << before << after;
+    };
+    row("tool", 0, [](vr::ToolPanel& panel) { panel.tool = core::Tool::Smooth; });
+    row("brush", 0, [](vr::ToolPanel& panel) { panel.brush = core::BrushShape::Ray; });
+    row("topology", 0, [](vr::ToolPanel& panel) { panel.topology = core::Topology::Uniform; });
+    row("symmetry", 0, [](vr::ToolPanel& panel) { panel.isSymmetric = true; });
+    row("inverse", 0, [](vr::ToolPanel& panel) { panel.isInverse = true; });
+    row("undo", 0, [](vr::ToolPanel& panel) { panel.canUndo = true; });
+    row("redo", 0, [](vr::ToolPanel& panel) { panel.canRedo = true; });
+    row("restore", 0, [](vr::ToolPanel& panel) { panel.canRestore = false; });
+    row("files shown", 0, [](vr::ToolPanel& panel) { panel.showsFiles = true; });
+    row("settings shown", 0, [](vr::ToolPanel& panel) { panel.showsSettings = true; });
+    row("red", 2, [](vr::ColorPanel& panel) { panel.color.r = 10; });
+    row("channel", 2, [](vr::ColorPanel& panel) { panel.channel = 2; });
+    row("swatch", 2, [](vr::ColorPanel& panel) { panel.swatches[2] = {}; });
+    row("folder", 4, [](vr::FilesPanel& panel) { panel.folder += QLatin1Char('s'); });
+    row("chosen", 4, [](vr::FilesPanel& panel) { panel.chosen = panel.files[2].path; });
+    row("page", 4, [](vr::FilesPanel& panel) { panel.page = 1; });
+    row("unsaved", 4, [](vr::FilesPanel& panel) { panel.hasUnsavedChanges = false; });
+    row("busy", 4, [](vr::FilesPanel& panel) { panel.isBusy = true; });
+    row("saved", 5, [](vr::FilesPanel& panel) { panel.saved += QLatin1Char('x'); });
+    row("picture", 4, [](vr::FilesPanel& panel) { panel.files[4].picture = panel.files[0].picture; });
+    row("name", 4, [](vr::FilesPanel& panel) { panel.files[4].name = QStringLiteral("other"); });
+    row("preset", 8, [](vr::SettingsPanel& panel) { panel.preset = vr::Preset::Studio; });
+    row("hand", 8, [](vr::SettingsPanel& panel) { panel.sculpting = vr::Side::Left; });
+    row("height", 8, [](vr::SettingsPanel& panel) { panel.raised = -0.2; });
+    row("numbers", 8, [](vr::SettingsPanel& panel) { panel.showsPerformance = true; });
+    row("vibration", 8, [](vr::SettingsPanel& panel) { panel.page = vr::SettingsPage::Feel; });
+    row("level", 10, [](vr::SettingsPanel& panel) { panel.levels[2] = 0.55; });
+    row("frames", 11, [](vr::PerformancePanel& panel) { panel.framesPerSecond = 45; });
+    row("phase", 11, [](vr::PerformancePanel& panel) { panel.cpuMs[3] = 1.5; });
+    row("total", 11, [](vr::PerformancePanel& panel) { panel.totalMs = 2; });
+    row("dropped", 11, [](vr::PerformancePanel& panel) { panel.dropped = 12; });
+    row("notice", 12, [](vr::Notice& notice) { notice.text = QStringLiteral("Opened."); });
+}
+
+/// Equal values have equal pictures, and others have others.
+void TestPanelPainter::aValue_isSeen()
+{
+    QFETCH(int, before);
+    QFETCH(vr::PanelContent, after);
+    const vr::PanelContent content = examplePanels()[static_cast<std::size_t>(before)].content;
+    QVERIFY(content != after);
+    const QImage a = vr::paint(vr::layoutOf(content)), b = vr::paint(vr::layoutOf(after));
+    QVERIFY(a.size() != b.size() || !difference(a, b).isNull());
+}
+
+void TestPanelPainter::anotherThread_paintsTheSame()
+{
+    for (const ExamplePanel& example : examplePanels()) {
+        const QImage here = vr::paint(vr::layoutOf(example.content));
+        QImage there;
+        std::thread([&] { there = vr::paint(vr::layoutOf(example.content)); }).join();
+        QCOMPARE(there.size(), here.size());
+        QVERIFY(difference(here, there).isNull());
+    }
+}
+
+void TestPanelPainter::corners_areRoundAndPremultiplied()
+{
+    for (const ExamplePanel& example : examplePanels()) {
+        const PanelLayout layout = vr::layoutOf(example.content);
+        const QImage picture = vr::paint(layout);
+        QVERIFY(picture.pixelFormat().premultiplied() == QPixelFormat::Premultiplied);
+        const QSizeF exact = layout.size * sharpness - QSizeF(picture.size());
+        QVERIFY(std::abs(exact.width()) <= 0.5 && std::abs(exact.height()) <= 0.5);
+        for (const QPoint corner : {picture.rect().topLeft(), picture.rect().topRight(), picture.rect().bottomLeft(), picture.rect().bottomRight()})
+            QCOMPARE(picture.pixelColor(corner).alpha(), 0);
+        QVERIFY(picture.pixelColor(picture.width() / 2, 12).alpha() > 230);
+    }
+}
+
+void TestPanelPainter::pictures_ofThemAll_data()
+{
+    addLanguages();
+    QTest::newRow("en") << QString();
+    QTest::newRow("longer") << QString();
+}
+
+/// To be looked at, in the dark: in the folder "panels" beside the test. Some item is pressed, another pointed at.
+void TestPanelPainter::pictures_ofThemAll()
+{
+    QFETCH(QString, language);
+    const QString name = QString::fromLatin1(QTest::currentDataTag());
+    const QDir folder(QStringLiteral("panels/") + name);
+    QVERIFY(folder.mkpath(QStringLiteral(".")));
+    std::optional<OtherWords> words;
+    if (!language.isEmpty())
+        words.emplace(OtherWords::ofLanguage(language));
+    else if (name == QStringLiteral("longer"))
+        words.emplace(OtherWords::longer());
+    for (const ExamplePanel& example : examplePanels()) {
+        const PanelLayout layout = vr::layoutOf(example.content);
+        std::vector<vr::PanelAction> items;
+        for (const PanelPart& part : layout.parts)
+            if (part.answers())
+                items.push_back(*part.action);
+        PanelTouches touches;
+        if (items.size() > 4)
+            touches = {PanelTouch{items[items.size() / 2], false, 0}, PanelTouch{items.back(), true, 0.6}};
+        const QImage panel = vr::paint(layout, touches);
+        QImage room(panel.size() + QSize(80, 80), QImage::Format_RGB32);
+        room.fill(QColor(58, 62, 70));
+        QPainter(&room).drawImage(40, 40, panel);
+        QVERIFY(room.save(folder.filePath(QString::fromLatin1(example.name) + QStringLiteral(".png"))));
+    }
+}
+
+QTEST_MAIN(TestPanelPainter)
+#include "tst_panel_painter.moc"

@@ -1,0 +1,237 @@
+#include "vr/panels/panel_place.h"
+
+#include "vr/room.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <random>
+
+using core::Vec3;
+using vr::AheadPlace;
+using vr::Pose;
+
+namespace
+{
+constexpr double degree = std::numbers::pi / 180;
+const Eigen::Vector2d size(0.43, 0.35);
+
+struct HeadAngles
+{
+    double yaw = 0, pitch = 0, roll = 0; ///< degrees; left, up, to the left shoulder
+};
+
+Pose head(const Vec3& position, const HeadAngles& angles)
+{
+    const Eigen::Quaterniond rotation = Eigen::AngleAxisd(angles.yaw * degree, Vec3::UnitY()) * Eigen::AngleAxisd(angles.pitch * degree, Vec3::UnitX()) *
+                                        Eigen::AngleAxisd(angles.roll * degree, Vec3::UnitZ());
+    return {rotation, position};
+}
+
+Vec3 normalOf(const Pose& panel)
+{
+    return panel.rotation * Vec3::UnitZ();
+}
+
+/// Right-handed, of unit length.
+bool isRotation(const Pose& pose)
+{
+    return std::abs(pose.rotation.norm() - 1) < 1e-9 && pose.position.allFinite();
+}
+
+/// Heads and hands as people have them, and some as they have not.
+void forManyPeople(const std::function<void(const Pose& head, const Pose& grip)>& look)
+{
+    std::mt19937 random(5);
+    const auto between = [&](double least, double most) { return std::uniform_real_distribution(least, most)(random); };
+    for (int i = 0; i < 2000; ++i) {
+        const Pose eyes = head({between(-2, 2), between(0.6, 2), between(-2, 2)}, {between(-180, 180), between(-89, 89), between(-60, 60)});
+        const Vec3 reach = Vec3(between(-1, 1), between(-1, 1), between(-1, 1)).normalized() * between(0.2, 0.8);
+        look(eyes, {Eigen::Quaterniond::UnitRandom(), eyes.position + reach});
+    }
+}
+} // namespace
+
+class TestPanelPlace : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void atAHand_itFacesTheHead();
+    void atAHand_itIsUprightToTheEyes();
+    void atAHand_itStandsAboveTheWand();
+    void atAHand_itMovesNoFartherThanTheHandsDo();
+    void ahead_itIsUprightAtArmsLength();
+    void ahead_itIsWhereTheHeadTurnsTo_data();
+    void ahead_itIsWhereTheHeadTurnsTo();
+    void ahead_itKeepsClearOfTheModel_data();
+    void ahead_itKeepsClearOfTheModel();
+    void ahead_whereNothingIsClear_itIsAhead();
+    void somebodyWalksAway();
+    void aRay_meetsItFromTheFrontOnly();
+    void aRay_meetsThePointItAimsAt();
+};
+
+void TestPanelPlace::atAHand_itFacesTheHead()
+{
+    forManyPeople([](const Pose& eyes, const Pose& grip) {
+        const Pose panel = vr::placeAtHand(grip, eyes, size);
+        QVERIFY(isRotation(panel));
+        QVERIFY(normalOf(panel).cross(eyes.position - panel.position).norm() < 1e-9);
+        QVERIFY(normalOf(panel).dot(eyes.position - panel.position) > 0);
+    });
+}
+
+/// A head that is not tilted to a shoulder, and looks at the panel, sees its lines level.
+void TestPanelPlace::atAHand_itIsUprightToTheEyes()
+{
+    for (double yaw = -180; yaw < 180; yaw += 15)
+        for (double pitch = -80; pitch < 60; pitch += 10) {
+            const Pose eyes = head({0, 1.6, 0}, {yaw, pitch, 0});
+            const Pose grip{Eigen::Quaterniond::Identity(), eyes.position + 0.5 * eyes.forward()};
+            const Pose panel = vr::placeAtHand(grip, eyes, size);
+            const Vec3 right = panel.rotation * Vec3::UnitX();
+            QVERIFY(right.dot(eyes.rotation * Vec3::UnitX()) > 0.9);
+            QVERIFY(std::abs(right.y()) < 0.15);
+        }
+}
+
+void TestPanelPlace::atAHand_itStandsAboveTheWand()
+{
+    for (const double height : {0.9, 1.1, 1.3}) {
+        const Pose eyes = head({0, 1.6, 0}, {0, -30, 0}), grip{Eigen::Quaterniond::Identity(), {-0.2, height, -0.35}};
+        const Pose panel = vr::placeAtHand(grip, eyes, size);
+        const Vec3 hand = panel.inverse() * grip.position;
+        QVERIFY(hand.y() < -size.y() / 2);
+        QVERIFY(panel.position.y() > grip.position.y());
+        QVERIFY((panel.position - eyes.position).norm() < 0.75);
+    }
+}
+
+/// Hands and heads tremble: by millimetres, and so does the panel.
+void TestPanelPlace::atAHand_itMovesNoFartherThanTheHandsDo()
+{
+    std::mt19937 random(9);
+    std::normal_distribution<double> tremor(0, 0.001);
+    const Pose eyes = head({0, 1.6, 0}, {0, -40, 0}), grip{Eigen::Quaterniond::Identity(), {-0.2, 1.2, -0.35}};
+    const Pose still = vr::placeAtHand(grip, eyes, size);
+    for (int i = 0; i < 500; ++i) {
+        Pose shakenHead = eyes, shakenGrip = grip;
+        shakenHead.position += Vec3(tremor(random), tremor(random), tremor(random));
+        shakenGrip.position += Vec3(tremor(random), tremor(random), tremor(random));
+        const Pose shaken = vr::placeAtHand(shakenGrip, shakenHead, size);
+        QVERIFY((shaken.position - still.position).norm() < 0.012);
+        QVERIFY(shaken.rotation.angularDistance(still.rotation) < 1.5 * degree);
+    }
+}
+
+void TestPanelPlace::ahead_itIsUprightAtArmsLength()
+{
+    forManyPeople([](const Pose& eyes, const Pose&) {
+        const AheadPlace place{.aside = 0.3};
+        const Pose panel = vr::placeAhead(eyes, place);
+        QVERIFY(isRotation(panel));
+        QVERIFY((panel.rotation * Vec3::UnitY() - Vec3::UnitY()).norm() < 1e-9);
+        const Vec3 way = panel.position - eyes.position;
+        QVERIFY(std::abs(way.y() + place.below) < 1e-9);
+        QVERIFY(std::abs(Vec3(way.x(), 0, way.z()).norm() - place.distance) < 1e-9);
+        QVERIFY(normalOf(panel).dot(-way) > 0.9 * way.norm());
+        QVERIFY(normalOf(panel).cross(Vec3(way.x(), 0, way.z())).norm() < 1e-9);
+    });
+}
+
+void TestPanelPlace::ahead_itIsWhereTheHeadTurnsTo_data()
+{
+    QTest::addColumn<double>("pitch");
+    for (const double pitch : {-88.0, -60.0, 0.0, 60.0, 88.0})
+        QTest::newRow(qPrintable(QString::number(pitch))) << pitch;
+}
+
+void TestPanelPlace::ahead_itIsWhereTheHeadTurnsTo()
+{
+    QFETCH(double, pitch);
+    for (double yaw = -180; yaw < 180; yaw += 20) {
+        const Pose panel = vr::placeAhead(head({1, 1.7, 2}, {yaw, pitch, 0}), {});
+        const Vec3 wanted = head({}, {yaw, 0, 0}).forward();
+        QVERIFY(Vec3(panel.position - Vec3(1, 1.7, 2)).dot(wanted) > 0.59);
+        const Pose left = vr::placeAhead(head({1, 1.7, 2}, {yaw, pitch, 0}), {.aside = 30 * degree});
+        QVERIFY((left.position - panel.position).dot(head({}, {yaw, 0, 0}).rotation * Vec3::UnitX()) < -0.2);
+    }
+}
+
+void TestPanelPlace::ahead_itKeepsClearOfTheModel_data()
+{
+    QTest::addColumn<double>("yaw");
+    QTest::addColumn<double>("turnsTo");
+    for (const double yaw : {-40.0, 0.0, 25.0})
+        for (const double turnsTo : {1.0, -1.0})
+            QTest::addRow("%g, %g", yaw, turnsTo) << yaw << turnsTo;
+}
+
+/// Of a model as people find it. It neither stands in it nor behind it.
+void TestPanelPlace::ahead_itKeepsClearOfTheModel()
+{
+    QFETCH(double, yaw);
+    QFETCH(double, turnsTo);
+    const Eigen::Vector2d large(0.59, 0.49);
+    vr::Room room;
+    room.place(head({0, 1.6, 0}, {}));
+    const core::Sphere model{room.middle(), vr::Room::comfortableSize / 2};
+    const Pose eyes = head({0, 1.6, 0}, {yaw, -20, 0});
+    const Pose panel = vr::placeAhead(eyes, {.size = large, .clear = model, .turnsTo = turnsTo});
+    for (double x = -0.5; x <= 0.5; x += 0.1)
+        for (double y = -0.5; y <= 0.5; y += 0.1)
+            for (double t = 0; t <= 1; t += 0.02) {
+                const Vec3 point = panel * Vec3(x * large.x(), y * large.y(), 0);
+                QVERIFY((eyes.position + t * (point - eyes.position) - model.center).norm() > 0.97 * model.radius);
+            }
+    const Vec3 aside = panel.position - vr::placeAhead(eyes, {.size = large}).position;
+    QVERIFY(aside.dot(eyes.rotation * Vec3::UnitX()) * turnsTo <= 1e-9);
+}
+
+void TestPanelPlace::ahead_whereNothingIsClear_itIsAhead()
+{
+    const Pose eyes = head({0, 1.6, 0}, {});
+    const core::Sphere around{{0, 1.6, 0}, 3};
+    QVERIFY((vr::placeAhead(eyes, {.clear = around}).position - vr::placeAhead(eyes, {}).position).norm() < 1e-12);
+    const core::Sphere behind{{0, 1.6, 1}, 0.3};
+    QVERIFY((vr::placeAhead(eyes, {.clear = behind}).position - vr::placeAhead(eyes, {}).position).norm() < 1e-12);
+}
+
+void TestPanelPlace::somebodyWalksAway()
+{
+    const Pose panel = vr::placeAhead(head({0, 1.6, 0}, {}), {});
+    for (double yaw = -180; yaw < 180; yaw += 30)
+        QVERIFY(!vr::isOutOfReach(panel, head({0.1, 1.5, 0.1}, {yaw, 0, 0})));
+    QVERIFY(vr::isOutOfReach(panel, head({0, 1.6, 1.5}, {})));
+}
+
+void TestPanelPlace::aRay_meetsItFromTheFrontOnly()
+{
+    const Pose panel = vr::placeAhead(head({0, 1.6, 0}, {20, 0, 0}), {});
+    const Vec3 normal = normalOf(panel);
+    QVERIFY(vr::meet({panel.position + normal, -normal}, panel));
+    QVERIFY(!vr::meet({panel.position + normal, normal}, panel));
+    QVERIFY(!vr::meet({panel.position - normal, normal}, panel));
+    QVERIFY(!vr::meet({panel.position - normal, -normal}, panel));
+    QVERIFY(!vr::meet({panel.position + normal, panel.rotation * Vec3::UnitX()}, panel));
+}
+
+void TestPanelPlace::aRay_meetsThePointItAimsAt()
+{
+    std::mt19937 random(11);
+    const auto between = [&](double least, double most) { return std::uniform_real_distribution(least, most)(random); };
+    forManyPeople([&](const Pose& eyes, const Pose& grip) {
+        const Pose panel = vr::placeAtHand(grip, eyes, size);
+        const Eigen::Vector2d at(between(-0.3, 0.3), between(-0.3, 0.3));
+        const Vec3 target = panel * Vec3(at.x(), at.y(), 0), from = panel * Vec3(between(-1, 1), between(-1, 1), between(0.05, 1));
+        const auto point = vr::meet({from, (target - from) * between(0.1, 9)}, panel);
+        QVERIFY(point && (point->at - at).norm() < 1e-9);
+        QVERIFY(std::abs(point->distance - (target - from).norm()) < 1e-9);
+    });
+}
+
+QTEST_GUILESS_MAIN(TestPanelPlace)
+#include "tst_panel_place.moc"

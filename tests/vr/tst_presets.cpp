@@ -1,0 +1,182 @@
+#include "vr/presets.h"
+
+#include <QCoreApplication>
+#include <QTest>
+#include <QTranslator>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <vector>
+
+using vr::Gesture;
+using vr::HandMode;
+using vr::HandRole;
+using vr::Preset;
+using vr::PresetRow;
+using vr::WandFunction;
+
+namespace
+{
+constexpr Preset presets[] = {Preset::Paper, Preset::Studio};
+
+/// What one gesture of a hand does, with its panel closed and with it open.
+struct Place
+{
+    HandRole hand;
+    Gesture gesture;
+    std::optional<WandFunction> closed, open;
+};
+
+constexpr HandRole left = HandRole::Support, right = HandRole::Sculpting; // in the paper
+constexpr std::optional<WandFunction> nothing;
+using F = WandFunction;
+
+/// Section 4.1, sentence by sentence; what it does not name does nothing. A slide across is one that is not up or down.
+const Place paper[] = {
+    {left, Gesture::PadLeft, F::TurnClockwise, F::PreviousTool},
+    {left, Gesture::PadRight, F::TurnAnticlockwise, F::NextTool},
+    {left, Gesture::PadTop, F::ToggleTopology, nothing},
+    {left, Gesture::PadBottom, F::ToggleTopology, nothing},
+    {left, Gesture::Slide, F::ScaleModel, F::ScaleModel},
+    {left, Gesture::SlideUpDown, nothing, nothing},
+    {left, Gesture::Menu, F::ToggleToolMenu, F::ToggleToolMenu},
+    {left, Gesture::MenuTap, nothing, nothing},
+    {left, Gesture::MenuHold, nothing, nothing},
+    {left, Gesture::Trigger, F::MoveModel, F::MoveModel},
+    {left, Gesture::Squeeze, nothing, nothing},
+    {left, Gesture::SqueezeHold, F::SaveModel, F::SaveModel},
+    {right, Gesture::PadTop, F::ToggleBrushShape, nothing},
+    {right, Gesture::PadBottom, F::ToggleSymmetry, nothing},
+    {right, Gesture::PadLeft, F::Undo, F::PreviousChannel},
+    {right, Gesture::PadRight, F::Redo, F::NextChannel},
+    {right, Gesture::Slide, F::SetRadius, nothing},
+    {right, Gesture::SlideUpDown, nothing, F::SetChannel},
+    {right, Gesture::Menu, F::ToggleColorPanel, F::ToggleColorPanel},
+    {right, Gesture::MenuTap, nothing, nothing},
+    {right, Gesture::MenuHold, nothing, nothing},
+    {right, Gesture::Trigger, F::Sculpt, F::Sculpt},
+    {right, Gesture::Squeeze, nothing, nothing},
+    {right, Gesture::SqueezeHold, F::RestoreModel, F::RestoreModel},
+};
+
+constexpr HandRole support = HandRole::Support, dominant = HandRole::Sculpting;
+
+/// What other programs agree on; saving and restoring are on panels.
+const Place studio[] = {
+    {support, Gesture::PadLeft, F::Undo, F::Undo},
+    {support, Gesture::PadRight, F::Redo, F::Redo},
+    {support, Gesture::PadTop, F::ToggleTopology, F::ToggleTopology},
+    {support, Gesture::PadBottom, F::ToggleTopology, F::ToggleTopology},
+    {support, Gesture::Slide, nothing, nothing},
+    {support, Gesture::SlideUpDown, nothing, nothing},
+    {support, Gesture::Menu, F::ToggleToolMenu, F::ToggleToolMenu},
+    {support, Gesture::MenuTap, nothing, nothing},
+    {support, Gesture::MenuHold, nothing, nothing},
+    {support, Gesture::Trigger, F::Smooth, F::Smooth},
+    {support, Gesture::Squeeze, F::MoveModel, F::MoveModel},
+    {support, Gesture::SqueezeHold, nothing, nothing},
+    {dominant, Gesture::PadTop, F::ToggleBrushShape, nothing},
+    {dominant, Gesture::PadBottom, F::ToggleSymmetry, nothing},
+    {dominant, Gesture::PadLeft, F::PreviousTool, F::PreviousChannel},
+    {dominant, Gesture::PadRight, F::NextTool, F::NextChannel},
+    {dominant, Gesture::Slide, nothing, nothing},
+    {dominant, Gesture::SlideUpDown, F::SetRadius, F::SetChannel},
+    {dominant, Gesture::Menu, nothing, nothing},
+    {dominant, Gesture::MenuTap, F::ToggleColorPanel, F::ToggleColorPanel},
+    {dominant, Gesture::MenuHold, F::ToggleInverse, F::ToggleInverse},
+    {dominant, Gesture::Trigger, F::Sculpt, F::Sculpt},
+    {dominant, Gesture::Squeeze, F::MoveModel, F::MoveModel},
+    {dominant, Gesture::SqueezeHold, nothing, nothing},
+};
+
+HandMode openMode(HandRole hand)
+{
+    return hand == HandRole::Support ? HandMode::ToolMenu : HandMode::ColorPanel;
+}
+
+bool isHeld(Gesture gesture)
+{
+    return gesture == Gesture::SqueezeHold || gesture == Gesture::MenuHold;
+}
+
+/// Says of each text which context it was asked in.
+class ContextTeller : public QTranslator
+{
+public:
+    using QTranslator::QTranslator;
+    bool isEmpty() const override { return false; }
+    QString translate(const char* context, const char* text, const char*, int) const override
+    {
+        return QLatin1String(context) + QLatin1String(": ") + QLatin1String(text);
+    }
+};
+} // namespace
+
+class TestPresets : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void eachFunctionIsWhereItBelongs_data()
+    {
+        QTest::addColumn<Preset>("preset");
+        QTest::addColumn<std::vector<Place>>("places");
+        QTest::newRow("Paper") << Preset::Paper << std::vector<Place>(std::begin(paper), std::end(paper));
+        QTest::newRow("Studio") << Preset::Studio << std::vector<Place>(std::begin(studio), std::end(studio));
+    }
+
+    void eachFunctionIsWhereItBelongs()
+    {
+        QFETCH(Preset, preset);
+        QFETCH(std::vector<Place>, places);
+        QCOMPARE(places.size(), std::size_t(2 * (int(Gesture::SqueezeHold) + 1)));
+        for (const Place& place : places) {
+            QCOMPARE(vr::functionOf(preset, {place.hand, HandMode::Plain, place.gesture}), place.closed);
+            QCOMPARE(vr::functionOf(preset, {place.hand, openMode(place.hand), place.gesture}), place.open);
+        }
+    }
+
+    /// What writes files, and what throws away the most, is never done by one press.
+    void savingAndRestoringAreHeld()
+    {
+        for (const Preset preset : presets)
+            for (const PresetRow& row : vr::rows(preset))
+                if (row.function == F::SaveModel || row.function == F::RestoreModel)
+                    QVERIFY(isHeld(row.gesture));
+    }
+
+    /// Each hand's panel is its own.
+    void rowsAreOfTheHandsOwnModes()
+    {
+        for (const Preset preset : presets)
+            for (const PresetRow& row : vr::rows(preset))
+                QVERIFY(row.mode == HandMode::Any || row.mode == HandMode::Plain || row.mode == openMode(row.hand));
+    }
+
+    void labelsAreShortAndTheSameForTheSame()
+    {
+        std::map<WandFunction, std::set<QString>> labels;
+        for (const Preset preset : presets)
+            for (const PresetRow& row : vr::rows(preset)) {
+                const QString label = vr::labelOf(row);
+                QVERIFY(!label.isEmpty() && label.size() <= 20 && label.split(u' ').size() <= 3);
+                QCOMPARE(label.startsWith(QStringLiteral("Hold: ")), isHeld(row.gesture));
+                labels[row.function].insert(label);
+            }
+        for (const auto& [function, texts] : labels)
+            QVERIFY(texts.size() == 1);
+    }
+
+    void labelsAreTranslated()
+    {
+        ContextTeller teller;
+        QVERIFY(QCoreApplication::installTranslator(&teller));
+        const QString label = vr::labelOf(vr::rows(Preset::Paper)[0]);
+        QCOMPARE(label, QStringLiteral("vr::Presets: Turn clockwise"));
+        QCoreApplication::removeTranslator(&teller);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestPresets)
+#include "tst_presets.moc"

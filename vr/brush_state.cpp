@@ -1,0 +1,93 @@
+#include "brush_state.h"
+
+#include <algorithm>
+#include <array>
+
+namespace vr
+{
+namespace
+{
+template <class... T> struct Overloaded : T...
+{
+    using T::operator()...;
+};
+template <class... T> Overloaded(T...) -> Overloaded<T...>;
+
+core::Tool stepped(core::Tool tool, int by)
+{
+    const int count = static_cast<int>(core::toolNames().size());
+    return static_cast<core::Tool>(((static_cast<int>(tool) + by) % count + count) % count);
+}
+
+core::Rgb changedColor(core::Rgb color, const ChangeChannel& change)
+{
+    constexpr std::array channels{&core::Rgb::r, &core::Rgb::g, &core::Rgb::b};
+    std::uint8_t& value = color.*channels[static_cast<std::size_t>(change.channel)];
+    value = static_cast<std::uint8_t>(std::clamp(value + change.by, 0, 255));
+    return color;
+}
+
+core::Tool effectiveTool(const BrushState& brush, const BeginStroke& begin)
+{
+    if (begin.smooths)
+        return core::Tool::Smooth;
+    if (brush.isInverse && brush.stroke.tool == core::Tool::Pull)
+        return core::Tool::Push;
+    if (brush.isInverse && brush.stroke.tool == core::Tool::Push)
+        return core::Tool::Pull;
+    return brush.stroke.tool;
+}
+
+double radiusOn(const BrushState& brush, const Room& room)
+{
+    const core::ParameterInfo& range = core::info(core::Parameter::Radius);
+    return std::clamp(room.lengthToModel(brush.radius), range.min, range.max);
+}
+} // namespace
+
+BrushState changed(BrushState brush, const Deed& deed)
+{
+    using core::BrushShape, core::Symmetry, core::Topology;
+    core::StrokeSettings& stroke = brush.stroke;
+    const Overloaded change{
+        [&](const StepTool& step) { stroke.tool = stepped(stroke.tool, step.by); },
+        [&](ToggleInverse) { brush.isInverse = !brush.isInverse; },
+        [&](ToggleBrushShape) {
+            stroke.brush = stroke.brush == BrushShape::Sphere ? BrushShape::Ray : BrushShape::Sphere;
+        },
+        [&](ToggleTopology) {
+            stroke.topology = stroke.topology == Topology::Adaptive ? Topology::Uniform : Topology::Adaptive;
+        },
+        [&](ToggleSymmetry) { stroke.symmetry = stroke.symmetry == Symmetry::None ? brush.plane : Symmetry::None; },
+        [&](const ScaleRadius& scale) {
+            brush.radius = std::clamp(brush.radius * scale.factor, leastRadius, mostRadius);
+        },
+        [&](const ChangeChannel& step) { stroke.color = changedColor(stroke.color, step); },
+        [](const auto&) {},
+    };
+    std::visit(change, deed);
+    return brush;
+}
+
+core::StrokeSettings strokeSettings(const BrushState& brush, const BeginStroke& begin, const Room& room)
+{
+    core::StrokeSettings settings = brush.stroke;
+    settings.tool = effectiveTool(brush, begin);
+    settings.place = core::Placement::Point;
+    settings.radius = radiusOn(brush, room);
+    settings.spacing = wandSpacing;
+    settings.add = false;
+    return settings;
+}
+
+core::StrokeSample strokeSample(const BrushState& brush, const StrokePoint& point, const Room& room)
+{
+    core::StrokeSample sample;
+    sample.time = point.time;
+    sample.position = room.toModel(point.tip.position);
+    sample.direction = room.directionToModel(point.tip.forward());
+    sample.pressure = point.pressure;
+    sample.radius = radiusOn(brush, room);
+    return sample;
+}
+} // namespace vr

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "hand_commands.h"
+
+#include "core/stroke.h"
+
+namespace vr
+{
+// Of the brush, in the room; metres. A hand that trembles cannot use a smaller one, and a larger one hides the model.
+inline constexpr double leastRadius = 0.002, mostRadius = 0.25, defaultRadius = 0.03;
+/// StrokeSettings::spacing of what wands draw. A dab of full strength raises the surface by a tenth of the radius: so far apart, it
+/// keeps up with the wand that pulls it.
+inline constexpr double wandSpacing = 0.1;
+
+/// The brush in the hand: what the next stroke will be.
+struct BrushState
+{
+    core::StrokeSettings stroke; ///< what people choose of it; its radius, spacing, place and add are none of that
+    bool isInverse = false;      ///< Pull pushes and Push pulls; the other tools have no opposite
+    core::Symmetry plane = core::Symmetry::Y; ///< of symmetry when it is on; the paper's is the xz plane
+    double radius = defaultRadius;            ///< metres in the room
+};
+
+/// What it is after a hand did that. Tools come round after the last, channels and the radius stop at the ends of their
+/// ranges; what is none of the brush's business leaves it as it is.
+BrushState changed(BrushState brush, const Deed& deed);
+
+/// Of a stroke that begins now. It adds no ball where it meets nothing, or a wand that pulls faster than clay follows would leave a
+/// row of them: adding is a stroke of its own.
+core::StrokeSettings strokeSettings(const BrushState& brush, const BeginStroke& begin, const Room& room);
+/// In the document's space, where the model's orientation in the room is taken off already. It has its own radius: the model may
+/// be scaled while it is sculpted.
+core::StrokeSample strokeSample(const BrushState& brush, const StrokePoint& point, const Room& room);
+} // namespace vr

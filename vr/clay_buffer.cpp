@@ -1,0 +1,6 @@
+#include "clay_buffer.h"
+
+#include <QOpenGLExtraFunctions>
+
+template class core::TintBuffer<QOpenGLExtraFunctions>;
+template class core::ClayBuffer<QOpenGLExtraFunctions>;

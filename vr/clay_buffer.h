@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/clay_buffer.h"
+
+class QOpenGLExtraFunctions;
+
+extern template class core::TintBuffer<QOpenGLExtraFunctions>;
+extern template class core::ClayBuffer<QOpenGLExtraFunctions>;
+
+namespace vr
+{
+using ClayBuffer = core::ClayBuffer<QOpenGLExtraFunctions>;
+} // namespace vr

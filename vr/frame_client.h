@@ -1,0 +1,57 @@
+#pragma once
+
+#include "eye.h"
+#include "frame_costs.h"
+#include "haptic_pulse.h"
+#include "pose.h"
+#include "wand_kind.h"
+#include "wand_state.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+class QOpenGLContext;
+
+namespace vr
+{
+/// What is known of a frame before it is drawn. Room space; all of the same time, at which the frame will be seen.
+struct FrameInput
+{
+    Wands wands;
+    std::optional<Pose> head; ///< none as long as the runtime has not known it
+    std::int64_t displayNs = 0; ///< the runtime's clock: for differences
+    std::int64_t periodNs = 0;  ///< to the next frame
+    bool hasFocus = false;      ///< else people are in the runtime's menu or elsewhere, and wands are at rest
+    bool roomMoved = false;     ///< room space is another than in the frame before: what was held there, or drawn, is over
+    const WandKinds& kinds;     ///< the session's, and change seldom
+    const FrameCosts& costs;
+};
+
+struct FrameOutput
+{
+    std::vector<HapticPulse> pulses;
+    bool recentre = false; ///< the room is put where the head is, by its position and yaw; FrameInput::roomMoved then tells
+    bool leave = false;
+};
+
+/// What people see and do in the headset. All is called on the headset's thread, with its OpenGL context current, and nothing of it may
+/// wait for another thread.
+class FrameClient
+{
+public:
+    virtual ~FrameClient() = default;
+
+    /// False: it cannot draw here, and VR ends.
+    virtual bool create(QOpenGLContext& context) = 0;
+    /// Once each frame, seen or not.
+    virtual FrameOutput frame(const FrameInput& input) = 0;
+    /// Of a frame that will be seen, for each eye in turn; eye 0 is the left, or the only one. The image is to be filled; the view has no
+    /// framebuffer yet. OpenGL's state is anybody's.
+    virtual void draw(std::size_t eye, const EyeImage& image, const EyeView& view) = 0;
+    /// CPU time of this thread within calls that draw, ever, in milliseconds: see FrameCost.
+    virtual double drawCallMs() const = 0;
+    /// Once for each create(), whatever it said.
+    virtual void destroy() = 0;
+};
+} // namespace vr

@@ -1,0 +1,54 @@
+#include "gl_context.h"
+
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QThread>
+
+namespace vr
+{
+namespace
+{
+/// What is drawn is drawn into images: the surface itself is nothing.
+QSurfaceFormat plainFormat()
+{
+    QSurfaceFormat format;
+    format.setRenderableType(QSurfaceFormat::OpenGL);
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setSwapInterval(0);
+    return format;
+}
+} // namespace
+
+/// What belongs to no thread may be taken by any.
+GlContext::GlContext() : m_surface(std::make_unique<QOffscreenSurface>()), m_context(std::make_unique<QOpenGLContext>())
+{
+    m_context->setFormat(plainFormat());
+    if (m_context->create()) {
+        m_surface->setFormat(m_context->format());
+        m_surface->create();
+    }
+    m_context->moveToThread(nullptr);
+}
+
+GlContext::~GlContext() = default;
+
+bool GlContext::take()
+{
+    m_context->moveToThread(QThread::currentThread());
+    return m_context->isValid() && m_surface->isValid() && QOpenGLContext::supportsThreadedOpenGL() && !m_context->isOpenGLES() &&
+           m_context->format().version() >= std::pair(3, 3) && m_context->makeCurrent(m_surface.get());
+}
+
+void GlContext::makeCurrent()
+{
+    m_context->makeCurrent(m_surface.get());
+}
+
+void GlContext::destroy()
+{
+    if (QOpenGLContext::currentContext() == m_context.get())
+        m_context->doneCurrent();
+    m_context.reset();
+}
+} // namespace vr

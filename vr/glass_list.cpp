@@ -1,0 +1,245 @@
+#include "glass_list.h"
+
+#include "label_layout.h"
+#include "light.h"
+
+#include "core/symmetry_pane.h"
+
+#include <algorithm>
+
+namespace vr
+{
+namespace
+{
+const Eigen::Vector3f paneColor(0.15F, 0.33F, 0.66F), accentColor(0.22F, 0.56F, 1.0F), paleColor(0.85F, 0.88F, 0.92F);
+const Eigen::Vector3f holdColor(1.0F, 0.48F, 0.10F);
+const Eigen::Vector3f axisColors[] = {{0.75F, 0.16F, 0.13F}, {0.20F, 0.52F, 0.14F}, {0.12F, 0.30F, 0.85F}};
+
+constexpr float thin = 0.0011F, thinner = 0.0008F; ///< widths of lines, metres
+constexpr float mirrored = 0.45F;                  ///< how strong a brush's mirror image is
+constexpr double rayReach = 3, axisLength = 0.05, dotRadius = 0.0035, thumbRadius = 0.0042;
+constexpr double offSurface = 0.0006; ///< so that what lies on a surface is seen
+constexpr double holdRadius = 0.026, holdLift = 0.030;
+constexpr float holdHole = 0.80F, footprintHole = 0.97F;
+const core::Vec3 holdPlace(0, 0, 0.012); ///< between the side buttons
+
+Eigen::Vector3f toFloat(const core::Vec3& v)
+{
+    return v.cast<float>();
+}
+
+Rectangle rectangle(const core::Vec3& center, const core::Vec3& halfX, const core::Vec3& halfY)
+{
+    return {toFloat(center), toFloat(halfX), toFloat(halfY)};
+}
+
+/// That a ring of that radius fills, across a unit vector.
+Rectangle acrossTo(const core::Vec3& center, const core::Vec3& normal, double radius)
+{
+    const core::Vec3 x = normal.unitOrthogonal();
+    return rectangle(center, radius * x, radius * normal.cross(x));
+}
+
+class GlassMaker
+{
+public:
+    GlassMaker(const SceneState& state, LabelPictures& labels, GlassLists& lists) : m_state(state), m_labels(labels), m_lists(lists) {}
+
+    void addPane();
+    void addBrush(std::monostate) {}
+    void addBrush(const BallBrush& brush);
+    void addBrush(const RayBrush& brush);
+    void addAxes(const Pose& at);
+    void addWand(const ShownWand& wand);
+    void addLaser(const Laser& laser);
+    void addPanel(const Panel& panel);
+
+private:
+    template <class Shape> void add(const core::Vec3& middle, const Shape& shape)
+    {
+        m_lists.others.push_back({static_cast<float>((middle - m_state.head.position).norm()), shape});
+    }
+    void addLine(const core::Vec3& from, const core::Vec3& to, const Line& look);
+    void addDot(const core::Vec3& at, double radius, const Eigen::Vector3f& color);
+    void addFootprint(const RayBrush::Hit& hit, float strength);
+    void addLabels(const ShownWand& wand);
+    void addHold(const ShownWand& wand);
+    /// In the document's plane of symmetry; nothing without symmetry.
+    std::optional<Eigen::Affine3d> mirror() const;
+
+    const SceneState& m_state;
+    LabelPictures& m_labels;
+    GlassLists& m_lists;
+};
+
+void GlassMaker::addLine(const core::Vec3& from, const core::Vec3& to, const Line& look)
+{
+    Line line = look;
+    line.from = toFloat(from);
+    line.to = toFloat(to);
+    add(0.5 * (from + to), line);
+}
+
+/// It faces the head.
+void GlassMaker::addDot(const core::Vec3& at, double radius, const Eigen::Vector3f& color)
+{
+    const Eigen::Matrix3d axes = axesFacing(m_state.head, at);
+    const core::Vec3 before = at + dotRadius / 2 * axes.col(2);
+    add(before, Ring{.place = rectangle(before, radius * axes.col(0), radius * axes.col(1)), .color = color});
+}
+
+std::optional<Eigen::Affine3d> GlassMaker::mirror() const
+{
+    if (m_state.symmetry == core::Symmetry::None)
+        return {};
+    const core::Vec3 normal = core::planeNormal(m_state.symmetry);
+    const Eigen::Matrix3d reflection = Eigen::Matrix3d::Identity() - 2 * normal * normal.transpose();
+    return m_state.model * Eigen::Affine3d(reflection) * m_state.model.inverse();
+}
+
+void GlassMaker::addPane()
+{
+    if (m_state.symmetry == core::Symmetry::None || m_state.box.isEmpty())
+        return;
+    const core::SymmetryPane pane = core::symmetryPane(m_state.symmetry, m_state.box);
+    const core::Vec3 center = m_state.model * pane.center;
+    const core::Vec3 halfX = m_state.model.linear() * pane.halfX, halfY = m_state.model.linear() * pane.halfY;
+    add(center, Pane{rectangle(center, halfX, halfY), paneColor});
+}
+
+void GlassMaker::addBrush(const BallBrush& brush)
+{
+    const Eigen::Vector3f color = lightOf(m_state.brushColor);
+    const auto radius = static_cast<float>(brush.radius);
+    add(brush.center, Shell{toFloat(brush.center), radius, color});
+    if (const auto image = mirror())
+        add(*image * brush.center, Shell{toFloat(*image * brush.center), radius, color, mirrored});
+}
+
+void GlassMaker::addBrush(const RayBrush& brush)
+{
+    const Eigen::Vector3f color = lightOf(m_state.brushColor);
+    const core::Vec3 from = brush.ray.origin;
+    const core::Vec3 to = brush.hit ? brush.hit->point : core::Vec3(from + rayReach * brush.ray.direction.normalized());
+    addLine(from, to, {.width = thin, .color = color, .alphas = {0.25F, brush.hit ? 0.9F : 0.0F}});
+    if (!brush.hit)
+        return;
+    addDot(brush.hit->point, dotRadius, color);
+    addFootprint(*brush.hit, 1);
+    if (const auto image = mirror())
+        addFootprint({*image * brush.hit->point, image->linear() * brush.hit->normal, brush.hit->radius}, mirrored);
+}
+
+void GlassMaker::addFootprint(const RayBrush::Hit& hit, float strength)
+{
+    const core::Vec3 center = hit.point + offSurface * hit.normal;
+    add(center, Ring{.place = acrossTo(center, hit.normal, hit.radius),
+                     .hole = footprintHole,
+                     .color = lightOf(m_state.brushColor),
+                     .alpha = strength,
+                     .hiddenAlpha = 0.25F * strength});
+}
+
+void GlassMaker::addAxes(const Pose& at)
+{
+    for (int axis = 0; axis < 3; ++axis)
+        addLine(at.position, at * (axisLength * core::Vec3::Unit(axis)), {.width = thin, .color = axisColors[axis]});
+}
+
+void GlassMaker::addWand(const ShownWand& wand)
+{
+    if (!wand.isShown)
+        return;
+    if (wand.touch) {
+        const core::Vec3 at = wand.grip * (placeOnPad(*wand.touch) + offSurface * core::Vec3::UnitY());
+        const Eigen::Matrix3d axes = thumbRadius * wand.grip.rotation.toRotationMatrix();
+        add(at, Ring{.place = rectangle(at, axes.col(0), -axes.col(2)), .color = paleColor, .alpha = 0.85F});
+    }
+    addHold(wand);
+    addLabels(wand);
+}
+
+void GlassMaker::addHold(const ShownWand& wand)
+{
+    if (wand.hold <= 0)
+        return;
+    const core::Vec3 middle = wand.grip * holdPlace;
+    const Eigen::Matrix3d axes = axesFacing(m_state.head, middle);
+    const core::Vec3 center = middle + holdLift * axes.col(2);
+    Ring ring{.place = rectangle(center, holdRadius * axes.col(0), holdRadius * axes.col(1)),
+              .hole = holdHole,
+              .color = paleColor,
+              .alpha = 0.22F,
+              .hiddenAlpha = 0.08F};
+    add(center, ring);
+    ring.sweep = static_cast<float>(std::min(wand.hold, 1.0));
+    ring.color = holdColor;
+    ring.alpha = 1;
+    ring.hiddenAlpha = 0.4F;
+    add(center + offSurface * axes.col(2), ring);
+}
+
+void GlassMaker::addLabels(const ShownWand& wand)
+{
+    LabelAspects aspects;
+    std::array<unsigned int, wandSpotCount> textures{};
+    for (std::size_t spot = 0; spot < wandSpotCount; ++spot) {
+        if (wand.labels[spot].text.isEmpty() || wand.labels[spot].opacity <= 0)
+            continue;
+        if (const auto picture = m_labels.find(wand.labels[spot].text)) {
+            aspects[spot] = picture->aspect;
+            textures[spot] = picture->texture;
+        }
+    }
+    const LabelPlaces places = labelPlaces(wand.grip, m_state.head, aspects);
+    for (std::size_t spot = 0; spot < wandSpotCount; ++spot) {
+        if (!places[spot])
+            continue;
+        const LabelPlace& place = *places[spot];
+        const float opacity = wand.labels[spot].opacity;
+        add(place.center, Picture{rectangle(place.center, place.halfX, place.halfY), textures[spot], opacity});
+        addLine(place.button, place.edge, {.width = thinner, .color = paleColor, .alphas = {0.60F * opacity, 0.30F * opacity}});
+    }
+}
+
+void GlassMaker::addLaser(const Laser& laser)
+{
+    addLine(laser.from, laser.to, {.width = thin, .color = accentColor, .alphas = {0.15F, laser.isOnPanel ? 0.9F : 0.0F}});
+    if (laser.isOnPanel)
+        addDot(laser.to, dotRadius, accentColor);
+}
+
+void GlassMaker::addPanel(const Panel& panel)
+{
+    const core::Vec3 center = panel.pose.position;
+    const core::Vec3 halfX = panel.pose.rotation * core::Vec3(panel.size.x() / 2, 0, 0);
+    const core::Vec3 halfY = panel.pose.rotation * core::Vec3(0, panel.size.y() / 2, 0);
+    m_lists.panels.push_back({static_cast<float>((center - m_state.head.position).norm()),
+                              Picture{rectangle(center, halfX, halfY), panel.picture, panel.opacity}});
+}
+
+void sortByDistance(std::vector<Glass>& list)
+{
+    std::ranges::sort(list, std::greater(), &Glass::distance);
+}
+} // namespace
+
+void listGlass(const SceneState& state, LabelPictures& labels, GlassLists& into)
+{
+    into.panels.clear();
+    into.others.clear();
+    GlassMaker maker(state, labels, into);
+    maker.addPane();
+    std::visit([&](const auto& brush) { maker.addBrush(brush); }, state.brush);
+    if (state.axes)
+        maker.addAxes(*state.axes);
+    for (const ShownWand& wand : state.wands)
+        maker.addWand(wand);
+    if (state.laser)
+        maker.addLaser(*state.laser);
+    for (const Panel& panel : state.panels)
+        maker.addPanel(panel);
+    sortByDistance(into.panels);
+    sortByDistance(into.others);
+}
+} // namespace vr

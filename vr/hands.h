@@ -1,0 +1,121 @@
+#pragma once
+
+#include "hand_commands.h"
+#include "wand_gestures.h"
+
+#include <vector>
+
+namespace vr
+{
+/// The brush's centre, or where its ray begins, lies so far before the palm along the aim, in metres: the ring of a Vive wand ends
+/// there, and what is sculpted is not hidden by the wand. From the palm, because runtimes put the aim's own origin where they like.
+inline constexpr double tipReach = 0.1;
+Pose tipOf(const WandState& wand);
+
+inline constexpr double turnSpeed = 60;     ///< degrees a second, as the desktop's turntable
+inline constexpr double longestBlink = 0.1; ///< seconds; a wand unseen for longer ends its stroke
+inline constexpr double slideDoubles = 1;   ///< radii of the pad that double the model's size, or the brush's
+/// Of a colour channel, for a radius of the pad: its whole height is half the channel's range, which leaves a thumb its finest steps.
+inline constexpr double channelSlide = 255.0 / 4;
+
+struct HandsFrame
+{
+    double time = 0; ///< seconds; of the predicted display
+    Wands wands;
+    std::array<bool, sideCount> pointsAtPanel{}; ///< by Side
+};
+
+struct HandsChoice
+{
+    Preset preset = Preset::Paper;
+    Side sculpting = Side::Right;
+};
+
+/// What two hands want done, frame by frame. Pure: any thread, no clock but the frames' own.
+///
+/// A trigger that is pulled while its wand points at a panel is the panel's until it is let go. Else it begins a stroke, at the wand's
+/// tip in that same frame, if its hand sculpts; one stroke is open at a time. While a hand draws, nothing else of it counts:
+/// squeezing a wand fires its other buttons. While a stroke is open, nothing is undone, redone, saved or restored. What the other
+/// hand does to the view comes, in a frame's list, before the stroke's point.
+///
+/// Points come as the frames fall: to stand the dabs evenly along their path is core's (StrokeSettings::spacing).
+class Hands
+{
+public:
+    explicit Hands(const HandsChoice& choice = {}) : m_choice(choice) {}
+
+    const HandsChoice& choice() const { return m_choice; }
+    /// What goes on ends, as by letGo().
+    std::vector<HandCommand> choose(const HandsChoice& choice);
+
+    std::vector<HandCommand> step(const HandsFrame& frame);
+    /// Ends what goes on; what is pressed does nothing until it has been let go. Panels stay as they are.
+    std::vector<HandCommand> letGo();
+
+    HandRole roleOf(Side side) const;
+    /// Plain: its panel is closed.
+    HandMode modeOf(Side side) const;
+    /// 0 red, 1 green, 2 blue.
+    int channel() const { return m_channel; }
+    bool draws(Side side) const { return m_stroke && m_stroke->side == side; }
+    /// In the last frame.
+    const WandGestures& gestures(Side side) const { return at(side).gestures; }
+
+    /// A ring that fills.
+    struct Hold
+    {
+        Gesture gesture;
+        double progress; ///< above 0, to 1
+    };
+    /// Nothing if the hand holds no button that a hold does anything with.
+    std::optional<Hold> hold(Side side) const;
+
+private:
+    enum class TriggerUse { None, Panel, Function };
+
+    struct Hand
+    {
+        GestureReader reader;
+        WandGestures gestures;
+        TriggerUse trigger = TriggerUse::None;
+        std::optional<Pose> grip; ///< while it grabs the model
+    };
+
+    struct OpenStroke
+    {
+        Side side;
+        double seenAt; ///< the wand, last
+        bool isBegun = false;
+        bool smooths = false;
+    };
+
+    Hand& at(Side side) { return m_hands[static_cast<std::size_t>(side)]; }
+    const Hand& at(Side side) const { return m_hands[static_cast<std::size_t>(side)]; }
+    std::array<Side, sideCount> order() const;
+    std::optional<WandFunction> functionOf(Side side, Gesture gesture) const;
+    void want(Side side, Gesture gesture, const Deed& deed);
+
+    void endStroke();
+    void endFinishedStroke(const HandsFrame& frame);
+    void takeTrigger(Side side, const HandsFrame& frame);
+    void pull(Side side, const HandsFrame& frame);
+    void takeButtons(Side side, double seconds);
+    void press(Side side, Gesture gesture);
+    void keepPressing(Side side, Gesture gesture, double seconds);
+    void slide(Side side, Gesture gesture, double by);
+    void changeChannel(Side side, Gesture gesture, double by);
+    bool usesTrigger(Side side, WandFunction function) const;
+    bool grabs(Side side) const;
+    void takeGrabs(const HandsFrame& frame);
+    void takeStroke(const HandsFrame& frame);
+
+    HandsChoice m_choice;
+    FrameClock m_clock;
+    std::array<Hand, sideCount> m_hands;
+    bool m_toolMenuOpen = false, m_colorPanelOpen = false;
+    int m_channel = 0;
+    double m_channelRest = 0; ///< slid, but less than one
+    std::optional<OpenStroke> m_stroke;
+    std::vector<HandCommand> m_commands; ///< of the frame
+};
+} // namespace vr

@@ -1,0 +1,112 @@
+#include "haptics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace vr
+{
+namespace
+{
+/// At full level and strength.
+struct Feel
+{
+    double amplitude, frequency, seconds;
+};
+
+// Chosen to be told apart: what is touched is light and high, what fails is long and low. By Sensation; the texture's length is
+// another's matter.
+constexpr std::array<Feel, sensationCount> feels{{
+    {0.35, 180, 0.02}, // Contact
+    {0.45, 120, 0},    // Texture
+    {1.0, 90, 0.06},   // Fusion
+    {0.8, 40, 0.18},   // Refusal
+    {0.4, 220, 0.01},  // MenuStep
+    {0.7, 160, 0.02},  // Hold
+}};
+
+constexpr double contactPause = 0.15; ///< seconds; a brush that grazes a surface does not rattle
+constexpr double trainPeriod = 0.05;  ///< seconds from one pulse of the texture to the next
+constexpr double trainShare = 0.3;    ///< of the time that its pulses fill
+constexpr double longestPulse = 0.1;  ///< seconds, of the texture
+constexpr double leastTexture = 0.2;  ///< of its amplitude, under the lightest pressure
+constexpr double roundOff = 1e-9;     ///< of sums of frames
+constexpr int holdTicks = 4;          ///< while a hold's ring fills; the last when it is full
+
+Feel feelOf(Sensation what)
+{
+    return feels[static_cast<std::size_t>(what)];
+}
+
+double tickOf(double hold)
+{
+    return std::floor(hold * holdTicks + roundOff);
+}
+} // namespace
+
+std::vector<HapticPulse> Haptics::step(double time, const std::array<HandFeeling, sideCount>& hands)
+{
+    std::vector<HapticPulse> pulses;
+    for (const Side side : {Side::Left, Side::Right}) {
+        const HandFeeling& feeling = hands[static_cast<std::size_t>(side)];
+        std::optional<HapticPulse> pulse = event(side, feeling, time);
+        if (!pulse)
+            pulse = texture(side, feeling, time);
+        if (pulse)
+            pulses.push_back(*pulse);
+    }
+    return pulses;
+}
+
+std::optional<HapticPulse> Haptics::event(Side side, const HandFeeling& feeling, double time)
+{
+    Hand& hand = at(side);
+    const std::optional<Event> event = eventOf(hand, feeling, time);
+    if (!event || levelOf(event->what) <= 0)
+        return std::nullopt;
+    const Feel feel = feelOf(event->what);
+    hand.quietUntil = time + feel.seconds;
+    return HapticPulse{side, feel.amplitude * event->strength * levelOf(event->what), feel.frequency, feel.seconds};
+}
+
+/// What matters most. Contacts and holds go on being followed under it.
+std::optional<Haptics::Event> Haptics::eventOf(Hand& hand, const HandFeeling& feeling, double time)
+{
+    const bool touched = std::exchange(hand.touched, feeling.touches);
+    const bool isContact = feeling.touches && !touched && time >= hand.contactFrom;
+    if (isContact)
+        hand.contactFrom = time + contactPause;
+    const double tick = tickOf(feeling.hold);
+    const bool isTick = tick > tickOf(std::exchange(hand.hold, feeling.hold));
+    if (feeling.refused)
+        return Event{Sensation::Refusal, 1};
+    if (feeling.fused)
+        return Event{Sensation::Fusion, 1};
+    if (isTick)
+        return Event{Sensation::Hold, tick / holdTicks};
+    if (feeling.stepped)
+        return Event{Sensation::MenuStep, 1};
+    if (isContact)
+        return Event{Sensation::Contact, 1};
+    return std::nullopt;
+}
+
+/// A pulse lasts for its share of the time since the one before; so the train feels the same however the frames fall.
+std::optional<HapticPulse> Haptics::texture(Side side, const HandFeeling& feeling, double time)
+{
+    Hand& hand = at(side);
+    const double level = levelOf(Sensation::Texture);
+    if (!feeling.touches || feeling.pressure <= 0 || level <= 0) {
+        hand.trainAt.reset();
+        return std::nullopt;
+    }
+    const double since = hand.trainAt ? time - *hand.trainAt : trainPeriod;
+    if (since < trainPeriod - roundOff || time < hand.quietUntil)
+        return std::nullopt;
+    hand.trainAt = time;
+    const Feel feel = feelOf(Sensation::Texture);
+    const double strength = leastTexture + (1 - leastTexture) * feeling.pressure;
+    return HapticPulse{side, feel.amplitude * strength * level, feel.frequency,
+                       std::min(trainShare * since, longestPulse)};
+}
+} // namespace vr

@@ -1,0 +1,95 @@
+#include "label_pictures.h"
+
+#include <QFontMetrics>
+#include <QImage>
+#include <QPainter>
+
+#include <cmath>
+
+namespace vr
+{
+namespace
+{
+// Pixels. In the room a plate is about a third as many pixels high on the screen, so that its smaller copies are what is seen.
+constexpr int plateHeight = 64, textHeight = 36, margin = 22, longestText = 620;
+constexpr qsizetype mostKept = 64;
+
+const QColor plateColor(20, 22, 26, 205), borderColor(255, 255, 255, 34), textColor(236, 239, 244);
+
+QFont labelFont()
+{
+    QFont font;
+    font.setPixelSize(textHeight);
+    font.setWeight(QFont::Medium);
+    return font;
+}
+
+QImage paint(const QString& text)
+{
+    const QFont font = labelFont();
+    const QFontMetrics metrics(font);
+    const QString shown = metrics.elidedText(text, Qt::ElideRight, longestText);
+    QImage image(metrics.horizontalAdvance(shown) + 2 * margin, plateHeight, QImage::Format_RGBA8888_Premultiplied);
+    image.fill(Qt::transparent);
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(borderColor, 2));
+    painter.setBrush(plateColor);
+    painter.drawRoundedRect(QRectF(image.rect()).adjusted(2, 2, -2, -2), 16, 16);
+    painter.setFont(font);
+    painter.setPen(textColor);
+    painter.drawText(image.rect(), Qt::AlignCenter, shown);
+    return image;
+}
+} // namespace
+
+void LabelPictures::create(QOpenGLExtraFunctions* gl)
+{
+    m_gl = gl;
+    paint(QStringLiteral("ABCabc"));
+}
+
+void LabelPictures::destroy()
+{
+    for (Entry& entry : m_entries)
+        entry.picture.destroy();
+    *this = {};
+}
+
+void LabelPictures::startFrame()
+{
+    m_mayPaint = true;
+    ++m_frame;
+    if (m_entries.size() > mostKept)
+        dropUnused();
+}
+
+std::optional<LabelPicture> LabelPictures::find(const QString& text)
+{
+    auto entry = m_entries.find(text);
+    if (entry == m_entries.end()) {
+        if (!m_mayPaint)
+            return {};
+        m_mayPaint = false;
+        entry = m_entries.insert(text, {});
+        entry->picture.create(m_gl);
+        entry->picture.show(paint(text));
+    }
+    entry->usedIn = m_frame;
+    const QSize size = entry->picture.size();
+    return LabelPicture{entry->picture.id(), static_cast<double>(size.width()) / size.height()};
+}
+
+/// All that the last frame did not need.
+void LabelPictures::dropUnused()
+{
+    for (auto entry = m_entries.begin(); entry != m_entries.end();) {
+        if (entry->usedIn + 1 >= m_frame) {
+            ++entry;
+            continue;
+        }
+        entry->picture.destroy();
+        entry = m_entries.erase(entry);
+    }
+}
+} // namespace vr

@@ -1,0 +1,117 @@
+#pragma once
+
+#include "../presets.h"
+#include "../wand_state.h"
+
+#include "core/brush.h"
+
+#include <QString>
+
+#include <variant>
+
+namespace vr
+{
+enum class PanelKind { Tools, Color, Files, Settings, Performance, Notice };
+inline constexpr std::size_t panelKindCount = 6;
+
+enum class SettingsPage { General, Feel };
+
+/// Wishes that need no more words.
+enum class PanelCommand {
+    Undo,
+    Redo,
+    RestoreModel, ///< as it was when it was opened
+    SaveModel,    ///< under a new number
+    Recentre,
+    LeaveVr
+};
+
+struct ShowPanel
+{
+    PanelKind kind = PanelKind::Files;
+    bool isShown = true;
+    bool operator==(const ShowPanel&) const = default;
+};
+
+struct ChooseSymmetry
+{
+    bool isOn = true;
+    bool operator==(const ChooseSymmetry&) const = default;
+};
+
+struct ChooseChannel
+{
+    int channel = 0; ///< 0 red, 1 green, 2 blue
+    bool operator==(const ChooseChannel&) const = default;
+};
+
+struct ChooseColor
+{
+    core::Rgb color;
+    bool operator==(const ChooseColor&) const = default;
+};
+
+struct ShowPage
+{
+    int page = 0; ///< of the files
+    bool operator==(const ShowPage&) const = default;
+};
+
+/// To be opened, perhaps.
+struct ChooseFile
+{
+    QString path;
+    bool operator==(const ChooseFile&) const = default;
+};
+
+struct OpenFile
+{
+    QString path;
+    bool operator==(const OpenFile&) const = default;
+};
+
+/// The hand that sculpts.
+struct ChooseHand
+{
+    Side sculpting = Side::Right;
+    bool operator==(const ChooseHand&) const = default;
+};
+
+struct ShowPerformance
+{
+    bool isShown = true;
+    bool operator==(const ShowPerformance&) const = default;
+};
+
+enum class PanelSlider {
+    Red, ///< 0 to 255, whole, as the next two; in the order of channels
+    Green,
+    Blue,
+    Height,  ///< metres that the model stands higher
+    Contact, ///< 0 to 1, as the others; in the order of Sensation
+    Texture,
+    Fusion,
+    Refusal,
+    MenuStep,
+    Hold
+};
+
+struct Slide
+{
+    PanelSlider slider = PanelSlider::Red;
+    double value = 0; ///< in the slider's unit and range
+    bool operator==(const Slide&) const = default;
+};
+
+/// What a person wants by an item of a panel.
+using PanelAction =
+    std::variant<PanelCommand, core::Tool, core::BrushShape, core::Topology, Preset, SettingsPage, ShowPanel, ChooseSymmetry,
+                 ChooseChannel, ChooseColor, ShowPage, ChooseFile, OpenFile, ChooseHand, ShowPerformance, Slide>;
+
+/// Whether one item wants both: sliders want one thing after the other.
+inline bool isSameItem(const PanelAction& a, const PanelAction& b)
+{
+    const auto *slideA = std::get_if<Slide>(&a), *slideB = std::get_if<Slide>(&b);
+    return slideA && slideB ? slideA->slider == slideB->slider : a == b;
+}
+} // namespace vr

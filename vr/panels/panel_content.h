@@ -1,0 +1,159 @@
+#pragma once
+
+#include "panel_layout.h"
+
+#include "../haptics.h"
+
+#include <QCoreApplication>
+#include <QList>
+
+#include <array>
+
+namespace vr
+{
+class PanelBuilder;
+
+// What panels show: values. Equal values have equal pictures, in one language.
+
+/// At the hand that does not sculpt.
+struct ToolPanel
+{
+    Q_DECLARE_TR_FUNCTIONS(vr::ToolPanel)
+
+public:
+    core::Tool tool = core::Tool::Pull;
+    core::BrushShape brush = core::BrushShape::Sphere;
+    core::Topology topology = core::Topology::Adaptive;
+    bool isSymmetric = false;
+    bool isInverse = false; ///< Pull pushes, Push pulls
+    bool canUndo = false, canRedo = false;
+    bool canRestore = true;
+    bool showsFiles = false, showsSettings = false; ///< those panels
+
+    bool operator==(const ToolPanel&) const = default;
+    PanelLayout layout() const;
+
+private:
+    static QString nameOf(core::Tool tool);
+};
+
+/// The paint colour by its channels, as in the paper's section 4.1, or from a swatch.
+struct ColorPanel
+{
+    Q_DECLARE_TR_FUNCTIONS(vr::ColorPanel)
+
+public:
+    static constexpr int mostSwatches = 12;
+
+    core::Rgb color;
+    int channel = 0; ///< that the thumb sets: 0 red, 1 green, 2 blue
+    QList<core::Rgb> swatches; ///< the first mostSwatches are shown
+
+    bool operator==(const ColorPanel&) const = default;
+    PanelLayout layout() const;
+
+private:
+    static QString nameOf(int channel);
+};
+
+struct FileTile
+{
+    QString path; ///< tells tiles apart
+    QString name; ///< as people know it
+    QImage picture; ///< null: not made yet
+    bool isBroken = false; ///< it cannot be read
+
+    /// The same picture, not an equal one.
+    bool operator==(const FileTile& other) const;
+};
+
+/// Models of a folder to open, and Save.
+struct FilesPanel
+{
+    Q_DECLARE_TR_FUNCTIONS(vr::FilesPanel)
+
+public:
+    static constexpr int columns = 3, tilesPerPage = 2 * columns;
+
+    QString folder; ///< its name, for people
+    QList<FileTile> files;
+    int page = 0;
+    QString chosen; ///< a path
+    bool hasUnsavedChanges = false; ///< which opening would lose
+    bool isBusy = false;            ///< saving or opening
+    QString saved; ///< what Save wrote last, for people
+
+    bool operator==(const FilesPanel&) const = default;
+    PanelLayout layout() const;
+    int pageCount() const;
+    /// After ShowPage or ChooseFile; others leave it as it is.
+    FilesPanel after(const PanelAction& action) const;
+
+private:
+    int shownPage() const;
+    QString status() const;
+    void addTiles(PanelBuilder& builder) const;
+    void addButtons(PanelBuilder& builder) const;
+};
+
+struct SettingsPanel
+{
+    Q_DECLARE_TR_FUNCTIONS(vr::SettingsPanel)
+
+public:
+    static constexpr double mostRaised = 0.4; ///< metres up or down
+
+    SettingsPage page = SettingsPage::General;
+    Preset preset = Preset::Paper;
+    Side sculpting = Side::Right;
+    double raised = 0; ///< metres that the model stands higher
+    bool showsPerformance = false;
+    std::array<double, sensationCount> levels{1, 1, 1, 1, 1, 1}; ///< 0 to 1, by Sensation
+
+    bool operator==(const SettingsPanel&) const = default;
+    PanelLayout layout() const;
+    /// After SettingsPage; others leave it as it is.
+    SettingsPanel after(const PanelAction& action) const;
+
+private:
+    static QString nameOf(Sensation sensation);
+    void addGeneral(PanelBuilder& builder) const;
+    void addFeel(PanelBuilder& builder) const;
+};
+
+/// Numbers, from time to time.
+struct PerformancePanel
+{
+    Q_DECLARE_TR_FUNCTIONS(vr::PerformancePanel)
+
+public:
+    static constexpr std::size_t phaseCount = 7;
+
+    int framesPerSecond = 0;
+    std::array<double, phaseCount> cpuMs{}; ///< by FramePhase
+    double totalMs = 0;
+    int dropped = 0;
+
+    bool operator==(const PerformancePanel&) const = default;
+    PanelLayout layout() const;
+
+private:
+    static QString nameOf(std::size_t phase);
+};
+
+/// One sentence.
+struct Notice
+{
+    QString text;
+
+    bool operator==(const Notice&) const = default;
+    PanelLayout layout() const;
+};
+/// Of a notice that was shown so many seconds ago: 0 before and after its time, which is long enough to read it.
+double noticeOpacity(const Notice& notice, double age);
+
+using PanelContent = std::variant<ToolPanel, ColorPanel, FilesPanel, SettingsPanel, PerformancePanel, Notice>; ///< by PanelKind
+
+PanelKind kindOf(const PanelContent& content);
+PanelLayout layoutOf(const PanelContent& content);
+} // namespace vr

@@ -1,0 +1,105 @@
+#include "panel_place.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace vr
+{
+namespace
+{
+using core::Vec3;
+
+constexpr double handReach = 0.07;  ///< metres from the palm along the wand: where it stands
+constexpr double handClear = 0.06;  ///< metres of air between the wand and its lower edge
+constexpr double farthestReach = 1.3; ///< metres
+constexpr double asideStep = 5 * std::numbers::pi / 180, mostAside = 75 * std::numbers::pi / 180;
+constexpr double nothing = 1e-9;
+
+/// Upright as far as it can be: seen from straight above, as the head is.
+Pose facing(const Vec3& middle, const Pose& head)
+{
+    const Vec3 z = (head.position - middle).normalized();
+    const double steepness = std::abs(z.y());
+    const Vec3 up = (1 - steepness) * Vec3::UnitY() + steepness * (head.rotation * Vec3::UnitY());
+    Vec3 x = up.cross(z);
+    if (x.norm() < nothing)
+        x = head.rotation * Vec3::UnitX();
+    x = (x - x.dot(z) * z).normalized();
+    Eigen::Matrix3d axes;
+    axes << x, z.cross(x), z;
+    return {Eigen::Quaterniond(axes), middle};
+}
+
+/// Where it looks, in the plan; a head that looks straight up or down looks where its top or its chin points.
+Vec3 heading(const Pose& head)
+{
+    const Vec3 forward = head.forward(), top = head.rotation * Vec3::UnitY();
+    const Vec3 wanted = std::abs(forward.y()) < 0.9 ? forward : forward.y() > 0 ? Vec3(-top) : top;
+    const Vec3 flat(wanted.x(), 0, wanted.z());
+    return flat.norm() < nothing ? Vec3(-Vec3::UnitZ()) : flat.normalized();
+}
+
+Pose ahead(const Pose& head, const AheadPlace& place, double aside)
+{
+    const Eigen::AngleAxisd turn(aside, Vec3::UnitY());
+    const Vec3 direction = turn * heading(head);
+    const Vec3 middle = head.position + place.distance * direction - place.below * Vec3::UnitY();
+    Eigen::Matrix3d axes;
+    axes << Vec3::UnitY().cross(-direction), Vec3::UnitY(), -direction;
+    return {Eigen::Quaterniond(axes), middle};
+}
+
+double distanceToSegment(const Vec3& point, const Vec3& from, const Vec3& to)
+{
+    const Vec3 along = to - from;
+    const double t = std::clamp((point - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    return (from + t * along - point).norm();
+}
+
+/// Neither in the sphere nor hidden by it: at the corners, the middles of the sides and the middle.
+bool isClear(const Pose& panel, const Pose& head, const AheadPlace& place)
+{
+    for (const double x : {-0.5, 0.0, 0.5})
+        for (const double y : {-0.5, 0.0, 0.5}) {
+            const Vec3 point = panel * Vec3(x * place.size.x(), y * place.size.y(), 0);
+            if (distanceToSegment(place.clear->center, head.position, point) < place.clear->radius)
+                return false;
+        }
+    return true;
+}
+} // namespace
+
+Pose placeAtHand(const Pose& grip, const Pose& head, const Eigen::Vector2d& size)
+{
+    const Vec3 foot = grip * Vec3(0, 0, -handReach);
+    const Vec3 up = facing(foot, head).rotation * Vec3::UnitY();
+    return facing(foot + (handClear + size.y() / 2) * up, head);
+}
+
+Pose placeAhead(const Pose& head, const AheadPlace& place)
+{
+    if (!place.clear)
+        return ahead(head, place, place.aside);
+    for (double more = 0; more <= mostAside; more += asideStep)
+        if (const Pose pose = ahead(head, place, place.aside + place.turnsTo * more); isClear(pose, head, place))
+            return pose;
+    return ahead(head, place, place.aside);
+}
+
+bool isOutOfReach(const Pose& panel, const Pose& head)
+{
+    return (panel.position - head.position).norm() > farthestReach;
+}
+
+std::optional<PlanePoint> meet(const core::Ray& ray, const Pose& panel)
+{
+    const Pose toPanel = panel.inverse();
+    const Vec3 from = toPanel * ray.origin, direction = toPanel.rotation * ray.direction.normalized();
+    if (from.z() <= 0 || direction.z() > -nothing)
+        return std::nullopt;
+    const double distance = -from.z() / direction.z();
+    const Vec3 at = from + distance * direction;
+    return PlanePoint{at.head<2>(), distance};
+}
+} // namespace vr

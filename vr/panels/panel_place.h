@@ -1,0 +1,41 @@
+#pragma once
+
+#include "../pose.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+
+namespace vr
+{
+// Where panels stand in the room. A panel's pose is that of its middle: +X to its right, +Y up, +Z towards who reads it. All pure.
+
+/// Above a hand and before it, facing the head; it goes with the hand. `size`: metres.
+Pose placeAtHand(const Pose& grip, const Pose& head, const Eigen::Vector2d& size);
+
+struct AheadPlace
+{
+    Eigen::Vector2d size{0.5, 0.4}; ///< metres
+    double distance = 0.6;          ///< metres from the head to its middle
+    double aside = 0;               ///< radians, to the left of where the head looks
+    double below = 0.05;            ///< metres, its middle below the eyes
+    /// Of the room: it keeps out of that, and out of what that hides, by standing farther aside.
+    std::optional<core::Sphere> clear;
+    double turnsTo = 1; ///< 1: aside is to the left, -1: to the right
+};
+
+/// Upright, ahead of the head or aside, turned to it about the vertical. It is placed once, and does not follow the head.
+Pose placeAhead(const Pose& head, const AheadPlace& place);
+
+/// Whether somebody has walked away from a panel that was placed ahead: it may be placed anew.
+bool isOutOfReach(const Pose& panel, const Pose& head);
+
+/// Where a ray meets a panel's plane.
+struct PlanePoint
+{
+    Eigen::Vector2d at; ///< metres from the panel's middle, x to the right, y up
+    double distance;    ///< metres along the ray
+};
+/// Nothing if it comes from behind, or leads away.
+std::optional<PlanePoint> meet(const core::Ray& ray, const Pose& panel);
+} // namespace vr

@@ -1,0 +1,123 @@
+#include "panel_pointer.h"
+
+#include "../wand_gestures.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vr
+{
+namespace
+{
+constexpr double ringSteps = 24; ///< so many pictures of a ring that fills
+
+bool isThere(PanelKind kind, std::span<const PlacedPanel> panels)
+{
+    return std::ranges::any_of(panels, [&](const PlacedPanel& panel) { return panel.layout->kind == kind; });
+}
+} // namespace
+
+PanelPointer::PressKind PanelPointer::kindOf(const PanelPart& part)
+{
+    return part.isSlider() ? PressKind::Slide : part.mustHold ? PressKind::Hold : PressKind::Click;
+}
+
+void PanelPointer::find(const core::Ray& ray, std::span<const PlacedPanel> panels)
+{
+    for (const PlacedPanel& panel : panels) {
+        const std::optional<PlanePoint> point = meet(ray, panel.pose);
+        const bool counts = point && (m_press ? panel.layout->kind == m_press->panel : panel.layout->contains(point->at));
+        if (counts && (!m_place || point->distance < m_place->point.distance))
+            m_place = Place{panel, *point};
+    }
+    const bool slides = m_press && m_press->kind == PressKind::Slide;
+    if (m_place && (slides || m_place->panel.layout->contains(m_place->point.at)))
+        m_spot = Spot{m_place->panel.layout->kind, ray.origin + m_place->point.distance * ray.direction.normalized()};
+}
+
+std::optional<PanelAction> PanelPointer::aim(const std::optional<core::Ray>& ray, double time, std::span<const PlacedPanel> panels)
+{
+    m_time = time;
+    m_place.reset();
+    m_spot.reset();
+    if (m_press && !isThere(m_press->panel, panels))
+        m_press.reset();
+    if (ray)
+        find(*ray, panels);
+    return keepPressing();
+}
+
+const PanelPart* PanelPointer::partUnder() const
+{
+    return m_place ? m_place->panel.layout->partAt(m_place->point.at) : nullptr;
+}
+
+bool PanelPointer::isOnPressed() const
+{
+    const PanelPart* part = partUnder();
+    return part && isSameItem(*part->action, m_press->item);
+}
+
+double PanelPointer::held() const
+{
+    return std::clamp((m_time - m_press->time) / holdSeconds, 0.0, 1.0);
+}
+
+std::optional<PanelAction> PanelPointer::slide()
+{
+    const PanelPart* part = m_place ? m_place->panel.layout->partFor(m_press->item) : nullptr;
+    if (!part || !part->isSlider())
+        return std::nullopt;
+    const PanelAction wanted = actionAt(*part, m_place->panel.layout->toPanel(m_place->point.at));
+    if (wanted == m_press->item)
+        return std::nullopt;
+    m_press->item = wanted;
+    return wanted;
+}
+
+std::optional<PanelAction> PanelPointer::keepPressing()
+{
+    if (!m_press || m_press->isOver || m_press->kind == PressKind::Click)
+        return std::nullopt;
+    if (m_press->kind == PressKind::Slide)
+        return slide();
+    const bool isOn = isOnPressed(), isLongEnough = held() >= 1;
+    m_press->isOver = !isOn || isLongEnough;
+    return isOn && isLongEnough ? std::optional(m_press->item) : std::nullopt;
+}
+
+std::optional<PanelAction> PanelPointer::press()
+{
+    const PanelPart* part = partUnder();
+    if (!part)
+        return std::nullopt;
+    m_press = Press{kindOf(*part), m_place->panel.layout->kind, *part->action, m_time};
+    return m_press->kind == PressKind::Slide ? slide() : std::nullopt;
+}
+
+std::optional<PanelAction> PanelPointer::release(bool isClick)
+{
+    const bool acts = m_press && isClick && m_press->kind == PressKind::Click && isOnPressed();
+    const std::optional<PanelAction> wanted = acts ? std::optional(m_press->item) : std::nullopt;
+    m_press.reset();
+    return wanted;
+}
+
+std::optional<PanelTouch> PanelPointer::pressedTouch() const
+{
+    if (m_press->kind == PressKind::Slide)
+        return PanelTouch{m_press->item, true};
+    if (!isOnPressed() || m_press->isOver)
+        return std::nullopt;
+    const double share = m_press->kind == PressKind::Hold ? std::round(held() * ringSteps) / ringSteps : 0;
+    return PanelTouch{m_press->item, true, share};
+}
+
+std::optional<PanelTouch> PanelPointer::touch(PanelKind kind) const
+{
+    if (m_press)
+        return m_press->panel == kind ? pressedTouch() : std::nullopt;
+    const PanelPart* part = partUnder();
+    return part && m_place->panel.layout->kind == kind ? std::optional(PanelTouch{*part->action}) : std::nullopt;
+}
+} // namespace vr

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "panel_painter.h"
+#include "panel_place.h"
+
+#include <memory>
+#include <span>
+
+namespace vr
+{
+/// A panel in the room, as it is seen.
+struct PlacedPanel
+{
+    Pose pose;
+    std::shared_ptr<const PanelLayout> layout; ///< never null
+};
+
+/// One wand that points at panels and presses their items. Pure: no clock but the frames' own.
+///
+/// A press acts when it is let go over the item on which it began. A slider follows it from the first moment on, also beyond its ends
+/// and the panel's edge. An item that must be held acts once, when it has been held for holdSeconds without leaving it. What began on
+/// one panel never acts on another, and a panel that goes away takes the press with it.
+class PanelPointer
+{
+public:
+    /// The nearest panel that it points at, from the front.
+    struct Spot
+    {
+        PanelKind kind;
+        core::Vec3 point; ///< room space
+    };
+
+    /// Once a frame, before press() and release(). No ray: the wand is lost. `time` in seconds. What a slider or a held item wants.
+    std::optional<PanelAction> aim(const std::optional<core::Ray>& ray, double time, std::span<const PlacedPanel> panels);
+    /// As vr::PressPanel and vr::ReleasePanel have it. A press elsewhere than on an item does nothing.
+    std::optional<PanelAction> press();
+    std::optional<PanelAction> release(bool isClick);
+
+    const std::optional<Spot>& spot() const { return m_spot; }
+    /// For its picture; nothing if it does nothing there.
+    std::optional<PanelTouch> touch(PanelKind kind) const;
+
+private:
+    /// On a panel's plane.
+    struct Place
+    {
+        PlacedPanel panel;
+        PlanePoint point;
+    };
+
+    enum class PressKind { Click, Slide, Hold };
+
+    struct Press
+    {
+        PressKind kind;
+        PanelKind panel;
+        PanelAction item;
+        double time;
+        bool isOver = false; ///< what must be held has acted, or was left
+    };
+
+    static PressKind kindOf(const PanelPart& part);
+    void find(const core::Ray& ray, std::span<const PlacedPanel> panels);
+    const PanelPart* partUnder() const;
+    bool isOnPressed() const;
+    double held() const;
+    std::optional<PanelAction> keepPressing();
+    std::optional<PanelAction> slide();
+    std::optional<PanelTouch> pressedTouch() const;
+
+    double m_time = 0;
+    std::optional<Place> m_place; ///< where it points; while it presses, on the plane of the panel that it presses
+    std::optional<Spot> m_spot;
+    std::optional<Press> m_press;
+};
+} // namespace vr

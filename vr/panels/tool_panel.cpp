@@ -1,0 +1,57 @@
+#include "panel_builder.h"
+#include "panel_content.h"
+#include "panel_theme.h"
+
+namespace vr
+{
+namespace
+{
+constexpr double width = 880, nameWidth = 210, toolHeight = 148, buttonHeight = 92, groupGap = 8, titleWidth = 300;
+constexpr double distance = 0.5; ///< metres; a hand that holds something up to be read
+constexpr std::array tools{core::Tool::Pull, core::Tool::Push, core::Tool::Flatten, core::Tool::Smooth, core::Tool::Paint};
+
+QString iconOf(core::Tool tool)
+{
+    const std::string_view name = core::name(tool);
+    return QString::fromLatin1(name.data(), static_cast<qsizetype>(name.size()));
+}
+} // namespace
+
+QString ToolPanel::nameOf(core::Tool tool)
+{
+    switch (tool) {
+    case core::Tool::Pull: return tr("Pull");
+    case core::Tool::Push: return tr("Push");
+    case core::Tool::Flatten: return tr("Flatten");
+    case core::Tool::Smooth: return tr("Smooth");
+    case core::Tool::Paint: return tr("Paint");
+    }
+    return {};
+}
+
+PanelLayout ToolPanel::layout() const
+{
+    using core::BrushShape, core::Topology;
+    PanelBuilder builder(PanelKind::Tools, width, distance);
+    builder.addTitle({tr("Tools"), isInverse ? tr("Pull and Push swapped") : QString(), titleWidth},
+                     {{{.icon = QStringLiteral("undo")}, PanelCommand::Undo, canUndo}, {{.icon = QStringLiteral("redo")}, PanelCommand::Redo, canRedo}});
+    const std::vector<QRectF> places = evenCells(builder.nextRow(toolHeight), tools.size());
+    for (std::size_t i = 0; i < tools.size(); ++i)
+        builder.add(places[i], {{.text = nameOf(tools[i]), .icon = iconOf(tools[i]), .isChosen = tools[i] == tool, .isUpright = true}, tools[i]});
+    builder.skip(groupGap);
+    builder.addChoice(tr("Brush"), nameWidth,
+                      {{tr("Sphere"), QStringLiteral("sphere"), BrushShape::Sphere, brush == BrushShape::Sphere},
+                       {tr("Ray"), QStringLiteral("ray"), BrushShape::Ray, brush == BrushShape::Ray}});
+    builder.addChoice(tr("Topology"), nameWidth,
+                      {{tr("Adaptive"), QStringLiteral("adaptive"), Topology::Adaptive, topology == Topology::Adaptive},
+                       {tr("Uniform"), QStringLiteral("uniform"), Topology::Uniform, topology == Topology::Uniform}});
+    builder.addSwitch(tr("Symmetry"), nameWidth, {isSymmetric ? tr("On") : tr("Off"), isSymmetric}, ChooseSymmetry{!isSymmetric});
+    builder.skip(groupGap);
+    const std::vector<QRectF> last = cells(builder.nextRow(buttonHeight), {0, 0, 290});
+    builder.add(last[0], {{.text = tr("Files"), .icon = QStringLiteral("files"), .isChosen = showsFiles}, ShowPanel{PanelKind::Files, !showsFiles}});
+    builder.add(last[1], {{.text = tr("Settings"), .icon = QStringLiteral("preferences"), .isChosen = showsSettings},
+                          ShowPanel{PanelKind::Settings, !showsSettings}});
+    builder.add(last[2], {{.text = tr("Hold to restore"), .icon = QStringLiteral("reset")}, PanelCommand::RestoreModel, canRestore, true});
+    return builder.finished();
+}
+} // namespace vr

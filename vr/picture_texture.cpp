@@ -1,0 +1,62 @@
+#include "picture_texture.h"
+
+#include <QImage>
+#include <QOpenGLContext>
+#include <QOpenGLExtraFunctions>
+
+#include <algorithm>
+
+namespace vr
+{
+namespace
+{
+// Of GL_EXT_texture_filter_anisotropic.
+constexpr unsigned int anisotropyName = 0x84FE, mostAnisotropyName = 0x84FF;
+constexpr float wantedAnisotropy = 8; ///< panels are seen aslant
+constexpr float sharper = -0.4F;      ///< levels of detail: text keeps its edges, and is still below what shimmers
+
+void setFilters(QOpenGLExtraFunctions* gl)
+{
+    gl->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    gl->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    gl->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl->glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_LOD_BIAS, sharper);
+    if (!QOpenGLContext::currentContext()->hasExtension("GL_EXT_texture_filter_anisotropic"))
+        return;
+    float most = 1;
+    gl->glGetFloatv(mostAnisotropyName, &most);
+    gl->glTexParameterf(GL_TEXTURE_2D, anisotropyName, std::min(most, wantedAnisotropy));
+}
+} // namespace
+
+void PictureTexture::create(QOpenGLExtraFunctions* gl)
+{
+    m_gl = gl;
+    m_gl->glGenTextures(1, &m_id);
+    m_gl->glBindTexture(GL_TEXTURE_2D, m_id);
+    setFilters(gl);
+    m_gl->glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+void PictureTexture::destroy()
+{
+    if (m_gl)
+        m_gl->glDeleteTextures(1, &m_id);
+    *this = {};
+}
+
+void PictureTexture::show(const QImage& picture)
+{
+    const QImage bytes = picture.convertToFormat(QImage::Format_RGBA8888_Premultiplied);
+    const int width = bytes.width(), height = bytes.height();
+    m_gl->glBindTexture(GL_TEXTURE_2D, m_id);
+    if (bytes.size() == m_size)
+        m_gl->glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, bytes.constBits());
+    else
+        m_gl->glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes.constBits());
+    m_gl->glGenerateMipmap(GL_TEXTURE_2D);
+    m_gl->glBindTexture(GL_TEXTURE_2D, 0);
+    m_size = bytes.size();
+}
+} // namespace vr

@@ -1,0 +1,130 @@
+#include "solid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace vr
+{
+namespace
+{
+constexpr double smoothCosine = 0.77; ///< faces that meet at less than 40 degrees are one surface
+constexpr int around = 32, rings = 16;
+
+core::Vec3 middleOf(const Solid::Loop& loop)
+{
+    return std::accumulate(loop.begin(), loop.end(), core::Vec3(0, 0, 0)) / static_cast<double>(loop.size());
+}
+
+std::array<std::int8_t, 4> packed(const core::Vec3& normal)
+{
+    const auto byte = [](double x) { return static_cast<std::int8_t>(std::lround(127 * x)); };
+    return {byte(normal.x()), byte(normal.y()), byte(normal.z()), 0};
+}
+
+/// The loop drawn towards its middle by that much.
+Solid::Loop inset(const Solid::Loop& loop, double by)
+{
+    const core::Vec3 middle = middleOf(loop);
+    Solid::Loop result;
+    for (const core::Vec3& point : loop) {
+        const core::Vec3 away = point - middle;
+        result.push_back(middle + away * std::max(0.0, 1 - by / away.norm()));
+    }
+    return result;
+}
+
+Solid::Loop atHeight(Solid::Loop loop, double height)
+{
+    for (core::Vec3& point : loop)
+        point.y() = height;
+    return loop;
+}
+} // namespace
+
+core::Slot Solid::put(const core::Vec3& point)
+{
+    m_points.push_back(point);
+    return static_cast<core::Slot>(m_points.size() - 1);
+}
+
+void Solid::loft(const std::vector<Loop>& loops)
+{
+    const auto count = static_cast<core::Slot>(loops.front().size());
+    const auto first = static_cast<core::Slot>(m_points.size());
+    for (const Loop& loop : loops)
+        m_points.insert(m_points.end(), loop.begin(), loop.end());
+    const core::Slot start = put(middleOf(loops.front())), end = put(middleOf(loops.back()));
+    const auto last = first + static_cast<core::Slot>(loops.size() - 1) * count;
+    for (core::Slot i = 0; i < count; ++i) {
+        const core::Slot next = (i + 1) % count;
+        m_faces.push_back({start, first + i, first + next});
+        m_faces.push_back({end, last + next, last + i});
+        for (core::Slot ring = first; ring < last; ring += count) {
+            m_faces.push_back({ring + i, ring + count + i, ring + count + next});
+            m_faces.push_back({ring + i, ring + count + next, ring + next});
+        }
+    }
+}
+
+void Solid::add(const Solid& other)
+{
+    const auto first = static_cast<core::Slot>(m_points.size());
+    m_points.insert(m_points.end(), other.m_points.begin(), other.m_points.end());
+    for (const core::Triangle& face : other.m_faces)
+        m_faces.push_back({first + face[0], first + face[1], first + face[2]});
+}
+
+core::DrawArrays Solid::drawArrays() const
+{
+    std::vector<core::Vec3> areas;
+    std::vector<std::vector<std::size_t>> facesAt(m_points.size());
+    for (std::size_t f = 0; f < m_faces.size(); ++f) {
+        const core::Triangle& face = m_faces[f];
+        const core::Vec3 a = m_points[face[0]];
+        areas.push_back((m_points[face[1]] - a).cross(m_points[face[2]] - a));
+        for (const core::Slot corner : face)
+            facesAt[corner].push_back(f);
+    }
+    core::DrawArrays arrays;
+    for (std::size_t f = 0; f < m_faces.size(); ++f) {
+        const auto at = static_cast<core::Slot>(arrays.vertices.size());
+        for (const core::Slot corner : m_faces[f]) {
+            core::Vec3 normal = core::Vec3::Zero();
+            for (const std::size_t other : facesAt[corner])
+                if (areas[f].dot(areas[other]) >= smoothCosine * areas[f].norm() * areas[other].norm())
+                    normal += areas[other];
+            arrays.vertices.push_back({m_points[corner].cast<float>(), packed(normal.normalized()), {255, 255, 255, 255}});
+        }
+        arrays.faces.push_back({at, at + 1, at + 2});
+    }
+    return arrays;
+}
+
+Solid ellipsoid(const core::Vec3& middle, const core::Vec3& half)
+{
+    std::vector<Solid::Loop> loops;
+    for (int ring = 1; ring < rings; ++ring) {
+        const double polar = std::numbers::pi * ring / rings;
+        Solid::Loop loop;
+        for (int i = 0; i < around; ++i) {
+            const double turn = 2 * std::numbers::pi * i / around;
+            const core::Vec3 unit(std::sin(polar) * std::cos(turn), std::sin(polar) * std::sin(turn), std::cos(polar));
+            loop.push_back(middle + half.cwiseProduct(unit));
+        }
+        loops.push_back(loop);
+    }
+    Solid solid;
+    solid.loft(loops);
+    return solid;
+}
+
+Solid plate(const Solid::Loop& outline, const PlateHeights& heights)
+{
+    Solid solid;
+    solid.loft({atHeight(inset(outline, heights.bevel), heights.top), atHeight(outline, heights.top - heights.bevel),
+                atHeight(outline, heights.bottom)});
+    return solid;
+}
+} // namespace vr

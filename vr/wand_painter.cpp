@@ -1,0 +1,74 @@
+#include "wand_painter.h"
+
+#include "light.h"
+
+namespace vr
+{
+namespace
+{
+constexpr float glow = 1.2F; ///< of a bead: it shines
+
+const core::Shading bodyLook{.tint = {0.052F, 0.055F, 0.062F}, .wrap = 0.25F, .gloss = 0.20F, .sharpness = 26, .rim = 0.30F};
+const core::Shading padLook{.tint = {0.105F, 0.110F, 0.120F}, .wrap = 0.30F, .gloss = 0.10F, .sharpness = 16, .rim = 0.20F};
+const core::Shading buttonLook{.tint = {0.200F, 0.208F, 0.222F}, .wrap = 0.30F, .gloss = 0.16F, .sharpness = 30, .rim = 0.24F};
+const core::Shading litLook{.tint = {0.13F, 0.38F, 0.86F}, .wrap = 0.90F, .gloss = 0.05F, .sharpness = 20, .rim = 0.10F};
+
+core::Shading beadLook(const std::optional<core::Rgb>& color)
+{
+    if (!color)
+        return buttonLook;
+    core::Shading look = litLook;
+    look.tint = glow * lightOf(*color);
+    return look;
+}
+
+core::Shading lookOf(WandPart part, const ShownWand& wand)
+{
+    if (wand.isLit[static_cast<std::size_t>(part)])
+        return litLook;
+    switch (part) {
+    case WandPart::Body:
+        return bodyLook;
+    case WandPart::PadUp:
+    case WandPart::PadDown:
+    case WandPart::PadLeft:
+    case WandPart::PadRight:
+    case WandPart::PadMiddle:
+        return padLook;
+    case WandPart::Tip:
+        return beadLook(wand.tip);
+    default:
+        return buttonLook;
+    }
+}
+} // namespace
+
+void WandPainter::create(QOpenGLExtraFunctions* gl, DrawClock* clock)
+{
+    m_clock = clock;
+    for (std::size_t part = 0; part < wandPartCount; ++part) {
+        m_parts[part].create(gl);
+        m_parts[part].apply(core::wholePatchOf(shapeOf(static_cast<WandPart>(part))));
+    }
+}
+
+void WandPainter::destroy()
+{
+    for (ClayBuffer& part : m_parts)
+        part.destroy();
+}
+
+void WandPainter::draw(const EyeFrame& eye, const ClayProgram& program, const ShownWand& wand)
+{
+    if (!wand.isShown)
+        return;
+    const Eigen::Affine3d grip = wand.grip.matrix();
+    for (std::size_t i = 0; i < wandPartCount; ++i) {
+        const auto part = static_cast<WandPart>(i);
+        const Eigen::Affine3d place = part == WandPart::Trigger ? grip * triggerTurn(wand.trigger) : grip;
+        program.place(eye, place.matrix().cast<float>());
+        program.shade(lookOf(part, wand));
+        m_clock->run([&] { m_parts[i].draw(); });
+    }
+}
+} // namespace vr

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "pose.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+
+namespace vr
+{
+enum class Side { Left, Right };
+inline constexpr std::size_t sideCount = 2;
+
+/// What one wand says in one frame. Poses: room space, at the frame's predicted display time.
+struct WandState
+{
+    bool isTracked = false; ///< the poses are of this frame, not of some time ago
+    Pose grip;              ///< the palm
+    Pose aim;               ///< where it points: -Z
+    bool isActive = false;  ///< the runtime gives us its buttons: it is there, and we have the focus; else all below is at rest
+    double trigger = 0;     ///< 0 to 1
+    Eigen::Vector2d pad = Eigen::Vector2d::Zero(); ///< -1 to 1; x right, y away from the hand
+    bool padTouched = false;
+    bool padPressed = false;
+    bool isStick = false; ///< the pad is a thumbstick: it springs back to the middle
+    bool side = false;    ///< squeezed, or a grip button
+    bool menu = false;
+};
+
+using Wands = std::array<WandState, sideCount>; ///< by Side
+} // namespace vr

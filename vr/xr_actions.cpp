@@ -1,0 +1,251 @@
+#include "xr_actions.h"
+
+#include "xr_convert.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vr
+{
+namespace
+{
+template <std::size_t N> void copyText(const QByteArray& text, char (&to)[N])
+{
+    std::strncpy(to, text.constData(), N - 1);
+}
+
+XrDuration nanoseconds(double seconds)
+{
+    return seconds > 0 ? static_cast<XrDuration>(std::llround(seconds * 1e9)) : XR_MIN_HAPTIC_DURATION;
+}
+
+const WandProfile* profileAt(const QString& path)
+{
+    const auto profiles = wandProfiles();
+    const auto found =
+        std::find_if(profiles.begin(), profiles.end(), [&](const WandProfile& one) { return path == QLatin1StringView(one.path); });
+    return found == profiles.end() ? nullptr : &*found;
+}
+} // namespace
+
+/// Set, actions, suggestions; then they are attached, and no more can be made.
+Actions::Actions(const Instance& instance, XrSession session) : m_instance(instance), m_session(session)
+{
+    for (std::size_t side = 0; side < sideCount; ++side)
+        m_hands[side].path = instance.path(handPaths[side]);
+    makeActions();
+    for (const WandProfile& profile : wandProfiles())
+        suggest(profile);
+    attach();
+    for (Hand& hand : m_hands) {
+        hand.grip = makeSpace(Control::Grip, hand.path);
+        hand.aim = makeSpace(Control::Aim, hand.path);
+    }
+}
+
+/// The runtime shows these names where people bind other parts of their wands. No two may be alike.
+QString Actions::nameOf(Control control)
+{
+    switch (control) {
+    case Control::Grip: return tr("Hand");
+    case Control::Aim: return tr("Pointing");
+    case Control::Trigger: return tr("Trigger");
+    case Control::Pad: return tr("Pad");
+    case Control::PadTouch: return tr("Pad touched");
+    case Control::PadPress: return tr("Pad pressed");
+    case Control::Side: return tr("Side button");
+    case Control::Menu: return tr("Menu button");
+    case Control::Pulse: return tr("Buzz");
+    }
+    return {};
+}
+
+void Actions::makeActions()
+{
+    XrActionSetCreateInfo setInfo{};
+    setInfo.type = XR_TYPE_ACTION_SET_CREATE_INFO;
+    copyText("sculpting", setInfo.actionSetName);
+    copyText(tr("Sculpting").toUtf8(), setInfo.localizedActionSetName);
+    XrActionSet set = XR_NULL_HANDLE;
+    check(xrCreateActionSet(m_instance.handle(), &setInfo, &set), "xrCreateActionSet");
+    m_set = ActionSetHandle(set);
+
+    const std::array<XrPath, sideCount> hands{m_hands[0].path, m_hands[1].path};
+    for (std::size_t control = 0; control < controlCount; ++control) {
+        XrActionCreateInfo info{};
+        info.type = XR_TYPE_ACTION_CREATE_INFO;
+        copyText(controlKinds[control].name, info.actionName);
+        copyText(nameOf(static_cast<Control>(control)).toUtf8(), info.localizedActionName);
+        info.actionType = controlKinds[control].type;
+        info.countSubactionPaths = static_cast<std::uint32_t>(hands.size());
+        info.subactionPaths = hands.data();
+        XrAction made = XR_NULL_HANDLE;
+        check(xrCreateAction(set, &info, &made), "xrCreateAction");
+        m_actions[control] = ActionHandle(made);
+    }
+}
+
+/// One call for each kind of wand: a runtime that refuses one may take the next.
+void Actions::suggest(const WandProfile& profile)
+{
+    std::vector<XrActionSuggestedBinding> bindings;
+    for (const Binding& binding : profile.bindings) {
+        const std::array<const char*, sideCount> parts{binding.left, binding.right};
+        for (std::size_t side = 0; side < sideCount; ++side)
+            if (parts[side])
+                bindings.push_back({action(binding.control), m_instance.path((std::string(handPaths[side]) + parts[side]).c_str())});
+    }
+    const XrInteractionProfileSuggestedBinding info{XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING, nullptr, m_instance.path(profile.path),
+                                                    static_cast<std::uint32_t>(bindings.size()), bindings.data()};
+    const XrResult result = xrSuggestInteractionProfileBindings(m_instance.handle(), &info);
+    if (XR_FAILED(result)) // if all is lost, the next call says so
+        m_refused << QLatin1StringView(profile.path) + QStringLiteral(": ") + resultName(result);
+}
+
+void Actions::attach()
+{
+    XrActionSet set = m_set.get();
+    const XrSessionActionSetsAttachInfo info{XR_TYPE_SESSION_ACTION_SETS_ATTACH_INFO, nullptr, 1, &set};
+    check(xrAttachSessionActionSets(m_session, &info), "xrAttachSessionActionSets");
+}
+
+SpaceHandle Actions::makeSpace(Control control, XrPath hand) const
+{
+    const XrActionSpaceCreateInfo info{XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, action(control), hand, toXr({})};
+    XrSpace made = XR_NULL_HANDLE;
+    check(xrCreateActionSpace(m_session, &info, &made), "xrCreateActionSpace");
+    return SpaceHandle(made);
+}
+
+Wands Actions::read(XrSpace room, XrTime time, bool hasFocus)
+{
+    const bool hasButtons = hasFocus && sync();
+    for (std::size_t side = 0; side < sideCount; ++side) {
+        WandState rest;
+        rest.grip = m_wands[side].grip;
+        rest.aim = m_wands[side].aim;
+        rest.isStick = m_hands[side].isStick;
+        m_wands[side] = rest;
+        readPoses(side, room, time);
+        if (hasButtons)
+            readButtons(side);
+    }
+    return m_wands;
+}
+
+/// Whether the runtime gave us the buttons: the focus may be gone since it was told.
+bool Actions::sync()
+{
+    const XrActiveActionSet active{m_set.get(), XR_NULL_PATH};
+    const XrActionsSyncInfo info{XR_TYPE_ACTIONS_SYNC_INFO, nullptr, 1, &active};
+    return check(xrSyncActions(m_session, &info), "xrSyncActions") != XR_SESSION_NOT_FOCUSED;
+}
+
+void Actions::readPoses(std::size_t side, XrSpace room, XrTime time)
+{
+    WandState& wand = m_wands[side];
+    const auto read = [&](const SpaceHandle& space, Pose& pose) {
+        XrSpaceLocation location{};
+        location.type = XR_TYPE_SPACE_LOCATION;
+        check(xrLocateSpace(space.get(), room, time, &location), "xrLocateSpace");
+        if (isValid(location.locationFlags))
+            pose = fromXr(location.pose);
+        return isTracked(location.locationFlags);
+    };
+    const bool hasGrip = read(m_hands[side].grip, wand.grip);
+    const bool hasAim = read(m_hands[side].aim, wand.aim);
+    wand.isTracked = hasGrip && hasAim;
+}
+
+XrActionStateGetInfo Actions::asking(Control control, std::size_t side) const
+{
+    return {XR_TYPE_ACTION_STATE_GET_INFO, nullptr, action(control), m_hands[side].path};
+}
+
+bool Actions::isPressed(Control control, std::size_t side) const
+{
+    const XrActionStateGetInfo info = asking(control, side);
+    XrActionStateBoolean state{};
+    state.type = XR_TYPE_ACTION_STATE_BOOLEAN;
+    check(xrGetActionStateBoolean(m_session, &info, &state), "xrGetActionStateBoolean");
+    return state.isActive && state.currentState;
+}
+
+void Actions::readButtons(std::size_t side)
+{
+    WandState& wand = m_wands[side];
+    const XrActionStateGetInfo aboutTrigger = asking(Control::Trigger, side), aboutPad = asking(Control::Pad, side);
+    XrActionStateFloat trigger{};
+    trigger.type = XR_TYPE_ACTION_STATE_FLOAT;
+    check(xrGetActionStateFloat(m_session, &aboutTrigger, &trigger), "xrGetActionStateFloat");
+    wand.isActive = trigger.isActive;
+    if (!wand.isActive)
+        return;
+    XrActionStateVector2f pad{};
+    pad.type = XR_TYPE_ACTION_STATE_VECTOR2F;
+    check(xrGetActionStateVector2f(m_session, &aboutPad, &pad), "xrGetActionStateVector2f");
+    wand.trigger = trigger.currentState;
+    if (pad.isActive)
+        wand.pad = {pad.currentState.x, pad.currentState.y};
+    wand.padTouched = isPressed(Control::PadTouch, side);
+    wand.padPressed = isPressed(Control::PadPress, side);
+    wand.side = isPressed(Control::Side, side);
+    wand.menu = isPressed(Control::Menu, side);
+}
+
+void Actions::pulse(const HapticPulse& pulse)
+{
+    XrHapticVibration vibration{};
+    vibration.type = XR_TYPE_HAPTIC_VIBRATION;
+    vibration.duration = nanoseconds(pulse.seconds);
+    vibration.frequency = pulse.frequency > 0 ? static_cast<float>(pulse.frequency) : XR_FREQUENCY_UNSPECIFIED;
+    vibration.amplitude = static_cast<float>(std::clamp(pulse.amplitude, 0.0, 1.0));
+    const XrHapticActionInfo info{XR_TYPE_HAPTIC_ACTION_INFO, nullptr, action(Control::Pulse),
+                                  m_hands[static_cast<std::size_t>(pulse.side)].path};
+    check(xrApplyHapticFeedback(m_session, &info, reinterpret_cast<const XrHapticBaseHeader*>(&vibration)), "xrApplyHapticFeedback");
+}
+
+void Actions::refreshKinds()
+{
+    for (std::size_t side = 0; side < sideCount; ++side)
+        m_kinds[side] = kindOf(side);
+}
+
+WandKind Actions::kindOf(std::size_t side)
+{
+    XrInteractionProfileState state{};
+    state.type = XR_TYPE_INTERACTION_PROFILE_STATE;
+    check(xrGetCurrentInteractionProfile(m_session, m_hands[side].path, &state), "xrGetCurrentInteractionProfile");
+    WandKind kind;
+    kind.profile = QString::fromStdString(m_instance.text(state.interactionProfile));
+    const WandProfile* profile = profileAt(kind.profile);
+    m_hands[side].isStick = profile && profile->isStick;
+    kind.trigger = partName(Control::Trigger, side);
+    kind.pad = partName(Control::Pad, side);
+    kind.side = partName(Control::Side, side);
+    kind.menu = partName(Control::Menu, side);
+    return kind;
+}
+
+/// Of the first part of that hand that is bound to it. A name that is not to be had ends no session.
+QString Actions::partName(Control control, std::size_t side) const
+try {
+    const XrBoundSourcesForActionEnumerateInfo about{XR_TYPE_BOUND_SOURCES_FOR_ACTION_ENUMERATE_INFO, nullptr, action(control)};
+    const auto sources = listed("xrEnumerateBoundSourcesForAction", XrPath{}, [&](auto capacity, auto* count, auto* items) {
+        return xrEnumerateBoundSourcesForAction(m_session, &about, capacity, count, items);
+    });
+    for (const XrPath source : sources) {
+        if (!m_instance.text(source).starts_with(handPaths[side]))
+            continue;
+        const XrInputSourceLocalizedNameGetInfo info{XR_TYPE_INPUT_SOURCE_LOCALIZED_NAME_GET_INFO, nullptr, source,
+                                                     XR_INPUT_SOURCE_LOCALIZED_NAME_COMPONENT_BIT};
+        const auto letters = listed("xrGetInputSourceLocalizedName", char{}, [&](auto capacity, auto* count, auto* items) {
+            return xrGetInputSourceLocalizedName(m_session, &info, capacity, count, items);
+        });
+        return QString::fromUtf8(letters.data(), static_cast<qsizetype>(strnlen(letters.data(), letters.size())));
+    }
+    return {};
+} catch (const XrError&) {
+    return {};
+}
+} // namespace vr

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "haptic_pulse.h"
+#include "wand_kind.h"
+#include "wand_state.h"
+#include "xr_bindings.h"
+#include "xr_instance.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace vr
+{
+/// The wands: poses and buttons in, pulses out. One for each session, made before it begins. Members throw XrError.
+class Actions
+{
+    Q_DECLARE_TR_FUNCTIONS(vr::Actions)
+
+public:
+    Actions(const Instance& instance, XrSession session);
+
+    /// At that time in that space. Without the focus buttons are at rest, and not asked about; a pose that is not known stays what it was.
+    Wands read(XrSpace room, XrTime time, bool hasFocus);
+
+    /// Only with the focus; else it is not felt.
+    void pulse(const HapticPulse& pulse);
+
+    /// To be called when the runtime says that a wand is of another kind, and once when the focus is new.
+    void refreshKinds();
+    const WandKinds& kinds() const { return m_kinds; }
+
+    /// Kinds of wands that the runtime does not take, with its result's name.
+    const QStringList& refusedProfiles() const { return m_refused; }
+
+private:
+    struct Hand
+    {
+        XrPath path = XR_NULL_PATH;
+        SpaceHandle grip, aim;
+        bool isStick = false;
+    };
+
+    static QString nameOf(Control control);
+    void makeActions();
+    void suggest(const WandProfile& profile);
+    void attach();
+    SpaceHandle makeSpace(Control control, XrPath hand) const;
+    bool sync();
+    void readPoses(std::size_t side, XrSpace room, XrTime time);
+    void readButtons(std::size_t side);
+    XrActionStateGetInfo asking(Control control, std::size_t side) const;
+    bool isPressed(Control control, std::size_t side) const;
+    WandKind kindOf(std::size_t side);
+    QString partName(Control control, std::size_t side) const;
+    XrAction action(Control control) const { return m_actions[static_cast<std::size_t>(control)].get(); }
+
+    const Instance& m_instance;
+    XrSession m_session;
+    ActionSetHandle m_set;
+    std::array<ActionHandle, controlCount> m_actions; ///< by Control
+    std::array<Hand, sideCount> m_hands;              ///< by Side
+    Wands m_wands;
+    WandKinds m_kinds;
+    QStringList m_refused;
+};
+} // namespace vr

@@ -1,0 +1,83 @@
+// The paths are of section 6.4 of the OpenXR specification, "Interaction Profile Paths".
+#include "xr_bindings.h"
+
+namespace vr
+{
+namespace
+{
+constexpr Binding grip{Control::Grip, "/input/grip/pose"};
+constexpr Binding aim{Control::Aim, "/input/aim/pose"};
+constexpr Binding pulse{Control::Pulse, "/output/haptic"};
+
+constexpr Binding vive[]{
+    grip,
+    aim,
+    {Control::Trigger, "/input/trigger/value"},
+    {Control::Pad, "/input/trackpad"},
+    {Control::PadTouch, "/input/trackpad/touch"},
+    {Control::PadPress, "/input/trackpad/click"},
+    {Control::Side, "/input/squeeze/click"},
+    {Control::Menu, "/input/menu/click"},
+    pulse,
+};
+
+/// Its grip feels each finger: only force is meant. It has no menu button for us.
+constexpr Binding index[]{
+    grip,
+    aim,
+    {Control::Trigger, "/input/trigger/value"},
+    {Control::Pad, "/input/thumbstick"},
+    {Control::PadTouch, "/input/thumbstick/touch"},
+    {Control::PadPress, "/input/thumbstick/click"},
+    {Control::Side, "/input/squeeze/force"},
+    {Control::Menu, "/input/b/click"},
+    pulse,
+};
+
+/// Its menu button is on the left only; Y and B are at the same place in both hands.
+constexpr Binding touch[]{
+    grip,
+    aim,
+    {Control::Trigger, "/input/trigger/value"},
+    {Control::Pad, "/input/thumbstick"},
+    {Control::PadTouch, "/input/thumbstick/touch"},
+    {Control::PadPress, "/input/thumbstick/click"},
+    {Control::Side, "/input/squeeze/value"},
+    {Control::Menu, "/input/y/click", "/input/b/click"},
+    pulse,
+};
+
+constexpr Binding motion[]{
+    grip,
+    aim,
+    {Control::Trigger, "/input/trigger/value"},
+    {Control::Pad, "/input/trackpad"},
+    {Control::PadTouch, "/input/trackpad/touch"},
+    {Control::PadPress, "/input/trackpad/click"},
+    {Control::Side, "/input/squeeze/click"},
+    {Control::Menu, "/input/menu/click"},
+    pulse,
+};
+
+constexpr Binding simple[]{
+    grip,
+    aim,
+    {Control::Trigger, "/input/select/click"},
+    {Control::Menu, "/input/menu/click"},
+    pulse,
+};
+
+constexpr WandProfile profiles[]{
+    {"/interaction_profiles/htc/vive_controller", false, vive},
+    {"/interaction_profiles/valve/index_controller", true, index},
+    {"/interaction_profiles/oculus/touch_controller", true, touch},
+    {"/interaction_profiles/microsoft/motion_controller", false, motion},
+    {"/interaction_profiles/khr/simple_controller", false, simple},
+};
+} // namespace
+
+std::span<const WandProfile> wandProfiles()
+{
+    return profiles;
+}
+} // namespace vr

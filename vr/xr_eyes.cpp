@@ -1,0 +1,98 @@
+#include "xr_eyes.h"
+
+#include "xr_convert.h"
+
+namespace vr
+{
+namespace
+{
+/// Metres: nearer than a wand before the face, farther than any floor.
+constexpr float nearPlane = 0.03F;
+constexpr float farPlane = 60;
+
+constexpr XrView unknownView{XR_TYPE_VIEW, nullptr, {{0, 0, 0, 1}, {0, 0, 0}}, {}};
+
+/// Gives an image back.
+class Acquired
+{
+public:
+    explicit Acquired(Swapchain& from) : m_from(from), m_texture(from.acquire()) {}
+    ~Acquired()
+    {
+        if (m_isHeld)
+            xrReleaseSwapchainImage(m_from.handle(), nullptr); // something else has gone wrong: that is what people are told
+    }
+    Acquired(const Acquired&) = delete;
+    Acquired& operator=(const Acquired&) = delete;
+
+    unsigned int texture() const { return m_texture; }
+    void release()
+    {
+        m_isHeld = false;
+        m_from.release();
+    }
+
+private:
+    Swapchain& m_from;
+    unsigned int m_texture;
+    bool m_isHeld = true;
+};
+} // namespace
+
+Eyes::Eyes(const Session& session)
+    : m_session(session.handle())
+    , m_viewConfiguration(session.viewConfiguration())
+    , m_format(session.imageFormat())
+    , m_views(session.imageSizes().size(), unknownView)
+{
+    for (const ImageSize& size : session.imageSizes())
+        m_swapchains.emplace_back(m_session, session.imageFormat(), size);
+}
+
+bool Eyes::locate(XrSpace room, XrTime time)
+{
+    m_pictures.clear();
+    const XrViewLocateInfo info{XR_TYPE_VIEW_LOCATE_INFO, nullptr, m_viewConfiguration, time, room};
+    XrViewState state{};
+    state.type = XR_TYPE_VIEW_STATE;
+    std::vector<XrView> views(count(), unknownView);
+    std::uint32_t located = 0;
+    check(xrLocateViews(m_session, &info, &state, static_cast<std::uint32_t>(views.size()), &located, views.data()), "xrLocateViews");
+    const bool hasPlace = (state.viewStateFlags & XR_VIEW_STATE_POSITION_VALID_BIT) != 0;
+    if (located != count() || (state.viewStateFlags & XR_VIEW_STATE_ORIENTATION_VALID_BIT) == 0)
+        return false;
+    for (std::size_t eye = 0; eye < count(); ++eye) {
+        if (!hasPlace)
+            views[eye].pose.position = m_views[eye].pose.position;
+        m_views[eye] = views[eye];
+    }
+    m_isKnown = m_isKnown || hasPlace;
+    return m_isKnown;
+}
+
+void Eyes::draw(std::size_t eye, const std::function<void(const EyeImage&, const EyeView&)>& draw)
+{
+    Swapchain& swapchain = m_swapchains[eye];
+    Acquired image(swapchain);
+    const ImageSize& size = swapchain.size();
+    draw({image.texture(), static_cast<unsigned int>(m_format.name), size.width, size.height}, viewOf(eye));
+    image.release();
+    m_pictures.push_back({XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW,
+                          nullptr,
+                          m_views[eye].pose,
+                          m_views[eye].fov,
+                          {swapchain.handle(), {{0, 0}, {size.width, size.height}}, 0}});
+}
+
+EyeView Eyes::viewOf(std::size_t eye) const
+{
+    const Pose pose = fromXr(m_views[eye].pose).inverse();
+    EyeView view;
+    view.width = m_swapchains[eye].size().width;
+    view.height = m_swapchains[eye].size().height;
+    view.isSrgb = m_format.isSrgb;
+    view.projection = projectionOf(m_views[eye].fov, nearPlane, farPlane);
+    view.view = Eigen::Isometry3f(pose.matrix().cast<float>().matrix());
+    return view;
+}
+} // namespace vr

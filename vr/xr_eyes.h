@@ -1,0 +1,38 @@
+#pragma once
+
+#include "eye.h"
+#include "xr_session.h"
+
+#include <functional>
+
+namespace vr
+{
+/// What each eye is shown: one, or two, left before right. Members throw XrError; the session's context is current.
+class Eyes
+{
+public:
+    explicit Eyes(const Session& session);
+
+    std::size_t count() const { return m_swapchains.size(); }
+
+    /// Where the eyes will be; false while that is not known, and nothing can be shown. What is lost of them for a while stays where it was.
+    bool locate(XrSpace room, XrTime time);
+
+    /// To be called for each, once between locate() and the frame's end; `draw` fills the image. It is given back whatever happens.
+    void draw(std::size_t eye, const std::function<void(const EyeImage&, const EyeView&)>& draw);
+
+    /// What was drawn, for Frame::show(), until the next locate().
+    std::span<const XrCompositionLayerProjectionView> pictures() const { return m_pictures; }
+
+private:
+    EyeView viewOf(std::size_t eye) const;
+
+    XrSession m_session;
+    XrViewConfigurationType m_viewConfiguration;
+    ImageFormat m_format;
+    bool m_isKnown = false; ///< the places are, from now or from before
+    std::vector<Swapchain> m_swapchains;
+    std::vector<XrView> m_views;
+    std::vector<XrCompositionLayerProjectionView> m_pictures;
+};
+} // namespace vr

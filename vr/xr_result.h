@@ -1,0 +1,51 @@
+#pragma once
+
+#include <QString>
+
+#include <openxr/openxr.h>
+
+#include <cstdint>
+#include <stdexcept>
+#include <vector>
+
+namespace vr
+{
+/// "XR_ERROR_INSTANCE_LOST"; needs no instance. "XrResult -7" for those that the headers do not know.
+QString resultName(XrResult result);
+
+/// A call that OpenXR refused. An exception, because each call of a session may be refused at each moment, all of that ends the
+/// session, and one place catches it. What people meet every day, no runtime and no headset, is a value: HeadsetStatus.
+class XrError : public std::runtime_error
+{
+public:
+    XrError(const char* call, XrResult result);
+
+    XrResult result() const { return m_result; }
+    /// "xrCreateSession: XR_ERROR_RUNTIME_FAILURE"
+    QString text() const { return QString::fromUtf8(what()); }
+
+private:
+    XrResult m_result;
+};
+
+/// Throws XrError if the result is an error; `call` is the function's name.
+XrResult check(XrResult result, const char* call);
+
+/// What a function of the two-call idiom lists; ask(capacity, count, items). `blank` has type and next filled in. Throws XrError.
+template <class Item, class Ask> std::vector<Item> listed(const char* call, const Item& blank, Ask ask)
+{
+    for (;;) {
+        std::uint32_t count = 0;
+        check(ask(0U, &count, static_cast<Item*>(nullptr)), call);
+        std::vector<Item> items(count, blank);
+        if (count == 0)
+            return items;
+        const XrResult result = ask(count, &count, items.data());
+        if (result == XR_ERROR_SIZE_INSUFFICIENT)
+            continue; // there are more since
+        check(result, call);
+        items.resize(count);
+        return items;
+    }
+}
+} // namespace vr

@@ -1,0 +1,137 @@
+#include "xr_session.h"
+
+#define XR_USE_GRAPHICS_API_OPENGL
+#include <openxr/openxr_platform.h>
+
+#include <algorithm>
+
+namespace vr
+{
+namespace
+{
+/// Two eyes, or else one.
+XrViewConfigurationType viewConfigurationOf(const Instance& instance)
+{
+    const auto offered =
+        listed("xrEnumerateViewConfigurations", XrViewConfigurationType{}, [&](auto capacity, auto* count, auto* items) {
+            return xrEnumerateViewConfigurations(instance.handle(), instance.system(), capacity, count, items);
+        });
+    for (const auto type : {XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_MONO})
+        if (std::find(offered.begin(), offered.end(), type) != offered.end())
+            return type;
+    throw XrError("xrEnumerateViewConfigurations", XR_ERROR_VIEW_CONFIGURATION_TYPE_UNSUPPORTED);
+}
+
+/// Opaque, unless the headset can only show the real room behind the picture.
+XrEnvironmentBlendMode blendModeOf(const Instance& instance, XrViewConfigurationType type)
+{
+    const auto offered =
+        listed("xrEnumerateEnvironmentBlendModes", XrEnvironmentBlendMode{}, [&](auto capacity, auto* count, auto* items) {
+            return xrEnumerateEnvironmentBlendModes(instance.handle(), instance.system(), type, capacity, count, items);
+        });
+    const bool hasOpaque = std::find(offered.begin(), offered.end(), XR_ENVIRONMENT_BLEND_MODE_OPAQUE) != offered.end();
+    return hasOpaque || offered.empty() ? XR_ENVIRONMENT_BLEND_MODE_OPAQUE : offered.front();
+}
+
+std::vector<ImageSize> imageSizesOf(const Instance& instance, XrViewConfigurationType type)
+{
+    XrViewConfigurationView blank{};
+    blank.type = XR_TYPE_VIEW_CONFIGURATION_VIEW;
+    const auto views = listed("xrEnumerateViewConfigurationViews", blank, [&](auto capacity, auto* count, auto* items) {
+        return xrEnumerateViewConfigurationViews(instance.handle(), instance.system(), type, capacity, count, items);
+    });
+    std::vector<ImageSize> sizes;
+    for (const XrViewConfigurationView& view : views)
+        sizes.push_back({static_cast<int>(view.recommendedImageRectWidth), static_cast<int>(view.recommendedImageRectHeight)});
+    return sizes;
+}
+
+/// OpenXR wants to be asked before a session is made; what it answers is for people who choose a driver.
+void askRequirements(const Instance& instance)
+{
+    XrGraphicsRequirementsOpenGLKHR requirements{};
+    requirements.type = XR_TYPE_GRAPHICS_REQUIREMENTS_OPENGL_KHR;
+    check(instance.function<PFN_xrGetOpenGLGraphicsRequirementsKHR>("xrGetOpenGLGraphicsRequirementsKHR")(
+              instance.handle(), instance.system(), &requirements),
+          "xrGetOpenGLGraphicsRequirementsKHR");
+}
+
+SessionHandle makeSession(const Instance& instance, const GlBinding& binding)
+{
+    askRequirements(instance);
+    const XrSessionCreateInfo info{XR_TYPE_SESSION_CREATE_INFO, binding.next(), 0, instance.system()};
+    XrSession made = XR_NULL_HANDLE;
+    check(xrCreateSession(instance.handle(), &info, &made), "xrCreateSession");
+    return SessionHandle(made);
+}
+
+ImageFormat imageFormatOf(XrSession session)
+{
+    const auto offered = listed("xrEnumerateSwapchainFormats", std::int64_t{}, [&](auto capacity, auto* count, auto* items) {
+        return xrEnumerateSwapchainFormats(session, capacity, count, items);
+    });
+    if (const auto best = bestFormat(offered))
+        return *best;
+    throw XrError("xrEnumerateSwapchainFormats", XR_ERROR_SWAPCHAIN_FORMAT_UNSUPPORTED);
+}
+} // namespace
+
+Session::Session(const Instance& instance, const GlBinding& binding)
+    : m_viewConfiguration(viewConfigurationOf(instance))
+    , m_blendMode(blendModeOf(instance, m_viewConfiguration))
+    , m_imageSizes(imageSizesOf(instance, m_viewConfiguration))
+    , m_handle(makeSession(instance, binding))
+    , m_imageFormat(imageFormatOf(handle()))
+{
+}
+
+void Session::begin()
+{
+    const XrSessionBeginInfo info{XR_TYPE_SESSION_BEGIN_INFO, nullptr, m_viewConfiguration};
+    check(xrBeginSession(handle(), &info), "xrBeginSession");
+}
+
+void Session::end()
+{
+    check(xrEndSession(handle()), "xrEndSession");
+}
+
+void Session::requestExit()
+{
+    check(xrRequestExitSession(handle()), "xrRequestExitSession");
+}
+
+FrameTime Session::waitFrame()
+{
+    XrFrameState state{};
+    state.type = XR_TYPE_FRAME_STATE;
+    check(xrWaitFrame(handle(), nullptr, &state), "xrWaitFrame");
+    return {state.predictedDisplayTime, state.predictedDisplayPeriod, state.shouldRender == XR_TRUE};
+}
+
+Frame::Frame(Session& session, const FrameTime& time) : m_session(session), m_display(time.display)
+{
+    check(xrBeginFrame(session.handle(), nullptr), "xrBeginFrame");
+}
+
+Frame::~Frame()
+{
+    if (m_isEnded)
+        return;
+    const XrFrameEndInfo info{XR_TYPE_FRAME_END_INFO, nullptr, m_display, m_session.m_blendMode, 0, nullptr};
+    xrEndFrame(m_session.handle(), &info); // something else has gone wrong: that is what people are told
+}
+
+void Frame::show(XrSpace space, std::span<const XrCompositionLayerProjectionView> views)
+{
+    XrCompositionLayerProjection picture{};
+    picture.type = XR_TYPE_COMPOSITION_LAYER_PROJECTION;
+    picture.space = space;
+    picture.viewCount = static_cast<std::uint32_t>(views.size());
+    picture.views = views.data();
+    const auto* layer = reinterpret_cast<const XrCompositionLayerBaseHeader*>(&picture);
+    const XrFrameEndInfo info{XR_TYPE_FRAME_END_INFO, nullptr, m_display, m_session.m_blendMode, views.empty() ? 0U : 1U, &layer};
+    m_isEnded = true;
+    check(xrEndFrame(m_session.handle(), &info), "xrEndFrame");
+}
+} // namespace vr

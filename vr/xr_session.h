@@ -1,0 +1,68 @@
+#pragma once
+
+#include "gl_binding.h"
+#include "xr_handle.h"
+#include "xr_instance.h"
+#include "xr_swapchain.h"
+
+#include <span>
+#include <vector>
+
+namespace vr
+{
+/// What the runtime says of the frame that is to be made.
+struct FrameTime
+{
+    XrTime display = 0;      ///< when it will be seen
+    XrDuration period = 0;   ///< from one frame to the next
+    bool shouldRender = false;
+};
+
+/// A session with one headset, and what the runtime wants to be given for it. Members throw XrError; the context that the binding tells of is
+/// current whenever one of them is called.
+class Session
+{
+public:
+    Session(const Instance& instance, const GlBinding& binding);
+
+    XrSession handle() const { return m_handle.get(); }
+    /// One for each view, as the runtime recommends; it may do otherwise in the next session.
+    const std::vector<ImageSize>& imageSizes() const { return m_imageSizes; }
+    const ImageFormat& imageFormat() const { return m_imageFormat; }
+    XrViewConfigurationType viewConfiguration() const { return m_viewConfiguration; }
+
+    void begin();
+    void end();
+    void requestExit();
+
+    /// Blocks until the runtime wants a frame.
+    FrameTime waitFrame();
+
+private:
+    friend class Frame;
+
+    XrViewConfigurationType m_viewConfiguration;
+    XrEnvironmentBlendMode m_blendMode;
+    std::vector<ImageSize> m_imageSizes;
+    SessionHandle m_handle;
+    ImageFormat m_imageFormat;
+};
+
+/// A frame that is begun, and is ended whatever happens: by show(), or without a picture when this goes.
+class Frame
+{
+public:
+    Frame(Session& session, const FrameTime& time);
+    ~Frame();
+    Frame(const Frame&) = delete;
+    Frame& operator=(const Frame&) = delete;
+
+    /// No views: no picture.
+    void show(XrSpace space, std::span<const XrCompositionLayerProjectionView> views);
+
+private:
+    Session& m_session;
+    XrTime m_display;
+    bool m_isEnded = false;
+};
+} // namespace vr

@@ -1,0 +1,90 @@
+#include "xr_spaces.h"
+
+#include "xr_convert.h"
+#include "xr_result.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace vr
+{
+namespace
+{
+/// From the floor to the eyes of a person who stands or sits high.
+constexpr double eyeHeight = 1.5;
+
+SpaceHandle makeSpace(XrSession session, XrReferenceSpaceType type, const Pose& pose)
+{
+    const XrReferenceSpaceCreateInfo info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, type, toXr(pose)};
+    XrSpace made = XR_NULL_HANDLE;
+    check(xrCreateReferenceSpace(session, &info, &made), "xrCreateReferenceSpace");
+    return SpaceHandle(made);
+}
+
+XrReferenceSpaceType typeOfRoom(XrSession session)
+{
+    const auto offered = listed("xrEnumerateReferenceSpaces", XrReferenceSpaceType{}, [&](auto capacity, auto* count, auto* items) {
+        return xrEnumerateReferenceSpaces(session, capacity, count, items);
+    });
+    const bool hasStage = std::find(offered.begin(), offered.end(), XR_REFERENCE_SPACE_TYPE_STAGE) != offered.end();
+    return hasStage ? XR_REFERENCE_SPACE_TYPE_STAGE : XR_REFERENCE_SPACE_TYPE_LOCAL;
+}
+
+/// Of the room in the runtime's space before anybody has recentred.
+Pose firstBase(XrReferenceSpaceType type)
+{
+    Pose base;
+    if (type == XR_REFERENCE_SPACE_TYPE_LOCAL)
+        base.position.y() = -eyeHeight;
+    return base;
+}
+} // namespace
+
+Spaces::Spaces(XrSession session)
+    : m_session(session)
+    , m_type(typeOfRoom(session))
+    , m_base(firstBase(m_type))
+    , m_room(makeSpace(session, m_type, m_base))
+    , m_view(makeSpace(session, XR_REFERENCE_SPACE_TYPE_VIEW, {}))
+{
+}
+
+std::optional<Pose> Spaces::head(XrTime time)
+{
+    XrSpaceLocation location{};
+    location.type = XR_TYPE_SPACE_LOCATION;
+    check(xrLocateSpace(m_view.get(), room(), time, &location), "xrLocateSpace");
+    if (isValid(location.locationFlags))
+        m_head = fromXr(location.pose);
+    else if (m_head && (location.locationFlags & XR_SPACE_LOCATION_ORIENTATION_VALID_BIT) != 0)
+        m_head->rotation = fromXr(location.pose).rotation;
+    return m_head;
+}
+
+void Spaces::noteChange(const XrEventDataReferenceSpaceChangePending& event)
+{
+    if (event.session == m_session && event.referenceSpaceType == m_type)
+        m_changes.push_back(event.changeTime);
+}
+
+bool Spaces::advance(XrTime time)
+{
+    const bool isChanged = std::erase_if(m_changes, [&](XrTime change) { return change <= time; }) > 0;
+    if (isChanged)
+        m_nextBase = firstBase(m_type);
+    if (!m_nextBase)
+        return false;
+    m_base = *std::exchange(m_nextBase, std::nullopt);
+    m_room = makeSpace(m_session, m_type, m_base);
+    m_head.reset(); // it was in the old one
+    return true;
+}
+
+void Spaces::recentre(const Pose& head)
+{
+    Pose level = levelBelow(head);
+    if (m_type == XR_REFERENCE_SPACE_TYPE_LOCAL)
+        level.position.y() = head.position.y() - eyeHeight;
+    m_nextBase = m_base * level;
+}
+} // namespace vr

@@ -1,0 +1,70 @@
+#include "xr_swapchain.h"
+
+#include "xr_result.h"
+
+#include <qopengl.h>
+
+#define XR_USE_GRAPHICS_API_OPENGL
+#include <openxr/openxr_platform.h>
+
+#include <algorithm>
+
+namespace vr
+{
+namespace
+{
+/// OpenXR takes what is in a format without sRGB for linear light: eight bits of that show bands in the dark, so it is the last.
+constexpr ImageFormat formats[] = {{GL_SRGB8_ALPHA8, true}, {GL_RGBA16F, false}, {GL_RGB10_A2, false}, {GL_RGBA8, false}};
+
+SwapchainHandle makeSwapchain(XrSession session, const ImageFormat& format, const ImageSize& size)
+{
+    XrSwapchainCreateInfo info{};
+    info.type = XR_TYPE_SWAPCHAIN_CREATE_INFO;
+    info.usageFlags = XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT | XR_SWAPCHAIN_USAGE_SAMPLED_BIT;
+    info.format = format.name;
+    info.sampleCount = 1;
+    info.width = static_cast<std::uint32_t>(size.width);
+    info.height = static_cast<std::uint32_t>(size.height);
+    info.faceCount = 1;
+    info.arraySize = 1;
+    info.mipCount = 1;
+    XrSwapchain made = XR_NULL_HANDLE;
+    check(xrCreateSwapchain(session, &info, &made), "xrCreateSwapchain");
+    return SwapchainHandle(made);
+}
+} // namespace
+
+std::optional<ImageFormat> bestFormat(std::span<const std::int64_t> offered)
+{
+    for (const ImageFormat& format : formats)
+        if (std::find(offered.begin(), offered.end(), format.name) != offered.end())
+            return format;
+    return {};
+}
+
+Swapchain::Swapchain(XrSession session, const ImageFormat& format, const ImageSize& size)
+    : m_size(size), m_handle(makeSwapchain(session, format, size))
+{
+    const auto images =
+        listed("xrEnumerateSwapchainImages", XrSwapchainImageOpenGLKHR{XR_TYPE_SWAPCHAIN_IMAGE_OPENGL_KHR, nullptr, 0},
+               [&](auto capacity, auto* count, auto* items) {
+                   return xrEnumerateSwapchainImages(handle(), capacity, count, reinterpret_cast<XrSwapchainImageBaseHeader*>(items));
+               });
+    for (const XrSwapchainImageOpenGLKHR& image : images)
+        m_textures.push_back(image.image);
+}
+
+unsigned int Swapchain::acquire()
+{
+    std::uint32_t index = 0;
+    check(xrAcquireSwapchainImage(handle(), nullptr, &index), "xrAcquireSwapchainImage");
+    const XrSwapchainImageWaitInfo info{XR_TYPE_SWAPCHAIN_IMAGE_WAIT_INFO, nullptr, XR_INFINITE_DURATION};
+    check(xrWaitSwapchainImage(handle(), &info), "xrWaitSwapchainImage");
+    return m_textures.at(index);
+}
+
+void Swapchain::release()
+{
+    check(xrReleaseSwapchainImage(handle(), nullptr), "xrReleaseSwapchainImage");
+}
+} // namespace vr
