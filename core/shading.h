@@ -14,5 +14,7 @@ struct Shading
     float rim = 0.16F;             ///< brightness of what is seen at a grazing angle
     Vec3f through = Vec3f::Zero(); ///< what shines out of the shadow's edge
     Vec3f sheen = Vec3f::Zero();   ///< what is added where the surface turns away
+
+    bool operator==(const Shading&) const = default;
 };
 } // namespace core

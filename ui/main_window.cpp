@@ -165,7 +165,7 @@ void MainWindow::setModified(bool modified)
 
 void MainWindow::showProblem(const QString& sentence)
 {
-    if (!m_state->problem) {
+    if (!m_state->problem || m_state->problem->isHidden()) { // one that was answered may not be gone yet
         m_state->problem = new QMessageBox(QMessageBox::Warning, tr("Fettle"), {}, QMessageBox::Ok, this);
         m_state->problem->setObjectName(QStringLiteral("problem"));
         m_state->problem->setTextFormat(Qt::PlainText);

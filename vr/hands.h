@@ -29,6 +29,8 @@ struct HandsChoice
 {
     Preset preset = Preset::Paper;
     Side sculpting = Side::Right;
+
+    bool operator==(const HandsChoice&) const = default;
 };
 
 /// What two hands want done, frame by frame. Pure: any thread, no clock but the frames' own.

@@ -15,6 +15,8 @@ inline constexpr std::size_t sensationCount = 6;
 struct HapticLevels
 {
     std::array<double, sensationCount> of{1, 1, 1, 1, 1, 1}; ///< by Sensation
+
+    bool operator==(const HapticLevels&) const = default;
 };
 
 /// What happened to one hand in a frame.

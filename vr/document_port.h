@@ -1,0 +1,109 @@
+#pragma once
+
+#include "headset_choice.h"
+#include "panels/panel_content.h"
+#include "pose.h"
+
+#include "core/footprint.h"
+#include "core/mesh_patch.h"
+#include "core/shading.h"
+#include "core/stroke.h"
+#include "core/surface_query.h"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <variant>
+
+namespace vr
+{
+/// What the headset knows of the document and of the window beside it. The newest replaces those before it.
+struct DocumentNews
+{
+    quint64 model = 0; ///< counts the models that were opened: another one is placed before the head
+    core::Box box;     ///< mm
+    core::Shading shading;
+    bool isFlat = false; ///< each triangle in one shade
+    /// Tool, shape, topology, symmetry, colour, falloff, strength, detail and fusion as the window has them. `brushChange` counts the
+    /// window's own changes: what the headset wished for is told back without one.
+    core::StrokeSettings brush;
+    quint64 brushChange = 0;
+    core::Symmetry plane = core::Symmetry::Y; ///< of symmetry when it is switched on
+    bool canUndo = false, canRedo = false;
+    bool isModified = false; ///< opening another file would lose something
+    bool isBusy = false;     ///< opening, saving or changing the whole model: nothing of that kind can begin
+    QList<core::Rgb> swatches;
+    QString folder; ///< the name of the folder of the files, for people
+    QList<FileTile> files;
+    QString saved;           ///< the name that the last save of this visit gave, for people
+    QString notice;          ///< a sentence that is to be read in the headset, too
+    quint64 noticeCount = 0; ///< another number: it is told anew
+};
+
+/// To ask(): where the brush meets the surface. `hit`: of a ray brush where the ray meets it; of a spherical one the surface's
+/// nearest point, if that is within the radius.
+struct SurfaceAnswer
+{
+    std::optional<core::SurfaceHit> hit;
+    std::shared_ptr<const core::Footprint> footprint; ///< of a ray brush that hits
+};
+
+/// What the strokes of this visit have done since it was last taken.
+struct StrokeEffect
+{
+    int fusions = 0;  ///< surfaces joined, or parted
+    int refusals = 0; ///< dabs that could not do what was asked, and strokes that somebody else's stroke forbade
+};
+
+/// Where the person is, for those at the window. Room space.
+struct Presence
+{
+    std::optional<Pose> head;
+    std::array<std::optional<Pose>, sideCount> hands;    ///< grips, by Side
+    std::optional<core::Sphere> brush;                   ///< the spherical one
+    Eigen::Affine3d model = Eigen::Affine3d::Identity(); ///< document to room
+};
+
+/// The brush that the window shall have, too: what DocumentNews::brush says, but for falloff, strength, detail and fusion.
+struct ChooseBrush
+{
+    core::StrokeSettings brush;
+};
+
+/// Another model; `losesChanges`: the person held the button that says so.
+struct OpenModel
+{
+    QString path;
+    bool losesChanges = false;
+};
+
+/// What the gui thread is asked to do; it is done there in this order, and in the order of the strokes before and after it.
+using Wish = std::variant<ChooseBrush, Undo, Redo, SaveModel, RestoreModel, OpenModel, HeadsetChoice>;
+
+/// The document as the headset's thread sees it. All is called on that thread, none waits for another thread, and none allocates
+/// more than what it hands over. Values of millimetres are in the document's space.
+class DocumentPort
+{
+public:
+    virtual ~DocumentPort() = default;
+
+    /// The newest that was not taken yet. The first of a visit is whole.
+    virtual std::optional<core::MeshPatch> takePatch() = 0;
+    virtual std::optional<DocumentNews> takeNews() = 0;
+
+    /// False: somebody else draws, or the model is being changed as a whole; then the stroke does not begin, and the other two do
+    /// nothing.
+    virtual bool beginStroke(const core::StrokeSettings& settings) = 0;
+    virtual void addSample(const core::StrokeSample& sample) = 0;
+    virtual void endStroke() = 0;
+    virtual StrokeEffect takeEffect() = 0;
+
+    /// Where the brush of these settings meets the surface: a ray brush along the ray, a spherical one at its origin. The newest question
+    /// counts.
+    virtual void ask(const core::Ray& ray, const core::StrokeSettings& brush) = 0;
+    virtual std::optional<SurfaceAnswer> takeAnswer() = 0;
+
+    virtual void wish(const Wish& wish) = 0;
+    virtual void show(const Presence& presence) = 0;
+};
+} // namespace vr

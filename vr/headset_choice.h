@@ -1,0 +1,20 @@
+#pragma once
+
+#include "hands.h"
+#include "haptics.h"
+
+namespace vr
+{
+/// What a person has chosen about the headset: kept from visit to visit.
+struct HeadsetChoice
+{
+    HandsChoice hands;
+    double raised = 0; ///< metres that the model is placed higher, at most SettingsPanel::mostRaised up or down
+    double turnsBy = turnSpeed; ///< degrees a second
+    bool showsFloor = true;
+    bool showsPerformance = false;
+    HapticLevels feel;
+
+    bool operator==(const HeadsetChoice&) const = default;
+};
+} // namespace vr
