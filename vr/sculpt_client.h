@@ -41,11 +41,8 @@ private:
     // What is asked for.
     void obey(const std::vector<HandCommand>& commands);
     void obey(const HandCommand& command);
-    bool obeyStroke(const HandCommand& command);
-    bool obeyView(const Deed& deed);
-    bool obeyDocument(const HandCommand& command);
     void obey(Side side, const PanelAction& action);
-    bool obeyBrush(const PanelAction& action);
+    void obeyBrush(const PanelAction& action);
     void obey(PanelCommand command);
     void choose(const HeadsetChoice& choice);
     HandFeeling& feeling(Side side) { return m_feelings[static_cast<std::size_t>(side)]; }

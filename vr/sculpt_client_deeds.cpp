@@ -7,17 +7,24 @@ namespace vr
 {
 namespace
 {
-/// A thing chosen or switched: the hand feels a tick.
+template <class... Kinds> bool isOneOf(const Deed& deed)
+{
+    return (std::holds_alternative<Kinds>(deed) || ...);
+}
+
+/// Something chosen, switched or ordered: the hand feels a tick.
 bool isStep(const Deed& deed)
 {
-    constexpr Overloaded steps{[](const StepTool&) { return true; },       [](const SelectChannel&) { return true; },
-                               [](const ToggleTopology&) { return true; }, [](const ToggleBrushShape&) { return true; },
-                               [](const ToggleSymmetry&) { return true; }, [](const ToggleInverse&) { return true; },
-                               [](const OpenToolMenu&) { return true; },   [](const OpenColorPanel&) { return true; },
-                               [](const Undo&) { return true; },           [](const Redo&) { return true; },
-                               [](const SaveModel&) { return true; },      [](const RestoreModel&) { return true; },
-                               [](const auto&) { return false; }};
-    return std::visit(steps, deed);
+    return isOneOf<StepTool, SelectChannel, ToggleTopology, ToggleBrushShape, ToggleSymmetry, ToggleInverse>(deed) ||
+           isOneOf<OpenToolMenu, OpenColorPanel, Undo, Redo, SaveModel, RestoreModel>(deed);
+}
+
+core::Rgb slid(core::Rgb color, const Slide& slide)
+{
+    constexpr std::array channels{&core::Rgb::r, &core::Rgb::g, &core::Rgb::b};
+    if (const auto channel = static_cast<std::size_t>(slide.slider); channel < channels.size())
+        color.*channels[channel] = static_cast<std::uint8_t>(slide.value);
+    return color;
 }
 } // namespace
 
@@ -29,131 +36,68 @@ void SculptClient::obey(const std::vector<HandCommand>& commands)
 
 void SculptClient::obey(const HandCommand& command)
 {
-    feeling(command.side).stepped = feeling(command.side).stepped || isStep(command.deed);
-    if (obeyStroke(command) || obeyView(command.deed) || obeyDocument(command))
-        return;
-    m_brush.change(changed(m_brush.state(), command.deed));
-}
-
-bool SculptClient::obeyStroke(const HandCommand& command)
-{
-    const auto refuse = [&] { feeling(command.side).refused = true; };
-    const Overloaded stroke{[&](const BeginStroke& begin) {
-                                if (!m_brush.begin(begin, m_room))
-                                    refuse();
-                                return true;
-                            },
-                            [&](const StrokePoint& point) {
-                                m_brush.draw(point, m_room);
-                                return true;
-                            },
-                            [&](const EndStroke&) {
-                                m_brush.end();
-                                return true;
-                            },
-                            [&](const Refuse&) {
-                                refuse();
-                                return true;
-                            },
-                            [](const auto&) { return false; }};
-    return std::visit(stroke, command.deed);
-}
-
-bool SculptClient::obeyView(const Deed& deed)
-{
-    const Overloaded view{[&](const TurnModel& turn) {
-                              m_room.turn(turn.angle * m_choice.turnsBy / turnSpeed);
-                              return true;
-                          },
-                          [&](const ScaleModel& scale) {
-                              m_room.scale(scale.factor);
-                              return true;
-                          },
-                          [&](const MoveModel& move) {
-                              m_room.move(move.from, move.to);
-                              return true;
-                          },
-                          [&](const StretchModel& stretch) {
-                              m_room.stretch(stretch.from, stretch.to);
-                              return true;
-                          },
-                          [&](const OpenToolMenu& menu) {
-                              m_wall.open(PanelKind::Tools, menu.isOpen);
-                              return true;
-                          },
-                          [&](const OpenColorPanel& panel) {
-                              m_wall.open(PanelKind::Color, panel.isOpen);
-                              return true;
-                          },
-                          [](const auto&) { return false; }};
-    return std::visit(view, deed);
-}
-
-bool SculptClient::obeyDocument(const HandCommand& command)
-{
-    const auto wish = [&](const auto& what) {
-        m_port->wish(what);
-        return true;
-    };
+    const Side side = command.side;
+    const auto refuse = [&] { feeling(side).refused = true; };
     const auto act = [&](const std::optional<PanelAction>& action) {
         if (action)
-            obey(command.side, *action);
-        return true;
+            obey(side, *action);
     };
-    const Overloaded document{
-        [&](const Undo& undo) { return wish(undo); },
-        [&](const Redo& redo) { return wish(redo); },
-        [&](const SaveModel& save) { return wish(save); },
-        [&](const RestoreModel& restore) { return wish(restore); },
-        [&](const PressPanel&) { return act(m_wall.press(command.side)); },
-        [&](const ReleasePanel& release) { return act(m_wall.release(command.side, release.isClick)); },
-        [](const auto&) { return false; }};
-    return std::visit(document, command.deed);
+    const Overloaded obeyed{
+        [&](const BeginStroke& begin) { m_brush.begin(begin, m_room) ? void() : refuse(); },
+        [&](const StrokePoint& point) { m_brush.draw(point, m_room); },
+        [&](const EndStroke&) { m_brush.end(); },
+        [&](const Refuse&) { refuse(); },
+        [&](const TurnModel& turn) { m_room.turn(turn.angle * m_choice.turnsBy / turnSpeed); },
+        [&](const ScaleModel& scale) { m_room.scale(scale.factor); },
+        [&](const MoveModel& move) { m_room.move(move.from, move.to); },
+        [&](const StretchModel& stretch) { m_room.stretch(stretch.from, stretch.to); },
+        [&](const OpenToolMenu& menu) { m_wall.open(PanelKind::Tools, menu.isOpen); },
+        [&](const OpenColorPanel& panel) { m_wall.open(PanelKind::Color, panel.isOpen); },
+        [&](const PressPanel&) { act(m_wall.press(side)); },
+        [&](const ReleasePanel& release) { act(m_wall.release(side, release.isClick)); },
+        [&](const Undo& undo) { m_port->wish(undo); },
+        [&](const Redo& redo) { m_port->wish(redo); },
+        [&](const SaveModel& save) { m_port->wish(save); },
+        [&](const RestoreModel& restore) { m_port->wish(restore); },
+        [&](const auto& ofBrush) { m_brush.change(changed(m_brush.state(), ofBrush)); },
+    };
+    feeling(side).stepped = feeling(side).stepped || isStep(command.deed);
+    std::visit(obeyed, command.deed);
 }
 
 void SculptClient::obey(Side side, const PanelAction& action)
 {
+    const Overloaded obeyed{
+        [&](PanelCommand command) { obey(command); },
+        [&](const ShowPanel& panel) { m_wall.open(panel.kind, panel.isShown); },
+        [&](SettingsPage page) { m_page = page; },
+        [&](const ChooseChannel& channel) { m_hands.selectChannel(channel.channel); },
+        // Where something would be lost, the button was held.
+        [&](const OpenFile& file) { m_port->wish(OpenModel{file.path, m_files.hasUnsavedChanges}); },
+        [](const auto&) {},
+    };
     feeling(side).stepped = true;
-    if (obeyBrush(action))
-        return;
-    if (const auto* command = std::get_if<PanelCommand>(&action))
-        return obey(*command);
-    if (const auto* panel = std::get_if<ShowPanel>(&action))
-        return m_wall.open(panel->kind, panel->isShown);
-    if (const auto* page = std::get_if<SettingsPage>(&action))
-        m_page = *page;
-    else if (const auto* channel = std::get_if<ChooseChannel>(&action))
-        m_hands.selectChannel(channel->channel);
-    else if (const auto* file = std::get_if<OpenFile>(&action))
-        m_port->wish(OpenModel{file->path, m_files.hasUnsavedChanges}); // then the button was held
+    std::visit(obeyed, action);
+    obeyBrush(action);
     m_files = m_files.after(action);
     choose(SettingsPanel::after(m_choice, action));
 }
 
-/// Whether it was one of the brush.
-bool SculptClient::obeyBrush(const PanelAction& action)
+void SculptClient::obeyBrush(const PanelAction& action)
 {
     BrushState brush = m_brush.state();
-    const auto color = [&](const Slide& slide) {
-        constexpr std::array channels{&core::Rgb::r, &core::Rgb::g, &core::Rgb::b};
-        const auto channel = static_cast<std::size_t>(slide.slider);
-        if (channel >= channels.size())
-            return false;
-        brush.stroke.color.*channels[channel] = static_cast<std::uint8_t>(slide.value);
-        return true;
+    core::StrokeSettings& stroke = brush.stroke;
+    const Overloaded obeyed{
+        [&](core::Tool tool) { stroke.tool = tool; },
+        [&](core::BrushShape shape) { stroke.brush = shape; },
+        [&](core::Topology topology) { stroke.topology = topology; },
+        [&](const ChooseSymmetry& symmetry) { stroke.symmetry = symmetry.isOn ? brush.plane : core::Symmetry::None; },
+        [&](const ChooseColor& chosen) { stroke.color = chosen.color; },
+        [&](const Slide& slide) { stroke.color = slid(stroke.color, slide); },
+        [](const auto&) {},
     };
-    const Overloaded change{[&](core::Tool tool) { return brush.stroke.tool = tool, true; },
-                            [&](core::BrushShape shape) { return brush.stroke.brush = shape, true; },
-                            [&](core::Topology topology) { return brush.stroke.topology = topology, true; },
-                            [&](const ChooseSymmetry& symmetry) {
-                                return brush.stroke.symmetry = symmetry.isOn ? brush.plane : core::Symmetry::None, true;
-                            },
-                            [&](const ChooseColor& chosen) { return brush.stroke.color = chosen.color, true; },
-                            [&](const Slide& slide) { return color(slide); },
-                            [](const auto&) { return false; }};
-    const bool isOfBrush = std::visit(change, action);
+    std::visit(obeyed, action);
     m_brush.change(brush);
-    return isOfBrush;
 }
 
 void SculptClient::obey(PanelCommand command)
