@@ -1,5 +1,7 @@
 #include "brush_state.h"
 
+#include "overloaded.h"
+
 #include <algorithm>
 #include <array>
 
@@ -7,12 +9,6 @@ namespace vr
 {
 namespace
 {
-template <class... T> struct Overloaded : T...
-{
-    using T::operator()...;
-};
-template <class... T> Overloaded(T...) -> Overloaded<T...>;
-
 core::Tool stepped(core::Tool tool, int by)
 {
     const int count = static_cast<int>(core::toolNames().size());
@@ -76,7 +72,7 @@ core::StrokeSettings strokeSettings(const BrushState& brush, const BeginStroke& 
     settings.place = core::Placement::Point;
     settings.radius = radiusOn(brush, room);
     settings.spacing = wandSpacing;
-    settings.add = false;
+    settings.add = settings.tool == core::Tool::Pull && settings.brush == core::BrushShape::Sphere && !begin.goesOn;
     return settings;
 }
 

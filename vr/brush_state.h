@@ -25,8 +25,7 @@ struct BrushState
 /// ranges; what is none of the brush's business leaves it as it is.
 BrushState changed(BrushState brush, const Deed& deed);
 
-/// Of a stroke that begins now. It adds no ball where it meets nothing, or a wand that pulls faster than clay follows would leave a
-/// row of them: adding is a stroke of its own.
+/// Of a stroke that begins now. Where a ball that pulls begins in empty space, it adds a ball to the model; a stroke that only goes on adds none.
 core::StrokeSettings strokeSettings(const BrushState& brush, const BeginStroke& begin, const Room& room);
 /// In the document's space, where the model's orientation in the room is taken off already. It has its own radius: the model may
 /// be scaled while it is sculpted.

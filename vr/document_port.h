@@ -40,6 +40,14 @@ struct DocumentNews
     quint64 noticeCount = 0; ///< another number: it is told anew
 };
 
+/// Where a brush of these settings meets the surface: a ray brush along the ray, a spherical one at its origin.
+struct SurfaceQuestion
+{
+    core::Ray ray;
+    core::StrokeSettings brush;
+    bool wantsFootprint = true; ///< of a ray brush; it is the costly part
+};
+
 /// To ask(): where the brush meets the surface. `hit`: of a ray brush where the ray meets it; of a spherical one the surface's
 /// nearest point, if that is within the radius.
 struct SurfaceAnswer
@@ -98,9 +106,8 @@ public:
     virtual void endStroke() = 0;
     virtual StrokeEffect takeEffect() = 0;
 
-    /// Where the brush of these settings meets the surface: a ray brush along the ray, a spherical one at its origin. The newest question
-    /// counts.
-    virtual void ask(const core::Ray& ray, const core::StrokeSettings& brush) = 0;
+    /// The newest counts.
+    virtual void ask(const SurfaceQuestion& question) = 0;
     virtual std::optional<SurfaceAnswer> takeAnswer() = 0;
 
     virtual void wish(const Wish& wish) = 0;

@@ -12,6 +12,7 @@ namespace vr
 struct BeginStroke
 {
     bool smooths = false; ///< whatever the tool is
+    bool goesOn = false;  ///< the trigger was not pulled anew: the stroke before it ended because the tool became another
 };
 
 /// Room space.

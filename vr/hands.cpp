@@ -320,9 +320,10 @@ void Hands::takeStroke(const HandsFrame& frame)
     if (m_stroke->isBegun && smooths != m_stroke->smooths) {
         want(side, Gesture::Trigger, EndStroke{});
         m_stroke->isBegun = false;
+        m_stroke->goesOn = true;
     }
     if (!m_stroke->isBegun)
-        want(side, Gesture::Trigger, BeginStroke{smooths});
+        want(side, Gesture::Trigger, BeginStroke{smooths, m_stroke->goesOn});
     m_stroke->isBegun = true;
     m_stroke->smooths = smooths;
     want(side, Gesture::Trigger, StrokePoint{frame.time, tipOf(wand), at(side).gestures.pressure});

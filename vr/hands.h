@@ -59,6 +59,7 @@ public:
     HandMode modeOf(Side side) const;
     /// 0 red, 1 green, 2 blue.
     int channel() const { return m_channel; }
+    void selectChannel(int channel) { m_channel = channel; }
     bool draws(Side side) const { return m_stroke && m_stroke->side == side; }
     /// In the last frame.
     const WandGestures& gestures(Side side) const { return at(side).gestures; }
@@ -89,6 +90,7 @@ private:
         double seenAt; ///< the wand, last
         bool isBegun = false;
         bool smooths = false;
+        bool goesOn = false;
     };
 
     Hand& at(Side side) { return m_hands[static_cast<std::size_t>(side)]; }

@@ -1,0 +1,218 @@
+#pragma once
+
+#include "tests/support/program_hand.h"
+#include "tests/vr/scripted_headset.h"
+
+#include "vr/hands.h"
+#include "vr/panels/panel_content.h"
+#include "vr/panels/panel_place.h"
+#include "vr/room.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+
+#include <future>
+
+/// What a person does in the headset, by the scripted runtime: frames go one by one, so that a run is the same every time.
+namespace app
+{
+class HeadsetHand
+{
+public:
+    explicit HeadsetHand(Program& program) : m_program(program) { load({216, 240}); }
+    ~HeadsetHand() { m_headset.step("{'pace': 'fast'}"); } // a test that has failed comes to an end, too
+
+    static inline const vr::Pose head{Eigen::Quaterniond::Identity(), {0, 1.6, 0}};
+
+    /// Another headset, with so many pixels an eye. Wands point straight ahead.
+    void load(const QSize& size)
+    {
+        const QByteArray script =
+            QStringLiteral("{'start': {'pace': 'stepped', 'size': [%1, %2], 'head': {'position': [0, 1.6, 0]},"
+                           " 'left': {'aim': {'position': [0, 0, 0], 'rotation': [0, 0, 0, 1]}},"
+                           " 'right': {'aim': {'position': [0, 0, 0], 'rotation': [0, 0, 0, 1]}}}}")
+                .arg(size.width())
+                .arg(size.height())
+                .toUtf8();
+        m_headset.load(script.constData());
+    }
+    ScriptedHeadset& headset() { return m_headset; }
+
+    /// Steps into the headset, and looks about: wands are at rest, before the body.
+    void enter()
+    {
+        put(vr::Side::Left, {-0.3, 1.1, -0.3});
+        put(vr::Side::Right, {0.3, 1.1, -0.3});
+        m_framesBefore = framesEnded();
+        m_program.window.action(QStringLiteral("vr.enter"))->trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(m_headset.report()["is_running"].toBool(), 60'000);
+        frames(8); // the focus comes with the fourth
+        m_room = vr::Room(m_program.document.facts().box);
+        m_room.place(head);
+    }
+    void leave()
+    {
+        m_program.window.action(QStringLiteral("vr.enter"))->trigger();
+        waitUntilOut();
+    }
+    /// A runtime that steps gives frames only when asked, and a session ends in frames.
+    void waitUntilOut()
+    {
+        m_headset.step("{'pace': 'fast'}");
+        QTRY_VERIFY_WITH_TIMEOUT(!m_headset.report()["is_running"].toBool(), 60'000);
+        QTRY_COMPARE_WITH_TIMEOUT(m_program.window.action(QStringLiteral("vr.enter"))->isChecked(), false, 60'000);
+        m_headset.step("{'pace': 'stepped'}");
+    }
+
+    bool isIn() const { return m_headset.report()["is_running"].toBool(); }
+
+    /// What the mesh thread says, once it has done what came before.
+    template <class Ask> auto ask(const Ask& what)
+    {
+        std::promise<decltype(what(std::declval<core::Sculptor&>()))> answer;
+        m_program.worker.post([&](core::Sculptor& sculptor) { answer.set_value(what(sculptor)); });
+        return answer.get_future().get();
+    }
+
+    /// Between two frames the window does what it has to do, and the engine what it was given.
+    void frames(int count = 1)
+    {
+        for (int i = 0; i < count; ++i) {
+            QVERIFY(m_headset.frames(1));
+            meetEngine();
+        }
+    }
+    void frame() { frames(1); }
+    /// Until all that hands asked for has been done.
+    void settle()
+    {
+        frames(2);
+        QTRY_VERIFY_WITH_TIMEOUT(m_program.document.isSettled() && !m_program.document.isBusy(), 60'000);
+        frames(2);
+    }
+
+    /// The tip of that wand, in the room, and where it points.
+    void put(vr::Side side, const core::Vec3& tip, const core::Vec3& direction = -core::Vec3::UnitZ(), int over = 0)
+    {
+        const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(-core::Vec3::UnitZ(), direction);
+        const core::Vec3 grip = tip - vr::tipReach * direction.normalized();
+        m_grips[static_cast<std::size_t>(side)] = {turn, grip};
+        QJsonObject step{{nameOf(side), QJsonObject{{"position", QJsonArray{grip.x(), grip.y(), grip.z()}},
+                                                    {"rotation", QJsonArray{turn.x(), turn.y(), turn.z(), turn.w()}}}}};
+        if (over > 0)
+            step["over"] = over;
+        obey(step);
+    }
+    void set(vr::Side side, const char* input, const QJsonValue& value)
+    {
+        obey({{nameOf(side), QJsonObject{{QLatin1StringView(input), value}}}});
+    }
+    /// For so many frames, and one let go.
+    void press(vr::Side side, const char* input, int count = 2)
+    {
+        set(side, input, 1);
+        frames(count);
+        set(side, input, 0);
+        frame();
+    }
+    /// Down for longer than must be held.
+    void hold(vr::Side side, const char* input) { press(side, input, static_cast<int>(vr::holdSeconds * 90) + 4); }
+    void pressPad(vr::Side side, double x, double y, int count = 2)
+    {
+        set(side, "pad", QJsonArray{x, y});
+        set(side, "pad_touch", 1);
+        frame();
+        press(side, "pad_press", count);
+        set(side, "pad_touch", 0);
+        frame();
+    }
+    void slide(vr::Side side, const Eigen::Vector2d& by)
+    {
+        constexpr int steps = 16;
+        set(side, "pad", QJsonArray{-by.x() / 2, -by.y() / 2});
+        set(side, "pad_touch", 1);
+        for (int i = 0; i <= steps; ++i) {
+            const Eigen::Vector2d at = by * (static_cast<double>(i) / steps - 0.5);
+            set(side, "pad", QJsonArray{at.x(), at.y()});
+            frame();
+        }
+        set(side, "pad_touch", 0);
+        frames(2);
+    }
+
+    /// A place of the document where the person sees it, as long as hands have not moved the model.
+    core::Vec3 place(const core::Vec3& point) const { return m_room.toRoom(point); }
+    const vr::Room& room() const { return m_room; }
+    void hover(const core::Vec3& point)
+    {
+        put(vr::Side::Right, place(point));
+        frames(2);
+    }
+    /// The trigger down, from there to there, and up. Document space.
+    void stroke(const core::Vec3& from, const core::Vec3& to, int steps = 12, double trigger = 1)
+    {
+        put(vr::Side::Right, place(from));
+        frame();
+        set(vr::Side::Right, "trigger", trigger);
+        for (int i = 0; i <= steps; ++i) {
+            put(vr::Side::Right, place(from + (to - from) * i / std::max(steps, 1)));
+            frame();
+        }
+        set(vr::Side::Right, "trigger", 0);
+        settle();
+    }
+
+    /// The right wand before that item of a panel at the left hand, pointing at it.
+    void pointAt(const vr::PanelContent& content, const vr::PanelAction& item)
+    {
+        const vr::PanelLayout layout = vr::layoutOf(content);
+        const vr::PanelPart* part = layout.partFor(item);
+        QVERIFY(part);
+        const vr::Pose pose = vr::placeAtHand(m_grips[0], head, layout.metres());
+        const QPointF middle = part->area.center() - QPointF(layout.size.width(), layout.size.height()) / 2;
+        const core::Vec3 towards = pose.rotation * -core::Vec3::UnitZ();
+        const core::Vec3 spot = pose * (core::Vec3(middle.x(), -middle.y(), 0) * layout.distance / 1000);
+        put(vr::Side::Right, spot - reach * towards, towards);
+    }
+
+    /// Panels are painted aside, and appear when they are.
+    void waitForPanels()
+    {
+        for (int i = 0; i < 20; ++i) {
+            QTest::qWait(20);
+            frame();
+        }
+    }
+
+    QImage picture(const char* eye = "left")
+    {
+        m_headset.step("{'keep': true}");
+        frame();
+        return m_headset.picture(m_headset.report()["sessions"].toInt() - 1, framesEnded() - m_framesBefore - 1, eye);
+    }
+
+private:
+    static constexpr double reach = 0.1; ///< metres from which a wand points at a panel
+
+    int framesEnded() const { return m_headset.report()["frames_ended"].toInt(); }
+    static QString nameOf(vr::Side side)
+    {
+        return side == vr::Side::Left ? QStringLiteral("left") : QStringLiteral("right");
+    }
+    void obey(const QJsonObject& step)
+    {
+        m_headset.step(QJsonDocument(step).toJson(QJsonDocument::Compact).constData());
+    }
+    void meetEngine()
+    {
+        ask([](core::Sculptor&) { return true; });
+        QCoreApplication::processEvents();
+    }
+
+    Program& m_program;
+    ScriptedHeadset m_headset;
+    std::array<vr::Pose, vr::sideCount> m_grips; ///< by Side
+    vr::Room m_room;
+    int m_framesBefore = 0; ///< the visit
+};
+} // namespace app

@@ -1,0 +1,149 @@
+// A whole session in the headset, as a person has it: against the scripted runtime, with Khronos' validation layer between.
+// FETTLE_HEADSET_PICTURES=<folder> keeps what the left eye saw.
+#include "headset_hand.h"
+#include "tests/vr/vr_test.h"
+
+#include "core/mesh_check.h"
+#include "core/mesh_io.h"
+
+#include <QDir>
+#include <QTemporaryDir>
+
+using namespace app;
+using core::Vec3;
+using vr::Side;
+
+namespace
+{
+/// What is left of a session.
+struct Played
+{
+    QStringList steps; ///< name and mesh hash
+    QStringList files;
+    QString complaints;
+};
+
+class Session
+{
+public:
+    Session() : m_pictures(qEnvironmentVariable("FETTLE_HEADSET_PICTURES"))
+    {
+        core::writeMesh(m_folder.filePath(QStringLiteral("clay.glb")).toStdU16String(), core::icosphere(4, 50));
+        openFile(program, m_folder.filePath(QStringLiteral("clay.glb")), {900, 700});
+        hand.load(m_pictures.isEmpty() ? QSize(216, 240) : QSize(540, 600));
+    }
+    /// All that was asked for is done, and looked at.
+    void note(const char* name)
+    {
+        hand.settle();
+        const std::uint64_t hash = hand.ask([](core::Sculptor& sculptor) { return sculptor.mesh().meshHash(); });
+        played.steps << QStringLiteral("%1 %2").arg(QLatin1StringView(name)).arg(hash, 16, 16, QLatin1Char('0'));
+        if (!m_pictures.isEmpty() && hand.isIn())
+            hand.picture().save(QStringLiteral("%1/%2-%3.png")
+                                    .arg(m_pictures)
+                                    .arg(played.steps.size(), 2, 10, QLatin1Char('0'))
+                                    .arg(QLatin1StringView(name)));
+    }
+    QString hashOf(qsizetype step) const
+    {
+        return played.steps[step < 0 ? played.steps.size() + step : step].section(QLatin1Char(' '), -1);
+    }
+    core::MeshReport report()
+    {
+        return core::checkMesh(hand.ask([](core::Sculptor& sculptor) { return core::extractMesh(sculptor.mesh()); }));
+    }
+    QStringList files() const { return QDir(m_folder.path()).entryList(QDir::Files, QDir::Name); }
+
+    Program program;
+    HeadsetHand hand{program};
+    Played played;
+
+private:
+    QTemporaryDir m_folder;
+    QString m_pictures;
+};
+
+/// Pull a horn, paint it, undo, redo, turn while pulling, add a ball and fuse it, save, leave, go on at the desktop.
+Played play()
+{
+    Session s;
+    HeadsetHand& hand = s.hand;
+    const Vec3 out = Vec3(0.6, 0.8, 0);
+    hand.enter();
+    s.note("entered");
+
+    hand.stroke(48 * out, 80 * out, 48);
+    s.note("horn");
+
+    hand.press(Side::Left, "menu");
+    for (int i = 0; i < 4; ++i)
+        hand.pressPad(Side::Left, 0.8, 0);
+    hand.press(Side::Right, "menu");
+    hand.slide(Side::Right, {0, 1.2});
+    hand.waitForPanels();
+    s.note("painting-is-chosen");
+    hand.press(Side::Right, "menu");
+    hand.press(Side::Left, "menu");
+    hand.stroke(80 * out, 60 * out, 24);
+    s.note("painted");
+
+    hand.pressPad(Side::Right, -0.8, 0);
+    s.note("undone");
+    hand.pressPad(Side::Right, 0.8, 0);
+    s.note("redone");
+
+    hand.press(Side::Left, "menu");
+    hand.pressPad(Side::Left, 0.8, 0);
+    hand.press(Side::Left, "menu");
+    hand.hover(48 * Vec3(-0.6, 0.8, 0));
+    hand.set(Side::Left, "pad", QJsonArray{-0.8, 0});
+    hand.set(Side::Left, "pad_touch", 1);
+    hand.frame();
+    hand.set(Side::Left, "pad_press", 1);
+    hand.stroke(48 * Vec3(-0.6, 0.8, 0), 56 * Vec3(-0.6, 0.8, 0), 30);
+    hand.set(Side::Left, "pad_press", 0);
+    hand.frame();
+    hand.set(Side::Left, "pad_touch", 0);
+    s.note("turned-while-pulling");
+
+    const Vec3 above(0, 63, 0); // the model turns about its vertical
+    hand.stroke(above, above, 1);
+    s.note("ball");
+    hand.stroke(above - Vec3(0, 5.5, 0), above - Vec3(0, 15, 0), 40);
+    s.note("fused");
+
+    hand.hold(Side::Left, "squeeze");
+    hand.waitForPanels();
+    s.note("saved");
+    hand.leave();
+    drag(s.program.window.viewport(), {60, 10});
+    QTest::qWait(0);
+    s.note("desktop");
+    s.played.files = s.files();
+    s.played.complaints = hand.headset().complaints();
+    return s.played;
+}
+} // namespace
+
+class TestHeadsetSession : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { SKIP_WITHOUT_GLX(); }
+    void endsTheSameEveryTime();
+};
+
+void TestHeadsetSession::endsTheSameEveryTime()
+{
+    const Played first = play();
+    qInfo("%s", qPrintable(first.steps.join(QLatin1Char('\n'))));
+    QCOMPARE(first.complaints, QString());
+    QCOMPARE(play().steps, first.steps);
+}
+
+int main(int argc, char* argv[])
+{
+    return runOnScreen<TestHeadsetSession>(argc, argv, "tst_headset_session");
+}
+#include "tst_headset_session.moc"

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "brush_state.h"
+#include "document_port.h"
+#include "scene_state.h"
+
+namespace vr
+{
+/// The brush in the sculpting hand: the stroke that it draws in the document, and what of the surface it meets. The headset's thread.
+class BrushHand
+{
+public:
+    /// The port must outlive it.
+    explicit BrushHand(DocumentPort* port) : m_port(port) {}
+
+    const BrushState& state() const { return m_state; }
+    /// What the window changed of it.
+    void take(const DocumentNews& news);
+    /// By a hand or a panel; the window hears of what it has, too.
+    void change(const BrushState& state);
+
+    /// False: it is refused.
+    bool begin(const BeginStroke& begin, const Room& room);
+    void draw(const StrokePoint& point, const Room& room);
+    void end();
+
+    /// Once a frame: asks where it would meet the surface, and takes what was answered. `tip`: nothing while the wand is not seen.
+    void look(const std::optional<Pose>& tip, const Room& room);
+    /// Whether a ball at that tip reaches the surface.
+    bool touches() const;
+    /// How strongly it sculpts, 0 to 1; 0: it does not.
+    double pressure() const { return m_pressure; }
+    /// Metres from the tip along the ray to the surface, as far as it is known.
+    std::optional<double> reach(const Room& room) const;
+
+    /// What is seen of it.
+    std::variant<std::monostate, BallBrush, RayBrush> shown(const Room& room) const;
+    /// What a ray brush would take; null: nothing, or it is not known.
+    const std::shared_ptr<const core::Footprint>& footprint() const { return m_answer.footprint; }
+
+private:
+    core::StrokeSettings settings(const Room& room) const { return strokeSettings(m_state, {}, room); }
+    bool isRay() const { return m_state.stroke.brush == core::BrushShape::Ray; }
+
+    DocumentPort* m_port;
+    BrushState m_state;
+    quint64 m_seenChange = 0; ///< of the window
+    bool m_draws = false;
+    double m_pressure = 0;
+    std::optional<Pose> m_tip;
+    SurfaceAnswer m_answer;
+};
+} // namespace vr

@@ -1,0 +1,147 @@
+#include "panel_wall.h"
+
+#include <numbers>
+
+namespace vr
+{
+namespace
+{
+constexpr double degree = std::numbers::pi / 180;
+
+/// To the left of where the person looks; the model stands in the middle.
+struct Stand
+{
+    double aside; ///< radians
+    double below; ///< metres
+};
+
+Stand standOf(PanelKind kind)
+{
+    switch (kind) {
+    case PanelKind::Files:
+        return {35 * degree, 0.08};
+    case PanelKind::Settings:
+        return {-35 * degree, 0.08};
+    case PanelKind::Performance:
+        return {-25 * degree, -0.12};
+    default:
+        return {0, -0.2}; // a sentence above the clay
+    }
+}
+} // namespace
+
+void PanelWall::create(QOpenGLExtraFunctions* gl)
+{
+    for (Place& place : m_places)
+        place.picture.create(gl);
+}
+
+void PanelWall::destroy()
+{
+    for (Place& place : m_places)
+        place.picture.destroy();
+}
+
+void PanelWall::open(PanelKind kind, bool isOpen)
+{
+    Place& place = at(kind);
+    if (isOpen && !place.isOpen)
+        place.pose.reset();
+    place.isOpen = isOpen;
+}
+
+void PanelWall::forgetPlaces()
+{
+    for (Place& place : m_places)
+        place.pose.reset();
+}
+
+void PanelWall::show(const PanelContent& content, float opacity)
+{
+    const PanelKind kind = kindOf(content);
+    at(kind).opacity = opacity;
+    PanelTouches touches;
+    for (std::size_t i = 0; i < sideCount; ++i)
+        touches[i] = m_pointers[i].touch(kind);
+    m_pictures.show(content, touches);
+}
+
+/// One in a frame: a picture is a megabyte or two to upload.
+void PanelWall::takePicture()
+{
+    for (std::size_t i = 0; i < panelKindCount; ++i) {
+        const std::size_t index = (m_turn + i) % panelKindCount;
+        if (std::optional<PanelPicture> picture = m_pictures.take(static_cast<PanelKind>(index))) {
+            m_places[index].picture.show(picture->image);
+            m_places[index].placed.layout = std::move(picture->layout);
+            m_turn = index + 1;
+            return;
+        }
+    }
+}
+
+std::optional<Side> PanelWall::carrier(PanelKind kind) const
+{
+    const Side support = m_sculpting == Side::Right ? Side::Left : Side::Right;
+    return kind == PanelKind::Tools   ? std::optional(support)
+           : kind == PanelKind::Color ? std::optional(m_sculpting)
+                                      : std::nullopt;
+}
+
+Pose PanelWall::placeOf(PanelKind kind, const Sight& sight, const Eigen::Vector2d& size) const
+{
+    const Place& place = at(kind);
+    if (const std::optional<Side> side = carrier(kind)) {
+        const std::optional<Pose>& grip = sight.grips[static_cast<std::size_t>(*side)];
+        return grip ? placeAtHand(*grip, sight.head, size)
+                    : place.pose.value_or(placeAhead(sight.head, {.size = size, .clear = {}}));
+    }
+    if (place.pose && !isOutOfReach(*place.pose, sight.head))
+        return *place.pose;
+    const Stand stand = standOf(kind);
+    return placeAhead(sight.head, {size, place.placed.layout->distance, stand.aside, stand.below, sight.clay,
+                                   stand.aside < 0 ? -1.0 : 1.0});
+}
+
+void PanelWall::place(const Sight& sight)
+{
+    m_sculpting = sight.sculpting;
+    takePicture();
+    for (std::size_t i = 0; i < panelKindCount; ++i) {
+        Place& place = m_places[i];
+        if (!isThere(place))
+            continue;
+        place.pose = placeOf(static_cast<PanelKind>(i), sight, place.placed.layout->metres());
+        place.placed.pose = *place.pose;
+    }
+}
+
+bool PanelWall::isThere(const Place& place)
+{
+    return place.isOpen && place.opacity > 0 && place.placed.layout;
+}
+
+std::optional<PanelAction> PanelWall::aim(Side side, const std::optional<core::Ray>& ray, double time)
+{
+    m_targets.clear();
+    for (std::size_t i = 0; i < panelKindCount; ++i) {
+        const auto kind = static_cast<PanelKind>(i);
+        if (isThere(m_places[i]) && kind != PanelKind::Notice && carrier(kind) != side)
+            m_targets.push_back(m_places[i].placed);
+    }
+    return pointer(side).aim(ray, time, m_targets);
+}
+
+void PanelWall::list(std::vector<Panel>& panels) const
+{
+    panels.clear();
+    for (const Place& place : m_places)
+        if (isThere(place))
+            panels.push_back({place.placed.pose, place.placed.layout->metres(), place.picture.id(), place.opacity});
+}
+
+const PlacedPanel* PanelWall::placed(PanelKind kind) const
+{
+    return isThere(at(kind)) ? &at(kind).placed : nullptr;
+}
+} // namespace vr

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "panels/panel_pictures.h"
+#include "panels/panel_pointer.h"
+#include "picture_texture.h"
+#include "scene_state.h"
+
+namespace vr
+{
+/// The panels of a visit: which are open, where they stand, what is seen of them, and what two wands do at them. The headset's thread;
+/// panels are painted on another (PanelPictures), and appear when they are.
+class PanelWall
+{
+public:
+    /// The context that was current at create() must be current at show(), list() and destroy().
+    void create(QOpenGLExtraFunctions* gl);
+    void destroy();
+
+    /// A panel that opens is placed anew where the person looks, unless it goes with a hand.
+    void open(PanelKind kind, bool isOpen = true);
+    bool isOpen(PanelKind kind) const { return at(kind).isOpen; }
+    /// The room is another: all are placed anew.
+    void forgetPlaces();
+
+    /// For each open panel, each frame. `opacity`: 0 to 1; one of 0 is not there.
+    void show(const PanelContent& content, float opacity = 1);
+
+    /// Once a frame, before wands point. Room space.
+    struct Sight
+    {
+        Pose head;
+        std::array<std::optional<Pose>, sideCount> grips; ///< by Side; none: the hand is not seen
+        Side sculpting = Side::Right;                     ///< has the colours, the other the tools
+        core::Sphere clay;                                ///< which panels ahead do not hide
+    };
+    void place(const Sight& sight);
+
+    /// Once a frame and hand, before press() and release(). No ray: the wand is lost. Nobody points at what the same hand carries. What a
+    /// slider or a held item wants.
+    std::optional<PanelAction> aim(Side side, const std::optional<core::Ray>& ray, double time);
+    /// Where that hand points.
+    const std::optional<PanelPointer::Spot>& spot(Side side) const { return pointer(side).spot(); }
+    std::optional<PanelAction> press(Side side) { return pointer(side).press(); }
+    std::optional<PanelAction> release(Side side, bool isClick) { return pointer(side).release(isClick); }
+
+    /// What is seen: into `panels`, in place of what that held.
+    void list(std::vector<Panel>& panels) const;
+    /// An open panel as it stands; null: it is not there yet.
+    const PlacedPanel* placed(PanelKind kind) const;
+
+private:
+    struct Place
+    {
+        bool isOpen = false;
+        std::optional<Pose> pose;
+        PlacedPanel placed; ///< its layout is null until it was painted
+        PictureTexture picture;
+        float opacity = 1;
+    };
+
+    Place& at(PanelKind kind) { return m_places[static_cast<std::size_t>(kind)]; }
+    const Place& at(PanelKind kind) const { return m_places[static_cast<std::size_t>(kind)]; }
+    PanelPointer& pointer(Side side) { return m_pointers[static_cast<std::size_t>(side)]; }
+    const PanelPointer& pointer(Side side) const { return m_pointers[static_cast<std::size_t>(side)]; }
+    static bool isThere(const Place& place);
+    std::optional<Side> carrier(PanelKind kind) const;
+    Pose placeOf(PanelKind kind, const Sight& sight, const Eigen::Vector2d& size) const;
+    void takePicture();
+
+    PanelPictures m_pictures;
+    std::array<Place, panelKindCount> m_places;     ///< by PanelKind
+    std::array<PanelPointer, sideCount> m_pointers; ///< by Side
+    std::vector<PlacedPanel> m_targets;             ///< of aim()
+    Side m_sculpting = Side::Right;
+    std::size_t m_turn = 0; ///< whose picture is looked for first
+};
+} // namespace vr

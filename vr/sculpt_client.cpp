@@ -1,0 +1,175 @@
+#include "sculpt_client.h"
+
+#include <QOpenGLContext>
+#include <QOpenGLExtraFunctions>
+
+namespace vr
+{
+namespace
+{
+double secondsOf(std::int64_t displayNs)
+{
+    return static_cast<double>(displayNs) * 1e-9;
+}
+
+/// What panels ahead do not hide: a ball about the model's middle.
+core::Sphere clayOf(const Room& room, const core::Box& box)
+{
+    return {room.middle(), box.isEmpty() ? 0 : room.lengthToRoom(box.sizes().maxCoeff()) / 2};
+}
+} // namespace
+
+SculptClient::SculptClient(std::shared_ptr<DocumentPort> port, const HeadsetChoice& choice)
+    : m_port(std::move(port))
+    , m_choice(choice)
+    , m_hands(choice.hands)
+    , m_brush(m_port.get())
+    , m_haptics(choice.feel)
+{}
+
+SculptClient::~SculptClient() = default;
+
+bool SculptClient::create(QOpenGLContext& context)
+{
+    QOpenGLExtraFunctions* gl = context.extraFunctions();
+    m_target.create(gl);
+    m_wall.create(gl);
+    return m_scene.create(gl);
+}
+
+void SculptClient::destroy()
+{
+    obey(m_hands.letGo());
+    m_scene.destroy();
+    m_wall.destroy();
+    m_target.destroy();
+}
+
+/// Panels know where the wands were when they decide where these point; hands know whether they point at one; the brush is looked at when
+/// it is known what it is and where.
+FrameOutput SculptClient::frame(const FrameInput& input)
+{
+    const double time = secondsOf(input.displayNs);
+    m_output = {};
+    m_feelings = {};
+    takeNews();
+    takePatch();
+    moveRoom(input);
+    place(input);
+    aimAtPanels(input);
+    const std::vector<HandCommand> commands = m_hands.step(handsFrame(input));
+    obey(commands);
+    m_brush.look(m_tip, m_room);
+    feelEffects();
+    m_labels.step(time, m_head, input.wands, m_hands, commands);
+    showPanels(input);
+    see(input);
+    tellPresence(input);
+    m_output.pulses = m_haptics.step(time, m_feelings);
+    return m_output;
+}
+
+/// Another model is placed before the person; one that has only grown stays where it is.
+void SculptClient::takeNews()
+{
+    std::optional<DocumentNews> news = m_port->takeNews();
+    if (!news)
+        return;
+    const bool isAnother = news->model != m_news.model;
+    m_news = *std::move(news);
+    m_brush.take(m_news);
+    m_room.setModel(m_news.box);
+    m_isPlaced = m_isPlaced && !isAnother;
+    m_files.folder = m_news.folder;
+    m_files.files = m_news.files;
+    m_files.hasUnsavedChanges = m_news.isModified;
+    m_files.isBusy = m_news.isBusy;
+    m_files.saved = m_news.saved;
+}
+
+void SculptClient::takePatch()
+{
+    if (std::optional<core::MeshPatch> patch = m_port->takePatch())
+        m_scene.apply(*std::move(patch));
+}
+
+void SculptClient::moveRoom(const FrameInput& input)
+{
+    if (input.head)
+        m_head = *input.head;
+    if (!input.roomMoved)
+        return;
+    obey(m_hands.letGo());
+    m_wall.forgetPlaces();
+    m_isPlaced = false;
+}
+
+void SculptClient::place(const FrameInput& input)
+{
+    if (!m_isPlaced && input.head) {
+        m_room.place(m_head, m_choice.raised);
+        m_isPlaced = true;
+    }
+    PanelWall::Sight sight{m_head, {}, m_choice.hands.sculpting, clayOf(m_room, m_news.box)};
+    for (std::size_t i = 0; i < sideCount; ++i)
+        if (input.wands[i].isTracked)
+            sight.grips[i] = input.wands[i].grip;
+    m_wall.place(sight);
+}
+
+void SculptClient::aimAtPanels(const FrameInput& input)
+{
+    const WandState& sculpting = input.wands[static_cast<std::size_t>(m_choice.hands.sculpting)];
+    m_tip = sculpting.isTracked ? std::optional(tipOf(sculpting)) : std::nullopt;
+    for (const Side side : {Side::Left, Side::Right}) {
+        const WandState& wand = input.wands[static_cast<std::size_t>(side)];
+        const Pose tip = tipOf(wand);
+        const std::optional<core::Ray> ray =
+            wand.isTracked ? std::optional(core::Ray{tip.position, tip.forward()}) : std::nullopt;
+        if (const std::optional<PanelAction> action = m_wall.aim(side, ray, secondsOf(input.displayNs)))
+            obey(side, *action);
+    }
+}
+
+/// A brush that is in the clay sculpts, whatever stands behind it; so does a ray that meets the clay before it meets a panel.
+bool SculptClient::pointsAtPanel(Side side) const
+{
+    const std::optional<PanelPointer::Spot>& spot = m_wall.spot(side);
+    if (!spot || m_hands.draws(side))
+        return false;
+    if (side != m_choice.hands.sculpting || !m_tip)
+        return true;
+    const std::optional<double> reach = m_brush.reach(m_room);
+    return !m_brush.touches() && !(reach && *reach < (spot->point - m_tip->position).norm());
+}
+
+HandsFrame SculptClient::handsFrame(const FrameInput& input) const
+{
+    return {secondsOf(input.displayNs), input.wands, {pointsAtPanel(Side::Left), pointsAtPanel(Side::Right)}};
+}
+
+void SculptClient::feelEffects()
+{
+    const Side side = m_choice.hands.sculpting;
+    const StrokeEffect effect = m_port->takeEffect();
+    feeling(side).touches = m_brush.touches();
+    feeling(side).pressure = m_brush.touches() ? m_brush.pressure() : 0;
+    feeling(side).fused = feeling(side).fused || effect.fusions > 0;
+    feeling(side).refused = feeling(side).refused || effect.refusals > 0;
+    for (const Side each : {Side::Left, Side::Right})
+        if (const std::optional<Hands::Hold> hold = m_hands.hold(each))
+            feeling(each).hold = hold->progress;
+}
+
+void SculptClient::draw(std::size_t eye, const EyeImage& image, const EyeView& view)
+{
+    if (eye == 0)
+        m_scene.prepare(m_state);
+    EyeView own = view;
+    own.framebuffer = m_target.framebufferFor(image);
+    if (own.framebuffer == 0)
+        return;
+    m_scene.draw(own);
+    m_target.resolve(image);
+}
+} // namespace vr

@@ -1,0 +1,87 @@
+#pragma once
+
+#include "brush_hand.h"
+#include "eye_target.h"
+#include "frame_client.h"
+#include "hands.h"
+#include "panel_wall.h"
+#include "scene.h"
+#include "wand_labels.h"
+
+#include <memory>
+
+namespace vr
+{
+/// Sculpting in the headset: hands, brush, panels and the scene around the document's model, as one client. The order of a frame is in
+/// frame(); what hands and panels ask for is done in sculpt_client_deeds.cpp, what is seen is put together in sculpt_client_view.cpp.
+///
+/// A visit's own: made anew for each, and used on the headset's thread only, but for the constructor.
+class SculptClient : public FrameClient
+{
+public:
+    SculptClient(std::shared_ptr<DocumentPort> port, const HeadsetChoice& choice);
+    ~SculptClient() override;
+
+    bool create(QOpenGLContext& context) override;
+    FrameOutput frame(const FrameInput& input) override;
+    void draw(std::size_t eye, const EyeImage& image, const EyeView& view) override;
+    double drawCallMs() const override { return m_scene.drawCallMs() + m_target.drawCallMs(); }
+    void destroy() override;
+
+private:
+    // The frame's steps.
+    void takeNews();
+    void takePatch();
+    void moveRoom(const FrameInput& input);
+    void place(const FrameInput& input);
+    void aimAtPanels(const FrameInput& input);
+    HandsFrame handsFrame(const FrameInput& input) const;
+    void feelEffects();
+
+    // What is asked for.
+    void obey(const std::vector<HandCommand>& commands);
+    void obey(const HandCommand& command);
+    void obey(Side side, const PanelAction& action);
+    void obeyBrush(const PanelAction& action);
+    void obey(PanelCommand command);
+    void choose(const HeadsetChoice& choice);
+    HandFeeling& feeling(Side side) { return m_feelings[static_cast<std::size_t>(side)]; }
+
+    // What is seen.
+    void showPanels(const FrameInput& input);
+    ToolPanel toolPanel() const;
+    void showNotice(double time);
+    void see(const FrameInput& input);
+    ShownWand shown(const WandState& wand, Side side) const;
+    void tellPresence(const FrameInput& input);
+    bool pointsAtPanel(Side side) const;
+
+    std::shared_ptr<DocumentPort> m_port;
+    HeadsetChoice m_choice;
+    DocumentNews m_news;
+    Hands m_hands;
+    BrushHand m_brush;
+    std::optional<Pose> m_tip; ///< of the sculpting wand; nothing while that is not seen
+    Haptics m_haptics;
+    std::array<HandFeeling, sideCount> m_feelings; ///< of the frame, by Side
+    WandLabels m_labels;
+    Room m_room;
+    bool m_isPlaced = false;
+    Pose m_head;          ///< last known
+    FrameOutput m_output; ///< of the frame
+
+    PanelWall m_wall;
+    FilesPanel m_files;
+    SettingsPage m_page = SettingsPage::General;
+    PerformancePanel m_performance;
+    double m_measuredAt = 0; ///< seconds
+    Notice m_notice;
+    quint64 m_noticeCount = 0; ///< DocumentNews::noticeCount of that
+    double m_noticedAt = 0;    ///< seconds
+
+    Scene m_scene;
+    EyeTarget m_target;
+    SceneState m_state;
+    std::shared_ptr<const core::Footprint> m_tint; ///< that is shown
+};
+} // namespace vr
