@@ -25,6 +25,7 @@ struct RecoveredDocument;
 namespace app
 {
 class JournalShelf;
+struct SavedFile;
 struct LoadedModel;
 struct ModelOutcome;
 struct ExportOrder;
@@ -62,6 +63,8 @@ public:
     const ui::ModelFacts& facts() const { return m_facts; }
     bool isModified() const;
     bool isBusy() const { return m_work.isBusy(); }
+    /// Another model is on its way: what is done to the present one now is lost if that comes.
+    bool isOpening() const { return m_isLoading; }
     /// Nothing that was asked for waits, every stroke has ended and reported. historyChanged() says when to look again.
     bool isSettled() const;
     /// The one answer for actions, wands and history: there is a step back, and its change is still kept.
@@ -69,12 +72,16 @@ public:
     bool canRedo() const;
     QString undoText() const; ///< empty if there is none
     QString redoText() const;
+    /// Runs it when all that was asked for before is done, and every stroke that began before has been reported.
+    void inTurn(std::function<void()> run) { request(std::move(run)); }
     const QUndoStack& undoStack() const { return m_stack; }
     HistoryStore& history() { return m_history; }
 
 public Q_SLOTS:
     /// In the place of what is being opened just now; after what is being written or changed.
     void open(const QString& path);
+    /// The same, but nobody is asked: changes were let go already.
+    void openLosingChanges(const QString& path);
     /// The same, but a model that is not in order is legalised; it has no file then.
     void openMended(const QString& path, const core::LegaliseOptions& options);
     /// The paper's sphere.
@@ -90,6 +97,9 @@ public Q_SLOTS:
     void loseFile();
     /// To a file that from now on is the model's own.
     void save(const QString& path);
+    /// Beside that path, under the first number after all that are there: a GLB, which from now on is the model's own, and an STL. No file
+    /// is overwritten.
+    void saveNumbered(const QString& path);
     /// To some other file, with at most so many triangles (0: all), which is read back and judged, perhaps by an installed slicer, too: changes
     /// stay unsaved.
     void exportTo(const QString& path, quint64 mostTriangles = 0, bool slices = false);
@@ -149,8 +159,10 @@ private:
     {
         QString what;
         Make make;
+        bool losesChanges = false; ///< the person knows it
     };
-    void openFrom(const QString& what, const Make& make);
+    static Choice choiceOf(const QString& path, LongWork& work);
+    void openFrom(const Choice& choice);
     void openNext(Choice choice);
     void openWaiting();
     void load(const QString& what, const Make& make);
@@ -168,13 +180,10 @@ private:
     void whenRecorded(std::function<void()> tell);
     void takeConfirmation();
     void tellOutcome(const core::ModelCommand& command, const ui::Insertion& insertion, const ModelOutcome& outcome);
-    struct Written
-    {
-        QString problem; ///< empty: there is a file
-        bool losesColors;
-    };
+    using Write = std::function<SavedFile(const core::TriangleMesh& mesh, const core::DocumentNotes& notes)>;
     core::DocumentNotes notesNow() const;
-    void finishSaving(const QString& path, int index, const Written& written);
+    void saveBy(const QString& name, const Write& write);
+    void finishSaving(int index, const SavedFile& saved);
     void startExport(const ExportOrder& order, const core::JobWatch& watch);
     void finishExport(const QString& path, const ExportOutcome& outcome);
     void takeSaved(const QString& path, int index);

@@ -5,6 +5,7 @@
 #include "journal_shelf.h"
 #include "model_export.h"
 #include "model_loader.h"
+#include "model_saving.h"
 #include "model_trial.h"
 
 #include "core/mesh_build.h"
@@ -21,41 +22,53 @@ namespace
 constexpr double clayRadius = 50; ///< mm
 } // namespace
 
+Document::Choice Document::choiceOf(const QString& path, LongWork& work)
+{
+    const auto tell = [&work](const QString& next) { work.rename(next); };
+    return {tr("Opening %1").arg(QFileInfo(path).fileName()),
+            [path, tell](const core::JobWatch& watch) { return ModelLoader::load(path, tell, watch); }};
+}
+
 void Document::open(const QString& path)
 {
-    const QString name = QFileInfo(path).fileName();
-    const auto tell = [this](const QString& next) { m_work.rename(next); };
-    openFrom(tr("Opening %1").arg(name), [path, tell](const core::JobWatch& watch) { return ModelLoader::load(path, tell, watch); });
+    openFrom(choiceOf(path, m_work));
+}
+
+void Document::openLosingChanges(const QString& path)
+{
+    Choice choice = choiceOf(path, m_work);
+    choice.losesChanges = true;
+    openFrom(choice);
 }
 
 void Document::openMended(const QString& path, const core::LegaliseOptions& options)
 {
     const QString name = QFileInfo(path).fileName();
     const auto tell = [this](const QString& next) { m_work.rename(next); };
-    openFrom(tr("Opening %1").arg(name),
-             [path, options, tell](const core::JobWatch& watch) { return ModelLoader::loadMended(path, options, tell, watch); });
+    openFrom({tr("Opening %1").arg(name),
+              [path, options, tell](const core::JobWatch& watch) { return ModelLoader::loadMended(path, options, tell, watch); }});
 }
 
 void Document::openSphere()
 {
-    openFrom(tr("Preparing the clay"), [](const core::JobWatch&) { return ModelLoader::sphere(clayRadius); });
+    openFrom({tr("Preparing the clay"), [](const core::JobWatch&) { return ModelLoader::sphere(clayRadius); }});
 }
 
 void Document::openStarter(core::Starter starter)
 {
-    openFrom(tr("Preparing the clay"), [starter](const core::JobWatch&) { return ModelLoader::starter(starter); });
+    openFrom({tr("Preparing the clay"), [starter](const core::JobWatch&) { return ModelLoader::starter(starter); }});
 }
 
 /// Changes are what they are when all strokes have reported. Who let them go for a model that does not come need not be asked again.
-void Document::openFrom(const QString& what, const Make& make)
+void Document::openFrom(const Choice& choice)
 {
     if (m_work.isBusy() && !m_isLoading)
         Q_EMIT noticed(tr("The model that you chose opens as soon as this is done."));
-    request([this, what, make] {
+    request([this, choice] {
         if (m_work.isBusy())
-            openNext({what, make});
-        else if (m_letGo || mayDiscard([this, what, make] { openFrom(what, make); }))
-            load(what, make);
+            openNext(choice);
+        else if (choice.losesChanges || m_letGo || mayDiscard([this, choice] { openFrom(choice); }))
+            load(choice.what, choice.make);
     });
 }
 
@@ -72,7 +85,7 @@ void Document::openNext(Choice choice)
 void Document::openWaiting()
 {
     if (const auto next = std::exchange(m_next, std::nullopt))
-        openFrom(next->what, next->make);
+        openFrom(*next);
 }
 
 void Document::load(const QString& what, const Make& make)
@@ -166,32 +179,44 @@ core::DocumentNotes Document::notesNow() const
 
 void Document::save(const QString& path)
 {
+    const int kept = ui::Settings().preferences().keepsVersions ? ui::keptVersions : 0;
+    saveBy(QFileInfo(path).fileName(), [path, kept](const core::TriangleMesh& mesh, const core::DocumentNotes& notes) {
+        return ModelSaving::save(path, mesh, notes, kept);
+    });
+}
+
+void Document::saveNumbered(const QString& path)
+{
+    saveBy(m_facts.name, [path](const core::TriangleMesh& mesh, const core::DocumentNotes& notes) {
+        return ModelSaving::saveNumbered(path, mesh, notes);
+    });
+}
+
+void Document::saveBy(const QString& name, const Write& write)
+{
     if (m_work.isBusy())
         return;
-    m_work.begin(tr("Saving %1").arg(QFileInfo(path).fileName()));
-    request([this, path] {
-        const int kept = ui::Settings().preferences().keepsVersions ? ui::keptVersions : 0;
-        m_worker->post([this, path, notes = notesNow(), kept, index = m_stack.index()](core::Sculptor& sculptor) mutable {
+    m_work.begin(tr("Saving %1").arg(name));
+    request([this, write] {
+        m_worker->post([this, write, notes = notesNow(), index = m_stack.index()](core::Sculptor& sculptor) mutable {
             notes.frame = sculptor.mesh().frame();
             auto mesh = std::make_shared<core::TriangleMesh>(core::extractMesh(sculptor.mesh()));
-            auto work = [path, notes, kept, mesh = std::move(mesh)] {
-                return Written{ModelLoader::save(path, *mesh, notes, kept), !mesh->colors.empty() && !ModelLoader::holdsColors(path)};
-            };
-            m_work.run(std::move(work), [this, path, index](const Written& written) { finishSaving(path, index, written); });
+            auto work = [write, notes, mesh = std::move(mesh)] { return write(*mesh, notes); };
+            m_work.run(std::move(work), [this, index](const SavedFile& saved) { finishSaving(index, saved); });
         });
     });
 }
 
-void Document::finishSaving(const QString& path, int index, const Written& written)
+void Document::finishSaving(int index, const SavedFile& saved)
 {
     m_work.end();
-    if (!written.problem.isEmpty()) {
-        Q_EMIT refused(written.problem);
+    if (!saved.problem.isEmpty()) {
+        Q_EMIT refused(saved.problem);
         return;
     }
-    takeSaved(path, index);
-    if (written.losesColors)
-        Q_EMIT noticed(tr("%1 was written without the colours, which its format does not hold; GLB does.").arg(QFileInfo(path).fileName()));
+    takeSaved(saved.path, index);
+    if (!saved.notice.isEmpty())
+        Q_EMIT noticed(saved.notice);
 }
 
 void Document::exportTo(const QString& path, quint64 mostTriangles, bool slices)

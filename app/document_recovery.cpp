@@ -21,7 +21,7 @@ void Document::keepJournals(JournalShelf* shelf)
 
 void Document::recover(quint64 offer, const QString& name)
 {
-    openFrom(tr("Recovering %1").arg(name), [shelf = m_shelf, offer](const core::JobWatch& watch) { return shelf->recover(offer, watch); });
+    openFrom({tr("Recovering %1").arg(name), [shelf = m_shelf, offer](const core::JobWatch& watch) { return shelf->recover(offer, watch); }});
 }
 
 /// With its journal, which may be none. That of the model before goes when nobody writes to it any more.

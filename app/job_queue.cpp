@@ -33,11 +33,9 @@ void JobQueue::thinSamples()
 {
     const std::size_t begin = m_jobs.size() - m_waitingSamples;
     std::size_t kept = begin;
-    for (std::size_t i = begin; i < m_jobs.size(); ++i) {
-        const bool isLast = i + 1 == m_jobs.size(); // so far; it may go when others have followed
-        if (std::get<Sample>(m_jobs[i]).first || isLast || (i - begin) % 2 == 1)
+    for (std::size_t i = begin; i < m_jobs.size(); ++i) // the last so far may go when others have followed
+        if (!isThinnedOut(i - begin, m_waitingSamples, std::get<Sample>(m_jobs[i]).first))
             std::swap(m_jobs[kept++], m_jobs[i]);
-    }
     m_dropped += m_jobs.size() - kept;
     m_jobs.resize(kept);
     m_waitingSamples = kept - begin;

@@ -20,13 +20,14 @@ inline constexpr std::size_t sourceCount = 3;
 struct BeginStroke
 {
     core::StrokeSettings settings;
+    Source source = Source::Desktop;
+    bool onlyAdds = false; ///< a sphere, or nothing
 };
 struct Sample
 {
     core::StrokeSample sample;
     std::int64_t postedNs = 0; ///< steady clock
     bool first = false;        ///< of its stroke; set by the queue
-    bool onlyAdds = false;     ///< a sphere, or nothing
 };
 struct EndStroke
 {
@@ -35,7 +36,8 @@ struct EndStroke
 using Task = std::function<void()>;
 using Job = std::variant<BeginStroke, Sample, EndStroke, Task>;
 
-/// A ray of which a viewer wants to know where it meets the surface, and what a brush would take there.
+/// A ray of which a viewer wants to know where it meets the surface, and what a brush would take there; of a spherical brush that stands
+/// where the hand is (core::Placement::Point), which of the surface's points within it is nearest to the ray's origin.
 struct Question
 {
     Source source;
@@ -44,6 +46,12 @@ struct Question
 };
 
 std::int64_t steadyNs();
+
+/// Of `count` samples that pile up, whether the one at `i` is dropped: every other one, but not a stroke's first nor the last.
+constexpr bool isThinnedOut(std::size_t i, std::size_t count, bool isFirst)
+{
+    return !isFirst && i + 1 != count && i % 2 == 0;
+}
 
 /// What the mesh thread has to do: jobs in order, and the newest question of each viewer, which goes before them. Any thread.
 class JobQueue

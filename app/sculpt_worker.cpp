@@ -23,6 +23,23 @@ double areaOf(const core::Mesh& mesh, core::Slot f)
     const core::Vec3f &a = mesh.point(t[0]), &b = mesh.point(t[1]), &c = mesh.point(t[2]);
     return static_cast<double>((b - a).cross(c - a).norm()) / 2;
 }
+
+/// A ball that stands where the hand is.
+bool isInHand(const std::optional<core::StrokeSettings>& brush)
+{
+    return brush && brush->brush == core::BrushShape::Sphere && brush->place == core::Placement::Point;
+}
+
+bool mayAdd(const core::StrokeSettings& settings)
+{
+    return settings.add && settings.tool == core::Tool::Pull && isInHand(settings);
+}
+
+std::uint64_t meetingsOf(const core::Sculptor& sculptor)
+{
+    const core::SculptorTotals totals = sculptor.totals();
+    return totals.fusions + totals.separations;
+}
 } // namespace
 
 SculptWorker::SculptWorker(QObject* parent) : QObject(parent), m_thread([this] { run(); }) {}
@@ -52,16 +69,21 @@ void SculptWorker::setInbox(Source source, std::shared_ptr<PatchInbox> inbox)
 
 bool SculptWorker::beginStroke(Source source, const core::StrokeSettings& settings)
 {
+    return begin({settings, source});
+}
+
+bool SculptWorker::begin(const BeginStroke& stroke)
+{
     {
         const std::lock_guard lock(m_mutex);
         if (!m_openSource && !m_isHeld) {
-            m_openSource = source;
+            m_openSource = stroke.source;
             ++m_strokesBegun;
-            m_queue.push(BeginStroke{settings});
+            m_queue.push(stroke);
             return true;
         }
     }
-    Q_EMIT strokeRefused(source);
+    Q_EMIT strokeRefused(stroke.source);
     return false;
 }
 
@@ -83,13 +105,9 @@ void SculptWorker::endStroke(Source source)
 
 bool SculptWorker::addSphere(Source source, const core::StrokeSettings& settings, const core::StrokeSample& sample)
 {
-    if (!beginStroke(source, settings))
+    if (!begin({settings, source, true}))
         return false;
-    {
-        const std::lock_guard lock(m_mutex);
-        if (m_openSource == source)
-            m_queue.push(Sample{sample, steadyNs(), false, true});
-    }
+    addSample(source, sample);
     endStroke(source);
     return true;
 }
@@ -169,11 +187,19 @@ void SculptWorker::run()
     }
 }
 
+std::optional<core::SurfaceHit> SculptWorker::placeOf(const Question& question) const
+{
+    if (!isInHand(question.brush))
+        return m_sculptor->hit(question.ray);
+    const auto nearest = m_sculptor->nearest(question.ray.origin);
+    return nearest && nearest->distance <= question.brush->radius ? nearest : std::nullopt;
+}
+
 void SculptWorker::run(const Question& question)
 {
-    const auto hit = m_sculptor ? m_sculptor->hit(question.ray) : std::nullopt;
+    const auto hit = m_sculptor ? placeOf(question) : std::nullopt;
     std::shared_ptr<const core::Footprint> footprint;
-    if (hit && question.brush)
+    if (hit && question.brush && !isInHand(question.brush))
         footprint = std::make_shared<core::Footprint>(m_sculptor->footprint(*question.brush, hit->position));
     if (question.source == Source::Desktop)
         m_mail.post([this, hit, footprint, epoch = m_epoch] { Q_EMIT answeredDesktop(hit, footprint, epoch); });
@@ -187,13 +213,13 @@ bool SculptWorker::touches(const core::StrokeSample& sample) const
     core::Vec3 position = sample.rotation.conjugate() * sample.position;
     const auto isNear = [&] {
         const auto nearest = m_sculptor->nearest(position);
-        return nearest && nearest->distance <= m_settings.radius;
+        return nearest && nearest->distance <= m_stroke.settings.radius;
     };
     if (isNear())
         return true;
-    if (m_settings.symmetry == core::Symmetry::None)
+    if (m_stroke.settings.symmetry == core::Symmetry::None)
         return false;
-    double& across = position[static_cast<int>(m_settings.symmetry) - static_cast<int>(core::Symmetry::X)];
+    double& across = position[static_cast<int>(m_stroke.settings.symmetry) - static_cast<int>(core::Symmetry::X)];
     across = -across;
     return isNear();
 }
@@ -202,33 +228,44 @@ void SculptWorker::run(BeginStroke& job)
 {
     m_report = {};
     m_report.tool = job.settings.tool;
-    m_settings = job.settings;
+    m_stroke = job;
+    m_course = mayAdd(job.settings) ? Course::Undecided : Course::Open;
     m_samples.clear();
     ++m_scanGeneration;
-    if (m_sculptor) {
-        m_fusionsBefore = m_sculptor->totals().fusions;
+    if (!m_sculptor)
+        return;
+    m_fusionsBefore = m_sculptor->totals().fusions;
+    if (m_course == Course::Open)
         m_sculptor->beginStroke(job.settings);
+}
+
+/// A ball, or a stroke; where only a ball was wanted, nothing.
+void SculptWorker::decide(const core::StrokeSample& first)
+{
+    const bool isTouching = touches(first);
+    if (isTouching && m_stroke.onlyAdds) {
+        m_report.shortfall = core::Shortfall::TooClose;
+        m_course = Course::Over;
+        return;
     }
+    m_course = Course::Open;
+    m_stroke.settings.add = !isTouching;
+    m_sculptor->beginStroke(m_stroke.settings);
 }
 
 void SculptWorker::run(Sample& job)
 {
-    if (!m_sculptor)
+    if (m_sculptor && m_course == Course::Undecided)
+        decide(job.sample);
+    if (!m_sculptor || m_course == Course::Over)
         return;
-    if (job.onlyAdds && touches(job.sample)) {
-        m_report.shortfall = core::Shortfall::TooClose;
-        return;
-    }
+    if (mayAdd(m_stroke.settings)) // a hand that pulls faster than the clay follows leaves no row of balls
+        m_course = Course::Over;
     m_sampledNs = job.postedNs;
-    if (m_journal)
-        m_samples.push_back(job.sample);
-    const std::vector<core::DabReport> dabs = m_sculptor->addSample(job.sample);
-    m_report.dabs += dabs.size();
-    for (const core::DabReport& dab : dabs) {
-        m_report.shortfall = std::max(m_report.shortfall, core::shortfallOf(dab));
-        m_report.added = m_report.added || dab.outcome == core::DabOutcome::Added;
-        m_report.asymmetric = m_report.asymmetric || dab.asymmetric;
-    }
+    const std::uint64_t before = meetingsOf(*m_sculptor);
+    const core::Shortfall shortfall = apply(job.sample);
+    if (m_stroke.source == Source::Headset)
+        Q_EMIT sampledHeadset(meetingsOf(*m_sculptor) - before, shortfall);
     {
         const std::lock_guard lock(m_mutex);
         ++m_stats.samples;
@@ -238,10 +275,26 @@ void SculptWorker::run(Sample& job)
     m_sampledNs = 0;
 }
 
+core::Shortfall SculptWorker::apply(const core::StrokeSample& sample)
+{
+    if (m_journal)
+        m_samples.push_back(sample);
+    core::Shortfall shortfall = core::Shortfall::None;
+    const std::vector<core::DabReport> dabs = m_sculptor->addSample(sample);
+    m_report.dabs += dabs.size();
+    for (const core::DabReport& dab : dabs) {
+        shortfall = std::max(shortfall, core::shortfallOf(dab));
+        m_report.added = m_report.added || dab.outcome == core::DabOutcome::Added;
+        m_report.asymmetric = m_report.asymmetric || dab.asymmetric;
+    }
+    m_report.shortfall = std::max(m_report.shortfall, shortfall);
+    return shortfall;
+}
+
 void SculptWorker::run(EndStroke&)
 {
     if (m_sculptor) {
-        auto delta = std::make_shared<core::MeshDelta>(m_sculptor->endStroke());
+        auto delta = std::make_shared<core::MeshDelta>(m_sculptor->strokeOpen() ? m_sculptor->endStroke() : core::MeshDelta());
         flushPatch();
         if (!delta->empty())
             m_report.delta = std::move(delta);
@@ -259,7 +312,7 @@ void SculptWorker::record(const core::MeshDelta& delta)
     const StepWords words = StrokeCommand::wordsOf(m_report);
     m_journal->changed(m_sculptor->mesh(), delta,
                        {words.text.toStdString(), words.marks.icon.toStdString(), words.marks.dabs, words.marks.fusions},
-                       core::Stroke{m_settings, std::exchange(m_samples, {})});
+                       core::Stroke{m_stroke.settings, std::exchange(m_samples, {})});
 }
 
 /// What is told is told in order, and not before it would survive the program.

@@ -71,7 +71,8 @@ public:
     void setInbox(Source source, std::shared_ptr<PatchInbox> inbox);
 
     /// One stroke is open at a time: false, and strokeRefused() from here, if another source's is. Each stroke that was begun is
-    /// reported once by strokeFinished().
+    /// reported once by strokeFinished(). A pull that may add a sphere (settings.add) adds one by its first sample, and the others do
+    /// nothing; where the brush touches the surface at the first, it is a pull like any other.
     bool beginStroke(Source source, const core::StrokeSettings& settings);
     void addSample(Source source, const core::StrokeSample& sample);
     void endStroke(Source source);
@@ -85,7 +86,7 @@ public:
     /// Ever.
     quint64 strokesBegun() const { return m_strokesBegun; }
 
-    /// The newest question of a source is answered once, by its answered signal; those that it overtook are not.
+    /// The newest question of a source is answered once, by its answered signal; those that it overtook are not. See Question.
     void ask(Source source, const core::Ray& ray, const std::optional<core::StrokeSettings>& brush = {});
 
     /// Puts another model in place of the present one, and into every inbox. A stroke that is open ends before. `journal` hears of
@@ -111,13 +112,20 @@ Q_SIGNALS:
     void answeredDesktop(const std::optional<core::SurfaceHit>& hit, const std::shared_ptr<const core::Footprint>& footprint, quint64 epoch);
     /// To ask(Source::Headset, ...); on the mesh thread, so that nobody waits for a window: connect it directly.
     void answeredHeadset(const std::optional<core::SurfaceHit>& hit, const std::shared_ptr<const core::Footprint>& footprint, quint64 epoch);
+    /// What a sample of the headset's did: surfaces joined or parted, and of its dabs what is most worth telling; on the mesh thread, as
+    /// the answers.
+    void sampledHeadset(quint64 fusions, core::Shortfall shortfall);
     /// Exact, some time after the last change.
     void factsChanged(const app::MeshFacts& facts);
 
 private:
+    bool begin(const BeginStroke& stroke);
     void run();
     void run(const Question& question);
+    std::optional<core::SurfaceHit> placeOf(const Question& question) const;
     bool touches(const core::StrokeSample& sample) const;
+    void decide(const core::StrokeSample& first);
+    core::Shortfall apply(const core::StrokeSample& sample);
     void run(BeginStroke& job);
     void run(Sample& job);
     void run(EndStroke& job);
@@ -146,7 +154,9 @@ private:
     std::array<std::shared_ptr<PatchInbox>, sourceCount> m_inboxes;
     StrokeReport m_report;
     quint64 m_fusionsBefore = 0; ///< the stroke
-    core::StrokeSettings m_settings; ///< of the stroke in work
+    BeginStroke m_stroke;        ///< in work
+    /// What its samples do. Undecided: a pull or a sphere, says the first.
+    enum class Course { Open, Undecided, Over } m_course = Course::Open;
     std::shared_ptr<core::Journal> m_journal;
     std::vector<core::StrokeSample> m_samples; ///< of the stroke in work, for the journal
     core::Box m_box;

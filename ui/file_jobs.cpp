@@ -138,6 +138,20 @@ QString FileJobs::copyOf(const QString& path)
     return target;
 }
 
+QString FileJobs::numberedCopyOf(const QString& path)
+{
+    static const QRegularExpression number(QStringLiteral("-(\\d{3,9})$"));
+    const QFileInfo file(path);
+    const QString base = file.completeBaseName().remove(number);
+    int last = 0;
+    for (const QFileInfo& other : file.dir().entryInfoList(QDir::Files | QDir::Hidden)) {
+        const QRegularExpressionMatch match = number.match(other.completeBaseName());
+        if (match.hasMatch() && other.completeBaseName().startsWith(base) && match.capturedStart() == base.size())
+            last = std::max(last, match.capturedView(1).toInt());
+    }
+    return file.dir().filePath(QStringLiteral("%1-%2.%3").arg(base).arg(last + 1, 3, 10, QLatin1Char('0')).arg(file.suffix()));
+}
+
 FileOutcome FileJobs::trash(const QStringList& paths)
 {
     FileOutcome outcome;

@@ -38,6 +38,8 @@ public:
     /// Beside the files: "lion copy.stl", "lion copy 2.stl".
     static FileOutcome duplicate(const QStringList& paths);
     static FileOutcome trash(const QStringList& paths);
+    /// "vase.glb" and "vase-002.glb" give "vase-003.glb" where that is the first number after all that are there, whatever the endings.
+    static QString numberedCopyOf(const QString& path);
 
 private:
     static QString nameProblem(const QString& name);

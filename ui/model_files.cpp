@@ -18,7 +18,6 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
-#include <QRegularExpression>
 
 #include <algorithm>
 #include <utility>
@@ -39,20 +38,6 @@ QString droppedFile(const QMimeData* data)
         if (url.isLocalFile())
             return url.toLocalFile();
     return {};
-}
-/// "vase.glb" and "vase-002.glb" give "vase-003.glb" where that is the first number after all that are there.
-QString numberedCopyOf(const QString& path)
-{
-    static const QRegularExpression number(QStringLiteral("-(\\d{3,9})$"));
-    const QFileInfo file(path);
-    const QString base = file.completeBaseName().remove(number);
-    int last = 0;
-    for (const QFileInfo& other : file.dir().entryInfoList(QDir::Files | QDir::Hidden)) {
-        const QRegularExpressionMatch match = number.match(other.completeBaseName());
-        if (match.hasMatch() && other.completeBaseName().startsWith(base) && match.capturedStart() == base.size())
-            last = std::max(last, match.capturedView(1).toInt());
-    }
-    return file.dir().filePath(QStringLiteral("%1-%2.%3").arg(base).arg(last + 1, 3, 10, QLatin1Char('0')).arg(file.suffix()));
 }
 } // namespace
 
@@ -218,7 +203,7 @@ void ModelFiles::saveCopy()
 {
     if (m_path.isEmpty() || !isWritten(m_path))
         return saveAs();
-    Q_EMIT exportRequested(numberedCopyOf(m_path));
+    Q_EMIT exportRequested(FileJobs::numberedCopyOf(m_path));
 }
 
 void ModelFiles::exportAs()

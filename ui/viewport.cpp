@@ -246,6 +246,7 @@ void Viewport::setLook(const ViewLook& look)
     m_state->look = look;
     m_state->scaleBar->setVisible(look.scaleBar);
     update();
+    Q_EMIT lookChanged();
 }
 
 const ViewLook& Viewport::look() const

@@ -119,6 +119,7 @@ Q_SIGNALS:
     void sphereRequested(const core::StrokeSettings& settings, const core::StrokeSample& sample);
 
     void viewChanged();
+    void lookChanged();
 
     void pickingChanged(bool on);
     /// Nothing: the press was not on the model.

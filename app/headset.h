@@ -1,0 +1,43 @@
+#pragma once
+
+#include "headset_desk.h"
+
+#include "vr/headset_thread.h"
+
+#include <functional>
+#include <memory>
+
+namespace app
+{
+/// Enters the headset with the document that is open, and leaves it, any number of times. Gui thread.
+class Headset : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// Who shows the document to a person in the headset, and lets them sculpt.
+    using MakeClient = std::function<std::shared_ptr<vr::FrameClient>(const std::shared_ptr<vr::DocumentPort>& port, const vr::HeadsetChoice& choice)>;
+
+    /// See HeadsetDesk.
+    Headset(const HeadsetDesk::Program& program, MakeClient makeClient, QObject* parent = nullptr);
+
+    /// Both return at once; reported() tells how it goes. Nothing happens where that is so already.
+    void enter();
+    void leave();
+    /// A visit has begun and not ended.
+    bool isIn() const { return m_thread.isIn(); }
+
+Q_SIGNALS:
+    void reported(const vr::HeadsetReport& report);
+    /// As HeadsetDesk's.
+    void noticed(const QString& sentence);
+    void seen(const std::optional<vr::Presence>& presence);
+
+private:
+    void take(const vr::HeadsetReport& report);
+
+    MakeClient m_makeClient;
+    HeadsetDesk m_desk;
+    vr::HeadsetThread m_thread; ///< last: its visits use the desk's documents
+};
+} // namespace app

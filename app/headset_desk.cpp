@@ -1,0 +1,157 @@
+// What the headset is told of the document and of the window.
+
+#include "headset_desk.h"
+
+#include "document.h"
+
+#include "ui/brush_settings.h"
+#include "ui/clay_materials.h"
+#include "ui/color_panel.h"
+#include "ui/main_window.h"
+#include "ui/settings.h"
+#include "ui/viewport.h"
+
+#include <QFileInfo>
+
+#include <tuple>
+#include <utility>
+
+namespace app
+{
+namespace
+{
+/// What the headset takes from the window: not the radius, which is a length of its own there.
+auto chosen(const core::StrokeSettings& brush)
+{
+    return std::tuple(brush.tool, brush.brush, brush.topology, brush.symmetry, brush.color.r, brush.color.g, brush.color.b, brush.falloff,
+                      brush.strength, brush.detail, brush.fusion);
+}
+} // namespace
+
+HeadsetDesk::HeadsetDesk(const Program& program, QObject* parent)
+    : QObject(parent), m_document(program.document), m_worker(program.worker), m_window(program.window)
+    , m_colors(program.window->findChild<ui::ColorPanel*>())
+{
+    takeBrush();
+    hear();
+}
+
+HeadsetDesk::~HeadsetDesk()
+{
+    if (m_port)
+        m_port->end();
+}
+
+void HeadsetDesk::hear()
+{
+    connect(m_document, &Document::opened, this, &HeadsetDesk::takeModel);
+    connect(m_document, &Document::busy, this, &HeadsetDesk::takeBusy);
+    connect(m_document, &Document::idle, this, &HeadsetDesk::takeBusy);
+    connect(m_document, &Document::factsChanged, this, &HeadsetDesk::tellSoon);
+    connect(m_document, &Document::historyChanged, this, &HeadsetDesk::tellSoon);
+    connect(m_document, &Document::modifiedChanged, this, &HeadsetDesk::tellSoon);
+    connect(m_document, &Document::noticed, this, &HeadsetDesk::tellNotice);
+    connect(m_document, &Document::refused, this, &HeadsetDesk::tellNotice);
+    connect(m_document, &Document::mendable, this,
+            [this](const QString&, const QString& problem) { tellNotice(tr("%1 It can be mended at the window.").arg(problem)); });
+    connect(m_document, &Document::saved, this, [this](const QString& path) {
+        m_news.saved = QFileInfo(path).fileName();
+        takeModel();
+    });
+    connect(m_window->brush(), &ui::BrushSettings::changed, this, &HeadsetDesk::takeBrush);
+    connect(m_window->viewport(), &ui::Viewport::lookChanged, this, &HeadsetDesk::tellSoon);
+    connect(m_colors, &ui::ColorPanel::swatchesChanged, this, &HeadsetDesk::tellSoon);
+    connect(&m_files, &HeadsetFiles::changed, this, &HeadsetDesk::tellSoon);
+}
+
+std::shared_ptr<HeadsetPort> HeadsetDesk::open()
+{
+    m_news.saved.clear();
+    m_news.notice.clear();
+    m_port = std::make_shared<HeadsetPort>(m_worker);
+    connect(m_port.get(), &HeadsetPort::mailCame, this, &HeadsetDesk::takeMail, Qt::QueuedConnection);
+    m_port->begin();
+    m_files.look(folder());
+    takeBusy();
+    tell();
+    return m_port;
+}
+
+void HeadsetDesk::close()
+{
+    if (!m_port)
+        return;
+    takeMail();
+    m_port->end();
+    m_port.reset();
+    m_files.stop();
+    Q_EMIT seen({});
+}
+
+void HeadsetDesk::tellNotice(const QString& sentence)
+{
+    m_news.notice = sentence;
+    ++m_news.noticeCount;
+    tellSoon();
+}
+
+void HeadsetDesk::takeBrush()
+{
+    const core::StrokeSettings& brush = m_window->brush()->stroke();
+    if (brush.symmetry != core::Symmetry::None)
+        m_news.plane = brush.symmetry;
+    if (!m_isChoosing && chosen(brush) != chosen(m_news.brush))
+        ++m_news.brushChange;
+    m_news.brush = brush;
+    tellSoon();
+}
+
+/// Another one, or the same in another file.
+void HeadsetDesk::takeModel()
+{
+    if (m_port)
+        m_files.look(folder());
+    tellSoon();
+}
+
+/// At once: a stroke may begin at any moment.
+void HeadsetDesk::takeBusy()
+{
+    if (m_port)
+        m_port->setRefusing(m_document->isOpening());
+    tellSoon();
+}
+
+/// One of many changes that come together.
+void HeadsetDesk::tellSoon()
+{
+    if (m_port && !std::exchange(m_tellsSoon, true))
+        QMetaObject::invokeMethod(this, "tell", Qt::QueuedConnection);
+}
+
+void HeadsetDesk::tell()
+{
+    m_tellsSoon = false;
+    if (!m_port)
+        return;
+    vr::DocumentNews news = m_news;
+    const ui::ViewLook& look = m_window->viewport()->look();
+    news.box = m_document->facts().box;
+    news.shading = ui::shadingOf(look.material);
+    news.isFlat = look.flat;
+    news.canUndo = m_document->canUndo();
+    news.canRedo = m_document->canRedo();
+    news.isModified = m_document->isModified();
+    news.isBusy = m_document->isBusy();
+    news.swatches = m_colors->swatches();
+    news.folder = m_files.name();
+    news.files = m_files.tiles();
+    m_port->tell(std::move(news));
+}
+
+QString HeadsetDesk::folder() const
+{
+    const QString& path = m_document->path();
+    return path.isEmpty() ? ui::Settings().lastFolder() : QFileInfo(path).absolutePath();
+}
+} // namespace app

@@ -1,0 +1,109 @@
+#include "headset_files.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+#include <algorithm>
+
+namespace app
+{
+namespace
+{
+constexpr int restMs = 300; ///< a folder changes several times while a file is written
+
+vr::FileTile tileOf(const ui::FileEntry& entry)
+{
+    return {entry.path, QFileInfo(entry.path).fileName(), {}, false};
+}
+} // namespace
+
+HeadsetFiles::HeadsetFiles(QObject* parent) : QObject(parent)
+{
+    m_listSoon.setSingleShot(true);
+    m_listSoon.setInterval(restMs);
+    connect(&m_listSoon, &QTimer::timeout, this, &HeadsetFiles::list);
+    connect(&m_watcher, &QFileSystemWatcher::directoryChanged, &m_listSoon, qOverload<>(&QTimer::start));
+}
+
+HeadsetFiles::~HeadsetFiles()
+{
+    m_listing.request_stop();
+}
+
+void HeadsetFiles::look(const QString& folder)
+{
+    if (folder == m_folder)
+        return;
+    stop();
+    m_folder = folder;
+    m_watcher.addPath(folder);
+    list();
+}
+
+void HeadsetFiles::stop()
+{
+    m_listing.request_stop();
+    m_listSoon.stop();
+    m_maker.reset();
+    if (const QStringList watched = m_watcher.directories(); !watched.isEmpty())
+        m_watcher.removePaths(watched);
+    m_folder.clear();
+    m_entries.clear();
+    m_tiles.clear();
+}
+
+QString HeadsetFiles::name() const
+{
+    const QString name = QDir(m_folder).dirName();
+    return name.isEmpty() ? QDir::toNativeSeparators(m_folder) : name; // a root has none
+}
+
+void HeadsetFiles::list()
+{
+    m_listing.request_stop();
+    m_listing = {};
+    const std::stop_token stop = m_listing.get_token();
+    m_disk.run([folder = m_folder, stop] { return ui::FileJobs::list(folder, stop); },
+               [this, stop](const ui::FolderContent& content) {
+                   if (!stop.stop_requested())
+                       take(content);
+               });
+}
+
+/// A file that stayed as it was keeps its picture.
+void HeadsetFiles::take(const ui::FolderContent& content)
+{
+    QList<ui::FileEntry> entries = content.entries;
+    entries.removeIf([](const ui::FileEntry& entry) { return entry.isFolder; });
+    std::ranges::sort(entries, [](const ui::FileEntry& a, const ui::FileEntry& b) {
+        return a.modifiedMs != b.modifiedMs ? a.modifiedMs > b.modifiedMs : a.path < b.path;
+    });
+    entries = entries.mid(0, most);
+    QList<vr::FileTile> tiles;
+    QList<ui::FileEntry> wanted;
+    for (const ui::FileEntry& entry : entries) {
+        const qsizetype known = m_entries.indexOf(entry);
+        tiles << (known < 0 ? tileOf(entry) : m_tiles[known]);
+        if (tiles.last().picture.isNull() && !tiles.last().isBroken)
+            wanted << entry;
+    }
+    m_entries = entries;
+    m_tiles = tiles;
+    if (!m_maker) {
+        m_maker = std::make_unique<ui::ThumbnailMaker>();
+        connect(m_maker.get(), &ui::ThumbnailMaker::made, this, &HeadsetFiles::keep);
+    }
+    m_maker->want(wanted);
+    Q_EMIT changed();
+}
+
+void HeadsetFiles::keep(const ui::FileEntry& file, const ui::Thumbnail& thumbnail)
+{
+    const qsizetype i = m_entries.indexOf(file);
+    if (i < 0)
+        return;
+    m_tiles[i].picture = thumbnail.picture;
+    m_tiles[i].isBroken = thumbnail.picture.isNull();
+    Q_EMIT changed();
+}
+} // namespace app

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "ui/file_jobs.h"
+#include "ui/side_thread.h"
+#include "ui/thumbnail_maker.h"
+
+#include "vr/panels/panel_content.h"
+
+#include <QFileSystemWatcher>
+#include <QTimer>
+
+#include <memory>
+
+namespace app
+{
+/// The models of a folder with their pictures, as the headset shows them. The disk is asked and pictures are made in other threads, and only
+/// while somebody looks. Gui thread.
+class HeadsetFiles : public QObject
+{
+    Q_OBJECT
+
+public:
+    static constexpr qsizetype most = 120; ///< the latest
+
+    explicit HeadsetFiles(QObject* parent = nullptr);
+    ~HeadsetFiles() override;
+
+    /// From now on into that folder; what changes there is seen.
+    void look(const QString& folder);
+    void stop();
+
+    /// The latest first; a picture comes when it is made.
+    const QList<vr::FileTile>& tiles() const { return m_tiles; }
+    /// Of the folder, for people.
+    QString name() const;
+
+Q_SIGNALS:
+    void changed();
+
+private:
+    void list();
+    void take(const ui::FolderContent& content);
+    void keep(const ui::FileEntry& file, const ui::Thumbnail& thumbnail);
+
+    QString m_folder; ///< empty: nobody looks
+    QList<ui::FileEntry> m_entries;
+    QList<vr::FileTile> m_tiles; ///< of the entries
+    QFileSystemWatcher m_watcher;
+    QTimer m_listSoon;
+    std::unique_ptr<ui::ThumbnailMaker> m_maker;
+    std::stop_source m_listing;
+    ui::SideThread m_disk; ///< last
+};
+} // namespace app

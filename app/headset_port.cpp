@@ -1,0 +1,217 @@
+#include "headset_port.h"
+
+#include <utility>
+
+namespace app
+{
+HeadsetPort::HeadsetPort(SculptWorker* worker) : m_worker(worker) {}
+
+// --- the gui thread's side ---------------------------------------------------------------------------------------------
+
+/// The worker's signals come on the mesh thread, the last ones perhaps while the visit ends.
+void HeadsetPort::begin()
+{
+    const auto self = shared_from_this();
+    m_answers = connect(
+        m_worker, &SculptWorker::answeredHeadset, m_worker,
+        [self](const auto& hit, const auto& footprint) { self->keepAnswer({hit, footprint}); }, Qt::DirectConnection);
+    m_samples = connect(
+        m_worker, &SculptWorker::sampledHeadset, m_worker,
+        [self](quint64 fusions, core::Shortfall shortfall) { self->keepEffect(fusions, shortfall); }, Qt::DirectConnection);
+    m_worker->setInbox(Source::Headset, m_inbox);
+}
+
+void HeadsetPort::end()
+{
+    const auto self = shared_from_this(); // the connections may be the last who know us
+    m_worker->setInbox(Source::Headset, nullptr);
+    disconnect(m_answers);
+    disconnect(m_samples);
+    const std::lock_guard lock(m_mutex);
+    endOpenStroke();
+    postHeld();
+}
+
+void HeadsetPort::tell(vr::DocumentNews news)
+{
+    std::optional<vr::DocumentNews> next = std::move(news);
+    const std::lock_guard lock(m_mutex);
+    std::swap(m_news, next); // an outdated one is freed after the lock
+}
+
+HeadsetMail HeadsetPort::takeMail()
+{
+    const std::lock_guard lock(m_mutex);
+    m_hasRung = false;
+    return std::exchange(m_mail, {});
+}
+
+void HeadsetPort::wishDone()
+{
+    const std::lock_guard lock(m_mutex);
+    ++m_done;
+    postHeld();
+}
+
+bool HeadsetPort::holdsStrokes(const vr::Wish& wish)
+{
+    return !std::holds_alternative<vr::ChooseBrush>(wish) && !std::holds_alternative<vr::HeadsetChoice>(wish);
+}
+
+void HeadsetPort::setRefusing(bool refuses)
+{
+    const std::lock_guard lock(m_mutex);
+    m_isRefusing = refuses;
+}
+
+// --- what comes and goes -----------------------------------------------------------------------------------------------
+
+std::optional<core::MeshPatch> HeadsetPort::takePatch()
+{
+    return m_inbox->take();
+}
+
+std::optional<vr::DocumentNews> HeadsetPort::takeNews()
+{
+    const std::lock_guard lock(m_mutex);
+    return std::exchange(m_news, std::nullopt);
+}
+
+void HeadsetPort::ask(const core::Ray& ray, const core::StrokeSettings& brush)
+{
+    m_worker->ask(Source::Headset, ray, brush);
+}
+
+void HeadsetPort::keepAnswer(vr::SurfaceAnswer answer)
+{
+    std::optional<vr::SurfaceAnswer> next = std::move(answer);
+    const std::lock_guard lock(m_mutex);
+    std::swap(m_answer, next);
+}
+
+std::optional<vr::SurfaceAnswer> HeadsetPort::takeAnswer()
+{
+    const std::lock_guard lock(m_mutex);
+    return std::exchange(m_answer, std::nullopt);
+}
+
+void HeadsetPort::wish(const vr::Wish& wish)
+{
+    bool isNew = false;
+    {
+        const std::lock_guard lock(m_mutex);
+        m_mail.wishes.push_back(wish);
+        m_wished += holdsStrokes(wish);
+        isNew = !std::exchange(m_hasRung, true);
+    }
+    ring(isNew);
+}
+
+void HeadsetPort::show(const vr::Presence& presence)
+{
+    bool isNew = false;
+    {
+        const std::lock_guard lock(m_mutex);
+        m_mail.presence = presence;
+        isNew = !std::exchange(m_hasRung, true);
+    }
+    ring(isNew);
+}
+
+void HeadsetPort::ring(bool isNew)
+{
+    if (isNew)
+        Q_EMIT mailCame();
+}
+
+// --- strokes -----------------------------------------------------------------------------------------------------------
+
+bool HeadsetPort::beginStroke(const core::StrokeSettings& settings)
+{
+    const std::lock_guard lock(m_mutex);
+    if (m_isRefusing) {
+        ++m_effect.refusals;
+        return false;
+    }
+    if (m_done < m_wished) {
+        m_held.push_back({m_wished, settings, {}});
+        m_open = Stroke::Held;
+        return true;
+    }
+    const bool isMine = m_worker->beginStroke(Source::Headset, settings);
+    m_effect.refusals += !isMine;
+    m_open = isMine ? Stroke::Posted : Stroke::None;
+    return isMine;
+}
+
+void HeadsetPort::addSample(const core::StrokeSample& sample)
+{
+    const std::lock_guard lock(m_mutex);
+    if (m_open == Stroke::Posted)
+        m_worker->addSample(Source::Headset, sample);
+    else if (m_open == Stroke::Held) {
+        m_held.back().samples.push_back(sample);
+        thin(m_held.back().samples);
+    }
+}
+
+void HeadsetPort::endStroke()
+{
+    const std::lock_guard lock(m_mutex);
+    endOpenStroke();
+}
+
+vr::StrokeEffect HeadsetPort::takeEffect()
+{
+    const std::lock_guard lock(m_mutex);
+    return std::exchange(m_effect, {});
+}
+
+void HeadsetPort::keepEffect(quint64 fusions, core::Shortfall shortfall)
+{
+    const std::lock_guard lock(m_mutex);
+    m_effect.fusions += static_cast<int>(fusions);
+    m_effect.refusals += shortfall != core::Shortfall::None;
+}
+
+void HeadsetPort::endOpenStroke()
+{
+    if (m_open == Stroke::Posted)
+        m_worker->endStroke(Source::Headset);
+    else if (m_open == Stroke::Held)
+        m_held.back().hasEnded = true;
+    m_open = Stroke::None;
+}
+
+/// What waits for no wish any more. The last may still be open: then it goes on there.
+void HeadsetPort::postHeld()
+{
+    for (; !m_held.empty() && m_held.front().after <= m_done; m_held.pop_front())
+        post(m_held.front());
+}
+
+void HeadsetPort::post(const HeldStroke& stroke)
+{
+    const bool isMine = !m_isRefusing && m_worker->beginStroke(Source::Headset, stroke.settings);
+    m_effect.refusals += !isMine;
+    if (isMine)
+        for (const core::StrokeSample& sample : stroke.samples)
+            m_worker->addSample(Source::Headset, sample);
+    if (isMine && stroke.hasEnded)
+        m_worker->endStroke(Source::Headset);
+    if (!stroke.hasEnded)
+        m_open = isMine ? Stroke::Posted : Stroke::None;
+}
+
+void HeadsetPort::thin(std::vector<core::StrokeSample>& samples)
+{
+    const std::size_t count = samples.size();
+    if (count <= JobQueue::maxWaitingSamples)
+        return;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        if (!isThinnedOut(i, count, i == 0))
+            samples[kept++] = samples[i];
+    samples.resize(kept);
+}
+} // namespace app

@@ -1,0 +1,100 @@
+#pragma once
+
+#include "sculpt_worker.h"
+
+#include "vr/document_port.h"
+
+#include <QObject>
+
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+namespace app
+{
+/// What a visit to the headset has left for the gui thread since it was last taken.
+struct HeadsetMail
+{
+    std::deque<vr::Wish> wishes;
+    std::optional<vr::Presence> presence; ///< the newest
+};
+
+/// The document of one visit to the headset. Strokes go straight to the mesh thread, wishes to the gui thread. A stroke that begins after a
+/// wish that changes or saves the model is held here until that is done, so that both come in the order in which they were made, and
+/// nobody waits.
+class HeadsetPort : public QObject, public vr::DocumentPort, public std::enable_shared_from_this<HeadsetPort>
+{
+    Q_OBJECT
+
+public:
+    /// The worker must outlive the visit. Gui thread.
+    explicit HeadsetPort(SculptWorker* worker);
+
+    // The gui thread's side.
+
+    /// From now on the worker's patches and answers come here.
+    void begin();
+    /// The headset's thread calls nothing any more: a stroke that is open ends. What is held goes to the worker when its wish is done.
+    void end();
+    void tell(vr::DocumentNews news);
+    HeadsetMail takeMail();
+    /// One more of the wishes that hold strokes (holdsStrokes).
+    void wishDone();
+    static bool holdsStrokes(const vr::Wish& wish);
+    /// While another model is on its way: no stroke begins.
+    void setRefusing(bool refuses);
+
+    // The headset's thread.
+
+    std::optional<core::MeshPatch> takePatch() override;
+    std::optional<vr::DocumentNews> takeNews() override;
+    bool beginStroke(const core::StrokeSettings& settings) override;
+    void addSample(const core::StrokeSample& sample) override;
+    void endStroke() override;
+    vr::StrokeEffect takeEffect() override;
+    void ask(const core::Ray& ray, const core::StrokeSettings& brush) override;
+    std::optional<vr::SurfaceAnswer> takeAnswer() override;
+    void wish(const vr::Wish& wish) override;
+    void show(const vr::Presence& presence) override;
+
+Q_SIGNALS:
+    /// Once until the mail is taken, on the headset's thread: connect it queued.
+    void mailCame();
+
+private:
+    enum class Stroke { None, Posted, Held };
+
+    struct HeldStroke
+    {
+        quint64 after; ///< so many wishes
+        core::StrokeSettings settings;
+        std::vector<core::StrokeSample> samples; ///< at most JobQueue::maxWaitingSamples
+        bool hasEnded = false;
+    };
+
+    void ring(bool isNew);
+    void keepAnswer(vr::SurfaceAnswer answer);
+    void keepEffect(quint64 fusions, core::Shortfall shortfall);
+    void endOpenStroke();
+    void postHeld();
+    void post(const HeldStroke& stroke);
+    static void thin(std::vector<core::StrokeSample>& samples);
+
+    SculptWorker* m_worker;
+    std::shared_ptr<PatchInbox> m_inbox = std::make_shared<PatchInbox>();
+    QMetaObject::Connection m_answers, m_samples;
+
+    std::mutex m_mutex; ///< of the rest
+    std::optional<vr::DocumentNews> m_news;
+    std::optional<vr::SurfaceAnswer> m_answer;
+    vr::StrokeEffect m_effect;
+    HeadsetMail m_mail;
+    bool m_hasRung = false;
+    bool m_isRefusing = false;
+    quint64 m_wished = 0, m_done = 0; ///< of the wishes that hold strokes
+    Stroke m_open = Stroke::None;
+    std::deque<HeldStroke> m_held;
+};
+} // namespace app

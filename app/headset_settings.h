@@ -1,0 +1,20 @@
+#pragma once
+
+#include "vr/headset_choice.h"
+
+#include <QSettings>
+
+namespace app
+{
+/// What a person has chosen about the headset, stored beside the window's preferences (ui::Settings). What is missing or makes no sense is
+/// as it is at first. Gui thread.
+class HeadsetSettings
+{
+public:
+    vr::HeadsetChoice choice() const;
+    void setChoice(const vr::HeadsetChoice& choice);
+
+private:
+    QSettings m_settings;
+};
+} // namespace app

@@ -1,0 +1,118 @@
+// What the person in the headset wants of the document and of the window.
+
+#include "headset_desk.h"
+
+#include "document.h"
+#include "headset_settings.h"
+
+#include "ui/brush_settings.h"
+#include "ui/main_window.h"
+
+#include <QDir>
+#include <QPointer>
+#include <QScopedValueRollback>
+
+#include <utility>
+
+namespace app
+{
+void HeadsetDesk::takeMail()
+{
+    if (!m_port)
+        return;
+    HeadsetMail mail = m_port->takeMail();
+    for (vr::Wish& wish : mail.wishes) {
+        if (HeadsetPort::holdsStrokes(wish))
+            m_turns.push_back({m_port, std::move(wish)});
+        else
+            std::visit([this](const auto& what) { obey(what); }, wish);
+    }
+    obeyNext();
+    if (mail.presence)
+        Q_EMIT seen(mail.presence);
+}
+
+/// One at a time: strokes between two wishes come to the document before the second.
+void HeadsetDesk::obeyNext()
+{
+    if (m_turns.empty() || std::exchange(m_isObeying, true))
+        return;
+    const Turn turn = std::move(m_turns.front());
+    m_turns.pop_front();
+    m_document->inTurn([self = QPointer(this), turn] {
+        if (!self)
+            return;
+        std::visit([self](const auto& wish) { self->obey(wish); }, turn.wish);
+        self->m_document->inTurn([self, port = turn.port] {
+            if (self)
+                self->finish(port);
+        });
+    });
+}
+
+void HeadsetDesk::finish(const std::shared_ptr<HeadsetPort>& port)
+{
+    port->wishDone();
+    m_isObeying = false;
+    obeyNext();
+}
+
+void HeadsetDesk::refuse(const QString& sentence)
+{
+    tellNotice(sentence);
+    Q_EMIT noticed(sentence);
+}
+
+void HeadsetDesk::obey(const vr::ChooseBrush& wish)
+{
+    const QScopedValueRollback choosing(m_isChoosing, true);
+    using core::StrokeSettings;
+    ui::BrushSettings& brush = *m_window->brush();
+    brush.setTool(wish.brush.tool);
+    brush.set(&StrokeSettings::brush, wish.brush.brush);
+    brush.set(&StrokeSettings::topology, wish.brush.topology);
+    brush.set(&StrokeSettings::symmetry, wish.brush.symmetry);
+    brush.set(&StrokeSettings::color, wish.brush.color);
+}
+
+void HeadsetDesk::obey(const vr::HeadsetChoice& choice)
+{
+    HeadsetSettings().setChoice(choice);
+}
+
+void HeadsetDesk::obey(const vr::Undo&)
+{
+    m_document->undo();
+}
+
+void HeadsetDesk::obey(const vr::Redo&)
+{
+    m_document->redo();
+}
+
+void HeadsetDesk::obey(const vr::RestoreModel&)
+{
+    if (m_document->isBusy())
+        return refuse(tr("The model was not restored: other work on it is not done yet."));
+    m_document->apply(core::Reset());
+}
+
+void HeadsetDesk::obey(const vr::SaveModel&)
+{
+    if (m_document->isBusy())
+        return refuse(tr("The model was not saved: other work on it is not done yet."));
+    m_document->saveNumbered(QDir(folder()).filePath(m_document->facts().name));
+}
+
+void HeadsetDesk::obey(const vr::OpenModel& wish)
+{
+    const QString name = QFileInfo(wish.path).fileName();
+    if (m_document->isBusy())
+        return refuse(tr("%1 was not opened: other work on the model is not done yet.").arg(name));
+    if (wish.losesChanges)
+        return m_document->openLosingChanges(wish.path);
+    if (m_document->isModified())
+        return refuse(tr("%1 was not opened: the present model has changes that no file holds.").arg(name));
+    m_document->open(wish.path);
+}
+} // namespace app

@@ -1,0 +1,42 @@
+#include "model_saving.h"
+
+#include "model_loader.h"
+
+#include "ui/file_jobs.h"
+
+#include <QFileInfo>
+
+namespace app
+{
+namespace
+{
+/// With another ending.
+QString ended(const QString& path, const QString& ending)
+{
+    const QFileInfo file(path);
+    return file.dir().filePath(QStringLiteral("%1.%2").arg(file.completeBaseName(), ending));
+}
+} // namespace
+
+SavedFile ModelSaving::save(const QString& path, const core::TriangleMesh& mesh, const core::DocumentNotes& notes, int keptVersions)
+{
+    SavedFile saved{path, ModelLoader::save(path, mesh, notes, keptVersions), {}};
+    if (saved.problem.isEmpty() && !mesh.colors.empty() && !ModelLoader::holdsColors(path))
+        saved.notice = tr("%1 was written without the colours, which its format does not hold; GLB does.").arg(QFileInfo(path).fileName());
+    return saved;
+}
+
+/// The number is looked for just before: another program may be counting in that folder.
+SavedFile ModelSaving::saveNumbered(const QString& path, const core::TriangleMesh& mesh, const core::DocumentNotes& notes)
+{
+    SavedFile saved = save(ui::FileJobs::numberedCopyOf(ended(path, QStringLiteral("glb"))), mesh, notes);
+    if (!saved.problem.isEmpty())
+        return saved;
+    const QString print = ended(saved.path, QStringLiteral("stl"));
+    const QString problem = ModelLoader::save(print, mesh, {});
+    const QString name = QFileInfo(saved.path).fileName();
+    saved.notice = problem.isEmpty() ? tr("%1 and %2 were written.").arg(name, QFileInfo(print).fileName())
+                                     : tr("Only %1 was written. %2").arg(name, problem);
+    return saved;
+}
+} // namespace app

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/document_notes.h"
+#include "core/mesh_io.h"
+
+#include <QCoreApplication>
+#include <QString>
+
+namespace app
+{
+/// What became of a model that was to have a file of its own.
+struct SavedFile
+{
+    QString path;    ///< of that file
+    QString problem; ///< one sentence: there is none
+    QString notice;  ///< what the person should know all the same; may be empty
+};
+
+/// Writes models to files that are to be their own. Each is written whole or not at all. Any thread; never throws.
+class ModelSaving
+{
+    Q_DECLARE_TR_FUNCTIONS(app::ModelSaving)
+
+public:
+    /// In place of a file of that name, of which as many versions stay as `keptVersions` says (core/kept_version.h).
+    static SavedFile save(const QString& path, const core::TriangleMesh& mesh, const core::DocumentNotes& notes, int keptVersions = 0);
+    /// A GLB and an STL, named as that path but for ending and number, which is the first after all that are there.
+    static SavedFile saveNumbered(const QString& path, const core::TriangleMesh& mesh, const core::DocumentNotes& notes);
+};
+} // namespace app
