@@ -1,4 +1,5 @@
 // Each button of the preset Paper (section 4.1 of the paper), pressed in the headset and looked at in the document.
+#include "app/headset_settings.h"
 #include "headset_hand.h"
 #include "tests/vr/vr_test.h"
 
@@ -22,7 +23,7 @@ struct Visit
     explicit Visit(const vr::HeadsetChoice& choice = {})
     {
         QSettings().clear();
-        storeHeadsetChoice(choice);
+        HeadsetSettings().setChoice(choice);
         core::writeMesh(path("clay.glb").toStdU16String(), core::icosphere(4, 50));
         openFile(program, path("clay.glb"), {900, 700});
         hand.enter();
