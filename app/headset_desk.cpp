@@ -23,13 +23,16 @@ namespace
 /// What the headset takes from the window: not the radius, which is a length of its own there.
 auto chosen(const core::StrokeSettings& brush)
 {
-    return std::tuple(brush.tool, brush.brush, brush.topology, brush.symmetry, brush.color.r, brush.color.g, brush.color.b, brush.falloff,
-                      brush.strength, brush.detail, brush.fusion);
+    return std::tuple(brush.tool, brush.brush, brush.topology, brush.symmetry, brush.color.r, brush.color.g,
+                      brush.color.b, brush.falloff, brush.strength, brush.detail, brush.fusion);
 }
 } // namespace
 
 HeadsetDesk::HeadsetDesk(const Program& program, QObject* parent)
-    : QObject(parent), m_document(program.document), m_worker(program.worker), m_window(program.window)
+    : QObject(parent)
+    , m_document(program.document)
+    , m_worker(program.worker)
+    , m_window(program.window)
     , m_colors(program.window->findChild<ui::ColorPanel*>())
 {
     takeBrush();
@@ -52,8 +55,9 @@ void HeadsetDesk::hear()
     connect(m_document, &Document::modifiedChanged, this, &HeadsetDesk::tellSoon);
     connect(m_document, &Document::noticed, this, &HeadsetDesk::tellNotice);
     connect(m_document, &Document::refused, this, &HeadsetDesk::tellNotice);
-    connect(m_document, &Document::mendable, this,
-            [this](const QString&, const QString& problem) { tellNotice(tr("%1 It can be mended at the window.").arg(problem)); });
+    connect(m_document, &Document::mendable, this, [this](const QString&, const QString& problem) {
+        tellNotice(tr("%1 It can be mended at the window.").arg(problem));
+    });
     connect(m_document, &Document::saved, this, [this](const QString& path) {
         m_news.saved = QFileInfo(path).fileName();
         takeModel();

@@ -2,6 +2,7 @@
 
 #include "document.h"
 #include "drawing_worker.h"
+#include "headset.h"
 #include "headset_inquiry.h"
 #include "history_list.h"
 #include "journal_shelf.h"
@@ -21,6 +22,7 @@
 #include "ui/unit_bar.h"
 #include "ui/viewport.h"
 #include "ui/window_notes.h"
+#include "vr/sculpt_client.h"
 
 #include <QAction>
 
@@ -92,8 +94,8 @@ void wireUnits(ui::MainWindow& window, Document& document)
     });
 }
 
-/// What the hand did last counts among the changes, though it may not have come to the document yet.
-void wireSettling(ui::MainWindow& window, Document& document)
+/// What the hand did last counts among the changes, though it may not have come to the document yet. A window that closes leaves VR.
+void wireSettling(ui::MainWindow& window, Document& document, Headset* headset)
 {
     using ui::MainWindow;
     using ui::Viewport;
@@ -106,10 +108,12 @@ void wireSettling(ui::MainWindow& window, Document& document)
         const auto how = static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection);
         QObject::connect(&viewport, &Viewport::pressDecided, &document, open, how);
     });
-    window.setIsSettled([&viewport, &document] {
+    window.setIsSettled([&viewport, &document, headset] {
         viewport.finish();
-        return !viewport.pressWaits() && document.isSettled();
+        headset->leave();
+        return !viewport.pressWaits() && !headset->isIn() && document.isSettled();
     });
+    QObject::connect(headset, &Headset::reported, &window, &MainWindow::settle, Qt::QueuedConnection);
     QObject::connect(&viewport, &Viewport::pressDecided, &window, &MainWindow::settle, Qt::QueuedConnection);
     QObject::connect(&document, &Document::historyChanged, &window, &MainWindow::settle, Qt::QueuedConnection);
 }
@@ -245,11 +249,20 @@ void wireDrawings(ui::MainWindow& window, SculptWorker& worker)
     QObject::connect(drawings, &DrawingWorker::noticed, &window, &ui::MainWindow::showNotice);
 }
 
-void wireHeadset(ui::MainWindow& window)
+std::shared_ptr<vr::FrameClient> makeClient(const std::shared_ptr<vr::DocumentPort>& port, const vr::HeadsetChoice& choice)
 {
-    auto* headset = new HeadsetInquiry(&window);
-    QObject::connect(window.action(QStringLiteral("vr.status")), &QAction::triggered, headset, &HeadsetInquiry::ask);
-    QObject::connect(headset, &HeadsetInquiry::answered, &window, &ui::MainWindow::showNotice);
+    return std::make_shared<vr::SculptClient>(port, choice);
+}
+
+/// The window's own, so that it ends before the document.
+Headset* wireHeadset(ui::MainWindow& window, Document& document, SculptWorker& worker)
+{
+    auto* inquiry = new HeadsetInquiry(&window);
+    QObject::connect(window.action(QStringLiteral("vr.status")), &QAction::triggered, inquiry, &HeadsetInquiry::ask);
+    QObject::connect(inquiry, &HeadsetInquiry::answered, &window, &ui::MainWindow::showNotice);
+    auto* headset = new Headset({&document, &worker, &window}, makeClient, &window);
+    QObject::connect(headset, &Headset::noticed, &window, &ui::MainWindow::showNotice);
+    return headset;
 }
 } // namespace
 
@@ -257,7 +270,7 @@ void wire(ui::MainWindow& window, Document& document, SculptWorker& worker, cons
 {
     wireDocument(window, document);
     wireUnits(window, document);
-    wireSettling(window, document);
+    wireSettling(window, document, wireHeadset(window, document, worker));
     wireHistory(window, document);
     wireHistoryPanel(window, document);
     wirePalette(window, document);
@@ -267,7 +280,6 @@ void wire(ui::MainWindow& window, Document& document, SculptWorker& worker, cons
     wireStrokes(*window.viewport(), document);
     wireWorker(*window.viewport(), worker, inbox);
     wireDrawings(window, worker);
-    wireHeadset(window);
 }
 
 void wireRecovery(ui::MainWindow& window, Document& document, JournalShelf& shelf)
