@@ -24,11 +24,13 @@ set(FETTLE_RESOURCE_FILES
     icons/flatten.svg
     icons/folder.svg
     icons/folder-up.svg
+    icons/follow.svg
     icons/frame.svg
     icons/fusion.svg
     icons/ground.svg
     icons/guide.svg
     icons/headset.svg
+    icons/headset-find.svg
     icons/insert.svg
     icons/keys.svg
     icons/larger.svg
@@ -109,6 +111,8 @@ set(FETTLE_RESOURCE_FILES
     shaders/cursor.vert
     shaders/dome.frag
     shaders/dome.vert
+    shaders/ghost.frag
+    shaders/ghost.vert
     shaders/ground.frag
     shaders/ground.vert
     shaders/layer.frag
@@ -126,7 +130,7 @@ set(FETTLE_RESOURCE_FILES
     shaders/wire.frag
     shaders/wire.geom)
 foreach(LANGUAGE en de zh_CN)
-    foreach(PAGE first-steps lesson-vase lesson-head lesson-tablet view tools topology symmetry colour files preview history keys pen problems)
+    foreach(PAGE first-steps lesson-vase lesson-head lesson-tablet view tools topology symmetry colour files preview history keys pen vr problems)
         list(APPEND FETTLE_RESOURCE_FILES help/${LANGUAGE}/${PAGE}.md)
     endforeach()
 endforeach()

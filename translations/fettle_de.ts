@@ -1622,6 +1622,22 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>Shows whether the model prints: walls, overhangs, base, and the printer&apos;s bed.</source>
         <translation>Zeigt, ob sich das Modell drucken lässt: Wände, Überhänge, Fuß und das Bett des Druckers.</translation>
     </message>
+    <message>
+        <source>&amp;Enter VR</source>
+        <translation>VR be&amp;treten</translation>
+    </message>
+    <message>
+        <source>Puts the model before the person with the headset, who sculpts it with two wands; once more leaves VR.</source>
+        <translation>Stellt das Modell vor die Person mit der VR-Brille, die es mit zwei Controllern formt; noch einmal verlässt VR.</translation>
+    </message>
+    <message>
+        <source>&amp;Follow the Head</source>
+        <translation>Dem &amp;Kopf folgen</translation>
+    </message>
+    <message>
+        <source>Shows in this window what the person with the headset looks at, for a class to watch.</source>
+        <translation>Zeigt in diesem Fenster, wohin die Person mit der VR-Brille blickt, damit eine Klasse zusehen kann.</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -2240,6 +2256,13 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Click where the ball should be. Esc puts it away.</source>
         <translation>Klicken Sie dahin, wo die Kugel sein soll. Esc legt sie weg.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::HeadsetActions</name>
+    <message>
+        <source>L&amp;eave VR</source>
+        <translation>VR &amp;verlassen</translation>
     </message>
 </context>
 <context>

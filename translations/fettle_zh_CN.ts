@@ -1620,6 +1620,22 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>Shows whether the model prints: walls, overhangs, base, and the printer&apos;s bed.</source>
         <translation>显示模型能否打印：壁厚、悬垂、底面和打印机的打印床。</translation>
     </message>
+    <message>
+        <source>&amp;Enter VR</source>
+        <translation>进入 VR(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Puts the model before the person with the headset, who sculpts it with two wands; once more leaves VR.</source>
+        <translation>把模型放到戴头显的人面前，用两个手柄雕刻；再按一次离开 VR。</translation>
+    </message>
+    <message>
+        <source>&amp;Follow the Head</source>
+        <translation>跟随头部(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Shows in this window what the person with the headset looks at, for a class to watch.</source>
+        <translation>在此窗口显示戴头显的人所看的内容，供全班观看。</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -2234,6 +2250,13 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Click where the ball should be. Esc puts it away.</source>
         <translation>请单击要放置球的位置。按 Esc 取消。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::HeadsetActions</name>
+    <message>
+        <source>L&amp;eave VR</source>
+        <translation>离开 VR(&amp;E)</translation>
     </message>
 </context>
 <context>

@@ -201,8 +201,14 @@ constexpr ActionInfo table[] = {
     {MenuId::Reference, "reference.remove", QT_TRANSLATE_NOOP("ui::Actions", "&Remove Reference Image"),
      QT_TRANSLATE_NOOP("ui::Actions", "Takes away the image of the side from which the view looks."), "", "reference-remove"},
 
+    {MenuId::Vr, "vr.enter", QT_TRANSLATE_NOOP("ui::Actions", "&Enter VR"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Puts the model before the person with the headset, who sculpts it with two wands; once more leaves VR."), "Ctrl+Shift+V",
+     "headset", true, Bar::Top},
+    {MenuId::Vr, "vr.follow", QT_TRANSLATE_NOOP("ui::Actions", "&Follow the Head"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Shows in this window what the person with the headset looks at, for a class to watch."), "Shift+V", "follow", false,
+     Bar::None, true},
     {MenuId::Vr, "vr.status", QT_TRANSLATE_NOOP("ui::Actions", "&Look for a Headset"),
-     QT_TRANSLATE_NOOP("ui::Actions", "Says whether a VR headset is ready."), "", "headset"},
+     QT_TRANSLATE_NOOP("ui::Actions", "Says whether a VR headset is ready."), "", "headset-find", true},
 
     {MenuId::Help, "help.start", QT_TRANSLATE_NOOP("ui::Actions", "&Start Page"),
      QT_TRANSLATE_NOOP("ui::Actions", "Shows what to begin with: starters, recent files, and three short lessons."), "", "start"},

@@ -63,6 +63,14 @@ QAction* Actions::get(const QString& id) const
     return action;
 }
 
+void Actions::rename(const QString& id, const QString& text)
+{
+    QAction* action = get(id);
+    action->setText(text);
+    action->setIconText(plain(text));
+    action->setToolTip(toolTip(*action));
+}
+
 /// "拉出(&P)": where the script has no letters for keys, the key stands behind in brackets.
 QString Actions::plain(QString text)
 {

@@ -46,6 +46,9 @@ public:
     /// Asserts that the id is in the table.
     QAction* get(const QString& id) const;
 
+    /// The same action is called otherwise from now on, where it does something else.
+    void rename(const QString& id, const QString& text);
+
     /// From now on these are the keys, in menus and tool tips too.
     void setKeys(const KeyChoice& choice);
     const KeyChoice& keys() const { return m_choice; }

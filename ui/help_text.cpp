@@ -14,7 +14,7 @@ namespace ui
 {
 namespace
 {
-constexpr std::array<HelpPage, 15> pages{{{"first-steps"},
+constexpr std::array<HelpPage, 16> pages{{{"first-steps"},
                                           {"lesson-vase", "lesson-vase.png"},
                                           {"lesson-head", "lesson-head.png"},
                                           {"lesson-tablet", "lesson-tablet.png"},
@@ -28,6 +28,7 @@ constexpr std::array<HelpPage, 15> pages{{{"first-steps"},
                                           {"history"},
                                           {"keys"},
                                           {"pen"},
+                                          {"vr"},
                                           {"problems"}}};
 
 struct HelpText

@@ -8,6 +8,7 @@
 #include <QAction>
 #include <QCloseEvent>
 #include <QDir>
+#include <QLabel>
 #include <QMessageBox>
 #include <QTabWidget>
 
@@ -154,7 +155,8 @@ void MainWindow::updateFacts(const ModelFacts& facts)
     m_state->viewport->setBox(facts.box);
     if (!m_state->brush.fits(facts)) {
         m_state->brush.fitTo(facts, m_state->brush.radiusShare());
-        m_state->viewport->frame();
+        if (!m_state->viewport->isFollowing())
+            m_state->viewport->frame();
     }
 }
 
@@ -200,6 +202,13 @@ void MainWindow::setIdle()
 {
     m_state->busy->end();
     m_state->setBusy(false);
+}
+
+void MainWindow::setHeadset(HeadsetState state, const QString& sentence)
+{
+    m_state->headset->show(state);
+    m_state->headsetText->setText(sentence);
+    m_state->headsetText->setVisible(state != HeadsetState::Out);
 }
 
 void MainWindow::settle()

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "brush_settings.h"
+#include "headset_actions.h"
 #include "insertion.h"
 #include "model_facts.h"
 
@@ -76,6 +77,8 @@ public Q_SLOTS:
     void setProgress(double share);
     void setStoppable(bool canStop);
     void setIdle();
+    /// What the VR menu offers; the sentence stands in the status bar while nobody is quite out.
+    void setHeadset(ui::HeadsetState state, const QString& sentence);
     /// Something that closing may wait for is done.
     void settle();
 
@@ -94,6 +97,8 @@ Q_SIGNALS:
     /// The model's own file is not there any more.
     void modelFileGone();
     void stopRequested();
+    void enterVrRequested();
+    void leaveVrRequested();
 
 protected:
     void closeEvent(QCloseEvent* event) override;

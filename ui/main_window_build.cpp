@@ -98,6 +98,11 @@ void MainWindow::State::buildStatusBar()
 {
     busy = new BusyBar(actions.get(QStringLiteral("edit.stop")));
     facts = new FactsBar(&brush);
+    headsetText = new QLabel;
+    headsetText->setObjectName(QStringLiteral("headsetText"));
+    headsetText->setTextFormat(Qt::PlainText);
+    headsetText->hide();
+    q->statusBar()->addPermanentWidget(headsetText);
     q->statusBar()->addPermanentWidget(busy);
     q->statusBar()->addPermanentWidget(facts);
 }
@@ -113,6 +118,7 @@ void MainWindow::State::connectActions()
     connectModel(actions, q, [this]() -> const ModelFacts& { return model; }, &brush,
                  [this](const core::ModelCommand& command) { Q_EMIT q->commandRequested(command); });
     connectTools();
+    connectHeadset();
     on("edit.stop", [this] { Q_EMIT q->stopRequested(); });
     connectView(actions, viewport);
     connectPreferences({q, &actions, &settings, &brush, viewport});
@@ -143,5 +149,12 @@ void MainWindow::State::connectTools()
     connect(&brush, &BrushSettings::clamped, q, [this](core::Parameter parameter) {
         q->showNotice(Messages::range(parameter, brush.minOf(parameter), brush.maxOf(parameter)));
     });
+}
+
+void MainWindow::State::connectHeadset()
+{
+    headset = new HeadsetActions(actions, viewport, q);
+    connect(headset, &HeadsetActions::enterRequested, q, &MainWindow::enterVrRequested);
+    connect(headset, &HeadsetActions::leaveRequested, q, &MainWindow::leaveVrRequested);
 }
 } // namespace ui

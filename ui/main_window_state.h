@@ -9,6 +9,7 @@
 
 #include <QPointer>
 
+class QLabel;
 class QMenu;
 class QMessageBox;
 
@@ -35,6 +36,8 @@ struct MainWindow::State
     HistoryPanel* history = nullptr;
     ModelPanel* modelPanel = nullptr;
     BusyBar* busy = nullptr;
+    QLabel* headsetText = nullptr;
+    HeadsetActions* headset = nullptr;
     QPointer<QMessageBox> problem;
     std::function<bool()> mayClose, isSettled;
     bool closesLater = false;
@@ -48,6 +51,7 @@ struct MainWindow::State
     void connectActions();
     void connectFiles();
     void connectTools();
+    void connectHeadset();
     void setBusy(bool isBusy);
     void showName();
     void restore();

@@ -12,6 +12,11 @@ constexpr double halfFieldOfView = 0.5 * 35.0 * std::numbers::pi / 180.0; ///< v
 constexpr double frameMargin = 1.05;
 constexpr double nearestZoom = 1e-3, farthestZoom = 40; ///< distances, in radii of the scene
 constexpr double groundReach = 6;                       ///< radii of the scene that the far plane must hold
+
+core::Vec3 direction(double yaw, double pitch)
+{
+    return -core::Vec3(std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch));
+}
 } // namespace
 
 void OrbitCamera::setViewport(double width, double height)
@@ -157,6 +162,12 @@ OrbitCamera::Pose OrbitCamera::facing(const core::Vec3& point, const core::Vec3&
     return {point, distance, hasYaw ? std::atan2(normal.x(), normal.z()) + aside : m_yaw, std::clamp(pitch, -steepest, steepest)};
 }
 
+OrbitCamera::Pose OrbitCamera::standing(const core::Vec3& eye, double yaw, double pitch) const
+{
+    const double distance = reachable((m_sceneCenter - eye).norm());
+    return {eye + distance * direction(yaw, pitch), distance, yaw, pitch};
+}
+
 OrbitCamera::Pose OrbitCamera::between(const Pose& from, const Pose& to, double share)
 {
     const double turn = std::remainder(to.yaw - from.yaw, 2 * std::numbers::pi);
@@ -171,7 +182,7 @@ core::Vec3 OrbitCamera::eye() const
 
 core::Vec3 OrbitCamera::viewDirection() const
 {
-    return -core::Vec3(std::sin(m_yaw) * std::cos(m_pitch), std::sin(m_pitch), std::cos(m_yaw) * std::cos(m_pitch));
+    return direction(m_yaw, m_pitch);
 }
 
 core::Vec3 OrbitCamera::right() const

@@ -80,6 +80,8 @@ public:
     void setPose(const Pose& pose);
     /// Looks at a point of a surface with that normal, a little from above, so that `extent` mm fill a third of the picture.
     Pose facing(const core::Vec3& point, const core::Vec3& normal, double extent) const;
+    /// Stands there and looks so; the target is as far away as the scene's centre.
+    Pose standing(const core::Vec3& eye, double yaw, double pitch) const;
     /// `share` 0 to 1 of the way, the shorter way round.
     static Pose between(const Pose& from, const Pose& to, double share);
 

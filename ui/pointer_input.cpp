@@ -54,13 +54,13 @@ void PointerInput::zoom(double factor, const OrbitCamera::Pixel& toward)
 {
     goByDepthAt(toward);
     m_camera->zoom(factor, toward);
-    viewMoved();
+    takeView();
 }
 
 void PointerInput::pan(const OrbitCamera::Pixel& delta)
 {
     m_camera->pan(delta);
-    viewMoved();
+    takeView();
 }
 
 void PointerInput::hold(const OrbitCamera::Pixel& pixel)
@@ -261,6 +261,12 @@ void PointerInput::moveView(const OrbitCamera::Pixel& delta)
         m_camera->zoom(std::pow(zoomPerHeight, nearer), m_pressed);
     else
         m_camera->orbit(delta);
+    takeView();
+}
+
+void PointerInput::takeView()
+{
+    Q_EMIT viewTaken();
     viewMoved();
 }
 } // namespace ui

@@ -87,6 +87,8 @@ Q_SIGNALS:
     void pickingChanged(bool on);
     void picked(const std::optional<core::SurfaceHit>& hit);
     void viewChanged();
+    /// The hand turned, moved or zoomed the view; viewChanged() follows.
+    void viewTaken();
     void addingChanged(bool adding);
     /// One dab that is to add a sphere and do nothing else.
     void sphereRequested(const core::StrokeSettings& settings, const core::StrokeSample& sample);
@@ -125,6 +127,7 @@ private:
     bool addsSphere(const PointerEvent& press) const;
     void addSphere(const Waiting& press);
     void moveView(const OrbitCamera::Pixel& delta);
+    void takeView();
 
     const BrushSettings* m_brush;
     OrbitCamera* m_camera;

@@ -1,5 +1,6 @@
 #include "scene.h"
 
+#include "ghost_painter.h"
 #include "overlay_entities.h"
 #include "qt3d_engine.h"
 #include "reference_painter.h"
@@ -52,6 +53,7 @@ struct Scene::State
     ClayPainter painter;
     ReferencePainter referencePainter;
     PlacedReference reference;
+    GhostPainter ghosts;
     std::unique_ptr<QOpenGLShaderProgram> layerProgram;
     unsigned int noVertices = 0;
     ClayPicture picture;
@@ -104,6 +106,7 @@ bool Scene::State::startLayered()
     if (gl) {
         painter.destroy();
         referencePainter.destroy();
+        ghosts.destroy();
         target.destroy();
     }
     engine.reset();
@@ -128,7 +131,7 @@ bool Scene::State::startLayered()
 bool Scene::State::createResources()
 {
     target.create(gl, samplesPerPixel);
-    return painter.create(gl) && referencePainter.create(gl);
+    return painter.create(gl) && referencePainter.create(gl) && ghosts.create(gl);
 }
 
 /// What Qt3D draws, over clay and backdrop. Qt3D restores most of the state that others left behind, but not these.
@@ -208,6 +211,7 @@ Scene::~Scene()
         m_state->layerProgram.reset();
         m_state->painter.destroy();
         m_state->referencePainter.destroy();
+        m_state->ghosts.destroy();
         m_state->target.destroy();
         m_state->context->doneCurrent();
     }
@@ -297,6 +301,11 @@ void Scene::showReference(const PlacedReference& reference)
     m_state->reference = reference;
 }
 
+void Scene::showWearer(const std::optional<Wearer>& wearer)
+{
+    m_state->ghosts.show(wearer);
+}
+
 void Scene::setLook(const ViewLook& look, bool darkTheme)
 {
     State& s = *m_state;
@@ -306,6 +315,7 @@ void Scene::setLook(const ViewLook& look, bool darkTheme)
     s.picture.wireframe = look.wireframe;
     s.ground->setDark(isDark(s.picture.backdrop));
     s.plane->setDark(isDark(s.picture.backdrop));
+    s.ghosts.setDark(isDark(s.picture.backdrop));
     s.wantsGround = look.ground;
     s.showGround();
 }
@@ -332,6 +342,7 @@ Scene::Image Scene::render(const OrbitCamera& camera, QSize pixels, double pixel
     image.drawMs = milliseconds(timer);
     timer.start();
     s.drawOverlay();
+    s.ghosts.draw(camera);
     image.sceneMs = milliseconds(timer);
     s.target.resolve();
 

@@ -3,6 +3,7 @@
 #include "clay_painter.h"
 #include "orbit_camera.h"
 #include "reference_image.h"
+#include "wearer.h"
 
 #include "core/mesh_patch.h"
 #include "core/sculptor.h"
@@ -62,6 +63,8 @@ public:
     void showPlane(core::Symmetry symmetry, const core::Box& box);
     /// In the next images, until another is named; its picture may be null.
     void showReference(const PlacedReference& reference);
+    /// In the next images; none: nobody is in the headset.
+    void showWearer(const std::optional<Wearer>& wearer);
     /// `darkTheme`: what the background is where it follows the window.
     void setLook(const ViewLook& look, bool darkTheme);
 

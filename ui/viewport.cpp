@@ -9,6 +9,7 @@
 #include <QOpenGLExtraFunctions>
 
 #include <chrono>
+#include <utility>
 
 namespace ui
 {
@@ -135,6 +136,7 @@ Viewport::Viewport(BrushSettings* brush, QWidget* parent)
     m_state->scaleBar = new ScaleBar(this);
     m_state->string = new StringLine(this);
     prepareFlight();
+    prepareFollowing();
 
     PointerInput* input = &m_state->input;
     connect(input, &PointerInput::hoverRequested, this, &Viewport::hoverRequested);
@@ -191,7 +193,8 @@ void Viewport::showModel(const core::Box& box)
     m_state->shades.reset();
     forgetMark();
     m_state->camera.setPivot({});
-    frame();
+    m_state->camera.frame(box);
+    m_state->input.viewMoved();
 }
 
 void Viewport::setBox(const core::Box& box)
@@ -209,6 +212,7 @@ const core::Box& Viewport::box() const
 
 void Viewport::frame()
 {
+    setFollowing(false);
     m_state->camera.frame(m_state->box);
     m_state->input.viewMoved();
 }
@@ -221,13 +225,15 @@ void Viewport::setView(const core::SavedView& view)
 
 void Viewport::turnTo(OrbitCamera::Side side)
 {
+    setFollowing(false);
     m_state->camera.turnTo(side);
     m_state->input.viewMoved();
 }
 
 void Viewport::turnModel(double angle, double seconds)
 {
-    m_state->input.turnModel(angle, seconds);
+    if (!isFollowing() || strokeOpen())
+        m_state->input.turnModel(angle, seconds);
 }
 
 void Viewport::setProjection(OrbitCamera::Projection projection)
@@ -243,10 +249,16 @@ void Viewport::setHabits(const HandHabits& habits)
 
 void Viewport::setLook(const ViewLook& look)
 {
-    m_state->look = look;
+    const bool isNew = look != std::exchange(m_state->look, look);
     m_state->scaleBar->setVisible(look.scaleBar);
     update();
-    Q_EMIT lookChanged();
+    if (isNew)
+        Q_EMIT lookChanged();
+}
+
+core::Shading Viewport::shading() const
+{
+    return shadingOf(m_state->look.material);
 }
 
 const ViewLook& Viewport::look() const
@@ -354,6 +366,7 @@ void Viewport::paintGL()
     const bool surfaceChanged = s.applyPatch();
     s.placeCursor();
     s.placeMark();
+    s.placeWearer();
     s.scene->showPlane(s.brush->stroke().symmetry, s.box);
     const bool darkTheme = palette().window().color().lightness() < 128;
     s.scene->setLook(s.look, darkTheme);

@@ -5,8 +5,10 @@
 #include "preferences.h"
 #include "reference_image.h"
 #include "view_look.h"
+#include "wearer.h"
 
 #include "core/mesh_patch.h"
+#include "core/shading.h"
 #include "core/sculptor.h"
 
 #include <QOpenGLWidget>
@@ -62,13 +64,16 @@ public:
     void frame();
     void turnTo(OrbitCamera::Side side);
     void setView(const core::SavedView& view);
-    /// About the Y axis by so many radians, anticlockwise seen from above, in so many seconds; under an open stroke, too.
+    /// About the Y axis by so many radians, anticlockwise seen from above, in so many seconds; under an open stroke, too. Not while
+    /// the view follows a head, but for such a stroke.
     void turnModel(double angle, double seconds);
     void setProjection(OrbitCamera::Projection projection);
 
     void setHabits(const HandHabits& habits);
     void setLook(const ViewLook& look);
     const ViewLook& look() const;
+    /// The numbers behind the look's material.
+    core::Shading shading() const;
     /// Each is seen while the view looks from its side.
     void setReferences(const References& references);
 
@@ -79,6 +84,14 @@ public:
     /// Flies to a place of the surface that is `extent` mm large, and marks it.
     void flyTo(const core::Vec3& point, const core::Vec3& normal, double extent);
     void forgetMark();
+
+    /// Somebody in the headset, as a ghost over the clay, until the next call; nobody: following ends. As often as wanted: it costs nothing
+    /// until the next frame.
+    void showWearer(const std::optional<Wearer>& wearer);
+    /// The view goes, smoothed, where the wearer's head is and looks, and shows no ghost of it, until the hand, frame(), turnTo() or
+    /// flyTo() takes it elsewhere. Without a wearer it cannot begin.
+    void setFollowing(bool on);
+    bool isFollowing() const;
 
     /// How many logical pixels 1 mm covers where the cursor lies, else at the depth that the view turns about.
     double pixelsPerMm() const;
@@ -120,6 +133,7 @@ Q_SIGNALS:
 
     void viewChanged();
     void lookChanged();
+    void followingChanged(bool on);
 
     void pickingChanged(bool on);
     /// Nothing: the press was not on the model.
@@ -141,6 +155,8 @@ protected:
 
 private:
     void prepareFlight();
+    void prepareFollowing();
+    void follow();
     void chooseCursor();
     void sayThatNothingCanBeShown();
 

@@ -39,6 +39,7 @@ void Viewport::setShades(const std::shared_ptr<const core::Footprint>& shades)
 void Viewport::flyTo(const core::Vec3& point, const core::Vec3& normal, double extent)
 {
     State& s = *m_state;
+    setFollowing(false);
     s.flight.stop();
     const double size = s.box.isEmpty() ? extent : s.box.sizes().maxCoeff();
     const double shown = std::clamp(extent, leastShare * size, size);

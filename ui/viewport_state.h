@@ -7,11 +7,14 @@
 #include "touch_input.h"
 #include "viewport.h"
 
+#include <QElapsedTimer>
+#include <QTimer>
 #include <QVariantAnimation>
 
 namespace ui
 {
-/// For the viewport's own files: viewport.cpp shows, viewport_events.cpp takes what the hand does.
+/// For the viewport's own files: viewport.cpp shows, viewport_events.cpp takes what the hand does,
+/// viewport_places.cpp goes where somebody wants to look, and viewport_wearer.cpp to where the headset is.
 struct Viewport::State
 {
     explicit State(BrushSettings* settings) : brush(settings) {}
@@ -36,6 +39,9 @@ struct Viewport::State
     std::shared_ptr<const core::Footprint> shades;
     OrbitCamera::Pose from, to; ///< of the flight
     QVariantAnimation flight;
+    std::optional<Wearer> wearer;
+    QTimer following; ///< runs while the view follows the head
+    QElapsedTimer sinceFollowed;
     bool patchWaiting = false;
     unsigned int readFramebuffer = 0;
     ViewportStats stats;
@@ -44,6 +50,7 @@ struct Viewport::State
     void placeCursor();
     void spanString();
     void placeMark();
+    void placeWearer();
     void show(const Scene::Image& image, QSize pixels, unsigned int widgetFramebuffer);
 };
 } // namespace ui

@@ -11,10 +11,10 @@ namespace vr
 namespace
 {
 // Pixels. In the room a plate is about a third as many pixels high on the screen, so that its smaller copies are what is seen.
-constexpr int plateHeight = 64, textHeight = 36, margin = 22, longestText = 620;
+constexpr int plateHeight = 64, textHeight = 40, margin = 20, longestText = 680;
 constexpr qsizetype mostKept = 64;
 
-const QColor plateColor(20, 22, 26, 205), borderColor(255, 255, 255, 34), textColor(236, 239, 244);
+const QColor plateColor(20, 22, 26, 236), borderColor(255, 255, 255, 34), textColor(236, 239, 244);
 
 QFont labelFont()
 {

@@ -1,7 +1,9 @@
 // First what hides (clay, wands), then the dome behind it, then what is seen through: floor, panels, and the rest from far to near.
 #include "scene.h"
 
+#include "clay_buffer.h"
 #include "clay_program.h"
+#include "clay_stream.h"
 #include "glass_list.h"
 #include "glass_painter.h"
 #include "label_layout.h"
@@ -82,7 +84,7 @@ struct Scene::State
 {
     QOpenGLExtraFunctions* gl = nullptr;
     DrawClock clock;
-    ClayBuffer clay;
+    ClayStream<ClayBuffer> clay;
     ClayProgram clayProgram;
     WandPainter wandPainter;
     RoomPainter roomPainter;
@@ -130,7 +132,7 @@ void Scene::State::drawOpaque(const EyeFrame& eye)
     clayProgram.ballFalloff.set(look.ballFalloff);
     clayProgram.place(eye, look.toRoom);
     clayProgram.shade(look.shading);
-    clock.run([&] { clay.draw(); });
+    clock.run([&] { clay.shown().draw(); });
     gl->glDisable(GL_CULL_FACE);
     roomPainter.drawDome(eye);
 }
@@ -176,20 +178,26 @@ void Scene::destroy()
     s.labels.destroy();
 }
 
-void Scene::apply(const core::MeshPatch& patch)
+void Scene::apply(core::MeshPatch patch)
 {
-    m_state->clay.apply(patch);
+    m_state->clay.apply(std::move(patch));
+}
+
+bool Scene::isLoading() const
+{
+    return m_state->clay.isLoading();
 }
 
 void Scene::tint(const core::Footprint* footprint)
 {
-    m_state->clay.tint(footprint);
+    m_state->clay.shown().tint(isLoading() ? nullptr : footprint);
 }
 
 void Scene::prepare(const SceneState& state)
 {
     assert(state.model.linear().determinant() > 0);
     State& s = *m_state;
+    s.clay.step();
     s.look = clayLook(state);
     s.lights = lightAxes(state);
     s.shade = floorShade(state);
@@ -222,12 +230,12 @@ void Scene::draw(const EyeView& eye)
 
 std::uint64_t Scene::clayBytes() const
 {
-    return m_state->clay.counters().bytes;
+    return m_state->clay.bytes();
 }
 
 std::uint64_t Scene::wholeUploads() const
 {
-    return m_state->clay.counters().wholeUploads;
+    return m_state->clay.wholeUploads();
 }
 
 double Scene::drawCallMs() const

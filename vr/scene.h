@@ -3,7 +3,8 @@
 #include "eye.h"
 #include "scene_state.h"
 
-#include "core/clay_buffer.h"
+#include "core/footprint.h"
+#include "core/mesh_patch.h"
 
 #include <memory>
 
@@ -27,9 +28,13 @@ public:
     /// Before the scene goes, and its context.
     void destroy();
 
-    /// Patches of one mesh in order, a whole one first. Cost: as core::ClayBuffer::apply().
-    void apply(const core::MeshPatch& patch);
-    /// Marks the vertices that a ray brush would take, in place of those before; null: none. A whole patch takes the marks away.
+    /// Patches of one mesh in order, a whole one first. Cost: as core::ClayBuffer::apply(). But a large model that comes once frames have
+    /// been prepared is sent in slices, one in each prepare(), and the one before is shown until the new one is there whole.
+    void apply(core::MeshPatch patch);
+    /// What is shown is still the model before.
+    bool isLoading() const;
+    /// Marks the vertices that a ray brush would take, in place of those before; null: none. A whole patch takes the marks away, and
+    /// while a model is loading there are none.
     void tint(const core::Footprint* footprint);
 
     /// What can be done once for both eyes.

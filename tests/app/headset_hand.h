@@ -3,6 +3,7 @@
 #include "tests/support/program_hand.h"
 #include "tests/vr/scripted_headset.h"
 
+#include "app/headset.h"
 #include "vr/hands.h"
 #include "vr/panels/panel_content.h"
 #include "vr/panels/panel_place.h"
@@ -19,7 +20,13 @@ namespace app
 class HeadsetHand
 {
 public:
-    explicit HeadsetHand(Program& program) : m_program(program) { load({216, 240}); }
+    explicit HeadsetHand(Program& program) : m_program(program)
+    {
+        load({216, 240});
+        auto* entrance = program.window.findChild<Headset*>();
+        QObject::connect(entrance, &Headset::seen, entrance,
+                         [this](const std::optional<vr::Presence>& presence) { m_seen = presence.value_or(m_seen); });
+    }
     ~HeadsetHand() { m_headset.step("{'pace': 'fast'}"); } // a test that has failed comes to an end, too
 
     static inline const vr::Pose head{Eigen::Quaterniond::Identity(), {0, 1.6, 0}};
@@ -65,6 +72,9 @@ public:
     }
 
     bool isIn() const { return m_headset.report()["is_running"].toBool(); }
+
+    /// What those at the window were told last.
+    const vr::Presence& seen() const { return m_seen; }
 
     /// What the mesh thread says, once it has done what came before.
     template <class Ask> auto ask(const Ask& what)
@@ -213,6 +223,7 @@ private:
     ScriptedHeadset m_headset;
     std::array<vr::Pose, vr::sideCount> m_grips; ///< by Side
     vr::Room m_room;
+    vr::Presence m_seen;
     int m_framesBefore = 0; ///< the visit
 };
 } // namespace app

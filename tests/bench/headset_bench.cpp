@@ -1,5 +1,5 @@
 // What the headset's renderer costs its thread, and pictures of what it shows. On a display, by hand:
-//   headset_bench [VERTICES ...]     milliseconds of the thread's CPU a frame, outside draw calls
+//   headset_bench                    milliseconds of the thread's CPU a frame, outside draw calls
 //   headset_bench --pictures FOLDER
 #include "bench_models.h"
 
@@ -137,18 +137,37 @@ private:
     double m_start = now();
 };
 
+/// A model that comes during the visit, until it is seen.
+void measureLoading(Renderer& renderer, const core::MeshPatch& whole, const vr::SceneState& state)
+{
+    Samples frames;
+    core::MeshPatch patch = whole; // the stream takes it over: the copy is not the headset's
+    for (bool isNew = true; isNew || renderer.scene.isLoading(); isNew = false) {
+        const Phase phase(renderer, frames);
+        if (isNew)
+            renderer.scene.apply(std::move(patch));
+        renderer.scene.prepare(state);
+    }
+    {
+        const Phase phase(renderer, frames); // gives back what was shown before
+        renderer.scene.prepare(state);
+    }
+    std::printf("%9zu vertices, loading: %zu frames, median %.3f, longest %.3f\n", whole.vertices.size(), frames.values.size(), frames.at(0.5), frames.at(1));
+}
+
 /// A stroke around a ball, a dab in each frame.
 void measure(Renderer& renderer, core::Slot cuts)
 {
     constexpr int frames = 100, warmUp = 20;
     core::Sculptor sculptor(bench::opened(bench::geodesicSphere(cuts)));
-    renderer.scene.apply(sculptor.wholePatch());
+    vr::SceneState state = example::scene(core::Box(core::Vec3(-1, -1, -1), core::Vec3(1, 1, 1)));
+    state.panels = {{looking({-0.4, 1.4, -0.6}, {-0.8, 1.2, -1.2}), {0.4, 0.3}, renderer.panel.id(), 1}};
+    renderer.scene.prepare(state);
+    measureLoading(renderer, sculptor.wholePatch(), state);
     sculptor.takePatch();
     core::StrokeSettings settings;
     settings.radius = 0.08;
     sculptor.beginStroke(settings);
-    vr::SceneState state = example::scene(core::Box(core::Vec3(-1, -1, -1), core::Vec3(1, 1, 1)));
-    state.panels = {{looking({-0.4, 1.4, -0.6}, {-0.8, 1.2, -1.2}), {0.4, 0.3}, renderer.panel.id(), 1}};
     Samples apply, prepare, draw, whole;
     std::uint64_t bytes = 0;
     unsigned long calls = 0;
@@ -156,7 +175,7 @@ void measure(Renderer& renderer, core::Slot cuts)
         core::StrokeSample sample;
         sample.position = {std::cos(0.02 * i), std::sin(0.02 * i), 0};
         sculptor.addSample(sample);
-        const core::MeshPatch patch = sculptor.takePatch();
+        core::MeshPatch patch = sculptor.takePatch();
         if (i == warmUp) {
             for (Samples* samples : {&apply, &prepare, &draw, &whole})
                 samples->values.clear();
@@ -166,7 +185,7 @@ void measure(Renderer& renderer, core::Slot cuts)
         const Phase all(renderer, whole);
         {
             const Phase phase(renderer, apply);
-            renderer.scene.apply(patch);
+            renderer.scene.apply(std::move(patch));
         }
         {
             const Phase phase(renderer, prepare);

@@ -61,6 +61,19 @@ private Q_SLOTS:
         QVERIFY(has("view.front", "Num+1") && has("view.right", "Num+3") && has("view.top", "Num+7"));
         QVERIFY(has("view.back", "Ctrl+Num+1") && has("view.left", "Ctrl+Num+3") && has("view.bottom", "Ctrl+Num+7"));
         QVERIFY(has("view.orthographic", "Num+5"));
+        QVERIFY(has("vr.enter", "Ctrl+Shift+V"));
+    }
+
+    void aRenamedActionIsCalledSoEverywhere()
+    {
+        QMainWindow window;
+        ui::Actions actions(&window);
+        const QAction* action = actions.get(QStringLiteral("vr.enter"));
+        const QString tip = action->statusTip();
+        actions.rename(action->objectName(), QStringLiteral("L&eave"));
+        QCOMPARE(action->text(), QStringLiteral("L&eave"));
+        QCOMPARE(action->iconText(), QStringLiteral("Leave"));
+        QVERIFY(action->toolTip().startsWith(QStringLiteral("Leave (")) && action->toolTip().endsWith(tip));
     }
 
     void theTableIsWhatTheActionsAre()

@@ -930,6 +930,52 @@ private Q_SLOTS:
         QCOMPARE(window.statusBar()->findChild<QProgressBar*>()->maximum(), 0);
     }
 
+    void vrIsEnteredAndLeft()
+    {
+        MainWindow window;
+        QSignalSpy entering(&window, &MainWindow::enterVrRequested), leaving(&window, &MainWindow::leaveVrRequested);
+        QAction *enter = act(window, "vr.enter"), *follow = act(window, "vr.follow"), *find = act(window, "vr.status");
+        const auto* said = child<QLabel>(window, "headsetText");
+        QVERIFY(enter->isEnabled() && !follow->isEnabled() && find->isEnabled() && said->isHidden());
+        QCOMPARE(enter->iconText(), QStringLiteral("Enter VR"));
+        enter->trigger();
+        QVERIFY(entering.size() == 1 && leaving.isEmpty());
+
+        window.setHeadset(ui::HeadsetState::Changing, QStringLiteral("It starts."));
+        QVERIFY(!enter->isEnabled() && !follow->isEnabled() && !find->isEnabled() && !said->isHidden());
+        QCOMPARE(enter->iconText(), QStringLiteral("Enter VR"));
+        window.setHeadset(ui::HeadsetState::In, QStringLiteral("In VR."));
+        QVERIFY(enter->isEnabled() && follow->isEnabled() && !find->isEnabled());
+        QCOMPARE(said->text(), QStringLiteral("In VR."));
+        QCOMPARE(enter->iconText(), QStringLiteral("Leave VR"));
+        enter->trigger();
+        QVERIFY(entering.size() == 1 && leaving.size() == 1);
+
+        window.setHeadset(ui::HeadsetState::Out, {});
+        QVERIFY(enter->isEnabled() && !follow->isEnabled() && said->isHidden());
+        QCOMPARE(enter->iconText(), QStringLiteral("Enter VR"));
+    }
+
+    /// The command shows whether the view follows, however that began or ended.
+    void theHeadIsFollowed()
+    {
+        MainWindow window;
+        window.setHeadset(ui::HeadsetState::In, QStringLiteral("In VR."));
+        QAction* follow = act(window, "vr.follow");
+        follow->trigger();
+        QVERIFY(!follow->isChecked()); // nobody is there yet
+        ui::Wearer wearer;
+        wearer.head = Eigen::Isometry3d::Identity();
+        window.viewport()->showWearer(wearer);
+        follow->trigger();
+        QVERIFY(follow->isChecked() && window.viewport()->isFollowing());
+        act(window, "view.frame")->trigger();
+        QVERIFY(!follow->isChecked());
+        follow->trigger();
+        window.setHeadset(ui::HeadsetState::Out, {});
+        QVERIFY(!follow->isChecked() && !window.viewport()->isFollowing());
+    }
+
     void closingAsks()
     {
         MainWindow window;

@@ -93,6 +93,7 @@ private Q_SLOTS:
     void eyes_seeTheBallApart();
     void eyes_seeTheSameDome();
     void patches_showWhatAWholePatchShows();
+    void largeModel_isSeenWhenItIsThereWhole();
     void images_ofLightAndOfSrgbShowTheSame();
     void clayBehindTheEye_changesNothing();
     void noClay_isNoTrouble();
@@ -306,6 +307,31 @@ void TestHeadsetScene::patches_showWhatAWholePatchShows()
     }
     QVERIFY(isAsWhole());
     QCOMPARE(differing(before, picture(state)), 0);
+}
+
+/// At the first frame of a visit that is at once; later, the model before is seen until then, frame by frame.
+void TestHeadsetScene::largeModel_isSeenWhenItIsThereWhole()
+{
+    const SceneState state = bare();
+    const vr::EyeView view = eye(state.head);
+    const SphereModel small(80, 3), large(50, 7);
+    const auto frame = [&] {
+        m_scene.prepare(state);
+        m_scene.draw(view);
+        return m_image->read();
+    };
+    m_scene.apply(large.whole());
+    const QImage wanted = frame();
+    m_scene.apply(small.whole());
+    const QImage before = frame();
+    QVERIFY(differing(before, wanted) > 100);
+    m_scene.apply(large.whole());
+    int frames = 0;
+    for (QImage seen = frame(); m_scene.isLoading(); seen = frame(), ++frames)
+        QCOMPARE(differing(seen, before), 0);
+    QVERIFY(frames > 2);
+    QCOMPARE(differing(frame(), wanted), 0);
+    QCOMPARE(m_scene.wholeUploads(), 3U);
 }
 
 /// OpenXR takes an image that is not sRGB for linear light.

@@ -1,0 +1,50 @@
+#include "headset_wearer.h"
+
+#include "vr/wand_shape.h"
+
+#include <iterator>
+
+namespace app
+{
+namespace
+{
+void append(core::DrawArrays& whole, const core::DrawArrays& part)
+{
+    const auto first = static_cast<core::Slot>(whole.vertices.size());
+    std::ranges::copy(part.vertices, std::back_inserter(whole.vertices));
+    for (const core::Triangle& face : part.faces)
+        whole.faces.push_back({face[0] + first, face[1] + first, face[2] + first});
+}
+
+const std::shared_ptr<const core::DrawArrays>& wholeWand()
+{
+    static const std::shared_ptr<const core::DrawArrays> wand = [] {
+        core::DrawArrays whole;
+        for (std::size_t i = 0; i < vr::wandPartCount; ++i)
+            append(whole, vr::shapeOf(static_cast<vr::WandPart>(i)));
+        return std::make_shared<const core::DrawArrays>(std::move(whole));
+    }();
+    return wand;
+}
+} // namespace
+
+ui::Wearer wearerOf(const vr::Presence& presence)
+{
+    const Eigen::Affine3d toModel = presence.model.inverse();
+    const double metre = toModel.linear().col(0).norm();
+    const auto inModel = [&](const vr::Pose& pose) {
+        return Eigen::Translation3d(toModel * pose.position) *
+               Eigen::Isometry3d(Eigen::Quaterniond(toModel.linear() / metre) * pose.rotation);
+    };
+    ui::Wearer wearer;
+    wearer.metre = metre;
+    if (presence.head)
+        wearer.head = inModel(*presence.head);
+    for (std::size_t i = 0; i < vr::sideCount; ++i)
+        if (presence.hands[i])
+            wearer.hands[i] = ui::Ghost{wholeWand(), inModel(*presence.hands[i])};
+    if (presence.brush)
+        wearer.brush = core::Sphere{toModel * presence.brush->center, presence.brush->radius * metre};
+    return wearer;
+}
+} // namespace app

@@ -1,0 +1,326 @@
+// Each button of the preset Paper (section 4.1 of the paper), pressed in the headset and looked at in the document.
+#include "app/headset_settings.h"
+#include "headset_hand.h"
+#include "tests/vr/vr_test.h"
+
+#include "core/mesh_io.h"
+
+#include <QDir>
+#include <QSettings>
+#include <QTemporaryDir>
+
+#include <numbers>
+
+using namespace app;
+using core::Vec3;
+using vr::Side;
+
+namespace
+{
+/// A ball of 100 mm from a file, and a person in the headset before it.
+struct Visit
+{
+    explicit Visit(const vr::HeadsetChoice& choice = {})
+    {
+        QSettings().clear();
+        HeadsetSettings().setChoice(choice);
+        core::writeMesh(path("clay.glb").toStdU16String(), core::icosphere(4, 50));
+        openFile(program, path("clay.glb"), {900, 700});
+        hand.enter();
+        startHash = hash();
+    }
+    QString path(const char* name) const { return m_folder.filePath(QLatin1StringView(name)); }
+    QStringList files() const { return QDir(m_folder.path()).entryList(QDir::Files, QDir::Name); }
+    std::uint64_t hash()
+    {
+        return hand.ask([](core::Sculptor& sculptor) { return sculptor.mesh().meshHash(); });
+    }
+    core::Box box()
+    {
+        return hand.ask([](core::Sculptor& sculptor) {
+            core::Box box;
+            for (const core::Vec3f& point : core::extractMesh(sculptor.mesh()).points)
+                box.extend(point.cast<double>());
+            return box;
+        });
+    }
+    core::StrokeSettings brush() const { return program.window.brush()->stroke(); }
+    Eigen::Affine3d model() const { return hand.seen().model; }
+    double scale() const { return model().linear().col(0).norm(); }
+    /// Of the view only: the document is as it was.
+    bool isUntouched() { return hash() == startHash && !program.document.isModified(); }
+    /// Out of the surface at the top.
+    void pull(double trigger = 1) { hand.stroke({0, 49, 0}, {0, 54, 0}, 8, trigger); }
+
+    Program program;
+    HeadsetHand hand{program};
+    std::uint64_t startHash = 0;
+
+private:
+    QTemporaryDir m_folder;
+};
+
+/// Degrees about the vertical, anticlockwise from above.
+double yawOf(const Eigen::Affine3d& model)
+{
+    const Vec3 x = model.linear().col(0);
+    return std::atan2(-x.z(), x.x()) * 180 / std::numbers::pi;
+}
+} // namespace
+
+class TestHeadsetPaper : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { SKIP_WITHOUT_GLX(); }
+
+    void leftPadLeft_turnsClockwise() { turns(-0.8, -1); }
+    void leftPadRight_turnsAnticlockwise() { turns(0.8, 1); }
+    void leftPadTop_togglesTopology() { togglesTopology(0.8); }
+    void leftPadBottom_togglesTopology() { togglesTopology(-0.8); }
+    void leftSlide_scalesTheModel();
+    void leftMenu_showsTheToolsWhichThePadScrolls();
+    void leftTrigger_movesTheModel();
+    void leftSideHeld_saves();
+    void rightPadTop_togglesTheBrush();
+    void rightPadBottom_togglesSymmetry();
+    void rightPadLeftAndRight_undoAndRedo();
+    void rightSlide_setsTheRadius();
+    void rightMenu_opensTheColoursWhichThePadSets();
+    void rightTrigger_sculptsAsHardAsItIsPulled();
+    void rightSideHeld_restoresAndThatCanBeUndone();
+    void handsMaySwap();
+
+private:
+    void turns(double x, int sign);
+    void togglesTopology(double y);
+};
+
+void TestHeadsetPaper::turns(double x, int sign)
+{
+    Visit v;
+    const double before = yawOf(v.model());
+    v.hand.pressPad(Side::Left, x, 0, 30);
+    v.hand.settle();
+    const double turned = yawOf(v.model()) - before;
+    QVERIFY2(sign * turned > 15 && sign * turned < 25,
+             qPrintable(QString::number(turned))); // a third of a second at 60 degrees a second
+    QVERIFY(v.isUntouched());
+}
+
+/// In uniform topology a small brush leaves the edges as they are.
+void TestHeadsetPaper::togglesTopology(double y)
+{
+    Visit v;
+    const auto vertices = v.program.document.facts().vertices;
+    QCOMPARE(v.brush().topology, core::Topology::Adaptive);
+    v.hand.pressPad(Side::Left, 0, y);
+    QTRY_COMPARE(v.brush().topology, core::Topology::Uniform);
+    v.pull();
+    QVERIFY(v.program.document.isModified());
+    QVERIFY(v.program.document.facts().vertices < vertices + 20);
+    v.hand.pressPad(Side::Left, 0, y);
+    QTRY_COMPARE(v.brush().topology, core::Topology::Adaptive);
+    v.pull();
+    QVERIFY(v.program.document.facts().vertices > vertices + 100);
+}
+
+void TestHeadsetPaper::leftSlide_scalesTheModel()
+{
+    Visit v;
+    const double before = v.scale();
+    v.hand.slide(Side::Left, {0, 1});
+    v.hand.settle();
+    QVERIFY(v.scale() > 1.5 * before);
+    v.hand.slide(Side::Left, {0, -1});
+    v.hand.settle();
+    QVERIFY(std::abs(v.scale() / before - 1) < 0.15);
+    QVERIFY(v.isUntouched());
+}
+
+void TestHeadsetPaper::leftMenu_showsTheToolsWhichThePadScrolls()
+{
+    using core::Tool;
+    Visit v;
+    v.hand.pressPad(Side::Left, 0.8, 0); // without the menu it turns the model
+    v.hand.settle();
+    QCOMPARE(v.brush().tool, Tool::Pull);
+    v.hand.press(Side::Left, "menu");
+    for (const Tool tool : {Tool::Push, Tool::Flatten, Tool::Smooth, Tool::Paint, Tool::Pull}) {
+        v.hand.pressPad(Side::Left, 0.8, 0);
+        QTRY_COMPARE(v.brush().tool, tool);
+    }
+    v.hand.pressPad(Side::Left, -0.8, 0);
+    QTRY_COMPARE(v.brush().tool, Tool::Paint);
+    v.hand.press(Side::Left, "menu");
+    v.hand.pressPad(Side::Left, 0.8, 0);
+    v.hand.settle();
+    QCOMPARE(v.brush().tool, Tool::Paint);
+    QVERIFY(v.isUntouched());
+}
+
+void TestHeadsetPaper::leftTrigger_movesTheModel()
+{
+    Visit v;
+    const Vec3 before = v.model().translation(), by(0.1, 0.05, -0.02);
+    v.hand.put(Side::Left, {-0.3, 1.2, -0.4});
+    v.hand.frame();
+    v.hand.set(Side::Left, "trigger", 1);
+    v.hand.frames(2);
+    v.hand.put(Side::Left, Vec3(-0.3, 1.2, -0.4) + by);
+    v.hand.frames(2);
+    v.hand.set(Side::Left, "trigger", 0);
+    v.hand.settle();
+    QVERIFY((v.model().translation() - before - by).norm() < 1e-3);
+    QVERIFY(v.isUntouched());
+}
+
+void TestHeadsetPaper::leftSideHeld_saves()
+{
+    Visit v;
+    v.pull();
+    v.hand.press(Side::Left, "squeeze", 20); // by accident
+    v.hand.settle();
+    QCOMPARE(v.files(), QStringList{QStringLiteral("clay.glb")});
+    v.hand.hold(Side::Left, "squeeze");
+    const QStringList saved{QStringLiteral("clay-001.glb"), QStringLiteral("clay-001.stl"), QStringLiteral("clay.glb")};
+    QTRY_COMPARE(v.files(), saved);
+    v.hand.settle();
+    const core::TriangleMesh now =
+        v.hand.ask([](core::Sculptor& sculptor) { return core::extractMesh(sculptor.mesh()); });
+    for (const char* name : {"clay-001.glb", "clay-001.stl"})
+        QCOMPARE(core::readMesh(v.path(name).toStdU16String()).triangles.size(), now.triangles.size());
+    v.hand.hold(Side::Left, "squeeze");
+    QTRY_VERIFY(v.files().contains(QStringLiteral("clay-002.stl")));
+    v.hand.settle();
+}
+
+void TestHeadsetPaper::rightPadTop_togglesTheBrush()
+{
+    Visit v;
+    v.hand.pressPad(Side::Right, 0, 0.8);
+    QTRY_COMPARE(v.brush().brush, core::BrushShape::Ray);
+    v.hand.put(Side::Right, v.hand.place({0, 0, 90}));
+    v.hand.frame();
+    v.hand.press(Side::Right, "trigger", 10); // from afar
+    v.hand.settle();
+    QVERIFY(v.box().max().z() > 50.2);
+    v.hand.pressPad(Side::Right, 0, 0.8);
+    QTRY_COMPARE(v.brush().brush, core::BrushShape::Sphere);
+}
+
+void TestHeadsetPaper::rightPadBottom_togglesSymmetry()
+{
+    Visit v;
+    v.hand.pressPad(Side::Right, 0, -0.8);
+    QTRY_COMPARE(v.brush().symmetry, core::Symmetry::Y); // the paper's xz plane
+    v.pull();
+    const core::Box box = v.box();
+    QVERIFY(box.max().y() > 52);
+    QCOMPARE(box.min().y(), -box.max().y());
+    v.hand.pressPad(Side::Right, 0, -0.8);
+    QTRY_COMPARE(v.brush().symmetry, core::Symmetry::None);
+}
+
+void TestHeadsetPaper::rightPadLeftAndRight_undoAndRedo()
+{
+    Visit v;
+    v.pull();
+    const std::uint64_t pulled = v.hash();
+    QVERIFY(pulled != v.startHash);
+    v.hand.pressPad(Side::Right, -0.8, 0);
+    v.hand.settle();
+    QCOMPARE(v.program.document.undoStack().index(), 0);
+    QCOMPARE(v.hash(), v.startHash);
+    v.hand.pressPad(Side::Right, 0.8, 0);
+    v.hand.settle();
+    QCOMPARE(v.program.document.undoStack().index(), 1);
+    QCOMPARE(v.hash(), pulled);
+    v.program.window.action(QStringLiteral("edit.undo"))->trigger(); // at the desktop it is the same step
+    v.hand.settle();
+    QCOMPARE(v.hash(), v.startHash);
+}
+
+void TestHeadsetPaper::rightSlide_setsTheRadius()
+{
+    Visit v;
+    const double before = v.hand.seen().brush->radius;
+    v.hand.slide(Side::Right, {1, 0});
+    v.hand.settle();
+    QVERIFY(v.hand.seen().brush->radius > 1.5 * before);
+    v.hand.slide(Side::Right, {-1, 0});
+    v.hand.settle();
+    QVERIFY(std::abs(v.hand.seen().brush->radius / before - 1) < 0.15);
+    QVERIFY(v.isUntouched());
+}
+
+void TestHeadsetPaper::rightMenu_opensTheColoursWhichThePadSets()
+{
+    Visit v;
+    const core::Rgb before = v.brush().color;
+    v.hand.press(Side::Right, "menu");
+    v.hand.slide(Side::Right, {0, -1.6});
+    QTRY_VERIFY(v.brush().color.r < before.r);
+    QVERIFY(v.brush().color.g == before.g && v.brush().color.b == before.b);
+    v.hand.pressPad(Side::Right, 0.8, 0);
+    v.hand.slide(Side::Right, {0, -1.6});
+    QTRY_VERIFY(v.brush().color.g < before.g);
+    v.hand.pressPad(Side::Right, 0.8, 0);
+    v.hand.slide(Side::Right, {0, -1.6});
+    QTRY_VERIFY(v.brush().color.b < before.b);
+    const core::Rgb lower = v.brush().color;
+    v.hand.pressPad(Side::Right, -0.8, 0);
+    v.hand.slide(Side::Right, {0, 1.6});
+    QTRY_VERIFY(v.brush().color.g > lower.g);
+    QCOMPARE(v.brush().color.b, lower.b);
+    v.hand.press(Side::Right, "menu");
+    QVERIFY(v.isUntouched());
+}
+
+void TestHeadsetPaper::rightTrigger_sculptsAsHardAsItIsPulled()
+{
+    Visit light, full;
+    light.pull(0.6);
+    full.pull(1);
+    QVERIFY(light.box().max().y() > 50.1);
+    QVERIFY(full.box().max().y() > light.box().max().y() + 0.5);
+    QCOMPARE(full.program.document.undoStack().count(), 1);
+}
+
+void TestHeadsetPaper::rightSideHeld_restoresAndThatCanBeUndone()
+{
+    Visit v;
+    v.pull();
+    const std::uint64_t pulled = v.hash();
+    v.hand.press(Side::Right, "squeeze", 20); // by accident
+    v.hand.settle();
+    QCOMPARE(v.hash(), pulled);
+    v.hand.hold(Side::Right, "squeeze");
+    v.hand.settle();
+    QCOMPARE(v.hash(), v.startHash);
+    v.hand.pressPad(Side::Right, -0.8, 0);
+    v.hand.settle();
+    QCOMPARE(v.hash(), pulled);
+}
+
+void TestHeadsetPaper::handsMaySwap()
+{
+    vr::HeadsetChoice choice;
+    choice.hands.sculpting = Side::Left;
+    Visit v(choice);
+    v.hand.put(Side::Left, v.hand.place({0, 49.5, 0}));
+    v.hand.frame();
+    v.hand.press(Side::Left, "trigger", 8);
+    v.hand.settle();
+    QVERIFY(v.box().max().y() > 50.1);
+    v.hand.pressPad(Side::Left, -0.8, 0);
+    v.hand.settle();
+    QCOMPARE(v.hash(), v.startHash);
+}
+
+int main(int argc, char* argv[])
+{
+    return runOnScreen<TestHeadsetPaper>(argc, argv, "tst_headset_paper");
+}
+#include "tst_headset_paper.moc"

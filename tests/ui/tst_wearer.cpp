@@ -1,0 +1,426 @@
+#include "sphere_model.h"
+#include "ui_test.h"
+
+#include "ui/head_following.h"
+
+#include <QSignalSpy>
+#include <QWheelEvent>
+
+#include <numbers>
+
+using ui::OrbitCamera;
+using ui::Viewport;
+using ui::Wearer;
+
+namespace
+{
+const QPoint onModel{200, 150}, besideModel{30, 40};
+
+/// A metre of the room is that many mm of the model: people are small beside it, as when it was made large in the headset.
+constexpr double metre = 120;
+
+/// A viewport with a ball in it and somebody who answers its questions.
+struct Stage
+{
+    Stage()
+    {
+        viewport.resize(400, 300);
+        viewport.setPatchSource([this] { return std::exchange(next, std::nullopt); });
+        QObject::connect(
+            &viewport, &Viewport::hoverRequested, &viewport,
+            [this](const core::Ray& ray) { viewport.setHover(model.hit(ray)); }, Qt::QueuedConnection);
+        viewport.showModel(model.box());
+        viewport.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&viewport));
+        next = model.whole();
+        viewport.patchReady();
+        QTRY_COMPARE(viewport.stats().patches, quint64(1));
+    }
+
+    QImage picture() { return viewport.grabFramebuffer(); }
+    const OrbitCamera& camera() const { return viewport.camera(); }
+    /// What is seen at the pixel, as far from the eye as the model's middle.
+    core::Vec3 at(QPoint pixel) const
+    {
+        return camera().acrossPivot(camera().ray({double(pixel.x()), double(pixel.y())}));
+    }
+
+    void drag(QPoint from, Qt::MouseButton button)
+    {
+        sendMouse(&viewport, QEvent::MouseButtonPress, from, button);
+        for (int i = 1; i <= 5; ++i)
+            sendMouse(&viewport, QEvent::MouseMove, from + QPoint(4 * i, 2 * i));
+        sendMouse(&viewport, QEvent::MouseButtonRelease, from + QPoint(20, 10), button);
+        QCoreApplication::processEvents();
+    }
+
+    SphereModel model;
+    std::optional<core::MeshPatch> next;
+    ui::BrushSettings brush;
+    Viewport viewport{&brush};
+};
+
+Eigen::Isometry3d poseAt(const core::Vec3& place)
+{
+    return Eigen::Isometry3d(Eigen::Translation3d(place));
+}
+
+/// Stands there and looks at the origin.
+Eigen::Isometry3d lookingAtOrigin(const core::Vec3& place)
+{
+    Eigen::Isometry3d pose = poseAt(place);
+    pose.linear() = Eigen::Quaterniond::FromTwoVectors(-core::Vec3::UnitZ(), -place).toRotationMatrix();
+    return pose;
+}
+
+/// A ball of 5 cm.
+ui::Ghost ballAt(const core::Vec3& place)
+{
+    static const auto shape = [] {
+        const SphereModel ball(0.05, 3);
+        auto arrays = std::make_shared<core::DrawArrays>();
+        for (const core::Vec3f& point : ball.mesh.points)
+            arrays->vertices.push_back(SphereModel::draw(point));
+        arrays->faces = ball.mesh.triangles;
+        return arrays;
+    }();
+    return {shape, poseAt(place)};
+}
+
+Wearer wearerAt(const core::Vec3& place)
+{
+    Wearer wearer;
+    wearer.head = lookingAtOrigin(place);
+    wearer.metre = metre;
+    return wearer;
+}
+
+QRect changed(const QImage& a, const QImage& b)
+{
+    QRect area;
+    for (int y = 0; y < a.height(); ++y)
+        for (int x = 0; x < a.width(); ++x)
+            if (a.pixel(x, y) != b.pixel(x, y))
+                area |= QRect(x, y, 1, 1);
+    return area;
+}
+
+QRect around(QPoint pixel, int distance)
+{
+    return QRect(pixel - QPoint(distance, distance), pixel + QPoint(distance, distance));
+}
+
+double turnOf(const OrbitCamera& camera, const Eigen::Isometry3d& head)
+{
+    return std::acos(std::clamp(camera.viewDirection().dot(-head.linear().col(2)), -1.0, 1.0));
+}
+
+OrbitCamera cameraOnBall()
+{
+    OrbitCamera camera;
+    camera.setViewport(400, 300);
+    camera.frame(core::Box(core::Vec3::Constant(-50), core::Vec3::Constant(50)));
+    return camera;
+}
+} // namespace
+
+/// Whoever wears the headset, as those at the window see them.
+class TestWearer : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { SKIP_WITHOUT_GRAPHICS(); }
+
+    void ghosts_areWhereTheyShouldBe_data();
+    void ghosts_areWhereTheyShouldBe();
+    void clay_hidesThem();
+    void layers_showThem();
+    void drawing_isCoalesced();
+    void pressOnAGhost_isAPressBesideTheModel();
+    void modelAndView_areNotTheirs();
+
+    void following_isTheSameInFewStepsAndInMany();
+    void following_staysLevel();
+    void following_standsStraightUpAndDown();
+    void following_goesWhereTheHeadIs();
+    void following_showsNoHead();
+    void following_needsAWearer();
+    void following_ends_data();
+    void following_ends();
+    void following_goesOnWithAnotherModel();
+    void following_waitsForAStroke();
+    void lookChanges_areTold();
+};
+
+void TestWearer::ghosts_areWhereTheyShouldBe_data()
+{
+    QTest::addColumn<QString>("what");
+    QTest::addColumn<int>("reach"); // mm, of what is seen of it
+    QTest::newRow("head") << QStringLiteral("head") << 28;
+    QTest::newRow("left hand") << QStringLiteral("left") << 7;
+    QTest::newRow("right hand") << QStringLiteral("right") << 7;
+    QTest::newRow("brush") << QStringLiteral("brush") << 11;
+}
+
+void TestWearer::ghosts_areWhereTheyShouldBe()
+{
+    QFETCH(QString, what);
+    QFETCH(int, reach);
+    Stage s;
+    const QImage bare = s.picture();
+    const QPoint pixel(60, 100);
+    Wearer wearer;
+    wearer.metre = metre;
+    if (what == QStringLiteral("head"))
+        wearer.head = lookingAtOrigin(s.at(pixel));
+    else if (what == QStringLiteral("brush"))
+        wearer.brush = core::Sphere{s.at(pixel), 10};
+    else
+        wearer.hands[what == QStringLiteral("left") ? 0 : 1] = ballAt(s.at(pixel));
+
+    s.viewport.showWearer(wearer);
+    const QRect area = changed(bare, s.picture());
+    QVERIFY(around(pixel, qCeil(reach * s.camera().pixelsPerMm(s.at(pixel))) + 1).contains(area));
+    QVERIFY(area.contains(pixel) && area.width() > 10 && area.height() > 10);
+
+    s.viewport.showWearer({});
+    QCOMPARE(changed(bare, s.picture()), QRect());
+}
+
+void TestWearer::clay_hidesThem()
+{
+    Stage s;
+    const QImage bare = s.picture();
+    s.viewport.showWearer(wearerAt(85 * s.camera().viewDirection()));
+    QCOMPARE(changed(bare, s.picture()), QRect());
+    s.viewport.showWearer(wearerAt(-85 * s.camera().viewDirection()));
+    QVERIFY(changed(bare, s.picture()).contains(onModel));
+}
+
+void TestWearer::layers_showThem()
+{
+    constexpr QSize size(400, 300);
+    const SphereModel model;
+    const OrbitCamera camera = cameraOnBall();
+    for (const auto mode : {ui::Scene::Mode::InQt3dContext, ui::Scene::Mode::Layered}) {
+        ui::Scene scene(mode);
+        scene.clay().apply(model.whole());
+        const auto picture = [&] {
+            const ui::Scene::Image image = scene.render(camera, size, 1);
+            auto* gl = QOpenGLContext::currentContext()->extraFunctions();
+            gl->glDeleteSync(static_cast<GLsync>(image.ready));
+            QImage read(size, QImage::Format_RGBA8888);
+            unsigned int framebuffer = 0;
+            gl->glGenFramebuffers(1, &framebuffer);
+            gl->glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+            gl->glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, image.texture, 0);
+            gl->glReadPixels(0, 0, size.width(), size.height(), GL_RGBA, GL_UNSIGNED_BYTE, read.bits());
+            gl->glDeleteFramebuffers(1, &framebuffer);
+            return read;
+        };
+        const QImage bare = picture();
+        scene.showWearer(wearerAt(-85 * camera.viewDirection()));
+        QVERIFY(changed(bare, picture()).width() > 20);
+        scene.showWearer({});
+        QCOMPARE(changed(bare, picture()), QRect());
+    }
+}
+
+/// A second of a headset's frames while the window is at something else.
+void TestWearer::drawing_isCoalesced()
+{
+    Stage s;
+    QCoreApplication::processEvents();
+    const quint64 frames = s.viewport.stats().frames;
+    for (int i = 0; i < 90; ++i)
+        s.viewport.showWearer(wearerAt({100, i / 10.0, 0}));
+    QTRY_VERIFY(s.viewport.stats().frames > frames);
+    QTest::qWait(50);
+    QVERIFY(s.viewport.stats().frames <= frames + 2);
+}
+
+void TestWearer::pressOnAGhost_isAPressBesideTheModel()
+{
+    Stage s;
+    QSignalSpy began(&s.viewport, &Viewport::strokeBegan);
+    s.viewport.showWearer(wearerAt(s.at(besideModel)));
+    s.picture();
+    const core::Vec3 direction = s.camera().viewDirection();
+    s.drag(besideModel, Qt::LeftButton);
+    QTRY_VERIFY(s.camera().viewDirection() != direction);
+    QCOMPARE(began.size(), 0);
+
+    s.viewport.showWearer(wearerAt(-85 * s.camera().viewDirection())); // between the eye and the model
+    s.picture();
+    s.drag(onModel, Qt::LeftButton);
+    QTRY_COMPARE(began.size(), 1);
+}
+
+void TestWearer::modelAndView_areNotTheirs()
+{
+    Stage s;
+    const core::Box box = s.viewport.box();
+    const core::Vec3 eye = s.camera().eye();
+    s.viewport.showWearer(wearerAt({900, 0, 0}));
+    s.picture();
+    QVERIFY(s.viewport.box().isApprox(box));
+    s.viewport.frame();
+    QVERIFY(s.camera().eye().isApprox(eye));
+}
+
+void TestWearer::following_isTheSameInFewStepsAndInMany()
+{
+    const Eigen::Isometry3d head = lookingAtOrigin({200, 150, -90});
+    OrbitCamera few = cameraOnBall(), many = cameraOnBall();
+    for (int i = 0; i < 5; ++i)
+        few.setPose(ui::followed(few, head, 1.0 / 5));
+    for (int i = 0; i < 144; ++i)
+        many.setPose(ui::followed(many, head, 1.0 / 144));
+    QVERIFY(few.eye().isApprox(many.eye(), 1e-9));
+    QVERIFY(few.viewDirection().isApprox(many.viewDirection(), 1e-9));
+
+    const double left = (few.eye() - head.translation()).norm() / (cameraOnBall().eye() - head.translation()).norm();
+    QVERIFY(std::abs(left - std::exp(-1 / 0.3)) < 1e-9);
+}
+
+/// A head that is tilted to its shoulder.
+void TestWearer::following_staysLevel()
+{
+    Eigen::Isometry3d head = lookingAtOrigin({0, 40, 200});
+    const core::Vec3 ahead = -head.linear().col(2);
+    head.linear() = head.linear() * Eigen::AngleAxisd(0.5, core::Vec3::UnitZ());
+    OrbitCamera camera = cameraOnBall();
+    camera.setPose(ui::followed(camera, head, 60));
+    QVERIFY(camera.viewDirection().isApprox(ahead, 1e-3));
+    QCOMPARE(camera.right().y(), 0.0);
+}
+
+void TestWearer::following_standsStraightUpAndDown()
+{
+    for (const double pitch : {-0.5 * std::numbers::pi, 0.5 * std::numbers::pi}) {
+        Eigen::Isometry3d head = poseAt({0, 200, 0});
+        head.linear() = (Eigen::AngleAxisd(0.7, core::Vec3::UnitY()) * Eigen::AngleAxisd(pitch, core::Vec3::UnitX()))
+                            .toRotationMatrix();
+        OrbitCamera camera = cameraOnBall();
+        camera.setPose(ui::followed(camera, head, 60));
+        QVERIFY(camera.viewDirection().isApprox(-head.linear().col(2), 1e-6));
+        QVERIFY(camera.up().isApprox(head.linear().col(1), 1e-6)); // the face's side is where it was
+    }
+}
+
+void TestWearer::following_goesWhereTheHeadIs()
+{
+    Stage s;
+    const Wearer wearer = wearerAt({180, 120, 100});
+    s.viewport.showWearer(wearer);
+    QSignalSpy changes(&s.viewport, &Viewport::followingChanged);
+    s.viewport.setFollowing(true);
+    QVERIFY(s.viewport.isFollowing());
+    QTRY_VERIFY((s.camera().eye() - wearer.head->translation()).norm() < 0.5);
+    QVERIFY(turnOf(s.camera(), *wearer.head) < 0.01);
+
+    s.viewport.setFollowing(false);
+    QCOMPARE(changes.size(), 2);
+    QVERIFY(s.camera().pivot().norm() < 50); // still on the model
+    s.viewport.turnTo(OrbitCamera::Side::Front);
+    s.viewport.frame();
+    OrbitCamera framed = cameraOnBall();
+    framed.setPose(s.camera().pose());
+    framed.frame(s.model.box());
+    QVERIFY(s.camera().eye().isApprox(framed.eye(), 1e-6));
+}
+
+void TestWearer::following_showsNoHead()
+{
+    Stage s;
+    const QImage bare = s.picture();
+    s.viewport.showWearer(wearerAt(s.at(besideModel)));
+    QVERIFY(changed(bare, s.picture()).isValid());
+    s.viewport.setFollowing(true);
+    QCOMPARE(changed(bare, s.picture()), QRect());
+}
+
+void TestWearer::following_needsAWearer()
+{
+    Stage s;
+    QSignalSpy changes(&s.viewport, &Viewport::followingChanged);
+    s.viewport.setFollowing(true);
+    QVERIFY(!s.viewport.isFollowing());
+    s.viewport.showWearer(wearerAt({100, 0, 0}));
+    s.viewport.setFollowing(true);
+    s.viewport.showWearer({});
+    QVERIFY(!s.viewport.isFollowing());
+    QCOMPARE(changes.size(), 2);
+}
+
+void TestWearer::following_ends_data()
+{
+    QTest::addColumn<QString>("by");
+    for (const char* by : {"turn", "move", "wheel", "frame", "side", "flight"})
+        QTest::newRow(by) << QString::fromLatin1(by);
+}
+
+void TestWearer::following_ends()
+{
+    QFETCH(QString, by);
+    Stage s;
+    s.viewport.showWearer(wearerAt({100, 0, 300}));
+    s.viewport.setFollowing(true);
+    if (by == QStringLiteral("turn"))
+        s.drag(besideModel, Qt::MiddleButton);
+    else if (by == QStringLiteral("move"))
+        s.drag(besideModel, Qt::RightButton);
+    else if (by == QStringLiteral("wheel")) {
+        QWheelEvent event(onModel, s.viewport.mapToGlobal(onModel), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
+                          Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(&s.viewport, &event);
+    } else if (by == QStringLiteral("frame"))
+        s.viewport.frame();
+    else if (by == QStringLiteral("side"))
+        s.viewport.turnTo(OrbitCamera::Side::Top);
+    else
+        s.viewport.flyTo({0, 50, 0}, {0, 1, 0}, 10);
+    QVERIFY(!s.viewport.isFollowing());
+}
+
+void TestWearer::following_goesOnWithAnotherModel()
+{
+    Stage s;
+    s.viewport.showWearer(wearerAt({100, 0, 300}));
+    s.viewport.setFollowing(true);
+    s.viewport.showModel(s.model.box());
+    s.viewport.setView({});
+    QVERIFY(s.viewport.isFollowing());
+}
+
+/// Or the hand would lose its place.
+void TestWearer::following_waitsForAStroke()
+{
+    Stage s;
+    sendMouse(&s.viewport, QEvent::MouseButtonPress, onModel, Qt::LeftButton);
+    QTRY_VERIFY(s.viewport.strokeOpen());
+    s.viewport.showWearer(wearerAt({300, 0, 0}));
+    s.viewport.setFollowing(true);
+    const core::Vec3 eye = s.camera().eye();
+    QTest::qWait(100);
+    QCOMPARE(s.camera().eye(), eye);
+    sendMouse(&s.viewport, QEvent::MouseButtonRelease, onModel, Qt::LeftButton);
+    QTRY_VERIFY((s.camera().eye() - eye).norm() > 1);
+}
+
+void TestWearer::lookChanges_areTold()
+{
+    Stage s;
+    QSignalSpy changes(&s.viewport, &Viewport::lookChanged);
+    ui::ViewLook look = s.viewport.look();
+    s.viewport.setLook(look);
+    QCOMPARE(changes.size(), 0);
+    look.material = ui::Material::Wax;
+    s.viewport.setLook(look);
+    QCOMPARE(changes.size(), 1);
+    QCOMPARE(s.viewport.shading(), ui::shadingOf(ui::Material::Wax));
+}
+
+UI_TEST_MAIN(TestWearer)
+#include "tst_wearer.moc"

@@ -1,0 +1,420 @@
+#include "vr/wand_labels.h"
+
+#include "hand_motion.h"
+
+#include <QTest>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+#include <numbers>
+
+namespace
+{
+std::atomic<long> allocations = 0;
+}
+
+void* operator new(std::size_t bytes)
+{
+    ++allocations;
+    if (void* memory = std::malloc(bytes))
+        return memory;
+    throw std::bad_alloc();
+}
+
+void operator delete(void* memory) noexcept
+{
+    std::free(memory);
+}
+
+void operator delete(void* memory, std::size_t) noexcept
+{
+    std::free(memory);
+}
+
+using vr::Gesture;
+using vr::HandRole;
+using vr::Preset;
+using vr::Side;
+using vr::WandSpot;
+
+namespace
+{
+constexpr Side sides[] = {Side::Left, Side::Right};
+constexpr double degree = std::numbers::pi / 180;
+constexpr double appears = vr::labelFadeIn + 0.3, goes = vr::labelFadeOut + 0.3; ///< with a frame to spare, even at 5 a second
+const Eigen::Vector2d padLeft(-0.8, 0), padTop(0, 0.8), padMiddle(0, 0);
+
+/// A head that looks ahead, wands low before it, far from where it looks, and time that passes in frames.
+class Player
+{
+public:
+    explicit Player(const vr::HandsChoice& choice = {}, double rate = 90) : m_hands(choice), m_period(1 / rate)
+    {
+        m_head.position = {0, 1.6, 0};
+        for (const Side side : sides)
+            set(side, restingWand());
+    }
+
+    void set(Side side, vr::WandState wand)
+    {
+        wand.grip.position = {side == Side::Left ? -0.3 : 0.3, 1.1, -0.4};
+        m_frame.wands[static_cast<std::size_t>(side)] = wand;
+    }
+    vr::WandState& wand(Side side) { return m_frame.wands[static_cast<std::size_t>(side)]; }
+    vr::Hands& hands() { return m_hands; }
+    void pointAtPanel(Side side) { m_frame.pointsAtPanel[static_cast<std::size_t>(side)] = true; }
+
+    /// So many degrees aside of the wand's buttons.
+    void look(Side side, double degrees)
+    {
+        const core::Vec3 to = wand(side).grip * vr::placeOf(WandSpot::PadMiddle) - m_head.position;
+        m_head.rotation = Eigen::AngleAxisd(degrees * degree, to.unitOrthogonal()) * Eigen::Quaterniond::FromTwoVectors(-core::Vec3::UnitZ(), to);
+    }
+    void lookAhead() { m_head.rotation = Eigen::Quaterniond::Identity(); }
+
+    /// At least one frame.
+    void play(double seconds)
+    {
+        const double end = m_frame.time + seconds;
+        do {
+            m_frame.time += m_period;
+            m_labels.step(m_frame.time, m_head, m_frame.wands, m_hands, m_hands.step(m_frame));
+        } while (m_frame.time < end - 1e-9);
+    }
+    void doOnce(Side side, const vr::WandState& wand, double seconds = 0.1)
+    {
+        set(side, wand);
+        play(seconds);
+        set(side, restingWand());
+        play(0.05);
+    }
+
+    vr::WandLabel label(Side side, WandSpot spot) const { return m_labels.labels(side)[static_cast<std::size_t>(spot)]; }
+    QString text(Side side, WandSpot spot) const { return label(side, spot).text; }
+    float opacity(Side side, WandSpot spot) const { return label(side, spot).opacity; }
+    /// Of all texts.
+    bool allAre(float opacity) const
+    {
+        for (const Side side : sides)
+            for (const vr::WandLabel& label : m_labels.labels(side))
+                if (!label.text.isEmpty() && label.opacity != opacity)
+                    return false;
+        return true;
+    }
+    double period() const { return m_period; }
+
+private:
+    vr::Hands m_hands;
+    vr::WandLabels m_labels;
+    vr::HandsFrame m_frame;
+    vr::Pose m_head;
+    double m_period;
+};
+} // namespace
+
+class TestWandLabels : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void labels_sayWhatButtonsDo();
+    void labels_ofOneSpotShareALine();
+    void labels_changeWithTheHandsMode();
+    void labels_fadeIn();
+    void labels_stayUntilTheyAreUsed_data() { rates(); }
+    void labels_stayUntilTheyAreUsed();
+    void useInOneMode_isNoUseInTheOther();
+    void sharedLine_staysUntilAllOfItIsUsed();
+    void whatTwoHandsDo_isUsedByBoth();
+    void pressedPanels_areNoUse();
+    void refusedPresses_areNoUse();
+    void lookedAtWand_hasItsLabelsBack_data() { rates(); }
+    void lookedAtWand_hasItsLabelsBack();
+    void look_hasHysteresis();
+    void drawingWand_isNotLookedAt();
+    void otherChoice_hasNewLabels();
+    void fades_areTheSameAtAnyRate();
+    void steps_allocateNothing();
+
+private:
+    static void rates();
+};
+
+void TestWandLabels::rates()
+{
+    QTest::addColumn<double>("rate");
+    for (const double rate : frameRates)
+        QTest::addRow("%g a second", rate) << rate;
+}
+
+void TestWandLabels::labels_sayWhatButtonsDo()
+{
+    Player player;
+    player.play(appears);
+    QCOMPARE(player.text(Side::Left, WandSpot::PadLeft), QStringLiteral("Turn clockwise"));
+    QCOMPARE(player.text(Side::Left, WandSpot::PadRight), QStringLiteral("Turn anticlockwise"));
+    QCOMPARE(player.text(Side::Left, WandSpot::PadUp), QStringLiteral("Uniform or adaptive"));
+    QCOMPARE(player.text(Side::Left, WandSpot::PadDown), QStringLiteral("Uniform or adaptive"));
+    QCOMPARE(player.text(Side::Left, WandSpot::PadMiddle), QStringLiteral("Slide: scale"));
+    QCOMPARE(player.text(Side::Left, WandSpot::Menu), QStringLiteral("Tools"));
+    QCOMPARE(player.text(Side::Left, WandSpot::Trigger), QStringLiteral("Move model"));
+    QCOMPARE(player.text(Side::Left, WandSpot::Side), QStringLiteral("Hold: save"));
+    QCOMPARE(player.text(Side::Right, WandSpot::PadUp), QStringLiteral("Sphere or ray"));
+    QCOMPARE(player.text(Side::Right, WandSpot::PadDown), QStringLiteral("Symmetry"));
+    QCOMPARE(player.text(Side::Right, WandSpot::PadLeft), QStringLiteral("Undo"));
+    QCOMPARE(player.text(Side::Right, WandSpot::PadRight), QStringLiteral("Redo"));
+    QCOMPARE(player.text(Side::Right, WandSpot::PadMiddle), QStringLiteral("Slide: radius"));
+    QCOMPARE(player.text(Side::Right, WandSpot::Menu), QStringLiteral("Colour"));
+    QCOMPARE(player.text(Side::Right, WandSpot::Trigger), QStringLiteral("Sculpt"));
+    QCOMPARE(player.text(Side::Right, WandSpot::Side), QStringLiteral("Hold: restore"));
+}
+
+void TestWandLabels::labels_ofOneSpotShareALine()
+{
+    Player player({Preset::Studio, Side::Right});
+    player.play(appears);
+    QCOMPARE(player.text(Side::Right, WandSpot::Menu), QStringLiteral("Colour \u00B7 Hold: invert"));
+    QCOMPARE(player.text(Side::Left, WandSpot::PadMiddle), QString());
+}
+
+void TestWandLabels::labels_changeWithTheHandsMode()
+{
+    Player player;
+    player.play(appears);
+    player.doOnce(Side::Right, pressingMenu());
+    QCOMPARE(player.text(Side::Right, WandSpot::PadLeft), QStringLiteral("Previous channel"));
+    QCOMPARE(player.text(Side::Right, WandSpot::PadUp), QString());
+    QCOMPARE(player.text(Side::Right, WandSpot::Trigger), QStringLiteral("Sculpt"));
+    QVERIFY(player.opacity(Side::Right, WandSpot::PadLeft) < 1); // a new word comes softly
+    QCOMPARE(player.opacity(Side::Right, WandSpot::Trigger), 1.0F);
+    QCOMPARE(player.text(Side::Left, WandSpot::PadLeft), QStringLiteral("Turn clockwise"));
+    player.play(appears);
+    QCOMPARE(player.opacity(Side::Right, WandSpot::PadLeft), 1.0F);
+    player.doOnce(Side::Right, pressingMenu());
+    QCOMPARE(player.text(Side::Right, WandSpot::PadLeft), QStringLiteral("Undo"));
+}
+
+void TestWandLabels::labels_fadeIn()
+{
+    Player player;
+    player.play(0);
+    QVERIFY(player.allAre(0));
+    player.play(vr::labelFadeIn / 2);
+    QVERIFY(player.opacity(Side::Left, WandSpot::Menu) > 0.4F && player.opacity(Side::Left, WandSpot::Menu) < 0.6F);
+    player.play(appears);
+    QVERIFY(player.allAre(1));
+}
+
+/// Each by its own gesture, and no other with it.
+void TestWandLabels::labels_stayUntilTheyAreUsed()
+{
+    QFETCH(double, rate);
+    struct Use
+    {
+        Side side;
+        WandSpot spot;
+        vr::WandState wand;
+    };
+    const Use uses[] = {{Side::Left, WandSpot::PadLeft, pressing(padLeft)}, {Side::Right, WandSpot::PadLeft, pressing(padLeft)},
+                        {Side::Right, WandSpot::PadUp, pressing(padTop)},   {Side::Left, WandSpot::Side, squeezing()},
+                        {Side::Right, WandSpot::Trigger, pulling(1)},       {Side::Right, WandSpot::Menu, pressingMenu()},
+                        {Side::Left, WandSpot::Menu, pressingMenu()}};
+    for (const Use& use : uses) {
+        Player player({}, rate);
+        player.play(30);
+        QVERIFY(player.allAre(1));
+        player.doOnce(use.side, use.wand, vr::holdSeconds + 0.25);
+        player.play(goes + appears);
+        for (const Side side : sides)
+            for (std::size_t spot = 0; spot < vr::wandSpotCount; ++spot)
+                if (!player.text(side, WandSpot(spot)).isEmpty())
+                    QCOMPARE(player.opacity(side, WandSpot(spot)), side == use.side && WandSpot(spot) == use.spot ? 0.0F : 1.0F);
+    }
+}
+
+void TestWandLabels::useInOneMode_isNoUseInTheOther()
+{
+    Player player;
+    player.doOnce(Side::Right, pressing(padLeft));
+    player.play(goes);
+    QCOMPARE(player.opacity(Side::Right, WandSpot::PadLeft), 0.0F);
+    player.doOnce(Side::Right, pressingMenu());
+    player.play(goes);
+    QCOMPARE(player.opacity(Side::Right, WandSpot::PadLeft), 1.0F);
+    QCOMPARE(player.opacity(Side::Right, WandSpot::Menu), 0.0F);
+    player.doOnce(Side::Right, pressingMenu());
+    player.play(goes);
+    QCOMPARE(player.opacity(Side::Right, WandSpot::PadLeft), 0.0F);
+}
+
+void TestWandLabels::sharedLine_staysUntilAllOfItIsUsed()
+{
+    Player player({Preset::Studio, Side::Right});
+    player.doOnce(Side::Right, pressingMenu());
+    player.play(goes);
+    QCOMPARE(player.opacity(Side::Right, WandSpot::Menu), 1.0F);
+    player.doOnce(Side::Right, pressingMenu(), vr::holdSeconds + 0.1);
+    player.play(goes);
+    QCOMPARE(player.opacity(Side::Right, WandSpot::Menu), 0.0F);
+}
+
+void TestWandLabels::whatTwoHandsDo_isUsedByBoth()
+{
+    Player player({Preset::Studio, Side::Right});
+    player.play(appears);
+    for (const Side side : sides)
+        player.set(side, squeezing());
+    player.play(0.2);
+    for (const Side side : sides)
+        player.set(side, restingWand());
+    player.play(goes);
+    QCOMPARE(player.opacity(Side::Left, WandSpot::Side), 0.0F);
+    QCOMPARE(player.opacity(Side::Right, WandSpot::Side), 0.0F);
+    for (const Side side : sides)
+        player.set(side, pulling(1));
+    player.play(0.2);
+    player.play(goes);
+    QCOMPARE(player.opacity(Side::Left, WandSpot::Trigger), 0.0F);
+    QCOMPARE(player.opacity(Side::Right, WandSpot::Trigger), 0.0F);
+}
+
+void TestWandLabels::pressedPanels_areNoUse()
+{
+    Player player;
+    player.pointAtPanel(Side::Right);
+    player.doOnce(Side::Right, pulling(1));
+    player.play(goes);
+    QVERIFY(player.allAre(1));
+}
+
+void TestWandLabels::refusedPresses_areNoUse()
+{
+    Player player;
+    player.hands().choose({Preset::Studio, Side::Right});
+    player.play(appears);
+    player.set(Side::Right, pulling(1));
+    player.play(0.1);
+    player.doOnce(Side::Left, pressing(padLeft)); // nothing is undone while a stroke is open
+    player.play(goes);
+    QCOMPARE(player.opacity(Side::Left, WandSpot::PadLeft), 1.0F);
+    player.set(Side::Right, restingWand());
+    player.play(0.1);
+    player.doOnce(Side::Left, pressing(padLeft));
+    player.play(goes);
+    QCOMPARE(player.opacity(Side::Left, WandSpot::PadLeft), 0.0F);
+}
+
+void TestWandLabels::lookedAtWand_hasItsLabelsBack()
+{
+    QFETCH(double, rate);
+    Player player({}, rate);
+    for (const Side side : sides)
+        player.doOnce(side, pulling(1), 0.5);
+    player.play(goes);
+    const auto seen = [&](Side side) { return player.opacity(side, WandSpot::Trigger); };
+    QCOMPARE(seen(Side::Left), 0.0F);
+    player.look(Side::Left, 10);
+    player.play(vr::labelLookSeconds - player.period());
+    QCOMPARE(seen(Side::Left), 0.0F);
+    player.play(appears + player.period());
+    QCOMPARE(seen(Side::Left), 1.0F);
+    QCOMPARE(seen(Side::Right), 0.0F);
+    player.lookAhead();
+    player.play(player.period());
+    QVERIFY(seen(Side::Left) > 0.7F);
+    player.play(goes);
+    QCOMPARE(seen(Side::Left), 0.0F);
+    player.look(Side::Left, 0); // a glance
+    player.play(0.3);
+    player.lookAhead();
+    player.play(0.3);
+    player.look(Side::Left, 0);
+    player.play(0.3);
+    QCOMPARE(seen(Side::Left), 0.0F);
+    player.wand(Side::Left).isTracked = false;
+    player.play(3);
+    QCOMPARE(seen(Side::Left), 0.0F);
+}
+
+void TestWandLabels::look_hasHysteresis()
+{
+    Player player;
+    player.doOnce(Side::Right, pulling(1));
+    player.play(goes);
+    const auto opacityAt = [&](double degrees) {
+        player.look(Side::Right, degrees);
+        player.play(3);
+        return player.opacity(Side::Right, WandSpot::Trigger);
+    };
+    QCOMPARE(opacityAt(14), 0.0F);
+    QCOMPARE(opacityAt(11), 1.0F);
+    QCOMPARE(opacityAt(14), 1.0F);
+    QCOMPARE(opacityAt(17), 0.0F);
+    QCOMPARE(opacityAt(14), 0.0F);
+}
+
+void TestWandLabels::drawingWand_isNotLookedAt()
+{
+    Player player;
+    player.doOnce(Side::Right, pulling(1));
+    player.play(goes);
+    player.look(Side::Right, 0);
+    player.set(Side::Right, pulling(1));
+    player.play(5);
+    QCOMPARE(player.opacity(Side::Right, WandSpot::Trigger), 0.0F);
+    player.set(Side::Right, restingWand());
+    player.play(vr::labelLookSeconds + appears);
+    QCOMPARE(player.opacity(Side::Right, WandSpot::Trigger), 1.0F);
+}
+
+void TestWandLabels::otherChoice_hasNewLabels()
+{
+    Player player;
+    player.doOnce(Side::Right, pulling(1));
+    player.play(goes);
+    QCOMPARE(player.opacity(Side::Right, WandSpot::Trigger), 0.0F);
+    player.hands().choose({Preset::Paper, Side::Left});
+    player.play(appears);
+    QCOMPARE(player.text(Side::Left, WandSpot::Trigger), QStringLiteral("Sculpt"));
+    QCOMPARE(player.text(Side::Right, WandSpot::Trigger), QStringLiteral("Move model"));
+    QVERIFY(player.allAre(1));
+    player.hands().choose({Preset::Studio, Side::Left});
+    player.play(appears);
+    QCOMPARE(player.text(Side::Right, WandSpot::Trigger), QStringLiteral("Smooth"));
+    QVERIFY(player.allAre(1));
+}
+
+/// But for the part of a frame by which it sees the press later.
+void TestWandLabels::fades_areTheSameAtAnyRate()
+{
+    for (const double after : {0.2, 0.4, 0.6, 0.8, 1.0}) {
+        for (const double rate : frameRates) {
+            Player player({}, rate);
+            player.play(2);
+            player.set(Side::Right, pressing(padLeft));
+            player.play(after);
+            const double wanted = 1 - after / vr::labelFadeOut, slack = 1 / rate / vr::labelFadeOut + 0.05; // a press is told from a slide
+            QVERIFY(std::abs(player.opacity(Side::Right, WandSpot::PadLeft) - wanted) < slack);
+        }
+    }
+}
+
+void TestWandLabels::steps_allocateNothing()
+{
+    vr::Hands hands;
+    vr::WandLabels labels;
+    vr::Wands wands{restingWand(), restingWand()};
+    const std::vector<vr::HandCommand> commands{{Side::Right, Gesture::PadLeft, vr::Undo{}}, {Side::Left, Gesture::Menu, vr::OpenToolMenu{}}};
+    labels.step(0, {}, wands, hands, commands);
+    const long before = allocations;
+    for (int i = 1; i < 200; ++i) {
+        labels.step(i / 90.0, {}, wands, hands, commands);
+        for (const Side side : sides)
+            QCOMPARE(labels.labels(side).size(), vr::wandSpotCount);
+    }
+    QCOMPARE(allocations - before, 0L);
+}
+
+QTEST_GUILESS_MAIN(TestWandLabels)
+#include "tst_wand_labels.moc"

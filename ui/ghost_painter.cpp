@@ -1,0 +1,120 @@
+#include "ghost_painter.h"
+
+#include "ghost_shapes.h"
+#include "gl_convert.h"
+
+#include <QOpenGLShaderProgram>
+
+namespace ui
+{
+namespace
+{
+// How solid a body is where it faces the eye, and where it turns away.
+const QVector2D bodyAlphas(0.42F, 0.85F), brushAlphas(0.05F, 0.60F);
+
+Eigen::Matrix4d sized(const Eigen::Isometry3d& pose, double size)
+{
+    return (pose * Eigen::Scaling(size)).matrix();
+}
+} // namespace
+
+GhostPainter::GhostPainter() = default;
+GhostPainter::~GhostPainter() = default;
+
+bool GhostPainter::create(QOpenGLFunctions_3_3_Core* gl)
+{
+    m_gl = gl;
+    m_program = std::make_unique<QOpenGLShaderProgram>();
+    return m_program->addShaderFromSourceFile(QOpenGLShader::Vertex, QStringLiteral(":/shaders/ghost.vert")) &&
+           m_program->addShaderFromSourceFile(QOpenGLShader::Fragment, QStringLiteral(":/shaders/ghost.frag")) &&
+           m_program->link();
+}
+
+void GhostPainter::destroy()
+{
+    if (!m_gl)
+        return;
+    m_program.reset();
+    for (Shape* shape : {&m_head, &m_ball, &m_hands[0], &m_hands[1]}) {
+        shape->buffer.destroy();
+        shape->arrays.reset();
+    }
+    m_gl = nullptr;
+}
+
+void GhostPainter::take(Shape& shape, const std::shared_ptr<const core::DrawArrays>& arrays)
+{
+    if (shape.arrays == arrays)
+        return;
+    if (!shape.arrays)
+        shape.buffer.create(m_gl);
+    shape.arrays = arrays;
+    shape.buffer.apply(core::wholePatchOf(*arrays));
+}
+
+/// The nearest surface only: first its depths, then its colours. Whoever stands far behind the model, or between the eye and it, is not cut off.
+void GhostPainter::draw(const OrbitCamera& camera)
+{
+    if (!m_wearer)
+        return;
+    m_view = camera.viewMatrix();
+    m_program->bind();
+    m_program->setUniformValue("projection", toQt(camera.projectionMatrix()));
+    m_program->setUniformValue("color", m_isDark ? QVector3D(0.66F, 0.80F, 0.94F) : QVector3D(0.13F, 0.27F, 0.42F));
+    m_program->setUniformValue("alphas", bodyAlphas);
+    m_gl->glDisable(GL_SCISSOR_TEST);
+    m_gl->glEnable(GL_DEPTH_TEST);
+    m_gl->glEnable(GL_DEPTH_CLAMP);
+    m_gl->glEnable(GL_CULL_FACE);
+    m_gl->glCullFace(GL_BACK);
+    m_gl->glFrontFace(GL_CCW);
+    m_gl->glDepthFunc(GL_LEQUAL);
+
+    m_gl->glDisable(GL_BLEND);
+    m_gl->glDepthMask(GL_TRUE);
+    m_gl->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    drawBodies();
+    m_gl->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    m_gl->glDepthMask(GL_FALSE);
+    m_gl->glEnable(GL_BLEND);
+    m_gl->glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    drawBodies();
+    if (m_wearer->brush)
+        drawBrush(*m_wearer->brush);
+
+    m_gl->glDisable(GL_BLEND);
+    m_gl->glDepthMask(GL_TRUE);
+    m_gl->glDepthFunc(GL_LESS);
+    m_gl->glDisable(GL_CULL_FACE);
+    m_gl->glDisable(GL_DEPTH_CLAMP);
+    m_program->release();
+}
+
+void GhostPainter::drawBodies()
+{
+    static const auto head = std::make_shared<const core::DrawArrays>(headShape());
+    if (m_wearer->head) {
+        take(m_head, head);
+        place(m_head, sized(*m_wearer->head, m_wearer->metre));
+    }
+    for (std::size_t i = 0; i < m_hands.size(); ++i)
+        if (const std::optional<Ghost>& hand = m_wearer->hands[i]; hand && hand->shape) {
+            take(m_hands[i], hand->shape);
+            place(m_hands[i], sized(hand->pose, m_wearer->metre));
+        }
+}
+
+void GhostPainter::drawBrush(const core::Sphere& brush)
+{
+    static const auto ball = std::make_shared<const core::DrawArrays>(ballShape());
+    take(m_ball, ball);
+    m_program->setUniformValue("alphas", brushAlphas);
+    place(m_ball, sized(Eigen::Isometry3d(Eigen::Translation3d(brush.center)), brush.radius));
+}
+
+void GhostPainter::place(const Shape& shape, const Eigen::Matrix4d& toDocument)
+{
+    m_program->setUniformValue("place", toQt(Eigen::Matrix4d(m_view * toDocument)));
+    shape.buffer.draw();
+}
+} // namespace ui

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "clay_buffer.h"
+#include "orbit_camera.h"
+#include "wearer.h"
+
+#include <QOpenGLFunctions_3_3_Core>
+
+#include <memory>
+
+class QOpenGLShaderProgram;
+
+namespace ui
+{
+/// Draws a person in the headset, half transparent, with OpenGL 3.3 core into the framebuffer that is bound, after all else; clay hides
+/// them. Plain OpenGL and not Qt3D, so that they are there in layers, too, and so that to move them costs nothing. The context that was
+/// current at create() must be current at every call but show().
+class GhostPainter
+{
+public:
+    GhostPainter();
+    ~GhostPainter();
+
+    /// False if a shader does not compile; the log is in the debug output.
+    bool create(QOpenGLFunctions_3_3_Core* gl);
+    void destroy();
+
+    /// In the next pictures.
+    void show(const std::optional<Wearer>& wearer) { m_wearer = wearer; }
+    void setDark(bool dark) { m_isDark = dark; }
+    /// A shape that was not drawn yet is uploaded.
+    void draw(const OrbitCamera& camera);
+
+private:
+    struct Shape
+    {
+        std::shared_ptr<const core::DrawArrays> arrays;
+        ClayBuffer buffer;
+    };
+
+    void take(Shape& shape, const std::shared_ptr<const core::DrawArrays>& arrays);
+    void drawBodies();
+    void drawBrush(const core::Sphere& brush);
+    void place(const Shape& shape, const Eigen::Matrix4d& toDocument);
+
+    QOpenGLFunctions_3_3_Core* m_gl = nullptr;
+    std::unique_ptr<QOpenGLShaderProgram> m_program;
+    Shape m_head, m_ball;
+    std::array<Shape, 2> m_hands;
+    std::optional<Wearer> m_wearer;
+    Eigen::Matrix4d m_view = Eigen::Matrix4d::Identity(); ///< of the picture that is being drawn
+    bool m_isDark = false;
+};
+} // namespace ui

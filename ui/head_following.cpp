@@ -1,0 +1,27 @@
+#include "head_following.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ui
+{
+namespace
+{
+constexpr double timeConstant = 0.3; ///< seconds; a class can watch it without getting sick
+constexpr int steepness = 15;        ///< odd: only who looks straight up or down is turned by the crown of the head
+} // namespace
+
+OrbitCamera::Pose followed(const OrbitCamera& camera, const Eigen::Isometry3d& head, double seconds)
+{
+    const core::Vec3 ahead = -head.linear().col(2), above = head.linear().col(1);
+    const core::Vec3 level = ahead - std::pow(ahead.y(), steepness) * above;
+    const double yaw = std::atan2(-level.x(), -level.z()), pitch = std::asin(std::clamp(-ahead.y(), -1.0, 1.0));
+
+    const double share = 1 - std::exp(-seconds / timeConstant);
+    const OrbitCamera::Pose now = camera.pose();
+    return camera.standing(camera.eye() + share * (head.translation() - camera.eye()),
+                           now.yaw + share * std::remainder(yaw - now.yaw, 2 * std::numbers::pi),
+                           now.pitch + share * (pitch - now.pitch));
+}
+} // namespace ui

@@ -1,0 +1,185 @@
+#include "wand_labels.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+namespace vr
+{
+namespace
+{
+constexpr Side sides[] = {Side::Left, Side::Right};
+
+WandSpot spotOf(Gesture gesture)
+{
+    switch (gesture) {
+    case Gesture::Trigger:
+        return WandSpot::Trigger;
+    case Gesture::PadLeft:
+        return WandSpot::PadLeft;
+    case Gesture::PadRight:
+        return WandSpot::PadRight;
+    case Gesture::PadTop:
+        return WandSpot::PadUp;
+    case Gesture::PadBottom:
+        return WandSpot::PadDown;
+    case Gesture::Slide:
+    case Gesture::SlideUpDown:
+        return WandSpot::PadMiddle;
+    case Gesture::Menu:
+    case Gesture::MenuTap:
+    case Gesture::MenuHold:
+        return WandSpot::Menu;
+    case Gesture::Squeeze:
+    case Gesture::SqueezeHold:
+        return WandSpot::Side;
+    }
+    return WandSpot::PadMiddle;
+}
+
+std::uint32_t bitOf(std::size_t row)
+{
+    return std::uint32_t(1) << row;
+}
+
+bool isIn(const PresetRow& row, HandMode mode)
+{
+    return row.mode == HandMode::Any || row.mode == mode;
+}
+
+/// The trigger is the panel's then, and what is refused was not done.
+bool isOfRow(const Deed& deed)
+{
+    return !std::holds_alternative<PressPanel>(deed) && !std::holds_alternative<ReleasePanel>(deed) &&
+           !std::holds_alternative<Refuse>(deed);
+}
+
+bool opensPanel(const Deed& deed)
+{
+    return std::holds_alternative<OpenToolMenu>(deed) || std::holds_alternative<OpenColorPanel>(deed);
+}
+
+/// Whether the other hand has done its part in it, by the same gesture.
+bool isOfBothHands(const Deed& deed)
+{
+    const auto* stroke = std::get_if<BeginStroke>(&deed);
+    return std::holds_alternative<StretchModel>(deed) || (stroke && stroke->smooths);
+}
+
+/// Degrees between where the head looks and the wand's buttons.
+double angleTo(const WandState& wand, const Pose& head)
+{
+    const core::Vec3 to = wand.grip * placeOf(WandSpot::PadMiddle) - head.position;
+    return std::atan2(head.forward().cross(to).norm(), head.forward().dot(to)) * 180 / std::numbers::pi;
+}
+
+constexpr double unseen = 180; ///< degrees
+
+float approached(float opacity, bool isWanted, double seconds)
+{
+    const double by = isWanted ? seconds / labelFadeIn : -seconds / labelFadeOut;
+    return std::clamp(opacity + static_cast<float>(by), 0.0F, 1.0F);
+}
+} // namespace
+
+void WandLabels::step(double time, const Pose& head, const Wands& wands, const Hands& hands,
+                      std::span<const HandCommand> commands)
+{
+    const double seconds = m_clock.step(time);
+    if (m_choice != hands.choice())
+        write(hands);
+    note(hands, commands);
+    for (const Side side : sides) {
+        const WandState& wand = wands[static_cast<std::size_t>(side)];
+        const bool isLookedAt =
+            at(side).look(wand.isTracked && !hands.draws(side) ? angleTo(wand, head) : unseen, seconds);
+        fade(at(side), isLookedAt, seconds);
+    }
+}
+
+std::array<WandLabel, wandSpotCount> WandLabels::labels(Side side) const
+{
+    const Hand& hand = m_hands[static_cast<std::size_t>(side)];
+    std::array<WandLabel, wandSpotCount> result;
+    for (std::size_t spot = 0; spot < wandSpotCount; ++spot)
+        result[spot] = {hand.lines()[spot].text, hand.opacities[spot]};
+    return result;
+}
+
+void WandLabels::write(const Hands& hands)
+{
+    m_choice = hands.choice();
+    m_used = 0;
+    m_hands = {};
+    const std::span<const PresetRow> table = rows(m_choice->preset);
+    assert(table.size() <= 32);
+    const auto addTo = [&](Lines& lines, std::size_t row) {
+        Line& line = lines[static_cast<std::size_t>(spotOf(table[row].gesture))];
+        line.text += line.text.isEmpty() ? labelOf(table[row]) : QStringLiteral(" \u00B7 ") + labelOf(table[row]);
+        line.rows |= bitOf(row);
+    };
+    for (const Side side : sides) {
+        const HandRole role = hands.roleOf(side);
+        const HandMode open = role == HandRole::Support ? HandMode::ToolMenu : HandMode::ColorPanel;
+        for (std::size_t row = 0; row < table.size(); ++row) {
+            if (table[row].hand == role && isIn(table[row], HandMode::Plain))
+                addTo(at(side).closed, row);
+            if (table[row].hand == role && isIn(table[row], open))
+                addTo(at(side).open, row);
+        }
+        at(side).mode = hands.modeOf(side);
+    }
+}
+
+/// What came before a panel opened, or closed, in the same frame is of the mode before.
+void WandLabels::note(const Hands& hands, std::span<const HandCommand> commands)
+{
+    for (const HandCommand& command : commands) {
+        if (!isOfRow(command.deed))
+            continue;
+        for (const Side side : sides)
+            if (side == command.side || isOfBothHands(command.deed))
+                use(hands, side, command.gesture);
+        if (opensPanel(command.deed))
+            setMode(at(command.side), hands.modeOf(command.side));
+    }
+    for (const Side side : sides)
+        setMode(at(side), hands.modeOf(side));
+}
+
+void WandLabels::use(const Hands& hands, Side side, Gesture gesture)
+{
+    const std::span<const PresetRow> table = rows(m_choice->preset);
+    for (std::size_t row = 0; row < table.size(); ++row)
+        if (table[row].hand == hands.roleOf(side) && table[row].gesture == gesture && isIn(table[row], at(side).mode))
+            m_used |= bitOf(row);
+}
+
+/// Whether it has been looked at for long enough.
+bool WandLabels::Hand::look(double degrees, double seconds)
+{
+    const bool wasNear = isNear;
+    isNear = degrees < (wasNear ? labelLookAwayAngle : labelLookAngle);
+    nearFor = isNear && wasNear ? nearFor + seconds : 0;
+    return isNear && nearFor >= labelLookSeconds;
+}
+
+void WandLabels::fade(Hand& hand, bool isLookedAt, double seconds)
+{
+    for (std::size_t spot = 0; spot < wandSpotCount; ++spot) {
+        const bool isNew = (hand.lines()[spot].rows & ~m_used) != 0;
+        hand.opacities[spot] = approached(hand.opacities[spot], isNew || isLookedAt, seconds);
+    }
+}
+
+/// A line that says something else fades in.
+void WandLabels::setMode(Hand& hand, HandMode mode)
+{
+    const Lines& before = hand.lines();
+    hand.mode = mode;
+    for (std::size_t spot = 0; spot < wandSpotCount; ++spot)
+        if (hand.lines()[spot].rows != before[spot].rows)
+            hand.opacities[spot] = 0;
+}
+} // namespace vr

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "hands.h"
+#include "scene_state.h"
+
+#include <cstdint>
+#include <span>
+
+namespace vr
+{
+// Seconds and degrees.
+inline constexpr double labelFadeOut = 1, labelFadeIn = 0.3;
+inline constexpr double labelLookSeconds = 0.5; ///< a wand has to be looked at for so long
+/// Between where the head looks and the wand: labels come back below the first, and go again above the second.
+inline constexpr double labelLookAngle = 12, labelLookAwayAngle = 16;
+
+/// What the labels at both wands' buttons say, and how well they are seen: the rows of the preset. A label is there until what it
+/// tells of was done once, all of it where a button has two functions; then it comes back while the wand is looked at. A wand that draws
+/// is not: it is the clay that is looked at. With another preset, or other hands, all of them are new.
+///
+/// Pure: any thread, no clock but the frames' own. Allocates nothing but in the step that finds another choice.
+class WandLabels
+{
+public:
+    /// Of each frame, after Hands::step(): `hands` as it is then, and the commands that it gave.
+    void step(double time, const Pose& head, const Wands& wands, const Hands& hands,
+              std::span<const HandCommand> commands);
+
+    /// By WandSpot.
+    std::array<WandLabel, wandSpotCount> labels(Side side) const;
+
+private:
+    /// What is at one spot.
+    struct Line
+    {
+        QString text;
+        std::uint32_t rows = 0; ///< bit i: row i of the preset
+    };
+    using Lines = std::array<Line, wandSpotCount>;
+
+    struct Hand
+    {
+        Lines closed, open; ///< as its panel is
+        HandMode mode = HandMode::Plain;
+        std::array<float, wandSpotCount> opacities{};
+        bool isNear = false; ///< to where the head looks, in the last frame
+        double nearFor = 0;  ///< seconds
+
+        bool look(double degrees, double seconds);
+        const Lines& lines() const { return mode == HandMode::Plain ? closed : open; }
+    };
+
+    void write(const Hands& hands);
+    void note(const Hands& hands, std::span<const HandCommand> commands);
+    void use(const Hands& hands, Side side, Gesture gesture);
+    void setMode(Hand& hand, HandMode mode);
+    void fade(Hand& hand, bool isLookedAt, double seconds);
+
+    Hand& at(Side side) { return m_hands[static_cast<std::size_t>(side)]; }
+
+    FrameClock m_clock;
+    std::optional<HandsChoice> m_choice; ///< that the lines are of
+    std::array<Hand, sideCount> m_hands; ///< by Side
+    std::uint32_t m_used = 0;            ///< rows
+};
+} // namespace vr
