@@ -4,6 +4,7 @@
 #include "drawing_worker.h"
 #include "headset.h"
 #include "headset_inquiry.h"
+#include "headset_wearer.h"
 #include "history_list.h"
 #include "journal_shelf.h"
 #include "model_inquiry.h"
@@ -254,6 +255,29 @@ std::shared_ptr<vr::FrameClient> makeClient(const std::shared_ptr<vr::DocumentPo
     return std::make_shared<vr::SculptClient>(port, choice);
 }
 
+ui::HeadsetState stateOf(const vr::HeadsetReport& report)
+{
+    if (report.isEnded())
+        return ui::HeadsetState::Out;
+    return report.stage == vr::HeadsetStage::Starting ? ui::HeadsetState::Changing : ui::HeadsetState::In;
+}
+
+void wireVisits(ui::MainWindow& window, Headset* headset)
+{
+    using ui::MainWindow;
+    QObject::connect(&window, &MainWindow::enterVrRequested, headset, &Headset::enter);
+    QObject::connect(&window, &MainWindow::leaveVrRequested, headset, &Headset::leave);
+    QObject::connect(headset, &Headset::noticed, &window, &MainWindow::showNotice);
+    QObject::connect(headset, &Headset::reported, &window, [&window](const vr::HeadsetReport& report) {
+        window.setHeadset(stateOf(report), report.text);
+        if (report.isEnded() && !report.text.isEmpty())
+            window.showNotice(report.text);
+    });
+    QObject::connect(headset, &Headset::seen, window.viewport(), [&window](const std::optional<vr::Presence>& presence) {
+        window.viewport()->showWearer(presence ? std::optional(wearerOf(*presence)) : std::nullopt);
+    });
+}
+
 /// The window's own, so that it ends before the document.
 Headset* wireHeadset(ui::MainWindow& window, Document& document, SculptWorker& worker)
 {
@@ -261,7 +285,7 @@ Headset* wireHeadset(ui::MainWindow& window, Document& document, SculptWorker& w
     QObject::connect(window.action(QStringLiteral("vr.status")), &QAction::triggered, inquiry, &HeadsetInquiry::ask);
     QObject::connect(inquiry, &HeadsetInquiry::answered, &window, &ui::MainWindow::showNotice);
     auto* headset = new Headset({&document, &worker, &window}, makeClient, &window);
-    QObject::connect(headset, &Headset::noticed, &window, &ui::MainWindow::showNotice);
+    wireVisits(window, headset);
     return headset;
 }
 } // namespace
