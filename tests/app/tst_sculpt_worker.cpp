@@ -8,6 +8,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include <atomic>
 #include <random>
 
 using namespace app;
@@ -350,11 +351,13 @@ void TestSculptWorker::worker_pullsWhereASphereWouldTouch()
         for (const double x : {60.0, 55.0, 100.0, 58.0}) // the third touches nothing
             worker.addSample(Source::Headset, sampleAt({x, 0, 0}));
         worker.endStroke(Source::Headset);
-        worker.post([&](core::Sculptor& sculptor) { states.push_back(sculptor.mesh().stateHash()); });
+        std::atomic<std::uint64_t> state = 0;
+        worker.post([&](core::Sculptor& sculptor) { state = sculptor.mesh().stateHash(); });
         QTRY_COMPARE(finished.size(), 1);
+        QTRY_VERIFY(state != 0);
+        states.push_back(state);
         QVERIFY(!finished.at(0).added && finished.at(0).delta);
         QCOMPARE(finished.at(0).dabs, quint64(4));
-        worker.stop();
     }
     QVERIFY(states.size() == 2 && states[0] == states[1]);
 }
