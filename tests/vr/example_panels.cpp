@@ -13,14 +13,18 @@ QString lengthened(const QString& text)
     const qsizetype more = (2 * text.size() + 4) / 5;
     QString tail;
     while (tail.size() < more)
-        tail += text.at(tail.size() % text.size()).isLetter() ? text.at(tail.size() % text.size()).toLower() : QLatin1Char('n');
+        tail += text.at(tail.size() % text.size()).isLetter() ? text.at(tail.size() % text.size()).toLower()
+                                                              : QLatin1Char('n');
     return text + tail;
 }
 
 class Lengthener : public QTranslator
 {
 public:
-    QString translate(const char*, const char* text, const char*, int) const override { return lengthened(QString::fromUtf8(text)); }
+    QString translate(const char*, const char* text, const char*, int) const override
+    {
+        return lengthened(QString::fromUtf8(text));
+    }
     bool isEmpty() const override { return false; }
 };
 
@@ -42,7 +46,8 @@ public:
             else if (xml.name() == QStringLiteral("source"))
                 source = xml.readElementText();
             else if (xml.name() == QStringLiteral("translation"))
-                m_texts[context + QLatin1Char('|') + source] = xml.readElementText(QXmlStreamReader::IncludeChildElements);
+                m_texts[context + QLatin1Char('|') + source] =
+                    xml.readElementText(QXmlStreamReader::IncludeChildElements);
         }
     }
     QString translate(const char* context, const char* text, const char*, int) const override
@@ -72,8 +77,11 @@ QImage modelPicture(int hue)
 
 vr::FilesPanel files(int count)
 {
-    static const QStringList names{QStringLiteral("horn"), QStringLiteral("horn-2"), QStringLiteral("horn-3"), QStringLiteral("teapot with a long and winding name"),
-                                   QStringLiteral("head"), QStringLiteral("broken"), QStringLiteral("vase"), QStringLiteral("tablet"), QStringLiteral("花瓶-2")};
+    static const QStringList names{QStringLiteral("horn"),   QStringLiteral("horn-2"),
+                                   QStringLiteral("horn-3"), QStringLiteral("teapot with a long and winding name"),
+                                   QStringLiteral("head"),   QStringLiteral("broken"),
+                                   QStringLiteral("vase"),   QStringLiteral("tablet"),
+                                   QStringLiteral("花瓶-2")};
     vr::FilesPanel panel;
     panel.folder = QStringLiteral("Fettle");
     for (int i = 0; i < count; ++i) {
@@ -100,8 +108,19 @@ std::vector<ExamplePanel> colorPanels()
 {
     vr::ColorPanel color{.color = {200, 120, 80}, .channel = 1, .swatches = {}};
     const ExamplePanel bare{"color-bare", color};
-    for (const core::Rgb swatch : {core::Rgb{255, 255, 255}, {30, 30, 32}, {232, 190, 160}, {200, 120, 80}, {140, 74, 46}, {204, 52, 44}, {236, 156, 40},
-                                   {244, 216, 84}, {96, 160, 72}, {52, 124, 190}, {70, 62, 140}, {190, 90, 150}, {1, 2, 3}})
+    for (const core::Rgb swatch : {core::Rgb{255, 255, 255},
+                                   {30, 30, 32},
+                                   {232, 190, 160},
+                                   {200, 120, 80},
+                                   {140, 74, 46},
+                                   {204, 52, 44},
+                                   {236, 156, 40},
+                                   {244, 216, 84},
+                                   {96, 160, 72},
+                                   {52, 124, 190},
+                                   {70, 62, 140},
+                                   {190, 90, 150},
+                                   {1, 2, 3}})
         color.swatches << swatch;
     return {{"color", color}, bare};
 }
@@ -137,7 +156,8 @@ OtherWords OtherWords::longer()
 
 OtherWords OtherWords::ofLanguage(const QString& language)
 {
-    return OtherWords(std::make_unique<Catalogue>(QStringLiteral(FETTLE_SOURCE_DIR "/translations/fettle_%1.ts").arg(language)));
+    return OtherWords(
+        std::make_unique<Catalogue>(QStringLiteral(FETTLE_SOURCE_DIR "/translations/fettle_%1.ts").arg(language)));
 }
 
 std::vector<ExamplePanel> examplePanels()
@@ -145,13 +165,25 @@ std::vector<ExamplePanel> examplePanels()
     std::vector<ExamplePanel> all = toolPanels();
     for (const auto& more : {colorPanels(), filesPanels()})
         all.insert(all.end(), more.begin(), more.end());
-    vr::SettingsPanel feel{.page = vr::SettingsPage::Feel}, general{.raised = 0.12, .showsPerformance = true};
-    feel.levels = {1, 0.8, 0.5, 0.3, 0.05, 0};
+    const vr::HeadsetChoice changed{.hands = {},
+                                    .raised = 0.12,
+                                    .turnsBy = 150,
+                                    .showsFloor = false,
+                                    .showsPerformance = true,
+                                    .feel = {{1, 0.8, 0.5, 0.3, 0.05, 0}}};
     all.push_back({"settings", vr::SettingsPanel()});
-    all.push_back({"settings-changed", general});
-    all.push_back({"settings-feel", feel});
-    all.push_back({"performance", vr::PerformancePanel{.framesPerSecond = 90, .cpuMs = {0.02, 0.11, 0.08, 0.31, 0.12, 0.54, 0.2}, .totalMs = 1.38, .dropped = 3}});
+    all.push_back({"settings-changed", vr::SettingsPanel::of(changed, vr::SettingsPage::General)});
+    all.push_back({"settings-feel", vr::SettingsPanel::of(changed, vr::SettingsPage::Feel)});
+    all.push_back({"performance", vr::PerformancePanel{{0.02, 0.11, 0.08, 0.31, 0.12, 0.54, 0.2}, 1.38, 0.42, 90, 3}});
     all.push_back({"notice", vr::Notice{QStringLiteral("Saved as horn-4.")}});
-    all.push_back({"notice-of-two-lines", vr::Notice{QStringLiteral("The ball would be too close to the model: move away from it, or make the brush smaller.")}});
+    all.push_back({"notice-of-two-lines",
+                   vr::Notice{QStringLiteral(
+                       "The ball would be too close to the model: move away from it, or make the brush smaller.")}});
+    all.push_back(
+        {"notice-of-many-lines",
+         vr::Notice{QStringLiteral(
+             "“teapot with a long and winding name.stl” cannot be opened: 12 triangles meet others, 3 edges belong to "
+             "more than two "
+             "triangles, and two shells lie within each other. Open it at the desktop, where it can be mended.")}});
     return all;
 }

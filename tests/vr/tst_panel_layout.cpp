@@ -20,7 +20,8 @@ namespace
 /// Of a panel's point in dmm: metres from its middle.
 Eigen::Vector2d inRoom(const PanelLayout& layout, const QPointF& point)
 {
-    return Eigen::Vector2d(point.x() - layout.size.width() / 2, layout.size.height() / 2 - point.y()) * layout.distance / 1000;
+    return Eigen::Vector2d(point.x() - layout.size.width() / 2, layout.size.height() / 2 - point.y()) *
+           layout.distance / 1000;
 }
 
 /// They share more than an edge.
@@ -43,10 +44,24 @@ std::vector<PanelAction> offered()
 
 std::vector<PanelAction> wanted()
 {
-    std::vector<PanelAction> all{PanelCommand::Undo, PanelCommand::Redo, PanelCommand::RestoreModel, PanelCommand::SaveModel, PanelCommand::Recentre,
-                                 PanelCommand::LeaveVr, core::BrushShape::Sphere, core::BrushShape::Ray, core::Topology::Adaptive, core::Topology::Uniform,
-                                 vr::Preset::Paper, vr::Preset::Studio, vr::SettingsPage::General, vr::SettingsPage::Feel,
-                                 vr::ChooseHand{vr::Side::Left}, vr::ChooseHand{vr::Side::Right}, vr::ShowPage{0}, vr::ShowPage{1}};
+    std::vector<PanelAction> all{PanelCommand::Undo,
+                                 PanelCommand::Redo,
+                                 PanelCommand::RestoreModel,
+                                 PanelCommand::SaveModel,
+                                 PanelCommand::Recentre,
+                                 PanelCommand::LeaveVr,
+                                 core::BrushShape::Sphere,
+                                 core::BrushShape::Ray,
+                                 core::Topology::Adaptive,
+                                 core::Topology::Uniform,
+                                 vr::Preset::Paper,
+                                 vr::Preset::Studio,
+                                 vr::SettingsPage::General,
+                                 vr::SettingsPage::Feel,
+                                 vr::ChooseHand{vr::Side::Left},
+                                 vr::ChooseHand{vr::Side::Right},
+                                 vr::ShowPage{0},
+                                 vr::ShowPage{1}};
     for (std::size_t i = 0; i < core::toolNames().size(); ++i)
         all.push_back(static_cast<core::Tool>(i));
     for (const auto kind : {vr::PanelKind::Files, vr::PanelKind::Settings})
@@ -55,6 +70,7 @@ std::vector<PanelAction> wanted()
     for (const bool isOn : {false, true}) {
         all.push_back(vr::ChooseSymmetry{isOn});
         all.push_back(vr::ShowPerformance{isOn});
+        all.push_back(vr::ShowFloor{isOn});
     }
     for (int i = 0; i < 3; ++i)
         all.push_back(vr::ChooseChannel{i});
@@ -115,7 +131,8 @@ void TestPanelLayout::aPart_isHitAllOverAndNowhereElse()
     std::size_t hits = 0;
     for (int i = 0; i < 20'000; ++i) {
         const QPointF point(x(random), y(random));
-        const auto part = std::ranges::find_if(layout.parts, [&](const PanelPart& p) { return p.answers() && p.area.contains(point); });
+        const auto part = std::ranges::find_if(
+            layout.parts, [&](const PanelPart& p) { return p.answers() && p.area.contains(point); });
         const std::optional<PanelAction> hit = layout.hit(inRoom(layout, point));
         QCOMPARE(hit.has_value(), part != layout.parts.end());
         if (!hit)
@@ -140,7 +157,8 @@ void TestPanelLayout::parts_keepApartAndWithinThePanel()
         if (part.action)
             QVERIFY(part.area.width() >= 60 && part.area.height() >= 60); // 3.4 degrees: a hand that trembles meets it
         for (std::size_t j = 0; j < i && !std::holds_alternative<vr::WellLook>(part.look); ++j)
-            QVERIFY(std::holds_alternative<vr::WellLook>(layout.parts[j].look) || !overlap(part.area, layout.parts[j].area));
+            QVERIFY(std::holds_alternative<vr::WellLook>(layout.parts[j].look) ||
+                    !overlap(part.area, layout.parts[j].area));
     }
 }
 
@@ -148,7 +166,8 @@ void TestPanelLayout::everythingCanBeWanted()
 {
     const std::vector<PanelAction> all = offered();
     for (const PanelAction& action : wanted())
-        QVERIFY2(std::ranges::any_of(all, [&](const PanelAction& a) { return vr::isSameItem(a, action); }), qPrintable(QString::number(action.index())));
+        QVERIFY2(std::ranges::any_of(all, [&](const PanelAction& a) { return vr::isSameItem(a, action); }),
+                 qPrintable(QString::number(action.index())));
     QVERIFY(std::ranges::any_of(all, [](const PanelAction& a) { return std::holds_alternative<vr::OpenFile>(a); }));
     QVERIFY(std::ranges::any_of(all, [](const PanelAction& a) { return std::holds_alternative<vr::ChooseColor>(a); }));
 }
@@ -167,8 +186,14 @@ void TestPanelLayout::whatCannotBe_isNotHit()
     files.files << vr::FileTile{QStringLiteral("a"), QStringLiteral("a"), {}, true};
     QVERIFY(!files.layout().partFor(vr::ChooseFile{QStringLiteral("a")}));
     QVERIFY(!files.layout().partFor(vr::OpenFile{}));
-    files.isBusy = true;
+    for (const char* path : {"a", "b"}) { // broken, and gone
+        files.chosen = QString::fromLatin1(path);
+        QVERIFY(!files.layout().partFor(vr::OpenFile{files.chosen}));
+    }
+    files.files.first().isBroken = false;
     files.chosen = QStringLiteral("a");
+    QVERIFY(files.layout().partFor(vr::OpenFile{files.chosen}));
+    files.isBusy = true;
     QVERIFY(!files.layout().partFor(PanelCommand::SaveModel) && !files.layout().partFor(vr::OpenFile{files.chosen}));
 }
 
@@ -180,7 +205,9 @@ void TestPanelLayout::aSlider_takesTheValueUnderThePoint()
         if (!part.isSlider())
             continue;
         const auto& look = std::get<vr::SliderLook>(part.look);
-        const auto valueAt = [&](double x) { return std::get<vr::Slide>(vr::actionAt(part, {x, part.area.center().y()})).value; };
+        const auto valueAt = [&](double x) {
+            return std::get<vr::Slide>(vr::actionAt(part, {x, part.area.center().y()})).value;
+        };
         double before = look.least;
         for (double x = part.area.left() - 40; x < part.area.right() + 40; x += 0.7) {
             const double value = valueAt(x), steps = (value - look.least) / look.step;
@@ -191,7 +218,8 @@ void TestPanelLayout::aSlider_takesTheValueUnderThePoint()
         QCOMPARE(valueAt(part.area.left()), look.least);
         QCOMPARE(valueAt(part.area.right()), look.most);
         for (double value = look.least; value <= look.most; value += look.step)
-            QVERIFY(std::abs(valueAt(vr::sliderTrack(part.area).pointAt(vr::sliderShare(look, value)).x()) - value) < look.step / 100);
+            QVERIFY(std::abs(valueAt(vr::sliderTrack(part.area).pointAt(vr::sliderShare(look, value)).x()) - value) <
+                    look.step / 100);
     }
 }
 
@@ -262,7 +290,8 @@ void TestPanelLayout::openingUnsaved_mustBeHeld()
 
 void TestPanelLayout::aNotice_isReadBeforeItFades()
 {
-    const vr::Notice brief{QStringLiteral("Saved.")}, wordy{QString(120, QLatin1Char('a'))};
+    const vr::Notice brief{QStringLiteral("Saved.")}, wordy{QString(120, QLatin1Char('a'))},
+        chinese{QString(40, QChar(0x6a21))};
     const auto readable = [](const vr::Notice& notice) {
         double seconds = 0;
         for (double age = -1; age < 30; age += 0.01) {
@@ -275,6 +304,7 @@ void TestPanelLayout::aNotice_isReadBeforeItFades()
     };
     QVERIFY(readable(brief) > 2 && readable(brief) < 4);
     QVERIFY(readable(wordy) > 120 * 0.05 && readable(wordy) < 12);
+    QVERIFY(readable(chinese) > 40 / 5.0 && readable(chinese) < 12);
     for (const double age : {-1.0, 0.0, 60.0})
         QCOMPARE(vr::noticeOpacity(wordy, age), 0.0);
 }

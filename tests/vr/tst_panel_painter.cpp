@@ -27,7 +27,8 @@ QRect difference(const QImage& a, const QImage& b)
 {
     QRect all;
     for (int y = 0; y < a.height(); ++y) {
-        const auto *rowA = reinterpret_cast<const QRgb*>(a.constScanLine(y)), *rowB = reinterpret_cast<const QRgb*>(b.constScanLine(y));
+        const auto *rowA = reinterpret_cast<const QRgb*>(a.constScanLine(y)),
+                   *rowB = reinterpret_cast<const QRgb*>(b.constScanLine(y));
         const auto first = std::mismatch(rowA, rowA + a.width(), rowB).first - rowA;
         if (first == a.width())
             continue;
@@ -42,7 +43,9 @@ QRect difference(const QImage& a, const QImage& b)
 /// In pixels, and all that it touches of them.
 QRect pixels(const QRectF& area)
 {
-    return QRectF(area.topLeft() * sharpness, area.size() * sharpness).adjusted(-0.01, -0.01, 0.01, 0.01).toAlignedRect();
+    return QRectF(area.topLeft() * sharpness, area.size() * sharpness)
+        .adjusted(-0.01, -0.01, 0.01, 0.01)
+        .toAlignedRect();
 }
 
 QString textOf(const PanelPart& part)
@@ -138,7 +141,9 @@ void TestPanelPainter::whatIsPointedAt_isLitWhereItIsHit()
 void TestPanelPainter::whatDoesNotAnswer_isNotLit()
 {
     const PanelLayout layout = vr::ToolPanel().layout();
-    QVERIFY(difference(vr::paint(layout), vr::paint(layout, {PanelTouch{vr::PanelCommand::Undo, false, 0}, std::nullopt})).isNull());
+    QVERIFY(
+        difference(vr::paint(layout), vr::paint(layout, {PanelTouch{vr::PanelCommand::Undo, false, 0}, std::nullopt}))
+            .isNull());
 }
 
 void TestPanelPainter::aHold_fillsItsRing()
@@ -163,12 +168,19 @@ void TestPanelPainter::texts_keepWithinTheirParts()
     for (std::size_t i = 0; i < layout.parts.size(); ++i) {
         if (textOf(layout.parts[i]).isEmpty())
             continue;
-        for (const QString& text : {QStringLiteral("Åg"), QStringLiteral("Ågjp ") + QString(60, QLatin1Char('W')), QStringLiteral("jÅg gÅp ").repeated(12)}) {
+        for (const QString& text : {QStringLiteral("Åg"), QStringLiteral("Ågjp ") + QString(60, QLatin1Char('W')),
+                                    QStringLiteral("jÅg gÅp ").repeated(12)}) {
             PanelLayout other = layout;
-            std::visit([&](auto& look) { if constexpr (requires { look.text; }) look.text = text; }, other.parts[i].look);
+            std::visit(
+                [&](auto& look) {
+                    if constexpr (requires { look.text; })
+                        look.text = text;
+                },
+                other.parts[i].look);
             const QRect area = pixels(layout.parts[i].area), changed = difference(plain, vr::paint(other));
             QVERIFY2(area.contains(changed), qPrintable(textOf(layout.parts[i])));
-            QVERIFY2(changed.top() > area.top() && changed.bottom() < area.bottom(), qPrintable(textOf(layout.parts[i]) + QLatin1Char('|') + text));
+            QVERIFY2(changed.top() > area.top() && changed.bottom() < area.bottom(),
+                     qPrintable(textOf(layout.parts[i]) + QLatin1Char('|') + text));
         }
     }
 }
@@ -201,7 +213,12 @@ void TestPanelPainter::noTranslation_isCut()
             if (textOf(layout.parts[i]).isEmpty())
                 continue;
             PanelLayout more = layout;
-            std::visit([](auto& look) { if constexpr (requires { look.text; }) look.text += QStringLiteral("WWW"); }, more.parts[i].look);
+            std::visit(
+                [](auto& look) {
+                    if constexpr (requires { look.text; })
+                        look.text += QStringLiteral("WWW");
+                },
+                more.parts[i].look);
             QVERIFY2(!difference(plain, vr::paint(more)).isNull(), qPrintable(textOf(layout.parts[i])));
         }
     }
@@ -236,7 +253,12 @@ void TestPanelPainter::aValue_isSeen_data()
     const std::vector<ExamplePanel> examples = examplePanels();
     const auto row = [&](const char* name, int before, const auto& change) {
         vr::PanelContent after = examples[static_cast<std::size_t>(before)].content;
-        std::visit([&](auto& panel) { if constexpr (requires { change(panel); }) change(panel); }, after);
+        std::visit(
+            [&](auto& panel) {
+                if constexpr (requires { change(panel); })
+                    change(panel);
+            },
+            after);
         QTest::newRow(name) << before << after;
     };
     row("tool", 0, [](vr::ToolPanel& panel) { panel.tool = core::Tool::Smooth; });
@@ -260,15 +282,18 @@ void TestPanelPainter::aValue_isSeen_data()
     row("saved", 5, [](vr::FilesPanel& panel) { panel.saved += QLatin1Char('x'); });
     row("picture", 4, [](vr::FilesPanel& panel) { panel.files[4].picture = panel.files[0].picture; });
     row("name", 4, [](vr::FilesPanel& panel) { panel.files[4].name = QStringLiteral("other"); });
-    row("preset", 8, [](vr::SettingsPanel& panel) { panel.preset = vr::Preset::Studio; });
-    row("hand", 8, [](vr::SettingsPanel& panel) { panel.sculpting = vr::Side::Left; });
-    row("height", 8, [](vr::SettingsPanel& panel) { panel.raised = -0.2; });
-    row("numbers", 8, [](vr::SettingsPanel& panel) { panel.showsPerformance = true; });
+    row("preset", 8, [](vr::SettingsPanel& panel) { panel.choice.hands.preset = vr::Preset::Studio; });
+    row("hand", 8, [](vr::SettingsPanel& panel) { panel.choice.hands.sculpting = vr::Side::Left; });
+    row("height", 8, [](vr::SettingsPanel& panel) { panel.choice.raised = -0.2; });
+    row("turning", 8, [](vr::SettingsPanel& panel) { panel.choice.turnsBy = 90; });
+    row("floor", 8, [](vr::SettingsPanel& panel) { panel.choice.showsFloor = false; });
+    row("numbers", 8, [](vr::SettingsPanel& panel) { panel.choice.showsPerformance = true; });
     row("vibration", 8, [](vr::SettingsPanel& panel) { panel.page = vr::SettingsPage::Feel; });
-    row("level", 10, [](vr::SettingsPanel& panel) { panel.levels[2] = 0.55; });
+    row("level", 10, [](vr::SettingsPanel& panel) { panel.choice.feel.of[2] = 0.55; });
     row("frames", 11, [](vr::PerformancePanel& panel) { panel.framesPerSecond = 45; });
     row("phase", 11, [](vr::PerformancePanel& panel) { panel.cpuMs[3] = 1.5; });
     row("total", 11, [](vr::PerformancePanel& panel) { panel.totalMs = 2; });
+    row("draw calls", 11, [](vr::PerformancePanel& panel) { panel.drawCallMs = 2; });
     row("dropped", 11, [](vr::PerformancePanel& panel) { panel.dropped = 12; });
     row("notice", 12, [](vr::Notice& notice) { notice.text = QStringLiteral("Opened."); });
 }
@@ -303,7 +328,8 @@ void TestPanelPainter::corners_areRoundAndPremultiplied()
         QVERIFY(picture.pixelFormat().premultiplied() == QPixelFormat::Premultiplied);
         const QSizeF exact = layout.size * sharpness - QSizeF(picture.size());
         QVERIFY(std::abs(exact.width()) <= 0.5 && std::abs(exact.height()) <= 0.5);
-        for (const QPoint corner : {picture.rect().topLeft(), picture.rect().topRight(), picture.rect().bottomLeft(), picture.rect().bottomRight()})
+        for (const QPoint corner : {picture.rect().topLeft(), picture.rect().topRight(), picture.rect().bottomLeft(),
+                                    picture.rect().bottomRight()})
             QCOMPARE(picture.pixelColor(corner).alpha(), 0);
         QVERIFY(picture.pixelColor(picture.width() / 2, 12).alpha() > 230);
     }

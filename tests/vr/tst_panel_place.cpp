@@ -25,7 +25,8 @@ struct HeadAngles
 
 Pose head(const Vec3& position, const HeadAngles& angles)
 {
-    const Eigen::Quaterniond rotation = Eigen::AngleAxisd(angles.yaw * degree, Vec3::UnitY()) * Eigen::AngleAxisd(angles.pitch * degree, Vec3::UnitX()) *
+    const Eigen::Quaterniond rotation = Eigen::AngleAxisd(angles.yaw * degree, Vec3::UnitY()) *
+                                        Eigen::AngleAxisd(angles.pitch * degree, Vec3::UnitX()) *
                                         Eigen::AngleAxisd(angles.roll * degree, Vec3::UnitZ());
     return {rotation, position};
 }
@@ -47,7 +48,8 @@ void forManyPeople(const std::function<void(const Pose& head, const Pose& grip)>
     std::mt19937 random(5);
     const auto between = [&](double least, double most) { return std::uniform_real_distribution(least, most)(random); };
     for (int i = 0; i < 2000; ++i) {
-        const Pose eyes = head({between(-2, 2), between(0.6, 2), between(-2, 2)}, {between(-180, 180), between(-89, 89), between(-60, 60)});
+        const Pose eyes = head({between(-2, 2), between(0.6, 2), between(-2, 2)},
+                               {between(-180, 180), between(-89, 89), between(-60, 60)});
         const Vec3 reach = Vec3(between(-1, 1), between(-1, 1), between(-1, 1)).normalized() * between(0.2, 0.8);
         look(eyes, {Eigen::Quaterniond::UnitRandom(), eyes.position + reach});
     }
@@ -226,7 +228,8 @@ void TestPanelPlace::aRay_meetsThePointItAimsAt()
     forManyPeople([&](const Pose& eyes, const Pose& grip) {
         const Pose panel = vr::placeAtHand(grip, eyes, size);
         const Eigen::Vector2d at(between(-0.3, 0.3), between(-0.3, 0.3));
-        const Vec3 target = panel * Vec3(at.x(), at.y(), 0), from = panel * Vec3(between(-1, 1), between(-1, 1), between(0.05, 1));
+        const Vec3 target = panel * Vec3(at.x(), at.y(), 0),
+                   from = panel * Vec3(between(-1, 1), between(-1, 1), between(0.05, 1));
         const auto point = vr::meet({from, (target - from) * between(0.1, 9)}, panel);
         QVERIFY(point && (point->at - at).norm() < 1e-9);
         QVERIFY(std::abs(point->distance - (target - from).norm()) < 1e-9);

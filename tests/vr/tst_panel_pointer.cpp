@@ -31,8 +31,10 @@ public:
     {
         const vr::PanelLayout& layout = *m_panels[panel].layout;
         const PanelPart* part = layout.partFor(item);
-        const QPointF point = part->area.topLeft() + QPointF(share.x() * part->area.width(), share.y() * part->area.height());
-        const Vec3 offset = Vec3(point.x() - layout.size.width() / 2, layout.size.height() / 2 - point.y(), 0) * layout.distance / 1000;
+        const QPointF point =
+            part->area.topLeft() + QPointF(share.x() * part->area.width(), share.y() * part->area.height());
+        const Vec3 offset =
+            Vec3(point.x() - layout.size.width() / 2, layout.size.height() / 2 - point.y(), 0) * layout.distance / 1000;
         return to(m_panels[panel].pose.position + offset);
     }
     std::optional<PanelAction> to(const Vec3& target) { return aim(core::Ray{from, target - from}); }
@@ -81,13 +83,15 @@ Wand beforeColors()
     return Wand({placed(vr::ColorPanel{.color = {100, 100, 100}, .swatches = {{1, 2, 3}}}, {0, 1.3, 0})});
 }
 
-const PanelAction undo = PanelCommand::Undo, restore = PanelCommand::RestoreModel, paint = core::Tool::Paint, push = core::Tool::Push;
+const PanelAction undo = PanelCommand::Undo, restore = PanelCommand::RestoreModel, paint = core::Tool::Paint,
+                  push = core::Tool::Push;
 const PanelAction green = vr::Slide{vr::PanelSlider::Green, 0};
 constexpr bool isClick = true;
 
 int valueOf(const std::optional<PanelAction>& action)
 {
-    return action && std::holds_alternative<vr::Slide>(*action) ? static_cast<int>(std::get<vr::Slide>(*action).value) : -1;
+    return action && std::holds_alternative<vr::Slide>(*action) ? static_cast<int>(std::get<vr::Slide>(*action).value)
+                                                                : -1;
 }
 } // namespace
 
@@ -259,7 +263,8 @@ void TestPanelPointer::aHold_isNoClick()
 
 void TestPanelPointer::theNearestPanel_isMeant()
 {
-    const PlacedPanel near = placed(vr::ColorPanel{.swatches = {{1, 2, 3}}}, {0, 1.3, 0.1}), far = placed(tools(), {0, 1.3, 0});
+    const PlacedPanel near = placed(vr::ColorPanel{.swatches = {{1, 2, 3}}}, {0, 1.3, 0.1}),
+                      far = placed(tools(), {0, 1.3, 0});
     PlacedPanel turned = near;
     turned.pose.rotation = Eigen::AngleAxisd(3.14159, Vec3::UnitY());
     for (const auto& panels : {std::vector{near, far}, std::vector{far, near}}) {

@@ -103,8 +103,13 @@ void TestTextFit::itNeverLeavesItsRoom()
     for (int i = 0; i < 500; ++i) {
         QString text;
         for (int letters = number(0, 60); letters > 0; --letters)
-            text += number(0, 6) == 0 ? QChar(QLatin1Char(' ')) : number(0, 9) == 0 ? QChar(0x4e00 + number(0, 500)) : QChar('a' + number(0, 25));
-        const TextStyle style{.height = static_cast<double>(number(20, 60)), .leastHeight = 20, .lines = number(1, 4), .room = static_cast<double>(number(30, 300))};
+            text += number(0, 6) == 0   ? QChar(QLatin1Char(' '))
+                    : number(0, 9) == 0 ? QChar(0x4e00 + number(0, 500))
+                                        : QChar('a' + number(0, 25));
+        const TextStyle style{.height = static_cast<double>(number(20, 60)),
+                              .leastHeight = 20,
+                              .lines = number(1, 4),
+                              .room = static_cast<double>(number(30, 300))};
         const double width = number(60, 900);
         const FittedText fit = fitted(text, width, style);
         QVERIFY(widest(fit) <= width && fit.width == widest(fit));

@@ -35,9 +35,13 @@ PanelLayout ColorPanel::layout() const
         const QRectF row = builder.nextRow(theme::row);
         const int value = color.*channels[i];
         const std::vector<QRectF> places = cells(row, {nameWidth, 0, valueWidth});
-        builder.add(places[0], {{.text = nameOf(static_cast<int>(i)), .isChosen = isChosen}, ChooseChannel{static_cast<int>(i)}});
-        builder.add({places[1], SliderLook{.most = 255, .step = 1, .first = with(color, i, 0), .last = with(color, i, 255), .isChosen = isChosen},
-                     Slide{sliders[i], static_cast<double>(value)}});
+        builder.add(places[0],
+                    {{.text = nameOf(static_cast<int>(i)), .isChosen = isChosen}, ChooseChannel{static_cast<int>(i)}});
+        builder.add(
+            {places[1],
+             SliderLook{
+                 .most = 255, .step = 1, .first = with(color, i, 0), .last = with(color, i, 255), .isChosen = isChosen},
+             Slide{sliders[i], static_cast<double>(value)}});
         builder.add(places[2], TextLook{QString::number(value), TextRole::Number, Qt::AlignRight | Qt::AlignVCenter});
     }
     const auto count = std::min<qsizetype>(swatches.size(), mostSwatches);

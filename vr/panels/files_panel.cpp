@@ -9,13 +9,15 @@ namespace vr
 {
 namespace
 {
-constexpr double width = 980, tileHeight = 224, buttonHeight = 92, statusHeight = 84, arrowWidth = 84, pageWidth = 120, titleWidth = 340, groupGap = 8;
+constexpr double width = 980, tileHeight = 224, buttonHeight = 92, statusHeight = 84, arrowWidth = 84, pageWidth = 120,
+                 titleWidth = 340, groupGap = 8;
 constexpr double distance = 0.6; ///< metres: at arm's length
 } // namespace
 
 bool FileTile::operator==(const FileTile& other) const
 {
-    return path == other.path && name == other.name && isBroken == other.isBroken && picture.cacheKey() == other.picture.cacheKey();
+    return path == other.path && name == other.name && isBroken == other.isBroken &&
+           picture.cacheKey() == other.picture.cacheKey();
 }
 
 int FilesPanel::pageCount() const
@@ -38,12 +40,19 @@ FilesPanel FilesPanel::after(const PanelAction& action) const
     return panel;
 }
 
+/// What was chosen may be gone from the folder since.
+bool FilesPanel::canOpen() const
+{
+    return !isBusy &&
+           std::ranges::any_of(files, [&](const FileTile& file) { return file.path == chosen && !file.isBroken; });
+}
+
 QString FilesPanel::status() const
 {
     if (isBusy)
         return tr("One moment…");
-    if (hasUnsavedChanges && !chosen.isEmpty())
-        return tr("The model is not saved: save it first, or hold Open.");
+    if (hasUnsavedChanges && canOpen())
+        return tr("The model is not saved: save it first, or hold to open.");
     //: %1: names of files
     return saved.isEmpty() ? QString() : tr("Saved: %1").arg(saved);
 }
@@ -62,8 +71,9 @@ void FilesPanel::addTiles(PanelBuilder& builder) const
     for (qsizetype i = from; i < to; ++i) {
         const FileTile& file = files[i];
         const QString icon = file.isBroken ? QStringLiteral("unreadable") : QStringLiteral("wait");
-        builder.add({places[static_cast<std::size_t>(i - from)], TileLook{file.name, file.picture, icon, file.path == chosen},
-                     ChooseFile{file.path}, !file.isBroken});
+        builder.add({places[static_cast<std::size_t>(i - from)],
+                     TileLook{file.name, file.picture, icon, file.path == chosen}, ChooseFile{file.path},
+                     !file.isBroken});
     }
 }
 
@@ -74,14 +84,17 @@ void FilesPanel::addButtons(PanelBuilder& builder) const
     builder.add(places[0], {{.icon = QStringLiteral("previous")}, ShowPage{shown - 1}, shown > 0});
     builder.add(places[1], TextLook{tr("%1 / %2").arg(shown + 1).arg(pageCount()), TextRole::Number, Qt::AlignCenter});
     builder.add(places[2], {{.icon = QStringLiteral("next")}, ShowPage{shown + 1}, shown + 1 < pageCount()});
-    builder.add(places[3], {{.text = tr("Open"), .icon = QStringLiteral("open")}, OpenFile{chosen}, !chosen.isEmpty() && !isBusy, hasUnsavedChanges});
+    const QString open = hasUnsavedChanges ? tr("Hold to open") : tr("Open");
+    builder.add(places[3],
+                {{.text = open, .icon = QStringLiteral("open")}, OpenFile{chosen}, canOpen(), hasUnsavedChanges});
     builder.add(places[4], {{.text = tr("Save"), .icon = QStringLiteral("save")}, PanelCommand::SaveModel, !isBusy});
 }
 
 PanelLayout FilesPanel::layout() const
 {
     PanelBuilder builder(PanelKind::Files, width, distance);
-    builder.addTitle({tr("Files"), folder, titleWidth}, {{{.icon = QStringLiteral("panel-close"), .isFlat = true}, ShowPanel{PanelKind::Files, false}}});
+    builder.addTitle({tr("Files"), folder, titleWidth},
+                     {{{.icon = QStringLiteral("panel-close"), .isFlat = true}, ShowPanel{PanelKind::Files, false}}});
     addTiles(builder);
     builder.skip(groupGap);
     addButtons(builder);

@@ -10,16 +10,25 @@ namespace vr
 {
 namespace
 {
-constexpr double widest = 760; ///< of its text
-constexpr int mostLines = 3;
-constexpr double distance = 0.9; ///< metres: beyond the hands
-constexpr double fadeIn = 0.15, fadeOut = 0.6;             ///< seconds
-constexpr double leastStay = 2.5, secondsPerLetter = 0.06; ///< a slow reader's
+constexpr double widest = 700; ///< of its text
+constexpr int mostLines = 6;
+constexpr double distance = 0.9;                   ///< metres: beyond the hands
+constexpr double fadeIn = 0.15, fadeOut = 0.6;     ///< seconds
+constexpr double toBeSeen = 1, leastReading = 1.5; ///< seconds: eyes are elsewhere when it comes
+constexpr double perLetter = 0.06,
+                 perHanLetter = 0.2; ///< seconds of a slow reader; the latter stands for a word or half of one
+
+double readingTime(const QString& text)
+{
+    const auto han = std::ranges::count_if(text, [](QChar letter) { return letter.script() == QChar::Script_Han; });
+    return perHanLetter * static_cast<double>(han) + perLetter * static_cast<double>(text.size() - han);
+}
 } // namespace
 
 PanelLayout Notice::layout() const
 {
-    const FittedText shown = fitted(text, widest, {.height = theme::bodyHeight, .leastHeight = theme::leastHeight, .lines = mostLines});
+    const FittedText shown =
+        fitted(text, widest, {.height = theme::bodyHeight, .leastHeight = theme::leastHeight, .lines = mostLines});
     PanelBuilder builder(PanelKind::Notice, std::ceil(shown.width) + 2 * theme::margin, distance);
     const double height = shown.lineSpacing() * static_cast<double>(shown.lines.size());
     builder.add(builder.nextRow(height), TextLook{.text = text, .alignment = Qt::AlignCenter, .lines = mostLines});
@@ -28,7 +37,7 @@ PanelLayout Notice::layout() const
 
 double noticeOpacity(const Notice& notice, double age)
 {
-    const double stays = std::max(leastStay, secondsPerLetter * static_cast<double>(notice.text.size()));
+    const double stays = toBeSeen + std::max(leastReading, readingTime(notice.text));
     return std::clamp(std::min(age / fadeIn, (fadeIn + stays + fadeOut - age) / fadeOut), 0.0, 1.0);
 }
 } // namespace vr

@@ -83,12 +83,20 @@ struct ShowPerformance
     bool operator==(const ShowPerformance&) const = default;
 };
 
+/// The grid on the ground.
+struct ShowFloor
+{
+    bool isShown = true;
+    bool operator==(const ShowFloor&) const = default;
+};
+
 enum class PanelSlider {
     Red, ///< 0 to 255, whole, as the next two; in the order of channels
     Green,
     Blue,
-    Height,  ///< metres that the model stands higher
-    Contact, ///< 0 to 1, as the others; in the order of Sensation
+    Height,    ///< metres that the model stands higher
+    TurnSpeed, ///< degrees a second
+    Contact,   ///< 0 to 1, as the others; in the order of Sensation
     Texture,
     Fusion,
     Refusal,
@@ -104,9 +112,9 @@ struct Slide
 };
 
 /// What a person wants by an item of a panel.
-using PanelAction =
-    std::variant<PanelCommand, core::Tool, core::BrushShape, core::Topology, Preset, SettingsPage, ShowPanel, ChooseSymmetry,
-                 ChooseChannel, ChooseColor, ShowPage, ChooseFile, OpenFile, ChooseHand, ShowPerformance, Slide>;
+using PanelAction = std::variant<PanelCommand, core::Tool, core::BrushShape, core::Topology, Preset, SettingsPage,
+                                 ShowPanel, ChooseSymmetry, ChooseChannel, ChooseColor, ShowPage, ChooseFile, OpenFile,
+                                 ChooseHand, ShowPerformance, ShowFloor, Slide>;
 
 /// Whether one item wants both: sliders want one thing after the other.
 inline bool isSameItem(const PanelAction& a, const PanelAction& b)

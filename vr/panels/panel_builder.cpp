@@ -48,10 +48,12 @@ void PanelBuilder::addTitle(const PanelTitle& title, const std::vector<PanelButt
     std::vector<double> widths(buttons.size() + 1, theme::titleRow);
     widths.front() = 0;
     const std::vector<QRectF> places = cells(nextRow(theme::titleRow), widths);
-    const std::vector<QRectF> texts = title.note.isEmpty() ? std::vector{places.front()} : cells(places.front(), {title.textWidth, 0});
+    const std::vector<QRectF> texts =
+        title.note.isEmpty() ? std::vector{places.front()} : cells(places.front(), {title.textWidth, 0});
     add(texts.front(), TextLook{.text = title.text, .role = TextRole::Title});
     if (!title.note.isEmpty())
-        add(texts.back(), TextLook{.text = title.note, .role = TextRole::Faint, .alignment = Qt::AlignRight | Qt::AlignVCenter});
+        add(texts.back(),
+            TextLook{.text = title.note, .role = TextRole::Faint, .alignment = Qt::AlignRight | Qt::AlignVCenter});
     for (std::size_t i = 0; i < buttons.size(); ++i)
         add(places[i + 1], buttons[i]);
 }
@@ -70,7 +72,8 @@ void PanelBuilder::addChoice(const QString& name, double nameWidth, const std::v
     for (std::size_t i = 0; i < choices.size(); ++i) {
         const PanelChoice& choice = choices[i];
         const QRectF place(inside.left() + static_cast<double>(i) * width, inside.top(), width, inside.height());
-        add(place, PanelButton{{.text = choice.text, .icon = choice.icon, .isChosen = choice.isChosen, .isFlat = true}, choice.action});
+        add(place, PanelButton{{.text = choice.text, .icon = choice.icon, .isChosen = choice.isChosen, .isFlat = true},
+                               choice.action});
     }
 }
 
@@ -86,7 +89,8 @@ void PanelBuilder::addSlider(const SliderRow& row, double nameWidth)
     const std::vector<QRectF> places = cells(nextRow(theme::row), {nameWidth, 0, valueWidth});
     add(places[0], TextLook{.text = row.name, .lines = 2});
     add({places[1], row.look, row.slide});
-    add(places[2], TextLook{.text = row.value, .role = TextRole::Number, .alignment = Qt::AlignRight | Qt::AlignVCenter});
+    add(places[2],
+        TextLook{.text = row.value, .role = TextRole::Number, .alignment = Qt::AlignRight | Qt::AlignVCenter});
 }
 
 std::vector<QRectF> cells(const QRectF& row, const std::vector<double>& widths)

@@ -2,7 +2,8 @@
 
 #include "panel_layout.h"
 
-#include "../haptics.h"
+#include "../frame_costs.h"
+#include "../headset_choice.h"
 
 #include <QCoreApplication>
 #include <QList>
@@ -35,6 +36,7 @@ public:
 
 private:
     static QString nameOf(core::Tool tool);
+    void addDoors(PanelBuilder& builder) const;
 };
 
 /// The paint colour by its channels, as in the paper's section 4.1, or from a swatch.
@@ -46,7 +48,7 @@ public:
     static constexpr int mostSwatches = 12;
 
     core::Rgb color;
-    int channel = 0; ///< that the thumb sets: 0 red, 1 green, 2 blue
+    int channel = 0;           ///< that the thumb sets: 0 red, 1 green, 2 blue
     QList<core::Rgb> swatches; ///< the first mostSwatches are shown
 
     bool operator==(const ColorPanel&) const = default;
@@ -58,9 +60,9 @@ private:
 
 struct FileTile
 {
-    QString path; ///< tells tiles apart
-    QString name; ///< as people know it
-    QImage picture; ///< null: not made yet
+    QString path;          ///< tells tiles apart
+    QString name;          ///< as people know it
+    QImage picture;        ///< null: not made yet
     bool isBroken = false; ///< it cannot be read
 
     /// The same picture, not an equal one.
@@ -78,10 +80,10 @@ public:
     QString folder; ///< its name, for people
     QList<FileTile> files;
     int page = 0;
-    QString chosen; ///< a path
+    QString chosen;                 ///< a path
     bool hasUnsavedChanges = false; ///< which opening would lose
     bool isBusy = false;            ///< saving or opening
-    QString saved; ///< what Save wrote last, for people
+    QString saved;                  ///< what Save wrote last, for people
 
     bool operator==(const FilesPanel&) const = default;
     PanelLayout layout() const;
@@ -91,6 +93,7 @@ public:
 
 private:
     int shownPage() const;
+    bool canOpen() const;
     QString status() const;
     void addTiles(PanelBuilder& builder) const;
     void addButtons(PanelBuilder& builder) const;
@@ -101,23 +104,26 @@ struct SettingsPanel
     Q_DECLARE_TR_FUNCTIONS(vr::SettingsPanel)
 
 public:
-    static constexpr double mostRaised = 0.4; ///< metres up or down
+    static constexpr double mostRaised = 0.4;                    ///< metres up or down
+    static constexpr double slowestTurn = 15, fastestTurn = 180; ///< degrees a second
 
     SettingsPage page = SettingsPage::General;
-    Preset preset = Preset::Paper;
-    Side sculpting = Side::Right;
-    double raised = 0; ///< metres that the model stands higher
-    bool showsPerformance = false;
-    std::array<double, sensationCount> levels{1, 1, 1, 1, 1, 1}; ///< 0 to 1, by Sensation
+    HeadsetChoice choice;
+
+    static SettingsPanel of(const HeadsetChoice& choice, SettingsPage page) { return {page, choice}; }
 
     bool operator==(const SettingsPanel&) const = default;
     PanelLayout layout() const;
     /// After SettingsPage; others leave it as it is.
     SettingsPanel after(const PanelAction& action) const;
+    /// What an item makes of the choice. Values come within their ranges; what is no setting leaves the choice as it is.
+    static HeadsetChoice after(HeadsetChoice choice, const PanelAction& action);
 
 private:
     static QString nameOf(Sensation sensation);
+    static void slide(HeadsetChoice& choice, const Slide& slide);
     void addGeneral(PanelBuilder& builder) const;
+    void addModel(PanelBuilder& builder) const;
     void addFeel(PanelBuilder& builder) const;
 };
 
@@ -127,18 +133,21 @@ struct PerformancePanel
     Q_DECLARE_TR_FUNCTIONS(vr::PerformancePanel)
 
 public:
-    static constexpr std::size_t phaseCount = 7;
-
-    int framesPerSecond = 0;
-    std::array<double, phaseCount> cpuMs{}; ///< by FramePhase
+    // Medians over frames, in milliseconds of the headset's thread; the phases and their sum without draw calls.
+    std::array<double, framePhaseCount> cpuMs{}; ///< by FramePhase
     double totalMs = 0;
-    int dropped = 0;
+    double drawCallMs = 0;
+    int framesPerSecond = 0; ///< that were shown
+    std::uint64_t dropped = 0;
+
+    /// Of the last second. `costs`: the oldest first. Takes some microseconds; numbers that are to be read change a few times a second.
+    static PerformancePanel of(const std::vector<FrameCost>& costs, std::uint64_t lostFrames);
 
     bool operator==(const PerformancePanel&) const = default;
     PanelLayout layout() const;
 
 private:
-    static QString nameOf(std::size_t phase);
+    static QString nameOf(FramePhase phase);
 };
 
 /// One sentence.
@@ -152,7 +161,8 @@ struct Notice
 /// Of a notice that was shown so many seconds ago: 0 before and after its time, which is long enough to read it.
 double noticeOpacity(const Notice& notice, double age);
 
-using PanelContent = std::variant<ToolPanel, ColorPanel, FilesPanel, SettingsPanel, PerformancePanel, Notice>; ///< by PanelKind
+using PanelContent =
+    std::variant<ToolPanel, ColorPanel, FilesPanel, SettingsPanel, PerformancePanel, Notice>; ///< by PanelKind
 
 PanelKind kindOf(const PanelContent& content);
 PanelLayout layoutOf(const PanelContent& content);

@@ -27,13 +27,15 @@ bool PanelLayout::contains(const Eigen::Vector2d& point) const
 const PanelPart* PanelLayout::partAt(const Eigen::Vector2d& point) const
 {
     const QPointF at = toPanel(point);
-    const auto part = std::ranges::find_if(parts, [&](const PanelPart& p) { return p.answers() && p.area.contains(at); });
+    const auto part =
+        std::ranges::find_if(parts, [&](const PanelPart& p) { return p.answers() && p.area.contains(at); });
     return part == parts.end() ? nullptr : &*part;
 }
 
 const PanelPart* PanelLayout::partFor(const PanelAction& action) const
 {
-    const auto part = std::ranges::find_if(parts, [&](const PanelPart& p) { return p.answers() && isSameItem(*p.action, action); });
+    const auto part =
+        std::ranges::find_if(parts, [&](const PanelPart& p) { return p.answers() && isSameItem(*p.action, action); });
     return part == parts.end() ? nullptr : &*part;
 }
 

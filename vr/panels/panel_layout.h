@@ -47,8 +47,8 @@ struct SwitchLook
 struct SliderLook
 {
     double least = 0, most = 1, step = 0.01;
-    double origin = 0;          ///< the bar grows from there
-    QColor first{}, last{};     ///< what the ends stand for; invalid: a plain bar
+    double origin = 0;      ///< the bar grows from there
+    QColor first{}, last{}; ///< what the ends stand for; invalid: a plain bar
     bool isChosen = false;
 };
 
@@ -62,7 +62,7 @@ struct SwatchLook
 struct TileLook
 {
     QString name;
-    QImage picture;   ///< null: the icon
+    QImage picture; ///< null: the icon
     QString icon;
     bool isChosen = false;
 };
@@ -90,8 +90,8 @@ struct PanelPart
 struct PanelLayout
 {
     PanelKind kind = PanelKind::Notice;
-    QSizeF size;           ///< dmm
-    double distance = 0.6; ///< metres from which it is to be read
+    QSizeF size;                  ///< dmm
+    double distance = 0.6;        ///< metres from which it is to be read
     std::vector<PanelPart> parts; ///< what comes later lies above
 
     /// Width and height in the room.

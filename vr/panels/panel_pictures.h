@@ -44,7 +44,7 @@ private:
     bool isAwaited() const;
     void paintAll(const Wishes& wishes);
 
-    Wishes m_asked; ///< last; the caller's own
+    Wishes m_asked;     ///< last; the caller's own
     std::mutex m_mutex; ///< of the next three
     Wishes m_waiting;
     std::array<std::optional<PanelPicture>, panelKindCount> m_ready;

@@ -10,10 +10,12 @@ namespace
 {
 using core::Vec3;
 
-constexpr double handReach = 0.07;  ///< metres from the palm along the wand: where it stands
-constexpr double handClear = 0.06;  ///< metres of air between the wand and its lower edge
+constexpr double handReach = 0.07; ///< metres from the palm along the wand: where it stands
+constexpr double handClear = 0.06; ///< metres of air between the wand and its lower edge
+constexpr double farthestAtHand =
+    0.65; ///< metres from the eyes: letters are large enough there, however low the hand hangs
 constexpr double farthestReach = 1.3; ///< metres
-constexpr double asideStep = 5 * std::numbers::pi / 180, mostAside = 75 * std::numbers::pi / 180;
+constexpr double asideStep = 5 * std::numbers::pi / 180, mostAside = 110 * std::numbers::pi / 180;
 constexpr double nothing = 1e-9;
 
 /// Upright as far as it can be: seen from straight above, as the head is.
@@ -74,7 +76,8 @@ Pose placeAtHand(const Pose& grip, const Pose& head, const Eigen::Vector2d& size
 {
     const Vec3 foot = grip * Vec3(0, 0, -handReach);
     const Vec3 up = facing(foot, head).rotation * Vec3::UnitY();
-    return facing(foot + (handClear + size.y() / 2) * up, head);
+    const Vec3 middle = foot + (handClear + size.y() / 2) * up, way = middle - head.position;
+    return facing(head.position + std::min(1.0, farthestAtHand / way.norm()) * way, head);
 }
 
 Pose placeAhead(const Pose& head, const AheadPlace& place)

@@ -10,7 +10,8 @@ namespace vr
 {
 // Where panels stand in the room. A panel's pose is that of its middle: +X to its right, +Y up, +Z towards who reads it. All pure.
 
-/// Above a hand and before it, facing the head; it goes with the hand. `size`: metres.
+/// Above a hand and before it, facing the head; it goes with the hand. Of a hand that hangs low it comes nearer to the eyes, where it can be
+/// read. `size`: metres.
 Pose placeAtHand(const Pose& grip, const Pose& head, const Eigen::Vector2d& size);
 
 struct AheadPlace
@@ -20,7 +21,7 @@ struct AheadPlace
     double aside = 0;               ///< radians, to the left of where the head looks
     double below = 0.05;            ///< metres, its middle below the eyes
     /// Of the room: it keeps out of that, and out of what that hides, by standing farther aside.
-    std::optional<core::Sphere> clear;
+    std::optional<core::Sphere> clear{};
     double turnsTo = 1; ///< 1: aside is to the left, -1: to the right
 };
 

@@ -26,7 +26,8 @@ void PanelPointer::find(const core::Ray& ray, std::span<const PlacedPanel> panel
 {
     for (const PlacedPanel& panel : panels) {
         const std::optional<PlanePoint> point = meet(ray, panel.pose);
-        const bool counts = point && (m_press ? panel.layout->kind == m_press->panel : panel.layout->contains(point->at));
+        const bool counts =
+            point && (m_press ? panel.layout->kind == m_press->panel : panel.layout->contains(point->at));
         if (counts && (!m_place || point->distance < m_place->point.distance))
             m_place = Place{panel, *point};
     }
@@ -35,7 +36,8 @@ void PanelPointer::find(const core::Ray& ray, std::span<const PlacedPanel> panel
         m_spot = Spot{m_place->panel.layout->kind, ray.origin + m_place->point.distance * ray.direction.normalized()};
 }
 
-std::optional<PanelAction> PanelPointer::aim(const std::optional<core::Ray>& ray, double time, std::span<const PlacedPanel> panels)
+std::optional<PanelAction> PanelPointer::aim(const std::optional<core::Ray>& ray, double time,
+                                             std::span<const PlacedPanel> panels)
 {
     m_time = time;
     m_place.reset();

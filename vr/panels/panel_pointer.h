@@ -31,7 +31,8 @@ public:
     };
 
     /// Once a frame, before press() and release(). No ray: the wand is lost. `time` in seconds. What a slider or a held item wants.
-    std::optional<PanelAction> aim(const std::optional<core::Ray>& ray, double time, std::span<const PlacedPanel> panels);
+    std::optional<PanelAction> aim(const std::optional<core::Ray>& ray, double time,
+                                   std::span<const PlacedPanel> panels);
     /// As vr::PressPanel and vr::ReleasePanel have it. A press elsewhere than on an item does nothing.
     std::optional<PanelAction> press();
     std::optional<PanelAction> release(bool isClick);

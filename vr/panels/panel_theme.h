@@ -14,8 +14,8 @@ inline constexpr double titleRow = 84, row = 80;
 inline constexpr double knobWidth = 22;
 inline constexpr double iconHeight = 46;
 
-inline const QColor ground(25, 27, 31, 244), rim(255, 255, 255, 44), well(15, 16, 19), field(48, 52, 59), fieldHovered(66, 72, 82),
-    fieldPressed(36, 39, 45), chosen(45, 113, 176), chosenHovered(58, 131, 198), chosenPressed(37, 94, 148), text(232, 235, 239),
-    faint(158, 166, 177), accent(122, 184, 240);
+inline const QColor ground(25, 27, 31, 244), rim(255, 255, 255, 44), well(15, 16, 19), field(48, 52, 59),
+    fieldHovered(66, 72, 82), fieldPressed(36, 39, 45), chosen(45, 113, 176), chosenHovered(58, 131, 198),
+    chosenPressed(37, 94, 148), text(232, 235, 239), faint(158, 166, 177), accent(122, 184, 240);
 inline constexpr double dimmed = 0.36; ///< opacity of what does not answer
 } // namespace vr::theme

@@ -16,8 +16,8 @@ namespace vr
 {
 namespace
 {
-constexpr double padding = 14;       ///< within a button
-constexpr double uprightIcon = 66;   ///< of a button with its text below the icon
+constexpr double padding = 14;     ///< within a button
+constexpr double uprightIcon = 66; ///< of a button with its text below the icon
 constexpr double ringWidth = 5, ringGap = 9;
 constexpr double barHeight = 26, colorBarHeight = 46, knobHeight = 58;
 constexpr double switchWidth = 104, switchHeight = 52;
@@ -32,14 +32,23 @@ QColor colorOf(TextRole role)
 TextStyle styleOfText(const TextLook& look, double room)
 {
     if (look.role == TextRole::Title)
-        return {.height = theme::titleHeight, .leastHeight = theme::titleHeight * 0.75, .lines = look.lines, .room = room, .weight = QFont::DemiBold};
+        return {.height = theme::titleHeight,
+                .leastHeight = theme::titleHeight * 0.75,
+                .lines = look.lines,
+                .room = room,
+                .weight = QFont::DemiBold};
     return {.height = theme::bodyHeight, .leastHeight = theme::leastHeight, .lines = look.lines, .room = room};
 }
 
 class PartPainter
 {
 public:
-    PartPainter(QPainter& painter, const PanelPart& part, const PartState& state) : m_painter(painter), m_area(part.area), m_part(part), m_state(state) {}
+    PartPainter(QPainter& painter, const PanelPart& part, const PartState& state)
+        : m_painter(painter)
+        , m_area(part.area)
+        , m_part(part)
+        , m_state(state)
+    {}
 
     void operator()(const TextLook& look) const;
     void operator()(const ButtonLook& look) const;
@@ -69,12 +78,16 @@ private:
 
 void PartPainter::operator()(const TextLook& look) const
 {
-    paintLines(fitted(look.text, m_area.width(), styleOfText(look, m_area.height())), m_area, look.alignment, colorOf(look.role));
+    paintLines(fitted(look.text, m_area.width(), styleOfText(look, m_area.height())), m_area, look.alignment,
+               colorOf(look.role));
 }
 
 TextStyle PartPainter::styleOf(const ButtonLook& look, int lines) const
 {
-    return {.height = theme::bodyHeight, .leastHeight = theme::leastHeight, .lines = lines, .room = m_area.height(),
+    return {.height = theme::bodyHeight,
+            .leastHeight = theme::leastHeight,
+            .lines = lines,
+            .room = m_area.height(),
             .weight = look.isChosen ? QFont::DemiBold : QFont::Medium};
 }
 
@@ -94,7 +107,8 @@ void PartPainter::paintUpright(const ButtonLook& look) const
     const QRectF icon(inside.center().x() - uprightIcon / 2, inside.top(), uprightIcon, uprightIcon);
     paintIcon(look.icon, icon);
     const FittedText text = fitted(look.text, inside.width(), styleOf(look, 1));
-    paintLines(text, QRectF(QPointF(inside.left(), icon.bottom()), inside.bottomRight()), Qt::AlignHCenter, theme::text);
+    paintLines(text, QRectF(QPointF(inside.left(), icon.bottom()), inside.bottomRight()), Qt::AlignHCenter,
+               theme::text);
 }
 
 /// The icon with its ring, and the text at its right; both in the middle.
@@ -121,11 +135,13 @@ void PartPainter::operator()(const SwitchLook& look) const
     m_painter.setPen(QPen(look.isOn ? theme::chosen : theme::faint, theme::outline));
     m_painter.setBrush(look.isOn ? theme::chosen : theme::well);
     m_painter.drawRoundedRect(box(pill, theme::outline / 2), switchHeight / 2, switchHeight / 2);
-    const double knob = switchHeight - 4 * theme::outline, x = look.isOn ? pill.right() - switchHeight / 2 : pill.left() + switchHeight / 2;
+    const double knob = switchHeight - 4 * theme::outline,
+                 x = look.isOn ? pill.right() - switchHeight / 2 : pill.left() + switchHeight / 2;
     m_painter.setPen(Qt::NoPen);
     m_painter.setBrush(look.isOn ? theme::text : theme::faint);
     m_painter.drawEllipse(QPointF(x, pill.center().y()), knob / 2, knob / 2);
-    const QRectF rest(pill.right() + 2 * padding, m_area.top(), m_area.right() - pill.right() - 3 * padding, m_area.height());
+    const QRectF rest(pill.right() + 2 * padding, m_area.top(), m_area.right() - pill.right() - 3 * padding,
+                      m_area.height());
     paintLines(fitted(look.text, rest.width(), styleOfText({}, rest.height())), rest, Qt::AlignLeft, theme::text);
 }
 
@@ -138,7 +154,8 @@ void PartPainter::operator()(const SliderLook& look) const
     const double width = m_state.isPressed ? theme::knobWidth - 4 : theme::knobWidth;
     m_painter.setPen(QPen(theme::well, theme::outline));
     m_painter.setBrush(m_state.isHovered ? theme::accent : theme::text);
-    m_painter.drawRoundedRect(QRectF(middle.x() - width / 2, middle.y() - knobHeight / 2, width, knobHeight), width / 2, width / 2);
+    m_painter.drawRoundedRect(QRectF(middle.x() - width / 2, middle.y() - knobHeight / 2, width, knobHeight), width / 2,
+                              width / 2);
     if (look.isChosen || m_state.isHovered)
         paintOutline(m_state.isHovered ? theme::accent : theme::chosen);
 }
@@ -161,17 +178,23 @@ void PartPainter::operator()(const SwatchLook& look) const
 void PartPainter::operator()(const TileLook& look) const
 {
     paintGround(look.isChosen, false);
-    const QRectF inside = box(m_area, 10), place(inside.left(), inside.top(), inside.width(), inside.height() - nameHeight);
+    const QRectF inside = box(m_area, 10),
+                 place(inside.left(), inside.top(), inside.width(), inside.height() - nameHeight);
     if (look.picture.isNull()) {
-        paintIcon(look.icon, {place.center().x() - uprightIcon / 2, place.center().y() - uprightIcon / 2, uprightIcon, uprightIcon});
+        paintIcon(look.icon, {place.center().x() - uprightIcon / 2, place.center().y() - uprightIcon / 2, uprightIcon,
+                              uprightIcon});
     } else {
         const QSizeF size = QSizeF(look.picture.size()).scaled(place.size(), Qt::KeepAspectRatio);
         const QRectF target(place.center() - QPointF(size.width(), size.height()) / 2, size);
         const QSize pixels = m_painter.transform().mapRect(target).size().toSize();
         m_painter.drawImage(target, look.picture.scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
     }
-    const TextStyle style{.height = theme::bodyHeight, .leastHeight = theme::leastHeight, .cut = Qt::ElideMiddle, .weight = QFont::Medium};
-    paintLines(fitted(look.name, inside.width(), style), {inside.left(), place.bottom(), inside.width(), nameHeight}, Qt::AlignCenter, theme::text);
+    const TextStyle style{.height = theme::bodyHeight,
+                          .leastHeight = theme::leastHeight,
+                          .cut = Qt::ElideMiddle,
+                          .weight = QFont::Medium};
+    paintLines(fitted(look.name, inside.width(), style), {inside.left(), place.bottom(), inside.width(), nameHeight},
+               Qt::AlignCenter, theme::text);
 }
 
 void PartPainter::operator()(const WellLook&) const
@@ -204,7 +227,8 @@ void PartPainter::paintOutline(const QColor& color) const
 }
 
 /// Each line's capitals stand in the middle of its share of the height.
-void PartPainter::paintLines(const FittedText& text, const QRectF& area, Qt::Alignment alignment, const QColor& color) const
+void PartPainter::paintLines(const FittedText& text, const QRectF& area, Qt::Alignment alignment,
+                             const QColor& color) const
 {
     const QFontMetricsF metrics(text.font);
     const double spacing = text.lineSpacing();
@@ -213,7 +237,9 @@ void PartPainter::paintLines(const FittedText& text, const QRectF& area, Qt::Ali
     double middle = area.center().y() - spacing * (static_cast<double>(text.lines.size()) - 1) / 2;
     for (const QString& line : text.lines) {
         const double free = area.width() - metrics.horizontalAdvance(line);
-        const double x = area.left() + (alignment & Qt::AlignRight ? free : alignment & Qt::AlignHCenter ? free / 2 : 0);
+        const double x = area.left() + (alignment & Qt::AlignRight     ? free
+                                        : alignment & Qt::AlignHCenter ? free / 2
+                                                                       : 0);
         m_painter.drawText(QPointF(x, middle + metrics.capHeight() / 2), line);
         middle += spacing;
     }
@@ -239,7 +265,9 @@ void PartPainter::paintRing(const QRectF& icon) const
 void PartPainter::paintBar(const SliderLook& look, const QLineF& track, double share) const
 {
     const double height = look.first.isValid() ? colorBarHeight : barHeight;
-    const QRectF bar = QRectF(track.x1(), track.y1() - height / 2, track.dx(), height).adjusted(-height / 4, 0, height / 4, 0) & m_area;
+    const QRectF bar =
+        QRectF(track.x1(), track.y1() - height / 2, track.dx(), height).adjusted(-height / 4, 0, height / 4, 0) &
+        m_area;
     const double round = std::min(theme::itemCorner, height / 2);
     m_painter.setPen(Qt::NoPen);
     if (look.first.isValid()) {
@@ -257,7 +285,8 @@ void PartPainter::paintBar(const SliderLook& look, const QLineF& track, double s
     QPainterPath filled, whole;
     whole.addRoundedRect(bar, round, round);
     const bool fromEnd = look.origin <= look.least;
-    filled.addRect(QRectF(QPointF(fromEnd ? bar.left() : std::min(from, to), bar.top()), QPointF(std::max(from, to), bar.bottom())));
+    filled.addRect(QRectF(QPointF(fromEnd ? bar.left() : std::min(from, to), bar.top()),
+                          QPointF(std::max(from, to), bar.bottom())));
     m_painter.setBrush(theme::chosen);
     m_painter.drawPath(whole & filled);
     if (!fromEnd)

@@ -2,49 +2,113 @@
 #include "panel_content.h"
 #include "panel_theme.h"
 
+#include <algorithm>
+#include <cmath>
+#include <ranges>
+
 namespace vr
 {
 namespace
 {
-constexpr double width = 470, lineHeight = 42, numberWidth = 130;
+constexpr double width = 620, lineHeight = 42, numberWidth = 130, titleWidth = 270;
 constexpr double distance = 0.6; ///< metres
+constexpr double lastMs = 1000;  ///< is told about
 
 struct Line
 {
     QString name, number;
+    bool isMain = false;
 };
+
+struct Recent
+{
+    std::vector<FrameCost> shown;
+    double ms = 0; ///< from the first frame's begin to the last one's end, as the runtime planned them
+};
+
+/// A frame that was lost took its time, too.
+Recent recent(const std::vector<FrameCost>& costs)
+{
+    Recent found;
+    for (const FrameCost& cost : std::views::reverse(costs)) {
+        if (found.ms >= lastMs)
+            break;
+        found.ms += cost.periodMs * (1.0 + cost.lost);
+        if (cost.isShown)
+            found.shown.push_back(cost);
+    }
+    return found;
+}
+
+/// 0: of none.
+template <typename Value> double median(const std::vector<FrameCost>& costs, const Value& valueOf)
+{
+    std::vector<double> values;
+    for (const FrameCost& cost : costs)
+        values.push_back(valueOf(cost));
+    if (values.empty())
+        return 0;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    return *middle;
+}
 } // namespace
 
-QString PerformancePanel::nameOf(std::size_t phase)
+PerformancePanel PerformancePanel::of(const std::vector<FrameCost>& costs, std::uint64_t lostFrames)
+{
+    const auto [shown, ms] = recent(costs);
+    PerformancePanel panel;
+    for (std::size_t i = 0; i < framePhaseCount; ++i) {
+        const bool draws = static_cast<FramePhase>(i) == FramePhase::Draw;
+        panel.cpuMs[i] =
+            median(shown, [&](const FrameCost& cost) { return cost.cpuMs[i] - (draws ? cost.drawCallMs : 0); });
+    }
+    panel.totalMs = median(shown, [](const FrameCost& cost) { return cost.ownMs(); });
+    panel.drawCallMs = median(shown, [](const FrameCost& cost) { return cost.drawCallMs; });
+    panel.framesPerSecond = ms > 0 ? static_cast<int>(std::lround(static_cast<double>(shown.size()) * 1000 / ms)) : 0;
+    panel.dropped = lostFrames;
+    return panel;
+}
+
+QString PerformancePanel::nameOf(FramePhase phase)
 {
     switch (phase) {
-    case 0: return tr("Events");
-    case 1: return tr("Waiting");
-    case 2: return tr("Input");
-    case 3: return tr("Model");
-    case 4: return tr("Images");
-    case 5: return tr("Drawing");
-    default: return tr("Handing over");
+    case FramePhase::Events:
+        return tr("Events");
+    case FramePhase::Wait:
+        return tr("Waiting");
+    case FramePhase::Input:
+        return tr("Input");
+    case FramePhase::Client:
+        return tr("Model");
+    case FramePhase::Images:
+        return tr("Images");
+    case FramePhase::Draw:
+        return tr("Drawing");
+    case FramePhase::Submit:
+        return tr("Handing over");
     }
+    return {};
 }
 
 PanelLayout PerformancePanel::layout() const
 {
     const auto milliseconds = [](double value) { return QString::number(value, 'f', 2); };
-    std::vector<Line> lines{{tr("CPU, ms"), milliseconds(totalMs)}};
-    for (std::size_t i = 0; i < phaseCount; ++i)
-        lines.push_back({nameOf(i), milliseconds(cpuMs[i])});
-    lines.push_back({tr("Dropped frames"), QString::number(dropped)});
+    std::vector<Line> lines{{tr("Without draw calls"), milliseconds(totalMs), true}};
+    for (std::size_t i = 0; i < framePhaseCount; ++i)
+        lines.push_back({nameOf(static_cast<FramePhase>(i)), milliseconds(cpuMs[i])});
+    lines.push_back({tr("Draw calls"), milliseconds(drawCallMs), true});
+    lines.push_back({tr("Dropped frames"), QString::number(dropped), true});
 
     PanelBuilder builder(PanelKind::Performance, width, distance);
     //: %1: how many frames a second
-    builder.addTitle({tr("%1 fps").arg(framesPerSecond)});
+    builder.addTitle({tr("%1 fps").arg(framesPerSecond), tr("CPU, ms"), titleWidth});
     const QRectF table = builder.nextRow(lineHeight * static_cast<double>(lines.size()));
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        const bool isSum = i == 0 || i + 1 == lines.size();
         const QRectF line(table.left(), table.top() + lineHeight * static_cast<double>(i), table.width(), lineHeight);
         const std::vector<QRectF> places = cells(line, {0, numberWidth});
-        builder.add(places[0], TextLook{.text = lines[i].name, .role = isSum ? TextRole::Body : TextRole::Faint});
+        builder.add(places[0],
+                    TextLook{.text = lines[i].name, .role = lines[i].isMain ? TextRole::Body : TextRole::Faint});
         builder.add(places[1], TextLook{lines[i].number, TextRole::Number, Qt::AlignRight | Qt::AlignVCenter});
     }
     return builder.finished();

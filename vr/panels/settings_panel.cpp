@@ -2,16 +2,29 @@
 #include "panel_content.h"
 #include "panel_theme.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace vr
 {
 namespace
 {
-constexpr double width = 940, nameWidth = 300, buttonHeight = 92;
+constexpr double width = 940, nameWidth = 300;
 constexpr double distance = 0.6; ///< metres: at arm's length
-constexpr double feelHeight = 6 * (theme::row + theme::gap); ///< both pages are as high
-constexpr double raiseStep = 0.02, levelStep = 0.05;
+constexpr double raiseStep = 0.02, turnStep = 5, levelStep = 0.05;
+
+/// Within its range; what is no number is its least.
+double within(double value, double least, double most)
+{
+    return value >= least ? std::min(value, most) : least;
+}
+
+constexpr PanelSlider sliderOf(std::size_t sensation)
+{
+    return static_cast<PanelSlider>(static_cast<std::size_t>(PanelSlider::Contact) + sensation);
+}
+static_assert(sliderOf(static_cast<std::size_t>(Sensation::Contact)) == PanelSlider::Contact);
+static_assert(sliderOf(static_cast<std::size_t>(Sensation::Hold)) == PanelSlider::Hold);
 } // namespace
 
 SettingsPanel SettingsPanel::after(const PanelAction& action) const
@@ -22,54 +35,105 @@ SettingsPanel SettingsPanel::after(const PanelAction& action) const
     return panel;
 }
 
+HeadsetChoice SettingsPanel::after(HeadsetChoice choice, const PanelAction& action)
+{
+    if (const auto* preset = std::get_if<Preset>(&action))
+        choice.hands.preset = *preset;
+    else if (const auto* hand = std::get_if<ChooseHand>(&action))
+        choice.hands.sculpting = hand->sculpting;
+    else if (const auto* ground = std::get_if<ShowFloor>(&action))
+        choice.showsFloor = ground->isShown;
+    else if (const auto* numbers = std::get_if<ShowPerformance>(&action))
+        choice.showsPerformance = numbers->isShown;
+    else if (const auto* moved = std::get_if<Slide>(&action))
+        slide(choice, *moved);
+    return choice;
+}
+
+void SettingsPanel::slide(HeadsetChoice& choice, const Slide& slide)
+{
+    if (slide.slider == PanelSlider::Height)
+        choice.raised = within(slide.value, -mostRaised, mostRaised);
+    else if (slide.slider == PanelSlider::TurnSpeed)
+        choice.turnsBy = within(slide.value, slowestTurn, fastestTurn);
+    for (std::size_t i = 0; i < sensationCount; ++i)
+        if (slide.slider == sliderOf(i))
+            choice.feel.of[i] = within(slide.value, 0, 1);
+}
+
 QString SettingsPanel::nameOf(Sensation sensation)
 {
     switch (sensation) {
-    case Sensation::Contact: return tr("First contact");
-    case Sensation::Texture: return tr("Sculpting");
-    case Sensation::Fusion: return tr("Surfaces join");
-    case Sensation::Refusal: return tr("Refusal");
-    case Sensation::MenuStep: return tr("Menus");
-    case Sensation::Hold: return tr("Holding a button");
+    case Sensation::Contact:
+        return tr("First contact");
+    case Sensation::Texture:
+        return tr("Sculpting");
+    case Sensation::Fusion:
+        return tr("Surfaces join");
+    case Sensation::Refusal:
+        return tr("Refusal");
+    case Sensation::MenuStep:
+        return tr("Menus");
+    case Sensation::Hold:
+        return tr("Holding a button");
     }
     return {};
 }
 
 void SettingsPanel::addGeneral(PanelBuilder& builder) const
 {
+    const auto [preset, sculpting] = choice.hands;
     builder.addChoice(tr("Buttons"), nameWidth,
-                      {{tr("Paper"), {}, Preset::Paper, preset == Preset::Paper}, {tr("Studio"), {}, Preset::Studio, preset == Preset::Studio}});
+                      {{tr("Paper"), {}, Preset::Paper, preset == Preset::Paper},
+                       {tr("Studio"), {}, Preset::Studio, preset == Preset::Studio}});
     builder.addChoice(tr("Sculpting hand"), nameWidth,
                       {{tr("Left"), {}, ChooseHand{Side::Left}, sculpting == Side::Left},
                        {tr("Right"), {}, ChooseHand{Side::Right}, sculpting == Side::Right}});
-    const int centimetres = static_cast<int>(std::lround(raised * 100));
+    addModel(builder);
+    const auto onOff = [](bool isOn) { return SwitchLook{isOn ? tr("On") : tr("Off"), isOn}; };
+    builder.addSwitch(tr("Floor grid"), nameWidth, onOff(choice.showsFloor), ShowFloor{!choice.showsFloor});
+    builder.addSwitch(tr("Performance"), nameWidth, onOff(choice.showsPerformance),
+                      ShowPerformance{!choice.showsPerformance});
+}
+
+void SettingsPanel::addModel(PanelBuilder& builder) const
+{
+    const int centimetres = static_cast<int>(std::lround(choice.raised * 100));
     //: %1: a number, perhaps with a sign
-    const QString height = tr("%1 cm").arg(QString::number(centimetres).prepend(centimetres > 0 ? QStringLiteral("+") : QString()));
-    builder.addSlider({tr("Raise model"), height, SliderLook{.least = -mostRaised, .most = mostRaised, .step = raiseStep}, {PanelSlider::Height, raised}},
+    const QString height =
+        tr("%1 cm").arg(QString::number(centimetres).prepend(centimetres > 0 ? QStringLiteral("+") : QString()));
+    builder.addSlider({tr("Raise model"),
+                       height,
+                       SliderLook{.least = -mostRaised, .most = mostRaised, .step = raiseStep},
+                       {PanelSlider::Height, choice.raised}},
                       nameWidth);
-    builder.addSwitch(tr("Performance"), nameWidth, {showsPerformance ? tr("On") : tr("Off"), showsPerformance}, ShowPerformance{!showsPerformance});
-    constexpr double generalHeight = 4 * (theme::row + theme::gap) + buttonHeight + theme::gap;
-    builder.skip(feelHeight - generalHeight);
-    const std::vector<QRectF> last = evenCells(builder.nextRow(buttonHeight), 2);
-    builder.add(last[0], {{.text = tr("Recentre"), .icon = QStringLiteral("recentre")}, PanelCommand::Recentre});
-    builder.add(last[1], {{.text = tr("Leave VR"), .icon = QStringLiteral("quit")}, PanelCommand::LeaveVr});
+    //: %1: degrees a second
+    const QString speed = tr("%1°/s").arg(std::lround(choice.turnsBy));
+    builder.addSlider({tr("Turning speed"),
+                       speed,
+                       SliderLook{.least = slowestTurn, .most = fastestTurn, .step = turnStep, .origin = slowestTurn},
+                       {PanelSlider::TurnSpeed, choice.turnsBy}},
+                      nameWidth);
 }
 
 void SettingsPanel::addFeel(PanelBuilder& builder) const
 {
-    for (std::size_t i = 0; i < levels.size(); ++i) {
-        const auto slider = static_cast<PanelSlider>(static_cast<std::size_t>(PanelSlider::Contact) + i);
-        const QString value = tr("%1 %").arg(std::lround(levels[i] * 100));
-        builder.addSlider({nameOf(static_cast<Sensation>(i)), value, SliderLook{.step = levelStep}, {slider, levels[i]}}, nameWidth);
+    for (std::size_t i = 0; i < sensationCount; ++i) {
+        const double level = choice.feel.of[i];
+        const QString value = tr("%1 %").arg(std::lround(level * 100));
+        builder.addSlider(
+            {nameOf(static_cast<Sensation>(i)), value, SliderLook{.step = levelStep}, {sliderOf(i), level}}, nameWidth);
     }
 }
 
 PanelLayout SettingsPanel::layout() const
 {
     PanelBuilder builder(PanelKind::Settings, width, distance);
-    builder.addTitle({tr("Settings")}, {{{.icon = QStringLiteral("panel-close"), .isFlat = true}, ShowPanel{PanelKind::Settings, false}}});
-    builder.addChoice({}, 0, {{tr("General"), {}, SettingsPage::General, page == SettingsPage::General},
-                              {tr("Vibration"), {}, SettingsPage::Feel, page == SettingsPage::Feel}});
+    builder.addTitle({tr("Settings")}, {{{.icon = QStringLiteral("panel-close"), .isFlat = true},
+                                         ShowPanel{PanelKind::Settings, false}}});
+    builder.addChoice({}, 0,
+                      {{tr("General"), {}, SettingsPage::General, page == SettingsPage::General},
+                       {tr("Vibration"), {}, SettingsPage::Feel, page == SettingsPage::Feel}});
     builder.skip(theme::gap);
     if (page == SettingsPage::General)
         addGeneral(builder);

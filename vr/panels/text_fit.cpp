@@ -48,7 +48,8 @@ double spacingOf(const QFont& font)
 /// One always is.
 std::size_t mostLines(const QFont& font, const TextStyle& style)
 {
-    return static_cast<std::size_t>(std::clamp(static_cast<int>(style.room / spacingOf(font) + rounding), 1, style.lines));
+    return static_cast<std::size_t>(
+        std::clamp(static_cast<int>(style.room / spacingOf(font) + rounding), 1, style.lines));
 }
 
 double widest(const std::vector<QString>& lines, const QFont& font)

@@ -1,0 +1,128 @@
+#include "vr/panels/panel_content.h"
+
+#include <QTest>
+
+#include <numeric>
+
+using vr::FrameCost;
+using vr::FramePhase;
+using vr::PerformancePanel;
+
+namespace
+{
+constexpr double period90 = 1000.0 / 90;
+
+/// A phase takes its number in tenths of a millisecond, and Draw draws half a millisecond more.
+FrameCost cost(double factor = 1)
+{
+    FrameCost made{.drawCallMs = 0.5 * factor, .periodMs = period90, .isShown = true};
+    for (std::size_t i = 0; i < vr::framePhaseCount; ++i)
+        made.cpuMs[i] = 0.1 * static_cast<double>(i + 1) * factor;
+    made.cpuMs[static_cast<std::size_t>(FramePhase::Draw)] += made.drawCallMs;
+    return made;
+}
+
+std::vector<FrameCost> many(std::size_t count, const FrameCost& each = cost())
+{
+    return std::vector(count, each);
+}
+
+bool isNear(double a, double b)
+{
+    return std::abs(a - b) < 1e-9;
+}
+} // namespace
+
+class TestPerformancePanel : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void withoutFrames_allIsNothing();
+    void drawCalls_areTheirOwn();
+    void aHitch_isNoMedian();
+    void onlyTheLastSecond_counts();
+    void framesThatAreNotShown_costNothingHere();
+    void framesThatAreLost_takeTime_data();
+    void framesThatAreLost_takeTime();
+    void lostFrames_areTold();
+    void afterFewFrames_itKnowsTheRate();
+};
+
+void TestPerformancePanel::withoutFrames_allIsNothing()
+{
+    QVERIFY(PerformancePanel::of({}, 0) == PerformancePanel());
+    FrameCost hidden = cost();
+    hidden.isShown = false;
+    QVERIFY(PerformancePanel::of(many(300, hidden), 0) == PerformancePanel());
+}
+
+/// The phases and their sum are without them.
+void TestPerformancePanel::drawCalls_areTheirOwn()
+{
+    const PerformancePanel panel = PerformancePanel::of(many(90), 0);
+    for (std::size_t i = 0; i < vr::framePhaseCount; ++i)
+        QVERIFY(isNear(panel.cpuMs[i], 0.1 * static_cast<double>(i + 1)));
+    QVERIFY(isNear(panel.totalMs, std::accumulate(panel.cpuMs.begin(), panel.cpuMs.end(), 0.0)));
+    QVERIFY(isNear(panel.drawCallMs, 0.5));
+}
+
+void TestPerformancePanel::aHitch_isNoMedian()
+{
+    std::vector<FrameCost> costs = many(90);
+    for (const std::size_t i : {3UL, 40UL, 41UL, 42UL, 89UL})
+        costs[i] = cost(100);
+    QVERIFY(PerformancePanel::of(costs, 0) == PerformancePanel::of(many(90), 0));
+}
+
+void TestPerformancePanel::onlyTheLastSecond_counts()
+{
+    std::vector<FrameCost> costs = many(300, cost(7));
+    const std::vector<FrameCost> last = many(91);
+    costs.insert(costs.end(), last.begin(), last.end());
+    QVERIFY(PerformancePanel::of(costs, 0) == PerformancePanel::of(last, 0));
+}
+
+void TestPerformancePanel::framesThatAreNotShown_costNothingHere()
+{
+    FrameCost hidden = cost(9);
+    hidden.isShown = false;
+    std::vector<FrameCost> costs;
+    for (int i = 0; i < 60; ++i)
+        costs.insert(costs.end(), {cost(), hidden});
+    const PerformancePanel panel = PerformancePanel::of(costs, 0);
+    QVERIFY(isNear(panel.totalMs, cost().ownMs()));
+    QCOMPARE(panel.framesPerSecond, 45);
+}
+
+void TestPerformancePanel::framesThatAreLost_takeTime_data()
+{
+    QTest::addColumn<unsigned>("lost");
+    QTest::addColumn<int>("framesPerSecond");
+    QTest::newRow("none") << 0U << 90;
+    QTest::newRow("every other") << 1U << 45;
+    QTest::newRow("two of three") << 2U << 30;
+    QTest::newRow("most") << 17U << 5;
+}
+
+void TestPerformancePanel::framesThatAreLost_takeTime()
+{
+    QFETCH(unsigned, lost);
+    QFETCH(int, framesPerSecond);
+    FrameCost each = cost();
+    each.lost = lost;
+    QCOMPARE(PerformancePanel::of(many(200, each), 0).framesPerSecond, framesPerSecond);
+}
+
+void TestPerformancePanel::lostFrames_areTold()
+{
+    QCOMPARE(PerformancePanel::of(many(9), 12'345'678'901).dropped, std::uint64_t(12'345'678'901));
+}
+
+void TestPerformancePanel::afterFewFrames_itKnowsTheRate()
+{
+    QCOMPARE(PerformancePanel::of(many(4), 0).framesPerSecond, 90);
+}
+
+QTEST_GUILESS_MAIN(TestPerformancePanel)
+#include "tst_performance_panel.moc"
