@@ -47,7 +47,10 @@ HeadsetDesk::~HeadsetDesk()
 
 void HeadsetDesk::hear()
 {
-    connect(m_document, &Document::opened, this, &HeadsetDesk::takeModel);
+    connect(m_document, &Document::opened, this, [this] {
+        ++m_news.model;
+        lookForFiles();
+    });
     connect(m_document, &Document::busy, this, &HeadsetDesk::takeBusy);
     connect(m_document, &Document::idle, this, &HeadsetDesk::takeBusy);
     connect(m_document, &Document::factsChanged, this, &HeadsetDesk::tellSoon);
@@ -60,7 +63,7 @@ void HeadsetDesk::hear()
     });
     connect(m_document, &Document::saved, this, [this](const QString& path) {
         m_news.saved = QFileInfo(path).fileName();
-        takeModel();
+        lookForFiles();
     });
     connect(m_window->brush(), &ui::BrushSettings::changed, this, &HeadsetDesk::takeBrush);
     connect(m_window->viewport(), &ui::Viewport::lookChanged, this, &HeadsetDesk::tellSoon);
@@ -70,8 +73,10 @@ void HeadsetDesk::hear()
 
 std::shared_ptr<HeadsetPort> HeadsetDesk::open()
 {
+    ++m_news.brushChange; // nothing of it is known there
     m_news.saved.clear();
     m_news.notice.clear();
+    m_news.noticeCount = 0;
     m_port = std::make_shared<HeadsetPort>(m_worker);
     connect(m_port.get(), &HeadsetPort::mailCame, this, &HeadsetDesk::takeMail, Qt::QueuedConnection);
     m_port->begin();
@@ -110,8 +115,8 @@ void HeadsetDesk::takeBrush()
     tellSoon();
 }
 
-/// Another one, or the same in another file.
-void HeadsetDesk::takeModel()
+/// Where the model lies now.
+void HeadsetDesk::lookForFiles()
 {
     if (m_port)
         m_files.look(folder());

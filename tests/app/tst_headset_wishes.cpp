@@ -10,7 +10,6 @@
 #include <QAction>
 #include <QDir>
 #include <QFile>
-#include <QPointer>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
@@ -48,7 +47,6 @@ struct Visit
     void wish(const vr::Wish& wish)
     {
         port->wish(wish);
-        QTRY_COMPARE(port->takeMail().wishes.size(), std::size_t(0)); // they were heard
         QCoreApplication::processEvents();
         wait();
     }
