@@ -83,13 +83,16 @@ ExitStatus CommandLine::dispatch(const QStringList& arguments)
     return Done;
 }
 
-QString CommandLine::fileToOpen(const QStringList& arguments)
+WindowStart CommandLine::windowStart(const QStringList& arguments)
 {
+    WindowStart start;
     QStringList files;
     bool onlyFiles = false;
     for (const QString& argument : arguments) {
         if (!onlyFiles && argument == QLatin1String("--"))
             onlyFiles = true;
+        else if (!onlyFiles && argument == QLatin1String("--vr"))
+            start.entersVr = true;
         else if (!onlyFiles && argument.size() > 1 && argument.startsWith(QLatin1Char('-')))
             fail(tr("Unknown option %1; fettle --help lists them.").arg(argument));
         else
@@ -98,7 +101,9 @@ QString CommandLine::fileToOpen(const QStringList& arguments)
     if (files.size() > 1)
         fail(tr("One file at a time can be opened, but %n were given; fettle --help says more.", nullptr,
                 static_cast<int>(files.size())));
-    return files.isEmpty() ? QString() : QFileInfo(files.first()).absoluteFilePath();
+    if (!files.isEmpty())
+        start.file = QFileInfo(files.first()).absoluteFilePath();
+    return start;
 }
 
 bool CommandLine::parse(QCommandLineParser& parser, const QString& command, const QStringList& arguments)
@@ -148,7 +153,7 @@ QString CommandLine::help()
 {
     return tr("Fettle sculpts closed models that stay ready to print.\n"
               "\n"
-              "  fettle [FILE]                    open the window, with a model or with a ball of clay\n"
+              "  fettle [--vr] [FILE]             open the window, with a model or with a ball of clay; --vr enters VR with it\n"
               "  fettle check FILE... [--unit mm|cm|m|in] [--print] [--json] [--csv]\n"
               "                                   say whether models are in order; several files or a folder: a table\n"
               "  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]\n"

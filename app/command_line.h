@@ -19,6 +19,13 @@ struct CommandFailure
     ExitStatus status = BadInput;
 };
 
+/// What `fettle` without a subcommand begins with.
+struct WindowStart
+{
+    QString file; ///< absolute; empty: the ball
+    bool entersVr = false;
+};
+
 /// The command line. Works without a display; standard output carries only answers.
 class CommandLine
 {
@@ -30,8 +37,8 @@ public:
     static bool isCommand(const QStringList& arguments);
     /// Runs it. Needs a QCoreApplication.
     static ExitStatus run(const QStringList& arguments);
-    /// What `fettle` without a subcommand opens: a path, made absolute, or an empty text. Throws CommandFailure.
-    static QString fileToOpen(const QStringList& arguments);
+    /// For `fettle` without a subcommand. Throws CommandFailure.
+    static WindowStart windowStart(const QStringList& arguments);
 
     /// Throws CommandFailure with usage when the arguments do not fit. --help is answered.
     static bool parse(QCommandLineParser& parser, const QString& command, const QStringList& arguments);

@@ -7,7 +7,9 @@
 namespace app
 {
 Headset::Headset(const HeadsetDesk::Program& program, MakeClient makeClient, QObject* parent)
-    : QObject(parent), m_makeClient(std::move(makeClient)), m_desk(program)
+    : QObject(parent)
+    , m_makeClient(std::move(makeClient))
+    , m_desk(program)
 {
     connect(&m_desk, &HeadsetDesk::noticed, this, &Headset::noticed);
     connect(&m_desk, &HeadsetDesk::seen, this, &Headset::seen);

@@ -16,7 +16,8 @@ class Headset : public QObject
 
 public:
     /// Who shows the document to a person in the headset, and lets them sculpt.
-    using MakeClient = std::function<std::shared_ptr<vr::FrameClient>(const std::shared_ptr<vr::DocumentPort>& port, const vr::HeadsetChoice& choice)>;
+    using MakeClient = std::function<std::shared_ptr<vr::FrameClient>(const std::shared_ptr<vr::DocumentPort>& port,
+                                                                      const vr::HeadsetChoice& choice)>;
 
     /// See HeadsetDesk.
     Headset(const HeadsetDesk::Program& program, MakeClient makeClient, QObject* parent = nullptr);

@@ -23,13 +23,16 @@ namespace
 /// What the headset takes from the window: not the radius, which is a length of its own there.
 auto chosen(const core::StrokeSettings& brush)
 {
-    return std::tuple(brush.tool, brush.brush, brush.topology, brush.symmetry, brush.color.r, brush.color.g, brush.color.b, brush.falloff,
-                      brush.strength, brush.detail, brush.fusion);
+    return std::tuple(brush.tool, brush.brush, brush.topology, brush.symmetry, brush.color.r, brush.color.g,
+                      brush.color.b, brush.falloff, brush.strength, brush.detail, brush.fusion);
 }
 } // namespace
 
 HeadsetDesk::HeadsetDesk(const Program& program, QObject* parent)
-    : QObject(parent), m_document(program.document), m_worker(program.worker), m_window(program.window)
+    : QObject(parent)
+    , m_document(program.document)
+    , m_worker(program.worker)
+    , m_window(program.window)
     , m_colors(program.window->findChild<ui::ColorPanel*>())
 {
     takeBrush();
@@ -44,7 +47,10 @@ HeadsetDesk::~HeadsetDesk()
 
 void HeadsetDesk::hear()
 {
-    connect(m_document, &Document::opened, this, &HeadsetDesk::takeModel);
+    connect(m_document, &Document::opened, this, [this] {
+        ++m_news.model;
+        lookForFiles();
+    });
     connect(m_document, &Document::busy, this, &HeadsetDesk::takeBusy);
     connect(m_document, &Document::idle, this, &HeadsetDesk::takeBusy);
     connect(m_document, &Document::factsChanged, this, &HeadsetDesk::tellSoon);
@@ -52,11 +58,12 @@ void HeadsetDesk::hear()
     connect(m_document, &Document::modifiedChanged, this, &HeadsetDesk::tellSoon);
     connect(m_document, &Document::noticed, this, &HeadsetDesk::tellNotice);
     connect(m_document, &Document::refused, this, &HeadsetDesk::tellNotice);
-    connect(m_document, &Document::mendable, this,
-            [this](const QString&, const QString& problem) { tellNotice(tr("%1 It can be mended at the window.").arg(problem)); });
+    connect(m_document, &Document::mendable, this, [this](const QString&, const QString& problem) {
+        tellNotice(tr("%1 It can be mended at the window.").arg(problem));
+    });
     connect(m_document, &Document::saved, this, [this](const QString& path) {
         m_news.saved = QFileInfo(path).fileName();
-        takeModel();
+        lookForFiles();
     });
     connect(m_window->brush(), &ui::BrushSettings::changed, this, &HeadsetDesk::takeBrush);
     connect(m_window->viewport(), &ui::Viewport::lookChanged, this, &HeadsetDesk::tellSoon);
@@ -66,8 +73,10 @@ void HeadsetDesk::hear()
 
 std::shared_ptr<HeadsetPort> HeadsetDesk::open()
 {
+    ++m_news.brushChange; // nothing of it is known there
     m_news.saved.clear();
     m_news.notice.clear();
+    m_news.noticeCount = 0;
     m_port = std::make_shared<HeadsetPort>(m_worker);
     connect(m_port.get(), &HeadsetPort::mailCame, this, &HeadsetDesk::takeMail, Qt::QueuedConnection);
     m_port->begin();
@@ -106,8 +115,8 @@ void HeadsetDesk::takeBrush()
     tellSoon();
 }
 
-/// Another one, or the same in another file.
-void HeadsetDesk::takeModel()
+/// Where the model lies now.
+void HeadsetDesk::lookForFiles()
 {
     if (m_port)
         m_files.look(folder());

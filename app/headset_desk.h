@@ -62,7 +62,7 @@ private:
 
     void hear();
     void takeBrush();
-    void takeModel();
+    void lookForFiles();
     void takeBusy();
     void tellSoon();
     Q_INVOKABLE void tell();

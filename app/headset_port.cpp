@@ -14,10 +14,14 @@ void HeadsetPort::begin()
     const auto self = shared_from_this();
     m_answers = connect(
         m_worker, &SculptWorker::answeredHeadset, m_worker,
-        [self](const auto& hit, const auto& footprint) { self->keepAnswer({hit, footprint}); }, Qt::DirectConnection);
+        [self](const auto& hit, const auto& footprint) {
+            self->keepAnswer({hit, footprint});
+        },
+        Qt::DirectConnection);
     m_samples = connect(
         m_worker, &SculptWorker::sampledHeadset, m_worker,
-        [self](quint64 fusions, core::Shortfall shortfall) { self->keepEffect(fusions, shortfall); }, Qt::DirectConnection);
+        [self](quint64 fusions, core::Shortfall shortfall) { self->keepEffect(fusions, shortfall); },
+        Qt::DirectConnection);
     m_worker->setInbox(Source::Headset, m_inbox);
 }
 
@@ -77,9 +81,12 @@ std::optional<vr::DocumentNews> HeadsetPort::takeNews()
     return std::exchange(m_news, std::nullopt);
 }
 
-void HeadsetPort::ask(const core::Ray& ray, const core::StrokeSettings& brush)
+void HeadsetPort::ask(const vr::SurfaceQuestion& question)
 {
-    m_worker->ask(Source::Headset, ray, brush);
+    const bool isOfRay =
+        question.brush.brush == core::BrushShape::Ray; // which meets the surface alike without its brush
+    m_worker->ask(Source::Headset, question.ray,
+                  isOfRay && !question.wantsFootprint ? std::nullopt : std::optional(question.brush));
 }
 
 void HeadsetPort::keepAnswer(vr::SurfaceAnswer answer)

@@ -54,7 +54,7 @@ public:
     void addSample(const core::StrokeSample& sample) override;
     void endStroke() override;
     vr::StrokeEffect takeEffect() override;
-    void ask(const core::Ray& ray, const core::StrokeSettings& brush) override;
+    void ask(const vr::SurfaceQuestion& question) override;
     std::optional<vr::SurfaceAnswer> takeAnswer() override;
     void wish(const vr::Wish& wish) override;
     void show(const vr::Presence& presence) override;

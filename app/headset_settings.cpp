@@ -14,7 +14,8 @@ constexpr double leastTurn = 1, mostTurn = 720; ///< degrees a second
 
 constexpr std::array<ui::Named<vr::Preset>, 2> presets{{{vr::Preset::Paper, "paper"}, {vr::Preset::Studio, "studio"}}};
 constexpr std::array<ui::Named<vr::Side>, 2> sides{{{vr::Side::Left, "left"}, {vr::Side::Right, "right"}}};
-constexpr std::array<const char*, vr::sensationCount> sensations{"contact", "texture", "fusion", "refusal", "menuStep", "hold"}; ///< by Sensation
+constexpr std::array<const char*, vr::sensationCount> sensations{"contact", "texture",  "fusion",
+                                                                 "refusal", "menuStep", "hold"}; ///< by Sensation
 
 const QString presetKey = QStringLiteral("headset/preset");
 const QString sculptingKey = QStringLiteral("headset/sculpting");

@@ -84,6 +84,13 @@ int runCommand(int argc, char* argv[])
     return app::CommandLine::run(QCoreApplication::arguments().mid(1));
 }
 
+/// When the model is there.
+void enterVrOnce(const app::Document& document, ui::MainWindow& window)
+{
+    const auto how = static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection);
+    QObject::connect(&document, &app::Document::opened, window.action(QStringLiteral("vr.enter")), &QAction::trigger, how);
+}
+
 int runWindow(int argc, char* argv[])
 {
     if (!canHaveWindow(argc, argv)) {
@@ -97,9 +104,9 @@ int runWindow(int argc, char* argv[])
     chooseLanguage();
     loadTranslations(application);
 
-    QString file;
+    app::WindowStart start;
     try {
-        file = app::CommandLine::fileToOpen(QCoreApplication::arguments().mid(1));
+        start = app::CommandLine::windowStart(QCoreApplication::arguments().mid(1));
     } catch (const app::CommandFailure& failure) {
         app::CommandLine::printError(failure.sentence);
         return failure.status;
@@ -114,11 +121,13 @@ int runWindow(int argc, char* argv[])
     app::wire(window, document, worker, inbox);
     app::wireRecovery(window, document, shelf);
     window.show();
-    if (file.isEmpty())
+    if (start.entersVr)
+        enterVrOnce(document, window);
+    if (start.file.isEmpty())
         document.openSphere();
     else
-        document.open(file);
-    if (file.isEmpty() && ui::Settings().showsStartPage())
+        document.open(start.file);
+    if (start.file.isEmpty() && !start.entersVr && ui::Settings().showsStartPage())
         window.action(QStringLiteral("help.start"))->trigger();
     return QApplication::exec();
 }

@@ -4,6 +4,7 @@
 
 #include "ui/file_jobs.h"
 
+#include <QDir>
 #include <QFileInfo>
 
 namespace app
@@ -18,16 +19,19 @@ QString ended(const QString& path, const QString& ending)
 }
 } // namespace
 
-SavedFile ModelSaving::save(const QString& path, const core::TriangleMesh& mesh, const core::DocumentNotes& notes, int keptVersions)
+SavedFile ModelSaving::save(const QString& path, const core::TriangleMesh& mesh, const core::DocumentNotes& notes,
+                            int keptVersions)
 {
     SavedFile saved{path, ModelLoader::save(path, mesh, notes, keptVersions), {}};
     if (saved.problem.isEmpty() && !mesh.colors.empty() && !ModelLoader::holdsColors(path))
-        saved.notice = tr("%1 was written without the colours, which its format does not hold; GLB does.").arg(QFileInfo(path).fileName());
+        saved.notice = tr("%1 was written without the colours, which its format does not hold; GLB does.")
+                           .arg(QFileInfo(path).fileName());
     return saved;
 }
 
 /// The number is looked for just before: another program may be counting in that folder.
-SavedFile ModelSaving::saveNumbered(const QString& path, const core::TriangleMesh& mesh, const core::DocumentNotes& notes)
+SavedFile ModelSaving::saveNumbered(const QString& path, const core::TriangleMesh& mesh,
+                                    const core::DocumentNotes& notes)
 {
     SavedFile saved = save(ui::FileJobs::numberedCopyOf(ended(path, QStringLiteral("glb"))), mesh, notes);
     if (!saved.problem.isEmpty())

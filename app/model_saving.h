@@ -23,8 +23,10 @@ class ModelSaving
 
 public:
     /// In place of a file of that name, of which as many versions stay as `keptVersions` says (core/kept_version.h).
-    static SavedFile save(const QString& path, const core::TriangleMesh& mesh, const core::DocumentNotes& notes, int keptVersions = 0);
+    static SavedFile save(const QString& path, const core::TriangleMesh& mesh, const core::DocumentNotes& notes,
+                          int keptVersions = 0);
     /// A GLB and an STL, named as that path but for ending and number, which is the first after all that are there.
-    static SavedFile saveNumbered(const QString& path, const core::TriangleMesh& mesh, const core::DocumentNotes& notes);
+    static SavedFile saveNumbered(const QString& path, const core::TriangleMesh& mesh,
+                                  const core::DocumentNotes& notes);
 };
 } // namespace app

@@ -2,7 +2,9 @@
 
 #include "document.h"
 #include "drawing_worker.h"
+#include "headset.h"
 #include "headset_inquiry.h"
+#include "headset_wearer.h"
 #include "history_list.h"
 #include "journal_shelf.h"
 #include "model_inquiry.h"
@@ -21,6 +23,7 @@
 #include "ui/unit_bar.h"
 #include "ui/viewport.h"
 #include "ui/window_notes.h"
+#include "vr/sculpt_client.h"
 
 #include <QAction>
 
@@ -92,8 +95,8 @@ void wireUnits(ui::MainWindow& window, Document& document)
     });
 }
 
-/// What the hand did last counts among the changes, though it may not have come to the document yet.
-void wireSettling(ui::MainWindow& window, Document& document)
+/// What the hand did last counts among the changes, though it may not have come to the document yet. A window that closes leaves VR.
+void wireSettling(ui::MainWindow& window, Document& document, Headset* headset)
 {
     using ui::MainWindow;
     using ui::Viewport;
@@ -106,10 +109,12 @@ void wireSettling(ui::MainWindow& window, Document& document)
         const auto how = static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection);
         QObject::connect(&viewport, &Viewport::pressDecided, &document, open, how);
     });
-    window.setIsSettled([&viewport, &document] {
+    window.setIsSettled([&viewport, &document, headset] {
         viewport.finish();
-        return !viewport.pressWaits() && document.isSettled();
+        headset->leave();
+        return !viewport.pressWaits() && !headset->isIn() && document.isSettled();
     });
+    QObject::connect(headset, &Headset::reported, &window, &MainWindow::settle, Qt::QueuedConnection);
     QObject::connect(&viewport, &Viewport::pressDecided, &window, &MainWindow::settle, Qt::QueuedConnection);
     QObject::connect(&document, &Document::historyChanged, &window, &MainWindow::settle, Qt::QueuedConnection);
 }
@@ -245,11 +250,43 @@ void wireDrawings(ui::MainWindow& window, SculptWorker& worker)
     QObject::connect(drawings, &DrawingWorker::noticed, &window, &ui::MainWindow::showNotice);
 }
 
-void wireHeadset(ui::MainWindow& window)
+std::shared_ptr<vr::FrameClient> makeClient(const std::shared_ptr<vr::DocumentPort>& port, const vr::HeadsetChoice& choice)
 {
-    auto* headset = new HeadsetInquiry(&window);
-    QObject::connect(window.action(QStringLiteral("vr.status")), &QAction::triggered, headset, &HeadsetInquiry::ask);
-    QObject::connect(headset, &HeadsetInquiry::answered, &window, &ui::MainWindow::showNotice);
+    return std::make_shared<vr::SculptClient>(port, choice);
+}
+
+ui::HeadsetState stateOf(const vr::HeadsetReport& report)
+{
+    if (report.isEnded())
+        return ui::HeadsetState::Out;
+    return report.stage == vr::HeadsetStage::Starting ? ui::HeadsetState::Changing : ui::HeadsetState::In;
+}
+
+void wireVisits(ui::MainWindow& window, Headset* headset)
+{
+    using ui::MainWindow;
+    QObject::connect(&window, &MainWindow::enterVrRequested, headset, &Headset::enter);
+    QObject::connect(&window, &MainWindow::leaveVrRequested, headset, &Headset::leave);
+    QObject::connect(headset, &Headset::noticed, &window, &MainWindow::showNotice);
+    QObject::connect(headset, &Headset::reported, &window, [&window](const vr::HeadsetReport& report) {
+        window.setHeadset(stateOf(report), report.text);
+        if (report.isEnded() && !report.text.isEmpty())
+            window.showNotice(report.text);
+    });
+    QObject::connect(headset, &Headset::seen, window.viewport(), [&window](const std::optional<vr::Presence>& presence) {
+        window.viewport()->showWearer(presence ? std::optional(wearerOf(*presence)) : std::nullopt);
+    });
+}
+
+/// The window's own, so that it ends before the document.
+Headset* wireHeadset(ui::MainWindow& window, Document& document, SculptWorker& worker)
+{
+    auto* inquiry = new HeadsetInquiry(&window);
+    QObject::connect(window.action(QStringLiteral("vr.status")), &QAction::triggered, inquiry, &HeadsetInquiry::ask);
+    QObject::connect(inquiry, &HeadsetInquiry::answered, &window, &ui::MainWindow::showNotice);
+    auto* headset = new Headset({&document, &worker, &window}, makeClient, &window);
+    wireVisits(window, headset);
+    return headset;
 }
 } // namespace
 
@@ -257,7 +294,7 @@ void wire(ui::MainWindow& window, Document& document, SculptWorker& worker, cons
 {
     wireDocument(window, document);
     wireUnits(window, document);
-    wireSettling(window, document);
+    wireSettling(window, document, wireHeadset(window, document, worker));
     wireHistory(window, document);
     wireHistoryPanel(window, document);
     wirePalette(window, document);
@@ -267,7 +304,6 @@ void wire(ui::MainWindow& window, Document& document, SculptWorker& worker, cons
     wireStrokes(*window.viewport(), document);
     wireWorker(*window.viewport(), worker, inbox);
     wireDrawings(window, worker);
-    wireHeadset(window);
 }
 
 void wireRecovery(ui::MainWindow& window, Document& document, JournalShelf& shelf)

@@ -1,3 +1,5 @@
+#include "app/command_line.h"
+
 #include "core/mesh_check.h"
 #include "core/mesh_io.h"
 #include "tests/support/hard_places.h"
@@ -103,6 +105,7 @@ private Q_SLOTS:
     void words_winOverFileNames();
     void window_withoutADisplaySaysSo();
     void window_withADeadDisplaySaysSo();
+    void window_startsInVrIfAsked();
     void check_cube();
     void check_openModelIsNotReady();
     void check_severalAndFolders();
@@ -224,6 +227,25 @@ void TestCommandLine::window_withoutADisplaySaysSo()
 {
     VERIFY_REFUSED(fettle({}), "display");
     VERIFY_REFUSED(fettle({QStringLiteral("model.stl")}), "display");
+}
+
+void TestCommandLine::window_startsInVrIfAsked()
+{
+    using app::CommandLine;
+    const QString vr = QStringLiteral("--vr"), file = at("a.stl");
+    const auto start = [](const QStringList& arguments) { return CommandLine::windowStart(arguments); };
+    QVERIFY(start({}).file.isEmpty() && !start({}).entersVr);
+    QVERIFY(start({vr}).file.isEmpty() && start({vr}).entersVr);
+    QVERIFY(start({file}).file == file && !start({file}).entersVr);
+    for (const QStringList& arguments : {QStringList{vr, file}, {file, vr}})
+        QVERIFY(start(arguments).file == file && start(arguments).entersVr);
+    const app::WindowStart named = start({QStringLiteral("--"), vr}); // a file of that name
+    QVERIFY(named.file.endsWith(vr) && !named.entersVr);
+    QVERIFY_THROWS_EXCEPTION(app::CommandFailure, start({QStringLiteral("--vr2")}));
+    QVERIFY_THROWS_EXCEPTION(app::CommandFailure, start({file, vr, file}));
+    QVERIFY(!CommandLine::isCommand({vr}));
+    QVERIFY(fettle({QStringLiteral("--help")}).out.contains("--vr"));
+    VERIFY_REFUSED(fettle({vr}), "display");
 }
 
 void TestCommandLine::window_withADeadDisplaySaysSo()

@@ -8,6 +8,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include <atomic>
 #include <random>
 
 using namespace app;
@@ -92,6 +93,10 @@ private Q_SLOTS:
     void worker_answersDuringAStroke();
     void worker_saysWhatABrushWouldTake();
     void worker_answersTheNewestQuestion();
+    void worker_answersWhatABallTouches();
+    void worker_addsOneSphereAStroke();
+    void worker_pullsWhereASphereWouldTouch();
+    void worker_tellsWhatTheHeadsetsSamplesDid();
     void worker_answersWithoutAModel();
     void worker_endsTheStrokeWhenTheModelChanges();
     void worker_findsTheExactBoxAfterwards();
@@ -286,6 +291,98 @@ void TestSculptWorker::worker_answersTheNewestQuestion()
     };
     QTRY_VERIFY(lastIsNewest());
     QVERIFY(answered.size() <= 1001);
+}
+
+void TestSculptWorker::worker_answersWhatABallTouches()
+{
+    SculptWorker worker;
+    worker.setModel(sphere());
+    const auto at = [&](const core::Vec3& centre, const core::StrokeSettings& brush) {
+        Heard<Answer> answered(worker, &SculptWorker::answeredDesktop);
+        worker.ask(Source::Desktop, {centre, core::Vec3(1, 0, 0)}, brush);
+        return QTest::qWaitFor([&] { return !answered.isEmpty(); }) ? answered.last() : Answer();
+    };
+    const auto near = at({0, 0, 60}, settings());
+    QVERIFY(near && (near->position - core::Vec3(0, 0, 50)).norm() < 2 && near->distance < 15);
+    QVERIFY(!at({0, 0, 70}, settings()));
+    core::StrokeSettings byRay = settings(); // which this ray misses
+    byRay.place = core::Placement::Ray;
+    QVERIFY(!at({0, 0, 60}, byRay));
+}
+
+/// However far the wand goes on.
+void TestSculptWorker::worker_addsOneSphereAStroke()
+{
+    SculptWorker worker;
+    Heard<StrokeReport> finished(worker, &SculptWorker::strokeFinished);
+    worker.setModel(sphere());
+    core::StrokeSettings adding = settings();
+    adding.add = true;
+    const auto stroke = [&](const std::vector<core::Vec3>& samples) {
+        const qsizetype before = finished.size();
+        worker.beginStroke(Source::Headset, adding);
+        for (const core::Vec3& position : samples)
+            worker.addSample(Source::Headset, sampleAt(position));
+        worker.endStroke(Source::Headset);
+        return QTest::qWaitFor([&] { return finished.size() > before; }) ? finished.last() : StrokeReport();
+    };
+    const StrokeReport one = stroke({{90, 0, 0}});
+    QVERIFY(one.added && one.delta && one.dabs == 1);
+    const StrokeReport row = stroke({{-90, 0, 0}, {-130, 0, 0}, {-170, 0, 0}, {-60, 0, 0}});
+    QVERIFY(row.added && row.delta && row.dabs == 1);
+    QCOMPARE(row.facts.faces - one.facts.faces, one.facts.faces - sphere()->mesh().live().faces);
+    const StrokeReport inside = stroke({{0, 0, 0}, {50, 0, 0}});
+    QVERIFY(!inside.delta && inside.shortfall == core::Shortfall::Inside && inside.dabs == 1);
+    const StrokeReport none = stroke({});
+    QVERIFY(!none.delta && none.dabs == 0);
+}
+
+/// It is that very pull.
+void TestSculptWorker::worker_pullsWhereASphereWouldTouch()
+{
+    std::vector<std::uint64_t> states;
+    for (const bool adds : {false, true}) {
+        SculptWorker worker;
+        Heard<StrokeReport> finished(worker, &SculptWorker::strokeFinished);
+        worker.setModel(sphere());
+        core::StrokeSettings pull = settings();
+        pull.add = adds;
+        worker.beginStroke(Source::Headset, pull);
+        for (const double x : {60.0, 55.0, 100.0, 58.0}) // the third touches nothing
+            worker.addSample(Source::Headset, sampleAt({x, 0, 0}));
+        worker.endStroke(Source::Headset);
+        std::atomic<std::uint64_t> state = 0;
+        worker.post([&](core::Sculptor& sculptor) { state = sculptor.mesh().stateHash(); });
+        QTRY_COMPARE(finished.size(), 1);
+        QTRY_VERIFY(state != 0);
+        states.push_back(state);
+        QVERIFY(!finished.at(0).added && finished.at(0).delta);
+        QCOMPARE(finished.at(0).dabs, quint64(4));
+    }
+    QVERIFY(states.size() == 2 && states[0] == states[1]);
+}
+
+void TestSculptWorker::worker_tellsWhatTheHeadsetsSamplesDid()
+{
+    QList<core::Shortfall> told;
+    SculptWorker worker;
+    connect(
+        &worker, &SculptWorker::sampledHeadset, &worker, [&](quint64, core::Shortfall shortfall) { told << shortfall; }, Qt::DirectConnection);
+    worker.setModel(sphere());
+    core::StrokeSettings adding = settings();
+    adding.add = true;
+    for (const Source source : {Source::Desktop, Source::Headset}) {
+        worker.beginStroke(source, adding);
+        worker.addSample(source, sampleAt({0, 0, 0}));
+        worker.endStroke(source);
+        worker.beginStroke(source, settings(core::Tool::Smooth));
+        worker.addSample(source, sampleAt({50, 0, 0}));
+        worker.endStroke(source);
+    }
+    Heard<StrokeReport> finished(worker, &SculptWorker::strokeFinished);
+    QTRY_COMPARE(finished.size(), 4);
+    worker.stop();
+    QCOMPARE(told, (QList<core::Shortfall>{core::Shortfall::Inside, core::Shortfall::None}));
 }
 
 void TestSculptWorker::worker_answersWithoutAModel()

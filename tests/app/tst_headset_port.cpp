@@ -1,0 +1,536 @@
+#include "app/document.h"
+#include "app/headset_port.h"
+
+#include "tests/support/viewer.h"
+#include "ui/mailbox.h"
+
+#include <QSignalSpy>
+#include <QStandardPaths>
+#include <QTest>
+
+#include <atomic>
+#include <thread>
+#include <utility>
+
+using namespace app;
+
+namespace
+{
+core::StrokeSettings brush(core::Tool tool = core::Tool::Pull)
+{
+    core::StrokeSettings settings;
+    settings.tool = tool;
+    settings.radius = 12;
+    return settings;
+}
+
+core::StrokeSample sampleAt(const core::Vec3& position)
+{
+    core::StrokeSample sample;
+    sample.position = position;
+    return sample;
+}
+
+/// A document with a ball of clay of radius 50, and the port of a visit. Its gui thread obeys wishes when it is told to.
+struct Visit
+{
+    Visit()
+    {
+        document.openSphere();
+        wait();
+        port->begin();
+    }
+    ~Visit() { port->end(); }
+
+    void wait()
+    {
+        QTRY_VERIFY_WITH_TIMEOUT(!document.isBusy() && document.isSettled(), 60'000);
+        meshRests();
+        QCoreApplication::processEvents();
+    }
+
+    void meshRests() { stateHash(); }
+
+    std::uint64_t stateHash()
+    {
+        std::optional<std::uint64_t> hash;
+        ui::Mailbox mail;
+        worker.post([&](core::Sculptor& sculptor) { mail.post([&hash, value = sculptor.mesh().stateHash()] { hash = value; }); });
+        [&] { QTRY_VERIFY(hash); }();
+        return hash.value_or(0);
+    }
+
+    Viewer mesh()
+    {
+        std::optional<Viewer> viewer;
+        ui::Mailbox mail;
+        worker.post([&](core::Sculptor& sculptor) { mail.post([&viewer, whole = sculptor.wholePatch()] { viewer = viewerOf(whole); }); });
+        [&] { QTRY_VERIFY(viewer); }();
+        return viewer.value_or(Viewer());
+    }
+
+    bool stroke(const core::Vec3& where, core::Tool tool = core::Tool::Pull)
+    {
+        const bool begun = port->beginStroke(brush(tool));
+        port->addSample(sampleAt(where));
+        port->endStroke();
+        return begun;
+    }
+
+    /// What the gui thread does: all that was wished for, in order.
+    void obey()
+    {
+        for (const vr::Wish& wish : port->takeMail().wishes)
+            turns.push_back(wish);
+        obeyNext();
+    }
+    void obeyNext()
+    {
+        if (turns.empty() || std::exchange(isObeying, true))
+            return;
+        const vr::Wish wish = turns.front();
+        turns.pop_front();
+        if (std::holds_alternative<vr::Undo>(wish))
+            document.undo();
+        if (std::holds_alternative<vr::RestoreModel>(wish))
+            document.apply(core::Reset());
+        document.inTurn([this] {
+            port->wishDone();
+            isObeying = false;
+            obeyNext();
+        });
+    }
+
+    SculptWorker worker;
+    Document document{&worker};
+    std::shared_ptr<HeadsetPort> port = std::make_shared<HeadsetPort>(&worker);
+    std::deque<vr::Wish> turns;
+    bool isObeying = false;
+};
+
+const core::Vec3 right(50, 0, 0), top(0, 50, 0), front(0, 0, 50);
+} // namespace
+
+class TestHeadsetPort : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
+    void strokes_areTheDocuments();
+    void strokesAfterAnUndo_comeAfterIt();
+    void strokesBetweenWishes_comeBetweenThem();
+    void strokesAfterARestore_comeAfterIt();
+    void heldStroke_goesOnWhereItWas();
+    void heldStroke_isThinned();
+    void brushWishes_holdNoStroke();
+    void stroke_isRefusedWhileTheDesktopDraws();
+    void desktop_isRefusedWhileTheHeadsetDraws();
+    void heldStroke_isRefusedWhileTheDesktopDraws();
+    void effects_tellFusions();
+    void effects_tellRefusals();
+    void answers_ofARay();
+    void answers_ofABall();
+    void patches_areWholeThenChanges();
+    void end_keepsTheOpenStroke();
+    void end_keepsWhatIsHeld();
+    void nothingIsSculptedWhileAnotherModelComes();
+    void anotherModel_comesWhole();
+    void news_latestWins();
+    void mail_ringsOnce();
+    void port_outlivesItsVisit();
+    void twoThreads_getAlong();
+};
+
+void TestHeadsetPort::strokes_areTheDocuments()
+{
+    Visit visit;
+    const std::uint64_t before = visit.stateHash();
+    QVERIFY(visit.stroke(right));
+    QTRY_COMPARE(visit.document.undoStack().count(), 1);
+    QVERIFY(visit.stateHash() != before);
+    visit.document.undo();
+    visit.wait();
+    QCOMPARE(visit.stateHash(), before);
+}
+
+void TestHeadsetPort::strokesAfterAnUndo_comeAfterIt()
+{
+    Visit one, other;
+    QVERIFY(one.stroke(top));
+    one.wait();
+    const std::uint64_t expected = one.stateHash();
+
+    QVERIFY(other.stroke(right));
+    QTRY_COMPARE(other.document.undoStack().count(), 1);
+    other.port->wish(vr::Undo());
+    QVERIFY(other.stroke(top)); // nobody has undone yet
+    QVERIFY(other.port->takeEffect().refusals == 0);
+    QCOMPARE(other.worker.strokesBegun(), quint64(1));
+    other.obey();
+    other.wait();
+    QCOMPARE(other.worker.strokesBegun(), quint64(2));
+    QCOMPARE(other.document.undoStack().count(), 1);
+    QCOMPARE(other.stateHash(), expected);
+}
+
+/// The gui thread sleeps through all of it.
+void TestHeadsetPort::strokesBetweenWishes_comeBetweenThem()
+{
+    Visit one, other;
+    QVERIFY(one.stroke(front));
+    one.wait();
+    const std::uint64_t expected = one.stateHash();
+
+    QVERIFY(other.stroke(right));
+    other.port->wish(vr::Undo());
+    QVERIFY(other.stroke(top));
+    other.port->wish(vr::Undo());
+    QVERIFY(other.stroke(front));
+    QCOMPARE(other.worker.strokesBegun(), quint64(1));
+    other.obey();
+    other.wait();
+    QCOMPARE(other.worker.strokesBegun(), quint64(3));
+    QCOMPARE(other.document.undoStack().count(), 1);
+    QCOMPARE(other.stateHash(), expected);
+}
+
+void TestHeadsetPort::strokesAfterARestore_comeAfterIt()
+{
+    Visit one, other;
+    QVERIFY(one.stroke(top));
+    one.wait();
+    const quint64 expected = one.document.facts().faces;
+    QVERIFY(other.stroke(right));
+    other.port->wish(vr::RestoreModel());
+    QVERIFY(other.stroke(top));
+    other.obey();
+    QTRY_COMPARE(other.document.undoStack().count(), 3);
+    other.wait();
+    QCOMPARE(other.document.facts().faces, expected);
+    const std::uint64_t now = other.stateHash();
+    for (int i = 0; i < 3; ++i)
+        other.document.undo();
+    for (int i = 0; i < 3; ++i)
+        other.document.redo();
+    other.wait();
+    QCOMPARE(other.stateHash(), now);
+}
+
+void TestHeadsetPort::heldStroke_goesOnWhereItWas()
+{
+    Visit visit;
+    visit.port->wish(vr::Undo());
+    QVERIFY(visit.port->beginStroke(brush()));
+    visit.port->addSample(sampleAt(right));
+    visit.obey();
+    QCOMPARE(visit.worker.strokesBegun(), quint64(1));
+    QVERIFY(visit.worker.strokeOpen());
+    visit.port->addSample(sampleAt({51, 0, 0}));
+    visit.port->endStroke();
+    QVERIFY(!visit.worker.strokeOpen());
+    visit.wait();
+    QCOMPARE(visit.worker.stats().samples, quint64(2));
+    QCOMPARE(visit.document.undoStack().count(), 1);
+}
+
+void TestHeadsetPort::heldStroke_isThinned()
+{
+    Visit visit;
+    visit.port->wish(vr::Undo());
+    QVERIFY(visit.port->beginStroke(brush(core::Tool::Smooth)));
+    for (int i = 0; i <= 1000; ++i)
+        visit.port->addSample(sampleAt({50, 0.01 * i, 0}));
+    visit.port->endStroke();
+    visit.obey();
+    visit.wait();
+    const WorkerStats stats = visit.worker.stats();
+    QVERIFY(stats.samples >= JobQueue::maxWaitingSamples / 2);
+    QVERIFY(stats.samples + stats.droppedSamples <= JobQueue::maxWaitingSamples);
+}
+
+void TestHeadsetPort::brushWishes_holdNoStroke()
+{
+    Visit visit;
+    visit.port->wish(vr::ChooseBrush());
+    visit.port->wish(vr::HeadsetChoice());
+    QVERIFY(visit.stroke(right));
+    QCOMPARE(visit.worker.strokesBegun(), quint64(1));
+    visit.wait();
+}
+
+void TestHeadsetPort::stroke_isRefusedWhileTheDesktopDraws()
+{
+    Visit visit;
+    visit.document.beginStroke(brush());
+    QVERIFY(!visit.stroke(right));
+    QCOMPARE(visit.port->takeEffect().refusals, 1);
+    QCOMPARE(visit.port->takeEffect().refusals, 0);
+    visit.document.addSample(sampleAt(top));
+    visit.document.endStroke();
+    visit.wait();
+    QCOMPARE(visit.worker.stats().samples, quint64(1));
+    QVERIFY(visit.stroke(right));
+    visit.wait();
+    QCOMPARE(visit.document.undoStack().count(), 2);
+}
+
+void TestHeadsetPort::desktop_isRefusedWhileTheHeadsetDraws()
+{
+    Visit visit;
+    QVERIFY(visit.port->beginStroke(brush()));
+    visit.document.beginStroke(brush());
+    visit.document.addSample(sampleAt(top));
+    visit.document.endStroke();
+    visit.port->addSample(sampleAt(right));
+    visit.port->endStroke();
+    visit.wait();
+    QCOMPARE(visit.document.undoStack().count(), 1);
+    QCOMPARE(visit.worker.stats().samples, quint64(1));
+}
+
+void TestHeadsetPort::heldStroke_isRefusedWhileTheDesktopDraws()
+{
+    Visit visit;
+    visit.port->wish(vr::Undo());
+    QVERIFY(visit.stroke(right));
+    visit.worker.beginStroke(Source::Desktop, brush());
+    visit.port->wishDone();
+    QCOMPARE(visit.port->takeEffect().refusals, 1);
+    visit.worker.endStroke(Source::Desktop);
+    visit.wait();
+    QCOMPARE(visit.worker.strokesBegun(), quint64(1));
+}
+
+/// A ball beside the clay, and a horn that reaches it.
+void TestHeadsetPort::effects_tellFusions()
+{
+    Visit visit;
+    core::StrokeSettings adding = brush();
+    adding.add = true;
+    QVERIFY(visit.port->beginStroke(adding));
+    visit.port->addSample(sampleAt({80, 0, 0}));
+    visit.port->endStroke();
+    visit.wait();
+    vr::StrokeEffect effect = visit.port->takeEffect();
+    QVERIFY(effect.fusions == 0 && effect.refusals == 0);
+    int fusions = 0;
+    QVERIFY(visit.port->beginStroke(brush()));
+    for (int i = 0; i < 40 && fusions == 0; ++i) {
+        visit.port->addSample(sampleAt({50 + 0.7 * i, 0, 0}));
+        visit.meshRests();
+        fusions = visit.port->takeEffect().fusions;
+    }
+    visit.port->endStroke();
+    QVERIFY(fusions > 0);
+    visit.wait();
+}
+
+void TestHeadsetPort::effects_tellRefusals()
+{
+    Visit visit;
+    core::StrokeSettings adding = brush();
+    adding.add = true;
+    QVERIFY(visit.port->beginStroke(adding));
+    visit.port->addSample(sampleAt({0, 0, 0}));
+    visit.port->endStroke();
+    visit.wait();
+    QCOMPARE(visit.port->takeEffect().refusals, 1);
+    QCOMPARE(visit.document.undoStack().count(), 0);
+}
+
+void TestHeadsetPort::answers_ofARay()
+{
+    Visit visit;
+    core::StrokeSettings ray = brush();
+    ray.brush = core::BrushShape::Ray;
+    const auto answer = [&](const vr::SurfaceQuestion& question) {
+        visit.port->ask(question);
+        visit.meshRests();
+        return visit.port->takeAnswer();
+    };
+    const core::Ray at{{0, 0, 200}, {0, 0, -1}};
+    const auto hit = answer({at, ray});
+    QVERIFY(hit && hit->hit && hit->footprint && !hit->footprint->slots.empty());
+    QVERIFY((hit->hit->position - front).norm() < 1);
+    QVERIFY(!visit.port->takeAnswer());
+    const auto plain = answer({at, ray, false});
+    QVERIFY(plain && plain->hit && !plain->footprint);
+    QCOMPARE(plain->hit->face, hit->hit->face);
+    const auto missed = answer({{at.origin, -at.direction}, ray});
+    QVERIFY(missed && !missed->hit && !missed->footprint);
+}
+
+void TestHeadsetPort::answers_ofABall()
+{
+    Visit visit;
+    const auto answer = [&](const core::Vec3& origin) {
+        visit.port->ask({{origin, {1, 0, 0}}, brush()});
+        visit.meshRests();
+        return visit.port->takeAnswer();
+    };
+    const auto outside = answer({0, 0, 60});
+    QVERIFY(outside && outside->hit && !outside->footprint);
+    QVERIFY((outside->hit->position - front).norm() < 1);
+    QVERIFY(std::abs(outside->hit->distance - 10) < 0.5);
+    const auto inside = answer({0, 0, 40});
+    QVERIFY(inside && inside->hit);
+    const auto far = answer({0, 0, 70});
+    QVERIFY(far && !far->hit);
+}
+
+void TestHeadsetPort::patches_areWholeThenChanges()
+{
+    Visit visit;
+    visit.meshRests();
+    const auto whole = visit.port->takePatch();
+    QVERIFY(whole && whole->whole);
+    Viewer seen = viewerOf(*whole);
+    QVERIFY(seen.drawsLike(visit.mesh()));
+    QVERIFY(!visit.port->takePatch());
+    QVERIFY(visit.stroke(right));
+    visit.wait();
+    visit.document.undo();
+    visit.document.beginStroke(brush());
+    visit.document.addSample(sampleAt(top));
+    visit.document.endStroke();
+    visit.wait();
+    const auto changes = visit.port->takePatch();
+    QVERIFY(changes && !changes->whole);
+    seen.apply(*changes);
+    QVERIFY(seen.drawsLike(visit.mesh()));
+}
+
+void TestHeadsetPort::end_keepsTheOpenStroke()
+{
+    Visit visit;
+    QVERIFY(visit.port->beginStroke(brush()));
+    visit.port->addSample(sampleAt(right));
+    visit.port->end();
+    QVERIFY(!visit.worker.strokeOpen());
+    visit.wait();
+    QCOMPARE(visit.document.undoStack().count(), 1);
+}
+
+void TestHeadsetPort::end_keepsWhatIsHeld()
+{
+    Visit visit;
+    QVERIFY(visit.stroke(top));
+    visit.port->wish(vr::Undo());
+    QVERIFY(visit.stroke(right));
+    QVERIFY(visit.port->beginStroke(brush()));
+    visit.port->addSample(sampleAt(front));
+    visit.port->end();
+    visit.obey();
+    visit.wait();
+    QCOMPARE(visit.worker.strokesBegun(), quint64(3));
+    QVERIFY(!visit.worker.strokeOpen());
+    QCOMPARE(visit.document.undoStack().count(), 2);
+}
+
+void TestHeadsetPort::nothingIsSculptedWhileAnotherModelComes()
+{
+    Visit visit;
+    visit.port->setRefusing(true);
+    QVERIFY(!visit.stroke(right));
+    QCOMPARE(visit.port->takeEffect().refusals, 1);
+    visit.port->setRefusing(false);
+    QVERIFY(visit.stroke(right));
+    visit.wait();
+    QCOMPARE(visit.document.undoStack().count(), 1);
+}
+
+void TestHeadsetPort::anotherModel_comesWhole()
+{
+    Visit visit;
+    visit.meshRests();
+    QVERIFY(visit.port->takePatch());
+    visit.document.openStarter(core::Starter::Cube);
+    visit.wait();
+    const auto whole = visit.port->takePatch();
+    QVERIFY(whole && whole->whole);
+    QVERIFY(viewerOf(*whole).drawsLike(visit.mesh()));
+}
+
+void TestHeadsetPort::news_latestWins()
+{
+    Visit visit;
+    QVERIFY(!visit.port->takeNews());
+    vr::DocumentNews news;
+    for (quint64 i = 1; i <= 3; ++i) {
+        news.model = i;
+        visit.port->tell(news);
+    }
+    QCOMPARE(visit.port->takeNews()->model, quint64(3));
+    QVERIFY(!visit.port->takeNews());
+}
+
+void TestHeadsetPort::mail_ringsOnce()
+{
+    Visit visit;
+    QSignalSpy rings(visit.port.get(), &HeadsetPort::mailCame);
+    vr::Presence presence;
+    for (int i = 1; i <= 100; ++i) {
+        presence.model.translation().x() = i;
+        visit.port->show(presence);
+    }
+    visit.port->wish(vr::ChooseBrush());
+    QCOMPARE(rings.size(), 1);
+    const HeadsetMail mail = visit.port->takeMail();
+    QCOMPARE(mail.wishes.size(), std::size_t(1));
+    QCOMPARE(mail.presence->model.translation().x(), 100.0);
+    QVERIFY(!visit.port->takeMail().presence);
+    visit.port->show(presence);
+    QCOMPARE(rings.size(), 2);
+}
+
+/// Answers are under way while it ends, and nobody else holds it.
+void TestHeadsetPort::port_outlivesItsVisit()
+{
+    Visit visit;
+    for (int i = 0; i < 200; ++i) {
+        auto port = std::make_shared<HeadsetPort>(&visit.worker);
+        port->begin();
+        port->ask({{{0, 0, 200}, {0, 0, -1}}, brush()});
+        port->beginStroke(brush(core::Tool::Smooth));
+        port->addSample(sampleAt(right));
+        port->end();
+    }
+    visit.wait();
+    QVERIFY(!visit.worker.strokeOpen());
+}
+
+/// A headset that does all there is at once, and a gui thread that hardly follows: each stroke comes, in order, or is refused.
+void TestHeadsetPort::twoThreads_getAlong()
+{
+    Visit visit;
+    std::atomic<bool> isOver = false;
+    int begun = 0;
+    std::thread headset([&] {
+        for (int i = 0; i < 60; ++i) {
+            if (i % 5 == 4)
+                visit.port->wish(vr::Undo());
+            const double angle = 0.1 * i;
+            begun += visit.stroke({50 * std::cos(angle), 50 * std::sin(angle), 0}, static_cast<core::Tool>(i % 4));
+            visit.port->ask({{{0, 0, 200}, {0, 0, -1}}, brush()});
+            visit.port->takeAnswer();
+            visit.port->takePatch();
+            visit.port->show({});
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        isOver = true;
+    });
+    while (!isOver) {
+        visit.obey();
+        QTest::qWait(7);
+    }
+    headset.join();
+    visit.obey();
+    visit.wait();
+    QCOMPARE(begun, 60);
+    QCOMPARE(visit.worker.strokesBegun(), quint64(60));
+    QVERIFY(visit.turns.empty());
+}
+
+QTEST_GUILESS_MAIN(TestHeadsetPort)
+#include "tst_headset_port.moc"
