@@ -255,18 +255,20 @@ std::shared_ptr<vr::FrameClient> makeClient(const std::shared_ptr<vr::DocumentPo
     return std::make_shared<vr::SculptClient>(port, choice);
 }
 
+/// A visit that has not quite begun can be left already: a runtime may wait for a headset that nobody puts on.
 ui::HeadsetState stateOf(const vr::HeadsetReport& report)
 {
-    if (report.isEnded())
-        return ui::HeadsetState::Out;
-    return report.stage == vr::HeadsetStage::Starting ? ui::HeadsetState::Changing : ui::HeadsetState::In;
+    return report.isEnded() ? ui::HeadsetState::Out : ui::HeadsetState::In;
 }
 
 void wireVisits(ui::MainWindow& window, Headset* headset)
 {
     using ui::MainWindow;
     QObject::connect(&window, &MainWindow::enterVrRequested, headset, &Headset::enter);
-    QObject::connect(&window, &MainWindow::leaveVrRequested, headset, &Headset::leave);
+    QObject::connect(&window, &MainWindow::leaveVrRequested, headset, [&window, headset] {
+        window.setHeadset(ui::HeadsetState::Changing, Headset::tr("Leaving VR…"));
+        headset->leave();
+    });
     QObject::connect(headset, &Headset::noticed, &window, &MainWindow::showNotice);
     QObject::connect(headset, &Headset::reported, &window, [&window](const vr::HeadsetReport& report) {
         window.setHeadset(stateOf(report), report.text);

@@ -3,6 +3,7 @@
 #include "headset_hand.h"
 #include "tests/vr/vr_test.h"
 
+#include "core/mesh_build.h"
 #include "core/mesh_io.h"
 
 #include <QDir>
