@@ -36,8 +36,7 @@ public:
     {
         const QByteArray script =
             QStringLiteral("{'start': {'pace': 'stepped', 'size': [%1, %2], 'head': {'position': [0, 1.6, 0]},"
-                           " 'left': {'aim': {'position': [0, 0, 0], 'rotation': [0, 0, 0, 1]}},"
-                           " 'right': {'aim': {'position': [0, 0, 0], 'rotation': [0, 0, 0, 1]}}}}")
+                           " 'aim': {'position': [0, 0, 0], 'rotation': [0, 0, 0, 1]}}}")
                 .arg(size.width())
                 .arg(size.height())
                 .toUtf8();
