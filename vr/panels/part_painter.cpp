@@ -103,7 +103,7 @@ void PartPainter::operator()(const ButtonLook& look) const
 /// The text below the icon.
 void PartPainter::paintUpright(const ButtonLook& look) const
 {
-    const QRectF inside = m_area.adjusted(padding / 2, padding, -padding / 2, -padding);
+    const QRectF inside = m_area.adjusted(padding / 3, padding, -padding / 3, -padding);
     const QRectF icon(inside.center().x() - uprightIcon / 2, inside.top(), uprightIcon, uprightIcon);
     paintIcon(look.icon, icon);
     const FittedText text = fitted(look.text, inside.width(), styleOf(look, 1));
