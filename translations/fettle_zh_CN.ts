@@ -4566,7 +4566,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>%1 cm</source>
         <extracomment>%1: a number, perhaps with a sign</extracomment>
-        <translation>%1 厘米</translation>
+        <translation>%1 cm</translation>
     </message>
     <message>
         <source>Raise model</source>
