@@ -162,7 +162,7 @@ void PartPainter::operator()(const SliderLook& look) const
 
 void PartPainter::operator()(const SwatchLook& look) const
 {
-    const double inset = look.isChosen || m_state.isPressed ? 10 : theme::outline;
+    const double inset = (look.isChosen ? 10 : theme::outline) + (m_state.isPressed ? 6 : 0);
     m_painter.setPen(QPen(theme::rim, theme::outline));
     m_painter.setBrush(QColor(look.color.r, look.color.g, look.color.b));
     m_painter.drawRoundedRect(box(m_area, inset), theme::itemCorner, theme::itemCorner);
