@@ -355,5 +355,5 @@ void TestPanelPointer::aTouch_isWhatThePictureShows()
     QVERIFY(wand.pointer.touch(kind) == vr::PanelTouch{restore});
 }
 
-QTEST_MAIN(TestPanelPointer)
+QTEST_GUILESS_MAIN(TestPanelPointer)
 #include "tst_panel_pointer.moc"
