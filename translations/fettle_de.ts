@@ -4252,6 +4252,65 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
+    <name>vr::ColorPanel</name>
+    <message>
+        <source>Red</source>
+        <translation>Rot</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Grün</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Blau</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+</context>
+<context>
+    <name>vr::FilesPanel</name>
+    <message>
+        <source>One moment…</source>
+        <translation>Einen Moment …</translation>
+    </message>
+    <message>
+        <source>The model is not saved: save it first, or hold to open.</source>
+        <translation>Das Modell ist nicht gespeichert: zuerst speichern oder zum Öffnen halten.</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <extracomment>%1: names of files</extracomment>
+        <translation>Gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>No models are here yet. Save puts the first one here.</source>
+        <translation>Hier liegen noch keine Modelle. Speichern legt das erste hier ab.</translation>
+    </message>
+    <message>
+        <source>%1 / %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>Hold to open</source>
+        <translation>Zum Öffnen halten</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
+    </message>
+</context>
+<context>
     <name>vr::HeadsetReport</name>
     <message>
         <source>VR starts. Put on the headset.</source>
@@ -4327,6 +4386,58 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>The headset is in use here.</source>
         <translation>Die VR-Brille ist hier schon in Gebrauch.</translation>
+    </message>
+</context>
+<context>
+    <name>vr::PerformancePanel</name>
+    <message>
+        <source>Events</source>
+        <translation>Ereignisse</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>Warten</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>Handing over</source>
+        <translation>Übergabe</translation>
+    </message>
+    <message>
+        <source>Without draw calls</source>
+        <translation>Ohne Zeichenaufrufe</translation>
+    </message>
+    <message>
+        <source>Draw calls</source>
+        <translation>Zeichenaufrufe</translation>
+    </message>
+    <message>
+        <source>Dropped frames</source>
+        <translation>Ausgefallene Bilder</translation>
+    </message>
+    <message>
+        <source>%1 fps</source>
+        <extracomment>%1: how many frames a second</extracomment>
+        <translation>%1 fps</translation>
+    </message>
+    <message>
+        <source>CPU, ms</source>
+        <translation>CPU, ms</translation>
     </message>
 </context>
 <context>
@@ -4418,6 +4529,194 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Hold: invert</source>
         <translation>Halten: umkehren</translation>
+    </message>
+</context>
+<context>
+    <name>vr::SettingsPanel</name>
+    <message>
+        <source>First contact</source>
+        <translation>Erste Berührung</translation>
+    </message>
+    <message>
+        <source>Sculpting</source>
+        <translation>Modellieren</translation>
+    </message>
+    <message>
+        <source>Surfaces join</source>
+        <translation>Verschmelzen</translation>
+    </message>
+    <message>
+        <source>Refusal</source>
+        <translation>Ablehnung</translation>
+    </message>
+    <message>
+        <source>Menus</source>
+        <translation>Menüs</translation>
+    </message>
+    <message>
+        <source>Holding a button</source>
+        <translation>Taste halten</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Paper</translation>
+    </message>
+    <message>
+        <source>Studio</source>
+        <translation>Studio</translation>
+    </message>
+    <message>
+        <source>Sculpting hand</source>
+        <translation>Arbeitshand</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>An</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Aus</translation>
+    </message>
+    <message>
+        <source>Floor grid</source>
+        <translation>Bodengitter</translation>
+    </message>
+    <message>
+        <source>Performance</source>
+        <translation>Leistung</translation>
+    </message>
+    <message>
+        <source>%1 cm</source>
+        <extracomment>%1: a number, perhaps with a sign</extracomment>
+        <translation>%1 cm</translation>
+    </message>
+    <message>
+        <source>Raise model</source>
+        <translation>Modell höher</translation>
+    </message>
+    <message>
+        <source>%1°/s</source>
+        <extracomment>%1: degrees a second</extracomment>
+        <translation>%1°/s</translation>
+    </message>
+    <message>
+        <source>Turning speed</source>
+        <translation>Drehtempo</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>Allgemein</translation>
+    </message>
+    <message>
+        <source>Vibration</source>
+        <translation>Vibration</translation>
+    </message>
+</context>
+<context>
+    <name>vr::ToolPanel</name>
+    <message>
+        <source>Pull</source>
+        <translation>Ziehen</translation>
+    </message>
+    <message>
+        <source>Push</source>
+        <translation>Drücken</translation>
+    </message>
+    <message>
+        <source>Flatten</source>
+        <translation>Abflachen</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Glätten</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Bemalen</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Recentre</source>
+        <translation>Zentrieren</translation>
+    </message>
+    <message>
+        <source>Hold to restore</source>
+        <translation>Zum Zurücksetzen halten</translation>
+    </message>
+    <message>
+        <source>Leave VR</source>
+        <translation>VR verlassen</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Pull and Push swapped</source>
+        <translation>Ziehen und Drücken vertauscht</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>Pinsel</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>Ray</source>
+        <translation>Strahl</translation>
+    </message>
+    <message>
+        <source>Topology</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>Adaptive</source>
+        <translation>Angepasst</translation>
+    </message>
+    <message>
+        <source>Uniform</source>
+        <translation>Gleichmäßig</translation>
+    </message>
+    <message>
+        <source>Symmetry</source>
+        <translation>Symmetrie</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>An</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Aus</translation>
     </message>
 </context>
 </TS>

@@ -4241,6 +4241,65 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
 </context>
 <context>
+    <name>vr::ColorPanel</name>
+    <message>
+        <source>Red</source>
+        <translation>红</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>绿</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>蓝</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>颜色</translation>
+    </message>
+</context>
+<context>
+    <name>vr::FilesPanel</name>
+    <message>
+        <source>One moment…</source>
+        <translation>请稍候…</translation>
+    </message>
+    <message>
+        <source>The model is not saved: save it first, or hold to open.</source>
+        <translation>模型尚未保存：请先保存，或按住以打开。</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <extracomment>%1: names of files</extracomment>
+        <translation>已保存：%1</translation>
+    </message>
+    <message>
+        <source>No models are here yet. Save puts the first one here.</source>
+        <translation>这里还没有模型。保存后，第一个模型会出现在这里。</translation>
+    </message>
+    <message>
+        <source>%1 / %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>Hold to open</source>
+        <translation>按住以打开</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>文件</translation>
+    </message>
+</context>
+<context>
     <name>vr::HeadsetReport</name>
     <message>
         <source>VR starts. Put on the headset.</source>
@@ -4316,6 +4375,58 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>The headset is in use here.</source>
         <translation>头戴设备正在本程序中使用。</translation>
+    </message>
+</context>
+<context>
+    <name>vr::PerformancePanel</name>
+    <message>
+        <source>Events</source>
+        <translation>事件</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>等待</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>输入</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>模型</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>图像</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>绘制</translation>
+    </message>
+    <message>
+        <source>Handing over</source>
+        <translation>提交</translation>
+    </message>
+    <message>
+        <source>Without draw calls</source>
+        <translation>不含绘制调用</translation>
+    </message>
+    <message>
+        <source>Draw calls</source>
+        <translation>绘制调用</translation>
+    </message>
+    <message>
+        <source>Dropped frames</source>
+        <translation>丢帧</translation>
+    </message>
+    <message>
+        <source>%1 fps</source>
+        <extracomment>%1: how many frames a second</extracomment>
+        <translation>%1 帧/秒</translation>
+    </message>
+    <message>
+        <source>CPU, ms</source>
+        <translation>CPU，毫秒</translation>
     </message>
 </context>
 <context>
@@ -4407,6 +4518,194 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Hold: invert</source>
         <translation>按住：反转</translation>
+    </message>
+</context>
+<context>
+    <name>vr::SettingsPanel</name>
+    <message>
+        <source>First contact</source>
+        <translation>首次接触</translation>
+    </message>
+    <message>
+        <source>Sculpting</source>
+        <translation>雕刻</translation>
+    </message>
+    <message>
+        <source>Surfaces join</source>
+        <translation>表面融合</translation>
+    </message>
+    <message>
+        <source>Refusal</source>
+        <translation>拒绝</translation>
+    </message>
+    <message>
+        <source>Menus</source>
+        <translation>菜单</translation>
+    </message>
+    <message>
+        <source>Holding a button</source>
+        <translation>按住按钮</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>按键</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>论文</translation>
+    </message>
+    <message>
+        <source>Studio</source>
+        <translation>工作室</translation>
+    </message>
+    <message>
+        <source>Sculpting hand</source>
+        <translation>雕刻手</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>开</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>Floor grid</source>
+        <translation>地面网格</translation>
+    </message>
+    <message>
+        <source>Performance</source>
+        <translation>性能</translation>
+    </message>
+    <message>
+        <source>%1 cm</source>
+        <extracomment>%1: a number, perhaps with a sign</extracomment>
+        <translation>%1 cm</translation>
+    </message>
+    <message>
+        <source>Raise model</source>
+        <translation>抬高模型</translation>
+    </message>
+    <message>
+        <source>%1°/s</source>
+        <extracomment>%1: degrees a second</extracomment>
+        <translation>%1°/秒</translation>
+    </message>
+    <message>
+        <source>Turning speed</source>
+        <translation>旋转速度</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>设置</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>常规</translation>
+    </message>
+    <message>
+        <source>Vibration</source>
+        <translation>振动</translation>
+    </message>
+</context>
+<context>
+    <name>vr::ToolPanel</name>
+    <message>
+        <source>Pull</source>
+        <translation>拉出</translation>
+    </message>
+    <message>
+        <source>Push</source>
+        <translation>推入</translation>
+    </message>
+    <message>
+        <source>Flatten</source>
+        <translation>压平</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>平滑</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>绘色</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>设置</translation>
+    </message>
+    <message>
+        <source>Recentre</source>
+        <translation>居中</translation>
+    </message>
+    <message>
+        <source>Hold to restore</source>
+        <translation>按住以还原</translation>
+    </message>
+    <message>
+        <source>Leave VR</source>
+        <translation>退出 VR</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>Pull and Push swapped</source>
+        <translation>拉出与推入已互换</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>笔刷</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>球形</translation>
+    </message>
+    <message>
+        <source>Ray</source>
+        <translation>射线</translation>
+    </message>
+    <message>
+        <source>Topology</source>
+        <translation>拓扑</translation>
+    </message>
+    <message>
+        <source>Adaptive</source>
+        <translation>自适应</translation>
+    </message>
+    <message>
+        <source>Uniform</source>
+        <translation>均匀</translation>
+    </message>
+    <message>
+        <source>Symmetry</source>
+        <translation>对称</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>开</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>关</translation>
     </message>
 </context>
 </TS>

@@ -263,7 +263,7 @@ void TestPanelPointer::aHold_isNoClick()
 
 void TestPanelPointer::theNearestPanel_isMeant()
 {
-    const PlacedPanel near = placed(vr::ColorPanel{.swatches = {{1, 2, 3}}}, {0, 1.3, 0.1}),
+    const PlacedPanel near = placed(vr::ColorPanel{.color = {}, .swatches = {{1, 2, 3}}}, {0, 1.3, 0.1}),
                       far = placed(tools(), {0, 1.3, 0});
     PlacedPanel turned = near;
     turned.pose.rotation = Eigen::AngleAxisd(3.14159, Vec3::UnitY());
@@ -279,7 +279,8 @@ void TestPanelPointer::theNearestPanel_isMeant()
 
 void TestPanelPointer::aPress_staysOnItsPanel()
 {
-    Wand wand({placed(tools(), {0, 1.3, 0}), placed(vr::ColorPanel{.swatches = {{1, 2, 3}}}, {0.6, 1.3, 0})});
+    Wand wand(
+        {placed(tools(), {0, 1.3, 0}), placed(vr::ColorPanel{.color = {}, .swatches = {{1, 2, 3}}}, {0.6, 1.3, 0})});
     wand.at(0, paint);
     wand.pointer.press();
     wand.at(1, vr::ChooseColor{{1, 2, 3}});
@@ -354,5 +355,5 @@ void TestPanelPointer::aTouch_isWhatThePictureShows()
     QVERIFY(wand.pointer.touch(kind) == vr::PanelTouch{restore});
 }
 
-QTEST_MAIN(TestPanelPointer)
+QTEST_GUILESS_MAIN(TestPanelPointer)
 #include "tst_panel_pointer.moc"

@@ -10,7 +10,7 @@ namespace vr
 namespace
 {
 constexpr double width = 980, tileHeight = 224, buttonHeight = 92, statusHeight = 84, arrowWidth = 84, pageWidth = 120,
-                 titleWidth = 340, groupGap = 8;
+                 openWidth = 316, titleWidth = 340, groupGap = 8;
 constexpr double distance = 0.6; ///< metres: at arm's length
 } // namespace
 
@@ -80,7 +80,8 @@ void FilesPanel::addTiles(PanelBuilder& builder) const
 void FilesPanel::addButtons(PanelBuilder& builder) const
 {
     const int shown = shownPage();
-    const std::vector<QRectF> places = cells(builder.nextRow(buttonHeight), {arrowWidth, pageWidth, arrowWidth, 0, 0});
+    const std::vector<QRectF> places =
+        cells(builder.nextRow(buttonHeight), {arrowWidth, pageWidth, arrowWidth, openWidth, 0});
     builder.add(places[0], {{.icon = QStringLiteral("previous")}, ShowPage{shown - 1}, shown > 0});
     builder.add(places[1], TextLook{tr("%1 / %2").arg(shown + 1).arg(pageCount()), TextRole::Number, Qt::AlignCenter});
     builder.add(places[2], {{.icon = QStringLiteral("next")}, ShowPage{shown + 1}, shown + 1 < pageCount()});

@@ -52,8 +52,10 @@ void PanelBuilder::addTitle(const PanelTitle& title, const std::vector<PanelButt
         title.note.isEmpty() ? std::vector{places.front()} : cells(places.front(), {title.textWidth, 0});
     add(texts.front(), TextLook{.text = title.text, .role = TextRole::Title});
     if (!title.note.isEmpty())
-        add(texts.back(),
-            TextLook{.text = title.note, .role = TextRole::Faint, .alignment = Qt::AlignRight | Qt::AlignVCenter});
+        add(texts.back(), TextLook{.text = title.note,
+                                   .role = TextRole::Faint,
+                                   .alignment = Qt::AlignRight | Qt::AlignVCenter,
+                                   .lines = 2});
     for (std::size_t i = 0; i < buttons.size(); ++i)
         add(places[i + 1], buttons[i]);
 }

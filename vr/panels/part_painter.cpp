@@ -103,7 +103,7 @@ void PartPainter::operator()(const ButtonLook& look) const
 /// The text below the icon.
 void PartPainter::paintUpright(const ButtonLook& look) const
 {
-    const QRectF inside = m_area.adjusted(padding / 2, padding, -padding / 2, -padding);
+    const QRectF inside = m_area.adjusted(padding / 3, padding, -padding / 3, -padding);
     const QRectF icon(inside.center().x() - uprightIcon / 2, inside.top(), uprightIcon, uprightIcon);
     paintIcon(look.icon, icon);
     const FittedText text = fitted(look.text, inside.width(), styleOf(look, 1));
@@ -162,7 +162,7 @@ void PartPainter::operator()(const SliderLook& look) const
 
 void PartPainter::operator()(const SwatchLook& look) const
 {
-    const double inset = look.isChosen || m_state.isPressed ? 10 : theme::outline;
+    const double inset = (look.isChosen ? 10 : theme::outline) + (m_state.isPressed ? 6 : 0);
     m_painter.setPen(QPen(theme::rim, theme::outline));
     m_painter.setBrush(QColor(look.color.r, look.color.g, look.color.b));
     m_painter.drawRoundedRect(box(m_area, inset), theme::itemCorner, theme::itemCorner);

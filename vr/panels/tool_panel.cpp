@@ -6,7 +6,7 @@ namespace vr
 {
 namespace
 {
-constexpr double width = 880, nameWidth = 210, toolHeight = 140, buttonHeight = 84, groupGap = 8, titleWidth = 300;
+constexpr double width = 980, nameWidth = 210, toolHeight = 140, buttonHeight = 84, groupGap = 8, titleWidth = 300;
 constexpr double filesWidth = 220, recentreWidth = 266;
 constexpr double distance = 0.5; ///< metres; a hand that holds something up to be read
 constexpr std::array tools{core::Tool::Pull, core::Tool::Push, core::Tool::Flatten, core::Tool::Smooth,
