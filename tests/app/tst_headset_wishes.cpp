@@ -205,7 +205,7 @@ void TestHeadsetWishes::save_whereOnlyTheFirstFits()
     visit.stroke({50, 0, 0});
     visit.wish(vr::SaveModel());
     QTRY_VERIFY(!visit.program.document.isModified());
-    const QStringList files = QDir(visit.program.document.path() + QStringLiteral("/..")).entryList(QDir::Files | QDir::Hidden);
+    const QStringList files = QFileInfo(visit.program.document.path()).dir().entryList(QDir::Files | QDir::Hidden);
     QCOMPARE(files, QStringList{visit.news().saved});
     QVERIFY(visit.news().notice.contains(files[0]) && visit.news().notice.contains(QStringLiteral(".stl")));
     QFile::remove(visit.program.document.path());
