@@ -1,4 +1,4 @@
-#include "app/headset_desk.h"
+#include "app/headset.h"
 #include "app/headset_settings.h"
 
 #include "core/mesh_io.h"
@@ -111,6 +111,7 @@ private Q_SLOTS:
     void files_comeWithPictures();
     void presence_isSeen();
     void close_doesWhatWasWished();
+    void headset_thatIsNotThereSaysSo();
 
 public:
     static inline const places::SmallDisk* disk = nullptr; ///< mounted by main()
@@ -433,6 +434,30 @@ void TestHeadsetWishes::close_doesWhatWasWished()
     visit.stroke({0, 0, 50});
     QCOMPARE(visit.program.document.undoStack().count(), 2);
     QVERIFY(visit.port->takePatch()->whole);
+}
+
+/// Each time anew, and a window that closes meanwhile waits for the end.
+void TestHeadsetWishes::headset_thatIsNotThereSaysSo()
+{
+    qputenv("XR_RUNTIME_JSON", at("none.json").toLocal8Bit());
+    Visit visit(at("vase.glb"));
+    visit.desk.close();
+    auto* headset = visit.program.window.findChild<Headset*>();
+    QList<vr::HeadsetReport> reports;
+    connect(headset, &Headset::reported, this, [&](const vr::HeadsetReport& report) { reports << report; });
+    for (int i = 0; i < 3; ++i) {
+        reports.clear();
+        visit.program.window.action(QStringLiteral("vr.enter"))->trigger();
+        QVERIFY(headset->isIn());
+        QTRY_VERIFY(!reports.isEmpty() && reports.last().isEnded());
+        QVERIFY(!headset->isIn() && reports.last().end == vr::HeadsetEnd::NotThere);
+        QCOMPARE(notice(visit.program), reports.last().text);
+    }
+    headset->enter();
+    visit.program.window.close();
+    QVERIFY(visit.program.window.isVisible());
+    QTRY_VERIFY(!visit.program.window.isVisible());
+    QVERIFY(!headset->isIn());
 }
 
 int main(int argc, char* argv[])
