@@ -67,7 +67,9 @@ struct Visit
     {
         std::optional<std::uint64_t> answer;
         ui::Mailbox mail;
-        program.worker.post([&](core::Sculptor& sculptor) { mail.post([&answer, value = sculptor.mesh().meshHash()] { answer = value; }); });
+        program.worker.post([&](core::Sculptor& sculptor) {
+            mail.post([&answer, value = sculptor.mesh().meshHash()] { answer = value; });
+        });
         [&] { QTRY_VERIFY(answer); }();
         return answer.value_or(0);
     }
@@ -155,7 +157,8 @@ void TestHeadsetWishes::save_writesANumberedPair()
     QCOMPARE(visit.news().saved, QStringLiteral("vase-001.glb"));
     QVERIFY(visit.news().notice.contains(QStringLiteral("vase-001.stl")));
     QCOMPARE(bytesOf(at("vase.glb")), first);
-    const core::TriangleMesh glb = core::readMesh(at("vase-001.glb").toStdString()), stl = core::readMesh(at("vase-001.stl").toStdString());
+    const core::TriangleMesh glb = core::readMesh(at("vase-001.glb").toStdString()),
+                             stl = core::readMesh(at("vase-001.stl").toStdString());
     QCOMPARE(glb.triangles.size(), stl.triangles.size());
     QCOMPARE(visit.program.document.facts().faces, quint64(glb.triangles.size()));
 
@@ -327,7 +330,8 @@ void TestHeadsetWishes::brush_fromTheHeadset()
     QTRY_COMPARE(brush.tool(), core::Tool::Paint);
     QVERIFY(brush.stroke().brush == core::BrushShape::Ray && brush.stroke().topology == core::Topology::Uniform);
     QVERIFY(brush.stroke().symmetry == core::Symmetry::Y && (brush.stroke().color == core::Rgb{1, 2, 3}));
-    QVERIFY(brush.stroke().strength == before.strength && brush.stroke().radius == before.radius && brush.stroke().place == before.place);
+    QVERIFY(brush.stroke().strength == before.strength && brush.stroke().radius == before.radius &&
+            brush.stroke().place == before.place);
     const vr::DocumentNews news = visit.news();
     QCOMPARE(news.brushChange, changes);
     QCOMPARE(news.brush.tool, core::Tool::Paint);
@@ -401,7 +405,8 @@ void TestHeadsetWishes::presence_isSeen()
 {
     Visit visit(at("vase.glb"));
     QList<std::optional<vr::Presence>> all;
-    connect(&visit.desk, &HeadsetDesk::seen, this, [&](const std::optional<vr::Presence>& presence) { all << presence; });
+    connect(&visit.desk, &HeadsetDesk::seen, this,
+            [&](const std::optional<vr::Presence>& presence) { all << presence; });
     vr::Presence presence;
     for (int i = 1; i <= 50; ++i) {
         presence.model.translation().x() = i;
