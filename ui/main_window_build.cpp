@@ -101,6 +101,7 @@ void MainWindow::State::buildStatusBar()
     headsetText = new QLabel;
     headsetText->setObjectName(QStringLiteral("headsetText"));
     headsetText->setTextFormat(Qt::PlainText);
+    headsetText->setContentsMargins(8, 0, 8, 0);
     headsetText->hide();
     q->statusBar()->addPermanentWidget(headsetText);
     q->statusBar()->addPermanentWidget(busy);

@@ -92,8 +92,8 @@ void WandLabels::step(double time, const Pose& head, const Wands& wands, const H
     note(hands, commands);
     for (const Side side : sides) {
         const WandState& wand = wands[static_cast<std::size_t>(side)];
-        const bool isLookedAt =
-            at(side).look(wand.isTracked && !hands.draws(side) ? angleTo(wand, head) : unseen, seconds);
+        const bool canBeLookedAt = wand.isTracked && !hands.draws(side);
+        const bool isLookedAt = at(side).look(canBeLookedAt ? angleTo(wand, head) : unseen, seconds);
         fade(at(side), isLookedAt, seconds);
     }
 }
@@ -114,20 +114,19 @@ void WandLabels::write(const Hands& hands)
     m_hands = {};
     const std::span<const PresetRow> table = rows(m_choice->preset);
     assert(table.size() <= 32);
-    const auto addTo = [&](Lines& lines, std::size_t row) {
-        Line& line = lines[static_cast<std::size_t>(spotOf(table[row].gesture))];
-        line.text += line.text.isEmpty() ? labelOf(table[row]) : QStringLiteral(" \u00B7 ") + labelOf(table[row]);
-        line.rows |= bitOf(row);
+    const auto fill = [&](Lines& lines, HandRole role, HandMode mode) {
+        for (std::size_t row = 0; row < table.size(); ++row) {
+            if (table[row].hand != role || !isIn(table[row], mode))
+                continue;
+            Line& line = lines[static_cast<std::size_t>(spotOf(table[row].gesture))];
+            line.text += line.text.isEmpty() ? labelOf(table[row]) : QStringLiteral(" \u00B7 ") + labelOf(table[row]);
+            line.rows |= bitOf(row);
+        }
     };
     for (const Side side : sides) {
         const HandRole role = hands.roleOf(side);
-        const HandMode open = role == HandRole::Support ? HandMode::ToolMenu : HandMode::ColorPanel;
-        for (std::size_t row = 0; row < table.size(); ++row) {
-            if (table[row].hand == role && isIn(table[row], HandMode::Plain))
-                addTo(at(side).closed, row);
-            if (table[row].hand == role && isIn(table[row], open))
-                addTo(at(side).open, row);
-        }
+        fill(at(side).closed, role, HandMode::Plain);
+        fill(at(side).open, role, role == HandRole::Support ? HandMode::ToolMenu : HandMode::ColorPanel);
         at(side).mode = hands.modeOf(side);
     }
 }

@@ -67,7 +67,7 @@ public:
     {
         m_headset.step("{'pace': 'fast'}");
         QTRY_VERIFY_WITH_TIMEOUT(!m_headset.report()["is_running"].toBool(), 60'000);
-        QTRY_COMPARE_WITH_TIMEOUT(m_program.window.action(QStringLiteral("vr.enter"))->isChecked(), false, 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_program.window.findChild<Headset*>()->isIn(), 60'000);
         m_headset.step("{'pace': 'stepped'}");
     }
 
