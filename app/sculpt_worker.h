@@ -135,6 +135,7 @@ private:
     void record(const core::MeshDelta& delta);
     void tell(std::function<void()> news);
     void betweenSubsteps();
+    bool isFlushDue() const;
     bool flushPatch(); ///< whether there was anything
     void startScan();
     void scan(core::Slot first, std::uint64_t generation);

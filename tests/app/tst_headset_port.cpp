@@ -55,7 +55,9 @@ struct Visit
     {
         std::optional<std::uint64_t> hash;
         ui::Mailbox mail;
-        worker.post([&](core::Sculptor& sculptor) { mail.post([&hash, value = sculptor.mesh().stateHash()] { hash = value; }); });
+        worker.post([&](core::Sculptor& sculptor) {
+            mail.post([&hash, value = sculptor.mesh().stateHash()] { hash = value; });
+        });
         [&] { QTRY_VERIFY(hash); }();
         return hash.value_or(0);
     }
@@ -64,7 +66,9 @@ struct Visit
     {
         std::optional<Viewer> viewer;
         ui::Mailbox mail;
-        worker.post([&](core::Sculptor& sculptor) { mail.post([&viewer, whole = sculptor.wholePatch()] { viewer = viewerOf(whole); }); });
+        worker.post([&](core::Sculptor& sculptor) {
+            mail.post([&viewer, whole = sculptor.wholePatch()] { viewer = viewerOf(whole); });
+        });
         [&] { QTRY_VERIFY(viewer); }();
         return viewer.value_or(Viewer());
     }

@@ -1,4 +1,4 @@
-#include "app/headset_desk.h"
+#include "app/headset.h"
 #include "app/headset_settings.h"
 
 #include "core/mesh_io.h"
@@ -67,7 +67,9 @@ struct Visit
     {
         std::optional<std::uint64_t> answer;
         ui::Mailbox mail;
-        program.worker.post([&](core::Sculptor& sculptor) { mail.post([&answer, value = sculptor.mesh().meshHash()] { answer = value; }); });
+        program.worker.post([&](core::Sculptor& sculptor) {
+            mail.post([&answer, value = sculptor.mesh().meshHash()] { answer = value; });
+        });
         [&] { QTRY_VERIFY(answer); }();
         return answer.value_or(0);
     }
@@ -111,6 +113,7 @@ private Q_SLOTS:
     void files_comeWithPictures();
     void presence_isSeen();
     void close_doesWhatWasWished();
+    void headset_thatIsNotThereSaysSo();
 
 public:
     static inline const places::SmallDisk* disk = nullptr; ///< mounted by main()
@@ -154,7 +157,8 @@ void TestHeadsetWishes::save_writesANumberedPair()
     QCOMPARE(visit.news().saved, QStringLiteral("vase-001.glb"));
     QVERIFY(visit.news().notice.contains(QStringLiteral("vase-001.stl")));
     QCOMPARE(bytesOf(at("vase.glb")), first);
-    const core::TriangleMesh glb = core::readMesh(at("vase-001.glb").toStdString()), stl = core::readMesh(at("vase-001.stl").toStdString());
+    const core::TriangleMesh glb = core::readMesh(at("vase-001.glb").toStdString()),
+                             stl = core::readMesh(at("vase-001.stl").toStdString());
     QCOMPARE(glb.triangles.size(), stl.triangles.size());
     QCOMPARE(visit.program.document.facts().faces, quint64(glb.triangles.size()));
 
@@ -205,7 +209,7 @@ void TestHeadsetWishes::save_whereOnlyTheFirstFits()
     visit.stroke({50, 0, 0});
     visit.wish(vr::SaveModel());
     QTRY_VERIFY(!visit.program.document.isModified());
-    const QStringList files = QDir(visit.program.document.path() + QStringLiteral("/..")).entryList(QDir::Files | QDir::Hidden);
+    const QStringList files = QFileInfo(visit.program.document.path()).dir().entryList(QDir::Files | QDir::Hidden);
     QCOMPARE(files, QStringList{visit.news().saved});
     QVERIFY(visit.news().notice.contains(files[0]) && visit.news().notice.contains(QStringLiteral(".stl")));
     QFile::remove(visit.program.document.path());
@@ -326,7 +330,8 @@ void TestHeadsetWishes::brush_fromTheHeadset()
     QTRY_COMPARE(brush.tool(), core::Tool::Paint);
     QVERIFY(brush.stroke().brush == core::BrushShape::Ray && brush.stroke().topology == core::Topology::Uniform);
     QVERIFY(brush.stroke().symmetry == core::Symmetry::Y && (brush.stroke().color == core::Rgb{1, 2, 3}));
-    QVERIFY(brush.stroke().strength == before.strength && brush.stroke().radius == before.radius && brush.stroke().place == before.place);
+    QVERIFY(brush.stroke().strength == before.strength && brush.stroke().radius == before.radius &&
+            brush.stroke().place == before.place);
     const vr::DocumentNews news = visit.news();
     QCOMPARE(news.brushChange, changes);
     QCOMPARE(news.brush.tool, core::Tool::Paint);
@@ -400,7 +405,8 @@ void TestHeadsetWishes::presence_isSeen()
 {
     Visit visit(at("vase.glb"));
     QList<std::optional<vr::Presence>> all;
-    connect(&visit.desk, &HeadsetDesk::seen, this, [&](const std::optional<vr::Presence>& presence) { all << presence; });
+    connect(&visit.desk, &HeadsetDesk::seen, this,
+            [&](const std::optional<vr::Presence>& presence) { all << presence; });
     vr::Presence presence;
     for (int i = 1; i <= 50; ++i) {
         presence.model.translation().x() = i;
@@ -433,6 +439,30 @@ void TestHeadsetWishes::close_doesWhatWasWished()
     visit.stroke({0, 0, 50});
     QCOMPARE(visit.program.document.undoStack().count(), 2);
     QVERIFY(visit.port->takePatch()->whole);
+}
+
+/// Each time anew, and a window that closes meanwhile waits for the end.
+void TestHeadsetWishes::headset_thatIsNotThereSaysSo()
+{
+    qputenv("XR_RUNTIME_JSON", at("none.json").toLocal8Bit());
+    Visit visit(at("vase.glb"));
+    visit.desk.close();
+    auto* headset = visit.program.window.findChild<Headset*>();
+    QList<vr::HeadsetReport> reports;
+    connect(headset, &Headset::reported, this, [&](const vr::HeadsetReport& report) { reports << report; });
+    for (int i = 0; i < 3; ++i) {
+        reports.clear();
+        visit.program.window.action(QStringLiteral("vr.enter"))->trigger();
+        QVERIFY(headset->isIn());
+        QTRY_VERIFY(!reports.isEmpty() && reports.last().isEnded());
+        QVERIFY(!headset->isIn() && reports.last().end == vr::HeadsetEnd::NotThere);
+        QCOMPARE(notice(visit.program), reports.last().text);
+    }
+    headset->enter();
+    visit.program.window.close();
+    QVERIFY(visit.program.window.isVisible());
+    QTRY_VERIFY(!visit.program.window.isVisible());
+    QVERIFY(!headset->isIn());
 }
 
 int main(int argc, char* argv[])

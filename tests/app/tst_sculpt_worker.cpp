@@ -296,7 +296,9 @@ void TestSculptWorker::worker_answersTheNewestQuestion()
 void TestSculptWorker::worker_answersWhatABallTouches()
 {
     SculptWorker worker;
+    Heard<MeshFacts> modelSet(worker, &SculptWorker::modelSet);
     worker.setModel(sphere());
+    QTRY_COMPARE(modelSet.size(), 1);
     const auto at = [&](const core::Vec3& centre, const core::StrokeSettings& brush) {
         Heard<Answer> answered(worker, &SculptWorker::answeredDesktop);
         worker.ask(Source::Desktop, {centre, core::Vec3(1, 0, 0)}, brush);

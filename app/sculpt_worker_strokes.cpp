@@ -1,0 +1,161 @@
+// What the mesh thread does for a hand: its strokes, and where its brush would meet the surface.
+
+#include "sculpt_worker.h"
+
+#include "stroke_command.h"
+
+#include "core/journal/journal.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace app
+{
+namespace
+{
+/// A ball that stands where the hand is.
+bool isInHand(const std::optional<core::StrokeSettings>& brush)
+{
+    return brush && brush->brush == core::BrushShape::Sphere && brush->place == core::Placement::Point;
+}
+
+bool mayAdd(const core::StrokeSettings& settings)
+{
+    return settings.add && settings.tool == core::Tool::Pull && isInHand(settings);
+}
+
+std::uint64_t meetingsOf(const core::Sculptor& sculptor)
+{
+    const core::SculptorTotals totals = sculptor.totals();
+    return totals.fusions + totals.separations;
+}
+} // namespace
+
+std::optional<core::SurfaceHit> SculptWorker::placeOf(const Question& question) const
+{
+    if (!isInHand(question.brush))
+        return m_sculptor->hit(question.ray);
+    const auto nearest = m_sculptor->nearest(question.ray.origin);
+    return nearest && nearest->distance <= question.brush->radius ? nearest : std::nullopt;
+}
+
+void SculptWorker::run(const Question& question)
+{
+    const auto hit = m_sculptor ? placeOf(question) : std::nullopt;
+    std::shared_ptr<const core::Footprint> footprint;
+    if (hit && question.brush && !isInHand(question.brush))
+        footprint = std::make_shared<core::Footprint>(m_sculptor->footprint(*question.brush, hit->position));
+    if (question.source == Source::Desktop)
+        m_mail.post([this, hit, footprint, epoch = m_epoch] { Q_EMIT answeredDesktop(hit, footprint, epoch); });
+    else
+        Q_EMIT answeredHeadset(hit, footprint, m_epoch);
+}
+
+/// Whether a pull here would move something instead of adding a sphere, at this place or at its mirror image.
+bool SculptWorker::touches(const core::StrokeSample& sample) const
+{
+    core::Vec3 position = sample.rotation.conjugate() * sample.position;
+    const auto isNear = [&] {
+        const auto nearest = m_sculptor->nearest(position);
+        return nearest && nearest->distance <= m_stroke.settings.radius;
+    };
+    if (isNear())
+        return true;
+    if (m_stroke.settings.symmetry == core::Symmetry::None)
+        return false;
+    double& across = position[static_cast<int>(m_stroke.settings.symmetry) - static_cast<int>(core::Symmetry::X)];
+    across = -across;
+    return isNear();
+}
+
+void SculptWorker::run(BeginStroke& job)
+{
+    m_report = {};
+    m_report.tool = job.settings.tool;
+    m_stroke = job;
+    m_course = mayAdd(job.settings) ? Course::Undecided : Course::Open;
+    m_samples.clear();
+    ++m_scanGeneration;
+    if (!m_sculptor)
+        return;
+    m_fusionsBefore = m_sculptor->totals().fusions;
+    if (m_course == Course::Open)
+        m_sculptor->beginStroke(job.settings);
+}
+
+/// A ball, or a stroke; where only a ball was wanted, nothing.
+void SculptWorker::decide(const core::StrokeSample& first)
+{
+    const bool isTouching = touches(first);
+    if (isTouching && m_stroke.onlyAdds) {
+        m_report.shortfall = core::Shortfall::TooClose;
+        m_course = Course::Over;
+        return;
+    }
+    m_course = Course::Open;
+    m_stroke.settings.add = !isTouching;
+    m_sculptor->beginStroke(m_stroke.settings);
+}
+
+void SculptWorker::run(Sample& job)
+{
+    if (m_sculptor && m_course == Course::Undecided)
+        decide(job.sample);
+    if (!m_sculptor || m_course == Course::Over)
+        return;
+    if (mayAdd(m_stroke.settings)) // a hand that pulls faster than the clay follows leaves no row of balls
+        m_course = Course::Over;
+    m_sampledNs = job.postedNs;
+    const std::uint64_t before = meetingsOf(*m_sculptor);
+    const core::Shortfall shortfall = apply(job.sample);
+    if (m_stroke.source == Source::Headset)
+        Q_EMIT sampledHeadset(meetingsOf(*m_sculptor) - before, shortfall);
+    {
+        const std::lock_guard lock(m_mutex);
+        ++m_stats.samples;
+    }
+    if (!m_queue.hasSample() || isFlushDue())
+        flushPatch();
+    m_sampledNs = 0;
+}
+
+core::Shortfall SculptWorker::apply(const core::StrokeSample& sample)
+{
+    if (m_journal)
+        m_samples.push_back(sample);
+    core::Shortfall shortfall = core::Shortfall::None;
+    const std::vector<core::DabReport> dabs = m_sculptor->addSample(sample);
+    m_report.dabs += dabs.size();
+    for (const core::DabReport& dab : dabs) {
+        shortfall = std::max(shortfall, core::shortfallOf(dab));
+        m_report.added = m_report.added || dab.outcome == core::DabOutcome::Added;
+        m_report.asymmetric = m_report.asymmetric || dab.asymmetric;
+    }
+    m_report.shortfall = std::max(m_report.shortfall, shortfall);
+    return shortfall;
+}
+
+void SculptWorker::run(EndStroke&)
+{
+    if (m_sculptor) {
+        auto delta = std::make_shared<core::MeshDelta>(m_sculptor->strokeOpen() ? m_sculptor->endStroke() : core::MeshDelta());
+        flushPatch();
+        if (!delta->empty())
+            m_report.delta = std::move(delta);
+        m_report.fusions = m_sculptor->totals().fusions - m_fusionsBefore;
+        m_report.facts = facts();
+        if (m_journal && m_report.delta)
+            record(*m_report.delta);
+        startScan();
+    }
+    tell([this, report = std::exchange(m_report, {})] { Q_EMIT strokeFinished(report); });
+}
+
+void SculptWorker::record(const core::MeshDelta& delta)
+{
+    const StepWords words = StrokeCommand::wordsOf(m_report);
+    m_journal->changed(m_sculptor->mesh(), delta,
+                       {words.text.toStdString(), words.marks.icon.toStdString(), words.marks.dabs, words.marks.fusions},
+                       core::Stroke{m_stroke.settings, std::exchange(m_samples, {})});
+}
+} // namespace app
