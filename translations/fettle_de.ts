@@ -144,7 +144,7 @@
     <message>
         <source>Fettle sculpts closed models that stay ready to print.
 
-  fettle [FILE]                    open the window, with a model or with a ball of clay
+  fettle [--vr] [FILE]             open the window, with a model or with a ball of clay; --vr enters VR with it
   fettle check FILE... [--unit mm|cm|m|in] [--print] [--json] [--csv]
                                    say whether models are in order; several files or a folder: a table
   fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]
@@ -159,7 +159,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
 </source>
         <translation>Fettle formt geschlossene Modelle, die druckfertig bleiben.
 
-  fettle [FILE]                    das Fenster öffnen, mit einem Modell oder einer Tonkugel
+  fettle [--vr] [FILE]             das Fenster öffnen, mit einem Modell oder einer Tonkugel; --vr betritt damit VR
   fettle check FILE... [--unit mm|cm|m|in] [--print] [--json] [--csv]
                                    sagen, ob Modelle in Ordnung sind; mehrere Dateien oder ein Ordner: eine Tabelle
   fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]
@@ -286,10 +286,6 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Das gewählte Modell wird geöffnet, sobald dies fertig ist.</translation>
     </message>
     <message>
-        <source>%1 was written without the colours, which its format does not hold; GLB does.</source>
-        <translation>%1 wurde ohne die Farben geschrieben, die sein Format nicht behält; GLB behält sie.</translation>
-    </message>
-    <message>
         <source>%1 was not written.</source>
         <translation>%1 wurde nicht geschrieben.</translation>
     </message>
@@ -303,6 +299,36 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>%1 was written.</source>
         <translation>%1 wurde geschrieben.</translation>
+    </message>
+</context>
+<context>
+    <name>app::Headset</name>
+    <message>
+        <source>Leaving VR…</source>
+        <translation>VR wird verlassen …</translation>
+    </message>
+</context>
+<context>
+    <name>app::HeadsetDesk</name>
+    <message>
+        <source>%1 It can be mended at the window.</source>
+        <translation>%1 Im Fenster lässt es sich reparieren.</translation>
+    </message>
+    <message>
+        <source>The model was not restored: other work on it is not done yet.</source>
+        <translation>Das Modell wurde nicht zurückgesetzt: Andere Arbeit daran ist noch nicht fertig.</translation>
+    </message>
+    <message>
+        <source>The model was not saved: other work on it is not done yet.</source>
+        <translation>Das Modell wurde nicht gespeichert: Andere Arbeit daran ist noch nicht fertig.</translation>
+    </message>
+    <message>
+        <source>%1 was not opened: other work on the model is not done yet.</source>
+        <translation>%1 wurde nicht geöffnet: Andere Arbeit am Modell ist noch nicht fertig.</translation>
+    </message>
+    <message>
+        <source>%1 was not opened: the present model has changes that no file holds.</source>
+        <translation>%1 wurde nicht geöffnet: Das jetzige Modell hat Änderungen, die keine Datei enthält.</translation>
     </message>
 </context>
 <context>
@@ -444,6 +470,21 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>%1 is very small in millimetres (%2). If it was made in another unit, undo, and say which when you insert it again.</source>
         <translation>%1 ist in Millimetern sehr klein (%2). Wenn es in einer anderen Einheit entstand, machen Sie das Einfügen rückgängig und nennen Sie beim nächsten Mal die Einheit.</translation>
+    </message>
+</context>
+<context>
+    <name>app::ModelSaving</name>
+    <message>
+        <source>%1 was written without the colours, which its format does not hold; GLB does.</source>
+        <translation>%1 wurde ohne die Farben geschrieben, die sein Format nicht behält; GLB behält sie.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 were written.</source>
+        <translation>%1 und %2 wurden geschrieben.</translation>
+    </message>
+    <message>
+        <source>Only %1 was written. %2</source>
+        <translation>Nur %1 wurde geschrieben. %2</translation>
     </message>
 </context>
 <context>

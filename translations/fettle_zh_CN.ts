@@ -143,7 +143,7 @@
     <message>
         <source>Fettle sculpts closed models that stay ready to print.
 
-  fettle [FILE]                    open the window, with a model or with a ball of clay
+  fettle [--vr] [FILE]             open the window, with a model or with a ball of clay; --vr enters VR with it
   fettle check FILE... [--unit mm|cm|m|in] [--print] [--json] [--csv]
                                    say whether models are in order; several files or a folder: a table
   fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]
@@ -158,7 +158,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
 </source>
         <translation>Fettle 用于雕刻封闭模型，并使其始终可以打印。
 
-  fettle [FILE]                    打开窗口，载入模型或一个黏土球
+  fettle [--vr] [FILE]             打开窗口，载入模型或一个黏土球；--vr 同时进入 VR
   fettle check FILE... [--unit mm|cm|m|in] [--print] [--json] [--csv]
                                    检查模型是否完好；多个文件或文件夹则输出表格
   fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]
@@ -284,10 +284,6 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>此操作完成后将打开您选择的模型。</translation>
     </message>
     <message>
-        <source>%1 was written without the colours, which its format does not hold; GLB does.</source>
-        <translation>已写入 %1，但不含颜色：该格式不保存颜色，GLB 则保存。</translation>
-    </message>
-    <message>
         <source>%1 was not written.</source>
         <translation>未写入 %1。</translation>
     </message>
@@ -301,6 +297,36 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>%1 was written.</source>
         <translation>已写入 %1。</translation>
+    </message>
+</context>
+<context>
+    <name>app::Headset</name>
+    <message>
+        <source>Leaving VR…</source>
+        <translation>正在离开 VR…</translation>
+    </message>
+</context>
+<context>
+    <name>app::HeadsetDesk</name>
+    <message>
+        <source>%1 It can be mended at the window.</source>
+        <translation>%1 可以在窗口中修复。</translation>
+    </message>
+    <message>
+        <source>The model was not restored: other work on it is not done yet.</source>
+        <translation>模型没有还原：对它的其他处理尚未完成。</translation>
+    </message>
+    <message>
+        <source>The model was not saved: other work on it is not done yet.</source>
+        <translation>模型没有保存：对它的其他处理尚未完成。</translation>
+    </message>
+    <message>
+        <source>%1 was not opened: other work on the model is not done yet.</source>
+        <translation>没有打开 %1：对模型的其他处理尚未完成。</translation>
+    </message>
+    <message>
+        <source>%1 was not opened: the present model has changes that no file holds.</source>
+        <translation>没有打开 %1：当前模型有尚未存入任何文件的更改。</translation>
     </message>
 </context>
 <context>
@@ -442,6 +468,21 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>%1 is very small in millimetres (%2). If it was made in another unit, undo, and say which when you insert it again.</source>
         <translation>%1 以毫米计非常小（%2）。如果它是用其他单位制作的，请撤销，再次插入时选择单位。</translation>
+    </message>
+</context>
+<context>
+    <name>app::ModelSaving</name>
+    <message>
+        <source>%1 was written without the colours, which its format does not hold; GLB does.</source>
+        <translation>已写入 %1，但不含颜色：该格式不保存颜色，GLB 则保存。</translation>
+    </message>
+    <message>
+        <source>%1 and %2 were written.</source>
+        <translation>已写入 %1 和 %2。</translation>
+    </message>
+    <message>
+        <source>Only %1 was written. %2</source>
+        <translation>只写入了 %1。%2</translation>
     </message>
 </context>
 <context>
