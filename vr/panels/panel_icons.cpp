@@ -1,6 +1,6 @@
 #include "panel_icons.h"
 
-#include <QBuffer>
+#include <QtCore/QBuffer> // Qt3D has one of that name, too
 #include <QFile>
 #include <QImageReader>
 
