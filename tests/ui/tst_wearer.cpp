@@ -3,6 +3,7 @@
 
 #include "ui/head_following.h"
 
+#include <QOpenGLExtraFunctions>
 #include <QSignalSpy>
 #include <QWheelEvent>
 

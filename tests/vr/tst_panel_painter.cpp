@@ -6,6 +6,7 @@
 #include <QDir>
 #include <QPainter>
 #include <QTest>
+#include <QTranslator>
 
 #include <algorithm>
 #include <cmath>
