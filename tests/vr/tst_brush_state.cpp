@@ -124,6 +124,21 @@ private Q_SLOTS:
                 same.isInverse == brush.isInverse);
     }
 
+    /// The ball where a ball that pulls begins in empty space.
+    void onlyAPullThatBeginsMayAdd()
+    {
+        BrushState brush;
+        QVERIFY(vr::strokeSettings(brush, {}, someRoom()).add);
+        QVERIFY(!vr::strokeSettings(brush, {.smooths = false, .goesOn = true}, someRoom()).add);
+        QVERIFY(!vr::strokeSettings(brush, {.smooths = true}, someRoom()).add);
+        brush.isInverse = true;
+        QVERIFY(!vr::strokeSettings(brush, {}, someRoom()).add);
+        brush.stroke.tool = core::Tool::Push;
+        QVERIFY(vr::strokeSettings(brush, {}, someRoom()).add);
+        brush.stroke.brush = core::BrushShape::Ray;
+        QVERIFY(!vr::strokeSettings(brush, {}, someRoom()).add);
+    }
+
     void aStrokeIsWhatTheHandMeans()
     {
         using core::Tool;
@@ -131,9 +146,8 @@ private Q_SLOTS:
         brush.stroke.falloff = 6;
         brush.stroke.detail = 0.5;
         brush.stroke.fusion = false;
-        brush.stroke.add = true;
         const core::StrokeSettings settings = vr::strokeSettings(brush, {}, someRoom());
-        QVERIFY(settings.falloff == 6 && settings.detail == 0.5 && !settings.fusion && !settings.add);
+        QVERIFY(settings.falloff == 6 && settings.detail == 0.5 && !settings.fusion);
         QCOMPARE(settings.place, core::Placement::Point);
         for (const Tool tool : {Tool::Pull, Tool::Push, Tool::Flatten, Tool::Smooth, Tool::Paint}) {
             brush.stroke.tool = tool;

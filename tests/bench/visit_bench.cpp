@@ -1,0 +1,116 @@
+// What a visit to the headset costs its thread while somebody sculpts, by the phases of a frame: the whole program, the scripted runtime.
+// By hand, on a release build, with a display:
+//   visit_bench [VERTICES...]
+// CPU milliseconds; draw calls, within which software OpenGL shades the picture, are left out and told apart.
+#include "app/headset_desk.h"
+#include "bench_models.h"
+#include "core/mesh_io.h"
+#include "tests/support/program.h"
+#include "tests/vr/scripted_headset.h"
+#include "ui/viewport.h"
+#include "vr/hands.h"
+#include "vr/sculpt_client.h"
+
+#include <QApplication>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+namespace
+{
+constexpr int waitMs = 300'000;
+constexpr int restFrames = 60, frames = 360; ///< of those the first without a stroke
+
+double at(std::vector<double> values, double share)
+{
+    std::ranges::sort(values);
+    return values.empty() ? 0 : values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+}
+
+/// Over the side of a ball of 0.5 m that turns to the person: frame after frame with the trigger pulled.
+QByteArray script()
+{
+    QByteArray steps;
+    for (int frame = restFrames; frame < frames; frame += 2) {
+        const double angle = 0.02 * (frame - restFrames);
+        const core::Vec3 tip =
+            core::Vec3(0, 1.4, -0.6) + 0.25 * core::Vec3(0.6 * std::cos(angle), 0.6 * std::sin(angle), 0.8);
+        steps +=
+            QStringLiteral("%1{\"frame\": %2, \"over\": 2, \"right\": {\"position\": [%3, %4, %5], \"trigger\": 1}}")
+                .arg(steps.isEmpty() ? QString() : QStringLiteral(", "))
+                .arg(frame)
+                .arg(tip.x())
+                .arg(tip.y())
+                .arg(tip.z() + vr::tipReach)
+                .toUtf8();
+    }
+    return "{\"start\": {\"pace\": \"fast\", \"size\": [216, 240], \"head\": {\"position\": [0, 1.6, 0]}, \"aim\": "
+           "{\"position\": [0, 0, 0], "
+           "\"rotation\": [0, 0, 0, 1]}}, \"steps\": [" +
+           steps + "]}";
+}
+
+void print(const char* name, const std::vector<vr::FrameCost>& costs,
+           const std::function<double(const vr::FrameCost&)>& of)
+{
+    std::vector<double> values;
+    for (const vr::FrameCost& cost : costs)
+        values.push_back(of(cost));
+    std::printf("  %-9s %6.3f (%6.3f)", name, at(values, 0.5), at(values, 0.99));
+}
+
+void measure(core::Slot cuts)
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("ball.ply"));
+    core::TriangleMesh ball = bench::geodesicSphere(cuts);
+    for (core::Vec3f& point : ball.points)
+        point *= 50;
+    core::writeMesh(path.toStdU16String(), ball);
+    app::Program program;
+    program.window.show();
+    program.document.open(path);
+    QTest::qWaitFor([&] { return !program.document.isBusy() && program.document.path() == path; }, waitMs);
+    ScriptedHeadset headset;
+    headset.load(script().constData());
+    app::HeadsetDesk desk({&program.document, &program.worker, &program.window});
+    vr::HeadsetThread thread;
+    thread.enter(std::make_shared<vr::SculptClient>(desk.open(), vr::HeadsetChoice()));
+    QTest::qWaitFor([&] { return headset.report()["frames_ended"].toInt() >= frames; }, waitMs);
+    const std::vector<vr::FrameCost> all = thread.costs().last();
+    const std::vector<vr::FrameCost> costs(all.begin() + restFrames, all.begin() + frames);
+    std::printf("%8llu vertices", static_cast<unsigned long long>(program.document.facts().vertices));
+    constexpr const char* names[] = {"events", "wait", "input", "client", "images", "draw", "submit"};
+    for (std::size_t i = 0; i < vr::framePhaseCount; ++i)
+        print(names[i], costs, [i](const vr::FrameCost& cost) {
+            const auto phase = static_cast<vr::FramePhase>(i);
+            return cost.of(phase) - (phase == vr::FramePhase::Draw ? cost.drawCallMs : 0);
+        });
+    print("all", costs, [](const vr::FrameCost& cost) { return cost.ownMs(); });
+    print("draw calls", costs, [](const vr::FrameCost& cost) { return cost.drawCallMs; });
+    std::printf("  %llu strokes\n", static_cast<unsigned long long>(program.worker.strokesBegun()));
+    std::fflush(stdout);
+    thread.leave();
+    QTest::qWaitFor([&] { return !thread.isIn(); }, waitMs);
+    desk.close();
+}
+} // namespace
+
+int main(int argc, char* argv[])
+{
+    ui::prepareGraphics();
+    QApplication application(argc, argv);
+    std::vector<double> sizes;
+    for (const QString& word : QCoreApplication::arguments().mid(1))
+        sizes.push_back(word.toDouble());
+    if (sizes.empty())
+        sizes = {1e4, 1e5, 1e6};
+    std::puts("CPU ms of the headset's thread a frame: median (99th percentile); draw calls apart");
+    for (const double size : sizes)
+        measure(static_cast<core::Slot>(std::lround(std::sqrt(size / 10))));
+    return 0;
+}
