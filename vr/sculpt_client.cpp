@@ -104,9 +104,10 @@ void SculptClient::moveRoom(const FrameInput& input)
     m_isPlaced = false;
 }
 
+/// The model that is still shown stays where it is until the next one is there whole.
 void SculptClient::place(const FrameInput& input)
 {
-    if (!m_isPlaced && input.head) {
+    if (!m_isPlaced && input.head && !m_scene.isLoading()) {
         m_room.place(m_head, m_choice.raised);
         m_isPlaced = true;
     }
