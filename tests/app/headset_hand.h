@@ -230,7 +230,7 @@ public:
     {
         if (!vr::layoutOf(content).partFor(item))
             return false;
-        for (int i = 0; i < 40 && isIn(); ++i) {
+        for (int i = 0; i < 12 && isIn(); ++i) {
             click(content, item, count);
             if (happened())
                 return true;
