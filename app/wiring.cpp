@@ -280,6 +280,15 @@ void wireVisits(ui::MainWindow& window, Headset* headset)
     });
 }
 
+/// Who draws in the headset feels that somebody draws at the desktop, who in turn reads it.
+void wireRefusals(ui::MainWindow& window, const Document& document, SculptWorker& worker)
+{
+    QObject::connect(&worker, &SculptWorker::strokeRefused, &window, [&window, &document](Source source) {
+        if (source == Source::Desktop && !document.isBusy())
+            window.showNotice(Headset::tr("Somebody is sculpting in the headset: your turn comes when that stroke has ended."));
+    });
+}
+
 /// The window's own, so that it ends before the document.
 Headset* wireHeadset(ui::MainWindow& window, Document& document, SculptWorker& worker)
 {
@@ -288,6 +297,7 @@ Headset* wireHeadset(ui::MainWindow& window, Document& document, SculptWorker& w
     QObject::connect(inquiry, &HeadsetInquiry::answered, &window, &ui::MainWindow::showNotice);
     auto* headset = new Headset({&document, &worker, &window}, makeClient, &window);
     wireVisits(window, headset);
+    wireRefusals(window, document, worker);
     return headset;
 }
 } // namespace

@@ -88,21 +88,26 @@ std::optional<Side> PanelWall::carrier(PanelKind kind) const
                                       : std::nullopt;
 }
 
-Pose PanelWall::placeOf(PanelKind kind, const Sight& sight, const Eigen::Vector2d& size) const
+Pose PanelWall::placeOnOpening(PanelKind kind, const Sight& sight, const PanelLayout& layout)
+{
+    const Stand stand = standOf(kind);
+    AheadPlace ahead{layout.metres(), layout.distance, stand.aside, stand.below, sight.clay, stand.aside < 0 ? -1.0 : 1.0};
+    if (kind == PanelKind::Notice)
+        ahead.clear.reset();
+    return placeAhead(sight.head, ahead);
+}
+
+Pose PanelWall::placeOf(PanelKind kind, const Sight& sight) const
 {
     const Place& place = at(kind);
     if (const std::optional<Side> side = carrier(kind)) {
+        const Eigen::Vector2d size = place.placed.layout->metres();
         const std::optional<Pose>& grip = sight.grips[static_cast<std::size_t>(*side)];
         return grip ? placeAtHand(*grip, sight.head, size)
                     : place.pose.value_or(placeAhead(sight.head, {.size = size, .clear = {}}));
     }
-    if (place.pose && !isOutOfReach(*place.pose, sight.head))
-        return *place.pose;
-    const Stand stand = standOf(kind);
-    if (kind == PanelKind::Notice)
-        return placeAhead(sight.head, {.size = size, .distance = place.placed.layout->distance, .below = stand.below, .clear = {}});
-    return placeAhead(sight.head, {size, place.placed.layout->distance, stand.aside, stand.below, sight.clay,
-                                   stand.aside < 0 ? -1.0 : 1.0});
+    return place.pose && !isOutOfReach(*place.pose, sight.head) ? *place.pose
+                                                                : placeOnOpening(kind, sight, *place.placed.layout);
 }
 
 void PanelWall::place(const Sight& sight)
@@ -113,7 +118,7 @@ void PanelWall::place(const Sight& sight)
         Place& place = m_places[i];
         if (!isThere(place))
             continue;
-        place.pose = placeOf(static_cast<PanelKind>(i), sight, place.placed.layout->metres());
+        place.pose = placeOf(static_cast<PanelKind>(i), sight);
         place.placed.pose = *place.pose;
     }
 }

@@ -34,6 +34,8 @@ public:
         core::Sphere clay;                                ///< which panels ahead do not hide
     };
     void place(const Sight& sight);
+    /// Where a panel that goes with no hand is placed when it opens. Pure.
+    static Pose placeOnOpening(PanelKind kind, const Sight& sight, const PanelLayout& layout);
 
     /// Once a frame and hand, before press() and release(). No ray: the wand is lost. Nobody points at what the same hand carries. What a
     /// slider or a held item wants.
@@ -64,7 +66,7 @@ private:
     const PanelPointer& pointer(Side side) const { return m_pointers[static_cast<std::size_t>(side)]; }
     static bool isThere(const Place& place);
     std::optional<Side> carrier(PanelKind kind) const;
-    Pose placeOf(PanelKind kind, const Sight& sight, const Eigen::Vector2d& size) const;
+    Pose placeOf(PanelKind kind, const Sight& sight) const;
     void takePicture();
 
     PanelPictures m_pictures;

@@ -4,15 +4,16 @@
 #include "tests/vr/scripted_headset.h"
 
 #include "app/headset.h"
+#include "app/headset_settings.h"
 #include "vr/hands.h"
-#include "vr/panels/panel_content.h"
-#include "vr/panels/panel_place.h"
+#include "vr/panel_wall.h"
 #include "vr/room.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
 
 #include <future>
+#include <map>
 
 /// What a person does in the headset, by the scripted runtime: frames go one by one, so that a run is the same every time.
 namespace app
@@ -88,9 +89,12 @@ public:
     {
         for (int i = 0; i < count; ++i) {
             QVERIFY(m_headset.frames(1));
-            meetEngine();
+            if (!m_isStalled)
+                meetEngine();
         }
     }
+    /// Meanwhile the window does nothing, as if it waited for something.
+    void setStalled(bool isStalled) { m_isStalled = isStalled; }
     void frame() { frames(1); }
     /// Until all that hands asked for has been done.
     void settle()
@@ -157,8 +161,8 @@ public:
         put(vr::Side::Right, place(point));
         frames(2);
     }
-    /// The trigger down, from there to there, and up. Document space.
-    void stroke(const core::Vec3& from, const core::Vec3& to, int steps = 12, double trigger = 1)
+    /// The trigger down, from there to there. Document space.
+    void begin(const core::Vec3& from, const core::Vec3& to, int steps = 12, double trigger = 1)
     {
         put(vr::Side::Right, place(from));
         frame();
@@ -167,21 +171,72 @@ public:
             put(vr::Side::Right, place(from + (to - from) * i / std::max(steps, 1)));
             frame();
         }
+    }
+    void end()
+    {
+        set(vr::Side::Right, "trigger", 0);
+        frames(isIn() ? 1 : 0);
+    }
+    void stroke(const core::Vec3& from, const core::Vec3& to, int steps = 12, double trigger = 1)
+    {
+        begin(from, to, steps, trigger);
         set(vr::Side::Right, "trigger", 0);
         settle();
     }
 
-    /// The right wand before that item of a panel at the left hand, pointing at it.
-    void pointAt(const vr::PanelContent& content, const vr::PanelAction& item)
+    /// Where a panel stands; `layout` is its own. One ahead stands where it opened, until forgetPanels().
+    vr::Pose placeOf(const vr::PanelLayout& layout)
+    {
+        const vr::Side carrier = layout.kind == vr::PanelKind::Tools ? other(sculpting()) : sculpting();
+        const vr::Pose at = m_seen.head.value_or(head);
+        if (layout.kind == vr::PanelKind::Tools || layout.kind == vr::PanelKind::Color)
+            return vr::placeAtHand(m_grips[static_cast<std::size_t>(carrier)], at, layout.metres());
+        const core::Box& box = m_program.document.facts().box;
+        const core::Sphere clay{m_room.middle(), m_room.lengthToRoom(box.sizes().maxCoeff()) / 2};
+        const auto place = vr::PanelWall::placeOnOpening(layout.kind, {at, {}, sculpting(), clay}, layout);
+        return m_ahead.emplace(layout.kind, place).first->second;
+    }
+    void forgetPanels() { m_ahead.clear(); }
+    /// The middle of an item, or of what a slider is to be set to. Room space.
+    core::Vec3 placeOf(const vr::PanelLayout& layout, const vr::PanelAction& item)
+    {
+        const vr::PanelPart* part = layout.partFor(item);
+        if (!part)
+            return core::Vec3::Zero();
+        QPointF point = part->area.center();
+        if (const auto* slider = std::get_if<vr::SliderLook>(&part->look))
+            point = vr::sliderTrack(part->area).pointAt(vr::sliderShare(*slider, std::get<vr::Slide>(item).value));
+        point -= QPointF(layout.size.width(), layout.size.height()) / 2;
+        return placeOf(layout) * (core::Vec3(point.x(), -point.y(), 0) * layout.distance / 1000);
+    }
+    /// The other hand's wand before that item of a panel at a hand, the sculpting one's before one that stands ahead.
+    vr::Side pointAt(const vr::PanelContent& content, const vr::PanelAction& item)
     {
         const vr::PanelLayout layout = vr::layoutOf(content);
-        const vr::PanelPart* part = layout.partFor(item);
-        QVERIFY(part);
-        const vr::Pose pose = vr::placeAtHand(m_grips[0], head, layout.metres());
-        const QPointF middle = part->area.center() - QPointF(layout.size.width(), layout.size.height()) / 2;
-        const core::Vec3 towards = pose.rotation * -core::Vec3::UnitZ();
-        const core::Vec3 spot = pose * (core::Vec3(middle.x(), -middle.y(), 0) * layout.distance / 1000);
-        put(vr::Side::Right, spot - reach * towards, towards);
+        const vr::Side side = layout.kind == vr::PanelKind::Color ? other(sculpting()) : sculpting();
+        const core::Vec3 towards = placeOf(layout).rotation * -core::Vec3::UnitZ();
+        put(side, placeOf(layout, item) - reach * towards, towards);
+        frame();
+        return side;
+    }
+    void click(const vr::PanelContent& content, const vr::PanelAction& item, int count = 2)
+    {
+        press(pointAt(content, item), "trigger", count);
+        settle();
+    }
+    /// Panels are painted aside: an item is there when it is. Clicks until that has happened which the click is for.
+    template <class Happened>
+    bool choose(const vr::PanelContent& content, const vr::PanelAction& item, const Happened& happened, int count = 2)
+    {
+        if (!vr::layoutOf(content).partFor(item))
+            return false;
+        for (int i = 0; i < 12 && isIn(); ++i) {
+            click(content, item, count);
+            if (happened())
+                return true;
+            QTest::qWait(20);
+        }
+        return happened();
     }
 
     /// Panels are painted aside, and appear when they are.
@@ -204,6 +259,8 @@ private:
     static constexpr double reach = 0.1; ///< metres from which a wand points at a panel
 
     int framesEnded() const { return m_headset.report()["frames_ended"].toInt(); }
+    static vr::Side sculpting() { return HeadsetSettings().choice().hands.sculpting; }
+    static vr::Side other(vr::Side side) { return side == vr::Side::Left ? vr::Side::Right : vr::Side::Left; }
     static QString nameOf(vr::Side side)
     {
         return side == vr::Side::Left ? QStringLiteral("left") : QStringLiteral("right");
@@ -221,8 +278,10 @@ private:
     Program& m_program;
     ScriptedHeadset m_headset;
     std::array<vr::Pose, vr::sideCount> m_grips; ///< by Side
+    std::map<vr::PanelKind, vr::Pose> m_ahead;   ///< panels
     vr::Room m_room;
     vr::Presence m_seen;
+    bool m_isStalled = false;
     int m_framesBefore = 0; ///< the visit
 };
 } // namespace app

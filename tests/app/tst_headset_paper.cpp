@@ -1,14 +1,6 @@
 // Each button of the preset Paper (section 4.1 of the paper), pressed in the headset and looked at in the document.
-#include "app/headset_settings.h"
-#include "headset_hand.h"
+#include "headset_visit.h"
 #include "tests/vr/vr_test.h"
-
-#include "core/mesh_build.h"
-#include "core/mesh_io.h"
-
-#include <QDir>
-#include <QSettings>
-#include <QTemporaryDir>
 
 #include <numbers>
 
@@ -18,49 +10,6 @@ using vr::Side;
 
 namespace
 {
-/// A ball of 100 mm from a file, and a person in the headset before it.
-struct Visit
-{
-    explicit Visit(const vr::HeadsetChoice& choice = {})
-    {
-        QSettings().clear();
-        HeadsetSettings().setChoice(choice);
-        core::writeMesh(path("clay.glb").toStdU16String(), core::icosphere(4, 50));
-        openFile(program, path("clay.glb"), {900, 700});
-        hand.enter();
-        startHash = hash();
-    }
-    QString path(const char* name) const { return m_folder.filePath(QLatin1StringView(name)); }
-    QStringList files() const { return QDir(m_folder.path()).entryList(QDir::Files, QDir::Name); }
-    std::uint64_t hash()
-    {
-        return hand.ask([](core::Sculptor& sculptor) { return sculptor.mesh().meshHash(); });
-    }
-    core::Box box()
-    {
-        return hand.ask([](core::Sculptor& sculptor) {
-            core::Box box;
-            for (const core::Vec3f& point : core::extractMesh(sculptor.mesh()).points)
-                box.extend(point.cast<double>());
-            return box;
-        });
-    }
-    core::StrokeSettings brush() const { return program.window.brush()->stroke(); }
-    Eigen::Affine3d model() const { return hand.seen().model; }
-    double scale() const { return model().linear().col(0).norm(); }
-    /// Of the view only: the document is as it was.
-    bool isUntouched() { return hash() == startHash && !program.document.isModified(); }
-    /// Out of the surface at the top.
-    void pull(double trigger = 1) { hand.stroke({0, 49, 0}, {0, 54, 0}, 8, trigger); }
-
-    Program program;
-    HeadsetHand hand{program};
-    std::uint64_t startHash = 0;
-
-private:
-    QTemporaryDir m_folder;
-};
-
 /// Degrees about the vertical, anticlockwise from above.
 double yawOf(const Eigen::Affine3d& model)
 {

@@ -1,0 +1,79 @@
+#pragma once
+
+#include "headset_hand.h"
+
+#include "app/headset_settings.h"
+#include "core/mesh_build.h"
+#include "core/mesh_io.h"
+
+#include <QDir>
+#include <QSettings>
+#include <QTemporaryDir>
+
+namespace app
+{
+/// A ball of 100 mm from a file, at the desktop, and a headset that lies beside it.
+struct Desk
+{
+    explicit Desk(const vr::HeadsetChoice& choice = {})
+    {
+        QSettings().clear();
+        HeadsetSettings().setChoice(choice);
+        core::writeMesh(path("clay.glb").toStdU16String(), core::icosphere(4, 50));
+        openFile(program, path("clay.glb"), {900, 700});
+        startHash = hash();
+    }
+    QString path(const char* name) const { return m_folder.filePath(QLatin1StringView(name)); }
+    QStringList files() const { return QDir(m_folder.path()).entryList(QDir::Files, QDir::Name); }
+    std::uint64_t hash()
+    {
+        return hand.ask([](core::Sculptor& sculptor) { return sculptor.mesh().meshHash(); });
+    }
+    core::Box box()
+    {
+        return hand.ask([](core::Sculptor& sculptor) {
+            core::Box box;
+            for (const core::Vec3f& point : core::extractMesh(sculptor.mesh()).points)
+                box.extend(point.cast<double>());
+            return box;
+        });
+    }
+    core::StrokeSettings brush() const { return program.window.brush()->stroke(); }
+    void trigger(const char* action) { program.window.action(QLatin1StringView(action))->trigger(); }
+    /// Changes on the undo stack that are done.
+    int changes() const { return program.document.undoStack().index(); }
+    /// As it was opened.
+    bool isUntouched() { return hash() == startHash && !program.document.isModified(); }
+
+    Program program;
+    HeadsetHand hand{program};
+    std::uint64_t startHash = 0;
+
+private:
+    QTemporaryDir m_folder;
+};
+
+/// The same, and a person in the headset before the ball.
+struct Visit : Desk
+{
+    explicit Visit(const vr::HeadsetChoice& choice = {}) : Desk(choice) { hand.enter(); }
+
+    Eigen::Affine3d model() const { return hand.seen().model; }
+    double scale() const { return model().linear().col(0).norm(); }
+    /// Out of the surface at the top.
+    void pull(double trigger = 1) { hand.stroke({0, 49, 0}, {0, 54, 0}, 8, trigger); }
+};
+
+/// The pulses of a run that feel like that.
+inline int pulsesOf(HeadsetHand& hand, vr::Side side, const vr::HandFeeling& feeling)
+{
+    std::array<vr::HandFeeling, vr::sideCount> hands;
+    hands[0] = feeling;
+    const double frequency = vr::Haptics().step(1, hands).at(0).frequency;
+    int count = 0;
+    for (const QJsonValue& pulse : hand.headset().report()["haptics"].toArray())
+        count += pulse["frequency"].toDouble() == frequency &&
+                 pulse["hand"].toString() == (side == vr::Side::Left ? QStringLiteral("left") : QStringLiteral("right"));
+    return count;
+}
+} // namespace app

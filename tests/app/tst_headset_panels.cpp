@@ -1,0 +1,397 @@
+// Each item of the panels in the headset, pressed with a wand that points at it, and looked at in the document and in the window.
+#include "headset_visit.h"
+#include "tests/vr/vr_test.h"
+
+#include "app/headset_files.h"
+#include "core/mesh_check.h"
+#include "ui/color_panel.h"
+
+#include <numbers>
+
+using namespace app;
+using core::Vec3;
+using vr::PanelCommand;
+using vr::PanelKind;
+using vr::PanelSlider;
+using vr::Side;
+
+namespace
+{
+constexpr int longPress = static_cast<int>(vr::holdSeconds * 90) + 4; ///< frames
+
+/// The left wand's panel, as far as its places go: where what is depends on its switches only.
+vr::ToolPanel tools()
+{
+    vr::ToolPanel panel;
+    panel.canUndo = panel.canRedo = true;
+    return panel;
+}
+
+/// With the tool panel open, which is held up beside the model, and painted.
+struct AtTools : Visit
+{
+    explicit AtTools(const vr::HeadsetChoice& choice = {}) : Visit(choice)
+    {
+        const Side support = choice.hands.sculpting == Side::Right ? Side::Left : Side::Right;
+        hand.put(support, {support == Side::Left ? -0.35 : 0.35, 1.25, -0.3});
+        hand.press(support, "menu");
+        for (const core::Tool tool : {core::Tool::Flatten, core::Tool::Pull})
+            isOpen = choose(tool, [&] { return brush().tool == tool; });
+    }
+    /// Clicks until it has happened.
+    template <class Happened> bool choose(const vr::PanelAction& item, const Happened& happened, int count = 2)
+    {
+        return hand.choose(tools(), item, happened, count);
+    }
+    void open(PanelKind kind) { hand.click(tools(), vr::ShowPanel{kind, true}); }
+    vr::HeadsetChoice choice() const { return HeadsetSettings().choice(); }
+
+    /// What the person sees at that place of the room, when they turn to it and back.
+    QColor lookAt(const Vec3& place)
+    {
+        const Vec3 way = place - hand.head.position;
+        turnHead(std::atan2(-way.x(), -way.z()) * 180 / std::numbers::pi);
+        const QImage picture = hand.picture();
+        const Vec3 at = hand.seen().head->inverse() * place - Vec3(-0.032, 0, 0); // as the left eye has it
+        turnHead(0);
+        const double left = std::tan(-0.94), right = std::tan(0.81), top = std::tan(0.96), bottom = std::tan(-0.98);
+        const double x = (at.x() / -at.z() - left) / (right - left), y = (top - at.y() / -at.z()) / (top - bottom);
+        return picture.pixelColor(static_cast<int>(x * picture.width()), static_cast<int>(y * picture.height()));
+    }
+
+    bool isOpen = false;
+
+private:
+    void turnHead(double degrees)
+    {
+        hand.headset().step(qPrintable(QStringLiteral("{'head': {'yaw_pitch_roll': [%1, 0, 0]}}").arg(degrees)));
+        hand.frames(2);
+    }
+};
+} // namespace
+
+class TestHeadsetPanels : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { SKIP_WITHOUT_GLX(); }
+
+    void tools_chooseTheBrush();
+    void tools_undoRedoAndRestore();
+    void tools_recentre();
+    void tools_leave();
+    void presses_neverSculpt();
+    void brushInTheClay_sculptsBeforeAPanel();
+    void colors_bySwatchSliderAndChannel();
+    void files_open();
+    void files_openLosingChanges();
+    void files_saveShowsTheName();
+    void settings_general();
+    void settings_swapHands();
+    void settings_vibration();
+    void settings_performance();
+};
+
+void TestHeadsetPanels::tools_chooseTheBrush()
+{
+    using core::BrushShape, core::Symmetry, core::Tool, core::Topology;
+    AtTools v;
+    QVERIFY(v.isOpen);
+    for (const Tool tool : {Tool::Push, Tool::Flatten, Tool::Smooth, Tool::Paint, Tool::Pull})
+        QVERIFY(v.choose(tool, [&] { return v.brush().tool == tool; }));
+    for (const BrushShape shape : {BrushShape::Ray, BrushShape::Sphere})
+        QVERIFY(v.choose(shape, [&] { return v.brush().brush == shape; }));
+    for (const Topology topology : {Topology::Uniform, Topology::Adaptive})
+        QVERIFY(v.choose(topology, [&] { return v.brush().topology == topology; }));
+    QVERIFY(v.choose(vr::ChooseSymmetry{true}, [&] { return v.brush().symmetry == Symmetry::Y; }));
+    vr::ToolPanel symmetric = tools();
+    symmetric.isSymmetric = true;
+    QVERIFY(v.hand.choose(symmetric, vr::ChooseSymmetry{false}, [&] { return v.brush().symmetry == Symmetry::None; }));
+    QVERIFY(v.isUntouched());
+    QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+void TestHeadsetPanels::tools_undoRedoAndRestore()
+{
+    AtTools v;
+    v.hand.press(Side::Left, "menu");
+    v.pull();
+    v.hand.press(Side::Left, "menu");
+    const std::uint64_t pulled = v.hash();
+    QCOMPARE(v.changes(), 1);
+    for (int i = 0; i < 5; ++i) {
+        v.hand.click(tools(), PanelCommand::Undo);
+        v.hand.picture().save(QStringLiteral("/tmp/vr_undo%1.png").arg(i));
+        qInfo("changes %d of %d", v.changes(), int(v.program.document.undoStack().count()));
+    }
+    QVERIFY(v.choose(PanelCommand::Undo, [&] { return v.changes() == 0; }));
+    QVERIFY(v.isUntouched());
+    QVERIFY(v.choose(PanelCommand::Redo, [&] { return v.changes() == 1; }));
+    QCOMPARE(v.hash(), pulled);
+    v.hand.click(tools(), PanelCommand::RestoreModel); // not held
+    QCOMPARE(v.hash(), pulled);
+    QVERIFY(v.choose(PanelCommand::RestoreModel, [&] { return v.hash() == v.startHash; }, longPress));
+    QCOMPARE(v.changes(), 2);
+    QVERIFY(v.choose(PanelCommand::Undo, [&] { return v.changes() == 1; }));
+    QCOMPARE(v.hash(), pulled);
+    QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+/// The head, which has gone elsewhere, is the room's middle again, and the model before it.
+void TestHeadsetPanels::tools_recentre()
+{
+    AtTools v;
+    v.hand.headset().step("{'head': {'position': [0.4, 1.55, 0.2], 'yaw_pitch_roll': [20, 0, 0]}}");
+    v.hand.frames(2);
+    v.hand.click(tools(), PanelCommand::Recentre);
+    v.hand.settle();
+    QVERIFY(v.hand.seen().head);
+    const vr::Pose head = *v.hand.seen().head;
+    QVERIFY((head.position - Vec3(0, 1.55, 0)).norm() < 1e-3);
+    QVERIFY((head.forward() + Vec3::UnitZ()).norm() < 1e-3);
+    QVERIFY((v.model().translation() - head.position - Vec3(0, -0.2, -0.6)).norm() < 0.02);
+    QVERIFY(v.isUntouched());
+    QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+void TestHeadsetPanels::tools_leave()
+{
+    AtTools v;
+    v.hand.press(v.hand.pointAt(tools(), PanelCommand::LeaveVr), "trigger");
+    v.hand.waitUntilOut();
+    QCOMPARE(notice(v.program), QStringLiteral("Left VR."));
+    QVERIFY(v.isUntouched());
+    QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+/// With either brush, also where the panel stands before the clay, on an item, between items, and where the trigger stays pulled while
+/// the wand goes on into the clay.
+void TestHeadsetPanels::presses_neverSculpt()
+{
+    AtTools v;
+    v.hand.put(Side::Left, {0.05, 1.15, -0.25}); // before the ball
+    v.hand.settle();
+    for (const core::BrushShape shape : {core::BrushShape::Sphere, core::BrushShape::Ray}) {
+        v.hand.click(tools(), shape);
+        QCOMPARE(v.brush().brush, shape);
+        v.hand.press(v.hand.pointAt(tools(), core::Tool::Pull), "trigger", 10);
+        const Side side = v.hand.pointAt(tools(), core::Tool::Pull);
+        v.hand.set(side, "trigger", 1);
+        v.hand.frames(2);
+        for (const double y : {80, 60, 50, 48}) {
+            v.hand.put(side, v.hand.place({0, y, 0}), {0, -1, 0});
+            v.hand.frame();
+        }
+        v.hand.set(side, "trigger", 0);
+        v.hand.settle();
+        const vr::PanelLayout layout = vr::layoutOf(tools());
+        const vr::Pose pose = v.hand.placeOf(layout);
+        const Vec3 edge = pose * Vec3(0, layout.metres().y() / 2 - 0.003, 0), towards = pose.rotation * -Vec3::UnitZ();
+        v.hand.put(side, edge - 0.1 * towards, towards);
+        v.hand.frame();
+        v.hand.press(side, "trigger", 10);
+        v.hand.settle();
+        QVERIFY(v.isUntouched());
+    }
+    QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+/// A panel behind what is sculpted does not take the trigger.
+void TestHeadsetPanels::brushInTheClay_sculptsBeforeAPanel()
+{
+    AtTools v;
+    const Vec3 tip = v.hand.place({-49, 0, 0});
+    const vr::Pose panel = v.hand.placeOf(vr::layoutOf(tools()));
+    v.hand.put(Side::Right, tip, (panel.position - tip).normalized());
+    v.hand.frames(3);
+    v.hand.press(Side::Right, "trigger", 6);
+    v.hand.settle();
+    QCOMPARE(v.changes(), 1);
+    QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+void TestHeadsetPanels::colors_bySwatchSliderAndChannel()
+{
+    Visit v;
+    v.hand.put(Side::Right, {0.35, 1.25, -0.3});
+    v.hand.press(Side::Right, "menu");
+    const auto panel = [&] {
+        return vr::ColorPanel{v.brush().color, 0, v.program.window.findChild<ui::ColorPanel*>()->swatches()};
+    };
+    const core::Rgb swatch = panel().swatches.at(3);
+    QVERIFY(v.brush().color != swatch);
+    QVERIFY(v.hand.choose(panel(), vr::ChooseColor{swatch}, [&] { return v.brush().color == swatch; }));
+    for (const double value : {0.0, 255.0})
+        QVERIFY(v.hand.choose(panel(), vr::Slide{PanelSlider::Green, value}, [&] { return v.brush().color.g == value; }));
+    QCOMPARE(v.brush().color.r, swatch.r);
+    v.hand.click(panel(), vr::ChooseChannel{2});
+    v.hand.slide(Side::Right, {0, v.brush().color.b > 128 ? -1.0 : 1.0});
+    v.hand.settle();
+    QVERIFY(v.brush().color.b != swatch.b); // the thumb sets that one now
+    QCOMPARE(v.brush().color.r, swatch.r);
+    QVERIFY(v.isUntouched());
+    QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+/// What the files panel shows of the visit's folder.
+vr::FilesPanel filesOf(const Desk& desk)
+{
+    HeadsetFiles files;
+    files.look(QFileInfo(desk.path("clay.glb")).absolutePath());
+    [&] { QTRY_VERIFY(!files.tiles().isEmpty()); }();
+    vr::FilesPanel panel;
+    panel.files = files.tiles();
+    return panel;
+}
+
+void TestHeadsetPanels::files_open()
+{
+    AtTools v;
+    core::writeMesh(v.path("other.stl").toStdU16String(), core::icosphere(3, 20));
+    QTest::qWait(600); // the folder is watched
+    v.open(PanelKind::Files);
+    vr::FilesPanel panel = filesOf(v);
+    QCOMPARE(panel.files.size(), 2);
+    const QString other = panel.files[panel.files[0].path.endsWith(QStringLiteral("other.stl")) ? 0 : 1].path;
+    const auto isOpened = [&] { return v.program.document.path() == other; };
+    v.hand.forgetPanels();
+    for (int i = 0; i < 20 && !isOpened(); ++i) {
+        v.hand.click(panel, vr::ChooseFile{other});
+        panel.chosen = other;
+        v.hand.waitForPanels();
+        v.hand.click(panel, vr::OpenFile{other});
+    }
+    QVERIFY(isOpened());
+    v.hand.settle();
+    QVERIFY(std::abs(v.scale() * 40 - 0.5) < 0.01);
+    QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+void TestHeadsetPanels::files_openLosingChanges()
+{
+    AtTools v;
+    core::writeMesh(v.path("other.stl").toStdU16String(), core::icosphere(3, 20));
+    v.hand.stroke({0, 49, 0}, {0, 54, 0}, 8);
+    QVERIFY(v.program.document.isModified());
+    const std::uint64_t pulled = v.hash();
+    QTest::qWait(600);
+    v.open(PanelKind::Files);
+    vr::FilesPanel panel = filesOf(v);
+    panel.hasUnsavedChanges = true;
+    const QString other = panel.files[panel.files[0].path.endsWith(QStringLiteral("other.stl")) ? 0 : 1].path;
+    v.hand.waitForPanels();
+    v.hand.click(panel, vr::ChooseFile{other});
+    panel.chosen = other;
+    v.hand.waitForPanels();
+    v.hand.click(panel, vr::OpenFile{other}); // not held
+    QCOMPARE(v.hash(), pulled);
+    QVERIFY(v.hand.choose(panel, vr::OpenFile{other}, [&] { return v.program.document.path() == other; }, longPress));
+    v.hand.settle();
+    QCOMPARE(v.changes(), 0);
+    QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+void TestHeadsetPanels::files_saveShowsTheName()
+{
+    AtTools v;
+    v.open(PanelKind::Files);
+    const vr::FilesPanel panel = filesOf(v);
+    const vr::PanelLayout layout = vr::layoutOf(panel);
+    const auto isSaved = [&] { return v.files().contains(QStringLiteral("clay-001.stl")); };
+    QVERIFY(v.hand.choose(panel, PanelCommand::SaveModel, isSaved));
+    v.hand.waitForPanels();
+    vr::FilesPanel saved = panel;
+    saved.saved = QStringLiteral("clay-001.glb");
+    QVERIFY(v.isUntouched());
+    QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+void TestHeadsetPanels::settings_general()
+{
+    AtTools v;
+    v.open(PanelKind::Settings);
+    const auto panel = [&] { return vr::SettingsPanel::of(v.choice(), vr::SettingsPage::General); };
+    const Vec3 before = v.model().translation();
+    QVERIFY(v.hand.choose(panel(), vr::Slide{PanelSlider::Height, 0.2}, [&] { return std::abs(v.choice().raised - 0.2) < 0.021; }));
+    QVERIFY((v.model().translation() - before - Vec3(0, v.choice().raised, 0)).norm() < 1e-3);
+    QVERIFY(v.hand.choose(panel(), vr::Slide{PanelSlider::TurnSpeed, 180}, [&] { return v.choice().turnsBy == 180; }));
+    QVERIFY(v.hand.choose(panel(), vr::ShowFloor{false}, [&] { return !v.choice().showsFloor; }));
+    QVERIFY(v.hand.choose(panel(), vr::Preset::Studio, [&] { return v.choice().hands.preset == vr::Preset::Studio; }));
+    QVERIFY(v.hand.choose(panel(), vr::Preset::Paper, [&] { return v.choice().hands.preset == vr::Preset::Paper; }));
+    v.hand.click(panel(), vr::ShowPanel{PanelKind::Settings, false});
+    v.hand.press(Side::Left, "menu");
+    const auto yaw = [&] { return std::atan2(-v.model().linear()(2, 0), v.model().linear()(0, 0)) * 180 / std::numbers::pi; };
+    const double turned = yaw();
+    v.hand.pressPad(Side::Left, 0.8, 0, 30);
+    v.hand.settle();
+    QVERIFY2(std::abs(yaw() - turned - 60) < 8, qPrintable(QString::number(yaw() - turned)));
+    QVERIFY(v.isUntouched());
+    v.hand.leave();
+    v.hand.enter(); // it is kept
+    v.hand.settle();
+    QVERIFY(std::abs((v.model().translation() - before).y() - v.choice().raised) < 1e-3);
+    QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+void TestHeadsetPanels::settings_swapHands()
+{
+    AtTools v;
+    v.open(PanelKind::Settings);
+    const auto panel = vr::SettingsPanel::of(v.choice(), vr::SettingsPage::General);
+    QVERIFY(v.hand.choose(panel, vr::ChooseHand{Side::Left}, [&] { return v.choice().hands.sculpting == Side::Left; }));
+    v.hand.put(Side::Right, {0.5, 1.1, -0.2});
+    v.hand.put(Side::Left, v.hand.place({0, 49, 0}));
+    v.hand.frame();
+    v.hand.press(Side::Left, "trigger", 8);
+    v.hand.settle();
+    QCOMPARE(v.changes(), 1);
+    v.hand.pressPad(Side::Left, -0.8, 0);
+    v.hand.settle();
+    QVERIFY(v.isUntouched());
+    QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+void TestHeadsetPanels::settings_vibration()
+{
+    AtTools v;
+    v.open(PanelKind::Settings);
+    const auto page = [&](vr::SettingsPage shown) { return vr::SettingsPanel::of(v.choice(), shown); };
+    v.hand.waitForPanels();
+    v.hand.click(page(vr::SettingsPage::General), vr::SettingsPage::Feel);
+    for (std::size_t i = 0; i < vr::sensationCount; ++i) {
+        const auto slider = static_cast<PanelSlider>(static_cast<std::size_t>(PanelSlider::Contact) + i);
+        QVERIFY(v.hand.choose(page(vr::SettingsPage::Feel), vr::Slide{slider, 0}, [&] { return v.choice().feel.of[i] == 0; }));
+    }
+    v.hand.click(page(vr::SettingsPage::Feel), vr::ShowPanel{PanelKind::Settings, false});
+    const qsizetype before = v.hand.headset().report()["haptics"].toArray().size();
+    QVERIFY(before > 0);
+    v.pull();
+    v.hand.hold(Side::Right, "squeeze");
+    v.hand.settle();
+    QVERIFY(v.changes() == 2);
+    QCOMPARE(v.hand.headset().report()["haptics"].toArray().size(), before);
+    QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+void TestHeadsetPanels::settings_performance()
+{
+    AtTools v;
+    v.open(PanelKind::Settings);
+    const auto panel = [&] { return vr::SettingsPanel::of(v.choice(), vr::SettingsPage::General); };
+    const Vec3 middle = v.hand.placeOf(vr::layoutOf(vr::PerformancePanel())).position;
+    const QColor before = v.lookAt(middle);
+    QVERIFY(v.hand.choose(panel(), vr::ShowPerformance{true}, [&] { return v.choice().showsPerformance; }));
+    v.hand.waitForPanels();
+    QVERIFY(v.lookAt(middle) != before);
+    QVERIFY(v.hand.choose(panel(), vr::ShowPerformance{false}, [&] { return !v.choice().showsPerformance; }));
+    v.hand.waitForPanels();
+    QCOMPARE(v.lookAt(middle), before);
+    QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+int main(int argc, char* argv[])
+{
+    return runOnScreen<TestHeadsetPanels>(argc, argv, "tst_headset_panels");
+}
+#include "tst_headset_panels.moc"

@@ -1,0 +1,573 @@
+// Entering and leaving, two people at one document, and all that can go wrong with a headset: against the scripted runtime, with Khronos'
+// validation layer between.
+#include "headset_visit.h"
+#include "tests/vr/vr_test.h"
+
+#include "core/mesh_check.h"
+
+#include <QThread>
+
+using namespace app;
+using core::Vec3;
+using vr::Side;
+
+namespace
+{
+constexpr core::Rgb red{230, 20, 20};
+
+/// Pixels of clay that was painted red, in the middle of a picture.
+int redPixels(const QImage& picture)
+{
+    int count = 0;
+    for (int y = picture.height() / 4; y < 3 * picture.height() / 4; ++y)
+        for (int x = picture.width() / 4; x < 3 * picture.width() / 4; ++x) {
+            const QColor color = picture.pixelColor(x, y);
+            count += color.red() > 60 && color.red() > 2 * color.green() && color.red() > 2 * color.blue();
+        }
+    return count;
+}
+
+/// The first frame of a visit that had a picture.
+QImage firstPicture(HeadsetHand& hand, int session)
+{
+    for (int frame = 0; frame < 8; ++frame)
+        if (const QImage picture = hand.headset().picture(session, frame, "left"); !picture.isNull())
+            return picture;
+    return {};
+}
+
+/// In the status bar while somebody is in the headset, else on the banner.
+QString sentence(const Program& program)
+{
+    const auto* text = program.window.findChild<QLabel*>(QStringLiteral("headsetText"));
+    return text->isVisible() ? text->text() : notice(program);
+}
+
+/// The desktop says so in the end, while frames go on, if there are any.
+bool says(Desk& desk, const QString& words)
+{
+    const auto isSaid = [&] {
+        if (desk.hand.isIn())
+            desk.hand.frame();
+        return sentence(desk.program).contains(words);
+    };
+    return QTest::qWaitFor(isSaid, 20'000);
+}
+
+const vr::HandFeeling refusal{.refused = true}, contact{.touches = true}, fusion{.fused = true};
+} // namespace
+
+class TestHeadsetVisits : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { SKIP_WITHOUT_GLX(); }
+
+    void again_andAgain();
+    void again_midStroke();
+    void firstFrame_holdsTheModel();
+
+    void partner_changesAndUndoes();
+    void partner_seesGhostsAndFollows();
+    void partner_opensAnotherModel();
+    void undo_fromBothSides();
+    void undo_whileTheWindowIsStalled();
+    void strokes_areOneAtATime();
+    void contactAndFusion_feelDifferent();
+
+    void faults_beforeAVisit_data();
+    void faults_beforeAVisit();
+    void faults_thatEndIt_data();
+    void faults_thatEndIt();
+    void faults_thatItOutlives_data();
+    void faults_thatItOutlives();
+    void framesThatComeLate();
+    void recentredByTheRuntime();
+    void oneView();
+
+    void program_endsDuringAVisit();
+
+private:
+    static void keep(const char* fault, const Desk& desk, const char* kept);
+    static inline QStringList s_table; ///< fault, what the desktop says, what is kept
+
+public:
+    void cleanupTestCase() { qInfo("%s", qPrintable(s_table.join(QLatin1Char('\n')))); }
+};
+
+void TestHeadsetVisits::keep(const char* fault, const Desk& desk, const char* kept)
+{
+    s_table << QStringLiteral("| %1 | %2 | %3 |").arg(QLatin1StringView(fault), sentence(desk.program), QLatin1StringView(kept));
+}
+
+/// The document goes on through all of it, and each change is one step.
+void TestHeadsetVisits::again_andAgain()
+{
+    Desk desk;
+    constexpr int visits = 10;
+    std::vector<std::uint64_t> hashes{desk.startHash};
+    const auto changed = [&] {
+        desk.hand.settle();
+        hashes.push_back(desk.hash());
+        return hashes.back() != hashes[hashes.size() - 2] && desk.changes() == static_cast<int>(hashes.size()) - 1;
+    };
+    for (int i = 0; i < visits; ++i) {
+        drag(desk.program.window.viewport(), {10 + 6 * i, 4 * i});
+        QVERIFY(changed());
+        desk.hand.enter();
+        QVERIFY(says(desk, QStringLiteral("In VR with")));
+        desk.hand.stroke({0, 49, 0}, {0, 51.0 + i, 0}, 4);
+        QVERIFY(changed());
+        desk.hand.leave();
+        QCOMPARE(sentence(desk.program), QStringLiteral("Left VR."));
+    }
+    for (std::size_t i = hashes.size() - 1; i-- > 0;) {
+        desk.trigger("edit.undo");
+        desk.hand.settle();
+        QCOMPARE(desk.hash(), hashes[i]);
+    }
+    QVERIFY(desk.isUntouched());
+    QCOMPARE(desk.hand.headset().report()["sessions"].toInt(), visits);
+    QCOMPARE(desk.hand.headset().complaints(), QString());
+}
+
+/// What is drawn when the visit ends is kept.
+void TestHeadsetVisits::again_midStroke()
+{
+    Desk desk;
+    for (int i = 1; i <= 3; ++i) {
+        desk.hand.enter();
+        desk.hand.begin({0, 49, 0}, {0, 54, 0}, 8);
+        desk.hand.leave();
+        desk.hand.end();
+        desk.hand.settle();
+        QCOMPARE(desk.changes(), i);
+    }
+    for (int i = 0; i < 3; ++i)
+        desk.trigger("edit.undo");
+    desk.hand.settle();
+    QVERIFY(desk.isUntouched());
+    QCOMPARE(desk.hand.headset().complaints(), QString());
+}
+
+/// As the desktop has it now, not as the file or the visit before had it.
+void TestHeadsetVisits::firstFrame_holdsTheModel()
+{
+    Desk desk;
+    desk.hand.headset().step("{'keep': [0, 1, 2, 3, 4, 5]}");
+    desk.hand.enter();
+    const QImage plain = firstPicture(desk.hand, 0);
+    QVERIFY(!plain.isNull());
+    QCOMPARE(redPixels(plain), 0);
+    desk.hand.leave();
+
+    ui::BrushSettings& brush = *desk.program.window.brush();
+    brush.setTool(core::Tool::Paint);
+    brush.set(&core::StrokeSettings::color, red);
+    brush.setValue(core::Parameter::Radius, 40);
+    drag(desk.program.window.viewport(), {40, 0});
+    QTRY_COMPARE(desk.changes(), 1);
+    desk.hand.headset().step("{'keep': [0, 1, 2, 3, 4, 5]}");
+    desk.hand.enter();
+    const QImage painted = firstPicture(desk.hand, 1);
+    const int seen = redPixels(painted);
+    QVERIFY2(seen > 300, qPrintable(QString::number(seen)));
+    const int later = redPixels(desk.hand.picture());
+    QVERIFY2(std::abs(later - seen) < seen / 5, qPrintable(QStringLiteral("%1 %2").arg(seen).arg(later)));
+    QCOMPARE(desk.hand.headset().complaints(), QString());
+}
+
+void TestHeadsetVisits::partner_changesAndUndoes()
+{
+    Visit v;
+    v.pull();
+    v.trigger("edit.undo");
+    v.hand.settle();
+    QVERIFY(v.isUntouched());
+    v.program.window.brush()->setTool(core::Tool::Push); // is in the hand, too
+    v.hand.settle();
+    v.hand.stroke({0, 51, 0}, {0, 46, 0}, 8);
+    QVERIFY(v.box().max().y() < 49.9);
+    v.program.window.brush()->setTool(core::Tool::Pull);
+    const ui::OrbitCamera::Pose before = v.program.window.viewport()->camera().pose();
+    QTest::mousePress(v.program.window.viewport(), Qt::MiddleButton, {}, {450, 350});
+    QMouseEvent move(QEvent::MouseMove, QPointF(520, 350), v.program.window.viewport()->mapToGlobal(QPointF(520, 350)), Qt::NoButton,
+                     Qt::MiddleButton, {});
+    QApplication::sendEvent(v.program.window.viewport(), &move);
+    QTest::mouseRelease(v.program.window.viewport(), Qt::MiddleButton, {}, {520, 350});
+    v.hand.frames(2);
+    QVERIFY(std::abs(v.program.window.viewport()->camera().pose().yaw - before.yaw) > 0.05);
+    v.hand.stroke({0, -49, 0}, {0, -54, 0}, 8);
+    QCOMPARE(v.changes(), 2);
+    QVERIFY(v.box().min().y() < -51);
+    QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+void TestHeadsetVisits::partner_seesGhostsAndFollows()
+{
+    Desk desk;
+    ui::Viewport& viewport = *desk.program.window.viewport();
+    viewport.turnTo(ui::OrbitCamera::Side::Front);
+    const auto grab = [&] {
+        desk.hand.settle();
+        QTest::qWait(1000); // a flight to the side
+        return viewport.grabFramebuffer();
+    };
+    const QImage alone = grab();
+    desk.hand.enter();
+    desk.hand.put(Side::Right, desk.hand.place({60, 20, 50}));
+    const QImage together = grab();
+    QVERIFY(together != alone);
+
+    desk.trigger("vr.follow");
+    QVERIFY(viewport.isFollowing());
+    QTRY_VERIFY((desk.hand.frame(), viewport.camera().pose().distance < 200 || viewport.camera().pose().pitch > 0.1));
+    desk.hand.leave();
+    QVERIFY(!viewport.isFollowing());
+    viewport.turnTo(ui::OrbitCamera::Side::Front);
+    viewport.frame();
+    QTest::qWait(1000);
+    viewport.turnTo(ui::OrbitCamera::Side::Front);
+    QCOMPARE(desk.changes(), 0);
+    QVERIFY(desk.isUntouched());
+    QCOMPARE(desk.hand.headset().complaints(), QString());
+}
+
+void TestHeadsetVisits::partner_opensAnotherModel()
+{
+    Visit v;
+    core::TriangleMesh other = core::icosphere(3, 20);
+    core::writeMesh(v.path("other.glb").toStdU16String(), other);
+    const double before = v.scale();
+    Q_EMIT v.program.window.openRequested(v.path("other.glb"));
+    QTRY_COMPARE(v.program.document.path(), v.path("other.glb"));
+    v.hand.settle();
+    QVERIFY(std::abs(v.scale() / before - 2.5) < 0.05); // as large in the room as the first
+    v.hand.stroke({0, 19.6, 0}, {0, 22, 0}, 8);
+    v.hand.settle();
+    QCOMPARE(v.changes(), 0);
+}
+
+void TestHeadsetVisits::undo_fromBothSides()
+{
+    Visit v;
+    std::vector<std::uint64_t> hashes{v.startHash};
+    for (const Vec3& out : {Vec3(0, 1, 0), Vec3(1, 0, 0), Vec3(0, 0, 1), Vec3(-1, 0, 0)}) {
+        v.hand.stroke(49 * out, 54 * out, 8);
+        hashes.push_back(v.hash());
+    }
+    const auto undoAtTheWand = [&] { v.hand.pressPad(Side::Right, -0.8, 0); };
+    const auto redoAtTheWand = [&] { v.hand.pressPad(Side::Right, 0.8, 0); };
+    undoAtTheWand();
+    v.trigger("edit.undo");
+    undoAtTheWand();
+    v.hand.settle();
+    QCOMPARE(v.hash(), hashes[1]);
+    v.trigger("edit.redo");
+    redoAtTheWand();
+    v.hand.settle();
+    QCOMPARE(v.hash(), hashes[3]);
+    v.trigger("edit.undo");
+    v.hand.stroke({0, -49, 0}, {0, -54, 0}, 8);
+    QCOMPARE(v.changes(), 3);
+    QVERIFY(!v.program.document.canRedo());
+    undoAtTheWand();
+    v.hand.settle();
+    QCOMPARE(v.hash(), hashes[2]);
+    QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+/// Stroke, undo, stroke, none of which the window sees before it is all over.
+void TestHeadsetVisits::undo_whileTheWindowIsStalled()
+{
+    const auto second = [](Visit& v) {
+        v.hand.begin({49, 0, 0}, {54, 0, 0}, 8);
+        v.hand.end();
+    };
+    const std::uint64_t expected = [&] {
+        Visit v;
+        second(v);
+        v.hand.settle();
+        return v.hash();
+    }();
+
+    Visit v;
+    v.hand.setStalled(true);
+    v.hand.begin({0, 49, 0}, {0, 54, 0}, 8);
+    v.hand.end();
+    v.hand.pressPad(Side::Right, -0.8, 0);
+    QThread::msleep(300);
+    second(v);
+    v.hand.setStalled(false);
+    v.hand.settle();
+    QCOMPARE(v.changes(), 1);
+    QCOMPARE(v.program.document.undoStack().count(), 1);
+    QCOMPARE(v.hash(), expected);
+    v.trigger("edit.undo");
+    v.hand.settle();
+    QVERIFY(v.isUntouched());
+    QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+void TestHeadsetVisits::strokes_areOneAtATime()
+{
+    Visit v;
+    ui::Viewport* viewport = v.program.window.viewport();
+    const auto moveTo = [&](const QPoint& point) {
+        QMouseEvent move(QEvent::MouseMove, QPointF(point), viewport->mapToGlobal(QPointF(point)), Qt::NoButton, Qt::LeftButton, {});
+        QApplication::sendEvent(viewport, &move);
+        v.hand.frame();
+    };
+    QTest::mousePress(viewport, Qt::LeftButton, {}, middle(viewport));
+    QTRY_VERIFY((v.hand.frame(), viewport->strokeOpen()));
+    moveTo(middle(viewport) + QPoint(8, 0));
+    const int before = pulsesOf(v.hand, Side::Right, refusal);
+    v.hand.begin({0, 49, 0}, {0, 54, 0}, 8);
+    QCOMPARE(pulsesOf(v.hand, Side::Right, refusal), before + 1);
+    QVERIFY(v.box().max().y() < 50.1);
+    v.hand.end();
+    QTest::mouseRelease(viewport, Qt::LeftButton, {}, middle(viewport) + QPoint(8, 0));
+    v.hand.settle();
+    QCOMPARE(v.changes(), 1);
+
+    const std::uint64_t hash = v.hash();
+    v.hand.begin({0, 49, 0}, {0, 54, 0}, 8);
+    drag(viewport, {40, 0});
+    QVERIFY2(!notice(v.program).isEmpty(), qPrintable(sentence(v.program)));
+    v.hand.end();
+    v.hand.settle();
+    QCOMPARE(v.changes(), 2);
+    QCOMPARE(v.program.document.undoStack().count(), 2);
+    v.hand.pressPad(Side::Right, -0.8, 0);
+    v.hand.settle();
+    QCOMPARE(v.hash(), hash);
+    QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+void TestHeadsetVisits::contactAndFusion_feelDifferent()
+{
+    Visit v;
+    v.hand.hover({0, 70, 0});
+    const int touched = pulsesOf(v.hand, Side::Right, contact);
+    v.hand.hover({0, 52, 0});
+    v.hand.frames(2);
+    QCOMPARE(pulsesOf(v.hand, Side::Right, contact), touched + 1);
+    QCOMPARE(v.changes(), 0);
+
+    v.hand.stroke({0, 63, 0}, {0, 63, 0}, 1); // a ball
+    QCOMPARE(v.hand.ask([](core::Sculptor& sculptor) { return core::checkMesh(core::extractMesh(sculptor.mesh())).components; }), 2);
+    QCOMPARE(pulsesOf(v.hand, Side::Right, fusion), 0);
+    v.hand.stroke({0, 57.5, 0}, {0, 48, 0}, 40);
+    QCOMPARE(v.hand.ask([](core::Sculptor& sculptor) { return core::checkMesh(core::extractMesh(sculptor.mesh())).components; }), 1);
+    QVERIFY(pulsesOf(v.hand, Side::Right, fusion) > 0);
+    QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+void TestHeadsetVisits::faults_beforeAVisit_data()
+{
+    QTest::addColumn<QString>("step");
+    QTest::addColumn<QString>("mended");
+    QTest::addColumn<QString>("words");
+    QTest::newRow("no runtime") << "'runtime': false" << "'runtime': true" << "No OpenXR runtime answers";
+    QTest::newRow("no headset") << "'headset': false" << "'headset': true" << "no headset is ready";
+    QTest::newRow("a runtime without OpenGL") << "'opengl': false" << "'opengl': true" << "OpenGL";
+}
+
+/// The validation layer does not come through this: it has an answer of its own.
+void TestHeadsetVisits::faults_beforeAVisit()
+{
+    QFETCH(QString, step);
+    QFETCH(QString, mended);
+    QFETCH(QString, words);
+    Desk desk;
+    {
+        const auto layer = desk.hand.headset().withoutLayer();
+        desk.hand.headset().step(qPrintable("{" + step + "}"));
+        desk.trigger("vr.enter");
+        QVERIFY(says(desk, words));
+        keep(QTest::currentDataTag(), desk, "everything; VR was not begun");
+        QVERIFY(!desk.program.window.findChild<Headset*>()->isIn());
+        QVERIFY(desk.isUntouched());
+    }
+    desk.hand.headset().step(qPrintable("{" + mended + "}"));
+    desk.hand.enter();
+    desk.hand.stroke({0, 49, 0}, {0, 54, 0}, 8);
+    QCOMPARE(desk.changes(), 1);
+    QCOMPARE(desk.hand.headset().complaints(), QString());
+}
+
+void TestHeadsetVisits::faults_thatEndIt_data()
+{
+    QTest::addColumn<QString>("step");
+    QTest::addColumn<QString>("words");
+    QTest::newRow("the runtime dies") << "'lose_instance': 0" << "The headset's program has stopped.";
+    QTest::newRow("the runtime will die") << "'lose_instance': 5" << "The headset's program has stopped.";
+    QTest::newRow("the session is lost") << "'lose_session': 0" << "The headset is gone.";
+    QTest::newRow("the session will be lost") << "'lose_session': 5" << "The headset is gone.";
+    QTest::newRow("the runtime ends the visit") << "'exit': true" << "VR was ended in the headset's own program.";
+    QTest::newRow("a call fails") << "'fail': {'call': 'xrEndFrame', 'result': 'XR_ERROR_RUNTIME_FAILURE'}" << "xrEndFrame";
+}
+
+/// Each amid a stroke, which is kept as far as it came, and can be undone.
+void TestHeadsetVisits::faults_thatEndIt()
+{
+    QFETCH(QString, step);
+    QFETCH(QString, words);
+    Visit v;
+    v.hand.begin({0, 49, 0}, {0, 54, 0}, 8);
+    v.hand.headset().step(qPrintable("{" + step + "}"));
+    v.hand.waitUntilOut();
+    QVERIFY2(sentence(v.program).contains(words), qPrintable(sentence(v.program)));
+    keep(QTest::currentDataTag(), v, "the stroke as far as it came; it can be undone");
+    v.hand.settle();
+    QCOMPARE(v.changes(), 1);
+    const core::Box box = v.box();
+    QVERIFY(box.max().y() > 51);
+    v.trigger("edit.undo");
+    v.hand.settle();
+    QVERIFY(v.isUntouched());
+
+    v.hand.set(Side::Right, "trigger", 0);
+    v.hand.enter();
+    QVERIFY(says(v, QStringLiteral("In VR with")));
+    v.pull();
+    QCOMPARE(v.changes(), 1);
+    QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+void TestHeadsetVisits::faults_thatItOutlives_data()
+{
+    QTest::addColumn<QString>("step");
+    QTest::addColumn<QString>("words");
+    QTest::addColumn<QString>("back");
+    QTest::newRow("the focus is lost") << "'focus': false" << "The headset's own menu is open" << "'focus': true";
+    QTest::newRow("another program is shown") << "'visible': false" << "the headset shows another program" << "'visible': true";
+    QTest::newRow("the headset is taken off") << "'worn': false" << "The headset is off." << "'worn': true";
+    QTest::newRow("the wand is lost") << "'right': {'tracked': false}" << "In VR with" << "'right': {'tracked': true}";
+    QTest::newRow("the wand is switched off") << "'right': {'on': false}" << "In VR with" << "'right': {'on': true}";
+    QTest::newRow("the head is lost") << "'head': {'tracked': false}" << "In VR with" << "'head': {'tracked': true}";
+}
+
+/// Each amid a stroke. A trigger that was pulled before does nothing after.
+void TestHeadsetVisits::faults_thatItOutlives()
+{
+    QFETCH(QString, step);
+    QFETCH(QString, words);
+    QFETCH(QString, back);
+    const bool endsStroke = QLatin1StringView(QTest::currentDataTag()) != QLatin1StringView("the head is lost");
+    Visit v;
+    v.hand.begin({0, 49, 0}, {0, 54, 0}, 8);
+    v.hand.headset().step(qPrintable("{" + step + "}"));
+    for (int i = 0; i < 12 && v.hand.isIn(); ++i)
+        v.hand.frame();
+    QVERIFY2(says(v, words), qPrintable(sentence(v.program)));
+    keep(QTest::currentDataTag(), v, endsStroke ? "the stroke as far as it came; VR goes on" : "the stroke goes on");
+    if (endsStroke)
+        QTRY_COMPARE(v.changes(), 1);
+    const std::uint64_t kept = v.hash();
+    v.hand.headset().step(qPrintable("{" + back + "}"));
+    QVERIFY(says(v, QStringLiteral("In VR with")));
+    QTRY_VERIFY(v.hand.isIn());
+    v.hand.frames(8);
+    if (endsStroke) {
+        QCOMPARE(v.changes(), 1);
+        QCOMPARE(v.hash(), kept);
+    }
+    v.hand.end();
+    v.hand.settle();
+    QCOMPARE(v.changes(), 1);
+    v.hand.stroke({0, -49, 0}, {0, -54, 0}, 8);
+    QCOMPARE(v.changes(), 2);
+    QVERIFY(v.box().min().y() < -51);
+    v.hand.pressPad(Side::Right, -0.8, 0);
+    v.hand.pressPad(Side::Right, -0.8, 0);
+    v.hand.settle();
+    QVERIFY(v.isUntouched());
+    QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+/// Five frames a second, and one that comes late: the clay follows the wand all the same.
+void TestHeadsetVisits::framesThatComeLate()
+{
+    const auto height = [](const char* step, const char* fault) {
+        Visit v;
+        v.hand.headset().step(step);
+        v.hand.stroke({0, 49, 0}, {0, 60, 0}, 6);
+        keep(fault, v, "strokes are the same");
+        return v.changes() == 1 ? v.box().max().y() : 0;
+    };
+    const double expected = height("{}", "none");
+    s_table.removeLast();
+    QVERIFY(expected > 55);
+    const double slow = height("{'hz': 5}", "5 frames a second");
+    QVERIFY2(std::abs(slow - expected) < 0.5, qPrintable(QStringLiteral("%1 %2").arg(slow).arg(expected)));
+
+    Visit late;
+    late.hand.begin({0, 49, 0}, {0, 54.5, 0}, 3);
+    late.hand.headset().step("{'late_ms': 400}");
+    for (const double y : {56.3, 58.2, 60.0}) {
+        late.hand.put(Side::Right, late.hand.place({0, y, 0}));
+        late.hand.frame();
+    }
+    late.hand.end();
+    late.hand.settle();
+    QCOMPARE(late.changes(), 1);
+    QVERIFY2(std::abs(late.box().max().y() - expected) < 0.5, qPrintable(QString::number(late.box().max().y())));
+    keep("a frame that is late", late, "the stroke goes on");
+    QCOMPARE(late.hand.headset().complaints(), QString());
+}
+
+/// The stroke ends where the room was, and the model is before the person again.
+void TestHeadsetVisits::recentredByTheRuntime()
+{
+    Visit v;
+    v.hand.begin({0, 49, 0}, {0, 54, 0}, 8);
+    v.hand.headset().step("{'recentre': {'space': 'stage', 'position': [1, 0, 0.5], 'after': 2}}");
+    v.hand.frames(6);
+    v.hand.end();
+    v.hand.settle();
+    QCOMPARE(v.changes(), 1);
+    keep("the runtime recentres the room", v, "the stroke as far as it came; VR goes on");
+    QVERIFY(v.hand.seen().head);
+    const Vec3 head = v.hand.seen().head->position;
+    QVERIFY((head - Vec3(-1, 1.6, -0.5)).norm() < 1e-3);
+    QVERIFY((v.model().translation() - head - Vec3(0, -0.2, -0.6)).norm() < 0.02); // where the model's middle is
+    v.hand.stroke({0, -49, 0}, {0, -54, 0}, 8); // the same place of the world, before the same head
+    QCOMPARE(v.changes(), 2);
+    QVERIFY(v.box().min().y() < -51);
+    QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+void TestHeadsetVisits::oneView()
+{
+    Desk desk;
+    desk.hand.headset().step("{'views': 'mono'}");
+    desk.hand.enter();
+    QVERIFY(says(desk, QStringLiteral("In VR with")));
+    keep("a headset with one view", desk, "everything; VR goes on");
+    desk.hand.stroke({0, 49, 0}, {0, 54, 0}, 8);
+    QCOMPARE(desk.changes(), 1);
+    QVERIFY(!desk.hand.picture("mono").isNull());
+    QCOMPARE(desk.hand.headset().complaints(), QString());
+}
+
+/// It leaves first, and asks about the changes then.
+void TestHeadsetVisits::program_endsDuringAVisit()
+{
+    Visit v;
+    v.hand.begin({0, 49, 0}, {0, 54, 0}, 8);
+    answerQuestion(v.program, QMessageBox::Discard);
+    v.hand.headset().step("{'pace': 'fast'}");
+    v.program.window.close();
+    QTRY_VERIFY(!v.program.window.isVisible());
+    QVERIFY(!v.hand.isIn());
+    QCOMPARE(v.changes(), 1);
+    QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+int main(int argc, char* argv[])
+{
+    return runOnScreen<TestHeadsetVisits>(argc, argv, "tst_headset_visits");
+}
+#include "tst_headset_visits.moc"
