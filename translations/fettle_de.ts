@@ -307,6 +307,10 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>Leaving VR…</source>
         <translation>VR wird verlassen …</translation>
     </message>
+    <message>
+        <source>Somebody is sculpting in the headset: your turn comes when that stroke has ended.</source>
+        <translation>Jemand formt in der VR-Brille: Sie sind an der Reihe, wenn jener Strich beendet ist.</translation>
+    </message>
 </context>
 <context>
     <name>app::HeadsetDesk</name>

@@ -305,6 +305,10 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>Leaving VR…</source>
         <translation>正在离开 VR…</translation>
     </message>
+    <message>
+        <source>Somebody is sculpting in the headset: your turn comes when that stroke has ended.</source>
+        <translation>有人正在头显中雕刻：那一笔结束后就轮到你。</translation>
+    </message>
 </context>
 <context>
     <name>app::HeadsetDesk</name>
