@@ -59,7 +59,8 @@ void BrushHand::look(const Room& room)
     if (!m_tip)
         m_answer = {};
     else
-        m_port->ask({{room.toModel(m_tip->position), room.directionToModel(m_tip->forward())}, settings(room), !m_draws});
+        m_port->ask(
+            {{room.toModel(m_tip->position), room.directionToModel(m_tip->forward())}, settings(room), !m_draws});
 }
 
 /// A stroke may be ahead of what is answered.
