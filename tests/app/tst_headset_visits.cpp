@@ -63,6 +63,7 @@ class TestHeadsetVisits : public QObject
 
 private Q_SLOTS:
     void initTestCase() { SKIP_WITHOUT_GLX(); }
+    void cleanupTestCase() { qInfo("%s", qPrintable(s_table.join(QLatin1Char('\n')))); }
 
     void again_andAgain();
     void again_midStroke();
@@ -91,9 +92,6 @@ private Q_SLOTS:
 private:
     static void keep(const char* fault, const Desk& desk, const char* kept);
     static inline QStringList s_table; ///< fault, what the desktop says, what is kept
-
-public:
-    void cleanupTestCase() { qInfo("%s", qPrintable(s_table.join(QLatin1Char('\n')))); }
 };
 
 void TestHeadsetVisits::keep(const char* fault, const Desk& desk, const char* kept)
