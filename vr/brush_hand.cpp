@@ -52,25 +52,34 @@ void BrushHand::end()
 }
 
 /// A ray's footprint is not asked for within a stroke: what it would take is being taken.
-void BrushHand::look(const std::optional<Pose>& tip, const Room& room)
+void BrushHand::look(const Room& room)
 {
-    m_tip = tip;
     if (std::optional<SurfaceAnswer> answer = m_port->takeAnswer())
         m_answer = *std::move(answer);
-    if (!tip)
+    if (!m_tip)
         m_answer = {};
     else
-        m_port->ask({{room.toModel(tip->position), room.directionToModel(tip->forward())}, settings(room), !m_draws});
+        m_port->ask(
+            {{room.toModel(m_tip->position), room.directionToModel(m_tip->forward())}, settings(room), !m_draws});
 }
 
-bool BrushHand::touches() const
+/// A stroke may be ahead of what is answered.
+bool BrushHand::touches(const Room& room) const
 {
-    return m_answer.hit && (!isRay() || m_draws);
+    if (!m_answer.hit || !m_tip)
+        return false;
+    const double distance = (room.toRoom(m_answer.hit->position) - m_tip->position).norm();
+    return m_draws || (!isRay() && distance <= m_state.radius);
 }
 
 std::optional<double> BrushHand::reach(const Room& room) const
 {
-    return isRay() && m_answer.hit ? std::optional(room.lengthToRoom(m_answer.hit->distance)) : std::nullopt;
+    if (!isRay() || !m_answer.hit || !m_tip)
+        return std::nullopt;
+    const core::Vec3 way = room.toRoom(m_answer.hit->position) - m_tip->position;
+    const double along = way.dot(m_tip->forward());
+    const bool isOnRay = (way - along * m_tip->forward()).norm() <= m_state.radius;
+    return along > 0 && isOnRay ? std::optional(along) : std::nullopt;
 }
 
 std::variant<std::monostate, BallBrush, RayBrush> BrushHand::shown(const Room& room) const

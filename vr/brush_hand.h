@@ -24,13 +24,15 @@ public:
     void draw(const StrokePoint& point, const Room& room);
     void end();
 
-    /// Once a frame: asks where it would meet the surface, and takes what was answered. `tip`: nothing while the wand is not seen.
-    void look(const std::optional<Pose>& tip, const Room& room);
-    /// Whether a ball at that tip reaches the surface.
-    bool touches() const;
+    /// Once a frame, before the others: where the wand's tip is; nothing while it is not seen.
+    void aim(const std::optional<Pose>& tip) { m_tip = tip; }
+    /// Once a frame: asks where it would meet the surface, and takes what was answered.
+    void look(const Room& room);
+    /// Whether a ball at the tip reaches the surface, as far as it is known: what was answered for another place does not count.
+    bool touches(const Room& room) const;
     /// How strongly it sculpts, 0 to 1; 0: it does not.
     double pressure() const { return m_pressure; }
-    /// Metres from the tip along the ray to the surface, as far as it is known.
+    /// Metres from the tip along the ray to the surface, as far as it is known; the same.
     std::optional<double> reach(const Room& room) const;
 
     /// What is seen of it.

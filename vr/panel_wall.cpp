@@ -91,7 +91,8 @@ std::optional<Side> PanelWall::carrier(PanelKind kind) const
 Pose PanelWall::placeOnOpening(PanelKind kind, const Sight& sight, const PanelLayout& layout)
 {
     const Stand stand = standOf(kind);
-    AheadPlace ahead{layout.metres(), layout.distance, stand.aside, stand.below, sight.clay, stand.aside < 0 ? -1.0 : 1.0};
+    AheadPlace ahead{layout.metres(), layout.distance, stand.aside,
+                     stand.below,     sight.clay,      stand.aside < 0 ? -1.0 : 1.0};
     if (kind == PanelKind::Notice)
         ahead.clear.reset();
     return placeAhead(sight.head, ahead);

@@ -59,7 +59,7 @@ FrameOutput SculptClient::frame(const FrameInput& input)
     aimAtPanels(input);
     const std::vector<HandCommand> commands = m_hands.step(handsFrame(input));
     obey(commands);
-    m_brush.look(m_tip, m_room);
+    m_brush.look(m_room);
     feelEffects();
     m_labels.step(time, m_head, input.wands, m_hands, commands);
     showPanels(input);
@@ -122,6 +122,7 @@ void SculptClient::aimAtPanels(const FrameInput& input)
 {
     const WandState& sculpting = input.wands[static_cast<std::size_t>(m_choice.hands.sculpting)];
     m_tip = sculpting.isTracked ? std::optional(tipOf(sculpting)) : std::nullopt;
+    m_brush.aim(m_tip);
     for (const Side side : {Side::Left, Side::Right}) {
         const WandState& wand = input.wands[static_cast<std::size_t>(side)];
         const Pose tip = tipOf(wand);
@@ -141,7 +142,7 @@ bool SculptClient::pointsAtPanel(Side side) const
     if (side != m_choice.hands.sculpting || !m_tip)
         return true;
     const std::optional<double> reach = m_brush.reach(m_room);
-    return !m_brush.touches() && !(reach && *reach < (spot->point - m_tip->position).norm());
+    return !m_brush.touches(m_room) && !(reach && *reach < (spot->point - m_tip->position).norm());
 }
 
 HandsFrame SculptClient::handsFrame(const FrameInput& input) const
@@ -153,8 +154,8 @@ void SculptClient::feelEffects()
 {
     const Side side = m_choice.hands.sculpting;
     const StrokeEffect effect = m_port->takeEffect();
-    feeling(side).touches = m_brush.touches();
-    feeling(side).pressure = m_brush.touches() ? m_brush.pressure() : 0;
+    feeling(side).touches = m_brush.touches(m_room);
+    feeling(side).pressure = m_brush.touches(m_room) ? m_brush.pressure() : 0;
     feeling(side).fused = feeling(side).fused || effect.fusions > 0;
     feeling(side).refused = feeling(side).refused || effect.refusals > 0;
     for (const Side each : {Side::Left, Side::Right})

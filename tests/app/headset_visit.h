@@ -72,8 +72,9 @@ inline int pulsesOf(HeadsetHand& hand, vr::Side side, const vr::HandFeeling& fee
     const double frequency = vr::Haptics().step(1, hands).at(0).frequency;
     int count = 0;
     for (const QJsonValue& pulse : hand.headset().report()["haptics"].toArray())
-        count += pulse["frequency"].toDouble() == frequency &&
-                 pulse["hand"].toString() == (side == vr::Side::Left ? QStringLiteral("left") : QStringLiteral("right"));
+        count +=
+            pulse["frequency"].toDouble() == frequency &&
+            pulse["hand"].toString() == (side == vr::Side::Left ? QStringLiteral("left") : QStringLiteral("right"));
     return count;
 }
 } // namespace app

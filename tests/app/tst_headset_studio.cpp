@@ -153,7 +153,8 @@ void TestHeadsetStudio::bothGrips_scaleAndTurn()
     v.hand.settle();
     QVERIFY(std::abs(v.scale() / before - 1.5) < 0.01);
     const Vec3 x = v.model().linear().col(0).normalized();
-    QVERIFY2((x - Vec3(1, 0, -1).normalized()).norm() < 0.01, qPrintable(QStringLiteral("%1 %2").arg(x.x()).arg(x.z())));
+    QVERIFY2((x - Vec3(1, 0, -1).normalized()).norm() < 0.01,
+             qPrintable(QStringLiteral("%1 %2").arg(x.x()).arg(x.z())));
     QVERIFY(v.isUntouched());
     QCOMPARE(v.hand.headset().complaints(), QString());
 }

@@ -63,6 +63,7 @@ class TestHeadsetVisits : public QObject
 
 private Q_SLOTS:
     void initTestCase() { SKIP_WITHOUT_GLX(); }
+    void cleanupTestCase() { qInfo("%s", qPrintable(s_table.join(QLatin1Char('\n')))); }
 
     void again_andAgain();
     void again_midStroke();
@@ -91,14 +92,12 @@ private Q_SLOTS:
 private:
     static void keep(const char* fault, const Desk& desk, const char* kept);
     static inline QStringList s_table; ///< fault, what the desktop says, what is kept
-
-public:
-    void cleanupTestCase() { qInfo("%s", qPrintable(s_table.join(QLatin1Char('\n')))); }
 };
 
 void TestHeadsetVisits::keep(const char* fault, const Desk& desk, const char* kept)
 {
-    s_table << QStringLiteral("| %1 | %2 | %3 |").arg(QLatin1StringView(fault), sentence(desk.program), QLatin1StringView(kept));
+    s_table << QStringLiteral("| %1 | %2 | %3 |")
+                   .arg(QLatin1StringView(fault), sentence(desk.program), QLatin1StringView(kept));
 }
 
 /// The document goes on through all of it, and each change is one step.
@@ -192,8 +191,8 @@ void TestHeadsetVisits::partner_changesAndUndoes()
     v.program.window.brush()->setTool(core::Tool::Pull);
     const ui::OrbitCamera::Pose before = v.program.window.viewport()->camera().pose();
     QTest::mousePress(v.program.window.viewport(), Qt::MiddleButton, {}, {450, 350});
-    QMouseEvent move(QEvent::MouseMove, QPointF(520, 350), v.program.window.viewport()->mapToGlobal(QPointF(520, 350)), Qt::NoButton,
-                     Qt::MiddleButton, {});
+    QMouseEvent move(QEvent::MouseMove, QPointF(520, 350), v.program.window.viewport()->mapToGlobal(QPointF(520, 350)),
+                     Qt::NoButton, Qt::MiddleButton, {});
     QApplication::sendEvent(v.program.window.viewport(), &move);
     QTest::mouseRelease(v.program.window.viewport(), Qt::MiddleButton, {}, {520, 350});
     v.hand.frames(2);
@@ -315,7 +314,8 @@ void TestHeadsetVisits::strokes_areOneAtATime()
     Visit v;
     ui::Viewport* viewport = v.program.window.viewport();
     const auto moveTo = [&](const QPoint& point) {
-        QMouseEvent move(QEvent::MouseMove, QPointF(point), viewport->mapToGlobal(QPointF(point)), Qt::NoButton, Qt::LeftButton, {});
+        QMouseEvent move(QEvent::MouseMove, QPointF(point), viewport->mapToGlobal(QPointF(point)), Qt::NoButton,
+                         Qt::LeftButton, {});
         QApplication::sendEvent(viewport, &move);
         v.hand.frame();
     };
@@ -356,10 +356,16 @@ void TestHeadsetVisits::contactAndFusion_feelDifferent()
     QCOMPARE(v.changes(), 0);
 
     v.hand.stroke({0, 63, 0}, {0, 63, 0}, 1); // a ball
-    QCOMPARE(v.hand.ask([](core::Sculptor& sculptor) { return core::checkMesh(core::extractMesh(sculptor.mesh())).components; }), 2);
+    QCOMPARE(v.hand.ask([](core::Sculptor& sculptor) {
+        return core::checkMesh(core::extractMesh(sculptor.mesh())).components;
+    }),
+             2);
     QCOMPARE(pulsesOf(v.hand, Side::Right, fusion), 0);
     v.hand.stroke({0, 57.5, 0}, {0, 48, 0}, 40);
-    QCOMPARE(v.hand.ask([](core::Sculptor& sculptor) { return core::checkMesh(core::extractMesh(sculptor.mesh())).components; }), 1);
+    QCOMPARE(v.hand.ask([](core::Sculptor& sculptor) {
+        return core::checkMesh(core::extractMesh(sculptor.mesh())).components;
+    }),
+             1);
     QVERIFY(pulsesOf(v.hand, Side::Right, fusion) > 0);
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
@@ -369,9 +375,15 @@ void TestHeadsetVisits::faults_beforeAVisit_data()
     QTest::addColumn<QString>("step");
     QTest::addColumn<QString>("mended");
     QTest::addColumn<QString>("words");
-    QTest::newRow("no runtime") << "'runtime': false" << "'runtime': true" << "No OpenXR runtime answers";
-    QTest::newRow("no headset") << "'headset': false" << "'headset': true" << "no headset is ready";
-    QTest::newRow("a runtime without OpenGL") << "'opengl': false" << "'opengl': true" << "OpenGL";
+    QTest::newRow("no runtime") << "'runtime': false"
+                                << "'runtime': true"
+                                << "No OpenXR runtime answers";
+    QTest::newRow("no headset") << "'headset': false"
+                                << "'headset': true"
+                                << "no headset is ready";
+    QTest::newRow("a runtime without OpenGL") << "'opengl': false"
+                                              << "'opengl': true"
+                                              << "OpenGL";
 }
 
 /// The validation layer does not come through this: it has an answer of its own.
@@ -401,12 +413,18 @@ void TestHeadsetVisits::faults_thatEndIt_data()
 {
     QTest::addColumn<QString>("step");
     QTest::addColumn<QString>("words");
-    QTest::newRow("the runtime dies") << "'lose_instance': 0" << "The headset's program has stopped.";
-    QTest::newRow("the runtime will die") << "'lose_instance': 5" << "The headset's program has stopped.";
-    QTest::newRow("the session is lost") << "'lose_session': 0" << "The headset is gone.";
-    QTest::newRow("the session will be lost") << "'lose_session': 5" << "The headset is gone.";
-    QTest::newRow("the runtime ends the visit") << "'exit': true" << "VR was ended in the headset's own program.";
-    QTest::newRow("a call fails") << "'fail': {'call': 'xrEndFrame', 'result': 'XR_ERROR_RUNTIME_FAILURE'}" << "xrEndFrame";
+    QTest::newRow("the runtime dies") << "'lose_instance': 0"
+                                      << "The headset's program has stopped.";
+    QTest::newRow("the runtime will die") << "'lose_instance': 5"
+                                          << "The headset's program has stopped.";
+    QTest::newRow("the session is lost") << "'lose_session': 0"
+                                         << "The headset is gone.";
+    QTest::newRow("the session will be lost") << "'lose_session': 5"
+                                              << "The headset is gone.";
+    QTest::newRow("the runtime ends the visit") << "'exit': true"
+                                                << "VR was ended in the headset's own program.";
+    QTest::newRow("a call fails") << "'fail': {'call': 'xrEndFrame', 'result': 'XR_ERROR_RUNTIME_FAILURE'}"
+                                  << "xrEndFrame";
 }
 
 /// Each amid a stroke, which is kept as far as it came, and can be undone.
@@ -441,12 +459,24 @@ void TestHeadsetVisits::faults_thatItOutlives_data()
     QTest::addColumn<QString>("step");
     QTest::addColumn<QString>("words");
     QTest::addColumn<QString>("back");
-    QTest::newRow("the focus is lost") << "'focus': false" << "The headset's own menu is open" << "'focus': true";
-    QTest::newRow("another program is shown") << "'visible': false" << "the headset shows another program" << "'visible': true";
-    QTest::newRow("the headset is taken off") << "'worn': false" << "The headset is off." << "'worn': true";
-    QTest::newRow("the wand is lost") << "'right': {'tracked': false}" << "In VR with" << "'right': {'tracked': true}";
-    QTest::newRow("the wand is switched off") << "'right': {'on': false}" << "In VR with" << "'right': {'on': true}";
-    QTest::newRow("the head is lost") << "'head': {'tracked': false}" << "In VR with" << "'head': {'tracked': true}";
+    QTest::newRow("the focus is lost") << "'focus': false"
+                                       << "The headset's own menu is open"
+                                       << "'focus': true";
+    QTest::newRow("another program is shown") << "'visible': false"
+                                              << "the headset shows another program"
+                                              << "'visible': true";
+    QTest::newRow("the headset is taken off") << "'worn': false"
+                                              << "The headset is off."
+                                              << "'worn': true";
+    QTest::newRow("the wand is lost") << "'right': {'tracked': false}"
+                                      << "In VR with"
+                                      << "'right': {'tracked': true}";
+    QTest::newRow("the wand is switched off") << "'right': {'on': false}"
+                                              << "In VR with"
+                                              << "'right': {'on': true}";
+    QTest::newRow("the head is lost") << "'head': {'tracked': false}"
+                                      << "In VR with"
+                                      << "'head': {'tracked': true}";
 }
 
 /// Each amid a stroke. A trigger that was pulled before does nothing after.
