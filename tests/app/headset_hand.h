@@ -54,8 +54,7 @@ public:
         m_program.window.action(QStringLiteral("vr.enter"))->trigger();
         QTRY_VERIFY_WITH_TIMEOUT(m_headset.report()["is_running"].toBool(), 60'000);
         frames(8); // the focus comes with the fourth
-        m_room = vr::Room(m_program.document.facts().box);
-        m_room.place(head);
+        lookAgain();
     }
     void leave()
     {
@@ -153,6 +152,12 @@ public:
         frames(2);
     }
 
+    /// The model was placed before the person anew.
+    void lookAgain()
+    {
+        m_room = vr::Room(m_program.document.facts().box);
+        m_room.place(head);
+    }
     /// A place of the document where the person sees it, as long as hands have not moved the model.
     core::Vec3 place(const core::Vec3& point) const { return m_room.toRoom(point); }
     const vr::Room& room() const { return m_room; }
