@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <numbers>
 
 namespace
@@ -84,7 +85,9 @@ void measure(core::Slot cuts)
     thread.enter(std::make_shared<vr::SculptClient>(desk.open(), vr::HeadsetChoice()));
     QTest::qWaitFor([&] { return ended() - before >= frames; }, waitMs);
     const std::vector<vr::FrameCost> all = thread.costs().last();
-    const std::vector<vr::FrameCost> costs(all.begin() + restFrames, all.begin() + frames);
+    const auto first = std::min<std::ptrdiff_t>(restFrames, std::ssize(all)),
+               last = std::min<std::ptrdiff_t>(frames, std::ssize(all));
+    const std::vector<vr::FrameCost> costs(all.begin() + first, all.begin() + last);
     std::printf("%8llu vertices", static_cast<unsigned long long>(program.document.facts().vertices));
     constexpr const char* names[] = {"events", "wait", "input", "client", "images", "draw", "submit"};
     for (std::size_t i = 0; i < vr::framePhaseCount; ++i)
