@@ -38,7 +38,6 @@ clang               libFuzzer, which feeds every reader the bytes of strangers
 libclang-rt-14-dev  the libraries of libFuzzer and the sanitizers
 openxr-layer-corevalidation  says where a client of OpenXR breaks its rules
 xvfb                a display without a screen
-xauth               for xvfb-run
 openbox             a window manager for that display
 dbus-daemon         a session bus, for a desktop that says whether it is dark
 desktop-file-utils  checks the desktop entry

@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# Runs a program on a display of its own, without a screen and with a window manager: programs side by side take no focus from each other.
+#   on_a_display.sh PROGRAM [ARGUMENTS]
+set -uo pipefail
+place=$(mktemp -d)
+trap 'kill $(jobs -p) 2>/dev/null; wait; rm -rf "$place"' EXIT
+mkfifo "$place/display" "$place/managed"
+
+Xvfb -displayfd 3 -screen 0 1600x1000x24 -nolisten tcp 3>"$place/display" 2>"$place/said" &
+read -r number <"$place/display" || {
+    cat "$place/said" >&2
+    exit 1
+}
+export DISPLAY=:$number LIBGL_ALWAYS_SOFTWARE=1
+unset WAYLAND_DISPLAY
+openbox --startup "sh -c 'echo >$place/managed'" >/dev/null 2>&1 &
+read -r -t 20 <>"$place/managed"
+
+"$@"
