@@ -69,7 +69,7 @@ bool isFirstOf(const QString& option, const QString& first, const QString& secon
     return word == first;
 }
 
-std::optional<ConvertOptions> parseOptions(const QStringList& arguments)
+std::optional<ConvertOptions> parseConvertOptions(const QStringList& arguments)
 {
     const QString unit = QStringLiteral("unit"), size = QStringLiteral("size"), up = QStringLiteral("up"),
                   triangles = QStringLiteral("triangles"),
@@ -161,7 +161,7 @@ core::TriangleMesh reduced(const ConvertOptions& options, const core::TriangleMe
 
 ExitStatus convertCommand(const QStringList& arguments)
 {
-    const std::optional<ConvertOptions> options = parseOptions(arguments);
+    const std::optional<ConvertOptions> options = parseConvertOptions(arguments);
     if (!options)
         return Done;
     CommandLine::requireMeshEnding(options->out);

@@ -16,7 +16,7 @@ namespace app
 {
 namespace
 {
-constexpr double afterReading = 0.2, afterMending = 0.8; ///< shares of the time
+constexpr double afterTrialReading = 0.2, afterTrialMending = 0.8; ///< shares of the time
 }
 
 std::shared_ptr<core::Mesh> ModelTrial::copyOf(const core::Mesh& mesh)
@@ -37,7 +37,7 @@ ModelOutcome ModelTrial::run(const std::shared_ptr<core::Mesh>& copy, core::Mode
         if (!copy)
             throw std::bad_alloc();
         if (auto* insert = std::get_if<core::Insert>(&command)) {
-            const double share = insertion.mend ? afterMending : afterReading;
+            const double share = insertion.mend ? afterTrialMending : afterTrialReading;
             read(outcome, *insert, insertion, tell, watch.part(0, share));
             trial = watch.part(share, 1);
         }

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <system_error>
 #include <string_view>
 
 namespace core
@@ -43,4 +44,7 @@ private:
 
 /// Of what the system says when writing fails.
 FileErrorKind kindOfWriteError(int systemError);
+
+/// Throws a FileError if there is a problem.
+void checkWritten(const std::error_code& problem, const std::filesystem::path& path);
 } // namespace core

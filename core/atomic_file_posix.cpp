@@ -47,6 +47,15 @@ FileErrorKind kindOfWriteError(int systemError)
     }
 }
 
+void checkWritten(const std::error_code& problem, const std::filesystem::path& path)
+{
+    if (!problem)
+        return;
+    FileError error(kindOfWriteError(problem.value()), path);
+    error.systemError = problem.value();
+    throw error;
+}
+
 AtomicFile::AtomicFile(const std::filesystem::path& path) : m_path(path), m_target(path)
 {
     std::error_code error;

@@ -11,7 +11,7 @@ constexpr int margin = 2; ///< pixels
 constexpr Slot facesAStep = facesABlock << 6; ///< between two looks at `stop`
 constexpr int tilePixels = 16;
 
-float cross(const Vec2f& a, const Vec2f& b)
+float crossOf(const Vec2f& a, const Vec2f& b)
 {
     return a.x() * b.y() - a.y() * b.x();
 }
@@ -32,7 +32,7 @@ int lastCentre(float at)
 /// Weights of the corners a, b, c at a point; their sum is 1.
 Vec3f weightsAt(const Vec2f& at, const Vec2f& a, const Vec2f& b, const Vec2f& c)
 {
-    const float area = cross(b - a, c - a), toB = cross(c - b, at - b) / area, toC = cross(a - c, at - c) / area;
+    const float area = crossOf(b - a, c - a), toB = crossOf(c - b, at - b) / area, toC = crossOf(a - c, at - c) / area;
     return {toB, toC, 1 - toB - toC};
 }
 } // namespace
@@ -146,7 +146,7 @@ void DepthImage::drawFace(Slot f, const Vec3f& a, const Vec3f& b, const Vec3f& c
     if (left > right || !isStale({left / tilePixels, bottom / tilePixels, right / tilePixels, top / tilePixels}))
         return;
     const Vec2f ab = (b - a).head<2>(), ac = (c - a).head<2>();
-    const float area = cross(ab, ac);
+    const float area = crossOf(ab, ac);
     if (!(area > 0))
         return;
     const float slopeX = ((b.z() - a.z()) * ac.y() - (c.z() - a.z()) * ab.y()) / area;

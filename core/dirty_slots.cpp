@@ -11,7 +11,7 @@ namespace
 {
 /// Values in a gap up to this many slots are sent along: fewer, longer spans cost viewers less than the bytes do.
 constexpr Slot vertexGap = 4, faceGap = 8;
-constexpr std::size_t verticesPerChunk = 256;
+constexpr std::size_t slotsPerChunk = 256;
 
 std::vector<SlotSpan> spansOf(SlotSet& dirty, Slot length, Slot gap)
 {
@@ -48,7 +48,7 @@ void fillValues(MeshPatch& patch, const Mesh& mesh)
             slots.push_back(v);
     }
     patch.vertices.resize(slots.size());
-    forEachChunk(slots.size(), verticesPerChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+    forEachChunk(slots.size(), slotsPerChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             patch.vertices[i] = drawVertex(mesh, slots[i]);
     });

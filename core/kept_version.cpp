@@ -10,15 +10,6 @@ namespace core
 namespace
 {
 namespace fs = std::filesystem;
-
-void check(const std::error_code& problem, const fs::path& file)
-{
-    if (!problem)
-        return;
-    FileError error(kindOfWriteError(problem.value()), file);
-    error.systemError = problem.value();
-    throw error;
-}
 } // namespace
 
 fs::path KeptVersion::nameOf(const fs::path& file, int version)
@@ -45,7 +36,7 @@ KeptVersion::KeptVersion(const fs::path& file, int versions) : m_versions(versio
     if (problem) {
         std::error_code ignored;
         fs::remove(m_waiting, ignored);
-        check(problem, m_file);
+        checkWritten(problem, m_file);
     }
 }
 
@@ -64,10 +55,10 @@ void KeptVersion::commit()
     for (int version = m_versions - 1; version >= 1; --version) {
         fs::rename(nameOf(m_file, version), nameOf(m_file, version + 1), problem);
         if (problem && problem != std::errc::no_such_file_or_directory)
-            check(problem, nameOf(m_file, version));
+            checkWritten(problem, nameOf(m_file, version));
     }
     fs::rename(m_waiting, nameOf(m_file, 1), problem);
-    check(problem, nameOf(m_file, 1));
+    checkWritten(problem, nameOf(m_file, 1));
     m_waiting.clear();
 }
 } // namespace core

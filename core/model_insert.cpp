@@ -79,7 +79,7 @@ bool doTouch(const Both& both, const Lattice& lattice, const JobWatch& watch)
 }
 
 /// Faces meet, or all is well but for the nesting.
-ModelRefusal refusalOf(const LatticeFit& fit, const Both& both)
+ModelRefusal refusalOfFit(const LatticeFit& fit, const Both& both)
 {
     if (fit.unsnappable == 0)
         return ModelRefusal::None;
@@ -133,7 +133,7 @@ void insertModel(Mesh& mesh, const Insert& command, ModelChange& change, const J
     watch.reached(afterTouching);
     const LatticeFit fit = fitToLattice(lattice, both.places, both.faces, watch);
     watch.reached(afterFitting);
-    change.refusal = refusalOf(fit, both);
+    change.refusal = refusalOfFit(fit, both);
     change.faces = fit.unsnappable;
     if (change.refusal == ModelRefusal::None && !watch.stopped())
         write(mesh, lattice, fit, added);

@@ -17,7 +17,7 @@ constexpr int border = 2;  ///< samples left free at each side, beside those of 
 constexpr std::size_t elementsAStep = 1 << 13;
 
 constexpr Rgb clay{194, 150, 126}; ///< as the window shows it
-constexpr float ambient = 0.36F, key = 0.60F, fill = 0.16F;
+constexpr float ambient = 0.36F, keyLight = 0.60F, fillLight = 0.16F;
 const Vec3f keyLamp = Vec3f(-0.45F, 0.62F, 0.64F), fillLamp = Vec3f(0.80F, 0.05F, 0.60F); ///< to the right, up, to the eye
 
 /// Rows: to the right, up, to the eye. The model is turned by 35 degrees to the left and tilted by 25 to the eye.
@@ -117,7 +117,7 @@ private:
             color += weight * Vec3f(c[0], c[1], c[2]);
         }
         normal.normalize();
-        const Vec3f shade = color * (ambient + key * std::max(0.0F, normal.dot(keyLamp)) + fill * std::max(0.0F, normal.dot(fillLamp)));
+        const Vec3f shade = color * (ambient + keyLight * std::max(0.0F, normal.dot(keyLamp)) + fillLight * std::max(0.0F, normal.dot(fillLamp)));
         const auto byte = [](float x) { return static_cast<std::uint16_t>(std::clamp(x + 0.5F, 0.0F, 255.0F)); };
         return {byte(shade.x()), byte(shade.y()), byte(shade.z()), 255};
     }

@@ -14,7 +14,7 @@ namespace core
 namespace
 {
 /// Shares of the time that a transformation takes.
-constexpr double afterPlacing = 0.1, afterFitting = 0.8;
+constexpr double afterPlacing = 0.1, afterFit = 0.8;
 
 Box boxAround(const Mesh& mesh, std::span<const Vec3> places)
 {
@@ -55,7 +55,7 @@ void goTo(Mesh& mesh, std::span<const Vec3> places, bool mirrored, ModelChange& 
     const LatticeFit fit = fitToLattice(lattice, places, mirrored ? turnedOver(liveFaces(mesh)) : liveFaces(mesh), watch);
     if (watch.stopped())
         return;
-    watch.reached(afterFitting);
+    watch.reached(afterFit);
     if (fit.unsnappable > 0) {
         change.refusal = ModelRefusal::FacesMeet;
         change.faces = fit.unsnappable;

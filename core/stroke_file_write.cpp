@@ -12,9 +12,9 @@ namespace
 {
 std::string shortest(double value)
 {
-    std::array<char, 32> digits;
-    const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-    return std::string(digits.data(), end);
+    std::array<char, 32> text;
+    const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
+    return std::string(text.data(), end);
 }
 
 std::string list(std::initializer_list<double> values)

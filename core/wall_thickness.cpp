@@ -29,7 +29,7 @@ constexpr double coneTangent = 0.57735026918962576;
 constexpr double shallow = 0.1;
 constexpr int mostShrinkings = 24;
 
-constexpr std::size_t facesPerChunk = 256, facesPerPart = 1 << 14;
+constexpr std::size_t facesAtOnce = 256, facesPerPart = 1 << 14;
 
 /// A face at its place in the tree.
 struct Wall
@@ -50,7 +50,7 @@ class Walls
 public:
     Walls(const TriangleMesh& mesh, double largestBall) : m_tree(faceBoxes(mesh.points, mesh.triangles)), m_walls(mesh.triangles.size()), m_largestBall(largestBall)
     {
-        forEachChunk(m_walls.size(), facesPerChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+        forEachChunk(m_walls.size(), facesAtOnce, [&](std::size_t, std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
                 m_walls[i] = wallOf(mesh, m_tree.at(static_cast<Slot>(i)));
         });
@@ -232,7 +232,7 @@ WallThickness wallThickness(const TriangleMesh& mesh, double largestBall, const 
     const Walls walls(mesh, largestBall);
     for (std::size_t first = 0; first < faces && !watch.stopped(); first += facesPerPart) {
         const std::size_t count = std::min(facesPerPart, faces - first);
-        forEachChunk(count, facesPerChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+        forEachChunk(count, facesAtOnce, [&](std::size_t, std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
                 walls.measure(static_cast<Slot>(first + i), result);
         });

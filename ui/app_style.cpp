@@ -1,5 +1,6 @@
 #include "app_style.h"
 
+#include "spacing.h"
 #include "themed_icon.h"
 
 #include <QDockWidget>
@@ -14,7 +15,6 @@ namespace ui
 {
 namespace
 {
-constexpr int gap = 8;    ///< of the window's spacing grid
 constexpr int tabBar = 2; ///< how thick the bar along the chosen tab is
 
 /// Of a line that parts things: a fifth of the way from the window's colour to the text's.

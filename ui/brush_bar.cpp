@@ -1,6 +1,7 @@
 #include "brush_bar.h"
 
 #include "messages.h"
+#include "spacing.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -14,7 +15,6 @@ namespace ui
 namespace
 {
 constexpr int sliderSteps = 1000;
-constexpr int gap = 8; ///< of the window's spacing grid
 
 /// How far a slider goes where the table allows more than a hand wants; the box takes all of it.
 constexpr double strengthOnSlider = 2.0;

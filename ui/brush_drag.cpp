@@ -14,7 +14,7 @@ namespace ui
 namespace
 {
 constexpr double strengthPerPixel = 0.005;
-constexpr int distance = 24; ///< of the word from the ring
+constexpr int wordDistance = 24; ///< of the word from the ring
 } // namespace
 
 BrushDrag::BrushDrag(BrushSettings* brush, Viewport* viewport) : QLabel(viewport), m_brush(brush), m_viewport(viewport)
@@ -145,7 +145,7 @@ void BrushDrag::place()
 {
     const bool grows = *m_parameter == core::Parameter::Radius;
     const double rim = grows ? m_brush->value(core::Parameter::Radius) * m_viewport->pixelsPerMm() : 0;
-    const QPoint beside = m_center + QPoint(qRound(std::min<double>(rim, m_viewport->width())) + distance, distance);
+    const QPoint beside = m_center + QPoint(qRound(std::min<double>(rim, m_viewport->width())) + wordDistance, wordDistance);
     const QPoint corner(m_viewport->width() - width(), m_viewport->height() - height());
     move(std::clamp(beside.x(), 0, std::max(corner.x(), 0)), std::clamp(beside.y(), 0, std::max(corner.y(), 0)));
 }

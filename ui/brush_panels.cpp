@@ -4,6 +4,7 @@
 #include "falloff_curve.h"
 #include "messages.h"
 #include "side_dock.h"
+#include "spacing.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -30,7 +31,6 @@ struct BrushPanels
     Q_DECLARE_TR_FUNCTIONS(ui::BrushPanels)
 };
 
-constexpr int gap = 8; ///< of the window's spacing grid
 
 template <class T> using Choices = std::vector<std::pair<QString, T>>;
 

@@ -7,6 +7,7 @@
 #include "color_wheel.h"
 #include "settings.h"
 #include "side_dock.h"
+#include "spacing.h"
 #include "viewport.h"
 
 #include <QAction>
@@ -28,7 +29,6 @@ namespace ui
 {
 namespace
 {
-constexpr int gap = 8; ///< of the window's spacing grid
 constexpr QSize pairSize{44, 24};
 constexpr int otherWidth = 16;
 } // namespace

@@ -16,7 +16,7 @@ namespace ui
 {
 namespace
 {
-constexpr int side = 20, inARow = 9, gap = 4;
+constexpr int side = 20, inARow = 9, between = 4;
 
 /// A line of the text's colour round it: it is seen where it has the window's colour.
 QIcon patch(const core::Rgb& color, const QPalette& palette)
@@ -36,9 +36,9 @@ ColorSwatches::ColorSwatches(QWidget* parent) : QWidget(parent), m_grid(new QGri
 {
     setObjectName(QStringLiteral("swatches"));
     m_grid->setContentsMargins(0, 0, 0, 0);
-    m_grid->setSpacing(gap);
+    m_grid->setSpacing(between);
     m_grid->setColumnStretch(inARow, 1);
-    setMinimumHeight(2 * side + gap);
+    setMinimumHeight(2 * side + between);
     build();
 }
 

@@ -2,6 +2,7 @@
 
 #include "actions.h"
 #include "command_list.h"
+#include "spacing.h"
 
 #include <QAction>
 #include <QKeyEvent>
@@ -15,7 +16,6 @@ namespace ui
 {
 namespace
 {
-constexpr int gap = 8; ///< of the window's spacing grid
 constexpr QSize usualSize{820, 480};
 constexpr int largestWidth = 1200; ///< fits a small screen
 } // namespace

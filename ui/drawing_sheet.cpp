@@ -24,13 +24,13 @@ namespace ui
 {
 namespace
 {
-struct Words
+struct SheetWords
 {
     Q_DECLARE_TR_FUNCTIONS(ui::DrawingSheet)
 };
 
 constexpr int unit = 100; ///< of the painter, a mm
-constexpr double margin = 10, stripHeight = 24, pad = 4; ///< mm
+constexpr double sheetMargin = 10, stripHeight = 24, pad = 4; ///< mm
 constexpr double smallText = 3, largeText = 5;           ///< mm
 constexpr int pngDotsPerInch = 300, svgDotsPerInch = 254;
 constexpr double mmAnInch = 25.4;
@@ -38,7 +38,7 @@ constexpr double longestBar = 50; ///< mm of paper
 
 QRectF frame()
 {
-    return QRectF({}, sheetSize).adjusted(margin, margin, -margin, -margin);
+    return QRectF({}, sheetSize).adjusted(sheetMargin, sheetMargin, -sheetMargin, -sheetMargin);
 }
 
 QRectF viewsRoom()
@@ -125,7 +125,7 @@ void paintScaleBar(QPainter& painter, const DrawingSheet& sheet)
     painter.setFont(textOf(smallText));
     const QRectF above(bar.left(), bar.top() - 1.6 * smallText, bar.width(), 1.5 * smallText);
     painter.drawText(inUnits(above), Qt::AlignLeft | Qt::AlignVCenter, QLocale().toString(0));
-    painter.drawText(inUnits(above.adjusted(0, 0, pad, 0)), Qt::AlignRight | Qt::AlignVCenter, Words::tr("%1 mm").arg(QLocale().toString(length)));
+    painter.drawText(inUnits(above.adjusted(0, 0, pad, 0)), Qt::AlignRight | Qt::AlignVCenter, SheetWords::tr("%1 mm").arg(QLocale().toString(length)));
 }
 
 /// The cone that says on which side of the front view the others stand: as seen from there.
@@ -143,11 +143,11 @@ void paintStrip(QPainter& painter, const DrawingSheet& sheet)
 {
     const core::Vec3 size = sheet.drawing.box.isEmpty() ? core::Vec3(0, 0, 0) : core::Vec3(sheet.drawing.box.sizes());
     const Field fields[] = {
-        {Words::tr("Model"), sheet.name, 0.27},
-        {Words::tr("Width × height × depth"), Words::tr("%1 × %2 × %3 mm").arg(millimetres(size.x()), millimetres(size.y()), millimetres(size.z())), 0.27},
-        {Words::tr("Volume"), volumeText(std::abs(sheet.drawing.volume)), 0.16},
-        {Words::tr("Scale"), sheetScaleText(sheetScale(sheet)), 0.12},
-        {Words::tr("Date"), QLocale().toString(sheet.date, QLocale::ShortFormat), 0.18}};
+        {SheetWords::tr("Model"), sheet.name, 0.27},
+        {SheetWords::tr("Width × height × depth"), SheetWords::tr("%1 × %2 × %3 mm").arg(millimetres(size.x()), millimetres(size.y()), millimetres(size.z())), 0.27},
+        {SheetWords::tr("Volume"), volumeText(std::abs(sheet.drawing.volume)), 0.16},
+        {SheetWords::tr("Scale"), sheetScaleText(sheetScale(sheet)), 0.12},
+        {SheetWords::tr("Date"), QLocale().toString(sheet.date, QLocale::ShortFormat), 0.18}};
     const QRectF room = strip();
     double left = room.left();
     for (const Field& field : fields) {
@@ -164,7 +164,7 @@ void paintStrip(QPainter& painter, const DrawingSheet& sheet)
     painter.setPen(look().faint);
     painter.setFont(textOf(smallText));
     painter.drawText(inUnits({room.center().x(), room.center().y(), room.width() / 2 - 20, stripHeight / 2}), Qt::AlignRight | Qt::AlignVCenter,
-                     Words::tr("True to scale when printed at 100 % on A4"));
+                     SheetWords::tr("True to scale when printed at 100 % on A4"));
     paintProjectionSign(painter, {room.right() - 16, room.bottom() - stripHeight / 4});
     if (!sheet.drawing.box.isEmpty())
         paintScaleBar(painter, sheet);

@@ -1,6 +1,7 @@
 #include "file_item_delegate.h"
 
 #include "file_list_model.h"
+#include "spacing.h"
 #include "themed_icon.h"
 
 #include <QLineEdit>
@@ -11,7 +12,6 @@ namespace ui
 {
 namespace
 {
-constexpr int gap = 8; ///< of the window's spacing grid
 constexpr int iconSize = 40;
 constexpr double cornerRadius = 6;
 

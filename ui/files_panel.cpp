@@ -7,6 +7,7 @@
 #include "panel_button.h"
 #include "reveal_file.h"
 #include "settings.h"
+#include "spacing.h"
 #include "thumbnail_maker.h"
 
 #include <QAction>
@@ -23,7 +24,6 @@ namespace ui
 {
 namespace
 {
-constexpr int gap = 8; ///< of the window's spacing grid
 constexpr int listDelayMs = 200, wantDelayMs = 30; ///< what comes at once is done once
 
 QHBoxLayout* row(std::initializer_list<QWidget*> widgets)

@@ -2,6 +2,7 @@
 
 #include "actions.h"
 #include "help_text.h"
+#include "spacing.h"
 
 #include <QCoreApplication>
 #include <QEvent>
@@ -21,7 +22,6 @@ namespace ui
 {
 namespace
 {
-constexpr int gap = 8; ///< of the window's spacing grid
 constexpr QSize usualSize{860, 600};
 constexpr int contentsWidth = 250;
 enum Role { Id = Qt::UserRole, Text };

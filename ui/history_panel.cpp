@@ -2,6 +2,7 @@
 
 #include "settings.h"
 #include "side_dock.h"
+#include "spacing.h"
 #include "themed_icon.h"
 
 #include <QAbstractTableModel>
@@ -22,7 +23,6 @@ namespace ui
 {
 namespace
 {
-constexpr int gap = 8; ///< of the window's spacing grid
 constexpr qint64 megabyte = 1 << 20;
 } // namespace
 

@@ -3,6 +3,7 @@
 #include "actions.h"
 #include "command_list.h"
 #include "key_edit.h"
+#include "spacing.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -16,7 +17,6 @@ namespace ui
 {
 namespace
 {
-constexpr int gap = 8; ///< of the window's spacing grid
 constexpr int keyWidth = 120;
 
 QString presetName(KeyPreset preset)

@@ -16,6 +16,11 @@ struct Measures
 };
 } // namespace
 
+QString number(std::uint64_t n)
+{
+    return QLocale().toString(static_cast<qulonglong>(n));
+}
+
 QString millimetres(double value)
 {
     const double size = std::max(std::abs(value), 1e-6);

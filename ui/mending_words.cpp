@@ -1,5 +1,7 @@
 #include "mending_words.h"
 
+#include "measures.h"
+
 #include <QLocale>
 
 #include <cmath>
@@ -8,13 +10,8 @@ namespace ui
 {
 namespace
 {
-QString number(std::uint64_t n)
-{
-    return QLocale().toString(static_cast<qulonglong>(n));
-}
-
 /// Three digits that count.
-QString millimetres(double length)
+QString shortMillimetres(double length)
 {
     constexpr double least = 5e-7; // that is seen of six decimals
     if (length < least)
@@ -37,7 +34,7 @@ QStringList MendingWords::steps(const core::LegaliseReport& report)
     add(report.degenerateFaces, tr("Faces without area removed: %1"));
     add(report.duplicateFaces, tr("Duplicate faces removed: %1"));
     if (report.joined > 0)
-        steps << tr("Open points joined at cracks: %1, within %2 mm").arg(number(report.joined), millimetres(report.joinedWithin));
+        steps << tr("Open points joined at cracks: %1, within %2 mm").arg(number(report.joined), shortMillimetres(report.joinedWithin));
     add(report.turnedFaces, tr("Faces or parts turned outwards: %1"));
     add(report.membraneFaces, tr("Faces of inner sheets removed: %1"));
     add(report.holes, tr("Holes filled: %1"));
@@ -46,7 +43,7 @@ QStringList MendingWords::steps(const core::LegaliseReport& report)
     add(report.intersections, tr("Pairs of faces that met, cut and joined: %1"));
     add(report.touchingEdges + report.touchingVertices, tr("Edges and points at which parts merely touched, drawn apart: %1"));
     if (report.remeshedAt)
-        steps << tr("The surface was made anew, with edges of about %1 mm.").arg(millimetres(*report.remeshedAt));
+        steps << tr("The surface was made anew, with edges of about %1 mm.").arg(shortMillimetres(*report.remeshedAt));
     return steps;
 }
 
@@ -68,8 +65,8 @@ QString MendingWords::doing(const QString& file, core::LegaliseStep step)
 QString MendingWords::distance(const core::LegaliseReport& report)
 {
     return tr("The new surface is at most %1 mm (mean %2 mm) from the old one; the old one at most %3 mm (mean %4 mm) from the new.")
-        .arg(millimetres(report.fromNew.largest), millimetres(report.fromNew.mean), millimetres(report.fromOld.largest),
-             millimetres(report.fromOld.mean));
+        .arg(shortMillimetres(report.fromNew.largest), shortMillimetres(report.fromNew.mean), shortMillimetres(report.fromOld.largest),
+             shortMillimetres(report.fromOld.mean));
 }
 
 QString MendingWords::refusal(const QString& file, const core::Legalised& legalised)

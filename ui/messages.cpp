@@ -1,5 +1,6 @@
 #include "messages.h"
 
+#include "measures.h"
 #include "model_formats.h"
 
 #include "core/mesh_check.h"
@@ -21,11 +22,6 @@ using core::FileErrorKind;
 QString nativePath(const std::filesystem::path& path)
 {
     return QDir::toNativeSeparators(QString::fromStdU16String(path.u16string()));
-}
-
-QString number(std::uint64_t n)
-{
-    return QLocale().toString(static_cast<qulonglong>(n));
 }
 
 QString bytes(std::uint64_t n)

@@ -21,7 +21,7 @@ namespace ui
 {
 namespace
 {
-constexpr int textWidth = 320;
+constexpr int explanationWidth = 320;
 constexpr double farthest = 1e6; ///< mm, for what is typed
 
 class ModelDialogs
@@ -36,7 +36,7 @@ struct Number
     QString unit;
 };
 
-Number millimetres(double value, double least = -farthest, double most = farthest)
+Number millimetreField(double value, double least = -farthest, double most = farthest)
 {
     return {value, least, most, 3, ModelDialogs::tr(" mm")};
 }
@@ -49,7 +49,7 @@ public:
     {
         QVBoxLayout* column = beginDialog(this, name, title);
         column->setSpacing(dialogMargin);
-        column->addWidget(dialogText(sentence, textWidth));
+        column->addWidget(dialogText(sentence, explanationWidth));
         column->addLayout(m_form);
         m_form->setSpacing(dialogGap);
     }
@@ -63,7 +63,7 @@ public:
         box->setValue(number.value);
         box->setSuffix(number.unit);
         box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-        box->setMinimumWidth(textWidth / 2);
+        box->setMinimumWidth(explanationWidth / 2);
         m_form->addRow(label, box);
         return box;
     }
@@ -84,7 +84,7 @@ public:
 
     QLabel* addText(const QString& sentence)
     {
-        QLabel* label = dialogText(sentence, textWidth);
+        QLabel* label = dialogText(sentence, explanationWidth);
         layout()->addWidget(label);
         return label;
     }
@@ -124,9 +124,9 @@ struct Coordinates
 
 Coordinates addCoordinates(CommandDialog* dialog)
 {
-    return {dialog->addNumber("x", ModelDialogs::tr("X, to the right"), millimetres(0)),
-            dialog->addNumber("y", ModelDialogs::tr("Y, upwards"), millimetres(0)),
-            dialog->addNumber("z", ModelDialogs::tr("Z, to the front"), millimetres(0))};
+    return {dialog->addNumber("x", ModelDialogs::tr("X, to the right"), millimetreField(0)),
+            dialog->addNumber("y", ModelDialogs::tr("Y, upwards"), millimetreField(0)),
+            dialog->addNumber("z", ModelDialogs::tr("Z, to the front"), millimetreField(0))};
 }
 
 QString count(double n)
@@ -171,7 +171,7 @@ void askForScale(QWidget* parent, const ModelFacts& facts, const CommandAnswer& 
     const double size = facts.size.maxCoeff();
     auto* dialog = new CommandDialog(parent, "scaleDialog", ModelDialogs::tr("Scale the Model"),
                                      ModelDialogs::tr("How large is the model to be?"));
-    auto* longest = dialog->addNumber("longest", ModelDialogs::tr("Longest side"), millimetres(size, 0.001));
+    auto* longest = dialog->addNumber("longest", ModelDialogs::tr("Longest side"), millimetreField(size, 0.001));
     auto* factor = dialog->addNumber("factor", ModelDialogs::tr("Factor"), {1, 1e-6, 1e6, 6, {}});
     const auto* units = dialog->addChoice(ModelDialogs::tr("It was made in"), {ModelDialogs::tr("Millimetres"), ModelDialogs::tr("Centimetres"),
                                                                                ModelDialogs::tr("Inches"), ModelDialogs::tr("Metres")});
@@ -222,7 +222,7 @@ void askForRemesh(QWidget* parent, const ModelFacts& facts, const CommandAnswer&
                                      ModelDialogs::tr("All triangles of the model become about as large. How long may their edges be?"));
     const double least = std::max(facts.size.maxCoeff() * 1e-4, 0.001);
     auto* longest = dialog->addNumber("longest", ModelDialogs::tr("Longest edge"),
-                                      millimetres(facts.uniformDetail, least, std::max(facts.size.maxCoeff(), least)));
+                                      millimetreField(facts.uniformDetail, least, std::max(facts.size.maxCoeff(), least)));
     auto* outcome = dialog->addText({});
     outcome->setObjectName(QStringLiteral("outcome"));
     const auto show = [outcome, facts](double mm) {
@@ -244,7 +244,7 @@ void askForBase(QWidget* parent, const ModelFacts& facts, const CommandAnswer& a
     const double height = facts.size.y(), least = std::min(0.001, height / 2);
     auto* dialog = new CommandDialog(parent, "baseDialog", ModelDialogs::tr("Flatten the Base"),
                                      ModelDialogs::tr("What lies below a level cut goes, and the model stands flat. How high above its lowest point is the cut?"));
-    const auto* cut = dialog->addNumber("height", ModelDialogs::tr("Height"), millimetres(usualShare * height, least, std::max(height - least, least)));
+    const auto* cut = dialog->addNumber("height", ModelDialogs::tr("Height"), millimetreField(usualShare * height, least, std::max(height - least, least)));
     dialog->ask(ModelDialogs::tr("Flatten"), answer, [cut] { return core::FlattenBase{cut->value()}; });
 }
 

@@ -2,6 +2,7 @@
 
 #include "app_style.h"
 #include "side_dock.h"
+#include "spacing.h"
 #include "themed_icon.h"
 
 #include <QDockWidget>
@@ -21,7 +22,6 @@ namespace ui
 {
 namespace
 {
-constexpr int gap = 8; ///< of the window's spacing grid
 constexpr int iconSide = 20;
 
 /// Four figures that count, at least.

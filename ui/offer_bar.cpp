@@ -1,5 +1,7 @@
 #include "offer_bar.h"
 
+#include "spacing.h"
+
 #include <QAction>
 #include <QApplication>
 #include <QHBoxLayout>
@@ -11,7 +13,6 @@ namespace ui
 {
 namespace
 {
-constexpr int gap = 8; ///< of the window's spacing grid
 constexpr int mostNameWidth = 240;
 } // namespace
 

@@ -3,6 +3,7 @@
 #include "keys_page.h"
 #include "pen_curve.h"
 #include "pen_test.h"
+#include "spacing.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -17,7 +18,6 @@ namespace ui
 {
 namespace
 {
-constexpr int gap = 8; ///< of the window's spacing grid
 constexpr QSize usualSize{560, 520};
 
 QFormLayout* formIn(QWidget* page)

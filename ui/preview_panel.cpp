@@ -2,8 +2,9 @@
 
 #include "actions.h"
 #include "file_dialogs.h"
-#include "settings.h"
 #include "panel_button.h"
+#include "settings.h"
+#include "spacing.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -20,7 +21,6 @@ namespace ui
 {
 namespace
 {
-constexpr int gap = 8; ///< of the window's spacing grid
 
 /// The controls above the canvas, or beside it where there is little height.
 class Content : public QWidget

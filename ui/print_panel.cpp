@@ -5,6 +5,7 @@
 #include "printers_dialog.h"
 #include "settings.h"
 #include "side_dock.h"
+#include "spacing.h"
 #include "themed_icon.h"
 #include "viewport.h"
 
@@ -30,7 +31,6 @@ namespace ui
 {
 namespace
 {
-constexpr int gap = 8; ///< of the window's spacing grid
 constexpr int iconSide = 20, rowIconSide = 16;
 constexpr double leastWall = 0.05, leastOverhang = 0, mostOverhang = 90;
 constexpr int findingRole = Qt::UserRole, placeRole = Qt::UserRole + 1; ///< place: -1 for the finding itself

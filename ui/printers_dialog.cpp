@@ -1,5 +1,7 @@
 #include "printers_dialog.h"
 
+#include "spacing.h"
+
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QHeaderView>
@@ -11,7 +13,7 @@ namespace ui
 {
 namespace
 {
-constexpr int margin = 16, gap = 8; ///< of the window's spacing grid
+constexpr int margin = 2 * gap;
 constexpr QSize usualSize(560, 400);
 } // namespace
 

@@ -2,6 +2,7 @@
 
 #include "actions.h"
 #include "reference_images.h"
+#include "spacing.h"
 #include "themed_icon.h"
 #include "viewport.h"
 
@@ -25,7 +26,6 @@ namespace ui
 {
 namespace
 {
-constexpr int gap = 8; ///< of the window's spacing grid
 constexpr int thumbnailSize = 56, iconSize = 32;
 constexpr int leastWidth = 104;
 constexpr int longestName = 128; ///< pixels

@@ -3,6 +3,7 @@
 #include "actions.h"
 #include "help_text.h"
 #include "settings.h"
+#include "spacing.h"
 #include "themed_icon.h"
 
 #include <QAction>
@@ -22,7 +23,6 @@ namespace ui
 {
 namespace
 {
-constexpr int gap = 8; ///< of the window's spacing grid
 constexpr QSize pictureSize{150, 100}, starterSize{64, 64};
 constexpr int starterWidth = 84, recentWidth = 240;
 

@@ -1,5 +1,6 @@
 #include "turntable_panel.h"
 
+#include "spacing.h"
 #include "turntable_motor.h"
 
 #include <QCheckBox>
@@ -19,7 +20,6 @@ struct TurntablePanel
     Q_DECLARE_TR_FUNCTIONS(ui::TurntablePanel)
 };
 
-constexpr int gap = 8; ///< of the window's spacing grid
 
 QCheckBox* makeSwitch(TurntableMotor* turntable)
 {

@@ -42,15 +42,6 @@ fs::path hiddenOf(const fs::path& folder)
     return folder.parent_path() / (hiddenMark + folder.filename().string());
 }
 
-void check(const std::error_code& problem, const fs::path& path)
-{
-    if (!problem)
-        return;
-    FileError error(kindOfWriteError(problem.value()), path);
-    error.systemError = problem.value();
-    throw error;
-}
-
 void clear(const fs::path& hidden)
 {
     std::error_code problem;
@@ -72,9 +63,9 @@ std::unique_ptr<JournalFolder> JournalFolder::makeHidden(const fs::path& root)
     const fs::path path = root / newName(), hidden = hiddenOf(path);
     std::error_code problem;
     fs::create_directories(hidden, problem);
-    check(problem, root);
+    checkWritten(problem, root);
     fs::permissions(hidden, fs::perms::owner_all, problem);
-    check(problem, root);
+    checkWritten(problem, root);
     auto lock = std::make_unique<FolderLock>(hidden);
     std::unique_ptr<JournalFolder> folder(new JournalFolder(path, std::move(lock)));
     folder->m_isHidden = true;
@@ -96,7 +87,7 @@ void JournalFolder::show()
 {
     std::error_code problem;
     fs::rename(hiddenPath(), m_path, problem);
-    check(problem, m_path);
+    checkWritten(problem, m_path);
     m_isHidden = false;
 }
 

@@ -6,8 +6,8 @@ namespace vr
 {
 namespace
 {
-constexpr double width = 760, nameWidth = 136, valueWidth = 96, swatchHeight = 84, ownSwatchWidth = 220;
-constexpr double distance = 0.5; ///< metres, as with the tools
+constexpr double colorWidth = 760, colorNameWidth = 136, valueWidth = 96, swatchHeight = 84, ownSwatchWidth = 220;
+constexpr double colorDistance = 0.5; ///< metres, as with the tools
 constexpr int swatchColumns = 6;
 constexpr std::array channels{&core::Rgb::r, &core::Rgb::g, &core::Rgb::b};
 constexpr std::array sliders{PanelSlider::Red, PanelSlider::Green, PanelSlider::Blue};
@@ -26,7 +26,7 @@ QString ColorPanel::nameOf(int channelNumber)
 
 PanelLayout ColorPanel::layout() const
 {
-    PanelBuilder builder(PanelKind::Color, width, distance);
+    PanelBuilder builder(PanelKind::Color, colorWidth, colorDistance);
     const std::vector<QRectF> head = cells(builder.nextRow(theme::titleRow), {0, ownSwatchWidth});
     builder.add(head[0], TextLook{.text = tr("Colour"), .role = TextRole::Title});
     builder.add({head[1], SwatchLook{color}});
@@ -34,7 +34,7 @@ PanelLayout ColorPanel::layout() const
         const bool isChosen = channel == static_cast<int>(i);
         const QRectF row = builder.nextRow(theme::row);
         const int value = color.*channels[i];
-        const std::vector<QRectF> places = cells(row, {nameWidth, 0, valueWidth});
+        const std::vector<QRectF> places = cells(row, {colorNameWidth, 0, valueWidth});
         builder.add(places[0],
                     {{.text = nameOf(static_cast<int>(i)), .isChosen = isChosen}, ChooseChannel{static_cast<int>(i)}});
         builder.add(

@@ -9,9 +9,9 @@ namespace vr
 {
 namespace
 {
-constexpr double width = 980, tileHeight = 224, buttonHeight = 92, statusHeight = 84, arrowWidth = 84, pageWidth = 120,
+constexpr double filesWidth = 980, tileHeight = 224, buttonHeight = 92, statusHeight = 84, arrowWidth = 84, pageWidth = 120,
                  openWidth = 316, titleWidth = 340, groupGap = 8;
-constexpr double distance = 0.6; ///< metres: at arm's length
+constexpr double filesDistance = 0.6; ///< metres: at arm's length
 } // namespace
 
 bool FileTile::operator==(const FileTile& other) const
@@ -93,7 +93,7 @@ void FilesPanel::addButtons(PanelBuilder& builder) const
 
 PanelLayout FilesPanel::layout() const
 {
-    PanelBuilder builder(PanelKind::Files, width, distance);
+    PanelBuilder builder(PanelKind::Files, filesWidth, filesDistance);
     builder.addTitle({tr("Files"), folder, titleWidth},
                      {{{.icon = QStringLiteral("panel-close"), .isFlat = true}, ShowPanel{PanelKind::Files, false}}});
     addTiles(builder);

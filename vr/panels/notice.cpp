@@ -12,7 +12,7 @@ namespace
 {
 constexpr double widest = 700; ///< of its text
 constexpr int mostLines = 6;
-constexpr double distance = 0.5;                   ///< metres: before the clay, which must not hide it; it passes
+constexpr double noticeDistance = 0.5;                   ///< metres: before the clay, which must not hide it; it passes
 constexpr double fadeIn = 0.15, fadeOut = 0.6;     ///< seconds
 constexpr double toBeSeen = 1, leastReading = 1.5; ///< seconds: eyes are elsewhere when it comes
 constexpr double perLetter = 0.06,
@@ -29,7 +29,7 @@ PanelLayout Notice::layout() const
 {
     const FittedText shown =
         fitted(text, widest, {.height = theme::bodyHeight, .leastHeight = theme::leastHeight, .lines = mostLines});
-    PanelBuilder builder(PanelKind::Notice, std::ceil(shown.width) + 2 * theme::margin, distance);
+    PanelBuilder builder(PanelKind::Notice, std::ceil(shown.width) + 2 * theme::margin, noticeDistance);
     const double height = shown.lineSpacing() * static_cast<double>(shown.lines.size());
     builder.add(builder.nextRow(height), TextLook{.text = text, .alignment = Qt::AlignCenter, .lines = mostLines});
     return builder.finished();

@@ -10,8 +10,8 @@ namespace vr
 {
 namespace
 {
-constexpr double width = 620, lineHeight = 42, numberWidth = 130, titleWidth = 270;
-constexpr double distance = 0.6; ///< metres
+constexpr double performanceWidth = 620, lineHeight = 42, numberWidth = 130, performanceTitleWidth = 270;
+constexpr double performanceDistance = 0.6; ///< metres
 constexpr double lastMs = 1000;  ///< is told about
 
 struct Line
@@ -100,9 +100,9 @@ PanelLayout PerformancePanel::layout() const
     lines.push_back({tr("Draw calls"), milliseconds(drawCallMs), true});
     lines.push_back({tr("Dropped frames"), QString::number(dropped), true});
 
-    PanelBuilder builder(PanelKind::Performance, width, distance);
+    PanelBuilder builder(PanelKind::Performance, performanceWidth, performanceDistance);
     //: %1: how many frames a second
-    builder.addTitle({tr("%1 fps").arg(framesPerSecond), tr("CPU, ms"), titleWidth});
+    builder.addTitle({tr("%1 fps").arg(framesPerSecond), tr("CPU, ms"), performanceTitleWidth});
     const QRectF table = builder.nextRow(lineHeight * static_cast<double>(lines.size()));
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const QRectF line(table.left(), table.top() + lineHeight * static_cast<double>(i), table.width(), lineHeight);

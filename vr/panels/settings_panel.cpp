@@ -9,8 +9,8 @@ namespace vr
 {
 namespace
 {
-constexpr double width = 940, nameWidth = 300;
-constexpr double distance = 0.6; ///< metres: at arm's length
+constexpr double settingsWidth = 940, settingsNameWidth = 300;
+constexpr double settingsDistance = 0.6; ///< metres: at arm's length
 constexpr double raiseStep = 0.02, turnStep = 5, levelStep = 0.05;
 
 /// Within its range; what is no number is its least.
@@ -83,16 +83,16 @@ QString SettingsPanel::nameOf(Sensation sensation)
 void SettingsPanel::addGeneral(PanelBuilder& builder) const
 {
     const auto [preset, sculpting] = choice.hands;
-    builder.addChoice(tr("Buttons"), nameWidth,
+    builder.addChoice(tr("Buttons"), settingsNameWidth,
                       {{tr("Paper"), {}, Preset::Paper, preset == Preset::Paper},
                        {tr("Studio"), {}, Preset::Studio, preset == Preset::Studio}});
-    builder.addChoice(tr("Sculpting hand"), nameWidth,
+    builder.addChoice(tr("Sculpting hand"), settingsNameWidth,
                       {{tr("Left"), {}, ChooseHand{Side::Left}, sculpting == Side::Left},
                        {tr("Right"), {}, ChooseHand{Side::Right}, sculpting == Side::Right}});
     addModel(builder);
     const auto onOff = [](bool isOn) { return SwitchLook{isOn ? tr("On") : tr("Off"), isOn}; };
-    builder.addSwitch(tr("Floor grid"), nameWidth, onOff(choice.showsFloor), ShowFloor{!choice.showsFloor});
-    builder.addSwitch(tr("Performance"), nameWidth, onOff(choice.showsPerformance),
+    builder.addSwitch(tr("Floor grid"), settingsNameWidth, onOff(choice.showsFloor), ShowFloor{!choice.showsFloor});
+    builder.addSwitch(tr("Performance"), settingsNameWidth, onOff(choice.showsPerformance),
                       ShowPerformance{!choice.showsPerformance});
 }
 
@@ -106,14 +106,14 @@ void SettingsPanel::addModel(PanelBuilder& builder) const
                        height,
                        SliderLook{.least = -mostRaised, .most = mostRaised, .step = raiseStep},
                        {PanelSlider::Height, choice.raised}},
-                      nameWidth);
+                      settingsNameWidth);
     //: %1: degrees a second
     const QString speed = tr("%1°/s").arg(std::lround(choice.turnsBy));
     builder.addSlider({tr("Turning speed"),
                        speed,
                        SliderLook{.least = slowestTurn, .most = fastestTurn, .step = turnStep, .origin = slowestTurn},
                        {PanelSlider::TurnSpeed, choice.turnsBy}},
-                      nameWidth);
+                      settingsNameWidth);
 }
 
 void SettingsPanel::addFeel(PanelBuilder& builder) const
@@ -122,13 +122,13 @@ void SettingsPanel::addFeel(PanelBuilder& builder) const
         const double level = choice.feel.of[i];
         const QString value = tr("%1 %").arg(std::lround(level * 100));
         builder.addSlider(
-            {nameOf(static_cast<Sensation>(i)), value, SliderLook{.step = levelStep}, {sliderOf(i), level}}, nameWidth);
+            {nameOf(static_cast<Sensation>(i)), value, SliderLook{.step = levelStep}, {sliderOf(i), level}}, settingsNameWidth);
     }
 }
 
 PanelLayout SettingsPanel::layout() const
 {
-    PanelBuilder builder(PanelKind::Settings, width, distance);
+    PanelBuilder builder(PanelKind::Settings, settingsWidth, settingsDistance);
     builder.addTitle({tr("Settings")}, {{{.icon = QStringLiteral("panel-close"), .isFlat = true},
                                          ShowPanel{PanelKind::Settings, false}}});
     builder.addChoice({}, 0,

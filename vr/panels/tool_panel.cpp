@@ -6,9 +6,9 @@ namespace vr
 {
 namespace
 {
-constexpr double width = 980, nameWidth = 210, toolHeight = 140, buttonHeight = 84, groupGap = 8, titleWidth = 300;
+constexpr double toolWidth = 980, toolNameWidth = 210, toolHeight = 140, buttonHeight = 84, groupGap = 8, toolTitleWidth = 300;
 constexpr double filesWidth = 220, recentreWidth = 266;
-constexpr double distance = 0.5; ///< metres; a hand that holds something up to be read
+constexpr double toolDistance = 0.5; ///< metres; a hand that holds something up to be read
 constexpr std::array tools{core::Tool::Pull, core::Tool::Push, core::Tool::Flatten, core::Tool::Smooth,
                            core::Tool::Paint};
 
@@ -56,8 +56,8 @@ void ToolPanel::addDoors(PanelBuilder& builder) const
 PanelLayout ToolPanel::layout() const
 {
     using core::BrushShape, core::Topology;
-    PanelBuilder builder(PanelKind::Tools, width, distance);
-    builder.addTitle({tr("Tools"), isInverse ? tr("Pull and Push swapped") : QString(), titleWidth},
+    PanelBuilder builder(PanelKind::Tools, toolWidth, toolDistance);
+    builder.addTitle({tr("Tools"), isInverse ? tr("Pull and Push swapped") : QString(), toolTitleWidth},
                      {{{.icon = QStringLiteral("undo")}, PanelCommand::Undo, canUndo},
                       {{.icon = QStringLiteral("redo")}, PanelCommand::Redo, canRedo}});
     const std::vector<QRectF> places = evenCells(builder.nextRow(toolHeight), tools.size());
@@ -67,13 +67,13 @@ PanelLayout ToolPanel::layout() const
             {{.text = nameOf(tools[i]), .icon = iconOf(tools[i]), .isChosen = tools[i] == tool, .isUpright = true},
              tools[i]});
     builder.skip(groupGap);
-    builder.addChoice(tr("Brush"), nameWidth,
+    builder.addChoice(tr("Brush"), toolNameWidth,
                       {{tr("Sphere"), QStringLiteral("sphere"), BrushShape::Sphere, brush == BrushShape::Sphere},
                        {tr("Ray"), QStringLiteral("ray"), BrushShape::Ray, brush == BrushShape::Ray}});
-    builder.addChoice(tr("Topology"), nameWidth,
+    builder.addChoice(tr("Topology"), toolNameWidth,
                       {{tr("Adaptive"), QStringLiteral("adaptive"), Topology::Adaptive, topology == Topology::Adaptive},
                        {tr("Uniform"), QStringLiteral("uniform"), Topology::Uniform, topology == Topology::Uniform}});
-    builder.addSwitch(tr("Symmetry"), nameWidth, {isSymmetric ? tr("On") : tr("Off"), isSymmetric},
+    builder.addSwitch(tr("Symmetry"), toolNameWidth, {isSymmetric ? tr("On") : tr("Off"), isSymmetric},
                       ChooseSymmetry{!isSymmetric});
     builder.skip(groupGap);
     addDoors(builder);
