@@ -94,7 +94,7 @@ void WandLabels::step(double time, const Pose& head, const Wands& wands, const H
         const WandState& wand = wands[static_cast<std::size_t>(side)];
         const bool canBeLookedAt = wand.isTracked && !hands.draws(side);
         const bool isLookedAt = at(side).look(canBeLookedAt ? angleTo(wand, head) : unseen, seconds);
-        fade(at(side), isLookedAt, seconds);
+        hands.pointsAtPanel(side) ? hide(at(side), seconds) : fade(at(side), isLookedAt, seconds);
     }
 }
 
@@ -170,6 +170,13 @@ void WandLabels::fade(Hand& hand, bool isLookedAt, double seconds)
         const bool isNew = (hand.lines()[spot].rows & ~m_used) != 0;
         hand.opacities[spot] = approached(hand.opacities[spot], isNew || isLookedAt, seconds);
     }
+}
+
+/// As fast as they come: a panel is to be read.
+void WandLabels::hide(Hand& hand, double seconds)
+{
+    for (float& opacity : hand.opacities)
+        opacity = std::max(opacity - static_cast<float>(seconds / labelFadeIn), 0.0F);
 }
 
 /// A line that says something else fades in.
