@@ -87,7 +87,6 @@ std::vector<HandCommand> Hands::choose(const HandsChoice& choice)
 std::vector<HandCommand> Hands::step(const HandsFrame& frame)
 {
     const double seconds = m_clock.step(frame.time);
-    m_pointsAtPanel = frame.pointsAtPanel;
     for (const Side side : order())
         at(side).gestures = at(side).reader.read(frame.wands[indexOf(side)], seconds);
     endFinishedStroke(frame);

@@ -61,8 +61,7 @@ public:
     int channel() const { return m_channel; }
     void selectChannel(int channel) { m_channel = channel; }
     bool draws(Side side) const { return m_stroke && m_stroke->side == side; }
-    /// In the last frame: where it points is a panel's.
-    bool pointsAtPanel(Side side) const { return m_pointsAtPanel[static_cast<std::size_t>(side)]; }
+    /// In the last frame.
     const WandGestures& gestures(Side side) const { return at(side).gestures; }
 
     /// A ring that fills.
@@ -117,7 +116,6 @@ private:
     HandsChoice m_choice;
     FrameClock m_clock;
     std::array<Hand, sideCount> m_hands;
-    std::array<bool, sideCount> m_pointsAtPanel{}; ///< by Side
     bool m_toolMenuOpen = false, m_colorPanelOpen = false;
     int m_channel = 0;
     double m_channelRest = 0; ///< slid, but less than one

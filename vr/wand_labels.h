@@ -23,8 +23,7 @@ class WandLabels
 {
 public:
     /// Of each frame, after Hands::step(): `hands` as it is then, and the commands that it gave.
-    void step(double time, const Pose& head, const Wands& wands, const Hands& hands,
-              std::span<const HandCommand> commands);
+    void step(const HandsFrame& frame, const Pose& head, const Hands& hands, std::span<const HandCommand> commands);
 
     /// By WandSpot.
     std::array<WandLabel, wandSpotCount> labels(Side side) const;

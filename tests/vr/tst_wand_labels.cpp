@@ -79,7 +79,7 @@ public:
         const double end = m_frame.time + seconds;
         do {
             m_frame.time += m_period;
-            m_labels.step(m_frame.time, m_head, m_frame.wands, m_hands, m_hands.step(m_frame));
+            m_labels.step(m_frame, m_head, m_hands, m_hands.step(m_frame));
         } while (m_frame.time < end - 1e-9);
     }
     void doOnce(Side side, const vr::WandState& wand, double seconds = 0.1)
@@ -423,12 +423,13 @@ void TestWandLabels::steps_allocateNothing()
 {
     vr::Hands hands;
     vr::WandLabels labels;
-    vr::Wands wands{restingWand(), restingWand()};
+    vr::HandsFrame frame{.wands = {restingWand(), restingWand()}};
     const std::vector<vr::HandCommand> commands{{Side::Right, Gesture::PadLeft, vr::Undo{}}, {Side::Left, Gesture::Menu, vr::OpenToolMenu{}}};
-    labels.step(0, {}, wands, hands, commands);
+    labels.step(frame, {}, hands, commands);
     const long before = allocations;
     for (int i = 1; i < 200; ++i) {
-        labels.step(i / 90.0, {}, wands, hands, commands);
+        frame.time = i / 90.0;
+        labels.step(frame, {}, hands, commands);
         for (const Side side : sides)
             QCOMPARE(labels.labels(side).size(), vr::wandSpotCount);
     }
