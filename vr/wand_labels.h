@@ -16,7 +16,8 @@ inline constexpr double labelLookAngle = 12, labelLookAwayAngle = 16;
 
 /// What the labels at both wands' buttons say, and how well they are seen: the rows of the preset. A label is there until what it
 /// tells of was done once, all of it where a button has two functions; then it comes back while the wand is looked at. A wand that draws
-/// is not: it is the clay that is looked at. One that points at a panel has none, which would stand before what it points at. With another preset, or other hands, all of them are new.
+/// is not: it is the clay that is looked at. One that points at a panel has none, which would stand before what it points at. With another
+/// preset, or other hands, all of them are new.
 ///
 /// Pure: any thread, no clock but the frames' own. Allocates nothing but in the step that finds another choice.
 class WandLabels
