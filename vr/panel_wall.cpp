@@ -23,7 +23,7 @@ Stand standOf(PanelKind kind)
     case PanelKind::Settings:
         return {-35 * degree, 0.08};
     case PanelKind::Performance:
-        return {-25 * degree, -0.12};
+        return {0, -0.38}; // above the model: the settings, which switch it on, are beside it
     default:
         return {0, -0.1}; // a sentence a little above where the person looks
     }

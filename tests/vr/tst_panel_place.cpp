@@ -1,5 +1,4 @@
-#include "vr/panels/panel_place.h"
-
+#include "vr/panel_wall.h"
 #include "vr/room.h"
 
 #include <QTest>
@@ -74,6 +73,7 @@ private Q_SLOTS:
     void ahead_itKeepsClearOfTheModel_data();
     void ahead_itKeepsClearOfTheModel();
     void ahead_whereNothingIsClear_itIsAhead();
+    void ahead_noneHidesAnother();
     void somebodyWalksAway();
     void aRay_meetsItFromTheFrontOnly();
     void aRay_meetsThePointItAimsAt();
@@ -247,6 +247,30 @@ void TestPanelPlace::ahead_whereNothingIsClear_itIsAhead()
     QVERIFY((vr::placeAhead(eyes, {.clear = around}).position - vr::placeAhead(eyes, {}).position).norm() < 1e-12);
     const core::Sphere behind{{0, 1.6, 1}, 0.3};
     QVERIFY((vr::placeAhead(eyes, {.clear = behind}).position - vr::placeAhead(eyes, {}).position).norm() < 1e-12);
+}
+
+/// Files, settings and performance, all open, with the model of usual size between them.
+void TestPanelPlace::ahead_noneHidesAnother()
+{
+    vr::PanelWall::Sight sight{head({0, 1.6, 0}, {30, -15, 0}), {}, vr::Side::Right, {}};
+    vr::Room room;
+    room.place(sight.head);
+    sight.clay = {room.middle(), vr::Room::comfortableSize / 2};
+    std::vector<vr::PlacedPanel> panels;
+    for (const vr::PanelContent& content : {vr::PanelContent(vr::FilesPanel()), vr::PanelContent(vr::SettingsPanel()),
+                                            vr::PanelContent(vr::PerformancePanel())}) {
+        const auto layout = std::make_shared<const vr::PanelLayout>(vr::layoutOf(content));
+        panels.push_back({vr::PanelWall::placeOnOpening(layout->kind, sight, *layout), layout});
+    }
+    for (const vr::PlacedPanel& seen : panels)
+        for (const vr::PlacedPanel& other : panels)
+            for (double u = -0.5; u <= 0.5 && &seen != &other; u += 0.125)
+                for (double v = -0.5; v <= 0.5; v += 0.125) {
+                    const Eigen::Vector2d size = seen.layout->metres();
+                    const Vec3 way = seen.pose * Vec3(u * size.x(), v * size.y(), 0) - sight.head.position;
+                    const auto point = vr::meet({sight.head.position, way}, other.pose);
+                    QVERIFY(!point || !other.layout->contains(point->at));
+                }
 }
 
 void TestPanelPlace::somebodyWalksAway()
