@@ -4293,7 +4293,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Sculpting</source>
-        <translation>Modellieren</translation>
+        <translation>Formen</translation>
     </message>
 </context>
 <context>
@@ -4489,11 +4489,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <name>vr::Presets</name>
     <message>
         <source>Turn clockwise</source>
-        <translation>Im Uhrzeigersinn drehen</translation>
+        <translation>Rechtsherum drehen</translation>
     </message>
     <message>
         <source>Turn anticlockwise</source>
-        <translation>Gegen den Uhrzeigersinn drehen</translation>
+        <translation>Linksherum drehen</translation>
     </message>
     <message>
         <source>Uniform or adaptive</source>
@@ -4584,7 +4584,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Sculpting</source>
-        <translation>Modellieren</translation>
+        <translation>Formen</translation>
     </message>
     <message>
         <source>Surfaces join</source>

@@ -307,7 +307,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>Somebody is sculpting in the headset: your turn comes when that stroke has ended.</source>
-        <translation>有人正在头显中雕刻：那一笔结束后就轮到你。</translation>
+        <translation>有人正在头显中雕刻：那一笔结束后就轮到您。</translation>
     </message>
 </context>
 <context>
@@ -318,7 +318,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
     <message>
         <source>The model was not restored: other work on it is not done yet.</source>
-        <translation>模型没有还原：对它的其他处理尚未完成。</translation>
+        <translation>模型没有重置：对它的其他处理尚未完成。</translation>
     </message>
     <message>
         <source>The model was not saved: other work on it is not done yet.</source>
@@ -750,7 +750,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>Paint</source>
         <comment>undo step</comment>
-        <translation>绘色</translation>
+        <translation>上色</translation>
     </message>
     <message>
         <source>Add Ball</source>
@@ -4282,7 +4282,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
     <message>
         <source>Sculpting</source>
-        <translation>雕塑</translation>
+        <translation>雕刻</translation>
     </message>
 </context>
 <context>
@@ -4348,15 +4348,15 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <name>vr::HeadsetReport</name>
     <message>
         <source>VR starts. Put on the headset.</source>
-        <translation>VR 正在启动。请戴上头戴设备。</translation>
+        <translation>VR 正在启动。请戴上头显。</translation>
     </message>
     <message>
         <source>VR is on, but the headset shows another program.</source>
-        <translation>VR 已开启，但头戴设备正在显示其他程序。</translation>
+        <translation>VR 已开启，但头显正在显示其他程序。</translation>
     </message>
     <message>
         <source>The headset&apos;s own menu is open: the wands rest here.</source>
-        <translation>头戴设备自己的菜单已打开：手柄在此暂停。</translation>
+        <translation>头显自己的菜单已打开：手柄在此暂停。</translation>
     </message>
     <message>
         <source>In VR with %1.</source>
@@ -4365,7 +4365,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
     <message>
         <source>The headset is off. Put it on to go on.</source>
-        <translation>头戴设备已摘下。戴上即可继续。</translation>
+        <translation>头显已摘下。戴上即可继续。</translation>
     </message>
     <message>
         <source>Left VR.</source>
@@ -4373,12 +4373,12 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
     <message>
         <source>VR was ended in the headset&apos;s own program.</source>
-        <translation>VR 已在头戴设备自己的程序中结束。</translation>
+        <translation>VR 已在头显自己的程序中结束。</translation>
     </message>
     <message>
         <source>The headset&apos;s program takes no pictures from windows of the kind “%1”. Start Fettle with QT_QPA_PLATFORM=xcb and QT_XCB_GL_INTEGRATION=xcb_glx, then enter VR again.</source>
         <extracomment>%1: a window system, such as wayland</extracomment>
-        <translation>头戴设备的程序不接受“%1”类窗口的画面。请用 QT_QPA_PLATFORM=xcb 和 QT_XCB_GL_INTEGRATION=xcb_glx 启动 Fettle，然后重新进入 VR。</translation>
+        <translation>头显的程序不接受“%1”类窗口的画面。请用 QT_QPA_PLATFORM=xcb 和 QT_XCB_GL_INTEGRATION=xcb_glx 启动 Fettle，然后重新进入 VR。</translation>
     </message>
     <message>
         <source>VR cannot be drawn with this OpenGL.</source>
@@ -4386,16 +4386,16 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
     <message>
         <source>The headset&apos;s program has stopped. The model is as it was; when the program runs again, enter VR again.</source>
-        <translation>头戴设备的程序已停止。模型保持原样；程序重新运行后，可再次进入 VR。</translation>
+        <translation>头显的程序已停止。模型保持原样；程序重新运行后，可再次进入 VR。</translation>
     </message>
     <message>
         <source>The headset is gone. The model is as it was; plug the headset in, then enter VR again.</source>
-        <translation>头戴设备已断开。模型保持原样；请接上头戴设备，然后再次进入 VR。</translation>
+        <translation>头显已断开。模型保持原样；请接上头显，然后再次进入 VR。</translation>
     </message>
     <message>
         <source>VR ended: the headset&apos;s program reports a fault (%1). The model is as it was; try to enter VR again.</source>
         <extracomment>%1: a call of OpenXR and its result, such as xrCreateSession: XR_ERROR_RUNTIME_FAILURE</extracomment>
-        <translation>VR 已结束：头戴设备的程序报告错误（%1）。模型保持原样；请尝试再次进入 VR。</translation>
+        <translation>VR 已结束：头显的程序报告错误（%1）。模型保持原样；请尝试再次进入 VR。</translation>
     </message>
 </context>
 <context>
@@ -4419,7 +4419,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
     <message>
         <source>The headset is in use here.</source>
-        <translation>头戴设备正在本程序中使用。</translation>
+        <translation>头显正在本程序中使用。</translation>
     </message>
 </context>
 <context>
@@ -4686,7 +4686,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
     <message>
         <source>Paint</source>
-        <translation>绘色</translation>
+        <translation>上色</translation>
     </message>
     <message>
         <source>Files</source>
@@ -4702,11 +4702,11 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
     <message>
         <source>Hold to restore</source>
-        <translation>按住以还原</translation>
+        <translation>按住以重置</translation>
     </message>
     <message>
         <source>Leave VR</source>
-        <translation>退出 VR</translation>
+        <translation>离开 VR</translation>
     </message>
     <message>
         <source>Tools</source>

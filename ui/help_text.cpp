@@ -14,7 +14,7 @@ namespace ui
 {
 namespace
 {
-constexpr std::array<HelpPage, 16> pages{{{"first-steps"},
+constexpr std::array<HelpPage, 17> pages{{{"first-steps"},
                                           {"lesson-vase", "lesson-vase.png"},
                                           {"lesson-head", "lesson-head.png"},
                                           {"lesson-tablet", "lesson-tablet.png"},
@@ -29,6 +29,7 @@ constexpr std::array<HelpPage, 16> pages{{{"first-steps"},
                                           {"keys"},
                                           {"pen"},
                                           {"vr"},
+                                          {"wands"},
                                           {"problems"}}};
 
 struct HelpText

@@ -23,7 +23,7 @@ Stand standOf(PanelKind kind)
     case PanelKind::Settings:
         return {-35 * degree, 0.08};
     case PanelKind::Performance:
-        return {-25 * degree, -0.12};
+        return {0, -0.38}; // above the model: the settings, which switch it on, are beside it
     default:
         return {0, -0.1}; // a sentence a little above where the person looks
     }
@@ -104,7 +104,7 @@ Pose PanelWall::placeOf(PanelKind kind, const Sight& sight) const
     if (const std::optional<Side> side = carrier(kind)) {
         const Eigen::Vector2d size = place.placed.layout->metres();
         const std::optional<Pose>& grip = sight.grips[static_cast<std::size_t>(*side)];
-        return grip ? placeAtHand(*grip, sight.head, size)
+        return grip ? placeAtHand(*grip, sight.head, {size, sight.clay, *side == Side::Left ? 1.0 : -1.0})
                     : place.pose.value_or(placeAhead(sight.head, {.size = size, .clear = {}}));
     }
     return place.pose && !isOutOfReach(*place.pose, sight.head) ? *place.pose

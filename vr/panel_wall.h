@@ -31,7 +31,7 @@ public:
         Pose head;
         std::array<std::optional<Pose>, sideCount> grips; ///< by Side; none: the hand is not seen
         Side sculpting = Side::Right;                     ///< has the colours, the other the tools
-        core::Sphere clay;                                ///< which panels ahead do not hide
+        core::Sphere clay;                                ///< which panels keep out of
     };
     void place(const Sight& sight);
     /// Where a panel that goes with no hand is placed when it opens. Pure.

@@ -57,11 +57,12 @@ FrameOutput SculptClient::frame(const FrameInput& input)
     moveRoom(input);
     place(input);
     aimAtPanels(input);
-    const std::vector<HandCommand> commands = m_hands.step(handsFrame(input));
+    const HandsFrame frame = handsFrame(input);
+    const std::vector<HandCommand> commands = m_hands.step(frame);
     obey(commands);
     m_brush.look(m_room);
     feelEffects();
-    m_labels.step(time, m_head, input.wands, m_hands, commands);
+    m_labels.step(frame, m_head, m_hands, commands);
     showPanels(input);
     see(input);
     tellPresence(input);

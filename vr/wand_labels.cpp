@@ -83,18 +83,21 @@ float approached(float opacity, bool isWanted, double seconds)
 }
 } // namespace
 
-void WandLabels::step(double time, const Pose& head, const Wands& wands, const Hands& hands,
+void WandLabels::step(const HandsFrame& frame, const Pose& head, const Hands& hands,
                       std::span<const HandCommand> commands)
 {
-    const double seconds = m_clock.step(time);
+    const double seconds = m_clock.step(frame.time);
     if (m_choice != hands.choice())
         write(hands);
     note(hands, commands);
     for (const Side side : sides) {
-        const WandState& wand = wands[static_cast<std::size_t>(side)];
+        const WandState& wand = frame.wands[static_cast<std::size_t>(side)];
         const bool canBeLookedAt = wand.isTracked && !hands.draws(side);
         const bool isLookedAt = at(side).look(canBeLookedAt ? angleTo(wand, head) : unseen, seconds);
-        fade(at(side), isLookedAt, seconds);
+        if (frame.pointsAtPanel[static_cast<std::size_t>(side)])
+            hide(at(side), seconds);
+        else
+            fade(at(side), isLookedAt, seconds);
     }
 }
 
@@ -170,6 +173,13 @@ void WandLabels::fade(Hand& hand, bool isLookedAt, double seconds)
         const bool isNew = (hand.lines()[spot].rows & ~m_used) != 0;
         hand.opacities[spot] = approached(hand.opacities[spot], isNew || isLookedAt, seconds);
     }
+}
+
+/// As fast as they come: a panel is to be read.
+void WandLabels::hide(Hand& hand, double seconds)
+{
+    for (float& opacity : hand.opacities)
+        opacity = std::max(opacity - static_cast<float>(seconds / labelFadeIn), 0.0F);
 }
 
 /// A line that says something else fades in.

@@ -16,15 +16,15 @@ inline constexpr double labelLookAngle = 12, labelLookAwayAngle = 16;
 
 /// What the labels at both wands' buttons say, and how well they are seen: the rows of the preset. A label is there until what it
 /// tells of was done once, all of it where a button has two functions; then it comes back while the wand is looked at. A wand that draws
-/// is not: it is the clay that is looked at. With another preset, or other hands, all of them are new.
+/// is not: it is the clay that is looked at. One that points at a panel has none, which would stand before what it points at. With another
+/// preset, or other hands, all of them are new.
 ///
 /// Pure: any thread, no clock but the frames' own. Allocates nothing but in the step that finds another choice.
 class WandLabels
 {
 public:
     /// Of each frame, after Hands::step(): `hands` as it is then, and the commands that it gave.
-    void step(double time, const Pose& head, const Wands& wands, const Hands& hands,
-              std::span<const HandCommand> commands);
+    void step(const HandsFrame& frame, const Pose& head, const Hands& hands, std::span<const HandCommand> commands);
 
     /// By WandSpot.
     std::array<WandLabel, wandSpotCount> labels(Side side) const;
@@ -55,6 +55,7 @@ private:
     void use(const Hands& hands, Side side, Gesture gesture);
     void setMode(Hand& hand, HandMode mode);
     void fade(Hand& hand, bool isLookedAt, double seconds);
+    static void hide(Hand& hand, double seconds);
 
     Hand& at(Side side) { return m_hands[static_cast<std::size_t>(side)]; }
 

@@ -194,10 +194,11 @@ public:
     {
         const vr::Side carrier = layout.kind == vr::PanelKind::Tools ? other(sculpting()) : sculpting();
         const vr::Pose at = m_seen.head.value_or(head);
-        if (layout.kind == vr::PanelKind::Tools || layout.kind == vr::PanelKind::Color)
-            return vr::placeAtHand(m_grips[static_cast<std::size_t>(carrier)], at, layout.metres());
         const core::Box& box = m_program.document.facts().box;
         const core::Sphere clay{m_room.middle(), m_room.lengthToRoom(box.sizes().maxCoeff()) / 2};
+        if (layout.kind == vr::PanelKind::Tools || layout.kind == vr::PanelKind::Color)
+            return vr::placeAtHand(m_grips[static_cast<std::size_t>(carrier)], at,
+                                   {layout.metres(), clay, carrier == vr::Side::Left ? 1.0 : -1.0});
         const auto place = vr::PanelWall::placeOnOpening(layout.kind, {at, {}, sculpting(), clay}, layout);
         return m_ahead.emplace(layout.kind, place).first->second;
     }

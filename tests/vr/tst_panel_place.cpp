@@ -1,5 +1,4 @@
-#include "vr/panels/panel_place.h"
-
+#include "vr/panel_wall.h"
 #include "vr/room.h"
 
 #include <QTest>
@@ -65,12 +64,16 @@ private Q_SLOTS:
     void atAHand_itIsUprightToTheEyes();
     void atAHand_itStandsAboveTheWand();
     void atAHand_itMovesNoFartherThanTheHandsDo();
+    void atAHand_itKeepsClearOfTheModel_data();
+    void atAHand_itKeepsClearOfTheModel();
+    void atAHand_inTheModelItStaysThere();
     void ahead_itIsUprightAtArmsLength();
     void ahead_itIsWhereTheHeadTurnsTo_data();
     void ahead_itIsWhereTheHeadTurnsTo();
     void ahead_itKeepsClearOfTheModel_data();
     void ahead_itKeepsClearOfTheModel();
     void ahead_whereNothingIsClear_itIsAhead();
+    void ahead_noneHidesAnother();
     void somebodyWalksAway();
     void aRay_meetsItFromTheFrontOnly();
     void aRay_meetsThePointItAimsAt();
@@ -79,7 +82,7 @@ private Q_SLOTS:
 void TestPanelPlace::atAHand_itFacesTheHead()
 {
     forManyPeople([](const Pose& eyes, const Pose& grip) {
-        const Pose panel = vr::placeAtHand(grip, eyes, size);
+        const Pose panel = vr::placeAtHand(grip, eyes, {size});
         QVERIFY(isRotation(panel));
         QVERIFY(normalOf(panel).cross(eyes.position - panel.position).norm() < 1e-9);
         QVERIFY(normalOf(panel).dot(eyes.position - panel.position) > 0);
@@ -93,7 +96,7 @@ void TestPanelPlace::atAHand_itIsUprightToTheEyes()
         for (double pitch = -80; pitch < 60; pitch += 10) {
             const Pose eyes = head({0, 1.6, 0}, {yaw, pitch, 0});
             const Pose grip{Eigen::Quaterniond::Identity(), eyes.position + 0.5 * eyes.forward()};
-            const Pose panel = vr::placeAtHand(grip, eyes, size);
+            const Pose panel = vr::placeAtHand(grip, eyes, {size});
             const Vec3 right = panel.rotation * Vec3::UnitX();
             QVERIFY(right.dot(eyes.rotation * Vec3::UnitX()) > 0.9);
             QVERIFY(std::abs(right.y()) < 0.15);
@@ -104,7 +107,7 @@ void TestPanelPlace::atAHand_itStandsAboveTheWand()
 {
     for (const double height : {0.9, 1.1, 1.3}) {
         const Pose eyes = head({0, 1.6, 0}, {0, -30, 0}), grip{Eigen::Quaterniond::Identity(), {-0.2, height, -0.35}};
-        const Pose panel = vr::placeAtHand(grip, eyes, size);
+        const Pose panel = vr::placeAtHand(grip, eyes, {size});
         const Vec3 hand = panel.inverse() * grip.position;
         QVERIFY(hand.y() < -size.y() / 2);
         QVERIFY(panel.position.y() > grip.position.y());
@@ -118,15 +121,59 @@ void TestPanelPlace::atAHand_itMovesNoFartherThanTheHandsDo()
     std::mt19937 random(9);
     std::normal_distribution<double> tremor(0, 0.001);
     const Pose eyes = head({0, 1.6, 0}, {0, -40, 0}), grip{Eigen::Quaterniond::Identity(), {-0.2, 1.2, -0.35}};
-    const Pose still = vr::placeAtHand(grip, eyes, size);
+    const Pose still = vr::placeAtHand(grip, eyes, {size});
     for (int i = 0; i < 500; ++i) {
         Pose shakenHead = eyes, shakenGrip = grip;
         shakenHead.position += Vec3(tremor(random), tremor(random), tremor(random));
         shakenGrip.position += Vec3(tremor(random), tremor(random), tremor(random));
-        const Pose shaken = vr::placeAtHand(shakenGrip, shakenHead, size);
+        const Pose shaken = vr::placeAtHand(shakenGrip, shakenHead, {size});
         QVERIFY((shaken.position - still.position).norm() < 0.012);
         QVERIFY(shaken.rotation.angularDistance(still.rotation) < 1.5 * degree);
     }
+}
+
+void TestPanelPlace::atAHand_itKeepsClearOfTheModel_data()
+{
+    QTest::addColumn<double>("turnsTo");
+    QTest::newRow("left") << 1.0;
+    QTest::newRow("right") << -1.0;
+}
+
+/// Wherever the hand goes beside the model or before it, and without leaps.
+void TestPanelPlace::atAHand_itKeepsClearOfTheModel()
+{
+    QFETCH(double, turnsTo);
+    constexpr double step = 0.005;
+    const Pose eyes = head({0, 1.6, 0}, {0, -15, 0});
+    const core::Sphere clay{{0, 1.4, -0.6}, 0.25};
+    std::optional<Vec3> before;
+    for (double x = 0.05; x <= 0.6; x += step) {
+        const Pose grip{Eigen::Quaterniond::Identity(), {-turnsTo * x, 1.2, -0.3}};
+        const Pose panel = vr::placeAtHand(grip, eyes, {size, clay, turnsTo}),
+                   plain = vr::placeAtHand(grip, eyes, {size});
+        for (const double u : {-0.5, 0.0, 0.5})
+            for (const double v : {-0.5, 0.0, 0.5}) {
+                const Vec3 seen = panel * Vec3(u * size.x(), v * size.y(), 0), way = seen - eyes.position;
+                const double along = std::min(1.0, way.dot(clay.center - eyes.position) / way.squaredNorm());
+                QVERIFY((eyes.position + along * way - clay.center).norm() > clay.radius - 1e-6);
+            }
+        QVERIFY(turnsTo * (plain.position - panel.position).x() >= 0);
+        QVERIFY(std::abs((panel.position - eyes.position).norm() - (plain.position - eyes.position).norm()) < 1e-9);
+        QVERIFY(!before || (panel.position - *before).norm() < 3 * step);
+        before = panel.position;
+        if (x > 0.5)
+            QVERIFY((panel.position - plain.position).norm() < 1e-9);
+    }
+}
+
+/// One that is as large as a house hides it anywhere.
+void TestPanelPlace::atAHand_inTheModelItStaysThere()
+{
+    forManyPeople([](const Pose& eyes, const Pose& grip) {
+        const Pose plain = vr::placeAtHand(grip, eyes, {size});
+        QVERIFY((vr::placeAtHand(grip, eyes, {size, core::Sphere{eyes.position, 5}}).position - plain.position).norm() <
+                1e-9);
+    });
 }
 
 void TestPanelPlace::ahead_itIsUprightAtArmsLength()
@@ -202,6 +249,30 @@ void TestPanelPlace::ahead_whereNothingIsClear_itIsAhead()
     QVERIFY((vr::placeAhead(eyes, {.clear = behind}).position - vr::placeAhead(eyes, {}).position).norm() < 1e-12);
 }
 
+/// Files, settings and performance, all open, with the model of usual size between them.
+void TestPanelPlace::ahead_noneHidesAnother()
+{
+    vr::PanelWall::Sight sight{head({0, 1.6, 0}, {30, -15, 0}), {}, vr::Side::Right, {}};
+    vr::Room room;
+    room.place(sight.head);
+    sight.clay = {room.middle(), vr::Room::comfortableSize / 2};
+    std::vector<vr::PlacedPanel> panels;
+    for (const vr::PanelContent& content : {vr::PanelContent(vr::FilesPanel()), vr::PanelContent(vr::SettingsPanel()),
+                                            vr::PanelContent(vr::PerformancePanel())}) {
+        const auto layout = std::make_shared<const vr::PanelLayout>(vr::layoutOf(content));
+        panels.push_back({vr::PanelWall::placeOnOpening(layout->kind, sight, *layout), layout});
+    }
+    for (const vr::PlacedPanel& seen : panels)
+        for (const vr::PlacedPanel& other : panels)
+            for (double u = -0.5; u <= 0.5 && &seen != &other; u += 0.125)
+                for (double v = -0.5; v <= 0.5; v += 0.125) {
+                    const Eigen::Vector2d size = seen.layout->metres();
+                    const Vec3 way = seen.pose * Vec3(u * size.x(), v * size.y(), 0) - sight.head.position;
+                    const auto point = vr::meet({sight.head.position, way}, other.pose);
+                    QVERIFY(!point || !other.layout->contains(point->at));
+                }
+}
+
 void TestPanelPlace::somebodyWalksAway()
 {
     const Pose panel = vr::placeAhead(head({0, 1.6, 0}, {}), {});
@@ -226,7 +297,7 @@ void TestPanelPlace::aRay_meetsThePointItAimsAt()
     std::mt19937 random(11);
     const auto between = [&](double least, double most) { return std::uniform_real_distribution(least, most)(random); };
     forManyPeople([&](const Pose& eyes, const Pose& grip) {
-        const Pose panel = vr::placeAtHand(grip, eyes, size);
+        const Pose panel = vr::placeAtHand(grip, eyes, {size});
         const Eigen::Vector2d at(between(-0.3, 0.3), between(-0.3, 0.3));
         const Vec3 target = panel * Vec3(at.x(), at.y(), 0),
                    from = panel * Vec3(between(-1, 1), between(-1, 1), between(0.05, 1));

@@ -63,7 +63,7 @@ public:
     }
     vr::WandState& wand(Side side) { return m_frame.wands[static_cast<std::size_t>(side)]; }
     vr::Hands& hands() { return m_hands; }
-    void pointAtPanel(Side side) { m_frame.pointsAtPanel[static_cast<std::size_t>(side)] = true; }
+    void pointAtPanel(Side side, bool points = true) { m_frame.pointsAtPanel[static_cast<std::size_t>(side)] = points; }
 
     /// So many degrees aside of the wand's buttons.
     void look(Side side, double degrees)
@@ -79,7 +79,7 @@ public:
         const double end = m_frame.time + seconds;
         do {
             m_frame.time += m_period;
-            m_labels.step(m_frame.time, m_head, m_frame.wands, m_hands, m_hands.step(m_frame));
+            m_labels.step(m_frame, m_head, m_hands, m_hands.step(m_frame));
         } while (m_frame.time < end - 1e-9);
     }
     void doOnce(Side side, const vr::WandState& wand, double seconds = 0.1)
@@ -90,7 +90,8 @@ public:
         play(0.05);
     }
 
-    vr::WandLabel label(Side side, WandSpot spot) const { return m_labels.labels(side)[static_cast<std::size_t>(spot)]; }
+    auto labels(Side side) const { return m_labels.labels(side); }
+    vr::WandLabel label(Side side, WandSpot spot) const { return labels(side)[static_cast<std::size_t>(spot)]; }
     QString text(Side side, WandSpot spot) const { return label(side, spot).text; }
     float opacity(Side side, WandSpot spot) const { return label(side, spot).opacity; }
     /// Of all texts.
@@ -128,6 +129,7 @@ private Q_SLOTS:
     void sharedLine_staysUntilAllOfItIsUsed();
     void whatTwoHandsDo_isUsedByBoth();
     void pressedPanels_areNoUse();
+    void wandAtAPanel_hasNoLabels();
     void refusedPresses_areNoUse();
     void lookedAtWand_hasItsLabelsBack_data() { rates(); }
     void lookedAtWand_hasItsLabelsBack();
@@ -284,7 +286,24 @@ void TestWandLabels::pressedPanels_areNoUse()
     Player player;
     player.pointAtPanel(Side::Right);
     player.doOnce(Side::Right, pulling(1));
+    player.pointAtPanel(Side::Right, false);
     player.play(goes);
+    QVERIFY(player.allAre(1));
+}
+
+/// Also where it is looked at.
+void TestWandLabels::wandAtAPanel_hasNoLabels()
+{
+    Player player;
+    player.look(Side::Right, 0);
+    player.play(vr::labelLookSeconds + appears);
+    player.pointAtPanel(Side::Right);
+    player.play(appears);
+    for (const vr::WandLabel& label : player.labels(Side::Right))
+        QCOMPARE(label.opacity, 0.0F);
+    QCOMPARE(player.opacity(Side::Left, WandSpot::Trigger), 1.0F);
+    player.pointAtPanel(Side::Right, false);
+    player.play(appears);
     QVERIFY(player.allAre(1));
 }
 
@@ -404,12 +423,13 @@ void TestWandLabels::steps_allocateNothing()
 {
     vr::Hands hands;
     vr::WandLabels labels;
-    vr::Wands wands{restingWand(), restingWand()};
+    vr::HandsFrame frame{.wands = {restingWand(), restingWand()}};
     const std::vector<vr::HandCommand> commands{{Side::Right, Gesture::PadLeft, vr::Undo{}}, {Side::Left, Gesture::Menu, vr::OpenToolMenu{}}};
-    labels.step(0, {}, wands, hands, commands);
+    labels.step(frame, {}, hands, commands);
     const long before = allocations;
     for (int i = 1; i < 200; ++i) {
-        labels.step(i / 90.0, {}, wands, hands, commands);
+        frame.time = i / 90.0;
+        labels.step(frame, {}, hands, commands);
         for (const Side side : sides)
             QCOMPARE(labels.labels(side).size(), vr::wandSpotCount);
     }

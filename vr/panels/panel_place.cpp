@@ -16,6 +16,8 @@ constexpr double farthestAtHand =
     0.65; ///< metres from the eyes: letters are large enough there, however low the hand hangs
 constexpr double farthestReach = 1.3; ///< metres
 constexpr double asideStep = 5 * std::numbers::pi / 180, mostAside = 110 * std::numbers::pi / 180;
+constexpr double mostAsideOfHand = 60 * std::numbers::pi / 180;
+constexpr int halvings = 16; ///< of that: a fiftieth of a millimetre at arm's length
 constexpr double nothing = 1e-9;
 
 /// Upright as far as it can be: seen from straight above, as the head is.
@@ -60,24 +62,44 @@ double distanceToSegment(const Vec3& point, const Vec3& from, const Vec3& to)
 }
 
 /// Neither in the sphere nor hidden by it: at the corners, the middles of the sides and the middle.
-bool isClear(const Pose& panel, const Pose& head, const AheadPlace& place)
+bool isClear(const Pose& panel, const Pose& head, const Eigen::Vector2d& size, const core::Sphere& clear)
 {
     for (const double x : {-0.5, 0.0, 0.5})
         for (const double y : {-0.5, 0.0, 0.5}) {
-            const Vec3 point = panel * Vec3(x * place.size.x(), y * place.size.y(), 0);
-            if (distanceToSegment(place.clear->center, head.position, point) < place.clear->radius)
+            const Vec3 point = panel * Vec3(x * size.x(), y * size.y(), 0);
+            if (distanceToSegment(clear.center, head.position, point) < clear.radius)
                 return false;
         }
     return true;
 }
+
+/// The least turn between the two that it takes; 0 where none does.
+template <class IsEnough> double leastTurn(double most, const IsEnough& isEnough)
+{
+    if (isEnough(0) || !isEnough(most))
+        return 0;
+    double less = 0, enough = most;
+    for (int i = 0; i < halvings; ++i) {
+        const double middle = (less + enough) / 2;
+        (isEnough(middle) ? enough : less) = middle;
+    }
+    return enough;
+}
 } // namespace
 
-Pose placeAtHand(const Pose& grip, const Pose& head, const Eigen::Vector2d& size)
+Pose placeAtHand(const Pose& grip, const Pose& head, const HandPlace& place)
 {
     const Vec3 foot = grip * Vec3(0, 0, -handReach);
     const Vec3 up = facing(foot, head).rotation * Vec3::UnitY();
-    const Vec3 middle = foot + (handClear + size.y() / 2) * up, way = middle - head.position;
-    return facing(head.position + std::min(1.0, farthestAtHand / way.norm()) * way, head);
+    const Vec3 middle = foot + (handClear + place.size.y() / 2) * up, way = middle - head.position;
+    const Vec3 toPanel = std::min(1.0, farthestAtHand / way.norm()) * way;
+    const auto turned = [&](double aside) {
+        return facing(head.position + Eigen::AngleAxisd(place.turnsTo * aside, Vec3::UnitY()) * toPanel, head);
+    };
+    if (!place.clear)
+        return turned(0);
+    return turned(leastTurn(mostAsideOfHand,
+                            [&](double aside) { return isClear(turned(aside), head, place.size, *place.clear); }));
 }
 
 Pose placeAhead(const Pose& head, const AheadPlace& place)
@@ -85,7 +107,8 @@ Pose placeAhead(const Pose& head, const AheadPlace& place)
     if (!place.clear)
         return ahead(head, place, place.aside);
     for (double more = 0; more <= mostAside; more += asideStep)
-        if (const Pose pose = ahead(head, place, place.aside + place.turnsTo * more); isClear(pose, head, place))
+        if (const Pose pose = ahead(head, place, place.aside + place.turnsTo * more);
+            isClear(pose, head, place.size, *place.clear))
             return pose;
     return ahead(head, place, place.aside);
 }

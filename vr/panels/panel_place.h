@@ -10,9 +10,17 @@ namespace vr
 {
 // Where panels stand in the room. A panel's pose is that of its middle: +X to its right, +Y up, +Z towards who reads it. All pure.
 
+struct HandPlace
+{
+    Eigen::Vector2d size{0.5, 0.4}; ///< metres
+    /// Of the room: it goes aside until it is out of that, and out of what that hides. Where that is too far it stays at the hand.
+    std::optional<core::Sphere> clear{};
+    double turnsTo = 1; ///< 1: aside is to the left, -1: to the right
+};
+
 /// Above a hand and before it, facing the head; it goes with the hand. Of a hand that hangs low it comes nearer to the eyes, where it can be
-/// read. `size`: metres.
-Pose placeAtHand(const Pose& grip, const Pose& head, const Eigen::Vector2d& size);
+/// read.
+Pose placeAtHand(const Pose& grip, const Pose& head, const HandPlace& place);
 
 struct AheadPlace
 {

@@ -2,6 +2,8 @@
 #include "panel_content.h"
 #include "panel_theme.h"
 
+#include <QLocale>
+
 #include <algorithm>
 #include <cmath>
 #include <ranges>
@@ -93,7 +95,7 @@ QString PerformancePanel::nameOf(FramePhase phase)
 
 PanelLayout PerformancePanel::layout() const
 {
-    const auto milliseconds = [](double value) { return QString::number(value, 'f', 2); };
+    const auto milliseconds = [](double value) { return QLocale().toString(value, 'f', 2); };
     std::vector<Line> lines{{tr("Without draw calls"), milliseconds(totalMs), true}};
     for (std::size_t i = 0; i < framePhaseCount; ++i)
         lines.push_back({nameOf(static_cast<FramePhase>(i)), milliseconds(cpuMs[i])});
