@@ -49,6 +49,8 @@ public:
     /// Of a frame that will be seen, for each eye in turn; eye 0 is the left, or the only one. The image is to be filled; the view has no
     /// framebuffer yet. OpenGL's state is anybody's.
     virtual void draw(std::size_t eye, const EyeImage& image, const EyeView& view) = 0;
+    /// No frames come for a while, perhaps none at all: what goes on ends. The last frame need not have shown why.
+    virtual void rest() = 0;
     /// CPU time of this thread within calls that draw, ever, in milliseconds: see FrameCost.
     virtual double drawCallMs() const = 0;
     /// Once for each create(), whatever it said.

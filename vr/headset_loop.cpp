@@ -93,8 +93,10 @@ std::optional<HeadsetEnd> HeadsetLoop::take(const XrEventDataSessionStateChanged
     const bool hadInput = m_standing.hasInput();
     if (step == SessionStep::Begin)
         m_session.begin();
-    if (step == SessionStep::End)
+    if (step == SessionStep::End) {
         m_session.end();
+        m_parts.client.rest();
+    }
     m_standing = afterStep(m_standing, event.state);
     m_areKindsOld = m_areKindsOld || (m_standing.hasInput() && !hadInput);
     if (step == SessionStep::Leave)

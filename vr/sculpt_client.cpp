@@ -163,6 +163,13 @@ void SculptClient::feelEffects()
             feeling(each).hold = hold->progress;
 }
 
+/// Nobody at the window waits for the end of a stroke whose hand is gone, or looks at whom the wands lay before.
+void SculptClient::rest()
+{
+    obey(m_hands.letGo());
+    m_port->show({});
+}
+
 void SculptClient::draw(std::size_t eye, const EyeImage& image, const EyeView& view)
 {
     if (eye == 0)

@@ -378,6 +378,7 @@ void TestHeadsetThread::isTakenOffAndPutOnAgain()
     const int frames = visitor.client->frames, polls = m_headset->calls("xrPollEvent");
     QTest::qWait(500);
     QCOMPARE(visitor.client->frames, frames);
+    QCOMPARE(visitor.client->rests, 1);
     QVERIFY(m_headset->calls("xrPollEvent") - polls < 20);
 
     m_headset->step("{'worn': true}");
