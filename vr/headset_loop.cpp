@@ -2,6 +2,8 @@
 // A frame: wait, begin, wands and head and eyes at the time at which it will be seen, the client, each eye, end.
 #include "headset_loop.h"
 
+#include <thread>
+
 namespace vr
 {
 namespace
@@ -146,7 +148,10 @@ void HeadsetLoop::tellStage()
 
 void HeadsetLoop::rest()
 {
-    m_parts.bell.wait(restTime);
+    if (m_standing.isLeaving)
+        std::this_thread::sleep_for(restTime); // the bell has rung
+    else
+        m_parts.bell.wait(restTime);
     m_lost = {};
     m_clock.startOver();
 }

@@ -83,6 +83,7 @@ private Q_SLOTS:
     void refusals();
     void aClientThatCannotDraw();
     void aRuntimeThatDoesNotLetGo();
+    void aRuntimeThatTakesItsTime();
 
     void losesFocusAndGetsItBack();
     void isHidden();
@@ -328,6 +329,22 @@ void TestHeadsetThread::aRuntimeThatDoesNotLetGo()
     QVERIFY(visitor.leave());
     QCOMPARE(visitor.reports.last().end, HeadsetEnd::Left);
     QCOMPARE(m_headset->calls("xrDestroySession"), 1);
+}
+
+/// It has ended the session, and does not say that all is over: the thread rests meanwhile.
+void TestHeadsetThread::aRuntimeThatTakesItsTime()
+{
+    m_headset->step("{'fail': {'call': 'xrEndSession', 'result': 'XR_SUCCESS'}}");
+    Visitor visitor(*m_headset);
+    QVERIFY(visitor.enterAndRun());
+    visitor.thread.leave();
+    QTRY_COMPARE(visitor.client->rests, 1);
+    const int polls = m_headset->calls("xrPollEvent");
+    QTest::qWait(300);
+    QVERIFY(visitor.thread.isIn());
+    QVERIFY(m_headset->calls("xrPollEvent") - polls < 20);
+    m_headset->step("{'lose_session': 0}");
+    QVERIFY(visitor.waitForEnd());
 }
 
 /// Without it nobody asks for the buttons, and the wands are at rest; the picture goes on.
