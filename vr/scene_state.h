@@ -83,7 +83,6 @@ struct SceneState
     core::Symmetry symmetry = core::Symmetry::None;
     std::variant<std::monostate, BallBrush, RayBrush> brush;
     core::Rgb brushColor{235, 240, 248};
-    std::optional<Pose> axes; ///< where short x, y and z axes are shown
     std::array<ShownWand, sideCount> wands; ///< by Side
     std::vector<Panel> panels;
     std::optional<Laser> laser;
