@@ -4,7 +4,6 @@
 #include "frame_costs.h"
 #include "haptic_pulse.h"
 #include "pose.h"
-#include "wand_kind.h"
 #include "wand_state.h"
 
 #include <cstdint>
@@ -24,7 +23,6 @@ struct FrameInput
     std::int64_t periodNs = 0;  ///< to the next frame
     bool hasFocus = false;      ///< else people are in the runtime's menu or elsewhere, and wands are at rest
     bool roomMoved = false;     ///< room space is another than in the frame before: what was held there, or drawn, is over
-    const WandKinds& kinds;     ///< the session's, and change seldom
     const FrameCosts& costs;
 };
 

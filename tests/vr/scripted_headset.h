@@ -22,7 +22,6 @@ struct SeenFrame
     std::int64_t periodNs = 0;
     bool hasFocus = false;
     bool roomMoved = false;
-    vr::WandKinds kinds;
 };
 
 /// Fills each eye with a colour and notes all that it is told.
