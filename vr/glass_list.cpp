@@ -196,9 +196,8 @@ void GlassMaker::addLabels(const ShownWand& wand)
 
 void GlassMaker::addLaser(const Laser& laser)
 {
-    addLine(laser.from, laser.to, {.width = thin, .color = accentColor, .alphas = {0.15F, laser.isOnPanel ? 0.9F : 0.0F}});
-    if (laser.isOnPanel)
-        addDot(laser.to, dotRadius, accentColor);
+    addLine(laser.from, laser.to, {.width = thin, .color = accentColor, .alphas = {0.15F, 0.9F}});
+    addDot(laser.to, dotRadius, accentColor);
 }
 
 void GlassMaker::addPanel(const Panel& panel)
@@ -225,8 +224,9 @@ void listGlass(const SceneState& state, LabelPictures& labels, GlassLists& into)
     std::visit([&](const auto& brush) { maker.addBrush(brush); }, state.brush);
     for (const ShownWand& wand : state.wands)
         maker.addWand(wand);
-    if (state.laser)
-        maker.addLaser(*state.laser);
+    for (const std::optional<Laser>& laser : state.lasers)
+        if (laser)
+            maker.addLaser(*laser);
     for (const Panel& panel : state.panels)
         maker.addPanel(panel);
     sortByDistance(into.panels);

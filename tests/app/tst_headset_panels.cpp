@@ -88,6 +88,7 @@ private Q_SLOTS:
     void tools_leave();
     void presses_neverSculpt();
     void brushInTheClay_sculptsBeforeAPanel();
+    void bothWands_pointAtAPanel();
     void colors_bySwatchSliderAndChannel();
     void files_open();
     void files_openLosingChanges();
@@ -210,6 +211,30 @@ void TestHeadsetPanels::brushInTheClay_sculptsBeforeAPanel()
     v.hand.settle();
     QCOMPARE(v.changes(), 1);
     QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+/// Each has a ray of its own.
+void TestHeadsetPanels::bothWands_pointAtAPanel()
+{
+    AtTools v;
+    v.open(PanelKind::Settings);
+    const vr::Pose pose = v.hand.placeOf(vr::layoutOf(vr::SettingsPanel::of(v.choice(), vr::SettingsPage::General)));
+    const Vec3 towards = pose.rotation * -Vec3::UnitZ();
+    const auto before = [&](double x, double distance) -> Vec3 { return pose * Vec3(x, 0, 0) - distance * towards; };
+    v.hand.waitForPanels();
+    const auto blueOfRays = [&] {
+        int blue = 0;
+        for (const double x : {-0.12, 0.12}) {
+            const QColor color = v.lookAt(before(x, 0.05));
+            blue += color.blue() - color.red() > 40;
+        }
+        return blue;
+    };
+    QCOMPARE(blueOfRays(), 0);
+    v.hand.put(Side::Right, before(0.12, 0.1), towards);
+    QCOMPARE(blueOfRays(), 1);
+    v.hand.put(Side::Left, before(-0.12, 0.1), towards);
+    QCOMPARE(blueOfRays(), 2);
 }
 
 void TestHeadsetPanels::colors_bySwatchSliderAndChannel()

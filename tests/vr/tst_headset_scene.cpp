@@ -525,7 +525,7 @@ void TestHeadsetScene::panels_hideWhatIsBehindThem()
     const vr::Panel near{{Eigen::Quaterniond::Identity(), {0, 1.6, -0.6}}, {0.3, 0.3}, texture(QColor(200, 0, 0)), 1};
     const vr::Panel far{{Eigen::Quaterniond::Identity(), {0.1, 1.6, -1}}, {0.5, 0.5}, texture(QColor(0, 200, 0)), 1};
     state.panels = nearFirst ? std::vector{near, far} : std::vector{far, near};
-    state.laser = vr::Laser{{-1, 1.6, -0.8}, {1, 1.6, -0.8}, false};
+    state.lasers[1] = vr::Laser{{-1, 1.6, -0.8}, {1, 1.6, -0.8}};
     const QImage seen = picture(state);
     QCOMPARE(colorAt(seen, QPointF(size.width() / 2, size.height() / 2)), QColor(200, 0, 0)); // before panel and laser
     QCOMPARE(colorAt(seen, pixelOf({0.32, 1.7, -1}, eye(state.head))), QColor(0, 200, 0));
