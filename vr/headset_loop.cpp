@@ -183,7 +183,7 @@ FrameInput HeadsetLoop::readInput(const FrameTime& time)
     if (hasFocus && std::exchange(m_areKindsOld, false))
         m_actions.refreshKinds();
     m_head = m_spaces.head(time.display);
-    return {wands, m_head, time.display, time.period, hasFocus, roomMoved, m_parts.costs};
+    return {wands, m_head, time.display, hasFocus, roomMoved, m_parts.costs};
 }
 
 void HeadsetLoop::obey(const FrameOutput& output)

@@ -7,11 +7,6 @@ namespace vr
 {
 namespace
 {
-double secondsOf(std::int64_t displayNs)
-{
-    return static_cast<double>(displayNs) * 1e-9;
-}
-
 /// What panels ahead do not hide: a ball about the model's middle.
 core::Sphere clayOf(const Room& room, const core::Box& box)
 {
@@ -49,7 +44,6 @@ void SculptClient::destroy()
 /// it is known what it is and where.
 FrameOutput SculptClient::frame(const FrameInput& input)
 {
-    const double time = secondsOf(input.displayNs);
     m_output = {};
     m_feelings = {};
     takeNews();
@@ -61,11 +55,11 @@ FrameOutput SculptClient::frame(const FrameInput& input)
     obey(commands);
     m_brush.look(m_room);
     feelEffects();
-    m_labels.step(time, m_head, input.wands, m_hands, commands);
+    m_labels.step(input.seconds(), m_head, input.wands, m_hands, commands);
     showPanels(input);
     see(input);
     tellPresence(input);
-    m_output.pulses = m_haptics.step(time, m_feelings);
+    m_output.pulses = m_haptics.step(input.seconds(), m_feelings);
     return m_output;
 }
 
@@ -128,7 +122,7 @@ void SculptClient::aimAtPanels(const FrameInput& input)
         const Pose tip = tipOf(wand);
         const std::optional<core::Ray> ray =
             wand.isTracked ? std::optional(core::Ray{tip.position, tip.forward()}) : std::nullopt;
-        if (const std::optional<PanelAction> action = m_wall.aim(side, ray, secondsOf(input.displayNs)))
+        if (const std::optional<PanelAction> action = m_wall.aim(side, ray, input.seconds()))
             obey(side, *action);
     }
 }
@@ -147,7 +141,7 @@ bool SculptClient::pointsAtPanel(Side side) const
 
 HandsFrame SculptClient::handsFrame(const FrameInput& input) const
 {
-    return {secondsOf(input.displayNs), input.wands, {pointsAtPanel(Side::Left), pointsAtPanel(Side::Right)}};
+    return {input.seconds(), input.wands, {pointsAtPanel(Side::Left), pointsAtPanel(Side::Right)}};
 }
 
 void SculptClient::feelEffects()

@@ -42,7 +42,7 @@ ToolPanel SculptClient::toolPanel() const
 
 void SculptClient::showPanels(const FrameInput& input)
 {
-    const double time = static_cast<double>(input.displayNs) * 1e-9;
+    const double time = input.seconds();
     m_wall.open(PanelKind::Performance, m_choice.showsPerformance);
     if (m_wall.isOpen(PanelKind::Tools))
         m_wall.show(toolPanel());

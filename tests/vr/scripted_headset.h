@@ -19,7 +19,6 @@ struct SeenFrame
     vr::Wands wands;
     std::optional<vr::Pose> head;
     std::int64_t displayNs = 0;
-    std::int64_t periodNs = 0;
     bool hasFocus = false;
     bool roomMoved = false;
 };
