@@ -1,3 +1,4 @@
+#include "counted_allocations.h"
 #include "example_scene.h"
 #include "offscreen_gl.h"
 #include "tests/support/mesh_asserts.h"
@@ -8,33 +9,6 @@
 #include "vr/light.h"
 #include "vr/picture_texture.h"
 #include "vr/scene.h"
-
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
-namespace
-{
-std::atomic<long> allocations = 0;
-}
-
-void* operator new(std::size_t bytes)
-{
-    ++allocations;
-    if (void* memory = std::malloc(bytes))
-        return memory;
-    throw std::bad_alloc();
-}
-
-void operator delete(void* memory) noexcept
-{
-    std::free(memory);
-}
-
-void operator delete(void* memory, std::size_t) noexcept
-{
-    std::free(memory);
-}
 
 namespace
 {
