@@ -230,10 +230,13 @@ void TestHeadsetPaper::rightMenu_opensTheColoursWhichThePadSets()
 
 void TestHeadsetPaper::rightTrigger_sculptsAsHardAsItIsPulled()
 {
-    const auto height = [](double trigger) {
-        Visit v;
+    Visit v;
+    const auto height = [&](double trigger) {
         v.pull(trigger);
-        return v.program.document.undoStack().count() == 1 ? v.box().max().y() : 0;
+        const double top = v.changes() == 1 ? v.box().max().y() : 0;
+        v.hand.pressPad(Side::Right, -0.8, 0);
+        v.hand.settle();
+        return v.isUntouched() ? top : 0;
     };
     const double light = height(0.6), full = height(1);
     QVERIFY2(light > 50.1 && full > light + 0.3, qPrintable(QStringLiteral("%1 %2").arg(light).arg(full)));
@@ -265,9 +268,31 @@ void TestHeadsetPaper::handsMaySwap()
     v.hand.press(Side::Left, "trigger", 8);
     v.hand.settle();
     QVERIFY(v.box().max().y() > 50.1);
-    v.hand.pressPad(Side::Left, -0.8, 0);
+    v.hand.hold(Side::Left, "squeeze");
     v.hand.settle();
     QCOMPARE(v.hash(), v.startHash);
+    QCOMPARE(v.changes(), 2);
+    for (int i = 0; i < 2; ++i)
+        v.hand.pressPad(Side::Left, -0.8, 0);
+    v.hand.settle();
+    QVERIFY(v.isUntouched());
+    v.hand.pressPad(Side::Left, 0, 0.8);
+    QTRY_COMPARE(v.brush().brush, core::BrushShape::Ray);
+
+    v.hand.put(Side::Left, {-0.5, 1.1, -0.2});
+    v.hand.pressPad(Side::Right, 0, 0.8);
+    QTRY_COMPARE(v.brush().topology, core::Topology::Uniform);
+    v.hand.press(Side::Right, "menu");
+    v.hand.pressPad(Side::Right, 0.8, 0);
+    QTRY_COMPARE(v.brush().tool, core::Tool::Push);
+    v.hand.press(Side::Right, "menu");
+    const double yaw = yawOf(v.model());
+    v.hand.pressPad(Side::Right, -0.8, 0, 30);
+    v.hand.settle();
+    QVERIFY(yawOf(v.model()) < yaw - 15);
+    v.hand.hold(Side::Right, "squeeze");
+    QTRY_VERIFY(v.files().contains(QStringLiteral("clay-001.stl")));
+    v.hand.settle();
 }
 
 int main(int argc, char* argv[])
