@@ -251,28 +251,36 @@ void TestHeadsetPanels::brushInTheClay_sculptsBeforeAPanel()
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
-/// Each has a ray of its own.
+/// Each has a ray of its own. Before the title, where nothing else is blue.
 void TestHeadsetPanels::bothWands_pointAtAPanel()
 {
     AtTools v({}, HeadsetHand::enough);
     v.open(PanelKind::Settings);
-    const vr::Pose pose = v.hand.placeOf(vr::layoutOf(vr::SettingsPanel::of(v.choice(), vr::SettingsPage::General)));
-    const Vec3 towards = pose.rotation * -Vec3::UnitZ();
-    const auto before = [&](double x, double distance) -> Vec3 { return pose * Vec3(x, 0, 0) - distance * towards; };
     v.hand.waitForPanels();
-    const auto blueOfRays = [&] {
-        int blue = 0;
-        for (const double x : {-0.12, 0.12}) {
-            const QColor color = v.colorAt(before(x, 0.05));
-            blue += color.blue() - color.red() > 40;
-        }
-        return blue;
+    const vr::PanelLayout layout = layoutOf(vr::SettingsPanel::of(v.choice(), vr::SettingsPage::General));
+    const vr::Pose pose = v.hand.placeOf(layout);
+    const Vec3 towards = pose.rotation * -Vec3::UnitZ();
+    const auto before = [&](double x, double distance) -> Vec3 {
+        return pose * Vec3(x, layout.metres().y() / 2 - 0.035, 0) - distance * towards;
     };
-    QCOMPARE(blueOfRays(), 0);
-    v.hand.put(Side::Right, before(0.12, 0.1), towards);
-    QCOMPARE(blueOfRays(), 1);
-    v.hand.put(Side::Left, before(-0.12, 0.1), towards);
-    QCOMPARE(blueOfRays(), 2);
+    const auto isRayAt = [&](double x) {
+        const Look look = v.lookAt(before(x, 0.05));
+        const QPoint at = look.at(before(x, 0.05));
+        int bluest = 0;
+        for (int dy = -3; dy <= 3; ++dy)
+            for (int dx = -3; dx <= 3; ++dx) {
+                const QColor color = look.picture.pixelColor(at + QPoint(dx, dy));
+                bluest = std::max(bluest, color.blue() - color.red());
+            }
+        return bluest > 40;
+    };
+    constexpr double left = -0.08, right = 0.08;
+    QVERIFY(!isRayAt(left) && !isRayAt(right));
+    v.hand.put(Side::Left, before(left, 0.1), towards);
+    QVERIFY(isRayAt(left) && !isRayAt(right));
+    v.hand.put(Side::Right, before(right, 0.1), towards);
+    QVERIFY(isRayAt(left));
+    QVERIFY(isRayAt(right));
 }
 
 void TestHeadsetPanels::colors_bySwatchSliderAndChannel()
