@@ -46,9 +46,9 @@ struct Look
 };
 
 /// With the tool panel open, which is held up beside the model, and painted.
-struct AtTools : Visit
+struct AtTools : Alone
 {
-    explicit AtTools(const vr::HeadsetChoice& choice = {}, const QSize& pixels = HeadsetHand::few) : Visit(choice, pixels)
+    explicit AtTools(const vr::HeadsetChoice& choice = {}, const QSize& pixels = HeadsetHand::few) : Alone(choice, pixels)
     {
         const Side support = choice.hands.sculpting == Side::Right ? Side::Left : Side::Right;
         hand.put(support, {support == Side::Left ? -0.35 : 0.35, 1.25, -0.3});
@@ -285,7 +285,7 @@ void TestHeadsetPanels::bothWands_pointAtAPanel()
 
 void TestHeadsetPanels::colors_bySwatchSliderAndChannel()
 {
-    Visit v;
+    Alone v;
     v.hand.put(Side::Right, {0.35, 1.25, -0.3});
     v.hand.press(Side::Right, "menu");
     const auto panel = [&] {
@@ -484,7 +484,7 @@ void TestHeadsetPanels::settings_vibration()
 /// The panel comes and goes, and counts the frames that are lost.
 void TestHeadsetPanels::settings_performance()
 {
-    AtTools v({}, {432, 480});
+    AtTools v({}, HeadsetHand::enough);
     v.open(PanelKind::Settings);
     v.hand.setSlow(true); // the numbers change twice a second
     const auto panel = [&] { return vr::SettingsPanel::of(v.choice(), vr::SettingsPage::General); };

@@ -23,6 +23,9 @@ struct Held
     int files = entriesOf("/proc/self/fd");
 };
 
+/// Nobody looks at its pictures.
+constexpr const char* small = "{'start': {'size': [64, 72]}}";
+
 /// Every call of OpenXR that a visit makes, and may hear no to; but for those whose refusal is an answer.
 const char* const refusable[] = {
     "xrEnumerateViewConfigurations",
@@ -64,7 +67,7 @@ class TestHeadsetThread : public QObject
 
 private Q_SLOTS:
     void initTestCase();
-    void init() { m_headset->load("{}"); }
+    void init() { m_headset->load(small); }
     void cleanup();
 
     void entersAndLeaves();
@@ -136,7 +139,7 @@ void TestHeadsetThread::entersAndLeaves()
 /// Threads, files and contexts end with each visit.
 void TestHeadsetThread::entersAgainAndAgain()
 {
-    m_headset->load("{'start': {'pace': 'fast'}}");
+    m_headset->load("{'start': {'pace': 'fast', 'size': [64, 72]}}");
     Visitor visitor(*m_headset);
     std::optional<Held> before;
     constexpr int visits = 20;
@@ -239,7 +242,7 @@ void TestHeadsetThread::whatIsNotThereIsAnAnswer()
     QCOMPARE(visitor.reports.last().text, vr::OpenXrRuntime::probe().text);
     QCOMPARE(visitor.client->creates, 0);
 
-    m_headset->load("{}");
+    m_headset->load(small);
     QVERIFY(visitor.enterAndRun());
     QVERIFY(visitor.leave());
 }
@@ -278,7 +281,7 @@ void TestHeadsetThread::faults()
     QCOMPARE(visitor.client->creates, visitor.client->destroys);
     QCOMPARE(m_headset->complaints(), QString());
 
-    m_headset->load("{}");
+    m_headset->load(small);
     QVERIFY(visitor.enterAndRun());
     QVERIFY(visitor.leave());
 }
