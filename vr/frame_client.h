@@ -21,7 +21,7 @@ struct FrameInput
     std::optional<Pose> head; ///< none as long as the runtime has not known it
     std::int64_t displayNs = 0; ///< the runtime's clock: for differences
     bool hasFocus = false;      ///< else people are in the runtime's menu or elsewhere, and wands are at rest
-    bool roomMoved = false;     ///< room space is another than in the frame before: what was held there, or drawn, is over
+    bool roomMoved = false; ///< room space is another than in the frame before: what was held there, or drawn, is over
     const FrameCosts& costs;
 
     double seconds() const { return static_cast<double>(displayNs) * 1e-9; }

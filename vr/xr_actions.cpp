@@ -21,7 +21,8 @@ XrDuration nanoseconds(double seconds)
 
 bool isOfSticks(const std::string& profile)
 {
-    return std::ranges::any_of(wandProfiles(), [&](const WandProfile& one) { return one.isStick && profile == one.path; });
+    return std::ranges::any_of(wandProfiles(),
+                               [&](const WandProfile& one) { return one.isStick && profile == one.path; });
 }
 } // namespace
 

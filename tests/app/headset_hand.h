@@ -21,7 +21,8 @@ namespace app
 class HeadsetHand
 {
 public:
-    static constexpr QSize few{108, 120}, enough{216, 240}; ///< pixels of an eye, where nobody looks at them, and where somebody does
+    /// Pixels of an eye: where nobody looks at them, and where somebody does.
+    static constexpr QSize few{108, 120}, enough{216, 240};
 
     explicit HeadsetHand(Program& program, const QSize& pixels = few) : m_program(program)
     {

@@ -48,7 +48,8 @@ struct Look
 /// With the tool panel open, which is held up beside the model, and painted.
 struct AtTools : Alone
 {
-    explicit AtTools(const vr::HeadsetChoice& choice = {}, const QSize& pixels = HeadsetHand::few) : Alone(choice, pixels)
+    explicit AtTools(const vr::HeadsetChoice& choice = {}, const QSize& pixels = HeadsetHand::few)
+        : Alone(choice, pixels)
     {
         const Side support = choice.hands.sculpting == Side::Right ? Side::Left : Side::Right;
         hand.put(support, {support == Side::Left ? -0.35 : 0.35, 1.25, -0.3});
@@ -184,14 +185,19 @@ void TestHeadsetPanels::tools_recentre()
     AtTools v;
     v.hand.headset().step("{'head': {'position': [0.4, 1.55, 0.2], 'yaw_pitch_roll': [20, 0, 0]}}");
     v.hand.frames(2);
+    const auto isBefore = [&](const vr::Pose& head) {
+        return (v.model().translation() - head * Vec3(0, -0.2, -0.6)).norm() < 0.02;
+    };
+    QVERIFY(v.hand.seen().head && !isBefore(*v.hand.seen().head));
     v.hand.click(tools(), PanelCommand::Recentre);
     v.hand.settle();
     QVERIFY(v.hand.seen().head);
     const vr::Pose head = *v.hand.seen().head;
     QVERIFY((head.position - Vec3(0, 1.55, 0)).norm() < 1e-3);
     QVERIFY((head.forward() + Vec3::UnitZ()).norm() < 1e-3);
-    QVERIFY((v.model().translation() - head.position - Vec3(0, -0.2, -0.6)).norm() < 0.02);
+    QVERIFY(isBefore(head));
     QVERIFY(v.isUntouched());
+    QCOMPARE(v.program.document.undoStack().count(), 0);
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
@@ -384,7 +390,8 @@ void TestHeadsetPanels::files_save()
     QVERIFY(v.hand.choose(panel, PanelCommand::SaveModel, isSaved));
     const QImage told = v.areaOf(after, area);
     const QImage painted = vr::paint(after);
-    const double share = changed(vr::paint(before), painted).width() / (painted.width() * area.width() / after.size.width());
+    const double share =
+        changed(vr::paint(before), painted).width() / (painted.width() * area.width() / after.size.width());
     QVERIFY(share > 0.1 && share < 0.9);
     const double seen = static_cast<double>(changed(silent, told).width()) / told.width();
     QVERIFY2(std::abs(seen - share) < 0.04, qPrintable(QStringLiteral("%1 %2").arg(seen).arg(share)));

@@ -142,7 +142,9 @@ void TestHeadsetSession::endsTheSameEveryTime()
     qInfo("%s", qPrintable(first.steps.join(QLatin1Char('\n'))));
     QCOMPARE(first.complaints, QString());
     const auto at = [&](const char* name) {
-        const auto isIt = [&](const QString& step) { return step.startsWith(QLatin1StringView(name) + QLatin1Char(' ')); };
+        const auto isIt = [&](const QString& step) {
+            return step.startsWith(QLatin1StringView(name) + QLatin1Char(' '));
+        };
         return std::ranges::find_if(first.steps, isIt) - first.steps.begin();
     };
     const auto hash = [&](const char* name) { return first.steps[at(name)].section(QLatin1Char(' '), -1); };
@@ -154,7 +156,8 @@ void TestHeadsetSession::endsTheSameEveryTime()
     QCOMPARE(hash("saved"), hash("fused"));
     for (qsizetype step = 0; step < first.steps.size(); ++step)
         QCOMPARE(first.bodies[step], step == at("ball") ? 2U : 1U);
-    QCOMPARE(first.files, (QStringList{QStringLiteral("clay-001.glb"), QStringLiteral("clay-001.stl"), QStringLiteral("clay.glb")}));
+    QCOMPARE(first.files,
+             (QStringList{QStringLiteral("clay-001.glb"), QStringLiteral("clay-001.stl"), QStringLiteral("clay.glb")}));
     QCOMPARE(play().steps, first.steps);
 }
 
