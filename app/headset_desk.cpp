@@ -5,7 +5,6 @@
 #include "document.h"
 
 #include "ui/brush_settings.h"
-#include "ui/clay_materials.h"
 #include "ui/color_panel.h"
 #include "ui/main_window.h"
 #include "ui/settings.h"
@@ -144,10 +143,10 @@ void HeadsetDesk::tell()
     if (!m_port)
         return;
     vr::DocumentNews news = m_news;
-    const ui::ViewLook& look = m_window->viewport()->look();
+    const ui::Viewport& viewport = *m_window->viewport();
     news.box = m_document->facts().box;
-    news.shading = ui::shadingOf(look.material);
-    news.isFlat = look.flat;
+    news.shading = viewport.shading();
+    news.isFlat = viewport.look().flat;
     news.canUndo = m_document->canUndo();
     news.canRedo = m_document->canRedo();
     news.isModified = m_document->isModified();

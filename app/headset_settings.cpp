@@ -10,8 +10,6 @@ namespace
 namespace stored = ui::stored;
 using stored::number, stored::wordFor, stored::yesNo;
 
-constexpr double leastTurn = 1, mostTurn = 720; ///< degrees a second
-
 constexpr std::array<ui::Named<vr::Preset>, 2> presets{{{vr::Preset::Paper, "paper"}, {vr::Preset::Studio, "studio"}}};
 constexpr std::array<ui::Named<vr::Side>, 2> sides{{{vr::Side::Left, "left"}, {vr::Side::Right, "right"}}};
 constexpr std::array<const char*, vr::sensationCount> sensations{"contact", "texture",  "fusion",
@@ -35,9 +33,9 @@ vr::HeadsetChoice HeadsetSettings::choice() const
     vr::HeadsetChoice choice;
     choice.hands.preset = stored::choice(m_settings, presetKey, presets, choice.hands.preset);
     choice.hands.sculpting = stored::choice(m_settings, sculptingKey, sides, choice.hands.sculpting);
-    constexpr double most = vr::SettingsPanel::mostRaised;
-    choice.raised = number(m_settings, raisedKey, -most, most, choice.raised);
-    choice.turnsBy = number(m_settings, turnsKey, leastTurn, mostTurn, choice.turnsBy);
+    using Panel = vr::SettingsPanel;
+    choice.raised = number(m_settings, raisedKey, -Panel::mostRaised, Panel::mostRaised, choice.raised);
+    choice.turnsBy = number(m_settings, turnsKey, Panel::slowestTurn, Panel::fastestTurn, choice.turnsBy);
     choice.showsFloor = yesNo(m_settings, floorKey, choice.showsFloor);
     choice.showsPerformance = yesNo(m_settings, performanceKey, choice.showsPerformance);
     for (std::size_t i = 0; i < vr::sensationCount; ++i)

@@ -4,7 +4,6 @@
 #include "frame_costs.h"
 #include "haptic_pulse.h"
 #include "pose.h"
-#include "wand_kind.h"
 #include "wand_state.h"
 
 #include <cstdint>
@@ -21,11 +20,11 @@ struct FrameInput
     Wands wands;
     std::optional<Pose> head; ///< none as long as the runtime has not known it
     std::int64_t displayNs = 0; ///< the runtime's clock: for differences
-    std::int64_t periodNs = 0;  ///< to the next frame
     bool hasFocus = false;      ///< else people are in the runtime's menu or elsewhere, and wands are at rest
-    bool roomMoved = false;     ///< room space is another than in the frame before: what was held there, or drawn, is over
-    const WandKinds& kinds;     ///< the session's, and change seldom
+    bool roomMoved = false; ///< room space is another than in the frame before: what was held there, or drawn, is over
     const FrameCosts& costs;
+
+    double seconds() const { return static_cast<double>(displayNs) * 1e-9; }
 };
 
 struct FrameOutput
@@ -49,6 +48,8 @@ public:
     /// Of a frame that will be seen, for each eye in turn; eye 0 is the left, or the only one. The image is to be filled; the view has no
     /// framebuffer yet. OpenGL's state is anybody's.
     virtual void draw(std::size_t eye, const EyeImage& image, const EyeView& view) = 0;
+    /// No frames come for a while, perhaps none at all: what goes on ends. The last frame need not have shown why.
+    virtual void rest() = 0;
     /// CPU time of this thread within calls that draw, ever, in milliseconds: see FrameCost.
     virtual double drawCallMs() const = 0;
     /// Once for each create(), whatever it said.

@@ -13,11 +13,10 @@ namespace
 {
 const Eigen::Vector3f paneColor(0.15F, 0.33F, 0.66F), accentColor(0.22F, 0.56F, 1.0F), paleColor(0.85F, 0.88F, 0.92F);
 const Eigen::Vector3f holdColor(1.0F, 0.48F, 0.10F);
-const Eigen::Vector3f axisColors[] = {{0.75F, 0.16F, 0.13F}, {0.20F, 0.52F, 0.14F}, {0.12F, 0.30F, 0.85F}};
 
 constexpr float thin = 0.0011F, thinner = 0.0008F; ///< widths of lines, metres
 constexpr float mirrored = 0.45F;                  ///< how strong a brush's mirror image is
-constexpr double rayReach = 3, axisLength = 0.05, dotRadius = 0.0035, thumbRadius = 0.0042;
+constexpr double rayReach = 3, dotRadius = 0.0035, thumbRadius = 0.0042;
 constexpr double offSurface = 0.0006; ///< so that what lies on a surface is seen
 constexpr double holdRadius = 0.026, holdLift = 0.030;
 constexpr float holdHole = 0.80F, footprintHole = 0.97F;
@@ -49,7 +48,6 @@ public:
     void addBrush(std::monostate) {}
     void addBrush(const BallBrush& brush);
     void addBrush(const RayBrush& brush);
-    void addAxes(const Pose& at);
     void addWand(const ShownWand& wand);
     void addLaser(const Laser& laser);
     void addPanel(const Panel& panel);
@@ -140,12 +138,6 @@ void GlassMaker::addFootprint(const RayBrush::Hit& hit, float strength)
                      .hiddenAlpha = 0.25F * strength});
 }
 
-void GlassMaker::addAxes(const Pose& at)
-{
-    for (int axis = 0; axis < 3; ++axis)
-        addLine(at.position, at * (axisLength * core::Vec3::Unit(axis)), {.width = thin, .color = axisColors[axis]});
-}
-
 void GlassMaker::addWand(const ShownWand& wand)
 {
     if (!wand.isShown)
@@ -204,9 +196,8 @@ void GlassMaker::addLabels(const ShownWand& wand)
 
 void GlassMaker::addLaser(const Laser& laser)
 {
-    addLine(laser.from, laser.to, {.width = thin, .color = accentColor, .alphas = {0.15F, laser.isOnPanel ? 0.9F : 0.0F}});
-    if (laser.isOnPanel)
-        addDot(laser.to, dotRadius, accentColor);
+    addLine(laser.from, laser.to, {.width = thin, .color = accentColor, .alphas = {0.15F, 0.9F}});
+    addDot(laser.to, dotRadius, accentColor);
 }
 
 void GlassMaker::addPanel(const Panel& panel)
@@ -231,12 +222,11 @@ void listGlass(const SceneState& state, LabelPictures& labels, GlassLists& into)
     GlassMaker maker(state, labels, into);
     maker.addPane();
     std::visit([&](const auto& brush) { maker.addBrush(brush); }, state.brush);
-    if (state.axes)
-        maker.addAxes(*state.axes);
     for (const ShownWand& wand : state.wands)
         maker.addWand(wand);
-    if (state.laser)
-        maker.addLaser(*state.laser);
+    for (const std::optional<Laser>& laser : state.lasers)
+        if (laser)
+            maker.addLaser(*laser);
     for (const Panel& panel : state.panels)
         maker.addPanel(panel);
     sortByDistance(into.panels);

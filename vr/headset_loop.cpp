@@ -2,6 +2,8 @@
 // A frame: wait, begin, wands and head and eyes at the time at which it will be seen, the client, each eye, end.
 #include "headset_loop.h"
 
+#include <thread>
+
 namespace vr
 {
 namespace
@@ -93,8 +95,10 @@ std::optional<HeadsetEnd> HeadsetLoop::take(const XrEventDataSessionStateChanged
     const bool hadInput = m_standing.hasInput();
     if (step == SessionStep::Begin)
         m_session.begin();
-    if (step == SessionStep::End)
+    if (step == SessionStep::End) {
         m_session.end();
+        m_parts.client.rest();
+    }
     m_standing = afterStep(m_standing, event.state);
     m_areKindsOld = m_areKindsOld || (m_standing.hasInput() && !hadInput);
     if (step == SessionStep::Leave)
@@ -144,7 +148,10 @@ void HeadsetLoop::tellStage()
 
 void HeadsetLoop::rest()
 {
-    m_parts.bell.wait(restTime);
+    if (m_standing.isLeaving)
+        std::this_thread::sleep_for(restTime); // the bell has rung
+    else
+        m_parts.bell.wait(restTime);
     m_lost = {};
     m_clock.startOver();
 }
@@ -176,7 +183,7 @@ FrameInput HeadsetLoop::readInput(const FrameTime& time)
     if (hasFocus && std::exchange(m_areKindsOld, false))
         m_actions.refreshKinds();
     m_head = m_spaces.head(time.display);
-    return {wands, m_head, time.display, time.period, hasFocus, roomMoved, m_actions.kinds(), m_parts.costs};
+    return {wands, m_head, time.display, hasFocus, roomMoved, m_parts.costs};
 }
 
 void HeadsetLoop::obey(const FrameOutput& output)

@@ -147,9 +147,4 @@ void PanelWall::list(std::vector<Panel>& panels) const
         if (isThere(place))
             panels.push_back({place.placed.pose, place.placed.layout->metres(), place.picture.id(), place.opacity});
 }
-
-const PlacedPanel* PanelWall::placed(PanelKind kind) const
-{
-    return isThere(at(kind)) ? &at(kind).placed : nullptr;
-}
 } // namespace vr

@@ -47,8 +47,6 @@ public:
 
     /// What is seen: into `panels`, in place of what that held.
     void list(std::vector<Panel>& panels) const;
-    /// An open panel as it stands; null: it is not there yet.
-    const PlacedPanel* placed(PanelKind kind) const;
 
 private:
     struct Place

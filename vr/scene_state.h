@@ -56,11 +56,10 @@ struct RayBrush
     std::optional<Hit> hit; ///< of the ray and the clay
 };
 
-/// From a wand to a panel, or past all panels.
+/// From a wand to a panel.
 struct Laser
 {
     core::Vec3 from, to;
-    bool isOnPanel = false;
 };
 
 /// A rectangle with a picture. Seen from behind it is a dark plate.
@@ -83,10 +82,9 @@ struct SceneState
     core::Symmetry symmetry = core::Symmetry::None;
     std::variant<std::monostate, BallBrush, RayBrush> brush;
     core::Rgb brushColor{235, 240, 248};
-    std::optional<Pose> axes; ///< where short x, y and z axes are shown
     std::array<ShownWand, sideCount> wands; ///< by Side
     std::vector<Panel> panels;
-    std::optional<Laser> laser;
+    std::array<std::optional<Laser>, sideCount> lasers; ///< by Side
     bool hasFloor = true;
 };
 } // namespace vr

@@ -7,11 +7,6 @@ namespace vr
 {
 namespace
 {
-double secondsOf(std::int64_t displayNs)
-{
-    return static_cast<double>(displayNs) * 1e-9;
-}
-
 /// What panels ahead do not hide: a ball about the model's middle.
 core::Sphere clayOf(const Room& room, const core::Box& box)
 {
@@ -49,7 +44,6 @@ void SculptClient::destroy()
 /// it is known what it is and where.
 FrameOutput SculptClient::frame(const FrameInput& input)
 {
-    const double time = secondsOf(input.displayNs);
     m_output = {};
     m_feelings = {};
     takeNews();
@@ -66,7 +60,7 @@ FrameOutput SculptClient::frame(const FrameInput& input)
     showPanels(input);
     see(input);
     tellPresence(input);
-    m_output.pulses = m_haptics.step(time, m_feelings);
+    m_output.pulses = m_haptics.step(input.seconds(), m_feelings);
     return m_output;
 }
 
@@ -129,7 +123,7 @@ void SculptClient::aimAtPanels(const FrameInput& input)
         const Pose tip = tipOf(wand);
         const std::optional<core::Ray> ray =
             wand.isTracked ? std::optional(core::Ray{tip.position, tip.forward()}) : std::nullopt;
-        if (const std::optional<PanelAction> action = m_wall.aim(side, ray, secondsOf(input.displayNs)))
+        if (const std::optional<PanelAction> action = m_wall.aim(side, ray, input.seconds()))
             obey(side, *action);
     }
 }
@@ -148,7 +142,7 @@ bool SculptClient::pointsAtPanel(Side side) const
 
 HandsFrame SculptClient::handsFrame(const FrameInput& input) const
 {
-    return {secondsOf(input.displayNs), input.wands, {pointsAtPanel(Side::Left), pointsAtPanel(Side::Right)}};
+    return {input.seconds(), input.wands, {pointsAtPanel(Side::Left), pointsAtPanel(Side::Right)}};
 }
 
 void SculptClient::feelEffects()
@@ -162,6 +156,13 @@ void SculptClient::feelEffects()
     for (const Side each : {Side::Left, Side::Right})
         if (const std::optional<Hands::Hold> hold = m_hands.hold(each))
             feeling(each).hold = hold->progress;
+}
+
+/// Nobody at the window waits for the end of a stroke whose hand is gone, or looks at whom the wands lay before.
+void SculptClient::rest()
+{
+    obey(m_hands.letGo());
+    m_port->show({});
 }
 
 void SculptClient::draw(std::size_t eye, const EyeImage& image, const EyeView& view)

@@ -25,6 +25,7 @@ public:
     bool create(QOpenGLContext& context) override;
     FrameOutput frame(const FrameInput& input) override;
     void draw(std::size_t eye, const EyeImage& image, const EyeView& view) override;
+    void rest() override;
     double drawCallMs() const override { return m_scene.drawCallMs() + m_target.drawCallMs(); }
     void destroy() override;
 

@@ -42,7 +42,7 @@ ToolPanel SculptClient::toolPanel() const
 
 void SculptClient::showPanels(const FrameInput& input)
 {
-    const double time = static_cast<double>(input.displayNs) * 1e-9;
+    const double time = input.seconds();
     m_wall.open(PanelKind::Performance, m_choice.showsPerformance);
     if (m_wall.isOpen(PanelKind::Tools))
         m_wall.show(toolPanel());
@@ -120,11 +120,11 @@ void SculptClient::see(const FrameInput& input)
     for (std::size_t i = 0; i < sideCount; ++i)
         m_state.wands[i] = shown(input.wands[i], static_cast<Side>(i));
     m_wall.list(m_state.panels);
-    m_state.laser.reset();
+    m_state.lasers = {};
     for (const Side side : {Side::Left, Side::Right})
-        if (m_state.wands[static_cast<std::size_t>(side)].isShown && pointsAtPanel(side))
-            m_state.laser =
-                Laser{tipOf(input.wands[static_cast<std::size_t>(side)]).position, m_wall.spot(side)->point, true};
+        if (pointsAtPanel(side))
+            m_state.lasers[static_cast<std::size_t>(side)] =
+                Laser{tipOf(input.wands[static_cast<std::size_t>(side)]).position, m_wall.spot(side)->point};
     if (m_brush.footprint() != m_tint) {
         m_tint = m_brush.footprint();
         m_scene.tint(m_tint.get());

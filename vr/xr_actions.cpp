@@ -19,12 +19,10 @@ XrDuration nanoseconds(double seconds)
     return seconds > 0 ? static_cast<XrDuration>(std::llround(seconds * 1e9)) : XR_MIN_HAPTIC_DURATION;
 }
 
-const WandProfile* profileAt(const QString& path)
+bool isOfSticks(const std::string& profile)
 {
-    const auto profiles = wandProfiles();
-    const auto found =
-        std::find_if(profiles.begin(), profiles.end(), [&](const WandProfile& one) { return path == QLatin1StringView(one.path); });
-    return found == profiles.end() ? nullptr : &*found;
+    return std::ranges::any_of(wandProfiles(),
+                               [&](const WandProfile& one) { return one.isStick && profile == one.path; });
 }
 } // namespace
 
@@ -207,45 +205,11 @@ void Actions::pulse(const HapticPulse& pulse)
 
 void Actions::refreshKinds()
 {
-    for (std::size_t side = 0; side < sideCount; ++side)
-        m_kinds[side] = kindOf(side);
-}
-
-WandKind Actions::kindOf(std::size_t side)
-{
-    XrInteractionProfileState state{};
-    state.type = XR_TYPE_INTERACTION_PROFILE_STATE;
-    check(xrGetCurrentInteractionProfile(m_session, m_hands[side].path, &state), "xrGetCurrentInteractionProfile");
-    WandKind kind;
-    kind.profile = QString::fromStdString(m_instance.text(state.interactionProfile));
-    const WandProfile* profile = profileAt(kind.profile);
-    m_hands[side].isStick = profile && profile->isStick;
-    kind.trigger = partName(Control::Trigger, side);
-    kind.pad = partName(Control::Pad, side);
-    kind.side = partName(Control::Side, side);
-    kind.menu = partName(Control::Menu, side);
-    return kind;
-}
-
-/// Of the first part of that hand that is bound to it. A name that is not to be had ends no session.
-QString Actions::partName(Control control, std::size_t side) const
-try {
-    const XrBoundSourcesForActionEnumerateInfo about{XR_TYPE_BOUND_SOURCES_FOR_ACTION_ENUMERATE_INFO, nullptr, action(control)};
-    const auto sources = listed("xrEnumerateBoundSourcesForAction", XrPath{}, [&](auto capacity, auto* count, auto* items) {
-        return xrEnumerateBoundSourcesForAction(m_session, &about, capacity, count, items);
-    });
-    for (const XrPath source : sources) {
-        if (!m_instance.text(source).starts_with(handPaths[side]))
-            continue;
-        const XrInputSourceLocalizedNameGetInfo info{XR_TYPE_INPUT_SOURCE_LOCALIZED_NAME_GET_INFO, nullptr, source,
-                                                     XR_INPUT_SOURCE_LOCALIZED_NAME_COMPONENT_BIT};
-        const auto letters = listed("xrGetInputSourceLocalizedName", char{}, [&](auto capacity, auto* count, auto* items) {
-            return xrGetInputSourceLocalizedName(m_session, &info, capacity, count, items);
-        });
-        return QString::fromUtf8(letters.data(), static_cast<qsizetype>(strnlen(letters.data(), letters.size())));
+    for (Hand& hand : m_hands) {
+        XrInteractionProfileState state{};
+        state.type = XR_TYPE_INTERACTION_PROFILE_STATE;
+        check(xrGetCurrentInteractionProfile(m_session, hand.path, &state), "xrGetCurrentInteractionProfile");
+        hand.isStick = isOfSticks(m_instance.text(state.interactionProfile));
     }
-    return {};
-} catch (const XrError&) {
-    return {};
 }
 } // namespace vr

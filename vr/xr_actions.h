@@ -1,7 +1,6 @@
 #pragma once
 
 #include "haptic_pulse.h"
-#include "wand_kind.h"
 #include "wand_state.h"
 #include "xr_bindings.h"
 #include "xr_instance.h"
@@ -27,7 +26,6 @@ public:
 
     /// To be called when the runtime says that a wand is of another kind, and once when the focus is new.
     void refreshKinds();
-    const WandKinds& kinds() const { return m_kinds; }
 
     /// Kinds of wands that the runtime does not take, with its result's name.
     const QStringList& refusedProfiles() const { return m_refused; }
@@ -50,8 +48,6 @@ private:
     void readButtons(std::size_t side);
     XrActionStateGetInfo asking(Control control, std::size_t side) const;
     bool isPressed(Control control, std::size_t side) const;
-    WandKind kindOf(std::size_t side);
-    QString partName(Control control, std::size_t side) const;
     XrAction action(Control control) const { return m_actions[static_cast<std::size_t>(control)].get(); }
 
     const Instance& m_instance;
@@ -60,7 +56,6 @@ private:
     std::array<ActionHandle, controlCount> m_actions; ///< by Control
     std::array<Hand, sideCount> m_hands;              ///< by Side
     Wands m_wands;
-    WandKinds m_kinds;
     QStringList m_refused;
 };
 } // namespace vr

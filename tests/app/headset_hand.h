@@ -21,9 +21,12 @@ namespace app
 class HeadsetHand
 {
 public:
-    explicit HeadsetHand(Program& program) : m_program(program)
+    /// Pixels of an eye: where nobody looks at them, and where somebody does.
+    static constexpr QSize few{108, 120}, enough{216, 240};
+
+    explicit HeadsetHand(Program& program, const QSize& pixels = few) : m_program(program)
     {
-        load({216, 240});
+        load(pixels);
         auto* entrance = program.window.findChild<Headset*>();
         QObject::connect(entrance, &Headset::seen, entrance,
                          [this](const std::optional<vr::Presence>& presence) { m_seen = presence.value_or(m_seen); });
@@ -127,8 +130,16 @@ public:
         set(side, input, 0);
         frame();
     }
+    /// What must be held is held for so many frames where those are slow.
+    static constexpr int slowHertz = 20, longPress = static_cast<int>(vr::holdSeconds * slowHertz) + 4;
+    void setSlow(bool isSlow) { m_headset.step(isSlow ? "{'hz': 20}" : "{'hz': 90}"); }
     /// Down for longer than must be held.
-    void hold(vr::Side side, const char* input) { press(side, input, static_cast<int>(vr::holdSeconds * 90) + 4); }
+    void hold(vr::Side side, const char* input)
+    {
+        setSlow(true);
+        press(side, input, longPress);
+        setSlow(false);
+    }
     void pressPad(vr::Side side, double x, double y, int count = 2)
     {
         set(side, "pad", QJsonArray{x, y});
@@ -248,7 +259,7 @@ public:
     /// Panels are painted aside, and appear when they are.
     void waitForPanels()
     {
-        for (int i = 0; i < 20; ++i) {
+        for (int i = 0; i < 10; ++i) {
             QTest::qWait(20);
             frame();
         }

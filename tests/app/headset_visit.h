@@ -15,12 +15,14 @@ namespace app
 /// A ball of 100 mm from a file, at the desktop, and a headset that lies beside it.
 struct Desk
 {
-    explicit Desk(const vr::HeadsetChoice& choice = {})
+    /// `pixels`: of an eye.
+    explicit Desk(const vr::HeadsetChoice& choice = {}, const QSize& pixels = HeadsetHand::few) : hand(program, pixels)
     {
         QSettings().clear();
         HeadsetSettings().setChoice(choice);
         core::writeMesh(path("clay.glb").toStdU16String(), core::icosphere(4, 50));
-        openFile(program, path("clay.glb"), {900, 700});
+        program.window.viewport()->setMaximumSize(viewSize); // each frame of the headset moves a ghost there
+        openFile(program, path("clay.glb"), {640, 480});
         startHash = hash();
     }
     QString path(const char* name) const { return m_folder.filePath(QLatin1StringView(name)); }
@@ -46,22 +48,36 @@ struct Desk
     bool isUntouched() { return hash() == startHash && !program.document.isModified(); }
 
     Program program;
-    HeadsetHand hand{program};
+    HeadsetHand hand;
     std::uint64_t startHash = 0;
 
 private:
+    static constexpr QSize viewSize{240, 180};
+
     QTemporaryDir m_folder;
 };
 
 /// The same, and a person in the headset before the ball.
 struct Visit : Desk
 {
-    explicit Visit(const vr::HeadsetChoice& choice = {}) : Desk(choice) { hand.enter(); }
+    explicit Visit(const vr::HeadsetChoice& choice = {}, const QSize& pixels = HeadsetHand::few) : Desk(choice, pixels)
+    {
+        hand.enter();
+    }
 
     Eigen::Affine3d model() const { return hand.seen().model; }
     double scale() const { return model().linear().col(0).norm(); }
     /// Out of the surface at the top.
     void pull(double trigger = 1) { hand.stroke({0, 49, 0}, {0, 54, 0}, 8, trigger); }
+};
+
+/// The same, and nobody at the window: it is not painted, which is half of what a frame costs.
+struct Alone : Visit
+{
+    explicit Alone(const vr::HeadsetChoice& choice = {}, const QSize& pixels = HeadsetHand::few) : Visit(choice, pixels)
+    {
+        program.window.viewport()->setUpdatesEnabled(false);
+    }
 };
 
 /// The pulses of a run that feel like that.

@@ -17,7 +17,7 @@ using vr::Side;
 
 namespace
 {
-constexpr int longPress = static_cast<int>(vr::holdSeconds * 90) + 4; ///< frames
+constexpr int longPress = HeadsetHand::longPress;
 
 /// The left wand's panel, as far as its places go: where what is depends on its switches only.
 vr::ToolPanel tools()
@@ -27,10 +27,29 @@ vr::ToolPanel tools()
     return panel;
 }
 
-/// With the tool panel open, which is held up beside the model, and painted.
-struct AtTools : Visit
+/// What the left eye sees.
+struct Look
 {
-    explicit AtTools(const vr::HeadsetChoice& choice = {}) : Visit(choice)
+    QImage picture;
+    vr::Pose head;
+
+    /// Where a place of the room is on the picture.
+    QPoint at(const Vec3& place) const
+    {
+        const Vec3 own = head.inverse() * place - Vec3(-0.032, 0, 0);
+        const double left = std::tan(-0.94), right = std::tan(0.81), top = std::tan(0.96), bottom = std::tan(-0.98);
+        const double x = (own.x() / -own.z() - left) / (right - left), y = (top - own.y() / -own.z()) / (top - bottom);
+        return {static_cast<int>(x * picture.width()), static_cast<int>(y * picture.height())};
+    }
+    /// Between two corners, those of a panel's part.
+    QImage between(const Vec3& a, const Vec3& b) const { return picture.copy(QRect(at(a), at(b)).normalized()); }
+};
+
+/// With the tool panel open, which is held up beside the model, and painted.
+struct AtTools : Alone
+{
+    explicit AtTools(const vr::HeadsetChoice& choice = {}, const QSize& pixels = HeadsetHand::few)
+        : Alone(choice, pixels)
     {
         const Side support = choice.hands.sculpting == Side::Right ? Side::Left : Side::Right;
         hand.put(support, {support == Side::Left ? -0.35 : 0.35, 1.25, -0.3});
@@ -51,17 +70,36 @@ struct AtTools : Visit
     }
     vr::HeadsetChoice choice() const { return HeadsetSettings().choice(); }
 
-    /// What the person sees at that place of the room, when they turn to it and back.
-    QColor lookAt(const Vec3& place)
+    /// What the person sees who turns to that place of the room, and back.
+    Look lookAt(const Vec3& place)
     {
         const Vec3 way = place - hand.head.position;
         turnHead(std::atan2(-way.x(), -way.z()) * 180 / std::numbers::pi);
-        const QImage picture = hand.picture();
-        const Vec3 at = hand.seen().head->inverse() * place - Vec3(-0.032, 0, 0); // as the left eye has it
+        const Look look{hand.picture(), *hand.seen().head};
         turnHead(0);
-        const double left = std::tan(-0.94), right = std::tan(0.81), top = std::tan(0.96), bottom = std::tan(-0.98);
-        const double x = (at.x() / -at.z() - left) / (right - left), y = (top - at.y() / -at.z()) / (top - bottom);
-        return picture.pixelColor(static_cast<int>(x * picture.width()), static_cast<int>(y * picture.height()));
+        return look;
+    }
+    QColor colorAt(const Vec3& place)
+    {
+        const Look look = lookAt(place);
+        return look.picture.pixelColor(look.at(place));
+    }
+    void putWandsAside()
+    {
+        hand.put(Side::Left, {-0.5, 1.1, -0.1});
+        hand.put(Side::Right, {0.5, 1.1, -0.1});
+        hand.waitForPanels();
+    }
+    /// Of a panel that stands ahead: what is seen of an area of it.
+    QImage areaOf(const vr::PanelLayout& layout, const QRectF& area)
+    {
+        putWandsAside();
+        const vr::Pose pose = hand.placeOf(layout);
+        const auto place = [&](const QPointF& corner) -> Vec3 {
+            const QPointF own = corner - QPointF(layout.size.width(), layout.size.height()) / 2;
+            return pose * (Vec3(own.x(), -own.y(), 0) * layout.distance / 1000);
+        };
+        return lookAt(pose.position).between(place(area.topLeft()), place(area.bottomRight()));
     }
 
     bool isOpen = false;
@@ -88,6 +126,7 @@ private Q_SLOTS:
     void tools_leave();
     void presses_neverSculpt();
     void brushInTheClay_sculptsBeforeAPanel();
+    void bothWands_pointAtAPanel();
     void colors_bySwatchSliderAndChannel();
     void files_open();
     void files_openLosingChanges();
@@ -131,6 +170,7 @@ void TestHeadsetPanels::tools_undoRedoAndRestore()
     QCOMPARE(v.hash(), pulled);
     v.hand.click(tools(), PanelCommand::RestoreModel); // not held
     QCOMPARE(v.hash(), pulled);
+    v.hand.setSlow(true);
     QVERIFY(v.choose(
         PanelCommand::RestoreModel, [&] { return v.hash() == v.startHash; }, longPress));
     QCOMPARE(v.changes(), 2);
@@ -145,14 +185,19 @@ void TestHeadsetPanels::tools_recentre()
     AtTools v;
     v.hand.headset().step("{'head': {'position': [0.4, 1.55, 0.2], 'yaw_pitch_roll': [20, 0, 0]}}");
     v.hand.frames(2);
+    const auto isBefore = [&](const vr::Pose& head) {
+        return (v.model().translation() - head * Vec3(0, -0.2, -0.6)).norm() < 0.02;
+    };
+    QVERIFY(v.hand.seen().head && !isBefore(*v.hand.seen().head));
     v.hand.click(tools(), PanelCommand::Recentre);
     v.hand.settle();
     QVERIFY(v.hand.seen().head);
     const vr::Pose head = *v.hand.seen().head;
     QVERIFY((head.position - Vec3(0, 1.55, 0)).norm() < 1e-3);
     QVERIFY((head.forward() + Vec3::UnitZ()).norm() < 1e-3);
-    QVERIFY((v.model().translation() - head.position - Vec3(0, -0.2, -0.6)).norm() < 0.02);
+    QVERIFY(isBefore(head));
     QVERIFY(v.isUntouched());
+    QCOMPARE(v.program.document.undoStack().count(), 0);
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
@@ -212,9 +257,41 @@ void TestHeadsetPanels::brushInTheClay_sculptsBeforeAPanel()
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
+/// Each has a ray of its own. Before the title, where nothing else is blue.
+void TestHeadsetPanels::bothWands_pointAtAPanel()
+{
+    AtTools v({}, HeadsetHand::enough);
+    v.open(PanelKind::Settings);
+    v.hand.waitForPanels();
+    const vr::PanelLayout layout = layoutOf(vr::SettingsPanel::of(v.choice(), vr::SettingsPage::General));
+    const vr::Pose pose = v.hand.placeOf(layout);
+    const Vec3 towards = pose.rotation * -Vec3::UnitZ();
+    const auto before = [&](double x, double distance) -> Vec3 {
+        return pose * Vec3(x, layout.metres().y() / 2 - 0.035, 0) - distance * towards;
+    };
+    const auto isRayAt = [&](double x) {
+        const Look look = v.lookAt(before(x, 0.05));
+        const QPoint at = look.at(before(x, 0.05));
+        int bluest = 0;
+        for (int dy = -3; dy <= 3; ++dy)
+            for (int dx = -3; dx <= 3; ++dx) {
+                const QColor color = look.picture.pixelColor(at + QPoint(dx, dy));
+                bluest = std::max(bluest, color.blue() - color.red());
+            }
+        return bluest > 40;
+    };
+    constexpr double left = -0.08, right = 0.08;
+    QVERIFY(!isRayAt(left) && !isRayAt(right));
+    v.hand.put(Side::Left, before(left, 0.1), towards);
+    QVERIFY(isRayAt(left) && !isRayAt(right));
+    v.hand.put(Side::Right, before(right, 0.1), towards);
+    QVERIFY(isRayAt(left));
+    QVERIFY(isRayAt(right));
+}
+
 void TestHeadsetPanels::colors_bySwatchSliderAndChannel()
 {
-    Visit v;
+    Alone v;
     v.hand.put(Side::Right, {0.35, 1.25, -0.3});
     v.hand.press(Side::Right, "menu");
     const auto panel = [&] {
@@ -287,6 +364,7 @@ void TestHeadsetPanels::files_openLosingChanges()
     v.hand.waitForPanels();
     v.hand.click(panel, vr::OpenFile{other}); // not held
     QCOMPARE(v.hash(), pulled);
+    v.hand.setSlow(true);
     QVERIFY(v.hand.choose(
         panel, vr::OpenFile{other}, [&] { return v.program.document.path() == other; }, longPress));
     v.hand.settle();
@@ -294,20 +372,36 @@ void TestHeadsetPanels::files_openLosingChanges()
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
+/// The panel then says the file's name.
 void TestHeadsetPanels::files_save()
 {
-    AtTools v;
+    AtTools v({}, {432, 480});
     v.open(PanelKind::Files);
-    const vr::FilesPanel panel = filesOf(v);
+    vr::FilesPanel panel = filesOf(v);
+    const vr::PanelLayout before = layoutOf(panel);
+    panel.saved = QStringLiteral("clay-001.glb");
+    const vr::PanelLayout after = layoutOf(panel);
+    const QRectF area = after.parts.back().area;
+    const auto* status = std::get_if<vr::TextLook>(&after.parts.back().look);
+    QVERIFY(status && status->text.contains(panel.saved));
+
+    const QImage silent = v.areaOf(before, area);
     const auto isSaved = [&] { return v.files().contains(QStringLiteral("clay-001.stl")); };
     QVERIFY(v.hand.choose(panel, PanelCommand::SaveModel, isSaved));
+    const QImage told = v.areaOf(after, area);
+    const QImage painted = vr::paint(after);
+    const double share =
+        changed(vr::paint(before), painted).width() / (painted.width() * area.width() / after.size.width());
+    QVERIFY(share > 0.1 && share < 0.9);
+    const double seen = static_cast<double>(changed(silent, told).width()) / told.width();
+    QVERIFY2(std::abs(seen - share) < 0.04, qPrintable(QStringLiteral("%1 %2").arg(seen).arg(share)));
     QVERIFY(v.isUntouched());
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
 void TestHeadsetPanels::settings_general()
 {
-    AtTools v;
+    AtTools v({}, HeadsetHand::enough);
     v.open(PanelKind::Settings);
     const auto panel = [&] { return vr::SettingsPanel::of(v.choice(), vr::SettingsPage::General); };
     const Vec3 before = v.model().translation();
@@ -315,7 +409,13 @@ void TestHeadsetPanels::settings_general()
                           [&] { return std::abs(v.choice().raised - 0.2) < 0.021; }));
     QVERIFY((v.model().translation() - before - Vec3(0, v.choice().raised, 0)).norm() < 1e-3);
     QVERIFY(v.hand.choose(panel(), vr::Slide{PanelSlider::TurnSpeed, 180}, [&] { return v.choice().turnsBy == 180; }));
+    const auto floor = [&] {
+        v.putWandsAside();
+        return v.lookAt({1.4, 0, -1.4}).between({1.2, 0, -1.6}, {1.6, 0, -1.2});
+    };
+    const QImage grid = floor();
     QVERIFY(v.hand.choose(panel(), vr::ShowFloor{false}, [&] { return !v.choice().showsFloor; }));
+    QVERIFY(floor() != grid);
     QVERIFY(v.hand.choose(panel(), vr::Preset::Studio, [&] { return v.choice().hands.preset == vr::Preset::Studio; }));
     QVERIFY(v.hand.choose(panel(), vr::Preset::Paper, [&] { return v.choice().hands.preset == vr::Preset::Paper; }));
     v.hand.click(panel(), vr::ShowPanel{PanelKind::Settings, false});
@@ -349,6 +449,19 @@ void TestHeadsetPanels::settings_swapHands()
     v.hand.pressPad(Side::Left, -0.8, 0);
     v.hand.settle();
     QVERIFY(v.isUntouched());
+
+    v.hand.put(Side::Left, {-0.5, 1.1, -0.2});
+    v.hand.put(Side::Right, {0.35, 1.25, -0.3});
+    v.hand.press(Side::Right, "menu"); // the tools go with the other hand
+    QVERIFY(v.choose(core::Tool::Paint, [&] { return v.brush().tool == core::Tool::Paint; }));
+    v.hand.press(Side::Right, "menu");
+    v.hand.put(Side::Left, {-0.35, 1.25, -0.3});
+    v.hand.press(Side::Left, "menu"); // so do the colours
+    const vr::ColorPanel colors{v.brush().color, 0, v.program.window.findChild<ui::ColorPanel*>()->swatches()};
+    const core::Rgb swatch = colors.swatches.at(3);
+    QVERIFY(v.brush().color != swatch);
+    QVERIFY(v.hand.choose(colors, vr::ChooseColor{swatch}, [&] { return v.brush().color == swatch; }));
+    QVERIFY(v.isUntouched());
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
@@ -375,19 +488,26 @@ void TestHeadsetPanels::settings_vibration()
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
+/// The panel comes and goes, and counts the frames that are lost.
 void TestHeadsetPanels::settings_performance()
 {
-    AtTools v;
+    AtTools v({}, HeadsetHand::enough);
     v.open(PanelKind::Settings);
+    v.hand.setSlow(true); // the numbers change twice a second
     const auto panel = [&] { return vr::SettingsPanel::of(v.choice(), vr::SettingsPage::General); };
-    const Vec3 middle = v.hand.placeOf(vr::layoutOf(vr::PerformancePanel())).position;
-    const QColor before = v.lookAt(middle);
+    const vr::PanelLayout layout = layoutOf(vr::PerformancePanel());
+    const QRectF lost = layout.parts.back().area;
+    const auto* number = std::get_if<vr::TextLook>(&layout.parts.back().look);
+    QVERIFY(number && number->text == QStringLiteral("0"));
+    const QImage before = v.areaOf(layout, lost);
     QVERIFY(v.hand.choose(panel(), vr::ShowPerformance{true}, [&] { return v.choice().showsPerformance; }));
-    v.hand.waitForPanels();
-    QVERIFY(v.lookAt(middle) != before);
+    const QImage none = v.areaOf(layout, lost);
+    QVERIFY(none != before);
+    QCOMPARE(v.areaOf(layout, lost), none);
+    v.hand.headset().step("{'late_ms': 400}");
+    QVERIFY(v.areaOf(layout, lost) != none);
     QVERIFY(v.hand.choose(panel(), vr::ShowPerformance{false}, [&] { return !v.choice().showsPerformance; }));
-    v.hand.waitForPanels();
-    QCOMPARE(v.lookAt(middle), before);
+    QCOMPARE(v.areaOf(layout, lost), before);
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 

@@ -49,7 +49,7 @@ private:
 
 void TestHeadsetPaper::turns(double x, int sign)
 {
-    Visit v;
+    Alone v;
     const double before = yawOf(v.model());
     v.hand.pressPad(Side::Left, x, 0, 30);
     v.hand.settle();
@@ -62,7 +62,7 @@ void TestHeadsetPaper::turns(double x, int sign)
 /// In uniform topology a small brush leaves the edges as they are.
 void TestHeadsetPaper::togglesTopology(double y)
 {
-    Visit v;
+    Alone v;
     const auto vertices = v.program.document.facts().vertices;
     QCOMPARE(v.brush().topology, core::Topology::Adaptive);
     v.hand.pressPad(Side::Left, 0, y);
@@ -78,7 +78,7 @@ void TestHeadsetPaper::togglesTopology(double y)
 
 void TestHeadsetPaper::leftSlide_scalesTheModel()
 {
-    Visit v;
+    Alone v;
     const double before = v.scale();
     v.hand.slide(Side::Left, {0, 1});
     v.hand.settle();
@@ -92,7 +92,7 @@ void TestHeadsetPaper::leftSlide_scalesTheModel()
 void TestHeadsetPaper::leftMenu_showsTheToolsWhichThePadScrolls()
 {
     using core::Tool;
-    Visit v;
+    Alone v;
     v.hand.pressPad(Side::Left, 0.8, 0); // without the menu it turns the model
     v.hand.settle();
     QCOMPARE(v.brush().tool, Tool::Pull);
@@ -112,7 +112,7 @@ void TestHeadsetPaper::leftMenu_showsTheToolsWhichThePadScrolls()
 
 void TestHeadsetPaper::leftTrigger_movesTheModel()
 {
-    Visit v;
+    Alone v;
     const Vec3 before = v.model().translation(), by(0.1, 0.05, -0.02);
     v.hand.put(Side::Left, {-0.3, 1.2, -0.4});
     v.hand.frame();
@@ -128,7 +128,7 @@ void TestHeadsetPaper::leftTrigger_movesTheModel()
 
 void TestHeadsetPaper::leftSideHeld_saves()
 {
-    Visit v;
+    Alone v;
     v.pull();
     v.hand.press(Side::Left, "squeeze", 20); // by accident
     v.hand.settle();
@@ -148,7 +148,7 @@ void TestHeadsetPaper::leftSideHeld_saves()
 
 void TestHeadsetPaper::rightPadTop_togglesTheBrush()
 {
-    Visit v;
+    Alone v;
     v.hand.pressPad(Side::Right, 0, 0.8);
     QTRY_COMPARE(v.brush().brush, core::BrushShape::Ray);
     v.hand.put(Side::Right, v.hand.place({0, 0, 90}));
@@ -162,7 +162,7 @@ void TestHeadsetPaper::rightPadTop_togglesTheBrush()
 
 void TestHeadsetPaper::rightPadBottom_togglesSymmetry()
 {
-    Visit v;
+    Alone v;
     v.hand.pressPad(Side::Right, 0, -0.8);
     QTRY_COMPARE(v.brush().symmetry, core::Symmetry::Y); // the paper's xz plane
     v.pull();
@@ -175,7 +175,7 @@ void TestHeadsetPaper::rightPadBottom_togglesSymmetry()
 
 void TestHeadsetPaper::rightPadLeftAndRight_undoAndRedo()
 {
-    Visit v;
+    Alone v;
     v.pull();
     const std::uint64_t pulled = v.hash();
     QVERIFY(pulled != v.startHash);
@@ -194,7 +194,7 @@ void TestHeadsetPaper::rightPadLeftAndRight_undoAndRedo()
 
 void TestHeadsetPaper::rightSlide_setsTheRadius()
 {
-    Visit v;
+    Alone v;
     const double before = v.hand.seen().brush->radius;
     v.hand.slide(Side::Right, {1, 0});
     v.hand.settle();
@@ -207,7 +207,7 @@ void TestHeadsetPaper::rightSlide_setsTheRadius()
 
 void TestHeadsetPaper::rightMenu_opensTheColoursWhichThePadSets()
 {
-    Visit v;
+    Alone v;
     const core::Rgb before = v.brush().color;
     v.hand.press(Side::Right, "menu");
     v.hand.slide(Side::Right, {0, -1.6});
@@ -230,10 +230,13 @@ void TestHeadsetPaper::rightMenu_opensTheColoursWhichThePadSets()
 
 void TestHeadsetPaper::rightTrigger_sculptsAsHardAsItIsPulled()
 {
-    const auto height = [](double trigger) {
-        Visit v;
+    Alone v;
+    const auto height = [&](double trigger) {
         v.pull(trigger);
-        return v.program.document.undoStack().count() == 1 ? v.box().max().y() : 0;
+        const double top = v.changes() == 1 ? v.box().max().y() : 0;
+        v.hand.pressPad(Side::Right, -0.8, 0);
+        v.hand.settle();
+        return v.isUntouched() ? top : 0;
     };
     const double light = height(0.6), full = height(1);
     QVERIFY2(light > 50.1 && full > light + 0.3, qPrintable(QStringLiteral("%1 %2").arg(light).arg(full)));
@@ -241,7 +244,7 @@ void TestHeadsetPaper::rightTrigger_sculptsAsHardAsItIsPulled()
 
 void TestHeadsetPaper::rightSideHeld_restoresAndThatCanBeUndone()
 {
-    Visit v;
+    Alone v;
     v.pull();
     const std::uint64_t pulled = v.hash();
     v.hand.press(Side::Right, "squeeze", 20); // by accident
@@ -259,15 +262,37 @@ void TestHeadsetPaper::handsMaySwap()
 {
     vr::HeadsetChoice choice;
     choice.hands.sculpting = Side::Left;
-    Visit v(choice);
+    Alone v(choice);
     v.hand.put(Side::Left, v.hand.place({0, 49.5, 0}));
     v.hand.frame();
     v.hand.press(Side::Left, "trigger", 8);
     v.hand.settle();
     QVERIFY(v.box().max().y() > 50.1);
-    v.hand.pressPad(Side::Left, -0.8, 0);
+    v.hand.hold(Side::Left, "squeeze");
     v.hand.settle();
     QCOMPARE(v.hash(), v.startHash);
+    QCOMPARE(v.changes(), 2);
+    for (int i = 0; i < 2; ++i)
+        v.hand.pressPad(Side::Left, -0.8, 0);
+    v.hand.settle();
+    QVERIFY(v.isUntouched());
+    v.hand.pressPad(Side::Left, 0, 0.8);
+    QTRY_COMPARE(v.brush().brush, core::BrushShape::Ray);
+
+    v.hand.put(Side::Left, {-0.5, 1.1, -0.2});
+    v.hand.pressPad(Side::Right, 0, 0.8);
+    QTRY_COMPARE(v.brush().topology, core::Topology::Uniform);
+    v.hand.press(Side::Right, "menu");
+    v.hand.pressPad(Side::Right, 0.8, 0);
+    QTRY_COMPARE(v.brush().tool, core::Tool::Push);
+    v.hand.press(Side::Right, "menu");
+    const double yaw = yawOf(v.model());
+    v.hand.pressPad(Side::Right, -0.8, 0, 30);
+    v.hand.settle();
+    QVERIFY(yawOf(v.model()) < yaw - 15);
+    v.hand.hold(Side::Right, "squeeze");
+    QTRY_VERIFY(v.files().contains(QStringLiteral("clay-001.stl")));
+    v.hand.settle();
 }
 
 int main(int argc, char* argv[])

@@ -17,9 +17,9 @@ vr::HeadsetChoice studio()
     return choice;
 }
 
-struct AtStudio : Visit
+struct AtStudio : Alone
 {
-    AtStudio() : Visit(studio()) {}
+    AtStudio() : Alone(studio()) {}
     Vec3 middle() const { return model().translation(); } ///< the ball's is the document's origin
 };
 } // namespace

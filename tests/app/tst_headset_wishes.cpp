@@ -28,6 +28,8 @@ struct Visit
 {
     explicit Visit(const QString& path)
     {
+        program.window.viewport()->setMaximumSize(240, 180); // nobody looks at it
+        program.window.resize(640, 480);
         program.window.show();
         if (path.isEmpty())
             program.document.openSphere();

@@ -97,7 +97,7 @@ void writePictures(Renderer& renderer, const QDir& folder)
     const core::Vec3 at(-0.42, 1.42, -0.62);
     vr::Pose pose = looking(at, 2 * at - ball.head.position);
     panel.panels = {{pose, {0.40, 0.30}, renderer.panel.id(), 1}};
-    panel.laser = vr::Laser{ball.wands[1].grip * vr::wandTip(), pose * core::Vec3(0.06, 0.02, 0), true};
+    panel.lasers[1] = vr::Laser{ball.wands[1].grip * vr::wandTip(), pose * core::Vec3(0.06, 0.02, 0)};
     panel.brush = {};
     panel.symmetry = core::Symmetry::None;
     save(panel, "panel");

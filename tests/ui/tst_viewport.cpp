@@ -71,17 +71,6 @@ struct Stage
     ui::Viewport viewport{&brush};
 };
 
-/// Where two pictures differ.
-QRect changed(const QImage& a, const QImage& b)
-{
-    QRect area;
-    for (int y = 0; y < a.height(); ++y)
-        for (int x = 0; x < a.width(); ++x)
-            if (a.pixel(x, y) != b.pixel(x, y))
-                area |= QRect(x, y, 1, 1);
-    return area;
-}
-
 QRect aroundPixel(const ui::OrbitCamera::Pixel& at, int distance)
 {
     const QPoint p(qRound(at.x()), qRound(at.y()));

@@ -96,16 +96,6 @@ Wearer wearerAt(const core::Vec3& place)
     return wearer;
 }
 
-QRect changed(const QImage& a, const QImage& b)
-{
-    QRect area;
-    for (int y = 0; y < a.height(); ++y)
-        for (int x = 0; x < a.width(); ++x)
-            if (a.pixel(x, y) != b.pixel(x, y))
-                area |= QRect(x, y, 1, 1);
-    return area;
-}
-
 QRect around(QPoint pixel, int distance)
 {
     return QRect(pixel - QPoint(distance, distance), pixel + QPoint(distance, distance));

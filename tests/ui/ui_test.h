@@ -37,6 +37,17 @@ inline void sendMouse(QWidget* to, QEvent::Type type, QPoint at, Qt::MouseButton
     QCoreApplication::sendEvent(to, &event);
 }
 
+/// Where two pictures of one size differ.
+inline QRect changed(const QImage& a, const QImage& b)
+{
+    QRect area;
+    for (int y = 0; y < a.height(); ++y)
+        for (int x = 0; x < a.width(); ++x)
+            if (a.pixel(x, y) != b.pixel(x, y))
+                area |= QRect(x, y, 1, 1);
+    return area;
+}
+
 /// Pixels that are not quite transparent.
 inline int inked(const QImage& picture)
 {

@@ -19,10 +19,8 @@ struct SeenFrame
     vr::Wands wands;
     std::optional<vr::Pose> head;
     std::int64_t displayNs = 0;
-    std::int64_t periodNs = 0;
     bool hasFocus = false;
     bool roomMoved = false;
-    vr::WandKinds kinds;
 };
 
 /// Fills each eye with a colour and notes all that it is told.
@@ -32,6 +30,7 @@ public:
     bool create(QOpenGLContext& context) override;
     vr::FrameOutput frame(const vr::FrameInput& input) override;
     void draw(std::size_t eye, const vr::EyeImage& image, const vr::EyeView& view) override;
+    void rest() override { ++rests; }
     double drawCallMs() const override { return m_clock.milliseconds(); }
     void destroy() override;
 
@@ -44,7 +43,7 @@ public:
     static QColor linear(std::size_t eye); ///< what it is filled with
 
     std::atomic<bool> canDraw = true;
-    std::atomic<int> creates = 0, destroys = 0, frames = 0, draws = 0, moves = 0, glErrors = 0;
+    std::atomic<int> creates = 0, destroys = 0, frames = 0, draws = 0, rests = 0, moves = 0, glErrors = 0;
     QPointer<QOpenGLContext> context;
     std::thread::id thread;
 

@@ -41,7 +41,6 @@ private Q_SLOTS:
     void lostHeadsShowNothing();
     void wandsAreFeltAndSeen();
     void lostWandsStayWhereTheyWere();
-    void wandsHaveNames();
     void wandsMayChange();
     void refusedKindsOfWandsAreLeftOut();
     void pulsesAreFelt();
@@ -253,20 +252,6 @@ void TestHeadsetFrames::lostWandsStayWhereTheyWere()
     leave(visitor);
 }
 
-void TestHeadsetFrames::wandsHaveNames()
-{
-    Visitor visitor(*m_headset);
-    enter(visitor);
-    QVERIFY(m_headset->frames(2));
-    for (const vr::WandKind& kind : visitor.client->last().kinds) {
-        QCOMPARE(kind.profile, QString("/interaction_profiles/htc/vive_controller"));
-        const QStringList names{kind.trigger, kind.pad, kind.side, kind.menu};
-        QVERIFY(!names.contains(QString()));
-        QCOMPARE(QSet<QString>(names.begin(), names.end()).size(), names.size());
-    }
-    leave(visitor);
-}
-
 void TestHeadsetFrames::wandsMayChange()
 {
     Visitor visitor(*m_headset);
@@ -274,7 +259,6 @@ void TestHeadsetFrames::wandsMayChange()
     m_headset->step("{'profile': '/interaction_profiles/valve/index_controller', 'left': {'stick': [0.25, 0.5], 'button_b': true}}");
     QVERIFY(m_headset->frames(4));
     const SeenFrame frame = visitor.client->last();
-    QCOMPARE(frame.kinds[0].profile, QString("/interaction_profiles/valve/index_controller"));
     QVERIFY(frame.wands[0].isStick && frame.wands[0].menu);
     QVERIFY((frame.wands[0].pad - Eigen::Vector2d(0.25, 0.5)).norm() < 1e-6);
     leave(visitor);

@@ -1,3 +1,4 @@
+#include "counted_allocations.h"
 #include "example_scene.h"
 #include "offscreen_gl.h"
 #include "tests/support/mesh_asserts.h"
@@ -8,33 +9,6 @@
 #include "vr/light.h"
 #include "vr/picture_texture.h"
 #include "vr/scene.h"
-
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
-namespace
-{
-std::atomic<long> allocations = 0;
-}
-
-void* operator new(std::size_t bytes)
-{
-    ++allocations;
-    if (void* memory = std::malloc(bytes))
-        return memory;
-    throw std::bad_alloc();
-}
-
-void operator delete(void* memory) noexcept
-{
-    std::free(memory);
-}
-
-void operator delete(void* memory, std::size_t) noexcept
-{
-    std::free(memory);
-}
 
 namespace
 {
@@ -525,7 +499,7 @@ void TestHeadsetScene::panels_hideWhatIsBehindThem()
     const vr::Panel near{{Eigen::Quaterniond::Identity(), {0, 1.6, -0.6}}, {0.3, 0.3}, texture(QColor(200, 0, 0)), 1};
     const vr::Panel far{{Eigen::Quaterniond::Identity(), {0.1, 1.6, -1}}, {0.5, 0.5}, texture(QColor(0, 200, 0)), 1};
     state.panels = nearFirst ? std::vector{near, far} : std::vector{far, near};
-    state.laser = vr::Laser{{-1, 1.6, -0.8}, {1, 1.6, -0.8}, false};
+    state.lasers[1] = vr::Laser{{-1, 1.6, -0.8}, {1, 1.6, -0.8}};
     const QImage seen = picture(state);
     QCOMPARE(colorAt(seen, QPointF(size.width() / 2, size.height() / 2)), QColor(200, 0, 0)); // before panel and laser
     QCOMPARE(colorAt(seen, pixelOf({0.32, 1.7, -1}, eye(state.head))), QColor(0, 200, 0));

@@ -23,6 +23,9 @@ struct Held
     int files = entriesOf("/proc/self/fd");
 };
 
+/// Nobody looks at its pictures.
+constexpr const char* small = "{'start': {'size': [64, 72]}}";
+
 /// Every call of OpenXR that a visit makes, and may hear no to; but for those whose refusal is an answer.
 const char* const refusable[] = {
     "xrEnumerateViewConfigurations",
@@ -64,7 +67,7 @@ class TestHeadsetThread : public QObject
 
 private Q_SLOTS:
     void initTestCase();
-    void init() { m_headset->load("{}"); }
+    void init() { m_headset->load(small); }
     void cleanup();
 
     void entersAndLeaves();
@@ -83,6 +86,7 @@ private Q_SLOTS:
     void refusals();
     void aClientThatCannotDraw();
     void aRuntimeThatDoesNotLetGo();
+    void aRuntimeThatTakesItsTime();
 
     void losesFocusAndGetsItBack();
     void isHidden();
@@ -135,7 +139,7 @@ void TestHeadsetThread::entersAndLeaves()
 /// Threads, files and contexts end with each visit.
 void TestHeadsetThread::entersAgainAndAgain()
 {
-    m_headset->load("{'start': {'pace': 'fast'}}");
+    m_headset->load("{'start': {'pace': 'fast', 'size': [64, 72]}}");
     Visitor visitor(*m_headset);
     std::optional<Held> before;
     constexpr int visits = 20;
@@ -238,7 +242,7 @@ void TestHeadsetThread::whatIsNotThereIsAnAnswer()
     QCOMPARE(visitor.reports.last().text, vr::OpenXrRuntime::probe().text);
     QCOMPARE(visitor.client->creates, 0);
 
-    m_headset->load("{}");
+    m_headset->load(small);
     QVERIFY(visitor.enterAndRun());
     QVERIFY(visitor.leave());
 }
@@ -277,7 +281,7 @@ void TestHeadsetThread::faults()
     QCOMPARE(visitor.client->creates, visitor.client->destroys);
     QCOMPARE(m_headset->complaints(), QString());
 
-    m_headset->load("{}");
+    m_headset->load(small);
     QVERIFY(visitor.enterAndRun());
     QVERIFY(visitor.leave());
 }
@@ -330,6 +334,22 @@ void TestHeadsetThread::aRuntimeThatDoesNotLetGo()
     QCOMPARE(m_headset->calls("xrDestroySession"), 1);
 }
 
+/// It has ended the session, and does not say that all is over: the thread rests meanwhile.
+void TestHeadsetThread::aRuntimeThatTakesItsTime()
+{
+    m_headset->step("{'fail': {'call': 'xrEndSession', 'result': 'XR_SUCCESS'}}");
+    Visitor visitor(*m_headset);
+    QVERIFY(visitor.enterAndRun());
+    visitor.thread.leave();
+    QTRY_COMPARE(visitor.client->rests, 1);
+    const int polls = m_headset->calls("xrPollEvent");
+    QTest::qWait(300);
+    QVERIFY(visitor.thread.isIn());
+    QVERIFY(m_headset->calls("xrPollEvent") - polls < 20);
+    m_headset->step("{'lose_session': 0}");
+    QVERIFY(visitor.waitForEnd());
+}
+
 /// Without it nobody asks for the buttons, and the wands are at rest; the picture goes on.
 void TestHeadsetThread::losesFocusAndGetsItBack()
 {
@@ -378,6 +398,7 @@ void TestHeadsetThread::isTakenOffAndPutOnAgain()
     const int frames = visitor.client->frames, polls = m_headset->calls("xrPollEvent");
     QTest::qWait(500);
     QCOMPARE(visitor.client->frames, frames);
+    QCOMPARE(visitor.client->rests, 1);
     QVERIFY(m_headset->calls("xrPollEvent") - polls < 20);
 
     m_headset->step("{'worn': true}");

@@ -272,9 +272,6 @@ void TestPanelLayout::aChoice_staysOnItsPanel()
     QCOMPARE(files.after(vr::ShowPage{1}).page, 1);
     QCOMPARE(files.after(vr::ChooseFile{QStringLiteral("x")}).chosen, QStringLiteral("x"));
     QVERIFY(files.after(PanelCommand::SaveModel) == files);
-    const vr::SettingsPanel settings;
-    QVERIFY(settings.after(vr::SettingsPage::Feel).page == vr::SettingsPage::Feel);
-    QVERIFY(settings.after(PanelCommand::Recentre) == settings);
 }
 
 void TestPanelLayout::openingUnsaved_mustBeHeld()

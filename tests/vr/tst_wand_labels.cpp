@@ -1,36 +1,11 @@
 #include "vr/wand_labels.h"
 
+#include "counted_allocations.h"
 #include "hand_motion.h"
 
 #include <QTest>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
 #include <numbers>
-
-namespace
-{
-std::atomic<long> allocations = 0;
-}
-
-void* operator new(std::size_t bytes)
-{
-    ++allocations;
-    if (void* memory = std::malloc(bytes))
-        return memory;
-    throw std::bad_alloc();
-}
-
-void operator delete(void* memory) noexcept
-{
-    std::free(memory);
-}
-
-void operator delete(void* memory, std::size_t) noexcept
-{
-    std::free(memory);
-}
 
 using vr::Gesture;
 using vr::HandRole;

@@ -114,8 +114,6 @@ public:
 
     bool operator==(const SettingsPanel&) const = default;
     PanelLayout layout() const;
-    /// After SettingsPage; others leave it as it is.
-    SettingsPanel after(const PanelAction& action) const;
     /// What an item makes of the choice. Values come within their ranges; what is no setting leaves the choice as it is.
     static HeadsetChoice after(HeadsetChoice choice, const PanelAction& action);
 

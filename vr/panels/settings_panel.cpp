@@ -27,14 +27,6 @@ static_assert(sliderOf(static_cast<std::size_t>(Sensation::Contact)) == PanelSli
 static_assert(sliderOf(static_cast<std::size_t>(Sensation::Hold)) == PanelSlider::Hold);
 } // namespace
 
-SettingsPanel SettingsPanel::after(const PanelAction& action) const
-{
-    SettingsPanel panel = *this;
-    if (const auto* shown = std::get_if<SettingsPage>(&action))
-        panel.page = *shown;
-    return panel;
-}
-
 HeadsetChoice SettingsPanel::after(HeadsetChoice choice, const PanelAction& action)
 {
     if (const auto* preset = std::get_if<Preset>(&action))

@@ -1,0 +1,84 @@
+// What the client in the headset does with the document when frames stop: without a runtime, and without a picture.
+#include "vr/sculpt_client.h"
+
+#include <QTest>
+
+using vr::Side;
+
+namespace
+{
+/// A document that takes every stroke, and notes what it is told.
+class NotingPort : public vr::DocumentPort
+{
+public:
+    std::optional<core::MeshPatch> takePatch() override { return {}; }
+    std::optional<vr::DocumentNews> takeNews() override { return {}; }
+    bool beginStroke(const core::StrokeSettings&) override
+    {
+        ++begun;
+        return true;
+    }
+    void addSample(const core::StrokeSample&) override { ++samples; }
+    void endStroke() override { ++ended; }
+    vr::StrokeEffect takeEffect() override { return {}; }
+    void ask(const vr::SurfaceQuestion&) override {}
+    std::optional<vr::SurfaceAnswer> takeAnswer() override { return {}; }
+    void wish(const vr::Wish&) override {}
+    void show(const vr::Presence& presence) override { seen = presence; }
+
+    int begun = 0, samples = 0, ended = 0;
+    vr::Presence seen;
+};
+
+/// A person with two wands, frame by frame.
+struct Person
+{
+    void frame(double trigger)
+    {
+        vr::FrameInput input{{}, vr::Pose{Eigen::Quaterniond::Identity(), {0, 1.6, 0}}, time, true, false, costs};
+        for (vr::WandState& wand : input.wands)
+            wand.isTracked = wand.isActive = true;
+        input.wands[static_cast<std::size_t>(Side::Right)].trigger = trigger;
+        client.frame(input);
+        time += 11'000'000;
+    }
+
+    std::shared_ptr<NotingPort> port = std::make_shared<NotingPort>();
+    vr::SculptClient client{port, {}};
+    vr::FrameCosts costs;
+    std::int64_t time = 1'000'000'000;
+};
+} // namespace
+
+class TestSculptClient : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void rest_endsTheStroke();
+};
+
+/// The trigger is pulled all the time: no frame has shown another, and none after does anything before it was let go.
+void TestSculptClient::rest_endsTheStroke()
+{
+    Person person;
+    person.frame(0);
+    person.frame(1);
+    person.frame(1);
+    QCOMPARE(person.port->begun, 1);
+    QCOMPARE(person.port->samples, 2);
+    QVERIFY(person.port->seen.head && person.port->seen.hands[0]);
+    person.client.rest();
+    QCOMPARE(person.port->ended, 1);
+    QVERIFY(!person.port->seen.head && !person.port->seen.hands[0] && !person.port->seen.brush);
+
+    person.frame(1);
+    QCOMPARE(person.port->begun, 1);
+    QVERIFY(person.port->seen.head);
+    person.frame(0);
+    person.frame(1);
+    QCOMPARE(person.port->begun, 2);
+}
+
+QTEST_GUILESS_MAIN(TestSculptClient)
+#include "tst_sculpt_client.moc"
