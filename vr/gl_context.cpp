@@ -2,6 +2,7 @@
 
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
+#include <QOpenGLFunctions>
 #include <QThread>
 
 namespace vr
@@ -43,6 +44,12 @@ bool GlContext::take()
 void GlContext::makeCurrent()
 {
     m_context->makeCurrent(m_surface.get());
+}
+
+void GlContext::finish()
+{
+    makeCurrent();
+    m_context->functions()->glFinish();
 }
 
 void GlContext::destroy()

@@ -20,6 +20,8 @@ public:
     bool take();
     /// Again: a runtime may put its own in its place whenever it is called. Costs next to nothing where it has not.
     void makeCurrent();
+    /// Current again, and returns when all that was drawn with it is done.
+    void finish();
     /// By the thread that took it, before that ends. It cannot be taken again.
     void destroy();
 

@@ -50,6 +50,12 @@ HeadsetLoop::HeadsetLoop(const Parts& parts)
         qInfo("The OpenXR runtime does not know wands of the kind %s", qPrintable(refused));
 }
 
+/// A runtime may take the images' memory away with their handles, so nobody may be drawing on them any more.
+HeadsetLoop::~HeadsetLoop()
+{
+    m_parts.gl.finish();
+}
+
 HeadsetEnd HeadsetLoop::run()
 {
     for (;;) {

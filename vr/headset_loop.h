@@ -48,6 +48,9 @@ public:
     };
 
     explicit HeadsetLoop(const Parts& parts);
+    ~HeadsetLoop();
+    HeadsetLoop(const HeadsetLoop&) = delete;
+    HeadsetLoop& operator=(const HeadsetLoop&) = delete;
 
     HeadsetEnd run();
 
