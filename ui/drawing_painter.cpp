@@ -191,15 +191,15 @@ void DrawingLayout::paintDimensions(QPainter& painter, const Cell& cell, const Q
 {
     const QRectF box = boxOf(m_drawing->view(cell.side));
     painter.setPen(penFor(m_look.faint, m_look.line / 2));
-    const double gap = 0.2 * m_text, at = dimensionAt * m_text, beyond = at + 0.2 * m_text;
+    const double clear = 0.2 * m_text, at = dimensionAt * m_text, beyond = at + 0.2 * m_text;
     if (cell.hasWidth) {
         for (const QPointF& corner : {view.bottomLeft(), view.bottomRight()})
-            painter.drawLine(corner + QPointF(0, gap), corner + QPointF(0, beyond));
+            painter.drawLine(corner + QPointF(0, clear), corner + QPointF(0, beyond));
         paintDimension(painter, view.bottomLeft() + QPointF(0, at), view.bottomRight() + QPointF(0, at), box.width());
     }
     if (cell.hasHeight) {
         for (const QPointF& corner : {view.topLeft(), view.bottomLeft()})
-            painter.drawLine(corner - QPointF(gap, 0), corner - QPointF(beyond, 0));
+            painter.drawLine(corner - QPointF(clear, 0), corner - QPointF(beyond, 0));
         paintDimension(painter, view.bottomLeft() - QPointF(at, 0), view.topLeft() - QPointF(at, 0), box.height());
     }
 }

@@ -10,7 +10,7 @@ namespace ui
 {
 namespace
 {
-constexpr int stripHeight = 14, between = 4;
+constexpr int stripHeight = 14, labelGap = 4;
 constexpr std::uint8_t mostSound = 127;
 
 /// As in clay.frag, in sRGB: blue to pale where all is well, yellow to vermilion where it is not; told apart by the colour-blind,
@@ -78,7 +78,7 @@ std::vector<PrintLegend::Mark> PrintLegend::marks() const
 
 QSize PrintLegend::sizeHint() const
 {
-    return {200, stripHeight + between + fontMetrics().height()};
+    return {200, stripHeight + labelGap + fontMetrics().height()};
 }
 
 void PrintLegend::paintEvent(QPaintEvent*)
@@ -97,8 +97,8 @@ void PrintLegend::paintEvent(QPaintEvent*)
         const int x = std::clamp(static_cast<int>(mark.place * width()) - wide / 2, 0, width() - wide);
         if (x <= free)
             continue;
-        painter.drawText(x, stripHeight + between + fontMetrics().ascent(), mark.text);
-        free = x + wide + between;
+        painter.drawText(x, stripHeight + labelGap + fontMetrics().ascent(), mark.text);
+        free = x + wide + labelGap;
     }
 }
 } // namespace ui

@@ -19,12 +19,6 @@
 
 namespace vr
 {
-namespace
-{
-constexpr double leastLevel = 0.2;   ///< of the head's sideways axis, to be taken as level
-constexpr double shadeReach = 0.9;   ///< metres: what hangs higher hardly shades the floor
-constexpr float strongestShade = 0.5F;
-
 /// What of the state the clay's shader takes.
 struct ClayLook
 {
@@ -35,6 +29,12 @@ struct ClayLook
     Eigen::Vector4f ball = Eigen::Vector4f::Zero(), ballImage = Eigen::Vector4f::Zero(); ///< centre and radius, mm
     float ballFalloff = 0;
 };
+
+namespace
+{
+constexpr double leastLevel = 0.2;   ///< of the head's sideways axis, to be taken as level
+constexpr double shadeReach = 0.9;   ///< metres: what hangs higher hardly shades the floor
+constexpr float strongestShade = 0.5F;
 
 ClayLook clayLook(const SceneState& state)
 {
