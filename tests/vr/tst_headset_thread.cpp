@@ -83,6 +83,8 @@ private Q_SLOTS:
     void refusals();
     void aClientThatCannotDraw();
     void aRuntimeThatDoesNotLetGo();
+    void whatIsDrawnIsDoneBeforeTheImagesGo_data();
+    void whatIsDrawnIsDoneBeforeTheImagesGo();
 
     void losesFocusAndGetsItBack();
     void isHidden();
@@ -328,6 +330,29 @@ void TestHeadsetThread::aRuntimeThatDoesNotLetGo()
     QVERIFY(visitor.leave());
     QCOMPARE(visitor.reports.last().end, HeadsetEnd::Left);
     QCOMPARE(m_headset->calls("xrDestroySession"), 1);
+}
+
+void TestHeadsetThread::whatIsDrawnIsDoneBeforeTheImagesGo_data()
+{
+    QTest::addColumn<QString>("step");
+    QTest::newRow("left") << "'watch_drawing': true";
+    for (const char* call : {"xrEndFrame", "xrReleaseSwapchainImage", "xrPollEvent"})
+        QTest::newRow(call) << QStringLiteral("'watch_drawing': true, 'fail': {'call': '%1', 'result': 'XR_ERROR_INSTANCE_LOST'}").arg(call);
+}
+
+/// A runtime may free them at once: whoever still drew there would end the program. cleanup() looks at what the runtime says.
+void TestHeadsetThread::whatIsDrawnIsDoneBeforeTheImagesGo()
+{
+    QFETCH(QString, step);
+    m_headset->load("{'start': {'size': [4000, 4000]}}");
+    Visitor visitor(*m_headset);
+    QVERIFY(visitor.enterAndRun());
+    QVERIFY(m_headset->frames(3));
+    m_headset->step(qPrintable("{" + step + "}"));
+    QVERIFY(step.contains("fail") || m_headset->frames(3));
+    visitor.thread.leave();
+    QVERIFY(visitor.waitForEnd());
+    QVERIFY(m_headset->calls("xrDestroySwapchain") > 0);
 }
 
 /// Without it nobody asks for the buttons, and the wands are at rest; the picture goes on.
