@@ -87,6 +87,8 @@ private Q_SLOTS:
     void aClientThatCannotDraw();
     void aRuntimeThatDoesNotLetGo();
     void aRuntimeThatTakesItsTime();
+    void whatIsDrawnIsDoneBeforeTheImagesGo_data();
+    void whatIsDrawnIsDoneBeforeTheImagesGo();
 
     void losesFocusAndGetsItBack();
     void isHidden();
@@ -348,6 +350,29 @@ void TestHeadsetThread::aRuntimeThatTakesItsTime()
     QVERIFY(m_headset->calls("xrPollEvent") - polls < 20);
     m_headset->step("{'lose_session': 0}");
     QVERIFY(visitor.waitForEnd());
+}
+
+void TestHeadsetThread::whatIsDrawnIsDoneBeforeTheImagesGo_data()
+{
+    QTest::addColumn<QString>("step");
+    QTest::newRow("left") << "'watch_drawing': true";
+    for (const char* call : {"xrEndFrame", "xrPollEvent"})
+        QTest::newRow(call) << QStringLiteral("'watch_drawing': true, 'fail': {'call': '%1', 'result': 'XR_ERROR_INSTANCE_LOST'}").arg(call);
+}
+
+/// A runtime may free them at once: whoever still drew there would end the program. cleanup() looks at what the runtime says.
+void TestHeadsetThread::whatIsDrawnIsDoneBeforeTheImagesGo()
+{
+    QFETCH(QString, step);
+    m_headset->load("{'start': {'size': [4000, 4000]}}");
+    Visitor visitor(*m_headset);
+    QVERIFY(visitor.enterAndRun());
+    QVERIFY(m_headset->frames(3));
+    m_headset->step(qPrintable("{" + step + "}"));
+    QVERIFY(step.contains("fail") || m_headset->frames(3));
+    visitor.thread.leave();
+    QVERIFY(visitor.waitForEnd());
+    QVERIFY(m_headset->calls("xrDestroySwapchain") > 0);
 }
 
 /// Without it nobody asks for the buttons, and the wands are at rest; the picture goes on.

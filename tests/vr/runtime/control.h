@@ -30,6 +30,7 @@
 ///     "lose_session": n, "lose_instance": n    foretold now, lost n frames later
 ///     "fail": {"call": name, "result": XrResult's name, "times": n}                 answers in the call's stead
 ///     "keep": true|[frames], "keep_every": n   whose pictures are kept; true: of the next frame
+///     "watch_drawing": bool       a swapchain that is destroyed while its images are still drawn on is the client's error
 ///
 /// Poses are in the room: metres, Y up, the floor at y = 0. A wand's pose is its grip.
 /// Any thread may call these; a text stays valid until the thread's next call.

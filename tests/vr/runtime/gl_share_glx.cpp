@@ -149,6 +149,18 @@ void ShareContext::destroyTextures(const std::vector<unsigned int>& textures) co
     glDeleteTextures(static_cast<GLsizei>(textures.size()), textures.data());
 }
 
+__GLsync* ShareContext::markDrawing()
+{
+    return glFunction<PFNGLFENCESYNCPROC>("glFenceSync")(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+}
+
+bool ShareContext::isDone(__GLsync* mark)
+{
+    const GLenum result = glFunction<PFNGLCLIENTWAITSYNCPROC>("glClientWaitSync")(mark, 0, 0);
+    glFunction<PFNGLDELETESYNCPROC>("glDeleteSync")(mark);
+    return result == GL_ALREADY_SIGNALED;
+}
+
 Picture ShareContext::read(const TexturePart& part) const
 {
     const Scope scope(*this);

@@ -12,6 +12,7 @@
 struct _XDisplay; // what Display, GLXFBConfig and GLXContext stand for, without X's many macros
 struct __GLXFBConfigRec;
 struct __GLXcontextRec;
+struct __GLsync;
 
 namespace scripted
 {
@@ -62,6 +63,11 @@ public:
 
     std::vector<unsigned int> createTextures(const TextureForm& form, std::size_t count) const;
     void destroyTextures(const std::vector<unsigned int>& textures) const;
+
+    /// Both in the client's context, which is current: what it has drawn so far, and whether all of that is done. The mark is used up.
+    static __GLsync* markDrawing();
+    static bool isDone(__GLsync* mark);
+
     /// What a viewer would see: a linear format's values encoded as sRGB.
     Picture read(const TexturePart& part) const;
 

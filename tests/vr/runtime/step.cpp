@@ -193,6 +193,7 @@ const std::map<std::string_view, Reader>& vocabulary()
         {"exit", exitChange},
         {"keep", keepChange},
         {"keep_every", keepEveryChange},
+        {"watch_drawing", flag<&World::watchesDrawing>},
         {"fail", failChange},
     };
     return readers;

@@ -1,5 +1,7 @@
 #include "swapchain.h"
 
+#include <utility>
+
 namespace scripted
 {
 namespace
@@ -40,5 +42,17 @@ void Swapchain::release()
     m_shown = m_acquired.front();
     m_acquired.pop_front();
     m_isWaited = false;
+}
+
+void Swapchain::markDrawing()
+{
+    isDrawn();
+    m_drawing = ShareContext::markDrawing();
+}
+
+bool Swapchain::isDrawn()
+{
+    __GLsync* mark = std::exchange(m_drawing, nullptr);
+    return !mark || ShareContext::isDone(mark);
 }
 } // namespace scripted

@@ -25,6 +25,10 @@ public:
     void wait();
     void release();
 
+    /// In the client's context, which is current.
+    void markDrawing();
+    bool isDrawn();
+
 private:
     std::shared_ptr<ShareContext> m_gl;
     TextureForm m_form;
@@ -35,5 +39,6 @@ private:
     std::deque<std::size_t> m_acquired; ///< and not yet released, the oldest first
     bool m_isWaited = false;            ///< the oldest
     std::optional<std::size_t> m_shown;
+    __GLsync* m_drawing = nullptr;
 };
 } // namespace scripted

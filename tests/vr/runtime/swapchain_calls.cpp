@@ -59,6 +59,8 @@ XrResult destroySwapchain(Call& call, XrSwapchain handle)
 {
     const auto swapchain = call.runtime.handles.find<Swapchain>(handle);
     call.wantContext(sessionOf(*swapchain));
+    if (!swapchain->isDrawn())
+        call.error("its images are still drawn on");
     call.runtime.handles.destroy(*swapchain);
     return XR_SUCCESS;
 }
@@ -100,6 +102,8 @@ XrResult releaseSwapchainImage(Call& call, XrSwapchain handle, const XrSwapchain
         given(info, XR_TYPE_SWAPCHAIN_IMAGE_RELEASE_INFO);
     call.wantContext(sessionOf(swapchain));
     swapchain.release();
+    if (call.runtime.world.watchesDrawing)
+        swapchain.markDrawing();
     return XR_SUCCESS;
 }
 } // namespace scripted

@@ -79,5 +79,6 @@ struct World
     std::map<std::string, ScriptedAnswer> answers; ///< by call
     std::set<std::int64_t> keptFrames; ///< whose pictures are kept
     int keepEvery = 0;
+    bool watchesDrawing = false; ///< a swapchain that goes while its images are drawn on is an error
 };
 } // namespace scripted
