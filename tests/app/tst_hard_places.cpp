@@ -125,6 +125,7 @@ struct Spoilt
     }
     void answer()
     {
+        QVERIFY(QTest::qWaitForWindowExposed(problem())); // nobody answers what is not on the screen yet
         QTest::mouseClick(problem()->button(QMessageBox::Ok), Qt::LeftButton);
         QTRY_VERIFY2(!problem(), qPrintable(seen()));
     }
