@@ -117,7 +117,8 @@ private:
             color += weight * Vec3f(c[0], c[1], c[2]);
         }
         normal.normalize();
-        const Vec3f shade = color * (ambient + keyLight * std::max(0.0F, normal.dot(keyLamp)) + fillLight * std::max(0.0F, normal.dot(fillLamp)));
+        const float light = ambient + keyLight * std::max(0.0F, normal.dot(keyLamp)) + fillLight * std::max(0.0F, normal.dot(fillLamp));
+        const Vec3f shade = color * light;
         const auto byte = [](float x) { return static_cast<std::uint16_t>(std::clamp(x + 0.5F, 0.0F, 255.0F)); };
         return {byte(shade.x()), byte(shade.y()), byte(shade.z()), 255};
     }

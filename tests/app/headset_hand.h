@@ -259,7 +259,7 @@ public:
     /// Panels are painted aside, and appear when they are.
     void waitForPanels()
     {
-        for (int i = 0; i < 10; ++i) {
+        for (int i = 0; i < 20; ++i) {
             QTest::qWait(20);
             frame();
         }

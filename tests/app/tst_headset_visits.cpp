@@ -105,7 +105,7 @@ void TestHeadsetVisits::keep(const char* fault, const Desk& desk, const char* ke
 void TestHeadsetVisits::again_andAgain()
 {
     Desk desk;
-    constexpr int visits = 5;
+    constexpr int visits = 10;
     std::vector<std::uint64_t> hashes{desk.startHash};
     const auto changed = [&] {
         desk.hand.settle();
@@ -136,7 +136,7 @@ void TestHeadsetVisits::again_andAgain()
 void TestHeadsetVisits::again_midStroke()
 {
     Desk desk;
-    for (int i = 1; i <= 2; ++i) {
+    for (int i = 1; i <= 3; ++i) {
         desk.hand.enter();
         desk.hand.begin({0, 49, 0}, {0, 54, 0}, 8);
         desk.hand.leave();
@@ -144,7 +144,7 @@ void TestHeadsetVisits::again_midStroke()
         desk.hand.settle();
         QCOMPARE(desk.changes(), i);
     }
-    for (int i = 0; i < 2; ++i)
+    for (int i = 0; i < 3; ++i)
         desk.trigger("edit.undo");
     desk.hand.settle();
     QVERIFY(desk.isUntouched());

@@ -27,7 +27,8 @@ for type in model/stl model/obj application/x-ply; do
     expect "the file types know $type" grep -q "^$type\$" "$scratch/mime/types"
     expect "the desktop entry opens $type" grep -q "^MimeType=.*$type;" "$packaging/org.fettle.Fettle.desktop"
 done
-expect "the shell scripts parse" bash -n "$source/run.sh" "$source/test.sh" "$packaging/prepare.sh"
+expect "the shell scripts parse" bash -c 'for script; do bash -n "$script" || exit 1; done' scripts \
+    "$source/run.sh" "$source/test.sh" "$packaging/prepare.sh" "$source/tests/support/on_a_display.sh"
 
 cpack --config "$2/CPackConfig.cmake" -B "$scratch/package" >"$scratch/cpack.log" 2>&1 ||
     { cat "$scratch/cpack.log"; exit 1; }

@@ -14,6 +14,9 @@ read -r number <"$place/display" || {
 export DISPLAY=:$number LIBGL_ALWAYS_SOFTWARE=1
 unset WAYLAND_DISPLAY
 openbox --startup "sh -c 'echo >$place/managed'" >/dev/null 2>&1 &
-read -r -t 20 <>"$place/managed"
+read -r -t 60 <>"$place/managed" || {
+    echo "on_a_display.sh: openbox does not start" >&2
+    exit 1
+}
 
 "$@"

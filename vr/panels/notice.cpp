@@ -12,7 +12,7 @@ namespace
 {
 constexpr double widest = 700; ///< of its text
 constexpr int mostLines = 6;
-constexpr double noticeDistance = 0.5;                   ///< metres: before the clay, which must not hide it; it passes
+constexpr double noticeDistance = 0.5;             ///< metres: before the clay, which must not hide it; it passes
 constexpr double fadeIn = 0.15, fadeOut = 0.6;     ///< seconds
 constexpr double toBeSeen = 1, leastReading = 1.5; ///< seconds: eyes are elsewhere when it comes
 constexpr double perLetter = 0.06,
