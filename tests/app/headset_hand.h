@@ -234,6 +234,8 @@ public:
         const core::Vec3 towards = placeOf(layout).rotation * -core::Vec3::UnitZ();
         put(side, placeOf(layout, item) - reach * towards, towards);
         frame();
+        if (side == sculpting())
+            waitUntilBrushIsAway();
         return side;
     }
     void click(const vr::PanelContent& content, const vr::PanelAction& item, int count = 2)
@@ -285,6 +287,14 @@ private:
     void obey(const QJsonObject& step)
     {
         m_headset.step(QJsonDocument(step).toJson(QJsonDocument::Compact).constData());
+    }
+    /// Panels are painted aside, and until one is there a trigger before it sculpts: the brush goes when its wand points at a panel.
+    void waitUntilBrushIsAway()
+    {
+        for (int i = 0; i < 200 && m_seen.brush && !m_isStalled; ++i) {
+            QTest::qWait(10);
+            frame();
+        }
     }
     void meetEngine()
     {

@@ -31,7 +31,7 @@ struct Opened
     void wait()
     {
         QVERIFY(QTest::qWaitForWindowActive(&program.window));
-        QTRY_VERIFY(program.document.path() == path && !program.document.isBusy());
+        QTRY_VERIFY_WITH_TIMEOUT(program.document.path() == path && !program.document.isBusy(), 60'000);
         QTRY_COMPARE(grid->model()->rowCount(), 2);
     }
     void choose(const QString& name) const
@@ -99,7 +99,7 @@ void TestModelFile::aNewNameIsTheModels()
     QVERIFY(!ui::Settings().recentFiles().contains(o.path));
     QVERIFY(!o.program.window.isWindowModified());
     o.press("file.save");
-    QTRY_VERIFY(notice(o.program).contains(QStringLiteral("tiger.ply")) && !o.program.document.isBusy());
+    QTRY_VERIFY_WITH_TIMEOUT(notice(o.program).contains(QStringLiteral("tiger.ply")) && !o.program.document.isBusy(), 60'000);
     QVERIFY(!o.question() && !QFile::exists(o.path));
     QCOMPARE(Opened::verticesIn(renamed), quint64(642));
 }
@@ -148,12 +148,12 @@ void TestModelFile::goneFromOutside_isWrittenAnewAndSaidSo()
     o.wait();
     QVERIFY(QFile::remove(o.path));
     o.press("file.save");
-    QTRY_VERIFY(QFile::exists(o.path) && !o.program.document.isBusy());
+    QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(o.path) && !o.program.document.isBusy(), 60'000);
     QCOMPARE(Opened::verticesIn(o.path), quint64(642));
     QVERIFY(notice(o.program).contains(QStringLiteral("anew")));
     QVERIFY(!o.program.document.isModified() && !o.question());
     o.press("file.save");
-    QTRY_VERIFY(!notice(o.program).contains(QStringLiteral("anew")) && !o.program.document.isBusy());
+    QTRY_VERIFY_WITH_TIMEOUT(!notice(o.program).contains(QStringLiteral("anew")) && !o.program.document.isBusy(), 60'000);
 }
 
 void TestModelFile::changedByAnother_asks()
@@ -172,10 +172,10 @@ void TestModelFile::changedByAnother_asks()
     o.press("file.save");
     o.answer(QMessageBox::DestructiveRole);
     QTRY_COMPARE(Opened::verticesIn(o.path), quint64(642));
-    QTRY_VERIFY(!o.program.document.isBusy() && !o.question());
+    QTRY_VERIFY_WITH_TIMEOUT(!o.program.document.isBusy() && !o.question(), 60'000);
     o.press("file.save"); // now it is its own again
     QVERIFY(!o.question());
-    QTRY_VERIFY(!o.program.document.isBusy());
+    QTRY_VERIFY_WITH_TIMEOUT(!o.program.document.isBusy(), 60'000);
 }
 
 void TestModelFile::changedByAnother_maySaveElsewhere()
@@ -189,7 +189,7 @@ void TestModelFile::changedByAnother_maySaveElsewhere()
     o.press("file.save");
     o.answer(QMessageBox::AcceptRole);
     chooseFile(o.program, "saveDialog", mine);
-    QTRY_VERIFY(o.program.document.path() == mine && !o.program.document.isBusy());
+    QTRY_VERIFY_WITH_TIMEOUT(o.program.document.path() == mine && !o.program.document.isBusy(), 60'000);
     QCOMPARE(Opened::verticesIn(o.path), others);
     QCOMPARE(Opened::verticesIn(mine), quint64(642));
 }
@@ -199,12 +199,12 @@ void TestModelFile::ownWritingIsNotAnothers()
     Opened o;
     o.wait();
     o.program.document.apply(core::Recentre{});
-    QTRY_VERIFY(!o.program.document.isBusy() && o.program.document.isSettled());
+    QTRY_VERIFY_WITH_TIMEOUT(!o.program.document.isBusy() && o.program.document.isSettled(), 60'000);
     o.program.document.exportTo(o.path);
-    QTRY_VERIFY(notice(o.program).contains(QStringLiteral("lion.ply")) && !o.program.document.isBusy());
+    QTRY_VERIFY_WITH_TIMEOUT(notice(o.program).contains(QStringLiteral("lion.ply")) && !o.program.document.isBusy(), 60'000);
     o.press("file.save");
     QVERIFY(!o.question());
-    QTRY_VERIFY(!o.program.document.isBusy());
+    QTRY_VERIFY_WITH_TIMEOUT(!o.program.document.isBusy(), 60'000);
 }
 
 /// Typed into the window, as it comes from the keyboard: names that begin so are offered meanwhile.
@@ -229,7 +229,7 @@ void TestModelFile::aTypedNameWinsOverTheSuggestedOne()
     QTRY_VERIFY(QApplication::activePopupWidget());
     QTest::keyClick(dialog->windowHandle(), Qt::Key_Return);
     QTRY_COMPARE(o.program.document.path(), o.folder.filePath(QStringLiteral("tiger.glb")));
-    QTRY_VERIFY(!o.program.document.isBusy());
+    QTRY_VERIFY_WITH_TIMEOUT(!o.program.document.isBusy(), 60'000);
     QCOMPARE(QDir(o.folder.path()).entryList(QDir::Files).size(), 5);
 }
 
