@@ -25,7 +25,7 @@ fettle_build "$preset" all
 fettle_unlock
 
 status=0
-ctest --test-dir "$fettle_root/build/$preset" --output-on-failure --no-tests=error -j "$(nproc)" ${soak[@]+"${soak[@]}"} "$@" || status=$?
+ctest --test-dir "$fettle_root/build/$preset" --output-on-failure --no-tests=error -j "$(($(nproc) + 1))" ${soak[@]+"${soak[@]}"} "$@" || status=$?
 echo "Skipped, and why:"
 grep "^SKIP" "$fettle_root/build/$preset/Testing/Temporary/LastTest.log" || echo "nothing"
 exit $status

@@ -125,9 +125,12 @@ struct Spoilt
     }
     void answer()
     {
-        QVERIFY(QTest::qWaitForWindowExposed(problem())); // nobody answers what is not on the screen yet
-        QTest::mouseClick(problem()->button(QMessageBox::Ok), Qt::LeftButton);
-        QTRY_VERIFY2(!problem(), qPrintable(seen()));
+        const auto isAnswered = [this] {
+            if (problem())
+                QTest::mouseClick(problem()->button(QMessageBox::Ok), Qt::LeftButton);
+            return !problem();
+        };
+        QTRY_VERIFY2(isAnswered(), qPrintable(seen())); // on a busy machine a press on a box that has just been shown may be lost
     }
     void verifySaved() const
     {

@@ -79,7 +79,8 @@ inline void sculptBall(Program& program)
     QTRY_VERIFY(program.document.isSettled());
 }
 
-/// Presses a button of the question about unsaved changes, which the next event asks.
+/// Presses a button of the question about unsaved changes, which the next event asks, until it is answered: on a busy machine a press
+/// on a box that has just been shown may be lost.
 inline void answerQuestion(Program& program, QMessageBox::StandardButton button)
 {
     auto* timer = new QTimer(&program.window);
@@ -87,7 +88,7 @@ inline void answerQuestion(Program& program, QMessageBox::StandardButton button)
         auto* question = program.window.findChild<QMessageBox*>(QStringLiteral("discardQuestion"));
         if (!question || !question->isVisible())
             return;
-        timer->deleteLater();
+        QObject::connect(question, &QDialog::finished, timer, &QObject::deleteLater);
         QTest::mouseClick(question->button(button), Qt::LeftButton);
     });
     timer->start(20);
