@@ -31,8 +31,8 @@ struct HandFeeling
 };
 
 /// Makes pulses of what happens. A frame has one for each hand at most, of what matters most to it, and the texture waits until
-/// that has been felt. Surfaces that join dab by dab, and clay that will not give way, are felt once, when that begins. Times are the frames' own: the texture is a train of pulses that takes as large a part of the time at 5
-/// frames a second as at 144.
+/// that has been felt. Surfaces that join dab by dab, and clay that will not give way, are felt once, when that begins. Times are
+/// the frames' own: the texture is a train of pulses that takes as large a part of the time at 5 frames a second as at 144.
 class Haptics
 {
 public:
