@@ -63,9 +63,11 @@ void JobQueue::stop()
 
 std::optional<Question> JobQueue::popQuestion()
 {
-    for (auto& slot : m_questions)
-        if (slot)
-            return std::exchange(slot, std::nullopt);
+    if (m_jobs.empty())
+        m_hasAsked = {};
+    for (std::size_t i = 0; i < sourceCount; ++i)
+        if (m_questions[i] && !std::exchange(m_hasAsked[i], true))
+            return std::exchange(m_questions[i], std::nullopt);
     return std::nullopt;
 }
 
@@ -83,14 +85,15 @@ std::optional<std::variant<Question, Job>> JobQueue::next()
     }
     Job job = std::move(m_jobs.front());
     m_jobs.pop_front();
+    m_hasAsked = {};
     m_waitingSamples = std::min(m_waitingSamples, m_jobs.size());
     return job;
 }
 
-std::optional<Question> JobQueue::nextQuestion()
+std::array<std::optional<Question>, sourceCount> JobQueue::takeQuestions()
 {
     const std::lock_guard lock(m_mutex);
-    return popQuestion();
+    return std::exchange(m_questions, {});
 }
 
 bool JobQueue::hasSample() const

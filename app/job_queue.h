@@ -53,7 +53,8 @@ constexpr bool isThinnedOut(std::size_t i, std::size_t count, bool isFirst)
     return !isFirst && i + 1 != count && i % 2 == 0;
 }
 
-/// What the mesh thread has to do: jobs in order, and the newest question of each viewer, which goes before them. Any thread.
+/// What the mesh thread has to do: jobs in order, and the newest question of each viewer. One of each goes before the next job; those that
+/// come meanwhile wait for it, or a viewer that asks without end would let nobody work. Any thread.
 class JobQueue
 {
 public:
@@ -69,8 +70,8 @@ public:
 
     /// Waits for a question or a job; nothing after stop().
     std::optional<std::variant<Question, Job>> next();
-    /// Does not wait.
-    std::optional<Question> nextQuestion();
+    /// All that wait now, by Source.
+    std::array<std::optional<Question>, sourceCount> takeQuestions();
     bool hasSample() const;
     std::uint64_t droppedSamples() const;
 
@@ -85,6 +86,7 @@ private:
     bool m_strokeBegan = false;       ///< and no sample followed yet
     std::uint64_t m_dropped = 0;
     std::array<std::optional<Question>, sourceCount> m_questions;
+    std::array<bool, sourceCount> m_hasAsked{}; ///< since the last job was given out
     bool m_stopped = false;
 };
 } // namespace app

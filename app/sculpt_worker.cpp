@@ -1,4 +1,4 @@
-// The thread's loop: the newest question, else the next job. A stroke's jobs are BeginStroke, Sample..., EndStroke; what the
+// The thread's loop: each viewer's newest question, then the next job. A stroke's jobs are BeginStroke, Sample..., EndStroke; what the
 // engine changed goes to the viewers' inboxes at a sub-step's end, at most once a frame while samples wait.
 #include "sculpt_worker.h"
 
@@ -213,8 +213,9 @@ void SculptWorker::takeJournal(std::shared_ptr<core::Journal> journal)
 /// The mesh is valid here and its index up to date: viewers may see it and ask.
 void SculptWorker::betweenSubsteps()
 {
-    while (const auto question = m_queue.nextQuestion())
-        run(*question);
+    for (const std::optional<Question>& question : m_queue.takeQuestions())
+        if (question)
+            run(*question);
     if (isFlushDue())
         flushPatch();
 }

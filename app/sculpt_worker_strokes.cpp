@@ -33,10 +33,8 @@ std::uint64_t meetingsOf(const core::Sculptor& sculptor)
 
 std::optional<core::SurfaceHit> SculptWorker::placeOf(const Question& question) const
 {
-    if (!isInHand(question.brush))
-        return m_sculptor->hit(question.ray);
-    const auto nearest = m_sculptor->nearest(question.ray.origin);
-    return nearest && nearest->distance <= question.brush->radius ? nearest : std::nullopt;
+    return isInHand(question.brush) ? m_sculptor->nearest(question.ray.origin, question.brush->radius)
+                                    : m_sculptor->hit(question.ray);
 }
 
 void SculptWorker::run(const Question& question)
@@ -55,10 +53,7 @@ void SculptWorker::run(const Question& question)
 bool SculptWorker::touches(const core::StrokeSample& sample) const
 {
     core::Vec3 position = sample.rotation.conjugate() * sample.position;
-    const auto isNear = [&] {
-        const auto nearest = m_sculptor->nearest(position);
-        return nearest && nearest->distance <= m_stroke.settings.radius;
-    };
+    const auto isNear = [&] { return m_sculptor->nearest(position, m_stroke.settings.radius).has_value(); };
     if (isNear())
         return true;
     if (m_stroke.settings.symmetry == core::Symmetry::None)

@@ -98,9 +98,9 @@ std::optional<SurfaceHit> Sculptor::hit(const Ray& ray) const
     return firstHit(*m_mesh, m_engine->dabs.octree(), ray);
 }
 
-std::optional<SurfaceHit> Sculptor::nearest(const Vec3& point) const
+std::optional<SurfaceHit> Sculptor::nearest(const Vec3& point, double within) const
 {
-    return nearestPoint(*m_mesh, m_engine->dabs.octree(), point);
+    return nearestPoint(*m_mesh, m_engine->dabs.octree(), point, within);
 }
 
 std::optional<MeshQuality> Sculptor::selectionQuality() const

@@ -49,7 +49,8 @@ public:
 
     /// First hit from outside, or nothing. Cost: O(faces near the ray).
     std::optional<SurfaceHit> hit(const Ray& ray) const;
-    std::optional<SurfaceHit> nearest(const Vec3& point) const;
+    /// The surface's nearest point, if it is no farther than that. Cost: O(faces in the ball of that radius).
+    std::optional<SurfaceHit> nearest(const Vec3& point, double within) const;
 
     /// What the next dab with these settings selects on the mesh as it is, if its centre is there; of the ray brush nothing where it
     /// would be more than Footprint::most on a side. May be called between sub-steps. Cost: the selection.

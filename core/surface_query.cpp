@@ -2,6 +2,8 @@
 
 #include "region.h"
 
+#include <algorithm>
+
 namespace core
 {
 namespace
@@ -122,11 +124,12 @@ std::optional<SurfaceHit> firstHit(const Mesh& mesh, const FaceOctree& octree, c
     return surfaceHit(mesh, face, ray.origin + first * ray.direction, first * ray.direction.norm());
 }
 
-std::optional<SurfaceHit> nearestPoint(const Mesh& mesh, const FaceOctree& octree, const Vec3& point)
+std::optional<SurfaceHit> nearestPoint(const Mesh& mesh, const FaceOctree& octree, const Vec3& point, double within)
 {
     const double unit = mesh.lattice().unit();
-    const double farthest = (point.cwiseAbs() + Vec3::Constant(mesh.lattice().halfVolume())).norm();
-    double radius = octree.smallestCell() * unit;
+    const double everything = 2 * (point.cwiseAbs() + Vec3::Constant(mesh.lattice().halfVolume())).norm();
+    const double most = std::min(everything, within);
+    double radius = std::min(octree.smallestCell() * unit, most);
     while (true) {
         double nearest2 = std::numeric_limits<double>::infinity();
         Slot face = noSlot;
@@ -142,9 +145,9 @@ std::optional<SurfaceHit> nearestPoint(const Mesh& mesh, const FaceOctree& octre
         });
         if (face != noSlot && nearest2 <= radius * radius)
             return surfaceHit(mesh, face, position, std::sqrt(nearest2));
-        if (radius > farthest)
-            return std::nullopt; // an empty mesh
-        radius *= 2;
+        if (!(radius < most))
+            return std::nullopt; // nothing there, or no point
+        radius = std::min(2 * radius, most);
     }
 }
 } // namespace core

@@ -2,6 +2,7 @@
 
 #include "face_octree.h"
 
+#include <limits>
 #include <optional>
 
 namespace core
@@ -22,6 +23,8 @@ Vec3 nearestInTriangle(const Vec3& p, const std::array<Vec3, 3>& triangle);
 /// The first face from the ray's origin on that faces it. Cost: the faces near the ray.
 std::optional<SurfaceHit> firstHit(const Mesh& mesh, const FaceOctree& octree, const Ray& ray);
 
-/// The nearest point of the surface, wherever it is. Cost: the faces in the ball that reaches it.
-std::optional<SurfaceHit> nearestPoint(const Mesh& mesh, const FaceOctree& octree, const Vec3& point);
+/// The nearest point of the surface, if it is no farther than `within`. Cost: the faces in the ball that reaches it, which of a point in
+/// empty space may be all.
+std::optional<SurfaceHit> nearestPoint(const Mesh& mesh, const FaceOctree& octree, const Vec3& point,
+                                       double within = std::numeric_limits<double>::infinity());
 } // namespace core

@@ -40,7 +40,11 @@ void BrushHand::draw(const StrokePoint& point, const Room& room)
     if (!m_draws)
         return;
     m_pressure = point.pressure;
-    m_port->addSample(strokeSample(m_state, point, room));
+    core::StrokeSample sample = strokeSample(m_state, point, room);
+    if (!m_firstTime)
+        m_firstTime = point.time;
+    sample.time -= *m_firstTime;
+    m_port->addSample(sample);
 }
 
 void BrushHand::end()

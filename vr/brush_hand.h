@@ -49,6 +49,7 @@ private:
     quint64 m_seenChange = 0; ///< of the window
     bool m_draws = false;
     double m_pressure = 0;
+    std::optional<double> m_firstTime; ///< seconds, of the first point: a runtime's clock may begin anywhere, files' times have bounds
     std::optional<Pose> m_tip;
     SurfaceAnswer m_answer;
 };

@@ -26,6 +26,7 @@ constexpr std::array<Feel, sensationCount> feels{{
 }};
 
 constexpr double contactPause = 0.15; ///< seconds; a brush that grazes a surface does not rattle
+constexpr double eventPause = 0.25;   ///< seconds without it, and it happens anew
 constexpr double trainPeriod = 0.05;  ///< seconds from one pulse of the texture to the next
 constexpr double trainShare = 0.3;    ///< of the time that its pulses fill
 constexpr double longestPulse = 0.1;  ///< seconds, of the texture
@@ -36,6 +37,12 @@ constexpr int holdTicks = 4;          ///< while a hold's ring fills; the last w
 Feel feelOf(Sensation what)
 {
     return feels[static_cast<std::size_t>(what)];
+}
+
+/// Of what has not happened since `from`.
+bool begins(bool happens, double& from, double time)
+{
+    return happens && time >= std::exchange(from, time + eventPause);
 }
 
 double tickOf(double hold)
@@ -78,9 +85,11 @@ std::optional<Haptics::Event> Haptics::eventOf(Hand& hand, const HandFeeling& fe
         hand.contactFrom = time + contactPause;
     const double tick = tickOf(feeling.hold);
     const bool isTick = tick > tickOf(std::exchange(hand.hold, feeling.hold));
-    if (feeling.refused)
+    const bool isRefusal = begins(feeling.refused, hand.refusalFrom, time);
+    const bool isFusion = begins(feeling.fused, hand.fusionFrom, time);
+    if (isRefusal)
         return Event{Sensation::Refusal, 1};
-    if (feeling.fused)
+    if (isFusion)
         return Event{Sensation::Fusion, 1};
     if (isTick)
         return Event{Sensation::Hold, tick / holdTicks};

@@ -31,8 +31,8 @@ struct HandFeeling
 };
 
 /// Makes pulses of what happens. A frame has one for each hand at most, of what matters most to it, and the texture waits until
-/// that has been felt. Times are the frames' own: the texture is a train of pulses that takes as large a part of the time at 5
-/// frames a second as at 144.
+/// that has been felt. Surfaces that join dab by dab, and clay that will not give way, are felt once, when that begins. Times are
+/// the frames' own: the texture is a train of pulses that takes as large a part of the time at 5 frames a second as at 144.
 class Haptics
 {
 public:
@@ -48,6 +48,7 @@ private:
     {
         bool touched = false;
         double contactFrom = 0; ///< a contact before that is none
+        double fusionFrom = 0, refusalFrom = 0; ///< what happens before that goes on, and was felt
         double hold = 0;
         double quietUntil = 0;         ///< what is felt until then is no texture
         std::optional<double> trainAt; ///< the last pulse of the texture, while that goes on

@@ -146,9 +146,9 @@ void Actions::readPoses(std::size_t side, XrSpace room, XrTime time)
         XrSpaceLocation location{};
         location.type = XR_TYPE_SPACE_LOCATION;
         check(xrLocateSpace(space.get(), room, time, &location), "xrLocateSpace");
-        if (isValid(location.locationFlags))
+        if (isValid(location))
             pose = fromXr(location.pose);
-        return isTracked(location.locationFlags);
+        return isTracked(location);
     };
     const bool hasGrip = read(m_hands[side].grip, wand.grip);
     const bool hasAim = read(m_hands[side].aim, wand.aim);

@@ -26,14 +26,28 @@ XrPosef toXr(const Pose& pose)
     return {{q.x(), q.y(), q.z(), q.w()}, {p.x(), p.y(), p.z()}};
 }
 
-bool isValid(XrSpaceLocationFlags flags)
+bool isPlace(const XrVector3f& place)
 {
-    return hasAll(flags, XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT);
+    return std::isfinite(place.x) && std::isfinite(place.y) && std::isfinite(place.z);
 }
 
-bool isTracked(XrSpaceLocationFlags flags)
+/// OpenXR wants a length of 1, within a hundredth; fromXr() sees to the rest.
+bool isRotation(const XrQuaternionf& rotation)
 {
-    return isValid(flags) && hasAll(flags, XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT);
+    const float length = std::hypot(std::hypot(rotation.x, rotation.y), std::hypot(rotation.z, rotation.w));
+    return length > 0.5F && length < 2;
+}
+
+bool isValid(const XrSpaceLocation& location)
+{
+    return hasAll(location.locationFlags, XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT) &&
+           isPlace(location.pose.position) && isRotation(location.pose.orientation);
+}
+
+bool isTracked(const XrSpaceLocation& location)
+{
+    return isValid(location) &&
+           hasAll(location.locationFlags, XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT);
 }
 
 Eigen::Matrix4f projectionOf(const XrFovf& fov, float nearPlane, float farPlane)

@@ -10,10 +10,14 @@ namespace vr
 Pose fromXr(const XrPosef& pose);
 XrPosef toXr(const Pose& pose);
 
+/// They are numbers, and a rotation is one: a runtime that calls something else known would spoil all that is done with it, once for all.
+bool isPlace(const XrVector3f& place);
+bool isRotation(const XrQuaternionf& rotation);
+
 /// Both parts of a pose are known; else what they say means nothing.
-bool isValid(XrSpaceLocationFlags flags);
+bool isValid(const XrSpaceLocation& location);
 /// Both parts of it are seen at this very time, not remembered or guessed.
-bool isTracked(XrSpaceLocationFlags flags);
+bool isTracked(const XrSpaceLocation& location);
 
 /// OpenGL's clip space; near and far in metres.
 Eigen::Matrix4f projectionOf(const XrFovf& fov, float nearPlane, float farPlane);

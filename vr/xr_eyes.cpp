@@ -2,6 +2,8 @@
 
 #include "xr_convert.h"
 
+#include <algorithm>
+
 namespace vr
 {
 namespace
@@ -58,8 +60,11 @@ bool Eyes::locate(XrSpace room, XrTime time)
     std::vector<XrView> views(count(), unknownView);
     std::uint32_t located = 0;
     check(xrLocateViews(m_session, &info, &state, static_cast<std::uint32_t>(views.size()), &located, views.data()), "xrLocateViews");
-    const bool hasPlace = (state.viewStateFlags & XR_VIEW_STATE_POSITION_VALID_BIT) != 0;
-    if (located != count() || (state.viewStateFlags & XR_VIEW_STATE_ORIENTATION_VALID_BIT) == 0)
+    const bool hasPlace = (state.viewStateFlags & XR_VIEW_STATE_POSITION_VALID_BIT) != 0 &&
+                          std::ranges::all_of(views, [](const XrView& view) { return isPlace(view.pose.position); });
+    const bool hasTurn = (state.viewStateFlags & XR_VIEW_STATE_ORIENTATION_VALID_BIT) != 0 &&
+                         std::ranges::all_of(views, [](const XrView& view) { return isRotation(view.pose.orientation); });
+    if (located != count() || !hasTurn)
         return false;
     for (std::size_t eye = 0; eye < count(); ++eye) {
         if (!hasPlace)

@@ -54,9 +54,11 @@ std::optional<Pose> Spaces::head(XrTime time)
     XrSpaceLocation location{};
     location.type = XR_TYPE_SPACE_LOCATION;
     check(xrLocateSpace(m_view.get(), room(), time, &location), "xrLocateSpace");
-    if (isValid(location.locationFlags))
+    const bool isTurnKnown =
+        (location.locationFlags & XR_SPACE_LOCATION_ORIENTATION_VALID_BIT) != 0 && isRotation(location.pose.orientation);
+    if (isValid(location))
         m_head = fromXr(location.pose);
-    else if (m_head && (location.locationFlags & XR_SPACE_LOCATION_ORIENTATION_VALID_BIT) != 0)
+    else if (m_head && isTurnKnown)
         m_head->rotation = fromXr(location.pose).rotation;
     return m_head;
 }

@@ -362,11 +362,11 @@ void TestHeadsetPanels::files_openLosingChanges()
     v.hand.click(panel, vr::ChooseFile{other});
     panel.chosen = other;
     v.hand.waitForPanels();
-    v.hand.click(panel, vr::OpenFile{other}); // not held
+    v.hand.click(panel, vr::OpenFile{other, true}); // not held
     QCOMPARE(v.hash(), pulled);
     v.hand.setSlow(true);
     QVERIFY(v.hand.choose(
-        panel, vr::OpenFile{other}, [&] { return v.program.document.path() == other; }, longPress));
+        panel, vr::OpenFile{other, true}, [&] { return v.program.document.path() == other; }, longPress));
     v.hand.settle();
     QCOMPARE(v.changes(), 0);
     QCOMPARE(v.hand.headset().complaints(), QString());

@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <limits>
 
 using core::FaceOctree;
 using core::Region;
@@ -22,6 +23,7 @@ class TestRegion : public QObject
 
 private Q_SLOTS:
     void selectSphere_takesTheVerticesInTheBall();
+    void nearestPoint_isWithinReach();
     void selectGeodesic_takesTheNearSheetOnly();
     void selectGeodesic_isTheShortestPathAlongEdges();
     void candidates_holdAllFacesThatMayMeetTheBall();
@@ -48,6 +50,21 @@ void TestRegion::selectSphere_takesTheVerticesInTheBall()
         QCOMPARE(region.slots(), expected); // ascending
         QCOMPARE(region.size(), static_cast<Slot>(expected.size()));
     }
+}
+
+/// However far from all else the point is, and where there is none.
+void TestRegion::nearestPoint_isWithinReach()
+{
+    const auto mesh = sculptable(clay::slab(1, 0.05, 40));
+    const FaceOctree octree(*mesh);
+    const double height = nearestPoint(*mesh, octree, {0, 1, 0})->distance;
+    for (const double within : {0.0, 0.1 * height, 0.999 * height})
+        QVERIFY(!nearestPoint(*mesh, octree, {0, 1, 0}, within));
+    for (const double within : {1.001 * height, 5.0, 1e9})
+        QCOMPARE(nearestPoint(*mesh, octree, {0, 1, 0}, within)->distance, height);
+    QVERIFY(nearestPoint(*mesh, octree, {1e6, 1e6, 1e6}));
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    QVERIFY(!nearestPoint(*mesh, octree, {nan, 0, 0}));
 }
 
 /// Figure 4 of the paper: next to a fold the ray brush takes the near sheet, the spherical brush takes both.

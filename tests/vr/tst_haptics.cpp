@@ -233,6 +233,20 @@ private Q_SLOTS:
         }
     }
 
+    /// Clay that does not give way refuses every dab.
+    void whatGoesOnIsFeltWhenItBegins()
+    {
+        for (const Sensation what : {Sensation::Fusion, Sensation::Refusal})
+            for (const double rate : {20.0, 90.0}) {
+                const auto pushing = [&](double time) {
+                    const bool happens = time < 2 || time > 3;
+                    return HandFeeling{.fused = happens && what == Sensation::Fusion,
+                                       .refused = happens && what == Sensation::Refusal};
+                };
+                QCOMPARE(feel(Haptics(), pushing, 4, rate).size(), std::size_t(2));
+            }
+    }
+
     void whatFailsIsFeltAboveAll()
     {
         HandFeeling everything{true, 1, true, true, true, 1};

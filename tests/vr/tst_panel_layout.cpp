@@ -277,11 +277,11 @@ void TestPanelLayout::aChoice_staysOnItsPanel()
 void TestPanelLayout::openingUnsaved_mustBeHeld()
 {
     vr::FilesPanel panel = std::get<vr::FilesPanel>(examplePanels()[4].content);
-    const auto mustHold = [&] { return panel.layout().partFor(vr::OpenFile{panel.chosen})->mustHold; };
-    panel.hasUnsavedChanges = true;
-    QVERIFY(mustHold());
-    panel.hasUnsavedChanges = false;
-    QVERIFY(!mustHold());
+    for (const bool isUnsaved : {true, false}) {
+        panel.hasUnsavedChanges = isUnsaved;
+        QCOMPARE(panel.layout().partFor(vr::OpenFile{panel.chosen, isUnsaved})->mustHold, isUnsaved);
+        QVERIFY(!panel.layout().partFor(vr::OpenFile{panel.chosen, !isUnsaved}));
+    }
     QVERIFY(vr::ToolPanel().layout().partFor(PanelCommand::RestoreModel)->mustHold);
 }
 

@@ -5,6 +5,7 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 
 using core::Vec3;
@@ -42,6 +43,15 @@ public:
     std::optional<PanelAction> lost() { return aim(std::nullopt); }
     /// Nothing moves for so long.
     std::optional<PanelAction> wait(double seconds)
+    {
+        std::optional<PanelAction> wanted;
+        for (; seconds > 0; seconds -= vr::longestFrame)
+            if (const std::optional<PanelAction> action = stall(std::min(seconds, vr::longestFrame)))
+                wanted = action;
+        return wanted;
+    }
+    /// No frame comes for so long.
+    std::optional<PanelAction> stall(double seconds)
     {
         m_time += seconds - frame;
         return aim(m_ray);
@@ -112,10 +122,12 @@ private Q_SLOTS:
     void aHold_actsOnceAndInTime();
     void aHold_endsWhenItIsLeft();
     void aHold_isNoClick();
+    void aHold_isNotHeldByAStall();
     void theNearestPanel_isMeant();
     void aPress_staysOnItsPanel();
     void aPanelThatGoes_takesThePressAlong();
     void anItemThatChanges_isStillTheSame();
+    void anItemThatMustBeHeldByNow_isNotClicked();
     void whereItPoints_isOnThePanel();
     void aTouch_isWhatThePictureShows();
 };
@@ -261,6 +273,17 @@ void TestPanelPointer::aHold_isNoClick()
     QVERIFY(!wand.pointer.release(isClick));
 }
 
+/// Who let go meanwhile is heard in the frame after.
+void TestPanelPointer::aHold_isNotHeldByAStall()
+{
+    Wand wand = beforeTools();
+    wand.at(0, restore);
+    wand.pointer.press();
+    wand.wait(0.3);
+    QVERIFY(!wand.stall(5));
+    QVERIFY(wand.wait(vr::holdSeconds - 0.3) == restore);
+}
+
 void TestPanelPointer::theNearestPanel_isMeant()
 {
     const PlacedPanel near = placed(vr::ColorPanel{.color = {}, .swatches = {{1, 2, 3}}}, {0, 1.3, 0.1}),
@@ -318,6 +341,27 @@ void TestPanelPointer::anItemThatChanges_isStillTheSame()
     wand.replace({placed(moved, {0.1, 1.3, 0})});
     wand.wait(0.1);
     QVERIFY(!(wand.pointer.release(isClick)));
+}
+
+/// Somebody at the window sculpts between the press and its end.
+void TestPanelPointer::anItemThatMustBeHeldByNow_isNotClicked()
+{
+    vr::FilesPanel files;
+    files.files << vr::FileTile{QStringLiteral("a"), QStringLiteral("a"), {}, false};
+    files.chosen = QStringLiteral("a");
+    const Vec3 middle(0, 1.3, 0);
+    Wand wand({placed(files, middle)});
+    const PanelAction open = vr::OpenFile{QStringLiteral("a")};
+    wand.at(0, open);
+    wand.pointer.press();
+    wand.wait(0.1);
+    QVERIFY(wand.pointer.release(isClick) == open);
+
+    wand.pointer.press();
+    files.hasUnsavedChanges = true;
+    wand.replace({placed(files, middle)});
+    wand.wait(0.1);
+    QVERIFY(!wand.pointer.release(isClick));
 }
 
 void TestPanelPointer::whereItPoints_isOnThePanel()

@@ -3,6 +3,8 @@
 
 #include <QTest>
 
+#include <cmath>
+
 using vr::Side;
 
 namespace
@@ -18,7 +20,11 @@ public:
         ++begun;
         return true;
     }
-    void addSample(const core::StrokeSample&) override { ++samples; }
+    void addSample(const core::StrokeSample& sample) override
+    {
+        ++samples;
+        last = sample;
+    }
     void endStroke() override { ++ended; }
     vr::StrokeEffect takeEffect() override { return {}; }
     void ask(const vr::SurfaceQuestion&) override {}
@@ -27,6 +33,7 @@ public:
     void show(const vr::Presence& presence) override { seen = presence; }
 
     int begun = 0, samples = 0, ended = 0;
+    core::StrokeSample last;
     vr::Presence seen;
 };
 
@@ -56,6 +63,7 @@ class TestSculptClient : public QObject
 
 private Q_SLOTS:
     void rest_endsTheStroke();
+    void times_areTheVisits();
 };
 
 /// The trigger is pulled all the time: no frame has shown another, and none after does anything before it was let go.
@@ -78,6 +86,22 @@ void TestSculptClient::rest_endsTheStroke()
     person.frame(0);
     person.frame(1);
     QCOMPARE(person.port->begun, 2);
+}
+
+/// A runtime may count from 1970: strokes' times must fit into a file all the same.
+void TestSculptClient::times_areTheVisits()
+{
+    Person person;
+    person.time = 1'700'000'000'000'000'000;
+    person.frame(0);
+    person.frame(1);
+    QCOMPARE(person.port->last.time, 0.0);
+    for (int i = 0; i < 100; ++i)
+        person.frame(1);
+    QVERIFY(std::abs(person.port->last.time - 1.1) < 1e-5);
+    person.frame(0);
+    person.frame(1);
+    QVERIFY(std::abs(person.port->last.time - 1.122) < 1e-5); // the visit's, not the stroke's
 }
 
 QTEST_GUILESS_MAIN(TestSculptClient)

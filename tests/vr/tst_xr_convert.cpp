@@ -3,6 +3,7 @@
 #include <QTest>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 using core::Vec3;
@@ -32,6 +33,7 @@ private Q_SLOTS:
     void posesComeBack();
     void projectionFitsTheFieldOfView();
     void validAndTracked();
+    void whatIsNoPose_isNotValid();
     void levelBelowHasYawAndPlaceOnly();
     void levelBelowOfSteepHeads();
 };
@@ -67,11 +69,31 @@ void TestXrConvert::validAndTracked()
 {
     const XrSpaceLocationFlags valid = XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT;
     const XrSpaceLocationFlags tracked = valid | XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
-    QVERIFY(vr::isValid(valid) && vr::isValid(tracked));
-    QVERIFY(vr::isTracked(tracked) && !vr::isTracked(valid));
+    const auto located = [](XrSpaceLocationFlags flags) {
+        return XrSpaceLocation{XR_TYPE_SPACE_LOCATION, nullptr, flags, {{0, 0, 0, 1}, {1, 2, 3}}};
+    };
+    QVERIFY(vr::isValid(located(valid)) && vr::isValid(located(tracked)));
+    QVERIFY(vr::isTracked(located(tracked)) && !vr::isTracked(located(valid)));
     for (const XrSpaceLocationFlags bit : {1, 2, 4, 8})
-        QVERIFY(!vr::isTracked(tracked & ~bit));
-    QVERIFY(!vr::isValid(XR_SPACE_LOCATION_ORIENTATION_VALID_BIT) && !vr::isValid(XR_SPACE_LOCATION_POSITION_VALID_BIT));
+        QVERIFY(!vr::isTracked(located(tracked & ~bit)));
+    QVERIFY(!vr::isValid(located(XR_SPACE_LOCATION_ORIENTATION_VALID_BIT)));
+    QVERIFY(!vr::isValid(located(XR_SPACE_LOCATION_POSITION_VALID_BIT)));
+}
+
+/// A runtime may say that it knows what it has never seen.
+void TestXrConvert::whatIsNoPose_isNotValid()
+{
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN(), endless = std::numeric_limits<float>::infinity();
+    const auto isKnown = [](const XrPosef& pose) {
+        const XrSpaceLocation location{XR_TYPE_SPACE_LOCATION, nullptr, 0xF, pose};
+        return vr::isValid(location) && vr::isTracked(location);
+    };
+    QVERIFY(isKnown({{0.5F, 0.5F, 0.5F, 0.5F}, {1, 2, 3}}));
+    QVERIFY(isKnown({{0, 0, 0, 0.995F}, {0, 0, 0}}));
+    for (const XrQuaternionf& rotation : {XrQuaternionf{0, 0, 0, 0}, {nan, 0, 0, 1}, {0, 0, 0, nan}, {endless, 0, 0, 0}})
+        QVERIFY(!isKnown({rotation, {0, 0, 0}}));
+    for (const XrVector3f& place : {XrVector3f{nan, 0, 0}, {0, -endless, 0}, {0, 0, nan}})
+        QVERIFY(!isKnown({{0, 0, 0, 1}, place}));
 }
 
 /// Seen from there the head is above the origin at its own height, and looks along -Z as far as it looks anywhere.

@@ -3,6 +3,8 @@
 #include "panel_painter.h"
 #include "panel_place.h"
 
+#include "../wand_gestures.h"
+
 #include <memory>
 #include <span>
 
@@ -18,8 +20,8 @@ struct PlacedPanel
 /// One wand that points at panels and presses their items. Pure: no clock but the frames' own.
 ///
 /// A press acts when it is let go over the item on which it began. A slider follows it from the first moment on, also beyond its ends
-/// and the panel's edge. An item that must be held acts once, when it has been held for holdSeconds without leaving it. What began on
-/// one panel never acts on another, and a panel that goes away takes the press with it.
+/// and the panel's edge. An item that must be held acts once, when it has been held for holdSeconds without leaving it; a FrameClock
+/// says how long that is. What began on one panel never acts on another, and a panel that goes away takes the press with it.
 class PanelPointer
 {
 public:
@@ -69,7 +71,8 @@ private:
     std::optional<PanelAction> slide();
     std::optional<PanelTouch> pressedTouch() const;
 
-    double m_time = 0;
+    FrameClock m_clock;
+    double m_time = 0; ///< seconds, by the clock
     std::optional<Place> m_place; ///< where it points; while it presses, on the plane of the panel that it presses
     std::optional<Spot> m_spot;
     std::optional<Press> m_press;
