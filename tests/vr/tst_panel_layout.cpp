@@ -277,11 +277,12 @@ void TestPanelLayout::aChoice_staysOnItsPanel()
 void TestPanelLayout::openingUnsaved_mustBeHeld()
 {
     vr::FilesPanel panel = std::get<vr::FilesPanel>(examplePanels()[4].content);
-    const auto mustHold = [&] { return panel.layout().partFor(vr::OpenFile{panel.chosen})->mustHold; };
-    panel.hasUnsavedChanges = true;
-    QVERIFY(mustHold());
-    panel.hasUnsavedChanges = false;
-    QVERIFY(!mustHold());
+    for (const bool loses : {true, false}) {
+        panel.hasUnsavedChanges = loses;
+        const PanelPart* open = panel.layout().partFor(vr::OpenFile{panel.chosen, loses});
+        QVERIFY(open && open->mustHold == loses);
+        QVERIFY(!panel.layout().partFor(vr::OpenFile{panel.chosen, !loses}));
+    }
     QVERIFY(vr::ToolPanel().layout().partFor(PanelCommand::RestoreModel)->mustHold);
 }
 
