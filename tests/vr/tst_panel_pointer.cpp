@@ -40,10 +40,19 @@ public:
     std::optional<PanelAction> to(const Vec3& target) { return aim(core::Ray{from, target - from}); }
     std::optional<PanelAction> away() { return aim(core::Ray{from, Vec3::UnitZ()}); }
     std::optional<PanelAction> lost() { return aim(std::nullopt); }
-    /// Nothing moves for so long.
+    /// Nothing moves for so long. What is wanted in any of the frames.
     std::optional<PanelAction> wait(double seconds)
     {
-        m_time += seconds - frame;
+        std::optional<PanelAction> wanted;
+        for (double time = 0; time < seconds - 1e-9; time += frame)
+            if (const std::optional<PanelAction> action = aim(m_ray))
+                wanted = action;
+        return wanted;
+    }
+    /// One frame that is so late.
+    std::optional<PanelAction> stall(double seconds)
+    {
+        m_time += seconds;
         return aim(m_ray);
     }
     void replace(std::vector<PlacedPanel> panels) { m_panels = std::move(panels); }
@@ -112,6 +121,7 @@ private Q_SLOTS:
     void aHold_actsOnceAndInTime();
     void aHold_endsWhenItIsLeft();
     void aHold_isNoClick();
+    void aHold_isNotAStall();
     void theNearestPanel_isMeant();
     void aPress_staysOnItsPanel();
     void aPanelThatGoes_takesThePressAlong();
@@ -261,6 +271,16 @@ void TestPanelPointer::aHold_isNoClick()
     QVERIFY(!wand.pointer.release(isClick));
 }
 
+/// The trigger was perhaps let go meanwhile.
+void TestPanelPointer::aHold_isNotAStall()
+{
+    Wand wand = beforeTools();
+    wand.at(0, restore);
+    wand.pointer.press();
+    QVERIFY(!wand.stall(5));
+    QVERIFY(wand.wait(vr::holdSeconds) == restore);
+}
+
 void TestPanelPointer::theNearestPanel_isMeant()
 {
     const PlacedPanel near = placed(vr::ColorPanel{.color = {}, .swatches = {{1, 2, 3}}}, {0, 1.3, 0.1}),
@@ -314,10 +334,10 @@ void TestPanelPointer::anItemThatChanges_isStillTheSame()
     wand.replace({placed(other, {0, 1.3, 0})});
     wand.wait(0.1);
     QVERIFY(wand.pointer.release(isClick) == paint);
-    vr::ToolPanel moved = tools();
-    wand.replace({placed(moved, {0.1, 1.3, 0})});
+    wand.pointer.press();
+    wand.replace({placed(other, {0.1, 1.3, 0})}); // by more than an item's width
     wand.wait(0.1);
-    QVERIFY(!(wand.pointer.release(isClick)));
+    QVERIFY(!wand.pointer.release(isClick));
 }
 
 void TestPanelPointer::whereItPoints_isOnThePanel()

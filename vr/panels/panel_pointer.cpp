@@ -1,7 +1,5 @@
 #include "panel_pointer.h"
 
-#include "../wand_gestures.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -39,7 +37,7 @@ void PanelPointer::find(const core::Ray& ray, std::span<const PlacedPanel> panel
 std::optional<PanelAction> PanelPointer::aim(const std::optional<core::Ray>& ray, double time,
                                              std::span<const PlacedPanel> panels)
 {
-    m_time = time;
+    m_time += m_clock.step(time);
     m_place.reset();
     m_spot.reset();
     if (m_press && !isThere(m_press->panel, panels))

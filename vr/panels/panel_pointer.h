@@ -1,5 +1,6 @@
 #pragma once
 
+#include "../wand_gestures.h"
 #include "panel_painter.h"
 #include "panel_place.h"
 
@@ -69,7 +70,8 @@ private:
     std::optional<PanelAction> slide();
     std::optional<PanelTouch> pressedTouch() const;
 
-    double m_time = 0;
+    FrameClock m_clock;
+    double m_time = 0; ///< seconds of frames, none of which counts as longer than longestFrame
     std::optional<Place> m_place; ///< where it points; while it presses, on the plane of the panel that it presses
     std::optional<Spot> m_spot;
     std::optional<Press> m_press;
