@@ -72,6 +72,7 @@ void SculptClient::obey(Side side, const PanelAction& action)
         [&](const ShowPanel& panel) { m_wall.open(panel.kind, panel.isShown); },
         [&](SettingsPage page) { m_page = page; },
         [&](const ChooseChannel& channel) { m_hands.selectChannel(channel.channel); },
+        // Of the item that was pressed: what is painted may be older than the changes.
         [&](const OpenFile& file) { m_port->wish(OpenModel{file.path, file.losesChanges}); },
         [](const auto&) {},
     };

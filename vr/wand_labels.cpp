@@ -67,11 +67,26 @@ bool isOfBothHands(const Deed& deed)
     return std::holds_alternative<StretchModel>(deed) || (stroke && stroke->smooths);
 }
 
+constexpr double degrees = 180 / std::numbers::pi;
+
 /// Degrees between where the head looks and the wand's buttons.
 double angleTo(const WandState& wand, const Pose& head)
 {
     const core::Vec3 to = wand.grip * placeOf(WandSpot::PadMiddle) - head.position;
-    return std::atan2(head.forward().cross(to).norm(), head.forward().dot(to)) * 180 / std::numbers::pi;
+    return std::atan2(head.forward().cross(to).norm(), head.forward().dot(to)) * degrees;
+}
+
+/// Where the head sees the wand's buttons.
+struct Bearing
+{
+    double aside, above; ///< degrees
+    double distance;     ///< metres
+};
+
+Bearing bearingOf(const WandState& wand, const Pose& head)
+{
+    const core::Vec3 to = head.inverse() * (wand.grip * placeOf(WandSpot::PadMiddle));
+    return {std::atan2(to.x(), -to.z()) * degrees, std::atan2(to.y(), std::hypot(to.x(), to.z())) * degrees, to.norm()};
 }
 
 constexpr double unseen = 180; ///< degrees
@@ -90,11 +105,12 @@ void WandLabels::step(const HandsFrame& frame, const Pose& head, const Hands& ha
     if (m_choice != hands.choice())
         write(hands);
     note(hands, commands);
+    m_behind = behind(frame, head);
     for (const Side side : sides) {
         const WandState& wand = frame.wands[static_cast<std::size_t>(side)];
         const bool canBeLookedAt = wand.isTracked && !hands.draws(side);
         const bool isLookedAt = at(side).look(canBeLookedAt ? angleTo(wand, head) : unseen, seconds);
-        if (frame.pointsAtPanel[static_cast<std::size_t>(side)])
+        if (frame.pointsAtPanel[static_cast<std::size_t>(side)] || m_behind == side)
             hide(at(side), seconds);
         else
             fade(at(side), isLookedAt, seconds);
@@ -103,7 +119,7 @@ void WandLabels::step(const HandsFrame& frame, const Pose& head, const Hands& ha
 
 std::array<WandLabel, wandSpotCount> WandLabels::labels(Side side) const
 {
-    const Hand& hand = m_hands[static_cast<std::size_t>(side)];
+    const Hand& hand = at(side);
     std::array<WandLabel, wandSpotCount> result;
     for (std::size_t spot = 0; spot < wandSpotCount; ++spot)
         result[spot] = {hand.lines()[spot].text, hand.opacities[spot]};
@@ -165,6 +181,28 @@ bool WandLabels::Hand::look(double degrees, double seconds)
     isNear = degrees < (wasNear ? labelLookAwayAngle : labelLookAngle);
     nearFor = isNear && wasNear ? nearFor + seconds : 0;
     return isNear && nearFor >= labelLookSeconds;
+}
+
+bool WandLabels::Hand::isSeen() const
+{
+    return std::ranges::any_of(opacities, [](float opacity) { return opacity > 0; });
+}
+
+/// The farther of two wands that are close to each other, if the nearer has labels.
+std::optional<Side> WandLabels::behind(const HandsFrame& frame, const Pose& head) const
+{
+    const auto& [left, right] = frame.wands;
+    if (!left.isTracked || !right.isTracked)
+        return std::nullopt;
+    const Bearing a = bearingOf(left, head), b = bearingOf(right, head);
+    const double slack = m_behind ? labelRoomSlack : 0;
+    if (std::abs(a.aside - b.aside) > labelRoomAside + slack || std::abs(a.above - b.above) > labelRoomAbove + slack)
+        return std::nullopt;
+    const double metres = !m_behind ? 0 : *m_behind == Side::Left ? labelRoomSlackMetres : -labelRoomSlackMetres;
+    const bool isLeftFarther = a.distance + metres > b.distance;
+    if (!at(isLeftFarther ? Side::Right : Side::Left).isSeen())
+        return std::nullopt;
+    return isLeftFarther ? Side::Left : Side::Right;
 }
 
 void WandLabels::fade(Hand& hand, bool isLookedAt, double seconds)

@@ -13,11 +13,15 @@ inline constexpr double labelFadeOut = 1, labelFadeIn = 0.3;
 inline constexpr double labelLookSeconds = 0.5; ///< a wand has to be looked at for so long
 /// Between where the head looks and the wand: labels come back below the first, and go again above the second.
 inline constexpr double labelLookAngle = 12, labelLookAwayAngle = 16;
+/// Between two wands as the head sees them: farther apart, beside each other or above, the labels of both have room.
+inline constexpr double labelRoomAside = 30, labelRoomAbove = 14;
+/// So much farther apart they have to be when there was none, so that hands may tremble; metres are of their distances from the head.
+inline constexpr double labelRoomSlack = 3, labelRoomSlackMetres = 0.03;
 
 /// What the labels at both wands' buttons say, and how well they are seen: the rows of the preset. A label is there until what it
 /// tells of was done once, all of it where a button has two functions; then it comes back while the wand is looked at. A wand that draws
-/// is not: it is the clay that is looked at. One that points at a panel has none, which would stand before what it points at. With another
-/// preset, or other hands, all of them are new.
+/// is not: it is the clay that is looked at. One that points at a panel has none, which would stand before what it points at; nor has the
+/// farther of two wands between which there is no room for the labels of both. With another preset, or other hands, all of them are new.
 ///
 /// Pure: any thread, no clock but the frames' own. Allocates nothing but in the step that finds another choice.
 class WandLabels
@@ -47,6 +51,7 @@ private:
         double nearFor = 0;  ///< seconds
 
         bool look(double degrees, double seconds);
+        bool isSeen() const;
         const Lines& lines() const { return mode == HandMode::Plain ? closed : open; }
     };
 
@@ -56,12 +61,15 @@ private:
     void setMode(Hand& hand, HandMode mode);
     void fade(Hand& hand, bool isLookedAt, double seconds);
     static void hide(Hand& hand, double seconds);
+    std::optional<Side> behind(const HandsFrame& frame, const Pose& head) const;
 
     Hand& at(Side side) { return m_hands[static_cast<std::size_t>(side)]; }
+    const Hand& at(Side side) const { return m_hands[static_cast<std::size_t>(side)]; }
 
     FrameClock m_clock;
     std::optional<HandsChoice> m_choice; ///< that the lines are of
     std::array<Hand, sideCount> m_hands; ///< by Side
     std::uint32_t m_used = 0;            ///< rows
+    std::optional<Side> m_behind;        ///< whose labels there is no room for
 };
 } // namespace vr

@@ -10,6 +10,8 @@ using vr::Side;
 
 namespace
 {
+constexpr QSize large{432, 480}; ///< pixels of an eye, where something small is looked at
+
 /// Degrees about the vertical, anticlockwise from above.
 double yawOf(const Eigen::Affine3d& model)
 {
@@ -41,10 +43,14 @@ private Q_SLOTS:
     void rightTrigger_sculptsAsHardAsItIsPulled();
     void rightSideHeld_restoresAndThatCanBeUndone();
     void handsMaySwap();
+    void whatIsHeld_fillsARing();
+    void labels_fadeOnceUsedAndComeBackWhenLookedAt();
 
 private:
     void turns(double x, int sign);
     void togglesTopology(double y);
+    static void movesTheModel(Visit& v, Side side);
+    static void scalesTheModel(Visit& v, Side side);
 };
 
 void TestHeadsetPaper::turns(double x, int sign)
@@ -66,26 +72,33 @@ void TestHeadsetPaper::togglesTopology(double y)
     const auto vertices = v.program.document.facts().vertices;
     QCOMPARE(v.brush().topology, core::Topology::Adaptive);
     v.hand.pressPad(Side::Left, 0, y);
-    QTRY_COMPARE(v.brush().topology, core::Topology::Uniform);
+    QTRY_COMPARE_WITH_TIMEOUT(v.brush().topology, core::Topology::Uniform, 60'000);
     v.pull();
     QVERIFY(v.program.document.isModified());
     QVERIFY(v.program.document.facts().vertices < vertices + 20);
     v.hand.pressPad(Side::Left, 0, y);
-    QTRY_COMPARE(v.brush().topology, core::Topology::Adaptive);
+    QTRY_COMPARE_WITH_TIMEOUT(v.brush().topology, core::Topology::Adaptive, 60'000);
     v.pull();
     QVERIFY(v.program.document.facts().vertices > vertices + 100);
+}
+
+/// The brush stays as large as it is in the room.
+void TestHeadsetPaper::scalesTheModel(Visit& v, Side side)
+{
+    const double before = v.scale(), radius = v.hand.seen().brush.value().radius;
+    v.hand.slide(side, {0, 1});
+    v.hand.settle();
+    QVERIFY(v.scale() > 1.5 * before);
+    QCOMPARE(v.hand.seen().brush.value().radius, radius);
+    v.hand.slide(side, {0, -1});
+    v.hand.settle();
+    QVERIFY(std::abs(v.scale() / before - 1) < 0.15);
 }
 
 void TestHeadsetPaper::leftSlide_scalesTheModel()
 {
     Alone v;
-    const double before = v.scale();
-    v.hand.slide(Side::Left, {0, 1});
-    v.hand.settle();
-    QVERIFY(v.scale() > 1.5 * before);
-    v.hand.slide(Side::Left, {0, -1});
-    v.hand.settle();
-    QVERIFY(std::abs(v.scale() / before - 1) < 0.15);
+    scalesTheModel(v, Side::Left);
     QVERIFY(v.isUntouched());
 }
 
@@ -99,10 +112,10 @@ void TestHeadsetPaper::leftMenu_showsTheToolsWhichThePadScrolls()
     v.hand.press(Side::Left, "menu");
     for (const Tool tool : {Tool::Push, Tool::Flatten, Tool::Smooth, Tool::Paint, Tool::Pull}) {
         v.hand.pressPad(Side::Left, 0.8, 0);
-        QTRY_COMPARE(v.brush().tool, tool);
+        QTRY_COMPARE_WITH_TIMEOUT(v.brush().tool, tool, 60'000);
     }
     v.hand.pressPad(Side::Left, -0.8, 0);
-    QTRY_COMPARE(v.brush().tool, Tool::Paint);
+    QTRY_COMPARE_WITH_TIMEOUT(v.brush().tool, Tool::Paint, 60'000);
     v.hand.press(Side::Left, "menu");
     v.hand.pressPad(Side::Left, 0.8, 0);
     v.hand.settle();
@@ -110,19 +123,24 @@ void TestHeadsetPaper::leftMenu_showsTheToolsWhichThePadScrolls()
     QVERIFY(v.isUntouched());
 }
 
+void TestHeadsetPaper::movesTheModel(Visit& v, Side side)
+{
+    const Vec3 before = v.model().translation(), by(0.1, 0.05, -0.02), from(side == Side::Left ? -0.3 : 0.3, 1.2, -0.4);
+    v.hand.put(side, from);
+    v.hand.frame();
+    v.hand.set(side, "trigger", 1);
+    v.hand.frames(2);
+    v.hand.put(side, from + by);
+    v.hand.frames(2);
+    v.hand.set(side, "trigger", 0);
+    v.hand.settle();
+    QVERIFY((v.model().translation() - before - by).norm() < 1e-3);
+}
+
 void TestHeadsetPaper::leftTrigger_movesTheModel()
 {
     Alone v;
-    const Vec3 before = v.model().translation(), by(0.1, 0.05, -0.02);
-    v.hand.put(Side::Left, {-0.3, 1.2, -0.4});
-    v.hand.frame();
-    v.hand.set(Side::Left, "trigger", 1);
-    v.hand.frames(2);
-    v.hand.put(Side::Left, Vec3(-0.3, 1.2, -0.4) + by);
-    v.hand.frames(2);
-    v.hand.set(Side::Left, "trigger", 0);
-    v.hand.settle();
-    QVERIFY((v.model().translation() - before - by).norm() < 1e-3);
+    movesTheModel(v, Side::Left);
     QVERIFY(v.isUntouched());
 }
 
@@ -135,14 +153,14 @@ void TestHeadsetPaper::leftSideHeld_saves()
     QCOMPARE(v.files(), QStringList{QStringLiteral("clay.glb")});
     v.hand.hold(Side::Left, "squeeze");
     const QStringList saved{QStringLiteral("clay-001.glb"), QStringLiteral("clay-001.stl"), QStringLiteral("clay.glb")};
-    QTRY_COMPARE(v.files(), saved);
+    QTRY_COMPARE_WITH_TIMEOUT(v.files(), saved, 60'000);
     v.hand.settle();
     const core::TriangleMesh now =
         v.hand.ask([](core::Sculptor& sculptor) { return core::extractMesh(sculptor.mesh()); });
     for (const char* name : {"clay-001.glb", "clay-001.stl"})
         QCOMPARE(core::readMesh(v.path(name).toStdU16String()).triangles.size(), now.triangles.size());
     v.hand.hold(Side::Left, "squeeze");
-    QTRY_VERIFY(v.files().contains(QStringLiteral("clay-002.stl")));
+    QTRY_VERIFY_WITH_TIMEOUT(v.files().contains(QStringLiteral("clay-002.stl")), 60'000);
     v.hand.settle();
 }
 
@@ -150,27 +168,27 @@ void TestHeadsetPaper::rightPadTop_togglesTheBrush()
 {
     Alone v;
     v.hand.pressPad(Side::Right, 0, 0.8);
-    QTRY_COMPARE(v.brush().brush, core::BrushShape::Ray);
+    QTRY_COMPARE_WITH_TIMEOUT(v.brush().brush, core::BrushShape::Ray, 60'000);
     v.hand.put(Side::Right, v.hand.place({0, 0, 90}));
     v.hand.frame();
     v.hand.press(Side::Right, "trigger", 10); // from afar
     v.hand.settle();
     QVERIFY(v.box().max().z() > 50.2);
     v.hand.pressPad(Side::Right, 0, 0.8);
-    QTRY_COMPARE(v.brush().brush, core::BrushShape::Sphere);
+    QTRY_COMPARE_WITH_TIMEOUT(v.brush().brush, core::BrushShape::Sphere, 60'000);
 }
 
 void TestHeadsetPaper::rightPadBottom_togglesSymmetry()
 {
     Alone v;
     v.hand.pressPad(Side::Right, 0, -0.8);
-    QTRY_COMPARE(v.brush().symmetry, core::Symmetry::Y); // the paper's xz plane
+    QTRY_COMPARE_WITH_TIMEOUT(v.brush().symmetry, core::Symmetry::Y, 60'000); // the paper's xz plane
     v.pull();
     const core::Box box = v.box();
     QVERIFY(box.max().y() > 52);
     QCOMPARE(box.min().y(), -box.max().y());
     v.hand.pressPad(Side::Right, 0, -0.8);
-    QTRY_COMPARE(v.brush().symmetry, core::Symmetry::None);
+    QTRY_COMPARE_WITH_TIMEOUT(v.brush().symmetry, core::Symmetry::None, 60'000);
 }
 
 void TestHeadsetPaper::rightPadLeftAndRight_undoAndRedo()
@@ -211,18 +229,18 @@ void TestHeadsetPaper::rightMenu_opensTheColoursWhichThePadSets()
     const core::Rgb before = v.brush().color;
     v.hand.press(Side::Right, "menu");
     v.hand.slide(Side::Right, {0, -1.6});
-    QTRY_VERIFY(v.brush().color.r < before.r);
+    QTRY_VERIFY_WITH_TIMEOUT(v.brush().color.r < before.r, 60'000);
     QVERIFY(v.brush().color.g == before.g && v.brush().color.b == before.b);
     v.hand.pressPad(Side::Right, 0.8, 0);
     v.hand.slide(Side::Right, {0, -1.6});
-    QTRY_VERIFY(v.brush().color.g < before.g);
+    QTRY_VERIFY_WITH_TIMEOUT(v.brush().color.g < before.g, 60'000);
     v.hand.pressPad(Side::Right, 0.8, 0);
     v.hand.slide(Side::Right, {0, -1.6});
-    QTRY_VERIFY(v.brush().color.b < before.b);
+    QTRY_VERIFY_WITH_TIMEOUT(v.brush().color.b < before.b, 60'000);
     const core::Rgb lower = v.brush().color;
     v.hand.pressPad(Side::Right, -0.8, 0);
     v.hand.slide(Side::Right, {0, 1.6});
-    QTRY_VERIFY(v.brush().color.g > lower.g);
+    QTRY_VERIFY_WITH_TIMEOUT(v.brush().color.g > lower.g, 60'000);
     QCOMPARE(v.brush().color.b, lower.b);
     v.hand.press(Side::Right, "menu");
     QVERIFY(v.isUntouched());
@@ -276,23 +294,81 @@ void TestHeadsetPaper::handsMaySwap()
         v.hand.pressPad(Side::Left, -0.8, 0);
     v.hand.settle();
     QVERIFY(v.isUntouched());
-    v.hand.pressPad(Side::Left, 0, 0.8);
-    QTRY_COMPARE(v.brush().brush, core::BrushShape::Ray);
+    for (const core::BrushShape shape : {core::BrushShape::Ray, core::BrushShape::Sphere}) {
+        v.hand.pressPad(Side::Left, 0, 0.8);
+        QTRY_COMPARE_WITH_TIMEOUT(v.brush().brush, shape, 60'000);
+    }
 
     v.hand.put(Side::Left, {-0.5, 1.1, -0.2});
     v.hand.pressPad(Side::Right, 0, 0.8);
-    QTRY_COMPARE(v.brush().topology, core::Topology::Uniform);
+    QTRY_COMPARE_WITH_TIMEOUT(v.brush().topology, core::Topology::Uniform, 60'000);
     v.hand.press(Side::Right, "menu");
     v.hand.pressPad(Side::Right, 0.8, 0);
-    QTRY_COMPARE(v.brush().tool, core::Tool::Push);
+    QTRY_COMPARE_WITH_TIMEOUT(v.brush().tool, core::Tool::Push, 60'000);
     v.hand.press(Side::Right, "menu");
     const double yaw = yawOf(v.model());
     v.hand.pressPad(Side::Right, -0.8, 0, 30);
     v.hand.settle();
     QVERIFY(yawOf(v.model()) < yaw - 15);
+    movesTheModel(v, Side::Right);
+    scalesTheModel(v, Side::Right);
+    QVERIFY(v.isUntouched());
     v.hand.hold(Side::Right, "squeeze");
-    QTRY_VERIFY(v.files().contains(QStringLiteral("clay-001.stl")));
+    QTRY_VERIFY_WITH_TIMEOUT(v.files().contains(QStringLiteral("clay-001.stl")), 60'000);
     v.hand.settle();
+}
+
+/// At the wand, and empties when that is let go.
+void TestHeadsetPaper::whatIsHeld_fillsARing()
+{
+    Alone v({}, large);
+    const auto amber = [&] {
+        const QImage seen = v.hand.picture();
+        int count = 0;
+        for (int y = 0; y < seen.height(); ++y)
+            for (int x = 0; x < seen.width(); ++x)
+                count += seen.pixelColor(x, y).red() > seen.pixelColor(x, y).blue() + 80;
+        return count;
+    };
+    v.hand.setSlow(true);
+    for (const Side side : {Side::Left, Side::Right}) {
+        v.hand.put(side, {side == Side::Left ? -0.3 : 0.3, 1.5, -0.5});
+        v.hand.frames(20); // labels are there
+        const int none = amber();
+        v.hand.set(side, "squeeze", 1);
+        v.hand.frames(5);
+        const int some = amber();
+        v.hand.frames(6);
+        const int more = amber();
+        QVERIFY2(some > none + 10 && more > some + 10,
+                 qPrintable(QStringLiteral("%1 %2 %3").arg(none).arg(some).arg(more)));
+        v.hand.set(side, "squeeze", 0);
+        v.hand.frames(2);
+        QCOMPARE(amber(), none);
+    }
+    QVERIFY(v.isUntouched());
+    QCOMPARE(v.files(), QStringList{QStringLiteral("clay.glb")});
+}
+
+/// Undo, of which there is nothing, at a wand that stays where it is, 36 degrees aside.
+void TestHeadsetPaper::labels_fadeOnceUsedAndComeBackWhenLookedAt()
+{
+    Alone v({}, large);
+    const auto look = [&](double degrees, double seconds) {
+        v.hand.headset().step(qPrintable(QStringLiteral("{'head': {'yaw_pitch_roll': [%1, 0, 0]}}").arg(degrees)));
+        v.hand.frames(static_cast<int>(seconds * HeadsetHand::slowHertz));
+        return v.hand.picture();
+    };
+    v.hand.setSlow(true);
+    v.hand.put(Side::Right, {0.3, 1.6, -0.5});
+    const QImage fresh = look(0, 2);
+    QCOMPARE(look(0, 1), fresh);
+    v.hand.pressPad(Side::Right, -0.8, 0);
+    const QImage used = look(0, 2);
+    QVERIFY(!changed(fresh, used).isNull());
+    const QImage glance = look(-36, 0.2), gaze = look(-36, 2);
+    QVERIFY(!changed(glance, gaze).isNull());
+    QCOMPARE(look(0, 2), used);
 }
 
 int main(int argc, char* argv[])

@@ -58,7 +58,7 @@ struct Visit
         worker.post([&](core::Sculptor& sculptor) {
             mail.post([&hash, value = sculptor.mesh().stateHash()] { hash = value; });
         });
-        [&] { QTRY_VERIFY(hash); }();
+        [&] { QTRY_VERIFY_WITH_TIMEOUT(hash, 60'000); }();
         return hash.value_or(0);
     }
 
@@ -69,7 +69,7 @@ struct Visit
         worker.post([&](core::Sculptor& sculptor) {
             mail.post([&viewer, whole = sculptor.wholePatch()] { viewer = viewerOf(whole); });
         });
-        [&] { QTRY_VERIFY(viewer); }();
+        [&] { QTRY_VERIFY_WITH_TIMEOUT(viewer, 60'000); }();
         return viewer.value_or(Viewer());
     }
 
@@ -151,7 +151,7 @@ void TestHeadsetPort::strokes_areTheDocuments()
     Visit visit;
     const std::uint64_t before = visit.stateHash();
     QVERIFY(visit.stroke(right));
-    QTRY_COMPARE(visit.document.undoStack().count(), 1);
+    QTRY_COMPARE_WITH_TIMEOUT(visit.document.undoStack().count(), 1, 60'000);
     QVERIFY(visit.stateHash() != before);
     visit.document.undo();
     visit.wait();
@@ -166,7 +166,7 @@ void TestHeadsetPort::strokesAfterAnUndo_comeAfterIt()
     const std::uint64_t expected = one.stateHash();
 
     QVERIFY(other.stroke(right));
-    QTRY_COMPARE(other.document.undoStack().count(), 1);
+    QTRY_COMPARE_WITH_TIMEOUT(other.document.undoStack().count(), 1, 60'000);
     other.port->wish(vr::Undo());
     QVERIFY(other.stroke(top)); // nobody has undone yet
     QVERIFY(other.port->takeEffect().refusals == 0);
@@ -209,7 +209,7 @@ void TestHeadsetPort::strokesAfterARestore_comeAfterIt()
     other.port->wish(vr::RestoreModel());
     QVERIFY(other.stroke(top));
     other.obey();
-    QTRY_COMPARE(other.document.undoStack().count(), 3);
+    QTRY_COMPARE_WITH_TIMEOUT(other.document.undoStack().count(), 3, 60'000);
     other.wait();
     QCOMPARE(other.document.facts().faces, expected);
     const std::uint64_t now = other.stateHash();

@@ -41,8 +41,9 @@ struct Visit
 
     void wait()
     {
-        QTRY_VERIFY(program.document.facts().faces > 0 && !program.document.isBusy() && program.document.isSettled());
-        QTRY_VERIFY(!program.document.isBusy());
+        const auto isDone = [this] { return !program.document.isBusy() && program.document.isSettled(); };
+        QTRY_VERIFY_WITH_TIMEOUT(program.document.facts().faces > 0 && isDone(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy(), 60'000);
         QCoreApplication::processEvents();
     }
 
@@ -72,7 +73,7 @@ struct Visit
         program.worker.post([&](core::Sculptor& sculptor) {
             mail.post([&answer, value = sculptor.mesh().meshHash()] { answer = value; });
         });
-        [&] { QTRY_VERIFY(answer); }();
+        [&] { QTRY_VERIFY_WITH_TIMEOUT(answer, 60'000); }();
         return answer.value_or(0);
     }
 
@@ -154,7 +155,7 @@ void TestHeadsetWishes::save_writesANumberedPair()
     const QByteArray first = bytesOf(at("vase.glb"));
     visit.stroke({50, 0, 0});
     visit.wish(vr::SaveModel());
-    QTRY_VERIFY(!visit.program.document.isModified());
+    QTRY_VERIFY_WITH_TIMEOUT(!visit.program.document.isModified(), 60'000);
     QCOMPARE(visit.program.document.path(), at("vase-001.glb"));
     QCOMPARE(visit.news().saved, QStringLiteral("vase-001.glb"));
     QVERIFY(visit.news().notice.contains(QStringLiteral("vase-001.stl")));
@@ -167,7 +168,7 @@ void TestHeadsetWishes::save_writesANumberedPair()
     core::writeMesh(at("vase-007.stl").toStdString(), core::icosphere(1, 50));
     const QByteArray others = bytesOf(at("vase-007.stl")), second = bytesOf(at("vase-001.glb"));
     visit.wish(vr::SaveModel());
-    QTRY_COMPARE(visit.program.document.path(), at("vase-008.glb"));
+    QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.path(), at("vase-008.glb"), 60'000);
     QVERIFY(QFile::exists(at("vase-008.stl")));
     QCOMPARE(bytesOf(at("vase-007.stl")), others);
     QCOMPARE(bytesOf(at("vase-001.glb")), second);
@@ -178,7 +179,7 @@ void TestHeadsetWishes::save_ofAModelWithoutAFile()
     ui::Settings().setLastFolder(m_folder->path());
     Visit visit({});
     visit.wish(vr::SaveModel());
-    QTRY_COMPARE(visit.program.document.path(), m_folder->filePath(visit.news().saved));
+    QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.path(), m_folder->filePath(visit.news().saved), 60'000);
     QVERIFY(visit.news().saved.endsWith(QStringLiteral("-001.glb")));
     QCOMPARE(QDir(m_folder->path()).entryList({QStringLiteral("*-001.*")}).size(), 2);
 }
@@ -194,7 +195,7 @@ void TestHeadsetWishes::save_whereNothingFits()
     visit.stroke({50, 0, 0});
     const QSignalSpy refused(&visit.program.document, &Document::refused);
     visit.wish(vr::SaveModel());
-    QTRY_COMPARE(refused.size(), 1);
+    QTRY_COMPARE_WITH_TIMEOUT(refused.size(), 1, 60'000);
     QCOMPARE(visit.news().notice, refused[0][0].toString());
     QVERIFY(visit.news().notice.contains(QStringLiteral("-001.glb")) && visit.news().saved.isEmpty());
     QVERIFY(visit.program.document.isModified() && visit.program.document.path().isEmpty());
@@ -210,7 +211,7 @@ void TestHeadsetWishes::save_whereOnlyTheFirstFits()
     Visit visit({});
     visit.stroke({50, 0, 0});
     visit.wish(vr::SaveModel());
-    QTRY_VERIFY(!visit.program.document.isModified());
+    QTRY_VERIFY_WITH_TIMEOUT(!visit.program.document.isModified(), 60'000);
     const QStringList files = QFileInfo(visit.program.document.path()).dir().entryList(QDir::Files | QDir::Hidden);
     QCOMPARE(files, QStringList{visit.news().saved});
     QVERIFY(visit.news().notice.contains(files[0]) && visit.news().notice.contains(QStringLiteral(".stl")));
@@ -224,12 +225,12 @@ void TestHeadsetWishes::open_lettingChangesGo()
     const quint64 model = visit.news().model;
     visit.stroke({50, 0, 0});
     visit.wish(vr::OpenModel{at("cup.stl"), true});
-    QTRY_COMPARE(visit.program.document.path(), at("cup.stl"));
+    QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.path(), at("cup.stl"), 60'000);
     QVERIFY(!visit.program.document.isModified());
     QVERIFY(visit.news().model > model);
     QVERIFY(visit.news().box.sizes().isApprox(core::Vec3(40, 40, 40), 0.1));
     visit.wish(vr::OpenModel{at("vase.glb")}); // there is nothing to lose
-    QTRY_COMPARE(visit.program.document.path(), at("vase.glb"));
+    QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.path(), at("vase.glb"), 60'000);
     visit.stroke({50, 0, 0});
 }
 
@@ -244,7 +245,7 @@ void TestHeadsetWishes::open_wouldLoseChanges()
     visit.port->addSample(sample);
     visit.port->endStroke();
     visit.wish(vr::OpenModel{at("cup.stl")}); // right after the stroke
-    QTRY_COMPARE(noticed.size(), 1);
+    QTRY_COMPARE_WITH_TIMEOUT(noticed.size(), 1, 60'000);
     QVERIFY(visit.news().notice.contains(QStringLiteral("cup.stl")));
     QCOMPARE(visit.program.document.path(), at("vase.glb"));
     QCOMPARE(visit.program.document.undoStack().count(), 1);
@@ -261,7 +262,7 @@ void TestHeadsetWishes::open_ofAModelThatNeedsMending()
     Visit visit(at("vase.glb"));
     const QSignalSpy mendable(&visit.program.document, &Document::mendable);
     visit.wish(vr::OpenModel{at("open.obj")});
-    QTRY_COMPARE(mendable.size(), 1);
+    QTRY_COMPARE_WITH_TIMEOUT(mendable.size(), 1, 60'000);
     QVERIFY(visit.news().notice.startsWith(mendable[0][1].toString()));
     QCOMPARE(visit.program.document.path(), at("vase.glb"));
     visit.stroke({50, 0, 0});
@@ -276,7 +277,7 @@ void TestHeadsetWishes::open_whileBusy()
     visit.port->wish(vr::RestoreModel());
     QVERIFY(visit.program.document.isBusy());
     const QSignalSpy noticed(&visit.desk, &HeadsetDesk::noticed);
-    QTRY_COMPARE(noticed.size(), 3);
+    QTRY_COMPARE_WITH_TIMEOUT(noticed.size(), 3, 60'000);
     visit.wait();
     QCOMPARE(visit.program.document.path(), at("vase.glb"));
     QCOMPARE(visit.program.document.undoStack().count(), 0);
@@ -289,7 +290,7 @@ void TestHeadsetWishes::restore_isUndoable()
     visit.stroke({50, 0, 0});
     const std::uint64_t changed = visit.hash();
     visit.wish(vr::RestoreModel());
-    QTRY_COMPARE(visit.program.document.undoStack().count(), 2);
+    QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.undoStack().count(), 2, 60'000);
     QCOMPARE(visit.hash(), before);
     visit.wish(vr::Undo());
     QCOMPARE(visit.hash(), changed);
@@ -329,7 +330,7 @@ void TestHeadsetWishes::brush_fromTheHeadset()
     wish.brush.color = {1, 2, 3};
     wish.brush.strength = 7;
     visit.wish(wish);
-    QTRY_COMPARE(brush.tool(), core::Tool::Paint);
+    QTRY_COMPARE_WITH_TIMEOUT(brush.tool(), core::Tool::Paint, 60'000);
     QVERIFY(brush.stroke().brush == core::BrushShape::Ray && brush.stroke().topology == core::Topology::Uniform);
     QVERIFY(brush.stroke().symmetry == core::Symmetry::Y && (brush.stroke().color == core::Rgb{1, 2, 3}));
     QVERIFY(brush.stroke().strength == before.strength && brush.stroke().radius == before.radius &&
@@ -372,7 +373,7 @@ void TestHeadsetWishes::choice_isKept()
     vr::HeadsetChoice choice{{vr::Preset::Studio, vr::Side::Left}, -0.25, 60, false, true, {}};
     choice.feel.of = {0, 0.25, 0.5, 0.75, 1, 0.1};
     visit.wish(choice);
-    QTRY_VERIFY(HeadsetSettings().choice() == choice);
+    QTRY_VERIFY_WITH_TIMEOUT(HeadsetSettings().choice() == choice, 60'000);
     QSettings().setValue(QStringLiteral("headset/raised"), QStringLiteral("a lot"));
     QSettings().setValue(QStringLiteral("headset/preset"), QStringLiteral("another"));
     QCOMPARE(HeadsetSettings().choice().raised, 0.0);
@@ -394,13 +395,13 @@ void TestHeadsetWishes::files_comeWithPictures()
                 return file;
         return vr::FileTile();
     };
-    QTRY_COMPARE(visit.news().files.size(), 3);
-    QTRY_VERIFY(!tile("vase.glb").picture.isNull() && !tile("cup.stl").picture.isNull());
-    QTRY_VERIFY(tile("broken.ply").isBroken);
+    QTRY_COMPARE_WITH_TIMEOUT(visit.news().files.size(), 3, 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!tile("vase.glb").picture.isNull() && !tile("cup.stl").picture.isNull(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(tile("broken.ply").isBroken, 60'000);
     visit.wish(vr::SaveModel());
-    QTRY_COMPARE(visit.news().files.size(), 5);
+    QTRY_COMPARE_WITH_TIMEOUT(visit.news().files.size(), 5, 60'000);
     QFile::remove(at("cup.stl"));
-    QTRY_COMPARE(visit.news().files.size(), 4);
+    QTRY_COMPARE_WITH_TIMEOUT(visit.news().files.size(), 4, 60'000);
 }
 
 void TestHeadsetWishes::presence_isSeen()
@@ -414,7 +415,7 @@ void TestHeadsetWishes::presence_isSeen()
         presence.model.translation().x() = i;
         visit.port->show(presence);
     }
-    QTRY_COMPARE(all.size(), 1);
+    QTRY_COMPARE_WITH_TIMEOUT(all.size(), 1, 60'000);
     QCOMPARE(all[0]->model.translation().x(), 50.0);
     visit.desk.close();
     QCOMPARE(all.size(), 2);
@@ -456,14 +457,14 @@ void TestHeadsetWishes::headset_thatIsNotThereSaysSo()
         reports.clear();
         visit.program.window.action(QStringLiteral("vr.enter"))->trigger();
         QVERIFY(headset->isIn());
-        QTRY_VERIFY(!reports.isEmpty() && reports.last().isEnded());
+        QTRY_VERIFY_WITH_TIMEOUT(!reports.isEmpty() && reports.last().isEnded(), 60'000);
         QVERIFY(!headset->isIn() && reports.last().end == vr::HeadsetEnd::NotThere);
         QCOMPARE(notice(visit.program), reports.last().text);
     }
     headset->enter();
     visit.program.window.close();
     QVERIFY(visit.program.window.isVisible());
-    QTRY_VERIFY(!visit.program.window.isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(!visit.program.window.isVisible(), 60'000);
     QVERIFY(!headset->isIn());
 }
 

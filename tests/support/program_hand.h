@@ -58,9 +58,9 @@ inline void openFile(Program& program, const QString& path, const QSize& size = 
     program.window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&program.window));
     Q_EMIT program.window.openRequested(path);
-    QTRY_COMPARE(program.document.path(), path);
-    QTRY_VERIFY(!program.document.isBusy());
-    QTRY_VERIFY(program.window.viewport()->stats().patches > 0);
+    QTRY_COMPARE_WITH_TIMEOUT(program.document.path(), path, 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(program.window.viewport()->stats().patches > 0, 60'000);
     program.window.activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(&program.window));
 }
@@ -72,11 +72,11 @@ inline void sculptBall(Program& program)
     program.window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&program.window));
     program.document.openSphere();
-    QTRY_VERIFY(!program.document.isBusy());
-    QTRY_VERIFY(program.window.viewport()->stats().patches > 0);
+    QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy(), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(program.window.viewport()->stats().patches > 0, 60'000);
     drag(program.window.viewport(), {40, 20});
-    QTRY_COMPARE(program.document.undoStack().count(), 1);
-    QTRY_VERIFY(program.document.isSettled());
+    QTRY_COMPARE_WITH_TIMEOUT(program.document.undoStack().count(), 1, 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(program.document.isSettled(), 60'000);
 }
 
 /// Presses a button of the question about unsaved changes, which the next event asks, until it is answered: on a busy machine a press
@@ -98,7 +98,9 @@ inline void answerQuestion(Program& program, QMessageBox::StandardButton button)
 inline void chooseFile(Program& program, const char* dialogName, const QString& path)
 {
     QFileDialog* dialog = nullptr;
-    QTRY_VERIFY((dialog = program.window.findChild<QFileDialog*>(QLatin1StringView(dialogName))) && dialog->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT((dialog = program.window.findChild<QFileDialog*>(QLatin1StringView(dialogName))) &&
+                                 dialog->isVisible(),
+                             60'000);
     auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
     dialog->setDirectory(QFileInfo(path).absolutePath());
     name->clear();

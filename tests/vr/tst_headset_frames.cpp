@@ -40,6 +40,7 @@ private Q_SLOTS:
     void nothingIsDrawnThatIsNotShown();
     void lostHeadsShowNothing();
     void wandsAreFeltAndSeen();
+    void handsAndHeadAreWhereTheyWillBeSeen();
     void lostWandsStayWhereTheyWere();
     void wandsMayChange();
     void refusedKindsOfWandsAreLeftOut();
@@ -74,7 +75,7 @@ void TestHeadsetFrames::cleanup()
 void TestHeadsetFrames::enter(Visitor& visitor)
 {
     QVERIFY(visitor.enter());
-    QTRY_VERIFY(m_headset->report()["is_running"].toBool());
+    QTRY_VERIFY_WITH_TIMEOUT(m_headset->report()["is_running"].toBool(), 60'000);
     for (int i = 0; i < 20 && !visitor.client->last().hasFocus; ++i)
         QVERIFY(m_headset->frames(1));
     QVERIFY(visitor.client->last().hasFocus);
@@ -188,7 +189,7 @@ void TestHeadsetFrames::nothingIsDrawnThatIsNotShown()
     leave(visitor);
 }
 
-/// While only the head's place is not seen, the picture goes on from where the runtime takes it to be.
+/// While only the head's place is not seen, the picture goes on from where the runtime takes it to be, or from where it was.
 void TestHeadsetFrames::lostHeadsShowNothing()
 {
     Visitor visitor(*m_headset);
@@ -197,6 +198,14 @@ void TestHeadsetFrames::lostHeadsShowNothing()
     QVERIFY(m_headset->frames(2));
     QCOMPARE(visitor.client->views().size(), std::size_t(2));
     QVERIFY(isClose(visitor.client->last().head->position, {0.5, 1.6, 0.25}));
+
+    m_headset->step("{'head': {'position': [2, 2, 2], 'yaw_pitch_roll': [90, 0, 0], 'tracked': 'no_position'}}");
+    QVERIFY(m_headset->frames(2));
+    QCOMPARE(visitor.client->views().size(), std::size_t(2));
+    const core::Vec3 eye = visitor.client->views()[0].view.inverse().translation().cast<double>();
+    QVERIFY(isClose(eye, {0.468, 1.6, 0.25}));
+    QVERIFY(isClose(visitor.client->last().head->position, {0.5, 1.6, 0.25}));
+    QVERIFY(isClose(visitor.client->last().head->forward(), -Vec3::UnitX()));
 
     m_headset->step("{'head': {'position': [3, 3, 3], 'tracked': false}}");
     QVERIFY(m_headset->frames(2));
@@ -229,6 +238,23 @@ void TestHeadsetFrames::wandsAreFeltAndSeen()
     QVERIFY(!right.side && right.menu && right.padTouched && right.padPressed);
     QVERIFY((right.pad - Eigen::Vector2d(0.5, -0.75)).norm() < 1e-6);
     QVERIFY(!left.isStick && !right.isStick);
+    leave(visitor);
+}
+
+/// At the time at which the frame is shown, not before: a tenth of the way farther with each.
+void TestHeadsetFrames::handsAndHeadAreWhereTheyWillBeSeen()
+{
+    Visitor visitor(*m_headset);
+    enter(visitor);
+    m_headset->step("{'right': {'position': [0.2, 1, -0.4]}, 'head': {'position': [0, 1.6, 0]}}");
+    QVERIFY(m_headset->frames(1));
+    m_headset->step("{'over': 10, 'right': {'position': [0.7, 1, -0.4]}, 'head': {'position': [0, 1.6, 1]}}");
+    for (int frame = 0; frame <= 12; ++frame) {
+        QVERIFY(m_headset->frames(1));
+        const double share = std::min(frame / 10.0, 1.0);
+        QVERIFY(isClose(visitor.client->last().wands[1].grip.position, {0.2 + 0.5 * share, 1, -0.4}));
+        QVERIFY(isClose(visitor.client->last().head->position, {0, 1.6, share}));
+    }
     leave(visitor);
 }
 

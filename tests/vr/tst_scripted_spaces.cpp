@@ -122,6 +122,10 @@ void TestScriptedSpaces::losesTracking()
     QCOMPARE(player.locate(player.view, player.local).locationFlags, XrSpaceLocationFlags(0));
     QCOMPARE(player.locate(left, player.view).locationFlags, XrSpaceLocationFlags(0));
     QCOMPARE(runtime.report()["last_frame"].toObject()["layers"].toArray().size(), 0); // the client cannot draw without a head
+    runtime.set(R"({"left": {"tracked": "no_position"}})");
+    const XrSpaceLocation turned = player.locate(left, player.local);
+    QCOMPARE(turned.locationFlags, XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT);
+    QVERIFY(isNear(turned.pose.position, 0, 0, 0) && turned.pose.orientation.w == 1);
 }
 
 void TestScriptedSpaces::recentres()

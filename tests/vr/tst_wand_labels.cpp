@@ -105,6 +105,7 @@ private Q_SLOTS:
     void whatTwoHandsDo_isUsedByBoth();
     void pressedPanels_areNoUse();
     void wandAtAPanel_hasNoLabels();
+    void fartherOfTwoCloseWands_hasNoLabels();
     void refusedPresses_areNoUse();
     void lookedAtWand_hasItsLabelsBack_data() { rates(); }
     void lookedAtWand_hasItsLabelsBack();
@@ -280,6 +281,38 @@ void TestWandLabels::wandAtAPanel_hasNoLabels()
     player.pointAtPanel(Side::Right, false);
     player.play(appears);
     QVERIFY(player.allAre(1));
+}
+
+/// Twenty centimetres beside each other there is no room for both.
+void TestWandLabels::fartherOfTwoCloseWands_hasNoLabels()
+{
+    Player player;
+    const auto hold = [&](const core::Vec3& left, const core::Vec3& right) {
+        player.wand(Side::Left).grip.position = left;
+        player.wand(Side::Right).grip.position = right;
+        player.play(appears);
+    };
+    const auto allOf = [&](Side side, float opacity) {
+        return std::ranges::all_of(player.labels(side), [&](const vr::WandLabel& label) {
+            return label.text.isEmpty() || label.opacity == opacity;
+        });
+    };
+    hold({-0.1, 1.4, -0.5}, {0.1, 1.4, -0.4});
+    QVERIFY(allOf(Side::Left, 0) && allOf(Side::Right, 1));
+    hold({-0.1, 1.4, -0.4}, {0.1, 1.4, -0.41}); // they tremble
+    QVERIFY(allOf(Side::Left, 0) && allOf(Side::Right, 1));
+    hold({-0.1, 1.4, -0.4}, {0.1, 1.4, -0.5});
+    QVERIFY(allOf(Side::Left, 1) && allOf(Side::Right, 0));
+    hold({-0.1, 1.4, -0.4}, {0.1, 1.6, -0.5}); // one above the other
+    QVERIFY(player.allAre(1));
+    hold({-0.1, 1.4, -0.4}, {0.1, 1.4, -0.5});
+    QVERIFY(allOf(Side::Right, 0));
+    hold({-0.2, 1.4, -0.4}, {0.2, 1.4, -0.5});
+    QVERIFY(player.allAre(1));
+    hold({-0.1, 1.4, -0.4}, {0.1, 1.4, -0.5});
+    player.wand(Side::Left).isTracked = false;
+    player.play(appears);
+    QVERIFY(allOf(Side::Right, 1));
 }
 
 void TestWandLabels::refusedPresses_areNoUse()

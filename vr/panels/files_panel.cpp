@@ -86,8 +86,10 @@ void FilesPanel::addButtons(PanelBuilder& builder) const
     builder.add(places[1], TextLook{tr("%1 / %2").arg(shown + 1).arg(pageCount()), TextRole::Number, Qt::AlignCenter});
     builder.add(places[2], {{.icon = QStringLiteral("next")}, ShowPage{shown + 1}, shown + 1 < pageCount()});
     const QString open = hasUnsavedChanges ? tr("Hold to open") : tr("Open");
-    builder.add(places[3],
-                {{.text = open, .icon = QStringLiteral("open")}, OpenFile{chosen, hasUnsavedChanges}, canOpen(), hasUnsavedChanges});
+    builder.add(places[3], {{.text = open, .icon = QStringLiteral("open")},
+                            OpenFile{chosen, hasUnsavedChanges},
+                            canOpen(),
+                            hasUnsavedChanges});
     builder.add(places[4], {{.text = tr("Save"), .icon = QStringLiteral("save")}, PanelCommand::SaveModel, !isBusy});
 }
 

@@ -67,7 +67,7 @@ struct ChooseFile
 struct OpenFile
 {
     QString path;
-    bool losesChanges = false; ///< the item said so, and was held
+    bool losesChanges = false; ///< the item said so, and must be held
     bool operator==(const OpenFile&) const = default;
 };
 

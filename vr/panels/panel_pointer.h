@@ -1,5 +1,6 @@
 #pragma once
 
+#include "../wand_gestures.h"
 #include "panel_painter.h"
 #include "panel_place.h"
 

@@ -14,7 +14,7 @@
 /// session shall render from frame 2 on and has the focus from frame 3 on. In a STEP, all optional:
 ///
 ///     "over": n                   movements of this step take n frames instead of happening at once
-///     "head": {"position": [x,y,z], "rotation": [x,y,z,w] or "yaw_pitch_roll": [degrees], "tracked": true|false|"rotation"}
+///     "head": {"position": [x,y,z], "rotation": [x,y,z,w] or "yaw_pitch_roll": [degrees], "tracked": true|false|"rotation"|"no_position"}
 ///     "left", "right": as head, and "on", "trigger", "squeeze", "pad": [x,y], "pad_touch", "pad_press", "stick": [x,y],
 ///                                 "stick_press", "menu", "button_a", "button_b": numbers, or true and false
 ///     "aim": {"position", "rotation"}          where wands point, as seen from their grips

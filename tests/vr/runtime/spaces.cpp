@@ -65,6 +65,7 @@ XrFlags64 Located::flags() const
     switch (tracking) {
     case Tracking::Full: return rotation | XR_SPACE_LOCATION_POSITION_VALID_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
     case Tracking::RotationOnly: return rotation | XR_SPACE_LOCATION_POSITION_VALID_BIT;
+    case Tracking::NoPosition: return rotation;
     case Tracking::None: break;
     }
     return 0;
@@ -76,7 +77,7 @@ Located Space::at(const World& world, XrTime time) const
         return originAt(world, *type, time).with(m_offset);
     const auto& [action, subaction] = std::get<OfAction>(m_origin);
     const auto& session = static_cast<const Session&>(*parent);
-    const auto source = session.input.poseSource(*action, subaction);
+    const auto source = session.isFocused() ? session.input.poseSource(*action, subaction) : std::nullopt;
     return source ? wandAt(world, *source, time).with(m_offset) : nowhere();
 }
 
@@ -114,6 +115,9 @@ XrFovf fovOf(const Headset& headset, XrViewConfigurationType views, std::uint32_
 
 XrPosef poseOrNone(const Located& located)
 {
-    return located.isValid() ? toXr(located.pose) : XrPosef{};
+    XrPosef pose = located.isValid() ? toXr(located.pose) : XrPosef{};
+    if (!located.hasPosition())
+        pose.position = {};
+    return pose;
 }
 } // namespace scripted

@@ -18,6 +18,7 @@ struct Located
     core::Vec3 turning = core::Vec3::Zero();  ///< radians a second
 
     bool isValid() const { return tracking != Tracking::None; }
+    bool hasPosition() const { return tracking < Tracking::NoPosition; }
     /// A point that is fixed to it.
     Located with(const vr::Pose& own) const;
     /// As seen from there, which may move itself.
@@ -62,6 +63,6 @@ struct ViewQuestion
 Located locateView(const World& world, const ViewQuestion& question);
 XrFovf fovOf(const Headset& headset, XrViewConfigurationType views, std::uint32_t eye);
 
-/// The pose where it is valid; else one that nobody can mistake for one.
+/// The pose as far as it is valid; else one that nobody can mistake for one.
 XrPosef poseOrNone(const Located& located);
 } // namespace scripted

@@ -105,7 +105,7 @@ vr::Pose readPose(const json& value)
 Tracking readTracking(const json& value)
 {
     if (value.is_string())
-        return readOneOf<Tracking>(value, {{"rotation", Tracking::RotationOnly}});
+        return readOneOf<Tracking>(value, {{"rotation", Tracking::RotationOnly}, {"no_position", Tracking::NoPosition}});
     return readBool(value) ? Tracking::Full : Tracking::None;
 }
 } // namespace scripted

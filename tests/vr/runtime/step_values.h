@@ -27,7 +27,7 @@ core::Vec3 readVector(const nlohmann::json& value);
 /// Key "rotation": [x, y, z, w]; "yaw_pitch_roll": degrees, about Y (left is positive), then X (up), then Z.
 Eigen::Quaterniond readRotation(const std::string& key, const nlohmann::json& value);
 vr::Pose readPose(const nlohmann::json& value);
-/// true, false, or "rotation" for nothing but that.
+/// true, false, "rotation" for nothing but that and a guess, or "no_position" for nothing but that.
 Tracking readTracking(const nlohmann::json& value);
 
 template <class Choice> Choice readOneOf(const nlohmann::json& value, const std::map<std::string, Choice>& choices)

@@ -14,7 +14,12 @@ enum class Pace {
     Stepped ///< xrWaitFrame waits until the control lets a frame go
 };
 
-enum class Tracking { Full, RotationOnly, None };
+enum class Tracking {
+    Full,
+    RotationOnly, ///< the position is a guess
+    NoPosition,   ///< not even that
+    None
+};
 
 enum class Views { Stereo, Mono, MonoFirst };
 
