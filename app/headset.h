@@ -22,14 +22,17 @@ public:
     /// See HeadsetDesk.
     Headset(const HeadsetDesk::Program& program, MakeClient makeClient, QObject* parent = nullptr);
 
-    /// Both return at once; reported() tells how it goes. Nothing happens where that is so already.
+    /// Both return at once; reported() tells how it goes. Nothing happens where that is so already; where VR cannot be entered, that is told.
     void enter();
     void leave();
-    /// A visit has begun and not ended.
+    /// A visit has begun and not ended, or been given up: see vr::HeadsetThread.
     bool isIn() const { return m_thread.isIn(); }
+    bool isStuck() const { return m_thread.isStuck(); }
 
 Q_SIGNALS:
     void reported(const vr::HeadsetReport& report);
+    /// leave() has begun; the end may take its time.
+    void leaving();
     /// As HeadsetDesk's.
     void noticed(const QString& sentence);
     void seen(const std::optional<vr::Presence>& presence);

@@ -163,6 +163,11 @@ Change failChange(const json& value, Over)
     return [call, answer](Runtime& runtime, XrTime) { runtime.world.answers[call] = answer; };
 }
 
+Change freezeChange(const json& value, Over)
+{
+    return [call = readText(value)](Runtime& runtime, XrTime) { runtime.world.frozen = call; };
+}
+
 const std::map<std::string_view, Reader>& vocabulary()
 {
     static const std::map<std::string_view, Reader> readers{
@@ -195,6 +200,7 @@ const std::map<std::string_view, Reader>& vocabulary()
         {"keep_every", keepEveryChange},
         {"watch_drawing", flag<&World::watchesDrawing>},
         {"fail", failChange},
+        {"freeze", freezeChange},
     };
     return readers;
 }
