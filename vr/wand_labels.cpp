@@ -74,7 +74,7 @@ double angleTo(const WandState& wand, const Pose& head)
     return std::atan2(head.forward().cross(to).norm(), head.forward().dot(to)) * 180 / std::numbers::pi;
 }
 
-constexpr double unseen = 180; ///< degrees
+constexpr double unseenAngle = 180; ///< degrees
 
 float approached(float opacity, bool isWanted, double seconds)
 {
@@ -93,7 +93,7 @@ void WandLabels::step(const HandsFrame& frame, const Pose& head, const Hands& ha
     for (const Side side : sides) {
         const WandState& wand = frame.wands[static_cast<std::size_t>(side)];
         const bool canBeLookedAt = wand.isTracked && !hands.draws(side);
-        const bool isLookedAt = at(side).look(canBeLookedAt ? angleTo(wand, head) : unseen, seconds);
+        const bool isLookedAt = at(side).look(canBeLookedAt ? angleTo(wand, head) : unseenAngle, seconds);
         if (frame.pointsAtPanel[static_cast<std::size_t>(side)])
             hide(at(side), seconds);
         else
