@@ -30,6 +30,7 @@
 ///     "lose_session": n, "lose_instance": n    foretold now, lost n frames later
 ///     "fail": {"call": name, "result": XrResult's name, "times": n}                 answers in the call's stead
 ///     "freeze": name              that call does not return until another is named, or ""
+///     "wake_at_exit": true        or until the process ends by exit(), which then gives it a moment
 ///     "keep": true|[frames], "keep_every": n   whose pictures are kept; true: of the next frame
 ///     "watch_drawing": bool       a swapchain that is destroyed while its images are still drawn on is the client's error
 ///
