@@ -29,6 +29,9 @@ constexpr const char* small = "{'start': {'size': [64, 72]}}";
 /// With a runtime that is frozen for good.
 constexpr auto littlePatience = std::chrono::milliseconds(300);
 
+/// When a call is made that a runtime is frozen in.
+enum class Moment { OnTheWayIn, During, OnTheWayOut };
+
 /// Every call of OpenXR that a visit makes, and may hear no to; but for those whose refusal is an answer.
 const char* const refusable[] = {
     "xrEnumerateViewConfigurations",
@@ -374,31 +377,30 @@ Held TestHeadsetThread::heldAfterAVisit()
 void TestHeadsetThread::aFrozenRuntimeIsGivenUp_data()
 {
     QTest::addColumn<QString>("call");
-    QTest::addColumn<bool>("atOnce");
+    QTest::addColumn<Moment>("moment");
     QTest::addColumn<QString>("wakes");
     const QString wakes = QStringLiteral("{'freeze': ''}");
     for (const char* call : {"xrCreateInstance", "xrGetSystem", "xrCreateSession", "xrCreateSwapchain", "xrBeginSession"})
-        QTest::newRow(call) << call << true << wakes;
-    for (const char* call : {"xrPollEvent", "xrWaitFrame", "xrBeginFrame", "xrSyncActions", "xrLocateViews", "xrWaitSwapchainImage", "xrEndFrame",
-                             "xrRequestExitSession", "xrEndSession", "xrDestroySwapchain", "xrDestroySession", "xrDestroyInstance"})
-        QTest::newRow(call) << call << false << wakes;
-    QTest::newRow("it dies") << "xrWaitFrame" << false << "{'freeze': '', 'lose_instance': 0}";
+        QTest::newRow(call) << call << Moment::OnTheWayIn << wakes;
+    for (const char* call : {"xrPollEvent", "xrWaitFrame", "xrBeginFrame", "xrSyncActions", "xrLocateViews", "xrWaitSwapchainImage", "xrEndFrame"})
+        QTest::newRow(call) << call << Moment::During << wakes;
+    for (const char* call : {"xrRequestExitSession", "xrEndSession", "xrDestroySwapchain", "xrDestroySession", "xrDestroyInstance"})
+        QTest::newRow(call) << call << Moment::OnTheWayOut << wakes;
+    QTest::newRow("it dies") << "xrWaitFrame" << Moment::During << "{'freeze': '', 'lose_instance': 0}";
 }
 
-/// In whatever call, on the way in or out. Its thread ends when the runtime wakes, which nobody is told of, and VR can be entered again.
+/// In whatever call. Its thread ends when the runtime wakes, which nobody is told of, and VR can be entered again.
 void TestHeadsetThread::aFrozenRuntimeIsGivenUp()
 {
     QFETCH(QString, call);
-    QFETCH(bool, atOnce);
+    QFETCH(Moment, moment);
     QFETCH(QString, wakes);
     const Held before = heldAfterAVisit();
     Visitor visitor(*m_headset, littlePatience);
-    QVERIFY(atOnce || (visitor.enterAndRun() && m_headset->frames(3)));
+    QVERIFY(moment == Moment::OnTheWayIn || (visitor.enterAndRun() && m_headset->frames(3)));
     m_headset->step(qPrintable("{'freeze': '" + call + "'}"));
-    if (atOnce) {
-        QVERIFY(visitor.enter());
-        QTRY_VERIFY_WITH_TIMEOUT(isFrozen(), 60'000);
-    }
+    QVERIFY(moment != Moment::OnTheWayIn || visitor.enter());
+    QTRY_VERIFY_WITH_TIMEOUT(moment == Moment::OnTheWayOut || isFrozen(), 60'000);
     QVERIFY(!visitor.thread.isStuck());
     visitor.thread.leave();
     QVERIFY(visitor.waitForEnd());
