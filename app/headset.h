@@ -22,11 +22,12 @@ public:
     /// See HeadsetDesk.
     Headset(const HeadsetDesk::Program& program, MakeClient makeClient, QObject* parent = nullptr);
 
-    /// Both return at once; reported() tells how it goes. Nothing happens where that is so already; where VR cannot be entered, that is told.
+    /// Both return at once; reported() tells how it goes. Nothing happens where that is so already; that a visit is stuck is told.
     void enter();
     void leave();
-    /// A visit has begun and not ended, or been given up: see vr::HeadsetThread.
+    /// A visit has begun, and was neither ended nor given up.
     bool isIn() const { return m_thread.isIn(); }
+    /// One was given up, and hinders others.
     bool isStuck() const { return m_thread.isStuck(); }
 
 Q_SIGNALS:

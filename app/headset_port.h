@@ -36,8 +36,8 @@ public:
 
     /// From now on the worker's patches and answers come here.
     void begin();
-    /// A stroke that is open ends. What is held goes to the worker when its wish is done. A visit that goes on all the same, as one that was
-    /// given up does, gets no stroke and no wish to anybody.
+    /// A stroke that is open ends. What is held goes to the worker when its wish is done. Whatever the headset's thread calls from now
+    /// on, as that of a visit that was given up may, comes to nothing.
     void end();
     void tell(vr::DocumentNews news);
     HeadsetMail takeMail();

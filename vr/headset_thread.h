@@ -23,8 +23,8 @@ public:
     /// Leaves, and waits for the end while there is patience. What then goes on goes on without this: see RuntimeThread.
     ~HeadsetThread() override;
 
-    /// Returns at once; reported() tells how it goes. False, and nothing happens, while there is a visit that has not ended, given up or not.
-    /// The client is used on the visit's thread until it has ended.
+    /// Returns at once; reported() tells how it goes. False, and nothing happens, while there is a visit that has not ended, given up or
+    /// not. The client is used on the visit's thread until it has ended.
     bool enter(std::shared_ptr<FrameClient> client);
     /// Returns at once; reported() tells of the end, and of nothing before it.
     void leave();
@@ -51,7 +51,7 @@ private:
     std::shared_ptr<Visit> m_visit; ///< its thread's, too
     bool m_isLeaving = false;
     bool m_isGivenUp = false;
-    QTimer m_patience; ///< runs while we leave
+    QTimer m_patience;      ///< runs while we leave
     RuntimeThread m_thread; ///< last
 };
 } // namespace vr

@@ -26,11 +26,12 @@ std::vector<Window> childrenOf(Display* display, Window window)
 /// 0: it does not say.
 qint64 processOf(Display* display, Window window)
 {
+    const Atom name = XInternAtom(display, "_NET_WM_PID", False);
     Atom type = 0;
     int format = 0;
     unsigned long count = 0, rest = 0;
     unsigned char* data = nullptr;
-    XGetWindowProperty(display, window, XInternAtom(display, "_NET_WM_PID", False), 0, 1, False, XA_CARDINAL, &type, &format, &count, &rest, &data);
+    XGetWindowProperty(display, window, name, 0, 1, False, XA_CARDINAL, &type, &format, &count, &rest, &data);
     const auto value = owned(data);
     return data && count == 1 ? static_cast<qint64>(*reinterpret_cast<const unsigned long*>(data)) : 0;
 }

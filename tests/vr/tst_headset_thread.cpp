@@ -382,7 +382,8 @@ void TestHeadsetThread::aFrozenRuntimeIsGivenUp_data()
     const QString wakes = QStringLiteral("{'freeze': ''}");
     for (const char* call : {"xrCreateInstance", "xrGetSystem", "xrCreateSession", "xrCreateSwapchain", "xrBeginSession"})
         QTest::newRow(call) << call << Moment::OnTheWayIn << wakes;
-    for (const char* call : {"xrPollEvent", "xrWaitFrame", "xrBeginFrame", "xrSyncActions", "xrLocateViews", "xrWaitSwapchainImage", "xrEndFrame"})
+    for (const char* call : {"xrPollEvent", "xrWaitFrame", "xrBeginFrame", "xrSyncActions", "xrLocateViews", "xrWaitSwapchainImage",
+                             "xrEndFrame"})
         QTest::newRow(call) << call << Moment::During << wakes;
     for (const char* call : {"xrRequestExitSession", "xrEndSession", "xrDestroySwapchain", "xrDestroySession", "xrDestroyInstance"})
         QTest::newRow(call) << call << Moment::OnTheWayOut << wakes;

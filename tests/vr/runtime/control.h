@@ -44,7 +44,7 @@ const char* fettle_xr_do(const char* step);
 /// Waits until so many more frames have ended, which pace "stepped" lets go, and the client waits for the next or has stopped.
 /// Returns how many ended, which is less if that takes longer than it may.
 int fettle_xr_frames(int count, int milliseconds);
-/// {"state", "is_running", "is_frozen": the client is in the call that does not return, "sessions", "frames_ended", "client_errors": [text], "client_warnings": [text], "haptics": [...],
-/// "calls": {name: count}, "last_frame": {"layers": [...], ...}}
+/// {"state", "is_running", "is_frozen": the client is in the call that does not return, "sessions", "frames_ended",
+/// "client_errors": [text], "client_warnings": [text], "haptics": [...], "calls": {name: count}, "last_frame": {"layers": [...], ...}}
 const char* fettle_xr_report();
 }
