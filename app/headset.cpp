@@ -19,13 +19,18 @@ Headset::Headset(const HeadsetDesk::Program& program, MakeClient makeClient, QOb
 /// The desk begins first: the model is on its way before the first frame.
 void Headset::enter()
 {
-    if (!isIn())
+    if (isStuck())
+        Q_EMIT reported(vr::HeadsetReport::ended(vr::HeadsetEnd::Stuck));
+    else if (!isIn())
         m_thread.enter(m_makeClient(m_desk.open(), HeadsetSettings().choice()));
 }
 
 void Headset::leave()
 {
+    if (!isIn())
+        return;
     m_thread.leave();
+    Q_EMIT leaving();
 }
 
 void Headset::take(const vr::HeadsetReport& report)

@@ -22,14 +22,18 @@ public:
     /// See HeadsetDesk.
     Headset(const HeadsetDesk::Program& program, MakeClient makeClient, QObject* parent = nullptr);
 
-    /// Both return at once; reported() tells how it goes. Nothing happens where that is so already.
+    /// Both return at once; reported() tells how it goes. Nothing happens where that is so already; that a visit is stuck is told.
     void enter();
     void leave();
-    /// A visit has begun and not ended.
+    /// A visit has begun, and was neither ended nor given up.
     bool isIn() const { return m_thread.isIn(); }
+    /// One was given up, and hinders others.
+    bool isStuck() const { return m_thread.isStuck(); }
 
 Q_SIGNALS:
     void reported(const vr::HeadsetReport& report);
+    /// leave() has begun; the end may take its time.
+    void leaving();
     /// As HeadsetDesk's.
     void noticed(const QString& sentence);
     void seen(const std::optional<vr::Presence>& presence);

@@ -89,8 +89,8 @@ void HeadsetDesk::close()
 {
     if (!m_port)
         return;
-    takeMail();
     m_port->end();
+    takeMail();
     m_port.reset();
     m_files.stop();
     Q_EMIT seen({});

@@ -40,7 +40,7 @@ public:
 
     /// A visit begins: its document, with the model as it is.
     std::shared_ptr<HeadsetPort> open();
-    /// The headset's thread has ended. What was drawn and wished for is done all the same.
+    /// The headset's thread has ended, or is not heard any more. What was drawn and wished for is done all the same.
     void close();
 
     /// To be read in the headset.

@@ -2,18 +2,32 @@
 
 #include "vr/openxr_runtime.h"
 
-#include <utility>
-
 namespace app
 {
+HeadsetInquiry::HeadsetInquiry(QObject* parent) : QObject(parent)
+{
+    m_patience.setSingleShot(true);
+    m_patience.setInterval(vr::RuntimeThread::patience);
+    connect(&m_patience, &QTimer::timeout, this, &HeadsetInquiry::tellOfSilence);
+    connect(&m_aside, &vr::RuntimeThread::ended, this, [this] {
+        m_patience.stop();
+        Q_EMIT answered(*m_answer);
+    });
+}
+
 void HeadsetInquiry::ask()
 {
-    if (std::exchange(m_isAsking, true))
-        return;
-    m_aside.run([] { return vr::OpenXrRuntime::probe().text; },
-                [this](const QString& sentence) {
-                    m_isAsking = false;
-                    Q_EMIT answered(sentence);
-                });
+    if (!m_aside.isWorking()) {
+        m_answer = std::make_shared<QString>();
+        m_aside.start([answer = m_answer](const auto&) { *answer = vr::OpenXrRuntime::probe().text; });
+        m_patience.start();
+    } else if (!m_patience.isActive()) {
+        tellOfSilence();
+    }
+}
+
+void HeadsetInquiry::tellOfSilence()
+{
+    Q_EMIT answered(tr("The headset's program does not answer. If it is not just starting, start it anew."));
 }
 } // namespace app

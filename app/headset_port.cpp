@@ -32,6 +32,7 @@ void HeadsetPort::end()
     disconnect(m_answers);
     disconnect(m_samples);
     const std::lock_guard lock(m_mutex);
+    m_hasEnded = true;
     endOpenStroke();
     postHeld();
 }
@@ -85,6 +86,9 @@ void HeadsetPort::ask(const vr::SurfaceQuestion& question)
 {
     const bool isOfRay =
         question.brush.brush == core::BrushShape::Ray; // which meets the surface alike without its brush
+    const std::lock_guard lock(m_mutex);
+    if (m_hasEnded)
+        return;
     m_worker->ask(Source::Headset, question.ray,
                   isOfRay && !question.wantsFootprint ? std::nullopt : std::optional(question.brush));
 }
@@ -107,6 +111,8 @@ void HeadsetPort::wish(const vr::Wish& wish)
     bool isNew = false;
     {
         const std::lock_guard lock(m_mutex);
+        if (m_hasEnded)
+            return;
         m_mail.wishes.push_back(wish);
         m_wished += holdsStrokes(wish);
         isNew = !std::exchange(m_hasRung, true);
@@ -119,6 +125,8 @@ void HeadsetPort::show(const vr::Presence& presence)
     bool isNew = false;
     {
         const std::lock_guard lock(m_mutex);
+        if (m_hasEnded)
+            return;
         m_mail.presence = presence;
         isNew = !std::exchange(m_hasRung, true);
     }
@@ -136,7 +144,7 @@ void HeadsetPort::ring(bool isNew)
 bool HeadsetPort::beginStroke(const core::StrokeSettings& settings)
 {
     const std::lock_guard lock(m_mutex);
-    if (m_isRefusing) {
+    if (m_isRefusing || m_hasEnded) {
         ++m_effect.refusals;
         return false;
     }

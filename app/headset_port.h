@@ -29,14 +29,15 @@ class HeadsetPort : public QObject, public vr::DocumentPort, public std::enable_
     Q_OBJECT
 
 public:
-    /// The worker must outlive the visit. Gui thread.
+    /// The worker must outlive the gui thread's side. Gui thread.
     explicit HeadsetPort(SculptWorker* worker);
 
     // The gui thread's side.
 
     /// From now on the worker's patches and answers come here.
     void begin();
-    /// The headset's thread calls nothing any more: a stroke that is open ends. What is held goes to the worker when its wish is done.
+    /// A stroke that is open ends. What is held goes to the worker when its wish is done. Whatever the headset's thread calls from now
+    /// on, as that of a visit that was given up may, comes to nothing.
     void end();
     void tell(vr::DocumentNews news);
     HeadsetMail takeMail();
@@ -93,6 +94,7 @@ private:
     HeadsetMail m_mail;
     bool m_hasRung = false;
     bool m_isRefusing = false;
+    bool m_hasEnded = false;
     quint64 m_wished = 0, m_done = 0; ///< of the wishes that hold strokes
     Stroke m_open = Stroke::None;
     std::deque<HeldStroke> m_held;

@@ -9,6 +9,7 @@
 #include "ui/main_window.h"
 #include "ui/settings.h"
 #include "ui/viewport.h"
+#include "vr/runtime_thread.h"
 
 #include <QAction>
 #include <QApplication>
@@ -91,6 +92,28 @@ void enterVrOnce(const app::Document& document, ui::MainWindow& window)
     QObject::connect(&document, &app::Document::opened, window.action(QStringLiteral("vr.enter")), &QAction::trigger, how);
 }
 
+/// All goes in the order from below: the window, then the mesh thread with the document, then what it worked for and what kept it.
+int showWindow(const app::WindowStart& start)
+{
+    app::JournalShelf shelf;
+    app::SculptWorker worker;
+    const auto inbox = std::make_shared<app::PatchInbox>();
+    app::Document document(&worker);
+    ui::MainWindow window;
+    app::wire(window, document, worker, inbox);
+    app::wireRecovery(window, document, shelf);
+    window.show();
+    if (start.entersVr)
+        enterVrOnce(document, window);
+    if (start.file.isEmpty())
+        document.openSphere();
+    else
+        document.open(start.file);
+    if (start.file.isEmpty() && !start.entersVr && ui::Settings().showsStartPage())
+        window.action(QStringLiteral("help.start"))->trigger();
+    return QApplication::exec();
+}
+
 int runWindow(int argc, char* argv[])
 {
     if (!canHaveWindow(argc, argv)) {
@@ -112,24 +135,12 @@ int runWindow(int argc, char* argv[])
         return failure.status;
     }
 
-    // They go in the order from below: the window, then the mesh thread with the document, then what it worked for and what kept it.
-    app::JournalShelf shelf;
-    app::SculptWorker worker;
-    const auto inbox = std::make_shared<app::PatchInbox>();
-    app::Document document(&worker);
-    ui::MainWindow window;
-    app::wire(window, document, worker, inbox);
-    app::wireRecovery(window, document, shelf);
-    window.show();
-    if (start.entersVr)
-        enterVrOnce(document, window);
-    if (start.file.isEmpty())
-        document.openSphere();
-    else
-        document.open(start.file);
-    if (start.file.isEmpty() && !start.entersVr && ui::Settings().showsStartPage())
-        window.action(QStringLiteral("help.start"))->trigger();
-    return QApplication::exec();
+    const int status = showWindow(start);
+    if (vr::RuntimeThread::hasLeftWork()) { // it still draws with what Qt and OpenXR keep, should the headset's program wake just now
+        std::fflush(nullptr);
+        std::_Exit(status);
+    }
+    return status;
 }
 } // namespace
 

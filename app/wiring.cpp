@@ -95,7 +95,8 @@ void wireUnits(ui::MainWindow& window, Document& document)
     });
 }
 
-/// What the hand did last counts among the changes, though it may not have come to the document yet. A window that closes leaves VR.
+/// What the hand did last counts among the changes, though it may not have come to the document yet. A window that closes leaves VR, which
+/// takes until that has ended or is given up.
 void wireSettling(ui::MainWindow& window, Document& document, Headset* headset)
 {
     using ui::MainWindow;
@@ -265,10 +266,8 @@ void wireVisits(ui::MainWindow& window, Headset* headset)
 {
     using ui::MainWindow;
     QObject::connect(&window, &MainWindow::enterVrRequested, headset, &Headset::enter);
-    QObject::connect(&window, &MainWindow::leaveVrRequested, headset, [&window, headset] {
-        window.setHeadset(ui::HeadsetState::Changing, Headset::tr("Leaving VR…"));
-        headset->leave();
-    });
+    QObject::connect(&window, &MainWindow::leaveVrRequested, headset, &Headset::leave);
+    QObject::connect(headset, &Headset::leaving, &window, [&window] { window.setHeadset(ui::HeadsetState::Changing, Headset::tr("Leaving VR…")); });
     QObject::connect(headset, &Headset::noticed, &window, &MainWindow::showNotice);
     QObject::connect(headset, &Headset::reported, &window, [&window](const vr::HeadsetReport& report) {
         window.setHeadset(stateOf(report), report.text);
@@ -292,10 +291,15 @@ void wireRefusals(ui::MainWindow& window, const Document& document, SculptWorker
 /// The window's own, so that it ends before the document.
 Headset* wireHeadset(ui::MainWindow& window, Document& document, SculptWorker& worker)
 {
-    auto* inquiry = new HeadsetInquiry(&window);
-    QObject::connect(window.action(QStringLiteral("vr.status")), &QAction::triggered, inquiry, &HeadsetInquiry::ask);
-    QObject::connect(inquiry, &HeadsetInquiry::answered, &window, &ui::MainWindow::showNotice);
     auto* headset = new Headset({&document, &worker, &window}, makeClient, &window);
+    auto* inquiry = new HeadsetInquiry(&window);
+    QObject::connect(window.action(QStringLiteral("vr.status")), &QAction::triggered, inquiry, [&window, headset, inquiry] {
+        if (headset->isStuck())
+            window.showNotice(vr::HeadsetReport::ended(vr::HeadsetEnd::Stuck).text);
+        else
+            inquiry->ask();
+    });
+    QObject::connect(inquiry, &HeadsetInquiry::answered, &window, &ui::MainWindow::showNotice);
     wireVisits(window, headset);
     wireRefusals(window, document, worker);
     return headset;

@@ -336,6 +336,13 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
 </context>
 <context>
+    <name>app::HeadsetInquiry</name>
+    <message>
+        <source>The headset&apos;s program does not answer. If it is not just starting, start it anew.</source>
+        <translation>Das Programm der VR-Brille antwortet nicht. Falls es nicht gerade startet, bitte neu starten.</translation>
+    </message>
+</context>
+<context>
     <name>app::JournalShelf</name>
     <message>
         <source>The program ended from outside; the changes to %1 are kept, and offered at the next start.</source>
@@ -4402,6 +4409,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>The headset is gone. The model is as it was; plug the headset in, then enter VR again.</source>
         <translation>Die VR-Brille ist nicht mehr da. Das Modell ist, wie es war; bitte die VR-Brille anschließen und VR erneut betreten.</translation>
+    </message>
+    <message>
+        <source>The headset&apos;s program does not answer. The model is as it was; start that program anew, then enter VR again.</source>
+        <translation>Das Programm der VR-Brille antwortet nicht. Das Modell ist, wie es war; bitte jenes Programm neu starten und VR erneut betreten.</translation>
+    </message>
+    <message>
+        <source>The headset&apos;s program still does not answer, and VR cannot be entered. Start that program anew; if that does not help, save the model and start Fettle anew.</source>
+        <translation>Das Programm der VR-Brille antwortet noch immer nicht, und VR lässt sich nicht betreten. Bitte jenes Programm neu starten; hilft das nicht, das Modell speichern und Fettle neu starten.</translation>
     </message>
     <message>
         <source>VR ended: the headset&apos;s program reports a fault (%1). The model is as it was; try to enter VR again.</source>

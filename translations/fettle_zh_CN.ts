@@ -334,6 +334,13 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
 </context>
 <context>
+    <name>app::HeadsetInquiry</name>
+    <message>
+        <source>The headset&apos;s program does not answer. If it is not just starting, start it anew.</source>
+        <translation>头显的程序没有响应。如果它不是正在启动，请重新启动它。</translation>
+    </message>
+</context>
+<context>
     <name>app::JournalShelf</name>
     <message>
         <source>The program ended from outside; the changes to %1 are kept, and offered at the next start.</source>
@@ -4391,6 +4398,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>The headset is gone. The model is as it was; plug the headset in, then enter VR again.</source>
         <translation>头显已断开。模型保持原样；请接上头显，然后再次进入 VR。</translation>
+    </message>
+    <message>
+        <source>The headset&apos;s program does not answer. The model is as it was; start that program anew, then enter VR again.</source>
+        <translation>头显的程序没有响应。模型保持原样；请重新启动该程序，再进入 VR。</translation>
+    </message>
+    <message>
+        <source>The headset&apos;s program still does not answer, and VR cannot be entered. Start that program anew; if that does not help, save the model and start Fettle anew.</source>
+        <translation>头显的程序仍然没有响应，无法进入 VR。请重新启动该程序；如果仍然不行，请保存模型并重新启动 Fettle。</translation>
     </message>
     <message>
         <source>VR ended: the headset&apos;s program reports a fault (%1). The model is as it was; try to enter VR again.</source>

@@ -22,7 +22,7 @@ QSurfaceFormat plainFormat()
 } // namespace
 
 /// What belongs to no thread may be taken by any.
-GlContext::GlContext() : m_surface(std::make_unique<QOffscreenSurface>()), m_context(std::make_unique<QOpenGLContext>())
+GlContext::GlContext() : m_surface(new QOffscreenSurface), m_context(std::make_unique<QOpenGLContext>())
 {
     m_context->setFormat(plainFormat());
     if (m_context->create()) {
@@ -33,6 +33,14 @@ GlContext::GlContext() : m_surface(std::make_unique<QOffscreenSurface>()), m_con
 }
 
 GlContext::~GlContext() = default;
+
+void GlContext::DeleteWhereItIsAtHome::operator()(QOffscreenSurface* surface) const
+{
+    if (surface->thread() == QThread::currentThread())
+        delete surface;
+    else
+        surface->deleteLater();
+}
 
 bool GlContext::take()
 {

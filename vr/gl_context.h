@@ -7,7 +7,8 @@ class QOpenGLContext;
 
 namespace vr
 {
-/// An OpenGL context for another thread. Made and destroyed on the gui thread, where Qt wants that; used on the one that takes it.
+/// An OpenGL context for another thread. Made on the gui thread, where Qt wants that; used on the one that takes it. Any thread may destroy
+/// it, but for one that was taken, which has to be destroyed by destroy() first.
 class GlContext
 {
 public:
@@ -28,7 +29,13 @@ public:
     QOpenGLContext& context() { return *m_context; }
 
 private:
-    std::unique_ptr<QOffscreenSurface> m_surface;
+    /// By the gui thread, as it was made: here and now if that is this one.
+    struct DeleteWhereItIsAtHome
+    {
+        void operator()(QOffscreenSurface* surface) const;
+    };
+
+    std::unique_ptr<QOffscreenSurface, DeleteWhereItIsAtHome> m_surface;
     std::unique_ptr<QOpenGLContext> m_context;
 };
 } // namespace vr

@@ -38,6 +38,11 @@ QString HeadsetReport::textOf(HeadsetEnd end, const QString& detail)
         return tr("The headset's program has stopped. The model is as it was; when the program runs again, enter VR again.");
     case HeadsetEnd::SessionLost:
         return tr("The headset is gone. The model is as it was; plug the headset in, then enter VR again.");
+    case HeadsetEnd::NoAnswer:
+        return tr("The headset's program does not answer. The model is as it was; start that program anew, then enter VR again.");
+    case HeadsetEnd::Stuck:
+        return tr("The headset's program still does not answer, and VR cannot be entered. Start that program anew; if that does not help, "
+                  "save the model and start Fettle anew.");
     case HeadsetEnd::Failed:
         //: %1: a call of OpenXR and its result, such as xrCreateSession: XR_ERROR_RUNTIME_FAILURE
         return tr("VR ended: the headset's program reports a fault (%1). The model is as it was; try to enter VR again.").arg(detail);

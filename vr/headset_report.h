@@ -24,6 +24,8 @@ enum class HeadsetEnd {
     NoPicture,   ///< the room cannot be drawn here
     RuntimeDied, ///< or it restarts
     SessionLost, ///< as when the headset is unplugged
+    NoAnswer,    ///< we wanted it, and the runtime did not answer in time
+    Stuck,       ///< the same, at an earlier visit: this one could not begin
     Failed
 };
 

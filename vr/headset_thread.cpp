@@ -45,49 +45,27 @@ private:
 
 struct HeadsetThread::Visit
 {
+    using Tell = std::function<void(const HeadsetReport& report)>;
+
     explicit Visit(std::shared_ptr<FrameClient> who) : client(std::move(who)) {}
+
+    // The visit's thread.
+    HeadsetReport run(const Tell& tell);
+    HeadsetReport runWith(const Tell& tell);
 
     std::shared_ptr<FrameClient> client;
     std::shared_ptr<FrameCosts> costs = std::make_shared<FrameCosts>();
     QString windowSystem = QGuiApplication::platformName();
     GlContext gl;
     LeaveBell bell;
+    HeadsetReport last; ///< once the thread has ended
 };
 
-HeadsetThread::HeadsetThread(QObject* parent) : QObject(parent), m_costs(std::make_shared<FrameCosts>()) {}
-
-HeadsetThread::~HeadsetThread()
+HeadsetReport HeadsetThread::Visit::run(const Tell& tell)
 {
-    leave();
-    if (m_thread.joinable())
-        m_thread.join();
-}
-
-bool HeadsetThread::enter(std::shared_ptr<FrameClient> client)
-{
-    if (m_visit)
-        return false;
-    m_visit = std::make_unique<Visit>(std::move(client));
-    m_costs = m_visit->costs;
-    m_thread = std::thread([this, visit = m_visit.get()] {
-        const HeadsetReport last = run(*visit);
-        visit->gl.destroy();
-        post(last);
-    });
-    return true;
-}
-
-void HeadsetThread::leave()
-{
-    if (m_visit)
-        m_visit->bell.ring();
-}
-
-HeadsetReport HeadsetThread::run(Visit& visit)
-{
-    post(HeadsetReport::of(HeadsetStage::Starting, {}));
+    tell(HeadsetReport::of(HeadsetStage::Starting, {}));
     try {
-        return runWith(visit);
+        return runWith(tell);
     } catch (const XrError& error) {
         return HeadsetReport::ended(endOf(error.result()), error.text());
     } catch (const std::exception& error) {
@@ -96,44 +74,84 @@ HeadsetReport HeadsetThread::run(Visit& visit)
 }
 
 /// Instance, context, client, session; they end in the opposite order.
-HeadsetReport HeadsetThread::runWith(Visit& visit)
+HeadsetReport HeadsetThread::Visit::runWith(const Tell& tell)
 {
     const Instance instance;
     if (instance.status().state != HeadsetStatus::State::Ready)
         return HeadsetReport::ended(HeadsetEnd::NotThere, OpenXrRuntime::textOf(instance.status()));
-    if (visit.bell.hasRung())
+    if (bell.hasRung())
         return HeadsetReport::ended(HeadsetEnd::Left);
-    const auto binding = visit.gl.take() ? currentGlBinding() : nullptr;
+    const auto binding = gl.take() ? currentGlBinding() : nullptr;
     if (!binding || !instance.has(binding->extension()))
-        return HeadsetReport::ended(HeadsetEnd::NoBinding, visit.windowSystem);
-    const CreatedClient created(*visit.client, visit.gl);
+        return HeadsetReport::ended(HeadsetEnd::NoBinding, windowSystem);
+    const CreatedClient created(*client, gl);
     if (!created.isCreated())
         return HeadsetReport::ended(HeadsetEnd::NoPicture);
-    const auto tell = [&](HeadsetStage stage) { post(HeadsetReport::of(stage, instance.status().headset)); };
-    HeadsetLoop loop({instance, *binding, visit.gl, *visit.client, *visit.costs, visit.bell, tell});
+    const auto tellStage = [&](HeadsetStage stage) { tell(HeadsetReport::of(stage, instance.status().headset)); };
+    HeadsetLoop loop({instance, *binding, gl, *client, *costs, bell, tellStage});
     return HeadsetReport::ended(loop.run());
 }
 
-void HeadsetThread::post(const HeadsetReport& report)
+HeadsetThread::HeadsetThread(std::chrono::milliseconds patience, QObject* parent)
+    : QObject(parent)
+    , m_costs(std::make_shared<FrameCosts>())
 {
-    {
-        const std::lock_guard lock(m_mutex);
-        m_reports.push_back(report);
-    }
-    QMetaObject::invokeMethod(this, "open", Qt::QueuedConnection); // by name: a functor would lie in Qt's queue
+    m_patience.setSingleShot(true);
+    m_patience.setInterval(patience);
+    connect(&m_patience, &QTimer::timeout, this, &HeadsetThread::giveUp);
+    connect(&m_thread, &RuntimeThread::ended, this, &HeadsetThread::finish);
 }
 
-/// One, for each has rung. The last comes when the thread has nothing more to do.
-void HeadsetThread::open()
+HeadsetThread::~HeadsetThread()
 {
-    std::unique_lock lock(m_mutex);
-    const HeadsetReport report = std::move(m_reports.front());
-    m_reports.pop_front();
-    lock.unlock();
-    if (report.isEnded()) {
-        m_thread.join();
-        m_visit.reset();
-    }
-    Q_EMIT reported(report);
+    leave();
+    m_thread.waitForEnd(m_patience.remainingTimeAsDuration());
+}
+
+bool HeadsetThread::enter(std::shared_ptr<FrameClient> client)
+{
+    if (m_visit)
+        return false;
+    m_visit = std::make_shared<Visit>(std::move(client));
+    m_costs = m_visit->costs;
+    m_isLeaving = false;
+    m_isGivenUp = false;
+    m_thread.start([this, visit = m_visit](const RuntimeThread::Post& post) {
+        const auto tell = [&](const HeadsetReport& report) { post([this, report] { take(report); }); }; // only letters know us
+        visit->last = visit->run(tell);
+        visit->gl.destroy();
+    });
+    return true;
+}
+
+void HeadsetThread::leave()
+{
+    if (!m_visit || std::exchange(m_isLeaving, true))
+        return;
+    m_visit->bell.ring();
+    m_patience.start();
+}
+
+void HeadsetThread::take(const HeadsetReport& report)
+{
+    if (!m_isLeaving)
+        Q_EMIT reported(report);
+}
+
+void HeadsetThread::giveUp()
+{
+    if (m_thread.waitForEnd({})) // the letter is on its way
+        return;
+    m_isGivenUp = true;
+    Q_EMIT reported(HeadsetReport::ended(HeadsetEnd::NoAnswer));
+}
+
+void HeadsetThread::finish()
+{
+    m_patience.stop();
+    const HeadsetReport last = m_visit->last;
+    m_visit.reset();
+    if (!m_isGivenUp)
+        Q_EMIT reported(last);
 }
 } // namespace vr

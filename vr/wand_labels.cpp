@@ -89,7 +89,7 @@ Bearing bearingOf(const WandState& wand, const Pose& head)
     return {std::atan2(to.x(), -to.z()) * degrees, std::atan2(to.y(), std::hypot(to.x(), to.z())) * degrees, to.norm()};
 }
 
-constexpr double unseen = 180; ///< degrees
+constexpr double unseenAngle = 180; ///< degrees
 
 float approached(float opacity, bool isWanted, double seconds)
 {
@@ -109,7 +109,7 @@ void WandLabels::step(const HandsFrame& frame, const Pose& head, const Hands& ha
     for (const Side side : sides) {
         const WandState& wand = frame.wands[static_cast<std::size_t>(side)];
         const bool canBeLookedAt = wand.isTracked && !hands.draws(side);
-        const bool isLookedAt = at(side).look(canBeLookedAt ? angleTo(wand, head) : unseen, seconds);
+        const bool isLookedAt = at(side).look(canBeLookedAt ? angleTo(wand, head) : unseenAngle, seconds);
         if (frame.pointsAtPanel[static_cast<std::size_t>(side)] || m_behind == side)
             hide(at(side), seconds);
         else

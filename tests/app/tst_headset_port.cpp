@@ -138,6 +138,8 @@ private Q_SLOTS:
     void patches_areWholeThenChanges();
     void end_keepsTheOpenStroke();
     void end_keepsWhatIsHeld();
+    void end_isTheHeadsetsEnd();
+    void end_isBeforeTheWorkers();
     void nothingIsSculptedWhileAnotherModelComes();
     void anotherModel_comesWhole();
     void news_latestWins();
@@ -430,6 +432,63 @@ void TestHeadsetPort::end_keepsWhatIsHeld()
     QCOMPARE(visit.worker.strokesBegun(), quint64(3));
     QVERIFY(!visit.worker.strokeOpen());
     QCOMPARE(visit.document.undoStack().count(), 2);
+}
+
+/// A visit that was given up comes back: what it draws and wishes for then is nobody's.
+void TestHeadsetPort::end_isTheHeadsetsEnd()
+{
+    Visit visit;
+    QVERIFY(visit.port->beginStroke(brush()));
+    visit.port->addSample(sampleAt(right));
+    visit.port->end();
+    visit.wait();
+    QCOMPARE(visit.document.undoStack().count(), 1);
+    const std::uint64_t hash = visit.stateHash();
+    QSignalSpy rings(visit.port.get(), &HeadsetPort::mailCame), refusals(&visit.worker, &SculptWorker::strokeRefused);
+    visit.port->addSample(sampleAt(top));
+    visit.port->endStroke();
+    QVERIFY(!visit.stroke(top));
+    QVERIFY(!visit.worker.strokeOpen());
+    visit.port->wish(vr::Undo());
+    QVERIFY(!visit.stroke(top));
+    visit.port->show({});
+    visit.port->ask({{{0, 0, 200}, {0, 0, -1}}, brush()});
+    visit.obey();
+    visit.wait();
+    QCOMPARE(rings.size(), 0);
+    QCOMPARE(refusals.size(), 0);
+    QVERIFY(!visit.port->takeAnswer());
+    QCOMPARE(visit.worker.strokesBegun(), quint64(1));
+    QCOMPARE(visit.document.undoStack().count(), 1);
+    QCOMPARE(visit.stateHash(), hash);
+    visit.document.beginStroke(brush());
+    visit.document.addSample(sampleAt(top));
+    visit.document.endStroke();
+    visit.wait();
+    QCOMPARE(visit.document.undoStack().count(), 2);
+}
+
+/// It may even come back when everything else has gone.
+void TestHeadsetPort::end_isBeforeTheWorkers()
+{
+    std::shared_ptr<HeadsetPort> port;
+    {
+        Visit visit;
+        port = visit.port;
+        QVERIFY(port->beginStroke(brush()));
+    }
+    std::thread headset([port = std::exchange(port, nullptr)] {
+        port->addSample(sampleAt(right));
+        port->endStroke();
+        port->beginStroke(brush());
+        port->ask({{{0, 0, 200}, {0, 0, -1}}, brush()});
+        port->wish(vr::Undo());
+        port->show({});
+        port->takePatch();
+        port->takeNews();
+        port->takeEffect();
+    });
+    headset.join();
 }
 
 void TestHeadsetPort::nothingIsSculptedWhileAnotherModelComes()

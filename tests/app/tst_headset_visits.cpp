@@ -1,10 +1,15 @@
 // Entering and leaving, two people at one document, and all that can go wrong with a headset: against the scripted runtime, with Khronos'
 // validation layer between.
 #include "headset_visit.h"
+#include "tests/support/other_windows_x11.h"
 #include "tests/vr/vr_test.h"
 
 #include "core/mesh_check.h"
 
+#include <QAction>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QProcess>
 #include <QThread>
 
 using namespace app;
@@ -104,7 +109,12 @@ private Q_SLOTS:
     void noFloor();
     void oneView();
 
+    void frozen_isGivenUp();
+    void frozen_beforeAVisit();
+
     void program_endsDuringAVisit();
+    void program_endsThoughAllIsFrozen();
+    void process_endsThoughAllIsFrozen();
 
 private:
     static void keep(const char* fault, const Desk& desk, const char* kept);
@@ -642,6 +652,72 @@ void TestHeadsetVisits::oneView()
     QCOMPARE(desk.hand.headset().complaints(), QString());
 }
 
+/// Amid a stroke, which is kept. What the visit does when the runtime wakes comes to nothing, and VR can be entered again. There is no
+/// frame, so that the client waits in xrWaitFrame.
+void TestHeadsetVisits::frozen_isGivenUp()
+{
+    Visit v;
+    const auto* headset = v.program.window.findChild<Headset*>();
+    v.hand.begin({0, 49, 0}, {0, 54, 0}, 8);
+    v.trigger("vr.enter");
+    QCOMPARE(sentence(v.program), QStringLiteral("Leaving VR…"));
+    QVERIFY(!v.program.window.action(QStringLiteral("vr.enter"))->isEnabled());
+    QTRY_VERIFY_WITH_TIMEOUT(!headset->isIn(), 60'000);
+    QVERIFY2(sentence(v.program).contains("The headset's program does not answer."), qPrintable(sentence(v.program)));
+    keep("the runtime is frozen", v, "the stroke as far as it came; it can be undone");
+    QTRY_VERIFY_WITH_TIMEOUT(v.program.document.isSettled(), 60'000);
+    QCOMPARE(v.changes(), 1);
+    QVERIFY(v.box().max().y() > 51);
+
+    for (const char* action : {"vr.enter", "vr.status"}) {
+        v.program.window.showNotice(QStringLiteral("Something else."));
+        v.trigger(action);
+        QVERIFY2(sentence(v.program).contains("still does not answer"), qPrintable(sentence(v.program)));
+        QVERIFY(v.program.window.action(QStringLiteral("vr.enter"))->isEnabled());
+    }
+    drag(v.program.window.viewport(), {40, 0});
+    QTRY_COMPARE_WITH_TIMEOUT(v.changes(), 2, 60'000);
+    const std::uint64_t hash = v.hash();
+    v.program.window.showNotice(QStringLiteral("Something else."));
+
+    v.hand.put(Side::Right, v.hand.place({0, 60, 0}));
+    v.hand.headset().step("{'pace': 'fast'}");
+    QTRY_VERIFY_WITH_TIMEOUT(!headset->isStuck(), 60'000);
+    v.hand.headset().step("{'pace': 'stepped'}");
+    v.hand.set(Side::Right, "trigger", 0);
+    v.hand.settle();
+    QCOMPARE(sentence(v.program), QStringLiteral("Something else."));
+    QCOMPARE(v.changes(), 2);
+    QCOMPARE(v.hash(), hash);
+
+    v.hand.enter();
+    QVERIFY(says(v, QStringLiteral("In VR with")));
+    v.hand.stroke({0, -49, 0}, {0, -54, 0}, 8);
+    QCOMPARE(v.changes(), 3);
+    v.hand.leave();
+    QCOMPARE(sentence(v.program), QStringLiteral("Left VR."));
+    QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+void TestHeadsetVisits::frozen_beforeAVisit()
+{
+    Desk desk;
+    const QString words = QStringLiteral("The headset's program does not answer. If it is not just starting");
+    desk.hand.headset().step("{'freeze': 'xrCreateInstance'}");
+    desk.trigger("vr.status");
+    QTRY_VERIFY_WITH_TIMEOUT(sentence(desk.program).contains(words), 60'000);
+    keep("the runtime is frozen when it is looked for", desk, "everything; VR was not begun");
+    desk.program.window.showNotice(QStringLiteral("Something else."));
+    desk.trigger("vr.status");
+    QVERIFY2(sentence(desk.program).contains(words), qPrintable(sentence(desk.program)));
+    desk.hand.headset().step("{'freeze': ''}");
+    QVERIFY(says(desk, QStringLiteral("is ready, through")));
+    desk.hand.enter();
+    desk.hand.stroke({0, 49, 0}, {0, 54, 0}, 8);
+    QCOMPARE(desk.changes(), 1);
+    QCOMPARE(desk.hand.headset().complaints(), QString());
+}
+
 /// It leaves first, and asks about the changes then.
 void TestHeadsetVisits::program_endsDuringAVisit()
 {
@@ -654,6 +730,64 @@ void TestHeadsetVisits::program_endsDuringAVisit()
     QVERIFY(!v.hand.isIn());
     QCOMPARE(v.changes(), 1);
     QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+/// The window is there meanwhile, and says what it waits for.
+void TestHeadsetVisits::program_endsThoughAllIsFrozen()
+{
+    Visit v;
+    const auto* headset = v.program.window.findChild<Headset*>();
+    v.hand.begin({0, 49, 0}, {0, 54, 0}, 8);
+    answerQuestion(v.program, QMessageBox::Discard);
+    v.program.window.close();
+    QVERIFY(v.program.window.isVisible());
+    QCOMPARE(sentence(v.program), QStringLiteral("Leaving VR…"));
+    v.program.window.close();
+    QVERIFY(v.program.window.isVisible() && headset->isIn());
+    QTRY_VERIFY_WITH_TIMEOUT(!v.program.window.isVisible(), 60'000);
+    QVERIFY(!headset->isIn() && headset->isStuck());
+    QCOMPARE(v.changes(), 1);
+    v.hand.headset().step("{'pace': 'fast'}");
+    QTRY_VERIFY_WITH_TIMEOUT(!headset->isStuck(), 60'000);
+    QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+/// The program itself, whose headset's program wakes when hardly anything is left, if ever.
+void TestHeadsetVisits::process_endsThoughAllIsFrozen()
+{
+    constexpr auto* script = R"({"start": {"pace": "fast", "size": [64, 72]}, "steps": [
+        {"frame": 9, "keep": true, "freeze": "xrWaitFrame", "wake_at_exit": true}]})";
+    const QTemporaryDir folder;
+    QFile file(folder.filePath(QStringLiteral("script.json")));
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(script) > 0);
+    file.close();
+    const ScriptedHeadset here; // says where runtime and layer are
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("FETTLE_XR_SCRIPT"), file.fileName());
+    environment.insert(QStringLiteral("FETTLE_XR_FRAMES"), folder.path());
+    environment.insert(QStringLiteral("XR_CORE_VALIDATION_FILE_NAME"), folder.filePath(QStringLiteral("validation.txt")));
+    for (const char* home : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME"})
+        environment.insert(QString::fromLatin1(home), folder.filePath(QString::fromLatin1(home)));
+    const auto journals = [&folder] {
+        return QDir(folder.filePath(QStringLiteral("XDG_STATE_HOME/fettle/journals"))).entryList(QDir::AllEntries | QDir::NoDotAndDotDot);
+    };
+    QProcess fettle;
+    fettle.setProcessEnvironment(environment);
+    fettle.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+    fettle.start(QStringLiteral(FETTLE_PROGRAM), {QStringLiteral("--vr")});
+    QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(folder.filePath(QStringLiteral("session0_frame0009_left.png"))), 60'000);
+    QVERIFY(!journals().isEmpty());
+    QTRY_VERIFY_WITH_TIMEOUT(askToClose(fettle.processId()), 60'000);
+    QElapsedTimer closing;
+    closing.start();
+    QTRY_COMPARE_WITH_TIMEOUT(fettle.state(), QProcess::NotRunning, 60'000);
+    QVERIFY(closing.elapsed() > 5'000); // it was given up, not left
+    QCOMPARE(fettle.exitStatus(), QProcess::NormalExit);
+    QCOMPARE(fettle.exitCode(), 0);
+    QCOMPARE(journals(), QStringList()); // all that it did at the window has come to its end
+    QFile said(folder.filePath(QStringLiteral("validation.txt")));
+    if (said.open(QIODevice::ReadOnly))
+        QCOMPARE(said.readAll(), QByteArray());
 }
 
 int main(int argc, char* argv[])

@@ -145,14 +145,14 @@ QImage ScriptedHeadset::picture(int session, int frame, const char* eye) const
     return QImage(m_folder.filePath(QStringLiteral("session%1_frame%2_%3.png").arg(session).arg(frame, 4, 10, QChar('0')).arg(eye)));
 }
 
-Visitor::Visitor(ScriptedHeadset& headset) : m_headset(headset)
+Visitor::Visitor(ScriptedHeadset& headset, std::chrono::milliseconds patience) : thread(patience), m_headset(headset)
 {
     QObject::connect(&thread, &vr::HeadsetThread::reported, &thread, [this](const vr::HeadsetReport& report) { reports << report; });
 }
 
 Visitor::~Visitor()
 {
-    m_headset.step("{'pace': 'fast'}");
+    m_headset.step("{'pace': 'fast', 'freeze': ''}");
 }
 
 bool Visitor::enter()

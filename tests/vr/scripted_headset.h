@@ -10,6 +10,7 @@
 #include <QTemporaryDir>
 
 #include <atomic>
+#include <chrono>
 #include <functional>
 #include <mutex>
 
@@ -86,8 +87,8 @@ private:
 class Visitor
 {
 public:
-    explicit Visitor(ScriptedHeadset& headset);
-    ~Visitor(); ///< the runtime then gives frames freely, so that a test that has failed comes to an end
+    explicit Visitor(ScriptedHeadset& headset, std::chrono::milliseconds patience = vr::RuntimeThread::patience);
+    ~Visitor(); ///< the runtime then gives frames freely and answers, so that a test that has failed comes to an end
 
     bool enter();
     bool enterAndRun();

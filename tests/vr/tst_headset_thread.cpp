@@ -38,6 +38,12 @@ bool asksSeldom(const ScriptedHeadset& headset, int ms)
 /// Nobody looks at its pictures.
 constexpr const char* small = "{'start': {'size': [64, 72]}}";
 
+/// With a runtime that is frozen for good.
+constexpr auto littlePatience = std::chrono::milliseconds(300);
+
+/// When a call is made that a runtime is frozen in.
+enum class Moment { OnTheWayIn, During, OnTheWayOut };
+
 /// Every call of OpenXR that a visit makes, and may hear no to; but for those whose refusal is an answer.
 const char* const refusable[] = {
     "xrEnumerateViewConfigurations",
@@ -99,6 +105,10 @@ private Q_SLOTS:
     void aClientThatCannotDraw();
     void aRuntimeThatDoesNotLetGo();
     void aRuntimeThatTakesItsTime();
+    void aFrozenRuntimeIsGivenUp_data();
+    void aFrozenRuntimeIsGivenUp();
+    void aFrozenRuntimeIsLeftBehind();
+    void aRuntimeThatAnswersLateIsWaitedFor();
     void whatIsDrawnIsDoneBeforeTheImagesGo_data();
     void whatIsDrawnIsDoneBeforeTheImagesGo();
 
@@ -108,6 +118,10 @@ private Q_SLOTS:
     void isLeftWhileTakenOff();
 
 private:
+    bool isFrozen() const { return m_headset->report()["is_frozen"].toBool(); }
+    /// What an ordinary visit leaves behind: drivers keep some for the next context.
+    Held heldAfterAVisit();
+
     std::unique_ptr<ScriptedHeadset> m_headset; ///< null where we skip
 };
 
@@ -208,6 +222,7 @@ void TestHeadsetThread::leavesBeforeItIsIn()
     QVERIFY(visitor.enter());
     QVERIFY(visitor.leave());
     QCOMPARE(visitor.reports.last().end, HeadsetEnd::Left);
+    QCOMPARE(visitor.reports.size(), 1); // that it starts is no news any more
     QCOMPARE(visitor.client->creates, visitor.client->destroys);
 }
 
@@ -360,6 +375,116 @@ void TestHeadsetThread::aRuntimeThatTakesItsTime()
     QVERIFY(visitor.thread.isIn());
     m_headset->step("{'lose_session': 0}");
     QVERIFY(visitor.waitForEnd());
+}
+
+Held TestHeadsetThread::heldAfterAVisit()
+{
+    Visitor visitor(*m_headset);
+    [&] { QVERIFY(visitor.enterAndRun() && m_headset->frames(3) && visitor.leave()); }();
+    return {};
+}
+
+void TestHeadsetThread::aFrozenRuntimeIsGivenUp_data()
+{
+    QTest::addColumn<QString>("call");
+    QTest::addColumn<Moment>("moment");
+    QTest::addColumn<QString>("wakes");
+    const QString wakes = QStringLiteral("{'freeze': ''}");
+    for (const char* call : {"xrCreateInstance", "xrGetSystem", "xrCreateSession", "xrCreateSwapchain", "xrBeginSession"})
+        QTest::newRow(call) << call << Moment::OnTheWayIn << wakes;
+    for (const char* call : {"xrPollEvent", "xrWaitFrame", "xrBeginFrame", "xrSyncActions", "xrLocateViews", "xrWaitSwapchainImage",
+                             "xrEndFrame"})
+        QTest::newRow(call) << call << Moment::During << wakes;
+    for (const char* call : {"xrRequestExitSession", "xrEndSession", "xrDestroySwapchain", "xrDestroySession", "xrDestroyInstance"})
+        QTest::newRow(call) << call << Moment::OnTheWayOut << wakes;
+    QTest::newRow("it dies") << "xrWaitFrame" << Moment::During << "{'freeze': '', 'lose_instance': 0}";
+}
+
+/// In whatever call. Its thread ends when the runtime wakes, which nobody is told of, and VR can be entered again.
+void TestHeadsetThread::aFrozenRuntimeIsGivenUp()
+{
+    QFETCH(QString, call);
+    QFETCH(Moment, moment);
+    QFETCH(QString, wakes);
+    const Held before = heldAfterAVisit();
+    Visitor visitor(*m_headset, littlePatience);
+    QVERIFY(moment == Moment::OnTheWayIn || (visitor.enterAndRun() && m_headset->frames(3)));
+    m_headset->step(qPrintable("{'freeze': '" + call + "'}"));
+    QVERIFY(moment != Moment::OnTheWayIn || visitor.enter());
+    QTRY_VERIFY_WITH_TIMEOUT(moment == Moment::OnTheWayOut || isFrozen(), 60'000);
+    QVERIFY(!visitor.thread.isStuck());
+    visitor.thread.leave();
+    QVERIFY(visitor.waitForEnd());
+    QCOMPARE(visitor.reports.last().end, HeadsetEnd::NoAnswer);
+    QVERIFY2(visitor.reports.last().text.contains("does not answer"), qPrintable(visitor.reports.last().text));
+    QTRY_VERIFY_WITH_TIMEOUT(isFrozen(), 60'000);
+    QVERIFY(!visitor.thread.isIn() && visitor.thread.isStuck());
+    QVERIFY(!visitor.thread.enter(visitor.client));
+    QCOMPARE(vr::OpenXrRuntime::probe().state, vr::HeadsetStatus::State::InUse);
+    const auto told = visitor.reports.size();
+
+    m_headset->step(qPrintable(wakes));
+    QTRY_VERIFY_WITH_TIMEOUT(!visitor.thread.isStuck(), 60'000);
+    QCOMPARE(visitor.reports.size(), told);
+    QVERIFY(!visitor.thread.isIn());
+    QCOMPARE(visitor.client->creates, visitor.client->destroys);
+    QVERIFY(visitor.client->context.isNull());
+    const Held after;
+    QCOMPARE(after.threads, before.threads);
+    QCOMPARE(after.files, before.files);
+    QCOMPARE(m_headset->complaints(), QString());
+
+    m_headset->load(small);
+    QVERIFY(visitor.enterAndRun());
+    m_headset->step("{'exit': true}");
+    QVERIFY(visitor.waitForEnd());
+    QCOMPARE(visitor.reports.last().end, HeadsetEnd::SentAway);
+}
+
+/// Who has entered is gone before the runtime wakes. What the visit still holds goes then.
+void TestHeadsetThread::aFrozenRuntimeIsLeftBehind()
+{
+    const Held before = heldAfterAVisit();
+    const auto client = std::make_shared<NotingClient>();
+    auto thread = std::make_unique<vr::HeadsetThread>(littlePatience);
+    QVERIFY(thread->enter(client));
+    QTRY_VERIFY_WITH_TIMEOUT(client->frames > 3, 60'000);
+    m_headset->step("{'freeze': 'xrWaitFrame'}");
+    QTRY_VERIFY_WITH_TIMEOUT(isFrozen(), 60'000);
+    QVERIFY(!vr::RuntimeThread::hasLeftWork());
+    thread.reset();
+    QVERIFY(vr::RuntimeThread::hasLeftWork());
+    QVERIFY(isFrozen());
+    QCOMPARE(client->destroys, 0);
+
+    m_headset->step("{'freeze': ''}");
+    QTRY_COMPARE_WITH_TIMEOUT(client.use_count(), 1L, 60'000);
+    QCOMPARE(client->destroys, 1);
+    QVERIFY(client->context.isNull());
+    QTRY_COMPARE_WITH_TIMEOUT(Held().threads, before.threads, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(Held().files, before.files, 60'000);
+    QCOMPARE(m_headset->calls("xrDestroyInstance"), 2);
+
+    Visitor visitor(*m_headset);
+    QVERIFY(visitor.enterAndRun());
+    QVERIFY(visitor.leave());
+    QCOMPARE(visitor.reports.last().end, HeadsetEnd::Left);
+}
+
+void TestHeadsetThread::aRuntimeThatAnswersLateIsWaitedFor()
+{
+    Visitor visitor(*m_headset);
+    QVERIFY(visitor.enterAndRun());
+    m_headset->step("{'freeze': 'xrWaitFrame'}");
+    QTRY_VERIFY_WITH_TIMEOUT(isFrozen(), 60'000);
+    const auto told = visitor.reports.size();
+    visitor.thread.leave();
+    QTest::qWait(500);
+    QVERIFY(visitor.thread.isIn() && !visitor.thread.isStuck());
+    QCOMPARE(visitor.reports.size(), told);
+    m_headset->step("{'freeze': ''}");
+    QVERIFY(visitor.waitForEnd());
+    QCOMPARE(visitor.reports.last().end, HeadsetEnd::Left);
 }
 
 void TestHeadsetThread::whatIsDrawnIsDoneBeforeTheImagesGo_data()

@@ -5,6 +5,7 @@
 
 #include <QElapsedTimer>
 
+#include <atomic>
 #include <thread>
 
 namespace
@@ -37,6 +38,7 @@ private Q_SLOTS:
     void stepsFrames();
     void hidesFrames();
     void answersInACallsStead();
+    void freezes();
 };
 
 void TestScriptedFaults::losesAndRegainsFocus()
@@ -237,6 +239,32 @@ void TestScriptedFaults::answersInACallsStead()
     runtime.set(R"({"fail": {"call": "xrCreateSwapchain", "result": "XR_ERROR_OUT_OF_MEMORY", "times": 1}})");
     QCOMPARE(client.createSwapchains(), XR_ERROR_OUT_OF_MEMORY);
     QSUCCEEDS(client.createSwapchains());
+    QCOMPARE(runtime.clientErrors(), QStringList());
+}
+
+/// The call goes on where it was as soon as another is named; others are answered meanwhile.
+void TestScriptedFaults::freezes()
+{
+    ScriptedRuntime runtime(fast);
+    RawClient client;
+    QSUCCEEDS(client.enter());
+    runtime.set(R"({"freeze": "xrEndFrame"})");
+    std::atomic<bool> isOver = false;
+    XrResult result = XR_ERROR_RUNTIME_FAILURE;
+    std::thread waker([&] {
+        while (!runtime.report()["is_frozen"].toBool())
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        const int before = lastFrame(runtime);
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        result = isOver || lastFrame(runtime) != before ? XR_ERROR_RUNTIME_FAILURE : XR_SUCCESS;
+        runtime.set(R"({"freeze": ""})");
+    });
+    const XrResult ended = client.frame();
+    isOver = true;
+    waker.join();
+    QSUCCEEDS(ended);
+    QSUCCEEDS(result);
+    QVERIFY(!runtime.report()["is_frozen"].toBool());
     QCOMPARE(runtime.clientErrors(), QStringList());
 }
 

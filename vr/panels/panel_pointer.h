@@ -1,6 +1,5 @@
 #pragma once
 
-#include "../wand_gestures.h"
 #include "panel_painter.h"
 #include "panel_place.h"
 

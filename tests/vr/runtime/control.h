@@ -29,6 +29,8 @@
 ///     "recentre": {"space": "local"|"stage", "position", "rotation", "after": n}   the space's new origin in the room
 ///     "lose_session": n, "lose_instance": n    foretold now, lost n frames later
 ///     "fail": {"call": name, "result": XrResult's name, "times": n}                 answers in the call's stead
+///     "freeze": name              that call does not return until another is named, or ""
+///     "wake_at_exit": true        or until the process ends by exit(), which then gives it a moment
 ///     "keep": true|[frames], "keep_every": n   whose pictures are kept; true: of the next frame
 ///     "watch_drawing": bool       a swapchain that is destroyed while its images are still drawn on is the client's error
 ///
@@ -42,7 +44,7 @@ const char* fettle_xr_do(const char* step);
 /// Waits until so many more frames have ended, which pace "stepped" lets go, and the client waits for the next or has stopped.
 /// Returns how many ended, which is less if that takes longer than it may.
 int fettle_xr_frames(int count, int milliseconds);
-/// {"state", "is_running", "sessions", "frames_ended", "client_errors": [text], "client_warnings": [text], "haptics": [...],
-/// "calls": {name: count}, "last_frame": {"layers": [...], ...}}
+/// {"state", "is_running", "is_frozen": the client is in the call that does not return, "sessions", "frames_ended",
+/// "client_errors": [text], "client_warnings": [text], "haptics": [...], "calls": {name: count}, "last_frame": {"layers": [...], ...}}
 const char* fettle_xr_report();
 }

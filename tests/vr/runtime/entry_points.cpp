@@ -1,5 +1,6 @@
 // The doors: the loader asks xrNegotiateLoaderRuntimeInterface() for getInstanceProcAddr(), and that for all else. Each function of
-// OpenXR is an Entry: it takes the mutex, lets a scripted answer or the function of calls.h answer, and writes what was asked.
+// OpenXR is an Entry: it takes the mutex, waits while it is frozen, lets a scripted answer or the function of calls.h answer, and writes
+// what was asked.
 #include "calls.h"
 #include "enum_names.h"
 #include "loader_interface.h"
@@ -63,6 +64,16 @@ template <class Implementation> XrResult answered(Call& call, Implementation imp
     }
 }
 
+void waitWhileFrozen(Call& call)
+{
+    Runtime& runtime = call.runtime;
+    if (runtime.world.frozen != call.name)
+        return;
+    runtime.isClientFrozen = true;
+    runtime.changed.wait(call.lock, [&] { return runtime.world.frozen != call.name; });
+    runtime.isClientFrozen = false;
+}
+
 template <Name FunctionName, auto Implementation> struct Entry;
 
 template <Name FunctionName, class... Arguments, XrResult (*Implementation)(Call&, Arguments...)> struct Entry<FunctionName, Implementation>
@@ -72,6 +83,7 @@ template <Name FunctionName, class... Arguments, XrResult (*Implementation)(Call
         Runtime& runtime = Runtime::get();
         std::unique_lock lock(runtime.mutex);
         Call call(FunctionName.text, runtime, lock);
+        waitWhileFrozen(call);
         const XrResult result = answered(call, [&] { return Implementation(call, arguments...); });
         call.line["result"] = nameOf(result);
         call.line.update(call.where());

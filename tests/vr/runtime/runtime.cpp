@@ -119,6 +119,7 @@ nlohmann::json Runtime::report() const
     nlohmann::json report = log.report();
     report["state"] = session ? nameOf(session->state()) : "";
     report["is_running"] = session && session->isRunning();
+    report["is_frozen"] = isClientFrozen;
     report["sessions"] = sessionsMade;
     report["frames_ended"] = framesEnded;
     return report;

@@ -57,6 +57,7 @@ public:
     std::int64_t framesEnded = 0;   ///< ever
     std::int64_t framesAllowed = 0; ///< of pace Stepped
     bool isClientWaiting = false;   ///< for a frame to be allowed
+    bool isClientFrozen = false;    ///< in a call that does not return
     std::string pictureFolder;      ///< empty: none are kept
 
 private:

@@ -5,6 +5,10 @@
 #include "step_devices.h"
 #include "step_values.h"
 
+#include <chrono>
+#include <cstdlib>
+#include <thread>
+
 namespace scripted
 {
 namespace
@@ -163,6 +167,30 @@ Change failChange(const json& value, Over)
     return [call, answer](Runtime& runtime, XrTime) { runtime.world.answers[call] = answer; };
 }
 
+Change freezeChange(const json& value, Over)
+{
+    return [call = readText(value)](Runtime& runtime, XrTime) { runtime.world.frozen = call; };
+}
+
+void wakeAtExit()
+{
+    Runtime& runtime = Runtime::get();
+    {
+        const std::lock_guard lock(runtime.mutex);
+        runtime.world.frozen.clear();
+        runtime.changed.notify_all();
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+}
+
+Change wakeChange(const json& value, Over)
+{
+    return [wakes = readBool(value)](Runtime&, XrTime) {
+        if (wakes)
+            std::atexit(wakeAtExit);
+    };
+}
+
 const std::map<std::string_view, Reader>& vocabulary()
 {
     static const std::map<std::string_view, Reader> readers{
@@ -195,6 +223,8 @@ const std::map<std::string_view, Reader>& vocabulary()
         {"keep_every", keepEveryChange},
         {"watch_drawing", flag<&World::watchesDrawing>},
         {"fail", failChange},
+        {"freeze", freezeChange},
+        {"wake_at_exit", wakeChange},
     };
     return readers;
 }

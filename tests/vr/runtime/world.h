@@ -82,6 +82,7 @@ struct World
     std::optional<XrExtent2Df> bounds = XrExtent2Df{3, 2};
 
     std::map<std::string, ScriptedAnswer> answers; ///< by call
+    std::string frozen;                            ///< the call that does not return
     std::set<std::int64_t> keptFrames; ///< whose pictures are kept
     int keepEvery = 0;
     bool watchesDrawing = false; ///< a swapchain that goes while its images are drawn on is an error
