@@ -7,9 +7,8 @@
 
 namespace vr
 {
-/// The brush's centre, or where its ray begins, lies so far before the palm along the aim, in metres: the ring of a Vive wand ends
-/// there, and what is sculpted is not hidden by the wand. From the palm, because runtimes put the aim's own origin where they like.
-inline constexpr double tipReach = 0.1;
+/// The brush's centre, or where its ray begins: so far before the palm along the aim as the wand is long. From the palm, because runtimes put
+/// the aim's own origin where they like.
 Pose tipOf(const WandState& wand);
 
 inline constexpr double turnSpeed = 60;     ///< degrees a second, as the desktop's turntable

@@ -2,6 +2,8 @@
 // stand a little out of the body.
 #include "wand_shape.h"
 
+#include "wand_state.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -148,7 +150,7 @@ core::Vec3 placeOf(WandSpot spot)
 
 core::Vec3 wandTip()
 {
-    return {0, 0, -0.1340};
+    return {0, 0, -tipReach};
 }
 
 core::Vec3 placeOnPad(const Eigen::Vector2d& touch)

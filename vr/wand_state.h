@@ -12,6 +12,9 @@ namespace vr
 enum class Side { Left, Right };
 inline constexpr std::size_t sideCount = 2;
 
+/// From the palm to a wand's front end, in metres: our own wand's, and nearly a Vive's.
+inline constexpr double tipReach = 0.134;
+
 /// What one wand says in one frame. Poses: room space, at the frame's predicted display time.
 struct WandState
 {
