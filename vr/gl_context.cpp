@@ -5,6 +5,12 @@
 #include <QOpenGLFunctions>
 #include <QThread>
 
+#include <cstring>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace vr
 {
 namespace
@@ -18,6 +24,17 @@ QSurfaceFormat plainFormat()
     format.setProfile(QSurfaceFormat::CoreProfile);
     format.setSwapInterval(0);
     return format;
+}
+
+/// When a buffer or a picture is written, Mesa's software renderer looks whether any context of the process still draws with it, and asks their
+/// threads nothing: it reads lists that one of them may just have freed (llvmpipe_flush_resource of 22.3). The window draws beside us, so
+/// what is freed has to stay readable. Graphics cards' drivers do not need it.
+void keepFreedMemory([[maybe_unused]] QOpenGLFunctions& gl)
+{
+#ifdef __GLIBC__
+    if (std::strstr(reinterpret_cast<const char*>(gl.glGetString(GL_RENDERER)), "llvmpipe"))
+        mallopt(M_TRIM_THRESHOLD, -1);
+#endif
 }
 } // namespace
 
@@ -45,8 +62,11 @@ void GlContext::DeleteWhereItIsAtHome::operator()(QOffscreenSurface* surface) co
 bool GlContext::take()
 {
     m_context->moveToThread(QThread::currentThread());
-    return m_context->isValid() && m_surface->isValid() && QOpenGLContext::supportsThreadedOpenGL() && !m_context->isOpenGLES() &&
-           m_context->format().version() >= std::pair(3, 3) && m_context->makeCurrent(m_surface.get());
+    const bool isTaken = m_context->isValid() && m_surface->isValid() && QOpenGLContext::supportsThreadedOpenGL() && !m_context->isOpenGLES() &&
+                         m_context->format().version() >= std::pair(3, 3) && m_context->makeCurrent(m_surface.get());
+    if (isTaken)
+        keepFreedMemory(*m_context->functions());
+    return isTaken;
 }
 
 void GlContext::makeCurrent()
