@@ -1,15 +1,13 @@
 #include "gl_context.h"
 
+#include "freed_memory.h"
+
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 #include <QThread>
 
 #include <cstring>
-
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 namespace vr
 {
@@ -24,17 +22,6 @@ QSurfaceFormat plainFormat()
     format.setProfile(QSurfaceFormat::CoreProfile);
     format.setSwapInterval(0);
     return format;
-}
-
-/// When a buffer or a picture is written, Mesa's software renderer looks whether any context of the process still draws with it, and asks their
-/// threads nothing: it reads lists that one of them may just have freed (llvmpipe_flush_resource of 22.3). The window draws beside us, so
-/// what is freed has to stay readable. Graphics cards' drivers do not need it.
-void keepFreedMemory([[maybe_unused]] QOpenGLFunctions& gl)
-{
-#ifdef __GLIBC__
-    if (std::strstr(reinterpret_cast<const char*>(gl.glGetString(GL_RENDERER)), "llvmpipe"))
-        mallopt(M_TRIM_THRESHOLD, -1);
-#endif
 }
 } // namespace
 
@@ -64,8 +51,8 @@ bool GlContext::take()
     m_context->moveToThread(QThread::currentThread());
     const bool isTaken = m_context->isValid() && m_surface->isValid() && QOpenGLContext::supportsThreadedOpenGL() && !m_context->isOpenGLES() &&
                          m_context->format().version() >= std::pair(3, 3) && m_context->makeCurrent(m_surface.get());
-    if (isTaken)
-        keepFreedMemory(*m_context->functions());
+    if (isTaken && std::strstr(reinterpret_cast<const char*>(m_context->functions()->glGetString(GL_RENDERER)), "llvmpipe"))
+        keepFreedMemory();
     return isTaken;
 }
 
