@@ -1,13 +1,9 @@
 #include "gl_context.h"
 
-#include "freed_memory.h"
-
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 #include <QThread>
-
-#include <cstring>
 
 namespace vr
 {
@@ -49,11 +45,8 @@ void GlContext::DeleteWhereItIsAtHome::operator()(QOffscreenSurface* surface) co
 bool GlContext::take()
 {
     m_context->moveToThread(QThread::currentThread());
-    const bool isTaken = m_context->isValid() && m_surface->isValid() && QOpenGLContext::supportsThreadedOpenGL() && !m_context->isOpenGLES() &&
-                         m_context->format().version() >= std::pair(3, 3) && m_context->makeCurrent(m_surface.get());
-    if (isTaken && std::strstr(reinterpret_cast<const char*>(m_context->functions()->glGetString(GL_RENDERER)), "llvmpipe"))
-        keepFreedMemory();
-    return isTaken;
+    return m_context->isValid() && m_surface->isValid() && QOpenGLContext::supportsThreadedOpenGL() && !m_context->isOpenGLES() &&
+           m_context->format().version() >= std::pair(3, 3) && m_context->makeCurrent(m_surface.get());
 }
 
 void GlContext::makeCurrent()
