@@ -1,6 +1,6 @@
 #include "gl_binding.h"
 
-#include <GL/glx.h>
+#include "config_glx.h"
 
 #define XR_USE_PLATFORM_XLIB
 #define XR_USE_GRAPHICS_API_OPENGL
@@ -22,20 +22,6 @@ public:
 private:
     XrGraphicsBindingOpenGLXlibKHR m_binding;
 };
-
-/// The one that the context was made with; null if it is none.
-GLXFBConfig configOf(Display* display, GLXContext context)
-{
-    int id = 0, screen = 0, count = 0;
-    glXQueryContext(display, context, GLX_FBCONFIG_ID, &id);
-    glXQueryContext(display, context, GLX_SCREEN, &screen);
-    const int wanted[] = {GLX_FBCONFIG_ID, id, 0};
-    GLXFBConfig* found = glXChooseFBConfig(display, screen, wanted, &count);
-    GLXFBConfig config = found && count > 0 ? found[0] : nullptr;
-    if (found)
-        XFree(found);
-    return config;
-}
 } // namespace
 
 std::unique_ptr<GlBinding> currentGlBinding()
@@ -44,7 +30,7 @@ std::unique_ptr<GlBinding> currentGlBinding()
     GLXContext context = glXGetCurrentContext();
     if (!display || !context)
         return currentEglBinding();
-    GLXFBConfig config = configOf(display, context);
+    GLXFBConfig config = configOf(display, context, display);
     int visual = 0;
     if (!config || glXGetFBConfigAttrib(display, config, GLX_VISUAL_ID, &visual) != 0)
         return nullptr;

@@ -42,16 +42,27 @@ void GlContext::DeleteWhereItIsAtHome::operator()(QOffscreenSurface* surface) co
         surface->deleteLater();
 }
 
+bool GlContext::isGoodEnough() const
+{
+    return m_context->isValid() && m_surface->isValid() && QOpenGLContext::supportsThreadedOpenGL() && !m_context->isOpenGLES() &&
+           m_context->format().version() >= std::pair(3, 3);
+}
+
 bool GlContext::take()
 {
     m_context->moveToThread(QThread::currentThread());
-    return m_context->isValid() && m_surface->isValid() && QOpenGLContext::supportsThreadedOpenGL() && !m_context->isOpenGLES() &&
-           m_context->format().version() >= std::pair(3, 3) && m_context->makeCurrent(m_surface.get());
+    if (!isGoodEnough() || !m_context->makeCurrent(m_surface.get()))
+        return false;
+    m_own = ownConnection();
+    return !m_own || m_own->makeCurrent();
 }
 
 void GlContext::makeCurrent()
 {
-    m_context->makeCurrent(m_surface.get());
+    if (m_own)
+        m_own->makeCurrent();
+    else
+        m_context->makeCurrent(m_surface.get());
 }
 
 void GlContext::finish()
@@ -62,6 +73,7 @@ void GlContext::finish()
 
 void GlContext::destroy()
 {
+    m_own.reset();
     if (QOpenGLContext::currentContext() == m_context.get())
         m_context->doneCurrent();
     m_context.reset();

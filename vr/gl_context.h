@@ -1,5 +1,7 @@
 #pragma once
 
+#include "gl_connection.h"
+
 #include <memory>
 
 class QOffscreenSurface;
@@ -26,9 +28,12 @@ public:
     /// By the thread that took it, before that ends. It cannot be taken again.
     void destroy();
 
+    /// Whose functions are to be called: Qt takes it for current wherever ours is, over whichever connection that draws.
     QOpenGLContext& context() { return *m_context; }
 
 private:
+    bool isGoodEnough() const;
+
     /// By the gui thread, as it was made: here and now if that is this one.
     struct DeleteWhereItIsAtHome
     {
@@ -37,5 +42,6 @@ private:
 
     std::unique_ptr<QOffscreenSurface, DeleteWhereItIsAtHome> m_surface;
     std::unique_ptr<QOpenGLContext> m_context;
+    std::unique_ptr<GlConnection> m_own; ///< what draws instead, where there is one
 };
 } // namespace vr

@@ -1,4 +1,5 @@
 // Runs once more where OpenGL comes by EGL.
+#include "connection_glx.h"
 #include "scripted_headset.h"
 #include "vr_test.h"
 
@@ -28,6 +29,7 @@ void TestGlBinding::theCurrentContextIsTold()
         QSKIP("no OpenGL 3.3 here");
     const auto binding = vr::currentGlBinding();
     QVERIFY(binding && binding->next());
+    QVERIFY(!drawsOverQtsConnection());
     QCOMPARE(QString(binding->extension()), QString(glxProblem().isEmpty() ? "XR_KHR_opengl_enable" : "XR_MNDX_egl_enable"));
     gl.destroy();
     QVERIFY(!vr::currentGlBinding());

@@ -1,0 +1,11 @@
+#include "connection_glx.h"
+
+#include <QGuiApplication>
+
+#include <GL/glx.h>
+
+bool drawsOverQtsConnection()
+{
+    const auto* x11 = qGuiApp->nativeInterface<QNativeInterface::QX11Application>();
+    return x11 && glXGetCurrentDisplay() == x11->display();
+}

@@ -1,0 +1,10 @@
+#include "gl_connection.h"
+
+namespace vr
+{
+/// WGL has no connections.
+std::unique_ptr<GlConnection> ownConnection()
+{
+    return nullptr;
+}
+} // namespace vr
