@@ -8,8 +8,26 @@
 
 namespace core
 {
-/// What a dab does to the vertices it selects (paper, section 3.3).
-enum class Tool { Pull, Push, Flatten, Smooth, Paint };
+/// What a dab does to the vertices it selects: Pull, Push, Flatten, Smooth and Paint are the paper's (section 3.3, 3.5.3). What the others
+/// do stands at their fields, in deform.cpp.
+enum class Tool { Pull, Push, Inflate, Clay, Layer, Flatten, Scrape, Smooth, Pinch, Crease, Grab, Snake, Twist, Paint };
+
+/// Follows the hand: what counts is how the samples move against each other, and the first dab of a stroke moves nothing.
+constexpr bool followsHand(Tool tool)
+{
+    return tool == Tool::Grab || tool == Tool::Snake || tool == Tool::Twist;
+}
+/// Works on what it took hold of at first, wherever that goes; the others select anew with each dab.
+constexpr bool holdsOn(Tool tool)
+{
+    return tool == Tool::Grab || tool == Tool::Twist;
+}
+/// Whether StrokeSettings::inverted changes what it does.
+constexpr bool hasInverse(Tool tool)
+{
+    return tool == Tool::Inflate || tool == Tool::Clay || tool == Tool::Layer || tool == Tool::Scrape || tool == Tool::Pinch ||
+           tool == Tool::Crease || tool == Tool::Twist;
+}
 
 /// How a dab selects vertices (paper, section 3.1).
 enum class BrushShape {

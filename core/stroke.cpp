@@ -17,6 +17,15 @@ bool isNear(const Vec3& v)
 }
 } // namespace
 
+StrokeSettings opposite(StrokeSettings settings)
+{
+    if (settings.tool == Tool::Pull || settings.tool == Tool::Push)
+        settings.tool = settings.tool == Tool::Pull ? Tool::Push : Tool::Pull;
+    else if (hasInverse(settings.tool))
+        settings.inverted = !settings.inverted;
+    return settings;
+}
+
 bool isUsable(const StrokeSettings& settings, const StrokeSample& sample)
 {
     const bool settingsFit = isIn(settings.detail, Parameter::Detail) && isIn(settings.spacing, Parameter::Spacing) &&

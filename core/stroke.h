@@ -22,9 +22,15 @@ struct StrokeSettings
     double detailLength = 0; ///< d_detail of the uniform topology; 0: 4/3 of the model's mean edge when it was opened
     double spacing = info(Parameter::Spacing).defaultValue; ///< in radii; 0: each sample is exactly one dab
     bool fusion = true; ///< surfaces that meet join, necks part, specks vanish (paper, section 3.4); else they stop at contact
+    /// The other way round, where that has a meaning (hasInverse): inflate shrinks, clay and layer dig, scrape fills, pinch spreads, crease
+    /// raises a ridge, twist turns back.
+    bool inverted = false;
     bool add = false; ///< a pull dab at a point with nothing under the brush adds a sphere (paper, section 3.5.1)
     Rgb color;                                              ///< of Paint
 };
+
+/// What Ctrl makes of them: Pull becomes Push and Push Pull, others are inverted where that has a meaning.
+StrokeSettings opposite(StrokeSettings settings);
 
 /// One reading of mouse, pen or wand. After this nobody asks which it was.
 struct StrokeSample

@@ -163,12 +163,14 @@ bool StrokeReader::boolean(bool value)
 {
     if (m_level == Level::Start)
         refuse(Kind::NotStrokes);
-    if (m_level != Level::Stroke || m_inVector || (m_key != FusionKey && m_key != SymmetryKey && m_key != AddKey))
+    if (m_level != Level::Stroke || m_inVector || (m_key != FusionKey && m_key != SymmetryKey && m_key != AddKey && m_key != InvertKey))
         refuse(Kind::WrongType);
     if (m_key == SymmetryKey)
         stroke().settings.symmetry = value ? paperPlane : Symmetry::None;
     if (m_key == AddKey)
         stroke().settings.add = value;
+    else if (m_key == InvertKey)
+        stroke().settings.inverted = value;
     else if (m_key == FusionKey)
         stroke().settings.fusion = value;
     return true;
