@@ -8,7 +8,7 @@
 //     verify     exactly, where it changed                                                     judged_mesh
 //     index      octree and draw ranges learn what changed                                     judged_mesh
 //     fuse       what the next sub-step would bring into contact joins; thin necks part        fuse
-// What it works on is selected in dab_select.cpp; a sub-step that does not verify is rolled back and goes on in dab_careful.cpp.
+// What it works on is selected in dab_select.cpp, or was so before and is held, in dab_hold.cpp; a sub-step that does not verify is rolled back and goes on in dab_careful.cpp.
 
 #include "dab_engine.h"
 
@@ -31,6 +31,8 @@ constexpr int mostAttempts = 4 * 4096;
 constexpr double mostVertexMoves = 1 << 21;
 /// A dab whose centre is farther from its image's than this, in radii, does not bring the two into contact.
 constexpr double farthestFromImage = 4;
+/// A line is sharp if the mesh along it is fine.
+constexpr double lineDetail = 0.5;
 /// Vertices of a dab that is only a rehearsal: where the mesh is far finer than elsewhere none is made.
 constexpr Slot mostRehearsed = 1024;
 /// What a core takes at a time.
@@ -41,6 +43,10 @@ constexpr std::size_t verticesPerChunk = 512;
 double transactionsFor(double betweenNeighbours, const EdgeBounds& bounds)
 {
     return std::max(1.0, std::ceil(betweenNeighbours / (movePerMinimum * bounds.minimum)));
+}
+bool isAtRest(const StrokeSettings& settings, const Dab& dab)
+{
+    return followsHand(settings.tool) && (settings.tool == Tool::Twist ? dab.turn == 0 : dab.motion.isZero());
 }
 } // namespace
 
@@ -68,7 +74,7 @@ void DabEngine::rehearse()
     const Mesh::Mark mark = m_mesh.mark();
     select(m_region, m_candidates, BrushShape::Sphere, {dab.position, dab.radius});
     if (m_region.size() <= mostRehearsed) {
-        Task task = {settings, dab, boundsFor(settings, dab)};
+        Task task = {settings, dab, {dab.position, dab.radius}, boundsFor(settings, dab)};
         RemeshCounts counts = refineAndPlan(task, plainEditor(), report);
         moveAndOptimise(task, counts, report);
         m_surface.rehearse(mark);
@@ -84,6 +90,8 @@ DabReport DabEngine::apply(const StrokeSettings& settings, const Dab& dab, const
     m_bounds.reset();
     if (!(dab.strength > 0))
         return report;
+    if (isAtRest(settings, dab))
+        return rest(settings, dab);
     const double verifiedBefore = m_surface.verifyMs();
     m_surface.forgetDirtyFaces();
     {
@@ -100,8 +108,7 @@ DabReport DabEngine::apply(const StrokeSettings& settings, const Dab& dab, const
 }
 
 /// The region is selected.
-void DabEngine::sculpt(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between,
-                       DabReport& report)
+void DabEngine::sculpt(const StrokeSettings& settings, Dab dab, const std::function<void()>& between, DabReport& report)
 {
     if (wantsSphere(settings, dab)) {
         report = addSphere(m_surface, {dab.position, dab.radius}, mirror());
@@ -114,12 +121,26 @@ void DabEngine::sculpt(const StrokeSettings& settings, const Dab& dab, const std
     m_fuser.beginDab(mirror());
     m_blocked.clear();
     m_capped = false;
-    Task task = {settings, dab, boundsFor(settings, dab)};
+    dab.axis = m_hold.axis;
+    Task task = {settings, dab, ballAround(dab), boundsFor(settings, dab)};
     m_bounds = task.bounds;
     {
         const PhaseTimer timer(report.fuseMs);
-        task.meets = facesMeet(settings, {dab.position, dab.radius});
+        task.meets = facesMeet(settings, task.ball);
     }
+    deform(task, between, report);
+    if (report.asked > 0)
+        report.reached = m_unfolding.shareLeft(m_region, report.reached / report.asked) * report.asked;
+    report.touchedVertices = touchedVertices();
+    if (settings.tool == Tool::Layer && report.asked > 0)
+        noteRaised(report.reached / report.asked);
+    if (holdsOn(settings.tool) && !m_region.empty())
+        m_hold = {true, m_mirror.isOn(), m_hold.axis};
+}
+
+/// In sub-steps, until the plan is done or no more can be.
+void DabEngine::deform(Task& task, const std::function<void()>& between, DabReport& report)
+{
     report.outcome = DabOutcome::Committed;
     double moves = 0;
     for (int attempt = 0; task.steps == 0 || task.left > 0; ++attempt, moves += m_region.size()) {
@@ -146,16 +167,14 @@ void DabEngine::sculpt(const StrokeSettings& settings, const Dab& dab, const std
         if (between)
             between();
     }
-    if (report.asked > 0)
-        report.reached = m_unfolding.shareLeft(m_region, report.reached / report.asked) * report.asked;
-    report.touchedVertices = touchedVertices();
 }
 
 EdgeBounds DabEngine::boundsFor(const StrokeSettings& settings, const Dab& dab) const
 {
     const double uniform = settings.detailLength > 0 ? settings.detailLength : m_mesh.uniformDetail();
+    const double lines = settings.tool == Tool::Crease || settings.tool == Tool::Pinch ? lineDetail : 1;
     const EdgeBounds bounds =
-        settings.topology == Topology::Uniform ? edgeBounds(uniform) : edgeBounds(dab.radius, settings.detail);
+        settings.topology == Topology::Uniform ? edgeBounds(uniform) : edgeBounds(dab.radius, lines * settings.detail);
     return edgeBounds(std::max(bounds.detail, m_mesh.lattice().minDetail()));
 }
 
@@ -187,15 +206,14 @@ DabEngine::Substep DabEngine::substep(Task& task, DabReport& report)
 /// The first sub-step begins with this: the mesh under the brush is made fine enough to plan on.
 RemeshCounts DabEngine::refineAndPlan(Task& task, MeshEditor edit, DabReport& report)
 {
-    const Sphere ball = {task.dab.position, task.dab.radius};
     RemeshCounts counts;
-    {
+    if (!m_hold.isOn) {
         const PhaseTimer timer(report.optimiseMs, m_surface.verifyMs());
-        counts = refine(edit, m_region, m_candidates, ball, task.bounds);
+        counts = refine(edit, m_region, m_candidates, task.ball, task.bounds);
     }
     if (task.settings.brush == BrushShape::Ray && counts.splits > 0) {
         const PhaseTimer timer(report.selectMs);
-        selectRefined(m_region, ball);
+        selectRefined(m_region, task.ball);
         if (m_mirror.isOn())
             keepHalf(m_region, m_mirror);
     }
@@ -235,13 +253,11 @@ double DabEngine::longestBetweenNeighbours() const
 /// Returns the longest displacement planned.
 double DabEngine::plan(const Task& task)
 {
+    if (task.settings.tool == Tool::Layer)
+        recallRaised();
     if (!m_mirror.isOn())
         return planDeformation(m_region, m_mesh, task.settings, task.dab);
-    const Sphere ball = {task.dab.position, task.dab.radius};
-    if (task.settings.brush == BrushShape::Ray)
-        selectRefined(m_whole, ball);
-    else
-        selectWhole(m_whole, m_region, m_mirror, m_mesh, ball);
+    selectBothSides(task);
     return planMirrored(m_region, m_whole, m_mirror, m_mesh, task.settings, task.dab);
 }
 
@@ -304,7 +320,7 @@ bool DabEngine::facesMeet(const StrokeSettings& settings, const Sphere& ball)
 {
     if (m_mirror.isOn() && (m_mirror.imageOf(ball.center) - ball.center).norm() < farthestFromImage * ball.radius)
         return true; // the image may be all that there is to meet
-    if (settings.brush == BrushShape::Sphere)
+    if (settings.brush == BrushShape::Sphere && !m_hold.isOn)
         return Fuser::mayMeet(m_mesh, m_region, m_candidates);
     return Fuser::mayMeet(m_mesh, m_region, facesIn(latticeBox(m_mesh.lattice(), ball)));
 }

@@ -18,6 +18,9 @@ class DabEngine
 public:
     explicit DabEngine(Mesh& mesh);
 
+    /// Lets go of what a stroke before has held, and forgets what it has raised.
+    void beginStroke();
+
     /// Precondition: a stroke is open. `between` may be empty.
     DabReport apply(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between);
 
@@ -47,10 +50,19 @@ private:
     static constexpr unsigned ticksPerStep = 8;
     static constexpr unsigned mostEased = 6;
 
+    /// What a tool that holds on has taken hold of: from then on m_region is not selected, but kept.
+    struct Hold
+    {
+        bool isOn = false;
+        bool isMirrored = false; ///< m_region is the half that stands for both
+        Vec3 axis = Vec3::Zero(); ///< the mean normal when it was taken
+    };
+
     struct Task
     {
         const StrokeSettings& settings;
         const Dab& dab;
+        Sphere ball; ///< about all that it moves
         EdgeBounds bounds;
         double steps = 0; ///< into which the plan is cut, each no longer than d_move; 0: not planned yet
         unsigned most = ticksPerStep;  ///< ticks in a transaction: of several sub-steps at once where nothing can meet
@@ -61,7 +73,7 @@ private:
 
         /// Of the plan, that the next sub-step does.
         double part() const { return ticks / (ticksPerStep * steps); }
-        Approach approach() const { return {settings.tool, bounds, part()}; }
+        Approach approach() const { return {pushes(settings), bounds, part()}; }
         /// To which the finished transaction amounts.
         unsigned substeps() const { return std::max(ticks / ticksPerStep, 1u); }
     };
@@ -69,7 +81,19 @@ private:
     void rehearse();
     void run(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report);
     void runMirrored(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report);
-    void sculpt(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report);
+    void sculpt(const StrokeSettings& settings, Dab dab, const std::function<void()>& between, DabReport& report);
+    void deform(Task& task, const std::function<void()>& between, DabReport& report);
+    DabReport rest(const StrokeSettings& settings, const Dab& dab);
+    void take(const StrokeSettings& settings, const Sphere& ball);
+    bool takeMirrored(const StrokeSettings& settings, const Sphere& ball);
+    bool takeHeld();
+    void swapHolds();
+    Sphere ballAround(const Dab& dab) const;
+    void selectBothSides(const Task& task);
+    void recallRaised();
+    void noteRaised(double share);
+    void noteRaised(Slot v, double raised);
+    double raised(Slot v) const;
     std::vector<Slot> facesIn(const LatticeBox& box) const;
     bool isMirroredIn(BrushShape brush, const Sphere& ball);
     MeshEditor plainEditor() { return MeshEditor(m_mesh, {}, mirror()); }
@@ -105,6 +129,11 @@ private:
     Region m_region;    ///< with a mirror: of the half
     MirrorMap m_mirror; ///< on while a dab is done on both sides at once
     Region m_whole;     ///< with a mirror: what the dab alone selects, on both sides
+    Hold m_hold;
+    Hold m_imageHold;     ///< of a symmetric stroke where the model is not symmetric, its second dab's: with the next
+    Region m_imageRegion;
+    SparseIndex m_raisedVertices; ///< by Layer, in this stroke
+    std::vector<double> m_raised; ///< how far, by position among them; negative: of one that is gone
     Region m_footprint; ///< only that: it is asked for in the middle of a dab
     std::vector<Slot> m_candidates;
     HeldBack m_held;

@@ -14,7 +14,7 @@ void DabEngine::run(const StrokeSettings& settings, const Dab& dab, const std::f
 {
     {
         const PhaseTimer timer(report.selectMs);
-        select(m_region, m_candidates, settings.brush, {dab.position, dab.radius});
+        take(settings, {dab.position, dab.radius});
     }
     sculpt(settings, dab, between, report);
 }
@@ -24,28 +24,24 @@ void DabEngine::runMirrored(const StrokeSettings& settings, const Dab& dab, cons
                             DabReport& report)
 {
     m_mirror.setPlane(settings.symmetry);
-    Dab image = dab, folded = dab;
-    image.position = m_mirror.imageOf(dab.position);
-    folded.position = m_mirror.folded(dab.position);
-    const Sphere ball = {folded.position, dab.radius};
+    const Dab folded = m_mirror.folded(dab.position) == dab.position ? dab : m_mirror.imageOf(dab);
+    const Dab first = m_hold.isMirrored ? folded : dab, image = m_mirror.imageOf(first);
     bool mirrored = false;
     {
         const PhaseTimer timer(report.selectMs);
-        select(m_region, m_candidates, settings.brush, ball);
-        mirrored = isMirroredIn(settings.brush, ball);
-        if (mirrored)
-            keepHalf(m_region, m_mirror);
+        mirrored = takeMirrored(settings, {folded.position, dab.radius});
     }
-    if (mirrored) {
+    if (mirrored)
         sculpt(settings, folded, between, report);
-        m_mirror.setPlane(Symmetry::None);
-        return;
-    }
     m_mirror.setPlane(Symmetry::None);
-    run(settings, dab, between, report);
-    if (image.position != dab.position) {
+    if (mirrored)
+        return;
+    run(settings, first, between, report);
+    if (image.position != first.position) {
         DabReport second;
+        swapHolds();
         run(settings, image, between, second);
+        swapHolds();
         report += second;
     }
     report.asymmetric = true;

@@ -10,8 +10,12 @@ namespace core
 {
 namespace
 {
-/// At strength 1 the peak of Pull and Push is this part of the radius.
+/// At strength 1 the peak of Pull and Push is this part of the radius (paper, section 3.3), and so are the steps of Clay and Layer.
 constexpr double peakPerRadius = 0.1;
+/// At strength 1 a dab draws what is around a line this share nearer to it, and never all the way.
+constexpr double pinchShare = 0.1, creasePinchShare = 0.07, mostPinched = 0.5;
+/// At strength 1 a dab of Crease cuts so deep, in radii.
+constexpr double creaseDepth = 0.07;
 constexpr std::size_t verticesPerChunk = 256;
 
 Vec3 unitNormal(const Mesh& mesh, Slot v)
@@ -21,40 +25,157 @@ Vec3 unitNormal(const Mesh& mesh, Slot v)
     return length > 0 ? Vec3(normal / length) : Vec3::Zero();
 }
 
-/// The displacement of a vertex at full strength and weight 1, in units of what the tool's strength scales.
-using Field = std::function<Vec3(Slot)>;
+/// The displacement of a vertex whose weight is that.
+using Field = std::function<Vec3(Slot v, double weight)>;
 
-/// Onto the plane through the mean point (P_center) along the mean normal (N_avg) of the region.
-Field flattenField(const Region& region, const Mesh& mesh)
+/// What fields are made of.
+struct Dabbed
 {
-    Vec3 center = Vec3::Zero(), normal = Vec3::Zero();
-    region.forEach([&](Slot v) {
-        center += mesh.point(v).cast<double>();
-        normal += unitNormal(mesh, v);
-    });
-    center /= region.size();
-    const double length = normal.norm();
-    normal = length > 0 ? Vec3(normal / length) : Vec3::Zero();
-    return [&mesh, center, normal](Slot v) -> Vec3 { return (center - mesh.point(v).cast<double>()).dot(normal) * normal; };
+    const Region& region;
+    const Mesh& mesh;
+    const StrokeSettings& settings;
+    const Dab& dab;
+
+    double peak() const { return peakPerRadius * dab.radius * dab.strength; }
+    /// Of a field that takes vertices to a place: all the way at most.
+    double share() const { return std::min(dab.strength, 1.0); }
+    double sign() const { return settings.inverted ? -1 : 1; }
+    Vec3 point(Slot v) const { return mesh.point(v).cast<double>(); }
+};
+
+/// P_center and N_avg (paper, section 3.3): the region's mean point and mean normal.
+struct Plane
+{
+    Vec3 center, normal;
+
+    double height(const Vec3& p) const { return (p - center).dot(normal); }
+};
+
+Plane meanPlane(const Dabbed& d)
+{
+    Vec3 center = Vec3::Zero();
+    d.region.forEach([&](Slot v) { center += d.point(v); });
+    return {center / d.region.size(), meanNormal(d.region, d.mesh)};
 }
 
-/// One field a tool (paper, section 3.3).
-Field fieldOf(Tool tool, const Region& region, const Mesh& mesh)
+/// From the line through the dab's centre along its way, in the surface's mean plane; a dab that has not come from anywhere has a point
+/// for a line.
+std::function<Vec3(Slot)> acrossLine(const Dabbed& d, const Vec3& normal)
 {
-    switch (tool) {
-    case Tool::Pull:
-        return [&mesh](Slot v) { return unitNormal(mesh, v); };
-    case Tool::Push:
-        return [&mesh](Slot v) -> Vec3 { return -unitNormal(mesh, v); };
-    case Tool::Flatten:
-        return flattenField(region, mesh);
-    case Tool::Smooth:
-        return [&mesh](Slot v) -> Vec3 { return neighbourMean(mesh, v) - mesh.point(v).cast<double>(); };
-    case Tool::Paint:
-        break;
+    Vec3 way = d.dab.motion - d.dab.motion.dot(normal) * normal;
+    const double length = way.norm();
+    way = length > 0 ? Vec3(way / length) : Vec3::Zero();
+    return [&d, normal, way](Slot v) -> Vec3 {
+        const Vec3 r = d.point(v) - d.dab.position;
+        return r - r.dot(normal) * normal - r.dot(way) * way;
+    };
+}
+
+Field along(const Dabbed& d, double length)
+{
+    return [&d, length](Slot v, double w) -> Vec3 { return length * w * unitNormal(d.mesh, v); };
+}
+
+/// Fuller than Pull: w (2 - w), so that all that is under the brush swells.
+Field inflate(const Dabbed& d)
+{
+    return [&d, length = d.sign() * d.peak()](Slot v, double w) -> Vec3 { return length * w * (2 - w) * unitNormal(d.mesh, v); };
+}
+
+/// Towards the mean plane raised by a peak (SculptGL's and Blender's clay), by two peaks at most; what stands above it stays. Inverted it digs.
+Field clay(const Dabbed& d)
+{
+    const Plane plane = meanPlane(d);
+    return [&d, plane, up = d.sign(), h = d.peak()](Slot v, double w) -> Vec3 {
+        return w * up * std::clamp(h - up * plane.height(d.point(v)), 0.0, 2 * h) * plane.normal;
+    };
+}
+
+/// As high over the surface of the stroke's beginning as the largest sum of weights, up to a peak: n_i h min(1, sum w).
+Field layer(const Dabbed& d)
+{
+    return [&d, up = d.sign(), h = d.peak()](Slot v, double w) -> Vec3 {
+        return up * std::clamp(h - d.region.carried(v), 0.0, w * h) * unitNormal(d.mesh, v);
+    };
+}
+
+/// -s w ((p_i - P_center) . N_avg) N_avg
+Field flatten(const Dabbed& d)
+{
+    return [&d, plane = meanPlane(d), s = d.share()](Slot v, double w) -> Vec3 {
+        return -s * w * Vec3(plane.height(d.point(v)) * plane.normal);
+    };
+}
+
+/// Flatten of what stands above the plane alone; inverted, of what lies below.
+Field scrape(const Dabbed& d)
+{
+    return [&d, plane = meanPlane(d), up = d.sign(), s = d.share()](Slot v, double w) -> Vec3 {
+        return -s * w * up * std::max(up * plane.height(d.point(v)), 0.0) * plane.normal;
+    };
+}
+
+/// s w (mean of the neighbours - p_i)
+Field smooth(const Dabbed& d)
+{
+    return [&d, s = d.share()](Slot v, double w) -> Vec3 { return s * w * (neighbourMean(d.mesh, v) - d.point(v)); };
+}
+
+/// Along the surface towards the line. Inverted, away from it.
+Field pinch(const Dabbed& d)
+{
+    const double share = d.sign() * std::min(pinchShare * d.dab.strength, mostPinched);
+    return [across = acrossLine(d, meanNormal(d.region, d.mesh)), share](Slot v, double w) -> Vec3 { return -share * w * across(v); };
+}
+
+/// Pinches, and cuts in with a V for a profile: (1 - x)^4 of the distance x from the line, in radii. Inverted it raises a ridge.
+Field crease(const Dabbed& d)
+{
+    const Vec3 normal = meanNormal(d.region, d.mesh);
+    const double share = std::min(creasePinchShare * d.dab.strength, mostPinched);
+    const double depth = d.sign() * creaseDepth * d.dab.radius * d.dab.strength;
+    return [&d, across = acrossLine(d, normal), normal, share, depth](Slot v, double w) -> Vec3 {
+        const Vec3 r = across(v);
+        const double inside = 1 - std::min(r.norm() / d.dab.radius, 1.0), inside2 = inside * inside;
+        return -share * w * r - depth * w * inside2 * inside2 * normal;
+    };
+}
+
+/// With the hand.
+Field follow(const Dabbed& d)
+{
+    return [way = Vec3(d.share() * d.dab.motion)](Slot, double w) -> Vec3 { return w * way; };
+}
+
+/// About the axis through where it took hold, by the turn's share; tan(a/2) = a/2 will do, and is the same on every machine.
+Field twist(const Dabbed& d)
+{
+    return [&d, half = 0.5 * d.share() * d.dab.turn](Slot v, double w) -> Vec3 {
+        const Vec3 turned = half * w * d.dab.axis, r = d.point(v) - d.dab.position;
+        return Eigen::Quaterniond(1, turned.x(), turned.y(), turned.z()).normalized() * r - r;
+    };
+}
+
+Field fieldOf(const Dabbed& d)
+{
+    switch (d.settings.tool) {
+    case Tool::Pull: return along(d, d.peak());
+    case Tool::Push: return along(d, -d.peak());
+    case Tool::Inflate: return inflate(d);
+    case Tool::Clay: return clay(d);
+    case Tool::Layer: return layer(d);
+    case Tool::Flatten: return flatten(d);
+    case Tool::Scrape: return scrape(d);
+    case Tool::Smooth: return smooth(d);
+    case Tool::Pinch: return pinch(d);
+    case Tool::Crease: return crease(d);
+    case Tool::Grab:
+    case Tool::Snake: return follow(d);
+    case Tool::Twist: return twist(d);
+    case Tool::Paint: break;
     }
     assert(false && "Paint moves nothing");
-    return [](Slot) -> Vec3 { return Vec3::Zero(); };
+    return [](Slot, double) -> Vec3 { return Vec3::Zero(); };
 }
 } // namespace
 
@@ -94,11 +215,23 @@ Vec3 faceNormal(const Mesh& mesh, Slot f)
     return (mesh.point(t[1]).cast<double>() - a).cross(mesh.point(t[2]).cast<double>() - a);
 }
 
+double weightAt(double distance, const StrokeSettings& settings, const Dab& dab)
+{
+    return falloff(std::min(distance / dab.radius, 1.0), settings.falloff);
+}
+
+Vec3 meanNormal(const Region& region, const Mesh& mesh)
+{
+    Vec3 normal = Vec3::Zero();
+    region.forEach([&](Slot v) { normal += unitNormal(mesh, v); });
+    const double length = normal.norm();
+    return length > 0 ? Vec3(normal / length) : Vec3::Zero();
+}
+
 double planDeformation(Region& region, const Mesh& mesh, const StrokeSettings& settings, const Dab& dab)
 {
-    const Field field = fieldOf(settings.tool, region, mesh);
-    const bool saturates = settings.tool == Tool::Flatten || settings.tool == Tool::Smooth;
-    const double amount = saturates ? std::min(dab.strength, 1.0) : peakPerRadius * dab.radius * dab.strength;
+    const Dabbed dabbed = {region, mesh, settings, dab};
+    const Field field = fieldOf(dabbed);
     const std::vector<Slot>& slots = region.slots();
     std::vector<double> longest2(1 + chunksOf(slots.size(), verticesPerChunk), 0.0);
     forEachChunk(slots.size(), verticesPerChunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
@@ -106,8 +239,7 @@ double planDeformation(Region& region, const Mesh& mesh, const StrokeSettings& s
             const Slot v = slots[i];
             if (!region.contains(v))
                 continue;
-            const double weight = falloff(std::min(region.distance(v) / dab.radius, 1.0), settings.falloff);
-            const Vec3 plan = amount * weight * field(v);
+            const Vec3 plan = field(v, weightAt(region.distance(v), settings, dab));
             region.setPlan(v, plan);
             longest2[chunk] = std::max(longest2[chunk], plan.squaredNorm());
         }

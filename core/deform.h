@@ -11,11 +11,14 @@ Vec3 vertexNormal(const Mesh& mesh, Slot v);
 /// Of a face, twice its area long.
 Vec3 faceNormal(const Mesh& mesh, Slot f);
 
-/// Plans where the dab moves each vertex of the region (paper, section 3.3). With b = falloff(r_i / R), s = strength:
-///   Pull, Push   +-0.1 R s b N_i
-///   Flatten      min(s, 1) b ((P_center - p_i) . N_avg) N_avg, of the region's mean point and mean normal
-///   Smooth       min(s, 1) b (mean of the neighbours - p_i)
-/// r_i is the region's distance. Returns the longest displacement planned. Precondition: not Paint.
+/// The dab's share of a vertex at that distance: 1 in the middle, 0 at the rim; n of b(x) is the stroke's falloff (paper, section 3.3).
+double weightAt(double distance, const StrokeSettings& settings, const Dab& dab);
+
+/// Unit length, or zero: of the region's vertices, each counted once.
+Vec3 meanNormal(const Region& region, const Mesh& mesh);
+
+/// Plans where the dab moves each vertex of the region, by its tool's field: fields stand in deform.cpp, a line each. r_i is the region's
+/// distance. Returns the longest displacement planned. Precondition: not Paint.
 double planDeformation(Region& region, const Mesh& mesh, const StrokeSettings& settings, const Dab& dab);
 
 /// Of the points around v.

@@ -245,7 +245,7 @@ void Fuser::findNear(const Mesh& mesh, const Region& region, const HeldBack& hel
 bool Fuser::isContact(const JudgedMesh& surface, const Region& region, const Approach& approach, bool fusion,
                       const std::vector<Slot>& vertices)
 {
-    if (fusion && approach.tool == Tool::Push)
+    if (fusion && approach.pushes)
         return false;
     SlotSet& at = m_done;
     at.clear();
@@ -256,7 +256,7 @@ bool Fuser::isContact(const JudgedMesh& surface, const Region& region, const App
             at.add(named);
     }
     Approach pushing = approach;
-    pushing.tool = Tool::Push; // which meets the other side of a wall, too
+    pushing.pushes = true; // which meets the other side of a wall, too
     gather(surface, region, thicknessPerDetail * approach.bounds.detail);
     findNear(surface.mesh(), region, {}, pushing);
     return std::ranges::any_of(m_near, [&](const Near& near) {
@@ -310,7 +310,7 @@ bool Fuser::willMeet(Slot i, Slot j, const Mesh& mesh, const Region& region, con
     const Vec3 between = m_points[j] - m_points[i];
     const double ahead = between.dot(n), back = -between.dot(m);
     const bool meetOutside = ahead > 0 && back > 0, meetInside = ahead < 0 && back < 0;
-    if (!meetOutside && !(meetInside && approach.tool == Tool::Push))
+    if (!meetOutside && !(meetInside && approach.pushes))
         return false;
     const auto motion = [&](Slot v) -> Vec3 {
         return region.contains(v) ? Vec3(approach.part * held.share(region, v) * region.plan(v)) : Vec3::Zero();
@@ -347,7 +347,7 @@ std::optional<std::vector<Slot>> Fuser::operate(JudgedMesh& surface, Region& reg
     for (std::size_t i = 0; i < created.size(); ++i) {
         const Slot original = surgery.vertices[i].original;
         if (region.contains(original) && (!m_mirror || m_mirror->isInHalf(created[i])))
-            region.add(created[i], region.distance(original), region.plan(original));
+            region.add(created[i], region.distance(original), region.plan(original), region.carried(original));
     }
     if (m_mirror)
         pairUp(mesh, created);

@@ -22,7 +22,7 @@ struct FusionCounts
 /// What a sub-step tells fusion about the motion that is to come.
 struct Approach
 {
-    Tool tool = Tool::Pull;
+    bool pushes = false; ///< a wall whose two sides meet gets a hole
     EdgeBounds bounds;
     double part = 1; ///< of the plan, that one sub-step does
 };

@@ -4,6 +4,15 @@
 
 namespace core
 {
+Dab MirrorMap::imageOf(Dab dab) const
+{
+    dab.position = imageOf(dab.position);
+    dab.direction = imageOf(dab.direction);
+    dab.motion = imageOf(dab.motion);
+    dab.turn = -dab.turn;
+    return dab;
+}
+
 void MirrorMap::setPlane(Symmetry plane)
 {
     m_axis = static_cast<int>(plane) - static_cast<int>(Symmetry::X);

@@ -3,6 +3,7 @@
 #include "brush.h"
 #include "face_octree.h"
 #include "sparse_index.h"
+#include "stroke.h"
 
 namespace core
 {
@@ -26,6 +27,9 @@ public:
     }
     /// The one of a point and its image whose coordinate is not negative.
     template <class Vector> Vector folded(const Vector& p) const { return p[m_axis] < 0 ? imageOf(p) : p; }
+
+    /// Turning the other way.
+    Dab imageOf(Dab dab) const;
 
     /// Signed distance from the plane.
     float height(const Vec3f& p) const { return p[m_axis]; }

@@ -26,11 +26,22 @@ void selectWhole(Region& whole, const Region& half, MirrorMap& mirror, const Mes
     });
 }
 
+void selectWholeHeld(Region& whole, const Region& half, MirrorMap& mirror, double radius)
+{
+    whole.clear();
+    half.forEach([&](Slot v) {
+        whole.add(v, half.distance(v));
+        const Slot image = mirror.imageOf(v);
+        if (image != v && image != noSlot && half.carried(v) <= radius)
+            whole.add(image, half.carried(v));
+    });
+}
+
 double planMirrored(Region& half, Region& whole, MirrorMap& mirror, const Mesh& mesh, const StrokeSettings& settings,
                     const Dab& dab)
 {
     planDeformation(whole, mesh, settings, dab);
-    const auto weight = [&](Slot v) { return falloff(std::min(whole.distance(v) / dab.radius, 1.0), settings.falloff); };
+    const auto weight = [&](Slot v) { return weightAt(whole.distance(v), settings, dab); };
     double longest2 = 0;
     half.forEach([&](Slot v) {
         Vec3 plan = whole.plan(v);

@@ -14,20 +14,28 @@ void Region::clear()
     m_index.clear();
     m_distance.clear();
     m_plan.clear();
+    m_carried.clear();
     m_live = 0;
 }
 
-void Region::add(Slot v, double distance, const Vec3& plan)
+void Region::add(Slot v, double distance, const Vec3& plan, double carried)
 {
     const Slot i = m_index.add(v);
     if (i == m_plan.size()) {
         m_distance.emplace_back();
         m_plan.emplace_back();
+        m_carried.emplace_back();
     }
     m_distance[i] = distance;
     m_plan[i] = plan;
+    m_carried[i] = carried;
     m_live += contains(v) ? 0 : 1;
     m_present.add(v);
+}
+
+void Region::addBetween(Slot v, Slot a, Slot b)
+{
+    add(v, 0.5 * (distance(a) + distance(b)), 0.5 * (plan(a) + plan(b)), 0.5 * (carried(a) + carried(b)));
 }
 
 void Region::remove(Slot v)
@@ -38,7 +46,7 @@ void Region::remove(Slot v)
 
 Region::Saved Region::save() const
 {
-    Saved saved = {m_index.slots(), m_distance, m_plan, {}};
+    Saved saved = {m_index.slots(), m_distance, m_plan, m_carried, {}};
     std::ranges::copy_if(saved.slots, std::back_inserter(saved.gone), [&](Slot v) { return !contains(v); });
     return saved;
 }
@@ -47,7 +55,7 @@ void Region::restore(const Saved& saved)
 {
     clear();
     for (std::size_t i = 0; i < saved.slots.size(); ++i)
-        add(saved.slots[i], saved.distance[i], saved.plan[i]);
+        add(saved.slots[i], saved.distance[i], saved.plan[i], saved.carried[i]);
     for (Slot v : saved.gone)
         remove(v);
 }

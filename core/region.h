@@ -21,8 +21,10 @@ public:
     Slot size() const { return m_live; }
     bool contains(Slot v) const { return m_present.contains(v); }
 
-    /// `distance`: from the brush's centre, as the brush measures it (r_i in the paper).
-    void add(Slot v, double distance, const Vec3& plan = Vec3::Zero());
+    /// `distance`: from the brush's centre, as the brush measures it (r_i in the paper). `carried`: see below.
+    void add(Slot v, double distance, const Vec3& plan = Vec3::Zero(), double carried = 0);
+    /// In the middle of a and b, which belong to it.
+    void addBetween(Slot v, Slot a, Slot b);
     void remove(Slot v);
 
     /// Every slot that ever joined, and where one stands among them (stable).
@@ -32,6 +34,11 @@ public:
     double distance(Slot v) const { return m_distance[m_index.position(v)]; }
     const Vec3& plan(Slot v) const { return m_plan[m_index.position(v)]; }
     void setPlan(Slot v, const Vec3& plan) { m_plan[m_index.position(v)] = plan; }
+
+    /// What a tool has to know of a vertex besides: Layer how far the stroke has raised it, a tool that holds on the distance from the
+    /// image of where it took hold.
+    double carried(Slot v) const { return m_carried[m_index.position(v)]; }
+    void setCarried(Slot v, double carried) { m_carried[m_index.position(v)] = carried; }
 
     /// Vertices around the remeshing of this sub-step.
     SlotSet& remeshed() { return m_remeshed; }
@@ -44,6 +51,7 @@ public:
         std::vector<Slot> slots;
         std::vector<double> distance;
         std::vector<Vec3> plan;
+        std::vector<double> carried;
         std::vector<Slot> gone;
     };
     Saved save() const;
@@ -62,6 +70,7 @@ private:
     SlotSet m_remeshed, m_scratch;
     std::vector<double> m_distance;
     std::vector<Vec3> m_plan;
+    std::vector<double> m_carried;
     SlotBits m_present;
     Slot m_live = 0;
 };

@@ -149,8 +149,7 @@ std::vector<RemeshEdge> Remesher::splitLongEdges()
         if (m == noSlot)
             continue;
         created.add(m);
-        m_region.add(m, 0.5 * (m_region.distance(e.v0) + m_region.distance(e.v1)),
-                     0.5 * (m_region.plan(e.v0) + m_region.plan(e.v1)));
+        m_region.addBetween(m, e.v0, e.v1);
         m_mesh.forEachOutgoing(m, [&](Slot h) {
             const Slot other = m_mesh.to(h);
             if (m_region.contains(other) && length2(h / 2) > m_detail2)

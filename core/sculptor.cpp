@@ -1,6 +1,7 @@
 #include "sculptor.h"
 
 #include "dab_engine.h"
+#include "hand.h"
 #include "stroke_path.h"
 
 namespace core
@@ -13,15 +14,19 @@ public:
     DabEngine dabs;
     StrokeSettings settings;
     std::optional<StrokePath> path;
+    std::optional<Hand> hand;
     std::function<void()> betweenSubsteps;
     std::function<void(const DabReport&)> afterDab;
 
     std::optional<Vec3> centerOf(const Vec3& position, const Vec3& direction) const;
+    DabReport apply(Dab dab);
 };
 
 /// Where a dab's centre comes from (`place`, DESIGN section 4).
 std::optional<Vec3> Sculptor::Engine::centerOf(const Vec3& position, const Vec3& direction) const
 {
+    if (hand->leads())
+        return hand->placeOf(position, direction);
     std::optional<SurfaceHit> hit;
     switch (settings.brush == BrushShape::Ray ? Placement::Ray : settings.place) {
     case Placement::Point:
@@ -34,6 +39,14 @@ std::optional<Vec3> Sculptor::Engine::centerOf(const Vec3& position, const Vec3&
         break;
     }
     return hit ? std::optional(hit->position) : std::nullopt;
+}
+
+DabReport Sculptor::Engine::apply(Dab dab)
+{
+    hand->lead(dab);
+    const DabReport report = dabs.apply(settings, dab, betweenSubsteps);
+    hand->moved(dab, report);
+    return report;
 }
 
 Sculptor::Sculptor(std::unique_ptr<Mesh> mesh) : m_mesh(std::move(mesh)), m_engine(std::make_unique<Engine>(*m_mesh)) {}
@@ -59,6 +72,8 @@ void Sculptor::beginStroke(const StrokeSettings& settings)
 {
     m_engine->settings = settings;
     m_engine->path.emplace(settings);
+    m_engine->hand.emplace(settings);
+    m_engine->dabs.beginStroke();
     m_mesh->beginStroke();
 }
 
@@ -77,13 +92,14 @@ std::vector<DabReport> Sculptor::addSample(const StrokeSample& sample)
         report({});
     const auto centerOf = [&](const Vec3& position, const Vec3& direction) { return engine.centerOf(position, direction); };
     while (const auto due = engine.path->next(centerOf))
-        report(due->hasCenter ? engine.dabs.apply(engine.settings, due->dab, engine.betweenSubsteps) : DabReport());
+        report(due->hasCenter ? engine.apply(due->dab) : DabReport());
     return reports;
 }
 
 MeshDelta Sculptor::endStroke()
 {
     m_engine->path.reset();
+    m_engine->hand.reset();
     return m_mesh->endStroke();
 }
 

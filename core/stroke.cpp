@@ -26,6 +26,19 @@ StrokeSettings opposite(StrokeSettings settings)
     return settings;
 }
 
+bool pushes(const StrokeSettings& settings)
+{
+    switch (settings.tool) {
+    case Tool::Push:
+    case Tool::Grab:
+    case Tool::Snake: return true;
+    case Tool::Inflate:
+    case Tool::Clay:
+    case Tool::Layer: return settings.inverted;
+    default: return false;
+    }
+}
+
 bool isUsable(const StrokeSettings& settings, const StrokeSample& sample)
 {
     const bool settingsFit = isIn(settings.detail, Parameter::Detail) && isIn(settings.spacing, Parameter::Spacing) &&

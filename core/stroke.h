@@ -32,6 +32,9 @@ struct StrokeSettings
 /// What Ctrl makes of them: Pull becomes Push and Push Pull, others are inverted where that has a meaning.
 StrokeSettings opposite(StrokeSettings settings);
 
+/// Whether the two sides of a wall that meet under it make a hole, instead of stopping it.
+bool pushes(const StrokeSettings& settings);
+
 /// One reading of mouse, pen or wand. After this nobody asks which it was.
 struct StrokeSample
 {
@@ -66,6 +69,9 @@ struct Dab
     Vec3 direction = -Vec3::UnitZ();
     double radius = 0;
     double strength = 0; ///< times pressure
+    Vec3 motion = Vec3::Zero();    ///< of the dab centre, or of the hand (followsHand), since the dab before
+    double turn = 0;               ///< of Twist: radians, anticlockwise about the axis
+    Vec3 axis = Vec3::Zero();      ///< of Twist: of unit length, or zero as long as nothing is held
 };
 
 enum class DabOutcome { Committed, Careful, EndedEarly, Empty, Added, Refused };

@@ -38,12 +38,11 @@ core::Stroke StrokeFuzzer::stroke(const core::Mesh& mesh)
 
     core::Stroke stroke;
     core::StrokeSettings& s = stroke.settings;
-    constexpr core::Tool tools[] = {core::Tool::Pull, core::Tool::Push, core::Tool::Flatten, core::Tool::Smooth,
-                                    core::Tool::Paint};
     constexpr core::Placement placements[] = {core::Placement::Point, core::Placement::Nearest, core::Placement::Ray};
     constexpr core::Symmetry planes[] = {core::Symmetry::X, core::Symmetry::Y, core::Symmetry::Z};
     constexpr int falloffs[] = {4, 4, 4, 3, 8, 16, 0};
-    s.tool = tools[below(5)];
+    s.tool = static_cast<core::Tool>(below(core::toolNames().size()));
+    s.inverted = below(3) == 0;
     s.brush = below(3) == 0 ? core::BrushShape::Ray : core::BrushShape::Sphere;
     s.topology = below(4) == 0 ? core::Topology::Uniform : core::Topology::Adaptive;
     s.add = below(2) == 0;
@@ -61,17 +60,19 @@ core::Stroke StrokeFuzzer::stroke(const core::Mesh& mesh)
     const std::uint64_t samples = 1 + below(s.spacing == 0 ? 10 : 4);
     Vec3 at = point(start) + uniform(0, 0.3) * s.radius * direction();
     const Vec3 heading = direction(), view = direction();
+    const double longest = core::followsHand(s.tool) && below(4) == 0 ? 3 : 0.6;
     for (std::uint64_t i = 0; i < samples; ++i) {
         core::StrokeSample sample;
         sample.time = 0.01 * static_cast<double>(i);
         sample.position = at;
         if (s.place == core::Placement::Ray || s.brush == core::BrushShape::Ray) {
-            sample.direction = s.spacing == 0 ? direction() : view; // dabs would fill the way from one view to the next
+            const bool staysPut = s.spacing != 0 || core::followsHand(s.tool); // else dabs would fill the way from one view to the next
+            sample.direction = staysPut ? view : direction();
             sample.position = at - 2 * size * sample.direction;
         }
         sample.pressure = below(2) == 0 ? 1 : uniform();
         stroke.samples.push_back(sample);
-        at += uniform(0, 0.6) * s.radius * (heading + 0.5 * direction());
+        at += uniform(0, longest) * s.radius * (heading + 0.5 * direction());
     }
     return stroke;
 }

@@ -1,0 +1,151 @@
+// What a stroke keeps from dab to dab: what a tool that holds on has under its brush, and how far Layer has raised each vertex.
+
+#include "dab_engine.h"
+
+#include "deform.h"
+#include "mirror_plan.h"
+
+namespace core
+{
+void DabEngine::beginStroke()
+{
+    m_hold = m_imageHold = {};
+    m_imageRegion.clear();
+    m_raisedVertices.clear();
+    m_raised.clear();
+}
+
+/// The hand has not moved: nothing does.
+DabReport DabEngine::rest(const StrokeSettings& settings, const Dab& dab)
+{
+    if (!m_hold.isOn)
+        select(m_region, m_candidates, settings.brush, {dab.position, dab.radius});
+    DabReport report;
+    report.outcome = m_region.empty() ? DabOutcome::Empty : DabOutcome::Committed;
+    report.touchedVertices = m_region.size();
+    return report;
+}
+
+/// The region is selected, or held.
+void DabEngine::take(const StrokeSettings& settings, const Sphere& ball)
+{
+    if (m_hold.isOn) {
+        takeHeld();
+        return;
+    }
+    select(m_region, m_candidates, settings.brush, ball);
+    if (holdsOn(settings.tool))
+        m_hold.axis = meanNormal(m_region, m_mesh);
+}
+
+/// The same of the half, if the model is symmetric there. What was held as a half and is symmetric no more stays one.
+bool DabEngine::takeMirrored(const StrokeSettings& settings, const Sphere& ball)
+{
+    if (m_hold.isOn)
+        return m_hold.isMirrored && takeHeld();
+    take(settings, ball);
+    const bool mirrored = isMirroredIn(settings.brush, ball);
+    if (mirrored)
+        keepHalf(m_region, m_mirror);
+    return mirrored;
+}
+
+/// The faces around what is held; whether they have images. What the dab before removed on the other side is let go.
+bool DabEngine::takeHeld()
+{
+    SlotSet& faces = m_region.scratch();
+    faces.clear();
+    m_region.forEach([&](Slot v) {
+        if (m_mesh.isVertex(v))
+            m_mesh.forEachOutgoing(v, [&](Slot h) { faces.add(m_mesh.face(h)); });
+        else
+            m_region.remove(v);
+    });
+    faces.sort();
+    m_candidates = faces.slots();
+    return m_mirror.isOn() && m_mirror.learn(m_candidates, m_surface.octree());
+}
+
+void DabEngine::swapHolds()
+{
+    std::swap(m_hold, m_imageHold);
+    std::swap(m_region, m_imageRegion);
+}
+
+/// All that the dab moves.
+Sphere DabEngine::ballAround(const Dab& dab) const
+{
+    if (!m_hold.isOn)
+        return {dab.position, dab.radius};
+    Box box;
+    m_region.forEach([&](Slot v) { box.extend(m_mesh.point(v).cast<double>()); });
+    return {box.center(), 0.5 * box.diagonal().norm()};
+}
+
+/// What the dab alone selects, of both halves. Precondition: mirrored; the region is of the half.
+void DabEngine::selectBothSides(const Task& task)
+{
+    const bool isRay = task.settings.brush == BrushShape::Ray;
+    if (m_hold.isOn)
+        selectWholeHeld(m_whole, m_region, m_mirror, task.dab.radius);
+    else if (isRay)
+        selectRefined(m_whole, task.ball);
+    else
+        selectWhole(m_whole, m_region, m_mirror, m_mesh, task.ball);
+    if (m_hold.isOn || (!holdsOn(task.settings.tool) && task.settings.tool != Tool::Layer))
+        return;
+    m_region.forEach([&](Slot v) {
+        const Slot image = m_mirror.imageOf(v);
+        if (task.settings.tool != Tool::Layer)
+            m_region.setCarried(v, image != noSlot && m_whole.contains(image) ? m_whole.distance(image) : 2 * task.dab.radius);
+        for (Slot side : {v, image}) {
+            if (side != noSlot && m_whole.contains(side))
+                m_whole.setCarried(side, m_region.carried(v));
+        }
+    });
+}
+
+/// Negative: not known.
+double DabEngine::raised(Slot v) const
+{
+    const Slot i = m_raisedVertices.find(v);
+    return i == noSlot ? -1 : m_raised[i];
+}
+
+/// What has come since the dab before is as high as its neighbours are.
+void DabEngine::recallRaised()
+{
+    m_region.forEach([&](Slot v) {
+        double sum = std::max(raised(v), 0.0);
+        int known = 1;
+        if (raised(v) < 0) {
+            known = 0;
+            m_mesh.forEachOutgoing(v, [&](Slot h) {
+                const double beside = raised(m_mesh.to(h));
+                sum += std::max(beside, 0.0);
+                known += beside < 0 ? 0 : 1;
+            });
+        }
+        m_region.setCarried(v, known > 0 ? sum / known : 0);
+    });
+}
+
+/// `share`: of the plan, that was reached.
+void DabEngine::noteRaised(double share)
+{
+    for (Slot v : m_region.slots()) {
+        const bool isThere = m_region.contains(v);
+        const double raised = isThere ? m_region.carried(v) + share * m_region.plan(v).norm() : -1;
+        noteRaised(v, raised);
+        if (const Slot image = m_mirror.isOn() && isThere ? m_mirror.imageOf(v) : noSlot; image != noSlot)
+            noteRaised(image, raised);
+    }
+}
+
+void DabEngine::noteRaised(Slot v, double raised)
+{
+    const Slot i = m_raisedVertices.add(v);
+    m_raised.resize(m_raisedVertices.size());
+    m_raised[i] = raised;
+}
+} // namespace core
