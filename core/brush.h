@@ -22,6 +22,11 @@ constexpr bool holdsOn(Tool tool)
 {
     return tool == Tool::Grab || tool == Tool::Twist;
 }
+/// Makes edges sharp, on a mesh that is finer for it.
+constexpr bool drawsLine(Tool tool)
+{
+    return tool == Tool::Pinch || tool == Tool::Crease;
+}
 /// Whether StrokeSettings::inverted changes what it does.
 constexpr bool hasInverse(Tool tool)
 {

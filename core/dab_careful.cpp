@@ -67,8 +67,7 @@ DabEngine::Substep DabEngine::careful(Task& task, DabReport& report)
     const bool moved = moveHeldBack(task.part(), report);
     if (!optimiseAtOnce(task, report)) {
         const PhaseTimer timer(report.optimiseMs, m_surface.verifyMs());
-        MeshEditor edit = judgedEditor();
-        count(optimise(edit, m_region, task.bounds));
+        count(remesh(task, judgedEditor()));
     }
     return moved ? Substep::Careful : Substep::Stuck;
 }
@@ -100,11 +99,10 @@ bool DabEngine::optimiseAtOnce(Task& task, DabReport& report)
 {
     const Region::Saved saved = m_region.save();
     const Mesh::Mark mark = m_mesh.mark();
-    MeshEditor edit = plainEditor();
     RemeshCounts counts;
     {
         const PhaseTimer timer(report.optimiseMs);
-        counts = optimise(edit, m_region, task.bounds);
+        counts = remesh(task, plainEditor());
     }
     if (!m_surface.judge(mark)) {
         m_mesh.rollback(mark);

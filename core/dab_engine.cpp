@@ -172,7 +172,7 @@ void DabEngine::deform(Task& task, const std::function<void()>& between, DabRepo
 EdgeBounds DabEngine::boundsFor(const StrokeSettings& settings, const Dab& dab) const
 {
     const double uniform = settings.detailLength > 0 ? settings.detailLength : m_mesh.uniformDetail();
-    const double lines = settings.tool == Tool::Crease || settings.tool == Tool::Pinch ? lineDetail : 1;
+    const double lines = drawsLine(settings.tool) ? lineDetail : 1;
     const EdgeBounds bounds =
         settings.topology == Topology::Uniform ? edgeBounds(uniform) : edgeBounds(dab.radius, lines * settings.detail);
     return edgeBounds(std::max(bounds.detail, m_mesh.lattice().minDetail()));
@@ -293,9 +293,16 @@ bool DabEngine::moveAndOptimise(const Task& task, RemeshCounts& counts, DabRepor
             return false;
     }
     const PhaseTimer timer(report.optimiseMs);
-    MeshEditor edit = plainEditor();
-    counts += optimise(edit, m_region, task.bounds);
+    counts += remesh(task, plainEditor());
     return true;
+}
+
+/// What a line tool has made sharp stays so.
+RemeshCounts DabEngine::remesh(const Task& task, MeshEditor edit)
+{
+    if (!drawsLine(task.settings.tool))
+        return optimise(edit, m_region, task.bounds);
+    return optimiseKeepingShape(edit, m_region, task.bounds, [&](Slot v) { return relaxedAlongSharp(m_mesh, task.bounds, v); });
 }
 
 /// Moves each vertex of the region by its part of the plan. False if one would leave the working volume.

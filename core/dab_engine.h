@@ -112,6 +112,7 @@ private:
     double longestBetweenNeighbours() const;
     void selectRefined(Region& region, const Sphere& ball);
     bool moveAndOptimise(const Task& task, RemeshCounts& counts, DabReport& report);
+    RemeshCounts remesh(const Task& task, MeshEditor edit);
     bool heldBackAsBefore(const Task& task, DabReport& report);
     bool optimiseAtOnce(Task& task, DabReport& report);
     bool moveHeldBack(double part, DabReport& report);

@@ -13,9 +13,9 @@ namespace
 /// At strength 1 the peak of Pull and Push is this part of the radius (paper, section 3.3), and so are the steps of Clay and Layer.
 constexpr double peakPerRadius = 0.1;
 /// At strength 1 a dab draws what is around a line this share nearer to it, and never all the way.
-constexpr double pinchShare = 0.1, creasePinchShare = 0.07, mostPinched = 0.5;
+constexpr double pinchShare = 0.1, creasePinchShare = 0.25, mostPinched = 0.5;
 /// At strength 1 a dab of Crease cuts so deep, in radii.
-constexpr double creaseDepth = 0.07;
+constexpr double creaseDepth = 0.05;
 constexpr std::size_t verticesPerChunk = 256;
 
 Vec3 unitNormal(const Mesh& mesh, Slot v)

@@ -26,6 +26,7 @@ constexpr double leastTurnCosine = 0.2;
 /// leave.
 constexpr double relaxedAngleSine = 0.342;
 constexpr double relaxation = 0.5;
+constexpr double sharpCosine = 0.766; ///< of 40 degrees between two faces
 
 /// Twice a triangle's area, and the squared sine of its smallest angle: the one between the two longest sides.
 struct Shape
@@ -137,6 +138,16 @@ Vec3 relaxedPlace(const Mesh& mesh, const EdgeBounds& bounds, Slot v)
     const double longest2 = 0.25 * bounds.minimum * bounds.minimum;
     const double step2 = step.squaredNorm();
     return step2 > longest2 ? Vec3(p + std::sqrt(longest2 / step2) * step) : Vec3(p + step);
+}
+
+Vec3 relaxedAlongSharp(const Mesh& mesh, const EdgeBounds& bounds, Slot v)
+{
+    bool sharp = false;
+    mesh.forEachOutgoing(v, [&](Slot h) {
+        const Vec3 left = faceNormal(mesh, mesh.face(h)), right = faceNormal(mesh, mesh.face(h ^ 1));
+        sharp = sharp || left.dot(right) < sharpCosine * left.norm() * right.norm();
+    });
+    return sharp ? Vec3(mesh.point(v).cast<double>()) : relaxedPlace(mesh, bounds, v);
 }
 
 RemeshCounts& RemeshCounts::operator+=(const RemeshCounts& more)

@@ -42,6 +42,8 @@ RemeshCounts optimiseKeepingShape(MeshEditor& edit, Region& region, const EdgeBo
 void moveSoundly(MeshEditor& edit, Region& region, const EdgeBounds& bounds, const std::function<Vec3(Slot)>& place);
 /// Half way towards the mean of the neighbours, along the surface, by d/2 at most.
 Vec3 relaxedPlace(const Mesh& mesh, const EdgeBounds& bounds, Slot v);
+/// The same, but for vertices on an edge sharper than 40 degrees, which stay where they are.
+Vec3 relaxedAlongSharp(const Mesh& mesh, const EdgeBounds& bounds, Slot v);
 
 /// Only the splitting: restores the d_detail tight property after vertices moved.
 RemeshCounts splitLongEdges(MeshEditor& edit, Region& region, const EdgeBounds& bounds);
