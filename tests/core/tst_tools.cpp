@@ -1,0 +1,499 @@
+// What each tool beyond the paper's does, by what can be measured of it; every result is judged.
+#include "core/deform.h"
+#include "core/mesh_build.h"
+#include "core/sculptor.h"
+#include "tests/support/cgal_judge.h"
+#include "tests/support/clay.h"
+#include "tests/support/mesh_asserts.h"
+#include "tests/support/mirror_asserts.h"
+
+#include <QTest>
+
+#include <cmath>
+
+using core::DabOutcome;
+using core::DabReport;
+using core::Mesh;
+using core::Sculptor;
+using core::Slot;
+using core::StrokeSettings;
+using core::Tool;
+using core::Vec3;
+
+Q_DECLARE_METATYPE(core::Tool)
+
+namespace
+{
+constexpr double ballRadius = 50, pi = 3.14159265358979323846;
+
+/// 100 mm across.
+std::unique_ptr<Sculptor> ball(int subdivisions = 5)
+{
+    return std::make_unique<Sculptor>(mesh_asserts::sculptable(core::icosphere(subdivisions, ballRadius)));
+}
+
+StrokeSettings settingsOf(Tool tool, double radius = 12)
+{
+    StrokeSettings settings;
+    settings.tool = tool;
+    settings.radius = radius;
+    return settings;
+}
+
+std::vector<DabReport> stroke(Sculptor& sculptor, const StrokeSettings& settings, const std::vector<Vec3>& path)
+{
+    std::vector<DabReport> reports;
+    sculptor.beginStroke(settings);
+    for (const Vec3& at : path) {
+        core::StrokeSample sample;
+        sample.position = at;
+        sample.direction = -at;
+        const std::vector<DabReport> more = sculptor.addSample(sample);
+        reports.insert(reports.end(), more.begin(), more.end());
+    }
+    sculptor.endStroke();
+    return reports;
+}
+
+/// On the ball about y, at such angles from the z axis.
+std::vector<Vec3> arc(double from, double to, int samples)
+{
+    std::vector<Vec3> path;
+    for (int i = 0; i < samples; ++i) {
+        const double angle = (from + (to - from) * i / (samples - 1)) * pi / 180;
+        path.push_back(ballRadius * Vec3(std::sin(angle), 0, std::cos(angle)));
+    }
+    return path;
+}
+
+std::vector<Vec3> straight(const Vec3& from, const Vec3& to, int samples)
+{
+    std::vector<Vec3> path;
+    for (int i = 0; i < samples; ++i)
+        path.push_back(from + double(i) / (samples - 1) * (to - from));
+    return path;
+}
+
+template <class Visit> void forEachPoint(const Mesh& mesh, Visit visit)
+{
+    for (Slot v = 0; v < mesh.slots().vertices; ++v) {
+        if (mesh.isVertex(v))
+            visit(Vec3(mesh.point(v).cast<double>()));
+    }
+}
+
+double highest(const Mesh& mesh)
+{
+    double most = 0;
+    forEachPoint(mesh, [&](const Vec3& p) { most = std::max(most, p.norm()); });
+    return most;
+}
+
+double lowest(const Mesh& mesh)
+{
+    double least = 1e9;
+    forEachPoint(mesh, [&](const Vec3& p) { least = std::min(least, p.norm()); });
+    return least;
+}
+
+double volume(const Mesh& mesh)
+{
+    double six = 0;
+    for (Slot f = 0; f < mesh.slots().faces; ++f) {
+        if (!mesh.isFace(f))
+            continue;
+        const core::Triangle& t = mesh.corners(f);
+        const auto point = [&](std::size_t i) { return Vec3(mesh.point(t[i]).cast<double>()); };
+        six += point(0).dot(point(1).cross(point(2)));
+    }
+    return six / 6;
+}
+
+bool isSound(const Sculptor& sculptor)
+{
+    const auto verdict = judgedByCgal(core::extractMesh(sculptor.mesh()));
+    return verdict && verdict->allWell() && mesh_asserts::brokenLinks(sculptor.mesh()).empty() && sculptor.indexIsConsistent();
+}
+
+/// For each few degrees of a stroke about y, the sharpest edge that runs along it: 180 is flat.
+std::vector<double> sharpestAlong(const Mesh& mesh, double halfWidth, double from, double to)
+{
+    constexpr double perBin = 5;
+    std::vector<double> bins(static_cast<std::size_t>((to - from) / perBin), 180);
+    for (Slot e = 0; e < mesh.slots().edges; ++e) {
+        if (!mesh.isEdge(e))
+            continue;
+        const Vec3 a = mesh.point(mesh.to(2 * e)).cast<double>(), b = mesh.point(mesh.to(2 * e + 1)).cast<double>(), middle = 0.5 * (a + b);
+        const double angle = std::atan2(middle.x(), middle.z()) * 180 / pi;
+        if (std::abs(middle.y()) > halfWidth || angle < from || angle >= to || std::abs((b - a).normalized().y()) > 0.7)
+            continue;
+        const Vec3 left = core::faceNormal(mesh, mesh.face(2 * e)), right = core::faceNormal(mesh, mesh.face(2 * e + 1));
+        const double cosine = left.dot(right) / (left.norm() * right.norm());
+        double& bin = bins[std::min(bins.size() - 1, static_cast<std::size_t>((angle - from) / perBin))];
+        bin = std::min(bin, 180 - std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / pi);
+    }
+    return bins;
+}
+
+double dullest(const std::vector<double>& bins)
+{
+    return *std::ranges::max_element(bins);
+}
+} // namespace
+
+class TestTools : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void raisingTools_changeTheVolume_data();
+    void raisingTools_changeTheVolume();
+    void clay_fillsHollowsFirst();
+    void layer_risesToOneHeight();
+    void scrape_takesHeightsAlone();
+    void pinch_drawsTogether();
+    void crease_isSharp_data();
+    void crease_isSharp();
+    void crease_staysSharp();
+    void grab_movesWhatItHeld();
+    void grab_alongRaysKeepsToThePlane();
+    void grab_ofNothingIsEmpty();
+    void grab_farIsStoppedByTheWall();
+    void snake_followsItsTip();
+    void twist_turns();
+    void handAtRest_changesNothing_data();
+    void handAtRest_changesNothing();
+    void dragged_throughAnotherPart_data();
+    void dragged_throughAnotherPart();
+    void symmetric_data();
+    void symmetric();
+    void undone_data();
+    void undone();
+};
+
+void TestTools::raisingTools_changeTheVolume_data()
+{
+    QTest::addColumn<Tool>("tool");
+    for (const Tool tool : {Tool::Inflate, Tool::Clay, Tool::Layer})
+        QTest::newRow(core::name(tool).data()) << tool;
+}
+
+void TestTools::raisingTools_changeTheVolume()
+{
+    QFETCH(Tool, tool);
+    const auto raised = ball(), lowered = ball();
+    const double before = volume(raised->mesh());
+    StrokeSettings settings = settingsOf(tool);
+    stroke(*raised, settings, arc(0, 20, 5));
+    settings.inverted = true;
+    stroke(*lowered, settings, arc(0, 20, 5));
+    QVERIFY(volume(raised->mesh()) > before && highest(raised->mesh()) > ballRadius + 0.5);
+    QVERIFY(volume(lowered->mesh()) < before && highest(lowered->mesh()) < ballRadius + 0.1);
+    QVERIFY(isSound(*raised) && isSound(*lowered));
+}
+
+void TestTools::clay_fillsHollowsFirst()
+{
+    const auto sculptor = ball();
+    stroke(*sculptor, settingsOf(Tool::Push, 5), {{0, 0, 50}, {0, 0, 49}, {0, 0, 48}});
+    const auto heightAt = [&](double x) { return sculptor->hit({{x, 0, 200}, -Vec3::UnitZ()})->position.z(); };
+    const double hollow = heightAt(0), beside = heightAt(7);
+    stroke(*sculptor, settingsOf(Tool::Clay, 15), {{0, 0, 50}});
+    QVERIFY(heightAt(0) - hollow > 1.2 * (heightAt(7) - beside));
+    QVERIFY(heightAt(7) > beside);
+    QVERIFY(isSound(*sculptor));
+}
+
+void TestTools::layer_risesToOneHeight()
+{
+    const auto sculptor = ball();
+    const StrokeSettings settings = settingsOf(Tool::Layer);
+    std::vector<Vec3> path = arc(0, 30, 10);
+    for (int again = 0; again < 4; ++again) {
+        const std::vector<Vec3> more = arc(again % 2 ? 0 : 30, again % 2 ? 30 : 0, 10);
+        path.insert(path.end(), more.begin(), more.end());
+    }
+    stroke(*sculptor, settings, path);
+    const double height = 0.1 * settings.radius;
+    QVERIFY2(std::abs(highest(sculptor->mesh()) - ballRadius - height) < 0.15 * height, qPrintable(QString::number(highest(sculptor->mesh()))));
+    stroke(*sculptor, settings, arc(0, 30, 10)); // another stroke lays another layer
+    QVERIFY(highest(sculptor->mesh()) > ballRadius + 1.8 * height);
+    QVERIFY(isSound(*sculptor));
+}
+
+void TestTools::scrape_takesHeightsAlone()
+{
+    const auto sculptor = ball();
+    stroke(*sculptor, settingsOf(Tool::Pull, 5), std::vector<Vec3>(3, Vec3(3, 0, 49.9)));
+    stroke(*sculptor, settingsOf(Tool::Push, 5), std::vector<Vec3>(3, Vec3(-6, 0, 49.6)));
+    const auto heightAt = [&](double x) { return sculptor->hit({{x, 0, 200}, -Vec3::UnitZ()})->position.z(); };
+    StrokeSettings settings = settingsOf(Tool::Scrape, 15);
+    for (const bool inverted : {false, true}) {
+        const double hill = heightAt(3), hollow = heightAt(-6);
+        settings.inverted = inverted;
+        stroke(*sculptor, settings, {{0, 0, 50}});
+        QVERIFY(inverted ? heightAt(-6) > hollow + 0.3 : heightAt(3) < hill - 0.3);
+        QVERIFY(inverted ? heightAt(3) < hill + 0.1 : heightAt(-6) > hollow - 0.1);
+        QVERIFY(isSound(*sculptor));
+    }
+}
+
+void TestTools::pinch_drawsTogether()
+{
+    const auto countNear = [](const Sculptor& sculptor) {
+        double area = 0; // of what is painted, seen from the front
+        const Mesh& mesh = sculptor.mesh();
+        for (Slot f = 0; f < mesh.slots().faces; ++f) {
+            if (mesh.isFace(f) && mesh.color(mesh.corners(f)[0]) == core::Rgb{1, 2, 3})
+                area += 0.5 * core::faceNormal(mesh, f).norm();
+        }
+        return area;
+    };
+    for (const bool inverted : {false, true}) {
+        const auto sculptor = ball();
+        StrokeSettings paint = settingsOf(Tool::Paint, 6);
+        paint.falloff = 0;
+        paint.color = {1, 2, 3};
+        stroke(*sculptor, paint, {{0, 0, 50}});
+        const double before = countNear(*sculptor);
+        StrokeSettings pinch = settingsOf(Tool::Pinch);
+        pinch.inverted = inverted;
+        stroke(*sculptor, pinch, std::vector<Vec3>(5, Vec3(0, 0, 50)));
+        QVERIFY(inverted ? countNear(*sculptor) > 1.15 * before : countNear(*sculptor) < before / 1.15);
+        QVERIFY(isSound(*sculptor));
+    }
+}
+
+void TestTools::crease_isSharp_data()
+{
+    QTest::addColumn<double>("radius");
+    QTest::addColumn<int>("samples");
+    QTest::addColumn<bool>("inverted");
+    QTest::newRow("narrow") << 5.0 << 200 << false;
+    QTest::newRow("wide") << 10.0 << 100 << false;
+    QTest::newRow("wide, slower") << 10.0 << 200 << false;
+    QTest::newRow("ridge") << 10.0 << 100 << true;
+}
+
+/// Under 60 degrees along its line.
+void TestTools::crease_isSharp()
+{
+    QFETCH(double, radius);
+    QFETCH(int, samples);
+    StrokeSettings settings = settingsOf(Tool::Crease, radius);
+    QFETCH(bool, inverted);
+    settings.inverted = inverted;
+    const auto sculptor = ball();
+    stroke(*sculptor, settings, arc(-60, 60, samples));
+    const double angle = dullest(sharpestAlong(sculptor->mesh(), radius, -50, 50));
+    QVERIFY2(angle < 60, qPrintable(QString::number(angle)));
+    QVERIFY(inverted ? highest(sculptor->mesh()) > ballRadius + 1 : lowest(sculptor->mesh()) < ballRadius - 1);
+    QVERIFY(isSound(*sculptor));
+}
+
+/// Other tools three radii away, and across its ends, leave it as it is.
+void TestTools::crease_staysSharp()
+{
+    const auto sculptor = ball();
+    stroke(*sculptor, settingsOf(Tool::Crease, 8), arc(-60, 60, 120));
+    const std::vector<double> before = sharpestAlong(sculptor->mesh(), 8, -50, 50);
+    QVERIFY(dullest(before) < 60);
+    constexpr Tool others[] = {Tool::Smooth, Tool::Flatten, Tool::Pull, Tool::Inflate, Tool::Scrape};
+    for (int i = 0; i < 20; ++i) {
+        const double along = (-45 + 4.5 * i) * pi / 180, up = 35 * pi / 180;
+        const Vec3 at = ballRadius * Vec3(std::sin(along) * std::cos(up), std::sin(up), std::cos(along) * std::cos(up));
+        stroke(*sculptor, settingsOf(others[i % 5], 8), {at});
+    }
+    QCOMPARE(sharpestAlong(sculptor->mesh(), 8, -50, 50), before);
+    QVERIFY(isSound(*sculptor));
+}
+
+void TestTools::grab_movesWhatItHeld()
+{
+    const auto sculptor = ball();
+    const std::vector<DabReport> reports = stroke(*sculptor, settingsOf(Tool::Grab, 20), straight({0, 0, 50}, {0, 0, 90}, 9));
+    for (const DabReport& report : reports)
+        QCOMPARE(report.outcome, DabOutcome::Committed);
+    QVERIFY2(std::abs(highest(sculptor->mesh()) - 90) < 0.5, qPrintable(QString::number(highest(sculptor->mesh()))));
+    QVERIFY(isSound(*sculptor));
+    // what is held stays the same: the way back leads back, but for what was remeshed
+    const auto there = ball();
+    std::vector<Vec3> path = straight({0, 0, 50}, {0, 0, 60}, 6);
+    const std::vector<Vec3> back = straight({0, 0, 58}, {0, 0, 50}, 5);
+    path.insert(path.end(), back.begin(), back.end());
+    stroke(*there, settingsOf(Tool::Grab, 20), path);
+    QVERIFY2(highest(there->mesh()) < 51.5 && lowest(there->mesh()) > 49,
+             qPrintable(QStringLiteral("%1 %2").arg(highest(there->mesh())).arg(lowest(there->mesh()))));
+}
+
+/// A mouse drags over the plane across its first ray.
+void TestTools::grab_alongRaysKeepsToThePlane()
+{
+    const auto sculptor = ball();
+    StrokeSettings settings = settingsOf(Tool::Grab, 20);
+    settings.place = core::Placement::Ray;
+    sculptor->beginStroke(settings);
+    for (const double x : {0.0, 10.0, 20.0, 30.0}) {
+        core::StrokeSample sample;
+        sample.position = {x, 0, 300};
+        sculptor->addSample(sample);
+    }
+    sculptor->endStroke();
+    double farthest = 0;
+    forEachPoint(sculptor->mesh(), [&](const Vec3& p) { farthest = p.z() > 49 ? std::max(farthest, p.x()) : farthest; });
+    QVERIFY2(std::abs(farthest - 30) < 3, qPrintable(QString::number(farthest)));
+    QVERIFY(isSound(*sculptor));
+}
+
+void TestTools::grab_ofNothingIsEmpty()
+{
+    const auto sculptor = ball();
+    const std::uint64_t before = sculptor->mesh().stateHash();
+    for (const DabReport& report : stroke(*sculptor, settingsOf(Tool::Grab), straight({0, 0, 150}, {0, 0, 0}, 4)))
+        QCOMPARE(report.outcome, DabOutcome::Empty);
+    QCOMPARE(sculptor->mesh().stateHash(), before);
+}
+
+/// Ten metres in one sample.
+void TestTools::grab_farIsStoppedByTheWall()
+{
+    const auto sculptor = ball(4);
+    const std::vector<DabReport> reports = stroke(*sculptor, settingsOf(Tool::Grab, 20), {{0, 0, 50}, {0, 0, 10'000}});
+    QCOMPARE(reports.back().outcome, DabOutcome::EndedEarly);
+    QVERIFY(core::shortfallOf(reports.back()) == core::Shortfall::Wall || core::shortfallOf(reports.back()) == core::Shortfall::Capped);
+    QVERIFY(isSound(*sculptor));
+}
+
+void TestTools::snake_followsItsTip()
+{
+    const auto sculptor = ball();
+    std::vector<Vec3> path = straight({0, 0, 50}, {0, 0, 90}, 21);
+    const std::vector<Vec3> bend = straight({0, 2, 90}, {0, 40, 90}, 20);
+    path.insert(path.end(), bend.begin(), bend.end());
+    stroke(*sculptor, settingsOf(Tool::Snake, 12), path);
+    double tip = 0;
+    forEachPoint(sculptor->mesh(), [&](const Vec3& p) { tip = p.z() > 80 ? std::max(tip, p.y()) : tip; });
+    QVERIFY2(std::abs(tip - 40) < 4, qPrintable(QString::number(tip)));
+    QVERIFY(isSound(*sculptor));
+}
+
+/// To the right anticlockwise, by one radian a radius; the rim stays.
+void TestTools::twist_turns()
+{
+    for (const bool inverted : {false, true}) {
+        const auto sculptor = ball();
+        StrokeSettings paint = settingsOf(Tool::Paint, 2.5);
+        paint.falloff = 0;
+        paint.color = {1, 2, 3};
+        stroke(*sculptor, paint, {Vec3(6, 0, std::sqrt(2500.0 - 36))});
+        StrokeSettings twist = settingsOf(Tool::Twist, 20);
+        twist.inverted = inverted;
+        stroke(*sculptor, twist, straight({0, 0, 50}, {10, 0, 50}, 6));
+        Vec3 sum = Vec3::Zero();
+        for (Slot v = 0; v < sculptor->mesh().slots().vertices; ++v) {
+            if (sculptor->mesh().isVertex(v) && sculptor->mesh().color(v).r < 60)
+                sum += sculptor->mesh().point(v).cast<double>();
+        }
+        const double turned = std::atan2(sum.y(), sum.x()) * (inverted ? -1 : 1);
+        QVERIFY2(turned > 0.25 && turned < 0.55, qPrintable(QString::number(turned)));
+        QVERIFY(highest(sculptor->mesh()) < 50.2);
+        QVERIFY(isSound(*sculptor));
+    }
+}
+
+void TestTools::handAtRest_changesNothing_data()
+{
+    QTest::addColumn<Tool>("tool");
+    for (const Tool tool : {Tool::Grab, Tool::Snake, Tool::Twist})
+        QTest::newRow(core::name(tool).data()) << tool;
+}
+
+void TestTools::handAtRest_changesNothing()
+{
+    QFETCH(Tool, tool);
+    const auto sculptor = ball();
+    const std::uint64_t before = sculptor->mesh().stateHash();
+    for (const DabReport& report : stroke(*sculptor, settingsOf(tool), std::vector<Vec3>(3, Vec3(0, 0, 50))))
+        QCOMPARE(report.outcome, DabOutcome::Committed);
+    QCOMPARE(sculptor->mesh().stateHash(), before);
+}
+
+void TestTools::dragged_throughAnotherPart_data()
+{
+    QTest::addColumn<Tool>("tool");
+    QTest::addColumn<bool>("fusion");
+    for (const Tool tool : {Tool::Grab, Tool::Snake}) {
+        for (const bool fusion : {true, false})
+            QTest::addRow("%s, %s", core::name(tool).data(), fusion ? "fusion" : "no fusion") << tool << fusion;
+    }
+}
+
+/// One finger through the other: 79 to 162 pairs of faces meet after that in other programs.
+void TestTools::dragged_throughAnotherPart()
+{
+    QFETCH(Tool, tool);
+    QFETCH(bool, fusion);
+    Sculptor sculptor(mesh_asserts::sculptable(clay::twoFingers(0.1)));
+    core::Box box;
+    forEachPoint(sculptor.mesh(), [&](const Vec3& p) { box.extend(p); });
+    StrokeSettings settings = settingsOf(tool, 0.3);
+    settings.fusion = fusion;
+    stroke(sculptor, settings, straight({box.min().x(), 0, 0}, {box.max().x() + 0.3, 0, 0}, 25));
+    QVERIFY(isSound(sculptor));
+}
+
+void TestTools::symmetric_data()
+{
+    QTest::addColumn<Tool>("tool");
+    QTest::addColumn<double>("angle");
+    for (std::size_t i = 0; i < core::toolNames().size(); ++i) {
+        for (const double angle : {3.0, -40.0}) // across the plane, and beside it
+            QTest::addRow("%s, %g", core::toolNames()[i].data(), angle) << static_cast<Tool>(i) << angle;
+    }
+}
+
+void TestTools::symmetric()
+{
+    QFETCH(Tool, tool);
+    QFETCH(double, angle);
+    const auto sculptor = ball();
+    StrokeSettings settings = settingsOf(tool);
+    settings.symmetry = core::Symmetry::X;
+    std::vector<Vec3> path = arc(angle, angle + 15, 6);
+    for (std::size_t i = 0; i < path.size(); ++i)
+        path[i] += Vec3(0, 0.4 * double(i), 0.9 * double(i));
+    for (const DabReport& report : stroke(*sculptor, settings, path))
+        QVERIFY(!report.asymmetric && report.outcome != DabOutcome::Empty);
+    VERIFY_SYMMETRIC(sculptor->mesh(), core::Symmetry::X);
+    QVERIFY(isSound(*sculptor));
+}
+
+void TestTools::undone_data()
+{
+    QTest::addColumn<Tool>("tool");
+    for (std::size_t i = 0; i < core::toolNames().size(); ++i)
+        QTest::newRow(core::toolNames()[i].data()) << static_cast<Tool>(i);
+}
+
+/// hash(A, undo, B) = hash(B): what a stroke held or raised is no more.
+void TestTools::undone()
+{
+    QFETCH(Tool, tool);
+    const auto used = ball(), fresh = ball();
+    const StrokeSettings settings = settingsOf(tool);
+    core::StrokeSample sample;
+    used->beginStroke(settings);
+    for (const Vec3& at : arc(10, 30, 4)) {
+        sample.position = 1.02 * at;
+        used->addSample(sample);
+    }
+    core::MeshDelta delta = used->endStroke();
+    used->swap(delta);
+    QCOMPARE(used->mesh().stateHash(), fresh->mesh().stateHash());
+    for (Sculptor* sculptor : {used.get(), fresh.get()})
+        stroke(*sculptor, settings, arc(0, 25, 5));
+    QCOMPARE(used->mesh().stateHash(), fresh->mesh().stateHash());
+}
+
+QTEST_GUILESS_MAIN(TestTools)
+#include "tst_tools.moc"
