@@ -12,6 +12,8 @@ namespace
 {
 /// At strength 1 the peak of Pull and Push is this part of the radius (paper, section 3.3), and so are the steps of Clay and Layer.
 constexpr double peakPerRadius = 0.1;
+/// Of Inflate, in terms of that: what moves along normals that run together soon folds up.
+constexpr double swellPerPeak = 0.6;
 /// At strength 1 a dab draws what is around a line this share nearer to it, and never all the way.
 constexpr double pinchShare = 0.1, creasePinchShare = 0.25, mostPinched = 0.5;
 /// At strength 1 a dab of Crease cuts so deep, in radii.
@@ -76,10 +78,10 @@ Field along(const Dabbed& d, double length)
     return [&d, length](Slot v, double w) -> Vec3 { return length * w * unitNormal(d.mesh, v); };
 }
 
-/// Fuller than Pull: w (2 - w), so that all that is under the brush swells.
+/// Fuller than Pull, and gentler: +-0.06 R s w (2 - w) n_i, so that all that is under the brush swells.
 Field inflate(const Dabbed& d)
 {
-    return [&d, length = d.sign() * d.peak()](Slot v, double w) -> Vec3 { return length * w * (2 - w) * unitNormal(d.mesh, v); };
+    return [&d, length = d.sign() * swellPerPeak * d.peak()](Slot v, double w) -> Vec3 { return length * w * (2 - w) * unitNormal(d.mesh, v); };
 }
 
 /// Towards the mean plane raised by a peak (SculptGL's and Blender's clay), by two peaks at most; what stands above it stays. Inverted it digs.
