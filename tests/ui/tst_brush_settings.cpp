@@ -128,7 +128,11 @@ private Q_SLOTS:
     void keysHeldChangeTheTool()
     {
         using core::Tool;
-        const auto with = [](Tool tool, Qt::KeyboardModifiers keys) { return ui::withKeysHeld({.tool = tool}, keys); };
+        const auto with = [](Tool tool, Qt::KeyboardModifiers keys) {
+            core::StrokeSettings stroke;
+            stroke.tool = tool;
+            return ui::withKeysHeld(stroke, keys);
+        };
         for (std::size_t i = 0; i < core::toolNames().size(); ++i) {
             const auto tool = static_cast<Tool>(i);
             QCOMPARE(with(tool, Qt::ShiftModifier).tool, Tool::Smooth);

@@ -6,10 +6,10 @@ namespace vr
 {
 namespace
 {
-constexpr double toolWidth = 980, toolNameWidth = 210, toolHeight = 124, buttonHeight = 84, groupGap = 8, toolTitleWidth = 300;
-constexpr double filesWidth = 220, recentreWidth = 266;
+constexpr double toolWidth = 1060, toolNameWidth = 210, toolHeight = 124, buttonHeight = 84, groupGap = 8, toolTitleWidth = 300;
+constexpr double filesWidth = 250, recentreWidth = 280;
 constexpr double toolDistance = 0.5; ///< metres; a hand that holds something up to be read
-constexpr std::size_t toolsInARow = 5;
+constexpr std::array<std::size_t, 3> toolsInRow{5, 5, 4}; ///< what adds or takes away; what shapes the surface; what moves it, and Paint
 
 QString iconOf(core::Tool tool)
 {
@@ -55,14 +55,14 @@ QString ToolPanel::nameOf(core::Tool tool)
 
 void ToolPanel::addTools(PanelBuilder& builder) const
 {
-    std::vector<QRectF> places;
-    for (std::size_t i = 0; i < core::toolNames().size(); ++i) {
-        if (i % toolsInARow == 0)
-            places = evenCells(builder.nextRow(toolHeight), toolsInARow);
-        const auto shown = static_cast<core::Tool>(i);
-        builder.add(places[i % toolsInARow],
-                    {{.text = nameOf(shown), .icon = iconOf(shown), .isChosen = shown == tool, .isUpright = true}, shown});
-    }
+    int next = 0;
+    for (const std::size_t count : toolsInRow)
+        for (const QRectF& place : evenCells(builder.nextRow(toolHeight), count)) {
+            const auto shown = static_cast<core::Tool>(next++);
+            builder.add(place,
+                        {{.text = nameOf(shown), .icon = iconOf(shown), .isChosen = shown == tool, .isUpright = true},
+                         shown});
+        }
 }
 
 /// Where this panel leads to, and what else concerns all that is seen.
