@@ -351,10 +351,14 @@ private Q_SLOTS:
     /// A window that was left by a version without the palette of options has it nonetheless.
     void anOlderWindowsStateHidesNoPalette()
     {
-        MainWindow older, window;
-        older.removeToolBar(child<QToolBar>(older, "toolOptions"));
-        delete child<QToolBar>(older, "toolOptions");
-        QVERIFY(window.restoreState(older.saveState()));
+        QByteArray state;
+        {
+            MainWindow older;
+            delete child<QToolBar>(older, "toolOptions");
+            state = older.saveState();
+        }
+        ui::Settings().setWindowState(state);
+        MainWindow window;
         window.show();
         QVERIFY(QTest::qWaitForWindowExposed(&window));
         QVERIFY(child<QToolBar>(window, "toolOptions")->isVisible());
