@@ -8,8 +8,8 @@ namespace vr
 {
 // Of the brush, in the room; metres. A hand that trembles cannot use a smaller one, and a larger one hides the model.
 inline constexpr double leastRadius = 0.002, mostRadius = 0.25, defaultRadius = 0.03;
-/// StrokeSettings::spacing of what wands draw, but for tools that follow the hand. A dab of full strength raises the surface by a tenth of the radius: so far apart, it
-/// keeps up with the wand that pulls it.
+/// StrokeSettings::spacing of what wands draw, but for tools that follow the hand. A dab of full strength raises the surface by a tenth
+/// of the radius: so far apart, it keeps up with the wand that pulls it.
 inline constexpr double wandSpacing = 0.1;
 
 /// The brush in the hand: what the next stroke will be.
