@@ -34,8 +34,17 @@ QString StrokeCommand::textOf(core::Tool tool)
     switch (tool) {
     case core::Tool::Pull: return tr("Pull", "undo step");
     case core::Tool::Push: return tr("Push", "undo step");
+    case core::Tool::Inflate: return tr("Inflate", "undo step");
+    case core::Tool::Clay: return tr("Clay", "undo step");
+    case core::Tool::Layer: return tr("Layer", "undo step");
     case core::Tool::Flatten: return tr("Flatten", "undo step");
+    case core::Tool::Scrape: return tr("Scrape", "undo step");
     case core::Tool::Smooth: return tr("Smooth", "undo step");
+    case core::Tool::Pinch: return tr("Pinch", "undo step");
+    case core::Tool::Crease: return tr("Crease", "undo step");
+    case core::Tool::Grab: return tr("Grab", "undo step");
+    case core::Tool::Snake: return tr("Snake Hook", "undo step");
+    case core::Tool::Twist: return tr("Twist", "undo step");
     case core::Tool::Paint: return tr("Paint", "undo step");
     }
     return {};

@@ -10,7 +10,9 @@ set(FETTLE_RESOURCE_FILES
     icons/background-sky.svg
     icons/background-theme.svg
     icons/background-white.svg
+    icons/clay.svg
     icons/color.svg
+    icons/crease.svg
     icons/dimensions.svg
     icons/drawing.svg
     icons/duplicate.svg
@@ -27,13 +29,16 @@ set(FETTLE_RESOURCE_FILES
     icons/follow.svg
     icons/frame.svg
     icons/fusion.svg
+    icons/grab.svg
     icons/ground.svg
     icons/guide.svg
     icons/headset.svg
     icons/headset-find.svg
+    icons/inflate.svg
     icons/insert.svg
     icons/keys.svg
     icons/larger.svg
+    icons/layer.svg
     icons/material-clay.svg
     icons/material-grey.svg
     icons/material-paint.svg
@@ -50,6 +55,7 @@ set(FETTLE_RESOURCE_FILES
     icons/panel-close.svg
     icons/panel-float.svg
     icons/pick.svg
+    icons/pinch.svg
     icons/place-on-bed.svg
     icons/plus.svg
     icons/preferences.svg
@@ -77,8 +83,10 @@ set(FETTLE_RESOURCE_FILES
     icons/save.svg
     icons/scale-bar.svg
     icons/scale.svg
+    icons/scrape.svg
     icons/smaller.svg
     icons/smooth.svg
+    icons/snake.svg
     icons/sort-down.svg
     icons/sort-up.svg
     icons/sphere.svg
@@ -91,6 +99,7 @@ set(FETTLE_RESOURCE_FILES
     icons/symmetrize.svg
     icons/trash.svg
     icons/turntable.svg
+    icons/twist.svg
     icons/undo.svg
     icons/uniform.svg
     icons/unsound.svg

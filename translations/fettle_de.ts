@@ -766,6 +766,51 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <comment>undo step</comment>
         <translation>Kugel hinzufügen</translation>
     </message>
+    <message>
+        <source>Inflate</source>
+        <comment>undo step</comment>
+        <translation>Aufblähen</translation>
+    </message>
+    <message>
+        <source>Clay</source>
+        <comment>undo step</comment>
+        <translation>Auftragen</translation>
+    </message>
+    <message>
+        <source>Layer</source>
+        <comment>undo step</comment>
+        <translation>Schichten</translation>
+    </message>
+    <message>
+        <source>Scrape</source>
+        <comment>undo step</comment>
+        <translation>Schaben</translation>
+    </message>
+    <message>
+        <source>Pinch</source>
+        <comment>undo step</comment>
+        <translation>Kneifen</translation>
+    </message>
+    <message>
+        <source>Crease</source>
+        <comment>undo step</comment>
+        <translation>Kerben</translation>
+    </message>
+    <message>
+        <source>Grab</source>
+        <comment>undo step</comment>
+        <translation>Greifen</translation>
+    </message>
+    <message>
+        <source>Snake Hook</source>
+        <comment>undo step</comment>
+        <translation>Tentakel</translation>
+    </message>
+    <message>
+        <source>Twist</source>
+        <comment>undo step</comment>
+        <translation>Verdrehen</translation>
+    </message>
 </context>
 <context>
     <name>app::StrokeWords</name>
@@ -1523,10 +1568,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Drückt die Oberfläche nach innen. Mit %1 wird gezogen, mit Umschalt geglättet.</translation>
     </message>
     <message>
-        <source>Held on the model, %1 inverts Pull and Push, and %2 smooths.</source>
-        <translation>Auf dem Modell gehalten, kehrt %1 Ziehen und Drücken um, %2 glättet.</translation>
-    </message>
-    <message>
         <source>The right button turns the view.</source>
         <translation>Die rechte Taste dreht die Ansicht.</translation>
     </message>
@@ -1689,6 +1730,86 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Shows in this window what the person with the headset looks at, for a class to watch.</source>
         <translation>Zeigt in diesem Fenster, wohin die Person mit der VR-Brille blickt, damit eine Klasse zusehen kann.</translation>
+    </message>
+    <message>
+        <source>&amp;Inflate</source>
+        <translation>Auf&amp;blähen</translation>
+    </message>
+    <message>
+        <source>Swells the surface along each point&apos;s own direction. %1 shrinks it instead, Shift smooths.</source>
+        <translation>Bläht die Oberfläche auf, jeden Punkt in seiner eigenen Richtung. Mit %1 schrumpft sie, mit Umschalt wird geglättet.</translation>
+    </message>
+    <message>
+        <source>Lays on a flat layer and fills hollows first. %1 digs instead, Shift smooths.</source>
+        <translation>Trägt eine flache Schicht auf und füllt zuerst Vertiefungen. Mit %1 wird gegraben, mit Umschalt geglättet.</translation>
+    </message>
+    <message>
+        <source>Raises the surface to one height per stroke, however often you go over it. %1 sinks it instead, Shift smooths.</source>
+        <translation>Hebt die Oberfläche in einem Strich auf eine Höhe, so oft Sie auch darübergehen. Mit %1 wird sie gesenkt, mit Umschalt geglättet.</translation>
+    </message>
+    <message>
+        <source>Sc&amp;rape</source>
+        <translation>S&amp;chaben</translation>
+    </message>
+    <message>
+        <source>Takes down what stands above the mean plane. %1 fills what lies below instead, Shift smooths.</source>
+        <translation>Trägt ab, was über der mittleren Ebene steht. Mit %1 wird gefüllt, was darunter liegt, mit Umschalt geglättet.</translation>
+    </message>
+    <message>
+        <source>Pi&amp;nch</source>
+        <translation>&amp;Kneifen</translation>
+    </message>
+    <message>
+        <source>Draws the surface together towards the stroke&apos;s line. %1 spreads it instead, Shift smooths.</source>
+        <translation>Zieht die Oberfläche zur Linie des Strichs hin zusammen. Mit %1 wird sie auseinandergezogen, mit Umschalt geglättet.</translation>
+    </message>
+    <message>
+        <source>Cr&amp;ease</source>
+        <translation>Ke&amp;rben</translation>
+    </message>
+    <message>
+        <source>Cuts a sharp groove. %1 raises a sharp ridge instead, Shift smooths.</source>
+        <translation>Schneidet eine scharfe Kerbe. Mit %1 entsteht ein scharfer Grat, mit Umschalt wird geglättet.</translation>
+    </message>
+    <message>
+        <source>&amp;Grab</source>
+        <translation>Gre&amp;ifen</translation>
+    </message>
+    <message>
+        <source>Takes hold of what is under the brush and moves it with the hand. Shift smooths.</source>
+        <translation>Greift, was unter dem Pinsel ist, und bewegt es mit der Hand. Mit Umschalt wird geglättet.</translation>
+    </message>
+    <message>
+        <source>Snake &amp;Hook</source>
+        <translation>&amp;Tentakel</translation>
+    </message>
+    <message>
+        <source>Draws a tentacle out, and the brush follows its tip. Shift smooths.</source>
+        <translation>Zieht einen Tentakel heraus, und der Pinsel folgt seiner Spitze. Mit Umschalt wird geglättet.</translation>
+    </message>
+    <message>
+        <source>&amp;Twist</source>
+        <translation>&amp;Verdrehen</translation>
+    </message>
+    <message>
+        <source>Turns what is under the brush around its middle, as far as you drag away. %1 turns it the other way, Shift smooths.</source>
+        <translation>Dreht, was unter dem Pinsel ist, um seine Mitte, so weit Sie wegziehen. Mit %1 dreht es sich andersherum, mit Umschalt wird geglättet.</translation>
+    </message>
+    <message>
+        <source>Held on the model, %1 inverts the tool, and %2 smooths.</source>
+        <translation>Auf dem Modell gehalten, kehrt %1 das Werkzeug um, %2 glättet.</translation>
+    </message>
+    <message>
+        <source>Tool&amp;s</source>
+        <translation>&amp;Werkzeuge</translation>
+    </message>
+    <message>
+        <source>C&amp;lay</source>
+        <translation>&amp;Auftragen</translation>
+    </message>
+    <message>
+        <source>La&amp;yer</source>
+        <translation>&amp;Schichten</translation>
     </message>
 </context>
 <context>
@@ -2547,6 +2668,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Tool Palette</source>
         <translation>Werkzeugpalette</translation>
+    </message>
+    <message>
+        <source>Tool Options</source>
+        <translation>Werkzeugoptionen</translation>
     </message>
 </context>
 <context>
@@ -4739,10 +4864,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Werkzeuge</translation>
     </message>
     <message>
-        <source>Pull and Push swapped</source>
-        <translation>Ziehen und Drücken vertauscht</translation>
-    </message>
-    <message>
         <source>Brush</source>
         <translation>Pinsel</translation>
     </message>
@@ -4777,6 +4898,46 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Off</source>
         <translation>Aus</translation>
+    </message>
+    <message>
+        <source>Inflate</source>
+        <translation>Aufblähen</translation>
+    </message>
+    <message>
+        <source>Clay</source>
+        <translation>Auftragen</translation>
+    </message>
+    <message>
+        <source>Layer</source>
+        <translation>Schichten</translation>
+    </message>
+    <message>
+        <source>Scrape</source>
+        <translation>Schaben</translation>
+    </message>
+    <message>
+        <source>Pinch</source>
+        <translation>Kneifen</translation>
+    </message>
+    <message>
+        <source>Crease</source>
+        <translation>Kerben</translation>
+    </message>
+    <message>
+        <source>Grab</source>
+        <translation>Greifen</translation>
+    </message>
+    <message>
+        <source>Snake Hook</source>
+        <translation>Tentakel</translation>
+    </message>
+    <message>
+        <source>Twist</source>
+        <translation>Verdrehen</translation>
+    </message>
+    <message>
+        <source>Inverted</source>
+        <translation>Umgekehrt</translation>
     </message>
 </context>
 </TS>

@@ -764,6 +764,51 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <comment>undo step</comment>
         <translation>添加球</translation>
     </message>
+    <message>
+        <source>Inflate</source>
+        <comment>undo step</comment>
+        <translation>膨胀</translation>
+    </message>
+    <message>
+        <source>Clay</source>
+        <comment>undo step</comment>
+        <translation>铺泥</translation>
+    </message>
+    <message>
+        <source>Layer</source>
+        <comment>undo step</comment>
+        <translation>加层</translation>
+    </message>
+    <message>
+        <source>Scrape</source>
+        <comment>undo step</comment>
+        <translation>刮平</translation>
+    </message>
+    <message>
+        <source>Pinch</source>
+        <comment>undo step</comment>
+        <translation>收拢</translation>
+    </message>
+    <message>
+        <source>Crease</source>
+        <comment>undo step</comment>
+        <translation>刻痕</translation>
+    </message>
+    <message>
+        <source>Grab</source>
+        <comment>undo step</comment>
+        <translation>抓取</translation>
+    </message>
+    <message>
+        <source>Snake Hook</source>
+        <comment>undo step</comment>
+        <translation>蛇形钩</translation>
+    </message>
+    <message>
+        <source>Twist</source>
+        <comment>undo step</comment>
+        <translation>扭转</translation>
+    </message>
 </context>
 <context>
     <name>app::StrokeWords</name>
@@ -1521,10 +1566,6 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>将表面向内推。按住 %1 拉出，按住 Shift 平滑。</translation>
     </message>
     <message>
-        <source>Held on the model, %1 inverts Pull and Push, and %2 smooths.</source>
-        <translation>在模型上按住 %1 互换拉出与推入，按住 %2 平滑。</translation>
-    </message>
-    <message>
         <source>The right button turns the view.</source>
         <translation>鼠标右键旋转视图。</translation>
     </message>
@@ -1687,6 +1728,86 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Shows in this window what the person with the headset looks at, for a class to watch.</source>
         <translation>在此窗口显示戴头显的人所看的内容，供全班观看。</translation>
+    </message>
+    <message>
+        <source>&amp;Inflate</source>
+        <translation>膨胀(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Swells the surface along each point&apos;s own direction. %1 shrinks it instead, Shift smooths.</source>
+        <translation>让表面沿各点自身的方向膨胀。按住 %1 收缩，按住 Shift 平滑。</translation>
+    </message>
+    <message>
+        <source>Lays on a flat layer and fills hollows first. %1 digs instead, Shift smooths.</source>
+        <translation>铺上一层平整的泥，先填满凹处。按住 %1 挖去，按住 Shift 平滑。</translation>
+    </message>
+    <message>
+        <source>Raises the surface to one height per stroke, however often you go over it. %1 sinks it instead, Shift smooths.</source>
+        <translation>一笔之内把表面升到同一高度，反复经过也不再升高。按住 %1 下沉，按住 Shift 平滑。</translation>
+    </message>
+    <message>
+        <source>Sc&amp;rape</source>
+        <translation>刮平(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Takes down what stands above the mean plane. %1 fills what lies below instead, Shift smooths.</source>
+        <translation>刮去高出平均平面的部分。按住 %1 填补低于它的部分，按住 Shift 平滑。</translation>
+    </message>
+    <message>
+        <source>Pi&amp;nch</source>
+        <translation>收拢(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Draws the surface together towards the stroke&apos;s line. %1 spreads it instead, Shift smooths.</source>
+        <translation>把表面向笔画的中线收拢。按住 %1 撑开，按住 Shift 平滑。</translation>
+    </message>
+    <message>
+        <source>Cr&amp;ease</source>
+        <translation>刻痕(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Cuts a sharp groove. %1 raises a sharp ridge instead, Shift smooths.</source>
+        <translation>刻出锐利的沟。按住 %1 隆起锐利的脊，按住 Shift 平滑。</translation>
+    </message>
+    <message>
+        <source>&amp;Grab</source>
+        <translation>抓取(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Takes hold of what is under the brush and moves it with the hand. Shift smooths.</source>
+        <translation>抓住笔刷下的部分，随手移动。按住 Shift 为平滑。</translation>
+    </message>
+    <message>
+        <source>Snake &amp;Hook</source>
+        <translation>蛇形钩(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Draws a tentacle out, and the brush follows its tip. Shift smooths.</source>
+        <translation>拉出一条触手，笔刷跟随它的尖端。按住 Shift 为平滑。</translation>
+    </message>
+    <message>
+        <source>&amp;Twist</source>
+        <translation>扭转(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Turns what is under the brush around its middle, as far as you drag away. %1 turns it the other way, Shift smooths.</source>
+        <translation>把笔刷下的部分绕其中心扭转，拖得越远转得越多。按住 %1 反向扭转，按住 Shift 平滑。</translation>
+    </message>
+    <message>
+        <source>Held on the model, %1 inverts the tool, and %2 smooths.</source>
+        <translation>在模型上按住 %1 反向使用工具，按住 %2 平滑。</translation>
+    </message>
+    <message>
+        <source>Tool&amp;s</source>
+        <translation>工具(&amp;S)</translation>
+    </message>
+    <message>
+        <source>C&amp;lay</source>
+        <translation>铺泥(&amp;C)</translation>
+    </message>
+    <message>
+        <source>La&amp;yer</source>
+        <translation>加层(&amp;Y)</translation>
     </message>
 </context>
 <context>
@@ -2539,6 +2660,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Tool Palette</source>
         <translation>工具面板</translation>
+    </message>
+    <message>
+        <source>Tool Options</source>
+        <translation>工具选项</translation>
     </message>
 </context>
 <context>
@@ -4728,10 +4853,6 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>工具</translation>
     </message>
     <message>
-        <source>Pull and Push swapped</source>
-        <translation>拉出与推入已互换</translation>
-    </message>
-    <message>
         <source>Brush</source>
         <translation>笔刷</translation>
     </message>
@@ -4766,6 +4887,46 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Off</source>
         <translation>关</translation>
+    </message>
+    <message>
+        <source>Inflate</source>
+        <translation>膨胀</translation>
+    </message>
+    <message>
+        <source>Clay</source>
+        <translation>铺泥</translation>
+    </message>
+    <message>
+        <source>Layer</source>
+        <translation>加层</translation>
+    </message>
+    <message>
+        <source>Scrape</source>
+        <translation>刮平</translation>
+    </message>
+    <message>
+        <source>Pinch</source>
+        <translation>收拢</translation>
+    </message>
+    <message>
+        <source>Crease</source>
+        <translation>刻痕</translation>
+    </message>
+    <message>
+        <source>Grab</source>
+        <translation>抓取</translation>
+    </message>
+    <message>
+        <source>Snake Hook</source>
+        <translation>蛇形钩</translation>
+    </message>
+    <message>
+        <source>Twist</source>
+        <translation>扭转</translation>
+    </message>
+    <message>
+        <source>Inverted</source>
+        <translation>反向</translation>
     </message>
 </context>
 </TS>

@@ -99,7 +99,7 @@ QString Actions::modifierName(Qt::KeyboardModifier modifier)
 QString Actions::heldWords(KeyPreset preset)
 {
     const HeldKeys held = heldKeys(preset);
-    const QString brush = tr("Held on the model, %1 inverts Pull and Push, and %2 smooths.").arg(modifierName(held.invert), modifierName(Qt::ShiftModifier));
+    const QString brush = tr("Held on the model, %1 inverts the tool, and %2 smooths.").arg(modifierName(held.invert), modifierName(Qt::ShiftModifier));
     return held.rightOrbits ? brush + u' ' + tr("The right button turns the view.") : brush;
 }
 
@@ -147,6 +147,8 @@ QString Actions::menuTitle(MenuId menu) const
         return tr("&Edit");
     case MenuId::Sculpt:
         return tr("&Sculpt");
+    case MenuId::Tool:
+        return tr("Tool&s");
     case MenuId::Model:
         return tr("&Model");
     case MenuId::View:

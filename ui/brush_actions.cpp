@@ -19,8 +19,17 @@ struct ToolAction
 };
 constexpr ToolAction toolActions[] = {{"tool.pull", core::Tool::Pull},
                                       {"tool.push", core::Tool::Push},
+                                      {"tool.inflate", core::Tool::Inflate},
+                                      {"tool.clay", core::Tool::Clay},
+                                      {"tool.layer", core::Tool::Layer},
                                       {"tool.flatten", core::Tool::Flatten},
+                                      {"tool.scrape", core::Tool::Scrape},
                                       {"tool.smooth", core::Tool::Smooth},
+                                      {"tool.pinch", core::Tool::Pinch},
+                                      {"tool.crease", core::Tool::Crease},
+                                      {"tool.grab", core::Tool::Grab},
+                                      {"tool.snake", core::Tool::Snake},
+                                      {"tool.twist", core::Tool::Twist},
                                       {"tool.paint", core::Tool::Paint}};
 
 /// Checked while the setting is `on`, and sets it to `on` or `off`.

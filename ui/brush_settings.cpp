@@ -142,17 +142,12 @@ double BrushSettings::maxOf(core::Parameter parameter) const
     return parameter == core::Parameter::Radius ? m_maxRadius : core::info(parameter).max;
 }
 
-core::Tool toolWith(core::Tool tool, Qt::KeyboardModifiers modifiers, Qt::KeyboardModifier invert)
+core::StrokeSettings withKeysHeld(core::StrokeSettings stroke, Qt::KeyboardModifiers modifiers, Qt::KeyboardModifier invert)
 {
-    if (modifiers & Qt::ShiftModifier)
-        return core::Tool::Smooth;
-    return modifiers & invert ? opposite(tool) : tool;
-}
-
-core::Tool opposite(core::Tool tool)
-{
-    if (tool == core::Tool::Pull)
-        return core::Tool::Push;
-    return tool == core::Tool::Push ? core::Tool::Pull : tool;
+    if (modifiers & Qt::ShiftModifier) {
+        stroke.tool = core::Tool::Smooth;
+        return stroke;
+    }
+    return modifiers & invert ? core::opposite(stroke) : stroke;
 }
 } // namespace ui

@@ -76,9 +76,6 @@ private:
     double m_modelSize = 100; ///< mm, longest side; to which the radius was fitted: at first the ball of clay's
 };
 
-/// What a stroke that begins with these keys held does: Shift smooths, `invert` turns Pull into Push and Push into Pull. The
-/// other tools have no opposite.
-core::Tool toolWith(core::Tool tool, Qt::KeyboardModifiers modifiers, Qt::KeyboardModifier invert = Qt::ControlModifier);
-/// Push of Pull, Pull of Push; another is its own.
-core::Tool opposite(core::Tool tool);
+/// What a stroke that begins with these keys held does: Shift smooths, `invert` does the opposite.
+core::StrokeSettings withKeysHeld(core::StrokeSettings stroke, Qt::KeyboardModifiers modifiers, Qt::KeyboardModifier invert = Qt::ControlModifier);
 } // namespace ui

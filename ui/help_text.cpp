@@ -63,6 +63,8 @@ QString menuWords(const ActionInfo& row, const Actions& actions)
     QList<MenuId> way{row.menu};
     if (row.menu == MenuId::New)
         way.prepend(MenuId::File);
+    if (row.menu == MenuId::Tool)
+        way.prepend(MenuId::Sculpt);
     if (row.menu == MenuId::Material || row.menu == MenuId::Background)
         way.prepend(MenuId::View);
     QStringList words;

@@ -56,6 +56,8 @@ void MainWindow::State::buildBars()
 {
     for (const MenuId id : {MenuId::File, MenuId::Edit, MenuId::Sculpt, MenuId::Model, MenuId::View, MenuId::Vr, MenuId::Help}) {
         QMenu* menu = q->menuBar()->addMenu(actions.menuTitle(id));
+        if (id == MenuId::Sculpt)
+            actions.fill(menu->addMenu(actions.menuTitle(MenuId::Tool)), MenuId::Tool);
         actions.fill(menu, id);
         if (id == MenuId::File)
             files.addMenus(menu, actions);
@@ -74,10 +76,17 @@ void MainWindow::State::buildBars()
     bar->addWidget(brushBar);
     connect(brushBar, &BrushBar::entered, viewport, qOverload<>(&Viewport::setFocus));
 
-    auto* palette = new QToolBar(tr("Tool Palette"));
-    palette->setObjectName(QStringLiteral("toolPalette"));
+    addPalette(tr("Tool Palette"), QStringLiteral("toolPalette"), Bar::Tools);
+    q->addToolBarBreak(Qt::LeftToolBarArea); // all in one column would not fit a small screen
+    addPalette(tr("Tool Options"), QStringLiteral("toolOptions"), Bar::Options);
+}
+
+void MainWindow::State::addPalette(const QString& title, const QString& name, Bar which)
+{
+    auto* palette = new QToolBar(title);
+    palette->setObjectName(name);
     palette->setIconSize(QSize(26, 26));
-    actions.fill(palette, Bar::Palette);
+    actions.fill(palette, which);
     q->addToolBar(Qt::LeftToolBarArea, palette);
 }
 

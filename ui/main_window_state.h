@@ -45,6 +45,7 @@ struct MainWindow::State
 
     void buildView();
     void buildBars();
+    void addPalette(const QString& title, const QString& name, Bar which);
     void buildPanels(QMenu* toggles);
     void buildStatusBar();
     template <class What> void on(const char* id, What what);

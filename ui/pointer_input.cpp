@@ -32,8 +32,7 @@ void PointerInput::handle(const PointerEvent& event)
 {
     Waiting waiting{event, m_camera->ray(event.pixel), {}};
     if (event.kind == PointerEvent::Kind::Press) {
-        waiting.settings = m_brush->stroke();
-        waiting.settings.tool = toolFor(event.modifiers, event.isEraser);
+        waiting.settings = strokeFor(event.modifiers, event.isEraser);
         waiting.string = m_brush->isSteady() ? m_brush->stringLength() : 0;
     }
     m_inside = true;
@@ -127,15 +126,20 @@ void PointerInput::setPicking(bool on)
     Q_EMIT hoverChanged();
 }
 
-core::Tool PointerInput::tool() const
+core::StrokeSettings PointerInput::stroke() const
 {
-    return strokeOpen() ? m_stroke.tool() : toolFor(m_modifiers, m_isEraser);
+    return strokeOpen() ? m_stroke.settings() : strokeFor(m_modifiers, m_isEraser);
 }
 
-core::Tool PointerInput::toolFor(Qt::KeyboardModifiers modifiers, bool eraser) const
+/// Where the tool follows the hand, it follows every reading of it.
+core::StrokeSettings PointerInput::strokeFor(Qt::KeyboardModifiers modifiers, bool eraser) const
 {
-    const core::Tool tool = toolWith(m_brush->tool(), modifiers, m_habits.held.invert);
-    return eraser ? opposite(tool) : tool;
+    core::StrokeSettings stroke = withKeysHeld(m_brush->stroke(), modifiers, m_habits.held.invert);
+    if (eraser)
+        stroke = core::opposite(stroke);
+    if (core::followsHand(stroke.tool))
+        stroke.spacing = 0;
+    return stroke;
 }
 
 /// Where the brush is, or would be.

@@ -75,7 +75,7 @@ public:
     /// A press waits for its answer: a stroke may still come of it.
     bool pressWaits() const { return !m_waiting.empty(); }
     /// Of the open stroke, else of one that would begin now.
-    core::Tool tool() const;
+    core::StrokeSettings stroke() const;
 
 Q_SIGNALS:
     void hoverRequested(const core::Ray& ray, const std::optional<core::StrokeSettings>& brush);
@@ -117,7 +117,7 @@ private:
     void begin(const Waiting& press, const std::optional<core::SurfaceHit>& hit);
     void end();
     void drain(const std::optional<core::SurfaceHit>& hit);
-    core::Tool toolFor(Qt::KeyboardModifiers modifiers, bool eraser) const;
+    core::StrokeSettings strokeFor(Qt::KeyboardModifiers modifiers, bool eraser) const;
     bool movesView() const;
     OrbitCamera::Pixel brushAt() const;
     bool isUndecided(const PointerEvent& event) const;

@@ -21,8 +21,7 @@ StrokeMaker::StrokeMaker(const BrushSettings* brush, const OrbitCamera* camera, 
 void StrokeMaker::begin(const Start& start)
 {
     m_isOpen = true;
-    m_tool = start.settings.tool;
-    m_radius = start.settings.radius;
+    m_settings = start.settings;
     m_string = start.string;
     m_hand = start.hand;
     m_brushAt = start.hand.pixel;
@@ -79,7 +78,7 @@ void StrokeMaker::sample(const core::Ray& ray)
     const double pressure = penPressure(m_hand.pressure, m_habits.penExponent);
     sample.pressure = m_habits.pressureToStrength ? pressure : 1;
     if (m_habits.pressureToRadius)
-        sample.radius = std::max(m_brush->minOf(core::Parameter::Radius), m_radius * std::max(pressure, leastRadiusShare));
+        sample.radius = std::max(m_brush->minOf(core::Parameter::Radius), m_settings.radius * std::max(pressure, leastRadiusShare));
     Q_EMIT sampled(sample);
 }
 

@@ -46,7 +46,7 @@ public:
 
     bool isOpen() const { return m_isOpen; }
     /// Of the open stroke, or the last.
-    core::Tool tool() const { return m_tool; }
+    const core::StrokeSettings& settings() const { return m_settings; }
     /// Of the open stroke: where the brush is.
     const OrbitCamera::Pixel& brushAt() const { return m_brushAt; }
     /// And where the hand is, if the brush hangs on a string; else where the brush is.
@@ -64,8 +64,7 @@ private:
     const OrbitCamera* m_camera;
     HandHabits m_habits;
     bool m_isOpen = false;
-    core::Tool m_tool = core::Tool::Pull;
-    double m_radius = 0; ///< mm
+    core::StrokeSettings m_settings;
     double m_string = 0; ///< pixels
     PointerEvent m_hand; ///< where it is now and how hard it presses
     OrbitCamera::Pixel m_brushAt{0, 0};

@@ -5,12 +5,14 @@
 #include <QMainWindow>
 #include <QScreen>
 #include <QStyle>
+#include <QToolBar>
 
 namespace ui
 {
 namespace
 {
 constexpr QSize firstSize{1280, 800};
+constexpr int barsVersion = 1; ///< of the window's state; 0: there was one palette
 
 /// A window that was never shown does not know its frame; the title bar is the most of it.
 void keepOnScreen(QMainWindow* window)
@@ -22,6 +24,12 @@ void keepOnScreen(QMainWindow* window)
     if (window->width() > room.width() || window->height() > room.height() - title)
         window->setGeometry({room.topLeft() + QPoint(0, title), window->size().boundedTo(room.size() - QSize(0, title))});
 }
+/// Qt puts a bar that the state does not know below the others, where it has no room.
+void restoreBars(QMainWindow* window, const QByteArray& state)
+{
+    if (!window->restoreState(state, barsVersion) && window->restoreState(state))
+        window->insertToolBarBreak(window->findChild<QToolBar*>(QStringLiteral("toolOptions")));
+}
 } // namespace
 
 void restorePlace(QMainWindow* window, const Settings& settings)
@@ -29,12 +37,12 @@ void restorePlace(QMainWindow* window, const Settings& settings)
     window->resize(firstSize);
     window->restoreGeometry(settings.windowGeometry());
     keepOnScreen(window);
-    window->restoreState(settings.windowState());
+    restoreBars(window, settings.windowState());
 }
 
 void keepPlace(const QMainWindow& window, Settings& settings)
 {
     settings.setWindowGeometry(window.saveGeometry());
-    settings.setWindowState(window.saveState());
+    settings.setWindowState(window.saveState(barsVersion));
 }
 } // namespace ui

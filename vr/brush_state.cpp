@@ -23,15 +23,13 @@ core::Rgb changedColor(core::Rgb color, const ChangeChannel& change)
     return color;
 }
 
-core::Tool effectiveTool(const BrushState& brush, const BeginStroke& begin)
+/// What the brush and the other hand make of a stroke.
+core::StrokeSettings effective(const BrushState& brush, const BeginStroke& begin)
 {
+    core::StrokeSettings settings = brush.stroke;
     if (begin.smooths)
-        return core::Tool::Smooth;
-    if (brush.isInverse && brush.stroke.tool == core::Tool::Pull)
-        return core::Tool::Push;
-    if (brush.isInverse && brush.stroke.tool == core::Tool::Push)
-        return core::Tool::Pull;
-    return brush.stroke.tool;
+        settings.tool = core::Tool::Smooth;
+    return brush.isInverse ? core::opposite(settings) : settings;
 }
 
 double radiusOn(const BrushState& brush, const Room& room)
@@ -67,11 +65,10 @@ BrushState changed(BrushState brush, const Deed& deed)
 
 core::StrokeSettings strokeSettings(const BrushState& brush, const BeginStroke& begin, const Room& room)
 {
-    core::StrokeSettings settings = brush.stroke;
-    settings.tool = effectiveTool(brush, begin);
+    core::StrokeSettings settings = effective(brush, begin);
     settings.place = core::Placement::Point;
     settings.radius = radiusOn(brush, room);
-    settings.spacing = wandSpacing;
+    settings.spacing = core::followsHand(settings.tool) ? 0 : wandSpacing;
     settings.add = settings.tool == core::Tool::Pull && settings.brush == core::BrushShape::Sphere && !begin.goesOn;
     return settings;
 }

@@ -8,15 +8,15 @@ namespace vr
 {
 // Of the brush, in the room; metres. A hand that trembles cannot use a smaller one, and a larger one hides the model.
 inline constexpr double leastRadius = 0.002, mostRadius = 0.25, defaultRadius = 0.03;
-/// StrokeSettings::spacing of what wands draw. A dab of full strength raises the surface by a tenth of the radius: so far apart, it
-/// keeps up with the wand that pulls it.
+/// StrokeSettings::spacing of what wands draw, but for tools that follow the hand. A dab of full strength raises the surface by a tenth
+/// of the radius: so far apart, it keeps up with the wand that pulls it.
 inline constexpr double wandSpacing = 0.1;
 
 /// The brush in the hand: what the next stroke will be.
 struct BrushState
 {
     core::StrokeSettings stroke; ///< what people choose of it; its radius, spacing, place and add are none of that
-    bool isInverse = false;      ///< Pull pushes and Push pulls; the other tools have no opposite
+    bool isInverse = false;      ///< strokes do the opposite, where the tool has one
     core::Symmetry plane = core::Symmetry::Y; ///< of symmetry when it is on; the paper's is the xz plane
     double radius = defaultRadius;            ///< metres in the room
 };

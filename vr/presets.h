@@ -53,7 +53,7 @@ enum class WandFunction {
     ToggleTopology,
     ToggleBrushShape,
     ToggleSymmetry,
-    ToggleInverse, ///< of Pull and Push
+    ToggleInverse, ///< of tools that have an opposite
     ToggleToolMenu,
     PreviousTool,
     NextTool,

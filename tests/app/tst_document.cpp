@@ -112,6 +112,7 @@ private Q_SLOTS:
     void sphere_isThePapers();
     void undo_rightAfterAStrokeUndoesThatStroke();
     void undo_duringAStrokeWaitsForItsEnd();
+    void history_hasANameForEveryTool();
     void history_namesStepsAndMarksThem();
     void inquiry_answersOnlyForTheModelThatIs();
     void stroke_rightAfterUndoComesAfterIt();
@@ -161,6 +162,15 @@ void TestDocument::undo_rightAfterAStrokeUndoesThatStroke()
         QCOMPARE(session.state(), start);
         QVERIFY(!session.document.canUndo() && session.document.canRedo());
     }
+}
+
+void TestDocument::history_hasANameForEveryTool()
+{
+    QStringList names;
+    for (std::size_t i = 0; i < core::toolNames().size(); ++i)
+        names << StrokeCommand::textOf(static_cast<core::Tool>(i));
+    QVERIFY(!names.contains(QString()));
+    QCOMPARE(names.removeDuplicates(), 0);
 }
 
 void TestDocument::history_namesStepsAndMarksThem()

@@ -142,8 +142,11 @@ void TestHeadsetPanels::tools_chooseTheBrush()
     using core::BrushShape, core::Symmetry, core::Tool, core::Topology;
     AtTools v;
     QVERIFY(v.isOpen);
-    for (const Tool tool : {Tool::Push, Tool::Flatten, Tool::Smooth, Tool::Paint, Tool::Pull})
-        QVERIFY(v.choose(tool, [&] { return v.brush().tool == tool; }));
+    const std::size_t count = core::toolNames().size();
+    for (std::size_t i = 1; i <= count; ++i) {
+        const auto tool = static_cast<Tool>(i % count);
+        QVERIFY2(v.choose(tool, [&] { return v.brush().tool == tool; }), core::toolNames()[i % count].data());
+    }
     for (const BrushShape shape : {BrushShape::Ray, BrushShape::Sphere})
         QVERIFY(v.choose(shape, [&] { return v.brush().brush == shape; }));
     for (const Topology topology : {Topology::Uniform, Topology::Adaptive})

@@ -110,9 +110,10 @@ void TestHeadsetPaper::leftMenu_showsTheToolsWhichThePadScrolls()
     v.hand.settle();
     QCOMPARE(v.brush().tool, Tool::Pull);
     v.hand.press(Side::Left, "menu");
-    for (const Tool tool : {Tool::Push, Tool::Flatten, Tool::Smooth, Tool::Paint, Tool::Pull}) {
+    const std::size_t count = core::toolNames().size();
+    for (std::size_t i = 1; i <= count; ++i) {
         v.hand.pressPad(Side::Left, 0.8, 0);
-        QTRY_COMPARE_WITH_TIMEOUT(v.brush().tool, tool, 60'000);
+        QTRY_COMPARE_WITH_TIMEOUT(v.brush().tool, static_cast<Tool>(i % count), 60'000);
     }
     v.hand.pressPad(Side::Left, -0.8, 0);
     QTRY_COMPARE_WITH_TIMEOUT(v.brush().tool, Tool::Paint, 60'000);

@@ -80,8 +80,7 @@ Played play()
     s.note("horn");
 
     hand.press(Side::Left, "menu");
-    for (int i = 0; i < 4; ++i)
-        hand.pressPad(Side::Left, 0.8, 0);
+    hand.pressPad(Side::Left, -0.8, 0); // the tool before the first is the last: Paint
     hand.press(Side::Right, "menu");
     hand.slide(Side::Right, {0, 1.2});
     s.note("painting-is-chosen");

@@ -2,6 +2,8 @@
 
 #include "ui_test.h"
 
+#include "core/brush.h"
+
 #include <QAction>
 #include <QMainWindow>
 #include <QMenu>
@@ -62,6 +64,26 @@ private Q_SLOTS:
         QVERIFY(has("view.back", "Ctrl+Num+1") && has("view.left", "Ctrl+Num+3") && has("view.bottom", "Ctrl+Num+7"));
         QVERIFY(has("view.orthographic", "Num+5"));
         QVERIFY(has("vr.enter", "Ctrl+Shift+V"));
+    }
+
+    /// In palette order, each with its picture; a tip says what the inverting key does where it does something.
+    void everyToolHasItsAction()
+    {
+        QList<ui::ActionInfo> rows;
+        for (const ui::ActionInfo& row : ui::actionTable())
+            if (row.menu == ui::MenuId::Tool)
+                rows << row;
+        QCOMPARE(static_cast<std::size_t>(rows.size()), core::toolNames().size());
+        for (qsizetype i = 0; i < rows.size(); ++i) {
+            const auto tool = static_cast<core::Tool>(i);
+            const std::string_view name = core::name(tool);
+            const auto word = QByteArray(name.data(), static_cast<qsizetype>(name.size()));
+            QCOMPARE(QByteArray(rows[i].id), "tool." + word);
+            QCOMPARE(QByteArray(rows[i].icon), word);
+            QVERIFY2(rows[i].bar == ui::Bar::Tools && rows[i].checkable && *rows[i].keys, rows[i].id);
+            const bool turnsRound = core::hasInverse(tool) || tool == core::Tool::Pull || tool == core::Tool::Push;
+            QCOMPARE(QByteArray(rows[i].tip).contains("%1"), turnsRound);
+        }
     }
 
     void aRenamedActionIsCalledSoEverywhere()

@@ -128,14 +128,20 @@ private Q_SLOTS:
     void keysHeldChangeTheTool()
     {
         using core::Tool;
-        for (const Tool tool : {Tool::Pull, Tool::Push, Tool::Flatten, Tool::Smooth, Tool::Paint}) {
-            QCOMPARE(ui::toolWith(tool, Qt::ShiftModifier), Tool::Smooth);
-            QCOMPARE(ui::toolWith(tool, Qt::NoModifier), tool);
+        const auto with = [](Tool tool, Qt::KeyboardModifiers keys) {
+            core::StrokeSettings stroke;
+            stroke.tool = tool;
+            return ui::withKeysHeld(stroke, keys);
+        };
+        for (std::size_t i = 0; i < core::toolNames().size(); ++i) {
+            const auto tool = static_cast<Tool>(i);
+            QCOMPARE(with(tool, Qt::ShiftModifier).tool, Tool::Smooth);
+            QVERIFY(with(tool, Qt::NoModifier).tool == tool && !with(tool, Qt::NoModifier).inverted);
+            const Tool inverse = tool == Tool::Pull ? Tool::Push : tool == Tool::Push ? Tool::Pull : tool;
+            QCOMPARE(with(tool, Qt::ControlModifier).tool, inverse);
+            QCOMPARE(with(tool, Qt::ControlModifier).inverted, core::hasInverse(tool));
+            QVERIFY(!with(tool, Qt::ControlModifier | Qt::ShiftModifier).inverted);
         }
-        QCOMPARE(ui::toolWith(Tool::Pull, Qt::ControlModifier), Tool::Push);
-        QCOMPARE(ui::toolWith(Tool::Push, Qt::ControlModifier), Tool::Pull);
-        for (const Tool tool : {Tool::Flatten, Tool::Smooth, Tool::Paint})
-            QCOMPARE(ui::toolWith(tool, Qt::ControlModifier), tool);
     }
 
     void smallerAndLargerUndoEachOther()

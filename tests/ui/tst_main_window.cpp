@@ -31,6 +31,7 @@
 #include <QSpinBox>
 #include <QTabBar>
 #include <QTemporaryDir>
+#include <QToolBar>
 #include <QTreeWidget>
 
 using core::Parameter;
@@ -325,6 +326,43 @@ private Q_SLOTS:
         QVERIFY(!act(window, "tool.pull")->isChecked());
         window.brush()->setTool(core::Tool::Push);
         QVERIFY(act(window, "tool.push")->isChecked() && !act(window, "tool.smooth")->isChecked());
+    }
+
+    /// None is hidden on a small screen, and each chooses its tool.
+    void everyToolIsInThePalette()
+    {
+        MainWindow window;
+        window.resize(1280, 720);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        for (const char* name : {"toolPalette", "toolOptions"})
+            for (QAction* action : child<QToolBar>(window, name)->actions())
+                QVERIFY2(child<QToolBar>(window, name)->widgetForAction(action)->isVisible(), qPrintable(action->objectName()));
+        std::size_t tools = 0;
+        for (QAction* action : child<QToolBar>(window, "toolPalette")->actions())
+            if (!action->isSeparator()) {
+                action->trigger();
+                QVERIFY(action->isChecked());
+                QCOMPARE(window.strokeSettings().tool, static_cast<core::Tool>(tools++));
+            }
+        QCOMPARE(tools, core::toolNames().size());
+    }
+
+    /// A window that was left by a version without the palette of options has it nonetheless.
+    void anOlderWindowsStateHidesNoPalette()
+    {
+        QByteArray state;
+        {
+            MainWindow older;
+            delete child<QToolBar>(older, "toolOptions");
+            state = older.saveState();
+        }
+        ui::Settings().setWindowState(state);
+        MainWindow window;
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        QVERIFY(child<QToolBar>(window, "toolOptions")->isVisible());
+        QVERIFY(child<QToolBar>(window, "toolOptions")->x() > child<QToolBar>(window, "toolPalette")->x());
     }
 
     void switchesAndPanelsShowTheBrush()

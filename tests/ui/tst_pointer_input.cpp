@@ -518,7 +518,7 @@ private Q_SLOTS:
             r.input.setHover(somewhere);
             QCOMPARE(r.settings.tool, isAlt ? Tool::Push : Tool::Pull);
             r.input.setModifiers(keys);
-            QCOMPARE(r.input.tool(), isAlt ? Tool::Push : Tool::Pull);
+            QCOMPARE(r.input.stroke().tool, isAlt ? Tool::Push : Tool::Pull);
             r.send(Kind::Release, {400, 300}, Qt::LeftButton, keys);
 
             Recorder beside;
@@ -576,21 +576,44 @@ private Q_SLOTS:
 
     void theEraserDoesTheOpposite()
     {
-        const auto toolOf = [](Tool tool, Qt::KeyboardModifiers keys, bool eraser) {
+        const auto strokeOf = [](Tool tool, Qt::KeyboardModifiers keys, bool eraser) {
             Recorder r;
             r.brush.setTool(tool);
             r.rest({400, 300}, somewhere);
             ui::PointerEvent press{Kind::Press, {400, 300}, Qt::LeftButton, keys};
             press.isEraser = eraser;
             r.input.handle(press);
-            return r.settings.tool;
+            return r.settings;
         };
+        const auto toolOf = [&](Tool tool, Qt::KeyboardModifiers keys, bool eraser) { return strokeOf(tool, keys, eraser).tool; };
         QCOMPARE(toolOf(Tool::Pull, {}, false), Tool::Pull);
         QCOMPARE(toolOf(Tool::Pull, {}, true), Tool::Push);
         QCOMPARE(toolOf(Tool::Push, {}, true), Tool::Pull);
         QCOMPARE(toolOf(Tool::Pull, Qt::ControlModifier, true), Tool::Pull);
         QCOMPARE(toolOf(Tool::Pull, Qt::ShiftModifier, true), Tool::Smooth);
         QCOMPARE(toolOf(Tool::Flatten, {}, true), Tool::Flatten);
+        QVERIFY(!strokeOf(Tool::Crease, {}, false).inverted);
+        QVERIFY(strokeOf(Tool::Crease, {}, true).inverted && strokeOf(Tool::Crease, Qt::ControlModifier, false).inverted);
+        QVERIFY(!strokeOf(Tool::Crease, Qt::ControlModifier, true).inverted); // twice round
+        QVERIFY(!strokeOf(Tool::Crease, Qt::ShiftModifier, true).inverted);
+    }
+
+    /// Spaced dabs would lag behind the hand.
+    void whatFollowsTheHandIsNotSpaced()
+    {
+        for (std::size_t i = 0; i < core::toolNames().size(); ++i) {
+            Recorder r;
+            r.brush.setTool(static_cast<Tool>(i));
+            r.rest({400, 300}, somewhere);
+            r.send(Kind::Press, {400, 300});
+            QCOMPARE(r.settings.spacing, core::followsHand(r.settings.tool) ? 0.0 : r.brush.stroke().spacing);
+            QCOMPARE(r.input.stroke().tool, r.settings.tool);
+        }
+        Recorder smoothing;
+        smoothing.brush.setTool(Tool::Grab);
+        smoothing.rest({400, 300}, somewhere);
+        smoothing.send(Kind::Press, {400, 300}, Qt::LeftButton, Qt::ShiftModifier);
+        QVERIFY(smoothing.settings.spacing > 0);
     }
 
     void pressureGoesThroughTheCurve()
@@ -713,10 +736,10 @@ private Q_SLOTS:
         r.rest({400, 300}, somewhere);
         QSignalSpy changed(&r.input, &ui::PointerInput::hoverChanged);
         r.input.setModifiers(Qt::ControlModifier);
-        QCOMPARE(r.input.tool(), Tool::Push);
+        QCOMPARE(r.input.stroke().tool, Tool::Push);
         QCOMPARE(changed.size(), 1);
         r.input.setModifiers(Qt::NoModifier);
-        QCOMPARE(r.input.tool(), Tool::Pull);
+        QCOMPARE(r.input.stroke().tool, Tool::Pull);
         QVERIFY(r.log.isEmpty());
     }
 

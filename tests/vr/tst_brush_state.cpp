@@ -65,15 +65,15 @@ private Q_SLOTS:
 
     void toolsComeRoundInPaletteOrder()
     {
-        using core::Tool;
+        const std::size_t count = core::toolNames().size();
         BrushState brush;
-        for (const Tool tool : {Tool::Push, Tool::Flatten, Tool::Smooth, Tool::Paint, Tool::Pull}) {
+        for (std::size_t i = 1; i <= count; ++i) {
             brush = after(brush, {vr::StepTool{1}});
-            QCOMPARE(brush.stroke.tool, tool);
+            QCOMPARE(brush.stroke.tool, static_cast<core::Tool>(i % count));
         }
-        for (const Tool tool : {Tool::Paint, Tool::Smooth, Tool::Flatten, Tool::Push, Tool::Pull}) {
+        for (std::size_t i = count; i-- > 0;) {
             brush = after(brush, {vr::StepTool{-1}});
-            QCOMPARE(brush.stroke.tool, tool);
+            QCOMPARE(brush.stroke.tool, static_cast<core::Tool>(i));
         }
     }
 
@@ -149,15 +149,21 @@ private Q_SLOTS:
         const core::StrokeSettings settings = vr::strokeSettings(brush, {}, someRoom());
         QVERIFY(settings.falloff == 6 && settings.detail == 0.5 && !settings.fusion);
         QCOMPARE(settings.place, core::Placement::Point);
-        for (const Tool tool : {Tool::Pull, Tool::Push, Tool::Flatten, Tool::Smooth, Tool::Paint}) {
+        for (std::size_t i = 0; i < core::toolNames().size(); ++i) {
+            const auto tool = static_cast<Tool>(i);
             brush.stroke.tool = tool;
             brush.isInverse = false;
             QCOMPARE(vr::strokeSettings(brush, {}, someRoom()).tool, tool);
             QCOMPARE(vr::strokeSettings(brush, {true}, someRoom()).tool, Tool::Smooth);
+            QVERIFY(!vr::strokeSettings(brush, {}, someRoom()).inverted);
+            QCOMPARE(vr::strokeSettings(brush, {}, someRoom()).spacing, core::followsHand(tool) ? 0 : vr::wandSpacing);
+            QCOMPARE(vr::strokeSettings(brush, {true}, someRoom()).spacing, vr::wandSpacing);
             brush.isInverse = true;
             const Tool inverse = tool == Tool::Pull ? Tool::Push : tool == Tool::Push ? Tool::Pull : tool;
             QCOMPARE(vr::strokeSettings(brush, {}, someRoom()).tool, inverse);
+            QCOMPARE(vr::strokeSettings(brush, {}, someRoom()).inverted, core::hasInverse(tool));
             QCOMPARE(vr::strokeSettings(brush, {true}, someRoom()).tool, Tool::Smooth);
+            QVERIFY(!vr::strokeSettings(brush, {true}, someRoom()).inverted);
         }
     }
 

@@ -71,6 +71,19 @@ QStringList iconsOf(const PanelLayout& layout)
     return names;
 }
 
+/// What is appended to a text that is cut is not seen.
+bool isWhole(const PanelLayout& layout, std::size_t part, const QImage& painted)
+{
+    PanelLayout more = layout;
+    std::visit(
+        [](auto& look) {
+            if constexpr (requires { look.text; })
+                look.text += QStringLiteral("WWW");
+        },
+        more.parts[part].look);
+    return !difference(painted, vr::paint(more)).isNull();
+}
+
 PanelLayout exampleLayout(int index)
 {
     return vr::layoutOf(examplePanels()[static_cast<std::size_t>(index)].content);
@@ -98,6 +111,8 @@ private Q_SLOTS:
     void texts_keepWithinTheirParts();
     void noTranslation_isCut_data();
     void noTranslation_isCut();
+    void aChosenTool_isNotCut_data() { noTranslation_isCut_data(); }
+    void aChosenTool_isNotCut();
     void everyIcon_isThere();
     void aValue_isSeen_data();
     void aValue_isSeen();
@@ -199,7 +214,6 @@ void TestPanelPainter::noTranslation_isCut_data()
     QTest::newRow("en") << QString();
 }
 
-/// What is appended to a text that is cut is not seen.
 void TestPanelPainter::noTranslation_isCut()
 {
     QFETCH(QString, language);
@@ -210,18 +224,26 @@ void TestPanelPainter::noTranslation_isCut()
     for (const ExamplePanel& example : examples) {
         const PanelLayout layout = vr::layoutOf(example.content);
         const QImage plain = vr::paint(layout);
-        for (std::size_t i = 0; i < layout.parts.size(); ++i) {
-            if (textOf(layout.parts[i]).isEmpty())
-                continue;
-            PanelLayout more = layout;
-            std::visit(
-                [](auto& look) {
-                    if constexpr (requires { look.text; })
-                        look.text += QStringLiteral("WWW");
-                },
-                more.parts[i].look);
-            QVERIFY2(!difference(plain, vr::paint(more)).isNull(), qPrintable(textOf(layout.parts[i])));
-        }
+        for (std::size_t i = 0; i < layout.parts.size(); ++i)
+            QVERIFY2(textOf(layout.parts[i]).isEmpty() || isWhole(layout, i, plain), qPrintable(textOf(layout.parts[i])));
+    }
+}
+
+/// What is chosen has wider letters.
+void TestPanelPainter::aChosenTool_isNotCut()
+{
+    QFETCH(QString, language);
+    std::optional<OtherWords> words;
+    if (!language.isEmpty())
+        words.emplace(OtherWords::ofLanguage(language));
+    for (std::size_t tool = 0; tool < core::toolNames().size(); ++tool) {
+        vr::ToolPanel panel;
+        panel.tool = static_cast<core::Tool>(tool);
+        const PanelLayout layout = panel.layout();
+        const auto part = std::ranges::find_if(layout.parts, [&](const PanelPart& p) { return p.action && vr::isSameItem(*p.action, panel.tool); });
+        QVERIFY(part != layout.parts.end());
+        const auto index = static_cast<std::size_t>(part - layout.parts.begin());
+        QVERIFY2(isWhole(layout, index, vr::paint(layout)), qPrintable(textOf(*part)));
     }
 }
 

@@ -9,7 +9,7 @@ namespace vr
 {
 namespace
 {
-constexpr double valueWidth = 118, wellInset = 6;
+constexpr double valueWidth = 126, wellInset = 6;
 } // namespace
 
 PanelBuilder::PanelBuilder(PanelKind kind, double width, double distance) : m_y(theme::margin)

@@ -26,7 +26,7 @@ public:
     core::BrushShape brush = core::BrushShape::Sphere;
     core::Topology topology = core::Topology::Adaptive;
     bool isSymmetric = false;
-    bool isInverse = false; ///< Pull pushes, Push pulls
+    bool isInverse = false; ///< strokes do the opposite
     bool canUndo = false, canRedo = false;
     bool canRestore = true;
     bool showsFiles = false, showsSettings = false; ///< those panels
@@ -36,6 +36,7 @@ public:
 
 private:
     static QString nameOf(core::Tool tool);
+    void addTools(PanelBuilder& builder) const;
     void addDoors(PanelBuilder& builder) const;
 };
 

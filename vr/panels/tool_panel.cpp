@@ -6,11 +6,10 @@ namespace vr
 {
 namespace
 {
-constexpr double toolWidth = 980, toolNameWidth = 210, toolHeight = 140, buttonHeight = 84, groupGap = 8, toolTitleWidth = 300;
-constexpr double filesWidth = 220, recentreWidth = 266;
+constexpr double toolWidth = 1060, toolNameWidth = 210, toolHeight = 124, buttonHeight = 84, groupGap = 8, toolTitleWidth = 300;
+constexpr double filesWidth = 250, recentreWidth = 280;
 constexpr double toolDistance = 0.5; ///< metres; a hand that holds something up to be read
-constexpr std::array tools{core::Tool::Pull, core::Tool::Push, core::Tool::Flatten, core::Tool::Smooth,
-                           core::Tool::Paint};
+constexpr std::array<std::size_t, 3> toolsInRow{5, 5, 4}; ///< what adds or takes away; what shapes the surface; what moves it, and Paint
 
 QString iconOf(core::Tool tool)
 {
@@ -26,14 +25,44 @@ QString ToolPanel::nameOf(core::Tool tool)
         return tr("Pull");
     case core::Tool::Push:
         return tr("Push");
+    case core::Tool::Inflate:
+        return tr("Inflate");
+    case core::Tool::Clay:
+        return tr("Clay");
+    case core::Tool::Layer:
+        return tr("Layer");
     case core::Tool::Flatten:
         return tr("Flatten");
+    case core::Tool::Scrape:
+        return tr("Scrape");
     case core::Tool::Smooth:
         return tr("Smooth");
+    case core::Tool::Pinch:
+        return tr("Pinch");
+    case core::Tool::Crease:
+        return tr("Crease");
+    case core::Tool::Grab:
+        return tr("Grab");
+    case core::Tool::Snake:
+        return tr("Snake Hook");
+    case core::Tool::Twist:
+        return tr("Twist");
     case core::Tool::Paint:
         return tr("Paint");
     }
     return {};
+}
+
+void ToolPanel::addTools(PanelBuilder& builder) const
+{
+    int next = 0;
+    for (const std::size_t count : toolsInRow)
+        for (const QRectF& place : evenCells(builder.nextRow(toolHeight), count)) {
+            const auto shown = static_cast<core::Tool>(next++);
+            builder.add(place,
+                        {{.text = nameOf(shown), .icon = iconOf(shown), .isChosen = shown == tool, .isUpright = true},
+                         shown});
+        }
 }
 
 /// Where this panel leads to, and what else concerns all that is seen.
@@ -57,15 +86,10 @@ PanelLayout ToolPanel::layout() const
 {
     using core::BrushShape, core::Topology;
     PanelBuilder builder(PanelKind::Tools, toolWidth, toolDistance);
-    builder.addTitle({tr("Tools"), isInverse ? tr("Pull and Push swapped") : QString(), toolTitleWidth},
+    builder.addTitle({tr("Tools"), isInverse ? tr("Inverted") : QString(), toolTitleWidth},
                      {{{.icon = QStringLiteral("undo")}, PanelCommand::Undo, canUndo},
                       {{.icon = QStringLiteral("redo")}, PanelCommand::Redo, canRedo}});
-    const std::vector<QRectF> places = evenCells(builder.nextRow(toolHeight), tools.size());
-    for (std::size_t i = 0; i < tools.size(); ++i)
-        builder.add(
-            places[i],
-            {{.text = nameOf(tools[i]), .icon = iconOf(tools[i]), .isChosen = tools[i] == tool, .isUpright = true},
-             tools[i]});
+    addTools(builder);
     builder.skip(groupGap);
     builder.addChoice(tr("Brush"), toolNameWidth,
                       {{tr("Sphere"), QStringLiteral("sphere"), BrushShape::Sphere, brush == BrushShape::Sphere},
