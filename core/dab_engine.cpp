@@ -8,7 +8,8 @@
 //     verify     exactly, where it changed                                                     judged_mesh
 //     index      octree and draw ranges learn what changed                                     judged_mesh
 //     fuse       what the next sub-step would bring into contact joins; thin necks part        fuse
-// What it works on is selected in dab_select.cpp, or was so before and is held, in dab_hold.cpp; a sub-step that does not verify is rolled back and goes on in dab_careful.cpp.
+// What it works on is selected in dab_select.cpp, or is what an earlier dab of the stroke took hold of, in dab_hold.cpp; a sub-step that
+// does not verify is rolled back and goes on in dab_careful.cpp.
 
 #include "dab_engine.h"
 

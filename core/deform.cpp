@@ -84,7 +84,8 @@ Field inflate(const Dabbed& d)
     return [&d, length = d.sign() * swellPerPeak * d.peak()](Slot v, double w) -> Vec3 { return length * w * (2 - w) * unitNormal(d.mesh, v); };
 }
 
-/// Towards the mean plane raised by a peak (SculptGL's and Blender's clay), by two peaks at most; what stands above it stays. Inverted it digs.
+/// Towards the mean plane raised by a peak (SculptGL's and Blender's clay), by two peaks at most; what stands above it stays. Inverted it
+/// digs.
 Field clay(const Dabbed& d)
 {
     const Plane plane = meanPlane(d);

@@ -45,6 +45,7 @@ class TestSculptor : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void randomStrokes_keepThePromise_data();
     void randomStrokes_keepThePromise();
     void undoneStrokes_leaveNoTraceInMirroredOnes();
     void pushesThroughASlab_leaveNoSpecksToJoin_data();
@@ -114,7 +115,8 @@ core::Box boundsOf(const Mesh& mesh)
 
 namespace
 {
-constexpr std::uint64_t dabsPerRun = 250, dabsPerLine = 10'000;
+constexpr std::uint64_t dabsPerRun = 250, dabsPerLine = 10'000, seedsPerPart = 1'000'000;
+constexpr int fuzzParts = 4;
 
 /// What the runs of a fuzzer begin with: in turn two shapes as they are, one made symmetric, one that grew in an earlier run.
 class FuzzStarts
@@ -162,11 +164,20 @@ private:
 };
 } // namespace
 
+/// A part alone stays within the time that QtTest gives a function.
+void TestSculptor::randomStrokes_keepThePromise_data()
+{
+    QTest::addColumn<int>("part");
+    for (int part = 0; part < fuzzParts; ++part)
+        QTest::addRow("part %d", part) << part;
+}
+
 void TestSculptor::randomStrokes_keepThePromise()
 {
+    QFETCH(int, part);
     const bool soak = qEnvironmentVariableIntValue("FETTLE_SOAK") != 0;
-    const std::uint64_t dabs = numberFromEnvironment("FETTLE_DABS", soak ? 1'000'000 : usualDabs);
-    const std::uint64_t seed = numberFromEnvironment("FETTLE_SEED", 20240812);
+    const std::uint64_t dabs = numberFromEnvironment("FETTLE_DABS", soak ? 1'000'000 : usualDabs) / fuzzParts;
+    const std::uint64_t seed = numberFromEnvironment("FETTLE_SEED", 20240812) + seedsPerPart * static_cast<std::uint64_t>(part);
     FuzzStarts starts;
     FuzzTally tally;
     for (std::uint64_t run = 0, line = dabsPerLine; tally.dabs < dabs; ++run) {

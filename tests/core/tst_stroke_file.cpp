@@ -53,7 +53,8 @@ Stroke randomStroke(std::mt19937_64& random)
 {
     const auto between = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
     Stroke stroke;
-    stroke.settings.tool = static_cast<Tool>(random() % 5);
+    stroke.settings.tool = static_cast<Tool>(random() % toolNames().size());
+    stroke.settings.inverted = random() % 2 == 0;
     stroke.settings.brush = static_cast<BrushShape>(random() % 2);
     stroke.settings.topology = static_cast<Topology>(random() % 2);
     stroke.settings.symmetry = static_cast<Symmetry>(random() % 4);
@@ -131,7 +132,7 @@ void TestStrokeFile::values_arriveWhereTheyBelong()
 {
     const Stroke stroke = strokesOf(file(
         R"("tool":"smooth","brush":"ray","radius":2.5,"strength":3,"falloff":16,"detail":0.5,"topology":"uniform",
-           "detail_length":0.125,"fusion":true,"symmetry":"z","spacing":0.25,"place":"ray","add":true,
+           "detail_length":0.125,"fusion":true,"symmetry":"z","spacing":0.25,"place":"ray","add":true,"invert":true,
            "color":[200,120,80])",
         R"("t":1.5,"position":[1,2,3],"direction":[0,0,-1],"pressure":0.5,"rotation":[0,1,0,0],"radius":4,"strength":0)"))
                               .at(0);
@@ -144,6 +145,7 @@ void TestStrokeFile::values_arriveWhereTheyBelong()
     QCOMPARE(stroke.settings.detailLength, 0.125);
     QVERIFY(stroke.settings.brush == BrushShape::Ray && stroke.settings.topology == Topology::Uniform);
     QVERIFY(stroke.settings.symmetry == Symmetry::Z);
+    QVERIFY(stroke.settings.inverted);
     QVERIFY(stroke.settings.add && stroke.settings.color == (Rgb{200, 120, 80}));
     const StrokeSample& sample = stroke.samples.at(0);
     QCOMPARE(sample.time, 1.5);
@@ -300,6 +302,7 @@ void TestStrokeFile::refuses_data()
     stroke(R"("spacing":-0.1)", Kind::OutOfRange, "spacing");
     stroke(R"("place":"floor")", Kind::UnknownValue, "place: \"floor\"");
     stroke(R"("add":"no")", Kind::WrongType, "add");
+    stroke(R"("invert":1)", Kind::WrongType, "invert");
     stroke(R"("color":[1,2])", Kind::WrongType, "color");
     stroke(R"("color":[1,2,256])", Kind::OutOfRange, "color");
     stroke(R"("color":[1,2,0.5])", Kind::WrongType, "color");
