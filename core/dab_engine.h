@@ -87,7 +87,7 @@ private:
     void take(const StrokeSettings& settings, const Sphere& ball);
     bool takeMirrored(const StrokeSettings& settings, const Sphere& ball);
     bool takeHeld();
-    void swapHolds();
+    void swapHolds(Tool tool);
     Sphere ballAround(const Dab& dab) const;
     void selectBothSides(const Task& task);
     void recallRaised();

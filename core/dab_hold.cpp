@@ -50,26 +50,28 @@ bool DabEngine::takeMirrored(const StrokeSettings& settings, const Sphere& ball)
     return mirrored;
 }
 
-/// The faces around what is held; whether they have images. What the dab before removed on the other side is let go.
+/// The faces around what is held; whether they have images.
 bool DabEngine::takeHeld()
 {
     SlotSet& faces = m_region.scratch();
     faces.clear();
-    m_region.forEach([&](Slot v) {
-        if (m_mesh.isVertex(v))
-            m_mesh.forEachOutgoing(v, [&](Slot h) { faces.add(m_mesh.face(h)); });
-        else
-            m_region.remove(v);
-    });
+    m_region.forEach([&](Slot v) { m_mesh.forEachOutgoing(v, [&](Slot h) { faces.add(m_mesh.face(h)); }); });
     faces.sort();
     m_candidates = faces.slots();
     return m_mirror.isOn() && m_mirror.learn(m_candidates, m_surface.octree());
 }
 
-void DabEngine::swapHolds()
+/// Of a tool that holds on. What was removed meanwhile, with the other hold, is let go.
+void DabEngine::swapHolds(Tool tool)
 {
+    if (!holdsOn(tool))
+        return;
     std::swap(m_hold, m_imageHold);
     std::swap(m_region, m_imageRegion);
+    m_region.forEach([&](Slot v) {
+        if (!m_mesh.isVertex(v))
+            m_region.remove(v);
+    });
 }
 
 /// All that the dab moves.

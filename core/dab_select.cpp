@@ -39,9 +39,9 @@ void DabEngine::runMirrored(const StrokeSettings& settings, const Dab& dab, cons
     run(settings, first, between, report);
     if (image.position != first.position) {
         DabReport second;
-        swapHolds();
+        swapHolds(settings.tool);
         run(settings, image, between, second);
-        swapHolds();
+        swapHolds(settings.tool);
         report += second;
     }
     report.asymmetric = true;

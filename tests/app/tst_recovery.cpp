@@ -691,7 +691,9 @@ void TestRecovery::damagedInPart_comesBackAndIsKept()
     const State left = leaveJournal(root, 11, 30);
     const fs::path folder = onlyFolderIn(root);
     const core::JournalFiles files = core::filesIn(folder);
-    const auto segment = files.segments.lower_bound(files.bases.empty() ? 0 : files.bases.rbegin()->first); // those before are of no use
+    auto segment = files.segments.lower_bound(files.bases.empty() ? 0 : files.bases.rbegin()->first); // those before are of no use
+    if (std::next(segment) != files.segments.end())
+        ++segment; // so that something comes back, however large the first change is
     {
         std::fstream file(core::segmentFile(folder, segment->first), std::ios::in | std::ios::out | std::ios::binary);
         file.seekp(static_cast<std::streamoff>(segment->second / 2)).write("damaged!", 8);

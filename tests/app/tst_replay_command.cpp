@@ -83,7 +83,7 @@ private Q_SLOTS:
 void TestReplayCommand::everyToolAndMode_isPlayed()
 {
     Json entries = Json::array();
-    for (const char* tool : {"pull", "push", "flatten", "smooth", "paint"}) {
+    for (const std::string_view tool : core::toolNames()) {
         for (const char* brush : {"sphere", "ray"}) {
             for (const char* topology : {"adaptive", "uniform"}) {
                 for (const char* symmetry : {"none", "x", "y", "z"}) {

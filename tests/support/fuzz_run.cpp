@@ -246,6 +246,8 @@ void FuzzRun::trace(const StrokeSettings& s, const DabReport& report) const
 void FuzzRun::checkAfterSample()
 {
     checkIndex("after a dab");
+    if (const auto quality = m_sculptor.selectionQuality(); quality && !(quality->longestEdge > 0))
+        fail("what the last dab selected has no edges");
     if (m_start.plane != Symmetry::None) {
         if (const std::string asymmetry = mirror_asserts::asymmetry(m_sculptor.mesh(), m_start.plane); !asymmetry.empty())
             fail(asymmetry);
