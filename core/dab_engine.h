@@ -30,8 +30,12 @@ public:
     /// See Sculptor::setVerification.
     void setVerification(bool on) { m_surface.setVerification(on); }
 
-    /// Brings octree and patches up to date after Mesh::swap.
-    void follow(const MeshDelta& swapped) { m_surface.follow(swapped); }
+    /// Brings octree and patches up to date after Mesh::swap. What the last dab selected may be no more.
+    void follow(const MeshDelta& swapped)
+    {
+        m_surface.follow(swapped);
+        m_bounds.reset();
+    }
 
     const Mesh& mesh() const { return m_mesh; }
     const FaceOctree& octree() const { return m_surface.octree(); }

@@ -48,6 +48,7 @@ private Q_SLOTS:
     void randomStrokes_keepThePromise_data();
     void randomStrokes_keepThePromise();
     void undoneStrokes_leaveNoTraceInMirroredOnes();
+    void afterUndo_theSelectionHasNoQuality();
     void pushesThroughASlab_leaveNoSpecksToJoin_data();
     void pushesThroughASlab_leaveNoSpecksToJoin();
     void pushThroughASlab_withoutFusion_stopsAtContact();
@@ -227,6 +228,27 @@ void TestSculptor::undoneStrokes_leaveNoTraceInMirroredOnes()
             QCOMPARE(used.mesh().stateHash(), fresh.mesh().stateHash());
         }
     }
+}
+
+/// Shrunk from a run that hung: a dab that met nothing came after an undo, and the quality of what was there before was asked for.
+void TestSculptor::afterUndo_theSelectionHasNoQuality()
+{
+    Sculptor sculptor(sculptable(core::icosphere(3, 1)));
+    core::StrokeSettings pull;
+    pull.radius = 0.3;
+    pull.place = core::Placement::Ray;
+    core::StrokeSample sample;
+    sample.position = {0, 0, 2};
+    sculptor.beginStroke(pull);
+    sculptor.addSample(sample);
+    QVERIFY(sculptor.selectionQuality());
+    MeshDelta delta = sculptor.endStroke();
+    sculptor.swap(delta);
+    sample.position = {0, 5, 2};
+    sculptor.beginStroke(pull);
+    QCOMPARE(sculptor.addSample(sample).at(0).outcome, core::DabOutcome::Empty);
+    QVERIFY(!sculptor.selectionQuality());
+    sculptor.endStroke();
 }
 
 void TestSculptor::pushesThroughASlab_leaveNoSpecksToJoin_data()
