@@ -82,7 +82,7 @@ std::optional<ConvertOptions> parseConvertOptions(const QStringList& arguments)
     parser.addPositionalArgument(QStringLiteral("OUT"), ConvertWords::tr("Where it goes; the ending says the format."));
     parser.addOptions({{unit, ConvertWords::tr("What IN is measured in; OUT is in mm."), CommandUnit::words()},
                        {size, ConvertWords::tr("How long the longest side becomes."), QStringLiteral("MM")},
-                       {up, ConvertWords::tr("Which axis of IN points up; else z for STL, y for others."), QStringLiteral("y|z")},
+                       {up, ConvertWords::tr("Which axis of IN points up; else z for STL and 3MF, y for others."), QStringLiteral("y|z")},
                        {triangles, ConvertWords::tr("OUT has at most so many triangles; where they go, shape and colours lose least."),
                         QStringLiteral("N")},
                        {legalise, ConvertWords::tr("Mends a model that is not in order, and says what changed.")},

@@ -98,6 +98,7 @@ private:
     void noteRaised(double share);
     void noteRaised(Slot v, double raised);
     double raised(Slot v) const;
+    double raisedAround(Slot v) const;
     std::vector<Slot> facesIn(const LatticeBox& box) const;
     bool isMirroredIn(BrushShape brush, const Sphere& ball);
     MeshEditor plainEditor() { return MeshEditor(m_mesh, {}, mirror()); }

@@ -114,22 +114,23 @@ double DabEngine::raised(Slot v) const
     return i == noSlot ? -1 : m_raised[i];
 }
 
+/// The mean of the neighbours that are known, or 0.
+double DabEngine::raisedAround(Slot v) const
+{
+    double sum = 0;
+    int known = 0;
+    m_mesh.forEachOutgoing(v, [&](Slot h) {
+        const double beside = raised(m_mesh.to(h));
+        sum += std::max(beside, 0.0);
+        known += beside < 0 ? 0 : 1;
+    });
+    return known > 0 ? sum / known : 0;
+}
+
 /// What has come since the dab before is as high as its neighbours are.
 void DabEngine::recallRaised()
 {
-    m_region.forEach([&](Slot v) {
-        double sum = std::max(raised(v), 0.0);
-        int known = 1;
-        if (raised(v) < 0) {
-            known = 0;
-            m_mesh.forEachOutgoing(v, [&](Slot h) {
-                const double beside = raised(m_mesh.to(h));
-                sum += std::max(beside, 0.0);
-                known += beside < 0 ? 0 : 1;
-            });
-        }
-        m_region.setCarried(v, known > 0 ? sum / known : 0);
-    });
+    m_region.forEach([&](Slot v) { m_region.setCarried(v, raised(v) < 0 ? raisedAround(v) : raised(v)); });
 }
 
 /// `share`: of the plan, that was reached.

@@ -208,8 +208,8 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Wie lang die längste Seite wird.</translation>
     </message>
     <message>
-        <source>Which axis of IN points up; else z for STL, y for others.</source>
-        <translation>Welche Achse von IN nach oben zeigt; sonst z bei STL, y bei anderen.</translation>
+        <source>Which axis of IN points up; else z for STL and 3MF, y for others.</source>
+        <translation>Welche Achse von IN nach oben zeigt; sonst z bei STL und 3MF, y bei anderen.</translation>
     </message>
     <message numerus="yes">
         <source>convert: two files are needed, IN and OUT, but %n were given.</source>

@@ -207,8 +207,8 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>最长边的目标长度。</translation>
     </message>
     <message>
-        <source>Which axis of IN points up; else z for STL, y for others.</source>
-        <translation>IN 的哪个轴朝上；默认 STL 为 z，其他为 y。</translation>
+        <source>Which axis of IN points up; else z for STL and 3MF, y for others.</source>
+        <translation>IN 的哪个轴朝上；默认 STL 和 3MF 为 z，其他为 y。</translation>
     </message>
     <message numerus="yes">
         <source>convert: two files are needed, IN and OUT, but %n were given.</source>

@@ -22,6 +22,14 @@ bool holds(const QTreeWidgetItem* item, const QStringList& words)
     const QString text = texts.join(u' ');
     return std::ranges::all_of(words, [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
 }
+/// The better, the less: what is called so comes before what is called so at first, and that before what has the words anywhere.
+int rank(const QTreeWidgetItem* item, const QString& words)
+{
+    const QString name = item->text(CommandList::Name), wanted = words.trimmed();
+    if (name.compare(wanted, Qt::CaseInsensitive) == 0)
+        return 0;
+    return name.startsWith(wanted, Qt::CaseInsensitive) ? 1 : 2;
+}
 } // namespace
 
 CommandList::CommandList(const Actions& actions, QWidget* parent) : QTreeWidget(parent)
@@ -87,7 +95,8 @@ void CommandList::filter(const QString& words)
             const bool found = holds(item, parts);
             item->setHidden(!found);
             any = any || found;
-            if (found && !item->isDisabled() && !parts.isEmpty() && !currentItem())
+            const bool isBetter = !currentItem() || rank(item, words) < rank(currentItem(), words);
+            if (found && !item->isDisabled() && !parts.isEmpty() && isBetter)
                 setCurrentItem(item);
         }
         menu->setHidden(!any);

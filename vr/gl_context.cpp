@@ -54,7 +54,9 @@ bool GlContext::take()
     if (!isGoodEnough() || !m_context->makeCurrent(m_surface.get()))
         return false;
     m_own = ownConnection();
-    return !m_own || m_own->makeCurrent();
+    if (m_own && !m_own->makeCurrent())
+        m_own.reset();
+    return m_own || m_context->makeCurrent(m_surface.get());
 }
 
 void GlContext::makeCurrent()

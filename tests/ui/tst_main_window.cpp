@@ -540,6 +540,24 @@ private Q_SLOTS:
         QCOMPARE(window.strokeSettings().tool, core::Tool::Smooth);
     }
 
+    /// After a stroke there is an "Undo Pull" above it.
+    void whatIsCalledSoComesFirst()
+    {
+        MainWindow window;
+        window.show();
+        act(window, "tool.smooth")->trigger();
+        QAction* undo = act(window, "edit.undo");
+        undo->setText(QStringLiteral("Undo Pull"));
+        undo->setEnabled(true);
+        QSignalSpy undone(undo, &QAction::triggered);
+        act(window, "help.keys")->trigger();
+        auto* words = child<QDialog>(window, "commandBox")->findChild<QLineEdit*>();
+        QTest::keyClicks(words, QStringLiteral("pull"));
+        QTest::keyClick(words, Qt::Key_Return);
+        QCOMPARE(window.strokeSettings().tool, core::Tool::Pull);
+        QVERIFY(undone.isEmpty());
+    }
+
     void arrowsMoveThroughTheCommands()
     {
         MainWindow window;
