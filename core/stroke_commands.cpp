@@ -5,15 +5,10 @@ namespace core
 {
 namespace
 {
-constexpr unsigned bit(StrokeKey key)
-{
-    return 1u << key;
-}
-
 struct CommandKeys
 {
     std::string_view name;
-    unsigned required, optional;
+    KeySet required, optional;
 };
 enum CommandName { MoveName, RotateName, ScaleName, MirrorName, RecentreName, InsertName, FillName, RemeshName, SymmetrizeName, ResetName,
                    PlaceOnBedName, FlattenBaseName };
@@ -89,10 +84,10 @@ bool StrokeReader::commandWord(const std::string& word)
 }
 
 /// Known to the format, but not where they stand.
-void StrokeReader::requireNoneOf(unsigned keys)
+void StrokeReader::requireNoneOf(KeySet keys)
 {
     for (std::size_t i = 0; i < strokeKeys.names.size(); ++i) {
-        if (m_seen & keys & (1u << i))
+        if (m_seen & keys & bit(i))
             throw errorHere(Kind::UnknownKey, std::string(strokeKeys.names[i]));
     }
 }
@@ -103,12 +98,12 @@ void StrokeReader::endCommand()
     const std::size_t name = placeIn(commandTable, m_command.name, &CommandKeys::name);
     const CommandKeys& keys = commandTable[name];
     const bool wantsCentre = name == InsertName && m_command.where == Insert::Place::Centre;
-    const unsigned required = keys.required | (wantsCentre ? bit(CentreKey) : 0);
-    const unsigned known = bit(CommandKey) | required | (keys.optional & ~(wantsCentre ? 0 : bit(CentreKey)));
+    const KeySet required = keys.required | (wantsCentre ? bit(CentreKey) : 0);
+    const KeySet known = bit(CommandKey) | required | (keys.optional & ~(wantsCentre ? 0 : bit(CentreKey)));
     requireNoneOf(~known);
     for (std::size_t i = 0; i < strokeKeys.names.size(); ++i) {
         m_key = static_cast<int>(i);
-        if (required & ~m_seen & (1u << i))
+        if (required & ~m_seen & bit(i))
             refuse(Kind::MissingKey);
     }
     m_entries.back() = FileCommand{commandOf(static_cast<CommandName>(name), m_command, stroke().settings), m_command.file};

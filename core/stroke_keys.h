@@ -4,10 +4,18 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <string_view>
 
 namespace core
 {
+/// A bit per key of an object.
+using KeySet = std::uint64_t;
+constexpr KeySet bit(std::size_t key)
+{
+    return KeySet(1) << key;
+}
+
 /// The keys of one kind of object; the first `required` of them must be there.
 template <std::size_t N> struct Keys
 {
@@ -36,8 +44,8 @@ inline constexpr Keys<27> strokeKeys{{"tool", "radius", "samples", "brush", "str
                                       "height"},
                                      3};
 
-/// Those that no stroke has, a bit each.
-inline constexpr unsigned commandKeys = (1u << strokeKeys.names.size()) - (1u << CommandKey);
+/// Those that no stroke has.
+inline constexpr KeySet commandKeys = bit(strokeKeys.names.size()) - bit(CommandKey);
 
 enum SampleKey { PositionKey, TimeKey, DirectionKey, PressureKey, RotationKey, SampleRadiusKey, SampleStrengthKey };
 inline constexpr Keys<7> sampleKeys{{"position", "t", "direction", "pressure", "rotation", "radius", "strength"}, 1};

@@ -50,18 +50,18 @@ template <std::size_t N> void StrokeReader::noteKey(const Keys<N>& keys, const s
 {
     m_key = keys.indexOf(name);
     if (m_key < 0)
-        refuse(m_level == Level::File && !(m_seen & (1u << Format)) ? Kind::NotStrokes : Kind::UnknownKey,
+        refuse(m_level == Level::File && !(m_seen & bit(Format)) ? Kind::NotStrokes : Kind::UnknownKey,
                name.empty() ? std::string_view("\"\"") : std::string_view(name));
-    if (m_seen & (1u << m_key))
+    if (m_seen & bit(static_cast<std::size_t>(m_key)))
         refuse(Kind::DuplicateKey);
-    m_seen |= 1u << m_key;
+    m_seen |= bit(static_cast<std::size_t>(m_key));
 }
 
 template <std::size_t N> void StrokeReader::requireKeys(const Keys<N>& keys)
 {
     for (unsigned i = 0; i < keys.required; ++i) {
         m_key = static_cast<int>(i);
-        if (!(m_seen & (1u << i)))
+        if (!(m_seen & bit(i)))
             refuse(m_level == Level::File && i == Format ? Kind::NotStrokes : Kind::MissingKey);
     }
 }
@@ -120,7 +120,7 @@ bool StrokeReader::end_object()
         break;
     default:
         requireKeys(sampleKeys);
-        if (!(m_seen & (1u << DirectionKey)) && !m_undirected)
+        if (!(m_seen & bit(DirectionKey)) && !m_undirected)
             m_undirected = stroke().samples.size() - 1;
         m_level = Level::Samples;
         m_seen = m_seenStroke;

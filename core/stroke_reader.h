@@ -65,10 +65,10 @@ private:
     Eigen::Quaterniond unitRotation() const;
     void endSample();
     void endStroke();
-    bool isCommand() const { return m_seen & (1u << CommandKey); }
+    bool isCommand() const { return m_seen & bit(CommandKey); }
     bool commandWord(const std::string& word);
     void endCommand();
-    void requireNoneOf(unsigned keys);
+    void requireNoneOf(KeySet keys);
     /// The entry that is being read: a stroke until it ends, its color and detail_length those of a command, too.
     Stroke& stroke() { return std::get<Stroke>(m_entries.back()); }
 
@@ -77,8 +77,8 @@ private:
     CommandDraft m_command;
     Level m_level = Level::Start;
     int m_key = -1;          ///< in the level's keys
-    unsigned m_seen = 0;     ///< bit per key of the innermost object
-    unsigned m_seenOuter = 0, m_seenStroke = 0;
+    KeySet m_seen = 0;       ///< of the innermost object
+    KeySet m_seenOuter = 0, m_seenStroke = 0;
     bool m_inVector = false; ///< between the brackets of a list of numbers
     std::size_t m_count = 0; ///< of them so far
     std::array<double, 4> m_vector{};
