@@ -17,7 +17,8 @@ QString ModelWords::icon(const core::ModelCommand& command)
     static const QString icons[] = {QStringLiteral("move"),   QStringLiteral("rotate"),   QStringLiteral("scale"),
                                     QStringLiteral("mirror"), QStringLiteral("recentre"), QStringLiteral("insert"),
                                     QStringLiteral("fill"),   QStringLiteral("remesh"),   QStringLiteral("symmetrize"),
-                                    QStringLiteral("reset"),  QStringLiteral("place-on-bed"), QStringLiteral("flatten-base")};
+                                    QStringLiteral("reset"),  QStringLiteral("place-on-bed"), QStringLiteral("flatten-base"),
+                                    QStringLiteral("mask")};
     static_assert(std::size(icons) == std::variant_size_v<core::ModelCommand>);
     return icons[command.index()];
 }
@@ -62,6 +63,24 @@ ModelWords::Words ModelWords::wordsOf(const core::Fill&)
     return {tr("Fill", "undo step"), tr("Colouring the model")};
 }
 
+ModelWords::Words ModelWords::wordsOf(const core::ChangeMask& change)
+{
+    using How = core::ChangeMask::How;
+    const QString doing = tr("Changing the mask");
+    switch (change.how) {
+    case How::Invert: return {tr("Invert Mask", "undo step"), doing};
+    case How::Clear: return {tr("Clear Mask", "undo step"), doing};
+    case How::Blur: return {tr("Blur Mask", "undo step"), doing};
+    case How::Sharpen: return {tr("Sharpen Mask", "undo step"), doing};
+    case How::Grow: return {tr("Grow Mask", "undo step"), doing};
+    case How::Shrink: return {tr("Shrink Mask", "undo step"), doing};
+    case How::Cavity: return {tr("Mask Cavities", "undo step"), doing};
+    case How::Color: return {tr("Mask by Colour", "undo step"), doing};
+    case How::Part: return {tr("Mask Whole Parts", "undo step"), doing};
+    }
+    return {};
+}
+
 ModelWords::Words ModelWords::wordsOf(const core::RemeshUniformly&)
 {
     return {tr("Remesh", "undo step"), tr("Remeshing the model")};
@@ -89,6 +108,8 @@ ModelWords::Words ModelWords::wordsOf(const core::FlattenBase&)
 
 QString ModelWords::nothing(const core::ModelCommand& command)
 {
+    if (std::holds_alternative<core::ChangeMask>(command))
+        return tr("The mask is like that already.");
     return std::holds_alternative<core::RemeshUniformly>(command) ? tr("The mesh is as uniform as that already.")
                                                                   : tr("The model is like that already.");
 }

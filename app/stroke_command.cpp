@@ -46,6 +46,7 @@ QString StrokeCommand::textOf(core::Tool tool)
     case core::Tool::Snake: return tr("Snake Hook", "undo step");
     case core::Tool::Twist: return tr("Twist", "undo step");
     case core::Tool::Paint: return tr("Paint", "undo step");
+    case core::Tool::Mask: return tr("Mask", "undo step");
     }
     return {};
 }

@@ -11,8 +11,9 @@ namespace core
 {
 namespace
 {
-constexpr std::array<std::string_view, 14> toolTable{"pull",   "push",  "inflate", "clay", "layer", "flatten", "scrape",
-                                                     "smooth", "pinch", "crease",  "grab", "snake", "twist",   "paint"};
+constexpr std::array<std::string_view, 15> toolTable{"pull",   "push",  "inflate", "clay", "layer", "flatten", "scrape",
+                                                     "smooth", "pinch", "crease",  "grab", "snake", "twist",   "paint",
+                                                     "mask"};
 constexpr std::array<std::string_view, 2> brushTable{"sphere", "ray"};
 constexpr std::array<std::string_view, 2> topologyTable{"adaptive", "uniform"};
 constexpr std::array<std::string_view, 3> placementTable{"point", "nearest", "ray"};

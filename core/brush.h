@@ -10,7 +10,7 @@ namespace core
 {
 /// What a dab does to the vertices it selects: Pull, Push, Flatten, Smooth and Paint are the paper's (section 3.3, 3.5.3). What the others
 /// do stands at their fields, in deform.cpp.
-enum class Tool { Pull, Push, Inflate, Clay, Layer, Flatten, Scrape, Smooth, Pinch, Crease, Grab, Snake, Twist, Paint };
+enum class Tool { Pull, Push, Inflate, Clay, Layer, Flatten, Scrape, Smooth, Pinch, Crease, Grab, Snake, Twist, Paint, Mask };
 
 /// Follows the hand: what counts is how the samples move against each other, and the first dab of a stroke moves nothing.
 constexpr bool followsHand(Tool tool)
@@ -22,6 +22,11 @@ constexpr bool holdsOn(Tool tool)
 {
     return tool == Tool::Grab || tool == Tool::Twist;
 }
+/// Moves nothing and remeshes nothing: colours the surface, or masks it.
+constexpr bool marks(Tool tool)
+{
+    return tool == Tool::Paint || tool == Tool::Mask;
+}
 /// Makes edges sharp, on a mesh that is finer for it.
 constexpr bool drawsLine(Tool tool)
 {
@@ -31,7 +36,7 @@ constexpr bool drawsLine(Tool tool)
 constexpr bool hasInverse(Tool tool)
 {
     return tool == Tool::Inflate || tool == Tool::Clay || tool == Tool::Layer || tool == Tool::Scrape || tool == Tool::Pinch ||
-           tool == Tool::Crease || tool == Tool::Twist;
+           tool == Tool::Crease || tool == Tool::Twist || tool == Tool::Mask;
 }
 
 /// How a dab selects vertices (paper, section 3.1).

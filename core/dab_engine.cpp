@@ -115,8 +115,8 @@ void DabEngine::sculpt(const StrokeSettings& settings, Dab dab, const std::funct
         report = addSphere(m_surface, {dab.position, dab.radius}, mirror());
         return;
     }
-    if (settings.tool == Tool::Paint)
-        return paint(settings, dab, report);
+    if (marks(settings.tool))
+        return mark(settings, dab, report);
     m_held.clear();
     m_unfolding.clear();
     m_fuser.beginDab(mirror());

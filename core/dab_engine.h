@@ -107,7 +107,9 @@ private:
     Slot touchedVertices() const;
     void select(Region& region, std::vector<Slot>& candidates, BrushShape brush, const Sphere& ball, Slot most = noSlot) const;
     bool wantsSphere(const StrokeSettings& settings, const Dab& dab) const;
-    void paint(const StrokeSettings& settings, const Dab& dab, DabReport& report);
+    void mark(const StrokeSettings& settings, const Dab& dab, DabReport& report);
+    void colour(Slot v, Rgb color, double share);
+    void mask(Slot v, double change);
     EdgeBounds boundsFor(const StrokeSettings& settings, const Dab& dab) const;
     Substep substep(Task& task, DabReport& report);
     Substep straight(Task& task, DabReport& report);

@@ -1,8 +1,9 @@
 // What a dab works on (paper, sections 3.1 and 3.5.2): the region under the brush, or with symmetry the half of it whose image is
-// changed with it; and painting, which is done once it is selected.
+// changed with it; and painting and masking, which are done once it is selected.
 
 #include "dab_engine.h"
 
+#include "deform.h"
 #include "mirror_plan.h"
 #include "phase_timer.h"
 #include "surface_query.h"
@@ -89,7 +90,8 @@ Footprint DabEngine::footprint(const StrokeSettings& settings, const Vec3& cente
     const auto add = [&](const Vec3& at) {
         select(m_footprint, candidates, settings.brush, {at, settings.radius}, Footprint::most);
         m_footprint.forEach([&](Slot v) {
-            const double share = falloff(std::min(m_footprint.distance(v) / settings.radius, 1.0), settings.falloff);
+            const double free = settings.tool == Tool::Mask ? 1 : m_mesh.freedom(v);
+            const double share = free * falloff(std::min(m_footprint.distance(v) / settings.radius, 1.0), settings.falloff);
             footprint.slots.push_back(v);
             footprint.weights.push_back(static_cast<std::uint8_t>(1 + 254 * share));
         });
@@ -122,29 +124,44 @@ bool DabEngine::wantsSphere(const StrokeSettings& settings, const Dab& dab) cons
     return !nearest || nearest->distance > dab.radius; // else a face is under the brush, if no vertex is
 }
 
-/// Colours the region (paper, section 3.5.3); moves nothing and remeshes nothing.
-void DabEngine::paint(const StrokeSettings& settings, const Dab& dab, DabReport& report)
+/// Colours the region (paper, section 3.5.3), or masks it.
+void DabEngine::mark(const StrokeSettings& settings, const Dab& dab, DabReport& report)
 {
     const Mesh::Mark mark = m_mesh.mark();
-    const auto colour = [&](Slot v, double share) {
-        const Rgb before = m_mesh.color(v);
-        const auto mix = [&](int from, int to) { return static_cast<std::uint8_t>(from + share * (to - from) + 0.5); };
-        const Rgb after = {mix(before.r, settings.color.r), mix(before.g, settings.color.g),
-                           mix(before.b, settings.color.b)};
-        if (after != before)
-            m_mesh.setColor(v, after);
+    const auto change = [&](Slot v, double share) {
+        if (settings.tool == Tool::Paint)
+            colour(v, settings.color, share * m_mesh.freedom(v));
+        else
+            mask(v, settings.inverted ? -share : share);
     };
     m_region.forEach([&](Slot v) {
-        const double x = std::min(m_region.distance(v) / dab.radius, 1.0);
-        const double share = std::min(dab.strength, 1.0) * falloff(x, settings.falloff);
-        colour(v, share);
+        const double share = std::min(dab.strength, 1.0) * weightAt(m_region.distance(v), settings, dab);
+        change(v, share);
         const Slot image = m_mirror.isOn() ? m_mirror.imageOf(v) : v;
         if (image != v)
-            colour(image, share);
+            change(image, share);
     });
     m_surface.commitUnjudged(mark);
     report.touchedVertices = touchedVertices();
     report.outcome = m_region.empty() ? DabOutcome::Empty : DabOutcome::Committed;
+}
+
+/// By a share of the way to the colour.
+void DabEngine::colour(Slot v, Rgb color, double share)
+{
+    const Rgb before = m_mesh.color(v);
+    const auto mix = [&](int from, int to) { return static_cast<std::uint8_t>(from + share * (to - from) + 0.5); };
+    const Rgb after = {mix(before.r, color.r), mix(before.g, color.g), mix(before.b, color.b)};
+    if (after != before)
+        m_mesh.setColor(v, after);
+}
+
+/// By a part of the whole, which adds up from dab to dab.
+void DabEngine::mask(Slot v, double change)
+{
+    const double after = std::clamp(m_mesh.mask(v) + 255 * change, 0.0, 255.0);
+    if (const auto rounded = static_cast<std::uint8_t>(after + 0.5); rounded != m_mesh.mask(v))
+        m_mesh.setMask(v, rounded);
 }
 
 Slot DabEngine::touchedVertices() const

@@ -175,9 +175,10 @@ Field fieldOf(const Dabbed& d)
     case Tool::Grab:
     case Tool::Snake: return follow(d);
     case Tool::Twist: return twist(d);
-    case Tool::Paint: break;
+    case Tool::Paint:
+    case Tool::Mask: break;
     }
-    assert(false && "Paint moves nothing");
+    assert(false && "these move nothing");
     return [](Slot, double) -> Vec3 { return Vec3::Zero(); };
 }
 } // namespace
@@ -242,7 +243,7 @@ double planDeformation(Region& region, const Mesh& mesh, const StrokeSettings& s
             const Slot v = slots[i];
             if (!region.contains(v))
                 continue;
-            const Vec3 plan = field(v, weightAt(region.distance(v), settings, dab));
+            const Vec3 plan = mesh.freedom(v) * field(v, weightAt(region.distance(v), settings, dab));
             region.setPlan(v, plan);
             longest2[chunk] = std::max(longest2[chunk], plan.squaredNorm());
         }

@@ -18,7 +18,7 @@ double weightAt(double distance, const StrokeSettings& settings, const Dab& dab)
 Vec3 meanNormal(const Region& region, const Mesh& mesh);
 
 /// Plans where the dab moves each vertex of the region, by its tool's field: fields stand in deform.cpp, a line each. r_i is the region's
-/// distance. Returns the longest displacement planned. Precondition: not Paint.
+/// distance; what the mask holds back is left out. Returns the longest displacement planned. Precondition: not marks(tool).
 double planDeformation(Region& region, const Mesh& mesh, const StrokeSettings& settings, const Dab& dab);
 
 /// Of the points around v.

@@ -68,6 +68,11 @@ bool haveCommonNeighbour(const Mesh& mesh, Slot p, Slot q)
     return found;
 }
 
+bool isMasked(const Mesh& mesh, Slot p, Slot q)
+{
+    return mesh.isMasked(p) || mesh.isMasked(q);
+}
+
 Vec3 unit(const Vec3& v)
 {
     const double length = v.norm();
@@ -124,7 +129,7 @@ std::uint64_t Fuser::joinNear(JudgedMesh& surface, Region& region, const EdgeBou
         if (near.isolated && joined > 0)
             break;
         const bool isThere = mesh.isVertex(near.p) && mesh.isVertex(near.q); // they may have gone with a speck
-        if (!isThere || m_done.contains(near.p) || m_done.contains(near.q) || !mayTry(near.p) || !mayTry(near.q))
+        if (!isThere || isMasked(mesh, near.p, near.q) || m_done.contains(near.p) || m_done.contains(near.q) || !mayTry(near.p) || !mayTry(near.q))
             continue;
         const Vec3 middle = 0.5 * (pointOf(mesh, near.p) + pointOf(mesh, near.q));
         if (near.isolated && isBesideTube(middle, bounds.detail))
@@ -260,7 +265,7 @@ bool Fuser::isContact(const JudgedMesh& surface, const Region& region, const App
     gather(surface, region, thicknessPerDetail * approach.bounds.detail);
     findNear(surface.mesh(), region, {}, pushing);
     return std::ranges::any_of(m_near, [&](const Near& near) {
-        return (near.inside || !fusion) && (at.contains(near.p) || at.contains(near.q));
+        return (near.inside || !fusion || isMasked(surface.mesh(), near.p, near.q)) && (at.contains(near.p) || at.contains(near.q));
     });
 }
 
@@ -335,14 +340,15 @@ void Fuser::pairUp(const Mesh& mesh, const std::vector<Slot>& created)
     }
 }
 
-/// Does the surgery if it is sound, and returns the vertices that came. Those that went leave the region; copies join it
+/// Does the surgery if the mask lets it and it is sound, and returns the vertices that came. Those that went leave the region; copies join it
 /// in their original's place.
 std::optional<std::vector<Slot>> Fuser::operate(JudgedMesh& surface, Region& region, const Surgery& surgery)
 {
     Mesh& mesh = surface.mesh();
     const std::vector<Slot> before = cornersOf(mesh, surgery.removed);
+    const bool isMasked = std::ranges::any_of(before, [&](Slot v) { return mesh.isMasked(v); });
     std::vector<Slot> created;
-    if (!surface.attempt([&] { created = mesh.replaceFaces(surgery); }))
+    if (isMasked || !surface.attempt([&] { created = mesh.replaceFaces(surgery); }))
         return std::nullopt;
     for (std::size_t i = 0; i < created.size(); ++i) {
         const Slot original = surgery.vertices[i].original;

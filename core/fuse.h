@@ -51,7 +51,7 @@ public:
     FusionCounts join(JudgedMesh& surface, Region& region, const HeldBack& held, const Approach& approach);
 
     /// Whether surfaces that join() may not join are about to meet at one of these vertices: without fusion any, with it the two
-    /// sides of a wall that is not pushed.
+    /// sides of a wall that is not pushed, and what is masked.
     bool isContact(const JudgedMesh& surface, const Region& region, const Approach& approach, bool fusion,
                    const std::vector<Slot>& vertices);
 

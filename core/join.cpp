@@ -135,7 +135,7 @@ std::optional<Surgery> cutNeck(const Mesh& mesh, const Triangle& cycle, double g
     // The side to the left of the cycle gets the first three copies, the side to its right the others.
     for (const Vec3& shift : {back, Vec3(-back)}) {
         for (Slot v : cycle)
-            surgery.vertices.push_back({mesh.lattice().snap(point(v) + shift), mesh.color(v), v});
+            surgery.vertices.push_back({mesh.lattice().snap(point(v) + shift), mesh.color(v), v, mesh.mask(v)});
     }
     const auto copyOf = [&](Slot v, const std::vector<Slot>& left, Slot f) {
         const auto at = static_cast<std::size_t>(std::ranges::find(cycle, v) - cycle.begin());

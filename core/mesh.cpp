@@ -31,7 +31,7 @@ Mesh::Mesh(const TriangleMesh& mesh, Lattice lattice) : m_frame{lattice}
         m_vertexSlots.setFree(v, false);
         m_kernel.set_point(vertexHandle(v), mesh.points[v]);
         const Rgb c = mesh.colors.empty() ? Rgb() : mesh.colors[v];
-        m_kernel.set_color(vertexHandle(v), OpenMesh::Vec3uc(c.r, c.g, c.b));
+        m_kernel.set_color(vertexHandle(v), {c.r, c.g, c.b, mesh.masks.empty() ? std::uint8_t(0) : mesh.masks[v]});
     }
 
     // Half-edges are paired in the order of faces, so edges lie along the same curve as the faces.
@@ -106,7 +106,7 @@ void Mesh::resize(const SlotCounts& counts)
 
 Rgb Mesh::color(Slot v) const
 {
-    const OpenMesh::Vec3uc& c = m_kernel.vertex_colors()[v];
+    const OpenMesh::Vec4uc& c = m_kernel.vertex_colors()[v];
     return {c[0], c[1], c[2]};
 }
 
@@ -134,7 +134,7 @@ std::uint64_t Mesh::stateHash() const
     for (Slot n : {m_vertexSlots.size(), m_edgeSlots.size(), m_faceSlots.size()})
         add(n);
     for (Slot v = 0; v < m_vertexSlots.size(); ++v)
-        add(isVertex(v) ? outgoing(v) : noSlot);
+        add(isVertex(v) ? outgoing(v) : noSlot), add(isVertex(v) ? mask(v) : 0);
     for (Slot e = 0; e < m_edgeSlots.size(); ++e) {
         for (Slot h : {2 * e, 2 * e + 1}) {
             add(isEdge(e) ? to(h) : noSlot);
@@ -166,7 +166,14 @@ void Mesh::setPoint(Slot v, const Vec3f& p)
 void Mesh::setColor(Slot v, Rgb c)
 {
     touchVertex(v);
-    m_kernel.set_color(vertexHandle(v), OpenMesh::Vec3uc(c.r, c.g, c.b));
+    m_kernel.set_color(vertexHandle(v), {c.r, c.g, c.b, mask(v)});
+}
+
+void Mesh::setMask(Slot v, std::uint8_t mask)
+{
+    touchVertex(v);
+    const Rgb c = color(v);
+    m_kernel.set_color(vertexHandle(v), {c.r, c.g, c.b, mask});
 }
 
 void Mesh::setOutgoing(Slot v, Slot h)
@@ -206,7 +213,7 @@ void Mesh::relabelCorner(Slot f, Slot from, Slot to)
     std::ranges::replace(m_corners[f], from, to);
 }
 
-Slot Mesh::newVertex(Slot hint, const Vec3f& p, OpenMesh::Vec3uc color)
+Slot Mesh::newVertex(Slot hint, const Vec3f& p, const OpenMesh::Vec4uc& colorAndMask)
 {
     const Slot v = m_vertexSlots.take(hint);
     if (v == m_vertexStamp.size()) {
@@ -217,7 +224,7 @@ Slot Mesh::newVertex(Slot hint, const Vec3f& p, OpenMesh::Vec3uc color)
     touchVertex(v); // as a free slot
     m_vertexSlots.setFree(v, false);
     m_kernel.set_point(vertexHandle(v), p);
-    m_kernel.set_color(vertexHandle(v), color);
+    m_kernel.set_color(vertexHandle(v), colorAndMask);
     return v;
 }
 
@@ -281,7 +288,7 @@ Slot Mesh::splitEdge(Slot e, const Vec3f& p)
 
     const Rgb ca_ = color(a), cb_ = color(b);
     const auto mean = [](int x, int y) { return static_cast<std::uint8_t>((x + y + 1) / 2); };
-    const Slot m = newVertex(a, p, {mean(ca_.r, cb_.r), mean(ca_.g, cb_.g), mean(ca_.b, cb_.b)});
+    const Slot m = newVertex(a, p, {mean(ca_.r, cb_.r), mean(ca_.g, cb_.g), mean(ca_.b, cb_.b), mean(mask(a), mask(b))});
     const Slot mb = 2 * newEdge(e), mc = 2 * newEdge(e), md = 2 * newEdge(e);
     const Slot f2 = newFace(f0), f3 = newFace(f1);
     setTo(mb, b), setTo(mb ^ 1, m);

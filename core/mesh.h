@@ -51,6 +51,12 @@ public:
     const Vec3f& point(Slot v) const { return m_kernel.points()[v]; }
     LatticePoint latticePoint(Slot v) const { return m_frame.lattice.toLattice(point(v)); }
     Rgb color(Slot v) const;
+    /// How far the vertex is kept from whatever a brush does: 0 not at all, 255 wholly.
+    std::uint8_t mask(Slot v) const { return m_kernel.vertex_colors()[v][3]; }
+    /// Of a displacement, the part that the mask leaves: 0 to 1.
+    double freedom(Slot v) const { return (255 - mask(v)) / 255.0; }
+    /// By half or more: then it is not remeshed away and does not fuse (the same bound as in Blender's dynamic topology).
+    bool isMasked(Slot v) const { return mask(v) >= 128; }
     const Triangle& corners(Slot f) const { return m_corners[f]; }
 
     Slot to(Slot h) const { return slot(m_kernel.to_vertex_handle(halfedge(h))); }
@@ -80,7 +86,8 @@ public:
     // --- edits, only while a stroke is open ----------------------------------------------------------------------------
     void setPoint(Slot v, const Vec3f& p); ///< p lies on the lattice
     void setColor(Slot v, Rgb color);
-    /// Puts a vertex into edge e at p, with the mean colour of its ends. Returns the vertex.
+    void setMask(Slot v, std::uint8_t mask);
+    /// Puts a vertex into edge e at p, with the mean colour and mask of its ends. Returns the vertex.
     Slot splitEdge(Slot e, const Vec3f& p);
     /// Exchanges faces for others. Returns the vertices that came. Precondition: isSurgeryOk(*this, surgery).
     std::vector<Slot> replaceFaces(const Surgery& surgery);
@@ -138,7 +145,7 @@ private:
     struct Traits : OpenMesh::DefaultTraits
     {
         using Point = Vec3f;
-        using Color = OpenMesh::Vec3uc;
+        using Color = OpenMesh::Vec4uc; ///< red, green, blue, mask
         VertexAttributes(OpenMesh::Attributes::Color);
         HalfedgeAttributes(OpenMesh::Attributes::PrevHalfedge);
         EdgeAttributes(OpenMesh::Attributes::None);
@@ -162,7 +169,7 @@ private:
     void setFace(Slot h, Slot f);
     void link(Slot f, Slot h0, Slot h1, Slot h2); ///< makes the three half-edges the face's boundary
     void relabelCorner(Slot f, Slot from, Slot to);
-    Slot newVertex(Slot hint, const Vec3f& p, OpenMesh::Vec3uc color);
+    Slot newVertex(Slot hint, const Vec3f& p, const OpenMesh::Vec4uc& colorAndMask);
     Slot newEdge(Slot hint);
     Slot newFace(Slot hint);
     void freeVertex(Slot v);

@@ -72,6 +72,8 @@ TriangleMesh withoutUnusedVertices(const TriangleMesh& mesh)
         result.points.push_back(mesh.points[v]);
         if (!mesh.colors.empty())
             result.colors.push_back(mesh.colors[v]);
+        if (!mesh.masks.empty())
+            result.masks.push_back(mesh.masks[v]);
     }
     for (Triangle& t : result.triangles) {
         for (Slot& v : t)
@@ -119,6 +121,7 @@ TriangleMesh extractMesh(const Mesh& mesh)
     const SlotCounts live = mesh.live();
     result.points.reserve(live.vertices);
     result.colors.reserve(live.vertices);
+    result.masks.reserve(live.vertices);
     result.triangles.reserve(live.faces);
     std::vector<Slot> newIndex(mesh.slots().vertices, noSlot);
     for (Slot v = 0; v < mesh.slots().vertices; ++v) {
@@ -127,6 +130,7 @@ TriangleMesh extractMesh(const Mesh& mesh)
         newIndex[v] = static_cast<Slot>(result.points.size());
         result.points.push_back(mesh.point(v));
         result.colors.push_back(mesh.color(v));
+        result.masks.push_back(mesh.mask(v));
     }
     for (Slot f = 0; f < mesh.slots().faces; ++f) {
         if (!mesh.isFace(f))
@@ -136,6 +140,8 @@ TriangleMesh extractMesh(const Mesh& mesh)
     }
     if (std::ranges::all_of(result.colors, [](Rgb c) { return c == Rgb(); }))
         result.colors.clear();
+    if (std::ranges::all_of(result.masks, [](std::uint8_t mask) { return mask == 0; }))
+        result.masks.clear();
     return result;
 }
 } // namespace core

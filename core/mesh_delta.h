@@ -17,6 +17,7 @@ struct VertexImage
     std::uint32_t stamp;
     Vec3f point;
     Rgb color;
+    std::uint8_t mask;
     bool live;
     OpenMesh::ArrayItems::Vertex item;
 };

@@ -28,7 +28,15 @@ public:
     /// Without a mirror every face; with one those of the half.
     bool names(Slot f) const { return !m_mirror || m_mirror->isInHalf(m_mesh.corners(f)); }
     /// Where p, on the lattice, is allowed for v.
-    Vec3f kept(Slot v, const Vec3f& p) const { return m_mirror ? m_mirror->kept(p, m_mirror->isOnPlane(v)) : p; }
+    Vec3f kept(Slot v, const Vec3f& p) const
+    {
+        if (m_mesh.freedom(v) == 0)
+            return m_mesh.point(v);
+        return m_mirror ? m_mirror->kept(p, m_mirror->isOnPlane(v)) : p;
+    }
+    /// Whether the mask lets the edge go: neither of its ends is masked. A split leaves the shape: it needs just one that is not.
+    bool mayGo(Slot e) const { return !m_mesh.isMasked(m_mesh.to(2 * e)) && !m_mesh.isMasked(m_mesh.to(2 * e + 1)); }
+    bool mayBeSplit(Slot e) const { return !m_mesh.isMasked(m_mesh.to(2 * e)) || !m_mesh.isMasked(m_mesh.to(2 * e + 1)); }
 
     /// Puts a vertex into the middle of an edge. Returns it, or noSlot if it was taken back.
     Slot split(Slot e);

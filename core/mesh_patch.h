@@ -10,7 +10,7 @@ namespace core
 struct DrawVertex
 {
     Vec3f position;
-    std::array<std::int8_t, 4> normal; ///< unit normal x 127; the fourth is 0
+    std::array<std::int8_t, 4> normal; ///< unit normal x 127; the fourth is half of the mask (see Mesh::mask)
     std::array<std::uint8_t, 4> color; ///< sRGB, alpha 255
 };
 static_assert(sizeof(DrawVertex) == 20);

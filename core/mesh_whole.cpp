@@ -60,7 +60,7 @@ void Mesh::becomeVertex(const Mesh& other, Slot v)
             freeVertex(v);
         return;
     }
-    if (wasThere && point(v) == other.point(v) && color(v) == other.color(v) && outgoing(v) == other.outgoing(v))
+    if (wasThere && point(v) == other.point(v) && color(v) == other.color(v) && mask(v) == other.mask(v) && outgoing(v) == other.outgoing(v))
         return;
     touchVertex(v);
     m_vertexSlots.setFree(v, false);

@@ -144,6 +144,8 @@ bool MirrorMap::learnFace(Slot f, const FaceOctree& octree)
     for (Slot v : m_mesh.corners(f)) {
         if (imageOf(v) == noSlot && !lookUp(v, octree))
             return false;
+        if (m_mesh.mask(v) != m_mesh.mask(imageOf(v)))
+            return false;
     }
     const Slot image = imageOfFace(f);
     if (image == noSlot)

@@ -49,7 +49,7 @@ public:
     Slot imageOfFace(Slot f);
     void pair(Slot v, Slot image);
 
-    /// Whether each of these faces has an image, face for face and bit for bit. Learns the images of their corners.
+    /// Whether each of these faces has an image, face for face and bit for bit, and as masked. Learns the images of their corners.
     /// Precondition: the octree is up to date. Cost: the faces.
     bool learn(std::span<const Slot> faces, const FaceOctree& octree);
 

@@ -32,7 +32,7 @@ Ring halfRing(const Mesh& mesh, const MirrorMap& mirror, Slot v, std::vector<Slo
 /// A new vertex where v would lie on the plane.
 Slot projected(const Mesh& mesh, const MirrorMap& mirror, Slot v, Surgery& surgery)
 {
-    surgery.vertices.push_back({mirror.kept(mesh.point(v), true), mesh.color(v), v});
+    surgery.vertices.push_back({mirror.kept(mesh.point(v), true), mesh.color(v), v, mesh.mask(v)});
     return Surgery::newVertex(surgery.vertices.size() - 1);
 }
 
@@ -116,7 +116,7 @@ std::optional<Surgery> withImage(const Mesh& mesh, MirrorMap& mirror, const Surg
             return std::nullopt;
         images.push_back(Surgery::newVertex(height == 0 ? i : both.vertices.size()));
         if (height > 0)
-            both.vertices.push_back({mirror.imageOf(v.point), v.color, v.original == noSlot ? noSlot : mirror.imageOf(v.original)});
+            both.vertices.push_back({mirror.imageOf(v.point), v.color, v.original == noSlot ? noSlot : mirror.imageOf(v.original), v.mask});
     }
     const auto imageOf = [&](Slot v) { return Surgery::isNew(v) ? images[Surgery::newIndex(v)] : mirror.imageOf(v); };
     for (const Triangle& t : half.faces) {

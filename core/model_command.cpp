@@ -1,6 +1,7 @@
 #include "model_command.h"
 
 #include "flatten_base.h"
+#include "mask_change.h"
 #include "mesh_build.h"
 #include "model_insert.h"
 #include "model_start.h"
@@ -43,6 +44,11 @@ void edit(Mesh& mesh, const Fill& command, ModelChange&, const JobWatch&)
         if (mesh.isVertex(v) && mesh.color(v) != command.color)
             mesh.setColor(v, command.color);
     }
+}
+
+void edit(Mesh& mesh, const ChangeMask& command, ModelChange&, const JobWatch&)
+{
+    changeMask(mesh, command);
 }
 
 void edit(Mesh& mesh, const Reset& command, ModelChange&, const JobWatch&)

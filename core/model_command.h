@@ -60,7 +60,14 @@ struct Fill
 {
     Rgb color;
 };
-/// All edges between d and d_detail = 2 d, as far as the shape allows.
+/// See mask_change.cpp. What is hollow, of the colour, or in one piece with what is masked is added to the mask.
+struct ChangeMask
+{
+    enum class How { Invert, Clear, Blur, Sharpen, Grow, Shrink, Cavity, Color, Part };
+    How how = How::Invert;
+    Rgb color = {}; ///< of How::Color
+};
+/// All edges between d and d_detail = 2 d, as far as the shape and the mask allow.
 struct RemeshUniformly
 {
     double detailLength = 0; ///< d_detail; 0: 4/3 of the mean edge
@@ -90,7 +97,7 @@ struct Reset
 };
 
 using ModelCommand = std::variant<Move, Rotate, Scale, Mirror, Recentre, Insert, Fill, RemeshUniformly, Symmetrize, Reset,
-                                  PlaceOnBed, FlattenBase>;
+                                  PlaceOnBed, FlattenBase, ChangeMask>;
 
 /// Why the model was left as it is.
 enum class ModelRefusal {

@@ -75,6 +75,8 @@ TriangleMesh inMortonOrder(const TriangleMesh& mesh, const Lattice& lattice)
         result.points.push_back(mesh.points[order[v]]);
         if (!mesh.colors.empty())
             result.colors.push_back(mesh.colors[order[v]]);
+        if (!mesh.masks.empty())
+            result.masks.push_back(mesh.masks[order[v]]);
     }
     std::vector<Triangle> triangles;
     triangles.reserve(mesh.triangles.size());

@@ -112,9 +112,11 @@ void Remesher::moveTo(const std::function<Vec3(Slot)>& place)
 void Remesher::moveVertex(Slot v, const Vec3& place)
 {
     const Lattice& lattice = m_mesh.lattice();
-    if (!lattice.contains(place))
+    const Vec3 p = point(v);
+    const Vec3 free = p + m_mesh.freedom(v) * (place - p);
+    if (!lattice.contains(free))
         return; // along the surface, but past the wall of the volume
-    const Vec3f target = m_edit.kept(v, lattice.snap(place));
+    const Vec3f target = m_edit.kept(v, lattice.snap(free));
     if (staysSound(v, noSlot, target.cast<double>(), {relaxedAngleSine, m_minimum2}))
         m_edit.move(v, target);
 }

@@ -23,7 +23,7 @@ struct StrokeSettings
     double spacing = info(Parameter::Spacing).defaultValue; ///< in radii; 0: each sample is exactly one dab
     bool fusion = true; ///< surfaces that meet join, necks part, specks vanish (paper, section 3.4); else they stop at contact
     /// The other way round, where that has a meaning (hasInverse): inflate shrinks, clay and layer dig, scrape fills, pinch spreads, crease
-    /// raises a ridge, twist turns back.
+    /// raises a ridge, twist turns back, mask is wiped away.
     bool inverted = false;
     bool add = false; ///< a pull dab at a point with nothing under the brush adds a sphere (paper, section 3.5.1)
     Rgb color;                                              ///< of Paint
@@ -90,7 +90,7 @@ struct DabReport
     double asked = 0, reached = 0; ///< peak displacement; of what joined or collapsed meanwhile, as far as it was there
     DabOutcome outcome = DabOutcome::Empty;
     Refusal refusal = Refusal::None;
-    /// Surfaces stood in the way that may not be joined: fusion is off, or they are the two sides of a wall that nobody pushes.
+    /// Surfaces stood in the way that may not be joined: fusion is off, they are masked, or the two sides of a wall that nobody pushes.
     bool contact = false;
     bool wall = false;   ///< ended early: at the wall of the working volume
     bool capped = false; ///< ended early: too many operations, steps or vertices to move

@@ -1,4 +1,5 @@
 // The stroke file's commands for the whole model: which keys each has, and its words.
+#include "mask_change.h"
 #include "stroke_reader.h"
 
 namespace core
@@ -11,8 +12,8 @@ struct CommandKeys
     KeySet required, optional;
 };
 enum CommandName { MoveName, RotateName, ScaleName, MirrorName, RecentreName, InsertName, FillName, RemeshName, SymmetrizeName, ResetName,
-                   PlaceOnBedName, FlattenBaseName };
-constexpr std::array<CommandKeys, 12> commandTable{{
+                   PlaceOnBedName, FlattenBaseName, MaskName };
+constexpr std::array<CommandKeys, 13> commandTable{{
     {"move", bit(ByKey), 0},
     {"rotate", bit(TurnKey), 0},
     {"scale", bit(FactorKey), 0},
@@ -25,6 +26,7 @@ constexpr std::array<CommandKeys, 12> commandTable{{
     {"reset", 0, 0},
     {"place_on_bed", 0, 0},
     {"flatten_base", bit(HeightKey), 0},
+    {"mask", bit(HowKey), bit(ColorKey)},
 }};
 constexpr std::array<std::string_view, 2> keepTable{"positive", "negative"};
 constexpr std::array<std::string_view, 3> whereTable{"beside", "as_it_is", "centre"};
@@ -50,6 +52,7 @@ ModelCommand commandOf(CommandName name, const CommandDraft& draft, const Stroke
     case SymmetrizeName: return Symmetrize{draft.plane, draft.keep};
     case PlaceOnBedName: return PlaceOnBed{};
     case FlattenBaseName: return FlattenBase{draft.height};
+    case MaskName: return ChangeMask{draft.how, settings.color};
     case ResetName: break;
     }
     return Reset{};
@@ -76,6 +79,11 @@ bool StrokeReader::commandWord(const std::string& word)
         m_command.where = static_cast<Insert::Place>(where);
         return where < whereTable.size();
     }
+    case HowKey: {
+        const std::optional<ChangeMask::How> how = maskChangeNamed(word);
+        m_command.how = how.value_or(ChangeMask::How::Invert);
+        return how.has_value();
+    }
     case ModelKey:
         m_command.file = word;
         return !word.empty();
@@ -98,8 +106,9 @@ void StrokeReader::endCommand()
     const std::size_t name = placeIn(commandTable, m_command.name, &CommandKeys::name);
     const CommandKeys& keys = commandTable[name];
     const bool wantsCentre = name == InsertName && m_command.where == Insert::Place::Centre;
-    const KeySet required = keys.required | (wantsCentre ? bit(CentreKey) : 0);
-    const KeySet known = bit(CommandKey) | required | (keys.optional & ~(wantsCentre ? 0 : bit(CentreKey)));
+    const bool wantsColor = name == MaskName && m_command.how == ChangeMask::How::Color;
+    const KeySet wanted = (wantsCentre ? bit(CentreKey) : 0) | (wantsColor ? bit(ColorKey) : 0);
+    const KeySet required = keys.required | wanted, known = bit(CommandKey) | required | (keys.optional & ~(bit(CentreKey) | bit(ColorKey)));
     requireNoneOf(~known);
     for (std::size_t i = 0; i < strokeKeys.names.size(); ++i) {
         m_key = static_cast<int>(i);

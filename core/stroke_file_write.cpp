@@ -1,3 +1,4 @@
+#include "mask_change.h"
 #include "stroke_file.h"
 
 #include <nlohmann/json.hpp>
@@ -111,6 +112,12 @@ std::string keysOf(const Insert& insert, const std::string& file)
 std::string keysOf(const Fill& fill, const std::string&)
 {
     return "\"fill\",\"color\":" + list(fill.color);
+}
+
+std::string keysOf(const ChangeMask& change, const std::string&)
+{
+    const std::string keys = "\"mask\",\"how\":\"" + std::string(name(change.how)) + "\"";
+    return change.how == ChangeMask::How::Color ? keys + ",\"color\":" + list(change.color) : keys;
 }
 
 std::string keysOf(const RemeshUniformly& remesh, const std::string&)

@@ -17,6 +17,7 @@ struct CommandDraft
     Symmetry plane = Symmetry::None;
     Half keep = Half::Positive;
     Insert::Place where = Insert::Place::Beside;
+    ChangeMask::How how = ChangeMask::How::Invert;
 };
 
 /// Takes the parser's events; knows where in the format it stands. Throws at the first that does not belong there.

@@ -127,7 +127,7 @@ Surgery additionOf(const TriangleMesh& shell, Slot near)
     Surgery surgery;
     surgery.near = near;
     for (std::size_t i = 0; i < shell.points.size(); ++i)
-        surgery.vertices.push_back({shell.points[i], shell.colors.empty() ? Rgb() : shell.colors[i]});
+        surgery.vertices.push_back({shell.points[i], shell.colors.empty() ? Rgb() : shell.colors[i], noSlot, shell.masks.empty() ? std::uint8_t(0) : shell.masks[i]});
     for (const Triangle& t : shell.triangles)
         surgery.faces.push_back({Surgery::newVertex(t[0]), Surgery::newVertex(t[1]), Surgery::newVertex(t[2])});
     return surgery;
@@ -162,7 +162,7 @@ void splitUmbrellas(const Mesh& mesh, Surgery& surgery, double apart)
                 mean += pointOf(w);
             mean /= static_cast<double>(rings[i].size());
             const Slot copy = Surgery::newVertex(surgery.vertices.size());
-            surgery.vertices.push_back({mesh.lattice().snap(pointOf(v) + apart * (mean - pointOf(v))), mesh.color(v), v});
+            surgery.vertices.push_back({mesh.lattice().snap(pointOf(v) + apart * (mean - pointOf(v))), mesh.color(v), v, mesh.mask(v)});
 
             // The faces of this cycle take the copy; those of the mesh go, and come again with it.
             const std::vector<Slot> ring = sorted(rings[i]);
@@ -203,7 +203,7 @@ std::vector<Slot> Mesh::replaceFaces(const Surgery& surgery)
     std::ranges::sort(open, {}, &Open::side);
     std::vector<Slot> created;
     for (const Surgery::Vertex& v : surgery.vertices)
-        created.push_back(newVertex(surgery.near, v.point, {v.color.r, v.color.g, v.color.b}));
+        created.push_back(newVertex(surgery.near, v.point, {v.color.r, v.color.g, v.color.b, v.mask}));
 
     OpenHalfedges waiting;
     const auto claim = [&](Slot from, Slot to) {

@@ -18,6 +18,7 @@ struct Surgery
         Vec3f point; ///< on the lattice
         Rgb color;
         Slot original = noSlot; ///< the live vertex that it is a copy of
+        std::uint8_t mask = 0;
     };
 
     std::vector<Slot> removed;     ///< live faces, each once

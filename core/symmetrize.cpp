@@ -108,7 +108,7 @@ Surgery Symmetrizer::halfAndImage() const
             continue;
         }
         images[v] = Surgery::newVertex(surgery.vertices.size());
-        surgery.vertices.push_back({m_mirror.imageOf(m_mesh.point(v)), m_mesh.color(v)});
+        surgery.vertices.push_back({m_mirror.imageOf(m_mesh.point(v)), m_mesh.color(v), noSlot, m_mesh.mask(v)});
         surgery.near = v;
     }
     for (Slot f = 0; f < m_mesh.slots().faces; ++f) {

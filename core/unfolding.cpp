@@ -23,7 +23,7 @@ bool Unfolding::smooth(JudgedMesh& surface, MeshEditor edit, Region& region, std
     std::vector<std::pair<Slot, Vec3f>> places;
     for (Slot v : withNeighbours(region, mesh, vertices)) {
         const Vec3 p = mesh.point(v).cast<double>();
-        const Vec3f place = edit.kept(v, mesh.lattice().snap(p + smoothing * (neighbourMean(mesh, v) - p)));
+        const Vec3f place = edit.kept(v, mesh.lattice().snap(p + smoothing * mesh.freedom(v) * (neighbourMean(mesh, v) - p)));
         if (place != mesh.point(v))
             places.emplace_back(v, place);
     }

@@ -39,6 +39,16 @@ set(FETTLE_RESOURCE_FILES
     icons/keys.svg
     icons/larger.svg
     icons/layer.svg
+    icons/mask.svg
+    icons/mask-blur.svg
+    icons/mask-cavity.svg
+    icons/mask-clear.svg
+    icons/mask-color.svg
+    icons/mask-grow.svg
+    icons/mask-invert.svg
+    icons/mask-part.svg
+    icons/mask-sharpen.svg
+    icons/mask-shrink.svg
     icons/material-clay.svg
     icons/material-grey.svg
     icons/material-paint.svg

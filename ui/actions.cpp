@@ -149,6 +149,8 @@ QString Actions::menuTitle(MenuId menu) const
         return tr("&Sculpt");
     case MenuId::Tool:
         return tr("Tool&s");
+    case MenuId::Mask:
+        return tr("Mas&k");
     case MenuId::Model:
         return tr("&Model");
     case MenuId::View:

@@ -30,7 +30,8 @@ constexpr ToolAction toolActions[] = {{"tool.pull", core::Tool::Pull},
                                       {"tool.grab", core::Tool::Grab},
                                       {"tool.snake", core::Tool::Snake},
                                       {"tool.twist", core::Tool::Twist},
-                                      {"tool.paint", core::Tool::Paint}};
+                                      {"tool.paint", core::Tool::Paint},
+                                      {"tool.mask", core::Tool::Mask}};
 
 /// Checked while the setting is `on`, and sets it to `on` or `off`.
 template <class T> void connectChoice(QAction* action, BrushSettings* brush, T core::StrokeSettings::* what, T on, T off)

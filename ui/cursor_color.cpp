@@ -40,6 +40,8 @@ QColor cursorColor(const core::StrokeSettings& stroke)
         return {198, 186, 255};
     case core::Tool::Paint:
         return {236, 176, 236};
+    case core::Tool::Mask:
+        return {176, 184, 204};
     }
     return Qt::white;
 }

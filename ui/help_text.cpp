@@ -63,7 +63,7 @@ QString menuWords(const ActionInfo& row, const Actions& actions)
     QList<MenuId> way{row.menu};
     if (row.menu == MenuId::New)
         way.prepend(MenuId::File);
-    if (row.menu == MenuId::Tool)
+    if (row.menu == MenuId::Tool || row.menu == MenuId::Mask)
         way.prepend(MenuId::Sculpt);
     if (row.menu == MenuId::Material || row.menu == MenuId::Background)
         way.prepend(MenuId::View);

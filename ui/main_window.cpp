@@ -19,7 +19,7 @@ namespace ui
 void MainWindow::State::setBusy(bool isBusy)
 {
     for (const ActionInfo& row : actionTable())
-        if (row.menu == MenuId::Model)
+        if (row.menu == MenuId::Model || row.menu == MenuId::Mask)
             actions.get(QLatin1StringView(row.id))->setEnabled(!isBusy);
     for (const char* id : {"file.save", "file.saveAs", "file.saveCopy", "file.exportAs", "file.exportFor", "file.exportDrawing"})
         actions.get(QLatin1StringView(id))->setEnabled(!isBusy);

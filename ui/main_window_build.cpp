@@ -56,8 +56,10 @@ void MainWindow::State::buildBars()
 {
     for (const MenuId id : {MenuId::File, MenuId::Edit, MenuId::Sculpt, MenuId::Model, MenuId::View, MenuId::Vr, MenuId::Help}) {
         QMenu* menu = q->menuBar()->addMenu(actions.menuTitle(id));
-        if (id == MenuId::Sculpt)
-            actions.fill(menu->addMenu(actions.menuTitle(MenuId::Tool)), MenuId::Tool);
+        if (id == MenuId::Sculpt) {
+            for (const MenuId sub : {MenuId::Tool, MenuId::Mask})
+                actions.fill(menu->addMenu(actions.menuTitle(sub)), sub);
+        }
         actions.fill(menu, id);
         if (id == MenuId::File)
             files.addMenus(menu, actions);

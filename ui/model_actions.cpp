@@ -7,8 +7,19 @@
 #include <QAction>
 #include <QWidget>
 
+#include <utility>
+
 namespace ui
 {
+namespace
+{
+using How = core::ChangeMask::How;
+
+constexpr std::pair<const char*, How> maskActions[] = {{"mask.invert", How::Invert}, {"mask.clear", How::Clear},   {"mask.blur", How::Blur},
+                                                       {"mask.sharpen", How::Sharpen}, {"mask.grow", How::Grow},   {"mask.shrink", How::Shrink},
+                                                       {"mask.cavity", How::Cavity},   {"mask.part", How::Part}};
+} // namespace
+
 void connectModel(const Actions& actions, QWidget* window, const std::function<const ModelFacts&()>& facts, const BrushSettings* brush,
                   const std::function<void(const core::ModelCommand&)>& request)
 {
@@ -25,6 +36,9 @@ void connectModel(const Actions& actions, QWidget* window, const std::function<c
     on("model.flattenBase", [=] { askForBase(window, facts(), request); });
     on("model.reset", [=] { request(core::Reset{}); });
     on("model.fill", [=] { request(core::Fill{brush->stroke().color}); });
+    on("mask.color", [=] { request(core::ChangeMask{How::Color, brush->stroke().color}); });
+    for (const auto& [id, how] : maskActions)
+        on(id, [=, how = how] { request(core::ChangeMask{how}); });
     on("model.remesh", [=] { askForRemesh(window, facts(), request); });
 }
 } // namespace ui

@@ -31,8 +31,8 @@ template <std::size_t count, class Item> std::array<Slot, count> linksOf(const I
 VertexImage vertexImage(const Mesh& mesh, Slot v)
 {
     if (v >= mesh.slots().vertices)
-        return {v, 0, Vec3f::Zero(), {}, false, {}};
-    return {v, 0, mesh.point(v), mesh.color(v), mesh.isVertex(v), itemOf<OpenMesh::ArrayItems::Vertex>(mesh.outgoing(v))};
+        return {v, 0, Vec3f::Zero(), {}, 0, false, {}};
+    return {v, 0, mesh.point(v), mesh.color(v), mesh.mask(v), mesh.isVertex(v), itemOf<OpenMesh::ArrayItems::Vertex>(mesh.outgoing(v))};
 }
 
 EdgeImage edgeImage(const Mesh& mesh, Slot e)

@@ -12,7 +12,7 @@ namespace core
 {
 namespace
 {
-constexpr std::uint32_t mark = 0x314a5446; ///< "FTJ1"
+constexpr std::uint32_t mark = 0x324a5446; ///< "FTJ2"
 
 struct Head
 {
@@ -22,12 +22,13 @@ struct Head
 
 // --- parts ---------------------------------------------------------------------------------------------------------------------
 
-constexpr std::size_t vertexBytes = 24, edgeBytes = 36, faceBytes = 20;
+constexpr std::size_t vertexBytes = 25, edgeBytes = 36, faceBytes = 20;
 
 void put(ByteWriter& out, const VertexImage& image)
 {
     out.put(image.slot), out.put(image.point.x()), out.put(image.point.y()), out.put(image.point.z());
-    out.put(image.color.r), out.put(image.color.g), out.put(image.color.b), out.put(image.live), out.put(image.item);
+    out.put(image.color.r), out.put(image.color.g), out.put(image.color.b), out.put(image.mask);
+    out.put(image.live), out.put(image.item);
 }
 
 void put(ByteWriter& out, const EdgeImage& image)
@@ -46,7 +47,7 @@ void take(ByteReader& in, VertexImage& image)
     for (int i = 0; i < 3; ++i)
         image.point[i] = in.take<float>();
     image.color.r = in.take<std::uint8_t>(), image.color.g = in.take<std::uint8_t>(), image.color.b = in.take<std::uint8_t>();
-    image.live = in.take<std::uint8_t>() != 0, image.item = in.take<OpenMesh::ArrayItems::Vertex>();
+    image.mask = in.take<std::uint8_t>(), image.live = in.take<std::uint8_t>() != 0, image.item = in.take<OpenMesh::ArrayItems::Vertex>();
 }
 
 void take(ByteReader& in, EdgeImage& image)
@@ -169,14 +170,16 @@ void take(ByteReader& in, JournalDocument& document)
 void put(ByteWriter& out, const StartRecord& record)
 {
     put(out, record.document), put(out, record.start->frame);
-    putPlain(out, record.start->surface.points), putPlain(out, record.start->surface.colors), putPlain(out, record.start->surface.triangles);
+    putPlain(out, record.start->surface.points), putPlain(out, record.start->surface.colors), putPlain(out, record.start->surface.masks);
+    putPlain(out, record.start->surface.triangles);
 }
 
 void take(ByteReader& in, StartRecord& record)
 {
     auto start = std::make_shared<Snapshot>();
     take(in, record.document), take(in, start->frame);
-    takePlain(in, start->surface.points), takePlain(in, start->surface.colors), takePlain(in, start->surface.triangles);
+    takePlain(in, start->surface.points), takePlain(in, start->surface.colors), takePlain(in, start->surface.masks);
+    takePlain(in, start->surface.triangles);
     record.start = std::move(start);
 }
 

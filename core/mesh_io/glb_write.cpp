@@ -1,4 +1,5 @@
-// GLB: a node that scales millimetres to glTF's metres, one mesh of one primitive, its colours linear in 16 bits.
+// GLB: a node that scales millimetres to glTF's metres, one mesh of one primitive, its colours linear in 16 bits,
+// its mask an attribute of our own, 0 to 1.
 
 #include "binary.h"
 #include "glb_notes.h"
@@ -100,6 +101,8 @@ Json documentOf(const TriangleMesh& mesh, const DocumentNotes& notes, std::size_
         attributes["COLOR_0"] = layout.add(mesh.points.size(), 8, shortType, "VEC4", vertexTarget);
         layout.accessor(attributes["COLOR_0"])["normalized"] = true;
     }
+    if (!mesh.masks.empty())
+        attributes["_MASK"] = layout.add(mesh.points.size(), 4, floatType, "SCALAR", vertexTarget);
     const int indices = layout.add(3 * mesh.triangles.size(), 4, indexType, "SCALAR", indexTarget);
     Json document;
     document["asset"] = {{"version", "2.0"}, {"generator", "Fettle"}};
@@ -147,6 +150,7 @@ void writeGlb(AtomicFile& out, const TriangleMesh& mesh, const DocumentNotes& no
             store(into, table[part]);
         store(into, std::uint16_t(65535));
     });
+    writeRecords(out, mesh.masks.size(), 4, [&mesh](std::size_t i, char* into) { store(into, static_cast<float>(mesh.masks[i]) / 255); });
     writeRecords(out, mesh.triangles.size(), 12, [&mesh](std::size_t i, char* into) {
         for (const Slot corner : mesh.triangles[i])
             store(into, static_cast<std::uint32_t>(corner));

@@ -36,6 +36,8 @@ public:
             addNode(m_gltf.toIndex(node, "nodes"), root, 0);
         if (m_hasColors)
             m_mesh.colors.resize(m_mesh.points.size(), Rgb());
+        if (m_hasMasks)
+            m_mesh.masks.resize(m_mesh.points.size());
         return {std::move(m_mesh), remarks()};
     }
 
@@ -118,6 +120,8 @@ private:
         addPoints(numbers, transform);
         if (const auto colors = m_gltf.indexIn(*attributes, "COLOR_0"))
             addColors(first, count, *colors);
+        if (const auto masks = m_gltf.indexIn(*attributes, "_MASK"))
+            addMasks(first, count, *masks);
         const bool isMirrored = transform.topLeftCorner<3, 3>().determinant() < 0;
         addTriangles(cornersOf(primitive, count), static_cast<Mode>(mode), first, isMirrored);
     }
@@ -155,6 +159,18 @@ private:
                 m_mesh.colors[first + i] = {seen(0), seen(1), seen(2)};
             }
         });
+    }
+
+    /// As writeGlb has them.
+    void addMasks(Slot first, std::size_t count, std::size_t accessor)
+    {
+        const LargeBuffer<float> numbers = m_gltf.valuesOf(accessor, m_gltf.layoutOf(accessor, 1, 1), m_file.stop);
+        if (numbers.size() != count)
+            m_gltf.refuse("_MASK");
+        m_hasMasks = true;
+        m_mesh.masks.resize(first + count);
+        for (std::size_t i = 0; i < count; ++i)
+            m_mesh.masks[first + i] = static_cast<std::uint8_t>(numbers[i] > 0 ? std::min(numbers[i], 1.0f) * 255 + 0.5f : 0);
     }
 
     /// Of a primitive's vertices; without indices they follow each other.
@@ -202,7 +218,7 @@ private:
     Gltf m_gltf;
     StopCheck m_stopCheck;
     TriangleMesh m_mesh;
-    bool m_hasColors = false, m_hasTargets = false;
+    bool m_hasColors = false, m_hasMasks = false, m_hasTargets = false;
     std::size_t m_objects = 0;
     std::size_t m_nodes = 0;
 };

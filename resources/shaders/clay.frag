@@ -8,6 +8,7 @@ in vec3 albedo;
 in float fromCut;
 in float taken;
 in float fault;
+in float masked;
 
 uniform vec3 up;          // eye space, unit length: towards the sky
 uniform mat3 lights;      // turns the lights' own axes, which are a desktop viewer's, into eye space
@@ -58,6 +59,14 @@ vec3 withFootprint(vec3 color)
     return mix(color, vec3(0.42, 0.72, 1.0), 0.26 * taken);
 }
 
+// Darker, and hatched: to be told from dark paint.
+vec3 withMask(vec3 color)
+{
+    float stripe = smoothstep(0.30, 0.36, abs(fract((gl_FragCoord.x - gl_FragCoord.y) / 9.0) - 0.5));
+    vec3 shadow = mix(color, vec3(dot(color, vec3(0.3, 0.6, 0.1))), 0.6) * mix(0.34, 0.20, stripe);
+    return mix(color, shadow, masked);
+}
+
 // Blue to pale below one half; above, where a limit is broken, yellow to vermilion, and hatched.
 vec3 faultColor()
 {
@@ -85,6 +94,6 @@ void main()
     vec3 color = mix(albedo * tint, faultColor(), shaded) * light + keyColor * highlight * step(0.0, key) + skyColor * edge;
     color += through * shadowEdge + sheen * (1.0 - facing) * (1.0 - facing) * (0.4 + 0.6 * sky);
 
-    color = withCut(withFootprint(soften(color)));
+    color = withCut(withFootprint(withMask(soften(color))));
     fragColor = vec4(mix(color, toSrgb(color), encodeSrgb), 1.0);
 }

@@ -1,7 +1,7 @@
 #version 330 core
 // The clay, for the desktop and for the headset alike. Positions in mm; `normal` need not have unit length.
 layout(location = 0) in vec3 position;
-layout(location = 1) in vec4 normal;
+layout(location = 1) in vec4 normal; // w: how far it is masked, 0 to 1
 layout(location = 2) in vec4 color; // sRGB
 layout(location = 3) in float footprint; // b(x), or 0 outside
 layout(location = 4) in float shade; // of what was measured there, 0 to 1
@@ -17,6 +17,7 @@ out vec3 toEye; // eye space, any length
 out vec3 eyePosition;
 out vec3 eyeNormal;
 out vec3 albedo; // linear
+out float masked; // 0 to 1
 out float fromCut; // mm
 out float fault; // the shade
 out float taken; // by the brush: 0 not, else so much, and seen at its rim, too
@@ -43,6 +44,7 @@ void main()
     toEye = mix(-eye.xyz, vec3(0.0, 0.0, 1.0), projection[3][3]);
     eyeNormal = mat3(view) * normal.xyz;
     albedo = toLinear(color.rgb);
+    masked = normal.w;
     fault = shade;
     fromCut = dot(cutNormal, position);
     taken = max(max(share(ball), share(ballImage)), footprint > 0.0 ? mix(atRim, 1.0, footprint) : 0.0);

@@ -31,6 +31,8 @@ constexpr Slot mostFaces = 10'000, leastFaces = 64;
 constexpr int dabsPerPairCheck = 8, dabsPerJudge = 100;
 /// One step in so many is a command to the whole model; one in so many takes back the step before.
 constexpr std::uint64_t stepsPerCommand = 40, stepsPerUndo = 8;
+using How = core::ChangeMask::How;
+constexpr std::uint64_t maskChanges = std::uint64_t(How::Part) + 1;
 /// A remeshing aims at this share of the mean edge to its multiple.
 constexpr double finest = 0.8, coarsest = 2;
 
@@ -153,6 +155,8 @@ Stroke FuzzRun::nextStroke()
 core::ModelCommand FuzzRun::nextCommand()
 {
     const Mesh& mesh = m_sculptor.mesh();
+    if (m_fuzzer.below(2) == 0) // cleared more often than not, else little is left to sculpt
+        return core::ChangeMask{static_cast<How>(m_fuzzer.below(2) == 0 ? m_fuzzer.below(maskChanges) : std::uint64_t(How::Clear)), {}};
     if (m_start.plane != Symmetry::None)
         return core::Symmetrize{m_start.plane, m_fuzzer.below(2) == 0 ? core::Half::Positive : core::Half::Negative};
     const auto sized = [&](double from, double to) { return m_fuzzer.uniform(from, to); };

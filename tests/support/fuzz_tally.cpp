@@ -37,7 +37,7 @@ void FuzzTally::add(const StrokeSettings& settings, const DabReport& report, con
     added += report.outcome == DabOutcome::Added;
     refused += report.outcome == DabOutcome::Refused;
     const bool sculpts = report.outcome != DabOutcome::Empty && report.outcome != DabOutcome::Added &&
-                         report.outcome != DabOutcome::Refused && settings.tool != core::Tool::Paint;
+                         report.outcome != DabOutcome::Refused && !marks(settings.tool);
     if (!sculpts)
         return;
     const auto count = [&](Share& share) {

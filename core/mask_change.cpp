@@ -1,0 +1,170 @@
+// What may be asked of the whole mask, each a value per vertex that follows from the masks before:
+//   invert, clear, sharpen    from its own
+//   blur, grow, shrink        from its own and its neighbours', as one ring of edges lies around it
+//   cavity, color, part       from the surface: what is hollow, of a colour, or in one piece with what is masked is masked, too
+
+#include "mask_change.h"
+
+#include "deform.h"
+
+#include <algorithm>
+
+namespace core
+{
+namespace
+{
+constexpr std::array<std::string_view, 9> howTable{"invert", "clear", "blur", "sharpen", "grow", "shrink", "cavity", "color", "part"};
+
+constexpr std::uint8_t whole = 255;
+/// One ring is hardly to be seen.
+constexpr int blurRings = 2;
+/// The largest difference of a channel at which a colour counts wholly, and at which no longer.
+constexpr int sameColor = 24, otherColor = 64;
+
+/// By slot.
+using Masks = std::vector<std::uint8_t>;
+
+template <class Visit> void forEachVertex(const Mesh& mesh, Visit visit)
+{
+    for (Slot v = 0; v < mesh.slots().vertices; ++v) {
+        if (mesh.isVertex(v))
+            visit(v);
+    }
+}
+
+Masks masksOf(const Mesh& mesh)
+{
+    Masks masks(mesh.slots().vertices);
+    forEachVertex(mesh, [&](Slot v) { masks[v] = mesh.mask(v); });
+    return masks;
+}
+
+template <class Value> Masks each(const Mesh& mesh, Value value)
+{
+    Masks masks(mesh.slots().vertices);
+    forEachVertex(mesh, [&](Slot v) { masks[v] = value(v); });
+    return masks;
+}
+
+std::uint8_t clamped(double mask)
+{
+    return static_cast<std::uint8_t>(std::clamp(mask, 0.0, 255.0) + 0.5);
+}
+
+/// The mean of a vertex and its neighbours' mean.
+Masks blurred(const Mesh& mesh)
+{
+    Masks masks = masksOf(mesh);
+    for (int ring = 0; ring < blurRings; ++ring) {
+        masks = each(mesh, [&](Slot v) {
+            unsigned sum = 0, n = 0;
+            mesh.forEachOutgoing(v, [&](Slot h) { sum += masks[mesh.to(h)], ++n; });
+            return clamped(0.5 * (masks[v] + double(sum) / n));
+        });
+    }
+    return masks;
+}
+
+/// The most, or the least, of a vertex and its neighbours.
+template <class Choose> Masks spread(const Mesh& mesh, Choose choose)
+{
+    return each(mesh, [&](Slot v) {
+        std::uint8_t mask = mesh.mask(v);
+        mesh.forEachOutgoing(v, [&](Slot h) { mask = choose(mask, mesh.mask(mesh.to(h))); });
+        return mask;
+    });
+}
+
+/// How deep a vertex lies below its neighbours' mean, in terms of the edges around it; negative above. Sums are exact, so that mirror
+/// images are as hollow.
+double hollowness(const Mesh& mesh, Slot v)
+{
+    const Vec3 p = mesh.point(v).cast<double>(), normal = vertexNormal(mesh, v);
+    double edges2 = 0;
+    int n = 0;
+    mesh.forEachOutgoing(v, [&](Slot h) { edges2 += (mesh.point(mesh.to(h)).cast<double>() - p).squaredNorm(), ++n; });
+    const double squared = normal.squaredNorm() * edges2 / n;
+    return squared > 0 ? (neighbourMean(mesh, v) - p).dot(normal) / std::sqrt(squared) : 0;
+}
+
+/// Wholly where it is as hollow as the model is curved in the mean.
+Masks hollows(const Mesh& mesh)
+{
+    std::vector<double> depth(mesh.slots().vertices);
+    double squares = 0;
+    forEachVertex(mesh, [&](Slot v) {
+        depth[v] = hollowness(mesh, v);
+        squares += depth[v] * depth[v];
+    });
+    const double mean = std::sqrt(squares / mesh.live().vertices);
+    return each(mesh, [&](Slot v) { return std::max(mesh.mask(v), mean > 0 ? clamped(255 * depth[v] / mean) : std::uint8_t(0)); });
+}
+
+Masks ofColor(const Mesh& mesh, Rgb color)
+{
+    return each(mesh, [&](Slot v) {
+        const Rgb c = mesh.color(v);
+        const int apart = std::max({std::abs(c.r - color.r), std::abs(c.g - color.g), std::abs(c.b - color.b)});
+        return std::max(mesh.mask(v), clamped(255.0 * (otherColor - apart) / (otherColor - sameColor)));
+    });
+}
+
+/// All that hangs together with a masked vertex.
+Masks wholeParts(const Mesh& mesh)
+{
+    Masks masks = masksOf(mesh);
+    std::vector<Slot> front;
+    forEachVertex(mesh, [&](Slot v) {
+        if (mesh.isMasked(v))
+            front.push_back(v);
+    });
+    std::vector<bool> reached(mesh.slots().vertices);
+    while (!front.empty()) {
+        const Slot v = front.back();
+        front.pop_back();
+        if (reached[v])
+            continue;
+        reached[v] = true;
+        masks[v] = whole;
+        mesh.forEachOutgoing(v, [&](Slot h) { front.push_back(mesh.to(h)); });
+    }
+    return masks;
+}
+
+Masks changed(const Mesh& mesh, const ChangeMask& command)
+{
+    switch (command.how) {
+    case ChangeMask::How::Invert: return each(mesh, [&](Slot v) { return static_cast<std::uint8_t>(whole - mesh.mask(v)); });
+    case ChangeMask::How::Blur: return blurred(mesh);
+    case ChangeMask::How::Sharpen: return each(mesh, [&](Slot v) { return clamped(2.0 * mesh.mask(v) - 127.5); });
+    case ChangeMask::How::Grow: return spread(mesh, [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
+    case ChangeMask::How::Shrink: return spread(mesh, [](std::uint8_t a, std::uint8_t b) { return std::min(a, b); });
+    case ChangeMask::How::Cavity: return hollows(mesh);
+    case ChangeMask::How::Color: return ofColor(mesh, command.color);
+    case ChangeMask::How::Part: return wholeParts(mesh);
+    case ChangeMask::How::Clear: break;
+    }
+    return Masks(mesh.slots().vertices);
+}
+} // namespace
+
+void changeMask(Mesh& mesh, const ChangeMask& command)
+{
+    const Masks masks = changed(mesh, command);
+    forEachVertex(mesh, [&](Slot v) {
+        if (masks[v] != mesh.mask(v))
+            mesh.setMask(v, masks[v]);
+    });
+}
+
+std::string_view name(ChangeMask::How how)
+{
+    return howTable[static_cast<std::size_t>(how)];
+}
+
+std::optional<ChangeMask::How> maskChangeNamed(std::string_view name)
+{
+    const auto found = std::ranges::find(howTable, name);
+    return found == howTable.end() ? std::nullopt : std::optional(static_cast<ChangeMask::How>(found - howTable.begin()));
+}
+} // namespace core

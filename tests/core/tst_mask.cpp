@@ -1,0 +1,499 @@
+// What is masked stays: it does not move, is not remeshed away, does not fuse, and takes no colour, whatever tool goes over it.
+#include "core/mask_change.h"
+#include "core/mesh_build.h"
+#include "core/mesh_check.h"
+#include "core/mesh_io.h"
+#include "core/sculptor.h"
+#include "tests/support/cgal_judge.h"
+#include "tests/support/clay.h"
+#include "tests/support/mesh_asserts.h"
+#include "tests/support/mirror_asserts.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cmath>
+#include <set>
+
+using core::ChangeMask;
+using core::DabReport;
+using core::Mesh;
+using core::Rgb;
+using core::Sculptor;
+using core::Slot;
+using core::StrokeSettings;
+using core::Tool;
+using core::Vec3;
+
+Q_DECLARE_METATYPE(core::Tool)
+
+namespace
+{
+constexpr double ballRadius = 50, pi = 3.14159265358979323846;
+using How = ChangeMask::How;
+
+std::unique_ptr<Sculptor> ball(int subdivisions = 5)
+{
+    return std::make_unique<Sculptor>(mesh_asserts::sculptable(core::icosphere(subdivisions, ballRadius)));
+}
+
+std::vector<DabReport> stroke(Sculptor& sculptor, const StrokeSettings& settings, const std::vector<Vec3>& path)
+{
+    std::vector<DabReport> reports;
+    sculptor.beginStroke(settings);
+    for (const Vec3& at : path) {
+        core::StrokeSample sample;
+        sample.position = at;
+        sample.direction = -at;
+        for (const DabReport& report : sculptor.addSample(sample))
+            reports.push_back(report);
+    }
+    sculptor.endStroke();
+    return reports;
+}
+
+StrokeSettings settingsOf(Tool tool, double radius, int falloff = 4)
+{
+    StrokeSettings settings;
+    settings.tool = tool;
+    settings.radius = radius;
+    settings.falloff = falloff;
+    return settings;
+}
+
+/// Wholly, and all at once.
+void maskAt(Sculptor& sculptor, const Vec3& at, double radius)
+{
+    stroke(sculptor, settingsOf(Tool::Mask, radius, 0), {at});
+}
+
+void change(Sculptor& sculptor, const ChangeMask& command)
+{
+    core::ModelChange change = tryOn(sculptor.mesh(), command);
+    sculptor.swap(change.delta);
+}
+
+/// On the ball about y, at such angles from the z axis.
+Vec3 onBall(double degrees)
+{
+    return ballRadius * Vec3(std::sin(degrees * pi / 180), 0, std::cos(degrees * pi / 180));
+}
+
+std::vector<Vec3> arc(double from, double to, int samples)
+{
+    std::vector<Vec3> path;
+    for (int i = 0; i < samples; ++i)
+        path.push_back(onBall(from + (to - from) * i / (samples - 1)));
+    return path;
+}
+
+template <class Visit> void forEachVertex(const Mesh& mesh, Visit visit)
+{
+    for (Slot v = 0; v < mesh.slots().vertices; ++v) {
+        if (mesh.isVertex(v))
+            visit(v);
+    }
+}
+
+using Point = std::array<float, 3>;
+Point pointOf(const Mesh& mesh, Slot v)
+{
+    return {mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()};
+}
+
+/// The points of faces all of whose corners are masked wholly.
+std::set<std::set<Point>> maskedFaces(const Mesh& mesh)
+{
+    std::set<std::set<Point>> faces;
+    for (Slot f = 0; f < mesh.slots().faces; ++f) {
+        if (!mesh.isFace(f) || !std::ranges::all_of(mesh.corners(f), [&](Slot v) { return mesh.mask(v) == 255; }))
+            continue;
+        const core::Triangle& t = mesh.corners(f);
+        faces.insert({pointOf(mesh, t[0]), pointOf(mesh, t[1]), pointOf(mesh, t[2])});
+    }
+    return faces;
+}
+
+std::set<Point> maskedPoints(const Mesh& mesh)
+{
+    std::set<Point> points;
+    forEachVertex(mesh, [&](Slot v) {
+        if (mesh.mask(v) == 255)
+            points.insert(pointOf(mesh, v));
+    });
+    return points;
+}
+
+std::size_t maskedCount(const Mesh& mesh)
+{
+    std::size_t count = 0;
+    forEachVertex(mesh, [&](Slot v) { count += mesh.isMasked(v); });
+    return count;
+}
+
+std::vector<int> masks(const Mesh& mesh)
+{
+    std::vector<int> all;
+    forEachVertex(mesh, [&](Slot v) { all.push_back(mesh.mask(v)); });
+    return all;
+}
+
+bool isSound(const Sculptor& sculptor)
+{
+    const auto verdict = judgedByCgal(core::extractMesh(sculptor.mesh()));
+    return verdict && verdict->allWell() && mesh_asserts::brokenLinks(sculptor.mesh()).empty() && sculptor.indexIsConsistent();
+}
+
+/// What is farthest from the ball's middle, of those at that angle from the z axis.
+double highestAt(const Mesh& mesh, double degrees, double within)
+{
+    double most = 0;
+    forEachVertex(mesh, [&](Slot v) {
+        const Vec3 p = mesh.point(v).cast<double>();
+        if ((p.normalized() - onBall(degrees).normalized()).norm() < within)
+            most = std::max(most, p.norm());
+    });
+    return most;
+}
+} // namespace
+
+class TestMask : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void painted_addsUpAndIsWipedAway();
+    void masked_stays_data();
+    void masked_stays();
+    void masked_staysWhenTheModelIsRemeshed();
+    void half_movesHalf();
+    void edge_isRefined();
+    void masked_doesNotFuse();
+    void masked_takesNoColour();
+    void split_takesTheMean();
+    void stroke_isUndone();
+    void saved_comesBack();
+    void inverted_twiceIsNothing();
+    void blurred_isSofterAndSharpenedHarder();
+    void grown_holdsAndShrunkIsHeld();
+    void cavity_isWhatIsHollow();
+    void color_isWhatIsOfIt();
+    void part_isAllOfIt();
+    void symmetric_whereTheMaskIs();
+    void footprint_showsWhatIsFree();
+};
+
+void TestMask::painted_addsUpAndIsWipedAway()
+{
+    const auto sculptor = ball(4);
+    StrokeSettings settings = settingsOf(Tool::Mask, 15);
+    settings.strength = 0.25;
+    const core::Mesh& mesh = sculptor->mesh();
+    const std::uint64_t shape = mesh.meshHash();
+    const auto most = [&] { return std::ranges::max(masks(mesh)); };
+    for (const int expected : {64, 128, 192, 255, 255}) {
+        stroke(*sculptor, settings, {onBall(0)});
+        QVERIFY2(std::abs(most() - expected) <= 8, qPrintable(QString::number(most())));
+    }
+    QCOMPARE(mesh.meshHash(), shape);
+    settings.inverted = true;
+    settings.strength = 1;
+    settings.falloff = 0;
+    stroke(*sculptor, settings, {onBall(0)});
+    QCOMPARE(most(), 0);
+}
+
+void TestMask::masked_stays_data()
+{
+    QTest::addColumn<Tool>("tool");
+    QTest::addColumn<bool>("inverted");
+    for (std::size_t i = 0; i < core::toolNames().size(); ++i) {
+        const auto tool = static_cast<Tool>(i);
+        if (core::marks(tool))
+            continue;
+        QTest::addRow("%s", core::toolNames()[i].data()) << tool << false;
+        if (core::hasInverse(tool))
+            QTest::addRow("%s, inverted", core::toolNames()[i].data()) << tool << true;
+    }
+}
+
+/// To and fro across its edge, finer than the ball's own mesh, with fusion: not one of its faces changes.
+void TestMask::masked_stays()
+{
+    QFETCH(Tool, tool);
+    QFETCH(bool, inverted);
+    const auto sculptor = ball();
+    maskAt(*sculptor, onBall(0), 16);
+    const std::set<std::set<Point>> faces = maskedFaces(sculptor->mesh());
+    QVERIFY(faces.size() > 50);
+    StrokeSettings settings = settingsOf(tool, 10);
+    settings.strength = 2;
+    settings.inverted = inverted;
+    settings.detail = 0.7;
+    for (int pass = 0; pass < 2; ++pass) {
+        stroke(*sculptor, settings, arc(-25, 30, 14));
+        stroke(*sculptor, settings, arc(30, -25, 14));
+    }
+    const std::set<std::set<Point>> after = maskedFaces(sculptor->mesh());
+    QVERIFY(std::ranges::includes(after, faces));
+    const Mesh untouched = ball()->mesh();
+    QVERIFY(sculptor->mesh().meshHash() != untouched.meshHash());
+    QVERIFY(isSound(*sculptor));
+}
+
+void TestMask::masked_staysWhenTheModelIsRemeshed()
+{
+    const auto sculptor = ball(4);
+    maskAt(*sculptor, onBall(0), 20);
+    const std::set<std::set<Point>> faces = maskedFaces(sculptor->mesh());
+    for (const double detail : {2.0, 12.0}) {
+        core::ModelChange change = tryOn(sculptor->mesh(), core::RemeshUniformly{detail});
+        QVERIFY(change.changes);
+        sculptor->swap(change.delta);
+        QVERIFY(std::ranges::includes(maskedFaces(sculptor->mesh()), faces));
+        QVERIFY(isSound(*sculptor));
+    }
+}
+
+void TestMask::half_movesHalf()
+{
+    const auto free = ball(), half = ball();
+    StrokeSettings mask = settingsOf(Tool::Mask, 30, 0);
+    mask.strength = 0.4;
+    stroke(*half, mask, {onBall(0)});
+    for (Sculptor* sculptor : {free.get(), half.get()})
+        stroke(*sculptor, settingsOf(Tool::Pull, 12), {onBall(0)});
+    const double whole = highestAt(free->mesh(), 0, 0.2) - ballRadius, part = highestAt(half->mesh(), 0, 0.2) - ballRadius;
+    QVERIFY2(std::abs(part / whole - 0.6) < 0.02, qPrintable(QString::number(part / whole)));
+}
+
+/// What lies between the masked and the free is stretched, and has to become finer.
+void TestMask::edge_isRefined()
+{
+    const auto sculptor = ball();
+    maskAt(*sculptor, onBall(0), 16);
+    const StrokeSettings settings = settingsOf(Tool::Pull, 10);
+    for (int i = 0; i < 10; ++i)
+        stroke(*sculptor, settings, {1.0 * highestAt(sculptor->mesh(), 24, 0.05) / ballRadius * onBall(24)});
+    const double detail = core::edgeBounds(settings.radius, settings.detail).detail;
+    const Mesh& mesh = sculptor->mesh();
+    double longest = 0;
+    forEachVertex(mesh, [&](Slot v) {
+        mesh.forEachOutgoing(v, [&](Slot h) {
+            if (!mesh.isMasked(v) || !mesh.isMasked(mesh.to(h)))
+                longest = std::max(longest, double((mesh.point(mesh.to(h)) - mesh.point(v)).norm()));
+        });
+    });
+    QVERIFY2(longest < 2 * detail, qPrintable(QString::number(longest / detail)));
+}
+
+/// One finger into the other, which is masked: with fusion they become one, and here they do not.
+void TestMask::masked_doesNotFuse()
+{
+    for (const bool masked : {false, true}) {
+        Sculptor sculptor(mesh_asserts::sculptable(clay::twoFingers(0.1)));
+        core::Box box;
+        forEachVertex(sculptor.mesh(), [&](Slot v) { box.extend(sculptor.mesh().point(v).cast<double>()); });
+        if (masked) {
+            maskAt(sculptor, {box.max().x(), 0, 0}, 0.2);
+            change(sculptor, {How::Part});
+        }
+        const std::set<std::set<Point>> faces = maskedFaces(sculptor.mesh());
+        std::vector<Vec3> path;
+        for (int i = 0; i < 20; ++i)
+            path.emplace_back(box.min().x() + (box.sizes().x() + 0.2) * i / 19, 0, 0);
+        const std::vector<DabReport> reports = stroke(sculptor, settingsOf(Tool::Grab, 0.3), path);
+        QCOMPARE(core::checkMesh(core::extractMesh(sculptor.mesh())).components, masked ? 2 : 1);
+        QVERIFY(!masked || std::ranges::any_of(reports, [](const DabReport& report) { return report.contact; }));
+        QCOMPARE(maskedFaces(sculptor.mesh()), faces);
+        QVERIFY(isSound(sculptor));
+    }
+}
+
+void TestMask::masked_takesNoColour()
+{
+    const auto sculptor = ball(4);
+    maskAt(*sculptor, onBall(0), 12);
+    StrokeSettings paint = settingsOf(Tool::Paint, 25, 0);
+    paint.color = {10, 20, 200};
+    stroke(*sculptor, paint, {onBall(0)});
+    int painted = 0;
+    forEachVertex(sculptor->mesh(), [&](Slot v) {
+        const bool isBlue = sculptor->mesh().color(v) == paint.color;
+        QVERIFY(!isBlue || sculptor->mesh().mask(v) == 0);
+        painted += isBlue;
+    });
+    QVERIFY(painted > 20);
+}
+
+void TestMask::split_takesTheMean()
+{
+    const auto mesh = mesh_asserts::sculptable(core::icosphere(1, 1));
+    mesh->beginStroke();
+    const Slot a = mesh->to(0), b = mesh->to(1);
+    mesh->setMask(a, 255);
+    mesh->setMask(b, 100);
+    const Slot m = mesh->splitEdge(0, mesh->lattice().snap(0.5 * (mesh->point(a) + mesh->point(b)).cast<double>()));
+    QCOMPARE(int(mesh->mask(m)), 178);
+    QCOMPARE(mesh->color(m), mesh->color(a));
+    core::MeshDelta delta = mesh->endStroke();
+    mesh->swap(delta);
+    QCOMPARE(std::ranges::max(masks(*mesh)), 0);
+    mesh->swap(delta);
+    QCOMPARE(int(mesh->mask(m)), 178);
+}
+
+void TestMask::stroke_isUndone()
+{
+    const auto sculptor = ball(4);
+    const std::uint64_t before = sculptor->mesh().stateHash();
+    sculptor->beginStroke(settingsOf(Tool::Mask, 20));
+    core::StrokeSample sample;
+    sample.position = onBall(0);
+    sculptor->addSample(sample);
+    core::MeshDelta delta = sculptor->endStroke();
+    QVERIFY(!delta.empty());
+    const std::uint64_t masked = sculptor->mesh().stateHash();
+    QVERIFY(masked != before);
+    sculptor->swap(delta);
+    QCOMPARE(sculptor->mesh().stateHash(), before);
+    sculptor->swap(delta);
+    QCOMPARE(sculptor->mesh().stateHash(), masked);
+}
+
+void TestMask::saved_comesBack()
+{
+    const auto sculptor = ball(4);
+    stroke(*sculptor, settingsOf(Tool::Mask, 25), {onBall(0)});
+    const QTemporaryDir folder;
+    const std::filesystem::path path = folder.filePath(QStringLiteral("masked.glb")).toStdString();
+    const core::TriangleMesh surface = core::extractMesh(sculptor->mesh());
+    QCOMPARE(surface.masks.size(), surface.points.size());
+    core::writeMesh(path, surface);
+    const core::TriangleMesh back = core::readMesh(path);
+    QCOMPARE(back.masks, surface.masks);
+    const core::BuildResult built = core::buildMesh(back);
+    QVERIFY(built.mesh);
+    std::vector<int> before = masks(sculptor->mesh()), after = masks(*built.mesh);
+    std::ranges::sort(before);
+    std::ranges::sort(after);
+    QCOMPARE(after, before);
+}
+
+void TestMask::inverted_twiceIsNothing()
+{
+    const auto sculptor = ball(4);
+    stroke(*sculptor, settingsOf(Tool::Mask, 25), {onBall(0)});
+    const std::vector<int> before = masks(sculptor->mesh());
+    change(*sculptor, {How::Invert});
+    const std::vector<int> inverted = masks(sculptor->mesh());
+    for (std::size_t i = 0; i < before.size(); ++i)
+        QCOMPARE(inverted[i], 255 - before[i]);
+    change(*sculptor, {How::Invert});
+    QCOMPARE(masks(sculptor->mesh()), before);
+    change(*sculptor, {How::Clear});
+    QCOMPARE(std::ranges::max(masks(sculptor->mesh())), 0);
+}
+
+void TestMask::blurred_isSofterAndSharpenedHarder()
+{
+    const auto sculptor = ball(4);
+    maskAt(*sculptor, onBall(0), 20);
+    const auto between = [&] { return std::ranges::count_if(masks(sculptor->mesh()), [](int mask) { return mask > 0 && mask < 255; }); };
+    QCOMPARE(between(), 0);
+    const std::size_t masked = maskedCount(sculptor->mesh());
+    change(*sculptor, {How::Blur});
+    const auto soft = between();
+    QVERIFY(soft > 20);
+    const auto off = [&] { return std::abs(double(maskedCount(sculptor->mesh())) - double(masked)); };
+    QVERIFY2(off() < 0.3 * double(masked), "it neither grows nor shrinks");
+    for (int i = 0; i < 4; ++i)
+        change(*sculptor, {How::Sharpen});
+    QVERIFY(between() < soft / 2);
+    QVERIFY(off() < 0.3 * double(masked));
+}
+
+void TestMask::grown_holdsAndShrunkIsHeld()
+{
+    const auto sculptor = ball(4);
+    maskAt(*sculptor, onBall(0), 20);
+    const std::set<Point> before = maskedPoints(sculptor->mesh());
+    change(*sculptor, {How::Grow});
+    const std::set<Point> grown = maskedPoints(sculptor->mesh());
+    QVERIFY(grown.size() > before.size() && std::ranges::includes(grown, before));
+    change(*sculptor, {How::Shrink});
+    QVERIFY(std::ranges::includes(maskedPoints(sculptor->mesh()), before));
+    change(*sculptor, {How::Shrink});
+    const std::set<Point> shrunk = maskedPoints(sculptor->mesh());
+    QVERIFY(shrunk.size() < before.size() && std::ranges::includes(before, shrunk));
+}
+
+void TestMask::cavity_isWhatIsHollow()
+{
+    const auto sculptor = ball();
+    for (int i = 0; i < 5; ++i)
+        stroke(*sculptor, settingsOf(Tool::Push, 12), {onBall(0)});
+    change(*sculptor, {How::Cavity});
+    const Mesh& mesh = sculptor->mesh();
+    QVERIFY(maskedCount(mesh) > 10);
+    forEachVertex(mesh, [&](Slot v) {
+        const bool isBeside = (mesh.point(v).cast<double>() - onBall(0)).norm() > 20;
+        QVERIFY(!isBeside || mesh.mask(v) == 0);
+    });
+}
+
+void TestMask::color_isWhatIsOfIt()
+{
+    const auto sculptor = ball(4);
+    StrokeSettings paint = settingsOf(Tool::Paint, 25, 0);
+    paint.color = {200, 30, 30};
+    stroke(*sculptor, paint, {onBall(0)});
+    change(*sculptor, {How::Color, {205, 28, 35}});
+    const Mesh& mesh = sculptor->mesh();
+    forEachVertex(mesh, [&](Slot v) { QCOMPARE(int(mesh.mask(v)), mesh.color(v) == paint.color ? 255 : 0); });
+    QVERIFY(maskedCount(mesh) > 10);
+}
+
+void TestMask::part_isAllOfIt()
+{
+    Sculptor sculptor(mesh_asserts::sculptable(clay::twoFingers(0.1)));
+    core::Box box;
+    forEachVertex(sculptor.mesh(), [&](Slot v) { box.extend(sculptor.mesh().point(v).cast<double>()); });
+    maskAt(sculptor, {box.max().x(), 0, 0}, 0.2);
+    change(sculptor, {How::Part});
+    const Mesh& mesh = sculptor.mesh();
+    forEachVertex(mesh, [&](Slot v) { QCOMPARE(int(mesh.mask(v)), mesh.point(v).x() > box.center().x() ? 255 : 0); });
+}
+
+/// A mask on one side makes two dabs of one; masked on both sides they stay one, bit for bit.
+void TestMask::symmetric_whereTheMaskIs()
+{
+    for (const bool both : {true, false}) {
+        const auto sculptor = ball();
+        StrokeSettings mask = settingsOf(Tool::Mask, 10);
+        mask.symmetry = both ? core::Symmetry::X : core::Symmetry::None;
+        stroke(*sculptor, mask, {onBall(25)});
+        StrokeSettings pull = settingsOf(Tool::Pull, 12);
+        pull.symmetry = core::Symmetry::X;
+        for (const DabReport& report : stroke(*sculptor, pull, arc(15, 30, 5)))
+            QCOMPARE(report.asymmetric, !both);
+        QCOMPARE(mirror_asserts::asymmetry(sculptor->mesh(), core::Symmetry::X).empty(), both);
+        QVERIFY(isSound(*sculptor));
+    }
+}
+
+void TestMask::footprint_showsWhatIsFree()
+{
+    const auto sculptor = ball();
+    maskAt(*sculptor, onBall(0), 8);
+    StrokeSettings pull = settingsOf(Tool::Pull, 15);
+    pull.brush = core::BrushShape::Ray;
+    const core::Footprint footprint = sculptor->footprint(pull, onBall(0));
+    QVERIFY(footprint.slots.size() > 50);
+    for (std::size_t i = 0; i < footprint.slots.size(); ++i)
+        QVERIFY(footprint.weights[i] == 1 || sculptor->mesh().mask(footprint.slots[i]) < 255);
+    QVERIFY(std::ranges::count_if(footprint.weights, [](int weight) { return weight > 1; }) > 50);
+}
+
+QTEST_GUILESS_MAIN(TestMask)
+#include "tst_mask.moc"
