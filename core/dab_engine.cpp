@@ -218,8 +218,12 @@ RemeshCounts DabEngine::refineAndPlan(Task& task, MeshEditor edit, DabReport& re
         if (m_mirror.isOn())
             keepHalf(m_region, m_mirror);
     }
-    const PhaseTimer timer(report.deformMs);
+    const PhaseTimer timer(report.deformMs, report.fuseMs);
     report.asked = plan(task);
+    if (task.meets) {
+        const PhaseTimer fuseTimer(report.fuseMs);
+        task.meets = m_fuser.willMeet(m_surface, m_region, task.bounds);
+    }
     task.steps = std::max(1.0, std::ceil(report.asked / (movePerMinimum * task.bounds.minimum)));
     m_capped = task.steps > mostSteps;
     task.left = ticksPerStep * static_cast<unsigned>(std::min(task.steps, mostSteps));

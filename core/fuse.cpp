@@ -100,12 +100,25 @@ bool Fuser::mayMeet(const Mesh& mesh, const Region& region, std::span<const Slot
     });
 }
 
+double Approach::reach() const
+{
+    return thicknessPerDetail * bounds.detail;
+}
+
+bool Fuser::willMeet(const JudgedMesh& surface, const Region& region, const EdgeBounds& bounds)
+{
+    const Approach whole = {true, bounds, 1};
+    gather(surface, region, whole.reach());
+    findNear(surface.mesh(), region, {}, whole);
+    return !m_near.empty();
+}
+
 /// In rounds: a seam grows stitch by stitch over all of a contact before another tube is begun, else a hole stays between.
 FusionCounts Fuser::join(JudgedMesh& surface, Region& region, const HeldBack& held, const Approach& approach)
 {
     FusionCounts counts;
     for (int round = 0; round < mostRounds; ++round) {
-        gather(surface, region, thicknessPerDetail * approach.bounds.detail);
+        gather(surface, region, approach.reach());
         findNear(surface.mesh(), region, held, approach);
         if (m_mirror)
             keepToSeams(surface.mesh());
@@ -219,16 +232,23 @@ void Fuser::gather(const JudgedMesh& surface, const Region& region, double reach
         }
     });
     m_vertices.sort();
-    for (Slot v : m_vertices.slots()) {
+    for (Slot v : m_vertices.slots())
         m_points.push_back(pointOf(mesh, v));
-        m_normals.push_back(unit(vertexNormal(mesh, v)));
-    }
+    m_normals.resize(m_points.size());
+}
+
+/// Few are asked for.
+const Vec3& Fuser::normal(const Mesh& mesh, Slot i)
+{
+    if (!m_normals[i])
+        m_normals[i] = unit(vertexNormal(mesh, m_vertices.slots()[i]));
+    return *m_normals[i];
 }
 
 void Fuser::findNear(const Mesh& mesh, const Region& region, const HeldBack& held, const Approach& approach)
 {
     m_near.clear();
-    const double reach = thicknessPerDetail * approach.bounds.detail, reach2 = reach * reach;
+    const double reach = approach.reach(), reach2 = reach * reach;
     const ProximityGrid grid(m_points, reach);
     for (Slot i = 0; i < m_points.size(); ++i) {
         const Slot v = m_vertices.slots()[i];
@@ -242,7 +262,7 @@ void Fuser::findNear(const Mesh& mesh, const Region& region, const HeldBack& hel
             const double distance2 = (m_points[j] - m_points[i]).squaredNorm();
             if (distance2 < reach2 && willMeet(i, j, mesh, region, held, approach))
                 m_near.push_back({!haveCommonNeighbour(mesh, v, other), distance2, std::min(v, other),
-                                  std::max(v, other), (m_points[j] - m_points[i]).dot(m_normals[i]) < 0});
+                                  std::max(v, other), (m_points[j] - m_points[i]).dot(normal(mesh, i)) < 0});
         });
     }
 }
@@ -262,7 +282,7 @@ bool Fuser::isContact(const JudgedMesh& surface, const Region& region, const App
     }
     Approach pushing = approach;
     pushing.pushes = true; // which meets the other side of a wall, too
-    gather(surface, region, thicknessPerDetail * approach.bounds.detail);
+    gather(surface, region, approach.reach());
     findNear(surface.mesh(), region, {}, pushing);
     return std::ranges::any_of(m_near, [&](const Near& near) {
         return (near.inside || !fusion || isMasked(surface.mesh(), near.p, near.q)) && (at.contains(near.p) || at.contains(near.q));
@@ -307,9 +327,12 @@ bool Fuser::isNamed(Slot v, Slot other)
 }
 
 bool Fuser::willMeet(Slot i, Slot j, const Mesh& mesh, const Region& region, const HeldBack& held,
-                     const Approach& approach) const
+                     const Approach& approach)
 {
-    const Vec3 &n = m_normals[i], &m = m_normals[j];
+    const Slot v = m_vertices.slots()[i], other = m_vertices.slots()[j];
+    if (mesh.findHalfedge(v, other) != noSlot)
+        return false;
+    const Vec3 &n = normal(mesh, i), &m = normal(mesh, j);
     if (n.dot(m) > facingCosine)
         return false;
     const Vec3 between = m_points[j] - m_points[i];
@@ -317,16 +340,14 @@ bool Fuser::willMeet(Slot i, Slot j, const Mesh& mesh, const Region& region, con
     const bool meetOutside = ahead > 0 && back > 0, meetInside = ahead < 0 && back < 0;
     if (!meetOutside && !(meetInside && approach.pushes))
         return false;
-    const auto motion = [&](Slot v) -> Vec3 {
-        return region.contains(v) ? Vec3(approach.part * held.share(region, v) * region.plan(v)) : Vec3::Zero();
+    const auto motion = [&](Slot w) -> Vec3 {
+        return region.contains(w) ? Vec3(approach.part * held.share(region, w) * region.plan(w)) : Vec3::Zero();
     };
-    const Slot v = m_vertices.slots()[i], other = m_vertices.slots()[j];
     const bool isImage = m_mirror && !m_mirror->isInHalf(other);
     const Vec3 otherMotion = isImage ? m_mirror->imageOf(motion(v)) : motion(other);
     const Vec3 axis = unit(meetOutside ? n - m : m - n);
     const double gap = between.dot(axis), closing = (motion(v) - otherMotion).dot(axis);
-    return closing > 0 && (closingShare * gap <= closing || gap <= contactPerDetail * approach.bounds.detail) &&
-           mesh.findHalfedge(v, other) == noSlot;
+    return closing > 0 && (closingShare * gap <= closing || gap <= contactPerDetail * approach.bounds.detail);
 }
 
 /// Of what came, with the mirror.

@@ -25,6 +25,7 @@ struct Approach
     bool pushes = false; ///< a wall whose two sides meet gets a hole
     EdgeBounds bounds;
     double part = 1; ///< of the plan, that one sub-step does
+    double reach() const; ///< surfaces farther apart do not join: d_thickness
 };
 
 /// Topology fusion (paper, section 3.4). Every operation is judged by itself; what is not sound is left undone. Owns scratch
@@ -45,6 +46,10 @@ public:
     /// Whether two of the faces may face each other: else there is nothing to join. Cheap, and never wrong when it says no.
     /// `faces`: all around the region.
     static bool mayMeet(const Mesh& mesh, const Region& region, std::span<const Slot> faces);
+
+    /// Whether the whole plan brings surfaces that are near each other into contact: seldom, even where some face each other. A guess, as
+    /// what is far now may come near: no reason not to verify.
+    bool willMeet(const JudgedMesh& surface, const Region& region, const EdgeBounds& bounds);
 
     /// Joins what the motion of the region is about to bring into contact: surfaces that meet from outside become one, a wall
     /// that is pushed through gets a hole.
@@ -75,7 +80,8 @@ private:
     void findNear(const Mesh& mesh, const Region& region, const HeldBack& held, const Approach& approach);
     bool mayTry(Slot v) const { return !m_failed.contains(v) || m_failures[m_failed.position(v)] < mostFailures; }
     void countFailure(Slot v);
-    bool willMeet(Slot i, Slot j, const Mesh& mesh, const Region& region, const HeldBack& held, const Approach& approach) const;
+    const Vec3& normal(const Mesh& mesh, Slot i);
+    bool willMeet(Slot i, Slot j, const Mesh& mesh, const Region& region, const HeldBack& held, const Approach& approach);
     bool isNamed(Slot v, Slot other);
     void keepToSeams(const Mesh& mesh);
     std::optional<Surgery> joining(const JudgedMesh& surface, const Near& near);
@@ -92,7 +98,7 @@ private:
     MirrorMap* m_mirror = nullptr;
     SlotSet m_vertices;          ///< near the region
     std::vector<Vec3> m_points;  ///< by position among them
-    std::vector<Vec3> m_normals; ///< unit length, or zero
+    std::vector<std::optional<Vec3>> m_normals; ///< unit length, or zero; of those that were asked for
     std::vector<Near> m_near;
     std::vector<Vec3> m_tubes;   ///< where this dab began new ones
     SparseIndex m_failed;        ///< vertices of joins that were not sound, in this dab

@@ -13,8 +13,6 @@ namespace core
 {
 namespace
 {
-constexpr std::array<std::string_view, 9> howTable{"invert", "clear", "blur", "sharpen", "grow", "shrink", "cavity", "color", "part"};
-
 constexpr std::uint8_t whole = 255;
 /// One ring is hardly to be seen.
 constexpr int blurRings = 2;
@@ -155,16 +153,5 @@ void changeMask(Mesh& mesh, const ChangeMask& command)
         if (masks[v] != mesh.mask(v))
             mesh.setMask(v, masks[v]);
     });
-}
-
-std::string_view name(ChangeMask::How how)
-{
-    return howTable[static_cast<std::size_t>(how)];
-}
-
-std::optional<ChangeMask::How> maskChangeNamed(std::string_view name)
-{
-    const auto found = std::ranges::find(howTable, name);
-    return found == howTable.end() ? std::nullopt : std::optional(static_cast<ChangeMask::How>(found - howTable.begin()));
 }
 } // namespace core

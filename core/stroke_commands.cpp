@@ -1,5 +1,4 @@
 // The stroke file's commands for the whole model: which keys each has, and its words.
-#include "mask_change.h"
 #include "stroke_reader.h"
 
 namespace core
@@ -80,9 +79,9 @@ bool StrokeReader::commandWord(const std::string& word)
         return where < whereTable.size();
     }
     case HowKey: {
-        const std::optional<ChangeMask::How> how = maskChangeNamed(word);
-        m_command.how = how.value_or(ChangeMask::How::Invert);
-        return how.has_value();
+        const std::size_t how = placeIn(maskChangeNames, word, std::identity());
+        m_command.how = static_cast<ChangeMask::How>(how);
+        return how < maskChangeNames.size();
     }
     case ModelKey:
         m_command.file = word;

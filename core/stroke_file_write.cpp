@@ -1,5 +1,5 @@
-#include "mask_change.h"
 #include "stroke_file.h"
+#include "stroke_keys.h"
 
 #include <nlohmann/json.hpp>
 
@@ -116,7 +116,7 @@ std::string keysOf(const Fill& fill, const std::string&)
 
 std::string keysOf(const ChangeMask& change, const std::string&)
 {
-    const std::string keys = "\"mask\",\"how\":\"" + std::string(name(change.how)) + "\"";
+    const std::string keys = "\"mask\",\"how\":\"" + std::string(maskChangeNames[static_cast<std::size_t>(change.how)]) + "\"";
     return change.how == ChangeMask::How::Color ? keys + ",\"color\":" + list(change.color) : keys;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// For the stroke file's reader only.
+// For the stroke file's reader and writer only.
 
 #include <algorithm>
 #include <array>
@@ -46,6 +46,10 @@ inline constexpr Keys<28> strokeKeys{{"tool", "radius", "samples", "brush", "str
 
 /// Those that no stroke has.
 inline constexpr KeySet commandKeys = bit(strokeKeys.names.size()) - bit(CommandKey);
+
+/// Of HowKey, in the order of ChangeMask::How.
+inline constexpr std::array<std::string_view, 9> maskChangeNames{"invert", "clear",  "blur",  "sharpen", "grow",
+                                                                 "shrink", "cavity", "color", "part"};
 
 enum SampleKey { PositionKey, TimeKey, DirectionKey, PressureKey, RotationKey, SampleRadiusKey, SampleStrengthKey };
 inline constexpr Keys<7> sampleKeys{{"position", "t", "direction", "pressure", "rotation", "radius", "strength"}, 1};

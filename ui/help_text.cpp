@@ -14,7 +14,7 @@ namespace ui
 {
 namespace
 {
-constexpr std::array<HelpPage, 17> pages{{{"first-steps"},
+constexpr std::array<HelpPage, 18> pages{{{"first-steps"},
                                           {"lesson-vase", "lesson-vase.png"},
                                           {"lesson-head", "lesson-head.png"},
                                           {"lesson-tablet", "lesson-tablet.png"},
@@ -22,6 +22,7 @@ constexpr std::array<HelpPage, 17> pages{{{"first-steps"},
                                           {"tools"},
                                           {"topology"},
                                           {"symmetry"},
+                                          {"mask"},
                                           {"colour"},
                                           {"files"},
                                           {"preview"},
