@@ -260,7 +260,7 @@ void Fuser::findNear(const Mesh& mesh, const Region& region, const HeldBack& hel
                 !isNamed(v, other)) // the second: met from the other side
                 return;
             const double distance2 = (m_points[j] - m_points[i]).squaredNorm();
-            if (distance2 < reach2 && willMeet(i, j, mesh, region, held, approach))
+            if (distance2 < reach2 && willJoin(i, j, mesh, region, held, approach))
                 m_near.push_back({!haveCommonNeighbour(mesh, v, other), distance2, std::min(v, other),
                                   std::max(v, other), (m_points[j] - m_points[i]).dot(normal(mesh, i)) < 0});
         });
@@ -326,7 +326,7 @@ bool Fuser::isNamed(Slot v, Slot other)
     return !m_mirror || m_mirror->isInHalf(other) || m_mirror->imageOf(v) == other;
 }
 
-bool Fuser::willMeet(Slot i, Slot j, const Mesh& mesh, const Region& region, const HeldBack& held,
+bool Fuser::willJoin(Slot i, Slot j, const Mesh& mesh, const Region& region, const HeldBack& held,
                      const Approach& approach)
 {
     const Slot v = m_vertices.slots()[i], other = m_vertices.slots()[j];

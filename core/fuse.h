@@ -81,7 +81,7 @@ private:
     bool mayTry(Slot v) const { return !m_failed.contains(v) || m_failures[m_failed.position(v)] < mostFailures; }
     void countFailure(Slot v);
     const Vec3& normal(const Mesh& mesh, Slot i);
-    bool willMeet(Slot i, Slot j, const Mesh& mesh, const Region& region, const HeldBack& held, const Approach& approach);
+    bool willJoin(Slot i, Slot j, const Mesh& mesh, const Region& region, const HeldBack& held, const Approach& approach);
     bool isNamed(Slot v, Slot other);
     void keepToSeams(const Mesh& mesh);
     std::optional<Surgery> joining(const JudgedMesh& surface, const Near& near);

@@ -244,6 +244,8 @@ constexpr Kind kinds[] = {
          s.document.addSphere(settings, sample), s.wait();
      }},
     {"fill", [](Session& s, StrokeFuzzer&) { s.apply(core::Fill{red}); }},
+    {"mask", [](Session& s, StrokeFuzzer&) { s.apply(core::ChangeMask{core::ChangeMask::How::Invert}); }},
+    {"clear the mask", [](Session& s, StrokeFuzzer&) { s.apply(core::ChangeMask{core::ChangeMask::How::Clear}); }},
     {"resize", [](Session& s, StrokeFuzzer&) { s.apply(core::Scale{1.3}); }},
     {"move", [](Session& s, StrokeFuzzer&) { s.apply(core::Move{{1, 2, 3}}); }},
     {"recentre", whole<core::Recentre>},

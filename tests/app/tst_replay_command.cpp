@@ -126,6 +126,7 @@ void TestReplayCommand::commands_doWhatTheyDoInCore_data()
     row({{"command", "mirror"}, {"plane", "x"}}, core::Mirror{0});
     row({{"command", "recentre"}}, core::Recentre{});
     row({{"command", "fill"}, {"color", {1, 2, 3}}}, core::Fill{{1, 2, 3}});
+    row({{"command", "mask"}, {"how", "cavity"}}, core::ChangeMask{core::ChangeMask::How::Cavity});
     row({{"command", "remesh"}, {"detail_length", 0.2}}, core::RemeshUniformly{0.2});
     row({{"command", "symmetrize"}, {"plane", "x"}, {"keep", "negative"}}, core::Symmetrize{core::Symmetry::X, core::Half::Negative});
     row({{"command", "reset"}}, core::Reset{});

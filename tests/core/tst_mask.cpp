@@ -227,12 +227,11 @@ void TestMask::masked_stays()
     const std::set<std::set<Point>> faces = maskedFaces(sculptor->mesh());
     QVERIFY(faces.size() > 50);
     StrokeSettings settings = settingsOf(tool, 10);
-    settings.strength = 2;
     settings.inverted = inverted;
-    settings.detail = 0.7;
+    settings.detail = 0.8;
     for (int pass = 0; pass < 2; ++pass) {
-        stroke(*sculptor, settings, arc(-25, 30, 14));
-        stroke(*sculptor, settings, arc(30, -25, 14));
+        stroke(*sculptor, settings, arc(-25, 30, 10));
+        stroke(*sculptor, settings, arc(30, -25, 10));
     }
     const std::set<std::set<Point>> after = maskedFaces(sculptor->mesh());
     QVERIFY(std::ranges::includes(after, faces));
@@ -246,7 +245,7 @@ void TestMask::masked_staysWhenTheModelIsRemeshed()
     const auto sculptor = ball(4);
     maskAt(*sculptor, onBall(0), 20);
     const std::set<std::set<Point>> faces = maskedFaces(sculptor->mesh());
-    for (const double detail : {2.0, 12.0}) {
+    for (const double detail : {4.0, 12.0}) {
         core::ModelChange change = tryOn(sculptor->mesh(), core::RemeshUniformly{detail});
         QVERIFY(change.changes);
         sculptor->swap(change.delta);

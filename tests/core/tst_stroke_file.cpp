@@ -335,6 +335,10 @@ void TestStrokeFile::refuses_data()
     command(R"("command":"remesh","detail_length":0)", Kind::OutOfRange, "detail_length");
     command(R"("command":"symmetrize","plane":"x","keep":"left")", Kind::UnknownValue, "keep: \"left\"");
     command(R"("command":"flatten_base")", Kind::MissingKey, "height");
+    command(R"("command":"mask")", Kind::MissingKey, "how");
+    command(R"("command":"mask","how":"harder")", Kind::UnknownValue, "how");
+    command(R"("command":"mask","how":"color")", Kind::MissingKey, "color");
+    command(R"("command":"mask","how":"grow","color":[1,2,3])", Kind::UnknownKey, "color");
     command(R"("command":"flatten_base","height":0)", Kind::OutOfRange, "height");
     command(R"("command":"place_on_bed","height":1)", Kind::UnknownKey, "height");
     command(R"("command":"insert")", Kind::MissingKey, "file");
@@ -474,10 +478,12 @@ void TestStrokeFile::commands_roundTrip()
 {"command":"symmetrize","plane":"y","keep":"positive"},
 {"command":"symmetrize","plane":"x","keep":"negative"},
 {"command":"place_on_bed"},
-{"command":"flatten_base","height":0.5}]}
+{"command":"flatten_base","height":0.5},
+{"command":"mask","how":"shrink"},
+{"command":"mask","how":"color","color":[200,120,80]}]}
 )";
     const std::vector<FileEntry> entries = parseStrokes(text);
-    QCOMPARE(entries.size(), std::size_t(15));
+    QCOMPARE(entries.size(), std::size_t(17));
     std::ostringstream out;
     writeStrokes(out, entries);
     QCOMPARE(out.str(), text);
@@ -488,6 +494,7 @@ void TestStrokeFile::commands_roundTrip()
     QVERIFY(std::get<Insert>(commandAt(7).command).place == Insert::Place::Centre);
     QVERIFY(std::get<Symmetrize>(commandAt(12).command).keep == Half::Negative);
     QCOMPARE(std::get<core::FlattenBase>(commandAt(14).command).height, 0.5);
+    QCOMPARE(std::get<core::ChangeMask>(commandAt(15).command).how, core::ChangeMask::How::Shrink);
 
     const auto swapped = parseStrokes(R"({"format":"fettle-strokes","version":1,"strokes":[{"by":[1,0,0],"command":"move"}]})");
     QVERIFY(std::get<Move>(std::get<FileCommand>(swapped.at(0)).command).by == Vec3(1, 0, 0));

@@ -438,6 +438,25 @@ private Q_SLOTS:
         QCOMPARE(std::get<core::Fill>(asked[0][0].value<core::ModelCommand>()).color, (core::Rgb{10, 20, 30}));
     }
 
+    void theMaskIsChangedFromTheMenu()
+    {
+        using How = core::ChangeMask::How;
+        MainWindow window;
+        QSignalSpy asked(&window, &MainWindow::commandRequested);
+        window.brush()->set(&core::StrokeSettings::color, core::Rgb{10, 20, 30});
+        const std::pair<const char*, How> actions[] = {{"mask.invert", How::Invert}, {"mask.clear", How::Clear}, {"mask.blur", How::Blur},
+                                                       {"mask.sharpen", How::Sharpen}, {"mask.grow", How::Grow}, {"mask.shrink", How::Shrink},
+                                                       {"mask.cavity", How::Cavity}, {"mask.color", How::Color}, {"mask.part", How::Part}};
+        for (const auto& [id, how] : actions) {
+            act(window, id)->trigger();
+            const auto change = std::get<core::ChangeMask>(asked.takeLast()[0].value<core::ModelCommand>());
+            QCOMPARE(change.how, how);
+            QVERIFY(how != How::Color || change.color == (core::Rgb{10, 20, 30}));
+        }
+        QCOMPARE(act(window, "mask.invert")->shortcut(), QKeySequence(QStringLiteral("Ctrl+I")));
+        QCOMPARE(act(window, "mask.clear")->shortcut(), QKeySequence(QStringLiteral("Alt+M")));
+    }
+
     void aColourIsPickedFromTheModel()
     {
         MainWindow window;
