@@ -659,6 +659,59 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>The model stays as it is, because a cut at this height would not leave one sound surface; another height may do.</source>
         <translation>Das Modell bleibt, wie es ist, weil ein Schnitt in dieser Höhe keine einwandfreie Oberfläche ließe; vielleicht geht es in einer anderen.</translation>
     </message>
+    <message>
+        <source>Changing the mask</source>
+        <translation>Die Maske wird geändert</translation>
+    </message>
+    <message>
+        <source>Invert Mask</source>
+        <comment>undo step</comment>
+        <translation>Maske umkehren</translation>
+    </message>
+    <message>
+        <source>Clear Mask</source>
+        <comment>undo step</comment>
+        <translation>Maske löschen</translation>
+    </message>
+    <message>
+        <source>Blur Mask</source>
+        <comment>undo step</comment>
+        <translation>Maske weichzeichnen</translation>
+    </message>
+    <message>
+        <source>Sharpen Mask</source>
+        <comment>undo step</comment>
+        <translation>Maske schärfen</translation>
+    </message>
+    <message>
+        <source>Grow Mask</source>
+        <comment>undo step</comment>
+        <translation>Maske vergrößern</translation>
+    </message>
+    <message>
+        <source>Shrink Mask</source>
+        <comment>undo step</comment>
+        <translation>Maske verkleinern</translation>
+    </message>
+    <message>
+        <source>Mask Cavities</source>
+        <comment>undo step</comment>
+        <translation>Vertiefungen maskieren</translation>
+    </message>
+    <message>
+        <source>Mask by Colour</source>
+        <comment>undo step</comment>
+        <translation>Nach Farbe maskieren</translation>
+    </message>
+    <message>
+        <source>Mask Whole Parts</source>
+        <comment>undo step</comment>
+        <translation>Ganze Teile maskieren</translation>
+    </message>
+    <message>
+        <source>The mask is like that already.</source>
+        <translation>Die Maske ist schon so.</translation>
+    </message>
 </context>
 <context>
     <name>app::ReplayCommand</name>
@@ -810,6 +863,11 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>Twist</source>
         <comment>undo step</comment>
         <translation>Verdrehen</translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <comment>undo step</comment>
+        <translation>Maske</translation>
     </message>
 </context>
 <context>
@@ -1810,6 +1868,90 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>La&amp;yer</source>
         <translation>&amp;Schichten</translation>
+    </message>
+    <message>
+        <source>&amp;Mask</source>
+        <translation>&amp;Maske</translation>
+    </message>
+    <message>
+        <source>Protects the surface from all that other tools do. %1 wipes the mask away instead, Shift smooths.</source>
+        <translation>Schützt die Oberfläche vor allem, was andere Werkzeuge tun. Mit %1 wird die Maske weggewischt, mit Umschalt wird geglättet.</translation>
+    </message>
+    <message>
+        <source>&amp;Invert Mask</source>
+        <translation>Maske &amp;umkehren</translation>
+    </message>
+    <message>
+        <source>Protects what is free, and frees what is protected.</source>
+        <translation>Schützt, was frei ist, und gibt frei, was geschützt ist.</translation>
+    </message>
+    <message>
+        <source>&amp;Clear Mask</source>
+        <translation>Maske &amp;löschen</translation>
+    </message>
+    <message>
+        <source>Frees the whole model.</source>
+        <translation>Gibt das ganze Modell frei.</translation>
+    </message>
+    <message>
+        <source>&amp;Blur Mask</source>
+        <translation>Maske &amp;weichzeichnen</translation>
+    </message>
+    <message>
+        <source>Makes the mask&apos;s edge softer.</source>
+        <translation>Macht den Rand der Maske weicher.</translation>
+    </message>
+    <message>
+        <source>&amp;Sharpen Mask</source>
+        <translation>Maske &amp;schärfen</translation>
+    </message>
+    <message>
+        <source>Makes the mask&apos;s edge harder.</source>
+        <translation>Macht den Rand der Maske härter.</translation>
+    </message>
+    <message>
+        <source>&amp;Grow Mask</source>
+        <translation>Maske ver&amp;größern</translation>
+    </message>
+    <message>
+        <source>Widens the mask by one triangle.</source>
+        <translation>Macht die Maske um ein Dreieck weiter.</translation>
+    </message>
+    <message>
+        <source>S&amp;hrink Mask</source>
+        <translation>Maske ver&amp;kleinern</translation>
+    </message>
+    <message>
+        <source>Narrows the mask by one triangle.</source>
+        <translation>Macht die Maske um ein Dreieck enger.</translation>
+    </message>
+    <message>
+        <source>Mask C&amp;avities</source>
+        <translation>&amp;Vertiefungen maskieren</translation>
+    </message>
+    <message>
+        <source>Protects what is hollow, too.</source>
+        <translation>Schützt auch, was hohl liegt.</translation>
+    </message>
+    <message>
+        <source>Mask by Co&amp;lour</source>
+        <translation>Nach &amp;Farbe maskieren</translation>
+    </message>
+    <message>
+        <source>Protects what has about the paint colour, too.</source>
+        <translation>Schützt auch, was ungefähr die Malfarbe hat.</translation>
+    </message>
+    <message>
+        <source>Mask Whole &amp;Parts</source>
+        <translation>Ganze &amp;Teile maskieren</translation>
+    </message>
+    <message>
+        <source>Protects the whole of each separate part that the mask has reached.</source>
+        <translation>Schützt jedes einzelne Teil, das die Maske erreicht hat, ganz.</translation>
+    </message>
+    <message>
+        <source>M&amp;ask</source>
+        <translation>Mask&amp;e</translation>
     </message>
 </context>
 <context>
@@ -4938,6 +5080,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Inverted</source>
         <translation>Umgekehrt</translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <translation>Maske</translation>
     </message>
 </context>
 </TS>

@@ -657,6 +657,59 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>The model stays as it is, because a cut at this height would not leave one sound surface; another height may do.</source>
         <translation>模型保持不变，因为在此高度切开不会得到完好的表面；可换一个高度。</translation>
     </message>
+    <message>
+        <source>Changing the mask</source>
+        <translation>正在更改遮罩</translation>
+    </message>
+    <message>
+        <source>Invert Mask</source>
+        <comment>undo step</comment>
+        <translation>反转遮罩</translation>
+    </message>
+    <message>
+        <source>Clear Mask</source>
+        <comment>undo step</comment>
+        <translation>清除遮罩</translation>
+    </message>
+    <message>
+        <source>Blur Mask</source>
+        <comment>undo step</comment>
+        <translation>模糊遮罩</translation>
+    </message>
+    <message>
+        <source>Sharpen Mask</source>
+        <comment>undo step</comment>
+        <translation>锐化遮罩</translation>
+    </message>
+    <message>
+        <source>Grow Mask</source>
+        <comment>undo step</comment>
+        <translation>扩大遮罩</translation>
+    </message>
+    <message>
+        <source>Shrink Mask</source>
+        <comment>undo step</comment>
+        <translation>缩小遮罩</translation>
+    </message>
+    <message>
+        <source>Mask Cavities</source>
+        <comment>undo step</comment>
+        <translation>遮罩凹处</translation>
+    </message>
+    <message>
+        <source>Mask by Colour</source>
+        <comment>undo step</comment>
+        <translation>按颜色遮罩</translation>
+    </message>
+    <message>
+        <source>Mask Whole Parts</source>
+        <comment>undo step</comment>
+        <translation>遮罩整个部件</translation>
+    </message>
+    <message>
+        <source>The mask is like that already.</source>
+        <translation>遮罩已经是这样了。</translation>
+    </message>
 </context>
 <context>
     <name>app::ReplayCommand</name>
@@ -808,6 +861,11 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>Twist</source>
         <comment>undo step</comment>
         <translation>扭转</translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <comment>undo step</comment>
+        <translation>遮罩</translation>
     </message>
 </context>
 <context>
@@ -1808,6 +1866,90 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>La&amp;yer</source>
         <translation>加层(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>&amp;Mask</source>
+        <translation>遮罩(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Protects the surface from all that other tools do. %1 wipes the mask away instead, Shift smooths.</source>
+        <translation>保护表面不受其他工具影响。按住 %1 擦去遮罩，按住 Shift 平滑。</translation>
+    </message>
+    <message>
+        <source>&amp;Invert Mask</source>
+        <translation>反转遮罩(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Protects what is free, and frees what is protected.</source>
+        <translation>保护自由的部分，放开受保护的部分。</translation>
+    </message>
+    <message>
+        <source>&amp;Clear Mask</source>
+        <translation>清除遮罩(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Frees the whole model.</source>
+        <translation>放开整个模型。</translation>
+    </message>
+    <message>
+        <source>&amp;Blur Mask</source>
+        <translation>模糊遮罩(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Makes the mask&apos;s edge softer.</source>
+        <translation>让遮罩的边缘更柔和。</translation>
+    </message>
+    <message>
+        <source>&amp;Sharpen Mask</source>
+        <translation>锐化遮罩(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Makes the mask&apos;s edge harder.</source>
+        <translation>让遮罩的边缘更锐利。</translation>
+    </message>
+    <message>
+        <source>&amp;Grow Mask</source>
+        <translation>扩大遮罩(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Widens the mask by one triangle.</source>
+        <translation>把遮罩扩大一圈三角形。</translation>
+    </message>
+    <message>
+        <source>S&amp;hrink Mask</source>
+        <translation>缩小遮罩(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Narrows the mask by one triangle.</source>
+        <translation>把遮罩缩小一圈三角形。</translation>
+    </message>
+    <message>
+        <source>Mask C&amp;avities</source>
+        <translation>遮罩凹处(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Protects what is hollow, too.</source>
+        <translation>也保护凹陷处。</translation>
+    </message>
+    <message>
+        <source>Mask by Co&amp;lour</source>
+        <translation>按颜色遮罩(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Protects what has about the paint colour, too.</source>
+        <translation>也保护与画笔颜色相近的部分。</translation>
+    </message>
+    <message>
+        <source>Mask Whole &amp;Parts</source>
+        <translation>遮罩整个部件(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Protects the whole of each separate part that the mask has reached.</source>
+        <translation>把遮罩碰到的每个独立部件整个保护起来。</translation>
+    </message>
+    <message>
+        <source>M&amp;ask</source>
+        <translation>遮罩(&amp;A)</translation>
     </message>
 </context>
 <context>
@@ -4927,6 +5069,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Inverted</source>
         <translation>反向</translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <translation>遮罩</translation>
     </message>
 </context>
 </TS>

@@ -150,7 +150,7 @@ QString Actions::menuTitle(MenuId menu) const
     case MenuId::Tool:
         return tr("Tool&s");
     case MenuId::Mask:
-        return tr("Mas&k");
+        return tr("M&ask");
     case MenuId::Model:
         return tr("&Model");
     case MenuId::View:

@@ -336,7 +336,7 @@ void TestStrokeFile::refuses_data()
     command(R"("command":"symmetrize","plane":"x","keep":"left")", Kind::UnknownValue, "keep: \"left\"");
     command(R"("command":"flatten_base")", Kind::MissingKey, "height");
     command(R"("command":"mask")", Kind::MissingKey, "how");
-    command(R"("command":"mask","how":"harder")", Kind::UnknownValue, "how");
+    command(R"("command":"mask","how":"harder")", Kind::UnknownValue, "how: \"harder\"");
     command(R"("command":"mask","how":"color")", Kind::MissingKey, "color");
     command(R"("command":"mask","how":"grow","color":[1,2,3])", Kind::UnknownKey, "color");
     command(R"("command":"flatten_base","height":0)", Kind::OutOfRange, "height");
