@@ -18,24 +18,6 @@ double clearanceOf(const Sphere& ball)
     return clearPerDetail * edgeBounds(ball.radius, 1).detail;
 }
 
-/// By ray parity, as the paper has it, and by distance: a large triangle may be near though no vertex is.
-Refusal refusalOf(const JudgedMesh& surface, const Sphere& ball)
-{
-    const Mesh& mesh = surface.mesh();
-    const Lattice& lattice = mesh.lattice();
-    if (!lattice.contains(ball.center.cwiseAbs() + Vec3::Constant(ball.radius)))
-        return Refusal::Wall;
-    ShellProbe probe(lattice.toLattice(lattice.snap(ball.center)));
-    surface.octree().query(probe.column(), [&](Slot f) {
-        const Triangle& t = mesh.corners(f);
-        probe.castAt({mesh.latticePoint(t[0]), mesh.latticePoint(t[1]), mesh.latticePoint(t[2])});
-    });
-    if (probe.isInside())
-        return Refusal::Inside;
-    const std::optional<SurfaceHit> nearest = nearestPoint(mesh, surface.octree(), ball.center);
-    return nearest && nearest->distance < ball.radius + clearanceOf(ball) ? Refusal::TooClose : Refusal::None;
-}
-
 Slot nearestVertex(const JudgedMesh& surface, const Vec3& p)
 {
     return surface.mesh().corners(nearestPoint(surface.mesh(), surface.octree(), p)->face)[0];
@@ -58,6 +40,24 @@ TriangleMesh imageOf(TriangleMesh shell, const MirrorMap& mirror)
     return shell;
 }
 } // namespace
+
+/// By ray parity, as the paper has it, and by distance: a large triangle may be near though no vertex is.
+Refusal refusalOf(const JudgedMesh& surface, const Sphere& ball)
+{
+    const Mesh& mesh = surface.mesh();
+    const Lattice& lattice = mesh.lattice();
+    if (!lattice.contains(ball.center.cwiseAbs() + Vec3::Constant(ball.radius)))
+        return Refusal::Wall;
+    ShellProbe probe(lattice.toLattice(lattice.snap(ball.center)));
+    surface.octree().query(probe.column(), [&](Slot f) {
+        const Triangle& t = mesh.corners(f);
+        probe.castAt({mesh.latticePoint(t[0]), mesh.latticePoint(t[1]), mesh.latticePoint(t[2])});
+    });
+    if (probe.isInside())
+        return Refusal::Inside;
+    const std::optional<SurfaceHit> nearest = nearestPoint(mesh, surface.octree(), ball.center);
+    return nearest && nearest->distance < ball.radius + clearanceOf(ball) ? Refusal::TooClose : Refusal::None;
+}
 
 DabReport addSphere(JudgedMesh& surface, const Sphere& ball, const MirrorMap* mirror)
 {
