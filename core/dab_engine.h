@@ -102,9 +102,13 @@ private:
     void runMirrored(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report);
     void runOnce(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report);
     void runRadial(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report);
+    Refusal refusalOfSpheres(const StrokeSettings& settings, const Dab& dab);
     DabReport runOrbit(Orbit& orbit);
     DabReport runInSector(const Orbit& orbit, std::size_t sector);
-    bool transplant(const Orbit& orbit, std::size_t sector, const DabReport& once, DabReport& report);
+    static std::vector<Sphere> ballsOf(const Orbit& orbit);
+    static std::vector<std::size_t> othersIn(const Orbit& orbit);
+    bool canTransplant(const Orbit& orbit, const std::vector<std::size_t>& others);
+    bool transplant(const Orbit& orbit, std::size_t other, const DabReport& once, DabReport& report);
     static Turn turnIn(const Orbit& orbit, std::size_t sector);
     void holdApart(const Orbit& orbit, std::size_t from);
     void noteHeld(Orbit& orbit);

@@ -44,6 +44,11 @@ DabReport DabEngine::runInSector(const Orbit& orbit, std::size_t sector)
 
 void DabEngine::runRadial(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report)
 {
+    report.refusal = refusalOfSpheres(settings, dab);
+    if (report.refusal != Refusal::None) {
+        report.outcome = DabOutcome::Refused;
+        return;
+    }
     const std::vector<Dab> dabs = sectorDabs(settings, dab);
     const std::size_t exact = static_cast<std::size_t>(exactTurns(settings.radial)), orbits = dabs.size() / exact;
     m_sectors.resize(dabs.size());
@@ -65,52 +70,93 @@ void DabEngine::runRadial(const StrokeSettings& settings, const Dab& dab, const 
     }
 }
 
+/// Of a dab that adds one: in all sectors or in none.
+Refusal DabEngine::refusalOfSpheres(const StrokeSettings& settings, const Dab& dab)
+{
+    if (!settings.add || settings.tool != Tool::Pull)
+        return Refusal::None;
+    select(m_region, m_candidates, settings.brush, {dab.position, dab.radius});
+    return wantsSphere(settings, dab) ? refusalOf(m_surface, imagesOf(dab.position, settings), dab.radius) : Refusal::None;
+}
+
 DabReport DabEngine::runOrbit(Orbit& orbit)
 {
     if (orbit.step == orbit.dabs.size()) // alone
         return runInSector(orbit, orbit.first);
     const Tool tool = orbit.settings.tool;
     swapSector(tool, orbit.first);
-    if (holdsOn(tool) && m_hold.isOn)
+    const bool isHeld = holdsOn(tool) && m_hold.isOn;
+    if (isHeld)
         noteHeld(orbit);
     swapSector(tool, orbit.first);
     const Mesh::Mark mark = m_mesh.remember();
     DabReport report = runInSector(orbit, orbit.first);
     const DabReport once = report;
-    m_transplant.learn(m_mesh, mark);
+    m_transplant.learn(m_surface, mark, isHeld ? std::vector<Sphere>() : ballsOf(orbit));
     m_mesh.forget(mark);
-    std::vector<Dab> done = {orbit.dabs[orbit.first]};
-    for (std::size_t sector = orbit.first + orbit.step; sector < orbit.dabs.size(); sector += orbit.step) {
-        const Dab& dab = orbit.dabs[sector];
-        if (isAmong(orbit.before, dab, orbit.settings) || isAmong(done, dab, orbit.settings)) {
-            report.apart = true; // it is one of those, and yet not their exact image
+    const std::vector<std::size_t> others = othersIn(orbit);
+    report.apart = others.size() + 1 < orbit.dabs.size() / orbit.step; // the rest do the same, and yet are not exact images
+    const bool match = canTransplant(orbit, others);
+    for (std::size_t i = 0; i < others.size(); ++i) {
+        if (match && transplant(orbit, i, once, report))
             continue;
-        }
-        done.push_back(dab);
-        if (!m_sectors[sector].isApart && transplant(orbit, sector, once, report))
-            continue;
-        holdApart(orbit, sector);
-        report += runInSector(orbit, sector);
+        holdApart(orbit, others[i]);
+        report += runInSector(orbit, others[i]);
         report.apart = true;
     }
     return report;
 }
 
-/// What the orbit's first dab did, in another of its sectors.
-bool DabEngine::transplant(const Orbit& orbit, std::size_t sector, const DabReport& once, DabReport& report)
+/// Where its first dab selects.
+std::vector<Sphere> DabEngine::ballsOf(const Orbit& orbit)
+{
+    StrokeSettings inSector = orbit.settings;
+    inSector.radial = 1;
+    std::vector<Sphere> balls;
+    const Dab& dab = orbit.dabs[orbit.first];
+    for (const Vec3& place : imagesOf(dab.position, inSector))
+        balls.push_back({place, dab.radius});
+    return balls;
+}
+
+/// The orbit's other sectors, but for those that do what another does.
+std::vector<std::size_t> DabEngine::othersIn(const Orbit& orbit)
+{
+    std::vector<Dab> done(orbit.before.begin(), orbit.before.end());
+    done.push_back(orbit.dabs[orbit.first]);
+    std::vector<std::size_t> others;
+    for (std::size_t sector = orbit.first + orbit.step; sector < orbit.dabs.size(); sector += orbit.step) {
+        if (isAmong(done, orbit.dabs[sector], orbit.settings))
+            continue;
+        done.push_back(orbit.dabs[sector]);
+        others.push_back(sector);
+    }
+    return others;
+}
+
+/// To all others or to none: what a plane mirrors besides comes in pairs of sectors.
+bool DabEngine::canTransplant(const Orbit& orbit, const std::vector<std::size_t>& others)
+{
+    std::vector<Turn> turns;
+    for (std::size_t sector : others) {
+        if (m_sectors[sector].isApart)
+            return false;
+        turns.push_back(turnIn(orbit, sector));
+    }
+    return m_transplant.match(m_surface, turns);
+}
+
+/// What the orbit's first dab did, in one of those that canTransplant() found.
+bool DabEngine::transplant(const Orbit& orbit, std::size_t other, const DabReport& once, DabReport& report)
 {
     const PhaseTimer timer(report.deformMs, m_surface.verifyMs());
-    const Turn turn = turnIn(orbit, sector);
-    const Dab& dab = orbit.dabs[sector];
-    if (once.outcome == DabOutcome::Added && refusalOf(m_surface, {dab.position, dab.radius}) != Refusal::None)
-        return false;
-    if (!m_transplant.place(m_surface, turn))
+    if (!m_transplant.place(m_surface, other))
         return false;
     letGoOfRemoved(m_region);
     letGoOfRemoved(m_imageRegion);
-    for (SectorHold& other : m_sectors) {
-        letGoOfRemoved(other.region);
-        letGoOfRemoved(other.imageRegion);
+    for (SectorHold& hold : m_sectors) {
+        letGoOfRemoved(hold.region);
+        letGoOfRemoved(hold.imageRegion);
     }
     if (orbit.settings.tool == Tool::Layer) {
         for (Slot v : m_transplant.vertices()) {

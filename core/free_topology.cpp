@@ -4,6 +4,8 @@
 #include "surface_query.h"
 #include "triangle_mesh.h"
 
+#include <algorithm>
+
 namespace core
 {
 namespace
@@ -16,6 +18,24 @@ constexpr double clearPerDetail = 0.735;
 double clearanceOf(const Sphere& ball)
 {
     return clearPerDetail * edgeBounds(ball.radius, 1).detail;
+}
+
+/// By ray parity, as the paper has it, and by distance: a large triangle may be near though no vertex is.
+Refusal refusalOf(const JudgedMesh& surface, const Sphere& ball)
+{
+    const Mesh& mesh = surface.mesh();
+    const Lattice& lattice = mesh.lattice();
+    if (!lattice.contains(ball.center.cwiseAbs() + Vec3::Constant(ball.radius)))
+        return Refusal::Wall;
+    ShellProbe probe(lattice.toLattice(lattice.snap(ball.center)));
+    surface.octree().query(probe.column(), [&](Slot f) {
+        const Triangle& t = mesh.corners(f);
+        probe.castAt({mesh.latticePoint(t[0]), mesh.latticePoint(t[1]), mesh.latticePoint(t[2])});
+    });
+    if (probe.isInside())
+        return Refusal::Inside;
+    const std::optional<SurfaceHit> nearest = nearestPoint(mesh, surface.octree(), ball.center);
+    return nearest && nearest->distance < ball.radius + clearanceOf(ball) ? Refusal::TooClose : Refusal::None;
 }
 
 Slot nearestVertex(const JudgedMesh& surface, const Vec3& p)
@@ -41,22 +61,17 @@ TriangleMesh imageOf(TriangleMesh shell, const MirrorMap& mirror)
 }
 } // namespace
 
-/// By ray parity, as the paper has it, and by distance: a large triangle may be near though no vertex is.
-Refusal refusalOf(const JudgedMesh& surface, const Sphere& ball)
+Refusal refusalOf(const JudgedMesh& surface, const std::vector<Vec3>& centers, double radius)
 {
-    const Mesh& mesh = surface.mesh();
-    const Lattice& lattice = mesh.lattice();
-    if (!lattice.contains(ball.center.cwiseAbs() + Vec3::Constant(ball.radius)))
-        return Refusal::Wall;
-    ShellProbe probe(lattice.toLattice(lattice.snap(ball.center)));
-    surface.octree().query(probe.column(), [&](Slot f) {
-        const Triangle& t = mesh.corners(f);
-        probe.castAt({mesh.latticePoint(t[0]), mesh.latticePoint(t[1]), mesh.latticePoint(t[2])});
-    });
-    if (probe.isInside())
-        return Refusal::Inside;
-    const std::optional<SurfaceHit> nearest = nearestPoint(mesh, surface.octree(), ball.center);
-    return nearest && nearest->distance < ball.radius + clearanceOf(ball) ? Refusal::TooClose : Refusal::None;
+    for (const Vec3& center : centers) {
+        if (const Refusal refusal = refusalOf(surface, {center, radius}); refusal != Refusal::None)
+            return refusal;
+        const double clear = 2 * radius + clearanceOf({center, radius});
+        const auto isTooClose = [&](const Vec3& other) { return other != center && (other - center).norm() < clear; };
+        if (std::ranges::any_of(centers, isTooClose))
+            return Refusal::TooClose;
+    }
+    return Refusal::None;
 }
 
 DabReport addSphere(JudgedMesh& surface, const Sphere& ball, const MirrorMap* mirror)

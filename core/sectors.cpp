@@ -78,13 +78,15 @@ Dab operator*(const Turn& turn, Dab dab)
 
 std::vector<Dab> sectorDabs(const StrokeSettings& settings, const Dab& dab)
 {
-    std::vector<Dab> dabs;
-    double overlaps = 0;
-    for (int k = 0; k < settings.radial; ++k) {
-        dabs.push_back(Turn::part(k, settings.radial) * dab);
-        const Vec3& place = dabs.back().position;
-        const double beside = overlap(dab.position, place, dab.radius);
-        overlaps += k == 0 ? 1 : std::max(beside, overlap(dab.position, mirrored(place, settings.symmetry), dab.radius));
+    std::vector<Dab> dabs = {dab};
+    double overlaps = 1;
+    for (int k = 1; k < settings.radial; ++k) {
+        const Dab other = Turn::part(k, settings.radial) * dab;
+        if (!isAmong(dabs, other, settings)) {
+            const Vec3 image = mirrored(other.position, settings.symmetry);
+            overlaps += std::max(overlap(dab.position, other.position, dab.radius), overlap(dab.position, image, dab.radius));
+        }
+        dabs.push_back(other);
     }
     for (Dab& each : dabs)
         each.strength /= settings.tool == Tool::Layer ? 1 : overlaps;

@@ -8,6 +8,8 @@
 
 #include "transplant.h"
 
+#include "region.h"
+
 #include <algorithm>
 
 namespace core
@@ -34,11 +36,17 @@ Slot vertexAt(const JudgedMesh& surface, const Vec3f& p)
     return found;
 }
 
-void Transplant::learn(const Mesh& mesh, const Mesh::Mark& mark)
+void Transplant::learn(const JudgedMesh& surface, const Mesh::Mark& mark, std::vector<Sphere> balls)
 {
+    const Mesh& mesh = surface.mesh();
+    m_balls = std::move(balls);
     readVertices(mesh, mark);
     readFaces(mesh, mark);
     collectPatch(mesh);
+    for (const Sphere& ball : m_balls) {
+        for (Slot f : facesIn(mesh, surface.octree(), latticeBox(mesh.lattice(), ball)))
+            addUnlinkedFace(mesh, f);
+    }
     sortSides();
     m_claimed.clear();
     for (Slot i = 0; i < m_ownCount; ++i)
@@ -108,11 +116,13 @@ void Transplant::collectPatch(const Mesh& mesh)
 /// Faces around v that are linked as before.
 void Transplant::addUnlinked(const Mesh& mesh, Slot v)
 {
-    mesh.forEachOutgoing(v, [&](Slot h) {
-        const Slot f = mesh.face(h);
-        if (!m_relinked.contains(f) && m_unlinked.add(f))
-            addPatchFace(mesh.corners(f));
-    });
+    mesh.forEachOutgoing(v, [&](Slot h) { addUnlinkedFace(mesh, mesh.face(h)); });
+}
+
+void Transplant::addUnlinkedFace(const Mesh& mesh, Slot f)
+{
+    if (!m_relinked.contains(f) && m_unlinked.add(f))
+        addPatchFace(mesh.corners(f));
 }
 
 void Transplant::addPatchFace(const Triangle& corners)
@@ -146,11 +156,12 @@ bool Transplant::isImage(const Mesh& mesh, const Turn& turn, Slot image, Slot v)
 }
 
 /// From each face to its neighbours: then all but the first vertices of a component are found next to an image.
-bool Transplant::match(const JudgedMesh& surface, const Turn& turn)
+bool Transplant::matchAt(const JudgedMesh& surface, const Turn& turn)
 {
     const Mesh& mesh = surface.mesh();
     m_images.assign(m_vertices.size(), noSlot);
     m_seen.assign(m_patch.size(), 0);
+    m_matched.clear();
     for (std::size_t first = 0; first < m_patch.size(); ++first) {
         if (m_seen[first])
             continue;
@@ -163,7 +174,17 @@ bool Transplant::match(const JudgedMesh& surface, const Turn& turn)
         if (!matchFrom(mesh, turn, first))
             return false;
     }
-    return true;
+    return isAllMatched(surface, turn);
+}
+
+/// What lies where the balls are turned to has come from there.
+bool Transplant::isAllMatched(const JudgedMesh& surface, const Turn& turn) const
+{
+    const Mesh& mesh = surface.mesh();
+    return std::ranges::all_of(m_balls, [&](const Sphere& ball) {
+        const LatticeBox box = latticeBox(mesh.lattice(), {turn * ball.center, ball.radius});
+        return std::ranges::all_of(facesIn(mesh, surface.octree(), box), [&](Slot f) { return m_matched.contains(f); });
+    });
 }
 
 bool Transplant::matchFrom(const Mesh& mesh, const Turn& turn, std::size_t face)
@@ -179,6 +200,7 @@ bool Transplant::matchFrom(const Mesh& mesh, const Turn& turn, std::size_t face)
         const Slot h = mesh.findHalfedge(image(t[0]), image(t[1]));
         if (h == noSlot || mesh.to(mesh.next(h)) != image(t[2]) || !matchAcross(mesh, turn, t, front))
             return false;
+        m_matched.add(mesh.face(h));
     }
     return true;
 }
@@ -256,12 +278,25 @@ void Transplant::write(Mesh& mesh, const Turn& turn)
         mesh.setColor(image(v), mesh.color(v));
 }
 
-bool Transplant::place(JudgedMesh& surface, const Turn& turn)
+bool Transplant::match(const JudgedMesh& surface, std::span<const Turn> turns)
+{
+    m_turns.assign(turns.begin(), turns.end());
+    m_places.clear();
+    for (const Turn& turn : turns) {
+        if (!matchAt(surface, turn) || !claim())
+            return false;
+        m_places.push_back(m_images);
+    }
+    return true;
+}
+
+bool Transplant::place(JudgedMesh& surface, std::size_t index)
 {
     if (isNothing())
         return true;
-    if (!match(surface, turn) || !claim())
-        return false;
+    const Turn& turn = m_turns[index];
+    m_images = std::move(m_places[index]);
+    m_images.resize(m_vertices.size(), noSlot); // others may have come meanwhile, elsewhere
     Mesh& mesh = surface.mesh();
     if (!isPaint())
         return surface.attempt([&] { write(mesh, turn); });

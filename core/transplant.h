@@ -15,13 +15,15 @@ Slot vertexAt(const JudgedMesh& surface, const Vec3f& p);
 class Transplant
 {
 public:
-    /// What changed since the mark of Mesh::remember(). Cost: that.
-    void learn(const Mesh& mesh, const Mesh::Mark& mark);
+    /// What changed since the mark of Mesh::remember(). Precondition: the octree is up to date. Cost: that, and what lies in the balls.
+    /// `balls`: in which the dab chose what to change.
+    void learn(const JudgedMesh& surface, const Mesh::Mark& mark, std::vector<Sphere> balls);
 
-    /// Does the same where the turn leads, in one transaction. Where the surface was not its own image under the turn, colours included, for a
-    /// ring of faces around what changed, or what is to change there has changed already, or the result does not verify, it changes nothing
-    /// and returns false. Precondition: the octree is up to date. Cost: what changed.
-    bool place(JudgedMesh& surface, const Turn& turn);
+    /// Whether the same can be done where these turns lead: the surface was its own image under each, colours included, for a ring of faces
+    /// around what changed and in the balls, and nothing changes in two of the places. Precondition and cost: as before.
+    bool match(const JudgedMesh& surface, std::span<const Turn> turns);
+    /// Does it where that one of them leads, in one transaction; false if the result does not verify: then nothing has changed. Each once.
+    bool place(JudgedMesh& surface, std::size_t turn);
 
     /// Of a vertex that was there before, or of one that has come, after place(); noSlot of one that is neither part of what changed nor beside
     /// it.
@@ -51,10 +53,12 @@ private:
     void readFaces(const Mesh& mesh, const Mesh::Mark& mark);
     void collectPatch(const Mesh& mesh);
     void addUnlinked(const Mesh& mesh, Slot v);
+    void addUnlinkedFace(const Mesh& mesh, Slot f);
+    bool isAllMatched(const JudgedMesh& surface, const Turn& turn) const;
     void addPatchFace(const Triangle& corners);
     void sortSides();
     State before(const Mesh& mesh, Slot v) const;
-    bool match(const JudgedMesh& surface, const Turn& turn);
+    bool matchAt(const JudgedMesh& surface, const Turn& turn);
     bool matchFrom(const Mesh& mesh, const Turn& turn, std::size_t face);
     bool matchAcross(const Mesh& mesh, const Turn& turn, const Triangle& corners, std::vector<std::size_t>& front);
     bool isImage(const Mesh& mesh, const Turn& turn, Slot image, Slot v) const;
@@ -69,12 +73,16 @@ private:
     SlotSet m_unlinked;          ///< faces of the patch that have kept theirs
     std::vector<Triangle> m_gone, m_come; ///< the relinked ones before and now
     std::vector<Slot> m_moved, m_coloured; ///< vertices that were there before
-    std::vector<Triangle> m_patch; ///< as it was before: all that went or moved, and the ring around it
+    std::vector<Triangle> m_patch; ///< as it was before: all that went or moved, the ring around it, and what else is in the balls
     std::vector<Side> m_sides;     ///< of the patch
-    SparseIndex m_vertices;        ///< of the patch; first those of what went or moved, then the ring's; after place() also those that came
+    SparseIndex m_vertices;        ///< of the patch; first those of what went or moved, then the others; after place() also those that came
     Slot m_ownCount = 0;           ///< so many are the former
-    std::vector<Slot> m_images;    ///< by position among m_vertices
+    std::vector<Turn> m_turns;
+    std::vector<std::vector<Slot>> m_places; ///< for each turn, images by position among m_vertices
+    std::vector<Slot> m_images;    ///< of the turn in hand
     std::vector<char> m_seen;      ///< by face of the patch
+    SlotSet m_matched;             ///< faces that are images of the patch's
+    std::vector<Sphere> m_balls;
     SlotSet m_claimed;             ///< vertices in what changed, here and at each image so far
 };
 } // namespace core
