@@ -92,11 +92,15 @@ DabReport DabEngine::runOrbit(Orbit& orbit)
     const Mesh::Mark mark = m_mesh.remember();
     DabReport report = runInSector(orbit, orbit.first);
     const DabReport once = report;
-    m_transplant.learn(m_surface, mark, isHeld ? std::vector<Sphere>() : ballsOf(orbit));
-    m_mesh.forget(mark);
     const std::vector<std::size_t> others = othersIn(orbit);
+    bool match = false;
+    {
+        const PhaseTimer timer(report.selectMs);
+        m_transplant.learn(m_surface, mark, isHeld ? std::vector<Sphere>() : ballsOf(orbit));
+        m_mesh.forget(mark);
+        match = canTransplant(orbit, others);
+    }
     report.apart = others.size() + 1 < orbit.dabs.size() / orbit.step; // the rest do the same, and yet are not exact images
-    const bool match = canTransplant(orbit, others);
     for (std::size_t i = 0; i < others.size(); ++i) {
         if (match && transplant(orbit, i, once, report))
             continue;
@@ -149,9 +153,11 @@ bool DabEngine::canTransplant(const Orbit& orbit, const std::vector<std::size_t>
 /// What the orbit's first dab did, in one of those that canTransplant() found.
 bool DabEngine::transplant(const Orbit& orbit, std::size_t other, const DabReport& once, DabReport& report)
 {
-    const PhaseTimer timer(report.deformMs, m_surface.verifyMs());
-    if (!m_transplant.place(m_surface, other))
-        return false;
+    {
+        const PhaseTimer timer(report.deformMs, m_surface.verifyMs());
+        if (!m_transplant.place(m_surface, other))
+            return false;
+    }
     letGoOfRemoved(m_region);
     letGoOfRemoved(m_imageRegion);
     for (SectorHold& hold : m_sectors) {
