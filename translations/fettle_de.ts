@@ -1811,6 +1811,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>La&amp;yer</source>
         <translation>&amp;Schichten</translation>
     </message>
+    <message>
+        <source>R&amp;adial Symmetry</source>
+        <translation>Radiale Symm&amp;etrie</translation>
+    </message>
+    <message>
+        <source>Does what you do in several sectors around the model&apos;s upright axis; the Symmetry panel says in how many.</source>
+        <translation>Tut, was Sie tun, in mehreren Sektoren rings um die senkrechte Achse des Modells; in wie vielen, sagt das Bedienfeld Symmetrie.</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -1900,6 +1908,26 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source> px</source>
         <translation> px</translation>
+    </message>
+    <message>
+        <source>Sectors of the radial symmetry</source>
+        <translation>Sektoren der radialen Symmetrie</translation>
+    </message>
+    <message>
+        <source>What you do is done in so many sectors around the upright axis (y), and mirrored in each if Mirror is on.</source>
+        <translation>Was Sie tun, geschieht in so vielen Sektoren rings um die senkrechte Achse (y), und in jedem gespiegelt, wenn Spiegeln an ist.</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Aus</translation>
+    </message>
+    <message>
+        <source>Alike to the eye with this count; exactly alike with 2 and 4.</source>
+        <translation>Mit dieser Anzahl für das Auge gleich, mit 2 und 4 genau gleich.</translation>
+    </message>
+    <message>
+        <source>Radial</source>
+        <translation>Radial</translation>
     </message>
 </context>
 <context>
@@ -3114,6 +3142,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>%1: at that size the coordinates are no numbers any more.</source>
         <translation>%1: Bei dieser Größe sind die Koordinaten keine Zahlen mehr.</translation>
+    </message>
+    <message>
+        <source>The sectors meet here, or the model is not alike in all of them: they were worked on one after the other and are not exact copies.</source>
+        <translation>Die Sektoren treffen hier aufeinander, oder das Modell ist nicht in allen gleich: sie wurden nacheinander bearbeitet und sind nicht genau gleich.</translation>
     </message>
 </context>
 <context>
@@ -4938,6 +4970,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Inverted</source>
         <translation>Umgekehrt</translation>
+    </message>
+    <message>
+        <source>Radial</source>
+        <translation>Radial</translation>
     </message>
 </context>
 </TS>

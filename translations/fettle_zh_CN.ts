@@ -1809,6 +1809,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>La&amp;yer</source>
         <translation>加层(&amp;Y)</translation>
     </message>
+    <message>
+        <source>R&amp;adial Symmetry</source>
+        <translation>径向对称(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Does what you do in several sectors around the model&apos;s upright axis; the Symmetry panel says in how many.</source>
+        <translation>在绕模型竖直轴的几个扇区里同样做您所做的；扇区数在“对称”面板中选择。</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -1898,6 +1906,26 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source> px</source>
         <translation> 像素</translation>
+    </message>
+    <message>
+        <source>Sectors of the radial symmetry</source>
+        <translation>径向对称的扇区数</translation>
+    </message>
+    <message>
+        <source>What you do is done in so many sectors around the upright axis (y), and mirrored in each if Mirror is on.</source>
+        <translation>您所做的会在绕竖直轴（y）的这么多扇区里进行；如果打开了镜像，每个扇区里还会镜像。</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>Alike to the eye with this count; exactly alike with 2 and 4.</source>
+        <translation>扇区数为此值时看起来相同；为 2 和 4 时完全相同。</translation>
+    </message>
+    <message>
+        <source>Radial</source>
+        <translation>径向</translation>
     </message>
 </context>
 <context>
@@ -3105,6 +3133,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>%1: at that size the coordinates are no numbers any more.</source>
         <translation>%1：这样的大小下坐标不再是数。</translation>
+    </message>
+    <message>
+        <source>The sectors meet here, or the model is not alike in all of them: they were worked on one after the other and are not exact copies.</source>
+        <translation>各扇区在这里相接，或模型各扇区不同：它们是依次进行的，并不完全相同。</translation>
     </message>
 </context>
 <context>
@@ -4927,6 +4959,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Inverted</source>
         <translation>反向</translation>
+    </message>
+    <message>
+        <source>Radial</source>
+        <translation>径向</translation>
     </message>
 </context>
 </TS>

@@ -129,7 +129,7 @@ constexpr ActionInfo table[] = {
      QT_TRANSLATE_NOOP("ui::Actions", "Surfaces that meet join and thin necks part; without it they stop at contact."), "J", "fusion", false, Bar::Options, true},
     {MenuId::Sculpt, "symmetry.on", QT_TRANSLATE_NOOP("ui::Actions", "S&ymmetry"),
      QT_TRANSLATE_NOOP("ui::Actions", "Does on the other side of the plane what you do on this one."), "X", "symmetrize", false, Bar::Options, true},
-    {MenuId::Sculpt, "symmetry.radial", QT_TRANSLATE_NOOP("ui::Actions", "Radial Symmetr&y"),
+    {MenuId::Sculpt, "symmetry.radial", QT_TRANSLATE_NOOP("ui::Actions", "R&adial Symmetry"),
      QT_TRANSLATE_NOOP("ui::Actions", "Does what you do in several sectors around the model's upright axis; the Symmetry panel says in how many."), "", "radial",
      false, Bar::None, true},
     {MenuId::Sculpt, "brush.color", QT_TRANSLATE_NOOP("ui::Actions", "Paint &Colour"),

@@ -131,7 +131,7 @@ QString Messages::asymmetric()
 
 QString Messages::apart()
 {
-    return tr("The sectors are not exactly alike here, because the model is not or because they meet: they were worked on one after the other.");
+    return tr("The sectors meet here, or the model is not alike in all of them: they were worked on one after the other and are not exact copies.");
 }
 
 QString Messages::notADrawing(const QString& path)
