@@ -1915,7 +1915,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>What you do is done in so many sectors around the upright axis (y), and mirrored in each if Mirror is on.</source>
-        <translation>Was Sie tun, geschieht in so vielen Sektoren rings um die senkrechte Achse (y), und in jedem gespiegelt, wenn Spiegeln an ist.</translation>
+        <translation>Was Sie tun, geschieht in so vielen Sektoren rings um die senkrechte Achse (y), und in jedem gespiegelt, wenn eine Spiegelung an ist.</translation>
     </message>
     <message>
         <source>Off</source>
