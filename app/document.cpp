@@ -264,6 +264,8 @@ void Document::takeReport(const StrokeReport& report)
             Q_EMIT noticed(ui::Messages::shortfall(report.shortfall));
         else if (report.asymmetric)
             Q_EMIT noticed(ui::Messages::asymmetric());
+        else if (report.apart)
+            Q_EMIT noticed(ui::Messages::apart());
         takeFacts(report.facts);
         describeToJournal();
     }

@@ -22,7 +22,7 @@ namespace
 /// What the headset takes from the window: not the radius, which is a length of its own there.
 auto chosen(const core::StrokeSettings& brush)
 {
-    return std::tuple(brush.tool, brush.brush, brush.topology, brush.symmetry, brush.color.r, brush.color.g,
+    return std::tuple(brush.tool, brush.brush, brush.topology, brush.symmetry, brush.radial, brush.color.r, brush.color.g,
                       brush.color.b, brush.falloff, brush.strength, brush.detail, brush.fusion);
 }
 } // namespace

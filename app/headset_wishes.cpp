@@ -72,6 +72,7 @@ void HeadsetDesk::obey(const vr::ChooseBrush& wish)
     brush.set(&StrokeSettings::brush, wish.brush.brush);
     brush.set(&StrokeSettings::topology, wish.brush.topology);
     brush.set(&StrokeSettings::symmetry, wish.brush.symmetry);
+    brush.set(&StrokeSettings::radial, wish.brush.radial);
     brush.set(&StrokeSettings::color, wish.brush.color);
 }
 

@@ -41,6 +41,7 @@ struct StrokeReport
     core::Shortfall shortfall = core::Shortfall::None; ///< of the dabs the one most worth telling
     bool added = false;      ///< a sphere
     bool asymmetric = false; ///< mirrored where the model is not symmetric: some dabs were done as two
+    bool apart = false;      ///< radial where the model is not its own image by the turn, or over the axis: some dabs were done one after the other
     MeshFacts facts;
 };
 

@@ -5,6 +5,7 @@
 #include "stroke_command.h"
 
 #include "core/journal/journal.h"
+#include "core/sectors.h"
 
 #include <algorithm>
 #include <utility>
@@ -49,18 +50,13 @@ void SculptWorker::run(const Question& question)
         Q_EMIT answeredHeadset(hit, footprint, m_epoch);
 }
 
-/// Whether a pull here would move something instead of adding a sphere, at this place or at its mirror image.
+/// Whether a pull here would move something instead of adding a sphere, at this place, in another sector or at a mirror image.
 bool SculptWorker::touches(const core::StrokeSample& sample) const
 {
-    core::Vec3 position = sample.rotation.conjugate() * sample.position;
-    const auto isNear = [&] { return m_sculptor->nearest(position, m_stroke.settings.radius).has_value(); };
-    if (isNear())
-        return true;
-    if (m_stroke.settings.symmetry == core::Symmetry::None)
-        return false;
-    double& across = position[static_cast<int>(m_stroke.settings.symmetry) - static_cast<int>(core::Symmetry::X)];
-    across = -across;
-    return isNear();
+    const core::Vec3 position = sample.rotation.conjugate() * sample.position;
+    return std::ranges::any_of(core::imagesOf(position, m_stroke.settings), [&](const core::Vec3& place) {
+        return m_sculptor->nearest(place, m_stroke.settings.radius).has_value();
+    });
 }
 
 void SculptWorker::run(BeginStroke& job)
@@ -125,6 +121,7 @@ core::Shortfall SculptWorker::apply(const core::StrokeSample& sample)
         shortfall = std::max(shortfall, core::shortfallOf(dab));
         m_report.added = m_report.added || dab.outcome == core::DabOutcome::Added;
         m_report.asymmetric = m_report.asymmetric || dab.asymmetric;
+        m_report.apart = m_report.apart || dab.apart;
     }
     m_report.shortfall = std::max(m_report.shortfall, shortfall);
     return shortfall;

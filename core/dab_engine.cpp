@@ -9,7 +9,7 @@
 //     index      octree and draw ranges learn what changed                                     judged_mesh
 //     fuse       what the next sub-step would bring into contact joins; thin necks part        fuse
 // What it works on is selected in dab_select.cpp, or is what an earlier dab of the stroke took hold of, in dab_hold.cpp; a sub-step that
-// does not verify is rolled back and goes on in dab_careful.cpp.
+// does not verify is rolled back and goes on in dab_careful.cpp. Of several sectors dab_radial.cpp does one after the other.
 
 #include "dab_engine.h"
 
@@ -97,10 +97,10 @@ DabReport DabEngine::apply(const StrokeSettings& settings, const Dab& dab, const
     m_surface.forgetDirtyFaces();
     {
         const PhaseTimer timer(report.totalMs);
-        if (settings.symmetry == Symmetry::None)
-            run(settings, dab, between, report);
+        if (settings.radial > 1)
+            runRadial(settings, dab, between, report);
         else
-            runMirrored(settings, dab, between, report);
+            runOnce(settings, dab, between, report);
     }
     report.verifyMs = m_surface.verifyMs() - verifiedBefore;
     if (report.touchedFaces == 0)

@@ -7,6 +7,7 @@
 #include "region.h"
 #include "remesh.h"
 #include "sculptor.h"
+#include "transplant.h"
 #include "unfolding.h"
 
 namespace core
@@ -62,6 +63,20 @@ private:
         Vec3 axis = Vec3::Zero(); ///< the mean normal when it was taken
     };
 
+    /// What a radial stroke's tool that holds on has in another sector than the first.
+    struct SectorHold
+    {
+        Hold hold, imageHold;
+        Region region, imageRegion;
+        bool isApart = false; ///< for the rest of the stroke it is no image of the first
+    };
+    struct HeldPlace
+    {
+        Vec3f point;
+        double distance;
+    };
+    struct Orbit;
+
     struct Task
     {
         const StrokeSettings& settings;
@@ -85,6 +100,21 @@ private:
     void rehearse();
     void run(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report);
     void runMirrored(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report);
+    void runOnce(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report);
+    void runRadial(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report);
+    Refusal refusalOfSpheres(const StrokeSettings& settings, const Dab& dab);
+    DabReport runOrbit(Orbit& orbit);
+    DabReport runInSector(const Orbit& orbit, std::size_t sector);
+    static std::vector<Sphere> ballsOf(const Orbit& orbit);
+    static std::vector<std::size_t> othersIn(const Orbit& orbit);
+    bool canTransplant(const Orbit& orbit, const std::vector<std::size_t>& others);
+    bool transplant(const Orbit& orbit, std::size_t other, const DabReport& once, DabReport& report);
+    static Turn turnIn(const Orbit& orbit, std::size_t sector);
+    void holdApart(const Orbit& orbit, std::size_t from);
+    void noteHeld(Orbit& orbit);
+    void takeImages(Region& region, const std::vector<HeldPlace>& held, const Turn& turn) const;
+    void swapSector(Tool tool, std::size_t sector);
+    void letGoOfRemoved(Region& region) const;
     void sculpt(const StrokeSettings& settings, Dab dab, const std::function<void()>& between, DabReport& report);
     void deform(Task& task, const std::function<void()>& between, DabReport& report);
     DabReport rest(const StrokeSettings& settings, const Dab& dab);
@@ -140,6 +170,8 @@ private:
     Hold m_hold;
     Hold m_imageHold;     ///< of a symmetric stroke where the model is not symmetric, its second dab's: with the next
     Region m_imageRegion;
+    std::vector<SectorHold> m_sectors; ///< of a radial stroke, by sector; the first one's is m_hold
+    Transplant m_transplant;
     SparseIndex m_raisedVertices; ///< by Layer, in this stroke
     std::vector<double> m_raised; ///< how far, by position among them; negative: of one that is gone
     Region m_footprint; ///< only that: it is asked for in the middle of a dab

@@ -11,6 +11,7 @@ void DabEngine::beginStroke()
 {
     m_hold = m_imageHold = {};
     m_imageRegion.clear();
+    m_sectors.clear();
     m_raisedVertices.clear();
     m_raised.clear();
 }
@@ -68,10 +69,7 @@ void DabEngine::swapHolds(Tool tool)
         return;
     std::swap(m_hold, m_imageHold);
     std::swap(m_region, m_imageRegion);
-    m_region.forEach([&](Slot v) {
-        if (!m_mesh.isVertex(v))
-            m_region.remove(v);
-    });
+    letGoOfRemoved(m_region);
 }
 
 /// All that the dab moves.

@@ -96,13 +96,8 @@ Footprint DabEngine::footprint(const StrokeSettings& settings, const Vec3& cente
             footprint.weights.push_back(static_cast<std::uint8_t>(1 + 254 * share));
         });
     };
-    add(center);
-    if (settings.symmetry != Symmetry::None) {
-        Vec3 image = center;
-        double& across = image[static_cast<int>(settings.symmetry) - static_cast<int>(Symmetry::X)];
-        across = -across;
-        add(image);
-    }
+    for (const Vec3& place : imagesOf(center, settings))
+        add(place);
     return footprint;
 }
 

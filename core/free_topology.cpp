@@ -4,6 +4,8 @@
 #include "surface_query.h"
 #include "triangle_mesh.h"
 
+#include <algorithm>
+
 namespace core
 {
 namespace
@@ -58,6 +60,19 @@ TriangleMesh imageOf(TriangleMesh shell, const MirrorMap& mirror)
     return shell;
 }
 } // namespace
+
+Refusal refusalOf(const JudgedMesh& surface, const std::vector<Vec3>& centers, double radius)
+{
+    for (const Vec3& center : centers) {
+        if (const Refusal refusal = refusalOf(surface, {center, radius}); refusal != Refusal::None)
+            return refusal;
+        const double clear = 2 * radius + clearanceOf({center, radius});
+        const auto isTooClose = [&](const Vec3& other) { return other != center && (other - center).norm() < clear; };
+        if (std::ranges::any_of(centers, isTooClose))
+            return Refusal::TooClose;
+    }
+    return Refusal::None;
+}
 
 DabReport addSphere(JudgedMesh& surface, const Sphere& ball, const MirrorMap* mirror)
 {

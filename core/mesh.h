@@ -127,6 +127,11 @@ public:
     /// at the number of distinct elements the stroke touched. The mark is spent.
     void commit(const Mark& mark);
 
+    /// A mark that outlives the commits of marks after it, so that the images since it tell of all that these changed. One at a time, until
+    /// forget(), which is its commit. Between the two nothing before it is rolled back.
+    Mark remember();
+    void forget(const Mark& mark);
+
     TouchedSlots touchedSince(const Mark& mark) const;
     /// Images since the mark: of an element touched several times since, the first is its state at the mark.
     std::span<const VertexImage> vertexImagesSince(const Mark& mark) const;
@@ -194,6 +199,7 @@ private:
     std::vector<std::uint32_t> m_vertexStamp, m_edgeStamp, m_faceStamp;
     std::uint32_t m_epoch = 0;
     std::uint32_t m_strokeEpoch = 0;
+    std::uint32_t m_keptEpoch = 0; ///< a commit forgets images of what was touched since: the stroke's epoch, or that of remember()
     bool m_strokeOpen = false;
     MeshDelta m_journal;
     std::uint64_t m_meshHash = 0;

@@ -39,7 +39,7 @@ void Mesh::beginStroke()
 {
     assert(!m_strokeOpen);
     m_strokeOpen = true;
-    m_strokeEpoch = ++m_epoch;
+    m_strokeEpoch = m_keptEpoch = ++m_epoch;
     m_journal = {};
     m_journal.counts = slots();
     m_journal.meshHash = m_meshHash;
@@ -83,12 +83,25 @@ void Mesh::rollback(const Mark& mark)
 void Mesh::commit(const Mark& mark)
 {
     const auto forget = [&](auto& images, std::size_t from) {
-        const auto known = [&](const auto& image) { return image.stamp >= m_strokeEpoch; };
+        const auto known = [&](const auto& image) { return image.stamp >= m_keptEpoch; };
         images.erase(std::remove_if(images.begin() + static_cast<std::ptrdiff_t>(from), images.end(), known), images.end());
     };
     forget(m_journal.vertices, mark.vertices);
     forget(m_journal.edges, mark.edges);
     forget(m_journal.faces, mark.faces);
+}
+
+Mesh::Mark Mesh::remember()
+{
+    const Mark mark = this->mark();
+    m_keptEpoch = mark.epoch;
+    return mark;
+}
+
+void Mesh::forget(const Mark& mark)
+{
+    m_keptEpoch = m_strokeEpoch;
+    commit(mark);
 }
 
 TouchedSlots Mesh::touchedSince(const Mark& mark) const

@@ -7,6 +7,9 @@
 
 namespace core
 {
+/// Of sectors.
+inline constexpr int mostRadial = 32;
+
 /// What stays the same during a stroke. Lengths in the document's unit.
 struct StrokeSettings
 {
@@ -15,6 +18,7 @@ struct StrokeSettings
     Placement place = Placement::Point; ///< of the spherical brush
     Topology topology = Topology::Adaptive;
     Symmetry symmetry = Symmetry::None;
+    int radial = 1; ///< sectors about the document's Y axis in which each dab is done, and mirrored if there is a symmetry; 1 to mostRadial
     double radius = info(Parameter::Radius).defaultValue;
     double strength = info(Parameter::Strength).defaultValue;
     int falloff = static_cast<int>(info(Parameter::Falloff).defaultValue); ///< n of b(x); 0: no weighting
@@ -31,6 +35,13 @@ struct StrokeSettings
 
 /// What Ctrl makes of them: Pull becomes Push and Push Pull, others are inverted where that has a meaning.
 StrokeSettings opposite(StrokeSettings settings);
+
+/// Turns about Y by the parts that this many sectors share with a quarter turn take the lattice to itself: 4, 2 or 1. Sectors that lie so to
+/// each other stay each other's images bit for bit; with 2 and 4 these are all.
+constexpr int exactTurns(int radial)
+{
+    return radial % 4 == 0 ? 4 : radial % 2 == 0 ? 2 : 1;
+}
 
 /// Whether the two sides of a wall that meet under it make a hole, instead of stopping it.
 bool pushes(const StrokeSettings& settings);
@@ -96,7 +107,11 @@ struct DabReport
     bool capped = false; ///< ended early: too many operations, steps or vertices to move
     bool asymmetric = false; ///< of a symmetric stroke: the model is not symmetric here, so it was done as two dabs
 
-    /// For a dab done as two: costs add up; of two that did something the worse outcome and the smaller share reached count.
+    /// Of a radial stroke whose sectors can be exact: the model is not its own image under the turn here, its colours included, or the sectors
+    /// meet, as over the axis; so they were done one after the other.
+    bool apart = false;
+
+    /// For a dab done as several: costs add up; of two that did something the worse outcome and the smaller share reached count.
     DabReport& operator+=(const DabReport& second);
 };
 

@@ -18,7 +18,7 @@ namespace core
 ///
 ///     {"format":"fettle-strokes","version":1,"strokes":[
 ///       {"tool":"pull","brush":"sphere","radius":0.25,"strength":1.0,"falloff":4,"detail":1.0,"topology":"adaptive",
-///        "fusion":true,"symmetry":"none","spacing":0,"place":"point","add":false,"turntable_deg_per_s":0,
+///        "fusion":true,"symmetry":"none","radial":1,"spacing":0,"place":"point","add":false,"turntable_deg_per_s":0,
 ///        "samples":[{"t":0,"position":[1,0,0],"direction":[-1,0,0],"pressure":1,"rotation":[0,0,0,1],
 ///                    "radius":0.25,"strength":1}]}]}
 ///

@@ -52,6 +52,8 @@ void write(std::ostream& out, const Stroke& stroke)
         << "\",\"spacing\":" << shortest(settings.spacing) << ",\"place\":\""
         << name(settings.place) << "\",\"add\":" << (settings.add ? "true" : "false") << ",\"color\":"
         << list({double(settings.color.r), double(settings.color.g), double(settings.color.b)});
+    if (settings.radial > 1)
+        out << ",\"radial\":" << settings.radial;
     if (settings.inverted)
         out << ",\"invert\":true";
     if (settings.detailLength > 0)

@@ -34,11 +34,11 @@ inline constexpr Keys<3> fileKeys{{"format", "version", "strokes"}, 3};
 
 enum StrokeKey {
     ToolKey, RadiusKey, SamplesKey, BrushKey, StrengthKey, FalloffKey, DetailKey, DetailLengthKey, TopologyKey, FusionKey,
-    SymmetryKey, SpacingKey, PlaceKey, AddKey, ColorKey, TurntableKey, InvertKey,
+    SymmetryKey, RadialKey, SpacingKey, PlaceKey, AddKey, ColorKey, TurntableKey, InvertKey,
     CommandKey, ByKey, TurnKey, FactorKey, PlaneKey, KeepKey, ModelKey, WhereKey, CentreKey, HeightKey, HowKey // of commands
 };
-inline constexpr Keys<28> strokeKeys{{"tool", "radius", "samples", "brush", "strength", "falloff", "detail", "detail_length",
-                                      "topology", "fusion", "symmetry", "spacing", "place", "add", "color",
+inline constexpr Keys<29> strokeKeys{{"tool", "radius", "samples", "brush", "strength", "falloff", "detail", "detail_length",
+                                      "topology", "fusion", "symmetry", "radial", "spacing", "place", "add", "color",
                                       "turntable_deg_per_s", "invert",
                                       "command", "by", "rotation", "factor", "plane", "keep", "file", "where", "centre",
                                       "height", "how"},

@@ -137,6 +137,11 @@ void StrokeReader::strokeNumber(double value)
     case FactorKey: m_command.factor = inRange(value, leastFactor, 1 / leastFactor); break;
     case TurntableKey: m_turntable = inRange(value, -farthestSample, farthestSample); break;
     case SpacingKey: settings.spacing = zeroOrInRange(value, leastSpacing, info(Parameter::Spacing).max); break;
+    case RadialKey:
+        settings.radial = static_cast<int>(inRange(value, 1, mostRadial));
+        if (value != std::trunc(value))
+            refuse(Kind::WrongType);
+        break;
     case FalloffKey:
         zeroOrInRange(value, leastFalloff, info(Parameter::Falloff).max);
         if (value != std::trunc(value))

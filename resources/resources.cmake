@@ -75,6 +75,7 @@ set(FETTLE_RESOURCE_FILES
     icons/push.svg
     icons/question.svg
     icons/quit.svg
+    icons/radial.svg
     icons/radius.svg
     icons/ray.svg
     icons/recentre.svg

@@ -61,6 +61,11 @@ void connectBrush(const Actions& actions, BrushSettings* brush)
     QObject::connect(symmetric, &QAction::triggered, brush, &BrushSettings::setSymmetric);
     QObject::connect(brush, &BrushSettings::changed, symmetric, showSymmetry);
     showSymmetry();
+    QAction* radial = action("symmetry.radial");
+    const auto showRadial = [=] { radial->setChecked(brush->stroke().radial > 1); };
+    QObject::connect(radial, &QAction::triggered, brush, &BrushSettings::setRadial);
+    QObject::connect(brush, &BrushSettings::changed, radial, showRadial);
+    showRadial();
 
     QObject::connect(action("brush.smaller"), &QAction::triggered, brush, [brush] { brush->scaleRadius(smallerRadius); });
     QObject::connect(action("brush.larger"), &QAction::triggered, brush, [brush] { brush->scaleRadius(1 / smallerRadius); });

@@ -12,6 +12,7 @@
 #include <QDockWidget>
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QMainWindow>
 #include <QMenu>
 #include <QSignalBlocker>
@@ -133,6 +134,35 @@ public:
         m_form->addRow(row);
     }
 
+    void addSectors(const std::function<void()>& entered) const
+    {
+        auto* count = new QSpinBox;
+        count->setObjectName(QStringLiteral("radial"));
+        count->setAccessibleName(BrushPanels::tr("Sectors of the radial symmetry"));
+        count->setToolTip(BrushPanels::tr("What you do is done in so many sectors around the upright axis (y), and mirrored in each if Mirror is on."));
+        count->setRange(1, core::mostRadial);
+        count->setSpecialValueText(BrushPanels::tr("Off"));
+        count->setKeyboardTracking(false);
+        auto* hint = new QLabel(BrushPanels::tr("Alike to the eye with this count; exactly alike with 2 and 4."));
+        hint->setObjectName(QStringLiteral("radialHint"));
+        hint->setWordWrap(true);
+        const auto show = [=, brush = m_brush] {
+            const int radial = brush->stroke().radial;
+            const QSignalBlocker quiet(count);
+            count->setValue(radial);
+            hint->setVisible(core::exactTurns(radial) != radial);
+        };
+        QObject::connect(count, &QSpinBox::valueChanged, m_brush, [brush = m_brush](int radial) { brush->set(&core::StrokeSettings::radial, radial); });
+        QObject::connect(count, &QSpinBox::editingFinished, dock, [=] {
+            if (count->hasFocus())
+                entered();
+        });
+        QObject::connect(m_brush, &BrushSettings::changed, count, show);
+        m_form->addRow(BrushPanels::tr("Radial"), count);
+        m_form->addRow(hint);
+        show();
+    }
+
 private:
     BrushSettings* m_brush;
     QFormLayout* m_form;
@@ -163,7 +193,7 @@ QDockWidget* topologyPanel(BrushSettings* brush, const std::function<void()>& en
     return panel.dock;
 }
 
-QDockWidget* symmetryPanel(BrushSettings* brush)
+QDockWidget* symmetryPanel(BrushSettings* brush, const std::function<void()>& entered)
 {
     const Panel panel(brush, QStringLiteral("symmetryPanel"), BrushPanels::tr("Symmetry"));
     panel.addChoice(QStringLiteral("symmetry"), BrushPanels::tr("Mirror"), &core::StrokeSettings::symmetry,
@@ -171,6 +201,7 @@ QDockWidget* symmetryPanel(BrushSettings* brush)
                                             {BrushPanels::tr("Left and right (x = 0)"), core::Symmetry::X},
                                             {BrushPanels::tr("Top and bottom (y = 0)"), core::Symmetry::Y},
                                             {BrushPanels::tr("Front and back (z = 0)"), core::Symmetry::Z}});
+    panel.addSectors(entered);
     return panel.dock;
 }
 } // namespace
@@ -179,6 +210,6 @@ void addBrushPanels(QMainWindow* window, BrushSettings* brush, QMenu* toggles, c
 {
     addSideDock(window, toggles, brushPanel(brush, entered));
     addSideDock(window, toggles, topologyPanel(brush, entered));
-    addSideDock(window, toggles, symmetryPanel(brush), QStringLiteral("topologyPanel"));
+    addSideDock(window, toggles, symmetryPanel(brush, entered), QStringLiteral("topologyPanel"));
 }
 } // namespace ui

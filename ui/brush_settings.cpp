@@ -90,6 +90,8 @@ void BrushSettings::take(const core::StrokeSettings& stroke)
     m_stroke.radius = std::clamp(stroke.radius, minOf(core::Parameter::Radius), m_maxRadius);
     if (stroke.symmetry != core::Symmetry::None)
         m_plane = stroke.symmetry;
+    if (stroke.radial > 1)
+        m_sectors = stroke.radial;
     Q_EMIT changed();
 }
 

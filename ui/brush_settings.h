@@ -32,11 +32,15 @@ public:
         m_stroke.*what = value;
         if (m_stroke.symmetry != core::Symmetry::None)
             m_plane = m_stroke.symmetry;
+        if (m_stroke.radial > 1)
+            m_sectors = m_stroke.radial;
         Q_EMIT changed();
     }
     void setTool(core::Tool tool) { set(&core::StrokeSettings::tool, tool); }
     /// About the plane that was chosen last; x = 0 at first.
     void setSymmetric(bool symmetric) { set(&core::StrokeSettings::symmetry, symmetric ? m_plane : core::Symmetry::None); }
+    /// In as many sectors as were chosen last; six at first.
+    void setRadial(bool radial) { set(&core::StrokeSettings::radial, radial ? m_sectors : 1); }
     /// Clamped to the range of the parameter table (the radius also to the model), falloff rounded to a legal n.
     void setValue(core::Parameter parameter, double value);
     void scaleRadius(double factor);
@@ -71,6 +75,7 @@ private:
     bool m_isSteady = false;
     double m_stringLength = defaultString;
     core::Symmetry m_plane = core::Symmetry::X;
+    int m_sectors = 6;
     double m_leastDetail = 0; ///< of the model's lattice
     double m_maxRadius;
     double m_modelSize = 100; ///< mm, longest side; to which the radius was fitted: at first the ball of clay's

@@ -126,6 +126,7 @@ void ClayPainter::drawClay(const OrbitCamera& camera, const ClayPicture& picture
     m_clayProgram->setUniformValue("ballImage", m_ballImage);
     m_clayProgram->setUniformValue("shaded", m_clay.isShaded() ? 1.0F : 0.0F);
     m_clayProgram->setUniformValue("ballFalloff", m_ballFalloff);
+    m_clayProgram->setUniformValue("sectors", m_sectors);
     m_clay.draw();
     m_clayProgram->release();
 }

@@ -44,6 +44,8 @@ public:
     /// The vertices in the ball are tinted as b(x) of that n weighs them; so are those in its image about the plane through the origin
     /// with that unit normal, unless that is zero. Radius 0: none.
     void setTintedBall(const core::Sphere& ball, int falloff, const core::Vec3& mirror);
+    /// About y, in each of which that ball and its image are tinted; 1 at first.
+    void setSectors(int sectors) { m_sectors = static_cast<float>(sectors); }
 
     /// Clears depth; leaves depth test, culling and blending as OpenGL starts with.
     void draw(const OrbitCamera& camera, const ClayPicture& picture);
@@ -58,7 +60,7 @@ private:
     unsigned int m_noVertices = 0;
     core::Vec3 m_cutNormal = core::Vec3::Zero();
     QVector4D m_ball, m_ballImage; ///< centre and radius
-    float m_ballFalloff = 0;
+    float m_ballFalloff = 0, m_sectors = 1;
     ClayBuffer m_clay;
 };
 } // namespace ui

@@ -129,6 +129,11 @@ QString Messages::asymmetric()
     return tr("The model is not symmetric here: both sides were worked on, but they are not exact mirror images.");
 }
 
+QString Messages::apart()
+{
+    return tr("The sectors meet here, or the model is not alike in all of them: they were worked on one after the other and are not exact copies.");
+}
+
 QString Messages::notADrawing(const QString& path)
 {
     return tr("%1: drawings are written as PDF, SVG or PNG; the ending says which.").arg(QDir::toNativeSeparators(path));

@@ -37,6 +37,7 @@ public:
     static QString shortfall(core::Shortfall shortfall);
     /// Of a mirrored stroke on a model that is not its own mirror image.
     static QString asymmetric();
+    static QString apart();
 
     /// The ending is none that drawings have.
     static QString notADrawing(const QString& path);

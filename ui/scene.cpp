@@ -257,6 +257,7 @@ void Scene::tintBall(const core::Vec3& center, const core::StrokeSettings& brush
 {
     tint(nullptr);
     m_state->painter.setTintedBall({center, brush.radius}, brush.falloff, core::planeNormal(brush.symmetry));
+    m_state->painter.setSectors(brush.radial);
 }
 
 void Scene::tint(const std::shared_ptr<const core::Footprint>& footprint)

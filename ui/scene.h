@@ -50,7 +50,7 @@ public:
     void placeGround(const core::Box& box);
     void placeCursor(const core::SurfaceHit& hit, double radius, const QColor& color);
     void hideCursor();
-    /// Tints what the next dab of a spherical brush at `center` would take, and its mirror image, in place of what was tinted before.
+    /// Tints what the next dab of a spherical brush at `center` would take, in all sectors and with mirror images, in place of what was tinted before.
     void tintBall(const core::Vec3& center, const core::StrokeSettings& brush);
     /// Those of a footprint; null: none.
     void tint(const std::shared_ptr<const core::Footprint>& footprint);

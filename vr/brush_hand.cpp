@@ -8,7 +8,7 @@ namespace
 bool isSameChoice(const core::StrokeSettings& a, const core::StrokeSettings& b)
 {
     return a.tool == b.tool && a.brush == b.brush && a.topology == b.topology && a.symmetry == b.symmetry &&
-           a.color == b.color;
+           a.radial == b.radial && a.color == b.color;
 }
 } // namespace
 

@@ -14,6 +14,7 @@ void ClayProgram::useFor(const EyeFrame& eye) const
     cut.set(0.0F);
     ball.set(Eigen::Vector4f(0, 0, 0, 0));
     ballImage.set(Eigen::Vector4f(0, 0, 0, 0));
+    sectors.set(1.0F);
 }
 
 void ClayProgram::shade(const core::Shading& shading) const

@@ -21,7 +21,7 @@ public:
 
     Uniform flatShading{this, "flatShading"};
     Uniform cut{this, "cut"}, cutNormal{this, "cutNormal"};
-    Uniform ball{this, "ball"}, ballImage{this, "ballImage"}, ballFalloff{this, "ballFalloff"};
+    Uniform ball{this, "ball"}, ballImage{this, "ballImage"}, ballFalloff{this, "ballFalloff"}, sectors{this, "sectors"};
 
 private:
     Uniform view{this, "view"}, projection{this, "projection"};

@@ -27,7 +27,7 @@ struct ClayLook
     bool isFlat = false;
     Eigen::Vector3f cutNormal = Eigen::Vector3f::Zero();
     Eigen::Vector4f ball = Eigen::Vector4f::Zero(), ballImage = Eigen::Vector4f::Zero(); ///< centre and radius, mm
-    float ballFalloff = 0;
+    float ballFalloff = 0, sectors = 1;
 };
 
 namespace
@@ -44,6 +44,7 @@ ClayLook clayLook(const SceneState& state)
     look.isFlat = state.isFlat;
     const core::Vec3 normal = core::planeNormal(state.symmetry);
     look.cutNormal = normal.cast<float>();
+    look.sectors = static_cast<float>(state.radial);
     if (const auto* brush = std::get_if<BallBrush>(&state.brush)) {
         const core::Vec3 center = state.model.inverse() * brush->center;
         const double radius = brush->radius / std::cbrt(state.model.linear().determinant());
@@ -130,6 +131,7 @@ void Scene::State::drawOpaque(const EyeFrame& eye)
     clayProgram.ball.set(look.ball);
     clayProgram.ballImage.set(look.ballImage);
     clayProgram.ballFalloff.set(look.ballFalloff);
+    clayProgram.sectors.set(look.sectors);
     clayProgram.place(eye, look.toRoom);
     clayProgram.shade(look.shading);
     clock.run([&] { clay.shown().draw(); });

@@ -80,6 +80,7 @@ struct SceneState
     core::Shading shading;
     bool isFlat = false; ///< each triangle in one shade
     core::Symmetry symmetry = core::Symmetry::None;
+    int radial = 1; ///< sectors about the model's y axis
     std::variant<std::monostate, BallBrush, RayBrush> brush;
     core::Rgb brushColor{235, 240, 248};
     std::array<ShownWand, sideCount> wands; ///< by Side

@@ -92,6 +92,7 @@ void SculptClient::obeyBrush(const PanelAction& action)
         [&](core::BrushShape shape) { stroke.brush = shape; },
         [&](core::Topology topology) { stroke.topology = topology; },
         [&](const ChooseSymmetry& symmetry) { stroke.symmetry = symmetry.isOn ? brush.plane : core::Symmetry::None; },
+        [&](const ChooseRadial& chosen) { stroke.radial = chosen.count; },
         [&](const ChooseColor& chosen) { stroke.color = chosen.color; },
         [&](const Slide& slide) { stroke.color = slid(stroke.color, slide); },
         [](const auto&) {},

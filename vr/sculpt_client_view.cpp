@@ -32,6 +32,7 @@ ToolPanel SculptClient::toolPanel() const
             brush.stroke.brush,
             brush.stroke.topology,
             brush.stroke.symmetry != core::Symmetry::None,
+            brush.stroke.radial,
             brush.isInverse,
             m_news.canUndo,
             m_news.canRedo,
@@ -112,6 +113,7 @@ void SculptClient::see(const FrameInput& input)
     m_state.shading = m_news.shading;
     m_state.isFlat = m_news.isFlat;
     m_state.symmetry = brush.stroke.symmetry;
+    m_state.radial = brush.stroke.radial;
     m_state.hasFloor = m_choice.showsFloor;
     m_state.brush = {};
     if (!pointsAtPanel(m_choice.hands.sculpting))

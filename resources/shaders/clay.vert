@@ -12,6 +12,7 @@ uniform vec3 cutNormal;  // of the plane through the origin where a line is draw
 uniform vec4 ball;       // a spherical brush's footprint: centre, radius; mm
 uniform vec4 ballImage;  // and that of its mirror image
 uniform float ballFalloff; // n of its b(x); 0: no weighting
+uniform float sectors;     // about y, in each of which they are
 
 out vec3 toEye; // eye space, any length
 out vec3 eyePosition;
@@ -29,9 +30,20 @@ vec3 toLinear(vec3 c)
 
 const float atRim = 0.35;
 
+// Turned by so many sectors that it lies in that of the brush.
+vec3 inSectorOf(vec3 center)
+{
+    if (sectors < 1.5 || dot(position.xz, position.xz) == 0.0 || dot(center.xz, center.xz) == 0.0)
+        return position;
+    float part = 6.28318530718 / sectors;
+    float turn = part * round((atan(center.x, center.z) - atan(position.x, position.z)) / part);
+    vec2 sideways = mat2(cos(turn), -sin(turn), sin(turn), cos(turn)) * position.xz;
+    return vec3(sideways.x, position.y, sideways.y);
+}
+
 float share(vec4 brush)
 {
-    float x = distance(position, brush.xyz) / brush.w;
+    float x = distance(inSectorOf(brush.xyz), brush.xyz) / brush.w;
     float n = ballFalloff;
     float b = n == 0.0 ? 1.0 : (n - 1.0) * pow(x, n) - n * pow(x, n - 1.0) + 1.0;
     return brush.w > 0.0 && x <= 1.0 ? mix(atRim, 1.0, b) : 0.0;

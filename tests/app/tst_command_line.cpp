@@ -722,6 +722,7 @@ void TestCommandLine::replay_refusals_data()
     QTest::newRow("empty") << QByteArray() << QStringLiteral("JSON");
     QTest::newRow("tool") << strokes(R"("tool":"melt","radius":1)") << QStringLiteral("melt");
     QTest::newRow("plane") << strokes(R"("tool":"pull","radius":1,"symmetry":"w")") << QStringLiteral("\"w\"");
+    QTest::newRow("sectors") << strokes(R"("tool":"pull","radius":1,"radial":33)") << QStringLiteral("radial");
     QTest::newRow("key") << strokes(R"("tool":"pull","radius":1,"size":1)") << QStringLiteral("size");
     QTest::newRow("NaN") << strokes(R"("tool":"pull","radius":NaN)") << QStringLiteral("radius");
     QTest::newRow("infinite") << strokes(R"("tool":"pull","radius":1)", R"({"position":[1e999,0,0]})") << QStringLiteral("position");

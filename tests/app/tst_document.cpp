@@ -123,6 +123,7 @@ private Q_SLOTS:
     void strokeThatFellShort_isSaidOnce();
     void sphere_isAStepOrAWordWhyNot();
     void mirroredStroke_saysWhereTheModelIsNotSymmetric();
+    void radialStroke_saysWhereTheSectorsAreNotAlike();
     void strokeThatDidAll_isNotTalkedAbout();
     void newStroke_forgetsWhatWasUndone();
     void modified_followsTheHistory();
@@ -425,6 +426,30 @@ void TestDocument::mirroredStroke_saysWhereTheModelIsNotSymmetric()
     stroke(core::Symmetry::X, {30, -40, 0});
     QCOMPARE(noticed.size(), 1);
     QCOMPARE(noticed[0][0].toString(), ui::Messages::asymmetric());
+}
+
+void TestDocument::radialStroke_saysWhereTheSectorsAreNotAlike()
+{
+    Session session;
+    QSignalSpy noticed(&session.document, &Document::noticed);
+    core::StrokeSettings brush;
+    brush.radius = 8;
+    const auto stroke = [&](int radial, const core::Vec3& position) {
+        brush.radial = radial;
+        core::StrokeSample sample;
+        sample.position = position;
+        session.document.beginStroke(brush);
+        for (int i = 0; i < 3; ++i)
+            session.document.addSample(sample);
+        session.document.endStroke();
+        session.wait();
+    };
+    stroke(2, {30, 0, 40});
+    stroke(3, {30, 0, 40}); // is not promised
+    QVERIFY(noticed.isEmpty());
+    stroke(2, {3, 50, 0}); // over the axis
+    QCOMPARE(noticed.size(), 1);
+    QCOMPARE(noticed[0][0].toString(), ui::Messages::apart());
 }
 
 void TestDocument::strokeThatDidAll_isNotTalkedAbout()

@@ -327,11 +327,13 @@ void TestHeadsetWishes::brush_fromTheHeadset()
     wish.brush.brush = core::BrushShape::Ray;
     wish.brush.topology = core::Topology::Uniform;
     wish.brush.symmetry = core::Symmetry::Y;
+    wish.brush.radial = 5;
     wish.brush.color = {1, 2, 3};
     wish.brush.strength = 7;
     visit.wish(wish);
     QTRY_COMPARE_WITH_TIMEOUT(brush.tool(), core::Tool::Paint, 60'000);
     QVERIFY(brush.stroke().brush == core::BrushShape::Ray && brush.stroke().topology == core::Topology::Uniform);
+    QCOMPARE(brush.stroke().radial, 5);
     QVERIFY(brush.stroke().symmetry == core::Symmetry::Y && (brush.stroke().color == core::Rgb{1, 2, 3}));
     QVERIFY(brush.stroke().strength == before.strength && brush.stroke().radius == before.radius &&
             brush.stroke().place == before.place);
@@ -355,6 +357,9 @@ void TestHeadsetWishes::brush_fromTheWindow()
     QCOMPARE(news.plane, core::Symmetry::Z);
     brush.setSymmetric(false);
     QCOMPARE(visit.news().plane, core::Symmetry::Z);
+    const quint64 before = visit.news().brushChange;
+    brush.set(&core::StrokeSettings::radial, 7);
+    QVERIFY(visit.news().brushChange > before && visit.news().brush.radial == 7);
 }
 
 void TestHeadsetWishes::look_fromTheWindow()

@@ -58,6 +58,7 @@ Stroke randomStroke(std::mt19937_64& random)
     stroke.settings.brush = static_cast<BrushShape>(random() % 2);
     stroke.settings.topology = static_cast<Topology>(random() % 2);
     stroke.settings.symmetry = static_cast<Symmetry>(random() % 4);
+    stroke.settings.radial = random() % 2 == 0 ? 1 : 1 + static_cast<int>(random() % 32);
     stroke.settings.add = random() % 2 == 0;
     stroke.settings.detailLength = random() % 2 ? 0 : between(0.01, 1);
     stroke.settings.color = {static_cast<std::uint8_t>(random()), 7, 255};
@@ -132,7 +133,7 @@ void TestStrokeFile::values_arriveWhereTheyBelong()
 {
     const Stroke stroke = strokesOf(file(
         R"("tool":"smooth","brush":"ray","radius":2.5,"strength":3,"falloff":16,"detail":0.5,"topology":"uniform",
-           "detail_length":0.125,"fusion":true,"symmetry":"z","spacing":0.25,"place":"ray","add":true,"invert":true,
+           "detail_length":0.125,"fusion":true,"symmetry":"z","radial":6,"spacing":0.25,"place":"ray","add":true,"invert":true,
            "color":[200,120,80])",
         R"("t":1.5,"position":[1,2,3],"direction":[0,0,-1],"pressure":0.5,"rotation":[0,1,0,0],"radius":4,"strength":0)"))
                               .at(0);
@@ -145,6 +146,7 @@ void TestStrokeFile::values_arriveWhereTheyBelong()
     QCOMPARE(stroke.settings.detailLength, 0.125);
     QVERIFY(stroke.settings.brush == BrushShape::Ray && stroke.settings.topology == Topology::Uniform);
     QVERIFY(stroke.settings.symmetry == Symmetry::Z);
+    QCOMPARE(stroke.settings.radial, 6);
     QVERIFY(stroke.settings.inverted);
     QVERIFY(stroke.settings.add && stroke.settings.color == (Rgb{200, 120, 80}));
     const StrokeSample& sample = stroke.samples.at(0);
@@ -297,6 +299,10 @@ void TestStrokeFile::refuses_data()
     stroke(R"("fusion":1)", Kind::WrongType, "fusion");
     stroke(R"("symmetry":1)", Kind::WrongType, "symmetry");
     stroke(R"("symmetry":"w")", Kind::UnknownValue, "symmetry: \"w\"");
+    for (const char* bad : {"0", "33", "-2", "1e300"})
+        stroke(R"("radial":)" + std::string(bad), Kind::OutOfRange, "radial");
+    stroke(R"("radial":2.5)", Kind::WrongType, "radial");
+    stroke(R"("radial":"6")", Kind::WrongType, "radial");
     stroke(R"("spacing":5)", Kind::OutOfRange, "spacing");
     stroke(R"("spacing":1e-12)", Kind::OutOfRange, "spacing");
     stroke(R"("spacing":-0.1)", Kind::OutOfRange, "spacing");

@@ -238,7 +238,7 @@ void FuzzRun::trace(const StrokeSettings& s, const DabReport& report) const
 {
     std::cout << m_where << ", step " << m_steps.size() << ", dab " << m_dabs << ": " << name(s.tool) << ' ' << name(s.brush)
               << ' ' << name(s.place) << ' ' << name(s.topology) << " fusion " << s.fusion << " symmetry " << name(s.symmetry)
-              << (report.asymmetric ? " (as two dabs)" : "") << " radius " << s.radius << " strength " << s.strength
+              << (report.asymmetric ? " (as two dabs)" : "") << " radial " << s.radial << " radius " << s.radius << " strength " << s.strength
               << " falloff " << s.falloff << " detail " << s.detail << ": " << name(report.outcome) << ", "
               << report.touchedVertices << " vertices, " << report.substeps << " sub-steps, " << report.reached << " of "
               << report.asked << (report.contact ? " (contact), " : ", ") << report.totalMs << " ms, fuse " << report.fuseMs << " ms, verify " << report.verifyMs

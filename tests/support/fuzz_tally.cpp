@@ -55,6 +55,8 @@ void FuzzTally::add(const StrokeSettings& settings, const DabReport& report, con
     count(classes["topology " + std::string(name(settings.topology))]);
     if (settings.symmetry != core::Symmetry::None)
         count(classes[report.asymmetric ? "mirrored, as two dabs" : "mirrored, exactly"]);
+    if (settings.radial > 1)
+        count(classes[report.apart ? "radial, not exactly" : "radial"]);
 }
 
 void FuzzTally::add(const core::SculptorTotals& totals)

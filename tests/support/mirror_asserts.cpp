@@ -30,11 +30,9 @@ std::string at(const char* what, const Mesh& mesh, Slot v)
     text << what << ' ' << v << " at " << mesh.latticePoint(v).transpose() << " (lattice units)";
     return text.str();
 }
-} // namespace
-
-std::string mirror_asserts::asymmetry(const Mesh& mesh, core::Symmetry plane)
+/// `imageOf(Bits)`: of a place; `isTurnedOver`: the corners of a face's image run the other way.
+template <class ImageOf> std::string unlikeImage(const Mesh& mesh, ImageOf imageOf, bool isTurnedOver)
 {
-    const std::size_t axis = static_cast<std::size_t>(plane) - static_cast<std::size_t>(core::Symmetry::X);
     std::map<Bits, Slot> vertices;
     for (Slot v = 0; v < mesh.slots().vertices; ++v) {
         if (mesh.isVertex(v) && !vertices.emplace(bitsOf(mesh.latticePoint(v)), v).second)
@@ -42,9 +40,7 @@ std::string mirror_asserts::asymmetry(const Mesh& mesh, core::Symmetry plane)
     }
     std::map<Slot, Slot> images;
     for (const auto& [bits, v] : vertices) {
-        Bits image = bits;
-        image[axis] = -image[axis];
-        const auto found = vertices.find(image);
+        const auto found = vertices.find(imageOf(bits));
         if (found == vertices.end())
             return at("no image of vertex", mesh, v);
         if (mesh.color(found->second) != mesh.color(v))
@@ -57,8 +53,25 @@ std::string mirror_asserts::asymmetry(const Mesh& mesh, core::Symmetry plane)
             faces.insert(turned(mesh.corners(f)));
     }
     for (const Triangle& t : faces) {
-        if (!faces.contains(turned({images[t[0]], images[t[2]], images[t[1]]})))
+        if (!faces.contains(turned({images[t[0]], images[t[isTurnedOver ? 2 : 1]], images[t[isTurnedOver ? 1 : 2]]})))
             return at("no image of a face with vertex", mesh, t[0]);
     }
     return {};
+}
+} // namespace
+
+std::string mirror_asserts::asymmetry(const Mesh& mesh, core::Symmetry plane)
+{
+    const std::size_t axis = static_cast<std::size_t>(plane) - static_cast<std::size_t>(core::Symmetry::X);
+    const auto imageOf = [axis](Bits bits) {
+        bits[axis] = -bits[axis];
+        return bits;
+    };
+    return unlikeImage(mesh, imageOf, true);
+}
+
+std::string mirror_asserts::turnedAsymmetry(const Mesh& mesh, int parts)
+{
+    const auto imageOf = [parts](const Bits& bits) { return parts == 2 ? Bits{-bits[0], bits[1], -bits[2]} : Bits{bits[2], bits[1], -bits[0]}; };
+    return unlikeImage(mesh, imageOf, false);
 }

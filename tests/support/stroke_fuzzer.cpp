@@ -48,6 +48,7 @@ core::Stroke StrokeFuzzer::stroke(const core::Mesh& mesh)
     s.add = below(2) == 0;
     s.fusion = below(3) != 0;
     s.symmetry = below(3) == 0 ? planes[below(3)] : core::Symmetry::None;
+    s.radial = below(14) == 0 ? 2 + static_cast<int>(below(6)) : 1;
     s.color = {static_cast<std::uint8_t>(below(256)), static_cast<std::uint8_t>(below(256)), 90};
     s.place = placements[below(3)];
     const double large = uniform(); // small ones more often; no std::pow: libraries round it differently

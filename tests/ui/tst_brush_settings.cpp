@@ -125,6 +125,24 @@ private Q_SLOTS:
         QCOMPARE(brush.stroke().symmetry, core::Symmetry::Z);
     }
 
+    void sectorsComeBackAsTheyWere()
+    {
+        ui::BrushSettings brush;
+        brush.setRadial(true);
+        QCOMPARE(brush.stroke().radial, 6);
+        brush.set(&core::StrokeSettings::radial, 4);
+        brush.setRadial(false);
+        QCOMPARE(brush.stroke().radial, 1);
+        brush.setRadial(true);
+        QCOMPARE(brush.stroke().radial, 4);
+        core::StrokeSettings other = brush.stroke();
+        other.radial = 9;
+        brush.take(other);
+        brush.setRadial(false);
+        brush.setRadial(true);
+        QCOMPARE(brush.stroke().radial, 9);
+    }
+
     void keysHeldChangeTheTool()
     {
         using core::Tool;

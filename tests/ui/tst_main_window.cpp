@@ -387,6 +387,17 @@ private Q_SLOTS:
         QCOMPARE(stroke.symmetry, core::Symmetry::None);
         QCOMPARE(planes->currentIndex(), 0);
 
+        auto* sectors = child<QSpinBox>(window, "radial");
+        auto* hint = child<QLabel>(window, "radialHint");
+        QVERIFY(sectors->text() == QStringLiteral("Off") && hint->isHidden() && !act(window, "symmetry.radial")->isChecked());
+        act(window, "symmetry.radial")->trigger();
+        QVERIFY(stroke.radial == 6 && sectors->value() == 6 && !hint->isHidden());
+        sectors->setValue(4);
+        QVERIFY(stroke.radial == 4 && hint->isHidden());
+        act(window, "symmetry.radial")->trigger();
+        act(window, "symmetry.radial")->trigger();
+        QVERIFY(stroke.radial == 4 && act(window, "symmetry.radial")->isChecked());
+
         child<QDoubleSpinBox>(window, "detail.box")->setValue(0.5);
         QCOMPARE(stroke.detail, 0.5);
     }

@@ -300,6 +300,10 @@ private Q_SLOTS:
             scene.tintBall(at(20), brush);
             QVERIFY(differs(bare, picture(), at(20)) > 15 && differs(bare, picture(), at(-20)) > 15);
             brush.symmetry = core::Symmetry::None;
+            brush.radial = 8;
+            scene.tintBall(at(20), brush);
+            QVERIFY(differs(bare, picture(), at(20)) > 15 && differs(bare, picture(), at(-20)) > 15);
+            brush.radial = 1;
             scene.tint(nullptr);
             QCOMPARE(differing(bare, picture()), 0);
         }

@@ -72,6 +72,8 @@ std::vector<PanelAction> wanted()
         all.push_back(vr::ShowPerformance{isOn});
         all.push_back(vr::ShowFloor{isOn});
     }
+    for (const int count : {1, 2, 3, 4, 6, 8})
+        all.push_back(vr::ChooseRadial{count});
     for (int i = 0; i < 3; ++i)
         all.push_back(vr::ChooseChannel{i});
     for (int i = 0; i <= static_cast<int>(vr::PanelSlider::Hold); ++i)

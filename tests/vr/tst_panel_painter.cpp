@@ -289,6 +289,7 @@ void TestPanelPainter::aValue_isSeen_data()
     row("brush", 0, [](vr::ToolPanel& panel) { panel.brush = core::BrushShape::Ray; });
     row("topology", 0, [](vr::ToolPanel& panel) { panel.topology = core::Topology::Uniform; });
     row("symmetry", 0, [](vr::ToolPanel& panel) { panel.isSymmetric = true; });
+    row("sectors", 0, [](vr::ToolPanel& panel) { panel.radial = 6; });
     row("inverse", 0, [](vr::ToolPanel& panel) { panel.isInverse = true; });
     row("undo", 0, [](vr::ToolPanel& panel) { panel.canUndo = true; });
     row("redo", 0, [](vr::ToolPanel& panel) { panel.canRedo = true; });

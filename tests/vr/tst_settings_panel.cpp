@@ -111,7 +111,7 @@ void TestSettingsPanel::whatIsNoSetting_changesNothing()
     const PanelAction others[] = {vr::PanelCommand::LeaveVr, core::Tool::Paint,          core::BrushShape::Ray,
                                   core::Topology::Uniform,   SettingsPage::Feel,         vr::ShowPanel{},
                                   vr::ShowPage{2},           vr::ChooseChannel{2},       vr::ChooseColor{{1, 2, 3}},
-                                  vr::ChooseSymmetry{},      Slide{PanelSlider::Red, 7}, vr::OpenFile{},
+                                  vr::ChooseSymmetry{},      vr::ChooseRadial{6},       Slide{PanelSlider::Red, 7}, vr::OpenFile{},
                                   vr::ChooseFile{}};
     for (const PanelAction& action : others)
         QVERIFY(after(action) == HeadsetChoice());

@@ -39,6 +39,12 @@ struct ChooseSymmetry
     bool operator==(const ChooseSymmetry&) const = default;
 };
 
+struct ChooseRadial
+{
+    int count = 1; ///< of sectors; 1: none
+    bool operator==(const ChooseRadial&) const = default;
+};
+
 struct ChooseChannel
 {
     int channel = 0; ///< 0 red, 1 green, 2 blue
@@ -114,7 +120,7 @@ struct Slide
 
 /// What a person wants by an item of a panel.
 using PanelAction = std::variant<PanelCommand, core::Tool, core::BrushShape, core::Topology, Preset, SettingsPage,
-                                 ShowPanel, ChooseSymmetry, ChooseChannel, ChooseColor, ShowPage, ChooseFile, OpenFile,
+                                 ShowPanel, ChooseSymmetry, ChooseRadial, ChooseChannel, ChooseColor, ShowPage, ChooseFile, OpenFile,
                                  ChooseHand, ShowPerformance, ShowFloor, Slide>;
 
 /// Whether one item wants both: sliders want one thing after the other.

@@ -26,6 +26,7 @@ public:
     core::BrushShape brush = core::BrushShape::Sphere;
     core::Topology topology = core::Topology::Adaptive;
     bool isSymmetric = false;
+    int radial = 1; ///< sectors
     bool isInverse = false; ///< strokes do the opposite
     bool canUndo = false, canRedo = false;
     bool canRestore = true;

@@ -101,6 +101,10 @@ PanelLayout ToolPanel::layout() const
                        {tr("Uniform"), QStringLiteral("uniform"), Topology::Uniform, topology == Topology::Uniform}});
     builder.addSwitch(tr("Symmetry"), toolNameWidth, {isSymmetric ? tr("On") : tr("Off"), isSymmetric},
                       ChooseSymmetry{!isSymmetric});
+    std::vector<PanelChoice> sectors;
+    for (const int count : {1, 2, 3, 4, 6, 8})
+        sectors.push_back({count == 1 ? tr("Off") : QString::number(count), {}, ChooseRadial{count}, count == radial});
+    builder.addChoice(tr("Radial"), toolNameWidth, sectors);
     builder.skip(groupGap);
     addDoors(builder);
     return builder.finished();

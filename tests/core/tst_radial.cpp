@@ -1,0 +1,504 @@
+// Sculpting in several sectors about y: bit for bit alike by half and quarter turns, as alike as the lattice allows by others; every result is
+// judged.
+#include "core/deform.h"
+#include "core/mesh_build.h"
+#include "core/sculptor.h"
+#include "core/sectors.h"
+#include "tests/support/cgal_judge.h"
+#include "tests/support/mesh_asserts.h"
+#include "tests/support/mirror_asserts.h"
+#include "tests/support/shapes.h"
+
+#include <QTest>
+
+#include <cmath>
+
+using core::DabOutcome;
+using core::DabReport;
+using core::Mesh;
+using core::Sculptor;
+using core::Slot;
+using core::StrokeSettings;
+using core::Symmetry;
+using core::Tool;
+using core::Turn;
+using core::Vec3;
+
+Q_DECLARE_METATYPE(core::Tool)
+Q_DECLARE_METATYPE(core::Symmetry)
+
+namespace
+{
+constexpr double ballRadius = 50, pi = 3.14159265358979323846;
+
+/// A ball from an octahedron: its own image by quarter turns about y. 100 mm across.
+core::TriangleMesh octasphere(int subdivisions)
+{
+    core::TriangleMesh mesh;
+    mesh.points = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    for (Slot top : {2u, 3u}) {
+        const std::array<Slot, 4> around = top == 2 ? std::array<Slot, 4>{0, 5, 1, 4} : std::array<Slot, 4>{0, 4, 1, 5};
+        for (std::size_t i = 0; i < 4; ++i)
+            mesh.triangles.push_back({around[i], around[(i + 1) % 4], top});
+    }
+    for (int level = 0; level < subdivisions; ++level) {
+        std::map<std::pair<Slot, Slot>, Slot> middles;
+        const auto middle = [&](Slot a, Slot b) {
+            const auto [known, isNew] = middles.emplace(std::minmax(a, b), static_cast<Slot>(mesh.points.size()));
+            if (isNew)
+                mesh.points.push_back(0.5f * (mesh.points[a] + mesh.points[b]));
+            return known->second;
+        };
+        std::vector<core::Triangle> finer;
+        for (const auto& [a, b, c] : mesh.triangles) {
+            const Slot ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+            finer.insert(finer.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+        }
+        mesh.triangles = std::move(finer);
+    }
+    for (core::Vec3f& p : mesh.points) { // |x| and |z| in one order, for the sums of images to have the same bits
+        const float x = std::max(std::abs(p.x()), std::abs(p.z())), z = std::min(std::abs(p.x()), std::abs(p.z()));
+        p *= float(ballRadius) / std::sqrt(x * x + z * z + p.y() * p.y());
+    }
+    return mesh;
+}
+
+std::unique_ptr<Sculptor> ball(int subdivisions = 5)
+{
+    return std::make_unique<Sculptor>(mesh_asserts::sculptable(octasphere(subdivisions)));
+}
+
+StrokeSettings settingsOf(Tool tool, int radial, Symmetry symmetry = Symmetry::None)
+{
+    StrokeSettings settings;
+    settings.tool = tool;
+    settings.radius = 8;
+    settings.radial = radial;
+    settings.symmetry = symmetry;
+    settings.color = {30, 60, 200};
+    return settings;
+}
+
+std::vector<DabReport> stroke(Sculptor& sculptor, const StrokeSettings& settings, const std::vector<Vec3>& path, core::MeshDelta* delta = nullptr)
+{
+    std::vector<DabReport> reports;
+    sculptor.beginStroke(settings);
+    for (const Vec3& at : path) {
+        core::StrokeSample sample;
+        sample.position = at;
+        const std::vector<DabReport> more = sculptor.addSample(sample);
+        reports.insert(reports.end(), more.begin(), more.end());
+    }
+    core::MeshDelta end = sculptor.endStroke();
+    if (delta)
+        *delta = std::move(end);
+    return reports;
+}
+
+Vec3 onBall(double longitude, double latitude)
+{
+    const double l = longitude * pi / 180, b = latitude * pi / 180;
+    return ballRadius * Vec3(std::sin(l) * std::cos(b), std::sin(b), std::cos(l) * std::cos(b));
+}
+
+/// Between the planes x = 0 and x = z, away from both.
+std::vector<Vec3> path()
+{
+    std::vector<Vec3> path;
+    for (int i = 0; i < 5; ++i)
+        path.push_back((1 + 0.01 * i) * onBall(20 + 1.5 * i, 4 * i));
+    return path;
+}
+
+bool isSound(const Sculptor& sculptor)
+{
+    const auto verdict = judgedByCgal(core::extractMesh(sculptor.mesh()));
+    return verdict && verdict->allWell() && mesh_asserts::brokenLinks(sculptor.mesh()).empty() && sculptor.indexIsConsistent();
+}
+
+/// Of the points no farther than `within` from the line from the origin through `at`, the farthest out.
+double heightAt(const Mesh& mesh, const Vec3& at, double within = 3)
+{
+    double most = 0;
+    const Vec3 way = at.normalized();
+    for (Slot v = 0; v < mesh.slots().vertices; ++v) {
+        const Vec3 p = mesh.isVertex(v) ? Vec3(mesh.point(v).cast<double>()) : Vec3::Zero();
+        if (const double along = p.dot(way); (p - along * way).norm() <= within)
+            most = std::max(most, along);
+    }
+    return most;
+}
+
+Vec3 inSector(int k, int n, const Vec3& p)
+{
+    return Turn::part(k, n) * p;
+}
+
+void addTools()
+{
+    QTest::addColumn<Tool>("tool");
+    QTest::addColumn<int>("radial");
+    QTest::addColumn<Symmetry>("plane");
+    for (std::size_t i = 0; i < core::toolNames().size(); ++i) {
+        for (const int radial : {2, 4}) {
+            for (const Symmetry plane : {Symmetry::None, Symmetry::X})
+                QTest::addRow("%s, %d, %s", core::toolNames()[i].data(), radial, core::name(plane).data()) << static_cast<Tool>(i) << radial << plane;
+        }
+    }
+}
+} // namespace
+
+class TestRadial : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void turns_areExactByQuarters();
+    void exact_data() { addTools(); }
+    void exact();
+    void exactTwofold_onTheStarterBall();
+    void sixfold_isExactByHalfTurns();
+    void everySector_getsItsDab_data();
+    void everySector_getsItsDab();
+    void everyTool_staysSound_data();
+    void everyTool_staysSound();
+    void withAPlane_eachSectorIsMirrored();
+    void onTheAxis_isOneDab_data();
+    void onTheAxis_isOneDab();
+    void besideTheAxis_staysSound_data();
+    void besideTheAxis_staysSound();
+    void noisyModel_isDoneOneAfterTheOther();
+    void paintedModel_keepsItsColours();
+    void heldClay_isHeldInEachSector_data();
+    void heldClay_isHeldInEachSector();
+    void spheres_areAddedInEachSector();
+    void hook_seesSoundMeshes();
+    void undone_data() { addTools(); }
+    void undone();
+    void footprint_hasAllSectors();
+    void unusableCount_isAnEmptyDab();
+};
+
+void TestRadial::turns_areExactByQuarters()
+{
+    const Vec3 p(3, 5, 7);
+    QCOMPARE(inSector(1, 4, p), Vec3(7, 5, -3));
+    QCOMPARE(inSector(1, 2, p), Vec3(-3, 5, -7));
+    QCOMPARE(inSector(6, 8, p), Vec3(-7, 5, 3));
+    for (int n = 1; n <= core::mostRadial; ++n) {
+        for (int k = 0; k < n; ++k) {
+            const Turn turn = Turn::part(k, n);
+            QVERIFY(std::abs(turn.cosine - std::cos(2 * pi * k / n)) < 4e-15 && std::abs(turn.sine - std::sin(2 * pi * k / n)) < 4e-15);
+        }
+    }
+}
+
+/// Also: undone it is as before, and done again it has the same bits.
+void TestRadial::exact()
+{
+    QFETCH(Tool, tool);
+    QFETCH(int, radial);
+    QFETCH(Symmetry, plane);
+    const auto sculptor = ball();
+    QCOMPARE(mirror_asserts::turnedAsymmetry(sculptor->mesh(), 4), std::string());
+    const std::uint64_t start = sculptor->mesh().stateHash();
+    const StrokeSettings settings = settingsOf(tool, radial, plane);
+    core::MeshDelta delta;
+    for (const DabReport& report : stroke(*sculptor, settings, path(), &delta))
+        QVERIFY(!report.apart && !report.asymmetric && report.outcome != DabOutcome::Empty);
+    QVERIFY(!delta.empty());
+    QCOMPARE(mirror_asserts::turnedAsymmetry(sculptor->mesh(), radial), std::string());
+    if (plane != Symmetry::None)
+        VERIFY_SYMMETRIC(sculptor->mesh(), plane);
+    QVERIFY(isSound(*sculptor));
+    const std::uint64_t end = sculptor->mesh().stateHash();
+    sculptor->swap(delta);
+    QCOMPARE(sculptor->mesh().stateHash(), start);
+    stroke(*sculptor, settings, path());
+    QCOMPARE(sculptor->mesh().stateHash(), end);
+}
+
+/// One stroke after the other, each across what was done before.
+void TestRadial::exactTwofold_onTheStarterBall()
+{
+    Sculptor sculptor(mesh_asserts::sculptable(core::icosphere(5, ballRadius)));
+    QCOMPARE(mirror_asserts::turnedAsymmetry(sculptor.mesh(), 2), std::string());
+    for (std::size_t tool = 0; tool < core::toolNames().size(); ++tool) {
+        for (const DabReport& report : stroke(sculptor, settingsOf(static_cast<Tool>(tool), 2), path()))
+            QVERIFY(!report.apart);
+        QCOMPARE(mirror_asserts::turnedAsymmetry(sculptor.mesh(), 2), std::string());
+    }
+    QVERIFY(isSound(sculptor));
+}
+
+void TestRadial::sixfold_isExactByHalfTurns()
+{
+    const auto sculptor = ball();
+    for (const DabReport& report : stroke(*sculptor, settingsOf(Tool::Crease, 6), path()))
+        QVERIFY(!report.apart); // it is no promise with this count
+    QCOMPARE(mirror_asserts::turnedAsymmetry(sculptor->mesh(), 2), std::string());
+    QVERIFY(isSound(*sculptor));
+}
+
+void TestRadial::everySector_getsItsDab_data()
+{
+    QTest::addColumn<int>("radial");
+    for (const int radial : {2, 3, 4, 5, 6, 7, 12})
+        QTest::addRow("%d", radial) << radial;
+}
+
+void TestRadial::everySector_getsItsDab()
+{
+    QFETCH(int, radial);
+    const auto sculptor = ball();
+    const Vec3 at = onBall(20, 10);
+    stroke(*sculptor, settingsOf(Tool::Pull, radial), {at, at, at});
+    const double first = heightAt(sculptor->mesh(), at) - ballRadius;
+    QVERIFY(first > 1.5);
+    for (int k = 1; k < radial; ++k) {
+        const double height = heightAt(sculptor->mesh(), inSector(k, radial, at)) - ballRadius;
+        QVERIFY2(std::abs(height - first) < 0.04 * first, qPrintable(QStringLiteral("%1 and %2").arg(height).arg(first)));
+    }
+    QVERIFY(std::abs(heightAt(sculptor->mesh(), onBall(20 + 180.0 / radial, 10)) - ballRadius) < 0.1 || radial > 6);
+    QVERIFY(isSound(*sculptor));
+}
+
+void TestRadial::everyTool_staysSound_data()
+{
+    QTest::addColumn<Tool>("tool");
+    for (std::size_t i = 0; i < core::toolNames().size(); ++i)
+        QTest::newRow(core::toolNames()[i].data()) << static_cast<Tool>(i);
+}
+
+/// Five sectors, which overlap near the pole.
+void TestRadial::everyTool_staysSound()
+{
+    QFETCH(Tool, tool);
+    const auto sculptor = ball();
+    StrokeSettings settings = settingsOf(tool, 5, Symmetry::Z);
+    settings.radius = 12;
+    std::vector<Vec3> upwards;
+    for (int i = 0; i < 6; ++i)
+        upwards.push_back(onBall(20, 55 + 8 * i));
+    stroke(*sculptor, settings, upwards);
+    QVERIFY(isSound(*sculptor));
+}
+
+void TestRadial::withAPlane_eachSectorIsMirrored()
+{
+    const auto sculptor = ball();
+    const Vec3 at = onBall(12, 10);
+    stroke(*sculptor, settingsOf(Tool::Pull, 6, Symmetry::X), {at, at, at});
+    const double first = heightAt(sculptor->mesh(), at) - ballRadius;
+    QVERIFY(first > 1.5);
+    for (int k = 0; k < 6; ++k) {
+        Vec3 place = inSector(k, 6, at);
+        for (int side = 0; side < 2; ++side, place.x() = -place.x()) {
+            const double height = heightAt(sculptor->mesh(), place) - ballRadius;
+            QVERIFY2(std::abs(height - first) < 0.1 * first, qPrintable(QStringLiteral("%1 and %2").arg(height).arg(first)));
+        }
+    }
+    QVERIFY(isSound(*sculptor));
+}
+
+void TestRadial::onTheAxis_isOneDab_data()
+{
+    everySector_getsItsDab_data();
+}
+
+void TestRadial::onTheAxis_isOneDab()
+{
+    QFETCH(int, radial);
+    const auto once = ball(), often = ball(), beside = ball();
+    const Vec3 pole(0, ballRadius, 0);
+    stroke(*once, settingsOf(Tool::Pull, 1), {pole});
+    const std::vector<DabReport> reports = stroke(*often, settingsOf(Tool::Pull, radial), {pole});
+    QCOMPARE(often->mesh().stateHash(), once->mesh().stateHash());
+    QCOMPARE(reports.at(0).apart, radial == 2 || radial == 4); // no promise, but with these
+    stroke(*beside, settingsOf(Tool::Pull, radial), {pole + Vec3(0.02, 0, 0.01)}); // nor is it another a little beside
+    QVERIFY(std::abs(heightAt(beside->mesh(), pole) - heightAt(once->mesh(), pole)) < 0.1);
+    QVERIFY(isSound(*often) && isSound(*beside));
+}
+
+void TestRadial::besideTheAxis_staysSound_data()
+{
+    addTools();
+}
+
+void TestRadial::besideTheAxis_staysSound()
+{
+    QFETCH(Tool, tool);
+    QFETCH(int, radial);
+    QFETCH(Symmetry, plane);
+    const auto sculptor = ball();
+    const std::vector<DabReport> reports = stroke(*sculptor, settingsOf(tool, radial, plane), {onBall(20, 84), onBall(20, 77), onBall(20, 90), onBall(200, 84)});
+    QVERIFY(std::ranges::any_of(reports, &DabReport::apart));
+    QVERIFY(isSound(*sculptor));
+}
+
+void TestRadial::noisyModel_isDoneOneAfterTheOther()
+{
+    Sculptor sculptor(mesh_asserts::sculptable(shapes::noisy(octasphere(5), 0.05f, 3)));
+    const Vec3 at = onBall(20, 10);
+    for (const DabReport& report : stroke(sculptor, settingsOf(Tool::Pull, 4), {at, at, at}))
+        QVERIFY(report.apart && report.outcome == DabOutcome::Committed);
+    const double first = heightAt(sculptor.mesh(), at) - ballRadius;
+    QVERIFY(first > 1.5);
+    for (int k = 1; k < 4; ++k)
+        QVERIFY(std::abs(heightAt(sculptor.mesh(), inSector(k, 4, at)) - ballRadius - first) < 0.1 * first);
+    QVERIFY(isSound(sculptor));
+}
+
+/// What one sector has been painted with does not come to the others.
+void TestRadial::paintedModel_keepsItsColours()
+{
+    const auto sculptor = ball();
+    StrokeSettings red = settingsOf(Tool::Paint, 1);
+    red.color = {255, 0, 0};
+    red.falloff = 0;
+    red.radius = 16;
+    stroke(*sculptor, red, {onBall(20, 10)});
+    const auto reds = [&] {
+        int sectors = 0;
+        const Mesh& mesh = sculptor->mesh();
+        for (int k = 0; k < 4; ++k) {
+            const auto isRed = [&](Slot v) {
+                return mesh.isVertex(v) && mesh.color(v).g < 100 && (inSector(k, 4, onBall(20, 10)) - mesh.point(v).cast<double>()).norm() < 12;
+            };
+            bool has = false;
+            for (Slot v = 0; v < mesh.slots().vertices; ++v)
+                has = has || isRed(v);
+            sectors += has ? 1 : 0;
+        }
+        return sectors;
+    };
+    QCOMPARE(reds(), 1);
+    for (const DabReport& report : stroke(*sculptor, settingsOf(Tool::Inflate, 4), path()))
+        QVERIFY(report.apart);
+    QCOMPARE(reds(), 1);
+    QVERIFY(isSound(*sculptor));
+}
+
+void TestRadial::heldClay_isHeldInEachSector_data()
+{
+    QTest::addColumn<Tool>("tool");
+    QTest::addColumn<Symmetry>("plane");
+    QTest::addColumn<bool>("meets");
+    for (const Tool tool : {Tool::Grab, Tool::Snake}) {
+        for (const Symmetry plane : {Symmetry::None, Symmetry::X}) {
+            for (const bool meets : {false, true})
+                QTest::addRow("%s, %s, %s", core::name(tool).data(), core::name(plane).data(), meets ? "meets" : "stays apart") << tool << plane << meets;
+        }
+    }
+}
+
+/// Drawn outwards; or first of all turned in a band that the next sectors' reaches, so that the sectors go on by themselves: what each holds
+/// comes along as far.
+void TestRadial::heldClay_isHeldInEachSector()
+{
+    QFETCH(Tool, tool);
+    QFETCH(Symmetry, plane);
+    QFETCH(bool, meets);
+    Sculptor sculptor(mesh_asserts::sculptable(octasphere(5)));
+    StrokeSettings settings = settingsOf(tool, 4, plane);
+    settings.radius = 12;
+    const Vec3 at = onBall(22, 0);
+    sculptor.beginStroke(settings);
+    bool apart = false;
+    for (int i = 0; i < 9; ++i) {
+        if (meets && i == 4) { // from the middle of the stroke on the model is another in one sector
+            sculptor.endStroke();
+            StrokeSettings dent = settingsOf(Tool::Push, 1);
+            stroke(sculptor, dent, {inSector(1, 4, onBall(22, 14))});
+            sculptor.beginStroke(settings);
+        }
+        core::StrokeSample sample;
+        sample.position = (1 + 0.03 * i) * at;
+        for (const DabReport& report : sculptor.addSample(sample))
+            apart = apart || report.apart;
+    }
+    sculptor.endStroke();
+    QCOMPARE(apart, meets);
+    const double first = heightAt(sculptor.mesh(), at) - ballRadius;
+    QVERIFY(first > 5);
+    for (int k = 1; k < 4; ++k) {
+        const double height = heightAt(sculptor.mesh(), inSector(k, 4, at)) - ballRadius;
+        QVERIFY2(std::abs(height - first) < 0.06 * first, qPrintable(QStringLiteral("%1 and %2").arg(height).arg(first)));
+    }
+    QVERIFY(isSound(sculptor));
+}
+
+void TestRadial::spheres_areAddedInEachSector()
+{
+    for (const int radial : {3, 4}) {
+        const auto sculptor = ball(3);
+        StrokeSettings settings = settingsOf(Tool::Pull, radial);
+        settings.add = true;
+        const std::vector<DabReport> reports = stroke(*sculptor, settings, {1.5 * onBall(20, 10)});
+        QVERIFY(reports.at(0).outcome == DabOutcome::Added);
+        QCOMPARE(mesh_asserts::eulerNumber(sculptor->mesh()), 2 * (radial + 1));
+        QVERIFY(isSound(*sculptor));
+        if (radial == 4)
+            QCOMPARE(mirror_asserts::turnedAsymmetry(sculptor->mesh(), 4), std::string());
+        const std::vector<DabReport> more = stroke(*sculptor, settings, {Vec3(4, 70, 0)}); // they would be in each other
+        QVERIFY(more.at(0).outcome == DabOutcome::Refused && more.at(0).refusal == core::Refusal::TooClose);
+        QVERIFY(isSound(*sculptor));
+    }
+}
+
+void TestRadial::hook_seesSoundMeshes()
+{
+    const auto sculptor = ball(4);
+    int calls = 0;
+    std::string broken;
+    sculptor->setBetweenSubsteps([&] {
+        ++calls;
+        if (broken.empty())
+            broken = mesh_asserts::brokenLinks(sculptor->mesh());
+        if (broken.empty() && !mesh_asserts::badFaces(sculptor->mesh()).empty())
+            broken = "faces meet";
+    });
+    StrokeSettings settings = settingsOf(Tool::Pull, 4);
+    settings.strength = 4;
+    stroke(*sculptor, settings, {onBall(20, 10), onBall(20, 76)});
+    QVERIFY(calls >= 8);
+    QCOMPARE(broken, std::string());
+}
+
+/// hash(A, undo, B) = hash(B): what the sectors held or raised is no more.
+void TestRadial::undone()
+{
+    QFETCH(Tool, tool);
+    QFETCH(int, radial);
+    QFETCH(Symmetry, plane);
+    const auto used = ball(4), fresh = ball(4);
+    const StrokeSettings settings = settingsOf(tool, radial, plane);
+    core::MeshDelta delta;
+    stroke(*used, settings, {onBall(20, 70), onBall(25, 60), onBall(30, 50)}, &delta);
+    used->swap(delta);
+    QCOMPARE(used->mesh().stateHash(), fresh->mesh().stateHash());
+    for (Sculptor* sculptor : {used.get(), fresh.get()})
+        stroke(*sculptor, settings, path());
+    QCOMPARE(used->mesh().stateHash(), fresh->mesh().stateHash());
+}
+
+void TestRadial::footprint_hasAllSectors()
+{
+    const auto sculptor = ball(4);
+    const std::size_t one = sculptor->footprint(settingsOf(Tool::Pull, 1), onBall(20, 10)).slots.size();
+    QVERIFY(one > 5);
+    QCOMPARE(sculptor->footprint(settingsOf(Tool::Pull, 4), onBall(20, 10)).slots.size(), 4 * one);
+    QCOMPARE(sculptor->footprint(settingsOf(Tool::Pull, 4, Symmetry::X), onBall(20, 10)).slots.size(), 8 * one);
+}
+
+void TestRadial::unusableCount_isAnEmptyDab()
+{
+    const auto sculptor = ball(3);
+    const std::uint64_t before = sculptor->mesh().stateHash();
+    for (const int radial : {0, -1, core::mostRadial + 1})
+        QVERIFY(stroke(*sculptor, settingsOf(Tool::Pull, radial), {onBall(20, 10)}).at(0).outcome == DabOutcome::Empty);
+    QCOMPARE(sculptor->mesh().stateHash(), before);
+}
+
+QTEST_GUILESS_MAIN(TestRadial)
+#include "tst_radial.moc"
