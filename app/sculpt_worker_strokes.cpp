@@ -21,7 +21,7 @@ bool isInHand(const std::optional<core::StrokeSettings>& brush)
 
 bool mayAdd(const core::StrokeSettings& settings)
 {
-    return settings.add && settings.tool == core::Tool::Pull && isInHand(settings);
+    return settings.add && core::addsSolids(settings.tool) && isInHand(settings);
 }
 
 std::uint64_t meetingsOf(const core::Sculptor& sculptor)

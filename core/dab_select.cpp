@@ -86,20 +86,22 @@ Footprint DabEngine::footprint(const StrokeSettings& settings, const Vec3& cente
 {
     Footprint footprint;
     std::vector<Slot> candidates;
-    const auto add = [&](const Vec3& at) {
-        select(m_footprint, candidates, settings.brush, {at, settings.radius}, Footprint::most);
+    const auto add = [&](const Dab& dab) {
+        select(m_footprint, candidates, settings.brush, {dab.position, dab.radius}, Footprint::most);
+        const DabWeights weights(m_footprint, m_mesh, settings, dab);
         m_footprint.forEach([&](Slot v) {
-            const double share = falloff(std::min(m_footprint.distance(v) / settings.radius, 1.0), settings.falloff);
             footprint.slots.push_back(v);
-            footprint.weights.push_back(static_cast<std::uint8_t>(1 + 254 * share));
+            footprint.weights.push_back(static_cast<std::uint8_t>(1 + 254 * weights.of(v)));
         });
     };
-    add(center);
+    Dab dab;
+    dab.position = center;
+    dab.radius = settings.radius;
+    add(dab);
     if (settings.symmetry != Symmetry::None) {
-        Vec3 image = center;
-        double& across = image[static_cast<int>(settings.symmetry) - static_cast<int>(Symmetry::X)];
-        across = -across;
-        add(image);
+        MirrorMap image(m_mesh);
+        image.setPlane(settings.symmetry);
+        add(image.imageOf(dab));
     }
     return footprint;
 }
@@ -113,13 +115,24 @@ void DabEngine::selectRefined(Region& region, const Sphere& ball)
     selectGeodesic(region, candidates, m_mesh, ball);
 }
 
-bool DabEngine::wantsSphere(const StrokeSettings& settings, const Dab& dab) const
+bool DabEngine::wantsSolid(const StrokeSettings& settings, const Dab& dab) const
 {
-    if (!settings.add || settings.tool != Tool::Pull || settings.brush != BrushShape::Sphere ||
+    if (!settings.add || !addsSolids(settings.tool) || settings.brush != BrushShape::Sphere ||
         settings.place != Placement::Point || !m_region.empty())
         return false;
     const std::optional<SurfaceHit> nearest = nearestPoint(m_mesh, m_surface.octree(), dab.position);
     return !nearest || nearest->distance > dab.radius; // else a face is under the brush, if no vertex is
+}
+
+/// Of a half that stands for both: the larger of what the dab gives to v and to its image, which only under an alpha can be the latter.
+double DabEngine::paintedShare(const DabWeights& weights, const Dab& dab, Slot v)
+{
+    const double share = weights.of(v);
+    if (!m_mirror.isOn())
+        return share;
+    const Vec3 image = m_mirror.imageOf(Vec3(m_mesh.point(v).cast<double>()));
+    const double distance = (image - dab.position).norm();
+    return distance <= dab.radius ? std::max(share, weights.at(image, distance)) : share;
 }
 
 /// Colours the region (paper, section 3.5.3); moves nothing and remeshes nothing.
@@ -134,9 +147,9 @@ void DabEngine::paint(const StrokeSettings& settings, const Dab& dab, DabReport&
         if (after != before)
             m_mesh.setColor(v, after);
     };
+    const DabWeights weights(m_region, m_mesh, settings, dab);
     m_region.forEach([&](Slot v) {
-        const double x = std::min(m_region.distance(v) / dab.radius, 1.0);
-        const double share = std::min(dab.strength, 1.0) * falloff(x, settings.falloff);
+        const double share = std::min(dab.strength, 1.0) * paintedShare(weights, dab, v);
         colour(v, share);
         const Slot image = m_mirror.isOn() ? m_mirror.imageOf(v) : v;
         if (image != v)

@@ -6,8 +6,11 @@
 
 namespace core
 {
-/// Free topology (paper, section 3.5.1): adds a sphere to the surface if it lies outside the model, clear of it and inside
-/// the working volume. With a mirror (or none: null) its image is added too, or neither is; a sphere whose centre is on the
-/// plane is its own image, another must be clear of its image. A refused one changes nothing. Precondition: a stroke is open.
-DabReport addSphere(JudgedMesh& surface, const Sphere& ball, const MirrorMap* mirror);
+class BrushModel;
+
+/// Free topology (paper, section 3.5.1): adds a sphere of the dab's radius, or the brush's model in it, upright, if that sphere lies outside
+/// the surface, clear of it and inside the working volume. With a mirror (or none: null) its image is added too, or neither is; one
+/// whose centre is on the plane is its own image, or a model is taken for that, another must be clear of its image. A refused one changes
+/// nothing. Precondition: a stroke is open.
+DabReport addSolid(JudgedMesh& surface, const BrushModel* model, const Dab& dab, const MirrorMap* mirror);
 } // namespace core

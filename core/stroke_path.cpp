@@ -6,6 +6,9 @@ namespace core
 {
 namespace
 {
+/// Stamps of a stroke stand beside each other: one in another's imprint would go ever deeper.
+constexpr double leastStampSpacing = 2;
+
 /// Between two samples; everything but the rotation is linear. The rotation is the later one's: samples are dense.
 StrokeSample interpolate(const StrokeSample& a, const StrokeSample& b, double t)
 {
@@ -40,7 +43,8 @@ std::optional<StrokePath::Due> StrokePath::next(const CenterOf& centerOf)
         const Due arrived = arriveAtTarget(end);
         return dabDue ? std::optional(arrived) : std::nullopt;
     }
-    const double step = m_settings.spacing * end.dab.radius;
+    const double spacing = m_settings.tool == Tool::Stamp ? std::max(m_settings.spacing, leastStampSpacing) : m_settings.spacing;
+    const double step = spacing * end.dab.radius;
     const double segment = (end.dab.position - *m_center).norm();
     if (!m_dabsLeft)
         m_dabsLeft = static_cast<int>(std::min(mostTimesLonger * (m_travelled + segment) / step, double(mostDabsPerSample)));
@@ -78,6 +82,8 @@ StrokePath::Due StrokePath::due(const StrokeSample& sample, const CenterOf& cent
     result.hasCenter = center.has_value();
     result.dab.position = center.value_or(position);
     result.dab.direction = direction;
+    result.dab.up = inverse * Vec3::UnitY();
+    result.dab.ahead = inverse * -Vec3::UnitZ();
     result.dab.radius = sample.radius.value_or(m_settings.radius);
     result.dab.strength = sample.strength.value_or(m_settings.strength) * sample.pressure;
     return result;

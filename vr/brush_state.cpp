@@ -69,7 +69,7 @@ core::StrokeSettings strokeSettings(const BrushState& brush, const BeginStroke& 
     settings.place = core::Placement::Point;
     settings.radius = radiusOn(brush, room);
     settings.spacing = core::followsHand(settings.tool) ? 0 : wandSpacing;
-    settings.add = settings.tool == core::Tool::Pull && settings.brush == core::BrushShape::Sphere && !begin.goesOn;
+    settings.add = core::addsSolids(settings.tool) && settings.brush == core::BrushShape::Sphere && !begin.goesOn;
     return settings;
 }
 
