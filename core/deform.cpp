@@ -160,11 +160,18 @@ Field twist(const Dabbed& d)
     };
 }
 
+double longestEdge(const Mesh& mesh, Slot v)
+{
+    double longest2 = 0;
+    mesh.forEachOutgoing(v, [&](Slot h) { longest2 = std::max(longest2, (mesh.point(mesh.to(h)) - mesh.point(v)).cast<double>().squaredNorm()); });
+    return std::sqrt(longest2);
+}
+
 /// See stamp.h.
 Field stamp(const Dabbed& d)
 {
     return [&d, stamp = Stamp(frameOn(d.region, d.mesh, d.settings, d.dab), d.settings, d.dab)](Slot v, double) -> Vec3 {
-        return stamp.field(d.point(v));
+        return stamp.field(d.point(v), 0.5 * longestEdge(d.mesh, v));
     };
 }
 

@@ -24,6 +24,23 @@ Stamp::Stamp(const DabFrame& frame, const StrokeSettings& settings, const Dab& d
 {
 }
 
+Vec3 Stamp::field(const Vec3& p, double reach) const
+{
+    const auto wayAt = [&](double right, double up) { return way(p + reach * (right * m_frame.right + up * m_frame.up)); };
+    const double middle = wayAt(0, 0);
+    int inside = 0;
+    double sum = 0;
+    for (const double right : {-0.75, 0.75})
+        for (const double up : {-0.75, 0.75})
+            inside += wayAt(right, up) != 0 ? 1 : 0;
+    if (inside == (middle != 0 ? 4 : 0))
+        return m_share * middle * m_frame.normal;
+    for (const double right : {-0.75, -0.25, 0.25, 0.75})
+        for (const double up : {-0.75, -0.25, 0.25, 0.75})
+            sum += wayAt(right, up);
+    return m_share * (sum / 16) * m_frame.normal;
+}
+
 double Stamp::way(const Vec3& p) const
 {
     const Vec3 r = (p - m_center) / m_radius;

@@ -13,8 +13,9 @@ public:
 
     /// How far p is to go along the normal; 0 outside.
     double way(const Vec3& p) const;
-    /// The same as a vector, as far as the strength goes: all the way at most.
-    Vec3 field(const Vec3& p) const { return m_share * way(p) * m_frame.normal; }
+    /// The mean of that over the square of half side `reach` around p, as a vector and as far as the strength goes: all the way at most. So
+    /// an outline is as smooth as a mesh whose edges are that long can show it.
+    Vec3 field(const Vec3& p, double reach) const;
 
 private:
     DabFrame m_frame;
