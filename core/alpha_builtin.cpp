@@ -76,7 +76,7 @@ double shadeOfScales(double x, double y)
         const double cx = columns * std::round((x - shift) / columns) + shift, cy = rows * row - 1;
         const double d = distanceOf(x - cx, y - cy) / radius;
         if (d < 1)
-            return std::clamp(0.55 + 0.45 * (cy - y) / radius, 0.1, 1.0) * (1 - smoothStep(0.86, 1, d));
+            return std::clamp(0.6 + 0.55 * (cy - y) / radius, 0.1, 1.0) * (1 - smoothStep(0.86, 1, d));
     }
     return 0;
 }

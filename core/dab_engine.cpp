@@ -30,10 +30,12 @@ constexpr double movePerMinimum = 0.45;
 constexpr double mostSteps = 4096;
 constexpr int mostAttempts = 4 * 4096;
 constexpr double mostVertexMoves = 1 << 21;
+/// Of a stamp, which goes deep where other dabs scratch: taken with care, each of its many steps costs far more.
+constexpr int mostCarefulStampSteps = 16;
 /// A dab whose centre is farther from its image's than this, in radii, does not bring the two into contact.
 constexpr double farthestFromImage = 4;
 /// A line is sharp if the mesh along it is fine, and so is what an alpha or a stamp has in it.
-constexpr double lineDetail = 0.5, alphaDetail = 0.35, stampDetail = 0.25;
+constexpr double lineDetail = 0.5, shapeDetail = 0.35;
 /// Vertices of a dab that is only a rehearsal: where the mesh is far finer than elsewhere none is made.
 constexpr Slot mostRehearsed = 1024;
 /// What a core takes at a time.
@@ -47,10 +49,8 @@ double transactionsFor(double betweenNeighbours, const EdgeBounds& bounds)
 }
 double detailShare(const StrokeSettings& settings)
 {
-    if (settings.tool == Tool::Stamp)
-        return stampDetail;
-    if (settings.alpha && usesAlpha(settings.tool))
-        return alphaDetail;
+    if (settings.tool == Tool::Stamp || (settings.alpha && usesAlpha(settings.tool)))
+        return shapeDetail;
     return drawsLine(settings.tool) ? lineDetail : 1;
 }
 bool isAtRest(const StrokeSettings& settings, const Dab& dab)
@@ -152,8 +152,10 @@ void DabEngine::deform(Task& task, const std::function<void()>& between, DabRepo
 {
     report.outcome = DabOutcome::Committed;
     double moves = 0;
+    int carefulSteps = 0;
     for (int attempt = 0; task.steps == 0 || task.left > 0; ++attempt, moves += m_region.size()) {
-        const bool tooMuch = attempt >= mostAttempts || moves >= mostVertexMoves;
+        const bool isSlow = task.settings.tool == Tool::Stamp && carefulSteps >= mostCarefulStampSteps;
+        const bool tooMuch = attempt >= mostAttempts || moves >= mostVertexMoves || isSlow;
         const Substep result = tooMuch ? Substep::Stuck : substep(task, report);
         if (result == Substep::Again)
             continue;
@@ -171,8 +173,10 @@ void DabEngine::deform(Task& task, const std::function<void()>& between, DabRepo
         task.left -= task.ticks;
         task.eased = 0;
         task.ticks = std::min({2 * task.ticks, task.most, task.left});
-        if (result == Substep::Careful)
+        if (result == Substep::Careful) {
             report.outcome = DabOutcome::Careful;
+            ++carefulSteps;
+        }
         if (between)
             between();
     }

@@ -40,11 +40,13 @@ std::optional<StrokePath::Due> StrokePath::next(const CenterOf& centerOf)
     const bool everySample = m_settings.spacing == 0;
     if (everySample || !m_center || !end.hasCenter) {
         const bool dabDue = everySample || end.hasCenter;
+        m_stamped = end.dab.position;
         const Due arrived = arriveAtTarget(end);
         return dabDue ? std::optional(arrived) : std::nullopt;
     }
-    const double spacing = m_settings.tool == Tool::Stamp ? std::max(m_settings.spacing, leastStampSpacing) : m_settings.spacing;
-    const double step = spacing * end.dab.radius;
+    if (m_settings.tool == Tool::Stamp)
+        return nextStamp(end);
+    const double step = m_settings.spacing * end.dab.radius;
     const double segment = (end.dab.position - *m_center).norm();
     if (!m_dabsLeft)
         m_dabsLeft = static_cast<int>(std::min(mostTimesLonger * (m_travelled + segment) / step, double(mostDabsPerSample)));
@@ -62,6 +64,16 @@ std::optional<StrokePath::Due> StrokePath::next(const CenterOf& centerOf)
     m_center = result.hasCenter ? result.dab.position : between;
     m_travelled = 0;
     return result;
+}
+
+/// By the straight way from the one before: the path itself goes down into what that has pressed in.
+std::optional<StrokePath::Due> StrokePath::nextStamp(const Due& end)
+{
+    const Due arrived = arriveAtTarget(end);
+    if ((end.dab.position - m_stamped).norm() < std::max(m_settings.spacing, leastStampSpacing) * end.dab.radius)
+        return std::nullopt;
+    m_stamped = end.dab.position;
+    return arrived;
 }
 
 StrokePath::Due StrokePath::arriveAtTarget(const Due& due)

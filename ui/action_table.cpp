@@ -100,6 +100,9 @@ constexpr ActionInfo table[] = {
     {MenuId::Tool, "tool.twist", QT_TRANSLATE_NOOP("ui::Actions", "&Twist"),
      QT_TRANSLATE_NOOP("ui::Actions", "Turns what is under the brush around its middle, as far as you drag away. %1 turns it the other way, Shift smooths."),
      "O", "twist", false, Bar::Tools, true},
+    {MenuId::Tool, "tool.stamp", QT_TRANSLATE_NOOP("ui::Actions", "Sta&mp"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Presses a ball or a model of yours into the surface. %1 raises it instead, Shift smooths."), "D", "stamp", false, Bar::Tools,
+     true},
     {MenuId::Tool, "tool.paint", QT_TRANSLATE_NOOP("ui::Actions", "P&aint"),
      QT_TRANSLATE_NOOP("ui::Actions", "Colours the surface and leaves its shape. Shift smooths."), "5", "paint", true, Bar::Tools, true},
 

@@ -27,8 +27,10 @@ core::Rgb changedColor(core::Rgb color, const ChangeChannel& change)
 core::StrokeSettings effective(const BrushState& brush, const BeginStroke& begin)
 {
     core::StrokeSettings settings = brush.stroke;
-    if (begin.smooths)
+    if (begin.smooths) {
         settings.tool = core::Tool::Smooth;
+        settings.alpha = nullptr; // evenly
+    }
     return brush.isInverse ? core::opposite(settings) : settings;
 }
 
