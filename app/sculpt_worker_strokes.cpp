@@ -151,6 +151,6 @@ void SculptWorker::record(const core::MeshDelta& delta)
     const StepWords words = StrokeCommand::wordsOf(m_report);
     m_journal->changed(m_sculptor->mesh(), delta,
                        {words.text.toStdString(), words.marks.icon.toStdString(), words.marks.dabs, words.marks.fusions},
-                       core::Stroke{m_stroke.settings, std::exchange(m_samples, {})});
+                       core::Stroke{m_stroke.settings, std::exchange(m_samples, {}), {}, {}});
 }
 } // namespace app

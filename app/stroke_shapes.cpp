@@ -34,7 +34,8 @@ private:
     {
         core::StrokeFileError place(core::StrokeFileError::Kind::UnknownValue);
         place.stroke = index;
-        CommandLine::fail(tr("%1: %2: %3", "file: place: reason").arg(m_strokes, StrokeWords::place(place), reason));
+        const QString sentence = tr("%1: %2: %3", "file: place: reason").arg(m_strokes, StrokeWords::place(place), reason);
+        CommandLine::fail(sentence);
     }
 
     QString pathOf(const std::string& file) const

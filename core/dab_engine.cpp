@@ -35,7 +35,7 @@ constexpr int mostCarefulStampSteps = 16;
 /// A dab whose centre is farther from its image's than this, in radii, does not bring the two into contact.
 constexpr double farthestFromImage = 4;
 /// A line is sharp if the mesh along it is fine, and so is what an alpha or a stamp has in it.
-constexpr double lineDetail = 0.5, shapeDetail = 0.35;
+constexpr double lineDetail = 0.5, alphaDetail = 0.35, stampDetail = 0.28;
 /// Vertices of a dab that is only a rehearsal: where the mesh is far finer than elsewhere none is made.
 constexpr Slot mostRehearsed = 1024;
 /// What a core takes at a time.
@@ -49,8 +49,10 @@ double transactionsFor(double betweenNeighbours, const EdgeBounds& bounds)
 }
 double detailShare(const StrokeSettings& settings)
 {
-    if (settings.tool == Tool::Stamp || (settings.alpha && usesAlpha(settings.tool)))
-        return shapeDetail;
+    if (settings.tool == Tool::Stamp)
+        return stampDetail;
+    if (settings.alpha && usesAlpha(settings.tool))
+        return alphaDetail;
     return drawsLine(settings.tool) ? lineDetail : 1;
 }
 bool isAtRest(const StrokeSettings& settings, const Dab& dab)

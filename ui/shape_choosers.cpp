@@ -22,7 +22,7 @@ struct ShapeChoosers
     Q_DECLARE_TR_FUNCTIONS(ui::ShapeChoosers)
 };
 
-constexpr int picturePixels = 28;
+constexpr int picturePixels = 22;
 /// What the last entry holds: no source and no path is that.
 const QString loadWord = QStringLiteral("\n");
 

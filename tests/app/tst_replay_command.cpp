@@ -112,8 +112,13 @@ void TestReplayCommand::everyToolAndMode_isPlayed()
     }
     const Json& dabs = stats[0]["dabs"];
     QCOMPARE(dabs.size(), entries.size());
-    for (std::size_t i = 0; i < dabs.size(); ++i)
+    for (std::size_t i = 0; i < dabs.size(); ++i) {
+        if (entries[i]["tool"] == "stamp" && dabs[i]["outcome"] != "committed") { // deep, and over what others have left
+            QVERIFY2(dabs[i]["outcome"] == "careful" || dabs[i]["capped"] == true, (entries[i].dump() + dabs[i].dump()).c_str());
+            continue;
+        }
         QVERIFY2(dabs[i]["outcome"] == (i + 1 < dabs.size() ? "committed" : "added"), (entries[i].dump() + dabs[i].dump()).c_str());
+    }
     QCOMPARE(stats[0]["components"].get<int>(), 2);
     QVERIFY(stats[0]["mesh_hash"] == stats[1]["mesh_hash"]);
 }

@@ -7,6 +7,7 @@
 #include "ui/brush_shapes.h"
 #include "ui/main_window.h"
 
+#include <QBuffer>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QImage>
@@ -19,7 +20,8 @@ namespace
 {
 QByteArray bigEndian(quint32 value)
 {
-    return {{char(value >> 24), char(value >> 16), char(value >> 8), char(value)}};
+    const char bytes[] = {char(value >> 24), char(value >> 16), char(value >> 8), char(value)};
+    return {bytes, sizeof bytes};
 }
 
 /// A PNG's beginning, which promises a picture of that size.
