@@ -5,6 +5,7 @@
 #include "model_words.h"
 #include "process_usage.h"
 #include "replay_stats.h"
+#include "stroke_shapes.h"
 #include "stroke_words.h"
 
 #include "core/mesh_build.h"
@@ -221,6 +222,7 @@ std::vector<ReplayedDab> play(core::Sculptor& sculptor, const Entries& entries, 
 void run(const ReplayOptions& options, Entries& entries)
 {
     readInserted(entries, options.strokes);
+    readShapes(entries, options.strokes);
     // What cannot be written is told before the work, not after it.
     std::optional<core::AtomicFile> stats;
     if (!options.stats.isEmpty())

@@ -22,7 +22,7 @@ bool isInHand(const std::optional<core::StrokeSettings>& brush)
 
 bool mayAdd(const core::StrokeSettings& settings)
 {
-    return settings.add && settings.tool == core::Tool::Pull && isInHand(settings);
+    return settings.add && core::addsSolids(settings.tool) && isInHand(settings);
 }
 
 std::uint64_t meetingsOf(const core::Sculptor& sculptor)
@@ -148,6 +148,6 @@ void SculptWorker::record(const core::MeshDelta& delta)
     const StepWords words = StrokeCommand::wordsOf(m_report);
     m_journal->changed(m_sculptor->mesh(), delta,
                        {words.text.toStdString(), words.marks.icon.toStdString(), words.marks.dabs, words.marks.fusions},
-                       core::Stroke{m_stroke.settings, std::exchange(m_samples, {})});
+                       core::Stroke{m_stroke.settings, std::exchange(m_samples, {}), {}, {}});
 }
 } // namespace app

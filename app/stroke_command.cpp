@@ -45,6 +45,7 @@ QString StrokeCommand::textOf(core::Tool tool)
     case core::Tool::Grab: return tr("Grab", "undo step");
     case core::Tool::Snake: return tr("Snake Hook", "undo step");
     case core::Tool::Twist: return tr("Twist", "undo step");
+    case core::Tool::Stamp: return tr("Stamp", "undo step");
     case core::Tool::Paint: return tr("Paint", "undo step");
     case core::Tool::Mask: return tr("Mask", "undo step");
     }

@@ -14,9 +14,10 @@ class StrokeWords
 
 public:
     static QString sentence(const QString& path, const core::StrokeFileError& error);
+    /// Line, stroke and sample, as far as they are known.
+    static QString place(const core::StrokeFileError& error);
 
 private:
-    static QString place(const core::StrokeFileError& error);
     static QString reason(const core::StrokeFileError& error);
 };
 } // namespace app

@@ -11,8 +11,8 @@ namespace core
 {
 namespace
 {
-constexpr std::array<std::string_view, 15> toolTable{"pull",   "push",  "inflate", "clay", "layer", "flatten", "scrape",
-                                                     "smooth", "pinch", "crease",  "grab", "snake", "twist",   "paint",
+constexpr std::array<std::string_view, 16> toolTable{"pull",   "push",  "inflate", "clay", "layer", "flatten", "scrape",
+                                                     "smooth", "pinch", "crease",  "grab", "snake", "twist",   "stamp", "paint",
                                                      "mask"};
 constexpr std::array<std::string_view, 2> brushTable{"sphere", "ray"};
 constexpr std::array<std::string_view, 2> topologyTable{"adaptive", "uniform"};
@@ -149,6 +149,7 @@ Shortfall shortfallOf(const DabReport& dab)
     case Refusal::Inside: return Shortfall::Inside;
     case Refusal::TooClose: return Shortfall::TooClose;
     case Refusal::Wall: return Shortfall::NoRoom;
+    case Refusal::Unfit: return Shortfall::Unfit;
     }
     if (dab.capped)
         return Shortfall::Capped;

@@ -10,7 +10,7 @@ namespace core
 {
 /// What a dab does to the vertices it selects: Pull, Push, Flatten, Smooth and Paint are the paper's (section 3.3, 3.5.3). What the others
 /// do stands at their fields, in deform.cpp.
-enum class Tool { Pull, Push, Inflate, Clay, Layer, Flatten, Scrape, Smooth, Pinch, Crease, Grab, Snake, Twist, Paint, Mask };
+enum class Tool { Pull, Push, Inflate, Clay, Layer, Flatten, Scrape, Smooth, Pinch, Crease, Grab, Snake, Twist, Stamp, Paint, Mask };
 
 /// Follows the hand: what counts is how the samples move against each other, and the first dab of a stroke moves nothing.
 constexpr bool followsHand(Tool tool)
@@ -27,16 +27,26 @@ constexpr bool marks(Tool tool)
 {
     return tool == Tool::Paint || tool == Tool::Mask;
 }
+/// Weights what is under the brush by an alpha, too. What is held on to moves away from under its image, and Stamp has a shape of its own.
+constexpr bool usesAlpha(Tool tool)
+{
+    return !holdsOn(tool) && tool != Tool::Stamp;
+}
 /// Makes edges sharp, on a mesh that is finer for it.
 constexpr bool drawsLine(Tool tool)
 {
     return tool == Tool::Pinch || tool == Tool::Crease;
 }
+/// Adds a ball, or the brush's model, where StrokeSettings::add wants it.
+constexpr bool addsSolids(Tool tool)
+{
+    return tool == Tool::Pull || tool == Tool::Stamp;
+}
 /// Whether StrokeSettings::inverted changes what it does.
 constexpr bool hasInverse(Tool tool)
 {
     return tool == Tool::Inflate || tool == Tool::Clay || tool == Tool::Layer || tool == Tool::Scrape || tool == Tool::Pinch ||
-           tool == Tool::Crease || tool == Tool::Twist || tool == Tool::Mask;
+           tool == Tool::Crease || tool == Tool::Twist || tool == Tool::Stamp || tool == Tool::Mask;
 }
 
 /// How a dab selects vertices (paper, section 3.1).

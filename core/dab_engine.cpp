@@ -30,10 +30,12 @@ constexpr double movePerMinimum = 0.45;
 constexpr double mostSteps = 4096;
 constexpr int mostAttempts = 4 * 4096;
 constexpr double mostVertexMoves = 1 << 21;
+/// Of a stamp, which goes deep where other dabs scratch: taken with care, each of its many steps costs far more.
+constexpr int mostCarefulStampSteps = 16;
 /// A dab whose centre is farther from its image's than this, in radii, does not bring the two into contact.
 constexpr double farthestFromImage = 4;
-/// A line is sharp if the mesh along it is fine.
-constexpr double lineDetail = 0.5;
+/// A line is sharp if the mesh along it is fine, and so is what an alpha or a stamp has in it.
+constexpr double lineDetail = 0.5, alphaDetail = 0.35, stampDetail = 0.28;
 /// Vertices of a dab that is only a rehearsal: where the mesh is far finer than elsewhere none is made.
 constexpr Slot mostRehearsed = 1024;
 /// What a core takes at a time.
@@ -44,6 +46,14 @@ constexpr std::size_t verticesPerChunk = 512;
 double transactionsFor(double betweenNeighbours, const EdgeBounds& bounds)
 {
     return std::max(1.0, std::ceil(betweenNeighbours / (movePerMinimum * bounds.minimum)));
+}
+double detailShare(const StrokeSettings& settings)
+{
+    if (settings.tool == Tool::Stamp)
+        return stampDetail;
+    if (settings.alpha && usesAlpha(settings.tool))
+        return alphaDetail;
+    return drawsLine(settings.tool) ? lineDetail : 1;
 }
 bool isAtRest(const StrokeSettings& settings, const Dab& dab)
 {
@@ -111,8 +121,8 @@ DabReport DabEngine::apply(const StrokeSettings& settings, const Dab& dab, const
 /// The region is selected.
 void DabEngine::sculpt(const StrokeSettings& settings, Dab dab, const std::function<void()>& between, DabReport& report)
 {
-    if (wantsSphere(settings, dab)) {
-        report = addSphere(m_surface, {dab.position, dab.radius}, mirror());
+    if (wantsSolid(settings, dab)) {
+        report = addSolid(m_surface, settings.model.get(), dab, mirror());
         return;
     }
     if (marks(settings.tool))
@@ -144,8 +154,10 @@ void DabEngine::deform(Task& task, const std::function<void()>& between, DabRepo
 {
     report.outcome = DabOutcome::Committed;
     double moves = 0;
+    int carefulSteps = 0;
     for (int attempt = 0; task.steps == 0 || task.left > 0; ++attempt, moves += m_region.size()) {
-        const bool tooMuch = attempt >= mostAttempts || moves >= mostVertexMoves;
+        const bool isSlow = task.settings.tool == Tool::Stamp && carefulSteps >= mostCarefulStampSteps;
+        const bool tooMuch = attempt >= mostAttempts || moves >= mostVertexMoves || isSlow;
         const Substep result = tooMuch ? Substep::Stuck : substep(task, report);
         if (result == Substep::Again)
             continue;
@@ -163,8 +175,10 @@ void DabEngine::deform(Task& task, const std::function<void()>& between, DabRepo
         task.left -= task.ticks;
         task.eased = 0;
         task.ticks = std::min({2 * task.ticks, task.most, task.left});
-        if (result == Substep::Careful)
+        if (result == Substep::Careful) {
             report.outcome = DabOutcome::Careful;
+            ++carefulSteps;
+        }
         if (between)
             between();
     }
@@ -173,9 +187,8 @@ void DabEngine::deform(Task& task, const std::function<void()>& between, DabRepo
 EdgeBounds DabEngine::boundsFor(const StrokeSettings& settings, const Dab& dab) const
 {
     const double uniform = settings.detailLength > 0 ? settings.detailLength : m_mesh.uniformDetail();
-    const double lines = drawsLine(settings.tool) ? lineDetail : 1;
     const EdgeBounds bounds =
-        settings.topology == Topology::Uniform ? edgeBounds(uniform) : edgeBounds(dab.radius, lines * settings.detail);
+        settings.topology == Topology::Uniform ? edgeBounds(uniform) : edgeBounds(dab.radius, detailShare(settings) * settings.detail);
     return edgeBounds(std::max(bounds.detail, m_mesh.lattice().minDetail()));
 }
 
@@ -302,10 +315,10 @@ bool DabEngine::moveAndOptimise(const Task& task, RemeshCounts& counts, DabRepor
     return true;
 }
 
-/// What a line tool has made sharp stays so.
+/// What a tool has made sharp stays so.
 RemeshCounts DabEngine::remesh(const Task& task, MeshEditor edit)
 {
-    if (!drawsLine(task.settings.tool))
+    if (!drawsLine(task.settings.tool) && task.settings.tool != Tool::Stamp)
         return optimise(edit, m_region, task.bounds);
     return optimiseKeepingShape(edit, m_region, task.bounds, [&](Slot v) { return relaxedAlongSharp(m_mesh, task.bounds, v); });
 }

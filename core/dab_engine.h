@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dab_weights.h"
 #include "fuse.h"
 #include "held_back.h"
 #include "judged_mesh.h"
@@ -136,7 +137,8 @@ private:
     MirrorMap* mirror() { return m_mirror.isOn() ? &m_mirror : nullptr; }
     Slot touchedVertices() const;
     void select(Region& region, std::vector<Slot>& candidates, BrushShape brush, const Sphere& ball, Slot most = noSlot) const;
-    bool wantsSphere(const StrokeSettings& settings, const Dab& dab) const;
+    bool wantsSolid(const StrokeSettings& settings, const Dab& dab) const;
+    double markedShare(const DabWeights& weights, const Dab& dab, Slot v);
     void mark(const StrokeSettings& settings, const Dab& dab, DabReport& report);
     void colour(Slot v, Rgb color, double share);
     void mask(Slot v, double change);

@@ -73,10 +73,10 @@ void DabEngine::runRadial(const StrokeSettings& settings, const Dab& dab, const 
 /// Of a dab that adds one: in all sectors or in none.
 Refusal DabEngine::refusalOfSpheres(const StrokeSettings& settings, const Dab& dab)
 {
-    if (!settings.add || settings.tool != Tool::Pull)
+    if (!settings.add || !addsSolids(settings.tool))
         return Refusal::None;
     select(m_region, m_candidates, settings.brush, {dab.position, dab.radius});
-    return wantsSphere(settings, dab) ? refusalOf(m_surface, imagesOf(dab.position, settings), dab.radius) : Refusal::None;
+    return wantsSolid(settings, dab) ? refusalOf(m_surface, imagesOf(dab.position, settings), dab.radius) : Refusal::None;
 }
 
 DabReport DabEngine::runOrbit(Orbit& orbit)

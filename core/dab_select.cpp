@@ -3,9 +3,10 @@
 
 #include "dab_engine.h"
 
-#include "deform.h"
+#include "dab_weights.h"
 #include "mirror_plan.h"
 #include "phase_timer.h"
+#include "sectors.h"
 #include "surface_query.h"
 
 namespace core
@@ -87,17 +88,26 @@ Footprint DabEngine::footprint(const StrokeSettings& settings, const Vec3& cente
 {
     Footprint footprint;
     std::vector<Slot> candidates;
-    const auto add = [&](const Vec3& at) {
-        select(m_footprint, candidates, settings.brush, {at, settings.radius}, Footprint::most);
+    const auto add = [&](const Dab& dab) {
+        select(m_footprint, candidates, settings.brush, {dab.position, dab.radius}, Footprint::most);
+        const DabWeights weights(m_footprint, m_mesh, settings, dab);
         m_footprint.forEach([&](Slot v) {
-            const double free = settings.tool == Tool::Mask ? 1 : m_mesh.freedom(v);
-            const double share = free * falloff(std::min(m_footprint.distance(v) / settings.radius, 1.0), settings.falloff);
             footprint.slots.push_back(v);
-            footprint.weights.push_back(static_cast<std::uint8_t>(1 + 254 * share));
+            const double free = settings.tool == Tool::Mask ? 1 : m_mesh.freedom(v);
+            footprint.weights.push_back(static_cast<std::uint8_t>(1 + 254 * free * weights.of(v)));
         });
     };
-    for (const Vec3& place : imagesOf(center, settings))
-        add(place);
+    Dab dab;
+    dab.position = center;
+    dab.radius = settings.radius;
+    MirrorMap mirror(m_mesh);
+    mirror.setPlane(settings.symmetry);
+    for (int k = 0; k < settings.radial; ++k) {
+        const Dab inSector = Turn::part(k, settings.radial) * dab;
+        add(inSector);
+        if (mirror.isOn())
+            add(mirror.imageOf(inSector));
+    }
     return footprint;
 }
 
@@ -110,13 +120,24 @@ void DabEngine::selectRefined(Region& region, const Sphere& ball)
     selectGeodesic(region, candidates, m_mesh, ball);
 }
 
-bool DabEngine::wantsSphere(const StrokeSettings& settings, const Dab& dab) const
+bool DabEngine::wantsSolid(const StrokeSettings& settings, const Dab& dab) const
 {
-    if (!settings.add || settings.tool != Tool::Pull || settings.brush != BrushShape::Sphere ||
+    if (!settings.add || !addsSolids(settings.tool) || settings.brush != BrushShape::Sphere ||
         settings.place != Placement::Point || !m_region.empty())
         return false;
     const std::optional<SurfaceHit> nearest = nearestPoint(m_mesh, m_surface.octree(), dab.position);
     return !nearest || nearest->distance > dab.radius; // else a face is under the brush, if no vertex is
+}
+
+/// Of a half that stands for both: the larger of what the dab gives to v and to its image, which only under an alpha can be the latter.
+double DabEngine::markedShare(const DabWeights& weights, const Dab& dab, Slot v)
+{
+    const double share = weights.of(v);
+    if (!m_mirror.isOn())
+        return share;
+    const Vec3 image = m_mirror.imageOf(Vec3(m_mesh.point(v).cast<double>()));
+    const double distance = (image - dab.position).norm();
+    return distance <= dab.radius ? std::max(share, weights.at(image, distance)) : share;
 }
 
 /// Colours the region (paper, section 3.5.3), or masks it.
@@ -129,8 +150,9 @@ void DabEngine::mark(const StrokeSettings& settings, const Dab& dab, DabReport& 
         else
             mask(v, settings.inverted ? -share : share);
     };
+    const DabWeights weights(m_region, m_mesh, settings, dab);
     m_region.forEach([&](Slot v) {
-        const double share = std::min(dab.strength, 1.0) * weightAt(m_region.distance(v), settings, dab);
+        const double share = std::min(dab.strength, 1.0) * markedShare(weights, dab, v);
         change(v, share);
         const Slot image = m_mirror.isOn() ? m_mirror.imageOf(v) : v;
         if (image != v)

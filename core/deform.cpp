@@ -1,5 +1,6 @@
 #include "deform.h"
 
+#include "dab_weights.h"
 #include "parallel.h"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ constexpr double swellPerPeak = 0.6;
 constexpr double pinchShare = 0.1, creasePinchShare = 0.25, mostPinched = 0.5;
 /// At strength 1 a dab of Crease cuts so deep, in radii.
 constexpr double creaseDepth = 0.05;
-constexpr std::size_t verticesPerChunk = 256;
+constexpr std::size_t plannedPerChunk = 256;
 
 Vec3 unitNormal(const Mesh& mesh, Slot v)
 {
@@ -159,6 +160,21 @@ Field twist(const Dabbed& d)
     };
 }
 
+double longestEdge(const Mesh& mesh, Slot v)
+{
+    double longest2 = 0;
+    mesh.forEachOutgoing(v, [&](Slot h) { longest2 = std::max(longest2, (mesh.point(mesh.to(h)) - mesh.point(v)).cast<double>().squaredNorm()); });
+    return std::sqrt(longest2);
+}
+
+/// See stamp.h.
+Field stamp(const Dabbed& d)
+{
+    return [&d, stamp = Stamp(frameOn(d.region, d.mesh, d.settings, d.dab), d.settings, d.dab)](Slot v, double) -> Vec3 {
+        return stamp.field(d.point(v), 0.5 * longestEdge(d.mesh, v));
+    };
+}
+
 Field fieldOf(const Dabbed& d)
 {
     switch (d.settings.tool) {
@@ -175,6 +191,7 @@ Field fieldOf(const Dabbed& d)
     case Tool::Grab:
     case Tool::Snake: return follow(d);
     case Tool::Twist: return twist(d);
+    case Tool::Stamp: return stamp(d);
     case Tool::Paint:
     case Tool::Mask: break;
     }
@@ -236,14 +253,15 @@ double planDeformation(Region& region, const Mesh& mesh, const StrokeSettings& s
 {
     const Dabbed dabbed = {region, mesh, settings, dab};
     const Field field = fieldOf(dabbed);
+    const DabWeights weights(region, mesh, settings, dab);
     const std::vector<Slot>& slots = region.slots();
-    std::vector<double> longest2(1 + chunksOf(slots.size(), verticesPerChunk), 0.0);
-    forEachChunk(slots.size(), verticesPerChunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+    std::vector<double> longest2(1 + chunksOf(slots.size(), plannedPerChunk), 0.0);
+    forEachChunk(slots.size(), plannedPerChunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const Slot v = slots[i];
             if (!region.contains(v))
                 continue;
-            const Vec3 plan = mesh.freedom(v) * field(v, weightAt(region.distance(v), settings, dab));
+            const Vec3 plan = mesh.freedom(v) * field(v, weights.of(v));
             region.setPlan(v, plan);
             longest2[chunk] = std::max(longest2[chunk], plan.squaredNorm());
         }

@@ -1,5 +1,8 @@
 #include "free_topology.h"
 
+#include "brush_model.h"
+#include "dab_frame.h"
+#include "lattice_fit.h"
 #include "shell_probe.h"
 #include "surface_query.h"
 #include "triangle_mesh.h"
@@ -43,20 +46,31 @@ Slot nearestVertex(const JudgedMesh& surface, const Vec3& p)
     return surface.mesh().corners(nearestPoint(surface.mesh(), surface.octree(), p)->face)[0];
 }
 
-TriangleMesh sphereAt(const Sphere& ball, const Lattice& lattice)
+void turnOver(TriangleMesh& shell)
 {
-    TriangleMesh sphere = icosphere(sphereSubdivisions, ball.radius);
-    for (Vec3f& p : sphere.points)
-        p = lattice.snap(ball.center + p.cast<double>());
-    return sphere;
+    for (Triangle& t : shell.triangles)
+        std::swap(t[1], t[2]);
+}
+
+/// The sphere or the model where the dab wants it, not snapped.
+TriangleMesh solidAt(const Dab& dab, const BrushModel* model, std::vector<Vec3>& places)
+{
+    TriangleMesh solid = model ? model->surface() : icosphere(sphereSubdivisions, dab.radius);
+    const DabFrame frame = uprightFrame(dab);
+    for (const Vec3f& point : solid.points) {
+        const Vec3 p = point.cast<double>();
+        places.push_back(dab.position + (model ? Vec3(dab.radius * (p.x() * frame.right + p.y() * frame.normal - p.z() * frame.up)) : p));
+    }
+    if (model && dab.isMirrored)
+        turnOver(solid);
+    return solid;
 }
 
 TriangleMesh imageOf(TriangleMesh shell, const MirrorMap& mirror)
 {
     for (Vec3f& p : shell.points)
         p = mirror.imageOf(p);
-    for (Triangle& t : shell.triangles)
-        std::swap(t[1], t[2]);
+    turnOver(shell);
     return shell;
 }
 } // namespace
@@ -74,9 +88,10 @@ Refusal refusalOf(const JudgedMesh& surface, const std::vector<Vec3>& centers, d
     return Refusal::None;
 }
 
-DabReport addSphere(JudgedMesh& surface, const Sphere& ball, const MirrorMap* mirror)
+DabReport addSolid(JudgedMesh& surface, const BrushModel* model, const Dab& dab, const MirrorMap* mirror)
 {
     Mesh& mesh = surface.mesh();
+    const Sphere ball = {dab.position, dab.radius};
     const bool paired = mirror && mirror->imageOf(ball.center) != ball.center;
     const Sphere image = {paired ? mirror->imageOf(ball.center) : ball.center, ball.radius};
     DabReport report;
@@ -87,21 +102,28 @@ DabReport addSphere(JudgedMesh& surface, const Sphere& ball, const MirrorMap* mi
                                                                                                   : refusalOf(surface, image);
     if (report.refusal != Refusal::None)
         return report;
-    const TriangleMesh sphere = sphereAt(ball, mesh.lattice());
+    std::vector<Vec3> places;
+    TriangleMesh solid = solidAt(dab, model, places);
     const Slot near = nearestVertex(surface, ball.center), nearImage = nearestVertex(surface, image.center);
-    const auto add = [&] {
-        mesh.replaceFaces(additionOf(sphere, near));
-        if (paired)
-            mesh.replaceFaces(additionOf(imageOf(sphere, *mirror), nearImage));
+    const auto add = [&](const std::vector<LatticePoint>& points) {
+        std::ranges::transform(points, solid.points.begin(), [&](const LatticePoint& p) { return mesh.lattice().toPoint(p); });
+        return surface.attempt([&] {
+            mesh.replaceFaces(additionOf(solid, near));
+            if (paired)
+                mesh.replaceFaces(additionOf(imageOf(solid, *mirror), nearImage));
+        });
     };
-    if (!surface.attempt(add)) {
-        report.refusal = Refusal::TooClose;
-        return report;
+    if (!add(snappedTo(mesh.lattice(), places))) {
+        const LatticeFit fit = model ? fitToLattice(mesh.lattice(), places, solid.triangles) : LatticeFit();
+        if (!model || fit.unsnappable > 0 || !add(fit.points)) {
+            report.refusal = model ? Refusal::Unfit : Refusal::TooClose;
+            return report;
+        }
     }
     const std::uint32_t shells = paired ? 2 : 1;
     report.outcome = DabOutcome::Added;
-    report.touchedVertices = shells * static_cast<std::uint32_t>(sphere.points.size());
-    report.touchedFaces = shells * static_cast<std::uint32_t>(sphere.triangles.size());
+    report.touchedVertices = shells * static_cast<std::uint32_t>(solid.points.size());
+    report.touchedFaces = shells * static_cast<std::uint32_t>(solid.triangles.size());
     return report;
 }
 } // namespace core

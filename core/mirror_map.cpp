@@ -10,6 +10,9 @@ Dab MirrorMap::imageOf(Dab dab) const
     dab.direction = imageOf(dab.direction);
     dab.motion = imageOf(dab.motion);
     dab.turn = -dab.turn;
+    dab.up = imageOf(dab.up);
+    dab.ahead = imageOf(dab.ahead);
+    dab.isMirrored = !dab.isMirrored;
     return dab;
 }
 

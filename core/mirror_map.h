@@ -28,7 +28,7 @@ public:
     /// The one of a point and its image whose coordinate is not negative.
     template <class Vector> Vector folded(const Vector& p) const { return p[m_axis] < 0 ? imageOf(p) : p; }
 
-    /// Turning the other way.
+    /// Turning the other way, and seen in a mirror.
     Dab imageOf(Dab dab) const;
 
     /// Signed distance from the plane.

@@ -1,5 +1,6 @@
 #include "mirror_plan.h"
 
+#include "dab_weights.h"
 #include "deform.h"
 
 namespace core
@@ -41,15 +42,15 @@ double planMirrored(Region& half, Region& whole, MirrorMap& mirror, const Mesh& 
                     const Dab& dab)
 {
     planDeformation(whole, mesh, settings, dab);
-    const auto weight = [&](Slot v) { return weightAt(whole.distance(v), settings, dab); };
+    const DabWeights shares(whole, mesh, settings, dab);
     double longest2 = 0;
     half.forEach([&](Slot v) {
         Vec3 plan = whole.plan(v);
-        double weights = weight(v);
+        double weights = shares.of(v);
         const Slot image = mirror.imageOf(v);
         if (image != noSlot && whole.contains(image)) {
             plan += mirror.imageOf(whole.plan(image));
-            weights += weight(image);
+            weights += shares.of(image);
         }
         plan /= std::max(1.0, weights);
         half.setPlan(v, plan);

@@ -27,6 +27,12 @@ bool usesMotion(Tool tool)
     return drawsLine(tool) || tool == Tool::Grab || tool == Tool::Snake;
 }
 
+/// What the dab does is turned with its axes.
+bool hasFrame(const StrokeSettings& settings)
+{
+    return settings.tool == Tool::Stamp ? settings.model != nullptr : usesAlpha(settings.tool) && settings.alpha;
+}
+
 Vec3 mirrored(Vec3 p, Symmetry symmetry)
 {
     if (symmetry != Symmetry::None) {
@@ -73,6 +79,8 @@ Dab operator*(const Turn& turn, Dab dab)
     dab.direction = turn * dab.direction;
     dab.motion = turn * dab.motion;
     dab.axis = turn * dab.axis;
+    dab.up = turn * dab.up;
+    dab.ahead = turn * dab.ahead;
     return dab;
 }
 
@@ -95,10 +103,11 @@ std::vector<Dab> sectorDabs(const StrokeSettings& settings, const Dab& dab)
 
 bool isAmong(std::span<const Dab> others, const Dab& dab, const StrokeSettings& settings)
 {
-    const bool isMoving = usesMotion(settings.tool);
+    const bool isMoving = usesMotion(settings.tool), isTurned = hasFrame(settings);
     return std::ranges::any_of(others, [&](const Dab& other) {
-        const bool isSame = other.position == dab.position && (!isMoving || other.motion == dab.motion);
-        return isSame || (settings.symmetry != Symmetry::None && mirrored(other.position, settings.symmetry) == dab.position &&
+        const bool isSame = other.position == dab.position && (!(isMoving || isTurned) || other.motion == dab.motion) &&
+                            (!isTurned || (other.up == dab.up && other.ahead == dab.ahead));
+        return isSame || (!isTurned && settings.symmetry != Symmetry::None && mirrored(other.position, settings.symmetry) == dab.position &&
                           (!isMoving || mirrored(other.motion, settings.symmetry) == dab.motion));
     });
 }

@@ -35,6 +35,7 @@ bool pushes(const StrokeSettings& settings)
     case Tool::Inflate:
     case Tool::Clay:
     case Tool::Layer: return settings.inverted;
+    case Tool::Stamp: return !settings.inverted;
     default: return false;
     }
 }

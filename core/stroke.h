@@ -3,10 +3,15 @@
 #include "brush.h"
 
 #include <cstdint>
+#include <memory>
+#include <string>
 #include <vector>
 
 namespace core
 {
+class Alpha;
+class BrushModel;
+
 /// Of sectors.
 inline constexpr int mostRadial = 32;
 
@@ -24,13 +29,16 @@ struct StrokeSettings
     int falloff = static_cast<int>(info(Parameter::Falloff).defaultValue); ///< n of b(x); 0: no weighting
     double detail = info(Parameter::Detail).defaultValue;                   ///< scales d_detail
     double detailLength = 0; ///< d_detail of the uniform topology; 0: 4/3 of the model's mean edge when it was opened
-    double spacing = info(Parameter::Spacing).defaultValue; ///< in radii; 0: each sample is exactly one dab
+    double spacing = info(Parameter::Spacing).defaultValue; ///< in radii, of Stamp at least 2; 0: each sample is exactly one dab
     bool fusion = true; ///< surfaces that meet join, necks part, specks vanish (paper, section 3.4); else they stop at contact
     /// The other way round, where that has a meaning (hasInverse): inflate shrinks, clay and layer dig, scrape fills, pinch spreads, crease
-    /// raises a ridge, twist turns back, mask is wiped away.
+    /// raises a ridge, twist turns back, stamp raises, mask is wiped away.
     bool inverted = false;
     bool add = false; ///< a pull dab at a point with nothing under the brush adds a sphere (paper, section 3.5.1)
     Rgb color;                                              ///< of Paint
+    std::shared_ptr<const Alpha> alpha; ///< of tools that use one (usesAlpha); null: none
+    bool alphaFollows = false; ///< up in the alpha, or in Stamp's model, is the stroke's way; else it stands upright
+    std::shared_ptr<const BrushModel> model; ///< of Stamp, and of what `add` adds; null: a ball
 };
 
 /// What Ctrl makes of them: Pull becomes Push and Push Pull, others are inverted where that has a meaning.
@@ -67,10 +75,18 @@ inline constexpr double rotationTolerance = 1e-3;
 /// Whether all values that a dab would use are finite and in the ranges that stroke files have.
 bool isUsable(const StrokeSettings& settings, const StrokeSample& sample);
 
+/// A file that a stroke file names: whoever plays it reads it into the settings.
+struct StrokeNeed
+{
+    std::string file;        ///< empty: nothing
+    std::string fingerprint; ///< that it had when the stroke was recorded; empty: any
+};
+
 struct Stroke
 {
     StrokeSettings settings;
     std::vector<StrokeSample> samples;
+    StrokeNeed alpha, model; ///< while settings have none
 };
 
 /// One application of the brush, in the model's space.
@@ -83,12 +99,15 @@ struct Dab
     Vec3 motion = Vec3::Zero();    ///< of the dab centre, or of the hand (followsHand), since the dab before
     double turn = 0;               ///< of Twist: radians, anticlockwise about the axis
     Vec3 axis = Vec3::Zero();      ///< of Twist: of unit length, or zero as long as nothing is held
+    Vec3 up = Vec3::UnitY();       ///< the world's, in the model's space
+    Vec3 ahead = -Vec3::UnitZ();   ///< away from who stands before the model, there
+    bool isMirrored = false;       ///< the image of what the hand does
 };
 
 enum class DabOutcome { Committed, Careful, EndedEarly, Empty, Added, Refused };
 
-/// Why a sphere was not added.
-enum class Refusal { None, Inside, TooClose, Wall };
+/// Why a sphere, or the brush's model, was not added. Unfit: on the lattice the model is not sound at that size.
+enum class Refusal { None, Inside, TooClose, Wall, Unfit };
 std::string_view name(DabOutcome outcome); ///< as in `replay --stats`
 
 /// What a dab did and what it cost.
@@ -116,6 +135,6 @@ struct DabReport
 };
 
 /// Why a dab did less than was asked, if it did; of several dabs the last of these is worth telling.
-enum class Shortfall { None, Stuck, Contact, Wall, Capped, Inside, TooClose, NoRoom };
+enum class Shortfall { None, Stuck, Contact, Wall, Capped, Inside, TooClose, NoRoom, Unfit };
 Shortfall shortfallOf(const DabReport& dab);
 } // namespace core

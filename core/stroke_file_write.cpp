@@ -1,6 +1,9 @@
 #include "stroke_file.h"
 #include "stroke_keys.h"
 
+#include "alpha.h"
+#include "brush_model.h"
+
 #include <nlohmann/json.hpp>
 
 #include <array>
@@ -41,6 +44,28 @@ void writeSample(std::ostream& out, const StrokeSample& sample)
     out << '}';
 }
 
+/// What is not in the settings yet is written as it was read. A model that came from no file is left out: nobody could read it again.
+void writeShapes(std::ostream& out, const Stroke& stroke)
+{
+    const StrokeSettings& settings = stroke.settings;
+    StrokeNeed alpha = stroke.alpha, model = stroke.model;
+    if (settings.alpha)
+        alpha = {settings.alpha->source(), settings.alpha->isBuiltIn() ? "" : settings.alpha->fingerprint()};
+    if (settings.model)
+        model = {settings.model->source(), settings.model->fingerprint()};
+    const auto writeNeed = [&](const StrokeNeed& need, const char* key) {
+        if (need.file.empty())
+            return;
+        out << ",\"" << key << "\":" << nlohmann::json(need.file).dump();
+        if (!need.fingerprint.empty())
+            out << ",\"" << key << "_hash\":\"" << need.fingerprint << '"';
+    };
+    writeNeed(alpha, "alpha");
+    if (settings.alphaFollows)
+        out << ",\"alpha_follows\":true";
+    writeNeed(model, "model");
+}
+
 void write(std::ostream& out, const Stroke& stroke)
 {
     const StrokeSettings& settings = stroke.settings;
@@ -58,6 +83,7 @@ void write(std::ostream& out, const Stroke& stroke)
         out << ",\"invert\":true";
     if (settings.detailLength > 0)
         out << ",\"detail_length\":" << shortest(settings.detailLength);
+    writeShapes(out, stroke);
     out << ",\"samples\":[";
     for (std::size_t i = 0; i < stroke.samples.size(); ++i) {
         out << (i == 0 ? "\n" : ",\n");

@@ -35,11 +35,13 @@ inline constexpr Keys<3> fileKeys{{"format", "version", "strokes"}, 3};
 enum StrokeKey {
     ToolKey, RadiusKey, SamplesKey, BrushKey, StrengthKey, FalloffKey, DetailKey, DetailLengthKey, TopologyKey, FusionKey,
     SymmetryKey, RadialKey, SpacingKey, PlaceKey, AddKey, ColorKey, TurntableKey, InvertKey,
+    AlphaKey, AlphaPrintKey, AlphaFollowsKey, BrushModelKey, BrushModelPrintKey,
     CommandKey, ByKey, TurnKey, FactorKey, PlaneKey, KeepKey, ModelKey, WhereKey, CentreKey, HeightKey, HowKey // of commands
 };
-inline constexpr Keys<29> strokeKeys{{"tool", "radius", "samples", "brush", "strength", "falloff", "detail", "detail_length",
+inline constexpr Keys<34> strokeKeys{{"tool", "radius", "samples", "brush", "strength", "falloff", "detail", "detail_length",
                                       "topology", "fusion", "symmetry", "radial", "spacing", "place", "add", "color",
                                       "turntable_deg_per_s", "invert",
+                                      "alpha", "alpha_hash", "alpha_follows", "model", "model_hash",
                                       "command", "by", "rotation", "factor", "plane", "keep", "file", "where", "centre",
                                       "height", "how"},
                                      3};

@@ -6,6 +6,9 @@ namespace core
 {
 namespace
 {
+/// Stamps of a stroke stand beside each other: one in another's imprint would go ever deeper.
+constexpr double leastStampSpacing = 2;
+
 /// Between two samples; everything but the rotation is linear. The rotation is the later one's: samples are dense.
 StrokeSample interpolate(const StrokeSample& a, const StrokeSample& b, double t)
 {
@@ -37,9 +40,12 @@ std::optional<StrokePath::Due> StrokePath::next(const CenterOf& centerOf)
     const bool everySample = m_settings.spacing == 0;
     if (everySample || !m_center || !end.hasCenter) {
         const bool dabDue = everySample || end.hasCenter;
+        m_stamped = end.dab.position;
         const Due arrived = arriveAtTarget(end);
         return dabDue ? std::optional(arrived) : std::nullopt;
     }
+    if (m_settings.tool == Tool::Stamp)
+        return nextStamp(end);
     const double step = m_settings.spacing * end.dab.radius;
     const double segment = (end.dab.position - *m_center).norm();
     if (!m_dabsLeft)
@@ -60,6 +66,16 @@ std::optional<StrokePath::Due> StrokePath::next(const CenterOf& centerOf)
     return result;
 }
 
+/// By the straight way from the one before: the path itself goes down into what that has pressed in.
+std::optional<StrokePath::Due> StrokePath::nextStamp(const Due& end)
+{
+    const Due arrived = arriveAtTarget(end);
+    if ((end.dab.position - m_stamped).norm() < std::max(m_settings.spacing, leastStampSpacing) * end.dab.radius)
+        return std::nullopt;
+    m_stamped = end.dab.position;
+    return arrived;
+}
+
 StrokePath::Due StrokePath::arriveAtTarget(const Due& due)
 {
     m_at = *m_target;
@@ -78,6 +94,8 @@ StrokePath::Due StrokePath::due(const StrokeSample& sample, const CenterOf& cent
     result.hasCenter = center.has_value();
     result.dab.position = center.value_or(position);
     result.dab.direction = direction;
+    result.dab.up = inverse * Vec3::UnitY();
+    result.dab.ahead = inverse * -Vec3::UnitZ();
     result.dab.radius = sample.radius.value_or(m_settings.radius);
     result.dab.strength = sample.strength.value_or(m_settings.strength) * sample.pressure;
     return result;

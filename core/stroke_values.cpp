@@ -1,6 +1,8 @@
 // The stroke file's values: types, ranges, and where each goes.
 #include "stroke_reader.h"
 
+#include "alpha.h"
+
 #include <cmath>
 #include <limits>
 
@@ -168,12 +170,14 @@ bool StrokeReader::boolean(bool value)
 {
     if (m_level == Level::Start)
         refuse(Kind::NotStrokes);
-    if (m_level != Level::Stroke || m_inVector || (m_key != FusionKey && m_key != SymmetryKey && m_key != AddKey && m_key != InvertKey))
+    if (m_level != Level::Stroke || m_inVector || (m_key != FusionKey && m_key != SymmetryKey && m_key != AddKey && m_key != InvertKey && m_key != AlphaFollowsKey))
         refuse(Kind::WrongType);
     if (m_key == SymmetryKey)
         stroke().settings.symmetry = value ? paperPlane : Symmetry::None;
     if (m_key == AddKey)
         stroke().settings.add = value;
+    else if (m_key == AlphaFollowsKey)
+        stroke().settings.alphaFollows = value;
     else if (m_key == InvertKey)
         stroke().settings.inverted = value;
     else if (m_key == FusionKey)
@@ -219,6 +223,17 @@ void StrokeReader::strokeWord(const std::string& word)
         known = placementNamed(word).has_value();
         settings.place = placementNamed(word).value_or(settings.place);
         break;
+    case AlphaKey:
+        settings.alpha = builtInAlpha(word);
+        stroke().alpha.file = settings.alpha ? "" : word;
+        known = !word.empty();
+        break;
+    case BrushModelKey:
+        stroke().model.file = word;
+        known = !word.empty();
+        break;
+    case AlphaPrintKey: stroke().alpha.fingerprint = word; break;
+    case BrushModelPrintKey: stroke().model.fingerprint = word; break;
     default: known = commandWord(word);
     }
     if (!known)

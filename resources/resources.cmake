@@ -101,6 +101,7 @@ set(FETTLE_RESOURCE_FILES
     icons/sort-down.svg
     icons/sort-up.svg
     icons/sphere.svg
+    icons/stamp.svg
     icons/start.svg
     icons/steady.svg
     icons/sound.svg

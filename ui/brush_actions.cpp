@@ -30,6 +30,7 @@ constexpr ToolAction toolActions[] = {{"tool.pull", core::Tool::Pull},
                                       {"tool.grab", core::Tool::Grab},
                                       {"tool.snake", core::Tool::Snake},
                                       {"tool.twist", core::Tool::Twist},
+                                      {"tool.stamp", core::Tool::Stamp},
                                       {"tool.paint", core::Tool::Paint},
                                       {"tool.mask", core::Tool::Mask}};
 

@@ -3,6 +3,7 @@
 #include "brush_bar.h"
 #include "falloff_curve.h"
 #include "messages.h"
+#include "shape_choosers.h"
 #include "side_dock.h"
 #include "spacing.h"
 
@@ -55,6 +56,7 @@ public:
     QDockWidget* const dock;
 
     void add(QWidget* row) const { m_form->addRow(row); }
+    void addRow(const QString& text, QWidget* row) const { m_form->addRow(text, row); }
 
     void addNumber(core::Parameter parameter, const std::function<void()>& entered) const
     {
@@ -168,7 +170,7 @@ private:
     QFormLayout* m_form;
 };
 
-QDockWidget* brushPanel(BrushSettings* brush, const std::function<void()>& entered)
+QDockWidget* brushPanel(BrushSettings* brush, BrushShapes* shapes, const std::function<void()>& entered)
 {
     const Panel panel(brush, QStringLiteral("brushPanel"), BrushPanels::tr("Brush"));
     panel.addChoice(QStringLiteral("reach"), BrushPanels::tr("Reach"), &core::StrokeSettings::brush,
@@ -177,6 +179,9 @@ QDockWidget* brushPanel(BrushSettings* brush, const std::function<void()>& enter
     panel.addNumber(core::Parameter::Falloff, entered);
     panel.add(new FalloffCurve(brush));
     panel.addNumber(core::Parameter::Spacing, entered);
+    panel.addRow(BrushPanels::tr("Alpha"), alphaChooser(brush, shapes));
+    panel.addCheck(QStringLiteral("alphaFollows"), BrushPanels::tr("Follows the stroke"), &core::StrokeSettings::alphaFollows);
+    panel.addRow(BrushPanels::tr("Stamp"), modelChooser(brush, shapes));
     panel.addSteady(entered);
     panel.alignNumbers();
     return panel.dock;
@@ -206,10 +211,10 @@ QDockWidget* symmetryPanel(BrushSettings* brush, const std::function<void()>& en
 }
 } // namespace
 
-void addBrushPanels(QMainWindow* window, BrushSettings* brush, QMenu* toggles, const std::function<void()>& entered)
+void addBrushPanels(const BrushPanelPlace& place, BrushSettings* brush, BrushShapes* shapes)
 {
-    addSideDock(window, toggles, brushPanel(brush, entered));
-    addSideDock(window, toggles, topologyPanel(brush, entered));
-    addSideDock(window, toggles, symmetryPanel(brush, entered), QStringLiteral("topologyPanel"));
+    addSideDock(place.window, place.toggles, brushPanel(brush, shapes, place.entered));
+    addSideDock(place.window, place.toggles, topologyPanel(brush, place.entered));
+    addSideDock(place.window, place.toggles, symmetryPanel(brush, place.entered), QStringLiteral("topologyPanel"));
 }
 } // namespace ui

@@ -8,9 +8,16 @@ class QMenu;
 namespace ui
 {
 class BrushSettings;
+class BrushShapes;
 
-/// Brush, topology and symmetry as docks at the window's right, each with an entry in `toggles` that shows and hides it.
-/// `entered`: a number was typed, and Return; the keys belong to the model again. The brush must outlive the window's
-/// children. Gui thread.
-void addBrushPanels(QMainWindow* window, BrushSettings* brush, QMenu* toggles, const std::function<void()>& entered);
+struct BrushPanelPlace
+{
+    QMainWindow* window;
+    QMenu* toggles;
+    std::function<void()> entered; ///< a number was typed, and Return; the keys belong to the model again
+};
+
+/// Brush, topology and symmetry as docks at the window's right, each with an entry in `toggles` that shows and hides it. Brush and shapes
+/// must outlive the window's children. Gui thread.
+void addBrushPanels(const BrushPanelPlace& place, BrushSettings* brush, BrushShapes* shapes);
 } // namespace ui

@@ -86,6 +86,7 @@ void BrushSettings::take(const core::StrokeSettings& stroke)
     const core::StrokeSettings own = std::exchange(m_stroke, stroke);
     m_stroke.place = own.place;
     m_stroke.add = own.add;
+    m_stroke.model = own.model;
     m_stroke.detailLength = own.detailLength;
     m_stroke.radius = std::clamp(stroke.radius, minOf(core::Parameter::Radius), m_maxRadius);
     if (stroke.symmetry != core::Symmetry::None)
@@ -148,6 +149,7 @@ core::StrokeSettings withKeysHeld(core::StrokeSettings stroke, Qt::KeyboardModif
 {
     if (modifiers & Qt::ShiftModifier) {
         stroke.tool = core::Tool::Smooth;
+        stroke.alpha = nullptr; // evenly
         return stroke;
     }
     return modifiers & invert ? core::opposite(stroke) : stroke;

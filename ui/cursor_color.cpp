@@ -38,6 +38,8 @@ QColor cursorColor(const core::StrokeSettings& stroke)
         return {120, 224, 170};
     case core::Tool::Twist:
         return {198, 186, 255};
+    case core::Tool::Stamp:
+        return {160, 214, 150};
     case core::Tool::Paint:
         return {236, 176, 236};
     case core::Tool::Mask:

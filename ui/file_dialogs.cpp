@@ -53,11 +53,25 @@ void askForTarget(QWidget* parent, const QString& title, const QString& name, co
     });
     show(dialog, answer);
 }
+
+void askForImage(QWidget* parent, const QString& title, const QString& name, const QString& folder, const PathAnswer& answer)
+{
+    auto* dialog = new QFileDialog(parent, title, folder);
+    dialog->setObjectName(name);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    QStringList patterns;
+    for (const QByteArray& ending : QImageReader::supportedImageFormats())
+        patterns << QStringLiteral("*.") + QLatin1StringView(ending);
+    dialog->setNameFilters({FileDialogs::tr("Images (%1)").arg(patterns.join(u' ')), FileDialogs::tr("All files (*)")});
+    show(dialog, answer);
+}
 } // namespace
 
 void askForModel(QWidget* parent, ModelUse use, const QString& folder, PathAnswer answer)
 {
-    const QString title = use == ModelUse::Insert ? FileDialogs::tr("Insert a Model") : FileDialogs::tr("Open a Model");
+    const QString title = use == ModelUse::Insert  ? FileDialogs::tr("Insert a Model")
+                          : use == ModelUse::Brush ? FileDialogs::tr("Choose the Brush's Shape")
+                                                   : FileDialogs::tr("Open a Model");
     auto* dialog = new QFileDialog(parent, title, folder);
     dialog->setObjectName(QStringLiteral("openDialog"));
     dialog->setFileMode(QFileDialog::ExistingFile);
@@ -79,16 +93,14 @@ void askForExport(QWidget* parent, const QString& folder, const QString& modelNa
     askForTarget(parent, FileDialogs::tr("Export the Model"), QStringLiteral("exportDialog"), folder, modelName, endings, answer);
 }
 
+void askForAlpha(QWidget* parent, const QString& folder, PathAnswer answer)
+{
+    askForImage(parent, FileDialogs::tr("Choose an Alpha"), QStringLiteral("alphaDialog"), folder, answer);
+}
+
 void askForPicture(QWidget* parent, const QString& folder, PathAnswer answer)
 {
-    auto* dialog = new QFileDialog(parent, FileDialogs::tr("Choose a Reference Image"), folder);
-    dialog->setObjectName(QStringLiteral("pictureDialog"));
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    QStringList patterns;
-    for (const QByteArray& ending : QImageReader::supportedImageFormats())
-        patterns << QStringLiteral("*.") + QLatin1StringView(ending);
-    dialog->setNameFilters({FileDialogs::tr("Images (%1)").arg(patterns.join(u' ')), FileDialogs::tr("All files (*)")});
-    show(dialog, answer);
+    askForImage(parent, FileDialogs::tr("Choose a Reference Image"), QStringLiteral("pictureDialog"), folder, answer);
 }
 
 void askForDrawing(QWidget* parent, const QString& folder, const QString& modelName, PathAnswer answer)

@@ -11,7 +11,7 @@ namespace ui
 /// The dialogs for models. They return at once; `answer` is called with a path when one was chosen, and never else.
 using PathAnswer = std::function<void(const QString& path)>;
 
-enum class ModelUse { Open, Insert };
+enum class ModelUse { Open, Insert, Brush };
 void askForModel(QWidget* parent, ModelUse use, const QString& folder, PathAnswer answer);
 
 // They suggest the model's name. The filter gives the ending if none is typed.
@@ -20,6 +20,7 @@ void askForSaving(QWidget* parent, const QString& folder, const QString& modelNa
 /// `endings`: of the formats that are offered.
 void askForExport(QWidget* parent, const QString& folder, const QString& modelName, const QStringList& endings, PathAnswer answer);
 
+void askForAlpha(QWidget* parent, const QString& folder, PathAnswer answer);
 void askForPicture(QWidget* parent, const QString& folder, PathAnswer answer);
 
 /// For the sheet of drawings: PDF, SVG or PNG.

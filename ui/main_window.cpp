@@ -1,6 +1,7 @@
 #include "main_window_state.h"
 
 #include "banner.h"
+#include "brush_shapes.h"
 #include "busy_bar.h"
 #include "facts_bar.h"
 #include "window_place.h"
@@ -35,6 +36,7 @@ void MainWindow::State::restore()
     restorePlace(q, settings);
     for (const core::Parameter parameter : storedParameters)
         brush.setValue(parameter, settings.value(parameter));
+    shapes->restore();
 }
 
 void MainWindow::State::save()

@@ -6,6 +6,7 @@
 #include "brush_actions.h"
 #include "brush_bar.h"
 #include "brush_panels.h"
+#include "brush_shapes.h"
 #include "busy_bar.h"
 #include "color_panel.h"
 #include "facts_bar.h"
@@ -94,7 +95,9 @@ void MainWindow::State::addPalette(const QString& title, const QString& name, Ba
 
 void MainWindow::State::buildPanels(QMenu* toggles)
 {
-    addBrushPanels(q, &brush, toggles, [this] { viewport->setFocus(); });
+    shapes = new BrushShapes(&brush, &settings, q);
+    connect(shapes, &BrushShapes::refused, q, &MainWindow::showNotice);
+    addBrushPanels({q, toggles, [this] { viewport->setFocus(); }}, &brush, shapes);
     connectHand({q, toggles, viewport, [this](const QString& word) { q->showNotice(word); }}, &brush, &settings, actions);
     addColorPanel({q, toggles, viewport}, &brush, &settings, actions, [this](const QString& word) { q->showNotice(word); });
     history = addHistoryPanel(q, &settings, toggles);

@@ -16,6 +16,7 @@ class QMessageBox;
 namespace ui
 {
 class Banner;
+class BrushShapes;
 class BusyBar;
 class FactsBar;
 
@@ -31,6 +32,7 @@ struct MainWindow::State
     MainWindow* q;
     std::unique_ptr<Viewport> spareViewport; ///< where there is no OpenGL, the viewport must stay out of the window
     Viewport* viewport = nullptr;
+    BrushShapes* shapes = nullptr;
     Banner* banner = nullptr;
     FactsBar* facts = nullptr;
     HistoryPanel* history = nullptr;

@@ -48,7 +48,7 @@ QString Messages::sentence(const core::FileError& error)
     return tr("%1 cannot be used.").arg(nativePath(error.path));
 }
 
-QString Messages::refusal(const QString& file, const core::MeshReport& report)
+QString Messages::faults(const core::MeshReport& report)
 {
     QStringList faults;
     const auto add = [&faults](std::uint64_t count, const QString& fault) {
@@ -63,8 +63,17 @@ QString Messages::refusal(const QString& file, const core::MeshReport& report)
     add(report.intersections.count, tr("pairs of faces that intersect: %1"));
     if (faults.isEmpty())
         faults << tr("it is inside out, or its shells are wrongly nested");
-    return tr("%1 cannot be sculpted yet, because its surface does not bound a solid (%2).")
-        .arg(file, faults.join(tr(", ", "between the faults of a model")));
+    return faults.join(tr(", ", "between the faults of a model"));
+}
+
+QString Messages::refusal(const QString& file, const core::MeshReport& report)
+{
+    return tr("%1 cannot be sculpted yet, because its surface does not bound a solid (%2).").arg(file, faults(report));
+}
+
+QString Messages::noBrush(const QString& file, const core::MeshReport& report)
+{
+    return tr("%1 cannot be a brush's shape, because its surface does not bound a solid (%2).").arg(file, faults(report));
 }
 
 QString Messages::unitDoubt(double volume)
@@ -117,9 +126,10 @@ QString Messages::shortfall(core::Shortfall shortfall)
     case core::Shortfall::Contact: return tr("The brush stopped where surfaces met that may not join.");
     case core::Shortfall::Wall: return tr("The brush stopped at the wall of the working volume.");
     case core::Shortfall::Capped: return tr("That was too much work for one touch of the brush, which stopped early; stroke again to go on.");
-    case core::Shortfall::Inside: return tr("No ball was added, because it would lie inside the model.");
-    case core::Shortfall::TooClose: return tr("No ball was added, because it would be too close to the surface.");
-    case core::Shortfall::NoRoom: return tr("No ball was added, because it would reach beyond the working volume.");
+    case core::Shortfall::Inside: return tr("Nothing was added, because it would lie inside the model.");
+    case core::Shortfall::TooClose: return tr("Nothing was added, because it would be too close to the surface.");
+    case core::Shortfall::NoRoom: return tr("Nothing was added, because it would reach beyond the working volume.");
+    case core::Shortfall::Unfit: return tr("Nothing was added, because the brush's shape is not sound at that size on the program's working grid.");
     }
     return {};
 }

@@ -25,6 +25,8 @@ public:
     static QString sentence(const core::FileError& error);
     /// Why a model of that file name is not sculpted, with counts; `report` is not print-ready.
     static QString refusal(const QString& file, const core::MeshReport& report);
+    /// The same of a model that was to be a brush's shape.
+    static QString noBrush(const QString& file, const core::MeshReport& report);
     /// Nothing is wrong with the model, but that many of its faces would meet where the lattice puts them.
     static QString tooFine(const QString& file, quint64 faces);
     /// In the unit or of the size that was asked for.
@@ -49,6 +51,7 @@ public:
     static QString range(core::Parameter parameter, double least, double most);
 
 private:
+    static QString faults(const core::MeshReport& report);
     static QString reading(const core::FileError& error);
     static QString content(const core::FileError& error);
     static QString writing(const core::FileError& error);

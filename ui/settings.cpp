@@ -151,7 +151,7 @@ void Settings::setPrinters(const QList<Printer>& printers)
 void Settings::reset()
 {
     for (const QString& key : m_settings.allKeys())
-        if (key != recentKey && key != folderKey && key != swatchesKey && key != printersKey && !key.startsWith(referenceKeys))
+        if (key != recentKey && key != folderKey && key != swatchesKey && key != printersKey && key != alphaFilesKey && key != modelFilesKey && !key.startsWith(referenceKeys))
             m_settings.remove(key);
     for (const auto& takeUp : m_onReset)
         takeUp();

@@ -44,6 +44,16 @@ struct StoredReference
     bool operator==(const StoredReference&) const = default;
 };
 
+/// Of the brush: what is chosen, and files that were, the latest first.
+struct StoredShapes
+{
+    QString alpha; ///< a name of core::builtInAlphas(), or a path; empty: none
+    bool alphaFollows = false;
+    QStringList alphas, models; ///< paths
+
+    bool operator==(const StoredShapes&) const = default;
+};
+
 /// Of the print check: whose bed, what is too thin and what leans out too far, and what the model shows (0: nothing).
 struct PrintChoice
 {
@@ -99,6 +109,9 @@ public:
     /// The radius as a share of the model's longest side, so that it fits the next model too.
     double radiusShare() const;
     void setRadiusShare(double share);
+
+    StoredShapes shapes() const;
+    void setShapes(const StoredShapes& shapes);
 
     Preferences preferences() const;
     void setPreferences(const Preferences& preferences);

@@ -12,6 +12,8 @@ using namespace stored;
 
 constexpr double defaultRadiusShare = 0.1;
 
+const QString alphaKey = QStringLiteral("brush/alpha");
+const QString alphaFollowsKey = QStringLiteral("brush/alphaFollows");
 const QString steadyKey = QStringLiteral("hand/steady");
 const QString stringKey = QStringLiteral("hand/string");
 const QString turnSpeedKey = QStringLiteral("turntable/speed");
@@ -94,6 +96,20 @@ void Settings::setPreferences(const Preferences& preferences)
     m_settings.remove(ownKeys.chopped(1));
     for (auto own = preferences.keys.own.cbegin(); own != preferences.keys.own.cend(); ++own)
         m_settings.setValue(ownKeys + own.key(), own.value());
+}
+
+StoredShapes Settings::shapes() const
+{
+    return {m_settings.value(alphaKey).toString(), yesNo(m_settings, alphaFollowsKey, false), m_settings.value(alphaFilesKey).toStringList(),
+            m_settings.value(modelFilesKey).toStringList()};
+}
+
+void Settings::setShapes(const StoredShapes& shapes)
+{
+    m_settings.setValue(alphaKey, shapes.alpha);
+    m_settings.setValue(alphaFollowsKey, shapes.alphaFollows);
+    m_settings.setValue(alphaFilesKey, shapes.alphas);
+    m_settings.setValue(modelFilesKey, shapes.models);
 }
 
 bool Settings::isSteady() const

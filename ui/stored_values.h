@@ -12,6 +12,8 @@
 namespace ui::stored
 {
 // What a person made, which Settings::reset() leaves.
+inline const QString alphaFilesKey = QStringLiteral("brush/alphaFiles");
+inline const QString modelFilesKey = QStringLiteral("brush/modelFiles");
 inline const QString swatchesKey = QStringLiteral("color/swatches");
 inline const QString referenceKeys = QStringLiteral("reference/"); ///< and the side
 

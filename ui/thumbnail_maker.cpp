@@ -18,7 +18,7 @@ namespace ui
 namespace
 {
 constexpr qint64 hashedAtOnce = 1 << 20, largestHashed = qint64(1) << 31; ///< a larger file is refused anyway
-constexpr qsizetype mostKeys = 20'000;
+constexpr qsizetype mostCachedKeys = 20'000;
 
 QImage toImage(const core::ModelPicture& picture)
 {
@@ -126,7 +126,7 @@ QByteArray ThumbnailMaker::keyOf(const FileEntry& file, const std::stop_token& s
     } while (!part.isEmpty());
     if (bytes.error() != QFileDevice::NoError)
         return {};
-    if (m_keys.size() >= mostKeys)
+    if (m_keys.size() >= mostCachedKeys)
         m_keys.clear();
     return *m_keys.insert(file, hash.result().toHex());
 }

@@ -27,8 +27,10 @@ core::Rgb changedColor(core::Rgb color, const ChangeChannel& change)
 core::StrokeSettings effective(const BrushState& brush, const BeginStroke& begin)
 {
     core::StrokeSettings settings = brush.stroke;
-    if (begin.smooths)
+    if (begin.smooths) {
         settings.tool = core::Tool::Smooth;
+        settings.alpha = nullptr; // evenly
+    }
     return brush.isInverse ? core::opposite(settings) : settings;
 }
 
@@ -69,7 +71,7 @@ core::StrokeSettings strokeSettings(const BrushState& brush, const BeginStroke& 
     settings.place = core::Placement::Point;
     settings.radius = radiusOn(brush, room);
     settings.spacing = core::followsHand(settings.tool) ? 0 : wandSpacing;
-    settings.add = settings.tool == core::Tool::Pull && settings.brush == core::BrushShape::Sphere && !begin.goesOn;
+    settings.add = core::addsSolids(settings.tool) && settings.brush == core::BrushShape::Sphere && !begin.goesOn;
     return settings;
 }
 

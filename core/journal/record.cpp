@@ -134,10 +134,24 @@ void take(ByteReader& in, SavedView& view)
     view.orthographic = in.take<std::uint8_t>() != 0;
 }
 
+/// A file of one stroke without samples; what is in files of its own is not there.
+std::optional<StrokeSettings> brushIn(std::string_view text)
+{
+    try {
+        if (!text.empty())
+            return std::get<Stroke>(parseStrokes(text).at(0)).settings;
+    } catch (const StrokeFileError&) { // another version's
+    }
+    return std::nullopt;
+}
+
 void put(ByteWriter& out, const DocumentNotes& notes)
 {
     putPlain(out, notes.palette), out.put(notes.view.has_value()), put(out, notes.view.value_or(SavedView()));
-    out.put(notes.brush.has_value()), out.put(notes.brush.value_or(StrokeSettings()));
+    std::ostringstream brush;
+    if (notes.brush)
+        writeStrokes(brush, {Stroke{*notes.brush, {}, {}, {}}});
+    out.put(brush.view());
 }
 
 void take(ByteReader& in, DocumentNotes& notes)
@@ -145,12 +159,9 @@ void take(ByteReader& in, DocumentNotes& notes)
     takePlain(in, notes.palette);
     const bool hasView = in.take<std::uint8_t>() != 0;
     take(in, notes.view.emplace());
-    const bool hasBrush = in.take<std::uint8_t>() != 0;
-    notes.brush = in.take<StrokeSettings>();
     if (!hasView)
         notes.view.reset();
-    if (!hasBrush)
-        notes.brush.reset();
+    notes.brush = brushIn(in.takeText());
 }
 
 // --- contents, a pair for each kind --------------------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 #include "gltf.h"
 #include "palette.h"
 
+#include "core/alpha.h"
 #include "core/stroke_file.h"
 
 #include <cmath>
@@ -29,11 +30,14 @@ nlohmann::ordered_json jsonOf(const SavedView& view)
             {"pitch", view.pitch}, {"orthographic", view.orthographic}};
 }
 
-/// As a stroke file has it.
-nlohmann::ordered_json jsonOf(const StrokeSettings& brush)
+/// As a stroke file has it, but without files: whoever gets the model does not have them.
+nlohmann::ordered_json jsonOf(StrokeSettings brush)
 {
+    if (brush.alpha && !brush.alpha->isBuiltIn())
+        brush.alpha = nullptr;
+    brush.model = nullptr;
     std::ostringstream text;
-    writeStrokes(text, {Stroke{brush, {}}});
+    writeStrokes(text, {Stroke{std::move(brush), {}, {}, {}}});
     nlohmann::ordered_json stroke = nlohmann::ordered_json::parse(text.str())["strokes"][0];
     stroke.erase("samples");
     return stroke;

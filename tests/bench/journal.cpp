@@ -64,7 +64,7 @@ Costs sculpt(core::Sculptor& sculptor, double radius, core::Journal* journal)
         const Clocks ended = Clocks::now();
         costs.endUs.push_back(ended.since(beforeEnd).wall);
         if (journal)
-            journal->changed(sculptor.mesh(), delta, {"Pull", "pull", dabsAStroke, 0}, core::Stroke{settings, {sample}});
+            journal->changed(sculptor.mesh(), delta, {"Pull", "pull", dabsAStroke, 0}, core::Stroke{settings, {sample}, {}, {}});
         costs.copyUs.push_back(Clocks::now().since(ended).wall);
     }
     return costs;

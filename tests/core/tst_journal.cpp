@@ -281,7 +281,7 @@ void TestJournal::recovery_goesOnAsIfNothingHadBeen()
 
 void TestJournal::truncation_atEveryByteLosesWhatFollowsOnly()
 {
-    Session session(m_home.path().toStdString(), icosphere(0, 20), 3);
+    Session session(m_home.path().toStdString(), icosphere(0, 20), 12);
     while (session.states.size() < 9)
         session.act();
     session.journal().drain();

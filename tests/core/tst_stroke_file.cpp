@@ -1,3 +1,5 @@
+#include "core/alpha.h"
+#include "core/brush_model.h"
 #include "core/stroke_file.h"
 
 #include <QElapsedTimer>
@@ -60,6 +62,13 @@ Stroke randomStroke(std::mt19937_64& random)
     stroke.settings.symmetry = static_cast<Symmetry>(random() % 4);
     stroke.settings.radial = random() % 2 == 0 ? 1 : 1 + static_cast<int>(random() % 32);
     stroke.settings.add = random() % 2 == 0;
+    if (random() % 2)
+        stroke.settings.alpha = builtInAlpha(builtInAlphas()[random() % builtInAlphas().size()]);
+    else if (random() % 2)
+        stroke.alpha = {"marks/\"a\".png", random() % 2 ? "0123456789abcdef" : ""};
+    stroke.settings.alphaFollows = random() % 2 == 0;
+    if (random() % 2)
+        stroke.model = {"models/a.stl", "fedcba9876543210"};
     stroke.settings.detailLength = random() % 2 ? 0 : between(0.01, 1);
     stroke.settings.color = {static_cast<std::uint8_t>(random()), 7, 255};
     stroke.settings.place = static_cast<Placement>(random() % 3);
@@ -94,6 +103,7 @@ private Q_SLOTS:
     void values_arriveWhereTheyBelong();
     void keys_mayComeInAnyOrder();
     void writing_andReadingGivesTheSameBits();
+    void shapes_areNamed();
     void turntable_isRotationAboutY();
     void rotation_isNormalised();
     void symmetry_isAPlaneOrTrueForThePapers();
@@ -167,6 +177,27 @@ void TestStrokeFile::keys_mayComeInAnyOrder()
     QCOMPARE(strokes[0].samples.size(), std::size_t(2));
     QVERIFY(strokes[0].samples[1].position == Vec3(4, 5, 6));
     QVERIFY(strokes[1].samples.empty());
+}
+
+/// Ours come back by their names; of files the names do, with what they were.
+void TestStrokeFile::shapes_areNamed()
+{
+    const Stroke read = strokesOf(file(least + R"(,"alpha":"star","alpha_follows":true,"model":"a.stl")")).at(0);
+    QCOMPARE(read.settings.alpha, builtInAlpha("star"));
+    QVERIFY(read.alpha.file.empty() && read.settings.alphaFollows && !read.settings.model);
+    QCOMPARE(read.model.file, std::string("a.stl"));
+    Stroke stroke;
+    stroke.settings.alpha = std::make_shared<Alpha>(1, 1, std::vector<std::uint8_t>{9}, "/pictures/mark.png");
+    stroke.settings.model = BrushModel::of(icosphere(1, 1), "/models/ball.stl").model;
+    std::ostringstream text;
+    writeStrokes(text, {stroke});
+    const Stroke again = strokesOf(text.str()).at(0);
+    QVERIFY(!again.settings.alpha && !again.settings.model);
+    QCOMPARE(again.alpha.file, std::string("/pictures/mark.png"));
+    QCOMPARE(again.alpha.fingerprint, stroke.settings.alpha->fingerprint());
+    QCOMPARE(again.model.file, std::string("/models/ball.stl"));
+    QCOMPARE(again.model.fingerprint, stroke.settings.model->fingerprint());
+    QVERIFY(same(stroke, again));
 }
 
 void TestStrokeFile::writing_andReadingGivesTheSameBits()
@@ -309,6 +340,11 @@ void TestStrokeFile::refuses_data()
     stroke(R"("place":"floor")", Kind::UnknownValue, "place: \"floor\"");
     stroke(R"("add":"no")", Kind::WrongType, "add");
     stroke(R"("invert":1)", Kind::WrongType, "invert");
+    stroke(R"("alpha":"")", Kind::UnknownValue, "alpha: \"\"");
+    stroke(R"("alpha":3)", Kind::WrongType, "alpha");
+    stroke(R"("alpha_follows":"yes")", Kind::WrongType, "alpha_follows");
+    stroke(R"("model":"")", Kind::UnknownValue, "model: \"\"");
+    stroke(R"("model":true)", Kind::WrongType, "model");
     stroke(R"("color":[1,2])", Kind::WrongType, "color");
     stroke(R"("color":[1,2,256])", Kind::OutOfRange, "color");
     stroke(R"("color":[1,2,0.5])", Kind::WrongType, "color");

@@ -1,9 +1,28 @@
 #include "stroke_fuzzer.h"
 
+#include "clay.h"
+
+#include "core/alpha.h"
+#include "core/brush_model.h"
+#include "core/starter_models.h"
+
 #include <cmath>
 
 using core::Slot;
 using core::Vec3;
+
+namespace
+{
+/// A flat torus, a cube, a crystal, a bowl and a ring that is cut: with holes, overhangs and corners.
+const std::vector<std::shared_ptr<const core::BrushModel>>& brushModels()
+{
+    static const std::vector<std::shared_ptr<const core::BrushModel>> models = {
+        core::BrushModel::of(core::starterModel(core::Starter::Torus), {}).model, core::BrushModel::of(core::starterModel(core::Starter::Cube), {}).model,
+        core::BrushModel::of(core::icosphere(1, 1), {}).model, core::BrushModel::of(clay::bowl(), {}).model,
+        core::BrushModel::of(clay::cutRing(0.2), {}).model};
+    return models;
+}
+} // namespace
 
 Vec3 StrokeFuzzer::direction()
 {
@@ -57,6 +76,15 @@ core::Stroke StrokeFuzzer::stroke(const core::Mesh& mesh)
     s.falloff = falloffs[below(7)];
     s.detail = uniform(0.3, 3);
     s.spacing = below(2) == 0 ? 0 : uniform(0.05, 1);
+
+    if (below(5) == 0) {
+        s.alpha = core::builtInAlpha(core::builtInAlphas()[below(core::builtInAlphas().size())]);
+        s.alphaFollows = below(2) == 0;
+    }
+    if (below(3) != 0)
+        s.model = brushModels()[below(brushModels().size())];
+    if (s.tool == core::Tool::Stamp || (s.alpha && core::usesAlpha(s.tool))) // their meshes are finer: as much work as the others'
+        s.detail = uniform(1, 6);
 
     const std::uint64_t samples = 1 + below(s.spacing == 0 ? 10 : 4);
     Vec3 at = point(start) + uniform(0, 0.3) * s.radius * direction();

@@ -17,7 +17,7 @@ public:
     core::Vec3 direction();
 
     /// A stroke near the mesh as it is now: any tool, brush, topology, placement, fusion, spacing, falloff and detail (0.3 to 3),
-    /// one in three mirrored, a radius from three edges to half the model's size, a strength up to 10.
+    /// one in three mirrored, one in five under an alpha, a radius from three edges to half the model's size, a strength up to 10.
     core::Stroke stroke(const core::Mesh& mesh);
 
 private:

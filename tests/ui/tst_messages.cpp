@@ -101,7 +101,7 @@ private Q_SLOTS:
     void everyShortfallHasWordsOfItsOwn()
     {
         QSet<QString> seen;
-        for (int k = 1; k <= static_cast<int>(core::Shortfall::NoRoom); ++k) {
+        for (int k = 1; k <= static_cast<int>(core::Shortfall::Unfit); ++k) {
             const QString words = ui::Messages::shortfall(static_cast<core::Shortfall>(k));
             verifySentence(words);
             QVERIFY2(!seen.contains(words), qPrintable(words));

@@ -9,7 +9,7 @@ namespace
 constexpr double toolWidth = 1060, toolNameWidth = 210, toolHeight = 124, buttonHeight = 84, groupGap = 8, toolTitleWidth = 300;
 constexpr double filesWidth = 250, recentreWidth = 280;
 constexpr double toolDistance = 0.5; ///< metres; a hand that holds something up to be read
-constexpr std::array<std::size_t, 4> toolsInRow{4, 4, 4, 3}; ///< the last: what marks the surface, and Twist
+constexpr std::array<std::size_t, 4> toolsInRow{4, 4, 4, 4};
 
 QString iconOf(core::Tool tool)
 {
@@ -47,6 +47,8 @@ QString ToolPanel::nameOf(core::Tool tool)
         return tr("Snake Hook");
     case core::Tool::Twist:
         return tr("Twist");
+    case core::Tool::Stamp:
+        return tr("Stamp");
     case core::Tool::Paint:
         return tr("Paint");
     case core::Tool::Mask:

@@ -1,0 +1,41 @@
+#include "dab_frame.h"
+
+#include "deform.h"
+
+namespace core
+{
+namespace
+{
+/// Squared sine of the angle between the world's up and the normal: below that the plane is level.
+constexpr double leastUpright2 = 0.01;
+
+Vec3 alongPlane(const Vec3& v, const Vec3& normal)
+{
+    return v - v.dot(normal) * normal;
+}
+
+DabFrame frameOf(const Vec3& normal, const Vec3& way, bool isMirrored)
+{
+    const Vec3 up = way / way.norm();
+    const Vec3 right = up.cross(normal);
+    return {isMirrored ? Vec3(-right) : right, up, normal};
+}
+} // namespace
+
+DabFrame frameOn(const Region& region, const Mesh& mesh, const StrokeSettings& settings, const Dab& dab)
+{
+    const Vec3 normal = meanNormal(region, mesh);
+    if (normal.isZero(0))
+        return {};
+    const Vec3 way = settings.alphaFollows ? alongPlane(dab.motion, normal) : Vec3(Vec3::Zero());
+    const Vec3 up = alongPlane(dab.up, normal);
+    if (way.norm() > 0)
+        return frameOf(normal, way, dab.isMirrored);
+    return frameOf(normal, up.squaredNorm() > leastUpright2 ? up : alongPlane(dab.ahead, normal), dab.isMirrored);
+}
+
+DabFrame uprightFrame(const Dab& dab)
+{
+    return frameOf(dab.up, dab.ahead, dab.isMirrored);
+}
+} // namespace core

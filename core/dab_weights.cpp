@@ -1,0 +1,27 @@
+#include "dab_weights.h"
+
+#include "alpha.h"
+#include "deform.h"
+
+namespace core
+{
+DabWeights::DabWeights(const Region& region, const Mesh& mesh, const StrokeSettings& settings, const Dab& dab)
+    : m_region(region), m_mesh(mesh), m_settings(settings), m_dab(dab), m_alpha(usesAlpha(settings.tool) ? settings.alpha.get() : nullptr)
+{
+    if (m_alpha || settings.tool == Tool::Stamp)
+        m_frame = frameOn(region, mesh, settings, dab);
+    if (settings.tool == Tool::Stamp)
+        m_stamp.emplace(m_frame, settings, dab);
+}
+
+double DabWeights::at(const Vec3& p, double distance) const
+{
+    if (m_stamp)
+        return m_stamp->way(p) != 0 ? 1 : 0;
+    const double weight = weightAt(distance, m_settings, m_dab);
+    if (!m_alpha || weight == 0)
+        return weight;
+    const Vec3 r = (p - m_dab.position) / m_dab.radius;
+    return weight * m_alpha->at(r.dot(m_frame.right), r.dot(m_frame.up));
+}
+} // namespace core

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "dab_frame.h"
+#include "stamp.h"
+
+namespace core
+{
+/// A dab's share of each vertex of its region: b(x) of the distance times the alpha's shade, for tools that use one; of Stamp 1 inside
+/// of the brush's model, else 0. Refers to what it was made of.
+class DabWeights
+{
+public:
+    DabWeights(const Region& region, const Mesh& mesh, const StrokeSettings& settings, const Dab& dab);
+
+    /// Precondition: the region holds v.
+    double of(Slot v) const { return at(m_mesh.point(v).cast<double>(), m_region.distance(v)); }
+    /// Of a point at that distance.
+    double at(const Vec3& p, double distance) const;
+
+private:
+    const Region& m_region;
+    const Mesh& m_mesh;
+    const StrokeSettings& m_settings;
+    const Dab& m_dab;
+    const Alpha* m_alpha; ///< or none
+    DabFrame m_frame;
+    std::optional<Stamp> m_stamp;
+};
+} // namespace core

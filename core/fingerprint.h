@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace core
+{
+/// Tells whether a file is still what it was: FNV-1a of 64 bits. No protection against malice.
+class Fingerprint
+{
+public:
+    void add(std::span<const std::uint8_t> bytes)
+    {
+        for (const std::uint8_t byte : bytes)
+            m_hash = (m_hash ^ byte) * 0x100000001b3;
+    }
+    void add(std::uint32_t word)
+    {
+        for (int shift = 0; shift < 32; shift += 8)
+            add(std::array{static_cast<std::uint8_t>(word >> shift)});
+    }
+    /// 16 hex digits.
+    std::string text() const
+    {
+        std::string digits;
+        for (int shift = 60; shift >= 0; shift -= 4)
+            digits += "0123456789abcdef"[m_hash >> shift & 15];
+        return digits;
+    }
+
+private:
+    std::uint64_t m_hash = 0xcbf29ce484222325;
+};
+} // namespace core

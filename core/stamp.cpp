@@ -1,0 +1,51 @@
+#include "stamp.h"
+
+#include "brush_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace core
+{
+namespace
+{
+std::optional<BrushModel::Span> spanOfBall(const Vec3& p)
+{
+    if (p.squaredNorm() >= 1)
+        return std::nullopt;
+    const double top = std::sqrt(1 - p.x() * p.x() - p.z() * p.z());
+    return BrushModel::Span{-top, top};
+}
+} // namespace
+
+Stamp::Stamp(const DabFrame& frame, const StrokeSettings& settings, const Dab& dab)
+    : m_frame(frame), m_model(settings.model.get()), m_center(dab.position), m_radius(dab.radius), m_share(std::min(dab.strength, 1.0)),
+      m_raises(settings.inverted)
+{
+}
+
+Vec3 Stamp::field(const Vec3& p, double reach) const
+{
+    const auto wayAt = [&](double right, double up) { return way(p + reach * (right * m_frame.right + up * m_frame.up)); };
+    const double middle = wayAt(0, 0);
+    int inside = 0;
+    double sum = 0;
+    for (const double right : {-0.75, 0.75})
+        for (const double up : {-0.75, 0.75})
+            inside += wayAt(right, up) != 0 ? 1 : 0;
+    if (inside == (middle != 0 ? 4 : 0))
+        return m_share * middle * m_frame.normal;
+    for (const double right : {-0.75, -0.25, 0.25, 0.75})
+        for (const double up : {-0.75, -0.25, 0.25, 0.75})
+            sum += wayAt(right, up);
+    return m_share * (sum / 16) * m_frame.normal;
+}
+
+double Stamp::way(const Vec3& p) const
+{
+    const Vec3 r = (p - m_center) / m_radius;
+    const Vec3 at(r.dot(m_frame.right), r.dot(m_frame.normal), -r.dot(m_frame.up));
+    const auto span = m_model ? m_model->spanAt(at) : spanOfBall(at);
+    return span ? ((m_raises ? span->high : span->low) - at.y()) * m_radius : 0;
+}
+} // namespace core

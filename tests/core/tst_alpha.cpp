@@ -1,0 +1,272 @@
+#include "core/alpha.h"
+#include "core/mesh_build.h"
+#include "core/sculptor.h"
+#include "tests/support/cgal_judge.h"
+#include "tests/support/mesh_asserts.h"
+#include "tests/support/mirror_asserts.h"
+
+#include <QTest>
+
+#include <cmath>
+
+using core::Alpha;
+using core::Mesh;
+using core::Sculptor;
+using core::Slot;
+using core::StrokeSettings;
+using core::Tool;
+using core::Vec3;
+
+namespace
+{
+constexpr double ballRadius = 50;
+
+std::unique_ptr<Sculptor> ball()
+{
+    return std::make_unique<Sculptor>(mesh_asserts::sculptable(core::icosphere(5, ballRadius)));
+}
+
+/// Bright on the right, black on the left.
+std::shared_ptr<const Alpha> rightHalf()
+{
+    return std::make_shared<Alpha>(4, 4, std::vector<std::uint8_t>{0, 0, 255, 255, 0, 0, 255, 255, 0, 0, 255, 255, 0, 0, 255, 255}, "right");
+}
+
+/// Bright above, black below.
+std::shared_ptr<const Alpha> upperHalf()
+{
+    return std::make_shared<Alpha>(2, 4, std::vector<std::uint8_t>{255, 255, 255, 255, 0, 0, 0, 0}, "upper");
+}
+
+StrokeSettings settingsOf(Tool tool, std::shared_ptr<const Alpha> alpha, double radius = 15)
+{
+    StrokeSettings settings;
+    settings.tool = tool;
+    settings.radius = radius;
+    settings.alpha = std::move(alpha);
+    return settings;
+}
+
+core::MeshDelta stroke(Sculptor& sculptor, const StrokeSettings& settings, const std::vector<Vec3>& path)
+{
+    sculptor.beginStroke(settings);
+    for (const Vec3& at : path) {
+        core::StrokeSample sample;
+        sample.position = at;
+        sample.direction = -at;
+        sculptor.addSample(sample);
+    }
+    return sculptor.endStroke();
+}
+
+Vec3 front(double x, double y)
+{
+    return ballRadius * Vec3(x, y, ballRadius).normalized();
+}
+
+/// How far the surface over (x, y) stands above the ball.
+double raisedAt(const Sculptor& sculptor, double x, double y)
+{
+    return sculptor.hit({{x, y, 200}, -Vec3::UnitZ()})->position.norm() - ballRadius;
+}
+
+bool isSound(const Sculptor& sculptor)
+{
+    const auto verdict = judgedByCgal(core::extractMesh(sculptor.mesh()));
+    return verdict && verdict->allWell();
+}
+} // namespace
+
+class TestAlpha : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void at_isTheImage();
+    void at_isBlackBesideTheImage();
+    void at_ofOnePixel();
+    void builtIns_haveShades();
+    void fingerprint_tellsImagesApart();
+    void stroke_movesWhereItIsBright();
+    void stroke_paintsWhereItIsBright();
+    void stroke_followsItsWay();
+    void stroke_standsUprightOnATurntable();
+    void stroke_isSymmetric_data();
+    void stroke_isSymmetric();
+    void painted_isSymmetric();
+    void mirrored_isSeenInAMirror();
+    void grab_hasNone();
+    void undone();
+};
+
+void TestAlpha::at_isTheImage()
+{
+    const Alpha alpha(2, 2, {0, 255, 51, 102}, "four");
+    QCOMPARE(alpha.at(-0.5, 0.5), 0.0); // the middles of the pixels
+    QCOMPARE(alpha.at(0.5, 0.5), 1.0);
+    QCOMPARE(alpha.at(-0.5, -0.5), 0.2);
+    QCOMPARE(alpha.at(0.5, -0.5), 0.4);
+    QVERIFY(std::abs(alpha.at(0, 0.5) - 0.5) < 1e-12);
+    QVERIFY(std::abs(alpha.at(0, 0) - 0.4) < 1e-12);
+    QCOMPARE(alpha.at(1, 1), 1.0); // as the pixel at the edge
+}
+
+void TestAlpha::at_isBlackBesideTheImage()
+{
+    const Alpha wide(4, 2, std::vector<std::uint8_t>(8, 255), "wide");
+    QCOMPARE(wide.at(0.99, 0.49), 1.0);
+    QCOMPARE(wide.at(0, 0.51), 0.0);
+    QCOMPARE(wide.at(1.01, 0), 0.0);
+    QCOMPARE(wide.at(std::nan(""), 0), 0.0);
+}
+
+void TestAlpha::at_ofOnePixel()
+{
+    const Alpha alpha(1, 1, {51}, "one");
+    for (const double u : {-1.0, 0.0, 1.0})
+        QCOMPARE(alpha.at(u, -u), 0.2);
+}
+
+void TestAlpha::builtIns_haveShades()
+{
+    QVERIFY(core::builtInAlphas().size() >= 8);
+    for (const std::string_view name : core::builtInAlphas()) {
+        const auto alpha = core::builtInAlpha(name);
+        QVERIFY2(alpha && alpha->isBuiltIn(), name.data());
+        const auto [least, most] = std::ranges::minmax(alpha->pixels());
+        QVERIFY2(least < 100 && most > 240, name.data());
+    }
+    QVERIFY(!core::builtInAlpha("none of ours"));
+    QVERIFY(!rightHalf()->isBuiltIn());
+}
+
+void TestAlpha::fingerprint_tellsImagesApart()
+{
+    QCOMPARE(rightHalf()->fingerprint(), rightHalf()->fingerprint());
+    QCOMPARE(rightHalf()->fingerprint().size(), std::size_t(16));
+    QVERIFY(rightHalf()->fingerprint() != upperHalf()->fingerprint());
+    QVERIFY(Alpha(2, 1, {1, 2}, "a").fingerprint() != Alpha(1, 2, {1, 2}, "a").fingerprint());
+}
+
+void TestAlpha::stroke_movesWhereItIsBright()
+{
+    for (const Tool tool : {Tool::Pull, Tool::Push, Tool::Inflate, Tool::Clay, Tool::Layer}) {
+        const auto right = ball(), up = ball();
+        stroke(*right, settingsOf(tool, rightHalf()), {front(0, 0)});
+        stroke(*up, settingsOf(tool, upperHalf()), {front(0, 0)});
+        const double least = 0.15;
+        QVERIFY2(std::abs(raisedAt(*right, 6, 0)) > least && std::abs(raisedAt(*right, -6, 0)) < 0.05, core::name(tool).data());
+        QVERIFY2(std::abs(raisedAt(*up, 0, 3)) > least && std::abs(raisedAt(*up, 0, -5)) < 0.05, core::name(tool).data());
+        QVERIFY(isSound(*right) && isSound(*up));
+    }
+}
+
+void TestAlpha::stroke_paintsWhereItIsBright()
+{
+    const auto sculptor = ball();
+    StrokeSettings settings = settingsOf(Tool::Paint, rightHalf());
+    settings.color = {1, 2, 3};
+    settings.falloff = 0;
+    const core::Rgb clay = sculptor->hit({{-6, 0, 200}, -Vec3::UnitZ()})->color;
+    stroke(*sculptor, settings, {front(0, 0)});
+    QVERIFY(sculptor->hit({{6, 0, 200}, -Vec3::UnitZ()})->color.r < 40);
+    QVERIFY(sculptor->hit({{-8, 0, 200}, -Vec3::UnitZ()})->color == clay);
+}
+
+/// Up in the image is the stroke's way.
+void TestAlpha::stroke_followsItsWay()
+{
+    const auto sculptor = ball();
+    StrokeSettings settings = settingsOf(Tool::Pull, upperHalf(), 10);
+    settings.alphaFollows = true;
+    stroke(*sculptor, settings, {front(-25, 0), front(0, 0)});
+    QVERIFY(raisedAt(*sculptor, 3, 0) > 0.1);
+    QVERIFY(std::abs(raisedAt(*sculptor, -4, 0)) < 0.05);
+}
+
+void TestAlpha::stroke_standsUprightOnATurntable()
+{
+    const auto sculptor = ball();
+    sculptor->beginStroke(settingsOf(Tool::Pull, upperHalf()));
+    core::StrokeSample sample; // the model lies on its right side: its x points up
+    sample.rotation = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitX(), Vec3::UnitY());
+    sample.position = front(0, 0);
+    sculptor->addSample(sample);
+    sculptor->endStroke();
+    QVERIFY(raisedAt(*sculptor, 5, 0) > 0.2);
+    QVERIFY(std::abs(raisedAt(*sculptor, -5, 0)) < 0.05);
+}
+
+void TestAlpha::stroke_isSymmetric_data()
+{
+    QTest::addColumn<double>("x");
+    QTest::addColumn<bool>("follows");
+    for (const double x : {2.0, -30.0}) {
+        for (const bool follows : {false, true})
+            QTest::addRow("%g %d", x, follows) << x << follows;
+    }
+}
+
+void TestAlpha::stroke_isSymmetric()
+{
+    QFETCH(double, x);
+    QFETCH(bool, follows);
+    const auto sculptor = ball();
+    StrokeSettings settings = settingsOf(Tool::Pull, core::builtInAlpha("cracks"), 12);
+    settings.symmetry = core::Symmetry::X;
+    settings.alphaFollows = follows;
+    stroke(*sculptor, settings, {front(x, 0), front(x + 3, 4), front(x + 5, 9)});
+    VERIFY_SYMMETRIC(sculptor->mesh(), core::Symmetry::X);
+    QVERIFY(isSound(*sculptor));
+}
+
+void TestAlpha::painted_isSymmetric()
+{
+    const auto sculptor = ball();
+    StrokeSettings settings = settingsOf(Tool::Paint, core::builtInAlpha("noise"), 12);
+    settings.symmetry = core::Symmetry::X;
+    settings.color = {1, 2, 3};
+    stroke(*sculptor, settings, {front(3, 0), front(20, 4)});
+    VERIFY_SYMMETRIC(sculptor->mesh(), core::Symmetry::X);
+}
+
+/// On the hand's side the image is as it is, whichever side that is.
+void TestAlpha::mirrored_isSeenInAMirror()
+{
+    for (const double side : {1.0, -1.0}) {
+        const auto sculptor = ball();
+        StrokeSettings settings = settingsOf(Tool::Pull, rightHalf(), 12);
+        settings.symmetry = core::Symmetry::X;
+        stroke(*sculptor, settings, {front(25 * side, 0)});
+        const double x = 50 * 25 / std::sqrt(25.0 * 25 + 50 * 50) * side;
+        QVERIFY(raisedAt(*sculptor, x + 4, 0) > 0.1);
+        QVERIFY(std::abs(raisedAt(*sculptor, x - 4, 0)) < 0.05);
+        QVERIFY(raisedAt(*sculptor, -x - 4, 0) > 0.1);
+        QVERIFY(std::abs(raisedAt(*sculptor, -x + 4, 0)) < 0.05);
+    }
+}
+
+/// What is held on to moves away from under its image.
+void TestAlpha::grab_hasNone()
+{
+    const auto with = ball(), without = ball();
+    stroke(*with, settingsOf(Tool::Grab, rightHalf()), {front(0, 0), {0, 0, 60}});
+    stroke(*without, settingsOf(Tool::Grab, nullptr), {front(0, 0), {0, 0, 60}});
+    QCOMPARE(with->mesh().stateHash(), without->mesh().stateHash());
+}
+
+void TestAlpha::undone()
+{
+    const auto used = ball(), fresh = ball();
+    const StrokeSettings settings = settingsOf(Tool::Pull, core::builtInAlpha("scales"));
+    core::MeshDelta delta = stroke(*used, settings, {front(0, 0), front(12, 0)});
+    QVERIFY(used->mesh().stateHash() != fresh->mesh().stateHash());
+    used->swap(delta);
+    QCOMPARE(used->mesh().stateHash(), fresh->mesh().stateHash());
+    for (Sculptor* sculptor : {used.get(), fresh.get()})
+        stroke(*sculptor, settings, {front(5, 5)});
+    QCOMPARE(used->mesh().stateHash(), fresh->mesh().stateHash());
+}
+
+QTEST_GUILESS_MAIN(TestAlpha)
+#include "tst_alpha.moc"

@@ -1,0 +1,455 @@
+#include "core/brush_model.h"
+#include "core/mesh_build.h"
+#include "core/sculptor.h"
+#include "core/starter_models.h"
+#include "core/winding_number.h"
+#include "tests/support/cgal_judge.h"
+#include "tests/support/clay.h"
+#include "tests/support/mesh_asserts.h"
+#include "tests/support/mirror_asserts.h"
+
+#include <QTest>
+
+#include <cmath>
+
+using core::BrushModel;
+using core::DabOutcome;
+using core::DabReport;
+using core::Sculptor;
+using core::Starter;
+using core::StrokeSettings;
+using core::Tool;
+using core::TriangleMesh;
+using core::Vec3;
+using core::Vec3f;
+
+namespace
+{
+constexpr double ballRadius = 50, radius = 12;
+using Model = std::shared_ptr<const BrushModel>;
+
+Model modelOf(const TriangleMesh& mesh)
+{
+    return BrushModel::of(mesh, {}).model;
+}
+
+/// An L on its back: not convex, and not its own mirror image.
+TriangleMesh letterL(float thickness = 3)
+{
+    const std::vector<std::array<float, 2>> outline{{-2, 3}, {-2, -3}, {2, -3}, {2, -1.5}, {-0.5, -1.5}, {-0.5, 3}};
+    const std::vector<core::Triangle> top{{0, 1, 4}, {0, 4, 5}, {1, 2, 3}, {1, 3, 4}};
+    TriangleMesh mesh;
+    for (const float y : {-0.5f * thickness, 0.5f * thickness})
+        for (const auto& [x, up] : outline)
+            mesh.points.emplace_back(x, y, -up);
+    for (const auto& [a, b, c] : top) {
+        mesh.triangles.push_back({a + 6, b + 6, c + 6});
+        mesh.triangles.push_back({a, c, b});
+    }
+    for (core::Slot i = 0; i < 6; ++i) {
+        const core::Slot j = (i + 1) % 6;
+        mesh.triangles.push_back({i, j, j + 6});
+        mesh.triangles.push_back({i, j + 6, i + 6});
+    }
+    return mesh;
+}
+
+std::unique_ptr<Sculptor> ball()
+{
+    return std::make_unique<Sculptor>(mesh_asserts::sculptable(core::icosphere(5, ballRadius)));
+}
+
+StrokeSettings stampOf(Model model, bool raises = false)
+{
+    StrokeSettings settings;
+    settings.tool = Tool::Stamp;
+    settings.radius = radius;
+    settings.model = std::move(model);
+    settings.inverted = raises;
+    return settings;
+}
+
+std::vector<DabReport> dab(Sculptor& sculptor, const StrokeSettings& settings, const Vec3& at)
+{
+    sculptor.beginStroke(settings);
+    core::StrokeSample sample;
+    sample.position = at;
+    const std::vector<DabReport> reports = sculptor.addSample(sample);
+    sculptor.endStroke();
+    return reports;
+}
+
+double heightAt(const Sculptor& sculptor, double x, double y)
+{
+    return sculptor.hit({{x, y, 200}, -Vec3::UnitZ()})->position.z();
+}
+
+bool isSound(const Sculptor& sculptor)
+{
+    const auto verdict = judgedByCgal(core::extractMesh(sculptor.mesh()));
+    return verdict && verdict->allWell() && mesh_asserts::brokenLinks(sculptor.mesh()).empty() && sculptor.indexIsConsistent();
+}
+
+std::vector<std::pair<const char*, Model>> models()
+{
+    return {{"ball", nullptr}, {"cube", modelOf(core::starterModel(Starter::Cube))}, {"torus", modelOf(core::starterModel(Starter::Torus))},
+            {"L", modelOf(letterL())}, {"bowl", modelOf(clay::bowl())}};
+}
+} // namespace
+
+class TestBrushModel : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void of_isOfUnitSize();
+    void of_refuses();
+    void of_refusesTooManyFaces();
+    void spanAt_isTheSolid_data();
+    void spanAt_isTheSolid();
+    void fingerprint_isOfTheShape();
+    void cube_leavesAFlatFloor();
+    void cube_raisesAFlatTop();
+    void letter_isReadable();
+    void strength_isItsShare();
+    void pressed_isSound_data();
+    void pressed_isSound();
+    void throughAWall_makesAHole();
+    void stroke_standsBeside();
+    void symmetric_data();
+    void symmetric();
+    void undone();
+    void added_data();
+    void added();
+    void added_isMirrored();
+    void added_nearTheSurfaceIsRefused();
+    void added_unfitIsRefused();
+};
+
+void TestBrushModel::of_isOfUnitSize()
+{
+    TriangleMesh mesh = core::starterModel(Starter::Torus);
+    for (Vec3f& p : mesh.points)
+        p = 1000 * p + Vec3f(5, 6, 7);
+    const Model model = modelOf(mesh);
+    double farthest = 0;
+    core::Box box;
+    for (const Vec3f& p : model->surface().points) {
+        farthest = std::max(farthest, p.cast<double>().norm());
+        box.extend(p.cast<double>());
+    }
+    QVERIFY(std::abs(farthest - 1) < 1e-6);
+    QVERIFY(box.center().norm() < 1e-6);
+}
+
+void TestBrushModel::of_refuses()
+{
+    using Fault = BrushModel::Fault;
+    const TriangleMesh cube = core::starterModel(Starter::Cube);
+    TriangleMesh open = cube, turned = cube, flat = cube, tiny = cube;
+    open.triangles.pop_back();
+    for (core::Triangle& t : turned.triangles)
+        std::swap(t[0], t[1]);
+    for (Vec3f& p : flat.points)
+        p.y() *= 1e-5f;
+    for (Vec3f& p : tiny.points)
+        p *= 1e-9f;
+    const auto faultOf = [](const TriangleMesh& mesh) {
+        const BrushModel::Made made = BrushModel::of(mesh, {});
+        return made.model ? Fault::None : made.fault;
+    };
+    QCOMPARE(faultOf(cube), Fault::None);
+    QCOMPARE(faultOf(open), Fault::Unsound);
+    QVERIFY(BrushModel::of(open, {}).report.openEdges.count > 0);
+    QCOMPARE(faultOf(turned), Fault::Unsound);
+    QCOMPARE(faultOf(flat), Fault::TooFlat);
+    QCOMPARE(faultOf(tiny), Fault::TooSmall);
+    TriangleMesh point = cube;
+    for (Vec3f& p : point.points)
+        p = {1, 2, 3};
+    QCOMPARE(faultOf(point), Fault::TooSmall);
+    QCOMPARE(faultOf(TriangleMesh()), Fault::TooSmall);
+    TriangleMesh crossing = cube; // two cubes, one half in the other
+    for (const Vec3f& p : cube.points)
+        crossing.points.push_back(p + 0.5f * (cube.points[0].cwiseAbs()));
+    const auto n = static_cast<core::Slot>(cube.points.size());
+    for (const auto& [a, b, c] : cube.triangles)
+        crossing.triangles.push_back({a + n, b + n, c + n});
+    QCOMPARE(faultOf(crossing), Fault::Unsound);
+}
+
+void TestBrushModel::of_refusesTooManyFaces()
+{
+    QCOMPARE(BrushModel::of(core::icosphere(8, 1), {}).fault, BrushModel::Fault::TooManyFaces);
+}
+
+void TestBrushModel::spanAt_isTheSolid_data()
+{
+    QTest::addColumn<int>("which");
+    for (int i = 1; i < static_cast<int>(models().size()); ++i)
+        QTest::newRow(models()[static_cast<std::size_t>(i)].first) << i;
+}
+
+/// On a grid that meets corners and edges: inside where the winding number says so, and the span's ends are the surface's.
+void TestBrushModel::spanAt_isTheSolid()
+{
+    QFETCH(int, which);
+    const Model model = models()[static_cast<std::size_t>(which)].second;
+    std::vector<Vec3> points;
+    for (const Vec3f& p : model->surface().points)
+        points.push_back(p.cast<double>());
+    const core::WindingNumber winding(points, model->surface().triangles);
+    int inside = 0;
+    for (double x = -1; x <= 1; x += 0.125) {
+        for (double y = -1; y <= 1; y += 0.13) {
+            for (double z = -1; z <= 1; z += 0.125) {
+                const double number = winding.at({x, y, z});
+                const auto span = model->spanAt({x, y, z});
+                if (std::abs(number - 0.5) < 0.3) // next to the surface
+                    continue;
+                QCOMPARE(span.has_value(), number > 0.5);
+                inside += span ? 1 : 0;
+                if (span)
+                    QVERIFY(span->low <= y && y <= span->high && winding.at({x, 0.5 * (span->low + span->high), z}) > 0.5);
+            }
+        }
+    }
+    QVERIFY(inside > 50);
+}
+
+void TestBrushModel::fingerprint_isOfTheShape()
+{
+    TriangleMesh moved = core::starterModel(Starter::Cube);
+    for (Vec3f& p : moved.points)
+        p *= 2;
+    QCOMPARE(modelOf(moved)->fingerprint(), modelOf(core::starterModel(Starter::Cube))->fingerprint());
+    QVERIFY(modelOf(letterL())->fingerprint() != modelOf(letterL(2))->fingerprint());
+}
+
+/// Half of it deep: its half extent is the brush's radius by the root of 3.
+void TestBrushModel::cube_leavesAFlatFloor()
+{
+    const auto sculptor = ball();
+    const auto reports = dab(*sculptor, stampOf(modelOf(core::starterModel(Starter::Cube))), {0, 0, ballRadius});
+    QVERIFY(reports[0].outcome == DabOutcome::Committed || reports[0].outcome == DabOutcome::Careful);
+    const double half = radius / std::sqrt(3.0), floor = ballRadius - half;
+    for (const double x : {-0.8, -0.4, 0.0, 0.4, 0.8}) {
+        for (const double y : {-0.8, 0.0, 0.8}) {
+            const double z = heightAt(*sculptor, x * half, y * half);
+            QVERIFY2(std::abs(z - floor) < 0.06, qPrintable(QStringLiteral("%1 %2: %3").arg(x).arg(y).arg(z - floor)));
+        }
+    }
+    for (const double beside : {-1.25, 1.25}) {
+        const double x = beside * half;
+        QVERIFY(std::abs(heightAt(*sculptor, x, 0) - std::sqrt(ballRadius * ballRadius - x * x)) < 0.1);
+    }
+    QVERIFY(isSound(*sculptor));
+}
+
+void TestBrushModel::cube_raisesAFlatTop()
+{
+    const auto sculptor = ball();
+    dab(*sculptor, stampOf(modelOf(core::starterModel(Starter::Cube)), true), {0, 0, ballRadius});
+    const double half = radius / std::sqrt(3.0);
+    for (const double x : {-0.8, 0.0, 0.8})
+        QVERIFY2(std::abs(heightAt(*sculptor, x * half, 0.8 * half) - ballRadius - half) < 0.06, qPrintable(QString::number(heightAt(*sculptor, x * half, 0.8 * half))));
+    QVERIFY(std::abs(heightAt(*sculptor, 1.3 * half, 0) - ballRadius) < 1);
+    QVERIFY(isSound(*sculptor));
+}
+
+/// Its foot points to the right, as it lies on its back.
+void TestBrushModel::letter_isReadable()
+{
+    const auto sculptor = ball();
+    dab(*sculptor, stampOf(modelOf(letterL()), true), {0, 0, ballRadius});
+    const double scale = radius / std::sqrt(4 + 9 + 2.25), top = ballRadius + 1.5 * scale;
+    QVERIFY(std::abs(heightAt(*sculptor, -1.2 * scale, 2 * scale) - top) < 0.1);
+    QVERIFY(std::abs(heightAt(*sculptor, 1.4 * scale, -2.2 * scale) - top) < 0.1);
+    QVERIFY(heightAt(*sculptor, 1 * scale, 1.5 * scale) < ballRadius + 0.1);
+}
+
+void TestBrushModel::strength_isItsShare()
+{
+    const auto sculptor = ball();
+    StrokeSettings settings = stampOf(nullptr);
+    settings.strength = 0.25;
+    dab(*sculptor, settings, {0, 0, ballRadius});
+    QVERIFY(std::abs(heightAt(*sculptor, 0, 0) - (ballRadius - 0.25 * radius)) < 0.1);
+}
+
+void TestBrushModel::pressed_isSound_data()
+{
+    QTest::addColumn<int>("which");
+    QTest::addColumn<bool>("raises");
+    for (int i = 0; i < static_cast<int>(models().size()); ++i) {
+        for (const bool raises : {false, true})
+            QTest::addRow("%s %s", models()[static_cast<std::size_t>(i)].first, raises ? "raised" : "pressed") << i << raises;
+    }
+}
+
+/// On a ball, and again over the rim of what is there; twice the same.
+void TestBrushModel::pressed_isSound()
+{
+    QFETCH(int, which);
+    QFETCH(bool, raises);
+    const auto first = ball(), second = ball();
+    const StrokeSettings settings = stampOf(models()[static_cast<std::size_t>(which)].second, raises);
+    for (Sculptor* sculptor : {first.get(), second.get()}) {
+        dab(*sculptor, settings, {0, 0, ballRadius});
+        QVERIFY(isSound(*sculptor));
+        dab(*sculptor, settings, sculptor->hit({{5, 4, 200}, -Vec3::UnitZ()})->position);
+        QVERIFY(isSound(*sculptor));
+    }
+    QCOMPARE(first->mesh().stateHash(), second->mesh().stateHash());
+    QVERIFY(first->mesh().stateHash() != ball()->mesh().stateHash());
+}
+
+void TestBrushModel::throughAWall_makesAHole()
+{
+    Sculptor sculptor(mesh_asserts::sculptable(clay::slab(40, 3, 20)));
+    StrokeSettings settings = stampOf(modelOf(core::starterModel(Starter::Cube)));
+    settings.radius = 8;
+    dab(sculptor, settings, {0, 1.5, 0});
+    QVERIFY(isSound(sculptor));
+    QVERIFY(sculptor.totals().fusions > 0);
+}
+
+/// However dense the dabs of other tools stand.
+void TestBrushModel::stroke_standsBeside()
+{
+    const auto sculptor = ball();
+    StrokeSettings settings = stampOf(nullptr);
+    settings.radius = 5;
+    settings.spacing = 0.1;
+    settings.place = core::Placement::Ray;
+    sculptor->beginStroke(settings);
+    std::size_t dabs = 0;
+    for (int i = 0; i <= 40; ++i) {
+        core::StrokeSample sample;
+        sample.position = {-20.0 + i, 0, 200};
+        dabs += sculptor->addSample(sample).size();
+    }
+    sculptor->endStroke();
+    QVERIFY2(dabs >= 3 && dabs <= 5, qPrintable(QString::number(dabs)));
+    QVERIFY(isSound(*sculptor));
+}
+
+void TestBrushModel::symmetric_data()
+{
+    pressed_isSound_data();
+}
+
+void TestBrushModel::symmetric()
+{
+    QFETCH(int, which);
+    QFETCH(bool, raises);
+    for (const double x : {4.0, -25.0}) {
+        const auto sculptor = ball();
+        StrokeSettings settings = stampOf(models()[static_cast<std::size_t>(which)].second, raises);
+        settings.symmetry = core::Symmetry::X;
+        for (const DabReport& report : dab(*sculptor, settings, ballRadius * Vec3(x, 6, 45).normalized()))
+            QVERIFY(!report.asymmetric);
+        VERIFY_SYMMETRIC(sculptor->mesh(), core::Symmetry::X);
+        QVERIFY(isSound(*sculptor));
+    }
+}
+
+void TestBrushModel::undone()
+{
+    const auto used = ball(), fresh = ball();
+    used->beginStroke(stampOf(modelOf(letterL())));
+    core::StrokeSample sample;
+    sample.position = {0, 0, ballRadius};
+    used->addSample(sample);
+    core::MeshDelta delta = used->endStroke();
+    used->swap(delta);
+    QCOMPARE(used->mesh().stateHash(), fresh->mesh().stateHash());
+    for (Sculptor* sculptor : {used.get(), fresh.get()})
+        dab(*sculptor, stampOf(modelOf(letterL())), {0, 20, 45});
+    QCOMPARE(used->mesh().stateHash(), fresh->mesh().stateHash());
+}
+
+void TestBrushModel::added_data()
+{
+    QTest::addColumn<int>("which");
+    QTest::addColumn<int>("genus");
+    QTest::newRow("cube") << 1 << 0;
+    QTest::newRow("torus") << 2 << 1;
+    QTest::newRow("L") << 3 << 0;
+}
+
+/// Where nothing is, upright and of the brush's radius, with both tools that add.
+void TestBrushModel::added()
+{
+    QFETCH(int, which);
+    QFETCH(int, genus);
+    const Model model = models()[static_cast<std::size_t>(which)].second;
+    for (const Tool tool : {Tool::Pull, Tool::Stamp}) {
+        const auto sculptor = ball();
+        StrokeSettings settings = stampOf(model);
+        settings.tool = tool;
+        settings.add = true;
+        const Vec3 center(100, 20, -10);
+        QCOMPARE(dab(*sculptor, settings, center)[0].outcome, DabOutcome::Added);
+        const core::MeshReport report = core::checkMesh(core::extractMesh(sculptor->mesh()));
+        QCOMPARE(report.components, std::size_t(2));
+        QCOMPARE(*report.genus, genus);
+        QVERIFY(isSound(*sculptor));
+        core::Box box, expected;
+        for (core::Slot v = 0; v < sculptor->mesh().slots().vertices; ++v) {
+            const Vec3 p = sculptor->mesh().point(v).cast<double>();
+            if (sculptor->mesh().isVertex(v) && p.x() > 60)
+                box.extend(p);
+        }
+        for (const Vec3f& p : model->surface().points)
+            expected.extend(center + radius * p.cast<double>());
+        QVERIFY((box.min() - expected.min()).norm() < 1e-3 && (box.max() - expected.max()).norm() < 1e-3);
+    }
+}
+
+void TestBrushModel::added_isMirrored()
+{
+    for (const double side : {1.0, -1.0}) {
+        const auto sculptor = ball();
+        StrokeSettings settings = stampOf(modelOf(letterL()));
+        settings.add = true;
+        settings.symmetry = core::Symmetry::X;
+        QCOMPARE(dab(*sculptor, settings, {100 * side, 0, 0})[0].outcome, DabOutcome::Added);
+        VERIFY_SYMMETRIC(sculptor->mesh(), core::Symmetry::X);
+        QVERIFY(isSound(*sculptor));
+        const double scale = radius / std::sqrt(4 + 9 + 2.25); // on the hand's side the L is an L, seen from above
+        QVERIFY(sculptor->hit({{100 * side + 1.4 * scale, 200, 2.2 * scale}, -Vec3::UnitY()}));
+        QVERIFY(!sculptor->hit({{100 * side + 1.4 * scale, 200, -2.2 * scale}, -Vec3::UnitY()}));
+    }
+}
+
+void TestBrushModel::added_nearTheSurfaceIsRefused()
+{
+    const auto sculptor = ball();
+    const std::uint64_t before = sculptor->mesh().stateHash();
+    StrokeSettings settings = stampOf(modelOf(letterL()));
+    settings.add = true;
+    for (const auto& [x, refusal] : {std::pair(62.5, core::Refusal::TooClose), {0.0, core::Refusal::Inside}, {1e4, core::Refusal::Wall}}) {
+        const DabReport report = dab(*sculptor, settings, {x, 0, 0})[0];
+        QVERIFY(report.outcome == DabOutcome::Refused && report.refusal == refusal);
+    }
+    QCOMPARE(sculptor->mesh().stateHash(), before);
+}
+
+/// A plate as thin as may be, in a brush so small that it lies within one layer of the lattice.
+void TestBrushModel::added_unfitIsRefused()
+{
+    const auto sculptor = ball();
+    const std::uint64_t before = sculptor->mesh().stateHash();
+    StrokeSettings settings = stampOf(modelOf(letterL(0.008f)));
+    settings.add = true;
+    settings.radius = 20 * sculptor->mesh().lattice().unit();
+    const DabReport report = dab(*sculptor, settings, {100, 0, 0})[0];
+    QCOMPARE(report.outcome, DabOutcome::Refused);
+    QCOMPARE(report.refusal, core::Refusal::Unfit);
+    QCOMPARE(core::shortfallOf(report), core::Shortfall::Unfit);
+    QCOMPARE(sculptor->mesh().stateHash(), before);
+}
+
+QTEST_GUILESS_MAIN(TestBrushModel)
+#include "tst_brush_model.moc"

@@ -1,0 +1,281 @@
+// Files that become an alpha or a brush's shape, good ones and bad ones; and how the window chooses them.
+#include "ui_test.h"
+
+#include "core/mesh_io.h"
+#include "core/starter_models.h"
+#include "ui/brush_files.h"
+#include "ui/brush_shapes.h"
+#include "ui/main_window.h"
+
+#include <QBuffer>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QImage>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+
+using core::Tool;
+
+namespace
+{
+QByteArray bigEndian(quint32 value)
+{
+    const char bytes[] = {char(value >> 24), char(value >> 16), char(value >> 8), char(value)};
+    return {bytes, sizeof bytes};
+}
+
+/// A PNG's beginning, which promises a picture of that size.
+QByteArray pngHeader(quint32 side)
+{
+    const QByteArray content = "IHDR" + bigEndian(side) + bigEndian(side) + QByteArray::fromHex("0800000000");
+    quint32 crc = ~0u;
+    for (const char c : content) {
+        crc ^= static_cast<unsigned char>(c);
+        for (int bit = 0; bit < 8; ++bit)
+            crc = crc & 1 ? 0xedb88320u ^ crc >> 1 : crc >> 1;
+    }
+    return QByteArray::fromHex("89504e470d0a1a0a") + bigEndian(13) + content + bigEndian(~crc);
+}
+
+bool write(const QString& path, const QByteArray& bytes)
+{
+    QFile file(path);
+    return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size();
+}
+
+bool contains(const QString& sentence, const QString& words)
+{
+    return sentence.contains(words) && sentence.endsWith(u'.') && !sentence.contains(u'\n');
+}
+} // namespace
+
+class TestBrushFiles : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QVERIFY(m_folder.isValid()); }
+    void alpha_isGrey();
+    void alpha_ofATransparentShape();
+    void alpha_ofOnePixel();
+    void alpha_refused_data();
+    void alpha_refused();
+    void alpha_cutOff();
+    void model_isRead();
+    void model_refused_data();
+    void model_refused();
+    void window_choosesAlphas();
+    void window_choosesModels();
+    void settings_keepTheAlpha();
+
+private:
+    QString path(const char* name) const { return m_folder.filePath(QString::fromLatin1(name)); }
+
+    QTemporaryDir m_folder;
+};
+
+void TestBrushFiles::alpha_isGrey()
+{
+    QImage image(3, 2, QImage::Format_RGB32);
+    image.fill(Qt::white);
+    image.setPixelColor(0, 0, Qt::black);
+    image.setPixelColor(2, 1, QColor(100, 100, 100));
+    QVERIFY(image.save(path("grey.png")));
+    const auto file = ui::readAlpha(path("grey.png"));
+    QVERIFY2(file.what, qPrintable(file.problem));
+    QCOMPARE(file.what->pixels(), (std::vector<std::uint8_t>{0, 255, 255, 255, 255, 100}));
+    QCOMPARE(file.what->width(), 3);
+    QCOMPARE(QString::fromStdString(file.what->source()), path("grey.png"));
+}
+
+/// Transparent is nothing; a black shape, which would be nothing at all, is taken for white.
+void TestBrushFiles::alpha_ofATransparentShape()
+{
+    for (const QColor& color : {QColor(Qt::white), QColor(Qt::black)}) {
+        QImage image(2, 1, QImage::Format_ARGB32);
+        image.fill(Qt::transparent);
+        image.setPixelColor(1, 0, color);
+        QVERIFY(image.save(path("shape.png")));
+        const auto file = ui::readAlpha(path("shape.png"));
+        QVERIFY2(file.what, qPrintable(file.problem));
+        QCOMPARE(file.what->pixels(), (std::vector<std::uint8_t>{0, 255}));
+    }
+}
+
+void TestBrushFiles::alpha_ofOnePixel()
+{
+    QImage image(1, 1, QImage::Format_Grayscale8);
+    image.fill(128);
+    QVERIFY(image.save(path("one.png")));
+    const auto file = ui::readAlpha(path("one.png"));
+    QVERIFY2(file.what, qPrintable(file.problem));
+    QCOMPARE(file.what->at(0.7, -0.7), 128.0 / 255);
+}
+
+void TestBrushFiles::alpha_refused_data()
+{
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::addColumn<QString>("words");
+    QTest::newRow("text") << QByteArray("This is no image.") << QStringLiteral("not an image");
+    QTest::newRow("empty") << QByteArray() << QStringLiteral("not an image");
+    QTest::newRow("20,000 x 20,000") << pngHeader(20'000) << QStringLiteral("20000 × 20000 pixels");
+    QTest::newRow("a header alone") << pngHeader(64) << QStringLiteral("damaged");
+    QByteArray black;
+    QBuffer buffer(&black);
+    buffer.open(QIODevice::WriteOnly);
+    QImage image(4, 4, QImage::Format_RGB32);
+    image.fill(Qt::black);
+    image.save(&buffer, "png");
+    QTest::newRow("black") << black << QStringLiteral("all black");
+}
+
+void TestBrushFiles::alpha_refused()
+{
+    QFETCH(QByteArray, bytes);
+    QFETCH(QString, words);
+    QVERIFY(write(path("bad.png"), bytes));
+    const auto file = ui::readAlpha(path("bad.png"));
+    QVERIFY(!file.what);
+    QVERIFY2(contains(file.problem, words) && file.problem.contains(path("bad.png")), qPrintable(file.problem));
+    QVERIFY(contains(ui::readAlpha(path("gone.png")).problem, QStringLiteral("no such file")));
+}
+
+/// Wherever it is cut: an image, or a sentence.
+void TestBrushFiles::alpha_cutOff()
+{
+    QByteArray whole;
+    QBuffer buffer(&whole);
+    buffer.open(QIODevice::WriteOnly);
+    QImage image(32, 32, QImage::Format_Grayscale8);
+    for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 32; ++x)
+            image.setPixelColor(x, y, QColor::fromHsv(0, 0, (x * 37 + y * 91) % 256));
+    image.save(&buffer, "png");
+    int refused = 0;
+    for (qsizetype length = 0; length < whole.size(); length += 29) {
+        QVERIFY(write(path("cut.png"), whole.first(length)));
+        const auto file = ui::readAlpha(path("cut.png"));
+        QVERIFY(bool(file.what) == file.problem.isEmpty());
+        refused += file.what ? 0 : 1;
+    }
+    QVERIFY(refused > 3);
+}
+
+void TestBrushFiles::model_isRead()
+{
+    core::writeMesh(path("torus.stl").toStdString(), core::starterModel(core::Starter::Torus));
+    const auto file = ui::readBrushModel(path("torus.stl"));
+    QVERIFY2(file.what, qPrintable(file.problem));
+    QCOMPARE(QString::fromStdString(file.what->source()), path("torus.stl"));
+}
+
+void TestBrushFiles::model_refused_data()
+{
+    QTest::addColumn<core::TriangleMesh>("mesh");
+    QTest::addColumn<QString>("words");
+    core::TriangleMesh open = core::icosphere(2, 1), flat = open, tiny = open;
+    open.triangles.pop_back();
+    for (core::Vec3f& p : flat.points)
+        p.y() *= 1e-5f;
+    for (core::Vec3f& p : tiny.points)
+        p *= 1e-7f;
+    QTest::newRow("open") << open << QStringLiteral("open edges: 3");
+    QTest::newRow("flat") << flat << QStringLiteral("too flat");
+    QTest::newRow("tiny") << tiny << QStringLiteral("too small");
+    QTest::newRow("huge") << core::icosphere(8, 1) << QStringLiteral("1,000,000");
+}
+
+void TestBrushFiles::model_refused()
+{
+    QFETCH(core::TriangleMesh, mesh);
+    QFETCH(QString, words);
+    core::writeMesh(path("bad.ply").toStdString(), mesh);
+    const auto file = ui::readBrushModel(path("bad.ply"));
+    QVERIFY(!file.what);
+    QVERIFY2(contains(file.problem, words) && file.problem.contains(path("bad.ply")), qPrintable(file.problem));
+    QVERIFY(write(path("broken.glb"), "glTF and no more"));
+    QVERIFY(!ui::readBrushModel(path("broken.glb")).problem.isEmpty());
+    QVERIFY(write(path("empty.obj"), {}));
+    QVERIFY(!ui::readBrushModel(path("empty.obj")).problem.isEmpty());
+}
+
+void TestBrushFiles::window_choosesAlphas()
+{
+    QImage image(4, 4, QImage::Format_Grayscale8);
+    image.fill(200);
+    QVERIFY(image.save(path("mine.png")));
+    QVERIFY(write(path("bad.png"), "no image"));
+    ui::MainWindow window;
+    auto* box = window.findChild<QComboBox*>(QStringLiteral("alpha"));
+    auto* shapes = window.findChild<ui::BrushShapes*>();
+    QVERIFY(box && shapes);
+    const auto choose = [box](const QString& source) {
+        box->setCurrentIndex(box->findData(source));
+        Q_EMIT box->activated(box->currentIndex());
+    };
+    choose(QStringLiteral("star"));
+    QCOMPARE(window.brush()->stroke().alpha, core::builtInAlpha("star"));
+    window.brush()->setTool(Tool::Grab);
+    QVERIFY(!box->isEnabled());
+    window.brush()->setTool(Tool::Pull);
+    QVERIFY(box->isEnabled());
+    QSignalSpy refused(shapes, &ui::BrushShapes::refused);
+    shapes->chooseAlpha(path("bad.png"));
+    QTRY_COMPARE(refused.count(), 1);
+    QCOMPARE(window.brush()->stroke().alpha, core::builtInAlpha("star"));
+    QCOMPARE(box->currentData().toString(), QStringLiteral("star"));
+    shapes->chooseAlpha(path("mine.png"));
+    QTRY_COMPARE(box->currentData().toString(), path("mine.png"));
+    QCOMPARE(box->currentText(), QStringLiteral("mine.png"));
+    QCOMPARE(window.brush()->stroke().alpha->at(0, 0), 200.0 / 255);
+    choose({});
+    QVERIFY(!window.brush()->stroke().alpha);
+    QVERIFY(box->findData(path("mine.png")) > 0); // still at hand
+}
+
+void TestBrushFiles::window_choosesModels()
+{
+    core::writeMesh(path("cube.stl").toStdString(), core::starterModel(core::Starter::Cube));
+    core::TriangleMesh open = core::icosphere(2, 1);
+    open.triangles.pop_back();
+    core::writeMesh(path("open.ply").toStdString(), open);
+    ui::MainWindow window;
+    auto* box = window.findChild<QComboBox*>(QStringLiteral("stampShape"));
+    auto* shapes = window.findChild<ui::BrushShapes*>();
+    QVERIFY(box && shapes && box->currentData().toString().isEmpty());
+    shapes->chooseModel(path("cube.stl"));
+    QTRY_COMPARE(box->currentData().toString(), path("cube.stl"));
+    const auto cube = window.brush()->stroke().model;
+    QVERIFY(cube);
+    QSignalSpy refused(shapes, &ui::BrushShapes::refused);
+    shapes->chooseModel(path("open.ply"));
+    QTRY_COMPARE(refused.count(), 1);
+    QCOMPARE(window.brush()->stroke().model, cube);
+    shapes->chooseModel({});
+    QVERIFY(!window.brush()->stroke().model);
+}
+
+void TestBrushFiles::settings_keepTheAlpha()
+{
+    QImage image(4, 4, QImage::Format_Grayscale8);
+    image.fill(200);
+    QVERIFY(image.save(path("kept.png")));
+    {
+        ui::MainWindow window;
+        window.findChild<ui::BrushShapes*>()->chooseAlpha(path("kept.png"));
+        QTRY_VERIFY(window.brush()->stroke().alpha);
+        window.findChild<QCheckBox*>(QStringLiteral("alphaFollows"))->click();
+    }
+    {
+        ui::MainWindow window;
+        QTRY_VERIFY(window.brush()->stroke().alpha && window.brush()->stroke().alpha->source() == path("kept.png").toStdString());
+        QVERIFY(window.brush()->stroke().alphaFollows);
+    }
+    QVERIFY(QFile::remove(path("kept.png")));
+    ui::MainWindow window;
+    QTest::qWait(100);
+    QVERIFY(!window.brush()->stroke().alpha);
+}
+
+UI_TEST_MAIN(TestBrushFiles)
+#include "tst_brush_files.moc"

@@ -1,0 +1,108 @@
+#include "brush_files.h"
+
+#include "messages.h"
+
+#include "core/file_error.h"
+#include "core/mesh_io.h"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QFileInfo>
+#include <QImageReader>
+#include <QLocale>
+
+#include <algorithm>
+#include <new>
+
+namespace ui
+{
+namespace
+{
+struct BrushFiles
+{
+    Q_DECLARE_TR_FUNCTIONS(ui::BrushFiles)
+};
+
+template <class What> BrushFile<What> refused(const QString& sentence)
+{
+    return {nullptr, sentence};
+}
+
+/// Rows without gaps: `shadeOf` of a premultiplied pixel.
+template <class Shade> std::vector<std::uint8_t> shadesOf(const QImage& image, Shade shadeOf)
+{
+    std::vector<std::uint8_t> shades;
+    shades.reserve(static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.height()));
+    for (int y = 0; y < image.height(); ++y) {
+        const auto* row = reinterpret_cast<const QRgb*>(image.constScanLine(y));
+        std::transform(row, row + image.width(), std::back_inserter(shades), [&](QRgb pixel) { return static_cast<std::uint8_t>(shadeOf(pixel)); });
+    }
+    return shades;
+}
+
+bool isBlack(const std::vector<std::uint8_t>& shades)
+{
+    return std::ranges::none_of(shades, [](std::uint8_t shade) { return shade > 0; });
+}
+
+bool hasHoles(const QImage& image)
+{
+    return std::ranges::any_of(shadesOf(image, [](QRgb pixel) { return 255 - qAlpha(pixel); }), [](std::uint8_t hole) { return hole > 0; });
+}
+
+QString faultOf(const QString& path, const core::BrushModel::Made& made)
+{
+    using Fault = core::BrushModel::Fault;
+    switch (made.fault) {
+    case Fault::None:
+        break;
+    case Fault::Unsound:
+        return Messages::noBrush(path, made.report);
+    case Fault::TooFlat:
+        return BrushFiles::tr("%1 is too flat for a brush's shape.").arg(path);
+    case Fault::TooSmall:
+        return BrushFiles::tr("%1 is too small for a brush's shape.").arg(path);
+    case Fault::TooManyFaces:
+        return BrushFiles::tr("%1 has too many triangles for a brush's shape: at most %2 are taken. Export it with fewer triangles first.")
+            .arg(path, QLocale().toString(static_cast<qulonglong>(core::BrushModel::mostFaces)));
+    }
+    return {};
+}
+} // namespace
+
+BrushFile<core::Alpha> readAlpha(const QString& path)
+{
+    if (!QFileInfo::exists(path))
+        return refused<core::Alpha>(BrushFiles::tr("%1: there is no such file.").arg(path));
+    QImageReader reader(path);
+    reader.setAutoTransform(true);
+    reader.setDecideFormatFromContent(true);
+    if (!reader.canRead())
+        return refused<core::Alpha>(BrushFiles::tr("%1 is not an image that can be read.").arg(path));
+    const QSize size = reader.size();
+    if (std::max(size.width(), size.height()) > core::Alpha::mostSide)
+        return refused<core::Alpha>(BrushFiles::tr("%1 has %2 × %3 pixels: an alpha may have %4 on a side at most.")
+                                        .arg(path).arg(size.width()).arg(size.height()).arg(core::Alpha::mostSide));
+    const QImage image = reader.read().convertToFormat(QImage::Format_ARGB32_Premultiplied);
+    if (image.isNull() || std::max(image.width(), image.height()) > core::Alpha::mostSide)
+        return refused<core::Alpha>(BrushFiles::tr("%1: this image is damaged.").arg(path));
+    std::vector<std::uint8_t> shades = shadesOf(image, [](QRgb pixel) { return qGray(pixel); });
+    if (isBlack(shades) && hasHoles(image))
+        shades = shadesOf(image, [](QRgb pixel) { return qAlpha(pixel); });
+    if (isBlack(shades))
+        return refused<core::Alpha>(BrushFiles::tr("%1 is all black: the brush would do nothing.").arg(path));
+    return {std::make_shared<core::Alpha>(image.width(), image.height(), std::move(shades), path.toStdString()), {}};
+}
+
+BrushFile<core::BrushModel> readBrushModel(const QString& path)
+{
+    try {
+        const core::BrushModel::Made made = core::BrushModel::of(core::readMesh(std::filesystem::path(path.toStdU16String())), path.toStdString());
+        return {made.model, faultOf(path, made)};
+    } catch (const core::FileError& error) {
+        return refused<core::BrushModel>(Messages::sentence(error));
+    } catch (const std::bad_alloc&) {
+        return refused<core::BrushModel>(BrushFiles::tr("%1: there is not enough memory for this model.").arg(path));
+    }
+}
+} // namespace ui

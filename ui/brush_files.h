@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/alpha.h"
+#include "core/brush_model.h"
+
+#include <QString>
+
+namespace ui
+{
+/// What a file is to the brush, or one sentence with file and reason why it is nothing.
+template <class What> struct BrushFile
+{
+    std::shared_ptr<const What> what; ///< null: refused
+    QString problem;
+};
+
+/// An image in grey: bright is much; where it is transparent, nothing; a black shape on transparent ground is taken for white. Of more than
+/// core::Alpha::mostSide pixels a side nothing is decoded. Any thread.
+BrushFile<core::Alpha> readAlpha(const QString& path);
+
+/// By the readers of all models. Takes as long as the model is large; any thread.
+BrushFile<core::BrushModel> readBrushModel(const QString& path);
+} // namespace ui

@@ -1,0 +1,140 @@
+#include "shape_choosers.h"
+
+#include "brush_shapes.h"
+#include "file_dialogs.h"
+
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QImage>
+#include <QPixmap>
+#include <QSignalBlocker>
+
+#include <algorithm>
+#include <functional>
+
+namespace ui
+{
+namespace
+{
+struct ShapeChoosers
+{
+    Q_DECLARE_TR_FUNCTIONS(ui::ShapeChoosers)
+};
+
+constexpr int picturePixels = 22;
+/// What the last entry holds: no source and no path is that.
+const QString loadWord = QStringLiteral("\n");
+
+QString nameOf(std::string_view builtIn)
+{
+    const std::pair<std::string_view, QString> names[] = {
+        {"pores", ShapeChoosers::tr("Pores")},     {"scales", ShapeChoosers::tr("Scales")}, {"cracks", ShapeChoosers::tr("Cracks")},
+        {"weave", ShapeChoosers::tr("Weave")},     {"stripes", ShapeChoosers::tr("Stripes")}, {"noise", ShapeChoosers::tr("Noise")},
+        {"ring", ShapeChoosers::tr("Ring")},       {"star", ShapeChoosers::tr("Star")}};
+    const auto found = std::ranges::find(names, builtIn, [](const auto& row) { return row.first; });
+    return found != std::end(names) ? found->second : QString::fromUtf8(builtIn.data(), static_cast<qsizetype>(builtIn.size()));
+}
+
+QIcon pictureOf(const std::shared_ptr<const core::Alpha>& alpha)
+{
+    if (!alpha)
+        return {};
+    const QImage image(alpha->pixels().data(), alpha->width(), alpha->height(), alpha->width(), QImage::Format_Grayscale8);
+    return QPixmap::fromImage(image.scaled(2 * picturePixels, 2 * picturePixels, Qt::KeepAspectRatio, Qt::SmoothTransformation));
+}
+
+QString alphaOf(const BrushSettings& brush)
+{
+    return brush.stroke().alpha ? QString::fromStdString(brush.stroke().alpha->source()) : QString();
+}
+
+QString modelOf(const BrushSettings& brush)
+{
+    return brush.stroke().model ? QString::fromStdString(brush.stroke().model->source()) : QString();
+}
+
+/// Files by their names; the chosen one is there even if it is none of those.
+void addFiles(QComboBox* box, const QStringList& files, const QString& chosen, const std::function<QIcon(const QString&)>& pictureOf)
+{
+    const bool isNew = !chosen.isEmpty() && !files.contains(chosen) && box->findData(chosen) < 0;
+    for (const QString& file : isNew ? files + QStringList(chosen) : files) {
+        box->addItem(pictureOf(file), QFileInfo(file).fileName(), file);
+        box->setItemData(box->count() - 1, file, Qt::ToolTipRole);
+    }
+}
+
+QComboBox* chooser(const QString& name, const QString& text, const QString& tip)
+{
+    auto* box = new QComboBox;
+    box->setObjectName(name);
+    box->setAccessibleName(text);
+    box->setToolTip(tip);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(8);
+    return box;
+}
+} // namespace
+
+QComboBox* alphaChooser(BrushSettings* brush, BrushShapes* shapes)
+{
+    QComboBox* box = chooser(QStringLiteral("alpha"), ShapeChoosers::tr("Alpha"),
+                             ShapeChoosers::tr("An image that the brush is weighted with: bright is much, black nothing. A spacing of 2 sets prints side by side."));
+    box->setIconSize({picturePixels, picturePixels});
+    const auto fill = [=] {
+        const QSignalBlocker quiet(box);
+        box->clear();
+        box->addItem(ShapeChoosers::tr("None"), QString());
+        for (const std::string_view builtIn : core::builtInAlphas())
+            box->addItem(pictureOf(core::builtInAlpha(builtIn)), nameOf(builtIn), QString::fromUtf8(builtIn.data(), static_cast<qsizetype>(builtIn.size())));
+        addFiles(box, shapes->alphas(), alphaOf(*brush), [shapes](const QString& file) { return pictureOf(shapes->alpha(file)); });
+        box->addItem(ShapeChoosers::tr("Load Image…"), loadWord);
+        box->setCurrentIndex(box->findData(alphaOf(*brush)));
+    };
+    const auto show = [=] {
+        const int chosen = box->findData(alphaOf(*brush));
+        chosen < 0 ? fill() : box->setCurrentIndex(chosen);
+        box->setEnabled(core::usesAlpha(brush->tool()));
+    };
+    QObject::connect(box, &QComboBox::activated, shapes, [=] {
+        const QString source = box->currentData().toString();
+        show(); // until it was read
+        if (source != loadWord)
+            return shapes->chooseAlpha(source);
+        askForAlpha(box->window(), Settings().lastFolder(), [shapes](const QString& path) { shapes->chooseAlpha(path); });
+    });
+    QObject::connect(brush, &BrushSettings::changed, box, show);
+    QObject::connect(shapes, &BrushShapes::changed, box, fill);
+    fill();
+    return box;
+}
+
+QComboBox* modelChooser(BrushSettings* brush, BrushShapes* shapes)
+{
+    QComboBox* box = chooser(QStringLiteral("stampShape"), ShapeChoosers::tr("Stamp"),
+                             ShapeChoosers::tr("The model that Stamp presses in or raises, its top outwards, and that Add Ball adds."));
+    const auto fill = [=] {
+        const QSignalBlocker quiet(box);
+        box->clear();
+        box->addItem(ShapeChoosers::tr("Ball"), QString());
+        addFiles(box, shapes->models(), modelOf(*brush), [](const QString&) { return QIcon(); });
+        box->addItem(ShapeChoosers::tr("Load Model…"), loadWord);
+        box->setCurrentIndex(box->findData(modelOf(*brush)));
+    };
+    const auto show = [=] {
+        const int chosen = box->findData(modelOf(*brush));
+        chosen < 0 ? fill() : box->setCurrentIndex(chosen);
+    };
+    QObject::connect(box, &QComboBox::activated, shapes, [=] {
+        const QString path = box->currentData().toString();
+        show();
+        if (path != loadWord)
+            return shapes->chooseModel(path);
+        askForModel(box->window(), ModelUse::Brush, Settings().lastFolder(), [shapes](const QString& chosen) { shapes->chooseModel(chosen); });
+    });
+    QObject::connect(brush, &BrushSettings::changed, box, show);
+    QObject::connect(shapes, &BrushShapes::changed, box, fill);
+    fill();
+    return box;
+}
+} // namespace ui
