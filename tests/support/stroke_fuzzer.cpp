@@ -84,7 +84,7 @@ core::Stroke StrokeFuzzer::stroke(const core::Mesh& mesh)
     if (below(3) != 0)
         s.model = brushModels()[below(brushModels().size())];
     if (s.tool == core::Tool::Stamp || (s.alpha && core::usesAlpha(s.tool))) // their meshes are finer: as much work as the others'
-        s.detail = uniform(1, 6);
+        s.detail = uniform(2, 8);
 
     const std::uint64_t samples = 1 + below(s.spacing == 0 ? 10 : 4);
     Vec3 at = point(start) + uniform(0, 0.3) * s.radius * direction();
