@@ -7,7 +7,7 @@ namespace vr
 namespace
 {
 constexpr double toolWidth = 1060, toolNameWidth = 210, toolHeight = 124, buttonHeight = 84, groupGap = 8, toolTitleWidth = 300;
-constexpr double symmetryWidth = 210, radialWidth = 120;
+constexpr double symmetryWidth = 270, radialWidth = 170;
 constexpr double filesWidth = 250, recentreWidth = 280;
 constexpr double toolDistance = 0.5; ///< metres; a hand that holds something up to be read
 constexpr std::array<std::size_t, 3> toolsInRow{5, 5, 4}; ///< what adds or takes away; what shapes the surface; what moves it, and Paint
@@ -91,7 +91,7 @@ void ToolPanel::addSymmetry(PanelBuilder& builder) const
     builder.add(places[2], TextLook{.text = tr("Radial"), .lines = 2});
     std::vector<PanelChoice> sectors;
     for (const int count : {1, 3, 4, 6, 8})
-        sectors.push_back({count == 1 ? tr("Off") : QString::number(count), {}, ChooseRadial{count}, count == radial});
+        sectors.push_back({QString::number(count), {}, ChooseRadial{count}, count == radial});
     builder.addChoice(places[3], sectors);
 }
 
