@@ -135,6 +135,7 @@ DabReport& DabReport::operator+=(const DabReport& second)
     }
     wall = wall || second.wall;
     capped = capped || second.capped;
+    asymmetric = asymmetric || second.asymmetric;
     if (severity(second.outcome) > severity(outcome)) {
         outcome = second.outcome;
         refusal = second.refusal;

@@ -9,6 +9,8 @@
 #include "free_topology.h"
 #include "phase_timer.h"
 
+#include <utility>
+
 namespace core
 {
 /// What the dabs of an orbit share.
@@ -104,6 +106,7 @@ DabReport DabEngine::runOrbit(Orbit& orbit)
     for (std::size_t i = 0; i < others.size(); ++i) {
         if (match && transplant(orbit, i, once, report))
             continue;
+        match = match && !holdsOn(tool);
         holdApart(orbit, others[i]);
         report += runInSector(orbit, others[i]);
         report.apart = true;
@@ -191,8 +194,7 @@ void DabEngine::holdApart(const Orbit& orbit, std::size_t from)
         return;
     for (std::size_t sector = from; sector < orbit.dabs.size(); sector += orbit.step) {
         SectorHold& own = m_sectors[sector];
-        own.isApart = true;
-        if (!orbit.hold.isOn)
+        if (std::exchange(own.isApart, true) || !orbit.hold.isOn)
             continue;
         const Turn turn = turnIn(orbit, sector), back = {turn.cosine, -turn.sine};
         own.hold = {true, false, turn * orbit.hold.axis};

@@ -63,8 +63,8 @@ private:
     void addFootprint(const RayBrush::Hit& hit, float strength);
     void addLabels(const ShownWand& wand);
     void addHold(const ShownWand& wand);
-    /// From the brush to where its stroke is done besides: in the other sectors, and across the plane of symmetry.
-    std::vector<Eigen::Affine3d> images() const;
+    /// Visits the maps from the brush to where its stroke is done besides: in the other sectors, and across the plane of symmetry.
+    template <class Visit> void forEachImage(Visit visit) const;
 
     const SceneState& m_state;
     LabelPictures& m_labels;
@@ -87,20 +87,18 @@ void GlassMaker::addDot(const core::Vec3& at, double radius, const Eigen::Vector
     add(before, Ring{.place = rectangle(before, radius * axes.col(0), radius * axes.col(1)), .color = color});
 }
 
-std::vector<Eigen::Affine3d> GlassMaker::images() const
+template <class Visit> void GlassMaker::forEachImage(Visit visit) const
 {
     const core::Vec3 normal = core::planeNormal(m_state.symmetry);
     const Eigen::Matrix3d reflection = Eigen::Matrix3d::Identity() - 2 * normal * normal.transpose();
-    std::vector<Eigen::Affine3d> images;
     for (int k = 0; k < m_state.radial; ++k) {
         const core::Turn part = core::Turn::part(k, m_state.radial);
         const Eigen::Matrix3d turn = Eigen::AngleAxisd(std::atan2(part.sine, part.cosine), core::Vec3::UnitY()).toRotationMatrix();
         if (k > 0)
-            images.push_back(m_state.model * Eigen::Affine3d(turn) * m_state.model.inverse());
+            visit(Eigen::Affine3d(m_state.model * Eigen::Affine3d(turn) * m_state.model.inverse()));
         if (m_state.symmetry != core::Symmetry::None)
-            images.push_back(m_state.model * Eigen::Affine3d(reflection * turn) * m_state.model.inverse());
+            visit(Eigen::Affine3d(m_state.model * Eigen::Affine3d(reflection * turn) * m_state.model.inverse()));
     }
-    return images;
 }
 
 void GlassMaker::addPane()
@@ -118,8 +116,9 @@ void GlassMaker::addBrush(const BallBrush& brush)
     const Eigen::Vector3f color = lightOf(m_state.brushColor);
     const auto radius = static_cast<float>(brush.radius);
     add(brush.center, Shell{toFloat(brush.center), radius, color});
-    for (const Eigen::Affine3d& image : images())
+    forEachImage([&](const Eigen::Affine3d& image) {
         add(image * brush.center, Shell{toFloat(image * brush.center), radius, color, mirrored});
+    });
 }
 
 void GlassMaker::addBrush(const RayBrush& brush)
@@ -132,8 +131,9 @@ void GlassMaker::addBrush(const RayBrush& brush)
         return;
     addDot(brush.hit->point, dotRadius, color);
     addFootprint(*brush.hit, 1);
-    for (const Eigen::Affine3d& image : images())
+    forEachImage([&](const Eigen::Affine3d& image) {
         addFootprint({image * brush.hit->point, image.linear() * brush.hit->normal, brush.hit->radius}, mirrored);
+    });
 }
 
 void GlassMaker::addFootprint(const RayBrush::Hit& hit, float strength)

@@ -68,6 +68,11 @@ void PanelBuilder::addChoice(const QString& name, double nameWidth, const std::v
         add(halves.front(), TextLook{.text = name, .lines = 2});
         row = halves.back();
     }
+    addChoice(row, choices);
+}
+
+void PanelBuilder::addChoice(const QRectF& row, const std::vector<PanelChoice>& choices)
+{
     add(row, WellLook{});
     const QRectF inside = row.adjusted(wellInset, wellInset, -wellInset, -wellInset);
     const double width = inside.width() / static_cast<double>(choices.size());

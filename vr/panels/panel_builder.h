@@ -61,6 +61,7 @@ public:
     void addTitle(const PanelTitle& title, const std::vector<PanelButton>& buttons = {});
     /// A name, and after `nameWidth` what may be chosen; without a name, all the row.
     void addChoice(const QString& name, double nameWidth, const std::vector<PanelChoice>& choices);
+    void addChoice(const QRectF& row, const std::vector<PanelChoice>& choices);
     /// A name, and after `nameWidth` the switch.
     void addSwitch(const QString& name, double nameWidth, const SwitchLook& look, const PanelAction& action);
     void addSlider(const SliderRow& row, double nameWidth);

@@ -38,6 +38,7 @@ public:
 private:
     static QString nameOf(core::Tool tool);
     void addTools(PanelBuilder& builder) const;
+    void addSymmetry(PanelBuilder& builder) const;
     void addDoors(PanelBuilder& builder) const;
 };
 

@@ -7,6 +7,7 @@ namespace vr
 namespace
 {
 constexpr double toolWidth = 1060, toolNameWidth = 210, toolHeight = 124, buttonHeight = 84, groupGap = 8, toolTitleWidth = 300;
+constexpr double symmetryWidth = 270, radialWidth = 170;
 constexpr double filesWidth = 250, recentreWidth = 280;
 constexpr double toolDistance = 0.5; ///< metres; a hand that holds something up to be read
 constexpr std::array<std::size_t, 4> toolsInRow{4, 4, 4, 4};
@@ -86,6 +87,18 @@ void ToolPanel::addDoors(PanelBuilder& builder) const
     builder.add(lower[1], {{.text = tr("Leave VR"), .icon = QStringLiteral("quit")}, PanelCommand::LeaveVr});
 }
 
+void ToolPanel::addSymmetry(PanelBuilder& builder) const
+{
+    const std::vector<QRectF> places = cells(builder.nextRow(theme::row), {toolNameWidth, symmetryWidth, radialWidth, 0});
+    builder.add(places[0], TextLook{.text = tr("Symmetry"), .lines = 2});
+    builder.add({places[1], SwitchLook{isSymmetric ? tr("On") : tr("Off"), isSymmetric}, ChooseSymmetry{!isSymmetric}});
+    builder.add(places[2], TextLook{.text = tr("Radial"), .lines = 2});
+    std::vector<PanelChoice> sectors;
+    for (const int count : {1, 3, 4, 6, 8})
+        sectors.push_back({QString::number(count), {}, ChooseRadial{count}, count == radial});
+    builder.addChoice(places[3], sectors);
+}
+
 PanelLayout ToolPanel::layout() const
 {
     using core::BrushShape, core::Topology;
@@ -101,12 +114,7 @@ PanelLayout ToolPanel::layout() const
     builder.addChoice(tr("Topology"), toolNameWidth,
                       {{tr("Adaptive"), QStringLiteral("adaptive"), Topology::Adaptive, topology == Topology::Adaptive},
                        {tr("Uniform"), QStringLiteral("uniform"), Topology::Uniform, topology == Topology::Uniform}});
-    builder.addSwitch(tr("Symmetry"), toolNameWidth, {isSymmetric ? tr("On") : tr("Off"), isSymmetric},
-                      ChooseSymmetry{!isSymmetric});
-    std::vector<PanelChoice> sectors;
-    for (const int count : {1, 2, 3, 4, 6, 8})
-        sectors.push_back({count == 1 ? tr("Off") : QString::number(count), {}, ChooseRadial{count}, count == radial});
-    builder.addChoice(tr("Radial"), toolNameWidth, sectors);
+    addSymmetry(builder);
     builder.skip(groupGap);
     addDoors(builder);
     return builder.finished();
