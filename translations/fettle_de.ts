@@ -869,6 +869,23 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <comment>undo step</comment>
         <translation>Maske</translation>
     </message>
+    <message>
+        <source>Stamp</source>
+        <comment>undo step</comment>
+        <translation>Stempel</translation>
+    </message>
+</context>
+<context>
+    <name>app::StrokeShapes</name>
+    <message>
+        <source>%1: %2: %3</source>
+        <comment>file: place: reason</comment>
+        <translation>%1: %2: %3</translation>
+    </message>
+    <message>
+        <source>%1 is not what it was when this stroke was recorded.</source>
+        <translation>%1 ist nicht mehr, was es war, als dieser Strich aufgezeichnet wurde.</translation>
+    </message>
 </context>
 <context>
     <name>app::StrokeWords</name>
@@ -1953,6 +1970,22 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>M&amp;ask</source>
         <translation>Mask&amp;e</translation>
     </message>
+    <message>
+        <source>Sta&amp;mp</source>
+        <translation>Ste&amp;mpel</translation>
+    </message>
+    <message>
+        <source>Presses a ball or a model of yours into the surface. %1 raises it instead, Shift smooths.</source>
+        <translation>Drückt eine Kugel oder ein Modell von Ihnen in die Oberfläche. Mit %1 wird gehoben, mit Umschalt geglättet.</translation>
+    </message>
+    <message>
+        <source>R&amp;adial Symmetry</source>
+        <translation>Radiale Symm&amp;etrie</translation>
+    </message>
+    <message>
+        <source>Does what you do in several sectors around the model&apos;s upright axis; the Symmetry panel says in how many.</source>
+        <translation>Tut, was Sie tun, in mehreren Sektoren rings um die senkrechte Achse des Modells; in wie vielen, sagt das Bedienfeld Symmetrie.</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -1963,6 +1996,45 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui::BrushFiles</name>
+    <message>
+        <source>%1 is too flat for a brush&apos;s shape.</source>
+        <translation>%1 ist zu flach für eine Pinselform.</translation>
+    </message>
+    <message>
+        <source>%1 is too small for a brush&apos;s shape.</source>
+        <translation>%1 ist zu klein für eine Pinselform.</translation>
+    </message>
+    <message>
+        <source>%1 has too many triangles for a brush&apos;s shape: at most %2 are taken. Export it with fewer triangles first.</source>
+        <translation>%1 hat zu viele Dreiecke für eine Pinselform: höchstens %2 sind möglich. Exportieren Sie es zuerst mit weniger Dreiecken.</translation>
+    </message>
+    <message>
+        <source>%1: there is no such file.</source>
+        <translation>%1: Diese Datei gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>%1 is not an image that can be read.</source>
+        <translation>%1 ist kein Bild, das gelesen werden kann.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 × %3 pixels: an alpha may have %4 on a side at most.</source>
+        <translation>%1 hat %2 × %3 Pixel: ein Alpha darf höchstens %4 je Seite haben.</translation>
+    </message>
+    <message>
+        <source>%1: this image is damaged.</source>
+        <translation>%1: Dieses Bild ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>%1 is all black: the brush would do nothing.</source>
+        <translation>%1 ist ganz schwarz: der Pinsel täte nichts.</translation>
+    </message>
+    <message>
+        <source>%1: there is not enough memory for this model.</source>
+        <translation>%1: Für dieses Modell reicht der Speicher nicht.</translation>
     </message>
 </context>
 <context>
@@ -2042,6 +2114,38 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source> px</source>
         <translation> px</translation>
+    </message>
+    <message>
+        <source>Sectors of the radial symmetry</source>
+        <translation>Sektoren der radialen Symmetrie</translation>
+    </message>
+    <message>
+        <source>What you do is done in so many sectors around the upright axis (y), and mirrored in each if Mirror is on.</source>
+        <translation>Was Sie tun, geschieht in so vielen Sektoren rings um die senkrechte Achse (y), und in jedem gespiegelt, wenn eine Spiegelung an ist.</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Aus</translation>
+    </message>
+    <message>
+        <source>Alike to the eye with this count; exactly alike with 2 and 4.</source>
+        <translation>Mit dieser Anzahl für das Auge gleich, mit 2 und 4 genau gleich.</translation>
+    </message>
+    <message>
+        <source>Radial</source>
+        <translation>Radial</translation>
+    </message>
+    <message>
+        <source>Alpha</source>
+        <translation>Alpha</translation>
+    </message>
+    <message>
+        <source>Follows the stroke</source>
+        <translation>Folgt dem Strich</translation>
+    </message>
+    <message>
+        <source>Stamp</source>
+        <translation>Stempel</translation>
     </message>
 </context>
 <context>
@@ -2330,6 +2434,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Images (%1)</source>
         <translation>Bilder (%1)</translation>
+    </message>
+    <message>
+        <source>Choose the Brush&apos;s Shape</source>
+        <translation>Pinselform wählen</translation>
+    </message>
+    <message>
+        <source>Choose an Alpha</source>
+        <translation>Alpha wählen</translation>
     </message>
 </context>
 <context>
@@ -3121,18 +3233,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Das war zu viel Arbeit für einen einzigen Pinseltupfer, der deshalb vorzeitig endete; noch ein Strich macht weiter.</translation>
     </message>
     <message>
-        <source>No ball was added, because it would lie inside the model.</source>
-        <translation>Es wurde keine Kugel hinzugefügt, weil sie im Modell läge.</translation>
-    </message>
-    <message>
-        <source>No ball was added, because it would be too close to the surface.</source>
-        <translation>Es wurde keine Kugel hinzugefügt, weil sie der Oberfläche zu nahe käme.</translation>
-    </message>
-    <message>
-        <source>No ball was added, because it would reach beyond the working volume.</source>
-        <translation>Es wurde keine Kugel hinzugefügt, weil sie über den Arbeitsraum hinausragte.</translation>
-    </message>
-    <message>
         <source>Radius</source>
         <translation>Radius</translation>
     </message>
@@ -3256,6 +3356,30 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>%1: at that size the coordinates are no numbers any more.</source>
         <translation>%1: Bei dieser Größe sind die Koordinaten keine Zahlen mehr.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be a brush&apos;s shape, because its surface does not bound a solid (%2).</source>
+        <translation>%1 kann keine Pinselform sein, weil seine Oberfläche keinen Körper begrenzt (%2).</translation>
+    </message>
+    <message>
+        <source>Nothing was added, because it would lie inside the model.</source>
+        <translation>Es wurde nichts hinzugefügt, weil es im Inneren des Modells läge.</translation>
+    </message>
+    <message>
+        <source>Nothing was added, because it would be too close to the surface.</source>
+        <translation>Es wurde nichts hinzugefügt, weil es der Oberfläche zu nahe wäre.</translation>
+    </message>
+    <message>
+        <source>Nothing was added, because it would reach beyond the working volume.</source>
+        <translation>Es wurde nichts hinzugefügt, weil es über den Arbeitsraum hinausreichte.</translation>
+    </message>
+    <message>
+        <source>Nothing was added, because the brush&apos;s shape is not sound at that size on the program&apos;s working grid.</source>
+        <translation>Es wurde nichts hinzugefügt, weil die Pinselform in dieser Größe auf dem Arbeitsgitter des Programms nicht in Ordnung ist.</translation>
+    </message>
+    <message>
+        <source>The sectors meet here, or the model is not alike in all of them: they were worked on one after the other and are not exact copies.</source>
+        <translation>Die Sektoren treffen hier aufeinander, oder das Modell ist nicht in allen gleich: sie wurden nacheinander bearbeitet und sind nicht genau gleich.</translation>
     </message>
 </context>
 <context>
@@ -4369,6 +4493,73 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
+    <name>ui::ShapeChoosers</name>
+    <message>
+        <source>Pores</source>
+        <translation>Poren</translation>
+    </message>
+    <message>
+        <source>Scales</source>
+        <translation>Schuppen</translation>
+    </message>
+    <message>
+        <source>Cracks</source>
+        <translation>Risse</translation>
+    </message>
+    <message>
+        <source>Weave</source>
+        <translation>Geflecht</translation>
+    </message>
+    <message>
+        <source>Stripes</source>
+        <translation>Streifen</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>Rauschen</translation>
+    </message>
+    <message>
+        <source>Ring</source>
+        <translation>Ring</translation>
+    </message>
+    <message>
+        <source>Star</source>
+        <translation>Stern</translation>
+    </message>
+    <message>
+        <source>Alpha</source>
+        <translation>Alpha</translation>
+    </message>
+    <message>
+        <source>An image that the brush is weighted with: bright is much, black nothing. A spacing of 2 sets prints side by side.</source>
+        <translation>Ein Bild, das den Pinsel gewichtet: hell ist viel, schwarz nichts. Ein Abstand von 2 setzt Abdrücke nebeneinander.</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keines</translation>
+    </message>
+    <message>
+        <source>Load Image…</source>
+        <translation>Bild laden …</translation>
+    </message>
+    <message>
+        <source>Stamp</source>
+        <translation>Stempel</translation>
+    </message>
+    <message>
+        <source>The model that Stamp presses in or raises, its top outwards, and that Add Ball adds.</source>
+        <translation>Das Modell, das der Stempel eindrückt oder hebt, mit dem Oberen nach außen, und das Kugel hinzufügen hinzufügt.</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>Load Model…</source>
+        <translation>Modell laden …</translation>
+    </message>
+</context>
+<context>
     <name>ui::StartPage</name>
     <message>
         <source>Start page</source>
@@ -5084,6 +5275,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Mask</source>
         <translation>Maske</translation>
+    </message>
+    <message>
+        <source>Stamp</source>
+        <translation>Stempel</translation>
+    </message>
+    <message>
+        <source>Radial</source>
+        <translation>Radial</translation>
     </message>
 </context>
 </TS>

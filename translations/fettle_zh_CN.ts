@@ -867,6 +867,23 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <comment>undo step</comment>
         <translation>遮罩</translation>
     </message>
+    <message>
+        <source>Stamp</source>
+        <comment>undo step</comment>
+        <translation>图章</translation>
+    </message>
+</context>
+<context>
+    <name>app::StrokeShapes</name>
+    <message>
+        <source>%1: %2: %3</source>
+        <comment>file: place: reason</comment>
+        <translation>%1：%2：%3</translation>
+    </message>
+    <message>
+        <source>%1 is not what it was when this stroke was recorded.</source>
+        <translation>%1 与录制这一笔时的内容不同。</translation>
+    </message>
 </context>
 <context>
     <name>app::StrokeWords</name>
@@ -1951,6 +1968,22 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>M&amp;ask</source>
         <translation>遮罩(&amp;A)</translation>
     </message>
+    <message>
+        <source>Sta&amp;mp</source>
+        <translation>图章(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Presses a ball or a model of yours into the surface. %1 raises it instead, Shift smooths.</source>
+        <translation>把球或您的模型压入表面。按住 %1 则改为隆起，按住 Shift 则平滑。</translation>
+    </message>
+    <message>
+        <source>R&amp;adial Symmetry</source>
+        <translation>径向对称(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Does what you do in several sectors around the model&apos;s upright axis; the Symmetry panel says in how many.</source>
+        <translation>在绕模型竖直轴的几个扇区里同样做您所做的；扇区数在“对称”面板中选择。</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -1961,6 +1994,45 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>%1: %2</source>
         <translation>%1：%2</translation>
+    </message>
+</context>
+<context>
+    <name>ui::BrushFiles</name>
+    <message>
+        <source>%1 is too flat for a brush&apos;s shape.</source>
+        <translation>%1 太扁，不能用作笔刷形状。</translation>
+    </message>
+    <message>
+        <source>%1 is too small for a brush&apos;s shape.</source>
+        <translation>%1 太小，不能用作笔刷形状。</translation>
+    </message>
+    <message>
+        <source>%1 has too many triangles for a brush&apos;s shape: at most %2 are taken. Export it with fewer triangles first.</source>
+        <translation>%1 的三角形太多，不能用作笔刷形状：最多 %2 个。请先以较少的三角形导出。</translation>
+    </message>
+    <message>
+        <source>%1: there is no such file.</source>
+        <translation>%1：没有这个文件。</translation>
+    </message>
+    <message>
+        <source>%1 is not an image that can be read.</source>
+        <translation>%1 不是可以读取的图像。</translation>
+    </message>
+    <message>
+        <source>%1 has %2 × %3 pixels: an alpha may have %4 on a side at most.</source>
+        <translation>%1 有 %2 × %3 像素：Alpha 每边最多 %4 像素。</translation>
+    </message>
+    <message>
+        <source>%1: this image is damaged.</source>
+        <translation>%1：此图像已损坏。</translation>
+    </message>
+    <message>
+        <source>%1 is all black: the brush would do nothing.</source>
+        <translation>%1 全是黑色：笔刷不会有任何作用。</translation>
+    </message>
+    <message>
+        <source>%1: there is not enough memory for this model.</source>
+        <translation>%1：内存不足以容纳此模型。</translation>
     </message>
 </context>
 <context>
@@ -2040,6 +2112,38 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source> px</source>
         <translation> 像素</translation>
+    </message>
+    <message>
+        <source>Sectors of the radial symmetry</source>
+        <translation>径向对称的扇区数</translation>
+    </message>
+    <message>
+        <source>What you do is done in so many sectors around the upright axis (y), and mirrored in each if Mirror is on.</source>
+        <translation>您所做的会在绕竖直轴（y）的这么多扇区里进行；如果打开了镜像，每个扇区里还会镜像。</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>Alike to the eye with this count; exactly alike with 2 and 4.</source>
+        <translation>扇区数为此值时看起来相同；为 2 和 4 时完全相同。</translation>
+    </message>
+    <message>
+        <source>Radial</source>
+        <translation>径向</translation>
+    </message>
+    <message>
+        <source>Alpha</source>
+        <translation>Alpha</translation>
+    </message>
+    <message>
+        <source>Follows the stroke</source>
+        <translation>跟随笔画</translation>
+    </message>
+    <message>
+        <source>Stamp</source>
+        <translation>图章</translation>
     </message>
 </context>
 <context>
@@ -2327,6 +2431,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Images (%1)</source>
         <translation>图片 (%1)</translation>
+    </message>
+    <message>
+        <source>Choose the Brush&apos;s Shape</source>
+        <translation>选择笔刷形状</translation>
+    </message>
+    <message>
+        <source>Choose an Alpha</source>
+        <translation>选择 Alpha</translation>
     </message>
 </context>
 <context>
@@ -3113,18 +3225,6 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>一次落笔的工作量过大，已提前停止；再画一笔即可继续。</translation>
     </message>
     <message>
-        <source>No ball was added, because it would lie inside the model.</source>
-        <translation>未添加球体，因为它会位于模型内部。</translation>
-    </message>
-    <message>
-        <source>No ball was added, because it would be too close to the surface.</source>
-        <translation>未添加球体，因为它会离表面太近。</translation>
-    </message>
-    <message>
-        <source>No ball was added, because it would reach beyond the working volume.</source>
-        <translation>未添加球体，因为它会超出工作空间。</translation>
-    </message>
-    <message>
         <source>Radius</source>
         <translation>半径</translation>
     </message>
@@ -3247,6 +3347,30 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>%1: at that size the coordinates are no numbers any more.</source>
         <translation>%1：这样的大小下坐标不再是数。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be a brush&apos;s shape, because its surface does not bound a solid (%2).</source>
+        <translation>%1 不能用作笔刷形状，因为它的表面没有围成实体（%2）。</translation>
+    </message>
+    <message>
+        <source>Nothing was added, because it would lie inside the model.</source>
+        <translation>没有添加任何东西，因为它会位于模型内部。</translation>
+    </message>
+    <message>
+        <source>Nothing was added, because it would be too close to the surface.</source>
+        <translation>没有添加任何东西，因为它会离表面太近。</translation>
+    </message>
+    <message>
+        <source>Nothing was added, because it would reach beyond the working volume.</source>
+        <translation>没有添加任何东西，因为它会超出工作空间。</translation>
+    </message>
+    <message>
+        <source>Nothing was added, because the brush&apos;s shape is not sound at that size on the program&apos;s working grid.</source>
+        <translation>没有添加任何东西，因为笔刷形状在该尺寸下落到程序的工作网格上不再完好。</translation>
+    </message>
+    <message>
+        <source>The sectors meet here, or the model is not alike in all of them: they were worked on one after the other and are not exact copies.</source>
+        <translation>各扇区在这里相接，或模型各扇区不同：它们是依次进行的，并不完全相同。</translation>
     </message>
 </context>
 <context>
@@ -4358,6 +4482,73 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
 </context>
 <context>
+    <name>ui::ShapeChoosers</name>
+    <message>
+        <source>Pores</source>
+        <translation>毛孔</translation>
+    </message>
+    <message>
+        <source>Scales</source>
+        <translation>鳞片</translation>
+    </message>
+    <message>
+        <source>Cracks</source>
+        <translation>裂纹</translation>
+    </message>
+    <message>
+        <source>Weave</source>
+        <translation>编织</translation>
+    </message>
+    <message>
+        <source>Stripes</source>
+        <translation>条纹</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>噪点</translation>
+    </message>
+    <message>
+        <source>Ring</source>
+        <translation>圆环</translation>
+    </message>
+    <message>
+        <source>Star</source>
+        <translation>星形</translation>
+    </message>
+    <message>
+        <source>Alpha</source>
+        <translation>Alpha</translation>
+    </message>
+    <message>
+        <source>An image that the brush is weighted with: bright is much, black nothing. A spacing of 2 sets prints side by side.</source>
+        <translation>给笔刷加权的图像：亮处作用大，黑处没有作用。间距设为 2 时印记并排。</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Load Image…</source>
+        <translation>载入图像…</translation>
+    </message>
+    <message>
+        <source>Stamp</source>
+        <translation>图章</translation>
+    </message>
+    <message>
+        <source>The model that Stamp presses in or raises, its top outwards, and that Add Ball adds.</source>
+        <translation>图章压入或隆起的模型，其顶部朝外；“添加球”也添加它。</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>球</translation>
+    </message>
+    <message>
+        <source>Load Model…</source>
+        <translation>载入模型…</translation>
+    </message>
+</context>
+<context>
     <name>ui::StartPage</name>
     <message>
         <source>Start page</source>
@@ -5073,6 +5264,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Mask</source>
         <translation>遮罩</translation>
+    </message>
+    <message>
+        <source>Stamp</source>
+        <translation>图章</translation>
+    </message>
+    <message>
+        <source>Radial</source>
+        <translation>径向</translation>
     </message>
 </context>
 </TS>
