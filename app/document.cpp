@@ -183,7 +183,7 @@ void Document::endStroke()
 
 void Document::addSphere(const core::StrokeSettings& settings, const core::StrokeSample& sample)
 {
-    m_lastStep = StrokeCommand::textOfAdding();
+    m_lastStep = StrokeCommand::textOfAdding(settings.model != nullptr);
     strokeRequest([this, settings, sample] { m_worker->addSphere(Source::Desktop, settings, sample); });
     tellState();
 }

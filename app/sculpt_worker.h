@@ -39,7 +39,8 @@ struct StrokeReport
     quint64 dabs = 0;
     quint64 fusions = 0;
     core::Shortfall shortfall = core::Shortfall::None; ///< of the dabs the one most worth telling
-    bool added = false;      ///< a sphere
+    bool added = false;      ///< a sphere, or the brush's model
+    bool hasModel = false;   ///< the brush
     bool asymmetric = false; ///< mirrored where the model is not symmetric: some dabs were done as two
     bool apart = false;      ///< radial where the model is not its own image by the turn, or over the axis: some dabs were done one after the other
     MeshFacts facts;

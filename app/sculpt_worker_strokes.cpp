@@ -63,6 +63,7 @@ void SculptWorker::run(BeginStroke& job)
 {
     m_report = {};
     m_report.tool = job.settings.tool;
+    m_report.hasModel = job.settings.model != nullptr;
     m_stroke = job;
     m_course = mayAdd(job.settings) ? Course::Undecided : Course::Open;
     m_samples.clear();

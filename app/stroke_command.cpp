@@ -52,14 +52,14 @@ QString StrokeCommand::textOf(core::Tool tool)
     return {};
 }
 
-QString StrokeCommand::textOfAdding()
+QString StrokeCommand::textOfAdding(bool isModel)
 {
-    return tr("Add Ball", "undo step");
+    return isModel ? tr("Add Model", "undo step") : tr("Add Ball", "undo step");
 }
 
 StepWords StrokeCommand::wordsOf(const StrokeReport& report)
 {
     const StepMarks marks{report.added ? QStringLiteral("add") : iconOf(report.tool), report.dabs, report.fusions};
-    return {report.added ? textOfAdding() : textOf(report.tool), marks};
+    return {report.added ? textOfAdding(report.hasModel) : textOf(report.tool), marks};
 }
 } // namespace app

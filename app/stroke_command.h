@@ -41,7 +41,8 @@ public:
 
     static QString textOf(core::Tool tool);
     static QString iconOf(core::Tool tool);
-    static QString textOfAdding();
+    /// Of the brush's model, or of a ball.
+    static QString textOfAdding(bool isModel);
     /// Any thread.
     static StepWords wordsOf(const StrokeReport& report);
 

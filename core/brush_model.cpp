@@ -68,10 +68,22 @@ std::optional<Crossing> crossingOf(const TriangleMesh& mesh, Slot face, double x
     const double lowest = std::min({p[0].y(), p[1].y(), p[2].y()}), highest = std::max({p[0].y(), p[1].y(), p[2].y()});
     return Crossing{std::clamp(p[0].y() - rise / normal.y(), lowest, highest), normal.y() > 0};
 }
+
+std::string fingerprintOf(const TriangleMesh& mesh)
+{
+    Fingerprint print;
+    for (const Vec3f& p : mesh.points)
+        for (const float coordinate : p)
+            print.add(std::bit_cast<std::uint32_t>(coordinate + 0.0f));
+    for (const Triangle& t : mesh.triangles)
+        for (const Slot corner : t)
+            print.add(corner);
+    return print.text();
+}
 } // namespace
 
 BrushModel::BrushModel(TriangleMesh surface, std::string source)
-    : m_surface(std::move(surface)), m_source(std::move(source)), m_columns(columnsOf(m_surface))
+    : m_surface(std::move(surface)), m_source(std::move(source)), m_fingerprint(fingerprintOf(m_surface)), m_columns(columnsOf(m_surface))
 {
 }
 
@@ -111,17 +123,5 @@ std::optional<BrushModel::Span> BrushModel::spanAt(const Vec3& p) const
     if (!below || !above || below->isExit || !above->isExit)
         return std::nullopt;
     return Span{below->height, above->height};
-}
-
-std::string BrushModel::fingerprint() const
-{
-    Fingerprint print;
-    for (const Vec3f& p : m_surface.points)
-        for (const float coordinate : p)
-            print.add(std::bit_cast<std::uint32_t>(coordinate + 0.0f));
-    for (const Triangle& t : m_surface.triangles)
-        for (const Slot corner : t)
-            print.add(corner);
-    return print.text();
 }
 } // namespace core

@@ -22,7 +22,7 @@ public:
         TooSmall,     ///< its box is shorter than `leastLength`
         TooManyFaces  ///< more than `mostFaces`
     };
-    static constexpr std::size_t mostFaces = 1'000'000;
+    static constexpr std::size_t mostFaces = 250'000;
     static constexpr double leastThickness = 1e-3, leastLength = 1e-5; ///< mm
 
     struct Made
@@ -44,13 +44,13 @@ public:
     const TriangleMesh& surface() const { return m_surface; }
     const std::string& source() const { return m_source; }
     /// Of its points and faces, in 16 hex digits.
-    std::string fingerprint() const;
+    const std::string& fingerprint() const { return m_fingerprint; }
 
 private:
     BrushModel(TriangleMesh surface, std::string source);
 
     TriangleMesh m_surface; ///< without colours
-    std::string m_source;
+    std::string m_source, m_fingerprint;
     BoxTree m_columns; ///< the faces' boxes, seen along y
 };
 } // namespace core

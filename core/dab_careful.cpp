@@ -20,7 +20,7 @@ constexpr int mostHoldRounds = 64;
 /// the motion is made calmer where faces turned over and the step is halved.
 bool DabEngine::easeMotion(Task& task, DabReport& report)
 {
-    task.meets = true;
+    task.meets = task.isStopped = true;
     if (task.steps == 0 && !refineAtOnce(task, report))
         return false;
     task.most = ticksPerStep;

@@ -233,7 +233,7 @@ RemeshCounts DabEngine::refineAndPlan(Task& task, MeshEditor edit, DabReport& re
     }
     const PhaseTimer timer(report.deformMs, report.fuseMs);
     report.asked = plan(task);
-    if (task.meets) {
+    if (task.meets && !task.isStopped) {
         const PhaseTimer fuseTimer(report.fuseMs);
         task.meets = m_fuser.willMeet(m_surface, m_region, task.bounds);
     }

@@ -89,7 +89,8 @@ private:
         unsigned ticks = ticksPerStep; ///< that the next transaction does
         unsigned left = 0;             ///< that the plan still holds
         unsigned eased = 0;            ///< how often the next sub-step has been made easier
-        bool meets = false; ///< surfaces face each other under the brush, or something stopped the motion
+        bool meets = false; ///< surfaces face each other under the brush and will meet, or something stopped the motion
+        bool isStopped = false; ///< something did
 
         /// Of the plan, that the next sub-step does.
         double part() const { return ticks / (ticksPerStep * steps); }
@@ -103,7 +104,7 @@ private:
     void runMirrored(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report);
     void runOnce(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report);
     void runRadial(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report);
-    Refusal refusalOfSpheres(const StrokeSettings& settings, const Dab& dab);
+    bool addsIn(const StrokeSettings& settings, const Dab& dab);
     DabReport runOrbit(Orbit& orbit);
     DabReport runInSector(const Orbit& orbit, std::size_t sector);
     static std::vector<Sphere> ballsOf(const Orbit& orbit);
@@ -138,7 +139,6 @@ private:
     Slot touchedVertices() const;
     void select(Region& region, std::vector<Slot>& candidates, BrushShape brush, const Sphere& ball, Slot most = noSlot) const;
     bool wantsSolid(const StrokeSettings& settings, const Dab& dab) const;
-    double markedShare(const DabWeights& weights, const Dab& dab, Slot v);
     void mark(const StrokeSettings& settings, const Dab& dab, DabReport& report);
     void colour(Slot v, Rgb color, double share);
     void mask(Slot v, double change);

@@ -22,6 +22,7 @@ struct DabEngine::Orbit
     std::size_t first;           ///< its sectors: this one, and each `step` on
     std::size_t step;
     const std::function<void()>& between;
+    bool adds = false; ///< solids
     Hold hold = {}, imageHold = {}; ///< before the first dab; so the next two
     std::vector<HeldPlace> held = {}, heldImage = {};
 };
@@ -46,7 +47,8 @@ DabReport DabEngine::runInSector(const Orbit& orbit, std::size_t sector)
 
 void DabEngine::runRadial(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report)
 {
-    report.refusal = refusalOfSpheres(settings, dab);
+    const bool adds = addsIn(settings, dab);
+    report.refusal = adds ? refusalOf(m_surface, imagesOf(dab.position, settings), dab.radius) : Refusal::None;
     if (report.refusal != Refusal::None) {
         report.outcome = DabOutcome::Refused;
         return;
@@ -60,8 +62,8 @@ void DabEngine::runRadial(const StrokeSettings& settings, const Dab& dab, const 
             if (k % orbits < first)
                 done.push_back(dabs[k]);
         }
-        Orbit orbit = {settings, dabs, done, first, orbits, between};
-        if (isAmong(done, dabs[first], settings))
+        Orbit orbit = {settings, dabs, done, first, orbits, between, adds};
+        if (isAmong(done, dabs[first], settings, adds))
             continue;
         DabReport all = runOrbit(orbit);
         if (first == 0)
@@ -72,13 +74,13 @@ void DabEngine::runRadial(const StrokeSettings& settings, const Dab& dab, const 
     }
 }
 
-/// Of a dab that adds one: in all sectors or in none.
-Refusal DabEngine::refusalOfSpheres(const StrokeSettings& settings, const Dab& dab)
+/// A dab that finds nothing under its brush adds a solid: in all sectors, where the balls around them have room in all.
+bool DabEngine::addsIn(const StrokeSettings& settings, const Dab& dab)
 {
     if (!settings.add || !addsSolids(settings.tool))
-        return Refusal::None;
+        return false;
     select(m_region, m_candidates, settings.brush, {dab.position, dab.radius});
-    return wantsSolid(settings, dab) ? refusalOf(m_surface, imagesOf(dab.position, settings), dab.radius) : Refusal::None;
+    return wantsSolid(settings, dab);
 }
 
 DabReport DabEngine::runOrbit(Orbit& orbit)
@@ -133,7 +135,7 @@ std::vector<std::size_t> DabEngine::othersIn(const Orbit& orbit)
     done.push_back(orbit.dabs[orbit.first]);
     std::vector<std::size_t> others;
     for (std::size_t sector = orbit.first + orbit.step; sector < orbit.dabs.size(); sector += orbit.step) {
-        if (isAmong(done, orbit.dabs[sector], orbit.settings))
+        if (isAmong(done, orbit.dabs[sector], orbit.settings, orbit.adds))
             continue;
         done.push_back(orbit.dabs[sector]);
         others.push_back(sector);

@@ -129,18 +129,8 @@ bool DabEngine::wantsSolid(const StrokeSettings& settings, const Dab& dab) const
     return !nearest || nearest->distance > dab.radius; // else a face is under the brush, if no vertex is
 }
 
-/// Of a half that stands for both: the larger of what the dab gives to v and to its image, which only under an alpha can be the latter.
-double DabEngine::markedShare(const DabWeights& weights, const Dab& dab, Slot v)
-{
-    const double share = weights.of(v);
-    if (!m_mirror.isOn())
-        return share;
-    const Vec3 image = m_mirror.imageOf(Vec3(m_mesh.point(v).cast<double>()));
-    const double distance = (image - dab.position).norm();
-    return distance <= dab.radius ? std::max(share, weights.at(image, distance)) : share;
-}
-
-/// Colours the region (paper, section 3.5.3), or masks it.
+/// Colours the region (paper, section 3.5.3), or masks it. A half stands for both: of what the dab gives to a vertex and to its image
+/// the larger counts.
 void DabEngine::mark(const StrokeSettings& settings, const Dab& dab, DabReport& report)
 {
     const Mesh::Mark mark = m_mesh.mark();
@@ -150,11 +140,16 @@ void DabEngine::mark(const StrokeSettings& settings, const Dab& dab, DabReport& 
         else
             mask(v, settings.inverted ? -share : share);
     };
-    const DabWeights weights(m_region, m_mesh, settings, dab);
+    m_region.remeshed().clear(); // here nothing is
+    if (m_mirror.isOn())
+        selectBothSides({settings, dab, {dab.position, dab.radius}, boundsFor(settings, dab)});
+    const Region& whole = m_mirror.isOn() ? m_whole : m_region;
+    const DabWeights weights(whole, m_mesh, settings, dab);
     m_region.forEach([&](Slot v) {
-        const double share = std::min(dab.strength, 1.0) * markedShare(weights, dab, v);
-        change(v, share);
         const Slot image = m_mirror.isOn() ? m_mirror.imageOf(v) : v;
+        const double imageWeight = image != noSlot && whole.contains(image) ? weights.of(image) : 0;
+        const double share = std::min(dab.strength, 1.0) * std::max(weights.of(v), imageWeight);
+        change(v, share);
         if (image != v)
             change(image, share);
     });
@@ -166,9 +161,7 @@ void DabEngine::mark(const StrokeSettings& settings, const Dab& dab, DabReport& 
 /// By a share of the way to the colour.
 void DabEngine::colour(Slot v, Rgb color, double share)
 {
-    const Rgb before = m_mesh.color(v);
-    const auto mix = [&](int from, int to) { return static_cast<std::uint8_t>(from + share * (to - from) + 0.5); };
-    const Rgb after = {mix(before.r, color.r), mix(before.g, color.g), mix(before.b, color.b)};
+    const Rgb before = m_mesh.color(v), after = mixed(before, color, share);
     if (after != before)
         m_mesh.setColor(v, after);
 }

@@ -14,10 +14,10 @@ public:
 
     /// Precondition: the region holds v.
     double of(Slot v) const { return at(m_mesh.point(v).cast<double>(), m_region.distance(v)); }
-    /// Of a point at that distance.
-    double at(const Vec3& p, double distance) const;
 
 private:
+    double at(const Vec3& p, double distance) const;
+
     const Region& m_region;
     const Mesh& m_mesh;
     const StrokeSettings& m_settings;

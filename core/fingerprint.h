@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace core
 {
@@ -33,4 +34,9 @@ public:
 private:
     std::uint64_t m_hash = 0xcbf29ce484222325;
 };
+
+inline bool isFingerprint(std::string_view text)
+{
+    return text.size() == 16 && text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
 } // namespace core

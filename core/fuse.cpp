@@ -231,6 +231,7 @@ void Fuser::gather(const JudgedMesh& surface, const Region& region, double reach
                 m_vertices.add(v);
         }
     });
+    region.forEach([&](Slot v) { m_vertices.add(v); }); // the octree need not know yet what refining has made
     m_vertices.sort();
     for (Slot v : m_vertices.slots())
         m_points.push_back(pointOf(mesh, v));
@@ -270,8 +271,6 @@ void Fuser::findNear(const Mesh& mesh, const Region& region, const HeldBack& hel
 bool Fuser::isContact(const JudgedMesh& surface, const Region& region, const Approach& approach, bool fusion,
                       const std::vector<Slot>& vertices)
 {
-    if (fusion && approach.pushes)
-        return false;
     SlotSet& at = m_done;
     at.clear();
     for (Slot v : vertices) { // some came with what was taken back
@@ -285,7 +284,8 @@ bool Fuser::isContact(const JudgedMesh& surface, const Region& region, const App
     gather(surface, region, approach.reach());
     findNear(surface.mesh(), region, {}, pushing);
     return std::ranges::any_of(m_near, [&](const Near& near) {
-        return (near.inside || !fusion || isMasked(surface.mesh(), near.p, near.q)) && (at.contains(near.p) || at.contains(near.q));
+        const bool mayJoin = fusion && (approach.pushes || !near.inside) && !isMasked(surface.mesh(), near.p, near.q);
+        return !mayJoin && (at.contains(near.p) || at.contains(near.q));
     });
 }
 

@@ -27,6 +27,12 @@ struct Rgb
     std::uint8_t r = 200, g = 200, b = 200;
     friend bool operator==(const Rgb&, const Rgb&) = default;
 };
+/// By a share of the way, 0 to 1.
+constexpr Rgb mixed(Rgb from, Rgb to, double share)
+{
+    const auto mix = [share](int a, int b) { return static_cast<std::uint8_t>(a + share * (b - a) + 0.5); };
+    return {mix(from.r, to.r), mix(from.g, to.g), mix(from.b, to.b)};
+}
 
 struct Ray
 {

@@ -57,6 +57,9 @@ public:
     double freedom(Slot v) const { return (255 - mask(v)) / 255.0; }
     /// By half or more: then it is not remeshed away and does not fuse (the same bound as in Blender's dynamic topology).
     bool isMasked(Slot v) const { return mask(v) >= 128; }
+    /// Whether the mask lets the edge go: neither of its ends is masked. A split leaves the shape: it needs just one that is not.
+    bool mayGo(Slot e) const { return !isMasked(to(2 * e)) && !isMasked(to(2 * e + 1)); }
+    bool mayBeSplit(Slot e) const { return !isMasked(to(2 * e)) || !isMasked(to(2 * e + 1)); }
     const Triangle& corners(Slot f) const { return m_corners[f]; }
 
     Slot to(Slot h) const { return slot(m_kernel.to_vertex_handle(halfedge(h))); }

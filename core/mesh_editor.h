@@ -34,9 +34,6 @@ public:
             return m_mesh.point(v);
         return m_mirror ? m_mirror->kept(p, m_mirror->isOnPlane(v)) : p;
     }
-    /// Whether the mask lets the edge go: neither of its ends is masked. A split leaves the shape: it needs just one that is not.
-    bool mayGo(Slot e) const { return !m_mesh.isMasked(m_mesh.to(2 * e)) && !m_mesh.isMasked(m_mesh.to(2 * e + 1)); }
-    bool mayBeSplit(Slot e) const { return !m_mesh.isMasked(m_mesh.to(2 * e)) || !m_mesh.isMasked(m_mesh.to(2 * e + 1)); }
 
     /// Puts a vertex into the middle of an edge. Returns it, or noSlot if it was taken back.
     Slot split(Slot e);

@@ -38,11 +38,15 @@ void edit(Mesh& mesh, const FlattenBase& command, ModelChange& change, const Job
     flattenBase(mesh, command, change, watch);
 }
 
+/// As far as the mask lets it.
 void edit(Mesh& mesh, const Fill& command, ModelChange&, const JobWatch&)
 {
     for (Slot v = 0; v < mesh.slots().vertices; ++v) {
-        if (mesh.isVertex(v) && mesh.color(v) != command.color)
-            mesh.setColor(v, command.color);
+        if (!mesh.isVertex(v))
+            continue;
+        const Rgb before = mesh.color(v), after = mixed(before, command.color, mesh.freedom(v));
+        if (after != before)
+            mesh.setColor(v, after);
     }
 }
 

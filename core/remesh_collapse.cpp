@@ -78,7 +78,7 @@ std::vector<RemeshEdge> Remesher::collapse(std::vector<RemeshEdge> edges)
     SlotSet& around = m_region.scratch();
     around.clear();
     for (const RemeshEdge& e : edges) {
-        if (!m_mesh.isEdge(e.edge) || length2(e.edge) >= m_minimum2 || !m_edit.mayGo(e.edge))
+        if (!m_mesh.isEdge(e.edge) || length2(e.edge) >= m_minimum2 || !m_mesh.mayGo(e.edge))
             continue;
         const Slot h = m_edit.collapsing(e.edge), gone = m_mesh.from(h), stays = m_mesh.to(h);
         const std::optional<Merged> merged = mergedEnds(h);

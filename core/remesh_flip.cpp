@@ -27,7 +27,7 @@ bool Remesher::shouldFlip(Slot e) const
     if (area0 == 0 || area1 == 0)
         return false;
     const double cotangents = dot0 / area0 + dot1 / area1;
-    if (cotangents > -1e-3 || !m_edit.mayGo(e) || n0.dot(n1) < flatCosine * area0 * area1)
+    if (cotangents > -1e-3 || !m_mesh.mayGo(e) || n0.dot(n1) < flatCosine * area0 * area1)
         return false;
     const Vec3 m0 = (a - c).cross(d - c), m1 = (d - c).cross(b - c); // the new faces c,a,d and c,d,b
     const double least = flatCosine * area0, length2 = (c - d).squaredNorm();

@@ -119,7 +119,7 @@ void Remesher::joinRefined(Slot m, const Sphere& ball)
 /// The new vertex, or noSlot if the split was taken back.
 Slot Remesher::split(const RemeshEdge& e)
 {
-    const Slot m = m_edit.mayBeSplit(e.edge) ? m_edit.split(e.edge) : noSlot;
+    const Slot m = m_mesh.mayBeSplit(e.edge) ? m_edit.split(e.edge) : noSlot;
     if (m == noSlot)
         return noSlot;
     ++counts.splits;

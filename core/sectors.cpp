@@ -101,9 +101,9 @@ std::vector<Dab> sectorDabs(const StrokeSettings& settings, const Dab& dab)
     return dabs;
 }
 
-bool isAmong(std::span<const Dab> others, const Dab& dab, const StrokeSettings& settings)
+bool isAmong(std::span<const Dab> others, const Dab& dab, const StrokeSettings& settings, bool adds)
 {
-    const bool isMoving = usesMotion(settings.tool), isTurned = hasFrame(settings);
+    const bool isMoving = usesMotion(settings.tool), isTurned = !adds && hasFrame(settings);
     return std::ranges::any_of(others, [&](const Dab& other) {
         const bool isSame = other.position == dab.position && (!(isMoving || isTurned) || other.motion == dab.motion) &&
                             (!isTurned || (other.up == dab.up && other.ahead == dab.ahead));

@@ -27,8 +27,9 @@ Dab operator*(const Turn& turn, Dab dab);
 /// (and their mirror images) overlap, so that they come to one dab where they all stand on the axis. But for Layer's, which go only so high.
 std::vector<Dab> sectorDabs(const StrokeSettings& settings, const Dab& dab);
 
-/// Whether it does what one of the others does, or, with a plane of symmetry, its mirror image.
-bool isAmong(std::span<const Dab> others, const Dab& dab, const StrokeSettings& settings);
+/// Whether it does what one of the others does, or, with a plane of symmetry, its mirror image. `adds`: a solid, of which none stands in
+/// another.
+bool isAmong(std::span<const Dab> others, const Dab& dab, const StrokeSettings& settings, bool adds = false);
 
 /// Where the dab at that place works besides: in the other sectors and, with a plane of symmetry, across it. The place itself stands first.
 std::vector<Vec3> imagesOf(const Vec3& place, const StrokeSettings& settings);

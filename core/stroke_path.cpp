@@ -1,6 +1,7 @@
 #include "stroke_path.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace core
 {
@@ -39,14 +40,16 @@ std::optional<StrokePath::Due> StrokePath::next(const CenterOf& centerOf)
     const Due end = due(*m_target, centerOf);
     const bool everySample = m_settings.spacing == 0;
     if (everySample || !m_center || !end.hasCenter) {
-        const bool dabDue = everySample || end.hasCenter;
-        m_stamped = end.dab.position;
+        const bool isTooNear = !everySample && m_stamped && end.hasCenter && (end.dab.position - *m_stamped).norm() < stepOf(end.dab);
+        const bool dabDue = everySample || (end.hasCenter && !isTooNear);
+        if (m_settings.tool == Tool::Stamp && dabDue)
+            m_stamped = end.dab.position;
         const Due arrived = arriveAtTarget(end);
         return dabDue ? std::optional(arrived) : std::nullopt;
     }
     if (m_settings.tool == Tool::Stamp)
-        return nextStamp(end);
-    const double step = m_settings.spacing * end.dab.radius;
+        return nextStamp(end, centerOf);
+    const double step = stepOf(end.dab);
     const double segment = (end.dab.position - *m_center).norm();
     if (!m_dabsLeft)
         m_dabsLeft = static_cast<int>(std::min(mostTimesLonger * (m_travelled + segment) / step, double(mostDabsPerSample)));
@@ -66,14 +69,31 @@ std::optional<StrokePath::Due> StrokePath::next(const CenterOf& centerOf)
     return result;
 }
 
-/// By the straight way from the one before: the path itself goes down into what that has pressed in.
-std::optional<StrokePath::Due> StrokePath::nextStamp(const Due& end)
+/// Between dabs.
+double StrokePath::stepOf(const Dab& dab) const
 {
-    const Due arrived = arriveAtTarget(end);
-    if ((end.dab.position - m_stamped).norm() < std::max(m_settings.spacing, leastStampSpacing) * end.dab.radius)
+    return (m_settings.tool == Tool::Stamp ? std::max(m_settings.spacing, leastStampSpacing) : m_settings.spacing) * dab.radius;
+}
+
+/// Where the straight way to the end leaves the ball around the stamp before: the path itself goes down into what that has pressed in.
+std::optional<StrokePath::Due> StrokePath::nextStamp(const Due& end, const CenterOf& centerOf)
+{
+    const double step = stepOf(end.dab);
+    const Vec3 from = *m_center - m_stamped.value_or(*m_center), way = end.dab.position - *m_center;
+    if (!m_dabsLeft)
+        m_dabsLeft = static_cast<int>(std::min(1 + mostTimesLonger * way.norm() / step, double(mostDabsPerSample)));
+    if ((from + way).norm() < step || m_dabsLeft == 0) {
+        arriveAtTarget(end);
         return std::nullopt;
-    m_stamped = end.dab.position;
-    return arrived;
+    }
+    --*m_dabsLeft;
+    const double along = from.dot(way), length2 = way.squaredNorm(), inside = step * step - from.squaredNorm();
+    const double t = inside > 0 ? (std::sqrt(along * along + length2 * inside) - along) / length2 : 0;
+    const Vec3 between = *m_center + t * way;
+    m_at = interpolate(m_at, *m_target, std::min(t, 1.0));
+    const Due result = due(m_at, centerOf);
+    m_stamped = m_center = result.hasCenter ? result.dab.position : between;
+    return result;
 }
 
 StrokePath::Due StrokePath::arriveAtTarget(const Due& due)

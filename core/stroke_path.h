@@ -37,14 +37,15 @@ public:
 private:
     Due due(const StrokeSample& sample, const CenterOf& centerOf) const;
     Due arriveAtTarget(const Due& due);
-    std::optional<Due> nextStamp(const Due& end);
+    double stepOf(const Dab& dab) const;
+    std::optional<Due> nextStamp(const Due& end, const CenterOf& centerOf);
 
     StrokeSettings m_settings;
     std::optional<StrokeSample> m_target; ///< the newest sample, until the path has reached it
     StrokeSample m_at;                    ///< where the path has been followed to
     std::optional<Vec3> m_center;         ///< the dab centre there; nothing before the path has met the surface
     double m_travelled = 0;               ///< since the last dab
-    Vec3 m_stamped = Vec3::Zero();        ///< where the last dab stood, once the path has met the surface
+    std::optional<Vec3> m_stamped;        ///< of Stamp: where the last dab stood
     std::optional<int> m_dabsLeft; ///< until the target is reached
 };
 } // namespace core

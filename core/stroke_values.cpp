@@ -1,4 +1,5 @@
 // The stroke file's values: types, ranges, and where each goes.
+#include "fingerprint.h"
 #include "stroke_reader.h"
 
 #include "alpha.h"
@@ -232,8 +233,14 @@ void StrokeReader::strokeWord(const std::string& word)
         stroke().model.file = word;
         known = !word.empty();
         break;
-    case AlphaPrintKey: stroke().alpha.fingerprint = word; break;
-    case BrushModelPrintKey: stroke().model.fingerprint = word; break;
+    case AlphaPrintKey:
+        stroke().alpha.fingerprint = word;
+        known = isFingerprint(word);
+        break;
+    case BrushModelPrintKey:
+        stroke().model.fingerprint = word;
+        known = isFingerprint(word);
+        break;
     default: known = commandWord(word);
     }
     if (!known)
@@ -242,6 +249,10 @@ void StrokeReader::strokeWord(const std::string& word)
 
 void StrokeReader::endStroke()
 {
+    for (const auto& [print, what] : {std::pair(AlphaPrintKey, AlphaKey), std::pair(BrushModelPrintKey, BrushModelKey)}) {
+        if (!(m_seen & bit(what)))
+            requireNoneOf(bit(print));
+    }
     Stroke& stroke = this->stroke();
     const bool alongRays = stroke.settings.place == Placement::Ray || stroke.settings.brush == BrushShape::Ray;
     if (alongRays && m_undirected) {

@@ -12,7 +12,7 @@ struct TriangleMesh
     std::vector<Vec3f> points;
     std::vector<Rgb> colors; ///< empty, or one per point
     std::vector<Triangle> triangles;
-    std::vector<std::uint8_t> masks; ///< empty, or one per point (see Mesh::mask)
+    std::vector<std::uint8_t> masks = {}; ///< empty, or one per point (see Mesh::mask)
 };
 
 /// The paper's sphere (subdivisions 4: 2562 vertices): an icosahedron split 1 to 4 and pushed out to the radius.

@@ -173,7 +173,8 @@ bool UniformRemesher::isOutOfBounds() const
             if (found || other < v || !m_region.contains(other))
                 return;
             const double length2 = (m_mesh.point(other) - m_mesh.point(v)).cast<double>().squaredNorm();
-            found = length2 > m_bounds.detail * m_bounds.detail || length2 < m_bounds.minimum * m_bounds.minimum;
+            found = (length2 > m_bounds.detail * m_bounds.detail && m_mesh.mayBeSplit(h / 2)) ||
+                    (length2 < m_bounds.minimum * m_bounds.minimum && m_mesh.mayGo(h / 2));
         });
     });
     return found;
@@ -212,8 +213,8 @@ Evenness evennessOf(const Mesh& mesh, const EdgeBounds& bounds)
             continue;
         const double length2 = (mesh.point(mesh.to(2 * e)) - mesh.point(mesh.to(2 * e + 1))).cast<double>().squaredNorm();
         ++evenness.edges;
-        evenness.tooLong += length2 > bounds.detail * bounds.detail ? 1 : 0;
-        evenness.tooShort += length2 < bounds.minimum * bounds.minimum ? 1 : 0;
+        evenness.tooLong += length2 > bounds.detail * bounds.detail && mesh.mayBeSplit(e) ? 1 : 0;
+        evenness.tooShort += length2 < bounds.minimum * bounds.minimum && mesh.mayGo(e) ? 1 : 0;
     }
     return evenness;
 }

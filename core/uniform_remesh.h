@@ -9,7 +9,7 @@ namespace core
 struct Evenness
 {
     std::size_t edges = 0;
-    std::size_t tooLong = 0;  ///< longer than d_detail
+    std::size_t tooLong = 0;  ///< longer than d_detail; of these two what is masked is left out
     std::size_t tooShort = 0; ///< shorter than d
 
     /// What a dab leaves behind, and what a uniform remeshing aims at: none too long, one in twenty too short.

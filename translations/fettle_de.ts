@@ -874,6 +874,11 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <comment>undo step</comment>
         <translation>Stempel</translation>
     </message>
+    <message>
+        <source>Add Model</source>
+        <comment>undo step</comment>
+        <translation>Modell hinzufügen</translation>
+    </message>
 </context>
 <context>
     <name>app::StrokeShapes</name>
@@ -1235,10 +1240,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Macht alle Dreiecke des Modells etwa gleich groß.</translation>
     </message>
     <message>
-        <source>&amp;Model</source>
-        <translation>&amp;Modell</translation>
-    </message>
-    <message>
         <source>&amp;Flatten</source>
         <translation>Ab&amp;flachen</translation>
     </message>
@@ -1505,10 +1506,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Add &amp;Ball</source>
         <translation>Kuge&amp;l hinzufügen</translation>
-    </message>
-    <message>
-        <source>Puts a ball of the brush&apos;s radius where you click next.</source>
-        <translation>Setzt eine Kugel vom Radius des Pinsels dahin, wo Sie als Nächstes klicken.</translation>
     </message>
     <message>
         <source>Export &amp;Drawing…</source>
@@ -1887,10 +1884,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>&amp;Schichten</translation>
     </message>
     <message>
-        <source>&amp;Mask</source>
-        <translation>&amp;Maske</translation>
-    </message>
-    <message>
         <source>Protects the surface from all that other tools do. %1 wipes the mask away instead, Shift smooths.</source>
         <translation>Schützt die Oberfläche vor allem, was andere Werkzeuge tun. Mit %1 wird die Maske weggewischt, mit Umschalt wird geglättet.</translation>
     </message>
@@ -1972,19 +1965,31 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Sta&amp;mp</source>
-        <translation>Ste&amp;mpel</translation>
+        <translation>Stem&amp;pel</translation>
     </message>
     <message>
         <source>Presses a ball or a model of yours into the surface. %1 raises it instead, Shift smooths.</source>
         <translation>Drückt eine Kugel oder ein Modell von Ihnen in die Oberfläche. Mit %1 wird gehoben, mit Umschalt geglättet.</translation>
     </message>
     <message>
-        <source>R&amp;adial Symmetry</source>
-        <translation>Radiale Symm&amp;etrie</translation>
-    </message>
-    <message>
         <source>Does what you do in several sectors around the model&apos;s upright axis; the Symmetry panel says in how many.</source>
         <translation>Tut, was Sie tun, in mehreren Sektoren rings um die senkrechte Achse des Modells; in wie vielen, sagt das Bedienfeld Symmetrie.</translation>
+    </message>
+    <message>
+        <source>Mas&amp;k</source>
+        <translation>&amp;Maske</translation>
+    </message>
+    <message>
+        <source>Puts a ball of the brush&apos;s radius, or the stamp&apos;s model, where you click next.</source>
+        <translation>Setzt eine Kugel mit dem Radius des Pinsels oder das Modell des Stempels, wo Sie als Nächstes klicken.</translation>
+    </message>
+    <message>
+        <source>Radial Symm&amp;etry</source>
+        <translation>Ra&amp;diale Symmetrie</translation>
+    </message>
+    <message>
+        <source>Mo&amp;del</source>
+        <translation>Mod&amp;ell</translation>
     </message>
 </context>
 <context>

@@ -872,6 +872,11 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <comment>undo step</comment>
         <translation>图章</translation>
     </message>
+    <message>
+        <source>Add Model</source>
+        <comment>undo step</comment>
+        <translation>添加模型</translation>
+    </message>
 </context>
 <context>
     <name>app::StrokeShapes</name>
@@ -1233,10 +1238,6 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>使模型的所有三角形大小相近。</translation>
     </message>
     <message>
-        <source>&amp;Model</source>
-        <translation>模型(&amp;M)</translation>
-    </message>
-    <message>
         <source>&amp;Flatten</source>
         <translation>压平(&amp;F)</translation>
     </message>
@@ -1503,10 +1504,6 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Add &amp;Ball</source>
         <translation>添加球(&amp;B)</translation>
-    </message>
-    <message>
-        <source>Puts a ball of the brush&apos;s radius where you click next.</source>
-        <translation>在下次单击处放置一个与笔刷半径相同的球。</translation>
     </message>
     <message>
         <source>Export &amp;Drawing…</source>
@@ -1885,10 +1882,6 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>加层(&amp;Y)</translation>
     </message>
     <message>
-        <source>&amp;Mask</source>
-        <translation>遮罩(&amp;M)</translation>
-    </message>
-    <message>
         <source>Protects the surface from all that other tools do. %1 wipes the mask away instead, Shift smooths.</source>
         <translation>保护表面不受其他工具影响。按住 %1 擦去遮罩，按住 Shift 平滑。</translation>
     </message>
@@ -1977,12 +1970,24 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>把球或您的模型压入表面。按住 %1 则改为隆起，按住 Shift 则平滑。</translation>
     </message>
     <message>
-        <source>R&amp;adial Symmetry</source>
-        <translation>径向对称(&amp;A)</translation>
-    </message>
-    <message>
         <source>Does what you do in several sectors around the model&apos;s upright axis; the Symmetry panel says in how many.</source>
         <translation>在绕模型竖直轴的几个扇区里同样做您所做的；扇区数在“对称”面板中选择。</translation>
+    </message>
+    <message>
+        <source>Mas&amp;k</source>
+        <translation>遮罩(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Puts a ball of the brush&apos;s radius, or the stamp&apos;s model, where you click next.</source>
+        <translation>在下一次点击处放一个半径与笔刷相同的球，或图章的模型。</translation>
+    </message>
+    <message>
+        <source>Radial Symm&amp;etry</source>
+        <translation>径向对称(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Mo&amp;del</source>
+        <translation>模型(&amp;D)</translation>
     </message>
 </context>
 <context>

@@ -152,7 +152,7 @@ QString Actions::menuTitle(MenuId menu) const
     case MenuId::Mask:
         return tr("M&ask");
     case MenuId::Model:
-        return tr("&Model");
+        return tr("Mo&del");
     case MenuId::View:
         return tr("&View");
     case MenuId::Material:

@@ -40,6 +40,12 @@ template <class Shade> std::vector<std::uint8_t> shadesOf(const QImage& image, S
     return shades;
 }
 
+/// Its text needs fonts, which the program has with a window only.
+bool isDrawing(const QByteArray& format)
+{
+    return format == "svg" || format == "svgz";
+}
+
 bool isBlack(const std::vector<std::uint8_t>& shades)
 {
     return std::ranges::none_of(shades, [](std::uint8_t shade) { return shade > 0; });
@@ -70,6 +76,15 @@ QString faultOf(const QString& path, const core::BrushModel::Made& made)
 }
 } // namespace
 
+QStringList alphaEndings()
+{
+    QStringList endings;
+    for (const QByteArray& ending : QImageReader::supportedImageFormats())
+        if (!isDrawing(ending))
+            endings << QLatin1StringView(ending);
+    return endings;
+}
+
 BrushFile<core::Alpha> readAlpha(const QString& path)
 {
     if (!QFileInfo::exists(path))
@@ -77,7 +92,7 @@ BrushFile<core::Alpha> readAlpha(const QString& path)
     QImageReader reader(path);
     reader.setAutoTransform(true);
     reader.setDecideFormatFromContent(true);
-    if (!reader.canRead())
+    if (!reader.canRead() || isDrawing(reader.format()))
         return refused<core::Alpha>(BrushFiles::tr("%1 is not an image that can be read.").arg(path));
     const QSize size = reader.size();
     if (std::max(size.width(), size.height()) > core::Alpha::mostSide)

@@ -4,6 +4,7 @@
 #include "core/brush_model.h"
 
 #include <QString>
+#include <QStringList>
 
 namespace ui
 {
@@ -15,8 +16,10 @@ template <class What> struct BrushFile
 };
 
 /// An image in grey: bright is much; where it is transparent, nothing; a black shape on transparent ground is taken for white. Of more than
-/// core::Alpha::mostSide pixels a side nothing is decoded. Any thread.
+/// core::Alpha::mostSide pixels a side nothing is decoded; SVG is refused. Any thread.
 BrushFile<core::Alpha> readAlpha(const QString& path);
+/// Of files that readAlpha takes.
+QStringList alphaEndings();
 
 /// By the readers of all models. Takes as long as the model is large; any thread.
 BrushFile<core::BrushModel> readBrushModel(const QString& path);

@@ -2,6 +2,8 @@
 
 #include "settings.h"
 
+#include "core/alpha.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -87,6 +89,8 @@ void BrushSettings::take(const core::StrokeSettings& stroke)
     m_stroke.place = own.place;
     m_stroke.add = own.add;
     m_stroke.model = own.model;
+    if (!stroke.alpha && own.alpha && !own.alpha->isBuiltIn())
+        m_stroke.alpha = own.alpha;
     m_stroke.detailLength = own.detailLength;
     m_stroke.radius = std::clamp(stroke.radius, minOf(core::Parameter::Radius), m_maxRadius);
     if (stroke.symmetry != core::Symmetry::None)

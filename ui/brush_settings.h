@@ -44,7 +44,7 @@ public:
     /// Clamped to the range of the parameter table (the radius also to the model), falloff rounded to a legal n.
     void setValue(core::Parameter parameter, double value);
     void scaleRadius(double factor);
-    /// What a person chooses of a stroke; the radius as far as the model takes it.
+    /// What a person chooses of a stroke; the radius as far as the model takes it. An alpha from a file stays where that one has none.
     void take(const core::StrokeSettings& stroke);
 
     /// A steady stroke hangs on a string behind the pointer.

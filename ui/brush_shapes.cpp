@@ -1,6 +1,7 @@
 #include "brush_shapes.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ui
 {
@@ -24,7 +25,6 @@ QString sourceOf(const std::shared_ptr<const core::Alpha>& alpha)
 BrushShapes::BrushShapes(BrushSettings* brush, Settings* settings, QObject* parent)
     : QObject(parent), m_brush(brush), m_settings(settings), m_stored(settings->shapes())
 {
-    connect(brush, &BrushSettings::changed, this, &BrushShapes::keep);
     settings->onReset([this] { restore(); });
 }
 
@@ -39,6 +39,7 @@ void BrushShapes::restore()
         chooseAlpha(wanted);
     else
         readAlpha(wanted, Asked::ByRestoring);
+    connect(m_brush, &BrushSettings::changed, this, &BrushShapes::keep, Qt::UniqueConnection); // not before: what is stored would be lost
     Q_EMIT changed();
 }
 
@@ -50,24 +51,30 @@ std::shared_ptr<const core::Alpha> BrushShapes::alpha(const QString& source) con
 
 void BrushShapes::chooseAlpha(const QString& source)
 {
+    const auto builtIn = core::builtInAlpha(source.toStdString());
+    if (!source.isEmpty() && !builtIn)
+        return readAlpha(source, Asked::ByHand);
     ++m_askedAlphas;
-    if (source.isEmpty() || alpha(source))
-        take(alpha(source));
-    else
-        readAlpha(source, Asked::ByHand);
+    m_isRestoring = false;
+    take(builtIn);
 }
 
 void BrushShapes::readAlpha(const QString& path, Asked asked)
 {
+    m_isRestoring = asked == Asked::ByRestoring;
     m_aside.run([path] { return ui::readAlpha(path); }, [this, path, asked, question = ++m_askedAlphas](const BrushFile<core::Alpha>& file) {
         if (question != m_askedAlphas)
             return;
+        m_isRestoring = false;
         if (file.what) {
-            m_read.insert(path, file.what);
             putFirst(m_stored.alphas, path);
+            m_read.insert(path, file.what);
+            m_read.removeIf([this](std::pair<const QString&, std::shared_ptr<const core::Alpha>&> read) { return !m_stored.alphas.contains(read.first); });
             take(file.what);
         } else if (asked == Asked::ByHand) {
             m_stored.alphas.removeAll(path);
+            m_read.remove(path);
+            m_settings->setShapes(m_stored);
             Q_EMIT refused(file.problem);
         }
         Q_EMIT changed();
@@ -91,6 +98,7 @@ void BrushShapes::chooseModel(const QString& path)
             m_brush->set(&core::StrokeSettings::model, file.what);
         } else {
             m_stored.models.removeAll(path);
+            m_settings->setShapes(m_stored);
             Q_EMIT refused(file.problem);
         }
         Q_EMIT changed();
@@ -104,9 +112,13 @@ void BrushShapes::take(const std::shared_ptr<const core::Alpha>& alpha)
     Q_EMIT changed();
 }
 
-/// While a stored file is being read the brush has none yet, and nothing changes but what a hand changes.
+/// While the stored file is being read the brush has none yet, and what is stored stays; whoever gives it one meanwhile has chosen later.
 void BrushShapes::keep()
 {
+    if (m_isRestoring && !m_brush->stroke().alpha)
+        return;
+    if (std::exchange(m_isRestoring, false))
+        ++m_askedAlphas;
     m_stored.alpha = sourceOf(m_brush->stroke().alpha);
     m_stored.alphaFollows = m_brush->stroke().alphaFollows;
     if (m_stored != m_settings->shapes())

@@ -49,6 +49,7 @@ private:
     Settings* m_settings;
     StoredShapes m_stored;
     QHash<QString, std::shared_ptr<const core::Alpha>> m_read;
+    bool m_isRestoring = false;               ///< the stored alpha's file is being read
     int m_askedAlphas = 0, m_askedModels = 0; ///< what was read for an earlier question is too late
     SideThread m_aside;                       ///< last
 };

@@ -1,5 +1,6 @@
 #include "file_dialogs.h"
 
+#include "brush_files.h"
 #include "drawing_sheet.h"
 #include "model_formats.h"
 
@@ -54,14 +55,14 @@ void askForTarget(QWidget* parent, const QString& title, const QString& name, co
     show(dialog, answer);
 }
 
-void askForImage(QWidget* parent, const QString& title, const QString& name, const QString& folder, const PathAnswer& answer)
+void askForImage(QWidget* parent, const QString& title, const QString& name, const QString& folder, const QStringList& endings, const PathAnswer& answer)
 {
     auto* dialog = new QFileDialog(parent, title, folder);
     dialog->setObjectName(name);
     dialog->setFileMode(QFileDialog::ExistingFile);
     QStringList patterns;
-    for (const QByteArray& ending : QImageReader::supportedImageFormats())
-        patterns << QStringLiteral("*.") + QLatin1StringView(ending);
+    for (const QString& ending : endings)
+        patterns << QStringLiteral("*.") + ending;
     dialog->setNameFilters({FileDialogs::tr("Images (%1)").arg(patterns.join(u' ')), FileDialogs::tr("All files (*)")});
     show(dialog, answer);
 }
@@ -95,12 +96,15 @@ void askForExport(QWidget* parent, const QString& folder, const QString& modelNa
 
 void askForAlpha(QWidget* parent, const QString& folder, PathAnswer answer)
 {
-    askForImage(parent, FileDialogs::tr("Choose an Alpha"), QStringLiteral("alphaDialog"), folder, answer);
+    askForImage(parent, FileDialogs::tr("Choose an Alpha"), QStringLiteral("alphaDialog"), folder, alphaEndings(), answer);
 }
 
 void askForPicture(QWidget* parent, const QString& folder, PathAnswer answer)
 {
-    askForImage(parent, FileDialogs::tr("Choose a Reference Image"), QStringLiteral("pictureDialog"), folder, answer);
+    QStringList endings;
+    for (const QByteArray& ending : QImageReader::supportedImageFormats())
+        endings << QLatin1StringView(ending);
+    askForImage(parent, FileDialogs::tr("Choose a Reference Image"), QStringLiteral("pictureDialog"), folder, endings, answer);
 }
 
 void askForDrawing(QWidget* parent, const QString& folder, const QString& modelName, PathAnswer answer)

@@ -138,8 +138,9 @@ void take(ByteReader& in, SavedView& view)
 std::optional<StrokeSettings> brushIn(std::string_view text)
 {
     try {
-        if (!text.empty())
-            return std::get<Stroke>(parseStrokes(text).at(0)).settings;
+        const std::vector<FileEntry> entries = text.empty() ? std::vector<FileEntry>() : parseStrokes(text);
+        if (const auto* stroke = entries.empty() ? nullptr : std::get_if<Stroke>(&entries[0]))
+            return stroke->settings;
     } catch (const StrokeFileError&) { // another version's
     }
     return std::nullopt;

@@ -394,7 +394,7 @@ void TestDocument::sphere_isAStepOrAWordWhyNot()
     const quint64 faces = session.document.facts().faces;
     add({90, 0, 0});
     QVERIFY(noticed.isEmpty() && session.document.facts().faces > faces && session.state() != start);
-    QCOMPARE(session.document.undoText(), StrokeCommand::textOfAdding());
+    QCOMPARE(session.document.undoText(), StrokeCommand::textOfAdding(false));
     session.verifyWhole();
     const std::uint64_t one = session.state();
     add({-90, 0, 0}, core::Symmetry::X); // its mirror image would lie in the first

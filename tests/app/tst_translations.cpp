@@ -315,11 +315,12 @@ void TestTranslations::mnemonics_areUniqueInAMenu()
     QMainWindow window;
     const ui::Actions actions(&window);
     QStringList titles;
-    for (const ui::MenuId id : {ui::MenuId::File, ui::MenuId::Edit, ui::MenuId::Sculpt, ui::MenuId::Tool, ui::MenuId::Model, ui::MenuId::View, ui::MenuId::Vr, ui::MenuId::Help}) {
+    for (const ui::MenuId id : {ui::MenuId::File, ui::MenuId::Edit, ui::MenuId::Sculpt, ui::MenuId::Tool, ui::MenuId::Mask, ui::MenuId::Model,
+                                ui::MenuId::View, ui::MenuId::Vr, ui::MenuId::Help}) {
         QStringList keys;
         if (id == ui::MenuId::Sculpt)
-            keys += mnemonics(actions.menuTitle(ui::MenuId::Tool));
-        if (id != ui::MenuId::Tool)
+            keys += mnemonics(actions.menuTitle(ui::MenuId::Tool)) + mnemonics(actions.menuTitle(ui::MenuId::Mask));
+        if (id != ui::MenuId::Tool && id != ui::MenuId::Mask)
             titles += mnemonics(actions.menuTitle(id));
         QMenu menu;
         actions.fill(&menu, id);
@@ -330,6 +331,9 @@ void TestTranslations::mnemonics_areUniqueInAMenu()
     }
     QCOMPARE(titles.size(), 7);
     QCOMPARE(titles.removeDuplicates(), 0);
+    for (const ui::ActionInfo& row : ui::actionTable())
+        for (const QString& title : titles)
+            QVERIFY2(!actions.get(QLatin1StringView(row.id))->shortcuts().contains(QKeySequence(QStringLiteral("Alt+") + title)), row.id);
 }
 
 void TestTranslations::menuKeys_areInMenusOnly()

@@ -6,6 +6,7 @@
 #include "ui/brush_files.h"
 #include "ui/brush_shapes.h"
 #include "ui/main_window.h"
+#include "ui/settings.h"
 
 #include <QBuffer>
 #include <QCheckBox>
@@ -69,6 +70,9 @@ private Q_SLOTS:
     void window_choosesAlphas();
     void window_choosesModels();
     void settings_keepTheAlpha();
+    void aLaterAlphaWins();
+    void aRefusedFile_isForgotten();
+    void aFile_isReadAnew();
 
 private:
     QString path(const char* name) const { return m_folder.filePath(QString::fromLatin1(name)); }
@@ -120,6 +124,7 @@ void TestBrushFiles::alpha_refused_data()
     QTest::addColumn<QString>("words");
     QTest::newRow("text") << QByteArray("This is no image.") << QStringLiteral("not an image");
     QTest::newRow("empty") << QByteArray() << QStringLiteral("not an image");
+    QTest::newRow("SVG") << QByteArray(R"(<svg xmlns="http://www.w3.org/2000/svg" width="8" height="8"><text y="8">a</text></svg>)") << QStringLiteral("not an image");
     QTest::newRow("20,000 x 20,000") << pngHeader(20'000) + bigEndian(20) + "IDAT" + QByteArray(24, 'x') << QStringLiteral("20000 × 20000 pixels");
     QTest::newRow("a header alone") << pngHeader(64) << QStringLiteral("damaged");
     QByteArray black;
@@ -184,7 +189,7 @@ void TestBrushFiles::model_refused_data()
     QTest::newRow("open") << open << QStringLiteral("open edges: 3");
     QTest::newRow("flat") << flat << QStringLiteral("too flat");
     QTest::newRow("tiny") << tiny << QStringLiteral("too small");
-    QTest::newRow("huge") << core::icosphere(8, 1) << QStringLiteral("1,000,000");
+    QTest::newRow("huge") << core::icosphere(7, 1) << QStringLiteral("250,000");
 }
 
 void TestBrushFiles::model_refused()
@@ -262,6 +267,7 @@ void TestBrushFiles::settings_keepTheAlpha()
     QImage image(4, 4, QImage::Format_Grayscale8);
     image.fill(200);
     QVERIFY(image.save(path("kept.png")));
+    ui::Settings().setValue(core::Parameter::Strength, 0.3); // which changes the brush at each start
     {
         ui::MainWindow window;
         window.findChild<ui::BrushShapes*>()->chooseAlpha(path("kept.png"));
@@ -273,10 +279,62 @@ void TestBrushFiles::settings_keepTheAlpha()
         QTRY_VERIFY(window.brush()->stroke().alpha && window.brush()->stroke().alpha->source() == path("kept.png").toStdString());
         QVERIFY(window.brush()->stroke().alphaFollows);
     }
+    {
+        ui::MainWindow window; // is gone before the file was read
+        window.brush()->setTool(Tool::Clay);
+    }
+    QCOMPARE(ui::Settings().shapes().alpha, path("kept.png"));
+    QVERIFY(ui::Settings().shapes().alphaFollows);
     QVERIFY(QFile::remove(path("kept.png")));
     ui::MainWindow window;
     QTest::qWait(100);
     QVERIFY(!window.brush()->stroke().alpha);
+}
+
+/// A document that is opened while the stored file is still being read.
+void TestBrushFiles::aLaterAlphaWins()
+{
+    QImage image(4, 4, QImage::Format_Grayscale8);
+    image.fill(200);
+    QVERIFY(image.save(path("late.png")));
+    ui::StoredShapes stored;
+    stored.alpha = path("late.png");
+    ui::Settings().setShapes(stored);
+    ui::MainWindow window;
+    core::StrokeSettings noted = window.brush()->stroke();
+    noted.alpha = core::builtInAlpha("star");
+    window.brush()->take(noted);
+    QTest::qWait(200);
+    QCOMPARE(window.brush()->stroke().alpha, core::builtInAlpha("star"));
+    QCOMPARE(ui::Settings().shapes().alpha, QStringLiteral("star"));
+}
+
+void TestBrushFiles::aRefusedFile_isForgotten()
+{
+    ui::StoredShapes stored;
+    stored.alphas = stored.models = QStringList{path("never.png")};
+    ui::Settings().setShapes(stored);
+    ui::MainWindow window;
+    auto* shapes = window.findChild<ui::BrushShapes*>();
+    QSignalSpy refused(shapes, &ui::BrushShapes::refused);
+    shapes->chooseAlpha(path("never.png"));
+    shapes->chooseModel(path("never.png"));
+    QTRY_COMPARE(refused.count(), 2);
+    QVERIFY(ui::Settings().shapes().alphas.isEmpty() && ui::Settings().shapes().models.isEmpty());
+}
+
+/// What was painted into it meanwhile is seen.
+void TestBrushFiles::aFile_isReadAnew()
+{
+    ui::MainWindow window;
+    auto* shapes = window.findChild<ui::BrushShapes*>();
+    for (const uint grey : {200u, 100u}) {
+        QImage image(4, 4, QImage::Format_Grayscale8);
+        image.fill(grey);
+        QVERIFY(image.save(path("changing.png")));
+        shapes->chooseAlpha(path("changing.png"));
+        QTRY_VERIFY(window.brush()->stroke().alpha && window.brush()->stroke().alpha->pixels().front() == grey);
+    }
 }
 
 UI_TEST_MAIN(TestBrushFiles)

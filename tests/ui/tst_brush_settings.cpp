@@ -1,5 +1,6 @@
 #include "ui/brush_settings.h"
 
+#include "core/alpha.h"
 #include "core/lattice.h"
 
 #include <QSignalSpy>
@@ -141,6 +142,22 @@ private Q_SLOTS:
         brush.setRadial(false);
         brush.setRadial(true);
         QCOMPARE(brush.stroke().radial, 9);
+    }
+
+    void anAlphaFromAFileStays()
+    {
+        ui::BrushSettings brush;
+        const auto file = std::make_shared<const core::Alpha>(1, 1, std::vector<std::uint8_t>{200}, "mine.png");
+        brush.set(&core::StrokeSettings::alpha, file);
+        core::StrokeSettings other;
+        brush.take(other);
+        QCOMPARE(brush.stroke().alpha, file);
+        other.alpha = core::builtInAlpha("star");
+        brush.take(other);
+        QCOMPARE(brush.stroke().alpha, other.alpha);
+        other.alpha = nullptr;
+        brush.take(other);
+        QVERIFY(!brush.stroke().alpha);
     }
 
     void keysHeldChangeTheTool()

@@ -468,6 +468,19 @@ private Q_SLOTS:
         QCOMPARE(act(window, "mask.clear")->shortcut(), QKeySequence(QStringLiteral("Alt+M")));
     }
 
+    /// No menu's title has that key.
+    void theMaskIsClearedByItsKey()
+    {
+        MainWindow window;
+        window.show();
+        window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        QSignalSpy asked(&window, &MainWindow::commandRequested);
+        QTest::keyClick(&window, Qt::Key_M, Qt::AltModifier);
+        QCOMPARE(asked.count(), 1);
+        QCOMPARE(std::get<core::ChangeMask>(asked[0][0].value<core::ModelCommand>()).how, core::ChangeMask::How::Clear);
+    }
+
     void aColourIsPickedFromTheModel()
     {
         MainWindow window;
