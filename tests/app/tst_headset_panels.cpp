@@ -155,8 +155,8 @@ void TestHeadsetPanels::tools_chooseTheBrush()
     vr::ToolPanel symmetric = tools();
     symmetric.isSymmetric = true;
     QVERIFY(v.hand.choose(symmetric, vr::ChooseSymmetry{false}, [&] { return v.brush().symmetry == Symmetry::None; }));
-    for (const int count : {6, 1})
-        QVERIFY(v.choose(vr::ChooseRadial{count}, [&] { return v.brush().radial == count; }));
+    for (const int sectors : {6, 1})
+        QVERIFY(v.choose(vr::ChooseRadial{sectors}, [&] { return v.brush().radial == sectors; }));
     QVERIFY(v.isUntouched());
     QCOMPARE(v.hand.headset().complaints(), QString());
 }

@@ -116,11 +116,11 @@ void TestHeadsetPaper::leftMenu_showsTheToolsWhichThePadScrolls()
         QTRY_COMPARE_WITH_TIMEOUT(v.brush().tool, static_cast<Tool>(i % count), 60'000);
     }
     v.hand.pressPad(Side::Left, -0.8, 0);
-    QTRY_COMPARE_WITH_TIMEOUT(v.brush().tool, Tool::Paint, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(v.brush().tool, Tool::Mask, 60'000);
     v.hand.press(Side::Left, "menu");
     v.hand.pressPad(Side::Left, 0.8, 0);
     v.hand.settle();
-    QCOMPARE(v.brush().tool, Tool::Paint);
+    QCOMPARE(v.brush().tool, Tool::Mask);
     QVERIFY(v.isUntouched());
 }
 

@@ -80,7 +80,8 @@ Played play()
     s.note("horn");
 
     hand.press(Side::Left, "menu");
-    hand.pressPad(Side::Left, -0.8, 0); // the tool before the first is the last: Paint
+    hand.pressPad(Side::Left, -0.8, 0);
+    hand.pressPad(Side::Left, -0.8, 0); // before the first tool is the last, and before that Paint
     hand.press(Side::Right, "menu");
     hand.slide(Side::Right, {0, 1.2});
     s.note("painting-is-chosen");
@@ -95,6 +96,7 @@ Played play()
     s.note("redone");
 
     hand.press(Side::Left, "menu");
+    hand.pressPad(Side::Left, 0.8, 0);
     hand.pressPad(Side::Left, 0.8, 0);
     hand.press(Side::Left, "menu");
     hand.hover(48 * Vec3(-0.6, 0.8, 0));

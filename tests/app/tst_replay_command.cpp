@@ -1,5 +1,6 @@
 // What stroke files may hold: strokes in every tool and mode, and commands for the whole model.
 #include "app/model_loader.h"
+#include "core/mesh_check.h"
 #include "core/mesh_io.h"
 #include "core/model_command.h"
 #include "core/sculptor.h"
@@ -107,8 +108,8 @@ void TestReplayCommand::everyToolAndMode_isPlayed()
         Replay replay;
         QVERIFY2(replay(entries) == 0, replay.complaint.constData());
         each = replay.stats();
-        const auto mesh = mesh_asserts::sculptable(core::readMesh(replay.path("out.ply").toStdString()));
-        VERIFY_VALID(*mesh);
+        const core::TriangleMesh mesh = core::readMesh(replay.path("out.ply").toStdString()); // another lattice would move it
+        QVERIFY(core::checkMesh(mesh).printReady());
     }
     const Json& dabs = stats[0]["dabs"];
     QCOMPARE(dabs.size(), entries.size());

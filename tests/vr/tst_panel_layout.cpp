@@ -72,7 +72,7 @@ std::vector<PanelAction> wanted()
         all.push_back(vr::ShowPerformance{isOn});
         all.push_back(vr::ShowFloor{isOn});
     }
-    for (const int count : {1, 3, 4, 6, 8})
+    for (const int count : {1, 2, 4, 6})
         all.push_back(vr::ChooseRadial{count});
     for (int i = 0; i < 3; ++i)
         all.push_back(vr::ChooseChannel{i});

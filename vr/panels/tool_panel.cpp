@@ -94,7 +94,7 @@ void ToolPanel::addSymmetry(PanelBuilder& builder) const
     builder.add({places[1], SwitchLook{isSymmetric ? tr("On") : tr("Off"), isSymmetric}, ChooseSymmetry{!isSymmetric}});
     builder.add(places[2], TextLook{.text = tr("Radial"), .lines = 2});
     std::vector<PanelChoice> sectors;
-    for (const int count : {1, 3, 4, 6, 8})
+    for (const int count : {1, 2, 4, 6})
         sectors.push_back({QString::number(count), {}, ChooseRadial{count}, count == radial});
     builder.addChoice(places[3], sectors);
 }
