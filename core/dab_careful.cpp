@@ -121,6 +121,7 @@ bool DabEngine::moveHeldBack(double part, DabReport& report)
         const double share = shareOfPeak();
         if (share == 0)
             return false;
+        m_moves += carefulMove * m_region.size();
         const Mesh::Mark mark = m_mesh.mark();
         bool inside = false;
         {

@@ -30,8 +30,6 @@ constexpr double movePerMinimum = 0.45;
 constexpr double mostSteps = 4096;
 constexpr int mostAttempts = 4 * 4096;
 constexpr double mostVertexMoves = 1 << 21;
-/// Of a stamp, which goes deep where other dabs scratch: taken with care, each of its many steps costs far more.
-constexpr int mostCarefulStampSteps = 16;
 /// A dab whose centre is farther from its image's than this, in radii, does not bring the two into contact.
 constexpr double farthestFromImage = 4;
 /// A line is sharp if the mesh along it is fine, and so is what an alpha or a stamp has in it.
@@ -153,11 +151,9 @@ void DabEngine::sculpt(const StrokeSettings& settings, Dab dab, const std::funct
 void DabEngine::deform(Task& task, const std::function<void()>& between, DabReport& report)
 {
     report.outcome = DabOutcome::Committed;
-    double moves = 0;
-    int carefulSteps = 0;
-    for (int attempt = 0; task.steps == 0 || task.left > 0; ++attempt, moves += m_region.size()) {
-        const bool isSlow = task.settings.tool == Tool::Stamp && carefulSteps >= mostCarefulStampSteps;
-        const bool tooMuch = attempt >= mostAttempts || moves >= mostVertexMoves || isSlow;
+    m_moves = 0;
+    for (int attempt = 0; task.steps == 0 || task.left > 0; ++attempt, m_moves += m_region.size()) {
+        const bool tooMuch = attempt >= mostAttempts || m_moves >= mostVertexMoves;
         const Substep result = tooMuch ? Substep::Stuck : substep(task, report);
         if (result == Substep::Again)
             continue;
@@ -175,10 +171,8 @@ void DabEngine::deform(Task& task, const std::function<void()>& between, DabRepo
         task.left -= task.ticks;
         task.eased = 0;
         task.ticks = std::min({2 * task.ticks, task.most, task.left});
-        if (result == Substep::Careful) {
+        if (result == Substep::Careful)
             report.outcome = DabOutcome::Careful;
-            ++carefulSteps;
-        }
         if (between)
             between();
     }

@@ -55,6 +55,7 @@ private:
     /// A step that fails is halved so often that it does one of these; after one that passes the next is twice as long.
     static constexpr unsigned ticksPerStep = 8;
     static constexpr unsigned mostEased = 6;
+    static constexpr unsigned carefulMove = 16; ///< moves that a vertex's counts for with care
 
     /// What a tool that holds on has taken hold of: from then on m_region is not selected, but kept.
     struct Hold
@@ -186,5 +187,6 @@ private:
     SculptorTotals m_totals;
     std::optional<EdgeBounds> m_bounds; ///< of the last dab, if it remeshes
     bool m_capped = false; ///< a sub-step reached the cap on remeshing operations: the dab ends there
+    double m_moves = 0; ///< of vertices, that the dab has tried
 };
 } // namespace core
