@@ -227,7 +227,7 @@ RemeshCounts DabEngine::refineAndPlan(Task& task, MeshEditor edit, DabReport& re
     }
     const PhaseTimer timer(report.deformMs, report.fuseMs);
     report.asked = plan(task);
-    if (task.meets && !task.isStopped) {
+    if (task.meets && drawsLine(task.settings.tool) && !task.isStopped) { // a line's two sides face each other, and seldom meet
         const PhaseTimer fuseTimer(report.fuseMs);
         task.meets = m_fuser.willMeet(m_surface, m_region, task.bounds);
     }
