@@ -13,31 +13,42 @@ namespace core
 {
 namespace
 {
-constexpr int mostHoldRounds = 64;
+/// Rounds of holding back, and after how many of these one more ring of vertices around what is bad is held: what did not end soon is wide.
+constexpr int mostHoldRounds = 64, roundsPerRing = 4;
+/// Of remeshing at once, before what is left is done operation by operation.
+constexpr int mostSparingRounds = 4;
 } // namespace
 
 /// After a sub-step that failed: what was about to meet is joined; failing that, in turns, what has folded up is smoothed, or
 /// the motion is made calmer where faces turned over and the step is halved.
 bool DabEngine::easeMotion(Task& task, DabReport& report)
 {
-    task.meets = task.isStopped = true;
-    if (task.steps == 0 && !refineAtOnce(task, report))
+    if (task.steps == 0 && !refineAtOnce(task, report)) {
+        task.meets = true;
         return false;
-    task.most = ticksPerStep;
-    if (task.ticks > task.most) {
-        task.ticks = task.most;
-        return true;
     }
+    if (shortenStep(task))
+        return true;
+    task.meets = true;
     if (join(task, report))
         return true;
     report.contact = report.contact || m_fuser.isContact(m_surface, m_region, task.approach(), task.settings.fusion, m_badVertices);
-    if (++task.eased > mostEased)
+    if (++task.eased > mostEased || ++task.easings > mostEasings)
         return false;
     if (task.eased % 2 == 1 && m_unfolding.smooth(m_surface, plainEditor(), m_region, m_badVertices))
         return true;
     calmPlan(m_region, m_mesh, m_badVertices);
     if (task.eased % 2 == 0)
         task.ticks = std::max(task.ticks / 2, 1u);
+    return true;
+}
+
+/// Of several sub-steps at once half is tried. False if it was one, or a part of one.
+bool DabEngine::shortenStep(Task& task)
+{
+    if (task.ticks <= ticksPerStep)
+        return false;
+    task.most = task.ticks = std::max(task.ticks / 2, ticksPerStep);
     return true;
 }
 
@@ -59,8 +70,12 @@ bool DabEngine::refineAtOnce(Task& task, DabReport& report)
 
 DabEngine::Substep DabEngine::careful(Task& task, DabReport& report)
 {
-    if (task.steps == 0)
+    if (task.steps == 0) {
         count(refineAndPlan(task, judgedEditor(), report));
+        task.meets = true;
+    }
+    task.most = ticksPerStep; // what is held back stays, and the mesh between that and what moves has to follow
+    task.ticks = std::min({task.ticks, task.most, task.left});
     join(task, report);
     if (heldBackAsBefore(task, report))
         return Substep::Careful;
@@ -94,23 +109,49 @@ bool DabEngine::heldBackAsBefore(const Task& task, DabReport& report)
     return true;
 }
 
-/// All operations in one transaction: what stopped the straight path was most likely the motion, not one of them.
+/// All operations in one transaction: what stopped the straight path was most likely the motion, not one of them. Failing that, all but
+/// those around faces that went bad. False if these are left, or all.
 bool DabEngine::optimiseAtOnce(Task& task, DabReport& report)
 {
-    const Region::Saved saved = m_region.save();
-    const Mesh::Mark mark = m_mesh.mark();
-    RemeshCounts counts;
-    {
-        const PhaseTimer timer(report.optimiseMs);
-        counts = remesh(task, plainEditor());
-    }
-    if (!m_surface.judge(mark)) {
+    m_spared.clear();
+    for (int round = 0; round < mostSparingRounds; ++round) {
+        const Region::Saved saved = m_region.save();
+        const Mesh::Mark mark = m_mesh.mark();
+        RemeshCounts counts;
+        {
+            const PhaseTimer timer(report.optimiseMs);
+            counts = remesh(task, MeshEditor(m_mesh, {}, mirror(), &m_spared));
+        }
+        if (m_surface.judge(mark)) {
+            count(counts);
+            return round == 0;
+        }
+        const std::vector<Slot> around = namedAround(m_surface.badFaces());
         m_mesh.rollback(mark);
         m_region.restore(saved);
-        return false;
+        for (Slot v : around) {
+            if (v < m_mesh.slots().vertices && m_mesh.isVertex(v))
+                m_spared.add(v);
+        }
     }
-    count(counts);
-    return true;
+    return false;
+}
+
+/// The corners of the faces and their neighbours; with a mirror those of the half, or their images there.
+std::vector<Slot> DabEngine::namedAround(std::span<const Slot> faces)
+{
+    std::vector<Slot> named;
+    const auto add = [&](Slot v) {
+        if (const Slot half = m_mirror.isOn() && !m_mirror.isInHalf(v) ? m_mirror.imageOf(v) : v; half != noSlot)
+            named.push_back(half);
+    };
+    for (Slot f : faces) {
+        for (Slot v : m_mesh.corners(f)) {
+            add(v);
+            m_mesh.forEachOutgoing(v, [&](Slot h) { add(m_mesh.to(h)); });
+        }
+    }
+    return named;
 }
 
 /// Moves what can be moved without touching anything. Ends: a round without progress holds something back for good.
@@ -134,7 +175,7 @@ bool DabEngine::moveHeldBack(double part, DabReport& report)
         }
         m_mesh.rollback(mark);
         report.wall = !inside;
-        if (!inside || !m_held.shorten(m_region, m_mesh, m_surface.badFaces()))
+        if (!inside || !m_held.shorten(m_region, m_mesh, m_surface.badFaces(), 1 + round / roundsPerRing))
             return false;
     }
     return false;

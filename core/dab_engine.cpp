@@ -53,6 +53,11 @@ double detailShare(const StrokeSettings& settings)
         return alphaDetail;
     return drawsLine(settings.tool) ? lineDetail : 1;
 }
+/// Even where surfaces face each other, as long as none stops it: a line's two sides and an imprint's walls do, and seldom meet.
+bool takesLongSteps(Tool tool)
+{
+    return drawsLine(tool) || tool == Tool::Stamp;
+}
 bool isAtRest(const StrokeSettings& settings, const Dab& dab)
 {
     return followsHand(settings.tool) && (settings.tool == Tool::Twist ? dab.turn == 0 : dab.motion.isZero());
@@ -204,8 +209,6 @@ DabEngine::Substep DabEngine::substep(Task& task, DabReport& report)
         if (easeMotion(task, report))
             return Substep::Again;
     }
-    task.most = ticksPerStep;
-    task.ticks = std::min(task.most, task.left);
     const Substep result = careful(task, report);
     separate(task, report);
     return result;
@@ -227,16 +230,17 @@ RemeshCounts DabEngine::refineAndPlan(Task& task, MeshEditor edit, DabReport& re
     }
     const PhaseTimer timer(report.deformMs, report.fuseMs);
     report.asked = plan(task);
-    if (task.meets && drawsLine(task.settings.tool) && !task.isStopped) { // a line's two sides face each other, and seldom meet
+    if (task.meets && takesLongSteps(task.settings.tool)) {
         const PhaseTimer fuseTimer(report.fuseMs);
         task.meets = m_fuser.willMeet(m_surface, m_region, task.bounds);
     }
     task.steps = std::max(1.0, std::ceil(report.asked / (movePerMinimum * task.bounds.minimum)));
     m_capped = task.steps > mostSteps;
     task.left = ticksPerStep * static_cast<unsigned>(std::min(task.steps, mostSteps));
-    task.most = ticksPerStep;
-    if (task.steps > 1 && !task.meets)
-        task.most *= std::max(1u, static_cast<unsigned>(task.steps / transactionsFor(longestBetweenNeighbours(), task.bounds)));
+    task.longest = ticksPerStep;
+    if (task.steps > 1 && (!task.meets || takesLongSteps(task.settings.tool)))
+        task.longest *= std::max(1u, static_cast<unsigned>(task.steps / transactionsFor(longestBetweenNeighbours(), task.bounds)));
+    task.most = task.meets ? ticksPerStep : task.longest;
     task.ticks = std::min(task.most, task.left);
     return counts;
 }
@@ -350,8 +354,6 @@ bool DabEngine::join(Task& task, DabReport& report)
     if (!task.settings.fusion || !task.meets)
         return false;
     const PhaseTimer timer(report.fuseMs, m_surface.verifyMs());
-    if (m_held.inUse())
-        m_held.extend(m_region, m_mesh);
     const FusionCounts counts = m_fuser.join(m_surface, m_region, m_held, task.approach());
     if (counts.fusions > 0)
         m_held.clear();

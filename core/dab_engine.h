@@ -54,7 +54,7 @@ private:
 
     /// A step that fails is halved so often that it does one of these; after one that passes the next is twice as long.
     static constexpr unsigned ticksPerStep = 8;
-    static constexpr unsigned mostEased = 6;
+    static constexpr unsigned mostEased = 6, mostEasings = 12; ///< of a sub-step; of a dab, which then holds back what is in the way
     static constexpr unsigned carefulMove = 16; ///< moves that a vertex's counts for with care
 
     /// What a tool that holds on has taken hold of: from then on m_region is not selected, but kept.
@@ -86,12 +86,13 @@ private:
         Sphere ball; ///< about all that it moves
         EdgeBounds bounds;
         double steps = 0; ///< into which the plan is cut, each no longer than d_move; 0: not planned yet
-        unsigned most = ticksPerStep;  ///< ticks in a transaction: of several sub-steps at once where nothing can meet
+        unsigned longest = ticksPerStep; ///< ticks in a transaction: of several sub-steps at once where nothing meets
+        unsigned most = ticksPerStep;  ///< of these, what is worth trying at present
         unsigned ticks = ticksPerStep; ///< that the next transaction does
         unsigned left = 0;             ///< that the plan still holds
         unsigned eased = 0;            ///< how often the next sub-step has been made easier
+        unsigned easings = 0;          ///< and all of them so far
         bool meets = false; ///< surfaces face each other under the brush and will meet, or something stopped the motion
-        bool isStopped = false; ///< something did
 
         /// Of the plan, that the next sub-step does.
         double part() const { return ticks / (ticksPerStep * steps); }
@@ -155,12 +156,14 @@ private:
     RemeshCounts remesh(const Task& task, MeshEditor edit);
     bool heldBackAsBefore(const Task& task, DabReport& report);
     bool optimiseAtOnce(Task& task, DabReport& report);
+    std::vector<Slot> namedAround(std::span<const Slot> faces);
     bool moveHeldBack(double part, DabReport& report);
     bool displace(double part);
     double shareOfPeak() const;
     bool facesMeet(const StrokeSettings& settings, const Sphere& ball);
     bool join(Task& task, DabReport& report);
     bool easeMotion(Task& task, DabReport& report);
+    static bool shortenStep(Task& task);
     bool refineAtOnce(Task& task, DabReport& report);
     void separate(Task& task, DabReport& report);
     void count(const RemeshCounts& counts);
@@ -180,6 +183,7 @@ private:
     Region m_footprint; ///< only that: it is asked for in the middle of a dab
     std::vector<Slot> m_candidates;
     HeldBack m_held;
+    SlotSet m_spared; ///< by an optimisation: operations there were not sound
     Unfolding m_unfolding;
     Fuser m_fuser;
     std::vector<Slot> m_badVertices;   ///< of the faces that the last straight sub-step failed at

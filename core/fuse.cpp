@@ -114,10 +114,12 @@ bool Fuser::willMeet(const JudgedMesh& surface, const Region& region, const Edge
 }
 
 /// In rounds: a seam grows stitch by stitch over all of a contact before another tube is begun, else a hole stays between.
-FusionCounts Fuser::join(JudgedMesh& surface, Region& region, const HeldBack& held, const Approach& approach)
+FusionCounts Fuser::join(JudgedMesh& surface, Region& region, HeldBack& held, const Approach& approach)
 {
     FusionCounts counts;
     for (int round = 0; round < mostRounds; ++round) {
+        if (held.inUse())
+            held.extend(region, surface.mesh()); // copies joined the region in the round before
         gather(surface, region, approach.reach());
         findNear(surface.mesh(), region, held, approach);
         if (m_mirror)
@@ -256,12 +258,11 @@ void Fuser::findNear(const Mesh& mesh, const Region& region, const HeldBack& hel
         if (!region.contains(v))
             continue;
         grid.forEachNear(m_points[i], [&](Slot j) {
-            const Slot other = m_vertices.slots()[j];
-            if (i == j || (j < i && region.contains(other)) ||
-                !isNamed(v, other)) // the second: met from the other side
-                return;
             const double distance2 = (m_points[j] - m_points[i]).squaredNorm();
-            if (distance2 < reach2 && willJoin(i, j, mesh, region, held, approach))
+            const Slot other = m_vertices.slots()[j];
+            if (distance2 >= reach2 || i == j || (j < i && region.contains(other)) || !isNamed(v, other)) // the third: met from the other side
+                return;
+            if (willJoin(i, j, mesh, region, held, approach))
                 m_near.push_back({!haveCommonNeighbour(mesh, v, other), distance2, std::min(v, other),
                                   std::max(v, other), (m_points[j] - m_points[i]).dot(normal(mesh, i)) < 0});
         });

@@ -53,7 +53,7 @@ public:
 
     /// Joins what the motion of the region is about to bring into contact: surfaces that meet from outside become one, a wall
     /// that is pushed through gets a hole.
-    FusionCounts join(JudgedMesh& surface, Region& region, const HeldBack& held, const Approach& approach);
+    FusionCounts join(JudgedMesh& surface, Region& region, HeldBack& held, const Approach& approach);
 
     /// Whether surfaces that join() may not join are about to meet at one of these vertices: without fusion any, with it the two
     /// sides of a wall that is not pushed, and what is masked.

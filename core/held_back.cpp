@@ -26,13 +26,15 @@ void HeldBack::extend(const Region& region, const Mesh& mesh)
     }
 }
 
-bool HeldBack::shorten(Region& region, const Mesh& mesh, const std::vector<Slot>& badFaces)
+bool HeldBack::shorten(Region& region, const Mesh& mesh, const std::vector<Slot>& badFaces, int rings)
 {
-    std::vector<Slot> corners;
+    std::vector<Slot> around;
     for (Slot f : badFaces)
-        corners.insert(corners.end(), mesh.corners(f).begin(), mesh.corners(f).end());
+        around.insert(around.end(), mesh.corners(f).begin(), mesh.corners(f).end());
+    for (int ring = 0; ring < rings; ++ring)
+        around = withNeighbours(region, mesh, around);
     bool any = false;
-    for (Slot v : withNeighbours(region, mesh, corners)) {
+    for (Slot v : around) {
         double& share = m_share[region.position(v)];
         any = any || share > 0;
         share = share == 1 ? shortenedOnce : 0;

@@ -217,7 +217,8 @@ Slot Mesh::newVertex(Slot hint, const Vec3f& p, const OpenMesh::Vec4uc& colorAnd
 {
     const Slot v = m_vertexSlots.take(hint);
     if (v == m_vertexStamp.size()) {
-        m_kernel.new_vertex();
+        m_kernel.new_vertex(Vec3f::Zero());
+        m_kernel.set_color(OpenMesh::VertexHandle(static_cast<int>(v)), {0, 0, 0, 0});
         m_vertexStamp.push_back(0);
     }
     m_vertexSlots.setFree(v, true);

@@ -11,6 +11,13 @@ template <class Operation> bool MeshEditor::run(Operation operation)
     return m_attempt([&] { done = operation(); }) && done;
 }
 
+/// Of the two faces at an edge, a corner.
+bool MeshEditor::isSparedAround(Slot e) const
+{
+    return m_spared && (isSpared(m_mesh.to(2 * e)) || isSpared(m_mesh.to(2 * e + 1)) || isSpared(m_mesh.to(m_mesh.next(2 * e))) ||
+                        isSpared(m_mesh.to(m_mesh.next(2 * e + 1))));
+}
+
 Vec3f MeshEditor::middle(Slot e) const
 {
     const Vec3 sum = m_mesh.point(m_mesh.to(2 * e)).cast<double>() + m_mesh.point(m_mesh.to(2 * e + 1)).cast<double>();
@@ -74,6 +81,8 @@ Slot MeshEditor::collapsing(Slot e) const
 
 bool MeshEditor::collapse(Slot h, const Vec3f& p)
 {
+    if (isSparedAround(h / 2))
+        return false;
     return run([&] {
         if (m_mirror)
             return collapsePair(h, p);
@@ -103,6 +112,8 @@ bool MeshEditor::collapsePair(Slot h, const Vec3f& p)
 
 bool MeshEditor::flip(Slot e)
 {
+    if (isSparedAround(e))
+        return false;
     return run([&] {
         if (m_mirror)
             return flipPair(e);
@@ -131,6 +142,8 @@ bool MeshEditor::flipPair(Slot e)
 
 bool MeshEditor::move(Slot v, const Vec3f& p)
 {
+    if (isSpared(v))
+        return false;
     return run([&] {
         if (m_mirror)
             return movePair(v, p);

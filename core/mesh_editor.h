@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mirror_map.h"
+#include "slot_set.h"
 
 #include <functional>
 
@@ -16,9 +17,10 @@ using Attempt = std::function<bool(const std::function<void()>& operation)>;
 class MeshEditor
 {
 public:
-    /// `attempt`: none if operations are not judged. `mirror`: none, or one that is on.
-    explicit MeshEditor(Mesh& mesh, Attempt attempt = {}, MirrorMap* mirror = nullptr)
-        : m_mesh(mesh), m_attempt(std::move(attempt)), m_mirror(mirror)
+    /// `attempt`: none if operations are not judged. `mirror`: none, or one that is on. `spared`: none, or vertices that have to stay as
+    /// they are, and the shape of the faces around them, too: nothing moves, collapses or flips there.
+    explicit MeshEditor(Mesh& mesh, Attempt attempt = {}, MirrorMap* mirror = nullptr, const SlotSet* spared = nullptr)
+        : m_mesh(mesh), m_attempt(std::move(attempt)), m_mirror(mirror), m_spared(spared)
     {
     }
 
@@ -52,6 +54,8 @@ public:
 
 private:
     template <class Operation> bool run(Operation operation);
+    bool isSpared(Slot v) const { return m_spared && m_spared->contains(v); }
+    bool isSparedAround(Slot e) const;
     Slot splitPair(Slot e);
     void splitEdgesAcross(Slot f);
     Slot splitOnPlane(Slot e);
@@ -62,5 +66,6 @@ private:
     Mesh& m_mesh;
     Attempt m_attempt;
     MirrorMap* m_mirror;
+    const SlotSet* m_spared;
 };
 } // namespace core
