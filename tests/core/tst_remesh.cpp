@@ -107,6 +107,7 @@ private Q_SLOTS:
     void optimise_keepsTheShape();
     void optimise_carriesColoursAndPlans();
     void optimise_leavesTheRestAlone();
+    void sparedVertices_stayAsTheyAre();
     void again_isNearlyIdle();
     void hugeTask_isCapped();
     void splitLongEdges_onlySplits();
@@ -241,6 +242,23 @@ void TestRemesh::optimise_leavesTheRestAlone()
         if (!std::ranges::binary_search(selected, v))
             QVERIFY(s.mesh->isVertex(v) && s.mesh->point(v) == before[v]);
     }
+}
+
+void TestRemesh::sparedVertices_stayAsTheyAre()
+{
+    Subject s(noisyBall(), brush);
+    core::SlotSet spared;
+    std::vector<core::Vec3f> before;
+    s.region.forEach([&](Slot v) {
+        if (s.mesh->point(v).x() > 0.1f) {
+            spared.add(v);
+            before.push_back(s.mesh->point(v));
+        }
+    });
+    MeshEditor edit(*s.mesh, {}, nullptr, &spared);
+    QVERIFY(optimise(edit, s.region, {0.2, 0.1}).collapses > 0);
+    for (std::size_t i = 0; i < before.size(); ++i)
+        QVERIFY(s.mesh->isVertex(spared.slots()[i]) && s.mesh->point(spared.slots()[i]) == before[i]);
 }
 
 void TestRemesh::again_isNearlyIdle()
