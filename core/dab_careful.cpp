@@ -75,7 +75,7 @@ DabEngine::Substep DabEngine::careful(Task& task, DabReport& report)
         task.meets = true;
     }
     task.most = ticksPerStep; // what is held back stays, and the mesh between that and what moves has to follow
-    task.ticks = std::min({task.ticks, task.most, task.left});
+    task.ticks = std::min(task.most, task.left);
     join(task, report);
     if (heldBackAsBefore(task, report))
         return Substep::Careful;
