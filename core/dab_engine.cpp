@@ -132,7 +132,7 @@ void DabEngine::sculpt(const StrokeSettings& settings, Dab dab, const std::funct
         return mark(settings, dab, report);
     m_held.clear();
     m_unfolding.clear();
-    m_fuser.beginDab(mirror());
+    m_fuser.beginDab(mirror(), settings.topology == Topology::Uniform ? 1 : detailShare(settings));
     m_blocked.clear();
     m_capped = false;
     dab.axis = m_hold.axis;

@@ -35,9 +35,11 @@ class Fuser
 public:
     /// Forgets what could not be joined: a new dab tries again. With a mirror (or none: null) all that follows is done to the
     /// half, together with its image; the regions are of the half.
-    void beginDab(MirrorMap* mirror)
+    /// `detailShare`: of the brush's own d, that which the tool asks for. A speck is small against the brush, however fine the mesh.
+    void beginDab(MirrorMap* mirror, double detailShare)
     {
         m_mirror = mirror;
+        m_detailShare = detailShare;
         m_failed.clear();
         m_failures.clear();
         m_tubes.clear();
@@ -60,7 +62,7 @@ public:
     bool isContact(const JudgedMesh& surface, const Region& region, const Approach& approach, bool fusion,
                    const std::vector<Slot>& vertices);
 
-    /// Cuts necks that have grown as thin as a triangle, and removes specks smaller than 2 d. `blocked`: edges shorter than d
+    /// Cuts necks that have grown as thin as a triangle, and removes specks smaller than 2 of the brush's d. `blocked`: edges shorter than d
     /// that could not be collapsed.
     FusionCounts separate(JudgedMesh& surface, Region& region, const std::vector<VertexPair>& blocked, const EdgeBounds& bounds);
 
@@ -96,6 +98,7 @@ private:
     bool removeSpeck(JudgedMesh& surface, Region& region, Slot vertex, const EdgeBounds& bounds);
 
     MirrorMap* m_mirror = nullptr;
+    double m_detailShare = 1;
     SlotSet m_vertices;          ///< near the region
     std::vector<Vec3> m_points;  ///< by position among them
     std::vector<std::optional<Vec3>> m_normals; ///< unit length, or zero; of those that were asked for

@@ -13,7 +13,7 @@ namespace
 constexpr double neckPerimeter = 3;
 /// The gaps to try between the two sides of a cut neck, in terms of d.
 constexpr double neckGaps[] = {0.5, 0.1};
-/// A speck: a component smaller than this, in terms of d; one of few faces may be a little larger.
+/// A speck: a component smaller than this, in terms of the brush's d; one of few faces may be a little larger.
 constexpr double speckSize = 2, crumbSize = 4;
 constexpr std::size_t speckFaces = 64, fewFaces = 16;
 } // namespace
@@ -100,7 +100,7 @@ bool Fuser::removeSpeck(JudgedMesh& surface, Region& region, Slot vertex, const 
     found.add(mesh.face(mesh.outgoing(vertex)));
     const auto isTooLarge = [&] { // and stays so: both only grow
         const double size = (box.max - box.min).cast<double>().maxCoeff() * mesh.lattice().unit();
-        return found.size() > speckFaces || size > (found.size() < fewFaces ? crumbSize : speckSize) * bounds.minimum;
+        return found.size() > speckFaces || size > (found.size() < fewFaces ? crumbSize : speckSize) * bounds.minimum / m_detailShare;
     };
     for (std::size_t i = 0; i < found.size(); ++i) {
         Slot h = mesh.faceHalfedge(found.slots()[i]);
