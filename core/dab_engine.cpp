@@ -237,10 +237,9 @@ RemeshCounts DabEngine::refineAndPlan(Task& task, MeshEditor edit, DabReport& re
     task.steps = std::max(1.0, std::ceil(report.asked / (movePerMinimum * task.bounds.minimum)));
     m_capped = task.steps > mostSteps;
     task.left = ticksPerStep * static_cast<unsigned>(std::min(task.steps, mostSteps));
-    task.longest = ticksPerStep;
-    if (task.steps > 1 && (!task.meets || takesLongSteps(task.settings.tool)))
-        task.longest *= std::max(1u, static_cast<unsigned>(task.steps / transactionsFor(longestBetweenNeighbours(), task.bounds)));
-    task.most = task.meets ? ticksPerStep : task.longest;
+    task.most = ticksPerStep;
+    if (task.steps > 1 && !task.meets)
+        task.most *= std::max(1u, static_cast<unsigned>(task.steps / transactionsFor(longestBetweenNeighbours(), task.bounds)));
     task.ticks = std::min(task.most, task.left);
     return counts;
 }

@@ -86,8 +86,7 @@ private:
         Sphere ball; ///< about all that it moves
         EdgeBounds bounds;
         double steps = 0; ///< into which the plan is cut, each no longer than d_move; 0: not planned yet
-        unsigned longest = ticksPerStep; ///< ticks in a transaction: of several sub-steps at once where nothing meets
-        unsigned most = ticksPerStep;  ///< of these, what is worth trying at present
+        unsigned most = ticksPerStep;  ///< ticks in a transaction: of several sub-steps at once where nothing meets
         unsigned ticks = ticksPerStep; ///< that the next transaction does
         unsigned left = 0;             ///< that the plan still holds
         unsigned eased = 0;            ///< how often the next sub-step has been made easier
