@@ -16,7 +16,7 @@ namespace
 /// Rounds of holding back, and after how many of these one more ring of vertices around what is bad is held: what did not end soon is wide.
 constexpr int mostHoldRounds = 64, roundsPerRing = 4;
 /// Of remeshing at once, before what is left is done operation by operation.
-constexpr int mostSparingRounds = 4;
+constexpr int mostSparingRounds = 16;
 } // namespace
 
 /// After a sub-step that failed: what was about to meet is joined; failing that, in turns, what has folded up is smoothed, or
@@ -35,7 +35,7 @@ bool DabEngine::easeMotion(Task& task, DabReport& report)
     report.contact = report.contact || m_fuser.isContact(m_surface, m_region, task.approach(), task.settings.fusion, m_badVertices);
     if (++task.eased > mostEased || ++task.easings > mostEasings)
         return false;
-    if (task.eased % 2 == 1 && m_unfolding.smooth(m_surface, plainEditor(), m_region, m_badVertices))
+    if (task.eased % 2 == 1 && m_unfolding.smooth(m_surface, plainEditor(), m_region, m_badVertices, task.eased > 1))
         return true;
     calmPlan(m_region, m_mesh, m_badVertices);
     if (task.eased % 2 == 0)

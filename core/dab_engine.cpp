@@ -19,6 +19,8 @@
 #include "parallel.h"
 #include "phase_timer.h"
 
+#include <utility>
+
 namespace core
 {
 namespace
@@ -149,7 +151,7 @@ void DabEngine::sculpt(const StrokeSettings& settings, Dab dab, const std::funct
     if (settings.tool == Tool::Layer && report.asked > 0)
         noteRaised(report.reached / report.asked);
     if (holdsOn(settings.tool) && !m_region.empty())
-        m_hold = {true, m_mirror.isOn(), m_hold.axis};
+        m_hold = {true, m_mirror.isOn(), m_hold.axis, m_hold.detail};
 }
 
 /// In sub-steps, until the plan is done or no more can be.
@@ -176,8 +178,10 @@ void DabEngine::deform(Task& task, const std::function<void()>& between, DabRepo
         task.left -= task.ticks;
         task.eased = 0;
         task.ticks = std::min({2 * task.ticks, task.most, task.left});
-        if (result == Substep::Careful)
+        if (result == Substep::Careful) {
             report.outcome = DabOutcome::Careful;
+            ++task.carefulSubsteps;
+        }
         if (between)
             between();
     }
@@ -186,14 +190,17 @@ void DabEngine::deform(Task& task, const std::function<void()>& between, DabRepo
 EdgeBounds DabEngine::boundsFor(const StrokeSettings& settings, const Dab& dab) const
 {
     const double uniform = settings.detailLength > 0 ? settings.detailLength : m_mesh.uniformDetail();
-    const EdgeBounds bounds =
-        settings.topology == Topology::Uniform ? edgeBounds(uniform) : edgeBounds(dab.radius, detailShare(settings) * settings.detail);
-    return edgeBounds(std::max(bounds.detail, m_mesh.lattice().minDetail()));
+    double detail = settings.topology == Topology::Uniform ? uniform : edgeBounds(dab.radius, detailShare(settings) * settings.detail).detail;
+    if (holdsOn(settings.tool) && settings.topology == Topology::Adaptive && m_hold.detail > 0)
+        detail = std::min(detail, m_hold.detail);
+    return edgeBounds(std::max(detail, m_mesh.lattice().minDetail()));
 }
 
 DabEngine::Substep DabEngine::substep(Task& task, DabReport& report)
 {
-    if (!m_held.inUse()) { // what was held back once in a dab stays so in its next sub-steps
+    const bool isHeld = m_held.inUse();
+    if (!isHeld || task.letsGo()) {
+        HeldBack held = std::exchange(m_held, {});
         const Region::Saved saved = m_region.save();
         const double steps = task.steps;
         const Substep result = straight(task, report);
@@ -203,10 +210,11 @@ DabEngine::Substep DabEngine::substep(Task& task, DabReport& report)
         }
         if (result != Substep::Stuck)
             return result;
+        m_held = std::move(held);
         m_region.restore(saved);
         task.steps = steps;
         ++m_totals.rolledBack;
-        if (easeMotion(task, report))
+        if (!isHeld && easeMotion(task, report))
             return Substep::Again;
     }
     const Substep result = careful(task, report);

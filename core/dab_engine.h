@@ -11,6 +11,8 @@
 #include "transplant.h"
 #include "unfolding.h"
 
+#include <bit>
+
 namespace core
 {
 /// One dab, as the paper's section 3 has it: select -> optimise mesh -> deform -> verify -> index, in sub-steps that either
@@ -63,6 +65,7 @@ private:
         bool isOn = false;
         bool isMirrored = false; ///< m_region is the half that stands for both
         Vec3 axis = Vec3::Zero(); ///< the mean normal when it was taken
+        double detail = 0;        ///< the d_detail that keeps it as fine as it was then
     };
 
     /// What a radial stroke's tool that holds on has in another sector than the first.
@@ -91,11 +94,14 @@ private:
         unsigned left = 0;             ///< that the plan still holds
         unsigned eased = 0;            ///< how often the next sub-step has been made easier
         unsigned easings = 0;          ///< and all of them so far
+        unsigned carefulSubsteps = 0;  ///< so far
         bool meets = false; ///< surfaces face each other under the brush and will meet, or something stopped the motion
 
         /// Of the plan, that the next sub-step does.
         double part() const { return ticks / (ticksPerStep * steps); }
         Approach approach() const { return {pushes(settings), bounds, part()}; }
+        /// What was held back once in a dab stays so in its next sub-steps, but after 1, 2, 4, 8 ... of them: what stood in the way may be gone.
+        bool letsGo() const { return std::has_single_bit(carefulSubsteps); }
         /// To which the finished transaction amounts.
         unsigned substeps() const { return std::max(ticks / ticksPerStep, 1u); }
     };
@@ -124,6 +130,7 @@ private:
     void take(const StrokeSettings& settings, const Sphere& ball);
     bool takeMirrored(const StrokeSettings& settings, const Sphere& ball);
     bool takeHeld();
+    double meanEdge(const Region& region) const;
     void swapHolds(Tool tool);
     Sphere ballAround(const Dab& dab) const;
     void selectBothSides(const Task& task);

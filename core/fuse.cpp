@@ -331,10 +331,8 @@ bool Fuser::willJoin(Slot i, Slot j, const Mesh& mesh, const Region& region, con
                      const Approach& approach)
 {
     const Slot v = m_vertices.slots()[i], other = m_vertices.slots()[j];
-    if (mesh.findHalfedge(v, other) != noSlot)
-        return false;
     const Vec3 &n = normal(mesh, i), &m = normal(mesh, j);
-    if (n.dot(m) > facingCosine)
+    if (n.dot(m) > facingCosine || mesh.findHalfedge(v, other) != noSlot)
         return false;
     const Vec3 between = m_points[j] - m_points[i];
     const double ahead = between.dot(n), back = -between.dot(m);

@@ -67,7 +67,7 @@ public:
     FusionCounts separate(JudgedMesh& surface, Region& region, const std::vector<VertexPair>& blocked, const EdgeBounds& bounds);
 
 private:
-    /// Joins of one vertex that may turn out unsound in a dab before it is left alone.
+    /// Joins and cuts at one vertex that may turn out unsound in a dab before it is left alone.
     static constexpr int mostFailures = 2;
 
     struct Near
@@ -104,7 +104,7 @@ private:
     std::vector<std::optional<Vec3>> m_normals; ///< unit length, or zero; of those that were asked for
     std::vector<Near> m_near;
     std::vector<Vec3> m_tubes;   ///< where this dab began new ones
-    SparseIndex m_failed;        ///< vertices of joins that were not sound, in this dab
+    SparseIndex m_failed;        ///< vertices of joins and cuts that were not sound, in this dab
     std::vector<int> m_failures; ///< how many, by position among them
     SlotSet m_done;              ///< vertices around what was joined in this pass
 };

@@ -62,7 +62,7 @@ bool Fuser::cut(JudgedMesh& surface, Region& region, const VertexPair& edge, con
             third = c;
         }
     });
-    if (third == noSlot)
+    if (third == noSlot || !mayTry(a) || !mayTry(b))
         return false;
     const Triangle cycle = {a, b, third};
     for (double gap : neckGaps) {
@@ -77,6 +77,8 @@ bool Fuser::cut(JudgedMesh& surface, Region& region, const VertexPair& edge, con
             return true;
         }
     }
+    countFailure(a);
+    countFailure(b);
     return false;
 }
 

@@ -9,6 +9,13 @@ namespace core
 namespace
 {
 constexpr double smoothing = 0.5;
+
+/// What of the step does not go back along the way.
+Vec3 withoutReturn(const Vec3& step, const Vec3& way)
+{
+    const double along = step.dot(way);
+    return along < 0 ? Vec3(step - along / way.squaredNorm() * way) : step;
+}
 } // namespace
 
 void Unfolding::clear()
@@ -17,13 +24,16 @@ void Unfolding::clear()
     m_takenBack.clear();
 }
 
-bool Unfolding::smooth(JudgedMesh& surface, MeshEditor edit, Region& region, std::span<const Slot> vertices)
+bool Unfolding::smooth(JudgedMesh& surface, MeshEditor edit, Region& region, std::span<const Slot> vertices, bool mayTakeBack)
 {
     const Mesh& mesh = surface.mesh();
     std::vector<std::pair<Slot, Vec3f>> places;
     for (Slot v : withNeighbours(region, mesh, vertices)) {
         const Vec3 p = mesh.point(v).cast<double>();
-        const Vec3f place = edit.kept(v, mesh.lattice().snap(p + smoothing * mesh.freedom(v) * (neighbourMean(mesh, v) - p)));
+        Vec3 step = neighbourMean(mesh, v) - p;
+        if (!mayTakeBack)
+            step = withoutReturn(step, region.plan(v));
+        const Vec3f place = edit.kept(v, mesh.lattice().snap(p + smoothing * mesh.freedom(v) * step));
         if (place != mesh.point(v))
             places.emplace_back(v, place);
     }

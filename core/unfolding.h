@@ -15,8 +15,8 @@ public:
     void clear();
 
     /// Moves the region's vertices at and around the given ones half way to the mean of their neighbours, as a transaction of
-    /// its own. `vertices`: may be gone. False if nothing was moved.
-    bool smooth(JudgedMesh& surface, MeshEditor edit, Region& region, std::span<const Slot> vertices);
+    /// its own. `vertices`: may be gone. `mayTakeBack`: else only across their plans and onwards. False if nothing was moved.
+    bool smooth(JudgedMesh& surface, MeshEditor edit, Region& region, std::span<const Slot> vertices, bool mayTakeBack);
 
     /// Of the longest displacement planned, the share that is left when this share of the plan has been done. O(1) if nothing
     /// was smoothed, else O(region).

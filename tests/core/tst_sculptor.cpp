@@ -118,6 +118,8 @@ namespace
 {
 constexpr std::uint64_t dabsPerRun = 250, dabsPerLine = 10'000, seedsPerPart = 1'000'000;
 constexpr int fuzzParts = 4;
+/// Of a soak, beyond what each test run does: to do a run again takes as long as the run, and finds only what is not the same twice.
+constexpr std::uint64_t runsPerReplay = 4;
 
 /// What the runs of a fuzzer begin with: in turn two shapes as they are, one made symmetric, one that grew in an earlier run.
 class FuzzStarts
@@ -184,7 +186,8 @@ void TestSculptor::randomStrokes_keepThePromise()
     for (std::uint64_t run = 0, line = dabsPerLine; tally.dabs < dabs; ++run) {
         const FuzzStart start = starts.next();
         FuzzRun fuzz(start, seed + run, tally);
-        fuzz.go(std::min(dabsPerRun, dabs - tally.dabs));
+        const bool replays = tally.dabs < usualDabs / fuzzParts || run % runsPerReplay == 0;
+        fuzz.go(std::min(dabsPerRun, dabs - tally.dabs), replays ? FuzzRun::AtEnd::UndoAndReplay : FuzzRun::AtEnd::Undo);
         if (!fuzz.ok() || tally.dabs >= std::min(line, dabs)) {
             tally.print(std::cout);
             line += dabsPerLine;

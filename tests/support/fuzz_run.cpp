@@ -107,7 +107,7 @@ bool FuzzRun::mayGoOn() const
     return ok() && faces >= leastFaces && faces < mostFaces;
 }
 
-void FuzzRun::go(std::uint64_t dabs)
+void FuzzRun::go(std::uint64_t dabs, AtEnd atEnd)
 {
     ++m_tally.runs;
     judge("at the start");
@@ -125,7 +125,8 @@ void FuzzRun::go(std::uint64_t dabs)
     checkPairs("at the end");
     judge("at the end");
     walkHistory();
-    replay();
+    if (atEnd == AtEnd::UndoAndReplay)
+        replay();
     m_tally.digest = m_tally.digest * 31 + m_sculptor.mesh().stateHash();
     m_tally.add(m_sculptor.totals());
 }

@@ -24,14 +24,15 @@ FuzzStart symmetrized(const FuzzStart& start, core::Symmetry plane);
 
 /// One mesh, sculpted at random until its dabs are used up, it has grown large, or nearly all of it is gone. After each dab the
 /// octree is compared with the mesh and the symmetry is checked, after each few all pairs of faces are tested, and CGAL
-/// judges; at the end everything is undone, redone, and done again from the start without what was undone in between.
+/// judges; at the end everything is undone, redone, and, if asked, done again from the start without what was undone in between.
 class FuzzRun
 {
 public:
     /// FETTLE_TRACE=1 in the environment: says what each dab did.
     FuzzRun(const FuzzStart& start, std::uint64_t seed, FuzzTally& tally);
 
-    void go(std::uint64_t dabs);
+    enum class AtEnd { Undo, UndoAndReplay };
+    void go(std::uint64_t dabs, AtEnd atEnd);
 
     bool ok() const { return m_problem.empty(); }
     /// What went wrong first, and how to do it again.
