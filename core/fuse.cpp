@@ -29,6 +29,7 @@ constexpr double thicknessPerDetail = 0.735;
 constexpr double facingCosine = -0.7071;
 /// If all normals lie within this cone around one direction no two of them are more than 135 degrees apart.
 constexpr double coneCosine = 0.3827; // cos 67.5 degrees
+constexpr double safeConeCosine = 0.39; // a little narrower: rounding does not matter then
 /// A pair joins when the next sub-step would close this part of the gap or more, ...
 constexpr double closingShare = 1 / 1.5;
 /// ... or when the gap is below this part of d_detail and closing.
@@ -240,32 +241,49 @@ void Fuser::gather(const JudgedMesh& surface, const Region& region, double reach
     m_normals.resize(m_points.size());
 }
 
-/// Few are asked for.
-const Vec3& Fuser::normal(const Mesh& mesh, Slot i)
-{
-    if (!m_normals[i])
-        m_normals[i] = unit(vertexNormal(mesh, m_vertices.slots()[i]));
-    return *m_normals[i];
-}
-
+/// Vertices whose normals lie within one cone do not face each other: one of each pair has another normal.
 void Fuser::findNear(const Mesh& mesh, const Region& region, const HeldBack& held, const Approach& approach)
 {
     m_near.clear();
+    findTurned(mesh, region);
+    if (m_turned.empty())
+        return;
     const double reach = approach.reach(), reach2 = reach * reach;
     const ProximityGrid grid(m_points, reach);
-    for (Slot i = 0; i < m_points.size(); ++i) {
-        const Slot v = m_vertices.slots()[i];
-        if (!region.contains(v))
-            continue;
-        grid.forEachNear(m_points[i], [&](Slot j) {
-            const double distance2 = (m_points[j] - m_points[i]).squaredNorm();
-            const Slot other = m_vertices.slots()[j];
-            if (distance2 >= reach2 || i == j || (j < i && region.contains(other)) || !isNamed(v, other)) // the third: met from the other side
+    for (Slot turned : m_turned) {
+        grid.forEachNear(m_points[turned], [&](Slot near) {
+            const double distance2 = (m_points[near] - m_points[turned]).squaredNorm();
+            if (distance2 >= reach2 || near == turned || (m_isTurned[near] && near < turned)) // the last: met from the other side
                 return;
-            if (willJoin(i, j, mesh, region, held, approach))
-                m_near.push_back({!haveCommonNeighbour(mesh, v, other), distance2, std::min(v, other),
-                                  std::max(v, other), (m_points[j] - m_points[i]).dot(normal(mesh, i)) < 0});
+            const Slot lower = std::min(near, turned), upper = std::max(near, turned);
+            const bool fromLower = region.contains(m_vertices.slots()[lower]);
+            const Slot i = fromLower ? lower : upper, j = fromLower ? upper : lower;
+            const Slot v = m_vertices.slots()[i], other = m_vertices.slots()[j];
+            if (!region.contains(v) || !isNamed(v, other) || !willJoin(i, j, mesh, region, held, approach))
+                return;
+            m_near.push_back({!haveCommonNeighbour(mesh, v, other), distance2, std::min(v, other), std::max(v, other),
+                              (m_points[j] - m_points[i]).dot(m_normals[i]) < 0});
         });
+    }
+}
+
+/// Those that do not look the way that the region does on the whole.
+void Fuser::findTurned(const Mesh& mesh, const Region& region)
+{
+    Vec3 sum = Vec3::Zero();
+    for (Slot i = 0; i < m_points.size(); ++i) {
+        m_normals[i] = unit(vertexNormal(mesh, m_vertices.slots()[i]));
+        if (region.contains(m_vertices.slots()[i]))
+            sum += m_normals[i];
+    }
+    const Vec3 mean = unit(sum);
+    m_turned.clear();
+    m_isTurned.assign(m_points.size(), false);
+    for (Slot i = 0; i < m_points.size(); ++i) {
+        if (m_normals[i].dot(mean) < safeConeCosine) {
+            m_turned.push_back(i);
+            m_isTurned[i] = true;
+        }
     }
 }
 
@@ -331,7 +349,7 @@ bool Fuser::willJoin(Slot i, Slot j, const Mesh& mesh, const Region& region, con
                      const Approach& approach)
 {
     const Slot v = m_vertices.slots()[i], other = m_vertices.slots()[j];
-    const Vec3 &n = normal(mesh, i), &m = normal(mesh, j);
+    const Vec3 &n = m_normals[i], &m = m_normals[j];
     if (n.dot(m) > facingCosine || mesh.findHalfedge(v, other) != noSlot)
         return false;
     const Vec3 between = m_points[j] - m_points[i];

@@ -82,7 +82,7 @@ private:
     void findNear(const Mesh& mesh, const Region& region, const HeldBack& held, const Approach& approach);
     bool mayTry(Slot v) const { return !m_failed.contains(v) || m_failures[m_failed.position(v)] < mostFailures; }
     void countFailure(Slot v);
-    const Vec3& normal(const Mesh& mesh, Slot i);
+    void findTurned(const Mesh& mesh, const Region& region);
     bool willJoin(Slot i, Slot j, const Mesh& mesh, const Region& region, const HeldBack& held, const Approach& approach);
     bool isNamed(Slot v, Slot other);
     void keepToSeams(const Mesh& mesh);
@@ -101,7 +101,9 @@ private:
     double m_detailShare = 1;
     SlotSet m_vertices;          ///< near the region
     std::vector<Vec3> m_points;  ///< by position among them
-    std::vector<std::optional<Vec3>> m_normals; ///< unit length, or zero; of those that were asked for
+    std::vector<Vec3> m_normals; ///< unit length, or zero
+    std::vector<Slot> m_turned;  ///< positions of those that may face another
+    std::vector<char> m_isTurned; ///< by position
     std::vector<Near> m_near;
     std::vector<Vec3> m_tubes;   ///< where this dab began new ones
     SparseIndex m_failed;        ///< vertices of joins and cuts that were not sound, in this dab
