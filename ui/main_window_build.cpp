@@ -51,6 +51,8 @@ void MainWindow::State::buildView()
         q->setCentralWidget(sentence);
     }
     banner = new Banner(q->centralWidget());
+    if (q->centralWidget() == viewport)
+        banner->keepOff(viewport->scaleBar());
 }
 
 void MainWindow::State::buildBars()

@@ -255,6 +255,11 @@ void Viewport::setReferences(const References& references)
     update();
 }
 
+QWidget* Viewport::scaleBar() const
+{
+    return m_state->scaleBar;
+}
+
 const OrbitCamera& Viewport::camera() const
 {
     return m_state->camera;
