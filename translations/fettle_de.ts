@@ -2154,6 +2154,19 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
+    <name>ui::BrushShapes</name>
+    <message>
+        <source>The brush is without its alpha: %1</source>
+        <comment>a sentence that says why</comment>
+        <translation>Der Pinsel hat sein Alpha nicht mehr: %1</translation>
+    </message>
+    <message>
+        <source>Stamp has a ball again: %1</source>
+        <comment>a sentence that says why</comment>
+        <translation>Der Stempel hat wieder eine Kugel: %1</translation>
+    </message>
+</context>
+<context>
     <name>ui::ColorPanel</name>
     <message>
         <source>Colour as #rrggbb</source>

@@ -2152,6 +2152,19 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
 </context>
 <context>
+    <name>ui::BrushShapes</name>
+    <message>
+        <source>The brush is without its alpha: %1</source>
+        <comment>a sentence that says why</comment>
+        <translation>笔刷不再有它的 Alpha：%1</translation>
+    </message>
+    <message>
+        <source>Stamp has a ball again: %1</source>
+        <comment>a sentence that says why</comment>
+        <translation>图章又是球了：%1</translation>
+    </message>
+</context>
+<context>
     <name>ui::ColorPanel</name>
     <message>
         <source>Colour as #rrggbb</source>
