@@ -10,6 +10,7 @@ set(FETTLE_RESOURCE_FILES
     icons/background-sky.svg
     icons/background-theme.svg
     icons/background-white.svg
+    icons/brush-model.svg
     icons/clay.svg
     icons/color.svg
     icons/crease.svg

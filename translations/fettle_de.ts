@@ -2,6 +2,13 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>app::BrushKeeper</name>
+    <message>
+        <source>There is not enough memory to make a brush of this model.</source>
+        <translation>Der Speicher reicht nicht, um aus diesem Modell einen Pinsel zu machen.</translation>
+    </message>
+</context>
+<context>
     <name>app::CheckCommand</name>
     <message>
         <source>%1 is in fine fettle.</source>
@@ -292,6 +299,10 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>Recovering %1</source>
         <translation>%1 wird wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>Making a brush of %1</source>
+        <translation>%1 wird zum Pinsel gemacht</translation>
     </message>
 </context>
 <context>
@@ -1991,6 +2002,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>Mo&amp;del</source>
         <translation>Mod&amp;ell</translation>
     </message>
+    <message>
+        <source>&amp;Use Model as Brush</source>
+        <translation>Modell als &amp;Pinsel verwenden</translation>
+    </message>
+    <message>
+        <source>Makes the stamp&apos;s model of this model as it is now.</source>
+        <translation>Macht dieses Modell, wie es jetzt ist, zum Modell des Stempels.</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -2944,6 +2963,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Tool Options</source>
         <translation>Werkzeugoptionen</translation>
+    </message>
+    <message>
+        <source>Stamp has %1 as it is now.</source>
+        <translation>Der Stempel hat jetzt „%1“, wie es gerade ist.</translation>
     </message>
 </context>
 <context>
@@ -4575,6 +4598,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Load Model…</source>
         <translation>Modell laden …</translation>
+    </message>
+    <message>
+        <source>This Model</source>
+        <translation>Dieses Modell</translation>
+    </message>
+    <message>
+        <source>The model that you sculpt, as it is now.</source>
+        <translation>Das Modell, das Sie formen, wie es jetzt ist.</translation>
     </message>
 </context>
 <context>

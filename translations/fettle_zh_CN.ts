@@ -2,6 +2,13 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
+    <name>app::BrushKeeper</name>
+    <message>
+        <source>There is not enough memory to make a brush of this model.</source>
+        <translation>内存不足，无法把这个模型做成笔刷。</translation>
+    </message>
+</context>
+<context>
     <name>app::CheckCommand</name>
     <message>
         <source>%1 is in fine fettle.</source>
@@ -290,6 +297,10 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>Recovering %1</source>
         <translation>正在恢复 %1</translation>
+    </message>
+    <message>
+        <source>Making a brush of %1</source>
+        <translation>正在把 %1 做成笔刷</translation>
     </message>
 </context>
 <context>
@@ -1989,6 +2000,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>Mo&amp;del</source>
         <translation>模型(&amp;D)</translation>
     </message>
+    <message>
+        <source>&amp;Use Model as Brush</source>
+        <translation>把模型用作笔刷(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Makes the stamp&apos;s model of this model as it is now.</source>
+        <translation>把现在的模型作为图章的模型。</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -2936,6 +2955,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Tool Options</source>
         <translation>工具选项</translation>
+    </message>
+    <message>
+        <source>Stamp has %1 as it is now.</source>
+        <translation>图章现在用的是 %1 此刻的样子。</translation>
     </message>
 </context>
 <context>
@@ -4564,6 +4587,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Load Model…</source>
         <translation>载入模型…</translation>
+    </message>
+    <message>
+        <source>This Model</source>
+        <translation>当前模型</translation>
+    </message>
+    <message>
+        <source>The model that you sculpt, as it is now.</source>
+        <translation>您正在雕刻的模型，按它现在的样子。</translation>
     </message>
 </context>
 <context>

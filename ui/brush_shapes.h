@@ -26,6 +26,8 @@ public:
     void chooseAlpha(const QString& source);
     /// A path; empty: a ball.
     void chooseModel(const QString& path);
+    /// The document's model as it is now: ownModelWanted().
+    void chooseOwnModel() { Q_EMIT ownModelWanted(); }
 
     /// Files that were chosen before, the latest first.
     const QStringList& alphas() const { return m_stored.alphas; }
@@ -36,6 +38,7 @@ public:
 Q_SIGNALS:
     /// Another choice, or other files.
     void changed();
+    void ownModelWanted();
     /// In one sentence why a file is not taken; the brush is what it was.
     void refused(const QString& sentence);
 

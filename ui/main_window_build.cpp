@@ -163,6 +163,8 @@ void MainWindow::State::connectFiles()
 void MainWindow::State::connectTools()
 {
     connectBrush(actions, &brush);
+    on("brush.fromModel", [this] { Q_EMIT q->brushModelRequested(); });
+    connect(shapes, &BrushShapes::ownModelWanted, actions.get(QStringLiteral("brush.fromModel")), &QAction::trigger);
     connect(&brush, &BrushSettings::clamped, q, [this](core::Parameter parameter) {
         q->showNotice(Messages::range(parameter, brush.minOf(parameter), brush.maxOf(parameter)));
     });

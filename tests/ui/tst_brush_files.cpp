@@ -8,6 +8,7 @@
 #include "ui/main_window.h"
 #include "ui/settings.h"
 
+#include <QAction>
 #include <QBuffer>
 #include <QCheckBox>
 #include <QComboBox>
@@ -69,6 +70,7 @@ private Q_SLOTS:
     void model_refused();
     void window_choosesAlphas();
     void window_choosesModels();
+    void window_takesItsOwnModel();
     void settings_keepTheAlpha();
     void settings_keepTheModel();
     void aModelThatIsGone_isSaidOnce_data();
@@ -264,6 +266,27 @@ void TestBrushFiles::window_choosesModels()
     QCOMPARE(window.brush()->stroke().model, cube);
     shapes->chooseModel({});
     QVERIFY(!window.brush()->stroke().model);
+}
+
+/// By the menu or the list, where it is asked for; the list shows what the brush has meanwhile.
+void TestBrushFiles::window_takesItsOwnModel()
+{
+    core::writeMesh(path("own.glb").toStdString(), core::starterModel(core::Starter::Cube));
+    ui::MainWindow window;
+    QSignalSpy asked(&window, &ui::MainWindow::brushModelRequested);
+    window.action(QStringLiteral("brush.fromModel"))->trigger();
+    auto* box = window.findChild<QComboBox*>(QStringLiteral("stampShape"));
+    box->setCurrentIndex(box->count() - 2);
+    Q_EMIT box->activated(box->currentIndex());
+    QCOMPARE(asked.count(), 2);
+    QVERIFY(box->currentData().toString().isEmpty());
+    window.setBusy(QStringLiteral("Saving"));
+    QVERIFY(!window.action(QStringLiteral("brush.fromModel"))->isEnabled());
+    window.setIdle();
+    window.takeBrushModel(path("own.glb"));
+    QTRY_COMPARE(box->currentData().toString(), path("own.glb"));
+    QCOMPARE(window.brush()->tool(), Tool::Stamp);
+    QVERIFY(window.brush()->stroke().model);
 }
 
 void TestBrushFiles::settings_keepTheAlpha()
