@@ -345,6 +345,10 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>%1 was not opened: the present model has changes that no file holds.</source>
         <translation>%1 wurde nicht geöffnet: Das jetzige Modell hat Änderungen, die keine Datei enthält.</translation>
     </message>
+    <message>
+        <source>The mask was not changed: other work on the model is not done yet.</source>
+        <translation>Die Maske wurde nicht geändert: Andere Arbeit am Modell ist noch nicht fertig.</translation>
+    </message>
 </context>
 <context>
     <name>app::HeadsetInquiry</name>
@@ -5332,6 +5336,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Radial</source>
         <translation>Radial</translation>
+    </message>
+    <message>
+        <source>Invert</source>
+        <translation>Umkehren</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Löschen</translation>
     </message>
 </context>
 </TS>

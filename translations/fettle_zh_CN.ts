@@ -343,6 +343,10 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>%1 was not opened: the present model has changes that no file holds.</source>
         <translation>没有打开 %1：当前模型有尚未存入任何文件的更改。</translation>
     </message>
+    <message>
+        <source>The mask was not changed: other work on the model is not done yet.</source>
+        <translation>遮罩未更改：模型上的其他操作尚未完成。</translation>
+    </message>
 </context>
 <context>
     <name>app::HeadsetInquiry</name>
@@ -5321,6 +5325,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Radial</source>
         <translation>径向</translation>
+    </message>
+    <message>
+        <source>Invert</source>
+        <translation>反转</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>清除</translation>
     </message>
 </context>
 </TS>
