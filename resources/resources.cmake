@@ -147,6 +147,7 @@ set(FETTLE_RESOURCE_FILES
     shaders/reference.frag
     shaders/reference.vert
     shaders/ring.frag
+    shaders/sectors.frag
     shaders/shell.frag
     shaders/shell.vert
     shaders/wire.frag
