@@ -3121,6 +3121,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>Mending %1: measuring what moved</source>
         <translation>%1 wird repariert: Abweichung messen</translation>
     </message>
+    <message>
+        <source>Masked points that went, and their mask with them: %1</source>
+        <translation>Maskierte Punkte, die wegfielen, und mit ihnen ihre Maske: %1</translation>
+    </message>
 </context>
 <context>
     <name>ui::Messages</name>

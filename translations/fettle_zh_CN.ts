@@ -3113,6 +3113,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>Mending %1: measuring what moved</source>
         <translation>正在修复 %1：测量偏移</translation>
     </message>
+    <message>
+        <source>Masked points that went, and their mask with them: %1</source>
+        <translation>消失的被遮罩的点，其遮罩也随之消失：%1</translation>
+    </message>
 </context>
 <context>
     <name>ui::Messages</name>
