@@ -30,6 +30,7 @@ struct LoadedModel;
 struct ModelOutcome;
 struct ExportOrder;
 struct ExportOutcome;
+struct KeptBrush;
 
 /// The model that is open: its name, its history, what may be done with it. Gui thread; what takes long is done elsewhere,
 /// and signals say when it is.
@@ -104,6 +105,9 @@ public Q_SLOTS:
     /// stay unsaved.
     void exportTo(const QString& path, quint64 mostTriangles = 0, bool slices = false);
 
+    /// To a file that brushes are read from: keptAsBrush(). The model and its own file stay what they are.
+    void keepAsBrush();
+
     /// Changes the whole model, as one step: worked out aside on a copy, while strokes are refused.
     /// A Reset needs no start.
     void apply(const core::ModelCommand& command);
@@ -129,6 +133,7 @@ Q_SIGNALS:
     void saved(const QString& path);
     /// The verdict: one line on the file as it was read back.
     void exported(const QString& path, const QString& verdict);
+    void keptAsBrush(const QString& path);
     void refused(const QString& sentence);
     /// A file's model is not in order: openMended() may take it.
     void mendable(const QString& path, const QString& problem);
@@ -186,6 +191,7 @@ private:
     void finishSaving(int index, const SavedFile& saved);
     void startExport(const ExportOrder& order, const core::JobWatch& watch);
     void finishExport(const QString& path, const ExportOutcome& outcome);
+    void finishBrush(const KeptBrush& kept);
     void takeSaved(const QString& path, int index);
     void moveTo(int index);
     void request(std::function<void()> run);

@@ -2,6 +2,7 @@
 
 #include "document.h"
 
+#include "brush_keeper.h"
 #include "journal_shelf.h"
 #include "model_export.h"
 #include "model_loader.h"
@@ -247,6 +248,29 @@ void Document::finishExport(const QString& path, const ExportOutcome& outcome)
         Q_EMIT exported(path, outcome.verdict);
     else
         Q_EMIT noticed(tr("%1 was not written.").arg(QFileInfo(path).fileName()));
+}
+
+void Document::keepAsBrush()
+{
+    if (m_work.isBusy())
+        return;
+    const core::JobWatch watch = m_work.beginStoppable(tr("Making a brush of %1").arg(m_facts.name));
+    request([this, watch] {
+        m_worker->post([this, watch, name = m_facts.name](core::Sculptor& sculptor) {
+            auto work = [copy = ModelTrial::copyOf(sculptor.mesh()), name, watch] { return BrushKeeper::keep(copy, name, watch); };
+            m_work.run(std::move(work), [this](const KeptBrush& kept) { finishBrush(kept); });
+        });
+    });
+}
+
+void Document::finishBrush(const KeptBrush& kept)
+{
+    m_work.keep();
+    m_work.end();
+    if (!kept.problem.isEmpty())
+        Q_EMIT refused(kept.problem);
+    else if (!kept.path.isEmpty())
+        Q_EMIT keptAsBrush(kept.path);
 }
 
 /// The file holds what the model was at that step. If others followed, it has changes that no file holds.

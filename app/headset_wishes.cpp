@@ -98,6 +98,13 @@ void HeadsetDesk::obey(const vr::RestoreModel&)
     m_document->apply(core::Reset());
 }
 
+void HeadsetDesk::obey(const core::ChangeMask& change)
+{
+    if (m_document->isBusy())
+        return refuse(tr("The mask was not changed: other work on the model is not done yet."));
+    m_document->apply(change);
+}
+
 void HeadsetDesk::obey(const vr::SaveModel&)
 {
     if (m_document->isBusy())

@@ -68,6 +68,8 @@ void wireDocument(ui::MainWindow& window, Document& document)
     QObject::connect(&window, &MainWindow::insertRequested, &document, &Document::insert);
     QObject::connect(&document, &Document::saved, &window, [&window, &document] { window.showSaved(document.facts()); });
     QObject::connect(&document, &Document::exported, &window, &MainWindow::showExported);
+    QObject::connect(&window, &MainWindow::brushModelRequested, &document, &Document::keepAsBrush);
+    QObject::connect(&document, &Document::keptAsBrush, &window, &MainWindow::takeBrushModel);
     document.setMayDiscard([&window](const std::function<void()>& goOn) { return window.askToDiscard(goOn); });
     window.setMayClose([&window, &document] { return document.mayDiscard([&window] { window.close(); }); });
 }

@@ -10,6 +10,7 @@
 //   7. separate  parts that touch at edges and vertices; again from 6 if clay was added                  separate
 //   8. judge     the whole; if it is not in order, or too much was lost, make it anew from the winding number    wrap
 //   9. measure   how far it is from what it was                                  surface_distance
+//      and mask  what was masked and is still there                              masks
 
 #include "legalise.h"
 
@@ -17,6 +18,7 @@
 #include "lattice_placement.h"
 
 #include "mending/holes.h"
+#include "mending/masks.h"
 #include "mending/orient.h"
 #include "mending/seams.h"
 #include "mending/separate.h"
@@ -277,6 +279,7 @@ Legalised legalise(const TriangleMesh& mesh, const LegaliseOptions& options, con
     report.fromOld = outcome->fromOld;
     report.fromNew = outcome->fromNew;
     result.mesh = std::move(outcome->mesh);
+    report.unmasked = mending::keepMasks(mesh, placement, *result.mesh);
     result.refusal = LegaliseRefusal::None;
     watch.reached(1);
     return result;

@@ -48,6 +48,7 @@ bool isUsable(const StrokeSettings& settings, const StrokeSample& sample)
     return settingsFit && isIn(sample.radius.value_or(settings.radius), Parameter::Radius) &&
            isIn(sample.strength.value_or(settings.strength), Parameter::Strength) && sample.pressure >= 0 &&
            sample.pressure <= 1 && isNear(sample.position) && isNear(sample.direction) &&
-           std::abs(sample.rotation.squaredNorm() - 1) <= rotationTolerance;
+           std::abs(sample.rotation.squaredNorm() - 1) <= rotationTolerance &&
+           (!sample.up || (isNear(*sample.up) && sample.up->cwiseAbs().maxCoeff() >= leastDirection));
 }
 } // namespace core

@@ -65,10 +65,15 @@ struct StrokeSample
     Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
     std::optional<double> radius;   ///< of this sample only
     std::optional<double> strength; ///< of this sample only
+    /// Of the hand that holds the brush, in the world, of any length: alphas and Stamp's model stand so, in empty space, too. Nothing: the
+    /// world's.
+    std::optional<Vec3> up;
 };
 
 /// Positions, directions, times and speeds: squares stay finite, and every lattice ends long before.
 inline constexpr double farthestSample = 1e9;
+/// The largest coordinate of a direction: what is shorter has none.
+inline constexpr double leastDirection = 1e-9;
 /// Of a rotation's squared length from 1.
 inline constexpr double rotationTolerance = 1e-3;
 
@@ -99,8 +104,8 @@ struct Dab
     Vec3 motion = Vec3::Zero();    ///< of the dab centre, or of the hand (followsHand), since the dab before
     double turn = 0;               ///< of Twist: radians, anticlockwise about the axis
     Vec3 axis = Vec3::Zero();      ///< of Twist: of unit length, or zero as long as nothing is held
-    Vec3 up = Vec3::UnitY();       ///< the world's, in the model's space
-    Vec3 ahead = -Vec3::UnitZ();   ///< away from who stands before the model, there
+    Vec3 up = Vec3::UnitY();       ///< the world's, or the hand's, in the model's space; of unit length
+    Vec3 ahead = -Vec3::UnitZ();   ///< away from who stands before the model, or holds the brush, there; the same, and across up
     bool isMirrored = false;       ///< the image of what the hand does
 };
 

@@ -41,6 +41,8 @@ void writeSample(std::ostream& out, const StrokeSample& sample)
         out << ",\"radius\":" << shortest(*sample.radius);
     if (sample.strength)
         out << ",\"strength\":" << shortest(*sample.strength);
+    if (sample.up)
+        out << ",\"up\":" << list({sample.up->x(), sample.up->y(), sample.up->z()});
     out << '}';
 }
 

@@ -53,6 +53,6 @@ inline constexpr KeySet commandKeys = bit(strokeKeys.names.size()) - bit(Command
 inline constexpr std::array<std::string_view, 9> maskChangeNames{"invert", "clear",  "blur",  "sharpen", "grow",
                                                                  "shrink", "cavity", "color", "part"};
 
-enum SampleKey { PositionKey, TimeKey, DirectionKey, PressureKey, RotationKey, SampleRadiusKey, SampleStrengthKey };
-inline constexpr Keys<7> sampleKeys{{"position", "t", "direction", "pressure", "rotation", "radius", "strength"}, 1};
+enum SampleKey { PositionKey, TimeKey, DirectionKey, PressureKey, RotationKey, SampleRadiusKey, SampleStrengthKey, UpKey };
+inline constexpr Keys<8> sampleKeys{{"position", "t", "direction", "pressure", "rotation", "radius", "strength", "up"}, 1};
 } // namespace core

@@ -9,8 +9,17 @@ namespace
 {
 /// Stamps of a stroke stand beside each other: one in another's imprint would go ever deeper.
 constexpr double leastStampSpacing = 2;
+/// Of a hand's direction across its up, squared, in lengths of it: what is less may be rounding.
+constexpr double leastAcross2 = 1e-12;
 
-/// Between two samples; everything but the rotation is linear. The rotation is the later one's: samples are dense.
+/// Of a way that runs along up there is none: any.
+Vec3 acrossUp(const Vec3& way, const Vec3& up)
+{
+    const Vec3 across = way - way.dot(up) * up;
+    return across.squaredNorm() > leastAcross2 * way.squaredNorm() ? Vec3(across.normalized()) : Vec3(up.unitOrthogonal());
+}
+
+/// Between two samples; everything but rotation and up is linear. Those are the later one's: samples are dense.
 StrokeSample interpolate(const StrokeSample& a, const StrokeSample& b, double t)
 {
     const auto mix = [t](double x, double y) { return x + t * (y - x); };
@@ -116,6 +125,10 @@ StrokePath::Due StrokePath::due(const StrokeSample& sample, const CenterOf& cent
     result.dab.direction = direction;
     result.dab.up = inverse * Vec3::UnitY();
     result.dab.ahead = inverse * -Vec3::UnitZ();
+    if (sample.up) {
+        result.dab.up = (inverse * *sample.up).normalized();
+        result.dab.ahead = acrossUp(direction, result.dab.up);
+    }
     result.dab.radius = sample.radius.value_or(m_settings.radius);
     result.dab.strength = sample.strength.value_or(m_settings.strength) * sample.pressure;
     return result;

@@ -13,7 +13,6 @@ namespace
 {
 constexpr double leastSpacing = 1e-3;   ///< but for 0: a typing error shall not ask for 10^12 dabs
 constexpr double leastFactor = 1e-6;    ///< of scaling; its inverse is the largest
-constexpr double leastDirection = 1e-9; ///< of a ray's direction
 
 /// The xz plane (section 3.5.2): what `"symmetry": true` means.
 constexpr Symmetry paperPlane = Symmetry::Y;
@@ -64,7 +63,7 @@ std::size_t StrokeReader::vectorLength() const
     if (m_level == Level::Stroke)
         return m_key == TurnKey ? 4 : m_key == ColorKey || m_key == ByKey || m_key == CentreKey ? 3 : 0;
     if (m_level == Level::Sample)
-        return m_key == RotationKey ? 4 : m_key == PositionKey || m_key == DirectionKey ? 3 : 0;
+        return m_key == RotationKey ? 4 : m_key == PositionKey || m_key == DirectionKey || m_key == UpKey ? 3 : 0;
     return 0;
 }
 
@@ -77,8 +76,12 @@ void StrokeReader::endVector()
     if (m_level == Level::Stroke)
         return strokeVector(vector);
     StrokeSample& sample = stroke().samples.back();
+    if (m_key == UpKey && vector.cwiseAbs().maxCoeff() < leastDirection)
+        refuse(Kind::OutOfRange);
     if (m_key == RotationKey)
         sample.rotation = unitRotation();
+    else if (m_key == UpKey)
+        sample.up = vector;
     else
         (m_key == PositionKey ? sample.position : sample.direction) = vector;
 }

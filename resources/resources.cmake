@@ -10,6 +10,7 @@ set(FETTLE_RESOURCE_FILES
     icons/background-sky.svg
     icons/background-theme.svg
     icons/background-white.svg
+    icons/brush-model.svg
     icons/clay.svg
     icons/color.svg
     icons/crease.svg
@@ -146,6 +147,7 @@ set(FETTLE_RESOURCE_FILES
     shaders/reference.frag
     shaders/reference.vert
     shaders/ring.frag
+    shaders/sectors.frag
     shaders/shell.frag
     shaders/shell.vert
     shaders/wire.frag

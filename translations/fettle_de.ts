@@ -2,6 +2,13 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>app::BrushKeeper</name>
+    <message>
+        <source>There is not enough memory to make a brush of this model.</source>
+        <translation>Der Speicher reicht nicht, um aus diesem Modell einen Pinsel zu machen.</translation>
+    </message>
+</context>
+<context>
     <name>app::CheckCommand</name>
     <message>
         <source>%1 is in fine fettle.</source>
@@ -293,6 +300,10 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>Recovering %1</source>
         <translation>%1 wird wiederhergestellt</translation>
     </message>
+    <message>
+        <source>Making a brush of %1</source>
+        <translation>%1 wird zum Pinsel gemacht</translation>
+    </message>
 </context>
 <context>
     <name>app::DrawingWorker</name>
@@ -333,6 +344,10 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>%1 was not opened: the present model has changes that no file holds.</source>
         <translation>%1 wurde nicht geöffnet: Das jetzige Modell hat Änderungen, die keine Datei enthält.</translation>
+    </message>
+    <message>
+        <source>The mask was not changed: other work on the model is not done yet.</source>
+        <translation>Die Maske wurde nicht geändert: Andere Arbeit am Modell ist noch nicht fertig.</translation>
     </message>
 </context>
 <context>
@@ -1991,6 +2006,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>Mo&amp;del</source>
         <translation>Mod&amp;ell</translation>
     </message>
+    <message>
+        <source>&amp;Use Model as Brush</source>
+        <translation>Modell als &amp;Pinsel verwenden</translation>
+    </message>
+    <message>
+        <source>Makes the stamp&apos;s model of this model as it is now.</source>
+        <translation>Macht dieses Modell, wie es jetzt ist, zum Modell des Stempels.</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -2151,6 +2174,19 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Stamp</source>
         <translation>Stempel</translation>
+    </message>
+</context>
+<context>
+    <name>ui::BrushShapes</name>
+    <message>
+        <source>The brush is without its alpha: %1</source>
+        <comment>a sentence that says why</comment>
+        <translation>Der Pinsel hat sein Alpha nicht mehr: %1</translation>
+    </message>
+    <message>
+        <source>Stamp has a ball again: %1</source>
+        <comment>a sentence that says why</comment>
+        <translation>Der Stempel hat wieder eine Kugel: %1</translation>
     </message>
 </context>
 <context>
@@ -2932,6 +2968,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>Tool Options</source>
         <translation>Werkzeugoptionen</translation>
     </message>
+    <message>
+        <source>Stamp has %1 as it is now.</source>
+        <translation>Der Stempel hat jetzt „%1“, wie es gerade ist.</translation>
+    </message>
 </context>
 <context>
     <name>ui::Measures</name>
@@ -3080,6 +3120,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Mending %1: measuring what moved</source>
         <translation>%1 wird repariert: Abweichung messen</translation>
+    </message>
+    <message>
+        <source>Masked points that went, and their mask with them: %1</source>
+        <translation>Maskierte Punkte, die wegfielen, und mit ihnen ihre Maske: %1</translation>
     </message>
 </context>
 <context>
@@ -4563,6 +4607,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>Load Model…</source>
         <translation>Modell laden …</translation>
     </message>
+    <message>
+        <source>This Model</source>
+        <translation>Dieses Modell</translation>
+    </message>
+    <message>
+        <source>The model that you sculpt, as it is now.</source>
+        <translation>Das Modell, das Sie formen, wie es jetzt ist.</translation>
+    </message>
 </context>
 <context>
     <name>ui::StartPage</name>
@@ -5288,6 +5340,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Radial</source>
         <translation>Radial</translation>
+    </message>
+    <message>
+        <source>Invert</source>
+        <translation>Umkehren</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Löschen</translation>
     </message>
 </context>
 </TS>

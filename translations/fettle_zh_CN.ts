@@ -2,6 +2,13 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
+    <name>app::BrushKeeper</name>
+    <message>
+        <source>There is not enough memory to make a brush of this model.</source>
+        <translation>内存不足，无法把这个模型做成笔刷。</translation>
+    </message>
+</context>
+<context>
     <name>app::CheckCommand</name>
     <message>
         <source>%1 is in fine fettle.</source>
@@ -291,6 +298,10 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>Recovering %1</source>
         <translation>正在恢复 %1</translation>
     </message>
+    <message>
+        <source>Making a brush of %1</source>
+        <translation>正在把 %1 做成笔刷</translation>
+    </message>
 </context>
 <context>
     <name>app::DrawingWorker</name>
@@ -331,6 +342,10 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>%1 was not opened: the present model has changes that no file holds.</source>
         <translation>没有打开 %1：当前模型有尚未存入任何文件的更改。</translation>
+    </message>
+    <message>
+        <source>The mask was not changed: other work on the model is not done yet.</source>
+        <translation>遮罩未更改：模型上的其他操作尚未完成。</translation>
     </message>
 </context>
 <context>
@@ -1989,6 +2004,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>Mo&amp;del</source>
         <translation>模型(&amp;D)</translation>
     </message>
+    <message>
+        <source>&amp;Use Model as Brush</source>
+        <translation>把模型用作笔刷(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Makes the stamp&apos;s model of this model as it is now.</source>
+        <translation>把现在的模型作为图章的模型。</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -2149,6 +2172,19 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Stamp</source>
         <translation>图章</translation>
+    </message>
+</context>
+<context>
+    <name>ui::BrushShapes</name>
+    <message>
+        <source>The brush is without its alpha: %1</source>
+        <comment>a sentence that says why</comment>
+        <translation>笔刷不再有它的 Alpha：%1</translation>
+    </message>
+    <message>
+        <source>Stamp has a ball again: %1</source>
+        <comment>a sentence that says why</comment>
+        <translation>图章又是球了：%1</translation>
     </message>
 </context>
 <context>
@@ -2924,6 +2960,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>Tool Options</source>
         <translation>工具选项</translation>
     </message>
+    <message>
+        <source>Stamp has %1 as it is now.</source>
+        <translation>图章现在用的是 %1 此刻的样子。</translation>
+    </message>
 </context>
 <context>
     <name>ui::Measures</name>
@@ -3072,6 +3112,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Mending %1: measuring what moved</source>
         <translation>正在修复 %1：测量偏移</translation>
+    </message>
+    <message>
+        <source>Masked points that went, and their mask with them: %1</source>
+        <translation>消失的被遮罩的点，其遮罩也随之消失：%1</translation>
     </message>
 </context>
 <context>
@@ -4552,6 +4596,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>Load Model…</source>
         <translation>载入模型…</translation>
     </message>
+    <message>
+        <source>This Model</source>
+        <translation>当前模型</translation>
+    </message>
+    <message>
+        <source>The model that you sculpt, as it is now.</source>
+        <translation>您正在雕刻的模型，按它现在的样子。</translation>
+    </message>
 </context>
 <context>
     <name>ui::StartPage</name>
@@ -5277,6 +5329,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Radial</source>
         <translation>径向</translation>
+    </message>
+    <message>
+        <source>Invert</source>
+        <translation>反转</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>清除</translation>
     </message>
 </context>
 </TS>

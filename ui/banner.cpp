@@ -3,12 +3,14 @@
 #include <QEvent>
 
 #include <algorithm>
+#include <array>
 
 namespace ui
 {
 namespace
 {
 constexpr int distance = 16; ///< from the edges
+constexpr int between = 8;   ///< from the sibling
 /// Long enough to be read: a start, and so much a character.
 constexpr int baseMs = 2500, msPerCharacter = 60;
 } // namespace
@@ -28,6 +30,12 @@ Banner::Banner(QWidget* parent) : QLabel(parent)
     parent->installEventFilter(this);
 }
 
+void Banner::keepOff(QWidget* sibling)
+{
+    m_sibling = sibling;
+    sibling->installEventFilter(this);
+}
+
 void Banner::say(const QString& sentence)
 {
     setText(sentence);
@@ -39,7 +47,8 @@ void Banner::say(const QString& sentence)
 
 bool Banner::eventFilter(QObject* watched, QEvent* event)
 {
-    if (event->type() == QEvent::Resize)
+    constexpr std::array placing{QEvent::Resize, QEvent::Move, QEvent::Show, QEvent::Hide};
+    if (std::ranges::count(placing, event->type()) > 0)
         place();
     return QLabel::eventFilter(watched, event);
 }
@@ -50,6 +59,9 @@ void Banner::place()
     const int oneLine = fontMetrics().horizontalAdvance(text()) + 2 * 16 + 4;
     const int width = std::min(oneLine, most);
     const int height = heightForWidth(width);
-    setGeometry((parentWidget()->width() - width) / 2, parentWidget()->height() - height - distance, width, height);
+    QRect where((parentWidget()->width() - width) / 2, parentWidget()->height() - height - distance, width, height);
+    if (m_sibling && !m_sibling->isHidden() && where.adjusted(-between, -between, between, between).intersects(m_sibling->geometry()))
+        where.moveBottom(m_sibling->y() - between - 1);
+    setGeometry(where);
 }
 } // namespace ui

@@ -13,6 +13,8 @@ class Banner : public QLabel
 public:
     explicit Banner(QWidget* parent);
 
+    /// Stands above that sibling, which must outlive this, where it would cover it.
+    void keepOff(QWidget* sibling);
     /// Replaces what is shown.
     void say(const QString& sentence);
 
@@ -22,6 +24,7 @@ protected:
 private:
     void place();
 
+    QWidget* m_sibling = nullptr;
     QTimer m_timer;
 };
 } // namespace ui

@@ -109,11 +109,16 @@ BrushFile<core::Alpha> readAlpha(const QString& path)
     return {std::make_shared<core::Alpha>(image.width(), image.height(), std::move(shades), path.toStdString()), {}};
 }
 
+BrushFile<core::BrushModel> brushModelOf(const core::TriangleMesh& mesh, const QString& path)
+{
+    const core::BrushModel::Made made = core::BrushModel::of(mesh, path.toStdString());
+    return {made.model, faultOf(path, made)};
+}
+
 BrushFile<core::BrushModel> readBrushModel(const QString& path)
 {
     try {
-        const core::BrushModel::Made made = core::BrushModel::of(core::readMesh(std::filesystem::path(path.toStdU16String())), path.toStdString());
-        return {made.model, faultOf(path, made)};
+        return brushModelOf(core::readMesh(std::filesystem::path(path.toStdU16String())), path);
     } catch (const core::FileError& error) {
         return refused<core::BrushModel>(Messages::sentence(error));
     } catch (const std::bad_alloc&) {

@@ -23,4 +23,6 @@ QStringList alphaEndings();
 
 /// By the readers of all models. Takes as long as the model is large; any thread.
 BrushFile<core::BrushModel> readBrushModel(const QString& path);
+/// Of a model that is there already; `path`: its file, or what a sentence calls it.
+BrushFile<core::BrushModel> brushModelOf(const core::TriangleMesh& mesh, const QString& path);
 } // namespace ui

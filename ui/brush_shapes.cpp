@@ -16,9 +16,9 @@ void putFirst(QStringList& files, const QString& path)
     files.resize(std::min<qsizetype>(files.size(), mostRecent));
 }
 
-QString sourceOf(const std::shared_ptr<const core::Alpha>& alpha)
+template <class What> QString sourceOf(const std::shared_ptr<const What>& shape)
 {
-    return alpha ? QString::fromStdString(alpha->source()) : QString();
+    return shape ? QString::fromStdString(shape->source()) : QString();
 }
 } // namespace
 
@@ -33,12 +33,14 @@ BrushShapes::~BrushShapes() = default;
 void BrushShapes::restore()
 {
     m_stored = m_settings->shapes();
-    const QString wanted = m_stored.alpha;
-    m_brush->set(&core::StrokeSettings::alphaFollows, m_stored.alphaFollows);
-    if (wanted.isEmpty() || core::builtInAlpha(wanted.toStdString()))
-        chooseAlpha(wanted);
+    const StoredShapes wanted = m_stored;
+    m_brush->set(&core::StrokeSettings::alphaFollows, wanted.alphaFollows);
+    m_alpha.isRestoring = m_model.isRestoring = true; // neither goes while the other is taken
+    if (const auto builtIn = core::builtInAlpha(wanted.alpha.toStdString()))
+        take(m_alpha, builtIn);
     else
-        readAlpha(wanted, Asked::ByRestoring);
+        choose(m_alpha, wanted.alpha, Asked::ByRestoring);
+    choose(m_model, wanted.model, Asked::ByRestoring);
     connect(m_brush, &BrushSettings::changed, this, &BrushShapes::keep, Qt::UniqueConnection); // not before: what is stored would be lost
     Q_EMIT changed();
 }
@@ -51,75 +53,87 @@ std::shared_ptr<const core::Alpha> BrushShapes::alpha(const QString& source) con
 
 void BrushShapes::chooseAlpha(const QString& source)
 {
-    const auto builtIn = core::builtInAlpha(source.toStdString());
-    if (!source.isEmpty() && !builtIn)
-        return readAlpha(source, Asked::ByHand);
-    ++m_askedAlphas;
-    m_isRestoring = false;
-    take(builtIn);
-}
-
-void BrushShapes::readAlpha(const QString& path, Asked asked)
-{
-    m_isRestoring = asked == Asked::ByRestoring;
-    m_aside.run([path] { return ui::readAlpha(path); }, [this, path, asked, question = ++m_askedAlphas](const BrushFile<core::Alpha>& file) {
-        if (question != m_askedAlphas)
-            return;
-        m_isRestoring = false;
-        if (file.what) {
-            putFirst(m_stored.alphas, path);
-            m_read.insert(path, file.what);
-            m_read.removeIf([this](std::pair<const QString&, std::shared_ptr<const core::Alpha>&> read) { return !m_stored.alphas.contains(read.first); });
-            take(file.what);
-        } else if (asked == Asked::ByHand) {
-            m_stored.alphas.removeAll(path);
-            m_read.remove(path);
-            m_settings->setShapes(m_stored);
-            Q_EMIT refused(file.problem);
-        }
-        Q_EMIT changed();
-    });
+    if (const auto builtIn = core::builtInAlpha(source.toStdString()))
+        take(m_alpha, builtIn);
+    else
+        choose(m_alpha, source, Asked::ByHand);
 }
 
 void BrushShapes::chooseModel(const QString& path)
 {
-    const int question = ++m_askedModels;
-    if (path.isEmpty()) {
-        m_brush->set(&core::StrokeSettings::model, std::shared_ptr<const core::BrushModel>());
-        Q_EMIT changed();
-        return;
-    }
-    m_aside.run([path] { return readBrushModel(path); }, [this, path, question](const BrushFile<core::BrushModel>& file) {
-        if (question != m_askedModels)
+    choose(m_model, path, Asked::ByHand);
+}
+
+template <class What> void BrushShapes::choose(Choice<What>& choice, const QString& path, Asked asked)
+{
+    if (path.isEmpty())
+        return take(choice, std::shared_ptr<const What>());
+    choice.isRestoring = asked == Asked::ByRestoring;
+    const int question = ++choice.question;
+    m_aside.run([path, read = choice.read] { return read(path); }, [this, &choice, path, asked, question](const BrushFile<What>& file) {
+        if (question != choice.question)
             return;
-        if (file.what) {
-            putFirst(m_stored.models, path);
-            m_settings->setShapes(m_stored);
-            m_brush->set(&core::StrokeSettings::model, file.what);
-        } else {
-            m_stored.models.removeAll(path);
-            m_settings->setShapes(m_stored);
-            Q_EMIT refused(file.problem);
-        }
-        Q_EMIT changed();
+        if (!file.what)
+            return refuse(choice, path, asked, file.problem);
+        putFirst(m_stored.*choice.files, path);
+        remember(path, file.what);
+        take(choice, file.what);
     });
 }
 
-void BrushShapes::take(const std::shared_ptr<const core::Alpha>& alpha)
+template <class What> void BrushShapes::take(Choice<What>& choice, const std::shared_ptr<const What>& what)
 {
-    m_brush->set(&core::StrokeSettings::alpha, alpha);
+    ++choice.question;
+    choice.isRestoring = false;
+    m_brush->set(choice.inBrush, what);
     keep();
     Q_EMIT changed();
 }
 
+/// What a hand chose and was refused is not offered again; a stored file may only be away.
+template <class What> void BrushShapes::refuse(Choice<What>& choice, const QString& path, Asked asked, const QString& problem)
+{
+    choice.isRestoring = false;
+    if (asked == Asked::ByHand) {
+        (m_stored.*choice.files).removeAll(path);
+        m_read.remove(path);
+    }
+    keep();
+    Q_EMIT refused(asked == Asked::ByHand ? problem : goneWord(static_cast<What*>(nullptr)).arg(problem));
+    Q_EMIT changed();
+}
+
+QString BrushShapes::goneWord(const core::Alpha*) const
+{
+    return tr("The brush is without its alpha: %1", "a sentence that says why");
+}
+
+QString BrushShapes::goneWord(const core::BrushModel*) const
+{
+    return tr("Stamp has a ball again: %1", "a sentence that says why");
+}
+
+void BrushShapes::remember(const QString& path, const std::shared_ptr<const core::Alpha>& alpha)
+{
+    m_read.insert(path, alpha);
+    m_read.removeIf([this](std::pair<const QString&, std::shared_ptr<const core::Alpha>&> read) { return !m_stored.alphas.contains(read.first); });
+}
+
 /// While the stored file is being read the brush has none yet, and what is stored stays; whoever gives it one meanwhile has chosen later.
+template <class What> void BrushShapes::note(Choice<What>& choice)
+{
+    const std::shared_ptr<const What>& shape = m_brush->stroke().*choice.inBrush;
+    if (choice.isRestoring && !shape)
+        return;
+    if (std::exchange(choice.isRestoring, false))
+        ++choice.question;
+    m_stored.*choice.chosen = sourceOf(shape);
+}
+
 void BrushShapes::keep()
 {
-    if (m_isRestoring && !m_brush->stroke().alpha)
-        return;
-    if (std::exchange(m_isRestoring, false))
-        ++m_askedAlphas;
-    m_stored.alpha = sourceOf(m_brush->stroke().alpha);
+    note(m_alpha);
+    note(m_model);
     m_stored.alphaFollows = m_brush->stroke().alphaFollows;
     if (m_stored != m_settings->shapes())
         m_settings->setShapes(m_stored);

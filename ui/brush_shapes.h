@@ -19,13 +19,15 @@ public:
     BrushShapes(BrushSettings* brush, Settings* settings, QObject* parent = nullptr);
     ~BrushShapes() override;
 
-    /// What the settings name; a file that is gone or broken gives none.
+    /// What the settings name. A file that is gone or broken gives none, which refused() says; it is named no more then.
     void restore();
 
     /// A name of core::builtInAlphas(), or a path, which takes effect when it was read; empty: none.
     void chooseAlpha(const QString& source);
     /// A path; empty: a ball.
     void chooseModel(const QString& path);
+    /// The document's model as it is now: ownModelWanted().
+    void chooseOwnModel() { Q_EMIT ownModelWanted(); }
 
     /// Files that were chosen before, the latest first.
     const QStringList& alphas() const { return m_stored.alphas; }
@@ -36,21 +38,38 @@ public:
 Q_SIGNALS:
     /// Another choice, or other files.
     void changed();
+    void ownModelWanted();
     /// In one sentence why a file is not taken; the brush is what it was.
     void refused(const QString& sentence);
 
 private:
     enum class Asked { ByHand, ByRestoring };
-    void readAlpha(const QString& path, Asked asked);
-    void take(const std::shared_ptr<const core::Alpha>& alpha);
+    /// Of one kind of shape: where it stands in the brush and in the settings.
+    template <class What> struct Choice
+    {
+        std::shared_ptr<const What> core::StrokeSettings::*inBrush;
+        QString StoredShapes::*chosen;
+        QStringList StoredShapes::*files;
+        BrushFile<What> (*read)(const QString& path);
+        int question = 0;         ///< what was read for an earlier one is too late
+        bool isRestoring = false; ///< the stored file is being read
+    };
+    template <class What> void choose(Choice<What>& choice, const QString& path, Asked asked);
+    template <class What> void take(Choice<What>& choice, const std::shared_ptr<const What>& what);
+    template <class What> void refuse(Choice<What>& choice, const QString& path, Asked asked, const QString& problem);
+    template <class What> void note(Choice<What>& choice);
+    QString goneWord(const core::Alpha*) const;
+    QString goneWord(const core::BrushModel*) const;
+    void remember(const QString& path, const std::shared_ptr<const core::Alpha>& alpha);
+    void remember(const QString&, const std::shared_ptr<const core::BrushModel>&) {}
     void keep();
 
     BrushSettings* m_brush;
     Settings* m_settings;
     StoredShapes m_stored;
     QHash<QString, std::shared_ptr<const core::Alpha>> m_read;
-    bool m_isRestoring = false;               ///< the stored alpha's file is being read
-    int m_askedAlphas = 0, m_askedModels = 0; ///< what was read for an earlier question is too late
-    SideThread m_aside;                       ///< last
+    Choice<core::Alpha> m_alpha{&core::StrokeSettings::alpha, &StoredShapes::alpha, &StoredShapes::alphas, readAlpha};
+    Choice<core::BrushModel> m_model{&core::StrokeSettings::model, &StoredShapes::model, &StoredShapes::models, readBrushModel};
+    SideThread m_aside; ///< last
 };
 } // namespace ui

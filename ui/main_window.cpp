@@ -9,6 +9,7 @@
 #include <QAction>
 #include <QCloseEvent>
 #include <QDir>
+#include <QFileInfo>
 #include <QLabel>
 #include <QMessageBox>
 #include <QTabWidget>
@@ -22,7 +23,8 @@ void MainWindow::State::setBusy(bool isBusy)
     for (const ActionInfo& row : actionTable())
         if (row.menu == MenuId::Model || row.menu == MenuId::Mask)
             actions.get(QLatin1StringView(row.id))->setEnabled(!isBusy);
-    for (const char* id : {"file.save", "file.saveAs", "file.saveCopy", "file.exportAs", "file.exportFor", "file.exportDrawing"})
+    for (const char* id : {"file.save", "file.saveAs", "file.saveCopy", "file.exportAs", "file.exportFor", "file.exportDrawing",
+                           "brush.fromModel"})
         actions.get(QLatin1StringView(id))->setEnabled(!isBusy);
 }
 
@@ -182,6 +184,13 @@ void MainWindow::showProblem(const QString& sentence)
 void MainWindow::showNotice(const QString& sentence)
 {
     m_state->banner->say(sentence);
+}
+
+void MainWindow::takeBrushModel(const QString& path)
+{
+    m_state->shapes->chooseModel(path);
+    m_state->brush.setTool(core::Tool::Stamp);
+    showNotice(tr("Stamp has %1 as it is now.").arg(QFileInfo(path).completeBaseName()));
 }
 
 void MainWindow::setBusy(const QString& what)

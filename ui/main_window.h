@@ -69,6 +69,8 @@ public Q_SLOTS:
     void showSaved(const ui::ModelFacts& facts);
     /// It was written; the verdict, one line, is what the file was found to be.
     void showExported(const QString& path, const QString& verdict = {});
+    /// Stamp becomes the tool, with the model of that file.
+    void takeBrushModel(const QString& path);
     /// A small word over the view, which goes by itself.
     void showNotice(const QString& sentence);
     /// Something long is going on, in the status bar; Open, Save, Export and the model's menu rest meanwhile.
@@ -92,6 +94,8 @@ Q_SIGNALS:
     /// By dialog or menu.
     void commandRequested(const core::ModelCommand& command);
     void insertRequested(const ui::Insertion& insertion);
+    /// The model as it is now shall be Stamp's: takeBrushModel() with a file of it.
+    void brushModelRequested();
     /// The model's own file is called so now.
     void modelRenamed(const QString& path);
     /// The model's own file is not there any more.

@@ -51,6 +51,8 @@ void MainWindow::State::buildView()
         q->setCentralWidget(sentence);
     }
     banner = new Banner(q->centralWidget());
+    if (q->centralWidget() == viewport)
+        banner->keepOff(viewport->scaleBar());
 }
 
 void MainWindow::State::buildBars()
@@ -161,6 +163,8 @@ void MainWindow::State::connectFiles()
 void MainWindow::State::connectTools()
 {
     connectBrush(actions, &brush);
+    on("brush.fromModel", [this] { Q_EMIT q->brushModelRequested(); });
+    connect(shapes, &BrushShapes::ownModelWanted, actions.get(QStringLiteral("brush.fromModel")), &QAction::trigger);
     connect(&brush, &BrushSettings::clamped, q, [this](core::Parameter parameter) {
         q->showNotice(Messages::range(parameter, brush.minOf(parameter), brush.maxOf(parameter)));
     });

@@ -42,6 +42,7 @@ QStringList MendingWords::steps(const core::LegaliseReport& report)
     add(report.innerParts, tr("Parts inside of others: %1"));
     add(report.intersections, tr("Pairs of faces that met, cut and joined: %1"));
     add(report.touchingEdges + report.touchingVertices, tr("Edges and points at which parts merely touched, drawn apart: %1"));
+    add(report.unmasked, tr("Masked points that went, and their mask with them: %1"));
     if (report.remeshedAt)
         steps << tr("The surface was made anew, with edges of about %1 mm.").arg(shortMillimetres(*report.remeshedAt));
     return steps;

@@ -37,6 +37,8 @@ using Qt3DRender::QParameter;
 
 constexpr double ringHalfWidth = 2.4; ///< logical pixels, dark edges included
 constexpr double planeBorder = 1.2;    ///< logical pixels
+constexpr double sectorHalfWidth = 0.7; ///< logical pixels
+constexpr double bordersReach = 1.5;   ///< of lines on the ground, in the model's own reach from the upright axis
 
 /// One attribute of an interleaved float array.
 struct Field
@@ -90,13 +92,18 @@ Qt3DRender::QRenderPass* blendedPass(Qt3DRender::QShaderProgram* program, Qt3DRe
     return pass;
 }
 
-Qt3DRender::QShaderProgram* program(const QString& name)
+Qt3DRender::QShaderProgram* program(const QString& vertex, const QString& fragment)
 {
     auto* made = new Qt3DRender::QShaderProgram;
-    const QString url = QStringLiteral("qrc:/shaders/") + name;
-    made->setVertexShaderCode(Qt3DRender::QShaderProgram::loadSource(QUrl(url + QStringLiteral(".vert"))));
-    made->setFragmentShaderCode(Qt3DRender::QShaderProgram::loadSource(QUrl(url + QStringLiteral(".frag"))));
+    const QString url = QStringLiteral("qrc:/shaders/%1.%2");
+    made->setVertexShaderCode(Qt3DRender::QShaderProgram::loadSource(QUrl(url.arg(vertex, QStringLiteral("vert")))));
+    made->setFragmentShaderCode(Qt3DRender::QShaderProgram::loadSource(QUrl(url.arg(fragment, QStringLiteral("frag")))));
     return made;
+}
+
+Qt3DRender::QShaderProgram* program(const QString& name)
+{
+    return program(name, name);
 }
 
 Qt3DRender::QMaterial* material(std::initializer_list<Qt3DRender::QRenderPass*> passes)
@@ -149,6 +156,12 @@ std::vector<float> ringAndTick()
         appendSegment(out, at(i), at(i + 1), at(i + 2));
     appendSegment(out, {0, 0, 0}, {0, 0, 0.3F}, {0, 0, 0.6F});
     return out;
+}
+
+/// Of what symmetry shows, on a dark background or a light one.
+QVector3D symmetryColor(bool dark)
+{
+    return dark ? QVector3D(0.60F, 0.80F, 1.0F) : QVector3D(0.12F, 0.36F, 0.62F);
 }
 
 /// Ten to a hundred fine cells across a model of that size.
@@ -252,11 +265,44 @@ void SymmetryPlane::place(core::Symmetry symmetry, const core::Box& box)
 
 void SymmetryPlane::setDark(bool dark)
 {
-    m_color->setValue(dark ? QVector3D(0.60F, 0.80F, 1.0F) : QVector3D(0.12F, 0.36F, 0.62F));
+    m_color->setValue(symmetryColor(dark));
 }
 
 void SymmetryPlane::setPixelRatio(double ratio)
 {
     m_border->setValue(static_cast<float>(planeBorder * ratio));
+}
+
+SectorBorders::SectorBorders(Qt3DCore::QNode* parent) : Qt3DCore::QEntity(parent), m_transform(new Qt3DCore::QTransform)
+{
+    auto* look = material({blendedPass(program(QStringLiteral("plane"), QStringLiteral("sectors")), Qt3DRender::QDepthTest::LessOrEqual)});
+    m_color = parameter(look, "color", QVector3D());
+    m_border = parameter(look, "border", static_cast<float>(sectorHalfWidth));
+    m_sectors = parameter(look, "sectors", 2.0F);
+    addComponent(triangles({-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, -1, 0, 1, 1, 0, -1, 1, 0}, {{"vertexPosition", 3}}));
+    addComponent(m_transform);
+    addComponent(look);
+    setDark(false);
+}
+
+/// The first line lies in the plane z = 0 if that is the symmetry's, else in x = 0, before the model.
+void SectorBorders::place(int sectors, core::Symmetry symmetry, const core::Box& box)
+{
+    const core::Vec3 first = symmetry == core::Symmetry::Z ? core::Vec3::UnitX() : core::Vec3::UnitZ();
+    const core::Vec3 farthest = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs());
+    m_transform->setTranslation({0, static_cast<float>(box.min().y()), 0});
+    m_transform->setRotation(QQuaternion::fromAxes(toQt(first), toQt(core::Vec3::UnitY().cross(first)), {0, 1, 0}));
+    m_transform->setScale(static_cast<float>(bordersReach * std::hypot(farthest.x(), farthest.z())));
+    m_sectors->setValue(static_cast<float>(sectors));
+}
+
+void SectorBorders::setDark(bool dark)
+{
+    m_color->setValue(symmetryColor(dark));
+}
+
+void SectorBorders::setPixelRatio(double ratio)
+{
+    m_border->setValue(static_cast<float>(sectorHalfWidth * ratio));
 }
 } // namespace ui

@@ -69,4 +69,22 @@ private:
     Qt3DCore::QTransform* m_transform;
     Qt3DRender::QParameter *m_color, *m_border;
 };
+/// Where the sectors of radial symmetry meet: lines on the ground, from the upright axis outwards. With an upright plane of symmetry as well
+/// they are their own image in it. Clay hides what lies under it.
+class SectorBorders : public Qt3DCore::QEntity
+{
+    Q_OBJECT
+
+public:
+    explicit SectorBorders(Qt3DCore::QNode* parent = nullptr);
+
+    /// There are two or more, and the box is not empty.
+    void place(int sectors, core::Symmetry symmetry, const core::Box& box);
+    void setDark(bool dark);
+    void setPixelRatio(double ratio);
+
+private:
+    Qt3DCore::QTransform* m_transform;
+    Qt3DRender::QParameter *m_color, *m_border, *m_sectors;
+};
 } // namespace ui

@@ -46,6 +46,7 @@ struct Scene::State
     Ground* ground = nullptr;      ///< owned by the engine's root
     BrushCursor *cursor = nullptr, *mark = nullptr; ///< owned by the engine's root
     SymmetryPlane* plane = nullptr; ///< owned by the engine's root
+    SectorBorders* borders = nullptr; ///< the same
     Mode mode = Mode::InQt3dContext;
     QOpenGLContext* context = nullptr; ///< the one that clay and target live in
     QOpenGLFunctions_3_3_Core* gl = nullptr;
@@ -85,6 +86,8 @@ void Scene::State::startEngine(Qt3dEngine::Target wanted)
     mark->setEnabled(false);
     plane = new SymmetryPlane(engine->root());
     plane->setEnabled(false);
+    borders = new SectorBorders(engine->root());
+    borders->setEnabled(false);
     engine->start();
 }
 
@@ -170,7 +173,7 @@ void Scene::State::layOver(unsigned int texture)
     gl->glDisable(GL_BLEND);
 }
 
-/// In layers there is neither ground nor pane: their depth would not be compared with the clay's.
+/// In layers there is neither ground nor pane nor a line on the ground: their depth would not be compared with the clay's.
 void Scene::State::showGround()
 {
     ground->setEnabled(hasModel && wantsGround && mode == Mode::InQt3dContext);
@@ -181,6 +184,7 @@ void Scene::State::warmUp()
 {
     ground->setEnabled(mode == Mode::InQt3dContext);
     plane->setEnabled(mode == Mode::InQt3dContext);
+    borders->setEnabled(mode == Mode::InQt3dContext);
     cursor->setEnabled(true);
     mark->setEnabled(true);
     for (int i = 0; i < Qt3dEngine::warmUpFrames; ++i) {
@@ -192,6 +196,7 @@ void Scene::State::warmUp()
     cursor->setEnabled(false);
     mark->setEnabled(false);
     plane->setEnabled(false);
+    borders->setEnabled(false);
     ground->setEnabled(false); // until there is a model
 }
 
@@ -297,6 +302,14 @@ void Scene::showPlane(core::Symmetry symmetry, const core::Box& box)
     m_state->plane->setEnabled(shown && m_state->mode == Mode::InQt3dContext);
 }
 
+void Scene::showSectors(int sectors, core::Symmetry symmetry, const core::Box& box)
+{
+    const bool shown = sectors > 1 && !box.isEmpty();
+    if (shown)
+        m_state->borders->place(sectors, symmetry, box);
+    m_state->borders->setEnabled(shown && m_state->mode == Mode::InQt3dContext);
+}
+
 void Scene::showReference(const PlacedReference& reference)
 {
     m_state->reference = reference;
@@ -316,6 +329,7 @@ void Scene::setLook(const ViewLook& look, bool darkTheme)
     s.picture.wireframe = look.wireframe;
     s.ground->setDark(isDark(s.picture.backdrop));
     s.plane->setDark(isDark(s.picture.backdrop));
+    s.borders->setDark(isDark(s.picture.backdrop));
     s.ghosts.setDark(isDark(s.picture.backdrop));
     s.wantsGround = look.ground;
     s.showGround();
@@ -330,6 +344,7 @@ Scene::Image Scene::render(const OrbitCamera& camera, QSize pixels, double pixel
     s.cursor->setPixels(pixels, pixelRatio);
     s.mark->setPixels(pixels, pixelRatio);
     s.plane->setPixelRatio(pixelRatio);
+    s.borders->setPixelRatio(pixelRatio);
     s.makeCurrent();
     if (!s.target.resize(pixels))
         return image;

@@ -61,6 +61,8 @@ public:
     void hideMark();
     /// The pane of that plane through the box, and the line where it cuts the clay; without symmetry neither.
     void showPlane(core::Symmetry symmetry, const core::Box& box);
+    /// Where so many sectors meet, on the ground under the box; of one nothing.
+    void showSectors(int sectors, core::Symmetry symmetry, const core::Box& box);
     /// In the next images, until another is named; its picture may be null.
     void showReference(const PlacedReference& reference);
     /// In the next images; none: nobody is in the headset.

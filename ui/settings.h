@@ -49,6 +49,7 @@ struct StoredShapes
 {
     QString alpha; ///< a name of core::builtInAlphas(), or a path; empty: none
     bool alphaFollows = false;
+    QString model; ///< a path; empty: a ball
     QStringList alphas, models; ///< paths
 
     bool operator==(const StoredShapes&) const = default;

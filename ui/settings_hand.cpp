@@ -14,6 +14,7 @@ constexpr double defaultRadiusShare = 0.1;
 
 const QString alphaKey = QStringLiteral("brush/alpha");
 const QString alphaFollowsKey = QStringLiteral("brush/alphaFollows");
+const QString modelKey = QStringLiteral("brush/model");
 const QString steadyKey = QStringLiteral("hand/steady");
 const QString stringKey = QStringLiteral("hand/string");
 const QString turnSpeedKey = QStringLiteral("turntable/speed");
@@ -100,14 +101,15 @@ void Settings::setPreferences(const Preferences& preferences)
 
 StoredShapes Settings::shapes() const
 {
-    return {m_settings.value(alphaKey).toString(), yesNo(m_settings, alphaFollowsKey, false), m_settings.value(alphaFilesKey).toStringList(),
-            m_settings.value(modelFilesKey).toStringList()};
+    return {m_settings.value(alphaKey).toString(), yesNo(m_settings, alphaFollowsKey, false), m_settings.value(modelKey).toString(),
+            m_settings.value(alphaFilesKey).toStringList(), m_settings.value(modelFilesKey).toStringList()};
 }
 
 void Settings::setShapes(const StoredShapes& shapes)
 {
     m_settings.setValue(alphaKey, shapes.alpha);
     m_settings.setValue(alphaFollowsKey, shapes.alphaFollows);
+    m_settings.setValue(modelKey, shapes.model);
     m_settings.setValue(alphaFilesKey, shapes.alphas);
     m_settings.setValue(modelFilesKey, shapes.models);
 }

@@ -25,6 +25,8 @@ struct ShapeChoosers
 constexpr int picturePixels = 22;
 /// What the last entry holds: no source and no path is that.
 const QString loadWord = QStringLiteral("\n");
+/// Of the entry before it.
+const QString ownWord = QStringLiteral("\nown");
 
 QString nameOf(std::string_view builtIn)
 {
@@ -118,6 +120,8 @@ QComboBox* modelChooser(BrushSettings* brush, BrushShapes* shapes)
         box->clear();
         box->addItem(ShapeChoosers::tr("Ball"), QString());
         addFiles(box, shapes->models(), modelOf(*brush), [](const QString&) { return QIcon(); });
+        box->addItem(ShapeChoosers::tr("This Model"), ownWord);
+        box->setItemData(box->count() - 1, ShapeChoosers::tr("The model that you sculpt, as it is now."), Qt::ToolTipRole);
         box->addItem(ShapeChoosers::tr("Load Model…"), loadWord);
         box->setCurrentIndex(box->findData(modelOf(*brush)));
     };
@@ -128,6 +132,8 @@ QComboBox* modelChooser(BrushSettings* brush, BrushShapes* shapes)
     QObject::connect(box, &QComboBox::activated, shapes, [=] {
         const QString path = box->currentData().toString();
         show();
+        if (path == ownWord)
+            return shapes->chooseOwnModel();
         if (path != loadWord)
             return shapes->chooseModel(path);
         askForModel(box->window(), ModelUse::Brush, Settings().lastFolder(), [shapes](const QString& chosen) { shapes->chooseModel(chosen); });

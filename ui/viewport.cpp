@@ -255,6 +255,11 @@ void Viewport::setReferences(const References& references)
     update();
 }
 
+QWidget* Viewport::scaleBar() const
+{
+    return m_state->scaleBar;
+}
+
 const OrbitCamera& Viewport::camera() const
 {
     return m_state->camera;
@@ -351,6 +356,7 @@ void Viewport::paintGL()
     s.placeMark();
     s.placeWearer();
     s.scene->showPlane(s.brush->stroke().symmetry, s.box);
+    s.scene->showSectors(s.brush->stroke().radial, s.brush->stroke().symmetry, s.box);
     const bool darkTheme = palette().window().color().lightness() < 128;
     s.scene->setLook(s.look, darkTheme);
     s.scene->showReference(seenReference(s.references, s.camera, s.box));

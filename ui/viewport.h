@@ -77,6 +77,9 @@ public:
     /// Each is seen while the view looks from its side.
     void setReferences(const References& references);
 
+    /// At its lower left; hidden where the look has none.
+    QWidget* scaleBar() const;
+
     const OrbitCamera& camera() const;
     const ViewportStats& stats() const;
     /// Colours the model by shades (see PrintScale) until the next model or null; they belong to the mesh as it is drawn.

@@ -83,6 +83,7 @@ core::StrokeSample strokeSample(const BrushState& brush, const StrokePoint& poin
     sample.direction = room.directionToModel(point.tip.forward());
     sample.pressure = point.pressure;
     sample.radius = radiusOn(brush, room);
+    sample.up = room.directionToModel(point.tip.rotation * core::Vec3::UnitY());
     return sample;
 }
 } // namespace vr

@@ -28,6 +28,6 @@ BrushState changed(BrushState brush, const Deed& deed);
 /// Of a stroke that begins now. Where a ball that pulls begins in empty space, it adds a ball to the model; a stroke that only goes on adds none.
 core::StrokeSettings strokeSettings(const BrushState& brush, const BeginStroke& begin, const Room& room);
 /// In the document's space, where the model's orientation in the room is taken off already. It has its own radius: the model may
-/// be scaled while it is sculpted.
+/// be scaled while it is sculpted; and alphas and stamps turn with the wand.
 core::StrokeSample strokeSample(const BrushState& brush, const StrokePoint& point, const Room& room);
 } // namespace vr

@@ -110,6 +110,10 @@ void SculptClient::obey(PanelCommand command)
         return m_port->wish(Redo{});
     case PanelCommand::RestoreModel:
         return m_port->wish(RestoreModel{});
+    case PanelCommand::InvertMask:
+        return m_port->wish(core::ChangeMask{core::ChangeMask::How::Invert});
+    case PanelCommand::ClearMask:
+        return m_port->wish(core::ChangeMask{core::ChangeMask::How::Clear});
     case PanelCommand::SaveModel:
         return m_port->wish(SaveModel{});
     case PanelCommand::Recentre:

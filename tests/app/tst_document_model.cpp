@@ -1,8 +1,12 @@
+#include "app/brush_keeper.h"
 #include "app/document.h"
+#include "app/stroke_shapes.h"
 
+#include "core/mesh_build.h"
 #include "core/mesh_io.h"
 #include "tests/support/shapes.h"
 #include "tests/support/viewer.h"
+#include "ui/brush_files.h"
 #include "ui/mailbox.h"
 
 #include <QScopeGuard>
@@ -13,12 +17,22 @@
 #include <QTest>
 
 #include <random>
+#include <sstream>
 
 using namespace app;
 
 namespace
 {
 constexpr int longestWait = 60'000; // a sanitizer is ten times slower
+
+/// What the document keeps its model as.
+QString keptBrush(Document& document)
+{
+    QSignalSpy kept(&document, &Document::keptAsBrush);
+    document.keepAsBrush();
+    [&] { QTRY_COMPARE_WITH_TIMEOUT(kept.count(), 1, longestWait); }();
+    return kept.isEmpty() ? QString() : kept[0][0].toString();
+}
 
 /// A document with a ball of clay, and a way to see the mesh's state.
 struct Session
@@ -102,6 +116,9 @@ class TestDocumentModel : public QObject
 private Q_SLOTS:
     void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
     void command_isOneStep();
+    void brush_isKeptAsItIs();
+    void brush_ofALargeModelHasFewerTriangles();
+    void brush_withoutAPlaceIsRefused();
     void strokesBeforeAndAfter_areUndoneAndRedone();
     void undo_rightAfterACommandUndoesThatCommand();
     void strokesMeanwhile_areRefusedWithAWord();
@@ -138,6 +155,66 @@ void TestDocumentModel::command_isOneStep()
     QCOMPARE(session.state(), start);
     session.document.redo();
     QCOMPARE(session.state(), scaled);
+}
+
+/// Each model has a file of its own, which is what its folder's name says, and which strokes that name it find again.
+void TestDocumentModel::brush_isKeptAsItIs()
+{
+    QDir(BrushKeeper::folder()).removeRecursively();
+    Session session;
+    const std::uint64_t state = session.state();
+    const QString ball = keptBrush(session.document);
+    QCOMPARE(keptBrush(session.document), ball);
+    session.stroke({50, 0, 0});
+    const QString dented = keptBrush(session.document);
+    QVERIFY(dented != ball && QFileInfo(dented).fileName() == QFileInfo(ball).fileName());
+    session.document.undo();
+    QCOMPARE(session.state(), state);
+    QVERIFY(!session.document.isModified() && session.document.path().isEmpty());
+    for (const QString& path : {ball, dented}) {
+        const auto brush = ui::readBrushModel(path);
+        QVERIFY2(brush.what, qPrintable(brush.problem));
+        const QString print = QFileInfo(path).dir().dirName();
+        QCOMPARE(QString::fromStdString(brush.what->fingerprint()), print);
+        core::Stroke stroke;
+        stroke.settings.tool = core::Tool::Stamp;
+        stroke.settings.model = brush.what;
+        stroke.samples.resize(1);
+        std::ostringstream written;
+        core::writeStrokes(written, {stroke});
+        auto entries = core::parseStrokes(written.str());
+        QVERIFY(!std::get<core::Stroke>(entries[0]).settings.model);
+        readShapes(entries, QDir::temp().filePath(QStringLiteral("strokes.json")));
+        QCOMPARE(std::get<core::Stroke>(entries[0]).settings.model->fingerprint(), print.toStdString());
+    }
+}
+
+void TestDocumentModel::brush_ofALargeModelHasFewerTriangles()
+{
+    const core::BuildResult built = core::buildMesh(core::icosphere(7, 50));
+    const KeptBrush kept = BrushKeeper::keep(std::make_shared<core::Mesh>(*built.mesh), QStringLiteral("large.stl"), {});
+    QVERIFY2(kept.problem.isEmpty(), qPrintable(kept.problem));
+    const auto brush = ui::readBrushModel(kept.path);
+    QVERIFY2(brush.what, qPrintable(brush.problem));
+    QVERIFY(brush.what->surface().triangles.size() <= core::BrushModel::mostFaces);
+    QCOMPARE(QFileInfo(kept.path).fileName(), QStringLiteral("large.glb"));
+}
+
+/// A file lies where its folder should be.
+void TestDocumentModel::brush_withoutAPlaceIsRefused()
+{
+    QDir(BrushKeeper::folder()).removeRecursively();
+    QVERIFY(QDir().mkpath(QFileInfo(BrushKeeper::folder()).path()));
+    QFile inTheWay(BrushKeeper::folder());
+    QVERIFY(inTheWay.open(QIODevice::WriteOnly));
+    const auto away = qScopeGuard([&] { inTheWay.remove(); });
+    Session session;
+    QSignalSpy refused(&session.document, &Document::refused), kept(&session.document, &Document::keptAsBrush);
+    session.document.keepAsBrush();
+    session.wait();
+    QCOMPARE(refused.count(), 1);
+    QVERIFY2(refused[0][0].toString().contains(BrushKeeper::folder()), qPrintable(refused[0][0].toString()));
+    QCOMPARE(kept.count(), 0);
 }
 
 void TestDocumentModel::strokesBeforeAndAfter_areUndoneAndRedone()

@@ -122,6 +122,7 @@ private Q_SLOTS:
 
     void tools_chooseTheBrush();
     void tools_undoRedoAndRestore();
+    void tools_invertAndClearTheMask();
     void tools_recentre();
     void tools_leave();
     void presses_neverSculpt();
@@ -158,6 +159,15 @@ void TestHeadsetPanels::tools_chooseTheBrush()
     for (const int sectors : {6, 1})
         QVERIFY(v.choose(vr::ChooseRadial{sectors}, [&] { return v.brush().radial == sectors; }));
     QVERIFY(v.isUntouched());
+    QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+void TestHeadsetPanels::tools_invertAndClearTheMask()
+{
+    AtTools v;
+    QVERIFY(v.choose(PanelCommand::InvertMask, [&] { return v.changes() == 1; }));
+    QVERIFY(v.choose(PanelCommand::ClearMask, [&] { return v.changes() == 2; }));
+    QVERIFY(v.choose(PanelCommand::Undo, [&] { return v.changes() == 1; }));
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
@@ -460,7 +470,7 @@ void TestHeadsetPanels::settings_swapHands()
     QVERIFY(v.isUntouched());
 
     v.hand.put(Side::Left, {-0.5, 1.1, -0.2});
-    v.hand.put(Side::Right, {0.35, 1.25, -0.3});
+    v.hand.put(Side::Right, {0.3, 1.15, -0.2}); // before the settings, which stand at that side
     v.hand.press(Side::Right, "menu"); // the tools go with the other hand
     QVERIFY(v.choose(core::Tool::Paint, [&] { return v.brush().tool == core::Tool::Paint; }));
     v.hand.press(Side::Right, "menu");

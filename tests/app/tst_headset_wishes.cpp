@@ -77,6 +77,21 @@ struct Visit
         return answer.value_or(0);
     }
 
+    /// Vertices.
+    std::size_t masked()
+    {
+        std::optional<std::size_t> answer;
+        ui::Mailbox mail;
+        program.worker.post([&](core::Sculptor& sculptor) {
+            std::size_t count = 0;
+            for (core::Slot v = 0; v < sculptor.mesh().slots().vertices; ++v)
+                count += sculptor.mesh().isVertex(v) && sculptor.mesh().isMasked(v) ? 1 : 0;
+            mail.post([&answer, count] { answer = count; });
+        });
+        [&] { QTRY_VERIFY_WITH_TIMEOUT(answer, 60'000); }();
+        return answer.value_or(0);
+    }
+
     vr::DocumentNews news()
     {
         QCoreApplication::processEvents();
@@ -108,6 +123,7 @@ private Q_SLOTS:
     void open_ofAModelThatNeedsMending();
     void open_whileBusy();
     void restore_isUndoable();
+    void mask_isInvertedAndCleared();
     void undoAndRedo_fromBothSides();
     void brush_fromTheHeadset();
     void brush_fromTheWindow();
@@ -275,9 +291,10 @@ void TestHeadsetWishes::open_whileBusy()
     visit.port->wish(vr::OpenModel{at("vase.glb")});
     visit.port->wish(vr::SaveModel());
     visit.port->wish(vr::RestoreModel());
+    visit.port->wish(core::ChangeMask{});
     QVERIFY(visit.program.document.isBusy());
     const QSignalSpy noticed(&visit.desk, &HeadsetDesk::noticed);
-    QTRY_COMPARE_WITH_TIMEOUT(noticed.size(), 3, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(noticed.size(), 4, 60'000);
     visit.wait();
     QCOMPARE(visit.program.document.path(), at("vase.glb"));
     QCOMPARE(visit.program.document.undoStack().count(), 0);
@@ -294,6 +311,26 @@ void TestHeadsetWishes::restore_isUndoable()
     QCOMPARE(visit.hash(), before);
     visit.wish(vr::Undo());
     QCOMPARE(visit.hash(), changed);
+}
+
+/// Each a step; that there is nothing to clear is told in the headset, too.
+void TestHeadsetWishes::mask_isInvertedAndCleared()
+{
+    using How = core::ChangeMask::How;
+    Visit visit(at("vase.glb"));
+    QCOMPARE(visit.masked(), std::size_t(0));
+    visit.wish(core::ChangeMask{How::Invert});
+    QCOMPARE(visit.masked(), std::size_t(visit.program.document.facts().vertices));
+    visit.wish(core::ChangeMask{How::Clear});
+    QCOMPARE(visit.masked(), std::size_t(0));
+    QCOMPARE(visit.program.document.undoStack().count(), 2);
+    visit.wish(vr::Undo());
+    QCOMPARE(visit.masked(), std::size_t(visit.program.document.facts().vertices));
+    visit.wish(vr::Undo());
+    const quint64 notices = visit.news().noticeCount;
+    visit.wish(core::ChangeMask{How::Clear});
+    QTRY_VERIFY(visit.news().noticeCount > notices && !visit.news().notice.isEmpty());
+    QCOMPARE(visit.program.document.undoStack().index(), 0);
 }
 
 void TestHeadsetWishes::undoAndRedo_fromBothSides()

@@ -280,6 +280,8 @@ void TestScreenshots::takeExport(Program& program)
     program.document.exportTo(m_models.filePath(QStringLiteral("vase.stl")), 2000);
     const auto* banner = program.window.findChild<QLabel*>(QStringLiteral("banner"));
     QTRY_VERIFY_WITH_TIMEOUT(banner->isVisible() && banner->text().contains(QStringLiteral("vase.stl")), 60'000);
+    const auto* scaleBar = program.window.findChild<QWidget*>(QStringLiteral("scaleBar"));
+    QVERIFY(scaleBar->isVisible() && !scaleBar->geometry().intersects(banner->geometry()));
     take(program.window, QStringLiteral("export-verdict"));
 }
 

@@ -69,11 +69,13 @@ StrokeSettings stampOf(Model model, bool raises = false)
     return settings;
 }
 
-std::vector<DabReport> dab(Sculptor& sculptor, const StrokeSettings& settings, const Vec3& at)
+/// `up`: of the hand.
+std::vector<DabReport> dab(Sculptor& sculptor, const StrokeSettings& settings, const Vec3& at, const std::optional<Vec3>& up = {})
 {
     sculptor.beginStroke(settings);
     core::StrokeSample sample;
     sample.position = at;
+    sample.up = up;
     const std::vector<DabReport> reports = sculptor.addSample(sample);
     sculptor.endStroke();
     return reports;
@@ -111,6 +113,8 @@ private Q_SLOTS:
     void cube_leavesAFlatFloor();
     void cube_raisesAFlatTop();
     void letter_isReadable();
+    void letter_turnsWithTheHand();
+    void turned_isSymmetric();
     void strength_isItsShare();
     void pressed_isSound_data();
     void pressed_isSound();
@@ -121,6 +125,7 @@ private Q_SLOTS:
     void undone();
     void added_data();
     void added();
+    void added_asItIsHeld();
     void added_isMirrored();
     void added_nearTheSurfaceIsRefused();
     void added_unfitIsRefused();
@@ -268,6 +273,28 @@ void TestBrushModel::letter_isReadable()
     QVERIFY(heightAt(*sculptor, 1 * scale, 1.5 * scale) < ballRadius + 0.1);
 }
 
+/// A quarter turn clockwise of a hand that does not point straight at the surface.
+void TestBrushModel::letter_turnsWithTheHand()
+{
+    const auto sculptor = ball();
+    dab(*sculptor, stampOf(modelOf(letterL()), true), {0, 0, ballRadius}, Vec3(1, 0, 0.6));
+    const double scale = radius / std::sqrt(4 + 9 + 2.25), top = ballRadius + 1.5 * scale;
+    QVERIFY(std::abs(heightAt(*sculptor, 2 * scale, 1.2 * scale) - top) < 0.1);
+    QVERIFY(std::abs(heightAt(*sculptor, -2.2 * scale, -1.4 * scale) - top) < 0.1);
+    QVERIFY(heightAt(*sculptor, 1.5 * scale, -1 * scale) < ballRadius + 0.1);
+    QVERIFY(isSound(*sculptor));
+}
+
+void TestBrushModel::turned_isSymmetric()
+{
+    const auto sculptor = ball();
+    StrokeSettings settings = stampOf(modelOf(letterL()));
+    settings.symmetry = core::Symmetry::X;
+    dab(*sculptor, settings, Vec3(30, 0, 40), Vec3(1, 2, 0.3));
+    VERIFY_SYMMETRIC(sculptor->mesh(), core::Symmetry::X);
+    QVERIFY(isSound(*sculptor));
+}
+
 void TestBrushModel::strength_isItsShare()
 {
     const auto sculptor = ball();
@@ -404,6 +431,21 @@ void TestBrushModel::added()
         for (const Vec3f& p : model->surface().points)
             expected.extend(center + radius * p.cast<double>());
         QVERIFY((box.min() - expected.min()).norm() < 1e-3 && (box.max() - expected.max()).norm() < 1e-3);
+    }
+}
+
+/// Its y along the hand's up, which is x here; the hand points to -z, and its left is up.
+void TestBrushModel::added_asItIsHeld()
+{
+    const Model model = modelOf(letterL());
+    const auto sculptor = ball();
+    StrokeSettings settings = stampOf(model);
+    settings.add = true;
+    const Vec3 center(100, 20, -10);
+    QCOMPARE(dab(*sculptor, settings, center, Vec3(2, 0, 0))[0].outcome, DabOutcome::Added);
+    for (const Vec3f& p : model->surface().points) {
+        const Vec3 at = center + radius * Vec3(p.y(), -p.x(), p.z());
+        QVERIFY((sculptor->nearest(at, 1)->position - at).norm() < 1e-3);
     }
 }
 

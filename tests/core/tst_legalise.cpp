@@ -101,6 +101,8 @@ private Q_SLOTS:
     void distantRims_areNotJoined();
     void tangle_comesToAnEnd();
     void colors_stay();
+    void masks_stayWherePointsDo();
+    void masks_thatGoAreCounted();
     void nothingEnclosed_isRefused();
     void farModel_isMovedAndSaid();
     void threads_doNotChangeTheOutcome();
@@ -272,6 +274,37 @@ void TestLegalise::colors_stay()
         if (mesh.points[v].x() > 30)
             QVERIFY((mesh.colors[v] == Rgb{0, 0, 200}));
     }
+}
+
+/// Each point of a ball with a hole and doubles keeps its own.
+void TestLegalise::masks_stayWherePointsDo()
+{
+    TriangleMesh bad = icosphere(3, 50);
+    bad.triangles.pop_back();
+    for (const Vec3f& p : bad.points)
+        bad.masks.push_back(p.x() > 10 ? static_cast<std::uint8_t>(p.x() * 5) : std::uint8_t(0));
+    bad = shapes::together(bad, bad);
+    bad.masks.resize(bad.points.size(), 1);
+    const Legalised result = legalise(bad);
+    QVERIFY(result.mesh && result.report.welded > 0);
+    QCOMPARE(result.report.unmasked, std::size_t(0));
+    const TriangleMesh& mesh = *result.mesh;
+    QCOMPARE(mesh.masks.size(), mesh.points.size());
+    for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+        const float x = mesh.points[v].x();
+        QVERIFY(std::abs(mesh.masks[v] - (x > 10 ? 5 * x : 1)) <= 1);
+    }
+}
+
+void TestLegalise::masks_thatGoAreCounted()
+{
+    TriangleMesh bad = badModel(QStringLiteral("soup")).mesh;
+    bad.masks.assign(bad.points.size(), 255);
+    const Legalised result = legalise(bad);
+    QVERIFY(result.mesh && result.report.remeshedAt);
+    QVERIFY(result.report.unmasked > bad.points.size() / 2 && result.report.unmasked <= bad.points.size());
+    bad.masks.clear();
+    QVERIFY(legalise(bad).mesh->masks.empty());
 }
 
 void TestLegalise::nothingEnclosed_isRefused()

@@ -1,4 +1,5 @@
 // What is masked stays: it does not move, is not remeshed away, does not fuse, and takes no colour, whatever tool goes over it.
+#include "core/decimate.h"
 #include "core/mask_change.h"
 #include "core/mesh_build.h"
 #include "core/mesh_check.h"
@@ -67,7 +68,7 @@ void maskAt(Sculptor& sculptor, const Vec3& at, double radius)
     stroke(sculptor, settingsOf(Tool::Mask, radius, 0), {at});
 }
 
-void change(Sculptor& sculptor, const ChangeMask& command)
+void change(Sculptor& sculptor, const core::ModelCommand& command)
 {
     core::ModelChange change = tryOn(sculptor.mesh(), command);
     sculptor.swap(change.delta);
@@ -173,6 +174,9 @@ private Q_SLOTS:
     void split_takesTheMean();
     void stroke_isUndone();
     void saved_comesBack();
+    void symmetrized_isItsOwnImage();
+    void flattened_staysMasked();
+    void decimated_goesAlong();
     void inverted_twiceIsNothing();
     void blurred_isSofterAndSharpenedHarder();
     void grown_holdsAndShrunkIsHeld();
@@ -295,7 +299,7 @@ void TestMask::masked_doesNotFuse()
         forEachVertex(sculptor.mesh(), [&](Slot v) { box.extend(sculptor.mesh().point(v).cast<double>()); });
         if (masked) {
             maskAt(sculptor, {box.max().x(), 0, 0}, 0.2);
-            change(sculptor, {How::Part});
+            change(sculptor, ChangeMask{How::Part});
         }
         const std::set<std::set<Point>> faces = maskedFaces(sculptor.mesh());
         const std::vector<Vec3> path(20, Vec3(box.center().x() - 0.05, 0, 0));
@@ -377,18 +381,63 @@ void TestMask::saved_comesBack()
     QCOMPARE(after, before);
 }
 
+/// The kept half's mask is on both sides then, whatever was masked on the other.
+void TestMask::symmetrized_isItsOwnImage()
+{
+    const auto sculptor = ball(4);
+    maskAt(*sculptor, onBall(50), 15);
+    maskAt(*sculptor, onBall(-20), 10);
+    const std::size_t kept = std::ranges::count_if(maskedPoints(sculptor->mesh()), [](const Point& p) { return p[0] > 5; });
+    change(*sculptor, core::Symmetrize{core::Symmetry::X, core::Half::Positive});
+    VERIFY_SYMMETRIC(sculptor->mesh(), core::Symmetry::X);
+    const std::set<Point> after = maskedPoints(sculptor->mesh());
+    QVERIFY(kept > 20 && std::ranges::count_if(after, [](const Point& p) { return p[0] > 5; }) == std::ptrdiff_t(kept));
+    for (const auto& [x, y, z] : after)
+        QVERIFY(after.contains({-x, y, z}));
+    QVERIFY(isSound(*sculptor));
+}
+
+/// What lies above the cut keeps its mask, though the cut goes through it.
+void TestMask::flattened_staysMasked()
+{
+    constexpr float level = -10;
+    const auto sculptor = ball(4);
+    maskAt(*sculptor, onBall(30), 20);
+    const auto isAbove = [](const std::set<Point>& face) { return std::ranges::all_of(face, [](const Point& p) { return p[1] > level + 1; }); };
+    std::set<std::set<Point>> above;
+    std::ranges::copy_if(maskedFaces(sculptor->mesh()), std::inserter(above, above.end()), isAbove);
+    change(*sculptor, core::FlattenBase{level + ballRadius});
+    QVERIFY(above.size() > 20 && std::ranges::includes(maskedFaces(sculptor->mesh()), above));
+    QVERIFY(std::ranges::none_of(maskedPoints(sculptor->mesh()), [](const Point& p) { return p[1] < level - 0.1f; }));
+    QVERIFY(isSound(*sculptor));
+}
+
+/// A smaller copy has fewer triangles everywhere; its mask is about where it was.
+void TestMask::decimated_goesAlong()
+{
+    const auto sculptor = ball();
+    maskAt(*sculptor, onBall(30), 20);
+    const core::TriangleMesh few = core::decimate(Mesh(sculptor->mesh()), 4000).mesh;
+    QCOMPARE(few.masks.size(), few.points.size());
+    QVERIFY(std::ranges::count(few.masks, 255) < std::ptrdiff_t(maskedCount(sculptor->mesh())) / 2);
+    for (std::size_t v = 0; v < few.points.size(); ++v) {
+        const double away = (few.points[v].cast<double>() - onBall(30)).norm();
+        QVERIFY(few.masks[v] > 0 ? away < 24 : away > 16);
+    }
+}
+
 void TestMask::inverted_twiceIsNothing()
 {
     const auto sculptor = ball(4);
     stroke(*sculptor, settingsOf(Tool::Mask, 25), {onBall(0)});
     const std::vector<int> before = masks(sculptor->mesh());
-    change(*sculptor, {How::Invert});
+    change(*sculptor, ChangeMask{How::Invert});
     const std::vector<int> inverted = masks(sculptor->mesh());
     for (std::size_t i = 0; i < before.size(); ++i)
         QCOMPARE(inverted[i], 255 - before[i]);
-    change(*sculptor, {How::Invert});
+    change(*sculptor, ChangeMask{How::Invert});
     QCOMPARE(masks(sculptor->mesh()), before);
-    change(*sculptor, {How::Clear});
+    change(*sculptor, ChangeMask{How::Clear});
     QCOMPARE(std::ranges::max(masks(sculptor->mesh())), 0);
 }
 
@@ -399,13 +448,13 @@ void TestMask::blurred_isSofterAndSharpenedHarder()
     const auto between = [&] { return std::ranges::count_if(masks(sculptor->mesh()), [](int mask) { return mask > 0 && mask < 255; }); };
     QCOMPARE(between(), 0);
     const std::size_t masked = maskedCount(sculptor->mesh());
-    change(*sculptor, {How::Blur});
+    change(*sculptor, ChangeMask{How::Blur});
     const auto soft = between();
     QVERIFY(soft > 20);
     const auto off = [&] { return std::abs(double(maskedCount(sculptor->mesh())) - double(masked)); };
     QVERIFY2(off() < 0.3 * double(masked), "it neither grows nor shrinks");
     for (int i = 0; i < 4; ++i)
-        change(*sculptor, {How::Sharpen});
+        change(*sculptor, ChangeMask{How::Sharpen});
     QVERIFY(between() < soft / 2);
     QVERIFY(off() < 0.3 * double(masked));
 }
@@ -415,12 +464,12 @@ void TestMask::grown_holdsAndShrunkIsHeld()
     const auto sculptor = ball(4);
     maskAt(*sculptor, onBall(0), 20);
     const std::set<Point> before = maskedPoints(sculptor->mesh());
-    change(*sculptor, {How::Grow});
+    change(*sculptor, ChangeMask{How::Grow});
     const std::set<Point> grown = maskedPoints(sculptor->mesh());
     QVERIFY(grown.size() > before.size() && std::ranges::includes(grown, before));
-    change(*sculptor, {How::Shrink});
+    change(*sculptor, ChangeMask{How::Shrink});
     QVERIFY(std::ranges::includes(maskedPoints(sculptor->mesh()), before));
-    change(*sculptor, {How::Shrink});
+    change(*sculptor, ChangeMask{How::Shrink});
     const std::set<Point> shrunk = maskedPoints(sculptor->mesh());
     QVERIFY(shrunk.size() < before.size() && std::ranges::includes(before, shrunk));
 }
@@ -430,7 +479,7 @@ void TestMask::cavity_isWhatIsHollow()
     const auto sculptor = ball();
     for (int i = 0; i < 5; ++i)
         stroke(*sculptor, settingsOf(Tool::Push, 12), {onBall(0)});
-    change(*sculptor, {How::Cavity});
+    change(*sculptor, ChangeMask{How::Cavity});
     const Mesh& mesh = sculptor->mesh();
     QVERIFY(maskedCount(mesh) > 10);
     forEachVertex(mesh, [&](Slot v) {
@@ -445,7 +494,7 @@ void TestMask::color_isWhatIsOfIt()
     StrokeSettings paint = settingsOf(Tool::Paint, 25, 0);
     paint.color = {200, 30, 30};
     stroke(*sculptor, paint, {onBall(0)});
-    change(*sculptor, {How::Color, {205, 28, 35}});
+    change(*sculptor, ChangeMask{How::Color, {205, 28, 35}});
     const Mesh& mesh = sculptor->mesh();
     forEachVertex(mesh, [&](Slot v) { QCOMPARE(int(mesh.mask(v)), mesh.color(v) == paint.color ? 255 : 0); });
     QVERIFY(maskedCount(mesh) > 10);
@@ -457,7 +506,7 @@ void TestMask::part_isAllOfIt()
     core::Box box;
     forEachVertex(sculptor.mesh(), [&](Slot v) { box.extend(sculptor.mesh().point(v).cast<double>()); });
     maskAt(sculptor, {box.max().x(), 0, 0}, 0.2);
-    change(sculptor, {How::Part});
+    change(sculptor, ChangeMask{How::Part});
     const Mesh& mesh = sculptor.mesh();
     forEachVertex(mesh, [&](Slot v) { QCOMPARE(int(mesh.mask(v)), mesh.point(v).x() > box.center().x() ? 255 : 0); });
 }

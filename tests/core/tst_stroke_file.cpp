@@ -88,6 +88,8 @@ Stroke randomStroke(std::mt19937_64& random)
             sample.radius = between(0.1, 1);
         if (random() % 2)
             sample.strength = between(0, 10);
+        if (random() % 2)
+            sample.up = Vec3(between(-1, 1), between(-1, 1), between(1e-3, 1));
         stroke.samples.push_back(sample);
     }
     return stroke;
@@ -145,7 +147,7 @@ void TestStrokeFile::values_arriveWhereTheyBelong()
         R"("tool":"smooth","brush":"ray","radius":2.5,"strength":3,"falloff":16,"detail":0.5,"topology":"uniform",
            "detail_length":0.125,"fusion":true,"symmetry":"z","radial":6,"spacing":0.25,"place":"ray","add":true,"invert":true,
            "color":[200,120,80])",
-        R"("t":1.5,"position":[1,2,3],"direction":[0,0,-1],"pressure":0.5,"rotation":[0,1,0,0],"radius":4,"strength":0)"))
+        R"("t":1.5,"position":[1,2,3],"direction":[0,0,-1],"pressure":0.5,"rotation":[0,1,0,0],"radius":4,"strength":0,"up":[0,2,-1])"))
                               .at(0);
     QVERIFY(stroke.settings.tool == Tool::Smooth && stroke.settings.place == Placement::Ray);
     QCOMPARE(stroke.settings.radius, 2.5);
@@ -166,6 +168,7 @@ void TestStrokeFile::values_arriveWhereTheyBelong()
     QVERIFY(sample.rotation.coeffs() == Eigen::Vector4d(0, 1, 0, 0));
     QCOMPARE(sample.radius.value(), 4.0);
     QCOMPARE(sample.strength.value(), 0.0);
+    QVERIFY(sample.up.value() == Vec3(0, 2, -1));
 }
 
 void TestStrokeFile::keys_mayComeInAnyOrder()
@@ -216,6 +219,7 @@ void TestStrokeFile::writing_andReadingGivesTheSameBits()
             QVERIFY(back[i].samples[j].position == strokes[i].samples[j].position);
             QVERIFY(back[i].samples[j].rotation.coeffs() == strokes[i].samples[j].rotation.coeffs());
             QVERIFY(back[i].samples[j].radius == strokes[i].samples[j].radius);
+            QVERIFY(back[i].samples[j].up == strokes[i].samples[j].up);
         }
     }
 }
@@ -351,6 +355,13 @@ void TestStrokeFile::refuses_data()
     stroke(R"("color":"red")", Kind::WrongType, "color");
     stroke(R"("turntable_deg_per_s":1e10)", Kind::OutOfRange, "turntable_deg_per_s");
     stroke(R"("place":"ray","note":1)", Kind::UnknownKey, "note");
+
+    stroke(R"("up":[0,1,0])", Kind::UnknownKey, "up");
+    sample(at + R"("up":[0,0,0])", Kind::OutOfRange, "up");
+    sample(at + R"("up":[0,1e10,0])", Kind::OutOfRange, "up");
+    sample(at + R"("up":[0,1])", Kind::WrongType, "up");
+    sample(at + R"("up":[0,1,0,0])", Kind::WrongType, "up");
+    sample(at + R"("up":"y")", Kind::WrongType, "up");
 
     stroke(R"("by":[1,0,0])", Kind::UnknownKey, "by");
     const auto command = [&](const std::string& keys, Kind kind, const char* key) {

@@ -49,6 +49,8 @@ private Q_SLOTS:
     void corner_isMeasuredAlongThePath();
     void pressureAndRadius_areInterpolated();
     void rotation_turnsBack();
+    void up_isTheHands();
+    void up_alongTheDirection();
     void miss_isEmptyAndStartsAnew();
     void rest_makesNoDabs();
     void longJump_ends();
@@ -123,6 +125,37 @@ void TestStrokePath::rotation_turnsBack()
     const auto dabs = dabsOf(path, sample);
     QVERIFY((dabs.front().position - Vec3(0, 0, 1)).norm() < 1e-12); // the model's point that is there now
     QVERIFY((dabs.front().direction - Vec3(1, 0, 0)).norm() < 1e-12);
+}
+
+/// In the model's space, and across it where the hand points; without it nothing changes.
+void TestStrokePath::up_isTheHands()
+{
+    StrokeSample sample = at({1, 2, 3});
+    sample.direction = {0, -1, -1};
+    sample.rotation = Eigen::Quaterniond(Eigen::AngleAxisd(0.7, Vec3(1, 2, -1).normalized()));
+    const Eigen::Quaterniond back = sample.rotation.conjugate();
+    StrokePath plain(spaced(0)), held(spaced(0));
+    const core::Dab before = dabsOf(plain, sample).at(0);
+    QVERIFY(before.up == back * Vec3::UnitY() && before.ahead == back * -Vec3::UnitZ());
+    sample.up = Vec3(3, 3, 1);
+    const core::Dab dab = dabsOf(held, sample).at(0);
+    QVERIFY(dab.up.isApprox(back * sample.up->normalized(), 1e-12));
+    QVERIFY(std::abs(dab.ahead.norm() - 1) < 1e-12 && std::abs(dab.ahead.dot(dab.up)) < 1e-12);
+    QVERIFY(dab.ahead.dot(dab.direction) > 0 && std::abs(dab.ahead.dot(dab.up.cross(dab.direction))) < 1e-12);
+    QVERIFY(dab.position == before.position && dab.direction == before.direction);
+}
+
+/// Which no hand can do, but a file.
+void TestStrokePath::up_alongTheDirection()
+{
+    for (const Vec3& direction : {Vec3(0, 0, 1), Vec3(0, 0, -4), Vec3(0, 0, 0)}) {
+        StrokeSample sample = at({1, 2, 3});
+        sample.direction = direction;
+        sample.up = Vec3(0, 0, 2);
+        StrokePath path(spaced(0));
+        const core::Dab dab = dabsOf(path, sample).at(0);
+        QVERIFY(std::abs(dab.ahead.norm() - 1) < 1e-12 && std::abs(dab.ahead.dot(dab.up)) < 1e-12);
+    }
 }
 
 void TestStrokePath::miss_isEmptyAndStartsAnew()

@@ -8,6 +8,7 @@
 #include "ui/main_window.h"
 #include "ui/settings.h"
 
+#include <QAction>
 #include <QBuffer>
 #include <QCheckBox>
 #include <QComboBox>
@@ -69,7 +70,12 @@ private Q_SLOTS:
     void model_refused();
     void window_choosesAlphas();
     void window_choosesModels();
+    void window_takesItsOwnModel();
     void settings_keepTheAlpha();
+    void settings_keepTheModel();
+    void aModelThatIsGone_isSaidOnce_data();
+    void aModelThatIsGone_isSaidOnce();
+    void aLaterModelWins();
     void aLaterAlphaWins();
     void aRefusedFile_isForgotten();
     void aFile_isReadAnew();
@@ -262,6 +268,27 @@ void TestBrushFiles::window_choosesModels()
     QVERIFY(!window.brush()->stroke().model);
 }
 
+/// By the menu or the list, where it is asked for; the list shows what the brush has meanwhile.
+void TestBrushFiles::window_takesItsOwnModel()
+{
+    core::writeMesh(path("own.glb").toStdString(), core::starterModel(core::Starter::Cube));
+    ui::MainWindow window;
+    QSignalSpy asked(&window, &ui::MainWindow::brushModelRequested);
+    window.action(QStringLiteral("brush.fromModel"))->trigger();
+    auto* box = window.findChild<QComboBox*>(QStringLiteral("stampShape"));
+    box->setCurrentIndex(box->count() - 2);
+    Q_EMIT box->activated(box->currentIndex());
+    QCOMPARE(asked.count(), 2);
+    QVERIFY(box->currentData().toString().isEmpty());
+    window.setBusy(QStringLiteral("Saving"));
+    QVERIFY(!window.action(QStringLiteral("brush.fromModel"))->isEnabled());
+    window.setIdle();
+    window.takeBrushModel(path("own.glb"));
+    QTRY_COMPARE(box->currentData().toString(), path("own.glb"));
+    QCOMPARE(window.brush()->tool(), Tool::Stamp);
+    QVERIFY(window.brush()->stroke().model);
+}
+
 void TestBrushFiles::settings_keepTheAlpha()
 {
     QImage image(4, 4, QImage::Format_Grayscale8);
@@ -289,6 +316,79 @@ void TestBrushFiles::settings_keepTheAlpha()
     ui::MainWindow window;
     QTest::qWait(100);
     QVERIFY(!window.brush()->stroke().alpha);
+}
+
+/// Nor is it lost by what else is chosen while its file is being read.
+void TestBrushFiles::settings_keepTheModel()
+{
+    core::writeMesh(path("stamp.stl").toStdString(), core::starterModel(core::Starter::Torus));
+    ui::Settings().setValue(core::Parameter::Strength, 0.3); // which changes the brush at each start
+    {
+        ui::MainWindow window;
+        auto* shapes = window.findChild<ui::BrushShapes*>();
+        shapes->chooseModel(path("stamp.stl"));
+        shapes->chooseAlpha(QStringLiteral("star"));
+        QTRY_VERIFY(window.brush()->stroke().model);
+    }
+    {
+        ui::MainWindow window; // is gone before the file was read
+        window.findChild<ui::BrushShapes*>()->chooseAlpha(QStringLiteral("ring"));
+    }
+    {
+        ui::MainWindow window;
+        QSignalSpy refused(window.findChild<ui::BrushShapes*>(), &ui::BrushShapes::refused);
+        auto* box = window.findChild<QComboBox*>(QStringLiteral("stampShape"));
+        QTRY_COMPARE(box->currentData().toString(), path("stamp.stl"));
+        QCOMPARE(window.brush()->stroke().alpha, core::builtInAlpha("ring"));
+        QCOMPARE(refused.count(), 0);
+        window.findChild<ui::BrushShapes*>()->chooseModel({});
+    }
+    ui::MainWindow window;
+    QTest::qWait(100);
+    QVERIFY(!window.brush()->stroke().model);
+    QCOMPARE(ui::Settings().shapes().models, QStringList{path("stamp.stl")}); // still at hand
+}
+
+void TestBrushFiles::aModelThatIsGone_isSaidOnce_data()
+{
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::newRow("gone") << QByteArray();
+    QTest::newRow("broken") << QByteArray("solid nothing");
+}
+
+void TestBrushFiles::aModelThatIsGone_isSaidOnce()
+{
+    QFETCH(QByteArray, bytes);
+    QVERIFY(QFile::remove(path("was.stl")) || !QFile::exists(path("was.stl")));
+    QVERIFY(bytes.isEmpty() || write(path("was.stl"), bytes));
+    ui::StoredShapes stored;
+    stored.model = path("was.stl");
+    stored.models = QStringList{stored.model};
+    ui::Settings().setShapes(stored);
+    for (const int times : {1, 0}) {
+        ui::MainWindow window;
+        QSignalSpy refused(window.findChild<ui::BrushShapes*>(), &ui::BrushShapes::refused);
+        QTest::qWait(200);
+        QCOMPARE(refused.count(), times);
+        QVERIFY(!window.brush()->stroke().model);
+        QVERIFY(window.findChild<QComboBox*>(QStringLiteral("stampShape"))->currentData().toString().isEmpty());
+        if (times == 1)
+            QVERIFY2(contains(refused[0][0].toString(), path("was.stl")), qPrintable(refused[0][0].toString()));
+    }
+}
+
+void TestBrushFiles::aLaterModelWins()
+{
+    core::writeMesh(path("first.stl").toStdString(), core::starterModel(core::Starter::Torus));
+    core::writeMesh(path("second.stl").toStdString(), core::starterModel(core::Starter::Cube));
+    ui::StoredShapes stored;
+    stored.model = path("first.stl");
+    ui::Settings().setShapes(stored);
+    ui::MainWindow window;
+    window.findChild<ui::BrushShapes*>()->chooseModel(path("second.stl"));
+    QTest::qWait(300);
+    QCOMPARE(window.brush()->stroke().model->source(), path("second.stl").toStdString());
+    QCOMPARE(ui::Settings().shapes().model, path("second.stl"));
 }
 
 /// A document that is opened while the stored file is still being read.

@@ -992,6 +992,33 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(!banner->isVisible(), 20000);
     }
 
+    /// However wide both are, and whichever of them comes first.
+    void aNoticeLeavesTheScaleBarAlone()
+    {
+        SKIP_WITHOUT_GRAPHICS();
+        MainWindow window;
+        window.resize(1000, 700);
+        window.show();
+        const auto* bar = window.viewport()->findChild<QWidget*>(QStringLiteral("scaleBar"));
+        const auto* banner = child<QLabel>(window, "banner");
+        int moved = 0;
+        for (int words = 1; words < 200; words *= 2) {
+            window.showNotice(QStringLiteral("The stroke ended early. ").repeated(words));
+            for (const int width : {700, 1000, 1500}) {
+                window.resize(width, 700);
+                QTRY_COMPARE(window.width(), width);
+                QVERIFY(bar->isVisible() && banner->isVisible() && !banner->geometry().intersects(bar->geometry()));
+                moved += banner->geometry().bottom() < bar->y() ? 1 : 0;
+            }
+        }
+        QVERIFY(moved > 0 && moved < 24);
+        const QRect above = banner->geometry();
+        window.action(QStringLiteral("view.scaleBar"))->trigger();
+        QVERIFY(banner->geometry().bottom() > above.bottom());
+        window.action(QStringLiteral("view.scaleBar"))->trigger();
+        QCOMPARE(banner->geometry(), above);
+    }
+
     void busyIsSaid()
     {
         MainWindow window;

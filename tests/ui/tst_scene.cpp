@@ -5,6 +5,8 @@
 #include <QOpenGLExtraFunctions>
 #include <QSet>
 
+#include <numbers>
+
 using ui::Scene;
 
 namespace
@@ -150,6 +152,41 @@ private Q_SLOTS:
         scene.showPlane(core::Symmetry::Z, model.box());
         QCOMPARE(differing(without, picture()) > 500, !layered); // the pane, around the ball
         scene.showPlane(core::Symmetry::None, model.box());
+        QCOMPARE(differing(without, picture()), 0);
+    }
+
+    void whereSectorsMeetIsShown_data() { thePlaneOfSymmetryIsShown_data(); }
+
+    /// From above: a line to the front and every quarter turn from there, around the ball; nothing between them and nothing on it.
+    void whereSectorsMeetIsShown()
+    {
+        QFETCH(bool, layered);
+        QFETCH(bool, dark);
+        const SphereModel model;
+        ui::OrbitCamera camera = cameraOn(model);
+        camera.setProjection(ui::OrbitCamera::Projection::Orthographic);
+        camera.turnTo(ui::OrbitCamera::Side::Top);
+        Scene scene(layered ? Scene::Mode::Layered : Scene::Mode::InQt3dContext);
+        scene.setLook({}, dark);
+        scene.clay().apply(model.whole());
+        const auto picture = [&] { return read(scene.render(camera, size, 1)); };
+        const QImage without = picture();
+        scene.showSectors(4, core::Symmetry::None, model.box());
+        const QImage with = picture();
+        const double reach = 1.15 * model.box().max().x();
+        const auto isLineAt = [&](double degrees) {
+            const double angle = degrees * std::numbers::pi / 180;
+            const core::Vec3 along(std::sin(angle), 0, std::cos(angle));
+            const auto at = camera.project(reach * along + model.box().min().y() * core::Vec3::UnitY());
+            const QPoint pixel(static_cast<int>(at.x()), static_cast<int>(at.y()));
+            return with.pixel(pixel) != without.pixel(pixel);
+        };
+        for (const double degrees : {0.0, 90.0, 180.0, 270.0})
+            QCOMPARE(isLineAt(degrees), !layered);
+        for (const double degrees : {30.0, 45.0, 135.0, 225.0, 300.0})
+            QVERIFY(!isLineAt(degrees));
+        QCOMPARE(with.pixel(130, 95), without.pixel(130, 95));
+        scene.showSectors(1, core::Symmetry::None, model.box());
         QCOMPARE(differing(without, picture()), 0);
     }
 

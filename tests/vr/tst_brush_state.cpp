@@ -179,6 +179,7 @@ private Q_SLOTS:
         const core::StrokeSample sample = vr::strokeSample(brush, point, room);
         QVERIFY((room.toRoom(sample.position) - point.tip.position).norm() < tolerance);
         QVERIFY((room.directionToRoom(sample.direction) - point.tip.forward()).norm() < tolerance);
+        QVERIFY((room.directionToRoom(*sample.up) - point.tip.rotation * Vec3::UnitY()).norm() < tolerance);
         QCOMPARE(sample.time, 3.0);
         QCOMPARE(sample.pressure, 0.4);
         QVERIFY(core::isUsable(vr::strokeSettings(brush, {}, room), sample));

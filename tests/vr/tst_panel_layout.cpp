@@ -47,6 +47,8 @@ std::vector<PanelAction> wanted()
     std::vector<PanelAction> all{PanelCommand::Undo,
                                  PanelCommand::Redo,
                                  PanelCommand::RestoreModel,
+                                 PanelCommand::InvertMask,
+                                 PanelCommand::ClearMask,
                                  PanelCommand::SaveModel,
                                  PanelCommand::Recentre,
                                  PanelCommand::LeaveVr,
@@ -181,8 +183,8 @@ void TestPanelLayout::whatCannotBe_isNotHit()
     QVERIFY(!isHit(PanelCommand::Undo) && !isHit(PanelCommand::Redo));
     panel.canUndo = true;
     QVERIFY(isHit(PanelCommand::Undo) && !isHit(PanelCommand::Redo));
-    panel.canRestore = false;
-    QVERIFY(!isHit(PanelCommand::RestoreModel));
+    panel.canChange = false;
+    QVERIFY(!isHit(PanelCommand::RestoreModel) && !isHit(PanelCommand::InvertMask) && !isHit(PanelCommand::ClearMask));
 
     vr::FilesPanel files;
     files.files << vr::FileTile{QStringLiteral("a"), QStringLiteral("a"), {}, true};

@@ -293,7 +293,7 @@ void TestPanelPainter::aValue_isSeen_data()
     row("inverse", 0, [](vr::ToolPanel& panel) { panel.isInverse = true; });
     row("undo", 0, [](vr::ToolPanel& panel) { panel.canUndo = true; });
     row("redo", 0, [](vr::ToolPanel& panel) { panel.canRedo = true; });
-    row("restore", 0, [](vr::ToolPanel& panel) { panel.canRestore = false; });
+    row("cannot change", 0, [](vr::ToolPanel& panel) { panel.canChange = false; });
     row("files shown", 0, [](vr::ToolPanel& panel) { panel.showsFiles = true; });
     row("settings shown", 0, [](vr::ToolPanel& panel) { panel.showsSettings = true; });
     row("red", 2, [](vr::ColorPanel& panel) { panel.color.r = 10; });

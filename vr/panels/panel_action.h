@@ -21,6 +21,8 @@ enum class PanelCommand {
     Undo,
     Redo,
     RestoreModel, ///< as it was when it was opened
+    InvertMask,
+    ClearMask,
     SaveModel,    ///< under a new number
     Recentre,
     LeaveVr

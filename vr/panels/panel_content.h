@@ -29,7 +29,7 @@ public:
     int radial = 1; ///< sectors
     bool isInverse = false; ///< strokes do the opposite
     bool canUndo = false, canRedo = false;
-    bool canRestore = true;
+    bool canChange = true; ///< the model as a whole: restore it, or change its mask
     bool showsFiles = false, showsSettings = false; ///< those panels
 
     bool operator==(const ToolPanel&) const = default;
@@ -39,6 +39,7 @@ private:
     static QString nameOf(core::Tool tool);
     void addTools(PanelBuilder& builder) const;
     void addSymmetry(PanelBuilder& builder) const;
+    void addMask(PanelBuilder& builder) const;
     void addDoors(PanelBuilder& builder) const;
 };
 

@@ -82,7 +82,7 @@ void ToolPanel::addDoors(PanelBuilder& builder) const
     const std::vector<QRectF> lower = evenCells(builder.nextRow(buttonHeight), 2);
     builder.add(lower[0], {{.text = tr("Hold to restore"), .icon = QStringLiteral("reset")},
                            PanelCommand::RestoreModel,
-                           canRestore,
+                           canChange,
                            true});
     builder.add(lower[1], {{.text = tr("Leave VR"), .icon = QStringLiteral("quit")}, PanelCommand::LeaveVr});
 }
@@ -97,6 +97,14 @@ void ToolPanel::addSymmetry(PanelBuilder& builder) const
     for (const int count : {1, 2, 4, 6})
         sectors.push_back({QString::number(count), {}, ChooseRadial{count}, count == radial});
     builder.addChoice(places[3], sectors);
+}
+
+void ToolPanel::addMask(PanelBuilder& builder) const
+{
+    const std::vector<QRectF> places = cells(builder.nextRow(theme::row), {toolNameWidth, 0, 0});
+    builder.add(places[0], TextLook{.text = tr("Mask"), .lines = 2});
+    builder.add(places[1], {{.text = tr("Invert"), .icon = QStringLiteral("mask-invert")}, PanelCommand::InvertMask, canChange});
+    builder.add(places[2], {{.text = tr("Clear"), .icon = QStringLiteral("mask-clear")}, PanelCommand::ClearMask, canChange});
 }
 
 PanelLayout ToolPanel::layout() const
@@ -115,6 +123,7 @@ PanelLayout ToolPanel::layout() const
                       {{tr("Adaptive"), QStringLiteral("adaptive"), Topology::Adaptive, topology == Topology::Adaptive},
                        {tr("Uniform"), QStringLiteral("uniform"), Topology::Uniform, topology == Topology::Uniform}});
     addSymmetry(builder);
+    addMask(builder);
     builder.skip(groupGap);
     addDoors(builder);
     return builder.finished();

@@ -1,0 +1,51 @@
+#include "brush_keeper.h"
+
+#include "model_loader.h"
+
+#include "core/decimate.h"
+#include "core/mesh_build.h"
+#include "ui/brush_files.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+#include <new>
+
+namespace app
+{
+namespace
+{
+core::TriangleMesh fewEnough(core::Mesh& copy, const core::JobWatch& watch)
+{
+    const std::size_t most = core::BrushModel::mostFaces;
+    return copy.live().faces > most ? core::decimate(std::move(copy), most, watch).mesh : core::extractMesh(copy);
+}
+} // namespace
+
+QString BrushKeeper::folder()
+{
+    return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/brushes");
+}
+
+KeptBrush BrushKeeper::keep(const std::shared_ptr<core::Mesh>& copy, const QString& name, const core::JobWatch& watch)
+{
+    try {
+        if (!copy)
+            throw std::bad_alloc();
+        const core::TriangleMesh mesh = fewEnough(*copy, watch);
+        if (watch.stopped())
+            return {};
+        const auto brush = ui::brushModelOf(mesh, name);
+        if (!brush.what)
+            return {{}, brush.problem};
+        const QDir place(folder() + u'/' + QString::fromStdString(brush.what->fingerprint()));
+        place.mkpath(QStringLiteral(".")); // without it there is no file, which is said
+        const QString path = place.filePath(QFileInfo(name).completeBaseName() + QStringLiteral(".glb"));
+        const QString problem = ModelLoader::save(path, mesh, {});
+        return problem.isEmpty() ? KeptBrush{path, {}} : KeptBrush{{}, problem};
+    } catch (const std::bad_alloc&) {
+        return {{}, tr("There is not enough memory to make a brush of this model.")};
+    }
+}
+} // namespace app

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "../lattice_placement.h"
+#include "../triangle_mesh.h"
+
+namespace core::mending
+{
+/// What is masked of a model stays so: each point of the mended one has the mask of the old one that lies there on the lattice, of several the
+/// greatest; new points have none. Returns how many masked places are gone. The mended model lies on that lattice.
+std::size_t keepMasks(const TriangleMesh& old, const LatticePlacement& placement, TriangleMesh& mended);
+} // namespace core::mending
