@@ -65,7 +65,7 @@ public:
     bool isModified() const;
     bool isBusy() const { return m_work.isBusy(); }
     /// What takes long and is not of the document may go on there, too: busy(), progressed() and idle() tell of it, and stop() ends it.
-    LongWork* work() { return &m_work; }
+    LongWork* longWork() { return &m_work; }
     /// Another model is on its way: what is done to the present one now is lost if that comes.
     bool isOpening() const { return m_isLoading; }
     /// Nothing that was asked for waits, every stroke has ended and reported. historyChanged() says when to look again.

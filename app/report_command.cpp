@@ -1,9 +1,9 @@
 // report: a page for whoever judges a folder of models.
+#include "command_line.h"
 #include "command_unit.h"
 #include "model_loader.h"
 #include "report_maker.h"
 
-#include "command_line.h"
 #include "ui/messages.h"
 
 #include <QFileInfo>

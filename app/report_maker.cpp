@@ -13,7 +13,7 @@ namespace app
 {
 namespace
 {
-constexpr int picturePixels = 192; ///< on paper 18 mm: some 270 a inch
+constexpr int picturePixels = 192; ///< on paper 18 mm: some 270 an inch
 
 /// Also of "." and "..".
 QString folderName(const std::filesystem::path& folder)

@@ -254,7 +254,7 @@ void wireDrawings(ui::MainWindow& window, SculptWorker& worker)
 
 void wireReports(ui::MainWindow& window, Document& document)
 {
-    auto* desk = new ReportDesk(document.work(), &window);
+    auto* desk = new ReportDesk(document.longWork(), &window);
     QObject::connect(&window, &ui::MainWindow::reportRequested, desk, &ReportDesk::write);
     QObject::connect(desk, &ReportDesk::noticed, &window, &ui::MainWindow::showNotice);
     QObject::connect(desk, &ReportDesk::refused, &window, &ui::MainWindow::showProblem);

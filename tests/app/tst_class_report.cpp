@@ -331,6 +331,17 @@ void TestClassReport::window_writesAReport()
     QCOMPARE(captured(read(at("by hand.html")), "<bdi>([^<]*)</bdi>").size(), models);
     QVERIFY(program.document.isModified()); // the model that is open has nothing to do with it
 
+    ask(QString::fromStdString(at("on paper.pdf").string()));
+    QTRY_VERIFY(notice(program).contains(QStringLiteral("on paper.pdf was written.")));
+    QVERIFY(read(at("on paper.pdf")).count("/URI (class/") >= models);
+
+    Q_EMIT program.window.reportRequested(QString::fromStdString(at("class/folder.stl").string()), path);
+    const QMessageBox* problem = nullptr;
+    QTRY_VERIFY((problem = program.window.findChild<QMessageBox*>(QStringLiteral("problem"))) && problem->isVisible());
+    QVERIFY(problem->text().contains(QStringLiteral("there is no model in this folder")));
+    QTest::mouseClick(problem->button(QMessageBox::Ok), Qt::LeftButton);
+    QVERIFY(QFile::exists(path));
+
     const QString second = QString::fromStdString(at("second.html").string());
     connect(&program.document, &Document::progressed, &program.document, &Document::stop);
     ask(second);
