@@ -1,21 +1,20 @@
 // check: is a model in order? One file: a few lines, or one JSON object. Several, or a folder: a table, or an object a line.
-#include "command_line.h"
+#include "command_models.h"
 #include "command_unit.h"
-#include "model_loader.h"
+#include "text_table.h"
 
 #include "core/mesh_io.h"
 #include "core/print_check.h"
 #include "ui/messages.h"
-#include "ui/model_formats.h"
+#include "ui/model_folder.h"
 
-#include <QDir>
-#include <QFileInfo>
 #include <QRegularExpression>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <filesystem>
+#include <cmath>
+#include <utility>
 
 namespace app
 {
@@ -33,12 +32,15 @@ class CheckWords
 
 struct CheckOptions
 {
-    QStringList files;
+    CommandModels models;
     bool json = false, csv = false;
     bool table = false; ///< several files, or a folder
+    int nameColumns = 0; ///< of the table
     double unit = 1; ///< of the files, in mm
     std::optional<core::PrintLimits> print; ///< asked for
     bool hasBed = false;
+
+    bool isPage() const { return !table && !json && !csv; }
 };
 
 /// What was found of a file.
@@ -46,6 +48,7 @@ struct Checked
 {
     core::MeshReport report;
     std::optional<core::PrintReport> print;
+    std::optional<core::WorkDone> work; ///< none: the file does not say
 };
 
 template <class Value> Json orNull(const std::optional<Value>& value)
@@ -79,8 +82,9 @@ void addPrint(Json& json, const CheckOptions& options, const Checked& checked)
     json["unit_doubt"] = doubtOf(checked.report);
 }
 
-Json toJson(const QString& file, const core::MeshReport& report)
+Json toJson(const QString& file, const Checked& checked)
 {
+    const core::MeshReport& report = checked.report;
     return {{"file", file.toStdString()},
             {"vertices", report.vertices},
             {"faces", report.faces},
@@ -98,19 +102,44 @@ Json toJson(const QString& file, const core::MeshReport& report)
             {"max_edge_mm", report.maxEdge},
             {"degenerate_faces", report.degenerateFaces.count},
             {"lattice_ok", orNull(report.latticeOk)},
-            {"print_ready", report.printReady()}};
+            {"print_ready", report.printReady()},
+            {"strokes", checked.work ? Json(checked.work->strokes) : Json(nullptr)},
+            {"time_spent_s", checked.work ? Json(std::llround(checked.work->seconds)) : Json(nullptr)}};
+}
+
+Json jsonOf(const CheckOptions& options, const QString& file, const Checked& checked)
+{
+    Json json = toJson(file, checked);
+    if (checked.print)
+        addPrint(json, options, checked);
+    return json;
+}
+
+/// Of a file that cannot be read: nothing is known of it.
+Json unknown(const CheckOptions& options, const QString& file)
+{
+    Checked nothing;
+    if (options.print)
+        nothing.print.emplace();
+    Json json = jsonOf(options, file, nothing);
+    for (auto& [key, value] : json.items())
+        if (value.is_array())
+            std::fill(value.begin(), value.end(), nullptr);
+        else if (key != "file")
+            value = nullptr;
+    return json;
 }
 
 QString word(const Json& value)
 {
     if (value.is_null())
-        return QString();
+        return QStringLiteral("-");
     if (value.is_boolean())
         return value.get<bool>() ? QStringLiteral("yes") : QStringLiteral("no");
     if (value.is_number_float())
         return QString::number(value.get<double>(), 'g', 7);
     if (value.is_array())
-        return QStringLiteral("%1 x %2 x %3").arg(word(value[0]), word(value[1]), word(value[2]));
+        return value[0].is_null() ? word(value[0]) : QStringLiteral("%1 x %2 x %3").arg(word(value[0]), word(value[1]), word(value[2]));
     return QString::fromStdString(value.is_string() ? value.get<std::string>() : value.dump());
 }
 
@@ -122,23 +151,23 @@ QString quoted(QString field)
     return QLatin1Char('"') + field.replace(QLatin1Char('"'), QStringLiteral("\"\"")) + QLatin1Char('"');
 }
 
+QString csvField(const Json& value)
+{
+    if (value.is_string())
+        return quoted(QString::fromStdString(value.get<std::string>()));
+    return value.is_null() ? QString() : QString::fromStdString(value.dump());
+}
+
 /// Numbers as in JSON; the three sides in a column each.
 QString csvLine(const Json& report, bool isHeader)
 {
     QStringList fields;
     for (const auto& [key, value] : report.items()) {
-        const QString name = QString::fromStdString(key);
-        if (value.is_array()) {
+        if (!value.is_array())
+            fields << (isHeader ? QString::fromStdString(key) : csvField(value));
+        else
             for (std::size_t i = 0; i < value.size(); ++i)
-                fields << (isHeader ? QStringLiteral("size_%1_mm").arg(QLatin1Char("xyz"[i]))
-                                    : QString::fromStdString(value[i].dump()));
-        } else if (isHeader) {
-            fields << name;
-        } else if (value.is_string()) {
-            fields << quoted(QString::fromStdString(value.get<std::string>()));
-        } else {
-            fields << (value.is_null() ? QString() : QString::fromStdString(value.dump()));
-        }
+                fields << (isHeader ? QStringLiteral("size_%1_mm").arg(QLatin1Char("xyz"[i])) : csvField(value[i]));
     }
     return fields.join(QLatin1Char(',')) + QLatin1Char('\n');
 }
@@ -147,7 +176,7 @@ QString page(const QString& file, const Json& json, const core::MeshReport& repo
 {
     QString text;
     for (const auto& [key, value] : json.items())
-        text += QStringLiteral("%1 %2\n").arg(QString::fromStdString(key), -18).arg(value.is_null() ? QStringLiteral("-") : word(value));
+        text += QStringLiteral("%1 %2\n").arg(QString::fromStdString(key), -18).arg(word(value));
     text += report.printReady() ? CheckWords::tr("%1 is in fine fettle.").arg(file) : ui::Messages::refusal(file, report);
     if (report.volume)
         if (const QString doubt = ui::Messages::unitDoubt(*report.volume); !doubt.isEmpty())
@@ -155,13 +184,9 @@ QString page(const QString& file, const Json& json, const core::MeshReport& repo
     return text + QLatin1Char('\n');
 }
 
-QString tableLine(const QStringList& fields)
+QString rowOf(const CheckOptions& options, const QStringList& fields)
 {
-    constexpr int widths[] = {-32, 10, -32, -11, 8, 8, 9, 0};
-    QStringList line;
-    for (qsizetype i = 0; i < fields.size(); ++i)
-        line << QStringLiteral("%1").arg(fields[i], widths[i]);
-    return line.join(QStringLiteral("  ")).trimmed() + QLatin1Char('\n');
+    return tableLine(fields, {-options.nameColumns, 10, -32, -11, 8, 8, 9, 0});
 }
 
 QStringList tableHead(const CheckOptions& options)
@@ -176,61 +201,45 @@ QStringList tableHead(const CheckOptions& options)
 
 QStringList tableFields(const CheckOptions& options, const QString& file, const Json& json)
 {
-    QStringList fields = {file, word(json["faces"]), word(json["size_mm"]), word(json["print_ready"])};
-    const auto rounded = [](const Json& value, double factor, int decimals) {
-        return value.is_null() ? QStringLiteral("-") : QString::number(factor * value.get<double>(), 'f', decimals);
+    QStringList fields = {shortened(file, options.nameColumns), word(json["faces"]), word(json["size_mm"]), word(json["print_ready"])};
+    const auto rounded = [](const Json& value, int decimals) {
+        return value.is_null() ? QStringLiteral("-") : QString::number(value.get<double>(), 'f', decimals);
+    };
+    const auto percent = [](const Json& share) {
+        return share.is_null() ? QStringLiteral("-") : QString::number(100 * share.get<double>(), 'f', 1) + QStringLiteral(" %");
     };
     if (options.print)
-        fields << rounded(json["min_wall_balls_mm"], 1, 2) << rounded(json["overhang_share"], 100, 1) + QStringLiteral(" %")
-               << rounded(json["base_area_mm2"], 1, 1);
+        fields << rounded(json["min_wall_balls_mm"], 2) << percent(json["overhang_share"]) << rounded(json["base_area_mm2"], 1);
     if (options.print && options.hasBed)
         fields << word(json["fits_bed"]);
     return fields;
 }
 
 /// Writes what was found of one file; the first is preceded by the table's head.
-void printReport(const CheckOptions& options, const QString& file, const Checked& checked, bool isFirst)
+void printReport(const CheckOptions& options, const QString& file, const Json& json, bool isFirst)
 {
-    Json json = toJson(file, checked.report);
-    if (checked.print)
-        addPrint(json, options, checked);
     if (options.json)
         CommandLine::print(QString::fromStdString(json.dump(-1, ' ', false, Json::error_handler_t::replace)) + QLatin1Char('\n'));
     else if (options.csv)
         CommandLine::print((isFirst ? csvLine(json, true) : QString()) + csvLine(json, false));
-    else if (!options.table)
-        CommandLine::print(page(file, json, checked.report));
     else
-        CommandLine::print((isFirst ? tableLine(tableHead(options)) : QString()) + tableLine(tableFields(options, file, json)));
+        CommandLine::print((isFirst ? rowOf(options, tableHead(options)) : QString()) + rowOf(options, tableFields(options, file, json)));
 }
 
-Checked check(const CheckOptions& options, const QString& file)
+Checked check(const CheckOptions& options, const std::filesystem::path& file)
 {
-    core::TriangleMesh mesh = core::readMesh(toPath(file));
+    core::TriangleMesh mesh = core::readMesh(file);
     if (options.unit != 1)
-        CommandUnit::scale(file, mesh, options.unit);
-    if (!options.print)
-        return {core::checkMesh(mesh), {}};
-    const core::PrintMeasures measures = core::measureForPrint(std::move(mesh));
-    return {measures.report, core::judgeForPrint(measures, *options.print)};
-}
-
-/// A folder stands for the models in it, by name; those in folders further down are not looked at.
-QStringList modelsIn(const QString& folder)
-{
-    QStringList patterns;
-    for (const QString& ending : ui::modelEndings())
-        patterns << QStringLiteral("*.") + ending;
-    std::error_code problem;
-    const std::filesystem::directory_iterator readable(toPath(folder), problem);
-    if (problem)
-        CommandLine::fail(CheckWords::tr("%1: this folder cannot be read (%2).").arg(folder, qt_error_string(problem.value())));
-    QStringList files;
-    for (const QString& name : QDir(folder).entryList(patterns, QDir::Files, QDir::Name))
-        files << QDir(folder).filePath(name);
-    if (files.isEmpty())
-        CommandLine::fail(CheckWords::tr("%1: there is no model in this folder (%2).").arg(folder, ui::modelFormats()));
-    return files;
+        CommandUnit::scale(ui::shownName(file), mesh, options.unit);
+    Checked checked{{}, {}, core::readNotes(file).work};
+    if (options.print) {
+        const core::PrintMeasures measures = core::measureForPrint(std::move(mesh));
+        checked.report = measures.report;
+        checked.print = core::judgeForPrint(measures, *options.print);
+    } else {
+        checked.report = core::checkMesh(mesh);
+    }
+    return checked;
 }
 
 double numberOf(const QString& text, double least, double most, const QString& problem)
@@ -288,6 +297,16 @@ void addOptions(QCommandLineParser& parser)
                        {QStringLiteral("bed"), CheckWords::tr("Width, depth and height that the printer holds."), QStringLiteral("X,Y,Z")}});
 }
 
+/// As many as the longest name needs, but few enough that the rest is seen, too.
+int nameColumns(const QList<std::filesystem::path>& files)
+{
+    constexpr int least = 32, most = 64;
+    int columns = least;
+    for (const std::filesystem::path& file : files)
+        columns = std::max(columns, columnsOf(ui::shownName(file)));
+    return std::min(columns, most);
+}
+
 std::optional<CheckOptions> parseOptions(const QStringList& arguments)
 {
     QCommandLineParser parser;
@@ -303,14 +322,9 @@ std::optional<CheckOptions> parseOptions(const QStringList& arguments)
         options.unit = CommandUnit::named(QStringLiteral("check"), parser.value(QStringLiteral("unit")));
     options.print = printLimits(parser);
     options.hasBed = parser.isSet(QStringLiteral("bed"));
-    for (const QString& name : parser.positionalArguments()) {
-        const bool isFolder = QFileInfo(name).isDir();
-        options.files += isFolder ? modelsIn(name) : QStringList(name);
-        options.table = options.table || isFolder;
-    }
-    if (options.files.isEmpty())
-        CommandLine::fail(CheckWords::tr("check: no file was given."));
-    options.table = options.table || options.files.size() > 1;
+    options.models = commandModels(QStringLiteral("check"), parser.positionalArguments());
+    options.table = options.models.hasFolder || options.models.files.size() > 1;
+    options.nameColumns = nameColumns(options.models.files);
     return options;
 }
 } // namespace
@@ -320,16 +334,22 @@ ExitStatus checkCommand(const QStringList& arguments)
     const std::optional<CheckOptions> options = parseOptions(arguments);
     if (!options)
         return Done;
-    ExitStatus status = Done;
+    ExitStatus status = options->models.status;
     bool isFirst = true;
-    for (const QString& file : options->files) {
+    for (const std::filesystem::path& path : options->models.files) {
+        const QString file = ui::shownName(path);
         try {
-            const Checked checked = check(*options, file);
-            printReport(*options, file, checked, isFirst);
-            isFirst = false;
+            const Checked checked = check(*options, path);
+            const Json json = jsonOf(*options, file, checked);
+            if (options->isPage())
+                CommandLine::print(page(file, json, checked.report));
+            else
+                printReport(*options, file, json, std::exchange(isFirst, false));
             status = std::max(status, checked.report.printReady() ? Done : AnswerIsNo);
         } catch (const core::FileError& error) {
             CommandLine::printError(ui::Messages::sentence(error));
+            if (options->table && !options->json)
+                printReport(*options, file, unknown(*options, file), std::exchange(isFirst, false));
             status = BadInput;
         }
     }

@@ -24,6 +24,10 @@ Command commandNamed(const QString& word)
         return convertCommand;
     if (word == QLatin1String("replay"))
         return replayCommand;
+    if (word == QLatin1String("report"))
+        return reportCommand;
+    if (word == QLatin1String("sheet"))
+        return sheetCommand;
     return nullptr;
 }
 
@@ -52,6 +56,12 @@ bool CommandLine::isCommand(const QStringList& arguments)
     return commandNamed(arguments.first()) || isHelp(arguments.first()) || isVersion(arguments.first());
 }
 
+bool CommandLine::needsFonts(const QStringList& arguments)
+{
+    const Command command = arguments.isEmpty() ? nullptr : commandNamed(arguments.first());
+    return command == reportCommand || command == sheetCommand;
+}
+
 ExitStatus CommandLine::run(const QStringList& arguments)
 {
     try {
@@ -77,7 +87,7 @@ ExitStatus CommandLine::dispatch(const QStringList& arguments)
     if (arguments.size() > 1) {
         if (const Command command = commandNamed(arguments.at(1)))
             return command({QStringLiteral("--help")});
-        fail(tr("There is no help on %1: the commands are check, convert and replay.").arg(arguments.at(1)));
+        fail(tr("There is no help on %1: the commands are check, convert, replay, report and sheet.").arg(arguments.at(1)));
     }
     print(help());
     return Done;
@@ -122,6 +132,19 @@ bool CommandLine::parse(QCommandLineParser& parser, const QString& command, cons
     return false;
 }
 
+void CommandLine::addOutput(QCommandLineParser& parser, const QString& word)
+{
+    parser.addOption({{QStringLiteral("o"), QStringLiteral("output")}, tr("The file to write."), word});
+}
+
+QString CommandLine::output(const QCommandLineParser& parser, const QString& command)
+{
+    const QString path = parser.value(QStringLiteral("output"));
+    if (path.isEmpty())
+        fail(tr("%1: the file to write is missing; -o names it.").arg(command));
+    return path;
+}
+
 void CommandLine::fail(const QString& sentence)
 {
     throw CommandFailure{sentence};
@@ -160,7 +183,11 @@ QString CommandLine::help()
               "                                   write a model in another format or size, mended, or with fewer triangles\n"
               "  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--verify local|full|none]\n"
               "                                   play recorded strokes on a model\n"
-              "  fettle help COMMAND              the options of check, convert or replay\n"
+              "  fettle report FOLDER -o OUT.html|OUT.pdf [--unit mm|cm|m|in]\n"
+              "                                   a class report: picture, size, print-ready or why not, strokes and time of each model\n"
+              "  fettle sheet FILE... -o OUT.pdf [--unit mm|cm|m|in] [--shaded]\n"
+              "                                   drawings of models or folders to scale, a page each\n"
+              "  fettle help COMMAND              the options of one of them\n"
               "  fettle --version\n"
               "\n"
               "Formats: %1. Lengths are in millimetres.\n"

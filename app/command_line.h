@@ -35,6 +35,8 @@ public:
     /// Whether the arguments (without the program's name) name a subcommand, --help or --version. These words win over file
     /// names.
     static bool isCommand(const QStringList& arguments);
+    /// Whether it draws letters on pages: run() needs a QGuiApplication then, on whatever platform.
+    static bool needsFonts(const QStringList& arguments);
     /// Runs it. Needs a QCoreApplication.
     static ExitStatus run(const QStringList& arguments);
     /// For `fettle` without a subcommand. Throws CommandFailure.
@@ -42,6 +44,9 @@ public:
 
     /// Throws CommandFailure with usage when the arguments do not fit. --help is answered.
     static bool parse(QCommandLineParser& parser, const QString& command, const QStringList& arguments);
+    /// -o, and what was given there. output() throws CommandFailure if nothing was. `word`: how usage calls it.
+    static void addOutput(QCommandLineParser& parser, const QString& word);
+    static QString output(const QCommandLineParser& parser, const QString& command);
     [[noreturn]] static void fail(const QString& sentence);
     /// Throws CommandFailure unless a mesh can be written under that name, by its ending.
     static void requireMeshEnding(const QString& path);
@@ -56,4 +61,6 @@ private:
 ExitStatus checkCommand(const QStringList& arguments);
 ExitStatus convertCommand(const QStringList& arguments);
 ExitStatus replayCommand(const QStringList& arguments);
+ExitStatus reportCommand(const QStringList& arguments);
+ExitStatus sheetCommand(const QStringList& arguments);
 } // namespace app

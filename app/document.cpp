@@ -258,6 +258,7 @@ void Document::takeReport(const StrokeReport& report)
             m_history.add(index, report.delta);
             const StepWords words = StrokeCommand::wordsOf(report);
             m_stack.push(new StrokeCommand(words.text, words.marks, &m_history, index));
+            countWork();
         }
         const bool isSeen = report.shortfall == core::Shortfall::Stuck && report.delta; // other dabs did something
         if (report.shortfall != core::Shortfall::None && !isSeen)
@@ -271,6 +272,13 @@ void Document::takeReport(const StrokeReport& report)
     }
     tellState();
     runRequests();
+}
+
+void Document::countWork()
+{
+    core::WorkDone work = m_facts.notes.work.value_or(core::WorkDone());
+    m_clock.count(work, steadyNs());
+    m_facts.notes.work = work;
 }
 
 void Document::takeFacts(const MeshFacts& facts)

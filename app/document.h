@@ -3,6 +3,7 @@
 #include "history_store.h"
 #include "long_work.h"
 #include "sculpt_worker.h"
+#include "work_clock.h"
 
 #include "core/starter_models.h"
 #include "ui/insertion.h"
@@ -64,6 +65,8 @@ public:
     const ui::ModelFacts& facts() const { return m_facts; }
     bool isModified() const;
     bool isBusy() const { return m_work.isBusy(); }
+    /// What takes long and is not of the document may go on there, too: busy(), progressed() and idle() tell of it, and stop() ends it.
+    LongWork* longWork() { return &m_work; }
     /// Another model is on its way: what is done to the present one now is lost if that comes.
     bool isOpening() const { return m_isLoading; }
     /// Nothing that was asked for waits, every stroke has ended and reported. historyChanged() says when to look again.
@@ -199,6 +202,7 @@ private:
     void runRequests();
     bool hasUnreported() const;
     void takeReport(const StrokeReport& report);
+    void countWork();
     void takeModel(const MeshFacts& facts);
     void takeFacts(const MeshFacts& facts);
     void loseHistory();
@@ -220,6 +224,7 @@ private:
     bool m_strokeOpen = false;         ///< as the person sees it: not yet posted, perhaps
     QString m_lastStep; ///< the name of the stroke that began last
     quint64 m_reported = 0;            ///< strokes
+    WorkClock m_clock;
     std::optional<Choice> m_next;      ///< to be opened once what goes on has ended
     bool m_isLoading = false;
     bool m_letGo = false; ///< the changes, by the person, for what is being opened; there are no others since

@@ -127,6 +127,7 @@ void Document::install(std::shared_ptr<LoadedModel> model)
     m_facts.name = model->name;
     m_facts.path = model->path;
     m_facts.notes = model->notes;
+    m_clock = {};
     m_facts.unitGuess = model->unitGuess;
     m_start = std::exchange(model->start, nullptr);
     m_recovered = std::exchange(model->recovered, nullptr);

@@ -20,7 +20,7 @@ using namespace std::chrono_literals;
 
 constexpr auto rest = 250ms; ///< without a change: the fine drawing is made
 constexpr std::size_t mostEdges = 300'000, mostInterimEdges = 40'000;
-constexpr int finePixels = 2048, shadedPixels = 1024, interimPixels = 640, sheetPixels = 3072; ///< along the longest side
+constexpr int finePixels = 2048, shadedPixels = 1024, interimPixels = 640; ///< along the longest side
 
 double msSince(std::int64_t start)
 {
@@ -183,7 +183,7 @@ void DrawingWorker::write(const Order& order)
 {
     core::DrawArrays model;
     model.apply(order.model);
-    auto drawing = core::drawLines(model, {sheetPixels, order.shaded, mostEdges}, {});
+    auto drawing = core::drawLines(model, ui::sheetDetail(order.shaded), {});
     try {
         ui::writeSheet(order.path.toStdU16String(), {order.modelName, QDate::currentDate(), *std::move(drawing), order.shaded});
         m_mail.post([this, path = order.path] { Q_EMIT noticed(tr("%1 was written.").arg(QDir::toNativeSeparators(path))); });

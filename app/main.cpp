@@ -18,11 +18,12 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 
 namespace
 {
 constexpr const char* noDisplay =
-    "fettle: there is no display to open a window on (check, convert and replay work without one; see fettle --help)\n";
+    "fettle: there is no display to open a window on (the commands work without one; see fettle --help)\n";
 
 void nameProgram()
 {
@@ -78,10 +79,25 @@ void onlyTellOfMissingDisplay(QtMsgType type, const QMessageLogContext&, const Q
     std::_Exit(app::BadInput);
 }
 
-int runCommand(int argc, char* argv[])
+/// With fonts, though never on a display. What Qt misses of a desktop meanwhile is nobody's business, but for the platform itself.
+std::unique_ptr<QCoreApplication> applicationWithFonts(int& argc, char* argv[])
 {
-    const QCoreApplication application(argc, argv);
-    loadTranslations(const_cast<QCoreApplication&>(application));
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    const QtMessageHandler usual = qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString&) {
+        if (type != QtFatalMsg)
+            return;
+        std::fputs("fettle: pages cannot be drawn, because Qt's platform \"offscreen\" is not installed\n", stderr);
+        std::_Exit(app::BadInput);
+    });
+    auto application = std::make_unique<QGuiApplication>(argc, argv);
+    qInstallMessageHandler(usual);
+    return application;
+}
+
+int runCommand(int argc, char* argv[], bool needsFonts)
+{
+    const auto application = needsFonts ? applicationWithFonts(argc, argv) : std::make_unique<QCoreApplication>(argc, argv);
+    loadTranslations(*application);
     return app::CommandLine::run(QCoreApplication::arguments().mid(1));
 }
 
@@ -154,5 +170,5 @@ int main(int argc, char* argv[])
     QStringList arguments;
     for (int i = 1; i < argc; ++i)
         arguments << QString::fromLocal8Bit(argv[i]);
-    return app::CommandLine::isCommand(arguments) ? runCommand(argc, argv) : runWindow(argc, argv);
+    return app::CommandLine::isCommand(arguments) ? runCommand(argc, argv, app::CommandLine::needsFonts(arguments)) : runWindow(argc, argv);
 }

@@ -141,6 +141,7 @@ LoadedModel ModelLoader::sphere(double radius)
 {
     LoadedModel loaded;
     loaded.name = tr("Ball of clay");
+    loaded.notes.work.emplace(); // nobody did anything yet
     build(loaded, core::icosphere(paperSubdivisions, radius), true, {});
     return loaded;
 }
@@ -149,6 +150,7 @@ LoadedModel ModelLoader::starter(core::Starter starter)
 {
     LoadedModel loaded;
     loaded.name = name(starter);
+    loaded.notes.work.emplace(); // nobody did anything yet
     build(loaded, core::starterModel(starter), true, {});
     return loaded;
 }

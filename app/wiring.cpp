@@ -10,6 +10,7 @@
 #include "model_inquiry.h"
 #include "patch_inbox.h"
 #include "print_inquiry.h"
+#include "report_desk.h"
 #include "sculpt_worker.h"
 
 #include "ui/color_panel.h"
@@ -253,6 +254,14 @@ void wireDrawings(ui::MainWindow& window, SculptWorker& worker)
     QObject::connect(drawings, &DrawingWorker::noticed, &window, &ui::MainWindow::showNotice);
 }
 
+void wireReports(ui::MainWindow& window, Document& document)
+{
+    auto* desk = new ReportDesk(document.longWork(), &window);
+    QObject::connect(&window, &ui::MainWindow::reportRequested, desk, &ReportDesk::write);
+    QObject::connect(desk, &ReportDesk::noticed, &window, &ui::MainWindow::showNotice);
+    QObject::connect(desk, &ReportDesk::refused, &window, &ui::MainWindow::showProblem);
+}
+
 std::shared_ptr<vr::FrameClient> makeClient(const std::shared_ptr<vr::DocumentPort>& port, const vr::HeadsetChoice& choice)
 {
     return std::make_shared<vr::SculptClient>(port, choice);
@@ -322,6 +331,7 @@ void wire(ui::MainWindow& window, Document& document, SculptWorker& worker, cons
     wireStrokes(*window.viewport(), document);
     wireWorker(*window.viewport(), worker, inbox);
     wireDrawings(window, worker);
+    wireReports(window, document);
 }
 
 void wireRecovery(ui::MainWindow& window, Document& document, JournalShelf& shelf)

@@ -3,6 +3,7 @@
 #include "mesh_frame.h"
 #include "stroke.h"
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -17,6 +18,15 @@ struct SavedView
     bool orthographic = false;
 };
 
+/// What hands did to a model at the desk and in the headset, as far as it was counted (app/work_clock.h says how).
+struct WorkDone
+{
+    std::uint64_t strokes = 0; ///< finished ones that changed something, also those that were undone later
+    double seconds = 0;        ///< between them, long pauses left out
+
+    friend bool operator==(const WorkDone&, const WorkDone&) = default;
+};
+
 /// What a file keeps of a document beside its surface.
 struct DocumentNotes
 {
@@ -24,5 +34,6 @@ struct DocumentNotes
     std::optional<MeshFrame> frame;    ///< that the surface had
     std::optional<SavedView> view;
     std::optional<StrokeSettings> brush; ///< that was in the hand, with its symmetry
+    std::optional<WorkDone> work;        ///< none: nobody counted
 };
 } // namespace core

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mesh_patch.h"
+#include "triangle_mesh.h"
 
 namespace core
 {
@@ -15,6 +16,9 @@ struct DrawArrays
 
     bool isFree(Slot face) const { return faces[face][0] == faces[face][1]; }
 };
+
+/// Of a mesh as a file holds it: normals are the mean of the faces around a vertex, by area. Any thread. Cost: a pass over the faces.
+DrawArrays drawArraysOf(const TriangleMesh& mesh);
 
 /// The patch that makes these arrays of whatever was there.
 MeshPatch wholePatchOf(DrawArrays arrays);

@@ -13,6 +13,8 @@ enum class FileErrorKind {
     NotFound,
     NotReadable,          ///< systemError, if known
     NotAFile,             ///< a folder, device or pipe; also when writing
+    FolderNotReadable,    ///< systemError, if known
+    NoModel,              ///< a folder in which no file is named like a model
     Empty,                ///< no byte in it
     TooLarge,             ///< expected: the largest size in bytes that is read; found: its size
     UnknownFormat,        ///< token: the ending, without dot

@@ -86,6 +86,7 @@ set(FETTLE_RESOURCE_FILES
     icons/reference-remove.svg
     icons/remesh.svg
     icons/rename.svg
+    icons/report.svg
     icons/reset.svg
     icons/reveal.svg
     icons/revert.svg

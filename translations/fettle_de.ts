@@ -51,18 +51,6 @@
         <translation>check: --json und --csv schließen einander aus.</translation>
     </message>
     <message>
-        <source>check: no file was given.</source>
-        <translation>check: Es wurde keine Datei angegeben.</translation>
-    </message>
-    <message>
-        <source>%1: this folder cannot be read (%2).</source>
-        <translation>%1: Dieser Ordner ist nicht lesbar (%2).</translation>
-    </message>
-    <message>
-        <source>%1: there is no model in this folder (%2).</source>
-        <translation>%1: In diesem Ordner liegt kein Modell (%2).</translation>
-    </message>
-    <message>
         <source>wall, mm</source>
         <translation>Wand, mm</translation>
     </message>
@@ -122,10 +110,6 @@
         <translation>Dafür reicht der Speicher nicht.</translation>
     </message>
     <message>
-        <source>There is no help on %1: the commands are check, convert and replay.</source>
-        <translation>Zu %1 gibt es keine Hilfe: Die Befehle sind check, convert und replay.</translation>
-    </message>
-    <message>
         <source>Unknown option %1; fettle --help lists them.</source>
         <translation>Unbekannte Option %1; fettle --help zählt alle auf.</translation>
     </message>
@@ -149,6 +133,18 @@
         <translation>%1: Die Endung nennt kein Format, das geschrieben wird; das sind %2.</translation>
     </message>
     <message>
+        <source>There is no help on %1: the commands are check, convert, replay, report and sheet.</source>
+        <translation>Zu %1 gibt es keine Hilfe: Die Befehle sind check, convert, replay, report und sheet.</translation>
+    </message>
+    <message>
+        <source>The file to write.</source>
+        <translation>Die Datei, die geschrieben wird.</translation>
+    </message>
+    <message>
+        <source>%1: the file to write is missing; -o names it.</source>
+        <translation>%1: Die Datei, die geschrieben werden soll, fehlt; -o nennt sie.</translation>
+    </message>
+    <message>
         <source>Fettle sculpts closed models that stay ready to print.
 
   fettle [--vr] [FILE]             open the window, with a model or with a ball of clay; --vr enters VR with it
@@ -158,7 +154,11 @@
                                    write a model in another format or size, mended, or with fewer triangles
   fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--verify local|full|none]
                                    play recorded strokes on a model
-  fettle help COMMAND              the options of check, convert or replay
+  fettle report FOLDER -o OUT.html|OUT.pdf [--unit mm|cm|m|in]
+                                   a class report: picture, size, print-ready or why not, strokes and time of each model
+  fettle sheet FILE... -o OUT.pdf [--unit mm|cm|m|in] [--shaded]
+                                   drawings of models or folders to scale, a page each
+  fettle help COMMAND              the options of one of them
   fettle --version
 
 Formats: %1. Lengths are in millimetres.
@@ -173,12 +173,23 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
                                    ein Modell in anderem Format oder anderer Größe schreiben, repariert oder mit weniger Dreiecken
   fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--verify local|full|none]
                                    aufgezeichnete Striche auf einem Modell abspielen
-  fettle help COMMAND              die Optionen von check, convert oder replay
+  fettle report FOLDER -o OUT.html|OUT.pdf [--unit mm|cm|m|in]
+                                   ein Klassenbericht: von jedem Modell Bild, Größe, druckfertig oder warum nicht, Striche und Zeit
+  fettle sheet FILE... -o OUT.pdf [--unit mm|cm|m|in] [--shaded]
+                                   maßstäbliche Zeichnungen von Modellen oder Ordnern, je eine Seite
+  fettle help COMMAND              die Optionen eines dieser Befehle
   fettle --version
 
 Formate: %1. Längen in Millimetern.
 Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mit einer Zeile auf der Standardfehlerausgabe).
 </translation>
+    </message>
+</context>
+<context>
+    <name>app::CommandModels</name>
+    <message>
+        <source>%1: no file was given.</source>
+        <translation>%1: Es wurde keine Datei angegeben.</translation>
     </message>
 </context>
 <context>
@@ -781,6 +792,81 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>replay: strokes[%1]: %2</source>
         <translation>replay: strokes[%1]: %2</translation>
+    </message>
+</context>
+<context>
+    <name>app::ReportCommand</name>
+    <message>
+        <source>Writes a class report: of each model in a folder its picture, size and volume, whether it is print-ready or why not, and, of GLB files, the strokes and the time that it took.</source>
+        <translation>Schreibt einen Klassenbericht: von jedem Modell eines Ordners Bild, Größe und Volumen, ob es druckfertig ist oder warum nicht, und von GLB-Dateien die Striche und die Zeit.</translation>
+    </message>
+    <message>
+        <source>The models; folders further down are not looked at.</source>
+        <translation>Die Modelle; Unterordner bleiben unbeachtet.</translation>
+    </message>
+    <message>
+        <source>What the files are measured in; else mm.</source>
+        <translation>Worin die Dateien gemessen sind; sonst mm.</translation>
+    </message>
+    <message numerus="yes">
+        <source>report: one folder is needed, but %n were given.</source>
+        <translation>
+            <numerusform>report: Ein Ordner ist nötig, angegeben wurde %n.</numerusform>
+            <numerusform>report: Ein Ordner ist nötig, angegeben wurden %n.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>app::ReportDesk</name>
+    <message>
+        <source>The class report has to wait until this is done; ask for it again then.</source>
+        <translation>Der Klassenbericht muss warten, bis dies fertig ist; fordern Sie ihn dann noch einmal an.</translation>
+    </message>
+    <message>
+        <source>Looking at the models in %1</source>
+        <translation>Die Modelle in %1 werden angesehen</translation>
+    </message>
+    <message>
+        <source>%1 was written.</source>
+        <translation>%1 wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>%1 was not written.</source>
+        <translation>%1 wurde nicht geschrieben.</translation>
+    </message>
+</context>
+<context>
+    <name>app::ReportMaker</name>
+    <message>
+        <source>%1: there is not enough memory for this model.</source>
+        <translation>%1: Für dieses Modell reicht der Speicher nicht.</translation>
+    </message>
+</context>
+<context>
+    <name>app::SheetCommand</name>
+    <message>
+        <source>Writes drawings of models to scale, a page of A4 each, in the order of their names. Status 1: not all of them have one.</source>
+        <translation>Schreibt maßstäbliche Zeichnungen von Modellen, je eine Seite A4, nach Namen geordnet. Status 1: nicht alle haben eine.</translation>
+    </message>
+    <message>
+        <source>Models, or folders of models.</source>
+        <translation>Modelle oder Ordner mit Modellen.</translation>
+    </message>
+    <message>
+        <source>What the files are measured in; else mm.</source>
+        <translation>Worin die Dateien gemessen sind; sonst mm.</translation>
+    </message>
+    <message>
+        <source>Colours under the lines.</source>
+        <translation>Farben unter den Linien.</translation>
+    </message>
+    <message>
+        <source>%1 has no sheet, because its surface does not enclose anything (%2).</source>
+        <translation>%1 bekommt kein Blatt, weil seine Fläche nichts umschließt (%2).</translation>
+    </message>
+    <message>
+        <source>%1 was not written: there is no model that has a sheet.</source>
+        <translation>%1 wurde nicht geschrieben: Kein Modell bekommt ein Blatt.</translation>
     </message>
 </context>
 <context>
@@ -2007,6 +2093,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Mod&amp;ell</translation>
     </message>
     <message>
+        <source>&amp;Class Report…</source>
+        <translation>Klassenbe&amp;richt …</translation>
+    </message>
+    <message>
+        <source>Writes a page on every model in a folder: picture, size, print-ready or why not, strokes and time. HTML or PDF.</source>
+        <translation>Schreibt eine Seite über alle Modelle eines Ordners: Bild, Größe, druckfertig oder warum nicht, Striche und Zeit. HTML oder PDF.</translation>
+    </message>
+    <message>
         <source>&amp;Use Model as Brush</source>
         <translation>Modell als &amp;Pinsel verwenden</translation>
     </message>
@@ -2187,6 +2281,53 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>Stamp has a ball again: %1</source>
         <comment>a sentence that says why</comment>
         <translation>Der Stempel hat wieder eine Kugel: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ClassReport</name>
+    <message>
+        <source>Print-ready</source>
+        <translation>Druckfertig</translation>
+    </message>
+    <message>
+        <source>Not print-ready</source>
+        <translation>Nicht druckfertig</translation>
+    </message>
+    <message>
+        <source>Cannot be read</source>
+        <translation>Nicht lesbar</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Size, mm</source>
+        <translation>Größe, mm</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Strokes</source>
+        <translation>Striche</translation>
+    </message>
+    <message>
+        <source>Class report: %1</source>
+        <translation>Klassenbericht: %1</translation>
+    </message>
+    <message>
+        <source>%1 · models: %2 · print-ready: %3 · not print-ready: %4 · cannot be read: %5</source>
+        <translation>%1 · Modelle: %2 · druckfertig: %3 · nicht druckfertig: %4 · nicht lesbar: %5</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Seite %1 von %2</translation>
     </message>
 </context>
 <context>
@@ -2483,6 +2624,18 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Choose an Alpha</source>
         <translation>Alpha wählen</translation>
+    </message>
+    <message>
+        <source>Choose the Folder with the Models</source>
+        <translation>Ordner mit den Modellen wählen</translation>
+    </message>
+    <message>
+        <source>Write the Class Report</source>
+        <translation>Klassenbericht schreiben</translation>
+    </message>
+    <message>
+        <source>Class report</source>
+        <translation>Klassenbericht</translation>
     </message>
 </context>
 <context>
@@ -2983,6 +3136,18 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>%1 cm³</source>
         <translation>%1 cm³</translation>
     </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 h %2 min</translation>
+    </message>
 </context>
 <context>
     <name>ui::MendingDialogs</name>
@@ -3429,6 +3594,22 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>The sectors meet here, or the model is not alike in all of them: they were worked on one after the other and are not exact copies.</source>
         <translation>Die Sektoren treffen hier aufeinander, oder das Modell ist nicht in allen gleich: sie wurden nacheinander bearbeitet und sind nicht genau gleich.</translation>
+    </message>
+    <message>
+        <source>%1: class reports are written as HTML or PDF; the ending says which.</source>
+        <translation>%1: Klassenberichte werden als HTML oder PDF geschrieben; die Endung sagt, als was.</translation>
+    </message>
+    <message>
+        <source>%1: sheets are written as one PDF; the name has to end in .pdf.</source>
+        <translation>%1: Blätter werden in ein PDF geschrieben; der Name muss auf .pdf enden.</translation>
+    </message>
+    <message>
+        <source>%1: this folder cannot be read%2.</source>
+        <translation>%1: Dieser Ordner ist nicht lesbar%2.</translation>
+    </message>
+    <message>
+        <source>%1: there is no model in this folder (%2).</source>
+        <translation>%1: In diesem Ordner liegt kein Modell (%2).</translation>
     </message>
 </context>
 <context>

@@ -22,6 +22,16 @@
     </message>
 </context>
 <context>
+    <name>app::ReportCommand</name>
+    <message numerus="yes">
+        <source>report: one folder is needed, but %n were given.</source>
+        <translation>
+            <numerusform>report: one folder is needed, but %n was given.</numerusform>
+            <numerusform>report: one folder is needed, but %n were given.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ui::FactsBar</name>
     <message numerus="yes">
         <source>%Ln vertices</source>

@@ -51,18 +51,6 @@
         <translation>check：--json 和 --csv 不能同时使用。</translation>
     </message>
     <message>
-        <source>check: no file was given.</source>
-        <translation>check：未指定文件。</translation>
-    </message>
-    <message>
-        <source>%1: this folder cannot be read (%2).</source>
-        <translation>%1：无法读取此文件夹（%2）。</translation>
-    </message>
-    <message>
-        <source>%1: there is no model in this folder (%2).</source>
-        <translation>%1：此文件夹中没有模型（%2）。</translation>
-    </message>
-    <message>
         <source>wall, mm</source>
         <translation>壁厚 mm</translation>
     </message>
@@ -122,10 +110,6 @@
         <translation>内存不足，无法完成。</translation>
     </message>
     <message>
-        <source>There is no help on %1: the commands are check, convert and replay.</source>
-        <translation>没有关于 %1 的帮助：可用命令为 check、convert 和 replay。</translation>
-    </message>
-    <message>
         <source>Unknown option %1; fettle --help lists them.</source>
         <translation>未知选项 %1；可用选项见 fettle --help。</translation>
     </message>
@@ -148,6 +132,18 @@
         <translation>%1：其扩展名不是可写入的格式；可写入的格式为 %2。</translation>
     </message>
     <message>
+        <source>There is no help on %1: the commands are check, convert, replay, report and sheet.</source>
+        <translation>没有关于 %1 的帮助：可用命令为 check、convert、replay、report 和 sheet。</translation>
+    </message>
+    <message>
+        <source>The file to write.</source>
+        <translation>要写入的文件。</translation>
+    </message>
+    <message>
+        <source>%1: the file to write is missing; -o names it.</source>
+        <translation>%1：缺少要写入的文件；用 -o 指定。</translation>
+    </message>
+    <message>
         <source>Fettle sculpts closed models that stay ready to print.
 
   fettle [--vr] [FILE]             open the window, with a model or with a ball of clay; --vr enters VR with it
@@ -157,7 +153,11 @@
                                    write a model in another format or size, mended, or with fewer triangles
   fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--verify local|full|none]
                                    play recorded strokes on a model
-  fettle help COMMAND              the options of check, convert or replay
+  fettle report FOLDER -o OUT.html|OUT.pdf [--unit mm|cm|m|in]
+                                   a class report: picture, size, print-ready or why not, strokes and time of each model
+  fettle sheet FILE... -o OUT.pdf [--unit mm|cm|m|in] [--shaded]
+                                   drawings of models or folders to scale, a page each
+  fettle help COMMAND              the options of one of them
   fettle --version
 
 Formats: %1. Lengths are in millimetres.
@@ -172,12 +172,23 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
                                    以其他格式或尺寸写出模型，可修复，也可减少三角形
   fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--verify local|full|none]
                                    在模型上回放录制的笔触
-  fettle help COMMAND              check、convert 或 replay 的选项
+  fettle report FOLDER -o OUT.html|OUT.pdf [--unit mm|cm|m|in]
+                                   班级报告：每个模型的图片、大小、能否打印或为何不能、笔画数和用时
+  fettle sheet FILE... -o OUT.pdf [--unit mm|cm|m|in] [--shaded]
+                                   按比例写出模型或文件夹的图纸，每个模型一页
+  fettle help COMMAND              以上某一命令的选项
   fettle --version
 
 格式：%1。长度单位为毫米。
 状态：0 完成，1 结果为否，2 输入或用法有误（标准错误输出一行说明）。
 </translation>
+    </message>
+</context>
+<context>
+    <name>app::CommandModels</name>
+    <message>
+        <source>%1: no file was given.</source>
+        <translation>%1：未指定文件。</translation>
     </message>
 </context>
 <context>
@@ -779,6 +790,80 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>replay: strokes[%1]: %2</source>
         <translation>replay: strokes[%1]: %2</translation>
+    </message>
+</context>
+<context>
+    <name>app::ReportCommand</name>
+    <message>
+        <source>Writes a class report: of each model in a folder its picture, size and volume, whether it is print-ready or why not, and, of GLB files, the strokes and the time that it took.</source>
+        <translation>写出班级报告：文件夹中每个模型的图片、大小和体积，能否打印或为何不能；GLB 文件还有笔画数和用时。</translation>
+    </message>
+    <message>
+        <source>The models; folders further down are not looked at.</source>
+        <translation>存放模型的文件夹；不查看其下级文件夹。</translation>
+    </message>
+    <message>
+        <source>What the files are measured in; else mm.</source>
+        <translation>文件所用的单位；默认为 mm。</translation>
+    </message>
+    <message numerus="yes">
+        <source>report: one folder is needed, but %n were given.</source>
+        <translation>
+            <numerusform>report：需要一个文件夹，但指定了 %n 个。</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>app::ReportDesk</name>
+    <message>
+        <source>The class report has to wait until this is done; ask for it again then.</source>
+        <translation>班级报告要等当前工作完成；请届时再次选择。</translation>
+    </message>
+    <message>
+        <source>Looking at the models in %1</source>
+        <translation>正在查看 %1 中的模型</translation>
+    </message>
+    <message>
+        <source>%1 was written.</source>
+        <translation>已写入 %1。</translation>
+    </message>
+    <message>
+        <source>%1 was not written.</source>
+        <translation>未写入 %1。</translation>
+    </message>
+</context>
+<context>
+    <name>app::ReportMaker</name>
+    <message>
+        <source>%1: there is not enough memory for this model.</source>
+        <translation>%1：内存不足，无法载入此模型。</translation>
+    </message>
+</context>
+<context>
+    <name>app::SheetCommand</name>
+    <message>
+        <source>Writes drawings of models to scale, a page of A4 each, in the order of their names. Status 1: not all of them have one.</source>
+        <translation>按比例写出模型的图纸，每个模型一页 A4，按名称排序。状态 1：并非每个模型都有图纸。</translation>
+    </message>
+    <message>
+        <source>Models, or folders of models.</source>
+        <translation>模型或存放模型的文件夹。</translation>
+    </message>
+    <message>
+        <source>What the files are measured in; else mm.</source>
+        <translation>文件所用的单位；默认为 mm。</translation>
+    </message>
+    <message>
+        <source>Colours under the lines.</source>
+        <translation>在线条下着色。</translation>
+    </message>
+    <message>
+        <source>%1 has no sheet, because its surface does not enclose anything (%2).</source>
+        <translation>%1 没有图纸，因为其表面没有围成任何空间（%2）。</translation>
+    </message>
+    <message>
+        <source>%1 was not written: there is no model that has a sheet.</source>
+        <translation>%1 未写入：没有可出图纸的模型。</translation>
     </message>
 </context>
 <context>
@@ -2005,6 +2090,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>模型(&amp;D)</translation>
     </message>
     <message>
+        <source>&amp;Class Report…</source>
+        <translation>班级报告(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Writes a page on every model in a folder: picture, size, print-ready or why not, strokes and time. HTML or PDF.</source>
+        <translation>为一个文件夹中的所有模型写出报告：图片、大小、能否打印或为何不能、笔画数和用时。HTML 或 PDF。</translation>
+    </message>
+    <message>
         <source>&amp;Use Model as Brush</source>
         <translation>把模型用作笔刷(&amp;U)</translation>
     </message>
@@ -2185,6 +2278,53 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>Stamp has a ball again: %1</source>
         <comment>a sentence that says why</comment>
         <translation>图章又是球了：%1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ClassReport</name>
+    <message>
+        <source>Print-ready</source>
+        <translation>可打印</translation>
+    </message>
+    <message>
+        <source>Not print-ready</source>
+        <translation>不可打印</translation>
+    </message>
+    <message>
+        <source>Cannot be read</source>
+        <translation>无法读取</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>模型</translation>
+    </message>
+    <message>
+        <source>Size, mm</source>
+        <translation>大小，毫米</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>体积</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>用时</translation>
+    </message>
+    <message>
+        <source>Strokes</source>
+        <translation>笔画数</translation>
+    </message>
+    <message>
+        <source>Class report: %1</source>
+        <translation>班级报告：%1</translation>
+    </message>
+    <message>
+        <source>%1 · models: %2 · print-ready: %3 · not print-ready: %4 · cannot be read: %5</source>
+        <translation>%1 · 模型：%2 · 可打印：%3 · 不可打印：%4 · 无法读取：%5</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>第 %1 页，共 %2 页</translation>
     </message>
 </context>
 <context>
@@ -2480,6 +2620,18 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Choose an Alpha</source>
         <translation>选择 Alpha</translation>
+    </message>
+    <message>
+        <source>Choose the Folder with the Models</source>
+        <translation>选择存放模型的文件夹</translation>
+    </message>
+    <message>
+        <source>Write the Class Report</source>
+        <translation>写出班级报告</translation>
+    </message>
+    <message>
+        <source>Class report</source>
+        <translation>班级报告</translation>
     </message>
 </context>
 <context>
@@ -2975,6 +3127,18 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>%1 cm³</source>
         <translation>%1 cm³</translation>
     </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 分钟</translation>
+    </message>
+    <message>
+        <source>%1 h %2 min</source>
+        <translation>%1 小时 %2 分</translation>
+    </message>
 </context>
 <context>
     <name>ui::MendingDialogs</name>
@@ -3420,6 +3584,22 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>The sectors meet here, or the model is not alike in all of them: they were worked on one after the other and are not exact copies.</source>
         <translation>各扇区在这里相接，或模型各扇区不同：它们是依次进行的，并不完全相同。</translation>
+    </message>
+    <message>
+        <source>%1: class reports are written as HTML or PDF; the ending says which.</source>
+        <translation>%1：班级报告写为 HTML 或 PDF，由扩展名决定。</translation>
+    </message>
+    <message>
+        <source>%1: sheets are written as one PDF; the name has to end in .pdf.</source>
+        <translation>%1：图纸写入一个 PDF，文件名须以 .pdf 结尾。</translation>
+    </message>
+    <message>
+        <source>%1: this folder cannot be read%2.</source>
+        <translation>%1：无法读取此文件夹%2。</translation>
+    </message>
+    <message>
+        <source>%1: there is no model in this folder (%2).</source>
+        <translation>%1：此文件夹中没有模型（%2）。</translation>
     </message>
 </context>
 <context>

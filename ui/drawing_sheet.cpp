@@ -32,7 +32,7 @@ struct SheetWords
 constexpr int unit = 100; ///< of the painter, a mm
 constexpr double sheetMargin = 10, stripHeight = 24, pad = 4; ///< mm
 constexpr double smallText = 3, largeText = 5;           ///< mm
-constexpr int pngDotsPerInch = 300, svgDotsPerInch = 254;
+constexpr int pngDotsPerInch = 300, svgDotsPerInch = 254, pdfDotsPerInch = 1200;
 constexpr double mmAnInch = 25.4;
 constexpr double longestBar = 50; ///< mm of paper
 
@@ -173,12 +173,9 @@ void paintStrip(QPainter& painter, const DrawingSheet& sheet)
 void paintPdf(QBuffer& file, const DrawingSheet& sheet)
 {
     QPdfWriter writer(&file);
-    writer.setPageLayout(QPageLayout(QPageSize(QPageSize::A4), QPageLayout::Landscape, {}));
-    writer.setResolution(1200);
-    writer.setTitle(sheet.name);
-    writer.setCreator(QStringLiteral("Fettle"));
+    prepareForSheets(writer, sheet.name);
     QPainter painter(&writer);
-    painter.scale(1200 / mmAnInch / unit, 1200 / mmAnInch / unit);
+    scaleToSheet(painter);
     paintSheet(painter, sheet);
 }
 
@@ -224,6 +221,13 @@ QStringList drawingEndings()
     return all;
 }
 
+core::DrawingDetail sheetDetail(bool shaded)
+{
+    constexpr int pixels = 3072; // along the longest side
+    constexpr std::size_t mostEdges = 300'000;
+    return {pixels, shaded, mostEdges};
+}
+
 double sheetScale(const DrawingSheet& sheet)
 {
     const double most = layoutOf(sheet).scaleFor(viewsRoom().size() * unit) / unit;
@@ -245,6 +249,20 @@ QString sheetScaleText(double scale)
 {
     const auto text = [](double value) { return QLocale::c().toString(value, 'g', 12); };
     return scale >= 1 ? text(scale) + QStringLiteral(":1") : QStringLiteral("1:") + text(scale > 0 ? std::round(1 / scale) : 0);
+}
+
+void prepareForSheets(QPdfWriter& writer, const QString& title)
+{
+    writer.setPageLayout(QPageLayout(QPageSize(QPageSize::A4), QPageLayout::Landscape, {}));
+    writer.setResolution(pdfDotsPerInch);
+    writer.setTitle(title);
+    writer.setCreator(QStringLiteral("Fettle"));
+}
+
+void scaleToSheet(QPainter& painter)
+{
+    const double scale = painter.device()->logicalDpiX() / mmAnInch / unit;
+    painter.scale(scale, scale);
 }
 
 void paintSheet(QPainter& painter, const DrawingSheet& sheet)

@@ -10,6 +10,7 @@
 #include <filesystem>
 
 class QPainter;
+class QPdfWriter;
 
 namespace ui
 {
@@ -28,6 +29,9 @@ struct DrawingSheet
 /// A4 across, in mm of paper.
 inline constexpr QSizeF sheetSize{297, 210};
 
+/// How fine a sheet's drawing is.
+core::DrawingDetail sheetDetail(bool shaded);
+
 /// Paper to model: the largest of ... 10, 5, 2, 1, 1/2, 1/5, 1/10 ... at which the three views fit; 0 if there is no model.
 double sheetScale(const DrawingSheet& sheet);
 /// The bar under the views, in mm of paper: it is a round number of the model's mm long.
@@ -35,6 +39,9 @@ QRectF sheetScaleBar(const DrawingSheet& sheet);
 /// "1:2"
 QString sheetScaleText(double scale);
 
+/// A PDF whose pages are sheets, and its painter, before the first of them.
+void prepareForSheets(QPdfWriter& writer, const QString& title);
+void scaleToSheet(QPainter& painter);
 /// Black on white, in units of 1/100 mm of paper.
 void paintSheet(QPainter& painter, const DrawingSheet& sheet);
 

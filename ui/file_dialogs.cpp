@@ -1,6 +1,7 @@
 #include "file_dialogs.h"
 
 #include "brush_files.h"
+#include "class_report.h"
 #include "drawing_sheet.h"
 #include "model_formats.h"
 
@@ -110,5 +111,19 @@ void askForPicture(QWidget* parent, const QString& folder, PathAnswer answer)
 void askForDrawing(QWidget* parent, const QString& folder, const QString& modelName, PathAnswer answer)
 {
     askForTarget(parent, FileDialogs::tr("Export the Drawing"), QStringLiteral("drawingDialog"), folder, modelName, drawingEndings(), answer);
+}
+
+void askForFolder(QWidget* parent, const QString& folder, PathAnswer answer)
+{
+    auto* dialog = new QFileDialog(parent, FileDialogs::tr("Choose the Folder with the Models"), folder);
+    dialog->setObjectName(QStringLiteral("folderDialog"));
+    dialog->setFileMode(QFileDialog::Directory);
+    dialog->setOption(QFileDialog::ShowDirsOnly);
+    show(dialog, answer);
+}
+
+void askForReport(QWidget* parent, const QString& folder, PathAnswer answer)
+{
+    askForTarget(parent, FileDialogs::tr("Write the Class Report"), QStringLiteral("reportDialog"), folder, FileDialogs::tr("Class report"), reportEndings(), answer);
 }
 } // namespace ui

@@ -25,4 +25,8 @@ void askForPicture(QWidget* parent, const QString& folder, PathAnswer answer);
 
 /// For the sheet of drawings: PDF, SVG or PNG.
 void askForDrawing(QWidget* parent, const QString& folder, const QString& modelName, PathAnswer answer);
+
+/// For a class report: the models' folder, and the file beside them or elsewhere, HTML or PDF.
+void askForFolder(QWidget* parent, const QString& folder, PathAnswer answer);
+void askForReport(QWidget* parent, const QString& folder, PathAnswer answer);
 } // namespace ui

@@ -1,5 +1,7 @@
 #include "file_list_model.h"
 
+#include "model_folder.h"
+
 #include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
@@ -191,12 +193,9 @@ QString FileListModel::description(const QModelIndex& index) const
     return lines.join(QLatin1Char('\n'));
 }
 
-/// Where no language is set there is no order but the bytes': then it is English.
 FileSorter::FileSorter(FileListModel* files)
-    : QSortFilterProxyModel(files), m_files(files), m_collator(QLocale().language() == QLocale::C ? QLocale(QLocale::English) : QLocale())
+    : QSortFilterProxyModel(files), m_files(files), m_collator(nameCollator())
 {
-    m_collator.setNumericMode(true);
-    m_collator.setCaseSensitivity(Qt::CaseInsensitive);
     setFilterCaseSensitivity(Qt::CaseInsensitive);
     setSourceModel(files);
     sort(0);

@@ -91,6 +91,8 @@ Q_SIGNALS:
     /// By dialog, which has asked about overwriting. The ending says the format; one is added if it was missing.
     void saveRequested(const QString& path);
     void exportRequested(const QString& path, quint64 mostTriangles = 0, bool slices = false);
+    /// Of the models in a folder; the ending says the format.
+    void reportRequested(const QString& folder, const QString& path);
     /// By dialog or menu.
     void commandRequested(const core::ModelCommand& command);
     void insertRequested(const ui::Insertion& insertion);

@@ -154,6 +154,7 @@ void MainWindow::State::connectFiles()
     connect(&files, &ModelFiles::starterRequested, q, &MainWindow::starterRequested);
     connect(&files, &ModelFiles::saveRequested, q, &MainWindow::saveRequested);
     connect(&files, &ModelFiles::exportRequested, q, &MainWindow::exportRequested);
+    connect(&files, &ModelFiles::reportRequested, q, &MainWindow::reportRequested);
     connect(&files, &ModelFiles::insertRequested, q, &MainWindow::insertRequested);
     connect(&files, &ModelFiles::renamed, q, &MainWindow::modelRenamed);
     connect(&files, &ModelFiles::gone, q, &MainWindow::modelFileGone);

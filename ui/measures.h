@@ -14,4 +14,7 @@ QString millimetres(double value);
 
 /// "12.5 cm³", or mm³ for what is small. `cubicMillimetres` is not negative.
 QString volumeText(double cubicMillimetres);
+
+/// "1 h 05 min", "12 min", "40 s": no finer than a person would say it. `seconds` is not negative.
+QString durationText(double seconds);
 } // namespace ui

@@ -1,6 +1,7 @@
 #include "messages.h"
 
 #include "measures.h"
+#include "model_folder.h"
 #include "model_formats.h"
 
 #include "core/mesh_check.h"
@@ -21,7 +22,7 @@ using core::FileErrorKind;
 
 QString nativePath(const std::filesystem::path& path)
 {
-    return QDir::toNativeSeparators(QString::fromStdU16String(path.u16string()));
+    return QDir::toNativeSeparators(shownName(path));
 }
 
 QString bytes(std::uint64_t n)
@@ -149,6 +150,16 @@ QString Messages::notADrawing(const QString& path)
     return tr("%1: drawings are written as PDF, SVG or PNG; the ending says which.").arg(QDir::toNativeSeparators(path));
 }
 
+QString Messages::notAReport(const QString& path)
+{
+    return tr("%1: class reports are written as HTML or PDF; the ending says which.").arg(QDir::toNativeSeparators(path));
+}
+
+QString Messages::notABook(const QString& path)
+{
+    return tr("%1: sheets are written as one PDF; the name has to end in .pdf.").arg(QDir::toNativeSeparators(path));
+}
+
 QString Messages::notAPicture(const QString& path)
 {
     return tr("%1 holds no image that can be read.").arg(QDir::toNativeSeparators(path));
@@ -190,6 +201,10 @@ QString Messages::reading(const core::FileError& error)
         return tr("%1 cannot be read%2.").arg(path, systemReason(error));
     case FileErrorKind::NotAFile:
         return tr("%1 is not a file but a folder or a device.").arg(path);
+    case FileErrorKind::FolderNotReadable:
+        return tr("%1: this folder cannot be read%2.").arg(path, systemReason(error));
+    case FileErrorKind::NoModel:
+        return tr("%1: there is no model in this folder (%2).").arg(path, modelFormats());
     case FileErrorKind::Empty:
         return tr("%1 is empty.").arg(path);
     case FileErrorKind::TooLarge:

@@ -31,6 +31,8 @@ public:
     static QString tooFine(const QString& file, quint64 faces);
     /// In the unit or of the size that was asked for.
     static QString tooLarge(const QString& file);
+    /// What is wrong with a model that is not print-ready: a list with counts, no sentence.
+    static QString faults(const core::MeshReport& report);
     /// What a slicer may take a model of that volume (mm^3) for. Empty if it has a size that is usual.
     static QString unitDoubt(double volume);
     /// What of a file is not in its model; empty if all is.
@@ -43,6 +45,9 @@ public:
 
     /// The ending is none that drawings have.
     static QString notADrawing(const QString& path);
+    /// The same of class reports, and of sheets for several models.
+    static QString notAReport(const QString& path);
+    static QString notABook(const QString& path);
     /// A reference image's file holds no image that can be read, or is gone.
     static QString notAPicture(const QString& path);
     static QString goneReference(const QString& path);
@@ -51,7 +56,6 @@ public:
     static QString range(core::Parameter parameter, double least, double most);
 
 private:
-    static QString faults(const core::MeshReport& report);
     static QString reading(const core::FileError& error);
     static QString content(const core::FileError& error);
     static QString writing(const core::FileError& error);

@@ -67,6 +67,7 @@ void ModelFiles::addMenus(QMenu* fileMenu, const Actions& actions)
     on("file.saveAs", [this] { saveAs(); });
     on("file.saveCopy", [this] { saveCopy(); });
     on("file.exportAs", [this] { exportAs(); });
+    on("file.report", [this] { report(); });
     on("model.insert", [this] { insert(); });
     showRecent();
 }
@@ -211,6 +212,15 @@ void ModelFiles::exportAs()
     askForExport(m_window, m_settings->lastFolder(), m_name, writtenEndings(), [this](const QString& path) {
         remember(path);
         Q_EMIT exportRequested(path);
+    });
+}
+
+/// The report lies beside the models, unless the person wants it elsewhere.
+void ModelFiles::report()
+{
+    askForFolder(m_window, m_settings->lastFolder(), [this](const QString& folder) {
+        m_settings->setLastFolder(folder);
+        askForReport(m_window, folder, [this, folder](const QString& path) { Q_EMIT reportRequested(folder, path); });
     });
 }
 

@@ -57,6 +57,8 @@ Q_SIGNALS:
     void saveRequested(const QString& path);
     /// With at most so many triangles; 0: all. Perhaps a slicer tries it.
     void exportRequested(const QString& path, quint64 mostTriangles = 0, bool slices = false);
+    /// A class report of the models in a folder.
+    void reportRequested(const QString& folder, const QString& path);
     /// By drag and drop: a local path that is named like an image.
     void pictureDropped(const QString& path);
     void insertRequested(const ui::Insertion& insertion);
@@ -75,6 +77,7 @@ private:
     void saveAs();
     void saveCopy();
     void exportAs();
+    void report();
     void showRecent();
     void take(const QString& path);
     void remember(const QString& path);

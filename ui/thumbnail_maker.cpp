@@ -19,13 +19,13 @@ namespace
 {
 constexpr qint64 hashedAtOnce = 1 << 20, largestHashed = qint64(1) << 31; ///< a larger file is refused anyway
 constexpr qsizetype mostCachedKeys = 20'000;
+} // namespace
 
 QImage toImage(const core::ModelPicture& picture)
 {
     const QImage rgba(reinterpret_cast<const uchar*>(picture.rgba.data()), picture.pixels, picture.pixels, QImage::Format_RGBA8888_Premultiplied);
     return rgba.convertToFormat(QImage::Format_ARGB32_Premultiplied);
 }
-} // namespace
 
 ThumbnailMaker::ThumbnailMaker(const QString& cacheFolder, QObject* parent)
     : QObject(parent), m_cache(cacheFolder), m_thread([this] { run(); })

@@ -14,8 +14,16 @@
 #include <stop_token>
 #include <thread>
 
+namespace core
+{
+struct ModelPicture;
+}
+
 namespace ui
 {
+/// A copy.
+QImage toImage(const core::ModelPicture& picture);
+
 /// Makes pictures of model files on one thread of its own, which yields to all others; what was drawn before, under whatever name,
 /// comes from a cache. Gui thread; all returns at once.
 class ThumbnailMaker : public QObject

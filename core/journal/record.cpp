@@ -146,23 +146,31 @@ std::optional<StrokeSettings> brushIn(std::string_view text)
     return std::nullopt;
 }
 
+/// Bits: which of the notes there are.
+constexpr std::uint8_t viewBit = 1, workBit = 2;
+
 void put(ByteWriter& out, const DocumentNotes& notes)
 {
-    putPlain(out, notes.palette), out.put(notes.view.has_value()), put(out, notes.view.value_or(SavedView()));
+    const int parts = (notes.view ? viewBit : 0) | (notes.work ? workBit : 0);
+    putPlain(out, notes.palette), out.put(static_cast<std::uint8_t>(parts)), put(out, notes.view.value_or(SavedView()));
     std::ostringstream brush;
     if (notes.brush)
         writeStrokes(brush, {Stroke{*notes.brush, {}, {}, {}}});
     out.put(brush.view());
+    if (notes.work)
+        out.put(notes.work->strokes), out.put(notes.work->seconds);
 }
 
 void take(ByteReader& in, DocumentNotes& notes)
 {
     takePlain(in, notes.palette);
-    const bool hasView = in.take<std::uint8_t>() != 0;
+    const auto parts = in.take<std::uint8_t>();
     take(in, notes.view.emplace());
-    if (!hasView)
+    if ((parts & viewBit) == 0)
         notes.view.reset();
     notes.brush = brushIn(in.takeText());
+    if ((parts & workBit) != 0)
+        notes.work = WorkDone{in.take<std::uint64_t>(), in.take<double>()};
 }
 
 // --- contents, a pair for each kind --------------------------------------------------------------------------------------------

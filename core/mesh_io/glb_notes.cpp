@@ -112,6 +112,16 @@ std::optional<StrokeSettings> brushIn(const Json& notes)
     }
 }
 
+std::optional<WorkDone> workIn(const Json& notes)
+{
+    constexpr double mostStrokes = 9e15, longest = 1e10; // what a double counts in ones; 300 years
+    const Json& work = valueIn(notes, "work");
+    const auto strokes = numberIn(work, "strokes", 0, mostStrokes), seconds = numberIn(work, "seconds", 0, longest);
+    if (!strokes || *strokes != std::trunc(*strokes) || !seconds)
+        return std::nullopt;
+    return WorkDone{static_cast<std::uint64_t>(*strokes), *seconds};
+}
+
 std::vector<Rgb> paletteIn(const Json& notes)
 {
     const Json& words = valueIn(notes, "palette");
@@ -143,7 +153,7 @@ std::string jsonChunkOf(std::istream& file)
 
 void addNotes(nlohmann::ordered_json& document, const DocumentNotes& notes)
 {
-    if (!notes.frame && notes.palette.empty() && !notes.view && !notes.brush)
+    if (!notes.frame && notes.palette.empty() && !notes.view && !notes.brush && !notes.work)
         return;
     nlohmann::ordered_json json = {{"version", version}, {"unit", "mm"}};
     if (notes.frame) {
@@ -156,6 +166,8 @@ void addNotes(nlohmann::ordered_json& document, const DocumentNotes& notes)
         json["view"] = jsonOf(*notes.view);
     if (notes.brush)
         json["brush"] = jsonOf(*notes.brush);
+    if (notes.work)
+        json["work"] = {{"strokes", notes.work->strokes}, {"seconds", notes.work->seconds}};
     document["extensionsUsed"] = nlohmann::ordered_json::array({extensionName});
     document["extensions"] = {{extensionName, std::move(json)}};
 }
@@ -169,6 +181,6 @@ DocumentNotes readGlbNotes(std::istream& file)
     const Json& json = valueIn(valueIn(document, "extensions"), extensionName);
     if (valueIn(json, "version") != version || valueIn(json, "unit") != "mm")
         return {};
-    return {paletteIn(json), frameIn(json), viewIn(json), brushIn(json)};
+    return {paletteIn(json), frameIn(json), viewIn(json), brushIn(json), workIn(json)};
 }
 } // namespace core::mesh_io

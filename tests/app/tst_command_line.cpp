@@ -109,6 +109,10 @@ private Q_SLOTS:
     void check_cube();
     void check_openModelIsNotReady();
     void check_severalAndFolders();
+    void check_folderOfAClass();
+    void check_csvOfOddNames();
+    void check_tableOfLongNames();
+    void check_workOfGlbFiles();
     void check_badFiles_data();
     void check_badFiles();
     void check_print();
@@ -129,6 +133,8 @@ private Q_SLOTS:
     void convert_ontoAFullDisk_data();
     void convert_ontoAFullDisk();
     void convert_whereNothingMayBeWritten();
+    void pages_ontoAFullDisk_data();
+    void pages_ontoAFullDisk();
     void replay_statsHaveTheFields();
     void replay_isDeterministic();
     void replay_outIsInOrder();
@@ -160,7 +166,8 @@ void TestCommandLine::version_andHelp()
     QCOMPARE(version.status, 0);
     QVERIFY(version.out.startsWith("fettle ") && version.out.count('\n') == 1 && version.err.isEmpty());
     for (const QStringList& arguments : {QStringList{QStringLiteral("--help")}, {QStringLiteral("help")}, {QStringLiteral("help"), QStringLiteral("replay")},
-                                         {QStringLiteral("check"), QStringLiteral("--help")}, {QStringLiteral("convert"), QStringLiteral("--help")}}) {
+                                         {QStringLiteral("check"), QStringLiteral("--help")}, {QStringLiteral("convert"), QStringLiteral("--help")},
+                                         {QStringLiteral("help"), QStringLiteral("report")}, {QStringLiteral("sheet"), QStringLiteral("--help")}}) {
         const Answer help = fettle(arguments);
         QCOMPARE(help.status, 0);
         QVERIFY(help.out.contains("fettle") && help.err.isEmpty());
@@ -205,7 +212,8 @@ void TestCommandLine::usage_isRefused_data()
                              "convert a.stl b.stl --size 10mm", "convert a.stl b.stl --up x", "convert a.stl b.stl --inner-parts hollow", "convert a.stl b.stl --legalise --large-holes perhaps", "replay",
                              "replay s.json", "replay --strokes", "replay --strokes s.json --verify most", "replay --strokes s.json --verify none --out a.stl",
                              "replay --strokes s.json --stats ./s.json", "replay --strokes s.json --in a.stl --out b/../a.stl",
-                             "help me"})
+                             "help me", "report", "report .", "report . . -o a.html", "report . -o a.txt", "report . -o", "report . -o a.html --unit ft",
+                             "sheet", "sheet .", "sheet a.stl -o a.svg", "sheet -o a.pdf", "sheet a.stl -o a.pdf --unit ft"})
         QTest::newRow(line) << QString::fromUtf8(line);
 }
 
@@ -267,7 +275,7 @@ void TestCommandLine::check_cube()
                            QStringLiteral("degenerate_faces"), QStringLiteral("faces"), QStringLiteral("file"), QStringLiteral("genus"),
                            QStringLiteral("lattice_ok"), QStringLiteral("manifold"), QStringLiteral("max_edge_mm"), QStringLiteral("min_edge_mm"),
                            QStringLiteral("oriented"), QStringLiteral("print_ready"), QStringLiteral("self_intersections"), QStringLiteral("size_mm"),
-                           QStringLiteral("vertices"), QStringLiteral("volume_mm3")};
+                           QStringLiteral("strokes"), QStringLiteral("time_spent_s"), QStringLiteral("vertices"), QStringLiteral("volume_mm3")};
     QCOMPARE(json.keys(), keys);
     QCOMPARE(json[QStringLiteral("file")].toString(), at("cube.obj"));
     QCOMPARE(json[QStringLiteral("vertices")].toInt(), 8);
@@ -318,6 +326,103 @@ void TestCommandLine::check_severalAndFolders()
         QCOMPARE(row.count(','), rows[0].count(','));
 }
 
+/// Three hundred models by name as people sort; what cannot be read has its place, an empty folder and a closed one are told of beside it.
+void TestCommandLine::check_folderOfAClass()
+{
+    QVERIFY(QDir(m_folder->path()).mkpath(QStringLiteral("class")) && QDir(m_folder->path()).mkdir(QStringLiteral("empty")) &&
+            QDir(m_folder->path()).mkdir(QStringLiteral("locked")));
+    QFile::setPermissions(at("locked"), {});
+    QStringList names;
+    for (int i = 1; i <= 300; ++i)
+        names << QStringLiteral("%1upil %2.obj").arg(QLatin1Char(i % 2 == 0 ? 'P' : 'p')).arg(i);
+    for (const QString& name : names)
+        write(at("class/") + name, name == names[41] ? QByteArray() : cube);
+    const Answer csv = fettle({QStringLiteral("check"), QStringLiteral("empty"), QStringLiteral("class"), QStringLiteral("locked"), QStringLiteral("--csv")}, {}, m_folder->path());
+    QFile::setPermissions(at("locked"), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+    QCOMPARE(csv.status, 2);
+    QCOMPARE(csv.err.count('\n'), 3);
+    QVERIFY(csv.err.contains("empty: there is no model") && csv.err.contains("locked: this folder cannot be read") && csv.err.contains("Pupil 42.obj is empty"));
+    const QList<QByteArray> rows = csv.out.trimmed().split('\n');
+    QCOMPARE(rows.size(), 301);
+    for (qsizetype i = 0; i < names.size(); ++i)
+        QVERIFY2(rows[i + 1].startsWith("class/" + names[i].toUtf8() + ','), rows[i + 1].constData());
+    QCOMPARE(rows[42], "class/Pupil 42.obj" + QByteArray(rows[0].count(','), ','));
+    QVERIFY(fettle({QStringLiteral("check"), QStringLiteral("--csv"), QStringLiteral("empty")}, {}, m_folder->path()).isRefusal(QStringLiteral("empty")));
+}
+
+/// As RFC 4180 has it: each name comes back, whatever is in it, also one that is no UTF-8.
+void TestCommandLine::check_csvOfOddNames()
+{
+    const std::vector<std::string> names = {"a,b.obj", "c \"quoted\".obj", "d\nline.obj", "e\xe9.obj", "=1+1.obj"};
+    for (const std::string& name : names)
+        core::writeMesh(m_folder->path().toStdString() + '/' + name, core::icosphere(1, 10));
+    const Answer csv = fettle({QStringLiteral("check"), QStringLiteral("--csv"), QStringLiteral(".")}, {}, m_folder->path());
+    std::filesystem::remove(m_folder->path().toStdString() + '/' + names[3]); // Qt would not find it
+    QVERIFY2(csv.status == 0 && csv.err.isEmpty(), csv.err.constData());
+    QStringList fields{QString()};
+    bool isQuoted = false;
+    for (const QChar c : QString::fromUtf8(csv.out)) {
+        if (c == u'"')
+            isQuoted = !isQuoted;
+        if (!isQuoted && (c == u',' || c == u'\n'))
+            fields << QString();
+        else
+            fields.last() += c;
+    }
+    const qsizetype columns = csv.out.split('\n')[0].count(',') + 1;
+    QCOMPARE(fields.size(), (static_cast<qsizetype>(names.size()) + 1) * columns + 1);
+    QStringList read;
+    for (qsizetype at = columns; at + 1 < fields.size(); at += columns) {
+        QString name = fields[at];
+        if (name.startsWith(u'"'))
+            name = name.sliced(1).chopped(1).replace(QStringLiteral("\"\""), QStringLiteral("\""));
+        read << name;
+    }
+    read.sort();
+    QStringList expected;
+    for (const std::string& name : names)
+        expected << QStringLiteral("./") + QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+    expected.sort();
+    QCOMPARE(read, expected);
+}
+
+/// Each column begins where its head does, seen on a terminal, whose Chinese signs are two wide.
+void TestCommandLine::check_tableOfLongNames()
+{
+    const QString end = QStringLiteral("the end.obj");
+    const QStringList names{QStringLiteral("a.obj"), QString(150, u'b') + end, QStringLiteral("\u4e2d\u6587\u540d.obj"), QStringLiteral("d\ne.obj"),
+                            QString(60, QChar(0x4e2d)) + end};
+    for (const QString& name : names)
+        write(m_folder->filePath(name), cube);
+    const Answer table = fettle({QStringLiteral("check"), QStringLiteral(".")}, {}, m_folder->path());
+    QCOMPARE(table.status, 0);
+    const QStringList lines = QString::fromUtf8(table.out).trimmed().split(u'\n');
+    QCOMPARE(lines.size(), names.size() + 1);
+    const qsizetype head = lines[0].indexOf(QStringLiteral("size, mm"));
+    for (const QString& line : lines.sliced(1)) {
+        const qsizetype wide = line.count(QChar(0x4e2d)) + line.count(QChar(0x6587)) + line.count(QChar(0x540d));
+        QCOMPARE(line.indexOf(QStringLiteral("1 x 1 x 1")) + wide, head);
+        QVERIFY(line.endsWith(QStringLiteral("yes")));
+    }
+    QCOMPARE(table.out.count("the end.obj"), 2);
+}
+
+/// Strokes and time where a file knows them; else null, or an empty field.
+void TestCommandLine::check_workOfGlbFiles()
+{
+    core::WriteOptions noted;
+    noted.notes.work = core::WorkDone{12, 34.6};
+    core::writeMesh(at("a.glb").toStdString(), core::icosphere(1, 10), noted);
+    core::writeMesh(at("b.glb").toStdString(), core::icosphere(1, 10));
+    const QJsonObject known = fettle({QStringLiteral("check"), QStringLiteral("--json"), at("a.glb")}).json();
+    QCOMPARE(known[QStringLiteral("strokes")], QJsonValue(12));
+    QCOMPARE(known[QStringLiteral("time_spent_s")], QJsonValue(35));
+    const QJsonObject unknown = fettle({QStringLiteral("check"), QStringLiteral("--json"), at("b.glb")}).json();
+    QVERIFY(unknown.contains(QStringLiteral("strokes")) && unknown[QStringLiteral("strokes")].isNull() && unknown[QStringLiteral("time_spent_s")].isNull());
+    const QList<QByteArray> rows = fettle({QStringLiteral("check"), QStringLiteral("--csv"), m_folder->path()}).out.trimmed().split('\n');
+    QVERIFY(rows[0].endsWith(",strokes,time_spent_s") && rows[1].endsWith(",12,35") && rows[2].endsWith(",,"));
+}
+
 /// A plate of 20 x 20 x 0.5 mm: without the option nothing is said of it, with it what a print needs to know.
 void TestCommandLine::check_print()
 {
@@ -327,7 +432,7 @@ void TestCommandLine::check_print()
     const Answer answer = fettle(asked + QStringList{QStringLiteral("--json"), QStringLiteral("--bed"), QStringLiteral("25,15,10")});
     QCOMPARE(answer.status, 0); // it is in fine fettle, thin as it is
     const QJsonObject json = answer.json();
-    QCOMPARE(json.size(), 18 + 8);
+    QCOMPARE(json.size(), 20 + 8);
     QCOMPARE(json[QStringLiteral("wall_limit_mm")].toDouble(), 0.8);
     for (const char* key : {"min_wall_rays_mm", "min_wall_balls_mm"})
         QVERIFY2(std::abs(json[QLatin1String(key)].toDouble() - 0.5) < 1e-6, key);
@@ -344,7 +449,7 @@ void TestCommandLine::check_print()
     write(at("cube.obj"), cube);
     const Answer csv = fettle(asked + QStringList{at("cube.obj"), QStringLiteral("--csv")});
     QCOMPARE(csv.out.count('\n'), 3);
-    QVERIFY(csv.out.split('\n')[0].endsWith("print_ready,wall_limit_mm,min_wall_rays_mm,min_wall_balls_mm,thin_share,overhang_share,"
+    QVERIFY(csv.out.split('\n')[0].endsWith("print_ready,strokes,time_spent_s,wall_limit_mm,min_wall_rays_mm,min_wall_balls_mm,thin_share,overhang_share,"
                                             "base_area_mm2,fits_bed,unit_doubt"));
     QVERIFY(csv.out.contains(",inches\n"));
     QCOMPARE(fettle(asked + QStringList{at("cube.obj")}).out.count('\n'), 3);
@@ -613,6 +718,30 @@ void TestCommandLine::convert_ontoAFullDisk()
     QVERIFY(QFile::remove(out));
     VERIFY_REFUSED(fettle({QStringLiteral("convert"), at("large.stl"), out}), "the disk is full.");
     QVERIFY(filesIn(folder).isEmpty());
+}
+
+void TestCommandLine::pages_ontoAFullDisk_data()
+{
+    QTest::addColumn<QString>("command");
+    QTest::addColumn<QString>("name");
+    QTest::newRow("page") << QStringLiteral("report") << QStringLiteral("a.html");
+    QTest::newRow("pages for a printer") << QStringLiteral("report") << QStringLiteral("a.pdf");
+    QTest::newRow("sheets") << QStringLiteral("sheet") << QStringLiteral("a.pdf");
+}
+
+void TestCommandLine::pages_ontoAFullDisk()
+{
+    if (!m_smallDisk->isThere())
+        QSKIP("A small disk cannot be mounted here.");
+    QFETCH(QString, command);
+    QFETCH(QString, name);
+    write(at("a.obj"), cube);
+    m_smallDisk->fill();
+    const QString folder = QString::fromStdString(m_smallDisk->folder().string());
+    const QStringList files = filesIn(folder);
+    VERIFY_REFUSED(fettle({command, m_folder->path(), QStringLiteral("-o"), folder + QLatin1Char('/') + name}), "the disk is full.");
+    QCOMPARE(filesIn(folder), files);
+    QFile::remove(folder + QStringLiteral("/filler"));
 }
 
 void TestCommandLine::convert_whereNothingMayBeWritten()

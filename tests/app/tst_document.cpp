@@ -118,6 +118,7 @@ private Q_SLOTS:
     void stroke_rightAfterUndoComesAfterIt();
     void undoAll_andRedoAllComeBackByState();
     void jumps_goThere();
+    void work_isCountedAndSaved();
     void stroke_thatDoesNothingIsNoStep();
     void strokeThatFellShort_isSaidOnce_data();
     void strokeThatFellShort_isSaidOnce();
@@ -287,6 +288,38 @@ void TestDocument::undoAll_andRedoAllComeBackByState()
     for (std::size_t i = 1; i < states.size(); ++i)
         session.document.undo();
     QCOMPARE(session.state(), states.front());
+}
+
+/// What was undone was work, too; what found nothing to change was none. The file keeps it, and another sitting goes on from there.
+void TestDocument::work_isCountedAndSaved()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("a.glb"));
+    Session session;
+    const auto strokes = [&session] { return session.document.facts().notes.work.value_or(core::WorkDone{99, 0}).strokes; };
+    QCOMPARE(strokes(), 0U);
+    for (int i = 0; i < 3; ++i)
+        session.stroke({50, 0, 0});
+    session.document.undo();
+    session.stroke({500, 0, 0});
+    session.wait();
+    QCOMPARE(strokes(), 3U);
+    const double seconds = session.document.facts().notes.work->seconds;
+    QVERIFY(seconds > 0);
+    session.document.save(path);
+    session.wait();
+    QVERIFY(core::readNotes(path.toStdString()).work == (core::WorkDone{3, seconds}));
+
+    session.document.openSphere();
+    session.wait();
+    QCOMPARE(strokes(), 0U);
+    session.document.open(path);
+    session.wait();
+    QCOMPARE(strokes(), 3U);
+    session.stroke({50, 0, 0});
+    session.wait();
+    QCOMPARE(strokes(), 4U);
+    QCOMPARE(session.document.facts().notes.work->seconds, seconds); // the time between the sittings is none
 }
 
 void TestDocument::jumps_goThere()

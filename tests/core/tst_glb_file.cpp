@@ -62,6 +62,7 @@ DocumentNotes someNotes()
     brush.fusion = false;
     brush.color = {1, 2, 3};
     notes.brush = brush;
+    notes.work = core::WorkDone{1234, 5678.25};
     return notes;
 }
 
@@ -266,10 +267,11 @@ void TestGlbFile::notes_comeBackUnchanged()
     QVERIFY(read.brush->radius == notes.brush->radius && read.brush->strength == notes.brush->strength);
     QVERIFY(read.brush->falloff == notes.brush->falloff && read.brush->detail == notes.brush->detail);
     QVERIFY(read.brush->spacing == notes.brush->spacing && read.brush->fusion == notes.brush->fusion && read.brush->color == notes.brush->color);
+    QVERIFY(read.work == notes.work);
 
     core::writeMesh(file("a.glb"), painted());
     const DocumentNotes none = core::readNotes(file("a.glb"));
-    QVERIFY(none.palette.empty() && !none.frame && !none.view && !none.brush);
+    QVERIFY(none.palette.empty() && !none.frame && !none.view && !none.brush && !none.work);
 }
 
 DocumentNotes TestGlbFile::notesAfter(const std::function<void(Json&)>& change) const
@@ -285,34 +287,40 @@ void TestGlbFile::notes_thatAreNotAsWeWriteThemAreLeftOut_data()
 {
     QTest::addColumn<QString>("path");
     QTest::addColumn<QString>("value");
-    QTest::addColumn<QString>("left"); ///< which of palette, frame, view, brush are
+    QTest::addColumn<QString>("left"); ///< which of palette, frame, view, brush, work are
     const auto row = [](const char* path, const char* value, const char* left) {
         QTest::addRow("%s: %s", path, value) << QString::fromLatin1(path) << QString::fromLatin1(value) << QString::fromLatin1(left);
     };
-    row("/new", "[1,{}]", "pfvb"); // what we do not know is passed over
+    row("/new", "[1,{}]", "pfvbw"); // what we do not know is passed over
     row("/version", "2", "");
     row("/version", "\"1\"", "");
     row("/unit", "\"m\"", "");
-    row("/palette", "[\"12345\"]", "fvb");
-    row("/palette", "7", "fvb");
-    row("/palette", "[[[1]]]", "fvb");
-    row("/lattice", "1.5", "pvb");
-    row("/lattice", "1e300", "pvb");
-    row("/lattice", "-2000000000", "pvb");
-    row("/uniformDetail", "0", "pvb");
-    row("/uniformDetail", "\"long\"", "pvb");
-    row("/view", "[]", "pfb");
-    row("/view/distance", "0", "pfb");
-    row("/view/yaw", "1e300", "pfb");
-    row("/view/target", "[0,0]", "pfb");
-    row("/view/target", "[0,0,null]", "pfb");
-    row("/view/target", "[0,0,1e40]", "pfb");
-    row("/brush/tool", "\"melt\"", "pfv");
-    row("/brush/radius", "-1", "pfv");
-    row("/brush/symmetry", "[[[[]]]]", "pfv");
-    row("/brush/color", "[1,2,300]", "pfv");
-    row("/brush/command", "\"recentre\"", "pfv");
-    row("/brush", "\"big\"", "pfv");
+    row("/palette", "[\"12345\"]", "fvbw");
+    row("/palette", "7", "fvbw");
+    row("/palette", "[[[1]]]", "fvbw");
+    row("/lattice", "1.5", "pvbw");
+    row("/lattice", "1e300", "pvbw");
+    row("/lattice", "-2000000000", "pvbw");
+    row("/uniformDetail", "0", "pvbw");
+    row("/uniformDetail", "\"long\"", "pvbw");
+    row("/view", "[]", "pfbw");
+    row("/view/distance", "0", "pfbw");
+    row("/view/yaw", "1e300", "pfbw");
+    row("/view/target", "[0,0]", "pfbw");
+    row("/view/target", "[0,0,null]", "pfbw");
+    row("/view/target", "[0,0,1e40]", "pfbw");
+    row("/brush/tool", "\"melt\"", "pfvw");
+    row("/brush/radius", "-1", "pfvw");
+    row("/brush/symmetry", "[[[[]]]]", "pfvw");
+    row("/brush/color", "[1,2,300]", "pfvw");
+    row("/brush/command", "\"recentre\"", "pfvw");
+    row("/brush", "\"big\"", "pfvw");
+    row("/work", "[]", "pfvb");
+    row("/work/strokes", "-1", "pfvb");
+    row("/work/strokes", "1.5", "pfvb");
+    row("/work/strokes", "1e300", "pfvb");
+    row("/work/seconds", "\"long\"", "pfvb");
+    row("/work/seconds", "1e300", "pfvb");
 }
 
 void TestGlbFile::notes_thatAreNotAsWeWriteThemAreLeftOut()
@@ -325,6 +333,7 @@ void TestGlbFile::notes_thatAreNotAsWeWriteThemAreLeftOut()
     QCOMPARE(notes.frame.has_value(), left.contains(u'f'));
     QCOMPARE(notes.view.has_value(), left.contains(u'v'));
     QCOMPARE(notes.brush.has_value(), left.contains(u'b'));
+    QCOMPARE(notes.work.has_value(), left.contains(u'w'));
 }
 
 /// A document's surface, which nobody would import like that: not in the middle, on another lattice than its size asks for.
@@ -333,7 +342,7 @@ void TestGlbFile::latticeAndBits_comeBackUnchanged()
     const core::MeshFrame frame = *someNotes().frame;
     const core::BuildResult first = core::buildMesh(painted(), false, {}, frame);
     QVERIFY(first.mesh && first.mesh->frame() == frame);
-    core::writeMesh(file("a.glb"), core::extractMesh(*first.mesh), {.notes = {.palette = {}, .frame = first.mesh->frame(), .view = {}, .brush = {}}});
+    core::writeMesh(file("a.glb"), core::extractMesh(*first.mesh), {.notes = {.palette = {}, .frame = first.mesh->frame(), .view = {}, .brush = {}, .work = {}}});
     const core::BuildResult again = core::buildMesh(core::readMesh(file("a.glb")), true, {}, core::readNotes(file("a.glb")).frame);
     QVERIFY(again.mesh && again.moved == core::Vec3::Zero());
     QVERIFY(again.mesh->frame() == frame);

@@ -223,6 +223,7 @@ void TestJournal::recovery_givesTheStateAndTheHistory()
     core::DocumentNotes notes;
     notes.view = SavedView{{1, 2, 3}, 4, 0.5, 0.25, true};
     notes.brush.emplace().radius = 7;
+    notes.work = core::WorkDone{12, 345.5};
     session.journal().describe({"clay two", "/a/path", notes, true});
     session.journal().drain();
     const auto later = replayJournal(session.journal().folder());
@@ -230,6 +231,7 @@ void TestJournal::recovery_givesTheStateAndTheHistory()
     QCOMPARE(later->document.path, std::string("/a/path"));
     QVERIFY(later->document.notes.view && later->document.notes.view->target == Vec3(1, 2, 3) && later->document.notes.view->orthographic);
     QVERIFY(later->document.notes.brush && later->document.notes.brush->radius == 7);
+    QVERIFY(later->document.notes.work == notes.work && !found->document.notes.work);
 }
 
 void TestJournal::words_areReadWithoutTheMesh()

@@ -1,0 +1,40 @@
+#include "command_models.h"
+
+#include "model_loader.h"
+
+#include "ui/messages.h"
+#include "ui/model_folder.h"
+
+#include <QFileInfo>
+
+namespace app
+{
+namespace
+{
+class CommandWords
+{
+    Q_DECLARE_TR_FUNCTIONS(app::CommandModels)
+};
+} // namespace
+
+CommandModels commandModels(const QString& command, const QStringList& arguments)
+{
+    if (arguments.isEmpty())
+        CommandLine::fail(CommandWords::tr("%1: no file was given.").arg(command));
+    CommandModels models;
+    for (const QString& name : arguments) {
+        if (!QFileInfo(name).isDir()) {
+            models.files << toPath(name);
+            continue;
+        }
+        models.hasFolder = true;
+        try {
+            models.files << ui::modelsIn(toPath(name));
+        } catch (const core::FileError& error) {
+            CommandLine::printError(ui::Messages::sentence(error));
+            models.status = BadInput;
+        }
+    }
+    return models;
+}
+} // namespace app

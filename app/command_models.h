@@ -1,0 +1,21 @@
+#pragma once
+
+#include "command_line.h"
+
+#include <QList>
+
+#include <filesystem>
+
+namespace app
+{
+/// The models that a subcommand was given, as files.
+struct CommandModels
+{
+    QList<std::filesystem::path> files; ///< each may be missing or unreadable
+    bool hasFolder = false;             ///< there was a folder among the arguments
+    ExitStatus status = Done;           ///< BadInput: there was one that could not be read, or held no model; standard error says which
+};
+
+/// A folder stands for the models in it, by name. Throws CommandFailure if no argument was given.
+CommandModels commandModels(const QString& command, const QStringList& arguments);
+} // namespace app

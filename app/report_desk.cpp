@@ -1,0 +1,55 @@
+#include "report_desk.h"
+
+#include "long_work.h"
+#include "model_loader.h"
+#include "report_maker.h"
+
+#include "core/mesh_io.h"
+#include "ui/messages.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QPointer>
+
+namespace app
+{
+namespace
+{
+ReportOutcome outcomeOf(const ReportOrder& order, const core::JobWatch& watch)
+{
+    try {
+        ReportMaker::run(order, watch);
+        return {{}, true};
+    } catch (const core::FileError& error) {
+        return {ui::Messages::sentence(error), false};
+    } catch (const core::ReadingStopped&) {
+        return {};
+    }
+}
+} // namespace
+
+ReportDesk::ReportDesk(LongWork* work, QObject* parent) : QObject(parent), m_work(work) {}
+
+void ReportDesk::write(const QString& folder, const QString& path)
+{
+    if (!ui::reportEndings().contains(QFileInfo(path).suffix().toLower()))
+        return Q_EMIT refused(ui::Messages::notAReport(path));
+    if (m_work->isBusy()) // it began while the dialogs were open
+        return Q_EMIT noticed(tr("The class report has to wait until this is done; ask for it again then."));
+    const core::JobWatch watch = m_work->beginStoppable(tr("Looking at the models in %1").arg(QFileInfo(folder).fileName()));
+    auto work = [order = ReportOrder{toPath(folder), toPath(path)}, watch] { return outcomeOf(order, watch); };
+    m_work->run(work, [self = QPointer(this), path](const ReportOutcome& outcome) {
+        if (self)
+            self->finish(path, outcome);
+    });
+}
+
+void ReportDesk::finish(const QString& path, const ReportOutcome& outcome)
+{
+    m_work->keep();
+    m_work->end();
+    if (!outcome.problem.isEmpty())
+        return Q_EMIT refused(outcome.problem);
+    Q_EMIT noticed((outcome.isWritten ? tr("%1 was written.") : tr("%1 was not written.")).arg(QDir::toNativeSeparators(path)));
+}
+} // namespace app

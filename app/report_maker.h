@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/job_watch.h"
+#include "ui/class_report.h"
+
+#include <QCoreApplication>
+
+namespace app
+{
+struct ReportOrder
+{
+    std::filesystem::path folder;
+    std::filesystem::path file; ///< its ending is one of ui::reportEndings()
+    double unit = 1;            ///< that the models are measured in, mm
+};
+
+/// Looks at every model of a folder and writes the class report. Any thread; as long as `check` takes, and a picture for each. Needs a
+/// QGuiApplication, whose fonts a PDF uses.
+class ReportMaker
+{
+    Q_DECLARE_TR_FUNCTIONS(app::ReportMaker)
+
+public:
+    /// A model that cannot be read has its row, too. Throws core::FileError if the folder cannot be read or the report not be written, and
+    /// core::ReadingStopped if it was stopped: then nothing is written.
+    static void run(const ReportOrder& order, const core::JobWatch& watch = {});
+
+private:
+    static ui::ReportRow rowOf(const std::filesystem::path& file, double unit, const core::JobWatch& watch);
+    static void lookAt(ui::ReportRow& row, double unit, const core::JobWatch& watch);
+};
+} // namespace app

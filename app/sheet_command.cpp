@@ -1,0 +1,109 @@
+// sheet: the drawings of models for a printer, a page each.
+#include "command_models.h"
+#include "command_unit.h"
+#include "model_loader.h"
+
+#include "core/draw_arrays.h"
+#include "core/mesh_check.h"
+#include "core/mesh_io.h"
+#include "ui/messages.h"
+#include "ui/model_folder.h"
+#include "ui/sheet_book.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+namespace app
+{
+namespace
+{
+using ui::DrawingSheet; // lupdate would lose its place at a function that returns a ui::DrawingSheet
+
+class SheetWords
+{
+    Q_DECLARE_TR_FUNCTIONS(app::SheetCommand)
+};
+
+struct SheetOptions
+{
+    CommandModels models;
+    QString out;
+    double unit = 1; ///< of the files, in mm
+    bool shaded = false;
+};
+
+std::optional<SheetOptions> parseSheetOptions(const QStringList& arguments)
+{
+    const QString name = QStringLiteral("sheet"), unit = QStringLiteral("unit"), shaded = QStringLiteral("shaded");
+    QCommandLineParser parser;
+    parser.setApplicationDescription(SheetWords::tr("Writes drawings of models to scale, a page of A4 each, in the order of their names. "
+                                                    "Status 1: not all of them have one."));
+    parser.addPositionalArgument(QStringLiteral("FILE..."), SheetWords::tr("Models, or folders of models."));
+    CommandLine::addOutput(parser, QStringLiteral("OUT.pdf"));
+    parser.addOptions({{unit, SheetWords::tr("What the files are measured in; else mm."), CommandUnit::words()},
+                       {shaded, SheetWords::tr("Colours under the lines.")}});
+    if (!CommandLine::parse(parser, name, arguments))
+        return std::nullopt;
+    SheetOptions options;
+    options.out = CommandLine::output(parser, name);
+    if (QFileInfo(options.out).suffix().toLower() != QLatin1String("pdf"))
+        CommandLine::fail(ui::Messages::notABook(options.out));
+    if (parser.isSet(unit))
+        options.unit = CommandUnit::named(name, parser.value(unit));
+    options.shaded = parser.isSet(shaded);
+    options.models = commandModels(name, parser.positionalArguments());
+    ui::sortByName(options.models.files);
+    return options;
+}
+
+/// Throws CommandFailure for a surface that has no inside: its drawing would lack lines, and its volume mean nothing.
+DrawingSheet sheetOf(const SheetOptions& options, const std::filesystem::path& file)
+{
+    const QString name = ui::shownName(file);
+    core::TriangleMesh mesh = core::readMesh(file);
+    if (options.unit != 1)
+        CommandUnit::scale(name, mesh, options.unit);
+    const core::MeshReport report = core::checkMesh(mesh);
+    if (!report.closed || !report.oriented)
+        CommandLine::fail(SheetWords::tr("%1 has no sheet, because its surface does not enclose anything (%2).").arg(name, ui::Messages::faults(report)));
+    auto drawing = core::drawLines(core::drawArraysOf(mesh), ui::sheetDetail(options.shaded), {});
+    return {ui::shownName(file.filename()), QDate::currentDate(), *std::move(drawing), options.shaded};
+}
+/// Standard error says which have none.
+ExitStatus addSheets(ui::SheetBook& book, const SheetOptions& options)
+{
+    ExitStatus status = options.models.status == Done ? Done : AnswerIsNo;
+    const auto leaveOut = [&status](const QString& sentence) {
+        CommandLine::printError(sentence);
+        status = AnswerIsNo;
+    };
+    for (const std::filesystem::path& file : options.models.files) {
+        try {
+            book.add(sheetOf(options, file));
+        } catch (const core::FileError& error) {
+            leaveOut(ui::Messages::sentence(error));
+        } catch (const CommandFailure& failure) {
+            leaveOut(failure.sentence);
+        }
+    }
+    return status;
+}
+} // namespace
+
+ExitStatus sheetCommand(const QStringList& arguments)
+{
+    const std::optional<SheetOptions> options = parseSheetOptions(arguments);
+    if (!options)
+        return Done;
+    try {
+        ui::SheetBook book(toPath(options->out), QFileInfo(options->out).completeBaseName());
+        const ExitStatus status = addSheets(book, *options);
+        if (book.isEmpty())
+            CommandLine::fail(SheetWords::tr("%1 was not written: there is no model that has a sheet.").arg(QDir::toNativeSeparators(options->out)));
+        book.commit();
+        return status;
+    } catch (const core::FileError& error) {
+        CommandLine::fail(ui::Messages::sentence(error));
+    }
+}
+} // namespace app

@@ -1,0 +1,79 @@
+#include "text_table.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace app
+{
+namespace
+{
+bool isWide(char32_t sign)
+{
+    switch (QChar::script(sign)) {
+    case QChar::Script_Han:
+    case QChar::Script_Hangul:
+    case QChar::Script_Hiragana:
+    case QChar::Script_Katakana:
+    case QChar::Script_Bopomofo:
+        return true;
+    default: // punctuation of those, full-width letters, pictures
+        return (sign >= 0x3000 && sign <= 0x303f) || (sign >= 0xff01 && sign <= 0xff60) || (sign >= 0x1f300 && sign <= 0x1faff);
+    }
+}
+
+int columnsOf(char32_t sign)
+{
+    const QChar::Category kind = QChar::category(sign);
+    if (kind == QChar::Mark_NonSpacing || kind == QChar::Mark_Enclosing || kind == QChar::Other_Format)
+        return 0;
+    return isWide(sign) ? 2 : 1;
+}
+
+/// From the left or from the right, as many signs as fit.
+QString part(const QList<uint>& signs, int columns, bool fromLeft)
+{
+    qsizetype count = 0;
+    for (int used = 0; count < signs.size(); ++count) {
+        used += columnsOf(char32_t(signs[fromLeft ? count : signs.size() - 1 - count]));
+        if (used > columns)
+            break;
+    }
+    const QList<uint> kept = fromLeft ? signs.first(count) : signs.last(count);
+    return QString::fromUcs4(reinterpret_cast<const char32_t*>(kept.constData()), kept.size());
+}
+} // namespace
+
+int columnsOf(const QString& text)
+{
+    int columns = 0;
+    for (const uint sign : text.toUcs4())
+        columns += columnsOf(char32_t(sign));
+    return columns;
+}
+
+QString shortened(const QString& text, int columns)
+{
+    QString line = text;
+    for (QChar& c : line)
+        c = c.isPrint() || c.isSurrogate() ? c : QLatin1Char(' ');
+    if (columnsOf(line) <= columns)
+        return line;
+    const QList<uint> signs = line.toUcs4();
+    const int right = (columns - 1) / 2; // of the name's end
+    return part(signs, columns - 1 - right, true) + QChar(0x2026) + part(signs, right, false);
+}
+
+QString tableLine(const QStringList& fields, const std::vector<int>& widths)
+{
+    QStringList line;
+    for (qsizetype i = 0; i < fields.size(); ++i) {
+        const int width = widths[static_cast<std::size_t>(i)];
+        const QString space(std::max(0, std::abs(width) - columnsOf(fields[i])), QLatin1Char(' '));
+        line << (width < 0 ? fields[i] + space : space + fields[i]);
+    }
+    QString text = line.join(QStringLiteral("  "));
+    while (text.endsWith(QLatin1Char(' ')))
+        text.chop(1);
+    return text + QLatin1Char('\n');
+}
+} // namespace app

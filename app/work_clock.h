@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/document_notes.h"
+
+#include <chrono>
+#include <optional>
+
+namespace app
+{
+/// Counts what is done by hand: each finished stroke, and the time from one to the next. Who paused for longer than `longestPause` was
+/// not at work, and none of that pause counts; nor does what comes before the first stroke. A value of one document; any clock that
+/// never goes back.
+class WorkClock
+{
+public:
+    static constexpr std::chrono::nanoseconds longestPause = std::chrono::minutes(3);
+
+    /// A stroke ended now, ns.
+    void count(core::WorkDone& work, std::int64_t now)
+    {
+        const std::chrono::nanoseconds pause(now - m_last.value_or(now));
+        if (pause <= longestPause)
+            work.seconds += std::chrono::duration<double>(pause).count();
+        ++work.strokes;
+        m_last = now;
+    }
+
+private:
+    std::optional<std::int64_t> m_last; ///< end of a stroke, ns
+};
+} // namespace app

@@ -1,0 +1,137 @@
+// What the rows of a report say; how they stand: report_html, report_pdf.
+
+#include "class_report.h"
+
+#include "measures.h"
+#include "messages.h"
+#include "model_folder.h"
+#include "report_html.h"
+#include "report_pdf.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ui
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+struct ReportWords
+{
+    Q_DECLARE_TR_FUNCTIONS(ui::ClassReport)
+};
+
+ReportVerdict verdictOf(const ReportRow& row)
+{
+    if (!row.report)
+        return ReportVerdict::Unreadable;
+    return row.report->printReady() ? ReportVerdict::Ready : ReportVerdict::NotReady;
+}
+
+QString wordOf(ReportVerdict verdict)
+{
+    switch (verdict) {
+    case ReportVerdict::Ready: return ReportWords::tr("Print-ready");
+    case ReportVerdict::NotReady: return ReportWords::tr("Not print-ready");
+    case ReportVerdict::Unreadable: return ReportWords::tr("Cannot be read");
+    }
+    return {};
+}
+
+QString noteOf(const ReportRow& row)
+{
+    if (!row.report)
+        return row.problem;
+    const QString doubt = row.report->volume ? Messages::unitDoubt(*row.report->volume) : QString();
+    return row.report->printReady() ? doubt : Messages::faults(*row.report);
+}
+
+/// On one line, whatever a file's name holds.
+QString plain(QString text)
+{
+    for (QChar& c : text)
+        c = c.isPrint() || c.isSurrogate() ? c : QLatin1Char(' ');
+    return text;
+}
+
+struct ReportFormat
+{
+    QLatin1StringView ending;
+    QByteArray (*write)(const ClassReport& report, const fs::path& path);
+};
+constexpr ReportFormat reportFormats[] = {{QLatin1StringView("html"), reportHtml}, {QLatin1StringView("pdf"), reportPdf}};
+
+/// Links of folders followed, that "..", where it is needed, leads there. What the disk does not tell stays as it is.
+fs::path folderOf(const fs::path& file)
+{
+    std::error_code problem;
+    const fs::path whole = fs::absolute(file, problem).parent_path();
+    const fs::path real = fs::weakly_canonical(whole, problem);
+    return problem ? whole.lexically_normal() : real;
+}
+} // namespace
+
+ReportCells cellsOf(const ReportRow& row)
+{
+    ReportCells cells{plain(shownName(row.file.filename())), {}, {}, verdictOf(row), wordOf(verdictOf(row)), plain(noteOf(row)), {}, {}};
+    if (row.report) {
+        const core::Vec3& size = row.report->size;
+        cells.size = QStringLiteral("%1 × %2 × %3").arg(millimetres(size.x()), millimetres(size.y()), millimetres(size.z()));
+        cells.volume = row.report->volume ? volumeText(std::abs(*row.report->volume)) : QString();
+    }
+    if (row.work) {
+        cells.time = durationText(row.work->seconds);
+        cells.strokes = number(row.work->strokes);
+    }
+    return cells;
+}
+
+QStringList reportHeads()
+{
+    return {ReportWords::tr("Model"),       ReportWords::tr("Size, mm"), ReportWords::tr("Volume"),
+            ReportWords::tr("Print-ready"), ReportWords::tr("Time"),     ReportWords::tr("Strokes")};
+}
+
+QString reportTitle(const ClassReport& report)
+{
+    return ReportWords::tr("Class report: %1").arg(plain(report.folder));
+}
+
+QString reportSummary(const ClassReport& report)
+{
+    const auto count = [&report](ReportVerdict verdict) {
+        return number(static_cast<std::uint64_t>(std::ranges::count(report.rows, verdict, verdictOf)));
+    };
+    return ReportWords::tr("%1 · models: %2 · print-ready: %3 · not print-ready: %4 · cannot be read: %5")
+        .arg(QLocale().toString(report.date, QLocale::LongFormat), number(static_cast<std::uint64_t>(report.rows.size())),
+             count(ReportVerdict::Ready), count(ReportVerdict::NotReady), count(ReportVerdict::Unreadable));
+}
+
+QString reportLink(const fs::path& report, const fs::path& model)
+{
+    const fs::path way = (folderOf(model) / model.filename()).lexically_relative(folderOf(report));
+    const std::u8string bytes = way.generic_u8string();
+    return QString::fromLatin1(QByteArray(reinterpret_cast<const char*>(bytes.data()), static_cast<qsizetype>(bytes.size())).toPercentEncoding("/"));
+}
+
+QStringList reportEndings()
+{
+    QStringList all;
+    for (const ReportFormat& format : reportFormats)
+        all << format.ending;
+    return all;
+}
+
+void writeReport(core::AtomicFile& file, const ClassReport& report)
+{
+    const QString ending = shownName(file.path().extension()).mid(1).toLower();
+    const auto format = std::ranges::find(reportFormats, ending, &ReportFormat::ending);
+    Q_ASSERT(format != std::end(reportFormats));
+    const QByteArray bytes = format->write(report, file.path());
+    file.write({bytes.constData(), static_cast<std::size_t>(bytes.size())});
+}
+} // namespace ui

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "core/atomic_file.h"
+#include "core/document_notes.h"
+#include "core/mesh_check.h"
+
+#include <QDate>
+#include <QImage>
+#include <QList>
+#include <QString>
+#include <QStringList>
+
+#include <filesystem>
+#include <optional>
+
+namespace ui
+{
+/// What was found of one model's file.
+struct ReportRow
+{
+    std::filesystem::path file;
+    QString problem;                        ///< one sentence: it cannot be read
+    std::optional<core::MeshReport> report; ///< none: see problem
+    QImage picture;                         ///< square, transparent around the model; null: none was made
+    std::optional<core::WorkDone> work;     ///< none: the file does not say
+};
+
+/// A folder of models for whoever has to judge them all: a row each, in the order in which they are to stand.
+struct ClassReport
+{
+    QString folder; ///< for the title
+    QDate date;
+    QList<ReportRow> rows;
+};
+
+enum class ReportVerdict { Ready, NotReady, Unreadable };
+
+/// A row in the person's language. What is not known is empty.
+struct ReportCells
+{
+    QString name, size, volume;
+    ReportVerdict verdict;
+    QString word; ///< the verdict
+    QString note; ///< why not, or what to look at; may be empty
+    QString time, strokes;
+};
+
+/// Any thread.
+ReportCells cellsOf(const ReportRow& row);
+/// The heads over the cells: name, size, volume, verdict, time, strokes.
+QStringList reportHeads();
+QString reportTitle(const ClassReport& report);
+/// One line with counts.
+QString reportSummary(const ClassReport& report);
+
+/// From the report's file to a model's, for people to click: relative, with / between folders, each byte of a name that means something in
+/// a URL as %XX. Asks the disk about links among the folders.
+QString reportLink(const std::filesystem::path& report, const std::filesystem::path& model);
+
+/// "html", "pdf".
+QStringList reportEndings();
+/// In the format that the file's ending says, one of reportEndings(): the page of a browser, alone in its file, or A4 for a printer.
+/// Does not commit. Throws core::FileError. Any thread; a few ms a row.
+void writeReport(core::AtomicFile& file, const ClassReport& report);
+} // namespace ui

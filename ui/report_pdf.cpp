@@ -1,0 +1,264 @@
+// lay out each row -> deal them to pages -> paint page by page. Everything is placed in 1/100 mm, so that fonts, which have whole sizes,
+// can be of any.
+#include "report_pdf.h"
+
+#include "class_report.h"
+
+#include <QBuffer>
+#include <QCoreApplication>
+#include <QPageSize>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QTextLayout>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace ui
+{
+namespace
+{
+struct PageWords
+{
+    Q_DECLARE_TR_FUNCTIONS(ui::ClassReport)
+};
+
+constexpr int unitsAMm = 100, reportDotsPerInch = 1200; ///< of the painter, a mm; of the file
+constexpr double mmInAnInch = 25.4;
+constexpr QSizeF paperSize{210, 297};
+constexpr double pageMargin = 12, gapAcross = 2.5, gapDown = 1.6, pictureSide = 18; ///< mm
+constexpr double titleHeight = 5.5, headHeight = 2.7, cellHeight = 2.8, noteHeight = 2.5; ///< mm, of letters
+constexpr double titleRoom = 17, headRoom = 6, footRoom = 7; ///< mm
+
+const QColor inkColor(Qt::black), faintColor(90, 90, 96), ruleColor(190, 190, 196);
+const QColor readyColor(0x1e, 0x7a, 0x3a), notReadyColor(0xb3, 0x26, 0x1e), linkColor(0x0b, 0x57, 0xb8); ///< those of the page for a browser
+
+/// Beside the picture; in the order of reportHeads().
+struct ReportColumn
+{
+    double width; ///< mm
+    Qt::Alignment side;
+};
+constexpr std::array reportColumns{ReportColumn{38, Qt::AlignLeft}, ReportColumn{37, Qt::AlignRight}, ReportColumn{20, Qt::AlignRight},
+                                   ReportColumn{39, Qt::AlignLeft}, ReportColumn{19, Qt::AlignRight}, ReportColumn{15, Qt::AlignRight}};
+constexpr double roomOf(const ReportColumn& column) { return column.width - gapAcross; }
+
+struct TextStyle
+{
+    double height; ///< mm
+    QColor color;
+    bool isBold = false;
+    Qt::Alignment side = Qt::AlignLeft;
+};
+
+QFont fontOf(const TextStyle& style)
+{
+    QFont font;
+    font.setPixelSize(static_cast<int>(style.height * unitsAMm));
+    font.setBold(style.isBold);
+    return font;
+}
+
+/// Words broken into lines of a width.
+class TextBlock
+{
+public:
+    /// `link`: where a click on it leads; empty: nowhere. A width in mm.
+    TextBlock(const QString& text, const TextStyle& style, double width, const QString& link = {}) : m_layout(text, fontOf(style)), m_color(style.color)
+    {
+        QTextOption option(style.side);
+        option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
+        m_layout.setTextOption(option);
+        if (!link.isEmpty()) {
+            QTextCharFormat format;
+            format.setAnchor(true);
+            format.setAnchorHref(link);
+            m_layout.setFormats({{0, static_cast<int>(text.size()), format}});
+        }
+        m_layout.beginLayout();
+        for (QTextLine line = m_layout.createLine(); line.isValid(); line = m_layout.createLine()) {
+            line.setLineWidth(width * unitsAMm);
+            line.setPosition({0, m_height});
+            m_height += line.height();
+        }
+        m_layout.endLayout();
+    }
+
+    double height() const { return m_height / unitsAMm; } ///< mm
+    void paint(QPainter& painter, const QPointF& at) const
+    {
+        painter.setPen(m_color);
+        m_layout.draw(&painter, at * unitsAMm);
+    }
+
+private:
+    QTextLayout m_layout;
+    QColor m_color;
+    double m_height = 0; ///< of the painter
+};
+
+/// What stands in one column of a row, one below the other.
+using TextCell = std::vector<std::unique_ptr<TextBlock>>;
+
+double heightOf(const TextCell& cell)
+{
+    double height = 0;
+    for (const auto& block : cell)
+        height += block->height();
+    return height;
+}
+
+void paintCell(QPainter& painter, const TextCell& cell, QPointF at)
+{
+    for (const auto& block : cell) {
+        block->paint(painter, at);
+        at.ry() += block->height();
+    }
+}
+
+struct LaidRow
+{
+    const QImage* picture;
+    std::array<TextCell, reportColumns.size()> cells;
+    double height; ///< mm
+};
+
+LaidRow laidOut(const ReportRow& row, const std::filesystem::path& path)
+{
+    const ReportCells words = cellsOf(row);
+    LaidRow laid{&row.picture, {}, row.picture.isNull() ? 0 : pictureSide};
+    const auto add = [&laid](std::size_t column, const QString& text, TextStyle style, const QString& link = {}) {
+        style.side = reportColumns[column].side;
+        if (!text.isEmpty())
+            laid.cells[column].push_back(std::make_unique<TextBlock>(text, style, roomOf(reportColumns[column]), link));
+    };
+    add(0, words.name, {cellHeight, linkColor, true}, reportLink(path, row.file));
+    add(1, words.size, {cellHeight, inkColor});
+    add(2, words.volume, {cellHeight, inkColor});
+    add(3, words.word, {cellHeight, words.verdict == ReportVerdict::Ready ? readyColor : notReadyColor, true});
+    add(3, words.note, {noteHeight, faintColor});
+    add(4, words.time, {cellHeight, inkColor});
+    add(5, words.strokes, {cellHeight, inkColor});
+    for (const TextCell& cell : laid.cells)
+        laid.height = std::max(laid.height, heightOf(cell));
+    laid.height += 2 * gapDown;
+    return laid;
+}
+
+/// Of the first page, and of those that follow.
+double roomFor(bool isFirst)
+{
+    return paperSize.height() - 2 * pageMargin - headRoom - footRoom - (isFirst ? titleRoom : 0);
+}
+
+/// How many rows each page has. A row that is higher than a page has one to itself.
+std::vector<std::size_t> dealt(std::span<const LaidRow> rows)
+{
+    std::vector<std::size_t> pages{0};
+    double left = roomFor(true);
+    for (const LaidRow& row : rows) {
+        if (row.height > left && pages.back() > 0) {
+            pages.push_back(0);
+            left = roomFor(false);
+        }
+        ++pages.back();
+        left -= row.height;
+    }
+    return pages;
+}
+
+void paintRule(QPainter& painter, double y)
+{
+    painter.setPen(QPen(ruleColor, 0.2 * unitsAMm));
+    painter.drawLine(QPointF(pageMargin, y) * unitsAMm, QPointF(paperSize.width() - pageMargin, y) * unitsAMm);
+}
+
+/// Shortened where it does not fit on one line.
+void paintLine(QPainter& painter, const QString& text, const TextStyle& style, const QPointF& at)
+{
+    const double width = paperSize.width() - pageMargin - at.x();
+    const QString fitting = QFontMetricsF(fontOf(style)).elidedText(text, Qt::ElideMiddle, width * unitsAMm);
+    TextBlock(fitting, style, width).paint(painter, at);
+}
+
+void paintTitle(QPainter& painter, const ClassReport& report)
+{
+    paintLine(painter, reportTitle(report), {titleHeight, inkColor, true}, {pageMargin, pageMargin});
+    paintLine(painter, reportSummary(report), {cellHeight, faintColor}, {pageMargin, pageMargin + 1.6 * titleHeight});
+}
+
+void paintHeads(QPainter& painter, double y)
+{
+    const QStringList heads = reportHeads();
+    double x = pageMargin + pictureSide;
+    for (std::size_t i = 0; i < reportColumns.size(); ++i) {
+        x += gapAcross / 2;
+        TextBlock(heads[static_cast<qsizetype>(i)], {headHeight, faintColor, true, reportColumns[i].side}, roomOf(reportColumns[i])).paint(painter, {x, y});
+        x += reportColumns[i].width - gapAcross / 2;
+    }
+    paintRule(painter, y + headRoom - 1);
+}
+
+void paintRow(QPainter& painter, const LaidRow& row, double y)
+{
+    const double middle = y + row.height / 2;
+    if (!row.picture->isNull())
+        painter.drawImage(QRectF(QPointF(pageMargin, middle - pictureSide / 2) * unitsAMm, QSizeF(pictureSide, pictureSide) * unitsAMm), *row.picture);
+    double x = pageMargin + pictureSide;
+    for (std::size_t i = 0; i < reportColumns.size(); ++i) {
+        paintCell(painter, row.cells[i], {x + gapAcross / 2, middle - heightOf(row.cells[i]) / 2});
+        x += reportColumns[i].width;
+    }
+    paintRule(painter, y + row.height);
+}
+
+void paintFoot(QPainter& painter, const ClassReport& report, const QString& number)
+{
+    const double y = paperSize.height() - pageMargin - noteHeight;
+    const double width = paperSize.width() - 2 * pageMargin;
+    TextBlock(number, {noteHeight, faintColor, false, Qt::AlignRight}, width).paint(painter, {pageMargin, y});
+    const double half = width / 2 * unitsAMm;
+    const TextStyle style{noteHeight, faintColor};
+    TextBlock(QFontMetricsF(fontOf(style)).elidedText(reportTitle(report), Qt::ElideMiddle, half), style, width).paint(painter, {pageMargin, y});
+}
+} // namespace
+
+QByteArray reportPdf(const ClassReport& report, const std::filesystem::path& path)
+{
+    QBuffer file;
+    file.open(QIODevice::WriteOnly);
+    QPdfWriter writer(&file);
+    writer.setPageLayout(QPageLayout(QPageSize(QPageSize::A4), QPageLayout::Portrait, {}));
+    writer.setResolution(reportDotsPerInch);
+    writer.setTitle(reportTitle(report));
+    writer.setCreator(QStringLiteral("Fettle"));
+    QPainter painter(&writer);
+    painter.scale(reportDotsPerInch / mmInAnInch / unitsAMm, reportDotsPerInch / mmInAnInch / unitsAMm);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+
+    std::vector<LaidRow> rows;
+    for (const ReportRow& row : report.rows)
+        rows.push_back(laidOut(row, path));
+    const std::vector<std::size_t> pages = dealt(rows);
+    auto row = rows.cbegin();
+    for (std::size_t page = 0; page < pages.size(); ++page) {
+        if (page > 0)
+            writer.newPage();
+        else
+            paintTitle(painter, report);
+        double y = pageMargin + (page > 0 ? 0 : titleRoom);
+        paintHeads(painter, y);
+        y += headRoom;
+        for (const auto end = row + static_cast<std::ptrdiff_t>(pages[page]); row != end; ++row) {
+            paintRow(painter, *row, y);
+            y += row->height;
+        }
+        paintFoot(painter, report, PageWords::tr("Page %1 of %2").arg(page + 1).arg(pages.size()));
+    }
+    painter.end();
+    return file.data();
+}
+} // namespace ui
