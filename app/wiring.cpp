@@ -1,5 +1,8 @@
 #include "wiring.h"
 
+#include "class_file.h"
+#include "class_pin.h"
+#include "classroom_mode.h"
 #include "document.h"
 #include "drawing_worker.h"
 #include "headset.h"
@@ -26,6 +29,7 @@
 #include "vr/sculpt_client.h"
 
 #include <QAction>
+#include <QDir>
 
 namespace app
 {
@@ -251,6 +255,18 @@ void wireDrawings(ui::MainWindow& window, SculptWorker& worker)
     QObject::connect(drawings, &DrawingWorker::noticed, &window, &ui::MainWindow::showNotice);
 }
 
+void wireClassFiles(ui::MainWindow& window)
+{
+    QObject::connect(&window, &ui::MainWindow::classroomDrafted, &window, [&window](const ui::ClassroomDraft& draft) {
+        ui::Classroom classroom = draft.classroom;
+        classroom.pin = pinRecord(draft.pin);
+        const QString problem = ClassFile::write(draft.path, classroom);
+        if (!problem.isEmpty())
+            return window.showProblem(problem);
+        window.showNotice(ClassFile::tr("%1 was written. The class begins with: fettle --classroom %1").arg(QDir::toNativeSeparators(draft.path)));
+    });
+}
+
 std::shared_ptr<vr::FrameClient> makeClient(const std::shared_ptr<vr::DocumentPort>& port, const vr::HeadsetChoice& choice)
 {
     return std::make_shared<vr::SculptClient>(port, choice);
@@ -320,6 +336,7 @@ void wire(ui::MainWindow& window, Document& document, SculptWorker& worker, cons
     wireStrokes(*window.viewport(), document);
     wireWorker(*window.viewport(), worker, inbox);
     wireDrawings(window, worker);
+    wireClassFiles(window);
 }
 
 void wireRecovery(ui::MainWindow& window, Document& document, JournalShelf& shelf)
@@ -337,5 +354,11 @@ void wireRecovery(ui::MainWindow& window, Document& document, JournalShelf& shel
     };
     QObject::connect(&shelf, &JournalShelf::offered, &window, show);
     shelf.look();
+}
+
+void wireClassroom(ui::MainWindow& window, ClassroomMode& mode)
+{
+    QObject::connect(&mode, &ClassroomMode::noticed, &window, &ui::MainWindow::showNotice);
+    QObject::connect(&mode, &ClassroomMode::noticed, window.findChild<Headset*>(), &Headset::tell);
 }
 } // namespace app

@@ -10,7 +10,9 @@ set(FETTLE_RESOURCE_FILES
     icons/background-sky.svg
     icons/background-theme.svg
     icons/background-white.svg
+    icons/classroom.svg
     icons/clay.svg
+    icons/clock.svg
     icons/color.svg
     icons/crease.svg
     icons/dimensions.svg

@@ -27,6 +27,9 @@ public:
     /// A path; empty: a ball.
     void chooseModel(const QString& path);
 
+    /// Whether other files may be chosen than those that were before; at first they may.
+    bool mayLoad() const { return m_mayLoad; }
+    void setMayLoad(bool mayLoad);
     /// Files that were chosen before, the latest first.
     const QStringList& alphas() const { return m_stored.alphas; }
     const QStringList& models() const { return m_stored.models; }
@@ -49,6 +52,7 @@ private:
     Settings* m_settings;
     StoredShapes m_stored;
     QHash<QString, std::shared_ptr<const core::Alpha>> m_read;
+    bool m_mayLoad = true;
     bool m_isRestoring = false;               ///< the stored alpha's file is being read
     int m_askedAlphas = 0, m_askedModels = 0; ///< what was read for an earlier question is too late
     SideThread m_aside;                       ///< last
