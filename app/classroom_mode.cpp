@@ -82,8 +82,9 @@ void ClassroomMode::connectAll()
     connect(document, &Document::stepped, this, &ClassroomMode::takeStep);
     connect(document, &Document::busy, m_bar, [this] { m_bar->setBusy(true); });
     connect(document, &Document::idle, m_bar, [this] { m_bar->setBusy(false); });
+    connect(document, &Document::opened, this, [this] { m_isOpened = true; });
     connect(document, &Document::opened, this, &ClassroomMode::goOn, Qt::QueuedConnection);
-    connect(document, &Document::refused, this, &ClassroomMode::giveUpOpening, Qt::QueuedConnection);
+    connect(document, &Document::idle, this, &ClassroomMode::lookWhetherOpened, Qt::QueuedConnection);
     connect(&document->history(), &HistoryStore::lost, this, [this] { m_record->lose(); });
     connect(&m_clock, &QTimer::timeout, this, &ClassroomMode::tick);
     connect(&m_deliverAgain, &QTimer::timeout, this, &ClassroomMode::deliver);
@@ -208,14 +209,15 @@ void ClassroomMode::openThen(const std::function<void()>& open, const std::funct
 
 void ClassroomMode::goOn()
 {
+    m_isOpened = false;
     if (const auto then = std::exchange(m_then, nullptr))
         then();
 }
 
-/// The window has said why. A class goes on all the same.
-void ClassroomMode::giveUpOpening()
+/// What was to be opened could not be, which the window has said, or somebody stopped it: a class goes on all the same.
+void ClassroomMode::lookWhetherOpened()
 {
-    if (std::exchange(m_then, nullptr))
+    if (!m_isOpened && !m_program.document->isBusy() && std::exchange(m_then, nullptr))
         ask();
 }
 
@@ -248,7 +250,13 @@ void ClassroomMode::keepThen(const ClassTurn& turn, std::function<void()> then)
     if (m_program.document->handOver(tr("Keeping the work of %1").arg(nameOf(turn)), keep, done))
         m_before = std::exchange(m_stage, Stage::Keeping);
     else
-        Q_EMIT noticed(tr("Not yet: other work on the model is not done."));
+        refuseForNow();
+}
+
+void ClassroomMode::refuseForNow()
+{
+    m_mayLeave = false;
+    Q_EMIT noticed(tr("Not yet: other work on the model is not done."));
 }
 
 void ClassroomMode::takeKept(const ClassTurn& turn, const KeptWork& kept, const std::function<void()>& then)

@@ -90,10 +90,11 @@ private:
     void resume();
     void openThen(const std::function<void()>& open, const std::function<void()>& then);
     void goOn();
-    void giveUpOpening();
+    void lookWhetherOpened();
     bool mayClose();
     void leave();
     void keepThen(const ClassTurn& turn, std::function<void()> then);
+    void refuseForNow();
     void takeKept(const ClassTurn& turn, const KeptWork& kept, const std::function<void()>& then);
     void takeStep(const core::FileEntry& entry);
     void deliver();
@@ -120,6 +121,7 @@ private:
     std::shared_ptr<TurnRecord> m_record = std::make_shared<TurnRecord>();
     std::optional<Ended> m_ended; ///< the turn before, while it can be resumed
     std::function<void()> m_then; ///< when the model is there that is being opened
+    bool m_isOpened = false;      ///< it is there, and that goes on next
     int m_waiting = 0;            ///< works that could not be delivered
     QTimer m_clock, m_deliverAgain;
     ui::SideThread m_aside; ///< last

@@ -153,7 +153,7 @@ set(FETTLE_RESOURCE_FILES
     shaders/wire.frag
     shaders/wire.geom)
 foreach(LANGUAGE en de zh_CN)
-    foreach(PAGE first-steps lesson-vase lesson-head lesson-tablet view tools topology symmetry mask colour files preview history keys pen vr wands problems)
+    foreach(PAGE first-steps lesson-vase lesson-head lesson-tablet view tools topology symmetry mask colour files preview history keys pen vr wands classroom problems)
         list(APPEND FETTLE_RESOURCE_FILES help/${LANGUAGE}/${PAGE}.md)
     endforeach()
 endforeach()

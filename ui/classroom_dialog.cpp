@@ -102,10 +102,13 @@ private:
         connect(choose, &QPushButton::clicked, this, [this] {
             askForFolder(this, m_startFolder, [this](const QString& path) { m_folder->setText(QDir::toNativeSeparators(path)); });
         });
-        auto* row = new QHBoxLayout;
+        auto* both = new QWidget;
+        both->setFocusProxy(m_folder);
+        auto* row = new QHBoxLayout(both);
+        row->setContentsMargins(0, 0, 0, 0);
         row->addWidget(m_folder, 1);
         row->addWidget(choose);
-        form->addRow(tr("&Folder for the works:"), row);
+        form->addRow(tr("&Folder for the works:"), both);
     }
 
     void addTimes(QFormLayout* form)

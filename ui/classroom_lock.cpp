@@ -10,6 +10,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QSet>
+#include <QToolBar>
 
 #include <algorithm>
 
@@ -52,6 +53,24 @@ void pruneMenus(const QMainWindow* window, const QSet<QAction*>& allowed)
     for (QAction* title : window->menuBar()->actions())
         if (title->menu() && !prune(title->menu(), allowed))
             close(title);
+}
+
+/// A line parts what is there on both its sides.
+void pruneLines(const QToolBar* bar)
+{
+    QAction* line = nullptr;
+    bool hasBefore = false;
+    for (QAction* action : bar->actions()) {
+        if (action->isSeparator()) {
+            action->setVisible(false);
+            line = hasBefore ? action : nullptr;
+        } else if (action->isVisible()) {
+            if (line)
+                line->setVisible(true);
+            line = nullptr;
+            hasBefore = true;
+        }
+    }
 }
 
 bool isTool(const ActionInfo& row, const QList<core::Tool>& tools)
@@ -105,6 +124,8 @@ void lockWindow(QMainWindow* window, const Actions& actions, const Classroom& cl
         close(panel->toggleViewAction());
     }
     pruneMenus(window, allowed);
+    for (const QToolBar* bar : window->findChildren<QToolBar*>(Qt::FindDirectChildrenOnly))
+        pruneLines(bar);
     window->setContextMenuPolicy(Qt::PreventContextMenu);
 }
 

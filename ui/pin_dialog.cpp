@@ -34,6 +34,7 @@ public:
         column->addWidget(dialogText(why, textWidth));
         m_pin->setObjectName(QStringLiteral("pin"));
         m_pin->setAccessibleName(tr("Teacher's PIN"));
+        m_pin->setPlaceholderText(tr("Teacher's PIN"));
         m_pin->setEchoMode(QLineEdit::Password);
         m_pin->setMaxLength(mostPinLength);
         m_word = dialogText({}, textWidth);

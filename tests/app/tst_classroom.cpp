@@ -1,5 +1,6 @@
 #include "tests/support/program_hand.h"
 
+#include "app/class_file.h"
 #include "app/class_pin.h"
 #include "app/classroom_mode.h"
 #include "app/model_loader.h"
@@ -228,6 +229,7 @@ private Q_SLOTS:
     void twentyFiveTurns_areKept();
     void aTurnBegins_asTheClassDid();
     void aMistakenPress_isTakenBack();
+    void stopping_leavesNobodyWithoutClay();
     void theClock_warnsAndTakesNothing();
     void aMissingFolder_isSaidAtOnce();
     void noRoomAnywhere_keepsTheModelOpen();
@@ -236,6 +238,7 @@ private Q_SLOTS:
     void menus_haveOnlyWhatIsAllowed();
     void nothingCanBeDropped();
     void closing_takesThePin();
+    void theTeachersDialog_writesTheFile();
     void aPowerCut_losesNobodysWork_data();
     void aPowerCut_losesNobodysWork();
 };
@@ -345,6 +348,30 @@ void TestClassroom::aMistakenPress_isTakenBack()
     const QString folder = home.works + u'/' + foldersIn(home.works).last();
     QCOMPARE(hashOf(folder + QStringLiteral("/model.glb")), later);
     QCOMPARE(core::readStrokes((folder + QStringLiteral("/record.json")).toStdString()).size(), std::size_t(2));
+}
+
+/// Esc, while a starter is being made.
+void TestClassroom::stopping_leavesNobodyWithoutClay()
+{
+    const QTemporaryDir root;
+    const Home home(root.path());
+    Class c(home);
+    c.begin();
+    QTest::keyClicks(c.part<QLineEdit>("pupilName"), QStringLiteral("Anna"));
+    QTest::keyClick(c.part<QLineEdit>("pupilName"), Qt::Key_Return);
+    c.program.document.stop();
+    QTRY_VERIFY_WITH_TIMEOUT(c.isIdle(), longestWait);
+    QTest::qWait(50);
+    QTRY_VERIFY_WITH_TIMEOUT(c.isIdle(), longestWait);
+    if (c.asks()) // else it was there already
+        c.beginTurn(QStringLiteral("Anna"));
+    c.sculpt();
+    c.press("classNext");
+    c.program.document.stop();
+    QTRY_VERIFY_WITH_TIMEOUT(c.asks() && c.isIdle(), longestWait);
+    c.beginTurn(QStringLiteral("Ben"));
+    c.sculpt();
+    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), 1, longestWait);
 }
 
 void TestClassroom::theClock_warnsAndTakesNothing()
@@ -547,6 +574,42 @@ void TestClassroom::closing_takesThePin()
     QCOMPARE(foldersIn(home.works).size(), 1);
     QCOMPARE(foldersIn(home.journals()), QStringList());
     QCOMPARE(foldersIn(home.places.waiting), QStringList());
+}
+
+void TestClassroom::theTeachersDialog_writesTheFile()
+{
+    const QTemporaryDir root;
+    Program program;
+    program.window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&program.window));
+    program.window.action(QStringLiteral("edit.classroom"))->trigger();
+    QPointer<QDialog> dialog;
+    QTRY_VERIFY((dialog = program.window.findChild<QDialog*>(QStringLiteral("classroomDialog"))) && dialog->isVisible());
+    const auto type = [&dialog](const char* field, const QString& text) { QTest::keyClicks(dialog->findChild<QLineEdit*>(QLatin1StringView(field)), text); };
+    const auto fault = [&dialog] {
+        dialog->accept();
+        return dialog->findChild<QLabel*>(QStringLiteral("classroomWord"))->text();
+    };
+    QCOMPARE(fault(), QStringLiteral("The class has no title yet."));
+    type("classTitleField", QStringLiteral("5b"));
+    QCOMPARE(fault(), QStringLiteral("There is no such folder for the works."));
+    type("classFolderField", root.path());
+    QVERIFY(fault().startsWith(QStringLiteral("The PIN needs at least 4")));
+    type("classPin", pin);
+    QCOMPARE(fault(), QStringLiteral("The two PINs are not the same."));
+    type("classPinAgain", pin);
+    for (const char* box : {"class.new.cube", "class.tool.stamp", "class.tool.mask"})
+        dialog->findChild<QAbstractButton*>(QLatin1StringView(box))->click();
+    QVERIFY(fault().isEmpty());
+    const QString path = root.filePath(QStringLiteral("5b.ini"));
+    chooseFile(program, "classDialog", path);
+    QTRY_VERIFY(notice(program).contains(path));
+    const ui::Classroom read = ClassFile::read(path);
+    QCOMPARE(read.title, QStringLiteral("5b"));
+    QCOMPARE(read.folder, root.path());
+    QVERIFY(read.starters.size() == 6 && !read.starters.contains(core::Starter::Cube));
+    QVERIFY(read.tools.size() == 14 && !read.tools.contains(core::Tool::Stamp));
+    QVERIFY(isPin(pin, read.pin) && !isPin(QStringLiteral("1234"), read.pin));
 }
 
 void TestClassroom::aPowerCut_losesNobodysWork_data()

@@ -1,3 +1,4 @@
+#include "app/classroom_mode.h"
 #include "tests/support/program.h"
 #include "tests/ui/ui_test.h"
 
@@ -10,6 +11,7 @@
 #include "ui/mending_dialogs.h"
 #include "ui/mending_words.h"
 #include "ui/messages.h"
+#include "ui/name_panel.h"
 #include "ui/recovery_bar.h"
 #include "ui/scene.h"
 #include "ui/settings.h"
@@ -140,6 +142,7 @@ private:
     void takeMenus(Program& program);
     void takeDialogs(Program& program);
     void takeHelp(Program& program);
+    void takeClass();
     void takeDialog(const QString& state);
 
     QDir m_folder;
@@ -188,6 +191,7 @@ void TestScreenshots::states()
     takeMenus(program);
     takeDialogs(program);
     takeHelp(program);
+    takeClass();
 }
 
 void TestScreenshots::take(QWidget& window, const QString& state)
@@ -334,7 +338,7 @@ void TestScreenshots::takeMenus(Program& program)
 
 void TestScreenshots::takeDialogs(Program& program)
 {
-    for (const char* id : {"edit.preferences", "help.keys", "help.about", "model.move", "model.rotate", "model.scale", "model.mirror",
+    for (const char* id : {"edit.preferences", "edit.classroom", "help.keys", "help.about", "model.move", "model.rotate", "model.scale", "model.mirror",
                            "model.symmetrize", "model.remesh", "model.flattenBase"}) {
         program.window.action(QLatin1StringView(id))->trigger();
         QDialog* dialog = nullptr;
@@ -367,6 +371,44 @@ void TestScreenshots::takeHelp(Program& program)
         take(*guide, QStringLiteral("guide-%1").arg(page + 1));
     }
     guide->close();
+}
+
+/// From the first question to the warning, with a work that waits.
+void TestScreenshots::takeClass()
+{
+    const QTemporaryDir own;
+    const QList<core::Starter> starters(std::begin(core::starters), std::end(core::starters));
+    const ui::Classroom classroom{QStringLiteral("5b, Tuesday"), own.filePath(QStringLiteral("none")), starters, {core::Tool::Pull, core::Tool::Smooth, core::Tool::Paint}, 20, 3, false, ui::Language::System, {}};
+    JournalShelf shelf(own.filePath(QStringLiteral("journals")).toStdString());
+    Program program;
+    program.document.keepJournals(&shelf);
+    qint64 now = 0;
+    ClassroomMode mode({&program.window, &program.document, &shelf}, classroom, {{}, own.filePath(QStringLiteral("waiting")), own.filePath(QStringLiteral("turn.json"))}, [&now] { return now; });
+    wireClassroom(program.window, mode);
+    program.window.resize(smallScreen);
+    program.window.show();
+    mode.begin();
+    const auto* panel = program.window.findChild<ui::NamePanel*>();
+    auto* name = program.window.findChild<QLineEdit*>(QStringLiteral("pupilName"));
+    auto* next = program.window.findChild<QPushButton*>(QStringLiteral("classNext"));
+    QTRY_VERIFY(panel->isVisible() && !program.document.isBusy());
+    QTRY_COMPARE(program.window.size(), smallScreen);
+    take(program.window, QStringLiteral("class-name"));
+    const auto begin = [&](const QString& pupil) {
+        QTest::keyClicks(name, pupil);
+        QTest::keyClick(name, Qt::Key_Return);
+        QTRY_VERIFY(next->isEnabled() && !program.document.isBusy());
+    };
+    begin(QStringLiteral("Anna-Lena the Great"));
+    take(program.window, QStringLiteral("class-turn"));
+    next->click();
+    QTRY_VERIFY(panel->isVisible() && !program.document.isBusy());
+    begin(QStringLiteral("Ben"));
+    now = 18 * 60'000;
+    mode.tick();
+    take(program.window, QStringLiteral("class-warning"));
+    program.window.close();
+    takeDialog(QStringLiteral("class-pin"));
 }
 
 int main(int argc, char* argv[])
