@@ -41,7 +41,8 @@ ClassPlaces ClassPlaces::of(const QString& classFile)
     const QByteArray path = QFileInfo(classFile).canonicalFilePath().toUtf8();
     const QString key = QString::fromLatin1(QCryptographicHash::hash(path, QCryptographicHash::Sha256).toHex().left(keyLength));
     const QString own = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + QStringLiteral("/fettle/classes/") + key;
-    return {JournalShelf::usualRoot().parent_path() / "class-journals" / key.toStdString(), own + QStringLiteral("/waiting"), own + QStringLiteral("/turn.json")};
+    return {JournalShelf::usualRoot().parent_path() / "class-journals" / key.toStdString(), own + QStringLiteral("/waiting"),
+            own + QStringLiteral("/turn.json")};
 }
 
 qint64 ClassroomMode::monotonicMs()
@@ -89,7 +90,7 @@ void ClassroomMode::connectAll()
     connect(&m_clock, &QTimer::timeout, this, &ClassroomMode::tick);
     connect(&m_deliverAgain, &QTimer::timeout, this, &ClassroomMode::deliver);
     document->setMayDiscard([this](const std::function<void()>& goOn) {
-        keepThen(m_stage == Stage::Sculpting ? m_turn : ClassTurn{newId(), {}, {}, 0}, goOn);
+        keepThen(m_stage == Stage::Sculpting ? turnNow() : ClassTurn{newId(), {}, {}, 0}, goOn);
         return false;
     });
     m_program.window->setGuard([this] { return mayClose(); });
@@ -136,7 +137,8 @@ void ClassroomMode::recoverNext()
 void ClassroomMode::keepRecovered(const RecoveryOffer& offer)
 {
     const auto note = readTurnNote(m_places.turnNote);
-    const ClassTurn turn = note && note->pupil == offer.name ? *note : ClassTurn{newId(), offer.name, {}, 0};
+    ClassTurn turn = note && note->pupil == offer.name ? *note : ClassTurn{newId(), offer.name, {}, 0};
+    turn.ended = offer.changed;
     m_record->lose();
     keepThen(turn, [this] { recoverNext(); });
 }
@@ -162,17 +164,17 @@ void ClassroomMode::prepare(const QString& pupil, core::Starter starter)
              [this, pupil] {
                  m_program.window->beginTurn();
                  m_program.document->setName(pupil);
-                 startTurn({newId(), pupil, QDateTime::currentDateTime(), 0}, {});
+                 startTurn({newId(), pupil, QDateTime::currentDateTime(), 0}, std::make_shared<TurnRecord>());
              });
 }
 
-void ClassroomMode::startTurn(const ClassTurn& turn, std::vector<core::FileEntry> before)
+void ClassroomMode::startTurn(const ClassTurn& turn, std::shared_ptr<TurnRecord> record)
 {
     m_stage = Stage::Sculpting;
     m_turn = turn;
     m_startMs = m_nowMs();
     m_isWarned = m_isOver = false;
-    m_record = std::make_shared<TurnRecord>(std::move(before));
+    m_record = std::move(record);
     writeTurnNote(m_places.turnNote, turn);
     m_panel->close();
     show();
@@ -192,7 +194,7 @@ void ClassroomMode::resume()
     openThen([this, ended] { m_program.document->openCopy(ended.folder + QStringLiteral("/model.glb"), ended.turn.pupil); },
              [this, ended] {
                  m_ended.reset();
-                 startTurn(ended.turn, ended.record);
+                 startTurn(ended.turn, std::make_shared<TurnRecord>(ended.record));
              });
 }
 
@@ -239,8 +241,8 @@ void ClassroomMode::keepThen(const ClassTurn& turn, std::function<void()> then)
     m_program.window->viewport()->finish();
     const auto kept = std::make_shared<KeptWork>();
     const auto keep = [archive = archive(), turn, record = m_record, kept](const Document::Present& present) {
-        *kept = archive.keep({turn.id, turn.pupil, turn.begun, QDateTime::currentDateTime(), present.step, present.mesh, present.hash, present.notes,
-                              record->upTo(present.step)});
+        const QDateTime ended = turn.ended.isValid() ? turn.ended : QDateTime::currentDateTime();
+        *kept = archive.keep({turn.id, turn.pupil, turn.begun, ended, present.step, present.mesh, present.hash, present.notes, record->upTo(present.step)});
         return kept->problem.isEmpty();
     };
     const auto done = [self = QPointer(this), turn, kept, then = std::move(then)](bool) {
@@ -266,7 +268,8 @@ void ClassroomMode::takeKept(const ClassTurn& turn, const KeptWork& kept, const 
         m_mayLeave = false;
         return m_program.window->showProblem(tr("%1 The work of %2 stays open, and nothing of it is lost.").arg(kept.problem, nameOf(turn)));
     }
-    m_ended = Ended{turn, kept.folder, m_record->upTo(m_program.document->undoStack().index()).value_or(std::vector<core::FileEntry>())};
+    m_ended = Ended{turn, kept.folder, m_record->upTo(m_program.document->undoStack().index())};
+    m_ended->turn.ended = {};
     deliver();
     then();
 }
@@ -309,11 +312,12 @@ void ClassroomMode::leave()
     });
 }
 
-/// A window manager's keys may take the window from the whole screen: it comes back.
+/// A window manager's keys may take the window off the screen: it comes back.
 bool ClassroomMode::eventFilter(QObject* watched, QEvent* event)
 {
-    const bool isAway = event->type() == QEvent::WindowStateChange && !m_program.window->isFullScreen();
-    if (isAway && m_classroom.fullScreen && m_program.window->isVisible())
+    const ui::MainWindow& window = *m_program.window;
+    const bool isAway = event->type() == QEvent::WindowStateChange && (!window.isFullScreen() || window.isMinimized());
+    if (isAway && m_classroom.fullScreen && window.isVisible())
         QMetaObject::invokeMethod(m_program.window, &QWidget::showFullScreen, Qt::QueuedConnection);
     return QObject::eventFilter(watched, event);
 }

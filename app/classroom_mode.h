@@ -75,7 +75,7 @@ private:
     {
         ClassTurn turn;
         QString folder; ///< of its work
-        std::vector<core::FileEntry> record;
+        std::optional<std::vector<core::FileEntry>> record; ///< nothing: it is not known
     };
 
     void connectAll();
@@ -85,7 +85,7 @@ private:
     void keepRecovered(const RecoveryOffer& offer);
     void ask();
     void prepare(const QString& pupil, core::Starter starter);
-    void startTurn(const ClassTurn& turn, std::vector<core::FileEntry> before);
+    void startTurn(const ClassTurn& turn, std::shared_ptr<TurnRecord> record);
     void next();
     void resume();
     void openThen(const std::function<void()>& open, const std::function<void()>& then);

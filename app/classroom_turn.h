@@ -14,8 +14,12 @@ namespace app
 class TurnRecord
 {
 public:
-    /// Goes on from what was done before the stack began.
-    explicit TurnRecord(std::vector<core::FileEntry> before = {}) : m_entries(std::move(before)), m_before(m_entries.size()) {}
+    TurnRecord() = default;
+    /// Goes on from what was done before the stack began; nothing: that is not known.
+    explicit TurnRecord(std::optional<std::vector<core::FileEntry>> before)
+        : m_isWhole(before.has_value()), m_entries(std::move(before).value_or(std::vector<core::FileEntry>())), m_before(m_entries.size())
+    {
+    }
 
     /// The step that makes the stack so long; those that had been undone are gone.
     void add(int steps, core::FileEntry entry);
@@ -26,9 +30,9 @@ public:
     std::optional<std::vector<core::FileEntry>> upTo(int step) const;
 
 private:
-    std::vector<core::FileEntry> m_entries;
-    std::size_t m_before;
     bool m_isWhole = true;
+    std::vector<core::FileEntry> m_entries;
+    std::size_t m_before = 0;
 };
 
 /// Whose turn it is.
@@ -38,6 +42,7 @@ struct ClassTurn
     QString pupil;
     QDateTime begun;
     qint64 usedMs = 0; ///< before it was interrupted
+    QDateTime ended = {}; ///< invalid: it goes on
 };
 
 /// What of a turn must outlive the program, beside its journal. A file that cannot be written or read only costs the time of its beginning.

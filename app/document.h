@@ -84,8 +84,8 @@ public:
         core::DocumentNotes notes;
         int step = 0;
     };
-    /// `keep` puts it somewhere, in a thread of its own, and says whether it is safe there; then it counts as saved. From that moment on until
-    /// `done` has returned, which hears the answer, nobody sculpts. False: something else is going on, and nothing is done.
+    /// `keep` puts it somewhere, in a thread of its own, and says whether it is safe there; then it counts as saved. Nobody sculpts from when it
+    /// is copied until `done`, which hears the answer, has returned. False: something else is going on, and nothing is done.
     bool handOver(const QString& what, std::function<bool(const Present& present)> keep, std::function<void(bool isKept)> done);
     const QUndoStack& undoStack() const { return m_stack; }
     HistoryStore& history() { return m_history; }

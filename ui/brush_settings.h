@@ -69,6 +69,7 @@ public:
     void fitTo(const ModelFacts& facts, double radiusShare);
     /// The radius, in longest sides of the model that it was fitted to.
     double radiusShare() const;
+    void setRadiusShare(double share) { setValue(core::Parameter::Radius, share * m_modelSize); }
     /// Whether the model is still about as large as the one that the radius was fitted to.
     bool fits(const ModelFacts& facts) const;
     double minOf(core::Parameter parameter) const;

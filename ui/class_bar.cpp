@@ -44,7 +44,8 @@ ClassBar::ClassBar(const QString& title, QMainWindow* window) : QToolBar(tr("Cla
     m_waiting = addLabel("classWaiting");
     m_clock = addLabel("classClock");
     m_time = addLabel("classTime");
-    m_resume = addButton("classResume", {}, tr("Takes back Next Pupil: the work is opened again as it was kept, and the turn goes on. Possible until somebody sculpts."));
+    m_resume = addButton("classResume", {},
+                         tr("Takes back Next Pupil: the work is opened again as it was kept, and the turn goes on. Possible until somebody sculpts."));
     m_resumeCell = actions().constLast();
     m_next = addButton("classNext", tr("&Next Pupil"), tr("Keeps the work in the class's folder, and begins the next turn with fresh clay."));
     m_leave = addButton("classLeave", tr("&Leave…"), tr("Asks for the teacher's PIN, keeps the work, and ends the class."));

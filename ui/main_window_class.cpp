@@ -28,7 +28,7 @@ void MainWindow::beginTurn()
     m_state->settings.reset();
     restoreState(beginning.bars);
     m_state->brush.reset();
-    m_state->brush.setValue(core::Parameter::Radius, m_state->brush.value(core::Parameter::Radius) * m_state->settings.radiusShare() / m_state->brush.radiusShare());
+    m_state->brush.setRadiusShare(m_state->settings.radiusShare());
     findChild<ColorPanel*>()->reset(beginning.swatches);
     setSwitches(m_state->actions, beginning.switches);
     m_state->viewport->setView(beginning.view);

@@ -68,8 +68,15 @@ private Q_SLOTS:
     {
         const QTemporaryDir folder;
         for (int turn : {0, 1, 240}) {
-            ui::Classroom written{QStringLiteral("a = b # c"), folder.filePath(QStringLiteral("Ä, b; %20 \"x\"")), {core::Starter::Torus}, {core::Tool::Snake}, turn,
-                                  turn / 2, turn == 0, ui::Language::Chinese, pinRecord(QStringLiteral("0815"))};
+            const ui::Classroom written{QStringLiteral("a = b # c"),
+                                        folder.filePath(QStringLiteral("Ä, b; %20 \"x\"")),
+                                        {core::Starter::Torus},
+                                        {core::Tool::Snake},
+                                        turn,
+                                        turn / 2,
+                                        turn == 0,
+                                        ui::Language::Chinese,
+                                        pinRecord(QStringLiteral("0815"))};
             const QString path = folder.filePath(QStringLiteral("class.ini"));
             QCOMPARE(ClassFile::write(path, written), QString());
             QCOMPARE(ClassFile::read(path), written);

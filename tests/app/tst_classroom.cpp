@@ -94,8 +94,9 @@ struct Class
 {
     explicit Class(const Home& home) : Class(home, home.classroom()) {}
     Class(const Home& home, const ui::Classroom& classroom)
-        : shelf((QSettings().clear(), home.places.journals)), mode((program.document.keepJournals(&shelf), ClassroomMode::Program{&program.window, &program.document, &shelf}), classroom, home.places, [this] { return now; })
+        : shelf(home.places.journals), mode({&program.window, &program.document, &shelf}, classroom, home.places, [this] { return now; })
     {
+        program.document.keepJournals(&shelf);
         wireClassroom(program.window, mode);
         program.window.resize(1100, 760);
         program.window.show();
@@ -171,7 +172,8 @@ struct Beginning
     bool operator==(const Beginning& other) const
     {
         const auto parts = [](const core::StrokeSettings& s) {
-            return std::tuple(s.tool, s.brush, s.topology, s.symmetry, s.radial, s.radius, s.strength, s.falloff, s.detail, s.spacing, s.fusion, s.add, s.color, s.alpha, s.model);
+            return std::tuple(s.tool, s.brush, s.topology, s.symmetry, s.radial, s.radius, s.strength, s.falloff, s.detail, s.spacing, s.fusion,
+                              s.add, s.color, s.alpha, s.model);
         };
         return parts(brush) == parts(other.brush) && swatches == other.swatches && switches == other.switches && view.yaw == other.view.yaw
                && view.pitch == other.view.pitch && view.target == other.view.target && view.distance == other.view.distance;
@@ -187,7 +189,8 @@ struct Beginning
 void leaveTraces(Class& c)
 {
     ui::MainWindow& window = c.program.window;
-    for (const char* id : {"symmetry.on", "symmetry.radial", "brush.steady", "view.flat", "material.wax", "view.orthographic", "brush.ray", "tool.paint", "view.top"})
+    for (const char* id : {"symmetry.on", "symmetry.radial", "brush.steady", "view.flat", "material.wax", "view.orthographic", "brush.ray", "tool.paint",
+                           "view.top"})
         window.action(QLatin1StringView(id))->trigger();
     window.brush()->set(&core::StrokeSettings::color, core::Rgb{1, 2, 3});
     window.brush()->setValue(core::Parameter::Strength, 2);
@@ -226,6 +229,7 @@ class TestClassroom : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void init() { QSettings().clear(); }
     void twentyFiveTurns_areKept();
     void aTurnBegins_asTheClassDid();
     void aMistakenPress_isTakenBack();

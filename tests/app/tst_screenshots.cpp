@@ -378,12 +378,14 @@ void TestScreenshots::takeClass()
 {
     const QTemporaryDir own;
     const QList<core::Starter> starters(std::begin(core::starters), std::end(core::starters));
-    const ui::Classroom classroom{QStringLiteral("5b, Tuesday"), own.filePath(QStringLiteral("none")), starters, {core::Tool::Pull, core::Tool::Smooth, core::Tool::Paint}, 20, 3, false, ui::Language::System, {}};
+    ui::Classroom classroom{QStringLiteral("5b, Tuesday"), own.filePath(QStringLiteral("none")), starters, {core::Tool::Pull, core::Tool::Smooth}};
+    classroom.fullScreen = false;
     JournalShelf shelf(own.filePath(QStringLiteral("journals")).toStdString());
     Program program;
     program.document.keepJournals(&shelf);
     qint64 now = 0;
-    ClassroomMode mode({&program.window, &program.document, &shelf}, classroom, {{}, own.filePath(QStringLiteral("waiting")), own.filePath(QStringLiteral("turn.json"))}, [&now] { return now; });
+    const ClassPlaces places{{}, own.filePath(QStringLiteral("waiting")), own.filePath(QStringLiteral("turn.json"))};
+    ClassroomMode mode({&program.window, &program.document, &shelf}, classroom, places, [&now] { return now; });
     wireClassroom(program.window, mode);
     program.window.resize(smallScreen);
     program.window.show();
