@@ -47,6 +47,7 @@ namespace
 {
 constexpr QSize smallScreen{1280, 720};
 constexpr int flightMs = 600; ///< of the view, to a place
+constexpr int longestWait = 60'000;
 constexpr int settleMs = 250; ///< layouts, and what comes from other threads: facts
 
 /// The words of one language, while it lives.
@@ -393,18 +394,20 @@ void TestScreenshots::takeClass()
     const auto* panel = program.window.findChild<ui::NamePanel*>();
     auto* name = program.window.findChild<QLineEdit*>(QStringLiteral("pupilName"));
     auto* next = program.window.findChild<QPushButton*>(QStringLiteral("classNext"));
-    QTRY_VERIFY(panel->isVisible() && !program.document.isBusy());
+    QTRY_VERIFY_WITH_TIMEOUT(panel->isVisible() && !program.document.isBusy(), longestWait);
     QTRY_COMPARE(program.window.size(), smallScreen);
+    const auto isReadable = [&program] { return program.window.viewport()->stats().patches > 0 && clippedTexts(program.window).isEmpty(); };
+    QTRY_VERIFY_WITH_TIMEOUT(isReadable(), longestWait);
     take(program.window, QStringLiteral("class-name"));
     const auto begin = [&](const QString& pupil) {
         QTest::keyClicks(name, pupil);
         QTest::keyClick(name, Qt::Key_Return);
-        QTRY_VERIFY(next->isEnabled() && !program.document.isBusy());
+        QTRY_VERIFY_WITH_TIMEOUT(next->isEnabled() && !program.document.isBusy() && isReadable(), longestWait);
     };
     begin(QStringLiteral("Anna-Lena the Great"));
     take(program.window, QStringLiteral("class-turn"));
     next->click();
-    QTRY_VERIFY(panel->isVisible() && !program.document.isBusy());
+    QTRY_VERIFY_WITH_TIMEOUT(panel->isVisible() && !program.document.isBusy(), longestWait);
     begin(QStringLiteral("Ben"));
     now = 18 * 60'000;
     mode.tick();
