@@ -93,9 +93,24 @@ ExitStatus CommandLine::dispatch(const QStringList& arguments)
     return Done;
 }
 
-WindowStart CommandLine::windowStart(const QStringList& arguments)
+/// Takes `--classroom FILE` out of the arguments.
+QString CommandLine::classFileIn(QStringList& arguments)
+{
+    const qsizetype at = arguments.indexOf(QStringLiteral("--classroom"));
+    const qsizetype end = arguments.indexOf(QStringLiteral("--"));
+    if (at < 0 || (end >= 0 && end < at))
+        return {};
+    if (at + 1 == arguments.size())
+        fail(tr("--classroom needs the file of a class, which Edit › Classroom writes."));
+    const QString path = QFileInfo(arguments.at(at + 1)).absoluteFilePath();
+    arguments.remove(at, 2);
+    return path;
+}
+
+WindowStart CommandLine::windowStart(QStringList arguments)
 {
     WindowStart start;
+    start.classFile = classFileIn(arguments);
     QStringList files;
     bool onlyFiles = false;
     for (const QString& argument : arguments) {
@@ -111,6 +126,8 @@ WindowStart CommandLine::windowStart(const QStringList& arguments)
     if (files.size() > 1)
         fail(tr("One file at a time can be opened, but %n were given; fettle --help says more.", nullptr,
                 static_cast<int>(files.size())));
+    if (!files.isEmpty() && !start.classFile.isEmpty())
+        fail(tr("%1 cannot be opened in a class, which begins with its own models.").arg(files.first()));
     if (!files.isEmpty())
         start.file = QFileInfo(files.first()).absoluteFilePath();
     return start;
@@ -177,6 +194,8 @@ QString CommandLine::help()
     return tr("Fettle sculpts closed models that stay ready to print.\n"
               "\n"
               "  fettle [--vr] [FILE]             open the window, with a model or with a ball of clay; --vr enters VR with it\n"
+              "  fettle [--vr] --classroom CLASS.ini\n"
+              "                                   begin a class in turns, as its teacher set it up (Edit > Classroom)\n"
               "  fettle check FILE... [--unit mm|cm|m|in] [--print] [--json] [--csv]\n"
               "                                   say whether models are in order; several files or a folder: a table\n"
               "  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]\n"

@@ -24,6 +24,7 @@ struct WindowStart
 {
     QString file; ///< absolute; empty: the ball
     bool entersVr = false;
+    QString classFile; ///< absolute; empty: it is no class
 };
 
 /// The command line. Works without a display; standard output carries only answers.
@@ -40,7 +41,7 @@ public:
     /// Runs it. Needs a QCoreApplication.
     static ExitStatus run(const QStringList& arguments);
     /// For `fettle` without a subcommand. Throws CommandFailure.
-    static WindowStart windowStart(const QStringList& arguments);
+    static WindowStart windowStart(QStringList arguments);
 
     /// Throws CommandFailure with usage when the arguments do not fit. --help is answered.
     static bool parse(QCommandLineParser& parser, const QString& command, const QStringList& arguments);
@@ -54,6 +55,7 @@ public:
     static void printError(const QString& sentence);
 
 private:
+    static QString classFileIn(QStringList& arguments);
     static ExitStatus dispatch(const QStringList& arguments);
     static QString help();
 };

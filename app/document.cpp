@@ -114,6 +114,7 @@ void Document::finishChange(const core::ModelCommand& command, const ui::Inserti
         const int index = m_stack.index();
         m_history.add(index, delta);
         m_stack.push(new StrokeCommand(ModelWords::name(command), {ModelWords::icon(command)}, &m_history, index));
+        Q_EMIT stepped(core::FileCommand{command, insertion.path.toStdString()});
         endChange(command, insertion, outcome);
     });
 }
@@ -259,6 +260,7 @@ void Document::takeReport(const StrokeReport& report)
             const StepWords words = StrokeCommand::wordsOf(report);
             m_stack.push(new StrokeCommand(words.text, words.marks, &m_history, index));
             countWork();
+            Q_EMIT stepped(*report.stroke);
         }
         const bool isSeen = report.shortfall == core::Shortfall::Stuck && report.delta; // other dabs did something
         if (report.shortfall != core::Shortfall::None && !isSeen)

@@ -6,6 +6,7 @@
 #include "work_clock.h"
 
 #include "core/starter_models.h"
+#include "core/stroke_file.h"
 #include "ui/insertion.h"
 #include "ui/model_facts.h"
 
@@ -78,6 +79,18 @@ public:
     QString redoText() const;
     /// Runs it when all that was asked for before is done, and every stroke that began before has been reported.
     void inTurn(std::function<void()> run) { request(std::move(run)); }
+
+    /// The model as all that was asked for before left it.
+    struct Present
+    {
+        std::shared_ptr<const core::TriangleMesh> mesh;
+        quint64 hash = 0;
+        core::DocumentNotes notes;
+        int step = 0;
+    };
+    /// `keep` puts it somewhere, in a thread of its own, and says whether it is safe there; then it counts as saved. Nobody sculpts from when it
+    /// is copied until `done`, which hears the answer, has returned. False: something else is going on, and nothing is done.
+    bool handOver(const QString& what, std::function<bool(const Present& present)> keep, std::function<void(bool isKept)> done);
     const QUndoStack& undoStack() const { return m_stack; }
     HistoryStore& history() { return m_history; }
 
@@ -91,12 +104,16 @@ public Q_SLOTS:
     /// The paper's sphere.
     void openSphere();
     void openStarter(core::Starter starter);
+    /// The model of a file, called otherwise, which has no file of its own.
+    void openCopy(const QString& path, const QString& name);
     /// A document that the shelf has an offer of, with its history.
     void recover(quint64 offer, const QString& name);
     /// What its files keep beside the model. No change to be saved by itself.
     void setPalette(std::vector<core::Rgb> palette);
     /// Its file is called so now.
     void setPath(const QString& path);
+    /// While it has no file it is called so.
+    void setName(const QString& name);
     /// Its file is not there any more: the model is nowhere else.
     void loseFile();
     /// To a file that from now on is the model's own.
@@ -133,6 +150,8 @@ Q_SIGNALS:
     void factsChanged(const ui::ModelFacts& facts);
     void modifiedChanged(bool modified);
     void historyChanged();
+    /// A step was done by hand, which is the last of the history now; undo and redo are none.
+    void stepped(const core::FileEntry& entry);
     void saved(const QString& path);
     /// The verdict: one line on the file as it was read back.
     void exported(const QString& path, const QString& verdict);
@@ -192,6 +211,9 @@ private:
     core::DocumentNotes notesNow() const;
     void saveBy(const QString& name, const Write& write);
     void finishSaving(int index, const SavedFile& saved);
+    void startHandingOver(const std::function<bool(const Present& present)>& keep, const std::function<void(bool isKept)>& done);
+    void finishHandingOver(int index, bool isKept, const std::function<void(bool isKept)>& done);
+    void setSaved(int index);
     void startExport(const ExportOrder& order, const core::JobWatch& watch);
     void finishExport(const QString& path, const ExportOutcome& outcome);
     void finishBrush(const KeptBrush& kept);

@@ -60,6 +60,16 @@ void Document::openStarter(core::Starter starter)
     openFrom({tr("Preparing the clay"), [starter](const core::JobWatch&) { return ModelLoader::starter(starter); }});
 }
 
+void Document::openCopy(const QString& path, const QString& name)
+{
+    openFrom({tr("Opening %1").arg(name), [path, name](const core::JobWatch& watch) {
+                  LoadedModel model = ModelLoader::load(path, {}, watch);
+                  model.path.clear();
+                  model.name = name;
+                  return model;
+              }});
+}
+
 /// Changes are what they are when all strokes have reported. Who let them go for a model that does not come need not be asked again.
 void Document::openFrom(const Choice& choice)
 {
@@ -160,6 +170,13 @@ void Document::setPath(const QString& path)
 {
     m_facts.path = path;
     m_facts.name = QFileInfo(path).fileName();
+    describeToJournal();
+    Q_EMIT factsChanged(m_facts);
+}
+
+void Document::setName(const QString& name)
+{
+    m_facts.name = name;
     describeToJournal();
     Q_EMIT factsChanged(m_facts);
 }
@@ -280,13 +297,52 @@ void Document::takeSaved(const QString& path, int index)
     m_facts.path = path;
     m_facts.name = QFileInfo(path).fileName();
     describeToJournal();
-    if (m_stack.index() == index && !hasUnreported()) {
-        m_stack.setClean();
-        m_changedBeyondHistory = false;
-        if (m_journal)
-            m_journal->saved(static_cast<std::uint32_t>(index));
-    }
+    setSaved(index);
     Q_EMIT saved(path);
     tellState();
+}
+
+void Document::setSaved(int index)
+{
+    if (m_stack.index() != index || hasUnreported())
+        return;
+    m_stack.setClean();
+    m_changedBeyondHistory = false;
+    if (m_journal)
+        m_journal->saved(static_cast<std::uint32_t>(index));
+}
+
+bool Document::handOver(const QString& what, std::function<bool(const Present& present)> keep, std::function<void(bool isKept)> done)
+{
+    if (m_work.isBusy())
+        return false;
+    m_work.begin(what);
+    request([this, keep = std::move(keep), done = std::move(done)] { startHandingOver(keep, done); });
+    return true;
+}
+
+void Document::startHandingOver(const std::function<bool(const Present& present)>& keep, const std::function<void(bool isKept)>& done)
+{
+    if (!m_worker->hold()) // another hand was faster
+        return request([this, keep, done] { startHandingOver(keep, done); });
+    m_isChanging = true; // what is asked for waits
+    m_worker->post([this, keep, done, present = Present{nullptr, 0, notesNow(), m_stack.index()}](core::Sculptor& sculptor) mutable {
+        present.mesh = std::make_shared<core::TriangleMesh>(core::extractMesh(sculptor.mesh()));
+        present.hash = sculptor.mesh().meshHash();
+        present.notes.frame = sculptor.mesh().frame();
+        m_work.run([keep, present] { return keep(present); }, [this, done, index = present.step](bool isKept) { finishHandingOver(index, isKept, done); });
+    });
+}
+
+void Document::finishHandingOver(int index, bool isKept, const std::function<void(bool isKept)>& done)
+{
+    m_work.end();
+    m_isChanging = false;
+    if (isKept)
+        setSaved(index);
+    done(isKept);
+    m_worker->release();
+    tellState();
+    runRequests();
 }
 } // namespace app

@@ -25,6 +25,8 @@ public:
     /// Both return at once; reported() tells how it goes. Nothing happens where that is so already; that a visit is stuck is told.
     void enter();
     void leave();
+    /// One sentence, to be read in the headset; nowhere if nobody wears it.
+    void tell(const QString& sentence) { m_desk.tellNotice(sentence); }
     /// A visit has begun, and was neither ended nor given up.
     bool isIn() const { return m_thread.isIn(); }
     /// One was given up, and hinders others.

@@ -80,7 +80,7 @@ std::shared_ptr<HeadsetPort> HeadsetDesk::open()
     m_port = std::make_shared<HeadsetPort>(m_worker);
     connect(m_port.get(), &HeadsetPort::mailCame, this, &HeadsetDesk::takeMail, Qt::QueuedConnection);
     m_port->begin();
-    m_files.look(folder());
+    lookForFiles();
     takeBusy();
     tell();
     return m_port;
@@ -115,10 +115,10 @@ void HeadsetDesk::takeBrush()
     tellSoon();
 }
 
-/// Where the model lies now.
+/// Where the model lies now. A class is shown no files.
 void HeadsetDesk::lookForFiles()
 {
-    if (m_port)
+    if (m_port && !m_window->classroom())
         m_files.look(folder());
     tellSoon();
 }

@@ -72,6 +72,7 @@ private:
     void obeyNext();
     void finish(const std::shared_ptr<HeadsetPort>& port);
     void refuse(const QString& sentence);
+    void refuseTool();
     void obey(const vr::ChooseBrush& wish);
     void obey(const vr::HeadsetChoice& choice);
     void obey(const vr::Undo&);

@@ -69,11 +69,20 @@ void HeadsetDesk::obey(const vr::ChooseBrush& wish)
     using core::StrokeSettings;
     ui::BrushSettings& brush = *m_window->brush();
     brush.setTool(wish.brush.tool);
+    if (!brush.isOffered(wish.brush.tool))
+        refuseTool();
     brush.set(&StrokeSettings::brush, wish.brush.brush);
     brush.set(&StrokeSettings::topology, wish.brush.topology);
     brush.set(&StrokeSettings::symmetry, wish.brush.symmetry);
     brush.set(&StrokeSettings::radial, wish.brush.radial);
     brush.set(&StrokeSettings::color, wish.brush.color);
+}
+
+/// The headset is told which tool there is instead.
+void HeadsetDesk::refuseTool()
+{
+    refuse(tr("This class does without that tool."));
+    ++m_news.brushChange;
 }
 
 void HeadsetDesk::obey(const vr::HeadsetChoice& choice)
@@ -107,6 +116,8 @@ void HeadsetDesk::obey(const core::ChangeMask& change)
 
 void HeadsetDesk::obey(const vr::SaveModel&)
 {
+    if (m_window->classroom())
+        return refuse(tr("In a class the work is kept by Next Pupil, at the window."));
     if (m_document->isBusy())
         return refuse(tr("The model was not saved: other work on it is not done yet."));
     m_document->saveNumbered(QDir(folder()).filePath(m_document->facts().name));
@@ -115,6 +126,8 @@ void HeadsetDesk::obey(const vr::SaveModel&)
 void HeadsetDesk::obey(const vr::OpenModel& wish)
 {
     const QString name = QFileInfo(wish.path).fileName();
+    if (m_window->classroom())
+        return refuse(tr("%1 was not opened: a class has its own models to begin with.").arg(name));
     if (m_document->isBusy())
         return refuse(tr("%1 was not opened: other work on the model is not done yet.").arg(name));
     if (wish.losesChanges)

@@ -1,3 +1,5 @@
+#include "class_file.h"
+#include "classroom_mode.h"
 #include "command_line.h"
 #include "document.h"
 #include "foreign_import.h"
@@ -14,6 +16,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QLibraryInfo>
+#include <QSettings>
 #include <QTranslator>
 
 #include <cstdio>
@@ -33,17 +36,17 @@ void nameProgram()
 }
 
 /// The window's words and numbers, as chosen; the command line goes by the system.
-void chooseLanguage()
+void chooseLanguage(ui::Language language)
 {
-    const ui::Language language = ui::Settings().preferences().language;
     for (const ui::Named<ui::Language>& row : ui::languages)
         if (row.value == language && language != ui::Language::System)
             QLocale::setDefault(QLocale(QLatin1StringView(row.key)));
 }
 
-/// Our own words, and Qt's for its dialogs. They must outlive the texts: they belong to the application.
+/// Our own words, and Qt's for its dialogs, in the place of those before. They must outlive the texts: they belong to the application.
 void loadTranslations(QCoreApplication& application)
 {
+    qDeleteAll(application.findChildren<QTranslator*>());
     const std::pair<QString, QString> catalogues[] = {
         {QStringLiteral("qtbase"), QLibraryInfo::path(QLibraryInfo::TranslationsPath)},
         {QStringLiteral("fettle"), QStringLiteral(":/i18n")}};
@@ -130,6 +133,36 @@ int showWindow(const app::WindowStart& start)
     return QApplication::exec();
 }
 
+/// Journals, settings and words are the class's own: what pupils change is not the teacher's. Each start begins as a new user's.
+int showClass(QApplication& application, const app::WindowStart& start)
+{
+    const ui::Classroom classroom = app::ClassFile::read(start.classFile);
+    const app::ClassPlaces places = app::ClassPlaces::of(start.classFile);
+    QCoreApplication::setApplicationName(QStringLiteral("FettleClass"));
+    QSettings().clear();
+    if (classroom.language != ui::Language::System) {
+        chooseLanguage(classroom.language);
+        loadTranslations(application);
+    }
+    app::JournalShelf shelf(places.journals);
+    app::SculptWorker worker;
+    const auto inbox = std::make_shared<app::PatchInbox>();
+    app::Document document(&worker);
+    ui::MainWindow window;
+    app::wire(window, document, worker, inbox);
+    document.keepJournals(&shelf);
+    app::ClassroomMode mode({&window, &document, &shelf}, classroom, places);
+    app::wireClassroom(window, mode);
+    if (classroom.fullScreen)
+        window.showFullScreen();
+    else
+        window.show();
+    if (start.entersVr)
+        enterVrOnce(document, window);
+    mode.begin();
+    return QApplication::exec();
+}
+
 int runWindow(int argc, char* argv[])
 {
     if (!canHaveWindow(argc, argv)) {
@@ -140,18 +173,20 @@ int runWindow(int argc, char* argv[])
     const QtMessageHandler usual = qInstallMessageHandler(onlyTellOfMissingDisplay);
     QApplication application(argc, argv);
     qInstallMessageHandler(usual);
-    chooseLanguage();
+    chooseLanguage(ui::Settings().preferences().language);
     loadTranslations(application);
 
-    app::WindowStart start;
+    int status = app::Done;
     try {
-        start = app::CommandLine::windowStart(QCoreApplication::arguments().mid(1));
+        const app::WindowStart start = app::CommandLine::windowStart(QCoreApplication::arguments().mid(1));
+        status = start.classFile.isEmpty() ? showWindow(start) : showClass(application, start);
     } catch (const app::CommandFailure& failure) {
         app::CommandLine::printError(failure.sentence);
         return failure.status;
+    } catch (const app::ClassFileError& error) {
+        app::CommandLine::printError(error.sentence);
+        return app::BadInput;
     }
-
-    const int status = showWindow(start);
     if (vr::RuntimeThread::hasLeftWork()) { // it still draws with what Qt and OpenXR keep, should the headset's program wake just now
         std::fflush(nullptr);
         std::_Exit(status);

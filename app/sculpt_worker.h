@@ -35,6 +35,7 @@ struct MeshFacts
 struct StrokeReport
 {
     std::shared_ptr<core::MeshDelta> delta; ///< already applied; null if nothing changed
+    std::shared_ptr<const core::Stroke> stroke; ///< that did it; null if nothing changed
     core::Tool tool = core::Tool::Pull;
     quint64 dabs = 0;
     quint64 fusions = 0;
@@ -161,7 +162,7 @@ private:
     /// What its samples do. Undecided: a pull or a sphere, says the first.
     enum class Course { Open, Undecided, Over } m_course = Course::Open;
     std::shared_ptr<core::Journal> m_journal;
-    std::vector<core::StrokeSample> m_samples; ///< of the stroke in work, for the journal
+    std::vector<core::StrokeSample> m_samples; ///< of the stroke in work, for who keeps records
     core::Box m_box;
     core::Box m_scannedBox;
     double m_area = 0;

@@ -113,8 +113,7 @@ void SculptWorker::run(Sample& job)
 
 core::Shortfall SculptWorker::apply(const core::StrokeSample& sample)
 {
-    if (m_journal)
-        m_samples.push_back(sample);
+    m_samples.push_back(sample);
     core::Shortfall shortfall = core::Shortfall::None;
     const std::vector<core::DabReport> dabs = m_sculptor->addSample(sample);
     m_report.dabs += dabs.size();
@@ -133,8 +132,10 @@ void SculptWorker::run(EndStroke&)
     if (m_sculptor) {
         auto delta = std::make_shared<core::MeshDelta>(m_sculptor->strokeOpen() ? m_sculptor->endStroke() : core::MeshDelta());
         flushPatch();
-        if (!delta->empty())
+        if (!delta->empty()) {
             m_report.delta = std::move(delta);
+            m_report.stroke = std::make_shared<const core::Stroke>(core::Stroke{m_stroke.settings, std::exchange(m_samples, {}), {}, {}});
+        }
         m_report.fusions = m_sculptor->totals().fusions - m_fusionsBefore;
         m_report.facts = facts();
         if (m_journal && m_report.delta)
@@ -149,6 +150,6 @@ void SculptWorker::record(const core::MeshDelta& delta)
     const StepWords words = StrokeCommand::wordsOf(m_report);
     m_journal->changed(m_sculptor->mesh(), delta,
                        {words.text.toStdString(), words.marks.icon.toStdString(), words.marks.dabs, words.marks.fusions},
-                       core::Stroke{m_stroke.settings, std::exchange(m_samples, {}), {}, {}});
+                       *m_report.stroke);
 }
 } // namespace app

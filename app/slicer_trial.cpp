@@ -11,7 +11,7 @@ namespace app
 {
 namespace
 {
-constexpr int lookEveryMs = 50, patienceMs = 180'000;
+constexpr int askSlicerEveryMs = 50, patienceMs = 180'000;
 constexpr qsizetype longestComplaint = 160;
 
 QString lastLineOf(const QByteArray& text)
@@ -34,7 +34,7 @@ QString SlicerTrial::run(const QString& model, const core::JobWatch& watch)
     slicer.start(ui::installedSlicer(), {QStringLiteral("--export-gcode"), QStringLiteral("--output"), gcode, model});
     QElapsedTimer time;
     time.start();
-    while (!slicer.waitForFinished(lookEveryMs) && slicer.state() != QProcess::NotRunning && !watch.stopped() && !time.hasExpired(patienceMs)) {}
+    while (!slicer.waitForFinished(askSlicerEveryMs) && slicer.state() != QProcess::NotRunning && !watch.stopped() && !time.hasExpired(patienceMs)) {}
     if (slicer.state() != QProcess::NotRunning) {
         slicer.kill();
         slicer.waitForFinished();

@@ -1,5 +1,8 @@
 #include "wiring.h"
 
+#include "class_file.h"
+#include "class_pin.h"
+#include "classroom_mode.h"
 #include "document.h"
 #include "drawing_worker.h"
 #include "headset.h"
@@ -27,6 +30,7 @@
 #include "vr/sculpt_client.h"
 
 #include <QAction>
+#include <QDir>
 
 namespace app
 {
@@ -262,6 +266,18 @@ void wireReports(ui::MainWindow& window, Document& document)
     QObject::connect(desk, &ReportDesk::refused, &window, &ui::MainWindow::showProblem);
 }
 
+void wireClassFiles(ui::MainWindow& window)
+{
+    QObject::connect(&window, &ui::MainWindow::classroomDrafted, &window, [&window](const ui::ClassroomDraft& draft) {
+        ui::Classroom classroom = draft.classroom;
+        classroom.pin = pinRecord(draft.pin);
+        const QString problem = ClassFile::write(draft.path, classroom);
+        if (!problem.isEmpty())
+            return window.showProblem(problem);
+        window.showNotice(ClassFile::tr("%1 was written. The class begins with: fettle --classroom %1").arg(QDir::toNativeSeparators(draft.path)));
+    });
+}
+
 std::shared_ptr<vr::FrameClient> makeClient(const std::shared_ptr<vr::DocumentPort>& port, const vr::HeadsetChoice& choice)
 {
     return std::make_shared<vr::SculptClient>(port, choice);
@@ -332,6 +348,7 @@ void wire(ui::MainWindow& window, Document& document, SculptWorker& worker, cons
     wireWorker(*window.viewport(), worker, inbox);
     wireDrawings(window, worker);
     wireReports(window, document);
+    wireClassFiles(window);
 }
 
 void wireRecovery(ui::MainWindow& window, Document& document, JournalShelf& shelf)
@@ -349,5 +366,11 @@ void wireRecovery(ui::MainWindow& window, Document& document, JournalShelf& shel
     };
     QObject::connect(&shelf, &JournalShelf::offered, &window, show);
     shelf.look();
+}
+
+void wireClassroom(ui::MainWindow& window, ClassroomMode& mode)
+{
+    QObject::connect(&mode, &ClassroomMode::noticed, &window, &ui::MainWindow::showNotice);
+    QObject::connect(&mode, &ClassroomMode::noticed, window.findChild<Headset*>(), &Headset::tell);
 }
 } // namespace app

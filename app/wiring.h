@@ -9,6 +9,7 @@ class MainWindow;
 
 namespace app
 {
+class ClassroomMode;
 class Document;
 class JournalShelf;
 class PatchInbox;
@@ -20,4 +21,7 @@ void wire(ui::MainWindow& window, Document& document, SculptWorker& worker, cons
 
 /// Changes are recorded on the shelf, and what it has from before is offered in the window. The shelf must outlive the document.
 void wireRecovery(ui::MainWindow& window, Document& document, JournalShelf& shelf);
+
+/// What a class says is read in the window and in the headset. wire() comes first.
+void wireClassroom(ui::MainWindow& window, ClassroomMode& mode);
 } // namespace app

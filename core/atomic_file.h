@@ -42,6 +42,9 @@ private:
     int m_descriptor = -1;
 };
 
+/// Gives a folder another name beside it, which outlives a power cut. False if something has that name already; else throws FileError.
+bool renameFolder(const std::filesystem::path& from, const std::filesystem::path& to);
+
 /// Of what the system says when writing fails.
 FileErrorKind kindOfWriteError(int systemError);
 

@@ -25,6 +25,16 @@ std::string folderOf(const std::filesystem::path& target)
     const std::filesystem::path folder = target.parent_path();
     return folder.empty() ? "." : folder.string();
 }
+
+/// A new name in it outlives a power cut then.
+void syncFolder(const std::string& path)
+{
+    const int folder = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (folder < 0)
+        return;
+    ::fsync(folder);
+    ::close(folder);
+}
 } // namespace
 
 FileErrorKind kindOfWriteError(int systemError)
@@ -54,6 +64,20 @@ void checkWritten(const std::error_code& problem, const std::filesystem::path& p
     FileError error(kindOfWriteError(problem.value()), path);
     error.systemError = problem.value();
     throw error;
+}
+
+/// An empty folder of that name may be replaced: nothing is lost by it.
+bool renameFolder(const std::filesystem::path& from, const std::filesystem::path& to)
+{
+    if (::rename(from.c_str(), to.c_str()) == 0) {
+        syncFolder(folderOf(to));
+        return true;
+    }
+    const int problem = errno;
+    if (problem == EEXIST || problem == ENOTEMPTY || problem == ENOTDIR)
+        return false;
+    checkWritten(std::error_code(problem, std::generic_category()), to);
+    return false;
 }
 
 AtomicFile::AtomicFile(const std::filesystem::path& path) : m_path(path), m_target(path)
@@ -161,11 +185,7 @@ void AtomicFile::commit()
     if (::rename(m_temporary.c_str(), m_target.c_str()) != 0)
         fail(errno);
     m_temporary.clear();
-    const int folder = ::open(folderOf(m_target).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (folder >= 0) { // the new name, too, outlives a power cut
-        ::fsync(folder);
-        ::close(folder);
-    }
+    syncFolder(folderOf(m_target));
 }
 
 void AtomicFile::fail(int systemError) const

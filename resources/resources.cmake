@@ -11,7 +11,9 @@ set(FETTLE_RESOURCE_FILES
     icons/background-theme.svg
     icons/background-white.svg
     icons/brush-model.svg
+    icons/classroom.svg
     icons/clay.svg
+    icons/clock.svg
     icons/color.svg
     icons/crease.svg
     icons/dimensions.svg
@@ -154,7 +156,7 @@ set(FETTLE_RESOURCE_FILES
     shaders/wire.frag
     shaders/wire.geom)
 foreach(LANGUAGE en de zh_CN)
-    foreach(PAGE first-steps lesson-vase lesson-head lesson-tablet view tools topology symmetry mask colour files preview history keys pen vr wands problems)
+    foreach(PAGE first-steps lesson-vase lesson-head lesson-tablet view tools topology symmetry mask colour files preview history keys pen vr wands classroom problems)
         list(APPEND FETTLE_RESOURCE_FILES help/${LANGUAGE}/${PAGE}.md)
     endforeach()
 endforeach()

@@ -104,6 +104,110 @@
     </message>
 </context>
 <context>
+    <name>app::ClassArchive</name>
+    <message>
+        <source>%1: there is not enough memory to write this model.</source>
+        <translation>%1: Der Arbeitsspeicher reicht nicht, um dieses Modell zu schreiben.</translation>
+    </message>
+</context>
+<context>
+    <name>app::ClassFile</name>
+    <message>
+        <source>%1 cannot be read (%2).</source>
+        <translation>%1 kann nicht gelesen werden (%2).</translation>
+    </message>
+    <message>
+        <source>%1 is no class file: it is no text in UTF-8, or too long.</source>
+        <translation>%1 ist keine Klassendatei: Sie ist kein Text in UTF-8 oder zu lang.</translation>
+    </message>
+    <message>
+        <source>a line says key = value, or begins with #.</source>
+        <translation>Eine Zeile lautet Schlüssel = Wert oder beginnt mit #.</translation>
+    </message>
+    <message>
+        <source>%1 stands there for the second time.</source>
+        <translation>%1 steht dort zum zweiten Mal.</translation>
+    </message>
+    <message>
+        <source>%1: %2 is missing.</source>
+        <translation>%1: %2 fehlt.</translation>
+    </message>
+    <message>
+        <source>nothing stands there.</source>
+        <translation>Dort steht nichts.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no whole number from 0 to %2.</source>
+        <translation>„%1“ ist keine ganze Zahl von 0 bis %2.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is none of %2.</source>
+        <translation>„%1“ gehört nicht zu %2.</translation>
+    </message>
+    <message>
+        <source>%1 is no key of a class file.</source>
+        <translation>%1 ist kein Schlüssel einer Klassendatei.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: %3</source>
+        <translation>%1, Zeile %2: %3</translation>
+    </message>
+    <message>
+        <source># A class for Fettle. It begins with: fettle --classroom and the name of this file.</source>
+        <translation># Eine Klasse für Fettle. Sie beginnt mit: fettle --classroom und dem Namen dieser Datei.</translation>
+    </message>
+    <message>
+        <source>%1 was written. The class begins with: fettle --classroom %1</source>
+        <translation>%1 wurde geschrieben. Die Klasse beginnt mit: fettle --classroom %1</translation>
+    </message>
+    <message>
+        <source>this is no PIN as Fettle writes it; Edit › Classroom sets one.</source>
+        <translation>Das ist keine PIN, wie Fettle sie schreibt; Bearbeiten › Klassenraum setzt eine.</translation>
+    </message>
+</context>
+<context>
+    <name>app::ClassroomMode</name>
+    <message>
+        <source>somebody</source>
+        <translation>jemand</translation>
+    </message>
+    <message>
+        <source>Keeping the work of %1</source>
+        <translation>Die Arbeit wird aufgehoben: %1</translation>
+    </message>
+    <message>
+        <source>Not yet: other work on the model is not done.</source>
+        <translation>Noch nicht: Eine andere Arbeit am Modell ist noch nicht fertig.</translation>
+    </message>
+    <message>
+        <source>%1 The work of %2 stays open, and nothing of it is lost.</source>
+        <translation>%1 Die Arbeit bleibt offen (%2), und nichts davon geht verloren.</translation>
+    </message>
+    <message>
+        <source>%1 Until then they are in %2.</source>
+        <translation>%1 Bis dahin sind sie in %2.</translation>
+    </message>
+    <message>
+        <source>%1 The work is kept on this computer and goes there as soon as that is possible.</source>
+        <translation>%1 Die Arbeit ist auf diesem Rechner aufgehoben und kommt dorthin, sobald das möglich ist.</translation>
+    </message>
+    <message>
+        <source>This ends the class. The work of the present turn is kept.</source>
+        <translation>Das beendet die Klasse. Die Arbeit, die gerade offen ist, wird aufgehoben.</translation>
+    </message>
+    <message>
+        <source>The time is up. Finish what you are doing; then it is the next one&apos;s turn.</source>
+        <translation>Die Zeit ist um. Mach noch fertig, was du gerade tust; dann kommt das nächste Kind dran.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n minutes are left: come to an end soon.</source>
+        <translation>
+            <numerusform>Noch %n Minute: Komm bald zum Ende.</numerusform>
+            <numerusform>Noch %n Minuten: Komm bald zum Ende.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>app::CommandLine</name>
     <message>
         <source>There is not enough memory for this.</source>
@@ -131,6 +235,50 @@
     <message>
         <source>%1: its ending does not say a format that is written; %2 are.</source>
         <translation>%1: Die Endung nennt kein Format, das geschrieben wird; das sind %2.</translation>
+    </message>
+    <message>
+        <source>--classroom needs the file of a class, which Edit › Classroom writes.</source>
+        <translation>--classroom braucht die Datei einer Klasse, die Bearbeiten › Klassenraum schreibt.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened in a class, which begins with its own models.</source>
+        <translation>%1 kann in einer Klasse nicht geöffnet werden: Sie beginnt mit ihren eigenen Modellen.</translation>
+    </message>
+    <message>
+        <source>Fettle sculpts closed models that stay ready to print.
+
+  fettle [--vr] [FILE]             open the window, with a model or with a ball of clay; --vr enters VR with it
+  fettle [--vr] --classroom CLASS.ini
+                                   begin a class in turns, as its teacher set it up (Edit &gt; Classroom)
+  fettle check FILE... [--unit mm|cm|m|in] [--print] [--json] [--csv]
+                                   say whether models are in order; several files or a folder: a table
+  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]
+                                   write a model in another format or size, mended, or with fewer triangles
+  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--verify local|full|none]
+                                   play recorded strokes on a model
+  fettle help COMMAND              the options of check, convert or replay
+  fettle --version
+
+Formats: %1. Lengths are in millimetres.
+Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standard error).
+</source>
+        <translation>Fettle formt geschlossene Modelle, die druckfertig bleiben.
+
+  fettle [--vr] [FILE]             das Fenster öffnen, mit einem Modell oder einer Tonkugel; --vr betritt damit VR
+  fettle [--vr] --classroom CLASS.ini
+                                   eine Klasse beginnen, wie ihre Lehrkraft sie eingerichtet hat (Bearbeiten &gt; Klassenraum)
+  fettle check FILE... [--unit mm|cm|m|in] [--print] [--json] [--csv]
+                                   sagen, ob Modelle in Ordnung sind; mehrere Dateien oder ein Ordner: eine Tabelle
+  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]
+                                   ein Modell in anderem Format oder anderer Größe schreiben, repariert oder mit weniger Dreiecken
+  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--verify local|full|none]
+                                   aufgezeichnete Striche auf einem Modell abspielen
+  fettle help COMMAND              die Optionen von check, convert oder replay
+  fettle --version
+
+Formate: %1. Längen in Millimetern.
+Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mit einer Zeile auf der Standardfehlerausgabe).
+</translation>
     </message>
     <message>
         <source>There is no help on %1: the commands are check, convert, replay, report and sheet.</source>
@@ -355,6 +503,18 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>%1 was not opened: the present model has changes that no file holds.</source>
         <translation>%1 wurde nicht geöffnet: Das jetzige Modell hat Änderungen, die keine Datei enthält.</translation>
+    </message>
+    <message>
+        <source>This class does without that tool.</source>
+        <translation>Diese Klasse kommt ohne dieses Werkzeug aus.</translation>
+    </message>
+    <message>
+        <source>In a class the work is kept by Next Pupil, at the window.</source>
+        <translation>In einer Klasse wird die Arbeit mit Nächstes Kind aufgehoben, am Fenster.</translation>
+    </message>
+    <message>
+        <source>%1 was not opened: a class has its own models to begin with.</source>
+        <translation>%1 wurde nicht geöffnet: Eine Klasse hat ihre eigenen Modelle zum Anfangen.</translation>
     </message>
     <message>
         <source>The mask was not changed: other work on the model is not done yet.</source>
@@ -2093,6 +2253,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Mod&amp;ell</translation>
     </message>
     <message>
+        <source>&amp;Classroom…</source>
+        <translation>&amp;Klassenraum …</translation>
+    </message>
+    <message>
+        <source>Writes the file of a class: what pupils may do, how long their turns are, and the PIN that ends it.</source>
+        <translation>Schreibt die Datei einer Klasse: was Kinder tun dürfen, wie lange jedes an der Reihe ist und welche PIN sie beendet.</translation>
+    </message>
+    <message>
         <source>&amp;Class Report…</source>
         <translation>Klassenbe&amp;richt …</translation>
     </message>
@@ -2284,6 +2452,55 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
+    <name>ui::ClassBar</name>
+    <message>
+        <source>Class</source>
+        <translation>Klasse</translation>
+    </message>
+    <message>
+        <source>Takes back Next Pupil: the work is opened again as it was kept, and the turn goes on. Possible until somebody sculpts.</source>
+        <translation>Nimmt Nächstes Kind zurück: Die Arbeit wird wieder geöffnet, wie sie aufgehoben wurde, und es geht damit weiter. Möglich, bis jemand formt.</translation>
+    </message>
+    <message>
+        <source>&amp;Next Pupil</source>
+        <translation>&amp;Nächstes Kind</translation>
+    </message>
+    <message>
+        <source>Keeps the work in the class&apos;s folder, and begins the next turn with fresh clay.</source>
+        <translation>Hebt die Arbeit im Ordner der Klasse auf, und das nächste Kind beginnt mit frischem Ton.</translation>
+    </message>
+    <message>
+        <source>&amp;Leave…</source>
+        <translation>&amp;Verlassen …</translation>
+    </message>
+    <message>
+        <source>Asks for the teacher&apos;s PIN, keeps the work, and ends the class.</source>
+        <translation>Fragt nach der PIN der Lehrkraft, hebt die Arbeit auf und beendet die Klasse.</translation>
+    </message>
+    <message>
+        <source>Time is up</source>
+        <translation>Die Zeit ist um</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n minutes left</source>
+        <translation>
+            <numerusform>noch %n Minute</numerusform>
+            <numerusform>noch %n Minuten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Resume %1&apos;s Turn</source>
+        <translation>&amp;Weiter mit %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n works wait on this computer</source>
+        <translation>
+            <numerusform>%n Arbeit wartet auf diesem Rechner</numerusform>
+            <numerusform>%n Arbeiten warten auf diesem Rechner</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ui::ClassReport</name>
     <message>
         <source>Print-ready</source>
@@ -2328,6 +2545,132 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Page %1 of %2</source>
         <translation>Seite %1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ClassroomDialog</name>
+    <message>
+        <source>Classroom</source>
+        <translation>Klassenraum</translation>
+    </message>
+    <message>
+        <source>A class has turns: each pupil begins with fresh clay, and Next Pupil keeps the work in the class&apos;s folder. Nobody gets at other files, and leaving takes your PIN.</source>
+        <translation>In einer Klasse ist eins nach dem anderen an der Reihe: Jedes Kind beginnt mit frischem Ton, und Nächstes Kind hebt die Arbeit im Ordner der Klasse auf. Niemand kommt an andere Dateien, und das Verlassen braucht Ihre PIN.</translation>
+    </message>
+    <message>
+        <source>To begin with</source>
+        <translation>Zum Anfangen</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>&amp;Speichern …</translation>
+    </message>
+    <message>
+        <source>Stands in the topmost bar, such as the name of the class.</source>
+        <translation>Steht in der obersten Leiste, etwa der Name der Klasse.</translation>
+    </message>
+    <message>
+        <source>&amp;Title:</source>
+        <translation>&amp;Titel:</translation>
+    </message>
+    <message>
+        <source>There each turn gets a folder with model, picture and record.</source>
+        <translation>Dort bekommt jede Arbeit einen Ordner mit Modell, Bild und Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>&amp;Choose…</source>
+        <translation>&amp;Wählen …</translation>
+    </message>
+    <message>
+        <source>&amp;Folder for the works:</source>
+        <translation>&amp;Ordner für die Arbeiten:</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>unbegrenzt</translation>
+    </message>
+    <message>
+        <source>So long is a turn. Nothing is taken away when it is over.</source>
+        <translation>So lange ist ein Kind an der Reihe. Danach wird nichts weggenommen.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>So long before the end a word is said, in the headset, too.</source>
+        <translation>So lange vor dem Ende wird ein Wort gesagt, auch im Headset.</translation>
+    </message>
+    <message>
+        <source>Full &amp;screen</source>
+        <translation>&amp;Ganzer Bildschirm</translation>
+    </message>
+    <message>
+        <source>Nothing else is to be seen on the screen.</source>
+        <translation>Auf dem Bildschirm ist nichts anderes zu sehen.</translation>
+    </message>
+    <message>
+        <source>The words of the window in this class.</source>
+        <translation>In dieser Sprache spricht das Fenster der Klasse.</translation>
+    </message>
+    <message>
+        <source>T&amp;urn:</source>
+        <translation>&amp;Dauer je Kind:</translation>
+    </message>
+    <message>
+        <source>&amp;Warning before the end:</source>
+        <translation>W&amp;arnung vor dem Ende:</translation>
+    </message>
+    <message>
+        <source>&amp;Language:</source>
+        <translation>Sp&amp;rache:</translation>
+    </message>
+    <message>
+        <source>Leaving the class takes it. It is kept as a fingerprint, not as you type it.</source>
+        <translation>Das Verlassen der Klasse braucht sie. Aufgehoben wird ein Fingerabdruck, nicht was Sie tippen.</translation>
+    </message>
+    <message>
+        <source>&amp;PIN:</source>
+        <translation>&amp;PIN:</translation>
+    </message>
+    <message>
+        <source>PIN once &amp;more:</source>
+        <translation>PIN &amp;noch einmal:</translation>
+    </message>
+    <message>
+        <source>The class has no title yet.</source>
+        <translation>Die Klasse hat noch keinen Titel.</translation>
+    </message>
+    <message>
+        <source>There is no such folder for the works.</source>
+        <translation>Diesen Ordner für die Arbeiten gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>Choose at least one model to begin with.</source>
+        <translation>Wählen Sie mindestens ein Modell zum Anfangen.</translation>
+    </message>
+    <message>
+        <source>Choose at least one tool.</source>
+        <translation>Wählen Sie mindestens ein Werkzeug.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The PIN needs at least %n characters.</source>
+        <translation>
+            <numerusform>Die PIN braucht mindestens %n Zeichen.</numerusform>
+            <numerusform>Die PIN braucht mindestens %n Zeichen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The two PINs are not the same.</source>
+        <translation>Die beiden PINs sind nicht gleich.</translation>
     </message>
 </context>
 <context>
@@ -2626,6 +2969,18 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Alpha wählen</translation>
     </message>
     <message>
+        <source>Choose a Folder</source>
+        <translation>Einen Ordner wählen</translation>
+    </message>
+    <message>
+        <source>Save the Class</source>
+        <translation>Die Klasse speichern</translation>
+    </message>
+    <message>
+        <source>class</source>
+        <translation>klasse</translation>
+    </message>
+    <message>
         <source>Choose the Folder with the Models</source>
         <translation>Ordner mit den Modellen wählen</translation>
     </message>
@@ -2804,10 +3159,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>How large the pictures are.</source>
         <translation>Wie groß die Bilder sind.</translation>
-    </message>
-    <message>
-        <source>Choose a Folder</source>
-        <translation>Einen Ordner wählen</translation>
     </message>
     <message>
         <source>%L1 of %L2 read</source>
@@ -4002,6 +4353,33 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
+    <name>ui::NamePanel</name>
+    <message>
+        <source>&amp;Begin</source>
+        <translation>&amp;Anfangen</translation>
+    </message>
+    <message>
+        <source>The next turn</source>
+        <translation>Wer als Nächstes dran ist</translation>
+    </message>
+    <message>
+        <source>Whose turn is it?</source>
+        <translation>Wer ist dran?</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Name or nickname</source>
+        <translation>Name oder Spitzname</translation>
+    </message>
+    <message>
+        <source>Begins the turn. (Return)</source>
+        <translation>Fängt an. (Eingabetaste)</translation>
+    </message>
+</context>
+<context>
     <name>ui::ParameterControl</name>
     <message>
         <source> mm</source>
@@ -4044,6 +4422,28 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Pen: %1</source>
         <translation>Stift: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PinDialog</name>
+    <message>
+        <source>Teacher&apos;s PIN</source>
+        <translation>PIN der Lehrkraft</translation>
+    </message>
+    <message>
+        <source>&amp;Go On</source>
+        <translation>&amp;Weiter</translation>
+    </message>
+    <message>
+        <source>This is not the PIN.</source>
+        <translation>Das ist nicht die PIN.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Too often wrong: the next try is possible in %n seconds.</source>
+        <translation>
+            <numerusform>Zu oft falsch: Der nächste Versuch ist in %n Sekunde möglich.</numerusform>
+            <numerusform>Zu oft falsch: Der nächste Versuch ist in %n Sekunden möglich.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>app::ClassroomMode</name>
+    <message numerus="yes">
+        <source>%n minutes are left: come to an end soon.</source>
+        <translation>
+            <numerusform>%n minute is left: come to an end soon.</numerusform>
+            <numerusform>%n minutes are left: come to an end soon.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>app::CommandLine</name>
     <message numerus="yes">
         <source>One file at a time can be opened, but %n were given; fettle --help says more.</source>
@@ -28,6 +38,33 @@
         <translation>
             <numerusform>report: one folder is needed, but %n was given.</numerusform>
             <numerusform>report: one folder is needed, but %n were given.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ui::ClassBar</name>
+    <message numerus="yes">
+        <source>%n minutes left</source>
+        <translation>
+            <numerusform>%n minute left</numerusform>
+            <numerusform>%n minutes left</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n works wait on this computer</source>
+        <translation>
+            <numerusform>%n work waits on this computer</numerusform>
+            <numerusform>%n works wait on this computer</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ui::ClassroomDialog</name>
+    <message numerus="yes">
+        <source>The PIN needs at least %n characters.</source>
+        <translation>
+            <numerusform>The PIN needs at least %n character.</numerusform>
+            <numerusform>The PIN needs at least %n characters.</numerusform>
         </translation>
     </message>
 </context>
@@ -95,6 +132,16 @@
         <translation>
             <numerusform>%n object is one model now</numerusform>
             <numerusform>%n objects are one model now</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ui::PinDialog</name>
+    <message numerus="yes">
+        <source>Too often wrong: the next try is possible in %n seconds.</source>
+        <translation>
+            <numerusform>Too often wrong: the next try is possible in %n second.</numerusform>
+            <numerusform>Too often wrong: the next try is possible in %n seconds.</numerusform>
         </translation>
     </message>
 </context>

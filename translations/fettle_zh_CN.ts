@@ -104,6 +104,109 @@
     </message>
 </context>
 <context>
+    <name>app::ClassArchive</name>
+    <message>
+        <source>%1: there is not enough memory to write this model.</source>
+        <translation>%1：内存不足，无法写入此模型。</translation>
+    </message>
+</context>
+<context>
+    <name>app::ClassFile</name>
+    <message>
+        <source>%1 cannot be read (%2).</source>
+        <translation>无法读取 %1（%2）。</translation>
+    </message>
+    <message>
+        <source>%1 is no class file: it is no text in UTF-8, or too long.</source>
+        <translation>%1 不是课堂文件：它不是 UTF-8 文本，或者太长。</translation>
+    </message>
+    <message>
+        <source>a line says key = value, or begins with #.</source>
+        <translation>每一行应为“键 = 值”，或以 # 开头。</translation>
+    </message>
+    <message>
+        <source>%1 stands there for the second time.</source>
+        <translation>%1 重复出现。</translation>
+    </message>
+    <message>
+        <source>%1: %2 is missing.</source>
+        <translation>%1：缺少 %2。</translation>
+    </message>
+    <message>
+        <source>nothing stands there.</source>
+        <translation>内容为空。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no whole number from 0 to %2.</source>
+        <translation>“%1”不是 0 到 %2 之间的整数。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is none of %2.</source>
+        <translation>“%1”不在以下之列：%2。</translation>
+    </message>
+    <message>
+        <source>%1 is no key of a class file.</source>
+        <translation>%1 不是课堂文件的键。</translation>
+    </message>
+    <message>
+        <source>%1, line %2: %3</source>
+        <translation>%1，第 %2 行：%3</translation>
+    </message>
+    <message>
+        <source># A class for Fettle. It begins with: fettle --classroom and the name of this file.</source>
+        <translation># Fettle 的课堂。启动方式：fettle --classroom 加上此文件的名称。</translation>
+    </message>
+    <message>
+        <source>%1 was written. The class begins with: fettle --classroom %1</source>
+        <translation>已写入 %1。启动课堂：fettle --classroom %1</translation>
+    </message>
+    <message>
+        <source>this is no PIN as Fettle writes it; Edit › Classroom sets one.</source>
+        <translation>这不是 Fettle 写入的 PIN；请用“编辑 › 课堂”设置。</translation>
+    </message>
+</context>
+<context>
+    <name>app::ClassroomMode</name>
+    <message>
+        <source>somebody</source>
+        <translation>某人</translation>
+    </message>
+    <message>
+        <source>Keeping the work of %1</source>
+        <translation>正在保存作品：%1</translation>
+    </message>
+    <message>
+        <source>Not yet: other work on the model is not done.</source>
+        <translation>请稍候：模型上的其他操作尚未完成。</translation>
+    </message>
+    <message>
+        <source>%1 The work of %2 stays open, and nothing of it is lost.</source>
+        <translation>%1 作品（%2）保持打开，不会丢失。</translation>
+    </message>
+    <message>
+        <source>%1 Until then they are in %2.</source>
+        <translation>%1 在此之前它们位于 %2。</translation>
+    </message>
+    <message>
+        <source>%1 The work is kept on this computer and goes there as soon as that is possible.</source>
+        <translation>%1 作品已保存在本机，一旦可行就会移到那里。</translation>
+    </message>
+    <message>
+        <source>This ends the class. The work of the present turn is kept.</source>
+        <translation>这将结束课堂。当前的作品会被保存。</translation>
+    </message>
+    <message>
+        <source>The time is up. Finish what you are doing; then it is the next one&apos;s turn.</source>
+        <translation>时间到了。请完成手头的操作，然后轮到下一位。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n minutes are left: come to an end soon.</source>
+        <translation>
+            <numerusform>还剩 %n 分钟：请准备结束。</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>app::CommandLine</name>
     <message>
         <source>There is not enough memory for this.</source>
@@ -130,6 +233,50 @@
     <message>
         <source>%1: its ending does not say a format that is written; %2 are.</source>
         <translation>%1：其扩展名不是可写入的格式；可写入的格式为 %2。</translation>
+    </message>
+    <message>
+        <source>--classroom needs the file of a class, which Edit › Classroom writes.</source>
+        <translation>--classroom 需要一个课堂文件，可用“编辑 › 课堂”写出。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened in a class, which begins with its own models.</source>
+        <translation>课堂中无法打开 %1：课堂从自己的模型开始。</translation>
+    </message>
+    <message>
+        <source>Fettle sculpts closed models that stay ready to print.
+
+  fettle [--vr] [FILE]             open the window, with a model or with a ball of clay; --vr enters VR with it
+  fettle [--vr] --classroom CLASS.ini
+                                   begin a class in turns, as its teacher set it up (Edit &gt; Classroom)
+  fettle check FILE... [--unit mm|cm|m|in] [--print] [--json] [--csv]
+                                   say whether models are in order; several files or a folder: a table
+  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]
+                                   write a model in another format or size, mended, or with fewer triangles
+  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--verify local|full|none]
+                                   play recorded strokes on a model
+  fettle help COMMAND              the options of check, convert or replay
+  fettle --version
+
+Formats: %1. Lengths are in millimetres.
+Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standard error).
+</source>
+        <translation>Fettle 用于雕刻封闭模型，并使其始终可以打印。
+
+  fettle [--vr] [FILE]             打开窗口，载入模型或一个黏土球；--vr 同时进入 VR
+  fettle [--vr] --classroom CLASS.ini
+                                   按教师的设置开始课堂（编辑 &gt; 课堂）
+  fettle check FILE... [--unit mm|cm|m|in] [--print] [--json] [--csv]
+                                   检查模型是否完好；多个文件或文件夹则输出表格
+  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]
+                                   以其他格式或尺寸写出模型，可修复，也可减少三角形
+  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--verify local|full|none]
+                                   在模型上回放录制的笔触
+  fettle help COMMAND              check、convert 或 replay 的选项
+  fettle --version
+
+格式：%1。长度单位为毫米。
+状态：0 完成，1 结果为否，2 输入或用法有误（标准错误输出一行说明）。
+</translation>
     </message>
     <message>
         <source>There is no help on %1: the commands are check, convert, replay, report and sheet.</source>
@@ -353,6 +500,18 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>%1 was not opened: the present model has changes that no file holds.</source>
         <translation>没有打开 %1：当前模型有尚未存入任何文件的更改。</translation>
+    </message>
+    <message>
+        <source>This class does without that tool.</source>
+        <translation>本课堂不使用该工具。</translation>
+    </message>
+    <message>
+        <source>In a class the work is kept by Next Pupil, at the window.</source>
+        <translation>在课堂中，作品由窗口里的“下一位”保存。</translation>
+    </message>
+    <message>
+        <source>%1 was not opened: a class has its own models to begin with.</source>
+        <translation>未打开 %1：课堂有自己的起始模型。</translation>
     </message>
     <message>
         <source>The mask was not changed: other work on the model is not done yet.</source>
@@ -2090,6 +2249,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>模型(&amp;D)</translation>
     </message>
     <message>
+        <source>&amp;Classroom…</source>
+        <translation>课堂(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Writes the file of a class: what pupils may do, how long their turns are, and the PIN that ends it.</source>
+        <translation>写出课堂文件：学生可以做什么、每轮多长时间，以及结束课堂的 PIN。</translation>
+    </message>
+    <message>
         <source>&amp;Class Report…</source>
         <translation>班级报告(&amp;C)…</translation>
     </message>
@@ -2281,6 +2448,53 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
 </context>
 <context>
+    <name>ui::ClassBar</name>
+    <message>
+        <source>Class</source>
+        <translation>课堂</translation>
+    </message>
+    <message>
+        <source>Takes back Next Pupil: the work is opened again as it was kept, and the turn goes on. Possible until somebody sculpts.</source>
+        <translation>撤回“下一位”：重新打开保存的作品，继续这一轮。有人开始雕刻后就不能撤回。</translation>
+    </message>
+    <message>
+        <source>&amp;Next Pupil</source>
+        <translation>下一位(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Keeps the work in the class&apos;s folder, and begins the next turn with fresh clay.</source>
+        <translation>将作品保存到课堂文件夹，并以新的黏土开始下一轮。</translation>
+    </message>
+    <message>
+        <source>&amp;Leave…</source>
+        <translation>离开(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>Asks for the teacher&apos;s PIN, keeps the work, and ends the class.</source>
+        <translation>询问教师 PIN，保存作品并结束课堂。</translation>
+    </message>
+    <message>
+        <source>Time is up</source>
+        <translation>时间到</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n minutes left</source>
+        <translation>
+            <numerusform>还剩 %n 分钟</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Resume %1&apos;s Turn</source>
+        <translation>继续 %1 的作品(&amp;R)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n works wait on this computer</source>
+        <translation>
+            <numerusform>%n 件作品在本机等待</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ui::ClassReport</name>
     <message>
         <source>Print-ready</source>
@@ -2325,6 +2539,131 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Page %1 of %2</source>
         <translation>第 %1 页，共 %2 页</translation>
+    </message>
+</context>
+<context>
+    <name>ui::ClassroomDialog</name>
+    <message>
+        <source>Classroom</source>
+        <translation>课堂</translation>
+    </message>
+    <message>
+        <source>A class has turns: each pupil begins with fresh clay, and Next Pupil keeps the work in the class&apos;s folder. Nobody gets at other files, and leaving takes your PIN.</source>
+        <translation>课堂按轮次进行：每个学生从新的黏土开始，“下一位”把作品保存到课堂文件夹。无人能接触其他文件，离开需要您的 PIN。</translation>
+    </message>
+    <message>
+        <source>To begin with</source>
+        <translation>起始模型</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>保存(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Stands in the topmost bar, such as the name of the class.</source>
+        <translation>显示在最上方的栏中，例如班级名称。</translation>
+    </message>
+    <message>
+        <source>&amp;Title:</source>
+        <translation>标题(&amp;T)：</translation>
+    </message>
+    <message>
+        <source>There each turn gets a folder with model, picture and record.</source>
+        <translation>每件作品在那里有一个文件夹，含模型、图片和记录。</translation>
+    </message>
+    <message>
+        <source>&amp;Choose…</source>
+        <translation>选择(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>&amp;Folder for the works:</source>
+        <translation>作品文件夹(&amp;F)：</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> 分钟</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>不限</translation>
+    </message>
+    <message>
+        <source>So long is a turn. Nothing is taken away when it is over.</source>
+        <translation>每轮的时长。时间到了也不会丢失任何东西。</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>So long before the end a word is said, in the headset, too.</source>
+        <translation>在结束前这么久给出提示，头显中也会显示。</translation>
+    </message>
+    <message>
+        <source>Full &amp;screen</source>
+        <translation>全屏(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Nothing else is to be seen on the screen.</source>
+        <translation>屏幕上不显示其他内容。</translation>
+    </message>
+    <message>
+        <source>The words of the window in this class.</source>
+        <translation>课堂窗口所用的语言。</translation>
+    </message>
+    <message>
+        <source>T&amp;urn:</source>
+        <translation>每轮(&amp;U)：</translation>
+    </message>
+    <message>
+        <source>&amp;Warning before the end:</source>
+        <translation>结束前提醒(&amp;W)：</translation>
+    </message>
+    <message>
+        <source>&amp;Language:</source>
+        <translation>语言(&amp;L)：</translation>
+    </message>
+    <message>
+        <source>Leaving the class takes it. It is kept as a fingerprint, not as you type it.</source>
+        <translation>离开课堂需要它。保存的是指纹，而不是您输入的内容。</translation>
+    </message>
+    <message>
+        <source>&amp;PIN:</source>
+        <translation>&amp;PIN：</translation>
+    </message>
+    <message>
+        <source>PIN once &amp;more:</source>
+        <translation>再次输入 PIN(&amp;M)：</translation>
+    </message>
+    <message>
+        <source>The class has no title yet.</source>
+        <translation>课堂还没有标题。</translation>
+    </message>
+    <message>
+        <source>There is no such folder for the works.</source>
+        <translation>没有这个作品文件夹。</translation>
+    </message>
+    <message>
+        <source>Choose at least one model to begin with.</source>
+        <translation>请至少选择一个起始模型。</translation>
+    </message>
+    <message>
+        <source>Choose at least one tool.</source>
+        <translation>请至少选择一个工具。</translation>
+    </message>
+    <message numerus="yes">
+        <source>The PIN needs at least %n characters.</source>
+        <translation>
+            <numerusform>PIN 至少需要 %n 个字符。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The two PINs are not the same.</source>
+        <translation>两次输入的 PIN 不一致。</translation>
     </message>
 </context>
 <context>
@@ -2622,6 +2961,18 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>选择 Alpha</translation>
     </message>
     <message>
+        <source>Choose a Folder</source>
+        <translation>选择文件夹</translation>
+    </message>
+    <message>
+        <source>Save the Class</source>
+        <translation>保存课堂</translation>
+    </message>
+    <message>
+        <source>class</source>
+        <translation>课堂</translation>
+    </message>
+    <message>
         <source>Choose the Folder with the Models</source>
         <translation>选择存放模型的文件夹</translation>
     </message>
@@ -2798,10 +3149,6 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>How large the pictures are.</source>
         <translation>图片的大小。</translation>
-    </message>
-    <message>
-        <source>Choose a Folder</source>
-        <translation>选择一个文件夹</translation>
     </message>
     <message>
         <source>%L1 of %L2 read</source>
@@ -3992,6 +4339,33 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
 </context>
 <context>
+    <name>ui::NamePanel</name>
+    <message>
+        <source>&amp;Begin</source>
+        <translation>开始(&amp;B)</translation>
+    </message>
+    <message>
+        <source>The next turn</source>
+        <translation>下一轮</translation>
+    </message>
+    <message>
+        <source>Whose turn is it?</source>
+        <translation>轮到谁了？</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名字</translation>
+    </message>
+    <message>
+        <source>Name or nickname</source>
+        <translation>名字或昵称</translation>
+    </message>
+    <message>
+        <source>Begins the turn. (Return)</source>
+        <translation>开始这一轮。（回车）</translation>
+    </message>
+</context>
+<context>
     <name>ui::ParameterControl</name>
     <message>
         <source> mm</source>
@@ -4034,6 +4408,27 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Pen: %1</source>
         <translation>压感笔：%1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::PinDialog</name>
+    <message>
+        <source>Teacher&apos;s PIN</source>
+        <translation>教师 PIN</translation>
+    </message>
+    <message>
+        <source>&amp;Go On</source>
+        <translation>继续(&amp;G)</translation>
+    </message>
+    <message>
+        <source>This is not the PIN.</source>
+        <translation>PIN 不正确。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Too often wrong: the next try is possible in %n seconds.</source>
+        <translation>
+            <numerusform>错误次数过多：%n 秒后可再试。</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -70,6 +70,8 @@ constexpr ActionInfo table[] = {
      QT_TRANSLATE_NOOP("ui::Actions", "Ends what is going on and leaves the model as it is."), "Esc", "stop", true},
     {MenuId::Edit, "edit.preferences", QT_TRANSLATE_NOOP("ui::Actions", "&Preferences…"),
      QT_TRANSLATE_NOOP("ui::Actions", "Chooses colours, language, and how pen and mouse are taken."), "Ctrl+,", "preferences", true},
+    {MenuId::Edit, "edit.classroom", QT_TRANSLATE_NOOP("ui::Actions", "&Classroom…"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Writes the file of a class: what pupils may do, how long their turns are, and the PIN that ends it."), "", "classroom"},
 
     {MenuId::Tool, "tool.pull", QT_TRANSLATE_NOOP("ui::Actions", "&Pull"),
      QT_TRANSLATE_NOOP("ui::Actions", "Draws the surface outwards. %1 pushes instead, Shift smooths."), "1", "pull", true, Bar::Tools, true},

@@ -15,6 +15,15 @@ namespace
 constexpr double anotherSize = 2; ///< so many times larger or smaller a model is of quite another size
 constexpr core::Rgb firstPaint{216, 58, 52}; ///< is seen on every material; a model's own colour would not be
 
+core::StrokeSettings firstStroke()
+{
+    core::StrokeSettings stroke;
+    stroke.place = core::Placement::Ray;
+    stroke.spacing = handSpacing;
+    stroke.color = firstPaint;
+    return stroke;
+}
+
 /// The nearest legal n: 0, or 3 to 16.
 int legalFalloff(double value)
 {
@@ -25,11 +34,31 @@ int legalFalloff(double value)
 
 BrushSettings::BrushSettings(QObject* parent)
     : QObject(parent)
+    , m_stroke(firstStroke())
     , m_maxRadius(core::info(core::Parameter::Radius).max)
 {
-    m_stroke.place = core::Placement::Ray;
-    m_stroke.spacing = handSpacing;
-    m_stroke.color = firstPaint;
+}
+
+void BrushSettings::offerTools(const QList<core::Tool>& tools)
+{
+    m_tools = tools;
+    if (!tools.isEmpty())
+        setTool(tools.constFirst());
+}
+
+void BrushSettings::reset()
+{
+    const double radius = m_stroke.radius;
+    m_stroke = firstStroke();
+    m_stroke.radius = radius;
+    m_stroke.tool = m_tools.isEmpty() ? m_stroke.tool : m_tools.constFirst();
+    const BrushSettings first;
+    m_plane = first.m_plane;
+    m_sectors = first.m_sectors;
+    m_isSteady = first.m_isSteady;
+    m_stringLength = first.m_stringLength;
+    Q_EMIT changed();
+    Q_EMIT handChanged();
 }
 
 double BrushSettings::value(core::Parameter parameter) const
@@ -92,6 +121,8 @@ void BrushSettings::take(const core::StrokeSettings& stroke)
     if (!stroke.alpha && own.alpha && !own.alpha->isBuiltIn())
         m_stroke.alpha = own.alpha;
     m_stroke.detailLength = own.detailLength;
+    if (!isOffered(stroke.tool))
+        m_stroke.tool = own.tool;
     m_stroke.radius = std::clamp(stroke.radius, minOf(core::Parameter::Radius), m_maxRadius);
     if (stroke.symmetry != core::Symmetry::None)
         m_plane = stroke.symmetry;

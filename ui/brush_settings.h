@@ -4,7 +4,10 @@
 
 #include "core/stroke.h"
 
+#include <QList>
 #include <QObject>
+
+#include <type_traits>
 
 namespace ui
 {
@@ -27,6 +30,9 @@ public:
     /// What has no range: tool, shape, topology, fusion, symmetry, colour.
     template <class T> void set(T core::StrokeSettings::* what, const T& value)
     {
+        if constexpr (std::is_same_v<T, core::Tool>)
+            if (!isOffered(value))
+                return;
         if (m_stroke.*what == value)
             return;
         m_stroke.*what = value;
@@ -37,6 +43,9 @@ public:
         Q_EMIT changed();
     }
     void setTool(core::Tool tool) { set(&core::StrokeSettings::tool, tool); }
+    /// From now on these can be chosen and no others; the first is taken. At first it is all.
+    void offerTools(const QList<core::Tool>& tools);
+    bool isOffered(core::Tool tool) const { return m_tools.isEmpty() || m_tools.contains(tool); }
     /// About the plane that was chosen last; x = 0 at first.
     void setSymmetric(bool symmetric) { set(&core::StrokeSettings::symmetry, symmetric ? m_plane : core::Symmetry::None); }
     /// In as many sectors as were chosen last; six at first.
@@ -46,6 +55,8 @@ public:
     void scaleRadius(double factor);
     /// What a person chooses of a stroke; the radius as far as the model takes it. An alpha from a file stays where that one has none.
     void take(const core::StrokeSettings& stroke);
+    /// As a new user's, but for the radius, which is the model's; of the tools that are offered the first.
+    void reset();
 
     /// A steady stroke hangs on a string behind the pointer.
     bool isSteady() const { return m_isSteady; }
@@ -58,6 +69,7 @@ public:
     void fitTo(const ModelFacts& facts, double radiusShare);
     /// The radius, in longest sides of the model that it was fitted to.
     double radiusShare() const;
+    void setRadiusShare(double share) { setValue(core::Parameter::Radius, share * m_modelSize); }
     /// Whether the model is still about as large as the one that the radius was fitted to.
     bool fits(const ModelFacts& facts) const;
     double minOf(core::Parameter parameter) const;
@@ -72,6 +84,7 @@ Q_SIGNALS:
 
 private:
     core::StrokeSettings m_stroke;
+    QList<core::Tool> m_tools; ///< that are offered; none: all
     bool m_isSteady = false;
     double m_stringLength = defaultString;
     core::Symmetry m_plane = core::Symmetry::X;

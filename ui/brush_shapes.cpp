@@ -45,6 +45,12 @@ void BrushShapes::restore()
     Q_EMIT changed();
 }
 
+void BrushShapes::setMayLoad(bool mayLoad)
+{
+    m_mayLoad = mayLoad;
+    Q_EMIT changed();
+}
+
 std::shared_ptr<const core::Alpha> BrushShapes::alpha(const QString& source) const
 {
     const auto builtIn = core::builtInAlpha(source.toStdString());

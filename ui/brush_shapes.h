@@ -29,6 +29,9 @@ public:
     /// The document's model as it is now: ownModelWanted().
     void chooseOwnModel() { Q_EMIT ownModelWanted(); }
 
+    /// Whether other files may be chosen than those that were before; at first they may.
+    bool mayLoad() const { return m_mayLoad; }
+    void setMayLoad(bool mayLoad);
     /// Files that were chosen before, the latest first.
     const QStringList& alphas() const { return m_stored.alphas; }
     const QStringList& models() const { return m_stored.models; }
@@ -70,6 +73,7 @@ private:
     QHash<QString, std::shared_ptr<const core::Alpha>> m_read;
     Choice<core::Alpha> m_alpha{&core::StrokeSettings::alpha, &StoredShapes::alpha, &StoredShapes::alphas, readAlpha};
     Choice<core::BrushModel> m_model{&core::StrokeSettings::model, &StoredShapes::model, &StoredShapes::models, readBrushModel};
+    bool m_mayLoad = true;
     SideThread m_aside; ///< last
 };
 } // namespace ui

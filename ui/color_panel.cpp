@@ -146,6 +146,14 @@ const QList<core::Rgb>& ColorPanel::swatches() const
     return m_swatches->colors();
 }
 
+void ColorPanel::reset(const QList<core::Rgb>& swatches)
+{
+    m_other = {255, 255, 255};
+    m_settings->setSwatches(swatches);
+    setSwatches(swatches);
+    showColor();
+}
+
 void ColorPanel::buildSwatches()
 {
     m_swatches->setColors(m_settings->swatches());

@@ -41,6 +41,8 @@ public:
     /// A model's own, until another is opened; the person's own stay stored as they are while none is changed.
     void setSwatches(const QList<core::Rgb>& swatches);
     const QList<core::Rgb>& swatches() const;
+    /// These are the person's own, and white is the other colour.
+    void reset(const QList<core::Rgb>& swatches);
 
 Q_SIGNALS:
     void swatchesChanged();

@@ -108,6 +108,20 @@ void askForPicture(QWidget* parent, const QString& folder, PathAnswer answer)
     askForImage(parent, FileDialogs::tr("Choose a Reference Image"), QStringLiteral("pictureDialog"), folder, endings, answer);
 }
 
+void askForFolder(QWidget* parent, const QString& folder, PathAnswer answer)
+{
+    auto* dialog = new QFileDialog(parent, FileDialogs::tr("Choose a Folder"), folder);
+    dialog->setObjectName(QStringLiteral("folderDialog"));
+    dialog->setFileMode(QFileDialog::Directory);
+    dialog->setOption(QFileDialog::ShowDirsOnly);
+    show(dialog, answer);
+}
+
+void askForClassFile(QWidget* parent, const QString& folder, PathAnswer answer)
+{
+    askForTarget(parent, FileDialogs::tr("Save the Class"), QStringLiteral("classDialog"), folder, FileDialogs::tr("class"), {QStringLiteral("ini")}, answer);
+}
+
 void askForDrawing(QWidget* parent, const QString& folder, const QString& modelName, PathAnswer answer)
 {
     askForTarget(parent, FileDialogs::tr("Export the Drawing"), QStringLiteral("drawingDialog"), folder, modelName, drawingEndings(), answer);

@@ -23,6 +23,11 @@ void askForExport(QWidget* parent, const QString& folder, const QString& modelNa
 void askForAlpha(QWidget* parent, const QString& folder, PathAnswer answer);
 void askForPicture(QWidget* parent, const QString& folder, PathAnswer answer);
 
+/// One that is there.
+void askForFolder(QWidget* parent, const QString& folder, PathAnswer answer);
+/// Where a class is to be written.
+void askForClassFile(QWidget* parent, const QString& folder, PathAnswer answer);
+
 /// For the sheet of drawings: PDF, SVG or PNG.
 void askForDrawing(QWidget* parent, const QString& folder, const QString& modelName, PathAnswer answer);
 

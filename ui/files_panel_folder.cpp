@@ -1,6 +1,7 @@
 // The folder that the panel shows: looking into it, what is there, what is done with it.
 
 #include "actions.h"
+#include "file_dialogs.h"
 #include "file_grid.h"
 #include "file_list_model.h"
 #include "files_panel.h"
@@ -14,7 +15,6 @@
 #include <QComboBox>
 #include <QDir>
 #include <QDockWidget>
-#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMainWindow>
@@ -26,13 +26,7 @@ namespace ui
 {
 void FilesPanel::askForFolder()
 {
-    auto* dialog = new QFileDialog(window(), tr("Choose a Folder"), m_choice.folder);
-    dialog->setObjectName(QStringLiteral("folderDialog"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::Directory);
-    dialog->setOption(QFileDialog::ShowDirsOnly);
-    connect(dialog, &QFileDialog::fileSelected, this, &FilesPanel::goTo);
-    dialog->open();
+    ui::askForFolder(window(), m_choice.folder, [this](const QString& folder) { goTo(folder); });
 }
 
 /// To the next one that is there: this one's own may be gone with it.

@@ -14,7 +14,7 @@ namespace ui
 {
 namespace
 {
-constexpr std::array<HelpPage, 18> pages{{{"first-steps"},
+constexpr std::array<HelpPage, 19> pages{{{"first-steps"},
                                           {"lesson-vase", "lesson-vase.png"},
                                           {"lesson-head", "lesson-head.png"},
                                           {"lesson-tablet", "lesson-tablet.png"},
@@ -31,6 +31,7 @@ constexpr std::array<HelpPage, 18> pages{{{"first-steps"},
                                           {"pen"},
                                           {"vr"},
                                           {"wands"},
+                                          {"classroom"},
                                           {"problems"}}};
 
 struct HelpText

@@ -120,6 +120,21 @@ void MainWindow::setIsSettled(std::function<bool()> isSettled)
     m_state->isSettled = std::move(isSettled);
 }
 
+void MainWindow::setGuard(std::function<bool()> guard)
+{
+    m_state->guard = std::move(guard);
+}
+
+const Classroom* MainWindow::classroom() const
+{
+    return m_state->classroom ? &*m_state->classroom : nullptr;
+}
+
+const Actions& MainWindow::commands() const
+{
+    return m_state->actions;
+}
+
 bool MainWindow::askToDiscard(const std::function<void()>& goOn)
 {
     return m_state->files.askToDiscard(goOn);
@@ -230,6 +245,10 @@ void MainWindow::settle()
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
+    if (m_state->guard && !m_state->guard()) {
+        event->ignore();
+        return;
+    }
     m_state->closesLater = m_state->isSettled && !m_state->isSettled();
     if (m_state->closesLater || (m_state->mayClose && !m_state->mayClose())) {
         event->ignore();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "brush_settings.h"
+#include "classroom_dialog.h"
 #include "headset_actions.h"
 #include "insertion.h"
 #include "model_facts.h"
@@ -16,6 +17,7 @@ class QAction;
 
 namespace ui
 {
+class Actions;
 class HistoryPanel;
 class ModelPanel;
 class Settings;
@@ -50,6 +52,18 @@ public:
 
     /// Asked before that: false while what the hand did is still on its way. The window then closes after settle().
     void setIsSettled(std::function<bool()> isSettled);
+
+    /// Asked first of all when the window is to be closed: false keeps it open, and everything as it is.
+    void setGuard(std::function<bool()> guard);
+
+    /// From now on the window offers what that class may do, and nothing else, until it closes.
+    void setClassroom(const ui::Classroom& classroom);
+    /// Null: it is nobody's class.
+    const Classroom* classroom() const;
+    /// Brush, colours, switches and view are as they were when the class began.
+    void beginTurn();
+    /// For what lies over the window.
+    const Actions& commands() const;
 
     /// Asks what becomes of changes that no file holds: true if they may be lost. If the person would rather save them,
     /// `goOn` is called when that is done.
@@ -103,6 +117,8 @@ Q_SIGNALS:
     /// The model's own file is not there any more.
     void modelFileGone();
     void stopRequested();
+    /// By dialog: a class is to be written to a file.
+    void classroomDrafted(const ui::ClassroomDraft& draft);
     void enterVrRequested();
     void leaveVrRequested();
 

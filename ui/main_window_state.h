@@ -2,12 +2,16 @@
 
 #include "actions.h"
 #include "brush_settings.h"
+#include "classroom.h"
 #include "main_window.h"
 #include "model_files.h"
 #include "settings.h"
 #include "viewport.h"
 
+#include <QHash>
 #include <QPointer>
+
+#include <optional>
 
 class QLabel;
 class QMenu;
@@ -19,6 +23,15 @@ class Banner;
 class BrushShapes;
 class BusyBar;
 class FactsBar;
+
+/// What each turn of a class begins with.
+struct ClassBeginning
+{
+    QHash<QString, bool> switches;
+    QList<core::Rgb> swatches;
+    QByteArray bars;
+    core::SavedView view;
+};
 
 /// What the window is made of. Gui thread.
 struct MainWindow::State
@@ -41,9 +54,11 @@ struct MainWindow::State
     QLabel* headsetText = nullptr;
     HeadsetActions* headset = nullptr;
     QPointer<QMessageBox> problem;
-    std::function<bool()> mayClose, isSettled;
+    std::function<bool()> guard, mayClose, isSettled;
     bool closesLater = false;
     ModelFacts model;
+    std::optional<Classroom> classroom;
+    ClassBeginning beginning; ///< of the class
 
     void buildView();
     void buildBars();

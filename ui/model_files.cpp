@@ -47,6 +47,12 @@ ModelFiles::ModelFiles(Settings* settings, QWidget* window) : m_settings(setting
     window->installEventFilter(this);
 }
 
+void ModelFiles::refuseDrops()
+{
+    m_refusesDrops = true;
+    m_window->setAcceptDrops(false);
+}
+
 void ModelFiles::addMenus(QMenu* fileMenu, const Actions& actions)
 {
     auto* starters = new QMenu(actions.menuTitle(MenuId::New), fileMenu);
@@ -272,6 +278,10 @@ bool ModelFiles::eventFilter(QObject* watched, QEvent* event)
     if (event->type() != QEvent::DragEnter && event->type() != QEvent::Drop)
         return QObject::eventFilter(watched, event);
     auto* drop = static_cast<QDropEvent*>(event);
+    if (m_refusesDrops) {
+        drop->ignore();
+        return true;
+    }
     const QString path = droppedFile(drop->mimeData());
     if (path.isEmpty())
         return true;

@@ -33,6 +33,8 @@ public:
 
     /// Into the File menu, which has its actions already: New and Open Recent. What the actions do is connected, too.
     void addMenus(QMenu* fileMenu, const Actions& actions);
+    /// From now on nothing can be dropped on the window.
+    void refuseDrops();
     /// True if the changes may be lost. If the person would rather save them, `goOn` is called when that is done.
     bool askToDiscard(const std::function<void()>& goOn);
     void setOpened(const ModelFacts& model);
@@ -89,6 +91,7 @@ private:
     QString m_name, m_path; ///< of the model; no path: it comes from no file
     FileEntry m_file;       ///< at the path, when the model was read or written
     bool m_isGone = false;
+    bool m_refusesDrops = false;
     bool m_toldFormat = false; ///< that the file does not hold all of the document
     std::function<void()> m_afterSave; ///< which was preferred to losing changes
 };

@@ -14,12 +14,11 @@ namespace ui
 {
 namespace
 {
-/// The radius is a share of the model, whose size the brush knows.
 void resetBrush(BrushSettings* brush, const Settings& settings)
 {
     for (const core::Parameter parameter : storedParameters)
         brush->setValue(parameter, settings.value(parameter));
-    brush->setValue(core::Parameter::Radius, brush->value(core::Parameter::Radius) * settings.radiusShare() / brush->radiusShare());
+    brush->setRadiusShare(settings.radiusShare());
 }
 } // namespace
 

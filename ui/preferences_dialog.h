@@ -26,6 +26,8 @@ public:
     /// Another hand chose.
     void setPreferences(const Preferences& preferences);
 
+    static QString words(Language language);
+
 Q_SIGNALS:
     void changed(const ui::Preferences& preferences);
     /// Everything in the program is to be as at first; the dialog is to be shown what that is.
@@ -49,7 +51,6 @@ private:
     template <class Part> void addCheck(QFormLayout* form, const Words& words, Part part);
     void addPen(QFormLayout* form);
     static QString words(ThemeChoice theme);
-    static QString words(Language language);
     void change(const Preferences& to);
 
     Preferences m_now;

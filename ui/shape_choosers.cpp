@@ -90,7 +90,8 @@ QComboBox* alphaChooser(BrushSettings* brush, BrushShapes* shapes)
         for (const std::string_view builtIn : core::builtInAlphas())
             box->addItem(pictureOf(core::builtInAlpha(builtIn)), nameOf(builtIn), QString::fromUtf8(builtIn.data(), static_cast<qsizetype>(builtIn.size())));
         addFiles(box, shapes->alphas(), alphaOf(*brush), [shapes](const QString& file) { return pictureOf(shapes->alpha(file)); });
-        box->addItem(ShapeChoosers::tr("Load Image…"), loadWord);
+        if (shapes->mayLoad())
+            box->addItem(ShapeChoosers::tr("Load Image…"), loadWord);
         box->setCurrentIndex(box->findData(alphaOf(*brush)));
     };
     const auto show = [=] {
@@ -122,7 +123,8 @@ QComboBox* modelChooser(BrushSettings* brush, BrushShapes* shapes)
         addFiles(box, shapes->models(), modelOf(*brush), [](const QString&) { return QIcon(); });
         box->addItem(ShapeChoosers::tr("This Model"), ownWord);
         box->setItemData(box->count() - 1, ShapeChoosers::tr("The model that you sculpt, as it is now."), Qt::ToolTipRole);
-        box->addItem(ShapeChoosers::tr("Load Model…"), loadWord);
+        if (shapes->mayLoad())
+            box->addItem(ShapeChoosers::tr("Load Model…"), loadWord);
         box->setCurrentIndex(box->findData(modelOf(*brush)));
     };
     const auto show = [=] {

@@ -106,6 +106,7 @@ private Q_SLOTS:
     void window_withoutADisplaySaysSo();
     void window_withADeadDisplaySaysSo();
     void window_startsInVrIfAsked();
+    void class_isRefusedWithItsReason();
     void check_cube();
     void check_openModelIsNotReady();
     void check_severalAndFolders();
@@ -235,6 +236,25 @@ void TestCommandLine::window_withoutADisplaySaysSo()
 {
     VERIFY_REFUSED(fettle({}), "display");
     VERIFY_REFUSED(fettle({QStringLiteral("model.stl")}), "display");
+}
+
+void TestCommandLine::class_isRefusedWithItsReason()
+{
+    using app::CommandLine;
+    const QString word = QStringLiteral("--classroom"), file = at("5b.ini");
+    const auto start = [](const QStringList& arguments) { return CommandLine::windowStart(arguments); };
+    QCOMPARE(start({word, file}).classFile, file);
+    QVERIFY(start({QStringLiteral("--vr"), word, file}).entersVr && start({file}).classFile.isEmpty());
+    QCOMPARE(start({QStringLiteral("--"), word}).classFile, QString());
+    QVERIFY_THROWS_EXCEPTION(app::CommandFailure, start({word}));
+    QVERIFY_THROWS_EXCEPTION(app::CommandFailure, start({word, file, at("a.stl")}));
+    QVERIFY_THROWS_EXCEPTION(app::CommandFailure, start({word, file, word, file}));
+    write(file, "title = 5b\nfolder = /none\nstarters = ball\ntools = melt\n");
+    const QStringList shown{QStringLiteral("-platform"), QStringLiteral("offscreen"), word};
+    const QMap<QString, QString> quiet{{QStringLiteral("XDG_RUNTIME_DIR"), QFileInfo(file).path()}};
+    VERIFY_REFUSED(fettle(shown + QStringList(file), quiet), "5b.ini, line 4: tools: \"melt\" is none of");
+    VERIFY_REFUSED(fettle(shown + QStringList(at("none.ini")), quiet), "none.ini cannot be read");
+    QVERIFY(fettle({QStringLiteral("--help")}).out.contains("--classroom CLASS.ini"));
 }
 
 void TestCommandLine::window_startsInVrIfAsked()

@@ -124,6 +124,7 @@ private Q_SLOTS:
     void open_whileBusy();
     void restore_isUndoable();
     void mask_isInvertedAndCleared();
+    void class_hasItsToolsAndNoFiles();
     void undoAndRedo_fromBothSides();
     void brush_fromTheHeadset();
     void brush_fromTheWindow();
@@ -298,6 +299,30 @@ void TestHeadsetWishes::open_whileBusy()
     visit.wait();
     QCOMPARE(visit.program.document.path(), at("vase.glb"));
     QCOMPARE(visit.program.document.undoStack().count(), 0);
+}
+
+void TestHeadsetWishes::class_hasItsToolsAndNoFiles()
+{
+    Visit visit(at("vase.glb"));
+    visit.stroke({50, 0, 0});
+    const std::uint64_t hash = visit.hash();
+    const QStringList files = QDir(m_folder->path()).entryList(QDir::Files);
+    visit.program.window.setClassroom({QStringLiteral("5b"), m_folder->path(), {core::Starter::Ball}, {core::Tool::Clay, core::Tool::Pull}});
+    const std::pair<vr::Wish, const char*> wishes[] = {{vr::SaveModel(), "Next Pupil"}, {vr::OpenModel{at("vase.glb"), true}, "vase.glb was not opened"}};
+    for (const auto& [wish, word] : wishes) {
+        visit.wish(wish);
+        QVERIFY2(visit.news().notice.contains(QLatin1StringView(word)), qPrintable(visit.news().notice));
+    }
+    QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files), files);
+    QCOMPARE(visit.hash(), hash);
+    const quint64 told = visit.news().brushChange;
+    vr::ChooseBrush other{visit.program.window.strokeSettings()};
+    other.brush.tool = core::Tool::Stamp;
+    visit.wish(other);
+    QVERIFY(visit.news().brushChange > told && visit.news().brush.tool == core::Tool::Clay); // it hears which there is
+    other.brush.tool = core::Tool::Pull;
+    visit.wish(other);
+    QCOMPARE(visit.program.window.strokeSettings().tool, core::Tool::Pull);
 }
 
 void TestHeadsetWishes::restore_isUndoable()

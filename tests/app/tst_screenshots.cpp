@@ -1,3 +1,4 @@
+#include "app/classroom_mode.h"
 #include "tests/support/program.h"
 #include "tests/ui/ui_test.h"
 
@@ -10,6 +11,7 @@
 #include "ui/mending_dialogs.h"
 #include "ui/mending_words.h"
 #include "ui/messages.h"
+#include "ui/name_panel.h"
 #include "ui/recovery_bar.h"
 #include "ui/scene.h"
 #include "ui/settings.h"
@@ -45,6 +47,7 @@ namespace
 {
 constexpr QSize smallScreen{1280, 720};
 constexpr int flightMs = 600; ///< of the view, to a place
+constexpr int longestWait = 60'000;
 constexpr int settleMs = 250; ///< layouts, and what comes from other threads: facts
 
 /// The words of one language, while it lives.
@@ -140,6 +143,7 @@ private:
     void takeMenus(Program& program);
     void takeDialogs(Program& program);
     void takeHelp(Program& program);
+    void takeClass();
     void takeDialog(const QString& state);
 
     QDir m_folder;
@@ -188,6 +192,7 @@ void TestScreenshots::states()
     takeMenus(program);
     takeDialogs(program);
     takeHelp(program);
+    takeClass();
 }
 
 void TestScreenshots::take(QWidget& window, const QString& state)
@@ -336,7 +341,7 @@ void TestScreenshots::takeMenus(Program& program)
 
 void TestScreenshots::takeDialogs(Program& program)
 {
-    for (const char* id : {"edit.preferences", "help.keys", "help.about", "model.move", "model.rotate", "model.scale", "model.mirror",
+    for (const char* id : {"edit.preferences", "edit.classroom", "help.keys", "help.about", "model.move", "model.rotate", "model.scale", "model.mirror",
                            "model.symmetrize", "model.remesh", "model.flattenBase"}) {
         program.window.action(QLatin1StringView(id))->trigger();
         QDialog* dialog = nullptr;
@@ -369,6 +374,48 @@ void TestScreenshots::takeHelp(Program& program)
         take(*guide, QStringLiteral("guide-%1").arg(page + 1));
     }
     guide->close();
+}
+
+/// From the first question to the warning, with a work that waits.
+void TestScreenshots::takeClass()
+{
+    const QTemporaryDir own;
+    const QList<core::Starter> starters(std::begin(core::starters), std::end(core::starters));
+    ui::Classroom classroom{QStringLiteral("5b, Tuesday"), own.filePath(QStringLiteral("none")), starters, {core::Tool::Pull, core::Tool::Smooth}};
+    classroom.fullScreen = false;
+    JournalShelf shelf(own.filePath(QStringLiteral("journals")).toStdString());
+    Program program;
+    program.document.keepJournals(&shelf);
+    qint64 now = 0;
+    const ClassPlaces places{{}, own.filePath(QStringLiteral("waiting")), own.filePath(QStringLiteral("turn.json"))};
+    ClassroomMode mode({&program.window, &program.document, &shelf}, classroom, places, [&now] { return now; });
+    wireClassroom(program.window, mode);
+    program.window.resize(smallScreen);
+    program.window.show();
+    mode.begin();
+    const auto* panel = program.window.findChild<ui::NamePanel*>();
+    auto* name = program.window.findChild<QLineEdit*>(QStringLiteral("pupilName"));
+    auto* next = program.window.findChild<QPushButton*>(QStringLiteral("classNext"));
+    QTRY_VERIFY_WITH_TIMEOUT(panel->isVisible() && !program.document.isBusy(), longestWait);
+    QTRY_COMPARE(program.window.size(), smallScreen);
+    const auto isReadable = [&program] { return program.window.viewport()->stats().patches > 0 && clippedTexts(program.window).isEmpty(); };
+    QTRY_VERIFY_WITH_TIMEOUT(isReadable(), longestWait);
+    take(program.window, QStringLiteral("class-name"));
+    const auto begin = [&](const QString& pupil) {
+        QTest::keyClicks(name, pupil);
+        QTest::keyClick(name, Qt::Key_Return);
+        QTRY_VERIFY_WITH_TIMEOUT(next->isEnabled() && !program.document.isBusy() && isReadable(), longestWait);
+    };
+    begin(QStringLiteral("Anna-Lena the Great"));
+    take(program.window, QStringLiteral("class-turn"));
+    next->click();
+    QTRY_VERIFY_WITH_TIMEOUT(panel->isVisible() && !program.document.isBusy(), longestWait);
+    begin(QStringLiteral("Ben"));
+    now = 18 * 60'000;
+    mode.tick();
+    take(program.window, QStringLiteral("class-warning"));
+    program.window.close();
+    takeDialog(QStringLiteral("class-pin"));
 }
 
 int main(int argc, char* argv[])

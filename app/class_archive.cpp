@@ -1,0 +1,247 @@
+// A work is written into a hidden folder, file by file, each of them down to the disk; then the folder gets its name. So a name that can be
+// seen has a whole work behind it.
+
+#include "class_archive.h"
+
+#include "model_loader.h"
+
+#include "core/atomic_file.h"
+#include "core/mesh_io.h"
+#include "core/model_picture.h"
+#include "ui/messages.h"
+
+#include <QBuffer>
+#include <QDir>
+#include <QFileInfo>
+#include <QImage>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QUuid>
+
+#include <new>
+#include <sstream>
+
+namespace app
+{
+namespace
+{
+constexpr int pictureSize = 512; ///< pixels a side
+constexpr int mostNameLength = 40; ///< characters of a nickname in a folder's name
+constexpr int mostNumber = 10'000;
+constexpr int staleHours = 24;
+const QString unfinished = QStringLiteral(".unfinished-");
+const QString turnFile = QStringLiteral("turn.json");
+
+void writeFile(const QString& path, const QByteArray& bytes)
+{
+    core::AtomicFile file(toPath(path));
+    file.write({bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    file.commit();
+}
+
+QByteArray readFile(const QString& path)
+{
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        throw core::FileError(core::FileErrorKind::NotReadable, toPath(path));
+    return file.readAll();
+}
+
+QByteArray pictureOf(const core::TriangleMesh& mesh)
+{
+    const auto picture = core::drawPicture(mesh, pictureSize, {});
+    QByteArray png;
+    if (!picture || picture->rgba.empty())
+        return png;
+    const QImage image(reinterpret_cast<const uchar*>(picture->rgba.data()), picture->pixels, picture->pixels, QImage::Format_RGBA8888_Premultiplied);
+    QBuffer buffer(&png);
+    buffer.open(QIODevice::WriteOnly);
+    image.save(&buffer, "PNG");
+    return png;
+}
+
+QByteArray recordOf(const std::vector<core::FileEntry>& entries)
+{
+    std::ostringstream text;
+    core::writeStrokes(text, entries);
+    return QByteArray::fromStdString(text.str());
+}
+
+QByteArray turnOf(const TurnWork& work)
+{
+    QJsonObject turn{{QStringLiteral("format"), QStringLiteral("fettle-turn")},
+                     {QStringLiteral("version"), 1},
+                     {QStringLiteral("id"), work.id},
+                     {QStringLiteral("name"), work.pupil},
+                     {QStringLiteral("ended"), work.ended.toString(Qt::ISODate)},
+                     {QStringLiteral("steps"), work.steps},
+                     {QStringLiteral("mesh_hash"), QStringLiteral("%1").arg(work.meshHash, 16, 16, QLatin1Char('0'))}};
+    if (work.begun.isValid())
+        turn.insert(QStringLiteral("begun"), work.begun.toString(Qt::ISODate));
+    return QJsonDocument(turn).toJson();
+}
+
+void writeWork(const QString& folder, const TurnWork& work)
+{
+    core::writeMesh(toPath(folder + QStringLiteral("/model.glb")), *work.mesh, {.notes = work.notes});
+    writeFile(folder + QStringLiteral("/picture.png"), pictureOf(*work.mesh));
+    if (work.record)
+        writeFile(folder + QStringLiteral("/record.json"), recordOf(*work.record));
+    writeFile(folder + u'/' + turnFile, turnOf(work));
+}
+
+void copyWork(const QString& from, const QString& to)
+{
+    for (const QString& name : QDir(from).entryList(QDir::Files))
+        writeFile(to + u'/' + name, readFile(from + u'/' + name));
+}
+
+/// A folder that is being filled, and goes again with all in it if it gets no name.
+class HiddenFolder
+{
+public:
+    explicit HiddenFolder(const QString& root) : m_root(root), m_path(root + u'/' + unfinished + QUuid::createUuid().toString(QUuid::WithoutBraces))
+    {
+        std::error_code problem;
+        std::filesystem::create_directory(toPath(m_path), problem);
+        core::checkWritten(problem, toPath(m_path));
+    }
+    ~HiddenFolder()
+    {
+        if (!m_path.isEmpty())
+            QDir(m_path).removeRecursively();
+    }
+    Q_DISABLE_COPY_MOVE(HiddenFolder)
+
+    const QString& path() const { return m_path; }
+
+    /// This one, or with the first free number behind it.
+    QString giveName(const QString& name)
+    {
+        for (int number = 1; number < mostNumber; ++number) {
+            const QString path = m_root + u'/' + numbered(name, number);
+            if (!QFileInfo::exists(path) && core::renameFolder(toPath(m_path), toPath(path))) {
+                m_path.clear();
+                return path;
+            }
+        }
+        throw core::FileError(core::FileErrorKind::WriteFailed, toPath(m_root + u'/' + name));
+    }
+
+    static QString numbered(const QString& name, int number) { return number == 1 ? name : QStringLiteral("%1-%2").arg(name).arg(number); }
+
+private:
+    QString m_root, m_path;
+};
+
+/// `fill` writes into it. What is wrong is told of the name that it would have had.
+template <class Fill> QString makeFolder(const QString& root, const QString& name, Fill fill)
+{
+    try {
+        HiddenFolder folder(root);
+        fill(folder.path());
+        return folder.giveName(name);
+    } catch (core::FileError& error) {
+        error.path = toPath(root + u'/' + name);
+        throw;
+    }
+}
+
+KeptWork keepIn(const QString& root, const QString& name, const TurnWork& work)
+{
+    try {
+        return {makeFolder(root, name, [&work](const QString& folder) { writeWork(folder, work); }), {}};
+    } catch (const core::FileError& error) {
+        return {{}, ui::Messages::sentence(error)};
+    } catch (const std::bad_alloc&) {
+        return {{}, ClassArchive::tr("%1: there is not enough memory to write this model.").arg(root)};
+    }
+}
+
+/// Where the same turn's work is, under whatever number; empty: nowhere.
+QString placeOf(const QString& root, const QString& name, const QByteArray& turn)
+{
+    for (int number = 1; number < mostNumber; ++number) {
+        const QString folder = root + u'/' + HiddenFolder::numbered(name, number);
+        if (!QFileInfo::exists(folder))
+            break;
+        QFile file(folder + u'/' + turnFile);
+        if (file.open(QIODevice::ReadOnly) && file.readAll() == turn)
+            return folder;
+    }
+    return {};
+}
+
+/// Hidden first: should this end half-way, nobody takes the rest for a work.
+void removeWork(const QString& root, const QString& name)
+{
+    const QString hidden = root + u'/' + unfinished + name;
+    if (QDir().rename(root + u'/' + name, hidden))
+        QDir(hidden).removeRecursively();
+}
+
+QString deliverOne(const QString& waiting, const QString& classFolder, const QString& name)
+{
+    const QString from = waiting + u'/' + name;
+    QString to = placeOf(classFolder, name, readFile(from + u'/' + turnFile));
+    if (to.isEmpty())
+        to = makeFolder(classFolder, name, [&from](const QString& folder) { copyWork(from, folder); });
+    removeWork(waiting, name);
+    return to;
+}
+
+bool isSign(char32_t c)
+{
+    return QChar::isLetterOrNumber(c) || QChar::isMark(c) || QChar::category(c) == QChar::Symbol_Other || c == U'-' || c == U'_';
+}
+} // namespace
+
+QString ClassArchive::folderName(const QDateTime& begun, const QString& pupil)
+{
+    QString name;
+    int length = 0;
+    for (const char32_t c : pupil.normalized(QString::NormalizationForm_C).simplified().toUcs4()) {
+        const char32_t sign = c == U' ' ? U'-' : c;
+        if (isSign(sign) && length++ < mostNameLength)
+            name += QString::fromUcs4(&sign, 1);
+    }
+    if (name.isEmpty())
+        name = QStringLiteral("unnamed");
+    return begun.toString(QStringLiteral("yyyy-MM-dd-HHmm-")) + name;
+}
+
+KeptWork ClassArchive::keep(const TurnWork& work) const
+{
+    const QString name = folderName(work.begun.isValid() ? work.begun : work.ended, work.pupil);
+    QDir().mkpath(m_waiting);
+    const KeptWork here = keepIn(m_waiting, name, work);
+    if (here.problem.isEmpty())
+        return here;
+    const KeptWork there = keepIn(m_classFolder, name, work);
+    return there.problem.isEmpty() ? there : here;
+}
+
+Delivery ClassArchive::deliver() const
+{
+    Delivery delivery;
+    for (const QString& name : QDir(m_waiting).entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name)) {
+        try {
+            delivery.moved.insert(m_waiting + u'/' + name, deliverOne(m_waiting, m_classFolder, name));
+        } catch (const core::FileError& error) {
+            ++delivery.waiting;
+            if (delivery.problem.isEmpty())
+                delivery.problem = ui::Messages::sentence(error);
+        }
+    }
+    return delivery;
+}
+
+void ClassArchive::sweep() const
+{
+    const QDateTime stale = QDateTime::currentDateTime().addSecs(-3600 * staleHours);
+    for (const QString& root : {m_waiting, m_classFolder})
+        for (const QFileInfo& part : QDir(root).entryInfoList({unfinished + u'*'}, QDir::Dirs | QDir::Hidden | QDir::NoDotAndDotDot))
+            if (root == m_waiting || part.lastModified() < stale)
+                QDir(part.filePath()).removeRecursively();
+}
+} // namespace app

@@ -1,0 +1,238 @@
+// Our own reader: QSettings takes each file, tells no line, and reads \ and , in a folder's name as signs of its own.
+
+#include "class_file.h"
+
+#include "class_pin.h"
+#include "model_loader.h"
+
+#include "core/atomic_file.h"
+#include "ui/messages.h"
+#include "ui/stored_values.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QHash>
+#include <QStringDecoder>
+
+#include <algorithm>
+
+namespace app
+{
+namespace
+{
+constexpr qint64 mostBytes = 64 << 10;
+
+struct Entry
+{
+    int line = 0;
+    QString value;
+};
+
+[[noreturn]] void fail(const QString& sentence)
+{
+    throw ClassFileError{sentence};
+}
+
+QString bytesToText(const QString& path)
+{
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        fail(ClassFile::tr("%1 cannot be read (%2).").arg(QDir::toNativeSeparators(path), file.errorString()));
+    QStringDecoder decoder(QStringDecoder::Utf8);
+    const QByteArray bytes = file.read(mostBytes + 1);
+    const QString text = decoder(bytes);
+    if (bytes.size() > mostBytes || decoder.hasError() || text.contains(QChar::Null))
+        fail(ClassFile::tr("%1 is no class file: it is no text in UTF-8, or too long.").arg(QDir::toNativeSeparators(path)));
+    return text;
+}
+
+/// The words that a list or a choice may have.
+QString wordList(const QStringList& words)
+{
+    return words.join(QStringLiteral(", "));
+}
+
+QStringList toolWords()
+{
+    QStringList words;
+    for (const std::string_view name : core::toolNames())
+        words << QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+    return words;
+}
+
+template <class T, std::size_t count> QStringList wordsOf(const std::array<ui::Named<T>, count>& rows)
+{
+    QStringList words;
+    for (const ui::Named<T>& row : rows)
+        words << QLatin1StringView(row.key);
+    return words;
+}
+
+QString noPin()
+{
+    return ClassFile::tr("this is no PIN as Fettle writes it; Edit › Classroom sets one.");
+}
+
+/// Takes the file's values one by one.
+class Reader
+{
+public:
+    explicit Reader(const QString& path) : m_path(path)
+    {
+        int number = 0;
+        for (const QString& line : bytesToText(path).split(u'\n'))
+            takeLine(++number, line.trimmed());
+    }
+
+    ui::Classroom classroom()
+    {
+        ui::Classroom read;
+        read.title = text("title");
+        read.folder = QDir::cleanPath(QFileInfo(m_path).absoluteDir().absoluteFilePath(QDir::fromNativeSeparators(text("folder"))));
+        for (const qsizetype i : choices("starters", wordsOf(ui::starterWords)))
+            read.starters << ui::starterWords[static_cast<std::size_t>(i)].value;
+        for (const qsizetype i : choices("tools", toolWords()))
+            read.tools << static_cast<core::Tool>(i);
+        read.turnMinutes = minutes("turn_minutes", read.turnMinutes, ui::mostTurnMinutes);
+        const int most = read.turnMinutes;
+        read.warningMinutes = minutes("warning_minutes", std::min(read.warningMinutes, most), most);
+        read.fullScreen = choice("full_screen", {QStringLiteral("yes"), QStringLiteral("no")}) == 0;
+        read.language = ui::languages[static_cast<std::size_t>(choice("language", wordsOf(ui::languages)))].value;
+        read.pin = text("pin");
+        if (!isPinRecord(read.pin))
+            failAt("pin", noPin());
+        if (!m_entries.isEmpty())
+            failUnknown();
+        return read;
+    }
+
+private:
+    void takeLine(int number, const QString& line)
+    {
+        if (line.isEmpty() || line.startsWith(u'#') || line.startsWith(u';') || line.startsWith(u'['))
+            return;
+        const qsizetype equals = line.indexOf(u'=');
+        const QString key = line.left(equals).trimmed();
+        if (equals <= 0)
+            failIn(number, ClassFile::tr("a line says key = value, or begins with #."));
+        if (m_entries.contains(key))
+            failIn(number, ClassFile::tr("%1 stands there for the second time.").arg(key));
+        m_entries.insert(key, {number, line.mid(equals + 1).trimmed()});
+    }
+
+    /// Empty if the key is not there.
+    QString take(const char* key)
+    {
+        const Entry entry = m_entries.take(QLatin1StringView(key));
+        m_line = entry.line;
+        return entry.value;
+    }
+
+    QString text(const char* key)
+    {
+        const QString value = take(key);
+        if (m_line == 0)
+            fail(ClassFile::tr("%1: %2 is missing.").arg(QDir::toNativeSeparators(m_path), QLatin1StringView(key)));
+        if (value.isEmpty())
+            failAt(key, ClassFile::tr("nothing stands there."));
+        return value;
+    }
+
+    int minutes(const char* key, int otherwise, int most)
+    {
+        const QString value = take(key);
+        bool isNumber = false;
+        const int number = value.toInt(&isNumber);
+        if (m_line == 0)
+            return otherwise;
+        if (!isNumber || number < 0 || number > most)
+            failAt(key, ClassFile::tr("\"%1\" is no whole number from 0 to %2.").arg(value, QString::number(most)));
+        return number;
+    }
+
+    qsizetype indexOf(const char* key, const QString& word, const QStringList& words) const
+    {
+        const qsizetype index = words.indexOf(word);
+        if (index < 0)
+            failAt(key, ClassFile::tr("\"%1\" is none of %2.").arg(word, wordList(words)));
+        return index;
+    }
+
+    /// The first of the words if the key is not there.
+    qsizetype choice(const char* key, const QStringList& words)
+    {
+        const QString value = take(key);
+        return m_line == 0 ? 0 : indexOf(key, value, words);
+    }
+
+    QList<qsizetype> choices(const char* key, const QStringList& words)
+    {
+        QList<qsizetype> chosen;
+        for (const QString& word : text(key).split(u',')) {
+            chosen << indexOf(key, word.trimmed(), words);
+            if (chosen.count(chosen.last()) > 1)
+                failAt(key, ClassFile::tr("%1 stands there for the second time.").arg(word.trimmed()));
+        }
+        return chosen;
+    }
+
+    void failUnknown() const
+    {
+        const auto first = std::min_element(m_entries.begin(), m_entries.end(), [](const Entry& a, const Entry& b) { return a.line < b.line; });
+        failIn(first->line, ClassFile::tr("%1 is no key of a class file.").arg(first.key()));
+    }
+
+    [[noreturn]] void failIn(int line, const QString& reason) const
+    {
+        fail(ClassFile::tr("%1, line %2: %3").arg(QDir::toNativeSeparators(m_path), QString::number(line), reason));
+    }
+    [[noreturn]] void failAt(const char* key, const QString& reason) const
+    {
+        failIn(m_line, QStringLiteral("%1: %2").arg(QLatin1StringView(key), reason));
+    }
+
+    QString m_path;
+    QHash<QString, Entry> m_entries; ///< that were not taken yet
+    int m_line = 0; ///< of the key that was taken last; 0: it is not there
+};
+
+QString textOf(const ui::Classroom& classroom)
+{
+    QStringList starters, tools;
+    for (const core::Starter starter : classroom.starters)
+        starters << ui::stored::wordFor(starter, ui::starterWords);
+    for (const core::Tool tool : classroom.tools)
+        tools << toolWords().at(static_cast<qsizetype>(tool));
+    const std::pair<const char*, QString> lines[] = {{"title", classroom.title},
+                                                     {"folder", QDir::toNativeSeparators(classroom.folder)},
+                                                     {"starters", wordList(starters)},
+                                                     {"tools", wordList(tools)},
+                                                     {"turn_minutes", QString::number(classroom.turnMinutes)},
+                                                     {"warning_minutes", QString::number(classroom.warningMinutes)},
+                                                     {"full_screen", classroom.fullScreen ? QStringLiteral("yes") : QStringLiteral("no")},
+                                                     {"language", ui::stored::wordFor(classroom.language, ui::languages)},
+                                                     {"pin", classroom.pin}};
+    QString text = ClassFile::tr("# A class for Fettle. It begins with: fettle --classroom and the name of this file.") + u'\n';
+    for (const auto& [key, value] : lines)
+        text += QStringLiteral("%1 = %2\n").arg(QLatin1StringView(key), value);
+    return text;
+}
+} // namespace
+
+ui::Classroom ClassFile::read(const QString& path)
+{
+    return Reader(path).classroom();
+}
+
+QString ClassFile::write(const QString& path, const ui::Classroom& classroom)
+{
+    try {
+        core::AtomicFile file(toPath(path));
+        file.write(textOf(classroom).toUtf8().toStdString());
+        file.commit();
+    } catch (const core::FileError& error) {
+        return ui::Messages::sentence(error);
+    }
+    return {};
+}
+} // namespace app

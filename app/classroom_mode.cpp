@@ -1,0 +1,361 @@
+#include "classroom_mode.h"
+
+#include "class_pin.h"
+#include "document.h"
+#include "model_loader.h"
+
+#include "ui/main_window.h"
+#include "ui/name_panel.h"
+#include "ui/pin_dialog.h"
+#include "ui/viewport.h"
+
+#include <QCryptographicHash>
+#include <QDir>
+#include <QElapsedTimer>
+#include <QEvent>
+#include <QFileInfo>
+#include <QPointer>
+#include <QStandardPaths>
+#include <QUuid>
+
+#include <algorithm>
+#include <utility>
+
+namespace app
+{
+namespace
+{
+constexpr int tickMs = 1000, deliverAgainMs = 60'000;
+constexpr qint64 msAMinute = 60'000;
+constexpr int keyLength = 16; ///< digits that tell class files from each other
+
+/// As a part of a sentence.
+QString nameOf(const ClassTurn& turn)
+{
+    return turn.pupil.isEmpty() ? ClassroomMode::tr("somebody") : turn.pupil;
+}
+} // namespace
+
+ClassPlaces ClassPlaces::of(const QString& classFile)
+{
+    const QByteArray path = QFileInfo(classFile).canonicalFilePath().toUtf8();
+    const QString key = QString::fromLatin1(QCryptographicHash::hash(path, QCryptographicHash::Sha256).toHex().left(keyLength));
+    const QString own = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + QStringLiteral("/fettle/classes/") + key;
+    return {JournalShelf::usualRoot().parent_path() / "class-journals" / key.toStdString(), own + QStringLiteral("/waiting"),
+            own + QStringLiteral("/turn.json")};
+}
+
+qint64 ClassroomMode::monotonicMs()
+{
+    static const QElapsedTimer clock = [] {
+        QElapsedTimer begun;
+        begun.start();
+        return begun;
+    }();
+    return clock.elapsed();
+}
+
+ClassroomMode::ClassroomMode(const Program& program, ui::Classroom classroom, ClassPlaces places, std::function<qint64()> nowMs)
+    : m_program(program)
+    , m_classroom(std::move(classroom))
+    , m_places(std::move(places))
+    , m_nowMs(std::move(nowMs))
+    , m_bar(new ui::ClassBar(m_classroom.title, program.window))
+    , m_panel(new ui::NamePanel(m_classroom.starters, program.window->commands(), program.window->centralWidget()))
+    , m_gate(new ui::PinGate([record = m_classroom.pin](const QString& text) { return isPin(text, record); }, program.window))
+{
+    program.window->setClassroom(m_classroom);
+    program.window->installEventFilter(this);
+    m_deliverAgain.setSingleShot(true);
+    connectAll();
+}
+
+ClassroomMode::~ClassroomMode() = default;
+
+void ClassroomMode::connectAll()
+{
+    Document* document = m_program.document;
+    connect(m_bar, &ui::ClassBar::nextRequested, this, &ClassroomMode::next);
+    connect(m_bar, &ui::ClassBar::resumeRequested, this, &ClassroomMode::resume);
+    connect(m_bar, &ui::ClassBar::leaveRequested, this, &ClassroomMode::leave);
+    connect(m_panel, &ui::NamePanel::begun, this, &ClassroomMode::prepare);
+    connect(m_program.shelf, &JournalShelf::offered, this, &ClassroomMode::takeOffer);
+    connect(document, &Document::stepped, this, &ClassroomMode::takeStep);
+    connect(document, &Document::busy, m_bar, [this] { m_bar->setBusy(true); });
+    connect(document, &Document::idle, m_bar, [this] { m_bar->setBusy(false); });
+    connect(document, &Document::opened, this, [this] { m_isOpened = true; });
+    connect(document, &Document::opened, this, &ClassroomMode::goOn, Qt::QueuedConnection);
+    connect(document, &Document::idle, this, &ClassroomMode::lookWhetherOpened, Qt::QueuedConnection);
+    connect(&document->history(), &HistoryStore::lost, this, [this] { m_record->lose(); });
+    connect(&m_clock, &QTimer::timeout, this, &ClassroomMode::tick);
+    connect(&m_deliverAgain, &QTimer::timeout, this, &ClassroomMode::deliver);
+    document->setMayDiscard([this](const std::function<void()>& goOn) {
+        keepThen(m_stage == Stage::Sculpting ? turnNow() : ClassTurn{newId(), {}, {}, 0}, goOn);
+        return false;
+    });
+    m_program.window->setGuard([this] { return mayClose(); });
+}
+
+void ClassroomMode::begin()
+{
+    m_clock.start(tickMs);
+    m_aside.run([archive = archive()] { archive.sweep(); });
+    deliver();
+    show();
+    m_program.shelf->look();
+}
+
+ClassArchive ClassroomMode::archive() const
+{
+    return {m_classroom.folder, m_places.waiting};
+}
+
+QString ClassroomMode::newId()
+{
+    return QUuid::createUuid().toString(QUuid::WithoutBraces);
+}
+
+// --- what a program before left ---------------------------------------------------------------------------------------------------
+
+/// The first says what there is; the others come while the shelf's are taken.
+void ClassroomMode::takeOffer(const RecoveryOffer& offer)
+{
+    m_offer = offer;
+    if (m_stage == Stage::Recovering && !std::exchange(m_hasLooked, true))
+        recoverNext();
+}
+
+void ClassroomMode::recoverNext()
+{
+    if (m_offer.id == 0)
+        return ask();
+    const RecoveryOffer offer = m_offer;
+    openThen([this, offer] { m_program.document->recover(offer.id, offer.name); }, [this, offer] { keepRecovered(offer); });
+}
+
+/// Of what was done only the model is left for certain.
+void ClassroomMode::keepRecovered(const RecoveryOffer& offer)
+{
+    const auto note = readTurnNote(m_places.turnNote);
+    ClassTurn turn = note && note->pupil == offer.name ? *note : ClassTurn{newId(), offer.name, {}, 0};
+    turn.ended = offer.changed;
+    m_record->lose();
+    keepThen(turn, [this] { recoverNext(); });
+}
+
+// --- turns ---------------------------------------------------------------------------------------------------------------------------
+
+/// The next turn's clay is there at once; who works with it, and whether it is to be another, is asked over it.
+void ClassroomMode::ask()
+{
+    m_stage = Stage::Asking;
+    m_turn = {};
+    m_record = std::make_shared<TurnRecord>();
+    m_panel->open();
+    openThen([this] { m_program.document->openStarter(m_classroom.starters.constFirst()); }, [this] { m_program.window->beginTurn(); });
+    show();
+}
+
+void ClassroomMode::prepare(const QString& pupil, core::Starter starter)
+{
+    if (m_stage != Stage::Asking)
+        return;
+    openThen([this, starter] { m_program.document->openStarter(starter); },
+             [this, pupil] {
+                 m_program.window->beginTurn();
+                 m_program.document->setName(pupil);
+                 startTurn({newId(), pupil, QDateTime::currentDateTime(), 0}, std::make_shared<TurnRecord>());
+             });
+}
+
+void ClassroomMode::startTurn(const ClassTurn& turn, std::shared_ptr<TurnRecord> record)
+{
+    m_stage = Stage::Sculpting;
+    m_turn = turn;
+    m_startMs = m_nowMs();
+    m_isWarned = m_isOver = false;
+    m_record = std::move(record);
+    writeTurnNote(m_places.turnNote, turn);
+    m_panel->close();
+    show();
+}
+
+void ClassroomMode::next()
+{
+    if (m_stage == Stage::Sculpting)
+        keepThen(turnNow(), [this] { ask(); });
+}
+
+void ClassroomMode::resume()
+{
+    if (!m_ended || (m_stage != Stage::Asking && m_stage != Stage::Sculpting))
+        return;
+    const Ended ended = *m_ended;
+    openThen([this, ended] { m_program.document->openCopy(ended.folder + QStringLiteral("/model.glb"), ended.turn.pupil); },
+             [this, ended] {
+                 m_ended.reset();
+                 startTurn(ended.turn, std::make_shared<TurnRecord>(ended.record));
+             });
+}
+
+/// One after the other, so that what came is what was asked for.
+void ClassroomMode::openThen(const std::function<void()>& open, const std::function<void()>& then)
+{
+    if (m_then) {
+        m_then = [this, open, then] { openThen(open, then); };
+        return;
+    }
+    m_then = then;
+    open();
+}
+
+void ClassroomMode::goOn()
+{
+    m_isOpened = false;
+    if (const auto then = std::exchange(m_then, nullptr))
+        then();
+}
+
+/// What was to be opened could not be, which the window has said, or somebody stopped it: a class goes on all the same.
+void ClassroomMode::lookWhetherOpened()
+{
+    if (!m_isOpened && !m_program.document->isBusy() && std::exchange(m_then, nullptr))
+        ask();
+}
+
+void ClassroomMode::takeStep(const core::FileEntry& entry)
+{
+    m_record->add(m_program.document->undoStack().index(), entry);
+    if (m_stage == Stage::Sculpting)
+        m_ended.reset();
+    show();
+}
+
+// --- keeping the work -----------------------------------------------------------------------------------------------------------------
+
+/// `then` only if it is safe; else the model stays open, and that is said.
+void ClassroomMode::keepThen(const ClassTurn& turn, std::function<void()> then)
+{
+    if (m_stage == Stage::Keeping)
+        return;
+    m_program.window->viewport()->finish();
+    const auto kept = std::make_shared<KeptWork>();
+    const auto keep = [archive = archive(), turn, record = m_record, kept](const Document::Present& present) {
+        const QDateTime ended = turn.ended.isValid() ? turn.ended : QDateTime::currentDateTime();
+        *kept = archive.keep({turn.id, turn.pupil, turn.begun, ended, present.step, present.mesh, present.hash, present.notes, record->upTo(present.step)});
+        return kept->problem.isEmpty();
+    };
+    const auto done = [self = QPointer(this), turn, kept, then = std::move(then)](bool) {
+        if (self)
+            self->takeKept(turn, *kept, then);
+    };
+    if (m_program.document->handOver(tr("Keeping the work of %1").arg(nameOf(turn)), keep, done))
+        m_before = std::exchange(m_stage, Stage::Keeping);
+    else
+        refuseForNow();
+}
+
+void ClassroomMode::refuseForNow()
+{
+    m_mayLeave = false;
+    Q_EMIT noticed(tr("Not yet: other work on the model is not done."));
+}
+
+void ClassroomMode::takeKept(const ClassTurn& turn, const KeptWork& kept, const std::function<void()>& then)
+{
+    m_stage = m_before;
+    if (!kept.problem.isEmpty()) {
+        m_mayLeave = false;
+        return m_program.window->showProblem(tr("%1 The work of %2 stays open, and nothing of it is lost.").arg(kept.problem, nameOf(turn)));
+    }
+    m_ended = Ended{turn, kept.folder, m_record->upTo(m_program.document->undoStack().index())};
+    m_ended->turn.ended = {};
+    deliver();
+    then();
+}
+
+void ClassroomMode::deliver()
+{
+    m_aside.run([archive = archive()] { return archive.deliver(); }, [this](const Delivery& delivery) {
+        if (m_ended)
+            m_ended->folder = delivery.moved.value(m_ended->folder, m_ended->folder);
+        m_bar->setWaiting(delivery.waiting, tr("%1 Until then they are in %2.").arg(delivery.problem, QDir::toNativeSeparators(m_places.waiting)));
+        const bool isNews = std::exchange(m_waiting, delivery.waiting) != delivery.waiting;
+        if (delivery.waiting == 0)
+            return;
+        if (isNews)
+            Q_EMIT noticed(tr("%1 The work is kept on this computer and goes there as soon as that is possible.").arg(delivery.problem));
+        m_deliverAgain.start(deliverAgainMs);
+    });
+}
+
+// --- the way out ----------------------------------------------------------------------------------------------------------------------
+
+bool ClassroomMode::mayClose()
+{
+    if (!m_mayLeave)
+        leave();
+    return m_mayLeave;
+}
+
+void ClassroomMode::leave()
+{
+    m_gate->ask(tr("This ends the class. The work of the present turn is kept."), [this] {
+        m_mayLeave = true;
+        if (m_stage != Stage::Sculpting)
+            m_program.window->close();
+        else
+            keepThen(turnNow(), [this] {
+                m_stage = Stage::Asking;
+                m_program.window->close();
+            });
+    });
+}
+
+/// A window manager's keys may take the window off the screen: it comes back.
+bool ClassroomMode::eventFilter(QObject* watched, QEvent* event)
+{
+    const ui::MainWindow& window = *m_program.window;
+    const bool isAway = event->type() == QEvent::WindowStateChange && (!window.isFullScreen() || window.isMinimized());
+    if (isAway && m_classroom.fullScreen && window.isVisible())
+        QMetaObject::invokeMethod(m_program.window, &QWidget::showFullScreen, Qt::QueuedConnection);
+    return QObject::eventFilter(watched, event);
+}
+
+// --- the clock ------------------------------------------------------------------------------------------------------------------------
+
+qint64 ClassroomMode::leftMs() const
+{
+    return std::max<qint64>(m_classroom.turnMinutes * msAMinute - turnNow().usedMs, 0);
+}
+
+ClassTurn ClassroomMode::turnNow() const
+{
+    ClassTurn turn = m_turn;
+    turn.usedMs += m_nowMs() - m_startMs;
+    return turn;
+}
+
+void ClassroomMode::tick()
+{
+    if (m_stage == Stage::Sculpting && m_classroom.turnMinutes > 0) {
+        const qint64 left = leftMs();
+        if (left == 0 && !std::exchange(m_isOver, true)) {
+            m_isWarned = true;
+            Q_EMIT noticed(tr("The time is up. Finish what you are doing; then it is the next one's turn."));
+        } else if (left <= m_classroom.warningMinutes * msAMinute && !std::exchange(m_isWarned, true)) {
+            Q_EMIT noticed(tr("%n minutes are left: come to an end soon.", nullptr, static_cast<int>((left + msAMinute - 1) / msAMinute)));
+        }
+    }
+    show();
+}
+
+void ClassroomMode::show()
+{
+    const bool isTurn = m_stage == Stage::Sculpting || (m_stage == Stage::Keeping && m_before == Stage::Sculpting);
+    m_bar->setPupil(isTurn ? std::optional(m_turn.pupil) : std::nullopt);
+    m_bar->setResumable(m_ended && m_stage != Stage::Recovering ? std::optional(nameOf(m_ended->turn)) : std::nullopt);
+    const bool hasEnd = isTurn && m_classroom.turnMinutes > 0;
+    m_bar->setTime(hasEnd ? std::optional(ui::TurnTime{static_cast<int>((leftMs() + 999) / 1000), m_isWarned}) : std::nullopt);
+}
+} // namespace app

@@ -1,0 +1,129 @@
+#pragma once
+
+#include "class_archive.h"
+#include "classroom_turn.h"
+#include "journal_shelf.h"
+
+#include "ui/class_bar.h"
+#include "ui/classroom.h"
+#include "ui/side_thread.h"
+
+#include <QObject>
+#include <QTimer>
+
+#include <filesystem>
+#include <functional>
+
+namespace ui
+{
+class MainWindow;
+class NamePanel;
+class PinGate;
+} // namespace ui
+
+namespace app
+{
+class Document;
+
+/// Where this computer keeps what is a class's, until it is in the class's folder. A class is known by its file.
+struct ClassPlaces
+{
+    std::filesystem::path journals;
+    QString waiting;
+    QString turnNote;
+
+    static ClassPlaces of(const QString& classFile);
+};
+
+/// A class in the window: turn after turn, each kept before the next begins. Gui thread.
+///
+/// A turn's work is in its journal, which is the class's own, until it is in the archive; what a program that ended otherwise left there is
+/// archived before the first turn.
+class ClassroomMode : public QObject
+{
+    Q_OBJECT
+
+public:
+    struct Program
+    {
+        ui::MainWindow* window;
+        Document* document;
+        JournalShelf* shelf; ///< of ClassPlaces::journals
+    };
+
+    /// None is owned, and all outlive the mode but the window, which may be just going. Of `nowMs` only differences count.
+    ClassroomMode(const Program& program, ui::Classroom classroom, ClassPlaces places, std::function<qint64()> nowMs = monotonicMs);
+    ~ClassroomMode() override;
+
+    static qint64 monotonicMs();
+
+    /// Once, when the window is there.
+    void begin();
+    /// What the clock says is shown and said.
+    void tick();
+
+Q_SIGNALS:
+    /// One sentence, for the window and the headset.
+    void noticed(const QString& sentence);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    enum class Stage { Recovering, Asking, Sculpting, Keeping };
+    struct Ended
+    {
+        ClassTurn turn;
+        QString folder; ///< of its work
+        std::optional<std::vector<core::FileEntry>> record; ///< nothing: it is not known
+    };
+
+    void connectAll();
+    ClassArchive archive() const;
+    void takeOffer(const RecoveryOffer& offer);
+    void recoverNext();
+    void keepRecovered(const RecoveryOffer& offer);
+    void ask();
+    void prepare(const QString& pupil, core::Starter starter);
+    void startTurn(const ClassTurn& turn, std::shared_ptr<TurnRecord> record);
+    void next();
+    void resume();
+    void openThen(const std::function<void()>& open, const std::function<void()>& then);
+    void goOn();
+    void lookWhetherOpened();
+    bool mayClose();
+    void leave();
+    void keepThen(const ClassTurn& turn, std::function<void()> then);
+    void refuseForNow();
+    void takeKept(const ClassTurn& turn, const KeptWork& kept, const std::function<void()>& then);
+    void takeStep(const core::FileEntry& entry);
+    void deliver();
+    void show();
+    qint64 leftMs() const;
+    ClassTurn turnNow() const;
+    static QString newId();
+
+    Program m_program;
+    ui::Classroom m_classroom;
+    ClassPlaces m_places;
+    std::function<qint64()> m_nowMs;
+    ui::ClassBar* m_bar;
+    ui::NamePanel* m_panel;
+    ui::PinGate* m_gate;
+    Stage m_stage = Stage::Recovering;
+    Stage m_before = Stage::Recovering; ///< of Keeping
+    RecoveryOffer m_offer;
+    bool m_hasLooked = false; ///< for what was left
+    ClassTurn m_turn; ///< of Sculpting; else nobody's
+    qint64 m_startMs = 0;
+    bool m_isWarned = false, m_isOver = false;
+    bool m_mayLeave = false;
+    std::shared_ptr<TurnRecord> m_record = std::make_shared<TurnRecord>();
+    std::optional<Ended> m_ended; ///< the turn before, while it can be resumed
+    std::function<void()> m_then; ///< when the model is there that is being opened
+    bool m_isOpened = false;      ///< it is there, and that goes on next
+    int m_waiting = 0;            ///< works that could not be delivered
+    QTimer m_clock, m_deliverAgain;
+    ui::SideThread m_aside; ///< last
+};
+} // namespace app

@@ -1,0 +1,274 @@
+#include "app/class_archive.h"
+#include "app/model_loader.h"
+
+#include "tests/support/hard_places.h"
+
+#include "core/mesh_build.h"
+#include "core/starter_models.h"
+
+#include <QDir>
+#include <QImage>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace app;
+
+namespace
+{
+const QDateTime morning(QDate(2026, 11, 24), QTime(10, 15, 2));
+
+TurnWork workOf(const QString& pupil, core::Starter starter = core::Starter::Torus)
+{
+    static int count = 0;
+    const LoadedModel model = ModelLoader::starter(starter);
+    TurnWork work{QString::number(++count), pupil, morning, morning.addSecs(600), 1, nullptr, model.sculptor->mesh().meshHash(), {}, {}};
+    work.mesh = std::make_shared<core::TriangleMesh>(core::extractMesh(model.sculptor->mesh()));
+    work.notes.frame = model.sculptor->mesh().frame();
+    core::Stroke stroke;
+    stroke.settings.radius = 12;
+    stroke.samples.emplace_back().position = {0, 50, 0};
+    work.record = std::vector<core::FileEntry>{stroke};
+    return work;
+}
+
+QByteArray read(const QString& path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// A class's folder, and what waits on this computer.
+struct Places
+{
+    explicit Places(const QString& classFolder = {}) : works(classFolder.isEmpty() ? root.filePath(QStringLiteral("class")) : classFolder)
+    {
+        QDir().mkpath(works);
+    }
+    ClassArchive archive() const { return {works, waiting}; }
+    static QStringList all(const QString& folder) { return QDir(folder).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot, QDir::Name); }
+
+    QTemporaryDir root;
+    QString works, waiting = root.filePath(QStringLiteral("own/waiting"));
+};
+
+void verifyWork(const QString& folder, const TurnWork& work)
+{
+    QCOMPARE(Places::all(folder), QStringList({"model.glb", "picture.png", "record.json", "turn.json"}));
+    const LoadedModel model = ModelLoader::loadInPlace(folder + QStringLiteral("/model.glb"));
+    QVERIFY2(model.sculptor, qPrintable(model.problem));
+    QCOMPARE(model.sculptor->mesh().meshHash(), work.meshHash);
+    const QImage picture(folder + QStringLiteral("/picture.png"));
+    QVERIFY(!picture.isNull() && picture.hasAlphaChannel());
+    const auto entries = core::readStrokes((folder + QStringLiteral("/record.json")).toStdString());
+    QCOMPARE(entries.size(), work.record->size());
+    const QJsonObject turn = QJsonDocument::fromJson(read(folder + QStringLiteral("/turn.json"))).object();
+    QCOMPARE(turn.value(QStringLiteral("name")).toString(), work.pupil);
+    QCOMPARE(turn.value(QStringLiteral("begun")).toString(), QStringLiteral("2026-11-24T10:15:02"));
+    QCOMPARE(turn.value(QStringLiteral("mesh_hash")).toString().toULongLong(nullptr, 16), work.meshHash);
+}
+} // namespace
+
+/// Works are whole where they can be seen, and somewhere for certain.
+class TestClassArchive : public QObject
+{
+    Q_OBJECT
+
+public:
+    static inline const places::SmallDisk* disk = nullptr; ///< mounted by main()
+
+private Q_SLOTS:
+    void aWorkIsWholeAndGoesToItsFolder();
+    void names_areFolders_data();
+    void names_areFolders();
+    void sameNamesInAMinute_areNumbered();
+    void aMissingFolder_isSaidAndWaitedFor();
+    void aClosedFolder_isSaidAndWaitedFor();
+    void aFullDisk_isSaidAndWaitedFor();
+    void aFullDiskHere_goesToTheClassAtOnce();
+    void noRoomAnywhere_isSaid();
+    void aCutDelivery_isNotDoubled();
+    void leftovers_areSwept();
+};
+
+void TestClassArchive::aWorkIsWholeAndGoesToItsFolder()
+{
+    const Places places;
+    const TurnWork work = workOf(QStringLiteral("Anna"));
+    const KeptWork kept = places.archive().keep(work);
+    QCOMPARE(kept.problem, QString());
+    QCOMPARE(kept.folder, places.waiting + QStringLiteral("/2026-11-24-1015-Anna"));
+    verifyWork(kept.folder, work);
+    const Delivery delivery = places.archive().deliver();
+    QVERIFY(delivery.waiting == 0 && delivery.problem.isEmpty());
+    const QString there = places.works + QStringLiteral("/2026-11-24-1015-Anna");
+    QCOMPARE(delivery.moved.value(kept.folder), there);
+    verifyWork(there, work);
+    QCOMPARE(Places::all(places.waiting), QStringList());
+    QCOMPARE(Places::all(places.works).size(), 1);
+}
+
+void TestClassArchive::names_areFolders_data()
+{
+    QTest::addColumn<QString>("pupil");
+    QTest::addColumn<QString>("end");
+    const auto row = [](const char* name, const char* pupil, const char* end) { QTest::newRow(name) << QString::fromUtf8(pupil) << QString::fromUtf8(end); };
+    row("plain", "Anna", "Anna");
+    row("two words", "  Anna   Lena ", "Anna-Lena");
+    row("up", "../x", "x");
+    row("root", "/", "unnamed");
+    row("dots", "..", "unnamed");
+    row("a device", "CON", "CON");
+    row("nothing", "", "unnamed");
+    row("forbidden", "a\\b:c*d?e\"f<g>h|i\n", "abcdefghi");
+    row("not Latin", "小明 Ögür", "小明-Ögür");
+    row("emoji", "🦊", "🦊");
+    row("hidden", ".unfinished-x", "unfinished-x");
+    row("long", "abcdefghijabcdefghijabcdefghijabcdefghijabcdefghij", "abcdefghijabcdefghijabcdefghijabcdefghij");
+}
+
+void TestClassArchive::names_areFolders()
+{
+    QFETCH(QString, pupil);
+    QFETCH(QString, end);
+    const QString name = ClassArchive::folderName(morning, pupil);
+    QCOMPARE(name, QStringLiteral("2026-11-24-1015-") + end);
+    const Places places;
+    const TurnWork work = workOf(pupil);
+    places.archive().keep(work);
+    QCOMPARE(places.archive().deliver().moved.size(), 1);
+    QCOMPARE(Places::all(places.works), QStringList(name));
+    verifyWork(places.works + u'/' + name, work);
+    QCOMPARE(Places::all(places.root.path()), QStringList({"class", "own"}));
+}
+
+void TestClassArchive::sameNamesInAMinute_areNumbered()
+{
+    const Places places;
+    const TurnWork first = workOf(QStringLiteral("Anna")), second = workOf(QStringLiteral("Anna"), core::Starter::Cube);
+    places.archive().keep(first);
+    places.archive().deliver();
+    places.archive().keep(second); // the first has gone meanwhile
+    places.archive().keep(workOf(QStringLiteral("Anna"), core::Starter::Slab));
+    QCOMPARE(places.archive().deliver().moved.size(), 2);
+    QCOMPARE(Places::all(places.works), QStringList({"2026-11-24-1015-Anna", "2026-11-24-1015-Anna-2", "2026-11-24-1015-Anna-2-2"}));
+    verifyWork(places.works + QStringLiteral("/2026-11-24-1015-Anna"), first);
+    verifyWork(places.works + QStringLiteral("/2026-11-24-1015-Anna-2"), second);
+}
+
+void TestClassArchive::aMissingFolder_isSaidAndWaitedFor()
+{
+    const Places places;
+    QDir().rmdir(places.works);
+    const TurnWork work = workOf(QStringLiteral("Ben"));
+    const KeptWork kept = places.archive().keep(work);
+    const Delivery delivery = places.archive().deliver();
+    QCOMPARE(delivery.waiting, 1);
+    QVERIFY2(delivery.problem.contains(QStringLiteral("there is no folder ") + places.works), qPrintable(delivery.problem));
+    QVERIFY(!QDir(places.works).exists());
+    verifyWork(kept.folder, work);
+    QDir().mkpath(places.works); // it is mounted again
+    QCOMPARE(places.archive().deliver().moved.size(), 1);
+    verifyWork(places.works + QStringLiteral("/2026-11-24-1015-Ben"), work);
+}
+
+void TestClassArchive::aClosedFolder_isSaidAndWaitedFor()
+{
+    const Places places;
+    QFile::setPermissions(places.works, QFile::ReadOwner | QFile::ExeOwner);
+    const TurnWork work = workOf(QStringLiteral("Ben"));
+    places.archive().keep(work);
+    const Delivery delivery = places.archive().deliver();
+    QFile::setPermissions(places.works, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+    QVERIFY2(delivery.waiting == 1 && delivery.problem.contains(QStringLiteral("not permitted")), qPrintable(delivery.problem));
+    QCOMPARE(places.archive().deliver().moved.size(), 1);
+    verifyWork(places.works + QStringLiteral("/2026-11-24-1015-Ben"), work);
+}
+
+void TestClassArchive::aFullDisk_isSaidAndWaitedFor()
+{
+    if (!disk->isThere())
+        QSKIP("A small disk cannot be mounted here.");
+    const Places places(QString::fromStdString(disk->folder().string()));
+    disk->fill();
+    const TurnWork work = workOf(QStringLiteral("Ben"));
+    const KeptWork kept = places.archive().keep(work);
+    const Delivery delivery = places.archive().deliver();
+    QVERIFY2(delivery.waiting == 1 && delivery.problem.endsWith(QStringLiteral("the disk is full.")), qPrintable(delivery.problem));
+    QCOMPARE(Places::all(places.works), QStringList(QStringLiteral("filler")));
+    verifyWork(kept.folder, work);
+    QFile::remove(places.works + QStringLiteral("/filler"));
+    QCOMPARE(places.archive().deliver().moved.size(), 1);
+    verifyWork(places.works + QStringLiteral("/2026-11-24-1015-Ben"), work);
+    QDir(places.works + QStringLiteral("/2026-11-24-1015-Ben")).removeRecursively();
+}
+
+void TestClassArchive::aFullDiskHere_goesToTheClassAtOnce()
+{
+    if (!disk->isThere())
+        QSKIP("A small disk cannot be mounted here.");
+    Places places;
+    places.waiting = QString::fromStdString(disk->folder().string());
+    disk->fill();
+    const TurnWork work = workOf(QStringLiteral("Ben"));
+    const KeptWork kept = places.archive().keep(work);
+    QFile::remove(places.waiting + QStringLiteral("/filler"));
+    QCOMPARE(kept.folder, places.works + QStringLiteral("/2026-11-24-1015-Ben"));
+    verifyWork(kept.folder, work);
+    QCOMPARE(Places::all(places.waiting), QStringList());
+}
+
+void TestClassArchive::noRoomAnywhere_isSaid()
+{
+    if (!disk->isThere())
+        QSKIP("A small disk cannot be mounted here.");
+    Places places;
+    places.waiting = QString::fromStdString(disk->folder().string());
+    QDir().rmdir(places.works);
+    disk->fill();
+    const KeptWork kept = places.archive().keep(workOf(QStringLiteral("Ben")));
+    QFile::remove(places.waiting + QStringLiteral("/filler"));
+    QVERIFY(kept.folder.isEmpty());
+    QVERIFY2(kept.problem.endsWith(QStringLiteral("the disk is full.")), qPrintable(kept.problem));
+    QCOMPARE(Places::all(places.waiting), QStringList());
+}
+
+/// The power went after the work had its name in the class's folder, and before it was removed here.
+void TestClassArchive::aCutDelivery_isNotDoubled()
+{
+    const Places places;
+    const TurnWork work = workOf(QStringLiteral("Cem"));
+    places.archive().keep(work);
+    places.archive().deliver();
+    const QStringList before = Places::all(places.works);
+    const QString kept = places.archive().keep(work).folder; // it is still here
+    QCOMPARE(places.archive().deliver().moved.value(kept), places.works + QStringLiteral("/2026-11-24-1015-Cem"));
+    QCOMPARE(Places::all(places.works), before);
+    QCOMPARE(Places::all(places.waiting), QStringList());
+}
+
+void TestClassArchive::leftovers_areSwept()
+{
+    const Places places;
+    places.archive().keep(workOf(QStringLiteral("Dana")));
+    const QString here = places.waiting + QStringLiteral("/.unfinished-1"), there = places.works + QStringLiteral("/.unfinished-2");
+    QVERIFY(QDir().mkpath(here) && QDir().mkpath(there));
+    QVERIFY(places.archive().deliver().waiting == 0); // neither is taken for a work
+    places.archive().sweep();
+    QVERIFY(!QDir(here).exists());
+    QVERIFY(QDir(there).exists()); // another computer may be writing it
+    QCOMPARE(Places::all(places.works).size(), 2);
+}
+
+int main(int argc, char* argv[])
+{
+    const QTemporaryDir folder;
+    const places::SmallDisk disk(folder.filePath(QStringLiteral("small")).toStdString(), 2048);
+    places::obeyPermissions();
+    TestClassArchive::disk = &disk;
+    const QCoreApplication application(argc, argv);
+    TestClassArchive test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "tst_class_archive.moc"

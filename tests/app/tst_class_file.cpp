@@ -1,0 +1,168 @@
+#include "app/class_file.h"
+#include "app/class_pin.h"
+
+#include "tests/support/hard_places.h"
+
+#include <QDir>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace app;
+
+namespace
+{
+const QByteArray pinLine = "pin = pbkdf2-sha256:1:00ff:" + QByteArray(64, 'a') + '\n';
+
+QByteArray whole()
+{
+    return "# for 5b\n[class]\ntitle = Klasse 5b, Ton & Töne\nfolder = works\nstarters = vase, ball\ntools = smooth, pull\n"
+           "turn_minutes = 30\nwarning_minutes=5\nfull_screen = no\nlanguage = de\n"
+           + pinLine;
+}
+
+/// A class file with these bytes.
+struct File
+{
+    explicit File(const QByteArray& bytes)
+    {
+        QFile file(path());
+        if (file.open(QIODevice::WriteOnly))
+            file.write(bytes);
+    }
+    QString path() const { return folder.filePath(QStringLiteral("5b.ini")); }
+    QString problem() const
+    {
+        try {
+            ClassFile::read(path());
+        } catch (const ClassFileError& error) {
+            return error.sentence;
+        }
+        return {};
+    }
+
+    QTemporaryDir folder;
+};
+} // namespace
+
+/// What a teacher wrote is taken whole, or refused with file, line and reason.
+class TestClassFile : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void everyKeyIsRead()
+    {
+        const File file(whole());
+        const ui::Classroom read = ClassFile::read(file.path());
+        QCOMPARE(read.title, QStringLiteral("Klasse 5b, Ton & Töne"));
+        QCOMPARE(read.folder, file.folder.filePath(QStringLiteral("works")));
+        QCOMPARE(read.starters, QList({core::Starter::Vase, core::Starter::Ball}));
+        QCOMPARE(read.tools, QList({core::Tool::Smooth, core::Tool::Pull}));
+        QCOMPARE(read.turnMinutes, 30);
+        QCOMPARE(read.warningMinutes, 5);
+        QVERIFY(!read.fullScreen);
+        QCOMPARE(read.language, ui::Language::German);
+    }
+
+    void whatIsWrittenIsReadAgain()
+    {
+        const QTemporaryDir folder;
+        for (int turn : {0, 1, 240}) {
+            const ui::Classroom written{QStringLiteral("a = b # c"),
+                                        folder.filePath(QStringLiteral("Ä, b; %20 \"x\"")),
+                                        {core::Starter::Torus},
+                                        {core::Tool::Snake},
+                                        turn,
+                                        turn / 2,
+                                        turn == 0,
+                                        ui::Language::Chinese,
+                                        pinRecord(QStringLiteral("0815"))};
+            const QString path = folder.filePath(QStringLiteral("class.ini"));
+            QCOMPARE(ClassFile::write(path, written), QString());
+            QCOMPARE(ClassFile::read(path), written);
+        }
+    }
+
+    void otherKeysHaveDefaults()
+    {
+        const File file("title=t\nfolder=/f\nstarters=ball\ntools=pull\r\n" + pinLine);
+        const ui::Classroom read = ClassFile::read(file.path()), usual;
+        QCOMPARE(read.turnMinutes, usual.turnMinutes);
+        QCOMPARE(read.warningMinutes, usual.warningMinutes);
+        QCOMPARE(read.fullScreen, usual.fullScreen);
+        QCOMPARE(read.language, usual.language);
+    }
+
+    void faultsAreNamed_data()
+    {
+        QTest::addColumn<QByteArray>("before");
+        QTest::addColumn<QByteArray>("after");
+        QTest::addColumn<QString>("reason");
+        const auto row = [](const char* name, const char* before, const char* after, const char* reason) {
+            QTest::newRow(name) << QByteArray(before) << QByteArray(after) << QString::fromUtf8(reason);
+        };
+        row("unknown key", "full_screen", "fullscreen", "line 9: fullscreen is no key of a class file.");
+        row("no pair", "tools = smooth, pull", "tools", "line 6: a line says key = value, or begins with #.");
+        row("twice", "language = de", "title = x", "line 10: title stands there for the second time.");
+        row("no title", "title = Klasse 5b, Ton & Töne", "title =", "line 3: title: nothing stands there.");
+        row("no number", "= 30", "= thirty", "line 7: turn_minutes: \"thirty\" is no whole number from 0 to 240.");
+        row("too long", "= 30", "= 241", "line 7: turn_minutes: \"241\" is no whole number from 0 to 240.");
+        row("negative", "=5", "=-1", "line 8: warning_minutes: \"-1\" is no whole number from 0 to 30.");
+        row("warning before the turn", "=5", "=31", "line 8: warning_minutes: \"31\" is no whole number from 0 to 30.");
+        row("unknown tool", "smooth, pull", "smooth, melt", "line 6: tools: \"melt\" is none of pull, push, inflate");
+        row("tool twice", "smooth, pull", "pull,pull", "line 6: tools: pull stands there for the second time.");
+        row("empty in a list", "vase, ball", "vase,,ball", "line 5: starters: \"\" is none of ball, cube, torus, slab, vase, head, tablet.");
+        row("neither yes nor no", "= no", "= maybe", "line 9: full_screen: \"maybe\" is none of yes, no.");
+        row("language", "= de", "= fr", "line 10: language: \"fr\" is none of system, en, de, zh_CN.");
+        row("a PIN that can be read", pinLine.constData(), "pin = 1234\n", "line 11: pin: this is no PIN as Fettle writes it");
+        row("no PIN", pinLine.constData(), "", "5b.ini: pin is missing.");
+        row("no folder", "folder = works\n", "", "5b.ini: folder is missing.");
+        row("not UTF-8", "Klasse", "\xff\xfe", "5b.ini is no class file: it is no text in UTF-8, or too long.");
+    }
+
+    void faultsAreNamed()
+    {
+        QFETCH(QByteArray, before);
+        QFETCH(QByteArray, after);
+        QFETCH(QString, reason);
+        QVERIFY(whole().contains(before));
+        const File file(whole().replace(before, after));
+        QVERIFY2(file.problem().startsWith(file.path()) && file.problem().contains(reason), qPrintable(file.problem()));
+    }
+
+    void strangersFilesAreRefused()
+    {
+        QVERIFY(File(QByteArray(70'000, '#')).problem().contains(QStringLiteral("too long")));
+        QVERIFY(File(QByteArray(100, '\0')).problem().contains(QStringLiteral("no class file")));
+        QVERIFY(File({}).problem().contains(QStringLiteral("title is missing")));
+        const QTemporaryDir folder;
+        try {
+            ClassFile::read(folder.filePath(QStringLiteral("none.ini")));
+            QFAIL("a file that is not there was read");
+        } catch (const ClassFileError& error) {
+            QVERIFY2(error.sentence.contains(QStringLiteral("none.ini cannot be read (")), qPrintable(error.sentence));
+        }
+    }
+
+    void aPinIsKnownByItsRecordOnly()
+    {
+        const QString pin = QStringLiteral("47 11ß"), one = pinRecord(pin), other = pinRecord(pin);
+        QVERIFY(one != other && !one.contains(QStringLiteral("47")));
+        QVERIFY(isPinRecord(one) && isPin(pin, one) && isPin(pin, other));
+        QVERIFY(!isPin(QStringLiteral("47 11"), one) && !isPin({}, one));
+        for (const QString& broken : {QString(), one + u'0', one.chopped(1), QString(one).replace(QStringLiteral("sha256"), QStringLiteral("md5")),
+                                      QString(one).replace(QStringLiteral("100000"), QStringLiteral("0"))})
+            QVERIFY2(!isPinRecord(broken) && !isPin(pin, broken), qPrintable(broken));
+    }
+
+    void aFileThatCannotBeWrittenSaysWhy()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("none/class.ini"));
+        QVERIFY(ClassFile::write(path, {}).contains(QStringLiteral("there is no folder")));
+        QVERIFY(!QFile::exists(path));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestClassFile)
+#include "tst_class_file.moc"

@@ -1,0 +1,690 @@
+#include "tests/support/program_hand.h"
+
+#include "app/class_file.h"
+#include "app/class_pin.h"
+#include "app/classroom_mode.h"
+#include "app/model_loader.h"
+
+#include "core/journal/journal.h"
+#include "core/sculptor.h"
+#include "core/stroke_file.h"
+#include "ui/actions.h"
+#include "ui/classroom_lock.h"
+#include "ui/color_panel.h"
+#include "ui/mailbox.h"
+#include "ui/name_panel.h"
+
+#include <QAction>
+#include <QContextMenuEvent>
+#include <QDialog>
+#include <QDir>
+#include <QDockWidget>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QMenu>
+#include <QMenuBar>
+#include <QProcess>
+#include <QPushButton>
+#include <QSettings>
+#include <QTemporaryDir>
+
+#include <iostream>
+
+using namespace app;
+
+namespace
+{
+constexpr int longestWait = 60'000;
+constexpr qint64 minute = 60'000;
+const QString pin = QStringLiteral("2468");
+
+QStringList foldersIn(const QString& path)
+{
+    return QDir(path).entryList(QDir::Dirs | QDir::Hidden | QDir::NoDotAndDotDot, QDir::Name);
+}
+
+QJsonObject turnIn(const QString& folder)
+{
+    QFile file(folder + QStringLiteral("/turn.json"));
+    return file.open(QIODevice::ReadOnly) ? QJsonDocument::fromJson(file.readAll()).object() : QJsonObject();
+}
+
+std::uint64_t hashOf(const QString& path)
+{
+    const LoadedModel model = ModelLoader::loadInPlace(path);
+    return model.sculptor ? model.sculptor->mesh().meshHash() : 0;
+}
+
+/// What a record makes of a starter.
+std::uint64_t replayed(core::Starter starter, const QString& record)
+{
+    const LoadedModel model = ModelLoader::starter(starter);
+    for (const core::FileEntry& entry : core::readStrokes(record.toStdString())) {
+        const auto& stroke = std::get<core::Stroke>(entry);
+        model.sculptor->beginStroke(stroke.settings);
+        for (const core::StrokeSample& sample : stroke.samples)
+            model.sculptor->addSample(sample);
+        model.sculptor->endStroke();
+    }
+    return model.sculptor->mesh().meshHash();
+}
+
+/// Where a class and its computer keep things.
+struct Home
+{
+    explicit Home(const QString& path) : root(path)
+    {
+        QDir().mkpath(works);
+        places = {(root + QStringLiteral("/journals")).toStdString(), root + QStringLiteral("/own/waiting"), root + QStringLiteral("/own/turn.json")};
+    }
+    ui::Classroom classroom() const
+    {
+        static const QString record = pinRecord(pin);
+        return {QStringLiteral("5b"), works, {core::Starter::Ball, core::Starter::Torus}, {core::Tool::Clay, core::Tool::Pull, core::Tool::Paint}, 20, 3, false,
+                ui::Language::System, record};
+    }
+    QString journals() const { return root + QStringLiteral("/journals"); }
+
+    QString root, works = root + QStringLiteral("/works");
+    ClassPlaces places;
+};
+
+/// The program in a class, as main() puts it together.
+struct Class
+{
+    explicit Class(const Home& home) : Class(home, home.classroom()) {}
+    Class(const Home& home, const ui::Classroom& classroom)
+        : shelf(home.places.journals), mode({&program.window, &program.document, &shelf}, classroom, home.places, [this] { return now; })
+    {
+        program.document.keepJournals(&shelf);
+        wireClassroom(program.window, mode);
+        program.window.resize(1100, 760);
+        program.window.show();
+    }
+
+    template <class Part> Part* part(const char* name) const { return program.window.findChild<Part*>(QLatin1StringView(name)); }
+    QString text(const char* label) const { return part<QLabel>(label)->text(); }
+    bool isIdle() const { return !program.document.isBusy() && program.document.isSettled() && program.document.facts().faces > 0; }
+    bool asks() const { return part<ui::NamePanel>("namePanel")->isVisible(); }
+
+    void begin()
+    {
+        QVERIFY(QTest::qWaitForWindowExposed(&program.window));
+        mode.begin();
+        QTRY_VERIFY_WITH_TIMEOUT(asks() && isIdle(), longestWait);
+    }
+    void beginTurn(const QString& name, const char* starter = "new.ball")
+    {
+        QTest::mouseClick(part<QAbstractButton>((QByteArray("turn.") + starter).constData()), Qt::LeftButton);
+        QTest::keyClicks(part<QLineEdit>("pupilName"), name);
+        QTest::keyClick(part<QLineEdit>("pupilName"), Qt::Key_Return);
+        QTRY_VERIFY_WITH_TIMEOUT(!asks() && isIdle() && text("classPupil") == name, longestWait);
+    }
+    void sculpt(const QPoint& way = {40, 20})
+    {
+        const int before = program.document.undoStack().index();
+        drag(program.window.viewport(), way);
+        QTRY_COMPARE_WITH_TIMEOUT(program.document.undoStack().index(), before + 1, longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(isIdle(), longestWait);
+    }
+    void trigger(const char* id)
+    {
+        program.window.action(QLatin1StringView(id))->trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(isIdle(), longestWait);
+    }
+    void press(const char* button) { QTest::mouseClick(part<QPushButton>(button), Qt::LeftButton); }
+    void next()
+    {
+        press("classNext");
+        QTRY_VERIFY_WITH_TIMEOUT(asks() && isIdle(), longestWait);
+    }
+    void typePin(const QString& text)
+    {
+        QTRY_VERIFY(part<QDialog>("pinDialog") && part<QDialog>("pinDialog")->isVisible());
+        QTest::keyClicks(part<QLineEdit>("pin"), text);
+        QTest::keyClick(part<QLineEdit>("pin"), Qt::Key_Return);
+    }
+    std::uint64_t hash()
+    {
+        std::optional<std::uint64_t> answer;
+        ui::Mailbox mail;
+        program.worker.post([&](core::Sculptor& sculptor) { mail.post([&answer, value = sculptor.mesh().meshHash()] { answer = value; }); });
+        [&] { QTRY_VERIFY_WITH_TIMEOUT(answer, longestWait); }();
+        return answer.value_or(0);
+    }
+
+    qint64 now = 0;
+    JournalShelf shelf;
+    Program program;
+    ClassroomMode mode;
+};
+
+/// What must be the same at the beginning of each turn.
+struct Beginning
+{
+    explicit Beginning(const Class& c)
+        : brush(c.program.window.strokeSettings())
+        , swatches(c.program.window.findChild<ui::ColorPanel*>()->swatches())
+        , switches(ui::switchesOf(c.program.window.commands()))
+        , view(c.program.window.viewport()->camera().saved())
+    {
+    }
+    bool operator==(const Beginning& other) const
+    {
+        const auto parts = [](const core::StrokeSettings& s) {
+            return std::tuple(s.tool, s.brush, s.topology, s.symmetry, s.radial, s.radius, s.strength, s.falloff, s.detail, s.spacing, s.fusion,
+                              s.add, s.color, s.alpha, s.model);
+        };
+        return parts(brush) == parts(other.brush) && swatches == other.swatches && switches == other.switches && view.yaw == other.view.yaw
+               && view.pitch == other.view.pitch && view.target == other.view.target && view.distance == other.view.distance;
+    }
+
+    core::StrokeSettings brush;
+    QList<core::Rgb> swatches;
+    QHash<QString, bool> switches;
+    core::SavedView view;
+};
+
+/// Whatever a person could leave behind.
+void leaveTraces(Class& c)
+{
+    ui::MainWindow& window = c.program.window;
+    for (const char* id : {"symmetry.on", "symmetry.radial", "brush.steady", "view.flat", "material.wax", "view.orthographic", "brush.ray", "tool.paint",
+                           "view.top"})
+        window.action(QLatin1StringView(id))->trigger();
+    window.brush()->set(&core::StrokeSettings::color, core::Rgb{1, 2, 3});
+    window.brush()->setValue(core::Parameter::Strength, 2);
+    window.brush()->scaleRadius(2);
+    window.findChild<ui::ColorPanel*>()->swap();
+    window.findChild<ui::ColorPanel*>()->reset({{9, 9, 9}});
+}
+
+/// The class's own windows that are open beside the main one.
+QList<QWidget*> otherWindows(const Class& c)
+{
+    QList<QWidget*> others;
+    for (QWidget* widget : QApplication::topLevelWidgets())
+        if (widget->isVisible() && widget != &c.program.window)
+            others << widget;
+    return others;
+}
+
+/// What can be chosen in a menu and those below it.
+void addChoices(const QMenu* menu, QList<QAction*>* choices)
+{
+    for (QAction* action : menu->actions()) {
+        if (!action->isVisible() || action->isSeparator())
+            continue;
+        if (action->menu())
+            addChoices(action->menu(), choices);
+        else
+            choices->append(action);
+    }
+}
+} // namespace
+
+/// A class through the real window: each work kept, nothing left behind, no way out but the teacher's.
+class TestClassroom : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QSettings().clear(); }
+    void twentyFiveTurns_areKept();
+    void aTurnBegins_asTheClassDid();
+    void aMistakenPress_isTakenBack();
+    void stopping_leavesNobodyWithoutClay();
+    void theClock_warnsAndTakesNothing();
+    void aMissingFolder_isSaidAtOnce();
+    void noRoomAnywhere_keepsTheModelOpen();
+    void noCommand_leadsOut_data();
+    void noCommand_leadsOut();
+    void menus_haveOnlyWhatIsAllowed();
+    void nothingCanBeDropped();
+    void closing_takesThePin();
+    void theTeachersDialog_writesTheFile();
+    void aPowerCut_losesNobodysWork_data();
+    void aPowerCut_losesNobodysWork();
+};
+
+void TestClassroom::twentyFiveTurns_areKept()
+{
+    constexpr int turns = 25;
+    const QTemporaryDir root;
+    const Home home(root.path());
+    QList<std::uint64_t> hashes;
+    QStringList names;
+    {
+        Class c(home);
+        c.begin();
+        for (int i = 0; i < turns; ++i) {
+            names << (i % 5 == 4 ? QStringLiteral("Anna") : QStringLiteral("Pupil %1").arg(i));
+            c.beginTurn(names.last(), i % 2 == 0 ? "new.ball" : "new.torus");
+            if (QTest::currentTestFailed())
+                return;
+            QCOMPARE(c.program.document.undoStack().count(), 0);
+            for (int stroke = 0; stroke <= i % 3; ++stroke)
+                c.sculpt({10 + 5 * i, 20 * stroke});
+            if (i % 4 == 3) { // what was undone is in no record
+                c.trigger("edit.undo");
+                c.sculpt({-50, -30 - 2 * i});
+            }
+            hashes << c.hash();
+            c.next();
+            if (QTest::currentTestFailed())
+                return;
+        }
+        QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), turns, longestWait);
+        QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.places.waiting), QStringList(), longestWait);
+        QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.journals()).size(), 1, longestWait); // of the clay that waits for the next
+    }
+    QCOMPARE(foldersIn(home.journals()), QStringList());
+    QStringList kept;
+    for (const QString& name : foldersIn(home.works)) {
+        const QString folder = home.works + u'/' + name;
+        const QJsonObject turn = turnIn(folder);
+        const std::uint64_t hash = turn.value(QStringLiteral("mesh_hash")).toString().toULongLong(nullptr, 16);
+        const qsizetype i = hashes.indexOf(hash);
+        QVERIFY2(i >= 0, qPrintable(name));
+        QCOMPARE(turn.value(QStringLiteral("name")).toString(), names[i]);
+        QCOMPARE(hashOf(folder + QStringLiteral("/model.glb")), hash);
+        QCOMPARE(replayed(i % 2 == 0 ? core::Starter::Ball : core::Starter::Torus, folder + QStringLiteral("/record.json")), hash);
+        QVERIFY(QFile::exists(folder + QStringLiteral("/picture.png")));
+        kept << names[i];
+    }
+    kept.sort();
+    names.sort();
+    QCOMPARE(kept, names);
+}
+
+void TestClassroom::aTurnBegins_asTheClassDid()
+{
+    const QTemporaryDir root;
+    const Home home(root.path());
+    Class c(home);
+    c.begin();
+    c.beginTurn(QStringLiteral("Anna"));
+    const Beginning first(c);
+    QCOMPARE(first.brush.tool, core::Tool::Clay);
+    c.sculpt();
+    leaveTraces(c);
+    QVERIFY(!(Beginning(c) == first));
+    QCOMPARE(c.program.window.strokeSettings().tool, core::Tool::Paint);
+    c.next();
+    c.beginTurn(QStringLiteral("Ben"));
+    QVERIFY(Beginning(c) == first);
+    QVERIFY(!c.program.document.canUndo() && !c.program.document.canRedo() && !c.program.document.isModified());
+    QVERIFY(c.program.window.windowTitle().contains(QStringLiteral("Ben")));
+    c.program.window.action(QStringLiteral("symmetry.on"))->trigger(); // the plane that was chosen last went, too
+    QCOMPARE(c.program.window.strokeSettings().symmetry, core::Symmetry::X);
+    c.program.window.brush()->setTool(core::Tool::Smooth); // by whatever way
+    QCOMPARE(c.program.window.strokeSettings().tool, core::Tool::Clay);
+}
+
+void TestClassroom::aMistakenPress_isTakenBack()
+{
+    const QTemporaryDir root;
+    const Home home(root.path());
+    Class c(home);
+    c.begin();
+    c.beginTurn(QStringLiteral("Anna"), "new.torus");
+    c.sculpt();
+    const std::uint64_t hash = c.hash();
+    c.now += 5 * minute;
+    c.next();
+    QVERIFY(c.part<QPushButton>("classResume")->isVisible());
+    QVERIFY(c.part<QPushButton>("classResume")->text().contains(QStringLiteral("Anna")));
+    c.now += 2 * minute; // nobody's
+    c.press("classResume");
+    QTRY_VERIFY_WITH_TIMEOUT(!c.asks() && c.isIdle() && c.text("classPupil") == QStringLiteral("Anna"), longestWait);
+    QCOMPARE(c.hash(), hash);
+    QVERIFY(c.program.document.path().isEmpty());
+    c.mode.tick();
+    QCOMPARE(c.text("classTime"), QStringLiteral("15 minutes left"));
+    c.sculpt({-40, 30});
+    const std::uint64_t later = c.hash();
+    c.next();
+    c.beginTurn(QStringLiteral("Ben"));
+    QVERIFY(c.part<QPushButton>("classResume")->isVisible());
+    c.sculpt();
+    QVERIFY(!c.part<QPushButton>("classResume")->isVisible());
+    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), 2, longestWait); // what was kept stays
+    const QString folder = home.works + u'/' + foldersIn(home.works).last();
+    QCOMPARE(hashOf(folder + QStringLiteral("/model.glb")), later);
+    QCOMPARE(core::readStrokes((folder + QStringLiteral("/record.json")).toStdString()).size(), std::size_t(2));
+}
+
+/// Esc, while a starter is being made.
+void TestClassroom::stopping_leavesNobodyWithoutClay()
+{
+    const QTemporaryDir root;
+    const Home home(root.path());
+    Class c(home);
+    c.begin();
+    QTest::keyClicks(c.part<QLineEdit>("pupilName"), QStringLiteral("Anna"));
+    QTest::keyClick(c.part<QLineEdit>("pupilName"), Qt::Key_Return);
+    c.program.document.stop();
+    QTRY_VERIFY_WITH_TIMEOUT(c.isIdle(), longestWait);
+    QTest::qWait(50);
+    QTRY_VERIFY_WITH_TIMEOUT(c.isIdle(), longestWait);
+    if (c.asks()) // else it was there already
+        c.beginTurn(QStringLiteral("Anna"));
+    c.sculpt();
+    c.press("classNext");
+    c.program.document.stop();
+    QTRY_VERIFY_WITH_TIMEOUT(c.asks() && c.isIdle(), longestWait);
+    c.beginTurn(QStringLiteral("Ben"));
+    c.sculpt();
+    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), 1, longestWait);
+}
+
+void TestClassroom::theClock_warnsAndTakesNothing()
+{
+    const QTemporaryDir root;
+    const Home home(root.path());
+    Class c(home);
+    c.begin();
+    c.mode.tick();
+    QVERIFY(c.text("classTime").isEmpty());
+    c.beginTurn(QStringLiteral("Anna"));
+    c.sculpt();
+    const auto at = [&c](qint64 ms) {
+        c.now = ms;
+        c.mode.tick();
+        return c.text("classTime");
+    };
+    QCOMPARE(at(0), QStringLiteral("20 minutes left"));
+    QCOMPARE(at(17 * minute - 1), QStringLiteral("4 minutes left"));
+    QVERIFY(!c.part<QLabel>("classTime")->font().bold() && notice(c.program).isEmpty());
+    QCOMPARE(at(17 * minute), QStringLiteral("3 minutes left"));
+    QVERIFY(c.part<QLabel>("classTime")->font().bold() && !c.part<QLabel>("classClock")->pixmap(Qt::ReturnByValue).isNull());
+    QVERIFY(notice(c.program).contains(QStringLiteral("3 minutes are left")));
+    QCOMPARE(at(20 * minute), QStringLiteral("Time is up"));
+    QVERIFY(notice(c.program).contains(QStringLiteral("The time is up")));
+    QCOMPARE(at(25 * minute), QStringLiteral("Time is up"));
+    c.sculpt({30, -20});
+    QCOMPARE(c.program.document.undoStack().count(), 2);
+    c.next();
+    c.beginTurn(QStringLiteral("Ben"));
+    QCOMPARE(at(c.now), QStringLiteral("20 minutes left"));
+    QVERIFY(!c.part<QLabel>("classTime")->font().bold());
+}
+
+void TestClassroom::aMissingFolder_isSaidAtOnce()
+{
+    const QTemporaryDir root;
+    const Home home(root.path());
+    Class c(home);
+    c.begin();
+    c.beginTurn(QStringLiteral("Anna"));
+    c.sculpt();
+    QVERIFY(QDir().rmdir(home.works));
+    c.next();
+    QTRY_VERIFY2(notice(c.program).contains(QStringLiteral("there is no folder ") + home.works), qPrintable(notice(c.program)));
+    QCOMPARE(c.text("classWaiting"), QStringLiteral("1 works wait on this computer"));
+    QVERIFY(c.part<QLabel>("classWaiting")->toolTip().contains(home.places.waiting));
+    QCOMPARE(foldersIn(home.places.waiting).size(), 1);
+    QVERIFY(QDir().mkpath(home.works)); // it is back
+    c.beginTurn(QStringLiteral("Ben"));
+    c.sculpt();
+    c.next();
+    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), 2, longestWait);
+    QTRY_VERIFY(c.text("classWaiting").isEmpty());
+    QCOMPARE(foldersIn(home.places.waiting), QStringList());
+}
+
+void TestClassroom::noRoomAnywhere_keepsTheModelOpen()
+{
+    const QTemporaryDir root;
+    Home home(root.path());
+    home.places.waiting = QStringLiteral("/proc/none/waiting");
+    Class c(home);
+    c.begin();
+    c.beginTurn(QStringLiteral("Anna"));
+    c.sculpt();
+    const std::uint64_t hash = c.hash();
+    QVERIFY(QDir().rmdir(home.works));
+    c.press("classNext");
+    QTRY_VERIFY_WITH_TIMEOUT(c.part<QMessageBox>("problem") && c.part<QMessageBox>("problem")->isVisible(), longestWait);
+    QVERIFY(c.part<QMessageBox>("problem")->text().contains(QStringLiteral("The work of Anna stays open")));
+    c.part<QMessageBox>("problem")->accept();
+    QVERIFY(!c.asks() && c.text("classPupil") == QStringLiteral("Anna"));
+    QCOMPARE(c.hash(), hash);
+    QVERIFY(c.program.document.isModified() && c.program.document.canUndo());
+    QVERIFY(QDir().mkpath(home.works));
+    c.next();
+    QCOMPARE(hashOf(home.works + u'/' + foldersIn(home.works).constFirst() + QStringLiteral("/model.glb")), hash);
+}
+
+void TestClassroom::noCommand_leadsOut_data()
+{
+    QTest::addColumn<bool>("isTurn");
+    QTest::newRow("while the name is asked") << false;
+    QTest::newRow("in a turn") << true;
+}
+
+/// Each key of each command that a class does without, and by code.
+void TestClassroom::noCommand_leadsOut()
+{
+    QFETCH(bool, isTurn);
+    const QTemporaryDir root;
+    const Home home(root.path());
+    Class c(home);
+    c.begin();
+    if (isTurn)
+        c.beginTurn(QStringLiteral("Anna"));
+    ui::MainWindow& window = c.program.window;
+    window.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&window));
+    const std::uint64_t hash = c.hash();
+    int closed = 0;
+    for (const ui::ActionInfo& row : ui::actionTable()) {
+        QAction* action = window.action(QLatin1StringView(row.id));
+        if (ui::isAllowed(row, home.classroom()))
+            continue;
+        ++closed;
+        action->setEnabled(true); // as others do when work ends
+        QVERIFY2(!action->isEnabled() && !action->isVisible(), row.id);
+        for (const QKeySequence& key : action->shortcuts())
+            QTest::keySequence(&window, key);
+        QTest::qWait(1);
+        QVERIFY2(otherWindows(c).isEmpty(), row.id);
+    }
+    QVERIFY(closed > 40);
+    for (const Qt::Key key : {Qt::Key_F11, Qt::Key_F10, Qt::Key_Menu, Qt::Key_Escape, Qt::Key_Print})
+        QTest::keyClick(&window, key);
+    QVERIFY(window.isVisible() && otherWindows(c).isEmpty());
+    QVERIFY(c.isIdle() && c.program.document.path().isEmpty() && !c.program.document.isModified());
+    QCOMPARE(c.hash(), hash);
+    for (const char* panel : {"filesPanel", "referencePanel", "printPanel", "previewPanel", "historyPanel"})
+        QVERIFY2(!c.part<QDockWidget>(panel)->isVisible(), panel);
+    if (!isTurn) { // nobody gets at the clay
+        const QPoint middle = window.viewport()->mapTo(&window, window.viewport()->rect().center() + QPoint(0, window.viewport()->height() / 4));
+        QTest::mousePress(window.windowHandle(), Qt::LeftButton, {}, middle);
+        QTest::mouseMove(window.windowHandle(), middle + QPoint(20, 0));
+        QTest::mouseRelease(window.windowHandle(), Qt::LeftButton, {}, middle + QPoint(20, 0));
+        QTRY_VERIFY(c.isIdle());
+        QCOMPARE(c.program.document.undoStack().count(), 0);
+    }
+}
+
+void TestClassroom::menus_haveOnlyWhatIsAllowed()
+{
+    const QTemporaryDir root;
+    const Home home(root.path());
+    Class c(home);
+    c.begin();
+    ui::MainWindow& window = c.program.window;
+    QList<QAction*> choices;
+    for (const QAction* title : window.menuBar()->actions())
+        if (title->isVisible())
+            addChoices(title->menu(), &choices);
+    QSet<QAction*> allowed;
+    for (const ui::ActionInfo& row : ui::actionTable())
+        if (ui::isAllowed(row, home.classroom()))
+            allowed << window.action(QLatin1StringView(row.id));
+    for (const QDockWidget* panel : window.findChildren<QDockWidget*>())
+        if (panel->objectName() != QStringLiteral("filesPanel"))
+            allowed << panel->toggleViewAction();
+    QVERIFY(choices.size() > 30);
+    for (QAction* choice : choices)
+        QVERIFY2(allowed.contains(choice), qPrintable(choice->text()));
+    QVERIFY(choices.contains(window.action(QStringLiteral("tool.clay"))) && !choices.contains(window.action(QStringLiteral("tool.stamp"))));
+    QContextMenuEvent wanted(QContextMenuEvent::Mouse, {5, 5}, window.mapToGlobal(QPoint(5, 5)));
+    QApplication::sendEvent(window.menuBar(), &wanted);
+    QVERIFY(!QApplication::activePopupWidget());
+}
+
+void TestClassroom::nothingCanBeDropped()
+{
+    const QTemporaryDir root;
+    const Home home(root.path());
+    Class c(home);
+    c.begin();
+    c.beginTurn(QStringLiteral("Anna"));
+    const QString file = root.filePath(QStringLiteral("x.stl"));
+    QVERIFY(!drop(c.program.window, {QUrl::fromLocalFile(file)}));
+    QVERIFY(!drop(*c.program.window.viewport(), {QUrl::fromLocalFile(file)}));
+    QTest::qWait(20);
+    QVERIFY(c.isIdle() && otherWindows(c).isEmpty());
+}
+
+void TestClassroom::closing_takesThePin()
+{
+    const QTemporaryDir root;
+    const Home home(root.path());
+    {
+        Class c(home);
+        c.begin();
+        c.beginTurn(QStringLiteral("Anna"));
+        c.sculpt();
+        ui::MainWindow& window = c.program.window;
+        QVERIFY(!window.close()); // Alt+F4, the title bar's cross, a session that ends
+        c.typePin(QStringLiteral("1111"));
+        QCOMPARE(c.text("pinWord"), QStringLiteral("This is not the PIN."));
+        QVERIFY(window.isVisible());
+        c.part<QDialog>("pinDialog")->reject();
+        QTRY_VERIFY(!c.part<QDialog>("pinDialog"));
+        QVERIFY(window.isVisible() && c.text("classPupil") == QStringLiteral("Anna"));
+        window.action(QStringLiteral("file.quit"))->trigger();
+        c.typePin(QStringLiteral("0000"));
+        c.typePin(QStringLiteral("000"));
+        QVERIFY(!c.part<QLineEdit>("pin")->isEnabled()); // three were wrong
+        QVERIFY(c.text("pinWord").contains(QStringLiteral("seconds")));
+        QTRY_VERIFY_WITH_TIMEOUT(c.part<QLineEdit>("pin")->isEnabled(), longestWait);
+        c.typePin(pin);
+        QTRY_VERIFY_WITH_TIMEOUT(!window.isVisible(), longestWait);
+    }
+    QCOMPARE(foldersIn(home.works).size(), 1);
+    QCOMPARE(foldersIn(home.journals()), QStringList());
+    QCOMPARE(foldersIn(home.places.waiting), QStringList());
+}
+
+void TestClassroom::theTeachersDialog_writesTheFile()
+{
+    const QTemporaryDir root;
+    Program program;
+    program.window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&program.window));
+    program.window.action(QStringLiteral("edit.classroom"))->trigger();
+    QPointer<QDialog> dialog;
+    QTRY_VERIFY((dialog = program.window.findChild<QDialog*>(QStringLiteral("classroomDialog"))) && dialog->isVisible());
+    const auto type = [&dialog](const char* field, const QString& text) { QTest::keyClicks(dialog->findChild<QLineEdit*>(QLatin1StringView(field)), text); };
+    const auto fault = [&dialog] {
+        dialog->accept();
+        return dialog->findChild<QLabel*>(QStringLiteral("classroomWord"))->text();
+    };
+    QCOMPARE(fault(), QStringLiteral("The class has no title yet."));
+    type("classTitleField", QStringLiteral("5b"));
+    QCOMPARE(fault(), QStringLiteral("There is no such folder for the works."));
+    type("classFolderField", root.path());
+    QVERIFY(fault().startsWith(QStringLiteral("The PIN needs at least 4")));
+    type("classPin", pin);
+    QCOMPARE(fault(), QStringLiteral("The two PINs are not the same."));
+    type("classPinAgain", pin);
+    for (const char* box : {"class.new.cube", "class.tool.stamp", "class.tool.mask"})
+        dialog->findChild<QAbstractButton*>(QLatin1StringView(box))->click();
+    QVERIFY(fault().isEmpty());
+    const QString path = root.filePath(QStringLiteral("5b.ini"));
+    chooseFile(program, "classDialog", path);
+    QTRY_VERIFY(notice(program).contains(path));
+    const ui::Classroom read = ClassFile::read(path);
+    QCOMPARE(read.title, QStringLiteral("5b"));
+    QCOMPARE(read.folder, root.path());
+    QVERIFY(read.starters.size() == 6 && !read.starters.contains(core::Starter::Cube));
+    QVERIFY(read.tools.size() == 14 && !read.tools.contains(core::Tool::Stamp));
+    QVERIFY(isPin(pin, read.pin) && !isPin(QStringLiteral("1234"), read.pin));
+}
+
+void TestClassroom::aPowerCut_losesNobodysWork_data()
+{
+    QTest::addColumn<int>("afterNextMs");
+    QTest::newRow("in a turn") << -1;
+    for (const int ms : {0, 20, 60, 150, 400})
+        QTest::addRow("%d ms after Next Pupil", ms) << ms;
+}
+
+/// A program that ends so between two instructions has told of its work before, and the next start brings it to the class's folder.
+void TestClassroom::aPowerCut_losesNobodysWork()
+{
+    QFETCH(int, afterNextMs);
+    const QTemporaryDir root;
+    QProcess victim;
+    victim.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+    victim.start(QCoreApplication::applicationFilePath(), {QStringLiteral("--victim"), root.path(), QString::number(afterNextMs)});
+    QVERIFY(victim.waitForFinished(longestWait));
+    const std::uint64_t hash = victim.readAllStandardOutput().trimmed().toULongLong();
+    QVERIFY(hash != 0 && victim.exitStatus() == QProcess::CrashExit);
+
+    const Home home(root.path());
+    Class c(home);
+    c.begin();
+    QTRY_VERIFY_WITH_TIMEOUT(!foldersIn(home.works).isEmpty() && foldersIn(home.places.waiting).isEmpty(), longestWait);
+    for (const QString& name : foldersIn(home.works)) { // two, if the work was kept and its journal did not know yet
+        QVERIFY2(!name.startsWith(u'.') && name.contains(QStringLiteral("Anna")), qPrintable(name));
+        QCOMPARE(hashOf(home.works + u'/' + name + QStringLiteral("/model.glb")), hash);
+        QVERIFY(turnIn(home.works + u'/' + name).contains(QStringLiteral("begun")));
+    }
+    QVERIFY(foldersIn(home.works).size() <= 2);
+    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.journals()).size(), 1, longestWait);
+}
+
+namespace
+{
+/// Tells the hash of a work, when that would survive, and ends as in a power cut.
+int runVictim(const QString& root, int afterNextMs)
+{
+    const Home home(root);
+    Class c(home);
+    c.begin();
+    c.beginTurn(QStringLiteral("Anna"));
+    c.sculpt();
+    c.sculpt({-60, 40});
+    const std::uint64_t hash = c.hash();
+    bool isRecorded = false;
+    ui::Mailbox mail;
+    c.program.document.journal()->after([&] { mail.post([&isRecorded] { isRecorded = true; }); });
+    while (!isRecorded)
+        QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    std::cout << hash << std::endl;
+    if (afterNextMs >= 0) {
+        c.press("classNext");
+        if (afterNextMs > 0)
+            QTest::qWait(afterNextMs);
+    }
+    std::abort();
+}
+} // namespace
+
+int main(int argc, char* argv[])
+{
+    if (argc == 4 && qstrcmp(argv[1], "--victim") == 0) {
+        ui::prepareGraphics();
+        const QApplication application(argc, argv);
+        QCoreApplication::setOrganizationName(QStringLiteral("Fettle"));
+        QCoreApplication::setApplicationName(QStringLiteral("tst_classroom"));
+        return runVictim(QString::fromLocal8Bit(argv[2]), atoi(argv[3]));
+    }
+    return runOnScreen<TestClassroom>(argc, argv, "tst_classroom");
+}
+#include "tst_classroom.moc"

@@ -1,0 +1,135 @@
+#include "class_bar.h"
+
+#include "spacing.h"
+#include "themed_icon.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMainWindow>
+#include <QPushButton>
+
+namespace ui
+{
+namespace
+{
+constexpr int clockSize = 18; ///< pixels
+constexpr int mostNameWidth = 240;
+
+/// What is left is never told as less than it is.
+int minutesOf(int seconds)
+{
+    return (seconds + 59) / 60;
+}
+
+void setBold(QWidget* widget, bool isBold)
+{
+    QFont font = widget->font();
+    font.setBold(isBold);
+    widget->setFont(font);
+}
+} // namespace
+
+ClassBar::ClassBar(const QString& title, QMainWindow* window) : QToolBar(tr("Class"), window)
+{
+    setObjectName(QStringLiteral("classBar"));
+    setMovable(false);
+    toggleViewAction()->setVisible(false);
+    setContextMenuPolicy(Qt::PreventContextMenu);
+    addLabel("classTitle")->setText(title);
+    m_pupil = addLabel("classPupil");
+    setBold(m_pupil, true);
+    auto* middle = new QWidget;
+    middle->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    addWidget(middle);
+    m_waiting = addLabel("classWaiting");
+    m_clock = addLabel("classClock");
+    m_time = addLabel("classTime");
+    m_resume = addButton("classResume", {},
+                         tr("Takes back Next Pupil: the work is opened again as it was kept, and the turn goes on. Possible until somebody sculpts."));
+    m_resumeCell = actions().constLast();
+    m_next = addButton("classNext", tr("&Next Pupil"), tr("Keeps the work in the class's folder, and begins the next turn with fresh clay."));
+    m_leave = addButton("classLeave", tr("&Leave…"), tr("Asks for the teacher's PIN, keeps the work, and ends the class."));
+    connect(m_resume, &QPushButton::clicked, this, &ClassBar::resumeRequested);
+    connect(m_next, &QPushButton::clicked, this, &ClassBar::nextRequested);
+    connect(m_leave, &QPushButton::clicked, this, &ClassBar::leaveRequested);
+    setPupil({});
+    setTime({});
+    setResumable({});
+    setWaiting(0, {});
+    const auto bars = window->findChildren<QToolBar*>(Qt::FindDirectChildrenOnly);
+    window->insertToolBar(bars.constFirst(), this);
+    window->insertToolBarBreak(bars.constFirst());
+}
+
+QLabel* ClassBar::addLabel(const char* name)
+{
+    auto* label = new QLabel;
+    label->setObjectName(QLatin1StringView(name));
+    label->setTextFormat(Qt::PlainText);
+    label->setContentsMargins(gap, 0, gap, 0);
+    addWidget(label);
+    return label;
+}
+
+QPushButton* ClassBar::addButton(const char* name, const QString& text, const QString& tip)
+{
+    auto* button = new QPushButton(text);
+    button->setObjectName(QLatin1StringView(name));
+    button->setToolTip(tip);
+    button->setAutoDefault(true);
+    auto* cell = new QWidget;
+    auto* row = new QHBoxLayout(cell);
+    row->setContentsMargins(0, gap / 2, gap, gap / 2);
+    row->addWidget(button);
+    addWidget(cell);
+    return button;
+}
+
+void ClassBar::setPupil(const std::optional<QString>& pupil)
+{
+    m_isTurn = pupil.has_value();
+    m_pupil->setText(fontMetrics().elidedText(pupil.value_or(QString()), Qt::ElideRight, mostNameWidth));
+    m_pupil->setToolTip(pupil.value_or(QString()));
+    enable();
+}
+
+/// The end is told by words, weight and a sign, by no colour.
+void ClassBar::setTime(const std::optional<TurnTime>& time)
+{
+    const bool isNear = time && time->isNearEnd;
+    m_clock->setPixmap(isNear ? themedIcon(QStringLiteral("clock")).pixmap(clockSize, clockSize) : QPixmap());
+    setBold(m_time, isNear);
+    if (!time)
+        m_time->clear();
+    else if (time->seconds == 0)
+        m_time->setText(tr("Time is up"));
+    else
+        m_time->setText(tr("%n minutes left", nullptr, minutesOf(time->seconds)));
+}
+
+void ClassBar::setResumable(const std::optional<QString>& pupil)
+{
+    if (pupil)
+        m_resume->setText(tr("&Resume %1's Turn").arg(fontMetrics().elidedText(*pupil, Qt::ElideRight, mostNameWidth).replace(u'&', QStringLiteral("&&"))));
+    m_resumeCell->setVisible(pupil.has_value());
+}
+
+void ClassBar::setWaiting(int works, const QString& tip)
+{
+    m_waiting->setText(works == 0 ? QString() : tr("%n works wait on this computer", nullptr, works));
+    m_waiting->setToolTip(tip);
+}
+
+void ClassBar::setBusy(bool isBusy)
+{
+    m_isBusy = isBusy;
+    enable();
+}
+
+void ClassBar::enable()
+{
+    m_next->setEnabled(m_isTurn && !m_isBusy);
+    m_resume->setEnabled(!m_isBusy);
+    m_leave->setEnabled(!m_isBusy);
+}
+} // namespace ui

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <QToolBar>
+
+#include <optional>
+
+class QLabel;
+class QMainWindow;
+class QPushButton;
+
+namespace ui
+{
+/// How much of a turn is left.
+struct TurnTime
+{
+    int seconds = 0;        ///< 0: it is over
+    bool isNearEnd = false; ///< the warning has been given
+
+    bool operator==(const TurnTime&) const = default;
+};
+
+/// The topmost bar of a class: whose turn it is, how long it lasts, and whose comes next. Shows itself in the window. Gui thread.
+class ClassBar : public QToolBar
+{
+    Q_OBJECT
+
+public:
+    ClassBar(const QString& title, QMainWindow* window);
+
+    /// Nothing: it is nobody's turn, and Next Pupil rests.
+    void setPupil(const std::optional<QString>& pupil);
+    /// Nothing: the turn has no end.
+    void setTime(const std::optional<TurnTime>& time);
+    /// Whose turn was ended by the last press and may go on; nothing: nobody's.
+    void setResumable(const std::optional<QString>& pupil);
+    /// So many works lie on this computer and not in the class's folder; `tip`: where, and why.
+    void setWaiting(int works, const QString& tip);
+    /// A work is being kept: all buttons rest.
+    void setBusy(bool isBusy);
+
+Q_SIGNALS:
+    void nextRequested();
+    void resumeRequested();
+    void leaveRequested();
+
+private:
+    QLabel* addLabel(const char* name);
+    QPushButton* addButton(const char* name, const QString& text, const QString& tip);
+    void enable();
+
+    QLabel *m_pupil, *m_clock, *m_time, *m_waiting;
+    QPushButton *m_resume, *m_next, *m_leave;
+    QAction* m_resumeCell = nullptr;
+    bool m_isBusy = false, m_isTurn = false;
+};
+} // namespace ui

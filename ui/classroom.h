@@ -1,0 +1,40 @@
+#pragma once
+
+#include "preferences.h"
+
+#include "core/brush.h"
+#include "core/starter_models.h"
+
+#include <QList>
+#include <QString>
+
+namespace ui
+{
+/// The words are those of class files and of the actions ("new.ball").
+inline constexpr std::array<Named<core::Starter>, 7> starterWords{{{core::Starter::Ball, "ball"},
+                                                                   {core::Starter::Cube, "cube"},
+                                                                   {core::Starter::Torus, "torus"},
+                                                                   {core::Starter::Slab, "slab"},
+                                                                   {core::Starter::Vase, "vase"},
+                                                                   {core::Starter::Head, "head"},
+                                                                   {core::Starter::Tablet, "tablet"}}};
+
+inline constexpr int mostTurnMinutes = 240;
+inline constexpr int leastPinLength = 4, mostPinLength = 32; ///< characters
+
+/// What a teacher has chosen for a class.
+struct Classroom
+{
+    QString title;
+    QString folder;                ///< an absolute path: there the pupils' works go
+    QList<core::Starter> starters; ///< at least one, none twice; the first is there before anybody chooses
+    QList<core::Tool> tools;       ///< the same; the first is in the hand when a turn begins
+    int turnMinutes = 20;          ///< 0: a turn has no end
+    int warningMinutes = 3;        ///< before that end; 0: no warning
+    bool fullScreen = true;
+    Language language = Language::System;
+    QString pin = {}; ///< as app/class_pin writes it, never the digits themselves
+
+    bool operator==(const Classroom&) const = default;
+};
+} // namespace ui

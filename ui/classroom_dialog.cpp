@@ -1,0 +1,209 @@
+#include "classroom_dialog.h"
+
+#include "actions.h"
+#include "dialog_parts.h"
+#include "file_dialogs.h"
+#include "preferences_dialog.h"
+#include "stored_values.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QDialog>
+#include <QDir>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QGroupBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
+
+namespace ui
+{
+namespace
+{
+constexpr int textWidth = 460, columns = 4;
+
+class ClassroomDialog : public QDialog
+{
+    Q_DECLARE_TR_FUNCTIONS(ui::ClassroomDialog)
+
+public:
+    ClassroomDialog(QWidget* parent, const Actions& actions, const QString& folder) : QDialog(parent), m_startFolder(folder)
+    {
+        QVBoxLayout* column = beginDialog(this, "classroomDialog", tr("Classroom"));
+        column->addWidget(dialogText(tr("A class has turns: each pupil begins with fresh clay, and Next Pupil keeps the work in the class's folder. "
+                                        "Nobody gets at other files, and leaving takes your PIN."),
+                                     textWidth));
+        auto* form = new QFormLayout;
+        form->setSpacing(dialogGap);
+        addNames(form);
+        addTimes(form);
+        addPin(form);
+        column->addLayout(form);
+        column->addWidget(choices(tr("To begin with"), actions, MenuId::New));
+        column->addWidget(choices(tr("Tools"), actions, MenuId::Tool));
+        m_word = dialogText({}, textWidth);
+        m_word->setObjectName(QStringLiteral("classroomWord"));
+        column->addWidget(m_word);
+        addAnswers(this, tr("&Save…"));
+        m_title->setFocus();
+    }
+
+    ClassroomDraft draft() const
+    {
+        ClassroomDraft draft;
+        Classroom& classroom = draft.classroom;
+        classroom.title = m_title->text().simplified();
+        classroom.folder = folder();
+        for (const Named<core::Starter>& row : starterWords)
+            if (box(QStringLiteral("new.") + QLatin1StringView(row.key))->isChecked())
+                classroom.starters << row.value;
+        for (const std::string_view name : core::toolNames())
+            if (box(QStringLiteral("tool.") + QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())))->isChecked())
+                classroom.tools << *core::toolNamed(name);
+        classroom.turnMinutes = m_turn->value();
+        classroom.warningMinutes = std::min(m_warning->value(), m_turn->value());
+        classroom.fullScreen = m_fullScreen->isChecked();
+        classroom.language = static_cast<Language>(m_language->currentData().toInt());
+        draft.pin = m_pin->text();
+        return draft;
+    }
+
+    void accept() override
+    {
+        const QString fault = faultIn(draft());
+        m_word->setText(fault);
+        if (fault.isEmpty())
+            QDialog::accept();
+    }
+
+private:
+    template <class T> T* named(T* part, const char* name, const QString& tip)
+    {
+        part->setObjectName(QLatin1StringView(name));
+        part->setToolTip(tip);
+        return part;
+    }
+
+    QString folder() const { return QDir::cleanPath(QDir::fromNativeSeparators(m_folder->text().trimmed())); }
+    QCheckBox* box(const QString& id) const { return findChild<QCheckBox*>(QStringLiteral("class.") + id); }
+
+    void addNames(QFormLayout* form)
+    {
+        m_title = named(new QLineEdit, "classTitleField", tr("Stands in the topmost bar, such as the name of the class."));
+        form->addRow(tr("&Title:"), m_title);
+        m_folder = named(new QLineEdit, "classFolderField", tr("There each turn gets a folder with model, picture and record."));
+        auto* choose = named(new QPushButton(tr("&Choose…")), "classFolderChoice", m_folder->toolTip());
+        choose->setAutoDefault(false);
+        connect(choose, &QPushButton::clicked, this, [this] {
+            askForFolder(this, m_startFolder, [this](const QString& path) { m_folder->setText(QDir::toNativeSeparators(path)); });
+        });
+        auto* both = new QWidget;
+        both->setFocusProxy(m_folder);
+        auto* row = new QHBoxLayout(both);
+        row->setContentsMargins(0, 0, 0, 0);
+        row->addWidget(m_folder, 1);
+        row->addWidget(choose);
+        form->addRow(tr("&Folder for the works:"), both);
+    }
+
+    void addTimes(QFormLayout* form)
+    {
+        const Classroom usual;
+        const auto minutes = [this](const char* name, int value, const QString& none, const QString& tip) {
+            auto* count = named(new QSpinBox, name, tip);
+            count->setRange(0, mostTurnMinutes);
+            count->setValue(value);
+            count->setSuffix(tr(" min"));
+            count->setSpecialValueText(none);
+            return count;
+        };
+        m_turn = minutes("classTurn", usual.turnMinutes, tr("no limit"), tr("So long is a turn. Nothing is taken away when it is over."));
+        m_warning = minutes("classWarning", usual.warningMinutes, tr("none"), tr("So long before the end a word is said, in the headset, too."));
+        m_fullScreen = named(new QCheckBox(tr("Full &screen")), "classFullScreen", tr("Nothing else is to be seen on the screen."));
+        m_fullScreen->setChecked(usual.fullScreen);
+        m_language = named(new QComboBox, "classLanguage", tr("The words of the window in this class."));
+        for (const Named<Language>& row : languages)
+            m_language->addItem(PreferencesDialog::words(row.value), static_cast<int>(row.value));
+        form->addRow(tr("T&urn:"), m_turn);
+        form->addRow(tr("&Warning before the end:"), m_warning);
+        form->addRow(tr("&Language:"), m_language);
+        form->addRow({}, m_fullScreen);
+    }
+
+    void addPin(QFormLayout* form)
+    {
+        const QString tip = tr("Leaving the class takes it. It is kept as a fingerprint, not as you type it.");
+        m_pin = named(new QLineEdit, "classPin", tip);
+        m_again = named(new QLineEdit, "classPinAgain", tip);
+        for (QLineEdit* field : {m_pin, m_again}) {
+            field->setEchoMode(QLineEdit::Password);
+            field->setMaxLength(mostPinLength);
+        }
+        form->addRow(tr("&PIN:"), m_pin);
+        form->addRow(tr("PIN once &more:"), m_again);
+    }
+
+    QWidget* choices(const QString& title, const Actions& actions, MenuId menu)
+    {
+        auto* group = new QGroupBox(title);
+        auto* grid = new QGridLayout(group);
+        int count = 0;
+        for (const ActionInfo& row : actionTable()) {
+            if (row.menu != menu)
+                continue;
+            const QAction* action = actions.get(QLatin1StringView(row.id));
+            auto* box = new QCheckBox(action->iconText());
+            box->setObjectName(QStringLiteral("class.") + action->objectName());
+            box->setIcon(action->icon());
+            box->setToolTip(action->statusTip());
+            box->setChecked(true);
+            grid->addWidget(box, count / columns, count % columns);
+            ++count;
+        }
+        return group;
+    }
+
+    /// Empty, or what is missing.
+    QString faultIn(const ClassroomDraft& draft) const
+    {
+        if (draft.classroom.title.isEmpty())
+            return tr("The class has no title yet.");
+        if (!QDir::isAbsolutePath(draft.classroom.folder) || !QFileInfo(draft.classroom.folder).isDir())
+            return tr("There is no such folder for the works.");
+        if (draft.classroom.starters.isEmpty())
+            return tr("Choose at least one model to begin with.");
+        if (draft.classroom.tools.isEmpty())
+            return tr("Choose at least one tool.");
+        if (draft.pin.size() < leastPinLength)
+            return tr("The PIN needs at least %n characters.", nullptr, leastPinLength);
+        if (draft.pin != m_again->text())
+            return tr("The two PINs are not the same.");
+        return {};
+    }
+
+    QString m_startFolder;
+    QLineEdit *m_title = nullptr, *m_folder = nullptr, *m_pin = nullptr, *m_again = nullptr;
+    QSpinBox *m_turn = nullptr, *m_warning = nullptr;
+    QCheckBox* m_fullScreen = nullptr;
+    QComboBox* m_language = nullptr;
+    QLabel* m_word = nullptr;
+};
+} // namespace
+
+void askForClassroom(QWidget* parent, const Actions& actions, const QString& folder, const std::function<void(const ClassroomDraft&)>& answer)
+{
+    auto* dialog = new ClassroomDialog(parent, actions, folder);
+    QObject::connect(dialog, &QDialog::accepted, parent, [dialog, parent, folder, answer] {
+        askForClassFile(parent, folder, [answer, draft = dialog->draft()](const QString& path) mutable {
+            draft.path = path;
+            answer(draft);
+        });
+    });
+    dialog->open();
+}
+} // namespace ui

@@ -1,0 +1,151 @@
+#include "classroom_lock.h"
+
+#include "actions.h"
+#include "classroom.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+#include <QSet>
+#include <QToolBar>
+
+#include <algorithm>
+
+namespace ui
+{
+namespace
+{
+constexpr QLatin1StringView closedPanels[] = {QLatin1StringView("filesPanel"), QLatin1StringView("referencePanel"), QLatin1StringView("printPanel"),
+                                              QLatin1StringView("previewPanel"), QLatin1StringView("historyPanel")};
+constexpr QLatin1StringView closedCommands[] = {QLatin1StringView("edit.preferences"), QLatin1StringView("edit.classroom"),
+                                                QLatin1StringView("model.insert"), QLatin1StringView("model.printCheck")};
+
+template <std::size_t count> bool isAmong(const QLatin1StringView (&names)[count], const QString& name)
+{
+    return std::ranges::find(names, name) != std::end(names);
+}
+
+/// Both: what is only invisible may be enabled again by others, and what is only disabled is still to be seen.
+void close(QAction* action)
+{
+    action->setVisible(false);
+    action->setEnabled(false);
+}
+
+/// Whether anything of the menu is left.
+bool prune(const QMenu* menu, const QSet<QAction*>& allowed)
+{
+    bool hasSome = false;
+    for (QAction* action : menu->actions()) {
+        const bool stays = action->menu() ? prune(action->menu(), allowed) : allowed.contains(action);
+        if (!stays && !action->isSeparator())
+            close(action);
+        hasSome = hasSome || stays;
+    }
+    return hasSome;
+}
+
+void pruneMenus(const QMainWindow* window, const QSet<QAction*>& allowed)
+{
+    for (QAction* title : window->menuBar()->actions())
+        if (title->menu() && !prune(title->menu(), allowed))
+            close(title);
+}
+
+/// A line parts what is there on both its sides.
+void pruneLines(const QToolBar* bar)
+{
+    QAction* line = nullptr;
+    bool hasBefore = false;
+    for (QAction* action : bar->actions()) {
+        if (action->isSeparator()) {
+            action->setVisible(false);
+            line = hasBefore ? action : nullptr;
+        } else if (action->isVisible()) {
+            if (line)
+                line->setVisible(true);
+            line = nullptr;
+            hasBefore = true;
+        }
+    }
+}
+
+bool isTool(const ActionInfo& row, const QList<core::Tool>& tools)
+{
+    return std::ranges::any_of(tools, [&row](core::Tool tool) { return std::string_view(row.id) == "tool." + std::string(core::name(tool)); });
+}
+} // namespace
+
+bool isAllowed(const ActionInfo& row, const Classroom& classroom)
+{
+    switch (row.menu) {
+    case MenuId::File:
+        return std::string_view(row.id) == "file.quit";
+    case MenuId::New:
+    case MenuId::Files:
+    case MenuId::Reference:
+    case MenuId::Help:
+        return false;
+    case MenuId::Tool:
+        return isTool(row, classroom.tools);
+    case MenuId::Mask:
+        return classroom.tools.contains(core::Tool::Mask);
+    case MenuId::Edit:
+    case MenuId::Sculpt:
+    case MenuId::Model:
+    case MenuId::View:
+    case MenuId::Material:
+    case MenuId::Background:
+    case MenuId::Vr:
+        return !isAmong(closedCommands, QLatin1StringView(row.id));
+    }
+    return false;
+}
+
+void lockWindow(QMainWindow* window, const Actions& actions, const Classroom& classroom)
+{
+    QSet<QAction*> allowed;
+    for (const ActionInfo& row : actionTable()) {
+        QAction* action = actions.get(QLatin1StringView(row.id));
+        if (isAllowed(row, classroom))
+            allowed << action;
+        else
+            close(action);
+    }
+    for (QDockWidget* panel : window->findChildren<QDockWidget*>()) {
+        if (!isAmong(closedPanels, panel->objectName())) {
+            allowed << panel->toggleViewAction();
+            continue;
+        }
+        panel->hide();
+        close(panel->toggleViewAction());
+    }
+    pruneMenus(window, allowed);
+    for (const QToolBar* bar : window->findChildren<QToolBar*>(Qt::FindDirectChildrenOnly))
+        pruneLines(bar);
+    window->setContextMenuPolicy(Qt::PreventContextMenu);
+}
+
+QHash<QString, bool> switchesOf(const Actions& actions)
+{
+    QHash<QString, bool> switches;
+    for (const ActionInfo& row : actionTable())
+        if (row.checkable && row.menu != MenuId::Vr)
+            switches.insert(QLatin1StringView(row.id), actions.get(QLatin1StringView(row.id))->isChecked());
+    return switches;
+}
+
+/// Of a choice the one that was made is made again, and the others are off by that.
+void setSwitches(const Actions& actions, const QHash<QString, bool>& switches)
+{
+    for (auto i = switches.begin(); i != switches.end(); ++i) {
+        QAction* action = actions.get(i.key());
+        const bool isOneOfSeveral = action->actionGroup() != nullptr;
+        if (action->isEnabled() && action->isChecked() != i.value() && (i.value() || !isOneOfSeveral))
+            action->trigger();
+    }
+}
+} // namespace ui

@@ -1,0 +1,37 @@
+// What becomes of the main window in a class.
+
+#include "main_window_state.h"
+
+#include "brush_shapes.h"
+#include "classroom_lock.h"
+#include "color_panel.h"
+
+#include <QAction>
+
+namespace ui
+{
+void MainWindow::setClassroom(const Classroom& classroom)
+{
+    m_state->classroom = classroom;
+    m_state->files.refuseDrops();
+    m_state->shapes->setMayLoad(false);
+    m_state->brush.offerTools(classroom.tools);
+    lockWindow(this, m_state->actions, classroom);
+    m_state->beginning = {switchesOf(m_state->actions), findChild<ColorPanel*>()->swatches(), saveState(), m_state->viewport->camera().saved()};
+}
+
+/// The settings first: they bring panels and switches of their own, of which a class has less.
+void MainWindow::beginTurn()
+{
+    const ClassBeginning& beginning = m_state->beginning;
+    m_state->viewport->finish();
+    m_state->settings.reset();
+    restoreState(beginning.bars);
+    m_state->brush.reset();
+    m_state->brush.setRadiusShare(m_state->settings.radiusShare());
+    findChild<ColorPanel*>()->reset(beginning.swatches);
+    setSwitches(m_state->actions, beginning.switches);
+    m_state->viewport->setView(beginning.view);
+    m_state->viewport->frame();
+}
+} // namespace ui

@@ -1,0 +1,145 @@
+#include "name_panel.h"
+
+#include "actions.h"
+#include "classroom.h"
+#include "spacing.h"
+#include "stored_values.h"
+
+#include <QAction>
+#include <QButtonGroup>
+#include <QEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace ui
+{
+namespace
+{
+constexpr QSize starterSize{64, 64};
+constexpr int starterWidth = 84, nameWidth = 320;
+constexpr double titleScale = 1.6;
+} // namespace
+
+NamePanel::NamePanel(const QList<core::Starter>& starters, const Actions& actions, QWidget* over)
+    : QFrame(over), m_over(over), m_name(new QLineEdit), m_starters(new QButtonGroup(this)), m_begin(new QPushButton(tr("&Begin")))
+{
+    setObjectName(QStringLiteral("namePanel"));
+    setAccessibleName(tr("The next turn"));
+    setAutoFillBackground(true);
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(card(starters, actions), 0, Qt::AlignCenter);
+    over->installEventFilter(this);
+    hide();
+}
+
+QWidget* NamePanel::card(const QList<core::Starter>& starters, const Actions& actions)
+{
+    auto* title = new QLabel(tr("Whose turn is it?"));
+    QFont font = title->font();
+    font.setPointSizeF(font.pointSizeF() * titleScale);
+    title->setFont(font);
+    m_name->setObjectName(QStringLiteral("pupilName"));
+    m_name->setAccessibleName(tr("Name"));
+    m_name->setPlaceholderText(tr("Name or nickname"));
+    m_name->setMaxLength(longestName);
+    m_name->setMinimumWidth(nameWidth);
+    m_begin->setObjectName(QStringLiteral("beginTurn"));
+    m_begin->setToolTip(tr("Begins the turn. (Return)"));
+    m_begin->setDefault(true);
+    connect(m_name, &QLineEdit::textChanged, m_begin, [this](const QString& text) { m_begin->setEnabled(!text.trimmed().isEmpty()); });
+    connect(m_name, &QLineEdit::returnPressed, this, &NamePanel::begin);
+    connect(m_begin, &QPushButton::clicked, this, &NamePanel::begin);
+
+    auto* panel = new QFrame;
+    panel->setFrameShape(QFrame::StyledPanel);
+    auto* column = new QVBoxLayout(panel);
+    column->setContentsMargins(3 * gap, 2 * gap, 3 * gap, 2 * gap);
+    column->setSpacing(2 * gap);
+    column->addWidget(title);
+    column->addWidget(m_name);
+    column->addLayout(tiles(starters, actions));
+    column->addWidget(m_begin, 0, Qt::AlignRight);
+    return panel;
+}
+
+/// Of one there is nothing to choose.
+QLayout* NamePanel::tiles(const QList<core::Starter>& starters, const Actions& actions)
+{
+    auto* row = new QHBoxLayout;
+    row->setSpacing(gap);
+    for (const core::Starter starter : starters) {
+        const QAction* action = actions.get(QStringLiteral("new.") + stored::wordFor(starter, starterWords));
+        auto* tile = new QToolButton;
+        tile->setObjectName(QStringLiteral("turn.") + action->objectName());
+        tile->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+        tile->setIcon(action->icon());
+        tile->setIconSize(starterSize);
+        tile->setText(action->iconText());
+        tile->setToolTip(action->statusTip());
+        tile->setCheckable(true);
+        tile->setMinimumWidth(starterWidth);
+        tile->setFocusPolicy(Qt::StrongFocus);
+        tile->setVisible(starters.size() > 1);
+        m_starters->addButton(tile, static_cast<int>(starter));
+        row->addWidget(tile, 1);
+    }
+    return row;
+}
+
+void NamePanel::open()
+{
+    m_name->clear();
+    m_begin->setEnabled(false);
+    m_starters->buttons().constFirst()->setChecked(true);
+    resize(m_over->size());
+    show();
+    raise();
+    m_name->setFocus();
+}
+
+void NamePanel::close()
+{
+    if (isHidden())
+        return;
+    hide();
+    m_over->setFocus();
+}
+
+void NamePanel::begin()
+{
+    const QString name = m_name->text().simplified();
+    if (!name.isEmpty())
+        Q_EMIT begun(name, static_cast<core::Starter>(m_starters->checkedId()));
+}
+
+/// What nothing of ours takes would reach the widget below.
+bool NamePanel::event(QEvent* event)
+{
+    switch (event->type()) {
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonRelease:
+    case QEvent::MouseButtonDblClick:
+    case QEvent::MouseMove:
+    case QEvent::Wheel:
+    case QEvent::TabletPress:
+    case QEvent::TabletMove:
+    case QEvent::TabletRelease:
+    case QEvent::TouchBegin:
+    case QEvent::NativeGesture:
+        event->accept();
+        return true;
+    default:
+        return QFrame::event(event);
+    }
+}
+
+bool NamePanel::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::Resize)
+        resize(m_over->size());
+    return QFrame::eventFilter(watched, event);
+}
+} // namespace ui
