@@ -22,6 +22,8 @@ Command commandNamed(const QString& word)
         return checkCommand;
     if (word == QLatin1String("convert"))
         return convertCommand;
+    if (word == QLatin1String("lesson"))
+        return lessonCommand;
     if (word == QLatin1String("replay"))
         return replayCommand;
     return nullptr;
@@ -77,7 +79,7 @@ ExitStatus CommandLine::dispatch(const QStringList& arguments)
     if (arguments.size() > 1) {
         if (const Command command = commandNamed(arguments.at(1)))
             return command({QStringLiteral("--help")});
-        fail(tr("There is no help on %1: the commands are check, convert and replay.").arg(arguments.at(1)));
+        fail(tr("There is no help on %1: the commands are check, convert, lesson and replay.").arg(arguments.at(1)));
     }
     print(help());
     return Done;
@@ -160,7 +162,9 @@ QString CommandLine::help()
               "                                   write a model in another format or size, mended, or with fewer triangles\n"
               "  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--verify local|full|none]\n"
               "                                   play recorded strokes on a model\n"
-              "  fettle help COMMAND              the options of check, convert or replay\n"
+              "  fettle lesson [LESSON] [--model FILE] [--step N] [--pack OUT.zip] [--pictures FOLDER] [--out FILE]\n"
+              "                                   check a lesson by playing it to its end, or a pupil's model by one of its steps\n"
+              "  fettle help COMMAND              the options of check, convert, lesson or replay\n"
               "  fettle --version\n"
               "\n"
               "Formats: %1. Lengths are in millimetres.\n"

@@ -55,5 +55,6 @@ private:
 
 ExitStatus checkCommand(const QStringList& arguments);
 ExitStatus convertCommand(const QStringList& arguments);
+ExitStatus lessonCommand(const QStringList& arguments);
 ExitStatus replayCommand(const QStringList& arguments);
 } // namespace app

@@ -22,7 +22,7 @@
 namespace
 {
 constexpr const char* noDisplay =
-    "fettle: there is no display to open a window on (check, convert and replay work without one; see fettle --help)\n";
+    "fettle: there is no display to open a window on (check, convert, lesson and replay work without one; see fettle --help)\n";
 
 void nameProgram()
 {

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <random>
 
 #include <zip.h>
 
@@ -329,6 +330,49 @@ private Q_SLOTS:
             many["f" + std::to_string(i)] = "";
         pack(path / "c.zip", many);
         QCOMPARE(errorOf([&] { readLesson(path / "c.zip"); })->kind, Kind::TooMany);
+    }
+
+    /// Bytes changed, left out, put in twice, anywhere: a lesson comes of it, or a typed error.
+    void strangersBytes_areTakenOrRefused()
+    {
+        const QTemporaryDir folder;
+        const std::filesystem::path path = folder.filePath(QStringLiteral("a.zip")).toStdString();
+        std::mt19937_64 random(7);
+        const auto spoil = [&](std::string bytes) {
+            for (std::size_t changes = 1 + random() % 4; changes > 0 && !bytes.empty(); --changes) {
+                const std::size_t at = random() % bytes.size(), count = 1 + random() % 9;
+                switch (random() % 3) {
+                case 0: bytes[at] = static_cast<char>(random()); break;
+                case 1: bytes.erase(at, count); break;
+                default: bytes.insert(random() % bytes.size(), bytes.substr(at, count));
+                }
+            }
+            return bytes;
+        };
+        std::size_t taken = 0, refused = 0;
+        const auto count = [&](const std::function<void()>& read) {
+            try {
+                read();
+                ++taken;
+            } catch (const LessonError&) {
+                ++refused;
+            } catch (const FileError&) {
+                ++refused;
+            }
+        };
+        Content content = contentOf(full());
+        writeLesson(path, readLesson(filesOf(content)));
+        const std::string zipped = bytesOf(path);
+        for (int i = 0; i < 1500; ++i) {
+            Content spoiled = content;
+            spoiled["lesson.json"] = spoil(content["lesson.json"]);
+            spoiled["strokes/one.json"] = spoil(content["strokes/one.json"]);
+            count([&] { readLesson(filesOf(spoiled)); });
+            write(path, spoil(zipped));
+            count([&] { readLesson(path); });
+        }
+        QVERIFY(refused > 1000);
+        QVERIFY(taken > 0);
     }
 
     /// A starting model that cannot be read is its own error, and names the file in the lesson.
