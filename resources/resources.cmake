@@ -39,6 +39,7 @@ set(FETTLE_RESOURCE_FILES
     icons/keys.svg
     icons/larger.svg
     icons/layer.svg
+    icons/lesson.svg
     icons/mask.svg
     icons/mask-blur.svg
     icons/mask-cavity.svg

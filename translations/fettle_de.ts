@@ -469,6 +469,18 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
 </context>
 <context>
+    <name>app::LessonDesk</name>
+    <message>
+        <source>This lesson begins with a model from a file, which the window cannot give yet; fettle lesson plays it.</source>
+        <translation>Diese Lektion beginnt mit einem Modell aus einer Datei, was das Fenster noch nicht kann; fettle lesson spielt sie ab.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>what is asked; what is</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
     <name>app::LessonWords</name>
     <message>
         <source>%1: %2</source>
@@ -2261,6 +2273,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>Mo&amp;del</source>
         <translation>Mod&amp;ell</translation>
     </message>
+    <message>
+        <source>&amp;Lessons</source>
+        <translation>&amp;Lektionen</translation>
+    </message>
+    <message>
+        <source>Shows how something is made, stroke by stroke, and lets you try it.</source>
+        <translation>Zeigt Strich für Strich, wie etwas gemacht wird, und lässt Sie es versuchen.</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -2718,6 +2738,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>Choose an Alpha</source>
         <translation>Alpha wählen</translation>
     </message>
+    <message>
+        <source>Open a Lesson</source>
+        <translation>Lektion öffnen</translation>
+    </message>
+    <message>
+        <source>Lessons (%1)</source>
+        <translation>Lektionen (%1)</translation>
+    </message>
 </context>
 <context>
     <name>ui::FileItemDelegate</name>
@@ -3154,6 +3182,86 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Alt with a letter opens menus and reaches controls.</source>
         <translation>Alt mit einem Buchstaben öffnet Menüs und erreicht Bedienelemente.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::LessonPanel</name>
+    <message>
+        <source>Choose a lesson. It begins with a model of its own.</source>
+        <translation>Wählen Sie eine Lektion. Sie beginnt mit einem eigenen Modell.</translation>
+    </message>
+    <message>
+        <source>Open a Lesson…</source>
+        <translation>Lektion öffnen …</translation>
+    </message>
+    <message>
+        <source>Opens a lesson from a zip or a folder.</source>
+        <translation>Öffnet eine Lektion aus einem Zip oder Ordner.</translation>
+    </message>
+    <message>
+        <source>How far the teacher is</source>
+        <translation>Wie weit die Lehrkraft ist</translation>
+    </message>
+    <message>
+        <source>Show Me</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>How fast the teacher works.</source>
+        <translation>Wie schnell die Lehrkraft arbeitet.</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <comment>speed</comment>
+        <translation>%1 ×</translation>
+    </message>
+    <message>
+        <source>Try It</source>
+        <translation>Versuchen</translation>
+    </message>
+    <message>
+        <source>Takes the step&apos;s strokes back: now it is your turn.</source>
+        <translation>Nimmt die Striche des Schritts zurück: nun sind Sie dran.</translation>
+    </message>
+    <message>
+        <source>Show the difference</source>
+        <translation>Unterschied zeigen</translation>
+    </message>
+    <message>
+        <source>Colours the model by how far it is from the teacher&apos;s.</source>
+        <translation>Färbt das Modell danach, wie weit es von dem der Lehrkraft entfernt ist.</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Ends the lesson. The model stays as it is.</source>
+        <translation>Beendet die Lektion. Das Modell bleibt, wie es ist.</translation>
+    </message>
+    <message>
+        <source>%1: step %2 of %3</source>
+        <translation>%1: Schritt %2 von %3</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>Lektionen</translation>
     </message>
 </context>
 <context>

@@ -467,6 +467,18 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
 </context>
 <context>
+    <name>app::LessonDesk</name>
+    <message>
+        <source>This lesson begins with a model from a file, which the window cannot give yet; fettle lesson plays it.</source>
+        <translation>这堂课从文件里的模型开始，窗口还做不到；fettle lesson 可以播放它。</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>what is asked; what is</comment>
+        <translation>%1（%2）</translation>
+    </message>
+</context>
+<context>
     <name>app::LessonWords</name>
     <message>
         <source>%1: %2</source>
@@ -2259,6 +2271,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>Mo&amp;del</source>
         <translation>模型(&amp;D)</translation>
     </message>
+    <message>
+        <source>&amp;Lessons</source>
+        <translation>课程(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Shows how something is made, stroke by stroke, and lets you try it.</source>
+        <translation>一笔一笔地演示怎么做，然后让您自己试。</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -2715,6 +2735,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>Choose an Alpha</source>
         <translation>选择 Alpha</translation>
     </message>
+    <message>
+        <source>Open a Lesson</source>
+        <translation>打开课程</translation>
+    </message>
+    <message>
+        <source>Lessons (%1)</source>
+        <translation>课程 (%1)</translation>
+    </message>
 </context>
 <context>
     <name>ui::FileItemDelegate</name>
@@ -3146,6 +3174,86 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Alt with a letter opens menus and reaches controls.</source>
         <translation>Alt 加字母用于打开菜单和到达控件。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::LessonPanel</name>
+    <message>
+        <source>Choose a lesson. It begins with a model of its own.</source>
+        <translation>选择一堂课。它用自己的模型开始。</translation>
+    </message>
+    <message>
+        <source>Open a Lesson…</source>
+        <translation>打开课程…</translation>
+    </message>
+    <message>
+        <source>Opens a lesson from a zip or a folder.</source>
+        <translation>从 zip 或文件夹打开课程。</translation>
+    </message>
+    <message>
+        <source>How far the teacher is</source>
+        <translation>老师做到了哪里</translation>
+    </message>
+    <message>
+        <source>Show Me</source>
+        <translation>演示</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>How fast the teacher works.</source>
+        <translation>老师的动作有多快。</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <comment>speed</comment>
+        <translation>%1 ×</translation>
+    </message>
+    <message>
+        <source>Try It</source>
+        <translation>试一试</translation>
+    </message>
+    <message>
+        <source>Takes the step&apos;s strokes back: now it is your turn.</source>
+        <translation>撤销这一步的笔触：现在轮到您了。</translation>
+    </message>
+    <message>
+        <source>Show the difference</source>
+        <translation>显示差别</translation>
+    </message>
+    <message>
+        <source>Colours the model by how far it is from the teacher&apos;s.</source>
+        <translation>按与老师的模型相差多远给模型着色。</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>上一步</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>下一步</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>离开</translation>
+    </message>
+    <message>
+        <source>Ends the lesson. The model stays as it is.</source>
+        <translation>结束这堂课。模型保持原样。</translation>
+    </message>
+    <message>
+        <source>%1: step %2 of %3</source>
+        <translation>%1：第 %2 步，共 %3 步</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>课程</translation>
     </message>
 </context>
 <context>

@@ -14,7 +14,7 @@ namespace ui
 namespace
 {
 constexpr int margin = 2 * gap;
-constexpr QSize usualSize(560, 400);
+constexpr QSize usualDialogSize(560, 400);
 } // namespace
 
 PrintersDialog::PrintersDialog(const QList<Printer>& printers, QWidget* parent) : QDialog(parent), m_table(new QTableWidget(0, 4))
@@ -59,7 +59,7 @@ PrintersDialog::PrintersDialog(const QList<Printer>& printers, QWidget* parent) 
     row->addStretch();
     row->addWidget(buttons);
     column->addLayout(row);
-    resize(usualSize);
+    resize(usualDialogSize);
 }
 
 void PrintersDialog::addRow(const Printer& printer)
