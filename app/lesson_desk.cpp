@@ -58,7 +58,8 @@ ReadLesson tryToRead(const QString& pathOrName)
     try {
         return {std::make_shared<const core::Lesson>(readLesson(pathOrName)), {}};
     } catch (const core::LessonError& error) {
-        return {{}, LessonWords::sentence(error) + QLatin1Char('.')};
+        const QString sentence = LessonWords::sentence(error);
+        return {{}, sentence.endsWith(QLatin1Char('.')) ? sentence : sentence + QLatin1Char('.')};
     } catch (const core::FileError& error) {
         return {{}, ui::Messages::sentence(error)};
     }
@@ -148,6 +149,8 @@ void LessonDesk::begin()
 void LessonDesk::leave()
 {
     interrupt();
+    if (m_player)
+        m_window->viewport()->setShades(nullptr);
     m_player.reset();
     m_lesson = nullptr;
     m_starts.clear();
@@ -211,7 +214,6 @@ void LessonDesk::tryIt()
     m_player->setStep(m_player->stepIndex());
     m_panel->setProgress(0);
 }
-
 
 /// The teacher lets go.
 void LessonDesk::interrupt()

@@ -251,6 +251,24 @@ private Q_SLOTS:
         QCOMPARE(syntax.line, std::size_t(2));
     }
 
+    /// An image of ours is in the program; another one would have to come along.
+    void strokesThatNeedFiles_areRefused()
+    {
+        const auto errorWith = [](const std::string& entry) {
+            Content content = contentOf(full());
+            content["strokes/one.json"] = R"({"format":"fettle-strokes","version":1,"strokes":[)" + entry + "]}";
+            return errorOf(content);
+        };
+        const std::string stroke = R"({"tool":"clay","radius":9,"samples":[{"position":[0,50,0]}])";
+        QVERIFY(!errorWith(stroke + R"(,"alpha":"pores"})"));
+        QVERIFY(!errorWith(R"({"command":"place_on_bed"})"));
+        for (const char* const needs : {R"(,"alpha":"mine.png"})", R"(,"model":"mine.stl"})"})
+            QCOMPARE(errorWith(stroke + needs)->kind, Kind::NamesFiles);
+        const LessonError insertion = errorWith(stroke + R"(},{"command":"insert","file":"mine.stl"})").value();
+        QCOMPARE(insertion.kind, Kind::NamesFiles);
+        QCOMPARE(insertion.strokes->stroke, std::optional<std::size_t>(1));
+    }
+
     void newerVersion_isTold()
     {
         Json lesson = least();
