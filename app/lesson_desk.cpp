@@ -144,6 +144,7 @@ void LessonDesk::begin()
     m_player.emplace(m_lesson);
     m_player->setSpeed(m_speed);
     enter(0);
+    m_window->viewport()->turnTo(ui::OrbitCamera::Side::Front);
 }
 
 void LessonDesk::leave()
