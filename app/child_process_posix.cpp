@@ -20,7 +20,7 @@ namespace
 using Clock = std::chrono::steady_clock;
 using End = ChildAnswer::End;
 
-constexpr int lookEveryMs = 20;
+constexpr int pollEveryMs = 20;
 
 /// The child's end of the pipe is its standard output.
 std::optional<pid_t> start(const std::vector<std::string>& command, int output)
@@ -50,7 +50,7 @@ End collect(int input, const ChildOrder& order, Clock::time_point deadline, std:
         if (Clock::now() > deadline)
             return End::TooSlow;
         pollfd what{input, POLLIN, 0};
-        if (poll(&what, 1, lookEveryMs) <= 0)
+        if (poll(&what, 1, pollEveryMs) <= 0)
             continue;
         const ssize_t got = read(input, piece.data(), piece.size());
         if (got < 0 && errno == EINTR)

@@ -22,6 +22,8 @@ Command commandNamed(const QString& word)
         return checkCommand;
     if (word == QLatin1String("convert"))
         return convertCommand;
+    if (word == QLatin1String("lesson"))
+        return lessonCommand;
     if (word == QLatin1String("replay"))
         return replayCommand;
     if (word == QLatin1String("report"))
@@ -87,7 +89,7 @@ ExitStatus CommandLine::dispatch(const QStringList& arguments)
     if (arguments.size() > 1) {
         if (const Command command = commandNamed(arguments.at(1)))
             return command({QStringLiteral("--help")});
-        fail(tr("There is no help on %1: the commands are check, convert, replay, report and sheet.").arg(arguments.at(1)));
+        fail(tr("There is no help on %1: the commands are check, convert, lesson, replay, report and sheet.").arg(arguments.at(1)));
     }
     print(help());
     return Done;
@@ -206,6 +208,8 @@ QString CommandLine::help()
               "                                   a class report: picture, size, print-ready or why not, strokes and time of each model\n"
               "  fettle sheet FILE... -o OUT.pdf [--unit mm|cm|m|in] [--shaded]\n"
               "                                   drawings of models or folders to scale, a page each\n"
+              "  fettle lesson [LESSON] [--model FILE] [--step N] [--pack OUT.zip] [--pictures FOLDER] [--out FILE]\n"
+              "                                   check a lesson by playing it to its end, or a pupil's model by one of its steps\n"
               "  fettle help COMMAND              the options of one of them\n"
               "  fettle --version\n"
               "\n"

@@ -62,6 +62,7 @@ private:
 
 ExitStatus checkCommand(const QStringList& arguments);
 ExitStatus convertCommand(const QStringList& arguments);
+ExitStatus lessonCommand(const QStringList& arguments);
 ExitStatus replayCommand(const QStringList& arguments);
 ExitStatus reportCommand(const QStringList& arguments);
 ExitStatus sheetCommand(const QStringList& arguments);

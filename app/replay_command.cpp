@@ -117,42 +117,17 @@ void readInserted(Entries& entries, const QString& strokes)
     }
 }
 
-/// What only the model's lattice can judge: brushes that it can hold, and hands within the working volume. Where a ray
-/// comes from is free.
-void checkAgainst(const core::Lattice& lattice, const core::Stroke& stroke, std::size_t index, const QString& path)
-{
-    using core::StrokeFileError;
-    const double wall = lattice.halfVolume();
-    const core::StrokeSettings& settings = stroke.settings;
-    const double least = core::radiusFor(lattice.minDetail(), settings.detail);
-    const bool isHand = settings.brush != core::BrushShape::Ray && settings.place != core::Placement::Ray;
-    const auto refuse = [&](const char* key, double from, double to, std::optional<std::size_t> sample) {
-        StrokeFileError error(StrokeFileError::Kind::OutOfRange, key);
-        error.stroke = index;
-        error.sample = sample;
-        error.least = from;
-        error.most = to;
-        throw CommandFailure{StrokeWords::sentence(path, error)};
-    };
-    if (settings.radius < least || settings.radius > wall)
-        refuse("radius", least, wall, std::nullopt);
-    if (settings.detailLength != 0 && settings.detailLength < lattice.minDetail())
-        refuse("detail_length", lattice.minDetail(), wall, std::nullopt);
-    for (std::size_t j = 0; j < stroke.samples.size(); ++j) {
-        const core::StrokeSample& sample = stroke.samples[j];
-        const double radius = sample.radius.value_or(settings.radius);
-        if (radius < least || radius > wall)
-            refuse("radius", least, wall, j);
-        if (isHand && !lattice.contains(sample.rotation.conjugate() * sample.position))
-            refuse("position", -wall, wall, j);
-    }
-}
-
 /// The strokes from `first` on, up to the next command: that may give the model another lattice.
 void checkAgainst(const core::Lattice& lattice, const Entries& entries, std::size_t first, const QString& path)
 {
-    for (std::size_t i = first; i < entries.size() && std::holds_alternative<core::Stroke>(entries[i]); ++i)
-        checkAgainst(lattice, std::get<core::Stroke>(entries[i]), i, path);
+    for (std::size_t i = first; i < entries.size() && std::holds_alternative<core::Stroke>(entries[i]); ++i) {
+        try {
+            core::requireFit(std::get<core::Stroke>(entries[i]), lattice);
+        } catch (core::StrokeFileError& error) {
+            error.stroke = i;
+            throw CommandFailure{StrokeWords::sentence(path, error)};
+        }
+    }
 }
 
 /// `dab`: the one that is being done, from 0.

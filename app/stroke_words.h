@@ -16,8 +16,6 @@ public:
     static QString sentence(const QString& path, const core::StrokeFileError& error);
     /// Line, stroke and sample, as far as they are known.
     static QString place(const core::StrokeFileError& error);
-
-private:
     static QString reason(const core::StrokeFileError& error);
 };
 } // namespace app

@@ -10,6 +10,7 @@
 #include "headset_wearer.h"
 #include "history_list.h"
 #include "journal_shelf.h"
+#include "lesson_desk.h"
 #include "model_inquiry.h"
 #include "patch_inbox.h"
 #include "print_inquiry.h"
@@ -344,6 +345,7 @@ void wire(ui::MainWindow& window, Document& document, SculptWorker& worker, cons
     wireNotes(window, document);
     wireModelPanel(window, document, worker);
     wirePrintPanel(window, document, worker);
+    new LessonDesk(window, document, worker); // before the strokes: the teacher's ends where the hand's begins
     wireStrokes(*window.viewport(), document);
     wireWorker(*window.viewport(), worker, inbox);
     wireDrawings(window, worker);

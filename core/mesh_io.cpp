@@ -189,6 +189,25 @@ void toZUp(std::vector<Vec3f>& points)
     for (Vec3f& p : points)
         p = Vec3f(p.x() + 0.0f, negated(p.z()), p.y() + 0.0f);
 }
+
+void refuseStart(const FileBytes& start, std::uint64_t size, MeshFormat format)
+{
+    refuseOtherContent(start, size, format);
+    if (format == MeshFormat::Stl)
+        refuseStlSize(start, size);
+}
+
+/// What was parsed as a document has it.
+void settle(ReadResult& result, const FileBytes& file, MeshFormat format, UpAxis up)
+{
+    if (format != MeshFormat::Stl) // its reader has done so
+        weld(result.mesh, file.stop);
+    if (result.mesh.triangles.empty())
+        throw FileError(FileErrorKind::NoFaces, file.path);
+    if (up == UpAxis::Z)
+        fromZUp(result.mesh.points);
+}
+
 ReadResult readForeign(const std::filesystem::path& path, std::uint64_t size, const ReadOptions& options)
 {
     refuseSize(path, size);
@@ -252,29 +271,30 @@ ReadResult readModel(const std::filesystem::path& path, const ReadOptions& optio
     refuseSize(path, size);
     const InputFile input(path);
     std::array<char, startSize> start;
-    const FileBytes first{path, {start.data(), input.read(0, start)}};
-    refuseOtherContent(first, size, format);
-    if (format == MeshFormat::Stl)
-        refuseStlSize(first, size);
-
+    refuseStart({path, {start.data(), input.read(0, start)}}, size, format);
     ReadResult result;
-    TriangleMesh& mesh = result.mesh;
     {
         const LargeBuffer<char> bytes = allOf(input, path, size, options.stop);
         result = parse({path, {bytes.data(), bytes.size()}, options.stop}, format);
     }
-    if (format != MeshFormat::Stl) // its reader has done so
-        weld(mesh, options.stop);
-    if (mesh.triangles.empty())
-        throw FileError(FileErrorKind::NoFaces, path);
-    if (options.up.value_or(usualUp(format)) == UpAxis::Z)
-        fromZUp(mesh.points);
+    settle(result, {path, {}, options.stop}, format, options.up.value_or(usualUp(format)));
     return result;
 }
 
 TriangleMesh readMesh(const std::filesystem::path& path, const ReadOptions& options)
 {
     return readModel(path, options).mesh;
+}
+
+TriangleMesh parseMesh(const std::filesystem::path& name, std::string_view bytes)
+{
+    const MeshFormat format = requireFormat(name);
+    refuseSize(name, bytes.size());
+    const FileBytes file{name, bytes, {}, true};
+    refuseStart({name, bytes.substr(0, startSize)}, bytes.size(), format);
+    ReadResult result = parse(file, format);
+    settle(result, file, format, usualUp(format));
+    return std::move(result.mesh);
 }
 
 DocumentNotes readNotes(const std::filesystem::path& path)

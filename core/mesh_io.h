@@ -76,6 +76,10 @@ ReadResult readModel(const std::filesystem::path& path, const ReadOptions& optio
 /// Its mesh alone.
 TriangleMesh readMesh(const std::filesystem::path& path, const ReadOptions& options = {});
 
+/// readMesh() of a file that is in memory already; `name` says its format, and is told in errors. What names other files is refused, and so is
+/// what only the foreign reader reads.
+TriangleMesh parseMesh(const std::filesystem::path& name, std::string_view bytes);
+
 /// What writeMesh() was given as notes, as far as the format keeps them. What is not as we write it is left out; so is all of a
 /// file that cannot be read. Never throws FileError.
 DocumentNotes readNotes(const std::filesystem::path& path);

@@ -14,6 +14,9 @@ namespace
 constexpr double half = 50; ///< of the longest side, mm
 constexpr int sphereSubdivisions = 5;
 
+constexpr std::string_view names[] = {"ball", "cube", "torus", "slab", "vase", "head", "tablet"}; ///< in the order of Starter
+static_assert(std::size(names) == std::size(starters));
+
 /// The quad a, b, c, d, counter-clockwise. Diagonals alternate, so that the pattern is its own mirror image.
 void addQuad(TriangleMesh& mesh, const std::array<Slot, 4>& q, bool even)
 {
@@ -159,6 +162,17 @@ TriangleMesh fitted(TriangleMesh mesh)
     return mesh;
 }
 } // namespace
+
+std::string_view name(Starter starter)
+{
+    return names[static_cast<std::size_t>(starter)];
+}
+
+std::optional<Starter> starterNamed(std::string_view name)
+{
+    const auto found = std::ranges::find(names, name);
+    return found == std::end(names) ? std::nullopt : std::optional(static_cast<Starter>(found - std::begin(names)));
+}
 
 TriangleMesh starterModel(Starter starter)
 {

@@ -53,4 +53,31 @@ std::vector<FileEntry> readStrokes(const std::string& path)
     }
     return parseStrokes(text);
 }
+
+void requireFit(const Stroke& stroke, const Lattice& lattice)
+{
+    const double wall = lattice.halfVolume();
+    const StrokeSettings& settings = stroke.settings;
+    const double least = radiusFor(lattice.minDetail(), settings.detail);
+    const bool isHand = settings.brush != BrushShape::Ray && settings.place != Placement::Ray;
+    const auto refuse = [](const char* key, double from, double to, std::optional<std::size_t> sample) {
+        StrokeFileError error(StrokeFileError::Kind::OutOfRange, key);
+        error.sample = sample;
+        error.least = from;
+        error.most = to;
+        throw error;
+    };
+    if (settings.radius < least || settings.radius > wall)
+        refuse("radius", least, wall, std::nullopt);
+    if (settings.detailLength != 0 && settings.detailLength < lattice.minDetail())
+        refuse("detail_length", lattice.minDetail(), wall, std::nullopt);
+    for (std::size_t j = 0; j < stroke.samples.size(); ++j) {
+        const StrokeSample& sample = stroke.samples[j];
+        const double radius = sample.radius.value_or(settings.radius);
+        if (radius < least || radius > wall)
+            refuse("radius", least, wall, j);
+        if (isHand && !lattice.contains(sample.rotation.conjugate() * sample.position))
+            refuse("position", -wall, wall, j);
+    }
+}
 } // namespace core

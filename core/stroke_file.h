@@ -1,5 +1,6 @@
 #pragma once
 
+#include "lattice.h"
 #include "model_command.h"
 #include "stroke.h"
 
@@ -77,6 +78,10 @@ using FileEntry = std::variant<Stroke, FileCommand>;
 /// Throws StrokeFileError. Cost: linear in the text's length, whatever it holds.
 std::vector<FileEntry> parseStrokes(std::string_view text);
 std::vector<FileEntry> readStrokes(const std::string& path);
+
+/// What only the model's lattice can judge: throws StrokeFileError::OutOfRange, with the sample, unless it holds the stroke's brushes, and the
+/// hands are within the working volume. Where a ray comes from is free.
+void requireFit(const Stroke& stroke, const Lattice& lattice);
 
 /// Writes every key, and numbers with enough digits to come back bit-identical.
 void writeStrokes(std::ostream& out, const std::vector<FileEntry>& entries);

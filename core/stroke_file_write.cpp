@@ -8,6 +8,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <ostream>
 
 namespace core
@@ -16,6 +17,8 @@ namespace
 {
 std::string shortest(double value)
 {
+    if (value == 0 && std::signbit(value))
+        return "-0.0"; // "-0" would be read as a whole number, which has no sign at 0
     std::array<char, 32> text;
     const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
     return std::string(text.data(), end);

@@ -257,4 +257,16 @@ SurfaceDistance distanceFrom(const TriangleMesh& a, const TriangleMesh& b, const
     const double largest = farthestCorner(a, parts, nearest, inside.largest, watch.part(afterInside, 1));
     return {largest, inside.count > 0 ? inside.sum / static_cast<double>(inside.count) : 0};
 }
+
+std::vector<float> distancesTo(const TriangleMesh& surface, std::span<const Vec3f> points, const JobWatch& watch)
+{
+    const Nearest nearest(surface);
+    std::vector<float> distances(points.size());
+    forEachWatchedChunk(points.size(), perChunk, watch, [&](std::size_t, std::size_t begin, std::size_t end) {
+        Measuring measuring(nearest);
+        for (std::size_t v = begin; v < end && !watch.stopped(); ++v)
+            distances[v] = static_cast<float>(measuring(points[v].cast<double>()));
+    });
+    return distances;
+}
 } // namespace core

@@ -3,6 +3,8 @@
 #include "job_watch.h"
 #include "triangle_mesh.h"
 
+#include <span>
+
 namespace core
 {
 /// How far one surface lies from another, in the model's unit.
@@ -16,4 +18,8 @@ struct SurfaceDistance
 /// have. The larger of both ways is the Hausdorff distance, as closely as the samples show it. Both have faces. All cores; the
 /// same on any machine. Who stopped it must not use the result. 2 to 50 us a sample, the more the farther apart they are.
 SurfaceDistance distanceFrom(const TriangleMesh& a, const TriangleMesh& b, const JobWatch& watch = {});
+
+/// Of each point the distance to the nearest point of `surface`, which has faces. All cores; the same on any machine. Who stopped it must
+/// not use the result. 2 to 50 us a point, faster where neighbours in the list are near each other.
+std::vector<float> distancesTo(const TriangleMesh& surface, std::span<const Vec3f> points, const JobWatch& watch = {});
 } // namespace core

@@ -42,6 +42,7 @@ set(FETTLE_RESOURCE_FILES
     icons/keys.svg
     icons/larger.svg
     icons/layer.svg
+    icons/lesson.svg
     icons/mask.svg
     icons/mask-blur.svg
     icons/mask-cavity.svg
@@ -165,6 +166,17 @@ foreach(STARTER ball cube torus slab vase head tablet)
 endforeach()
 foreach(PICTURE first-steps lesson-vase lesson-head lesson-tablet)
     list(APPEND FETTLE_RESOURCE_FILES help/pictures/${PICTURE}.png)
+endforeach()
+set(LESSON_first-clay pull push smooth stalk)
+set(LESSON_mug body hollow grooves handle finish)
+set(LESSON_creature legs ears face base)
+foreach(LESSON first-clay mug creature)
+    list(APPEND FETTLE_RESOURCE_FILES lessons/${LESSON}/lesson.json)
+    set(NUMBER 0)
+    foreach(STEP IN LISTS LESSON_${LESSON})
+        math(EXPR NUMBER "${NUMBER} + 1")
+        list(APPEND FETTLE_RESOURCE_FILES lessons/${LESSON}/${STEP}.json lessons/${LESSON}/step-${NUMBER}.png)
+    endforeach()
 endforeach()
 
 function(fettle_add_resources TARGET)

@@ -245,6 +245,18 @@
         <translation>%1 kann in einer Klasse nicht geöffnet werden: Sie beginnt mit ihren eigenen Modellen.</translation>
     </message>
     <message>
+        <source>There is no help on %1: the commands are check, convert, lesson, replay, report and sheet.</source>
+        <translation>Zu %1 gibt es keine Hilfe: Die Befehle sind check, convert, lesson, replay, report und sheet.</translation>
+    </message>
+    <message>
+        <source>The file to write.</source>
+        <translation>Die Datei, die geschrieben wird.</translation>
+    </message>
+    <message>
+        <source>%1: the file to write is missing; -o names it.</source>
+        <translation>%1: Die Datei, die geschrieben werden soll, fehlt; -o nennt sie.</translation>
+    </message>
+    <message>
         <source>Fettle sculpts closed models that stay ready to print.
 
   fettle [--vr] [FILE]             open the window, with a model or with a ball of clay; --vr enters VR with it
@@ -256,7 +268,13 @@
                                    write a model in another format or size, mended, or with fewer triangles
   fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--verify local|full|none]
                                    play recorded strokes on a model
-  fettle help COMMAND              the options of check, convert or replay
+  fettle report FOLDER -o OUT.html|OUT.pdf [--unit mm|cm|m|in]
+                                   a class report: picture, size, print-ready or why not, strokes and time of each model
+  fettle sheet FILE... -o OUT.pdf [--unit mm|cm|m|in] [--shaded]
+                                   drawings of models or folders to scale, a page each
+  fettle lesson [LESSON] [--model FILE] [--step N] [--pack OUT.zip] [--pictures FOLDER] [--out FILE]
+                                   check a lesson by playing it to its end, or a pupil&apos;s model by one of its steps
+  fettle help COMMAND              the options of one of them
   fettle --version
 
 Formats: %1. Lengths are in millimetres.
@@ -273,58 +291,12 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
                                    ein Modell in anderem Format oder anderer Größe schreiben, repariert oder mit weniger Dreiecken
   fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--verify local|full|none]
                                    aufgezeichnete Striche auf einem Modell abspielen
-  fettle help COMMAND              die Optionen von check, convert oder replay
-  fettle --version
-
-Formate: %1. Längen in Millimetern.
-Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mit einer Zeile auf der Standardfehlerausgabe).
-</translation>
-    </message>
-    <message>
-        <source>There is no help on %1: the commands are check, convert, replay, report and sheet.</source>
-        <translation>Zu %1 gibt es keine Hilfe: Die Befehle sind check, convert, replay, report und sheet.</translation>
-    </message>
-    <message>
-        <source>The file to write.</source>
-        <translation>Die Datei, die geschrieben wird.</translation>
-    </message>
-    <message>
-        <source>%1: the file to write is missing; -o names it.</source>
-        <translation>%1: Die Datei, die geschrieben werden soll, fehlt; -o nennt sie.</translation>
-    </message>
-    <message>
-        <source>Fettle sculpts closed models that stay ready to print.
-
-  fettle [--vr] [FILE]             open the window, with a model or with a ball of clay; --vr enters VR with it
-  fettle check FILE... [--unit mm|cm|m|in] [--print] [--json] [--csv]
-                                   say whether models are in order; several files or a folder: a table
-  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]
-                                   write a model in another format or size, mended, or with fewer triangles
-  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--verify local|full|none]
-                                   play recorded strokes on a model
-  fettle report FOLDER -o OUT.html|OUT.pdf [--unit mm|cm|m|in]
-                                   a class report: picture, size, print-ready or why not, strokes and time of each model
-  fettle sheet FILE... -o OUT.pdf [--unit mm|cm|m|in] [--shaded]
-                                   drawings of models or folders to scale, a page each
-  fettle help COMMAND              the options of one of them
-  fettle --version
-
-Formats: %1. Lengths are in millimetres.
-Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standard error).
-</source>
-        <translation>Fettle formt geschlossene Modelle, die druckfertig bleiben.
-
-  fettle [--vr] [FILE]             das Fenster öffnen, mit einem Modell oder einer Tonkugel; --vr betritt damit VR
-  fettle check FILE... [--unit mm|cm|m|in] [--print] [--json] [--csv]
-                                   sagen, ob Modelle in Ordnung sind; mehrere Dateien oder ein Ordner: eine Tabelle
-  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]
-                                   ein Modell in anderem Format oder anderer Größe schreiben, repariert oder mit weniger Dreiecken
-  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--verify local|full|none]
-                                   aufgezeichnete Striche auf einem Modell abspielen
   fettle report FOLDER -o OUT.html|OUT.pdf [--unit mm|cm|m|in]
                                    ein Klassenbericht: von jedem Modell Bild, Größe, druckfertig oder warum nicht, Striche und Zeit
   fettle sheet FILE... -o OUT.pdf [--unit mm|cm|m|in] [--shaded]
                                    maßstäbliche Zeichnungen von Modellen oder Ordnern, je eine Seite
+  fettle lesson [LESSON] [--model FILE] [--step N] [--pack OUT.zip] [--pictures FOLDER] [--out FILE]
+                                   eine Lektion prüfen, indem sie bis zum Ende gespielt wird, oder das Modell eines Schülers nach einem ihrer Schritte
   fettle help COMMAND              die Optionen eines dieser Befehle
   fettle --version
 
@@ -565,6 +537,284 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>Changes are recorded again: should the program end unexpectedly, they come back.</source>
         <translation>Änderungen werden wieder aufgezeichnet: Endete das Programm unerwartet, kämen sie zurück.</translation>
+    </message>
+</context>
+<context>
+    <name>app::LessonCommand</name>
+    <message>
+        <source>Plays a lesson to its end and says whether each step meets its checkpoint. Status 0: all do; 1: not all. Without a lesson: lists those of the program.</source>
+        <translation>Spielt eine Lektion bis zum Ende und sagt, ob jeder Schritt seinen Prüfpunkt erfüllt. Status 0: alle; 1: nicht alle. Ohne Lektion: zählt die des Programms auf.</translation>
+    </message>
+    <message>
+        <source>A folder or a zip, or the name of a lesson of the program.</source>
+        <translation>Ein Ordner oder ein Zip, oder der Name einer Lektion des Programms.</translation>
+    </message>
+    <message>
+        <source>Of the lesson&apos;s titles; else as the system has it.</source>
+        <translation>Der Titel der Lektion; sonst die des Systems.</translation>
+    </message>
+    <message>
+        <source>Judges this model, a pupil&apos;s, instead of playing.</source>
+        <translation>Beurteilt dieses Modell, das eines Schülers, statt abzuspielen.</translation>
+    </message>
+    <message>
+        <source>By which step&apos;s checkpoint; else the last.</source>
+        <translation>Nach dem Prüfpunkt welches Schritts; sonst des letzten.</translation>
+    </message>
+    <message>
+        <source>Where the lesson goes as one file, if all is well.</source>
+        <translation>Wohin die Lektion als eine Datei kommt, wenn alles gut ist.</translation>
+    </message>
+    <message>
+        <source>Where a picture of what each step leaves goes, as step-1.png and so on.</source>
+        <translation>Wohin von dem, was jeder Schritt hinterlässt, ein Bild kommt, als step-1.png und so weiter.</translation>
+    </message>
+    <message>
+        <source>Where the model goes that the last step leaves.</source>
+        <translation>Wohin das Modell kommt, das der letzte Schritt hinterlässt.</translation>
+    </message>
+    <message>
+        <source>lesson: one lesson at a time can be played, not %1 as well.</source>
+        <translation>lesson: Es kann nur eine Lektion auf einmal abgespielt werden, nicht auch noch %1.</translation>
+    </message>
+    <message>
+        <source>lesson: no lesson was given.</source>
+        <translation>lesson: Es wurde keine Lektion angegeben.</translation>
+    </message>
+    <message>
+        <source>lesson: --model excludes --pack, --pictures and --out.</source>
+        <translation>lesson: --model schließt --pack, --pictures und --out aus.</translation>
+    </message>
+    <message>
+        <source>lesson: --step needs --model, and a step&apos;s number, from 1.</source>
+        <translation>lesson: --step braucht --model und die Nummer eines Schritts, von 1 an.</translation>
+    </message>
+    <message>
+        <source>lesson: %1 does not end in .zip.</source>
+        <translation>lesson: %1 endet nicht auf .zip.</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>%1. %2 (strokes: %3; tools: %4)</source>
+        <translation>%1. %2 (Striche: %3; Werkzeuge: %4)</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>%1: this picture cannot be written.</source>
+        <translation>%1: Dieses Bild kann nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>lesson: there is no step %1: the lesson has %2.</source>
+        <translation>lesson: Es gibt keinen Schritt %1: Die Lektion hat %2.</translation>
+    </message>
+    <message>
+        <source>lesson: step %1 has no checkpoint.</source>
+        <translation>lesson: Schritt %1 hat keinen Prüfpunkt.</translation>
+    </message>
+</context>
+<context>
+    <name>app::LessonDesk</name>
+    <message>
+        <source>This lesson begins with a model from a file, which the window cannot give yet; fettle lesson plays it.</source>
+        <translation>Diese Lektion beginnt mit einem Modell aus einer Datei, was das Fenster noch nicht kann; fettle lesson spielt sie ab.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>what is asked; what is</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>app::LessonWords</name>
+    <message>
+        <source>%1: %2</source>
+        <comment>file: reason</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2: %3</source>
+        <comment>file: place: reason</comment>
+        <translation>%1: %2: %3</translation>
+    </message>
+    <message>
+        <source>step %1 (steps[%2])</source>
+        <extracomment>counted from 1; in brackets as in the file, counted from 0</extracomment>
+        <translation>Schritt %1 (steps[%2])</translation>
+    </message>
+    <message>
+        <source>line %1, byte %2</source>
+        <translation>Zeile %1, Byte %2</translation>
+    </message>
+    <message>
+        <source>its lesson.json is no lesson of this program</source>
+        <translation>ihre lesson.json ist keine Lektion dieses Programms</translation>
+    </message>
+    <message>
+        <source>this lesson was made for a newer version of the program (format %1; this one reads format 1)</source>
+        <translation>diese Lektion wurde für eine neuere Version des Programms gemacht (Format %1; diese liest Format 1)</translation>
+    </message>
+    <message>
+        <source>its lesson.json is not JSON</source>
+        <translation>ihre lesson.json ist kein JSON</translation>
+    </message>
+    <message>
+        <source>its lesson.json nests deeper than a lesson does</source>
+        <translation>ihre lesson.json ist tiefer verschachtelt, als eine Lektion es ist</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; stands there twice</source>
+        <translation>„%1“ steht zweimal da</translation>
+    </message>
+    <message>
+        <source>unknown key %1</source>
+        <translation>unbekannter Schlüssel %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is missing</source>
+        <translation>„%1“ fehlt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is of the wrong type, or holds nothing that a lesson can use</source>
+        <translation>„%1“ ist von falscher Art oder enthält nichts, womit eine Lektion etwas anfangen kann</translation>
+    </message>
+    <message>
+        <source>unknown value, %1</source>
+        <translation>unbekannter Wert, %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is out of range, %2 to %3</source>
+        <translation>„%1“ liegt außerhalb des Bereichs, %2 bis %3</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no words in some language</source>
+        <translation>„%1“ hat in einer Sprache keine Wörter</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is too long: at most %2 of text are read</source>
+        <translation>„%1“ ist zu lang: Höchstens %2 Text werden gelesen</translation>
+    </message>
+    <message>
+        <source>it holds too many files: at most %1 are read</source>
+        <translation>sie enthält zu viele Dateien: Höchstens %1 werden gelesen</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has too many entries: at most %2 are read</source>
+        <translation>„%1“ hat zu viele Einträge: Höchstens %2 werden gelesen</translation>
+    </message>
+    <message>
+        <source>it names a file outside of its folder, or by no plain name: %1</source>
+        <translation>sie nennt eine Datei außerhalb ihres Ordners oder mit keinem einfachen Namen: %1</translation>
+    </message>
+    <message>
+        <source>there is no lesson.json in it: a lesson is a folder or a zip with that file</source>
+        <translation>darin ist keine lesson.json: Eine Lektion ist ein Ordner oder ein Zip mit dieser Datei</translation>
+    </message>
+    <message>
+        <source>this file is named, but not there</source>
+        <translation>diese Datei wird genannt, ist aber nicht da</translation>
+    </message>
+    <message>
+        <source>this is too large for a lesson: at most %1 are read</source>
+        <translation>das ist zu groß für eine Lektion: Höchstens %1 werden gelesen</translation>
+    </message>
+    <message>
+        <source>this is no PNG or JPEG picture</source>
+        <translation>das ist kein PNG- oder JPEG-Bild</translation>
+    </message>
+    <message>
+        <source>the strokes of a lesson cannot need other images or models</source>
+        <translation>die Striche einer Lektion dürfen keine anderen Bilder oder Modelle brauchen</translation>
+    </message>
+    <message>
+        <source>this command cannot be done soundly on the model that it comes to</source>
+        <translation>dieser Befehl lässt sich an dem Modell, auf das er trifft, nicht einwandfrei ausführen</translation>
+    </message>
+    <message>
+        <source>holes</source>
+        <translation>Löcher</translation>
+    </message>
+    <message>
+        <source>parts</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>ready to print</source>
+        <translation>druckfertig</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm³</source>
+        <translation>%1 mm³</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>a fact: its value</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: at least %2</source>
+        <translation>%1: mindestens %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 to %3</source>
+        <translation>%1: %2 bis %3</translation>
+    </message>
+    <message>
+        <source>%1: at most %2</source>
+        <translation>%1: höchstens %2</translation>
+    </message>
+    <message>
+        <source>shape: within %1 mm of the teacher&apos;s</source>
+        <translation>Form: höchstens %1 mm von der der Lehrkraft entfernt</translation>
+    </message>
+    <message>
+        <source>cannot be said of this model</source>
+        <translation>lässt sich von diesem Modell nicht sagen</translation>
+    </message>
+    <message>
+        <source>%1 mm apart, at most %2 mm</source>
+        <translation>%1 mm entfernt, höchstens %2 mm</translation>
     </message>
 </context>
 <context>
@@ -2253,6 +2503,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Mod&amp;ell</translation>
     </message>
     <message>
+        <source>&amp;Lessons</source>
+        <translation>&amp;Lektionen</translation>
+    </message>
+    <message>
+        <source>Shows how something is made, stroke by stroke, and lets you try it.</source>
+        <translation>Zeigt Strich für Strich, wie etwas gemacht wird, und lässt Sie es versuchen.</translation>
+    </message>
+    <message>
         <source>&amp;Classroom…</source>
         <translation>&amp;Klassenraum …</translation>
     </message>
@@ -2969,6 +3227,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Alpha wählen</translation>
     </message>
     <message>
+        <source>Open a Lesson</source>
+        <translation>Lektion öffnen</translation>
+    </message>
+    <message>
+        <source>Lessons (%1)</source>
+        <translation>Lektionen (%1)</translation>
+    </message>
+    <message>
         <source>Choose a Folder</source>
         <translation>Einen Ordner wählen</translation>
     </message>
@@ -3424,6 +3690,86 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Alt with a letter opens menus and reaches controls.</source>
         <translation>Alt mit einem Buchstaben öffnet Menüs und erreicht Bedienelemente.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::LessonPanel</name>
+    <message>
+        <source>Choose a lesson. It begins with a model of its own.</source>
+        <translation>Wählen Sie eine Lektion. Sie beginnt mit einem eigenen Modell.</translation>
+    </message>
+    <message>
+        <source>Open a Lesson…</source>
+        <translation>Lektion öffnen …</translation>
+    </message>
+    <message>
+        <source>Opens a lesson from a zip or a folder.</source>
+        <translation>Öffnet eine Lektion aus einem Zip oder Ordner.</translation>
+    </message>
+    <message>
+        <source>How far the teacher is</source>
+        <translation>Wie weit die Lehrkraft ist</translation>
+    </message>
+    <message>
+        <source>Show Me</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>How fast the teacher works.</source>
+        <translation>Wie schnell die Lehrkraft arbeitet.</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <comment>speed</comment>
+        <translation>%1 ×</translation>
+    </message>
+    <message>
+        <source>Try It</source>
+        <translation>Versuchen</translation>
+    </message>
+    <message>
+        <source>Takes the step&apos;s strokes back: now it is your turn.</source>
+        <translation>Nimmt die Striche des Schritts zurück: nun sind Sie dran.</translation>
+    </message>
+    <message>
+        <source>Show the difference</source>
+        <translation>Unterschied zeigen</translation>
+    </message>
+    <message>
+        <source>Colours the model by how far it is from the teacher&apos;s.</source>
+        <translation>Färbt das Modell danach, wie weit es von dem der Lehrkraft entfernt ist.</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Ends the lesson. The model stays as it is.</source>
+        <translation>Beendet die Lektion. Das Modell bleibt, wie es ist.</translation>
+    </message>
+    <message>
+        <source>%1: step %2 of %3</source>
+        <translation>%1: Schritt %2 von %3</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>Lektionen</translation>
     </message>
 </context>
 <context>

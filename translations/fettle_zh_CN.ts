@@ -243,6 +243,18 @@
         <translation>课堂中无法打开 %1：课堂从自己的模型开始。</translation>
     </message>
     <message>
+        <source>There is no help on %1: the commands are check, convert, lesson, replay, report and sheet.</source>
+        <translation>没有关于 %1 的帮助：可用命令为 check、convert、lesson、replay、report 和 sheet。</translation>
+    </message>
+    <message>
+        <source>The file to write.</source>
+        <translation>要写入的文件。</translation>
+    </message>
+    <message>
+        <source>%1: the file to write is missing; -o names it.</source>
+        <translation>%1：缺少要写入的文件；用 -o 指定。</translation>
+    </message>
+    <message>
         <source>Fettle sculpts closed models that stay ready to print.
 
   fettle [--vr] [FILE]             open the window, with a model or with a ball of clay; --vr enters VR with it
@@ -254,7 +266,13 @@
                                    write a model in another format or size, mended, or with fewer triangles
   fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--verify local|full|none]
                                    play recorded strokes on a model
-  fettle help COMMAND              the options of check, convert or replay
+  fettle report FOLDER -o OUT.html|OUT.pdf [--unit mm|cm|m|in]
+                                   a class report: picture, size, print-ready or why not, strokes and time of each model
+  fettle sheet FILE... -o OUT.pdf [--unit mm|cm|m|in] [--shaded]
+                                   drawings of models or folders to scale, a page each
+  fettle lesson [LESSON] [--model FILE] [--step N] [--pack OUT.zip] [--pictures FOLDER] [--out FILE]
+                                   check a lesson by playing it to its end, or a pupil&apos;s model by one of its steps
+  fettle help COMMAND              the options of one of them
   fettle --version
 
 Formats: %1. Lengths are in millimetres.
@@ -271,58 +289,12 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
                                    以其他格式或尺寸写出模型，可修复，也可减少三角形
   fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--verify local|full|none]
                                    在模型上回放录制的笔触
-  fettle help COMMAND              check、convert 或 replay 的选项
-  fettle --version
-
-格式：%1。长度单位为毫米。
-状态：0 完成，1 结果为否，2 输入或用法有误（标准错误输出一行说明）。
-</translation>
-    </message>
-    <message>
-        <source>There is no help on %1: the commands are check, convert, replay, report and sheet.</source>
-        <translation>没有关于 %1 的帮助：可用命令为 check、convert、replay、report 和 sheet。</translation>
-    </message>
-    <message>
-        <source>The file to write.</source>
-        <translation>要写入的文件。</translation>
-    </message>
-    <message>
-        <source>%1: the file to write is missing; -o names it.</source>
-        <translation>%1：缺少要写入的文件；用 -o 指定。</translation>
-    </message>
-    <message>
-        <source>Fettle sculpts closed models that stay ready to print.
-
-  fettle [--vr] [FILE]             open the window, with a model or with a ball of clay; --vr enters VR with it
-  fettle check FILE... [--unit mm|cm|m|in] [--print] [--json] [--csv]
-                                   say whether models are in order; several files or a folder: a table
-  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]
-                                   write a model in another format or size, mended, or with fewer triangles
-  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--verify local|full|none]
-                                   play recorded strokes on a model
-  fettle report FOLDER -o OUT.html|OUT.pdf [--unit mm|cm|m|in]
-                                   a class report: picture, size, print-ready or why not, strokes and time of each model
-  fettle sheet FILE... -o OUT.pdf [--unit mm|cm|m|in] [--shaded]
-                                   drawings of models or folders to scale, a page each
-  fettle help COMMAND              the options of one of them
-  fettle --version
-
-Formats: %1. Lengths are in millimetres.
-Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standard error).
-</source>
-        <translation>Fettle 用于雕刻封闭模型，并使其始终可以打印。
-
-  fettle [--vr] [FILE]             打开窗口，载入模型或一个黏土球；--vr 同时进入 VR
-  fettle check FILE... [--unit mm|cm|m|in] [--print] [--json] [--csv]
-                                   检查模型是否完好；多个文件或文件夹则输出表格
-  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]
-                                   以其他格式或尺寸写出模型，可修复，也可减少三角形
-  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--verify local|full|none]
-                                   在模型上回放录制的笔触
   fettle report FOLDER -o OUT.html|OUT.pdf [--unit mm|cm|m|in]
                                    班级报告：每个模型的图片、大小、能否打印或为何不能、笔画数和用时
   fettle sheet FILE... -o OUT.pdf [--unit mm|cm|m|in] [--shaded]
                                    按比例写出模型或文件夹的图纸，每个模型一页
+  fettle lesson [LESSON] [--model FILE] [--step N] [--pack OUT.zip] [--pictures FOLDER] [--out FILE]
+                                   播放课程到底来检查它，或按其中一步评判学生的模型
   fettle help COMMAND              以上某一命令的选项
   fettle --version
 
@@ -562,6 +534,284 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>Changes are recorded again: should the program end unexpectedly, they come back.</source>
         <translation>更改已恢复记录：如果程序意外结束，可以找回这些更改。</translation>
+    </message>
+</context>
+<context>
+    <name>app::LessonCommand</name>
+    <message>
+        <source>Plays a lesson to its end and says whether each step meets its checkpoint. Status 0: all do; 1: not all. Without a lesson: lists those of the program.</source>
+        <translation>把一堂课播放到底，并说明每一步是否达到检查点。状态 0：全部达到；1：没有全部达到。不给课程时：列出程序自带的课程。</translation>
+    </message>
+    <message>
+        <source>A folder or a zip, or the name of a lesson of the program.</source>
+        <translation>一个文件夹或 zip，或程序自带课程的名称。</translation>
+    </message>
+    <message>
+        <source>Of the lesson&apos;s titles; else as the system has it.</source>
+        <translation>课程标题的语言；否则用系统的语言。</translation>
+    </message>
+    <message>
+        <source>Judges this model, a pupil&apos;s, instead of playing.</source>
+        <translation>不播放，而是评判这个（学生的）模型。</translation>
+    </message>
+    <message>
+        <source>By which step&apos;s checkpoint; else the last.</source>
+        <translation>按哪一步的检查点评判；否则按最后一步。</translation>
+    </message>
+    <message>
+        <source>Where the lesson goes as one file, if all is well.</source>
+        <translation>一切正常时，课程打包成一个文件的去处。</translation>
+    </message>
+    <message>
+        <source>Where a picture of what each step leaves goes, as step-1.png and so on.</source>
+        <translation>每一步结果的图片的去处，名为 step-1.png 等。</translation>
+    </message>
+    <message>
+        <source>Where the model goes that the last step leaves.</source>
+        <translation>最后一步留下的模型的去处。</translation>
+    </message>
+    <message>
+        <source>lesson: one lesson at a time can be played, not %1 as well.</source>
+        <translation>lesson：一次只能播放一堂课，不能再加上 %1。</translation>
+    </message>
+    <message>
+        <source>lesson: no lesson was given.</source>
+        <translation>lesson：没有给出课程。</translation>
+    </message>
+    <message>
+        <source>lesson: --model excludes --pack, --pictures and --out.</source>
+        <translation>lesson：--model 不能与 --pack、--pictures 和 --out 同用。</translation>
+    </message>
+    <message>
+        <source>lesson: --step needs --model, and a step&apos;s number, from 1.</source>
+        <translation>lesson：--step 需要 --model，以及从 1 开始的步骤编号。</translation>
+    </message>
+    <message>
+        <source>lesson: %1 does not end in .zip.</source>
+        <translation>lesson：%1 不以 .zip 结尾。</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>是</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>否</translation>
+    </message>
+    <message>
+        <source>%1. %2 (strokes: %3; tools: %4)</source>
+        <translation>%1. %2（笔触：%3；工具：%4）</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>%1: this picture cannot be written.</source>
+        <translation>%1：无法写入这张图片。</translation>
+    </message>
+    <message>
+        <source>lesson: there is no step %1: the lesson has %2.</source>
+        <translation>lesson：没有第 %1 步：这堂课有 %2 步。</translation>
+    </message>
+    <message>
+        <source>lesson: step %1 has no checkpoint.</source>
+        <translation>lesson：第 %1 步没有检查点。</translation>
+    </message>
+</context>
+<context>
+    <name>app::LessonDesk</name>
+    <message>
+        <source>This lesson begins with a model from a file, which the window cannot give yet; fettle lesson plays it.</source>
+        <translation>这堂课从文件里的模型开始，窗口还做不到；fettle lesson 可以播放它。</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>what is asked; what is</comment>
+        <translation>%1（%2）</translation>
+    </message>
+</context>
+<context>
+    <name>app::LessonWords</name>
+    <message>
+        <source>%1: %2</source>
+        <comment>file: reason</comment>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1: %2: %3</source>
+        <comment>file: place: reason</comment>
+        <translation>%1：%2：%3</translation>
+    </message>
+    <message>
+        <source>step %1 (steps[%2])</source>
+        <extracomment>counted from 1; in brackets as in the file, counted from 0</extracomment>
+        <translation>第 %1 步 (steps[%2])</translation>
+    </message>
+    <message>
+        <source>line %1, byte %2</source>
+        <translation>第 %1 行，第 %2 字节</translation>
+    </message>
+    <message>
+        <source>its lesson.json is no lesson of this program</source>
+        <translation>其中的 lesson.json 不是本程序的课程</translation>
+    </message>
+    <message>
+        <source>this lesson was made for a newer version of the program (format %1; this one reads format 1)</source>
+        <translation>这堂课是为较新版本的程序制作的（格式 %1；本程序读取格式 1）</translation>
+    </message>
+    <message>
+        <source>its lesson.json is not JSON</source>
+        <translation>其中的 lesson.json 不是 JSON</translation>
+    </message>
+    <message>
+        <source>its lesson.json nests deeper than a lesson does</source>
+        <translation>其中的 lesson.json 嵌套得比课程更深</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; stands there twice</source>
+        <translation>“%1”重复出现</translation>
+    </message>
+    <message>
+        <source>unknown key %1</source>
+        <translation>未知的键 %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is missing</source>
+        <translation>缺少“%1”</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is of the wrong type, or holds nothing that a lesson can use</source>
+        <translation>“%1”的类型不对，或没有课程能用的内容</translation>
+    </message>
+    <message>
+        <source>unknown value, %1</source>
+        <translation>未知的值 %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is out of range, %2 to %3</source>
+        <translation>“%1”超出范围（%2 至 %3）</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no words in some language</source>
+        <translation>“%1”在某种语言里没有文字</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is too long: at most %2 of text are read</source>
+        <translation>“%1”太长：最多读取 %2 的文字</translation>
+    </message>
+    <message>
+        <source>it holds too many files: at most %1 are read</source>
+        <translation>其中的文件太多：最多读取 %1 个</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has too many entries: at most %2 are read</source>
+        <translation>“%1”的条目太多：最多读取 %2 个</translation>
+    </message>
+    <message>
+        <source>it names a file outside of its folder, or by no plain name: %1</source>
+        <translation>它指名的文件在其文件夹之外，或名称不规范：%1</translation>
+    </message>
+    <message>
+        <source>there is no lesson.json in it: a lesson is a folder or a zip with that file</source>
+        <translation>里面没有 lesson.json：课程是含有该文件的文件夹或 zip</translation>
+    </message>
+    <message>
+        <source>this file is named, but not there</source>
+        <translation>提到了这个文件，但它不在</translation>
+    </message>
+    <message>
+        <source>this is too large for a lesson: at most %1 are read</source>
+        <translation>对课程来说太大：最多读取 %1</translation>
+    </message>
+    <message>
+        <source>this is no PNG or JPEG picture</source>
+        <translation>这不是 PNG 或 JPEG 图片</translation>
+    </message>
+    <message>
+        <source>the strokes of a lesson cannot need other images or models</source>
+        <translation>课程的笔触不能需要其他图片或模型</translation>
+    </message>
+    <message>
+        <source>this command cannot be done soundly on the model that it comes to</source>
+        <translation>在它遇到的模型上，无法完好地执行这个命令</translation>
+    </message>
+    <message>
+        <source>holes</source>
+        <translation>孔</translation>
+    </message>
+    <message>
+        <source>parts</source>
+        <translation>部分</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>高度</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>宽度</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>深度</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <translation>体积</translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation>三角形</translation>
+    </message>
+    <message>
+        <source>ready to print</source>
+        <translation>可以打印</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm³</source>
+        <translation>%1 mm³</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>是</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>否</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>a fact: its value</comment>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1: at least %2</source>
+        <translation>%1：至少 %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 to %3</source>
+        <translation>%1：%2 到 %3</translation>
+    </message>
+    <message>
+        <source>%1: at most %2</source>
+        <translation>%1：至多 %2</translation>
+    </message>
+    <message>
+        <source>shape: within %1 mm of the teacher&apos;s</source>
+        <translation>形状：与老师的相差不超过 %1 mm</translation>
+    </message>
+    <message>
+        <source>cannot be said of this model</source>
+        <translation>这个模型无法判断</translation>
+    </message>
+    <message>
+        <source>%1 mm apart, at most %2 mm</source>
+        <translation>相差 %1 mm，最多 %2 mm</translation>
     </message>
 </context>
 <context>
@@ -2249,6 +2499,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>模型(&amp;D)</translation>
     </message>
     <message>
+        <source>&amp;Lessons</source>
+        <translation>课程(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Shows how something is made, stroke by stroke, and lets you try it.</source>
+        <translation>一笔一笔地演示怎么做，然后让您自己试。</translation>
+    </message>
+    <message>
         <source>&amp;Classroom…</source>
         <translation>课堂(&amp;C)…</translation>
     </message>
@@ -2961,6 +3219,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>选择 Alpha</translation>
     </message>
     <message>
+        <source>Open a Lesson</source>
+        <translation>打开课程</translation>
+    </message>
+    <message>
+        <source>Lessons (%1)</source>
+        <translation>课程 (%1)</translation>
+    </message>
+    <message>
         <source>Choose a Folder</source>
         <translation>选择文件夹</translation>
     </message>
@@ -3411,6 +3677,86 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Alt with a letter opens menus and reaches controls.</source>
         <translation>Alt 加字母用于打开菜单和到达控件。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::LessonPanel</name>
+    <message>
+        <source>Choose a lesson. It begins with a model of its own.</source>
+        <translation>选择一堂课。它用自己的模型开始。</translation>
+    </message>
+    <message>
+        <source>Open a Lesson…</source>
+        <translation>打开课程…</translation>
+    </message>
+    <message>
+        <source>Opens a lesson from a zip or a folder.</source>
+        <translation>从 zip 或文件夹打开课程。</translation>
+    </message>
+    <message>
+        <source>How far the teacher is</source>
+        <translation>老师做到了哪里</translation>
+    </message>
+    <message>
+        <source>Show Me</source>
+        <translation>演示</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>How fast the teacher works.</source>
+        <translation>老师的动作有多快。</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <comment>speed</comment>
+        <translation>%1 ×</translation>
+    </message>
+    <message>
+        <source>Try It</source>
+        <translation>试一试</translation>
+    </message>
+    <message>
+        <source>Takes the step&apos;s strokes back: now it is your turn.</source>
+        <translation>撤销这一步的笔触：现在轮到您了。</translation>
+    </message>
+    <message>
+        <source>Show the difference</source>
+        <translation>显示差别</translation>
+    </message>
+    <message>
+        <source>Colours the model by how far it is from the teacher&apos;s.</source>
+        <translation>按与老师的模型相差多远给模型着色。</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>上一步</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>下一步</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>离开</translation>
+    </message>
+    <message>
+        <source>Ends the lesson. The model stays as it is.</source>
+        <translation>结束这堂课。模型保持原样。</translation>
+    </message>
+    <message>
+        <source>%1: step %2 of %3</source>
+        <translation>%1：第 %2 步，共 %3 步</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>课程</translation>
     </message>
 </context>
 <context>

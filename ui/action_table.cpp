@@ -272,6 +272,8 @@ constexpr ActionInfo table[] = {
      QT_TRANSLATE_NOOP("ui::Actions", "Shows what to begin with: starters, recent files, and three short lessons."), "", "start"},
     {MenuId::Help, "help.guide", QT_TRANSLATE_NOOP("ui::Actions", "&User Guide"),
      QT_TRANSLATE_NOOP("ui::Actions", "Opens the guide beside the window: first steps, lessons, and a page for everything."), "Shift+F1", "guide"},
+    {MenuId::Help, "help.lessons", QT_TRANSLATE_NOOP("ui::Actions", "&Lessons"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Shows how something is made, stroke by stroke, and lets you try it."), "", "lesson"},
     {MenuId::Help, "help.keys", QT_TRANSLATE_NOOP("ui::Actions", "&Commands and Keys…"),
      QT_TRANSLATE_NOOP("ui::Actions", "Shows every command with its key, and finds one by its words."), "F1; F3", "keys"},
     {MenuId::Help, "help.about", QT_TRANSLATE_NOOP("ui::Actions", "&About Fettle"),

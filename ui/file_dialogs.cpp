@@ -100,6 +100,15 @@ void askForAlpha(QWidget* parent, const QString& folder, PathAnswer answer)
     askForImage(parent, FileDialogs::tr("Choose an Alpha"), QStringLiteral("alphaDialog"), folder, alphaEndings(), answer);
 }
 
+void askForLesson(QWidget* parent, PathAnswer answer)
+{
+    auto* dialog = new QFileDialog(parent, FileDialogs::tr("Open a Lesson"));
+    dialog->setObjectName(QStringLiteral("lessonDialog"));
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    dialog->setNameFilter(FileDialogs::tr("Lessons (%1)").arg(QStringLiteral("*.zip lesson.json")));
+    show(dialog, answer);
+}
+
 void askForPicture(QWidget* parent, const QString& folder, PathAnswer answer)
 {
     QStringList endings;

@@ -21,6 +21,8 @@ void askForSaving(QWidget* parent, const QString& folder, const QString& modelNa
 void askForExport(QWidget* parent, const QString& folder, const QString& modelName, const QStringList& endings, PathAnswer answer);
 
 void askForAlpha(QWidget* parent, const QString& folder, PathAnswer answer);
+/// A zip, or the lesson.json of a folder.
+void askForLesson(QWidget* parent, PathAnswer answer);
 void askForPicture(QWidget* parent, const QString& folder, PathAnswer answer);
 
 /// One that is there.

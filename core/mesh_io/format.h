@@ -14,6 +14,7 @@ struct FileBytes
     const std::filesystem::path& path;
     std::string_view bytes;
     std::stop_token stop = {};
+    bool standsAlone = false; ///< nothing lies beside it that it may name
 };
 
 /// To be asked for each element; looks every so many, which take about a millisecond.

@@ -80,7 +80,7 @@ std::filesystem::path pathBeside(const FileBytes& file, std::string_view uri)
 {
     const FileError outside = errorWithToken(FileErrorKind::OutsideFolder, file, uri);
     const auto text = withoutPercents(uri);
-    if (!text || text->empty() || hasScheme(uri) || text->find_first_of(std::string_view("\\\0", 2)) != std::string::npos)
+    if (file.standsAlone || !text || text->empty() || hasScheme(uri) || text->find_first_of(std::string_view("\\\0", 2)) != std::string::npos)
         throw outside;
     const std::filesystem::path relative(std::u8string(text->begin(), text->end()));
     if (relative.has_root_path() || *relative.lexically_normal().begin() == "..")

@@ -2,6 +2,7 @@
 // colours, a colour group that the triangles' corners point into.
 #include "format.h"
 #include "palette.h"
+#include "zip_writer.h"
 
 #include <zip.h>
 
@@ -10,7 +11,6 @@
 #include <cerrno>
 #include <charconv>
 #include <cstring>
-#include <memory>
 
 namespace core::mesh_io
 {
@@ -33,9 +33,6 @@ constexpr std::string_view modelStart = R"(<?xml version="1.0" encoding="UTF-8"?
 <resources>
 )";
 constexpr std::string_view modelEnd = "</triangles></mesh></object>\n</resources>\n<build><item objectid=\"1\"/></build>\n</model>\n";
-
-constexpr int packing = 3; ///< of deflate's 1 to 9: at 6 a model takes three times as long, and is a tenth smaller
-constexpr std::uint16_t firstDosDay = 0x21; ///< 1980-01-01: the same model gives the same bytes
 
 std::uint32_t numberOf(const Rgb& color)
 {
@@ -194,32 +191,6 @@ zip_int64_t answer(void* self, void* data, zip_uint64_t size, zip_source_cmd_t c
         return 0;
     }
 }
-
-void addPart(zip* package, const char* name, zip_source_t* source, zip_int32_t method)
-{
-    const zip_int64_t index = source ? zip_file_add(package, name, source, ZIP_FL_ENC_UTF_8) : -1;
-    if (index < 0) {
-        zip_source_free(source);
-        throw std::bad_alloc();
-    }
-    const auto part = static_cast<zip_uint64_t>(index);
-    zip_set_file_compression(package, part, method, packing);
-    zip_file_set_dostime(package, part, 0, firstDosDay, 0);
-}
-
-void copy(zip_source_t* from, AtomicFile& out)
-{
-    if (zip_source_open(from) != 0)
-        throw std::bad_alloc();
-    std::array<char, 1 << 16> piece;
-    for (;;) {
-        const zip_int64_t got = zip_source_read(from, piece.data(), piece.size());
-        if (got <= 0)
-            break;
-        out.write({piece.data(), static_cast<std::size_t>(got)});
-    }
-    zip_source_close(from);
-}
 } // namespace
 
 void writeThreeMf(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette)
@@ -229,22 +200,10 @@ void writeThreeMf(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb
     if (!palette.empty())
         types += "<!--\n# " + paletteWords(palette) + "\n-->\n";
     ModelSource model{ModelText(mesh)};
-    const std::unique_ptr<zip_source_t, void (*)(zip_source_t*)> packed(zip_source_buffer_create(nullptr, 0, 0, nullptr), &zip_source_free);
-    if (!packed)
-        throw std::bad_alloc();
-    zip_source_keep(packed.get()); // the package frees it once
-    std::unique_ptr<zip, void (*)(zip*)> package(zip_open_from_source(packed.get(), ZIP_CREATE | ZIP_TRUNCATE, nullptr), &zip_discard);
-    if (!package) {
-        zip_source_free(packed.get());
-        throw std::bad_alloc();
-    }
-    const auto inMemory = [&](std::string_view bytes) { return zip_source_buffer(package.get(), bytes.data(), bytes.size(), 0); };
-    addPart(package.get(), "[Content_Types].xml", inMemory(types), ZIP_CM_STORE);
-    addPart(package.get(), "_rels/.rels", inMemory(relationships), ZIP_CM_STORE);
-    addPart(package.get(), "3D/3dmodel.model", zip_source_function(package.get(), &answer, &model), ZIP_CM_DEFLATE);
-    if (zip_close(package.get()) != 0)
-        throw std::bad_alloc(); // all of it goes on in memory
-    package.release();
-    copy(packed.get(), out);
+    ZipWriter package;
+    package.add("[Content_Types].xml", types, ZipWriter::Packing::Stored);
+    package.add("_rels/.rels", relationships, ZipWriter::Packing::Stored);
+    package.add("3D/3dmodel.model", zip_source_function(package.archive(), &answer, &model), ZipWriter::Packing::Deflated);
+    package.writeTo(out);
 }
 } // namespace core::mesh_io

@@ -46,6 +46,25 @@ ZipPackage::ZipPackage(const FileBytes& file) : m_file(file), m_zip(opened(file)
 
 ZipPackage::~ZipPackage() = default;
 
+std::size_t ZipPackage::count() const
+{
+    return static_cast<std::size_t>(std::max<zip_int64_t>(zip_get_num_entries(m_zip.get(), 0), 0));
+}
+
+std::vector<std::string> ZipPackage::names() const
+{
+    std::vector<std::string> all;
+    for (std::size_t i = 0; i < count(); ++i)
+        if (const char* const name = zip_get_name(m_zip.get(), i, ZIP_FL_ENC_GUESS))
+            all.emplace_back(name);
+    return all;
+}
+
+bool ZipPackage::has(const std::string& part) const
+{
+    return zip_name_locate(m_zip.get(), part.c_str(), ZIP_FL_NOCASE) >= 0;
+}
+
 void ZipPackage::read(const std::string& part, const Take& take)
 {
     const auto refuse = [&] {

@@ -4,6 +4,8 @@
 
 #include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
 struct zip;
 
@@ -19,6 +21,11 @@ public:
     ~ZipPackage();
     ZipPackage(const ZipPackage&) = delete;
     ZipPackage& operator=(const ZipPackage&) = delete;
+
+    /// Of its parts. Names are not judged: nobody may take them for paths.
+    std::size_t count() const;
+    std::vector<std::string> names() const;
+    bool has(const std::string& part) const;
 
     /// `take` gets a piece after the other; the last one is empty. Throws FileError: Malformed with the part's name if it is not there, or is
     /// packed in a way that we do not take; CutOff if its bytes are not what they were.

@@ -7,6 +7,7 @@
 #include "ui/drawing_canvas.h"
 #include "ui/files_panel.h"
 #include "ui/guide_window.h"
+#include "ui/lesson_panel.h"
 #include "ui/main_window.h"
 #include "ui/mending_dialogs.h"
 #include "ui/mending_words.h"
@@ -144,6 +145,7 @@ private:
     void takeDialogs(Program& program);
     void takeHelp(Program& program);
     void takeClass();
+    void takeLesson(Program& program);
     void takeDialog(const QString& state);
 
     QDir m_folder;
@@ -193,6 +195,7 @@ void TestScreenshots::states()
     takeDialogs(program);
     takeHelp(program);
     takeClass();
+    takeLesson(program);
 }
 
 void TestScreenshots::take(QWidget& window, const QString& state)
@@ -416,6 +419,25 @@ void TestScreenshots::takeClass()
     take(program.window, QStringLiteral("class-warning"));
     program.window.close();
     takeDialog(QStringLiteral("class-pin"));
+}
+
+/// While the teacher works, and when the checkpoint is met.
+void TestScreenshots::takeLesson(Program& program)
+{
+    program.document.setMayDiscard([](const std::function<void()>&) { return true; });
+    program.window.action(QStringLiteral("help.lessons"))->trigger();
+    auto* dock = program.window.findChild<QDockWidget*>(QStringLiteral("lessonPanel"));
+    QTRY_VERIFY(dock->isVisible());
+    take(program.window, QStringLiteral("lessons"));
+    Q_EMIT dock->findChild<ui::LessonPanel*>()->lessonChosen(QStringLiteral("first-clay"));
+    auto* marks = dock->findChild<QLabel*>(QStringLiteral("lessonMarks"));
+    QTRY_VERIFY_WITH_TIMEOUT(marks->isVisible() && !marks->text().isEmpty(), 60'000);
+    dock->findChild<QPushButton*>(QStringLiteral("lessonPlay"))->click();
+    QTRY_VERIFY_WITH_TIMEOUT(program.worker.strokeOpen(), 60'000);
+    take(program.window, QStringLiteral("lesson-shown"));
+    const auto isMet = [marks] { return marks->text().contains(QChar(0x2713)) && !marks->text().contains(QChar(0x25CB)); };
+    QTRY_VERIFY_WITH_TIMEOUT(isMet(), 60'000);
+    take(program.window, QStringLiteral("lesson-met"));
 }
 
 int main(int argc, char* argv[])

@@ -1,0 +1,179 @@
+// lesson: a lesson played to its end without a window, and each of its checkpoints judged; or a pupil's model judged by one of them.
+#include "command_line.h"
+#include "lesson_shelf.h"
+#include "lesson_words.h"
+#include "model_loader.h"
+
+#include "core/lesson_stage.h"
+#include "core/mesh_build.h"
+#include "core/mesh_io.h"
+#include "core/model_picture.h"
+#include "ui/messages.h"
+
+#include <QDir>
+#include <QImage>
+#include <QLocale>
+
+namespace app
+{
+namespace
+{
+class LessonCommandWords
+{
+    Q_DECLARE_TR_FUNCTIONS(app::LessonCommand)
+};
+
+constexpr int pictureSide = 160; ///< pixels
+
+struct LessonOptions
+{
+    QString lesson, language, model, pack, pictures, out;
+    std::optional<std::size_t> step; ///< from 0
+};
+
+std::optional<LessonOptions> parseOptions(const QStringList& arguments)
+{
+    QCommandLineParser parser;
+    parser.setApplicationDescription(LessonCommandWords::tr("Plays a lesson to its end and says whether each step meets its checkpoint. "
+                                                            "Status 0: all do; 1: not all. Without a lesson: lists those of the program."));
+    parser.addPositionalArgument(QStringLiteral("LESSON"), LessonCommandWords::tr("A folder or a zip, or the name of a lesson of the program."),
+                                 QStringLiteral("[LESSON]"));
+    parser.addOptions({{QStringLiteral("language"), LessonCommandWords::tr("Of the lesson's titles; else as the system has it."), QStringLiteral("CODE")},
+                       {QStringLiteral("model"), LessonCommandWords::tr("Judges this model, a pupil's, instead of playing."), QStringLiteral("FILE")},
+                       {QStringLiteral("step"), LessonCommandWords::tr("By which step's checkpoint; else the last."), QStringLiteral("N")},
+                       {QStringLiteral("pack"), LessonCommandWords::tr("Where the lesson goes as one file, if all is well."), QStringLiteral("OUT.zip")},
+                       {QStringLiteral("pictures"), LessonCommandWords::tr("Where a picture of what each step leaves goes, as step-1.png and so on."),
+                        QStringLiteral("FOLDER")},
+                       {QStringLiteral("out"), LessonCommandWords::tr("Where the model goes that the last step leaves."), QStringLiteral("FILE")}});
+    if (!CommandLine::parse(parser, QStringLiteral("lesson"), arguments))
+        return std::nullopt;
+    const QStringList lessons = parser.positionalArguments();
+    if (lessons.size() > 1)
+        CommandLine::fail(LessonCommandWords::tr("lesson: one lesson at a time can be played, not %1 as well.").arg(lessons.at(1)));
+    LessonOptions options{lessons.value(0), parser.value(QStringLiteral("language")), parser.value(QStringLiteral("model")),
+                          parser.value(QStringLiteral("pack")), parser.value(QStringLiteral("pictures")), parser.value(QStringLiteral("out")), {}};
+    if (options.language.isEmpty())
+        options.language = QLocale().name();
+    const bool plays = parser.isSet(QStringLiteral("pack")) || parser.isSet(QStringLiteral("pictures")) || parser.isSet(QStringLiteral("out"));
+    if (options.lesson.isEmpty() && (plays || parser.isSet(QStringLiteral("model")) || parser.isSet(QStringLiteral("step"))))
+        CommandLine::fail(LessonCommandWords::tr("lesson: no lesson was given."));
+    if (plays && !options.model.isEmpty())
+        CommandLine::fail(LessonCommandWords::tr("lesson: --model excludes --pack, --pictures and --out."));
+    if (parser.isSet(QStringLiteral("step"))) {
+        const uint number = parser.value(QStringLiteral("step")).toUInt();
+        if (number == 0 || options.model.isEmpty())
+            CommandLine::fail(LessonCommandWords::tr("lesson: --step needs --model, and a step's number, from 1."));
+        options.step = number - 1;
+    }
+    if (!options.pack.isEmpty() && !options.pack.endsWith(QLatin1String(".zip"), Qt::CaseInsensitive))
+        CommandLine::fail(LessonCommandWords::tr("lesson: %1 does not end in .zip.").arg(options.pack));
+    return options;
+}
+
+QString inLanguage(const core::LessonText& text, const LessonOptions& options)
+{
+    return QString::fromStdString(text.in(options.language.toStdString()));
+}
+
+void list(const LessonOptions& options)
+{
+    for (const QString& name : shippedLessons()) {
+        const core::Lesson lesson = readLesson(name);
+        CommandLine::print(QStringLiteral("%1  %2: %3\n").arg(name, -12).arg(inLanguage(lesson.title, options), inLanguage(lesson.summary, options)));
+    }
+}
+
+/// Says the verdict; whether it is met.
+bool print(const core::CheckpointVerdict& verdict)
+{
+    const auto line = [](bool holds, const QString& asked, const QString& found) {
+        CommandLine::print(QStringLiteral("   %1  %2 (%3)\n").arg(holds ? LessonCommandWords::tr("yes") : LessonCommandWords::tr("no"), -4).arg(asked, found));
+    };
+    for (const core::FactVerdict& fact : verdict.facts)
+        line(fact.holds, LessonWords::asked(fact.asked), LessonWords::found(fact));
+    if (verdict.target)
+        line(verdict.target->holds, LessonWords::asked(core::CheckpointTarget{{}, verdict.target->tolerance}), LessonWords::found(*verdict.target));
+    return verdict.isMet();
+}
+
+void printHead(const core::LessonStep& step, std::size_t index, const LessonOptions& options)
+{
+    QStringList tools;
+    for (const core::Tool tool : step.tools)
+        tools << QString::fromLatin1(core::name(tool).data(), static_cast<qsizetype>(core::name(tool).size()));
+    CommandLine::print(LessonCommandWords::tr("%1. %2 (strokes: %3; tools: %4)")
+                           .arg(index + 1)
+                           .arg(inLanguage(step.title, options))
+                           .arg(step.strokes.size())
+                           .arg(tools.isEmpty() ? LessonCommandWords::tr("all") : tools.join(QStringLiteral(", ")))
+                       + QLatin1Char('\n'));
+}
+
+void draw(const core::TriangleMesh& mesh, const QString& path)
+{
+    const core::ModelPicture picture = core::drawPicture(mesh, pictureSide, {}).value();
+    const QImage image(picture.rgba.data()->data(), picture.pixels, picture.pixels, QImage::Format_RGBA8888_Premultiplied);
+    if (!image.save(path))
+        CommandLine::fail(LessonCommandWords::tr("%1: this picture cannot be written.").arg(path));
+}
+
+ExitStatus play(const core::Lesson& lesson, core::LessonStage& stage, const LessonOptions& options)
+{
+    CommandLine::print(QStringLiteral("%1\n").arg(inLanguage(lesson.title, options)));
+    bool isMet = true;
+    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+        stage.goTo(i);
+        stage.finish();
+        const core::TriangleMesh mesh = core::extractMesh(stage.mesh());
+        const core::Checkpoint& checkpoint = stage.step().checkpoint;
+        printHead(stage.step(), i, options);
+        const core::TriangleMesh target = checkpoint.target ? stage.target() : core::TriangleMesh();
+        isMet = print(core::judge(checkpoint, mesh, checkpoint.target ? &target : nullptr)) && isMet;
+        if (!options.pictures.isEmpty())
+            draw(mesh, QDir(options.pictures).filePath(QStringLiteral("step-%1.png").arg(i + 1)));
+    }
+    if (!options.out.isEmpty())
+        core::writeMesh(toPath(options.out), core::extractMesh(stage.mesh()));
+    if (isMet && !options.pack.isEmpty())
+        core::writeLesson(toPath(options.pack), lesson);
+    return isMet ? Done : AnswerIsNo;
+}
+
+ExitStatus judgeModel(const core::Lesson& lesson, core::LessonStage& stage, const LessonOptions& options)
+{
+    const std::size_t step = options.step.value_or(lesson.steps.size() - 1);
+    if (step >= lesson.steps.size())
+        CommandLine::fail(LessonCommandWords::tr("lesson: there is no step %1: the lesson has %2.").arg(step + 1).arg(lesson.steps.size()));
+    if (lesson.steps[step].checkpoint.asksNothing())
+        CommandLine::fail(LessonCommandWords::tr("lesson: step %1 has no checkpoint.").arg(step + 1));
+    const core::TriangleMesh model = core::readMesh(toPath(options.model));
+    stage.goTo(step);
+    printHead(stage.step(), step, options);
+    const bool hasTarget = stage.step().checkpoint.target.has_value();
+    const core::TriangleMesh target = hasTarget ? stage.target() : core::TriangleMesh();
+    return print(core::judge(stage.step().checkpoint, model, hasTarget ? &target : nullptr)) ? Done : AnswerIsNo;
+}
+} // namespace
+
+ExitStatus lessonCommand(const QStringList& arguments)
+{
+    const std::optional<LessonOptions> options = parseOptions(arguments);
+    if (!options)
+        return Done;
+    if (!options->out.isEmpty())
+        CommandLine::requireMeshEnding(options->out);
+    try {
+        if (options->lesson.isEmpty()) {
+            list(*options);
+            return Done;
+        }
+        const auto lesson = std::make_shared<const core::Lesson>(readLesson(options->lesson));
+        core::LessonStage stage(lesson, toPath(options->lesson));
+        return options->model.isEmpty() ? play(*lesson, stage, *options) : judgeModel(*lesson, stage, *options);
+    } catch (const core::LessonError& error) {
+        CommandLine::fail(LessonWords::sentence(error));
+    } catch (const core::FileError& error) {
+        CommandLine::fail(ui::Messages::sentence(error));
+    }
+}
+} // namespace app

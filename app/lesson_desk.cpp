@@ -1,0 +1,326 @@
+#include "lesson_desk.h"
+
+#include "document.h"
+#include "lesson_shelf.h"
+#include "lesson_words.h"
+#include "model_loader.h"
+
+#include "ui/file_dialogs.h"
+#include "ui/main_window.h"
+#include "ui/messages.h"
+#include "ui/viewport.h"
+
+#include <QFileInfo>
+#include <QLocale>
+
+namespace app
+{
+namespace
+{
+constexpr int tickMs = 16;
+constexpr quint64 mostWaiting = 3; ///< samples that the mesh thread may be behind: so none is ever dropped
+constexpr double longestTick = 0.1; ///< s: a window that was held up does not make up for it
+
+QString inOurLanguage(const core::LessonText& text)
+{
+    return QString::fromStdString(text.in(QLocale().name().toStdString()));
+}
+
+QImage pictureOf(const core::Lesson& lesson, const std::string& name)
+{
+    const auto found = lesson.files.find(name);
+    return found == lesson.files.end() ? QImage() : QImage::fromData(reinterpret_cast<const uchar*>(found->second.data()), static_cast<int>(found->second.size()));
+}
+
+ui::LessonPage pageOf(const core::Lesson& lesson, std::size_t index)
+{
+    const core::LessonStep& step = lesson.steps[index];
+    return {inOurLanguage(lesson.title), inOurLanguage(step.title), inOurLanguage(step.text), pictureOf(lesson, step.picture),
+            static_cast<int>(index), static_cast<int>(lesson.steps.size()), !step.strokes.empty(), step.checkpoint.target.has_value()};
+}
+
+/// What is chosen by its lesson.json is the folder.
+QString folderOr(const QString& path)
+{
+    const QFileInfo file(path);
+    return file.fileName() == QLatin1String("lesson.json") ? file.absolutePath() : path;
+}
+
+/// A lesson, or why not.
+struct ReadLesson
+{
+    std::shared_ptr<const core::Lesson> lesson;
+    QString problem;
+};
+
+ReadLesson tryToRead(const QString& pathOrName)
+{
+    try {
+        return {std::make_shared<const core::Lesson>(readLesson(pathOrName)), {}};
+    } catch (const core::LessonError& error) {
+        const QString sentence = LessonWords::sentence(error);
+        return {{}, sentence.endsWith(QLatin1Char('.')) ? sentence : sentence + QLatin1Char('.')};
+    } catch (const core::FileError& error) {
+        return {{}, ui::Messages::sentence(error)};
+    }
+}
+
+/// Of the lessons that are inside of the program.
+QList<ui::LessonCard> cards()
+{
+    QList<ui::LessonCard> all;
+    for (const QString& name : shippedLessons()) {
+        const std::shared_ptr<const core::Lesson> lesson = tryToRead(name).lesson;
+        if (lesson)
+            all.append({name, inOurLanguage(lesson->title), inOurLanguage(lesson->summary), pictureOf(*lesson, lesson->steps.back().picture)});
+    }
+    return all;
+}
+} // namespace
+
+LessonDesk::LessonDesk(ui::MainWindow& window, Document& document, SculptWorker& worker)
+    : QObject(&document), m_window(&window), m_panel(window.findChild<ui::LessonPanel*>()), m_document(&document), m_worker(&worker),
+      m_inquiry(new LessonInquiry(&document, &worker))
+{
+    using ui::LessonPanel;
+    m_timer.setInterval(tickMs);
+    m_timer.setTimerType(Qt::PreciseTimer);
+    m_panel->setLessons(cards());
+    connect(&m_timer, &QTimer::timeout, this, &LessonDesk::tick);
+    connect(m_panel, &LessonPanel::lessonChosen, this, &LessonDesk::read);
+    connect(m_panel, &LessonPanel::fileWanted, this, [this] { ui::askForLesson(m_window, [this](const QString& path) { read(folderOr(path)); }); });
+    connect(m_panel, &LessonPanel::stepWanted, this, &LessonDesk::goTo);
+    connect(m_panel, &LessonPanel::playWanted, this, &LessonDesk::playOrPause);
+    connect(m_panel, &LessonPanel::tryWanted, this, &LessonDesk::tryIt);
+    connect(m_panel, &LessonPanel::left, this, &LessonDesk::leave);
+    connect(m_panel, &LessonPanel::differenceWanted, this, &LessonDesk::shade);
+    connect(m_panel, &LessonPanel::speedChosen, this, [this](double speed) {
+        m_speed = speed;
+        if (m_player)
+            m_player->setSpeed(speed);
+    });
+    connect(m_window, &ui::MainWindow::openRequested, this, [this] { m_coming = nullptr; });
+    connect(m_window, &ui::MainWindow::starterRequested, this, [this] { m_coming = nullptr; });
+    connect(m_window->viewport(), &ui::Viewport::strokeBegan, this, &LessonDesk::interrupt);
+    connect(m_document, &Document::opened, this, &LessonDesk::begin);
+    connect(m_inquiry, &LessonInquiry::answered, this, &LessonDesk::tell);
+    connect(m_inquiry, &RestingModel::outdated, this, [this] { tell({}, {}); });
+}
+
+void LessonDesk::read(const QString& pathOrName)
+{
+    m_aside.run([pathOrName] { return tryToRead(pathOrName); },
+                [this, path = toPath(pathOrName)](const ReadLesson& read) {
+                    if (!m_window)
+                        return;
+                    if (read.lesson)
+                        take(read.lesson, path);
+                    else
+                        m_window->showProblem(read.problem);
+                });
+}
+
+void LessonDesk::take(std::shared_ptr<const core::Lesson> lesson, const std::filesystem::path& path)
+{
+    const auto* const starter = std::get_if<core::Starter>(&lesson->start);
+    if (!starter)
+        return m_window->showProblem(tr("This lesson begins with a model from a file, which the window cannot give yet; fettle lesson plays it."));
+    m_coming = lesson;
+    m_comingPath = path;
+    m_document->openStarter(*starter);
+}
+
+/// Another model is here: the lesson's start, or the end of the lesson.
+void LessonDesk::begin()
+{
+    const bool isOurs = m_coming && m_document->path().isEmpty();
+    leave();
+    m_lesson = std::exchange(m_coming, nullptr);
+    m_path = m_comingPath;
+    if (!isOurs)
+        m_lesson = nullptr;
+    if (!m_lesson)
+        return;
+    m_player.emplace(m_lesson);
+    m_player->setSpeed(m_speed);
+    enter(0);
+    m_window->viewport()->turnTo(ui::OrbitCamera::Side::Front);
+}
+
+void LessonDesk::leave()
+{
+    interrupt();
+    if (m_player)
+        m_window->viewport()->setShades(nullptr);
+    m_player.reset();
+    m_lesson = nullptr;
+    m_starts.clear();
+    m_inquiry->setPlace({});
+    m_panel->showLessons();
+}
+
+/// From the model as it is.
+void LessonDesk::enter(std::size_t step)
+{
+    m_player->setStep(step);
+    m_starts.push_back(m_document->undoStack().index());
+    show();
+}
+
+void LessonDesk::show()
+{
+    const std::size_t step = m_player->stepIndex();
+    m_panel->showPage(pageOf(*m_lesson, step));
+    m_window->viewport()->frame();
+    if (const std::vector<core::Tool>& tools = m_lesson->steps[step].tools; !tools.empty())
+        m_window->brush()->setTool(tools.front());
+    m_inquiry->setPlace({m_lesson, m_path, step});
+}
+
+/// Forward with the model as it is, back to the model as it was.
+void LessonDesk::goTo(int step)
+{
+    interrupt();
+    const auto wanted = static_cast<std::size_t>(step);
+    if (wanted < m_player->stepIndex()) {
+        m_starts.resize(wanted + 1);
+        m_document->goTo(m_starts.back());
+        m_player->setStep(wanted);
+        return show();
+    }
+    m_document->inTurn([this, wanted] {
+        if (m_player && wanted == m_player->stepIndex() + 1)
+            enter(wanted);
+    });
+}
+
+/// From the step's start, unless the teacher is in the middle of it.
+void LessonDesk::playOrPause(bool on)
+{
+    if (on && !m_isTaught) {
+        tryIt();
+        m_isTaught = true;
+    }
+    on ? m_player->play() : m_player->pause();
+    m_panel->setPlaying(on);
+    m_sinceTick.start();
+    on ? m_timer.start() : m_timer.stop();
+}
+
+/// What was done in the step is taken back.
+void LessonDesk::tryIt()
+{
+    interrupt();
+    m_document->goTo(m_starts.back());
+    m_player->setStep(m_player->stepIndex());
+    m_panel->setProgress(0);
+}
+
+/// The teacher lets go.
+void LessonDesk::interrupt()
+{
+    endStroke();
+    m_timer.stop();
+    m_isTaught = false;
+    if (!m_player)
+        return;
+    m_player->pause();
+    m_panel->setPlaying(false);
+    showGhost({});
+}
+
+void LessonDesk::endStroke()
+{
+    if (std::exchange(m_isStrokeOpen, false))
+        m_document->endStroke();
+}
+
+/// The mesh thread has that many samples of the teacher's still before it.
+bool LessonDesk::isBehind() const
+{
+    return m_isStrokeOpen && m_isCounted && m_posted > m_worker->stats().samples - m_consumedBefore + mostWaiting;
+}
+
+void LessonDesk::tick()
+{
+    const double seconds = std::min(static_cast<double>(m_sinceTick.restart()) / 1000, longestTick);
+    if (m_document->isBusy() || isBehind() || (!m_isStrokeOpen && !m_document->isSettled()))
+        return;
+    for (const core::LessonCue& cue : m_player->advance(seconds))
+        run(cue);
+    m_panel->setProgress(m_player->duration() > 0 ? m_player->time() / m_player->duration() : 1);
+    if (m_player->isPlaying())
+        placeGhost();
+    else
+        interrupt();
+}
+
+void LessonDesk::run(const core::LessonCue& cue)
+{
+    if (const auto* const stroke = std::get_if<core::StrokeBegins>(&cue)) {
+        m_isStrokeOpen = true;
+        m_isCounted = !stroke->settings.add;
+        m_posted = 0;
+        m_consumedBefore = m_worker->stats().samples;
+        m_document->beginStroke(stroke->settings);
+    } else if (const auto* const sample = std::get_if<core::StrokeSample>(&cue)) {
+        ++m_posted;
+        m_document->addSample(*sample);
+    } else if (const auto* const command = std::get_if<core::ModelCommand>(&cue)) {
+        m_document->apply(*command);
+    } else {
+        endStroke();
+    }
+}
+
+/// Where a ray meets the model is asked of the mesh thread, one question at a time.
+void LessonDesk::placeGhost()
+{
+    const std::optional<core::GhostBrush> ghost = m_player->ghost();
+    if (!ghost || !ghost->direction)
+        return showGhost(ghost ? std::optional(core::Sphere{ghost->position, ghost->radius}) : std::nullopt);
+    if (std::exchange(m_isGhostAsked, true))
+        return;
+    m_worker->post([this, ghost](core::Sculptor& sculptor) {
+        const auto hit = sculptor.hit({ghost->position, *ghost->direction});
+        const auto answer = [this, hit, radius = ghost->radius] {
+            m_isGhostAsked = false;
+            if (m_timer.isActive())
+                showGhost(hit ? std::optional(core::Sphere{hit->position, radius}) : std::nullopt);
+        };
+        QMetaObject::invokeMethod(this, answer, Qt::QueuedConnection);
+    });
+}
+
+void LessonDesk::showGhost(const std::optional<core::Sphere>& ghost)
+{
+    if (!m_window)
+        return;
+    std::optional<ui::Wearer> teacher;
+    if (ghost)
+        teacher.emplace().brush = ghost;
+    m_window->viewport()->showWearer(teacher);
+}
+
+void LessonDesk::tell(const core::CheckpointVerdict& verdict, const std::shared_ptr<const core::Footprint>& shades)
+{
+    if (!m_panel || !m_window)
+        return;
+    QList<ui::LessonMark> marks;
+    for (const core::FactVerdict& fact : verdict.facts)
+        marks.append({fact.holds, tr("%1 (%2)", "what is asked; what is").arg(LessonWords::asked(fact.asked), LessonWords::found(fact))});
+    if (verdict.target)
+        marks.append({verdict.target->holds, tr("%1 (%2)", "what is asked; what is")
+                                                 .arg(LessonWords::asked(core::CheckpointTarget{{}, verdict.target->tolerance}), LessonWords::found(*verdict.target))});
+    if (m_player)
+        m_panel->setMarks(marks);
+    m_shades = shades;
+    shade();
+}
+
+void LessonDesk::shade()
+{
+    if (m_window && m_player)
+        m_window->viewport()->setShades(m_panel->wantsDifference() ? m_shades : nullptr);
+}
+} // namespace app

@@ -1,0 +1,35 @@
+#include "lesson_shelf.h"
+
+#include "model_loader.h"
+
+#include <QFile>
+#include <QFileInfo>
+
+namespace app
+{
+namespace
+{
+core::LessonFiles shippedFiles(const QString& name)
+{
+    const QString folder = QStringLiteral(":/lessons/%1/").arg(name);
+    return {toPath(name), [folder](const std::string& file, std::size_t most) -> std::optional<std::string> {
+                QFile resource(folder + QString::fromStdString(file));
+                if (!resource.open(QIODevice::ReadOnly))
+                    return std::nullopt;
+                return resource.read(static_cast<qint64>(most) + 1).toStdString();
+            }};
+}
+} // namespace
+
+QStringList shippedLessons()
+{
+    return {QStringLiteral("first-clay"), QStringLiteral("mug"), QStringLiteral("creature")};
+}
+
+core::Lesson readLesson(const QString& pathOrName)
+{
+    if (!QFileInfo::exists(pathOrName) && shippedLessons().contains(pathOrName))
+        return core::readLesson(shippedFiles(pathOrName));
+    return core::readLesson(toPath(pathOrName));
+}
+} // namespace app

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/lesson_file.h"
+
+#include <QString>
+#include <QStringList>
+
+namespace app
+{
+/// The lessons that come with the program (resources/lessons), by the names of their folders, the easiest first.
+QStringList shippedLessons();
+
+/// A lesson by its path, or by the name of one that comes with the program; a file or folder of that name goes first. Throws core::LessonError
+/// and core::FileError.
+core::Lesson readLesson(const QString& pathOrName);
+} // namespace app

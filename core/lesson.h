@@ -1,0 +1,43 @@
+#pragma once
+
+#include "checkpoint.h"
+#include "starter_models.h"
+#include "stroke_file.h"
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace core
+{
+/// The same words in several languages. Codes as "de", "zh" or "pt_BR".
+struct LessonText
+{
+    std::map<std::string, std::string, std::less<>> words; ///< by code
+
+    /// In that language, else without its country ("de" for "de_AT"), else in English, else in the first that there is. Empty if there is none.
+    const std::string& in(std::string_view language) const;
+};
+
+/// What is explained, shown, tried and checked at once.
+struct LessonStep
+{
+    LessonText title, text;
+    std::string picture;            ///< one of Lesson::files; empty: none
+    std::vector<Tool> tools;        ///< that the pupil may use; empty: all
+    std::string strokesFile;        ///< that holds the strokes; empty: there are none
+    std::vector<FileEntry> strokes; ///< the teacher's. They need no files: alphas are built in, stamps balls, nothing is inserted.
+    Checkpoint checkpoint;
+};
+
+/// A lesson: a model to begin with, and steps from there. What teachers write, and pupils play: see lesson_file.h.
+struct Lesson
+{
+    LessonText title, summary;
+    std::variant<Starter, std::string> start = Starter::Ball; ///< or one of `files`
+    std::vector<LessonStep> steps;
+    std::map<std::string, std::string> files; ///< pictures and models: what each holds, by the lesson's name for it
+};
+} // namespace core

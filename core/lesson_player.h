@@ -1,0 +1,95 @@
+#pragma once
+
+#include "lesson.h"
+
+#include <memory>
+#include <optional>
+
+namespace core
+{
+struct StrokeBegins
+{
+    StrokeSettings settings;
+};
+struct StrokeEnds
+{
+};
+/// What the teacher does next. Done one after the other, without one left out, the model becomes the teacher's to the bit.
+using LessonCue = std::variant<StrokeBegins, StrokeSample, StrokeEnds, ModelCommand>;
+
+/// The teacher's brush as it is seen while it works, and on its way from stroke to stroke. In the model's space, mm.
+struct GhostBrush
+{
+    Vec3 position = Vec3::Zero();        ///< of the brush, or where its ray comes from
+    std::optional<Vec3> direction;       ///< of the ray; missing: the brush is at the position, or on the surface near it
+    Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity(); ///< of the model in the teacher's world, as on a turntable
+    double radius = 0;
+    Tool tool = Tool::Pull;
+    bool isInverted = false;
+    bool isPressed = false;
+};
+
+/// Plays the teacher's strokes of one step after another: says at each moment where the brush is and what is due. It has no clock and no mesh:
+/// whoever has them tells it of the time that went by, and does on the mesh thread what it hands out (LessonStage, or the window's stroke
+/// path, where no sample may be dropped). Any one thread.
+class LessonPlayer
+{
+public:
+    static constexpr double slowest = 0.25, fastest = 4;
+    static constexpr double lead = 0.6;         ///< s, from the start, and from one stroke or command to the next
+    static constexpr double pace = 0.05;        ///< s, from sample to sample of a stroke without times
+    static constexpr double longestWait = 1;    ///< s, between two samples: who thought it over need not be watched
+
+    /// At the start of the first step, paused. The lesson has a step at least.
+    explicit LessonPlayer(std::shared_ptr<const Lesson> lesson);
+
+    const Lesson& lesson() const { return *m_lesson; }
+    std::size_t stepIndex() const { return m_step; }
+    const LessonStep& step() const { return m_lesson->steps[m_step]; }
+    /// At its start, paused. It is one of the lesson's.
+    void setStep(std::size_t index);
+
+    double duration() const { return m_duration; } ///< s, of this step, as the teacher went
+    double time() const { return m_time; }         ///< s, 0 to duration()
+    double speed() const { return m_speed; }
+    void setSpeed(double speed); ///< the nearest that there is
+
+    bool isPlaying() const { return m_isPlaying; }
+    void play() { m_isPlaying = !isAtEnd(); }
+    void pause() { m_isPlaying = false; }
+    bool isAtEnd() const { return m_next == m_moments.size() && m_time >= m_duration; }
+
+    /// So much time went by: what became due, in order. Nothing while it is paused. At the end of the step it pauses.
+    std::vector<LessonCue> advance(double seconds);
+    /// The stroke or command that is under way to its end, or the next one whole; pauses.
+    std::vector<LessonCue> forward();
+    /// To the start of what is under way, or of what was done last; pauses. That is to be taken back: its place in the step's strokes. Nothing at
+    /// the step's start.
+    std::optional<std::size_t> back();
+
+    /// Nothing in a step without strokes.
+    std::optional<GhostBrush> ghost() const;
+
+private:
+    enum class Kind { Begin, Sample, End, Command };
+    struct Moment
+    {
+        double time; ///< s
+        Kind kind;
+        std::size_t entry, sample;
+    };
+
+    void layOut();
+    void layOut(const Stroke& stroke, std::size_t entry);
+    LessonCue cueOf(const Moment& moment) const;
+    bool isUnderWay() const;
+    GhostBrush ghostAt(const Moment& moment) const;
+
+    std::shared_ptr<const Lesson> m_lesson;
+    std::size_t m_step = 0;
+    std::vector<Moment> m_moments; ///< of the step, by time
+    std::size_t m_next = 0;        ///< the first that is not done
+    double m_duration = 0, m_time = 0, m_speed = 1;
+    bool m_isPlaying = false;
+};
+} // namespace core

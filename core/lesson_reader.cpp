@@ -1,0 +1,351 @@
+// lesson.json as a tree, which is small; then each value to its place, and each file that is named is read and understood.
+#include "lesson_reader.h"
+
+#include "mesh_io.h"
+
+#include <algorithm>
+#include <set>
+
+namespace core
+{
+namespace
+{
+constexpr int version = 1;
+constexpr std::string_view formatName = "fettle-lesson";
+constexpr int mostDepth = 6; ///< a bound of a fact of a step: file, steps, step, checkpoint, fact
+constexpr double leastTolerance = 1e-3, mostTolerance = 1e4; ///< mm
+
+/// As "de", "zh_CN", "pt-BR".
+bool isLanguage(std::string_view code)
+{
+    const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    const std::string_view plain = code.substr(0, code.find_first_of("_-"));
+    const std::string_view country = code.substr(std::min(plain.size() + 1, code.size()));
+    return (plain.size() == 2 || plain.size() == 3) && country.size() <= 8 && (country.size() >= 2 || plain.size() == code.size())
+           && std::ranges::all_of(plain, isLetter) && std::ranges::all_of(country, [&](char c) { return isLetter(c) || (c >= '0' && c <= '9'); });
+}
+
+bool isPicture(std::string_view bytes)
+{
+    return bytes.starts_with("\x89PNG\r\n\x1a\n") || bytes.starts_with("\xff\xd8\xff");
+}
+} // namespace
+
+LessonError LessonReader::errorHere(Kind kind, std::string key) const
+{
+    LessonError error(kind, m_files.path);
+    error.step = m_step;
+    constexpr std::size_t longest = 60;
+    error.key = key.substr(0, longest);
+    return error;
+}
+
+void LessonReader::refuseRange(const std::string& key, double least, double most) const
+{
+    LessonError error = errorHere(Kind::OutOfRange, key);
+    error.least = least;
+    error.most = most;
+    throw error;
+}
+
+Lesson LessonReader::read()
+{
+    const std::optional<std::string> text = m_files.read(lessonJsonName, LessonLimits::mostJsonBytes);
+    if (!text)
+        refuse(Kind::NoLesson);
+    if (text->size() > LessonLimits::mostJsonBytes) {
+        LessonError error = errorHere(Kind::TooLarge);
+        error.file = lessonJsonName;
+        error.most = LessonLimits::mostJsonBytes;
+        throw error;
+    }
+    const Json root = parse(*text);
+    requireFormat(root);
+    knowsOnly(root, "", {"format", "version", "title", "summary", "start", "steps"});
+    m_lesson.title = this->text(required(root, "title"), "title");
+    if (root.contains("summary"))
+        m_lesson.summary = this->text(root["summary"], "summary");
+    m_lesson.start = start(required(root, "start"));
+    const Json& steps = required(root, "steps");
+    if (!steps.is_array() || steps.empty())
+        refuse(Kind::WrongType, "steps");
+    if (steps.size() > LessonLimits::mostSteps) {
+        LessonError error = errorHere(Kind::TooMany, "steps");
+        error.most = LessonLimits::mostSteps;
+        throw error;
+    }
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        m_step = i;
+        m_lesson.steps.push_back(step(steps[i]));
+    }
+    return std::move(m_lesson);
+}
+
+/// The library's parser needs no stack for a nest of brackets, but its tree would be as deep; and of two equal keys it takes the last.
+LessonReader::Json LessonReader::parse(const std::string& text) const
+{
+    std::vector<std::set<std::string>> keys;
+    const auto look = [&](int depth, Json::parse_event_t event, Json& value) {
+        if (depth > mostDepth)
+            refuse(Kind::TooDeep);
+        if (event == Json::parse_event_t::object_start)
+            keys.emplace_back();
+        else if (event == Json::parse_event_t::object_end)
+            keys.pop_back();
+        else if (event == Json::parse_event_t::key && !keys.back().insert(value.get<std::string>()).second)
+            refuse(Kind::DuplicateKey, value.get<std::string>());
+        return true;
+    };
+    try {
+        return Json::parse(text, look);
+    } catch (const Json::parse_error& problem) {
+        LessonError error = errorHere(Kind::Syntax);
+        const std::size_t at = std::min(std::max<std::size_t>(problem.byte, 1) - 1, text.size());
+        error.line = 1 + static_cast<std::size_t>(std::count(text.begin(), text.begin() + static_cast<long>(at), '\n'));
+        error.byte = at + 1;
+        throw error;
+    } catch (const Json::exception&) { // a number beyond a double
+        refuse(Kind::Syntax);
+    }
+}
+
+void LessonReader::requireFormat(const Json& root) const
+{
+    if (!root.is_object() || !root.contains("format") || root["format"] != formatName)
+        refuse(Kind::NotALesson);
+    const Json& number = required(root, "version");
+    if (!number.is_number_unsigned())
+        refuse(Kind::WrongType, "version");
+    LessonError newer = errorHere(Kind::Newer, "version");
+    newer.version = number.get<std::uint64_t>();
+    if (newer.version > version)
+        throw newer;
+    if (newer.version < version)
+        refuseRange("version", version, version);
+}
+
+void LessonReader::knowsOnly(const Json& object, const std::string& key, std::initializer_list<std::string_view> known) const
+{
+    if (!object.is_object())
+        refuse(Kind::WrongType, key);
+    for (const auto& item : object.items())
+        if (std::ranges::find(known, std::string_view(item.key())) == known.end())
+            refuse(Kind::UnknownKey, item.key());
+}
+
+const LessonReader::Json& LessonReader::required(const Json& object, const std::string& key) const
+{
+    const auto found = object.find(key);
+    if (found == object.end())
+        refuse(Kind::MissingKey, key);
+    return *found;
+}
+
+const std::string& LessonReader::word(const Json& value, const std::string& key) const
+{
+    if (!value.is_string())
+        refuse(Kind::WrongType, key);
+    return value.get_ref<const std::string&>();
+}
+
+double LessonReader::number(const Json& value, const std::string& key, double least, double most) const
+{
+    if (!value.is_number())
+        refuse(Kind::WrongType, key);
+    const double number = value.get<double>();
+    if (!(number >= least && number <= most))
+        refuseRange(key, least, most);
+    return number;
+}
+
+LessonText LessonReader::text(const Json& value, const std::string& key) const
+{
+    if (!value.is_object())
+        refuse(Kind::WrongType, key);
+    LessonText text;
+    for (const auto& item : value.items()) {
+        if (!isLanguage(item.key()))
+            refuse(Kind::UnknownKey, item.key());
+        const std::string& words = word(item.value(), key);
+        if (words.find_first_not_of(" \t\r\n") == std::string::npos)
+            refuse(Kind::NoWords, key);
+        if (words.size() > LessonLimits::mostTextBytes) {
+            LessonError error = errorHere(Kind::TooLong, key);
+            error.most = LessonLimits::mostTextBytes;
+            throw error;
+        }
+        text.words.emplace(item.key(), words);
+    }
+    if (text.words.empty())
+        refuse(Kind::NoWords, key);
+    return text;
+}
+
+std::variant<Starter, std::string> LessonReader::start(const Json& value)
+{
+    if (value.is_object()) {
+        knowsOnly(value, "start", {"file"});
+        return model(word(required(value, "file"), "file"), "file");
+    }
+    const std::string& name = word(value, "start");
+    if (const auto starter = starterNamed(name))
+        return *starter;
+    refuse(Kind::UnknownValue, name);
+}
+
+LessonStep LessonReader::step(const Json& object)
+{
+    knowsOnly(object, "steps", {"title", "text", "picture", "tools", "strokes", "checkpoint"});
+    LessonStep step;
+    step.title = text(required(object, "title"), "title");
+    step.text = text(required(object, "text"), "text");
+    if (object.contains("picture"))
+        step.picture = picture(object["picture"]);
+    if (object.contains("tools"))
+        step.tools = tools(object["tools"]);
+    if (object.contains("strokes")) {
+        step.strokesFile = word(object["strokes"], "strokes");
+        step.strokes = strokes(step.strokesFile);
+    }
+    if (object.contains("checkpoint"))
+        step.checkpoint = checkpoint(object["checkpoint"]);
+    return step;
+}
+
+std::vector<Tool> LessonReader::tools(const Json& list) const
+{
+    if (!list.is_array() || list.empty())
+        refuse(Kind::WrongType, "tools");
+    std::vector<Tool> tools;
+    for (const Json& entry : list) {
+        const auto tool = toolNamed(word(entry, "tools"));
+        if (!tool || std::ranges::find(tools, *tool) != tools.end())
+            refuse(Kind::UnknownValue, word(entry, "tools"));
+        tools.push_back(*tool);
+    }
+    return tools;
+}
+
+std::string LessonReader::picture(const Json& value)
+{
+    const std::string& name = word(value, "picture");
+    std::string bytes = bytesOf(name, "picture", LessonLimits::mostPictureBytes);
+    if (!isPicture(bytes)) {
+        LessonError error = errorHere(Kind::NotAPicture);
+        error.file = name;
+        throw error;
+    }
+    keep(name, std::move(bytes));
+    return name;
+}
+
+std::vector<FileEntry> LessonReader::strokes(const std::string& name)
+{
+    LessonError error = errorHere(Kind::Strokes);
+    error.file = name;
+    try {
+        std::vector<FileEntry> entries = parseStrokes(bytesOf(name, "strokes", LessonLimits::mostStrokeBytes));
+        for (std::size_t i = 0; i < entries.size(); ++i) {
+            const auto* const stroke = std::get_if<Stroke>(&entries[i]);
+            if (stroke ? stroke->alpha.file.empty() && stroke->model.file.empty() : std::get<FileCommand>(entries[i]).file.empty())
+                continue;
+            error.kind = Kind::NamesFiles;
+            error.strokes.emplace(StrokeFileError::Kind::UnknownValue);
+            error.strokes->stroke = i;
+            throw error;
+        }
+        return entries;
+    } catch (const StrokeFileError& problem) {
+        error.strokes = problem;
+        throw error;
+    }
+}
+
+Checkpoint LessonReader::checkpoint(const Json& object)
+{
+    if (!object.is_object())
+        refuse(Kind::WrongType, "checkpoint");
+    Checkpoint checkpoint;
+    for (const auto& item : object.items()) {
+        const auto fact = std::ranges::find(factTable, std::string_view(item.key()), &FactInfo::key);
+        if (item.key() == "target")
+            checkpoint.target = target(item.value());
+        else if (fact != std::end(factTable))
+            checkpoint.facts.push_back(bounds(static_cast<Fact>(fact - std::begin(factTable)), item.value()));
+        else
+            refuse(Kind::UnknownKey, item.key());
+    }
+    if (checkpoint.asksNothing())
+        refuse(Kind::WrongType, "checkpoint");
+    std::ranges::sort(checkpoint.facts, {}, &FactBounds::fact);
+    return checkpoint;
+}
+
+FactBounds LessonReader::bounds(Fact fact, const Json& value) const
+{
+    const std::string key(info(fact).key);
+    if (fact == Fact::PrintReady) {
+        if (value != true)
+            refuse(Kind::WrongType, key);
+        return {fact, 1, 1};
+    }
+    const auto bound = [&](const Json& number) {
+        const double asked = this->number(number, key, 0, info(fact).most);
+        if (info(fact).isWhole && !number.is_number_unsigned())
+            refuse(Kind::WrongType, key);
+        return asked;
+    };
+    if (!value.is_object())
+        return {fact, bound(value), bound(value)};
+    knowsOnly(value, key, {"least", "most"});
+    FactBounds bounds{fact};
+    if (value.contains("least"))
+        bounds.least = bound(value["least"]);
+    if (value.contains("most"))
+        bounds.most = bound(value["most"]);
+    if (value.empty() || bounds.least > bounds.most)
+        refuse(Kind::WrongType, key);
+    return bounds;
+}
+
+CheckpointTarget LessonReader::target(const Json& object)
+{
+    knowsOnly(object, "target", {"file", "tolerance_mm"});
+    CheckpointTarget target;
+    target.tolerance = number(required(object, "tolerance_mm"), "tolerance_mm", leastTolerance, mostTolerance);
+    if (object.contains("file"))
+        target.file = model(word(object["file"], "file"), "file");
+    return target;
+}
+
+std::string LessonReader::model(const std::string& name, const std::string& key)
+{
+    LessonError error = errorHere(Kind::Unsound);
+    error.file = name;
+    std::string bytes = bytesOf(name, key, LessonLimits::mostBytes);
+    error.report = checkMesh(parseMesh(m_files.path / name, bytes));
+    if (!error.report.printReady())
+        throw error;
+    keep(name, std::move(bytes));
+    return name;
+}
+
+std::string LessonReader::bytesOf(const std::string& name, const std::string& key, std::size_t most)
+{
+    if (!isLessonName(name))
+        refuse(Kind::BadName, name);
+    LessonError error = errorHere(Kind::MissingFile, key);
+    error.file = name;
+    most = std::min(most, m_left);
+    std::optional<std::string> bytes = m_files.read(name, most);
+    if (!bytes)
+        throw error;
+    if (bytes->size() > most) {
+        error.kind = Kind::TooLarge;
+        error.most = static_cast<double>(most);
+        throw error;
+    }
+    m_left -= bytes->size();
+    return std::move(*bytes);
+}
+} // namespace core

@@ -1,0 +1,54 @@
+#pragma once
+
+// For the lesson's reader only.
+
+#include "lesson_source.h"
+
+#include <nlohmann/json.hpp>
+
+#include <initializer_list>
+
+namespace core
+{
+/// Makes a lesson of lesson.json and the files that it names. Throws at the first thing that does not belong there.
+class LessonReader
+{
+public:
+    explicit LessonReader(const LessonFiles& files) : m_files(files) {}
+    Lesson read();
+
+private:
+    using Json = nlohmann::json;
+    using Kind = LessonError::Kind;
+
+    LessonError errorHere(Kind kind, std::string key = {}) const;
+    [[noreturn]] void refuse(Kind kind, std::string key = {}) const { throw errorHere(kind, std::move(key)); }
+    [[noreturn]] void refuseRange(const std::string& key, double least, double most) const;
+
+    Json parse(const std::string& text) const;
+    void requireFormat(const Json& root) const;
+    void knowsOnly(const Json& object, const std::string& key, std::initializer_list<std::string_view> known) const;
+    const Json& required(const Json& object, const std::string& key) const;
+    const std::string& word(const Json& value, const std::string& key) const;
+    double number(const Json& value, const std::string& key, double least, double most) const;
+    LessonText text(const Json& value, const std::string& key) const;
+
+    std::variant<Starter, std::string> start(const Json& value);
+    LessonStep step(const Json& object);
+    std::vector<Tool> tools(const Json& list) const;
+    std::string picture(const Json& value);
+    std::vector<FileEntry> strokes(const std::string& name);
+    Checkpoint checkpoint(const Json& object);
+    FactBounds bounds(Fact fact, const Json& value) const;
+    CheckpointTarget target(const Json& object);
+    std::string model(const std::string& name, const std::string& key);
+
+    std::string bytesOf(const std::string& name, const std::string& key, std::size_t most);
+    void keep(const std::string& name, std::string bytes) { m_lesson.files.try_emplace(name, std::move(bytes)); }
+
+    const LessonFiles& m_files;
+    Lesson m_lesson;
+    std::optional<std::size_t> m_step;       ///< in which it is
+    std::size_t m_left = LessonLimits::mostBytes; ///< bytes that the files may still have
+};
+} // namespace core

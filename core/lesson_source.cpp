@@ -1,0 +1,139 @@
+// Where a lesson's files lie: below a folder, links followed but not out of it; or in a zip, of which only what the lesson names is unpacked.
+#include "lesson_source.h"
+
+#include "mesh_io/zip_package.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <fstream>
+
+namespace core
+{
+namespace
+{
+using Kind = LessonError::Kind;
+
+/// Up to `most` + 1 bytes.
+std::string bytesOf(const std::filesystem::path& path, std::size_t most)
+{
+    FileError unreadable(FileErrorKind::NotReadable, path);
+    errno = 0;
+    std::ifstream stream(path, std::ios::binary);
+    std::string bytes;
+    std::array<char, 1 << 16> piece;
+    while (stream.good() && bytes.size() <= most) {
+        stream.read(piece.data(), static_cast<std::streamsize>(std::min(piece.size(), most + 1 - bytes.size())));
+        bytes.append(piece.data(), static_cast<std::size_t>(stream.gcount()));
+        if (bytes.size() > most)
+            return bytes;
+    }
+    unreadable.systemError = errno;
+    if (!stream.eof())
+        throw unreadable;
+    return bytes;
+}
+
+bool isWithin(const std::filesystem::path& folder, const std::filesystem::path& path)
+{
+    return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
+}
+
+std::optional<std::string> readBelow(const std::filesystem::path& lesson, const std::string& name, std::size_t most)
+{
+    std::error_code problem;
+    const std::filesystem::path folder = std::filesystem::canonical(lesson, problem);
+    const std::filesystem::path path = std::filesystem::canonical(folder / name, problem);
+    if (problem)
+        return std::nullopt;
+    if (!isWithin(folder, path)) {
+        LessonError error(Kind::BadName, lesson);
+        error.key = name;
+        throw error;
+    }
+    if (!std::filesystem::is_regular_file(path, problem))
+        throw FileError(FileErrorKind::NotAFile, lesson / name);
+    return bytesOf(path, most);
+}
+
+/// A zip in memory, and which of its folders is the lesson's.
+struct Packed
+{
+    Packed(const std::filesystem::path& lesson, std::string all) : path(lesson), bytes(std::move(all)), package(file)
+    {
+        if (package.count() > LessonLimits::mostPackedFiles) {
+            LessonError error(Kind::TooMany, path);
+            error.most = LessonLimits::mostPackedFiles;
+            throw error;
+        }
+        for (const std::string& name : package.names()) {
+            if (name != lessonJsonName && !name.ends_with(std::string("/") + lessonJsonName))
+                continue;
+            const std::string at = name.substr(0, name.size() - sizeof lessonJsonName + 1);
+            if (!folder || at.size() < folder->size())
+                folder = at;
+        }
+        if (!folder)
+            throw LessonError(Kind::NoLesson, path);
+    }
+
+    std::optional<std::string> read(const std::string& name, std::size_t most)
+    {
+        const std::string part = *folder + name;
+        if (!package.has(part))
+            return std::nullopt;
+        std::string content;
+        package.read(part, [&](std::string_view piece) {
+            if (content.size() <= most)
+                content.append(piece.substr(0, most + 1 - content.size()));
+        });
+        return content;
+    }
+
+    std::filesystem::path path;
+    std::string bytes;
+    mesh_io::FileBytes file{path, bytes};
+    mesh_io::ZipPackage package;
+    std::optional<std::string> folder; ///< with "/" at its end; empty: the zip's own
+};
+} // namespace
+
+bool isLessonName(std::string_view name)
+{
+    const auto isOdd = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f || std::string_view("\\:*?\"<>|").find(c) != std::string_view::npos; };
+    if (name.empty() || name.size() > LessonLimits::mostNameBytes || std::ranges::any_of(name, isOdd))
+        return false;
+    for (std::string_view rest = name;;) {
+        const std::size_t end = std::min(rest.find('/'), rest.size());
+        const std::string_view step = rest.substr(0, end);
+        if (step.empty() || step == "." || step == "..")
+            return false;
+        if (end == rest.size())
+            return true;
+        rest.remove_prefix(end + 1);
+    }
+}
+
+LessonFiles lessonFolder(const std::filesystem::path& path)
+{
+    if (!std::filesystem::exists(path / lessonJsonName))
+        throw LessonError(Kind::NoLesson, path);
+    return {path, [path](const std::string& name, std::size_t most) { return readBelow(path, name, most); }};
+}
+
+LessonFiles lessonZip(const std::filesystem::path& path)
+{
+    std::string bytes = bytesOf(path, LessonLimits::mostBytes);
+    if (bytes.empty())
+        throw FileError(FileErrorKind::Empty, path);
+    if (bytes.size() > LessonLimits::mostBytes) {
+        LessonError error(Kind::TooLarge, path);
+        error.most = LessonLimits::mostBytes;
+        throw error;
+    }
+    if (!bytes.starts_with("PK"))
+        throw LessonError(Kind::NoLesson, path);
+    const auto packed = std::make_shared<Packed>(path, std::move(bytes));
+    return {path, [packed](const std::string& name, std::size_t most) { return packed->read(name, most); }};
+}
+} // namespace core

@@ -1,0 +1,180 @@
+// What the reader takes, written: as a zip in one file that takes its place at once, or as a folder that gets its name when it is whole.
+#include "lesson_source.h"
+
+#include "atomic_file.h"
+#include "mesh_io/zip_writer.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cerrno>
+#include <sstream>
+
+namespace core
+{
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+Json jsonOf(const LessonText& text)
+{
+    Json json = Json::object();
+    for (const auto& [language, words] : text.words)
+        json[language] = words;
+    return json;
+}
+
+/// Whole numbers as such: the reader asks for them.
+Json jsonOf(double value, Fact fact)
+{
+    return info(fact).isWhole ? Json(static_cast<std::uint64_t>(value)) : Json(value);
+}
+
+Json jsonOf(const FactBounds& bounds)
+{
+    if (bounds.fact == Fact::PrintReady)
+        return true;
+    if (bounds.least == bounds.most)
+        return jsonOf(bounds.least, bounds.fact);
+    Json json = Json::object();
+    if (bounds.least > 0 || bounds.most == FactBounds::unbounded)
+        json["least"] = jsonOf(bounds.least, bounds.fact);
+    if (bounds.most < FactBounds::unbounded)
+        json["most"] = jsonOf(bounds.most, bounds.fact);
+    return json;
+}
+
+Json jsonOf(const Checkpoint& checkpoint)
+{
+    Json json;
+    for (const FactBounds& bounds : checkpoint.facts)
+        json[info(bounds.fact).key] = jsonOf(bounds);
+    if (checkpoint.target) {
+        if (!checkpoint.target->file.empty())
+            json["target"]["file"] = checkpoint.target->file;
+        json["target"]["tolerance_mm"] = checkpoint.target->tolerance;
+    }
+    return json;
+}
+
+Json jsonOf(const LessonStep& step)
+{
+    Json json = {{"title", jsonOf(step.title)}, {"text", jsonOf(step.text)}};
+    if (!step.picture.empty())
+        json["picture"] = step.picture;
+    for (const Tool tool : step.tools)
+        json["tools"].push_back(name(tool));
+    if (!step.strokesFile.empty())
+        json["strokes"] = step.strokesFile;
+    if (!step.checkpoint.asksNothing())
+        json["checkpoint"] = jsonOf(step.checkpoint);
+    return json;
+}
+
+/// All files of the lesson by their names.
+std::map<std::string, std::string> filesOf(const Lesson& lesson)
+{
+    std::map<std::string, std::string> files = lesson.files;
+    files[lessonJsonName] = lessonJson(lesson);
+    for (const LessonStep& step : lesson.steps)
+        if (!step.strokesFile.empty())
+            files[step.strokesFile] = strokesText(step);
+    return files;
+}
+
+void writeZip(const std::filesystem::path& path, const std::map<std::string, std::string>& files)
+{
+    mesh_io::ZipWriter zip;
+    for (const auto& [name, bytes] : files)
+        zip.add(name.c_str(), bytes, mesh_io::ZipWriter::Packing::Deflated);
+    AtomicFile out(path);
+    zip.writeTo(out);
+    out.commit();
+}
+
+/// A folder beside the one that it becomes; gone with all that is in it unless it became that.
+class HalfWritten
+{
+public:
+    explicit HalfWritten(const std::filesystem::path& path) : m_path(path), m_half(path)
+    {
+        m_half += ".part";
+        std::error_code problem;
+        if (std::filesystem::exists(path, problem))
+            problem = std::make_error_code(std::errc::file_exists);
+        else if (!std::filesystem::create_directory(m_half, problem) && !problem)
+            problem = std::make_error_code(std::errc::file_exists);
+        else
+            m_isOurs = !problem;
+        checkWritten(problem, path);
+    }
+    ~HalfWritten()
+    {
+        std::error_code ignored;
+        if (m_isOurs)
+            std::filesystem::remove_all(m_half, ignored);
+    }
+    HalfWritten(const HalfWritten&) = delete;
+    HalfWritten& operator=(const HalfWritten&) = delete;
+
+    void add(const std::string& name, const std::string& bytes)
+    {
+        std::error_code problem;
+        std::filesystem::create_directories((m_half / name).parent_path(), problem);
+        checkWritten(problem, m_path);
+        AtomicFile out(m_half / name);
+        out.write(bytes);
+        out.commit();
+    }
+
+    void commit()
+    {
+        std::error_code problem;
+        std::filesystem::rename(m_half, m_path, problem);
+        checkWritten(problem, m_path);
+        m_isOurs = false;
+    }
+
+private:
+    std::filesystem::path m_path, m_half;
+    bool m_isOurs = false;
+};
+
+bool isZipName(const std::filesystem::path& path)
+{
+    const std::string ending = path.extension().string();
+    return ending == ".zip" || ending == ".ZIP";
+}
+} // namespace
+
+std::string lessonJson(const Lesson& lesson)
+{
+    Json json = {{"format", "fettle-lesson"}, {"version", 1}, {"title", jsonOf(lesson.title)}};
+    if (!lesson.summary.words.empty())
+        json["summary"] = jsonOf(lesson.summary);
+    if (const auto* const starter = std::get_if<Starter>(&lesson.start))
+        json["start"] = name(*starter);
+    else
+        json["start"]["file"] = std::get<std::string>(lesson.start);
+    for (const LessonStep& step : lesson.steps)
+        json["steps"].push_back(jsonOf(step));
+    return json.dump(1, ' ') + "\n";
+}
+
+std::string strokesText(const LessonStep& step)
+{
+    std::ostringstream text;
+    writeStrokes(text, step.strokes);
+    return text.str();
+}
+
+void writeLesson(const std::filesystem::path& path, const Lesson& lesson)
+{
+    const std::map<std::string, std::string> files = filesOf(lesson);
+    if (isZipName(path))
+        return writeZip(path, files);
+    HalfWritten folder(path);
+    for (const auto& [name, bytes] : files)
+        folder.add(name, bytes);
+    folder.commit();
+}
+} // namespace core

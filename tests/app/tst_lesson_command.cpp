@@ -1,0 +1,155 @@
+// `fettle lesson` as a teacher's script has it.
+#include "core/mesh_io.h"
+#include "core/starter_models.h"
+
+#include <QDir>
+#include <QFile>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace
+{
+const QString shelf = QStringLiteral(FETTLE_SOURCE_DIR "/resources/lessons/");
+
+struct Answer
+{
+    int status = -1;
+    QString out, err;
+};
+
+Answer lesson(const QStringList& arguments)
+{
+    QProcess program;
+    program.start(QStringLiteral(FETTLE_PROGRAM), QStringList(QStringLiteral("lesson")) + arguments);
+    if (!program.waitForFinished(-1) || program.exitStatus() != QProcess::NormalExit)
+        return {};
+    return {program.exitCode(), QString::fromUtf8(program.readAllStandardOutput()), QString::fromUtf8(program.readAllStandardError())};
+}
+
+/// The first of ours, with something else in its lesson.json.
+QString changed(const QTemporaryDir& folder, const QByteArray& from, const QByteArray& to)
+{
+    const QString copy = folder.filePath(QStringLiteral("lesson"));
+    QDir().mkpath(copy);
+    const QDir ours(shelf + QStringLiteral("first-clay"));
+    for (const QString& name : ours.entryList(QDir::Files))
+        QFile::copy(ours.filePath(name), QDir(copy).filePath(name));
+    QFile file(QDir(copy).filePath(QStringLiteral("lesson.json")));
+    if (!file.open(QIODevice::ReadOnly))
+        return {};
+    const QByteArray text = file.readAll();
+    file.close();
+    file.remove();
+    if (!text.contains(from) || !file.open(QIODevice::WriteOnly))
+        return {};
+    file.write(QByteArray(text).replace(from, to));
+    return copy;
+}
+} // namespace
+
+class TestLessonCommand : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void ours_areListedInEachLanguage()
+    {
+        for (const auto& [language, title] : {std::pair("en", "A mug with a handle"), std::pair("de", "Eine Tasse mit Henkel"), std::pair("zh", "带把手的杯子")}) {
+            const Answer answer = lesson({QStringLiteral("--language"), QString::fromLatin1(language)});
+            QCOMPARE(answer.status, 0);
+            QVERIFY(answer.out.contains(QString::fromUtf8(title)));
+            QCOMPARE(answer.out.count(QLatin1Char('\n')), 3);
+        }
+    }
+
+    /// The one inside of the program, its folder and its zip: all are played to their end, and say the same.
+    void played_saysEachVerdict()
+    {
+        const QTemporaryDir folder;
+        const QString zip = folder.filePath(QStringLiteral("clay.zip")), model = folder.filePath(QStringLiteral("pear.ply"));
+        const Answer answer = lesson({QStringLiteral("first-clay"), QStringLiteral("--pack"), zip, QStringLiteral("--out"), model, QStringLiteral("--pictures"), folder.path()});
+        QVERIFY2(answer.status == 0 && answer.err.isEmpty(), qPrintable(answer.err));
+        QCOMPARE(answer.out.count(QStringLiteral("\n   yes ")), 10);
+        QCOMPARE(answer.out.count(QStringLiteral("\n   no ")), 0);
+        QCOMPARE(lesson({zip}).out, answer.out);
+        QCOMPARE(lesson({shelf + QStringLiteral("first-clay")}).out, answer.out);
+        QVERIFY(core::readMesh(model.toStdString()).triangles.size() > 1000);
+        QVERIFY(QFile::exists(folder.filePath(QStringLiteral("step-4.png"))));
+    }
+
+    void unmet_isTheAnswerNoAndIsNotPacked()
+    {
+        const QTemporaryDir folder;
+        const QString zip = folder.filePath(QStringLiteral("clay.zip"));
+        const QString bad = changed(folder, "\"least\": 115", "\"least\": 215");
+        const Answer answer = lesson({bad, QStringLiteral("--pack"), zip});
+        QCOMPARE(answer.status, 1);
+        QCOMPARE(answer.out.count(QStringLiteral("\n   no ")), 1);
+        QVERIFY(answer.out.contains(QStringLiteral("height: at least 215.0 mm (137.5 mm)")));
+        QVERIFY(!QFile::exists(zip));
+    }
+
+    void pupilsModel_isJudged()
+    {
+        const QTemporaryDir folder;
+        const QString ball = folder.filePath(QStringLiteral("ball.stl")), pear = folder.filePath(QStringLiteral("pear.stl"));
+        core::writeMesh(ball.toStdString(), core::starterModel(core::Starter::Ball));
+        QCOMPARE(lesson({QStringLiteral("first-clay"), QStringLiteral("--out"), pear}).status, 0);
+        const auto judged = [](const QString& model, const char* step) {
+            return lesson({QStringLiteral("first-clay"), QStringLiteral("--model"), model, QStringLiteral("--step"), QString::fromLatin1(step)});
+        };
+        QCOMPARE(judged(pear, "4").status, 0);
+        QCOMPARE(judged(ball, "4").status, 1);
+        const Answer shape = judged(ball, "3");
+        QCOMPARE(shape.status, 1);
+        QVERIFY(shape.out.contains(QStringLiteral("mm apart")));
+        QCOMPARE(judged(ball, "5").status, 2);
+        QCOMPARE(judged(ball, "0").status, 2);
+    }
+
+    void badInput_isOneSentence_data()
+    {
+        QTest::addColumn<QByteArray>("from");
+        QTest::addColumn<QByteArray>("to");
+        QTest::addColumn<QString>("with");
+        QTest::newRow("newer") << QByteArray("\"version\": 1") << QByteArray("\"version\": 2") << QStringLiteral("newer version");
+        QTest::newRow("outside") << QByteArray("step-2.png") << QByteArray("../step-2.png") << QStringLiteral("step 2 (steps[1]): it names a file outside");
+        QTest::newRow("gone") << QByteArray("push.json") << QByteArray("none.json") << QStringLiteral("none.json, step 2 (steps[1]): this file is named, but not there");
+        QTest::newRow("no strokes") << QByteArray("push.json") << QByteArray("step-1.png") << QStringLiteral("step-1.png, step 2 (steps[1]), line 1");
+        QTest::newRow("no words") << QByteArray("\"Den Hals ziehen\"") << QByteArray("\"\"") << QStringLiteral("no words");
+        QTest::newRow("no JSON") << QByteArray("\"steps\":") << QByteArray("steps:") << QStringLiteral("not JSON");
+        QTest::newRow("unknown") << QByteArray("\"summary\"") << QByteArray("\"sumary\"") << QStringLiteral("unknown key sumary");
+    }
+    void badInput_isOneSentence()
+    {
+        QFETCH(QByteArray, from);
+        QFETCH(QByteArray, to);
+        QFETCH(QString, with);
+        const QTemporaryDir folder;
+        const QString bad = changed(folder, from, to);
+        QVERIFY(!bad.isEmpty());
+        const Answer answer = lesson({bad});
+        QCOMPARE(answer.status, 2);
+        QVERIFY(answer.out.isEmpty());
+        QVERIFY2(answer.err.startsWith(QStringLiteral("fettle: ") + bad) && answer.err.count(QLatin1Char('\n')) == 1 && answer.err.contains(with),
+                 qPrintable(answer.err));
+    }
+
+    void badUsage_isOneSentence()
+    {
+        for (const QStringList& arguments : QList<QStringList>{{QStringLiteral("nothing-of-ours")},
+                                                               {QStringLiteral("mug"), QStringLiteral("creature")},
+                                                               {QStringLiteral("mug"), QStringLiteral("--step"), QStringLiteral("1")},
+                                                               {QStringLiteral("mug"), QStringLiteral("--pack"), QStringLiteral("mug.rar")},
+                                                               {QStringLiteral("--out"), QStringLiteral("a.stl")},
+                                                               {QStringLiteral("mug"), QStringLiteral("--out"), QStringLiteral("a.xyz")}}) {
+            const Answer answer = lesson(arguments);
+            QCOMPARE(answer.status, 2);
+            QVERIFY(answer.out.isEmpty() && answer.err.count(QLatin1Char('\n')) == 1);
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(TestLessonCommand)
+#include "tst_lesson_command.moc"

@@ -1,0 +1,174 @@
+// A lesson in the real window: shown, tried, judged, and left.
+#include "tests/support/program_hand.h"
+
+#include "core/lesson_stage.h"
+#include "ui/lesson_panel.h"
+
+#include <QComboBox>
+#include <QDockWidget>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSettings>
+#include <QTemporaryDir>
+
+#include <fstream>
+
+using namespace app;
+
+namespace
+{
+const std::filesystem::path shelf = FETTLE_SOURCE_DIR "/resources/lessons";
+
+template <class Widget> Widget* part(Program& program, const char* name)
+{
+    return program.window.findChild<Widget*>(QLatin1StringView(name));
+}
+
+void press(Program& program, const char* button)
+{
+    part<QPushButton>(program, button)->click();
+}
+
+std::uint64_t hashOf(Program& program)
+{
+    std::atomic<std::uint64_t> hash = 0;
+    program.worker.post([&](core::Sculptor& sculptor) { hash = sculptor.mesh().meshHash(); });
+    while (hash == 0)
+        QTest::qWait(5);
+    return hash;
+}
+
+QString marks(Program& program)
+{
+    return part<QLabel>(program, "lessonMarks")->text();
+}
+
+/// The window with a lesson of ours, at its first step, at four times the teacher's speed.
+void begin(Program& program, const QString& title)
+{
+    program.window.resize(1300, 900);
+    program.window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&program.window));
+    program.window.action(QStringLiteral("help.lessons"))->trigger();
+    QTRY_VERIFY(part<QDockWidget>(program, "lessonPanel")->isVisible());
+    for (QPushButton* card : program.window.findChild<ui::LessonPanel*>()->findChildren<QPushButton*>())
+        if (card->text() == title)
+            card->click();
+    QTRY_VERIFY_WITH_TIMEOUT(part<QLabel>(program, "lessonTitle")->text().startsWith(title), 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy() && program.window.viewport()->stats().patches > 0, 60'000);
+    auto* speed = program.window.findChild<ui::LessonPanel*>()->findChild<QComboBox*>();
+    speed->setCurrentIndex(speed->count() - 1);
+}
+
+bool isPlaying(Program& program)
+{
+    return part<QPushButton>(program, "lessonPlay")->text() != ui::LessonPanel::tr("Show Me");
+}
+
+void showStep(Program& program)
+{
+    press(program, "lessonPlay");
+    QTRY_VERIFY(isPlaying(program));
+    QTRY_VERIFY_WITH_TIMEOUT(!isPlaying(program) && program.document.isSettled() && !program.document.isBusy(), 120'000);
+}
+
+std::uint64_t teachersHash(const char* name, std::size_t steps)
+{
+    core::LessonStage stage(std::make_shared<const core::Lesson>(core::readLesson(shelf / name)), shelf);
+    for (std::size_t i = 0; i < steps; ++i) {
+        stage.goTo(i);
+        stage.finish();
+    }
+    return stage.mesh().meshHash();
+}
+} // namespace
+
+class TestLessonDesk : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QSettings().clear(); }
+
+    /// Strokes and commands alike, through the window's own stroke path: the same bits as by core alone, and the checkpoints are met.
+    void shown_isTheTeachersModelToTheBit()
+    {
+        Program program;
+        begin(program, QStringLiteral("A creature to print"));
+        for (std::size_t step = 1; step <= 4; ++step) {
+            QVERIFY(!marks(program).contains(QStringLiteral("✓ height")) || step > 2);
+            showStep(program);
+            QCOMPARE(hashOf(program), teachersHash("creature", step));
+            QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("✓")) && !marks(program).contains(QStringLiteral("○")), 60'000);
+            QCOMPARE(part<QPushButton>(program, "lessonNext")->isEnabled(), step < 4);
+            press(program, "lessonNext");
+        }
+    }
+
+    /// The pupil's own strokes stay until they are taken back, and are judged.
+    void tried_isThePupils()
+    {
+        Program program;
+        begin(program, QStringLiteral("First clay: a pear"));
+        const std::uint64_t start = hashOf(program);
+        showStep(program);
+        QVERIFY(program.document.undoStack().index() > 0);
+        press(program, "lessonTry");
+        QTRY_COMPARE(program.document.undoStack().index(), 0);
+        QCOMPARE(hashOf(program), start);
+        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("○ height: at least 115.0 mm (100.0 mm)")), 60'000);
+        drag(program.window.viewport(), {30, 0});
+        QTRY_COMPARE_WITH_TIMEOUT(program.document.undoStack().count(), 1, 60'000);
+        QVERIFY(hashOf(program) != start);
+        showStep(program);
+        QCOMPARE(hashOf(program), teachersHash("first-clay", 1));
+    }
+
+    /// The hand goes first: the teacher lets go, and the pupil's stroke is whole.
+    void hand_endsTheTeachersStroke()
+    {
+        Program program;
+        begin(program, QStringLiteral("First clay: a pear"));
+        part<QPushButton>(program, "lessonPlay")->click();
+        QTRY_VERIFY_WITH_TIMEOUT(program.worker.strokeOpen(), 60'000);
+        drag(program.window.viewport(), {30, 10});
+        QVERIFY(!isPlaying(program));
+        QTRY_VERIFY_WITH_TIMEOUT(program.document.isSettled() && !program.worker.strokeOpen(), 60'000);
+        QCOMPARE(program.document.undoStack().count(), 2);
+    }
+
+    void anotherModel_endsTheLesson()
+    {
+        Program program;
+        begin(program, QStringLiteral("First clay: a pear"));
+        QVERIFY(part<QLabel>(program, "lessonText")->isVisible());
+        program.document.openStarter(core::Starter::Cube);
+        QTRY_VERIFY_WITH_TIMEOUT(!part<QLabel>(program, "lessonText")->isVisible(), 60'000);
+        QVERIFY(!isPlaying(program));
+    }
+
+    /// The class goes on: a sentence, and the lesson that was open is as it was.
+    void badLesson_isToldAndNothingChanges()
+    {
+        Program program;
+        begin(program, QStringLiteral("First clay: a pear"));
+        showStep(program);
+        const std::uint64_t before = hashOf(program);
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("bad.zip"));
+        std::ofstream(path.toStdString(), std::ios::binary) << "PK and no more";
+        Q_EMIT program.window.findChild<ui::LessonPanel*>()->lessonChosen(path);
+        QMessageBox* box = nullptr;
+        QTRY_VERIFY_WITH_TIMEOUT((box = program.window.findChild<QMessageBox*>()) && box->isVisible(), 60'000);
+        QVERIFY(box->text().contains(QStringLiteral("bad.zip")));
+        box->close();
+        QCOMPARE(hashOf(program), before);
+        QVERIFY(part<QLabel>(program, "lessonText")->isVisible());
+    }
+};
+
+int main(int argc, char* argv[])
+{
+    return runOnScreen<TestLessonDesk>(argc, argv, "tst_lesson_desk");
+}
+#include "tst_lesson_desk.moc"

@@ -1,0 +1,272 @@
+// Fettle's own lessons, and how lessons are played: each is played to its end and meets its checkpoints, in every language.
+#include "core/lesson_stage.h"
+#include "core/mesh_build.h"
+#include "tests/support/solid_asserts.h"
+
+#include <QTest>
+
+#include <filesystem>
+
+using namespace core;
+
+namespace
+{
+const std::filesystem::path shelf = FETTLE_SOURCE_DIR "/resources/lessons";
+
+std::shared_ptr<const Lesson> lessonNamed(const char* name)
+{
+    return std::make_shared<const Lesson>(readLesson(shelf / name));
+}
+
+/// All of a step by the player, so many seconds at a time.
+void playByTime(LessonPlayer& player, LessonStage& stage, double seconds)
+{
+    for (player.play(); player.isPlaying();)
+        for (const LessonCue& cue : player.advance(seconds))
+            stage.apply(cue);
+}
+
+std::uint64_t hashAfter(LessonStage& stage)
+{
+    stage.goTo(stage.lesson().steps.size() - 1);
+    stage.finish();
+    return stage.mesh().meshHash();
+}
+} // namespace
+
+class TestLessons : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void each_meetsItsCheckpoints_data() { names(); }
+    void each_meetsItsCheckpoints()
+    {
+        QFETCH(QByteArray, name);
+        LessonStage stage(lessonNamed(name.constData()), shelf);
+        for (std::size_t i = 0; i < stage.lesson().steps.size(); ++i) {
+            stage.goTo(i);
+            const TriangleMesh before = extractMesh(stage.mesh());
+            stage.finish();
+            VERIFY_VALID(stage.mesh());
+            const TriangleMesh after = extractMesh(stage.mesh());
+            const Checkpoint& checkpoint = stage.step().checkpoint;
+            QVERIFY(!checkpoint.asksNothing());
+            const TriangleMesh target = checkpoint.target ? stage.target() : TriangleMesh();
+            const auto isMetBy = [&](const TriangleMesh& model) { return judge(checkpoint, model, checkpoint.target ? &target : nullptr).isMet(); };
+            QVERIFY2(isMetBy(after), std::to_string(i).c_str());
+            const bool isJudgedByFacts = !checkpoint.target || checkpoint.facts.size() > 1;
+            if (isJudgedByFacts && i + 1 < stage.lesson().steps.size()) // it asks for something that was not there
+                QVERIFY2(!isMetBy(before), std::to_string(i).c_str());
+        }
+    }
+
+    void each_speaksAllLanguages_data() { names(); }
+    void each_speaksAllLanguages()
+    {
+        QFETCH(QByteArray, name);
+        const auto lesson = lessonNamed(name.constData());
+        const auto requireAll = [](const LessonText& text) {
+            for (const char* const language : {"en", "de", "zh"})
+                QVERIFY2(text.words.contains(language) && text.in(language).size() > 2, language);
+            QVERIFY(text.in("de") != text.in("en") && text.in("zh") != text.in("en"));
+        };
+        requireAll(lesson->title);
+        requireAll(lesson->summary);
+        for (const LessonStep& step : lesson->steps) {
+            requireAll(step.title);
+            requireAll(step.text);
+            QVERIFY(lesson->files.contains(step.picture));
+            QVERIFY(!step.strokes.empty());
+        }
+    }
+
+    /// Twice, and by the player's cues, however the time goes by.
+    void each_isTheSameToTheBit_data() { names(); }
+    void each_isTheSameToTheBit()
+    {
+        QFETCH(QByteArray, name);
+        const auto lesson = lessonNamed(name.constData());
+        LessonStage first(lesson, shelf), second(lesson, shelf), third(lesson, shelf);
+        const std::uint64_t hash = hashAfter(first);
+        QCOMPARE(hashAfter(second), hash);
+        LessonPlayer player(lesson);
+        for (std::size_t i = 0; i < lesson->steps.size(); ++i) {
+            player.setStep(i);
+            third.goTo(i);
+            player.setSpeed(i % 2 == 0 ? LessonPlayer::slowest : LessonPlayer::fastest);
+            playByTime(player, third, 0.07 + 0.1 * static_cast<double>(i));
+        }
+        QCOMPARE(third.mesh().meshHash(), hash);
+        first.goTo(0);
+        QCOMPARE(hashAfter(first), hash);
+    }
+
+    /// A strand of strokes taken back and played again, the one under way too.
+    void back_andForwardLeadToTheSameModel()
+    {
+        const auto lesson = lessonNamed("creature");
+        LessonStage stage(lesson, shelf);
+        LessonPlayer player(lesson);
+        std::vector<std::uint64_t> hashes = {stage.mesh().meshHash()};
+        while (player.time() < player.duration()) {
+            for (const LessonCue& cue : player.forward())
+                stage.apply(cue);
+            hashes.push_back(stage.mesh().meshHash());
+        }
+        QCOMPARE(hashes.size(), lesson->steps[0].strokes.size() + 1);
+        for (std::size_t i = hashes.size() - 1; i > 0; --i) {
+            QCOMPARE(player.back(), std::optional(i - 1));
+            QVERIFY(stage.takeBack());
+            QCOMPARE(stage.mesh().meshHash(), hashes[i - 1]);
+        }
+        QVERIFY(!player.back() && !stage.takeBack());
+        player.play();
+        for (const LessonCue& cue : player.advance(LessonPlayer::lead + 0.2))
+            stage.apply(cue);
+        QVERIFY(stage.sculptor().strokeOpen());
+        QVERIFY(player.ghost()->isPressed);
+        player.pause();
+        QVERIFY(player.advance(5).empty());
+        QCOMPARE(player.back(), std::optional<std::size_t>(0));
+        QVERIFY(stage.takeBack());
+        QCOMPARE(stage.mesh().meshHash(), hashes[0]);
+        playByTime(player, stage, 0.5);
+        QCOMPARE(stage.mesh().meshHash(), hashes.back());
+    }
+
+    /// Twice the speed, half the time; and never faster or slower than there is.
+    void speed_isOfTime()
+    {
+        LessonPlayer player(lessonNamed("first-clay"));
+        for (const double speed : {0.25, 1.0, 2.0, 4.0}) {
+            player.setStep(0);
+            player.setSpeed(speed);
+            player.play();
+            double seconds = 0;
+            for (; player.isPlaying(); seconds += 0.01)
+                player.advance(0.01);
+            QVERIFY(std::abs(seconds - player.duration() / speed) < 0.02);
+        }
+        player.setSpeed(99);
+        QCOMPARE(player.speed(), LessonPlayer::fastest);
+        player.setSpeed(0);
+        QCOMPARE(player.speed(), LessonPlayer::slowest);
+    }
+
+    /// From where the last stroke ended to where the next begins, without a leap, and pressed only in strokes.
+    void ghost_movesWithoutALeap()
+    {
+        LessonPlayer player(lessonNamed("first-clay"));
+        player.setStep(2);
+        player.play();
+        constexpr double step = 0.01, fastest = 500; // s, mm/s: across the model between two strokes
+        GhostBrush last = player.ghost().value();
+        QVERIFY(!last.isPressed);
+        std::size_t pressed = 0, moments = 0;
+        while (player.isPlaying()) {
+            player.advance(step);
+            const GhostBrush ghost = player.ghost().value();
+            QVERIFY((ghost.position - last.position).norm() <= fastest * step);
+            QCOMPARE(ghost.tool, Tool::Smooth);
+            QCOMPARE(ghost.radius, 26.0);
+            pressed += ghost.isPressed ? 1 : 0;
+            ++moments;
+            last = ghost;
+        }
+        QVERIFY(!last.isPressed);
+        QVERIFY(pressed > moments / 4 && pressed < moments);
+    }
+
+    /// A stranger's times: none, all alike, backwards, years.
+    void ghost_takesAnyTimes()
+    {
+        const auto durationOf = [](const std::vector<double>& times) {
+            Lesson lesson;
+            Stroke stroke;
+            for (const double time : times) {
+                stroke.samples.emplace_back();
+                stroke.samples.back().time = time;
+            }
+            lesson.steps.resize(1);
+            lesson.steps[0].strokes.emplace_back(stroke);
+            LessonPlayer player(std::make_shared<const Lesson>(lesson));
+            player.play();
+            std::size_t cues = 0;
+            while (player.isPlaying())
+                cues += player.advance(0.1).size();
+            return cues == times.size() + 2 ? player.duration() : -1;
+        };
+        QCOMPARE(durationOf({}), LessonPlayer::lead);
+        QCOMPARE(durationOf({5, 5, 5}), LessonPlayer::lead + 2 * LessonPlayer::pace);
+        QCOMPARE(durationOf({5, 3, 9}), LessonPlayer::lead + 2 * LessonPlayer::pace);
+        QCOMPARE(durationOf({0, 0.5, 1e9}), LessonPlayer::lead + 0.5 + LessonPlayer::longestWait);
+    }
+
+    void pupilsCopy_isTheirOwn()
+    {
+        LessonStage stage(lessonNamed("first-clay"), shelf);
+        stage.goTo(1);
+        const std::uint64_t before = stage.mesh().meshHash();
+        Sculptor pupil(stage.copy());
+        QCOMPARE(pupil.mesh().meshHash(), before);
+        StrokeSample sample;
+        sample.position = {50, 0, 0};
+        pupil.beginStroke({});
+        pupil.addSample(sample);
+        pupil.endStroke();
+        QVERIFY(pupil.mesh().meshHash() != before);
+        QCOMPARE(stage.mesh().meshHash(), before);
+        const TriangleMesh target = stage.target();
+        QCOMPARE(stage.mesh().meshHash(), before);
+        QVERIFY(judge(stage.step().checkpoint, target, &target).isMet());
+        const CheckpointVerdict verdict = judge(stage.step().checkpoint, extractMesh(pupil.mesh()), &target);
+        QVERIFY(!verdict.isMet());
+        QVERIFY(verdict.target->largest > 5);
+    }
+
+    /// Brushes that this model's lattice cannot hold, hands beyond its volume, commands that cannot be done.
+    void strokesThatDoNotFit_areRefused()
+    {
+        const auto errorOf = [](const FileEntry& entry) -> std::optional<LessonError> {
+            Lesson lesson;
+            lesson.steps.resize(2);
+            lesson.steps[1].strokesFile = "a.json";
+            lesson.steps[1].strokes = {entry};
+            LessonStage stage(std::make_shared<const Lesson>(lesson), "a");
+            const std::uint64_t before = stage.mesh().meshHash();
+            stage.goTo(1);
+            try {
+                stage.finish();
+            } catch (const LessonError& error) {
+                return stage.mesh().meshHash() == before ? std::optional(error) : std::nullopt;
+            }
+            return std::nullopt;
+        };
+        Stroke stroke;
+        stroke.samples.resize(1);
+        stroke.settings.radius = 1e5;
+        const auto radius = errorOf(stroke);
+        QVERIFY(radius && radius->kind == LessonError::Kind::Strokes && radius->strokes->key == "radius");
+        QCOMPARE(radius->step, std::optional<std::size_t>(1));
+        QCOMPARE(radius->file, std::string("a.json"));
+        stroke.settings.radius = 10;
+        stroke.samples[0].position = {1e6, 0, 0};
+        const auto position = errorOf(stroke);
+        QVERIFY(position && position->strokes->key == "position" && position->strokes->sample == std::optional<std::size_t>(0));
+        const auto command = errorOf(FileCommand{FlattenBase{500}, {}});
+        QVERIFY(command && command->kind == LessonError::Kind::Refused);
+        QVERIFY(!errorOf(FileCommand{Reset{}, {}}));
+    }
+
+private:
+    static void names()
+    {
+        QTest::addColumn<QByteArray>("name");
+        for (const char* const name : {"first-clay", "mug", "creature"})
+            QTest::newRow(name) << QByteArray(name);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestLessons)
+#include "tst_lessons.moc"

@@ -1,0 +1,257 @@
+#include "lesson_panel.h"
+
+#include "actions.h"
+#include "side_dock.h"
+#include "spacing.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QMainWindow>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QStackedWidget>
+
+#include <cmath>
+
+namespace ui
+{
+namespace
+{
+constexpr double speeds[] = {0.25, 0.5, 1, 2, 4};
+constexpr int usualSpeed = 2; ///< its place
+constexpr int pictureSide = 80, cardSide = 72, progressHeight = 8; ///< pixels
+
+QLabel* label(const char* name)
+{
+    auto* label = new QLabel;
+    label->setObjectName(QLatin1StringView(name));
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
+    return label;
+}
+
+void enlarge(QLabel* label, double factor)
+{
+    QFont font = label->font();
+    font.setBold(true);
+    font.setPointSizeF(factor * font.pointSizeF());
+    label->setFont(font);
+}
+
+QVBoxLayout* column(QWidget* widget)
+{
+    auto* layout = new QVBoxLayout(widget);
+    layout->setContentsMargins(gap, gap, gap, gap);
+    layout->setSpacing(gap);
+    return layout;
+}
+
+QPixmap pixmapOf(const QImage& picture, int side)
+{
+    return picture.isNull() ? QPixmap() : QPixmap::fromImage(picture.scaled(side, side, Qt::KeepAspectRatio, Qt::SmoothTransformation));
+}
+
+QScrollArea* scrolled(QWidget* page)
+{
+    auto* area = new QScrollArea;
+    area->setWidget(page);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    return area;
+}
+} // namespace
+
+LessonPanel::LessonPanel(QWidget* parent) : QWidget(parent), m_stack(new QStackedWidget)
+{
+    auto* all = new QVBoxLayout(this);
+    all->setContentsMargins(0, 0, 0, 0);
+    all->addWidget(m_stack);
+    addChooser();
+    auto* page = new QWidget;
+    auto* rows = new QVBoxLayout(page);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(0);
+    auto* said = new QWidget;
+    addHead(column(said));
+    rows->addWidget(scrolled(said), 1);
+    auto* done = new QWidget; // in sight whatever the text's length
+    QVBoxLayout* ways = column(done);
+    addTeacher(ways);
+    addWays(ways);
+    rows->addWidget(done);
+    m_stack->addWidget(page);
+}
+
+void LessonPanel::addChooser()
+{
+    auto* page = new QWidget;
+    QVBoxLayout* rows = column(page);
+    QLabel* head = label("lessonsHead");
+    head->setText(tr("Choose a lesson. It begins with a model of its own."));
+    rows->addWidget(head);
+    m_cards = new QVBoxLayout;
+    m_cards->setSpacing(gap);
+    rows->addLayout(m_cards);
+    auto* file = new QPushButton(tr("Open a Lesson…"));
+    file->setToolTip(tr("Opens a lesson from a zip or a folder."));
+    connect(file, &QPushButton::clicked, this, &LessonPanel::fileWanted);
+    rows->addWidget(file);
+    rows->addStretch();
+    m_stack->addWidget(scrolled(page));
+}
+
+void LessonPanel::addHead(QVBoxLayout* page)
+{
+    m_lesson = label("lessonTitle");
+    m_title = label("lessonStep");
+    m_picture = label("lessonPicture");
+    m_text = label("lessonText");
+    enlarge(m_title, 1.2);
+    m_picture->setFixedWidth(pictureSide);
+    m_picture->setAlignment(Qt::AlignTop);
+    m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    auto* words = new QVBoxLayout;
+    words->addWidget(m_title);
+    words->addWidget(m_lesson);
+    words->addStretch();
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_picture);
+    row->addLayout(words, 1);
+    page->addLayout(row);
+    page->addWidget(m_text);
+    page->addStretch();
+}
+
+void LessonPanel::addTeacher(QVBoxLayout* page)
+{
+    m_progress = new QProgressBar;
+    m_progress->setRange(0, 1000);
+    m_progress->setTextVisible(false);
+    m_progress->setFixedHeight(progressHeight);
+    m_progress->setAccessibleName(tr("How far the teacher is"));
+    m_play = new QPushButton(tr("Show Me"));
+    m_play->setObjectName(QStringLiteral("lessonPlay"));
+    m_speed = new QComboBox;
+    m_speed->setAccessibleName(tr("Speed"));
+    m_speed->setToolTip(tr("How fast the teacher works."));
+    for (const double speed : speeds)
+        m_speed->addItem(tr("%1 ×", "speed").arg(QLocale().toString(speed)));
+    m_speed->setCurrentIndex(usualSpeed);
+    m_try = new QPushButton(tr("Try It"));
+    m_try->setObjectName(QStringLiteral("lessonTry"));
+    m_try->setToolTip(tr("Takes the step's strokes back: now it is your turn."));
+    m_marks = label("lessonMarks");
+    m_difference = new QCheckBox(tr("Show the difference"));
+    m_difference->setToolTip(tr("Colours the model by how far it is from the teacher's."));
+    page->addWidget(m_progress);
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_play, 1);
+    row->addWidget(m_speed);
+    row->addWidget(m_try, 1);
+    page->addLayout(row);
+    page->addWidget(m_marks);
+    page->addWidget(m_difference);
+    connect(m_play, &QPushButton::clicked, this, [this] { Q_EMIT playWanted(!m_isPlaying); });
+    connect(m_speed, &QComboBox::currentIndexChanged, this, [this](int index) { Q_EMIT speedChosen(speeds[index]); });
+    connect(m_try, &QPushButton::clicked, this, &LessonPanel::tryWanted);
+    connect(m_difference, &QCheckBox::toggled, this, &LessonPanel::differenceWanted);
+}
+
+void LessonPanel::addWays(QVBoxLayout* page)
+{
+    m_back = new QPushButton(tr("Back"));
+    m_next = new QPushButton(tr("Next"));
+    m_next->setObjectName(QStringLiteral("lessonNext"));
+    auto* leave = new QPushButton(tr("Leave"));
+    leave->setToolTip(tr("Ends the lesson. The model stays as it is."));
+    auto* row = new QHBoxLayout;
+    for (QPushButton* each : {m_back, m_next, leave})
+        row->addWidget(each);
+    page->addLayout(row);
+    connect(m_back, &QPushButton::clicked, this, [this] { Q_EMIT stepWanted(m_step - 1); });
+    connect(m_next, &QPushButton::clicked, this, [this] { Q_EMIT stepWanted(m_step + 1); });
+    connect(leave, &QPushButton::clicked, this, &LessonPanel::left);
+}
+
+void LessonPanel::setLessons(const QList<LessonCard>& lessons)
+{
+    for (const LessonCard& card : lessons) {
+        auto* button = new QPushButton(card.title);
+        button->setIcon(pixmapOf(card.picture, cardSide));
+        button->setIconSize(QSize(cardSide, cardSide));
+        button->setStyleSheet(QStringLiteral("text-align: left"));
+        button->setToolTip(card.summary);
+        m_cards->addWidget(button);
+        connect(button, &QPushButton::clicked, this, [this, name = card.name] { Q_EMIT lessonChosen(name); });
+    }
+}
+
+void LessonPanel::showPage(const LessonPage& page)
+{
+    m_step = page.step;
+    m_lesson->setText(tr("%1: step %2 of %3").arg(page.lesson).arg(page.step + 1).arg(page.steps));
+    m_title->setText(page.title);
+    m_picture->setPixmap(pixmapOf(page.picture, pictureSide));
+    m_picture->setVisible(!page.picture.isNull());
+    m_text->setText(page.text);
+    m_play->setEnabled(page.isShown);
+    m_difference->setVisible(page.isCompared);
+    m_back->setEnabled(page.step > 0);
+    m_next->setEnabled(page.step + 1 < page.steps);
+    setPlaying(false);
+    setProgress(0);
+    setMarks({});
+    m_stack->setCurrentIndex(1);
+}
+
+void LessonPanel::showLessons()
+{
+    m_stack->setCurrentIndex(0);
+}
+
+void LessonPanel::setPlaying(bool isPlaying)
+{
+    m_isPlaying = isPlaying;
+    m_play->setText(isPlaying ? tr("Pause") : tr("Show Me"));
+}
+
+void LessonPanel::setProgress(double share)
+{
+    m_progress->setValue(static_cast<int>(std::lround(m_progress->maximum() * share)));
+}
+
+/// A sign and words: colour alone says nothing.
+void LessonPanel::setMarks(const QList<LessonMark>& marks)
+{
+    QStringList lines;
+    for (const LessonMark& mark : marks)
+        lines << QStringLiteral("%1 %2").arg(mark.holds ? QStringLiteral("✓") : QStringLiteral("○"), mark.text);
+    m_marks->setText(lines.join(QLatin1Char('\n')));
+}
+
+bool LessonPanel::wantsDifference() const
+{
+    return m_difference->isChecked() && m_difference->isVisibleTo(this);
+}
+
+void addLessonPanel(const LessonPanelPlace& place, const Actions& actions)
+{
+    auto* panel = new LessonPanel;
+    auto* dock = new QDockWidget(LessonPanel::tr("Lessons"));
+    dock->setObjectName(QStringLiteral("lessonPanel"));
+    dock->setWidget(panel);
+    addSideDock(place.window, place.toggles, dock, QStringLiteral("brushPanel"));
+    dock->hide();
+    QObject::connect(actions.get(QStringLiteral("help.lessons")), &QAction::triggered, dock, [dock] {
+        dock->show();
+        dock->raise();
+    });
+}
+} // namespace ui

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <QImage>
+#include <QList>
+#include <QWidget>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QMainWindow;
+class QMenu;
+class QProgressBar;
+class QPushButton;
+class QStackedWidget;
+class QVBoxLayout;
+
+namespace ui
+{
+class Actions;
+
+/// A lesson that may be chosen.
+struct LessonCard
+{
+    QString name; ///< by which it is asked for
+    QString title, summary;
+    QImage picture;
+};
+
+/// A step as the pupil reads it.
+struct LessonPage
+{
+    QString lesson, title, text;
+    QImage picture; ///< may be null
+    int step = 0;   ///< from 0
+    int steps = 1;
+    bool isShown = false; ///< the teacher has strokes for it
+    bool isCompared = false; ///< with a shape: there is a difference to be seen
+};
+
+/// One thing that the step's checkpoint asks for.
+struct LessonMark
+{
+    bool holds = false;
+    QString text;
+};
+
+/// A lesson beside the model: what to do, what the teacher does, and whether it is done. Knows no lesson file and no mesh: it says what is
+/// wanted and shows what it is given. Gui thread.
+class LessonPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit LessonPanel(QWidget* parent = nullptr);
+
+    /// To choose from, when none is open.
+    void setLessons(const QList<LessonCard>& lessons);
+    void showPage(const LessonPage& page);
+    void showLessons();
+
+    void setPlaying(bool isPlaying);
+    void setProgress(double share); ///< of the teacher's strokes, 0 to 1
+    /// Of the model as it is. Empty: nothing is known yet, or nothing asked.
+    void setMarks(const QList<LessonMark>& marks);
+    bool wantsDifference() const;
+
+Q_SIGNALS:
+    void lessonChosen(const QString& name);
+    void fileWanted();
+    void stepWanted(int step);
+    void playWanted(bool on);
+    void speedChosen(double speed);
+    void tryWanted();
+    void differenceWanted(bool on);
+    void left();
+
+private:
+    void addChooser();
+    void addHead(QVBoxLayout* page);
+    void addTeacher(QVBoxLayout* page);
+    void addWays(QVBoxLayout* page);
+
+    QStackedWidget* m_stack = nullptr;
+    QVBoxLayout* m_cards = nullptr;
+    QLabel *m_lesson = nullptr, *m_title = nullptr, *m_picture = nullptr, *m_text = nullptr, *m_marks = nullptr;
+    QProgressBar* m_progress = nullptr;
+    QPushButton *m_play = nullptr, *m_try = nullptr, *m_back = nullptr, *m_next = nullptr;
+    QComboBox* m_speed = nullptr;
+    QCheckBox* m_difference = nullptr;
+    int m_step = 0;
+    bool m_isPlaying = false;
+};
+
+struct LessonPanelPlace
+{
+    QMainWindow* window;
+    QMenu* toggles;
+};
+/// As a dock behind the brush's, with its entry among the toggles; help.lessons raises it.
+void addLessonPanel(const LessonPanelPlace& place, const Actions& actions);
+} // namespace ui
