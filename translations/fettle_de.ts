@@ -3247,10 +3247,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>klasse</translation>
     </message>
     <message>
-        <source>Choose the Folder with the Models</source>
-        <translation>Ordner mit den Modellen wählen</translation>
-    </message>
-    <message>
         <source>Write the Class Report</source>
         <translation>Klassenbericht schreiben</translation>
     </message>

@@ -3239,10 +3239,6 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>课堂</translation>
     </message>
     <message>
-        <source>Choose the Folder with the Models</source>
-        <translation>选择存放模型的文件夹</translation>
-    </message>
-    <message>
         <source>Write the Class Report</source>
         <translation>写出班级报告</translation>
     </message>

@@ -136,15 +136,6 @@ void askForDrawing(QWidget* parent, const QString& folder, const QString& modelN
     askForTarget(parent, FileDialogs::tr("Export the Drawing"), QStringLiteral("drawingDialog"), folder, modelName, drawingEndings(), answer);
 }
 
-void askForFolder(QWidget* parent, const QString& folder, PathAnswer answer)
-{
-    auto* dialog = new QFileDialog(parent, FileDialogs::tr("Choose the Folder with the Models"), folder);
-    dialog->setObjectName(QStringLiteral("folderDialog"));
-    dialog->setFileMode(QFileDialog::Directory);
-    dialog->setOption(QFileDialog::ShowDirsOnly);
-    show(dialog, answer);
-}
-
 void askForReport(QWidget* parent, const QString& folder, PathAnswer answer)
 {
     askForTarget(parent, FileDialogs::tr("Write the Class Report"), QStringLiteral("reportDialog"), folder, FileDialogs::tr("Class report"), reportEndings(), answer);

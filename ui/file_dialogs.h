@@ -33,7 +33,6 @@ void askForClassFile(QWidget* parent, const QString& folder, PathAnswer answer);
 /// For the sheet of drawings: PDF, SVG or PNG.
 void askForDrawing(QWidget* parent, const QString& folder, const QString& modelName, PathAnswer answer);
 
-/// For a class report: the models' folder, and the file beside them or elsewhere, HTML or PDF.
-void askForFolder(QWidget* parent, const QString& folder, PathAnswer answer);
+/// For a class report: HTML or PDF.
 void askForReport(QWidget* parent, const QString& folder, PathAnswer answer);
 } // namespace ui
