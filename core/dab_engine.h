@@ -65,7 +65,6 @@ private:
         bool isOn = false;
         bool isMirrored = false; ///< m_region is the half that stands for both
         Vec3 axis = Vec3::Zero(); ///< the mean normal when it was taken
-        double detail = 0;        ///< the d_detail that keeps it as fine as it was then
     };
 
     /// What a radial stroke's tool that holds on has in another sector than the first.
@@ -130,7 +129,6 @@ private:
     void take(const StrokeSettings& settings, const Sphere& ball);
     bool takeMirrored(const StrokeSettings& settings, const Sphere& ball);
     bool takeHeld();
-    double meanEdge(const Region& region) const;
     void swapHolds(Tool tool);
     Sphere ballAround(const Dab& dab) const;
     void selectBothSides(const Task& task);

@@ -199,8 +199,8 @@ void DabEngine::holdApart(const Orbit& orbit, std::size_t from)
         if (std::exchange(own.isApart, true) || !orbit.hold.isOn)
             continue;
         const Turn turn = turnIn(orbit, sector), back = {turn.cosine, -turn.sine};
-        own.hold = {true, false, turn * orbit.hold.axis, orbit.hold.detail};
-        own.imageHold = {orbit.imageHold.isOn, false, back * orbit.imageHold.axis, orbit.imageHold.detail};
+        own.hold = {true, false, turn * orbit.hold.axis};
+        own.imageHold = {orbit.imageHold.isOn, false, back * orbit.imageHold.axis};
         takeImages(own.region, orbit.held, turn);
         takeImages(own.imageRegion, orbit.heldImage, back);
     }
@@ -227,7 +227,7 @@ void DabEngine::noteHeld(Orbit& orbit)
             orbit.heldImage.push_back({here, m_region.carried(v)});
         }
     });
-    orbit.imageHold = {true, false, m_mirror.imageOf(m_hold.axis), m_hold.detail};
+    orbit.imageHold = {true, false, m_mirror.imageOf(m_hold.axis)};
     if (m_mirror.folded(dab.position) != dab.position) { // the half is the image's
         std::swap(orbit.held, orbit.heldImage);
         std::swap(orbit.hold, orbit.imageHold);
