@@ -151,7 +151,7 @@ void DabEngine::sculpt(const StrokeSettings& settings, Dab dab, const std::funct
     if (settings.tool == Tool::Layer && report.asked > 0)
         noteRaised(report.reached / report.asked);
     if (holdsOn(settings.tool) && !m_region.empty())
-        m_hold = {true, m_mirror.isOn(), m_hold.axis};
+        m_hold = {true, m_mirror.isOn(), m_hold.axis, m_mesh.removedVertices().size()};
 }
 
 /// In sub-steps, until the plan is done or no more can be.

@@ -65,6 +65,7 @@ private:
         bool isOn = false;
         bool isMirrored = false; ///< m_region is the half that stands for both
         Vec3 axis = Vec3::Zero(); ///< the mean normal when it was taken
+        std::size_t known = 0;    ///< so many of Mesh::removedVertices() are no longer in its region
     };
 
     /// What a radial stroke's tool that holds on has in another sector than the first.
@@ -122,7 +123,7 @@ private:
     void noteHeld(Orbit& orbit);
     void takeImages(Region& region, const std::vector<HeldPlace>& held, const Turn& turn) const;
     void swapSector(Tool tool, std::size_t sector);
-    void letGoOfRemoved(Region& region) const;
+    void letGoOfRemoved(Hold& hold, Region& region) const;
     void sculpt(const StrokeSettings& settings, Dab dab, const std::function<void()>& between, DabReport& report);
     void deform(Task& task, const std::function<void()>& between, DabReport& report);
     DabReport rest(const StrokeSettings& settings, const Dab& dab);

@@ -42,11 +42,11 @@ void DabEngine::take(const StrokeSettings& settings, const Sphere& ball)
 /// The same of the half, if the model is symmetric there. What was held as a half and is symmetric no more stays one.
 bool DabEngine::takeMirrored(const StrokeSettings& settings, const Sphere& ball)
 {
-    if (m_hold.isOn)
-        return m_hold.isMirrored && takeHeld();
-    take(settings, ball);
-    const bool mirrored = isMirroredIn(settings.brush, ball);
-    if (mirrored)
+    const bool isHeld = m_hold.isOn;
+    if (!isHeld)
+        take(settings, ball);
+    const bool mirrored = isHeld ? m_hold.isMirrored && takeHeld() : isMirroredIn(settings.brush, ball);
+    if (mirrored) // of what is held some may have been taken across the plane by another dab
         keepHalf(m_region, m_mirror);
     return mirrored;
 }
@@ -69,7 +69,7 @@ void DabEngine::swapHolds(Tool tool)
         return;
     std::swap(m_hold, m_imageHold);
     std::swap(m_region, m_imageRegion);
-    letGoOfRemoved(m_region);
+    letGoOfRemoved(m_hold, m_region);
 }
 
 /// All that the dab moves.

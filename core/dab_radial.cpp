@@ -163,11 +163,11 @@ bool DabEngine::transplant(const Orbit& orbit, std::size_t other, const DabRepor
         if (!m_transplant.place(m_surface, other))
             return false;
     }
-    letGoOfRemoved(m_region);
-    letGoOfRemoved(m_imageRegion);
-    for (SectorHold& hold : m_sectors) {
-        letGoOfRemoved(hold.region);
-        letGoOfRemoved(hold.imageRegion);
+    letGoOfRemoved(m_hold, m_region);
+    letGoOfRemoved(m_imageHold, m_imageRegion);
+    for (SectorHold& sector : m_sectors) {
+        letGoOfRemoved(sector.hold, sector.region);
+        letGoOfRemoved(sector.imageHold, sector.imageRegion);
     }
     if (orbit.settings.tool == Tool::Layer) {
         for (Slot v : m_transplant.vertices()) {
@@ -199,8 +199,9 @@ void DabEngine::holdApart(const Orbit& orbit, std::size_t from)
         if (std::exchange(own.isApart, true) || !orbit.hold.isOn)
             continue;
         const Turn turn = turnIn(orbit, sector), back = {turn.cosine, -turn.sine};
-        own.hold = {true, false, turn * orbit.hold.axis};
-        own.imageHold = {orbit.imageHold.isOn, false, back * orbit.imageHold.axis};
+        const std::size_t known = m_mesh.removedVertices().size();
+        own.hold = {true, false, turn * orbit.hold.axis, known};
+        own.imageHold = {orbit.imageHold.isOn, false, back * orbit.imageHold.axis, known};
         takeImages(own.region, orbit.held, turn);
         takeImages(own.imageRegion, orbit.heldImage, back);
     }
@@ -227,7 +228,7 @@ void DabEngine::noteHeld(Orbit& orbit)
             orbit.heldImage.push_back({here, m_region.carried(v)});
         }
     });
-    orbit.imageHold = {true, false, m_mirror.imageOf(m_hold.axis)};
+    orbit.imageHold = {true, false, m_mirror.imageOf(m_hold.axis), m_hold.known};
     if (m_mirror.folded(dab.position) != dab.position) { // the half is the image's
         std::swap(orbit.held, orbit.heldImage);
         std::swap(orbit.hold, orbit.imageHold);
@@ -254,15 +255,17 @@ void DabEngine::swapSector(Tool tool, std::size_t sector)
     std::swap(m_imageHold, other.imageHold);
     std::swap(m_region, other.region);
     std::swap(m_imageRegion, other.imageRegion);
-    letGoOfRemoved(m_region);
-    letGoOfRemoved(m_imageRegion);
+    letGoOfRemoved(m_hold, m_region);
+    letGoOfRemoved(m_imageHold, m_imageRegion);
 }
 
-void DabEngine::letGoOfRemoved(Region& region) const
+/// Of what went while others were at work; their slots may be other vertices' by now.
+void DabEngine::letGoOfRemoved(Hold& hold, Region& region) const
 {
-    region.forEach([&](Slot v) {
-        if (!m_mesh.isVertex(v))
+    const std::vector<Slot>& removed = m_mesh.removedVertices();
+    for (; hold.known < removed.size(); ++hold.known) {
+        if (const Slot v = removed[hold.known]; region.contains(v))
             region.remove(v);
-    });
+    }
 }
 } // namespace core

@@ -258,6 +258,7 @@ void Mesh::freeVertex(Slot v)
 {
     touchVertex(v);
     m_vertexSlots.setFree(v, true);
+    m_removed.push_back(v);
 }
 
 void Mesh::freeEdge(Slot e)

@@ -122,6 +122,7 @@ public:
         SlotCounts counts;
         std::uint32_t epoch;
         MeshFrame frame = {};
+        std::size_t removed = 0;
     };
     Mark mark();
     /// Restores the state of the mark bit for bit. The mark stays usable.
@@ -134,6 +135,9 @@ public:
     /// forget(), which is its commit. Between the two nothing before it is rolled back.
     Mark remember();
     void forget(const Mark& mark);
+
+    /// The vertices that went in the open stroke, and were not brought back by a rollback, in order. A slot may have been another vertex's since.
+    const std::vector<Slot>& removedVertices() const { return m_removed; }
 
     TouchedSlots touchedSince(const Mark& mark) const;
     /// Images since the mark: of an element touched several times since, the first is its state at the mark.
@@ -205,6 +209,7 @@ private:
     std::uint32_t m_keptEpoch = 0; ///< a commit forgets images of what was touched since: the stroke's epoch, or that of remember()
     bool m_strokeOpen = false;
     MeshDelta m_journal;
+    std::vector<Slot> m_removed; ///< see removedVertices()
     std::uint64_t m_meshHash = 0;
 };
 } // namespace core

@@ -41,6 +41,7 @@ void Mesh::beginStroke()
     m_strokeOpen = true;
     m_strokeEpoch = m_keptEpoch = ++m_epoch;
     m_journal = {};
+    m_removed.clear();
     m_journal.counts = slots();
     m_journal.meshHash = m_meshHash;
     m_journal.frame = m_frame;
@@ -59,7 +60,7 @@ Mesh::Mark Mesh::mark()
 {
     assert(m_strokeOpen);
     ++m_epoch;
-    return {m_journal.vertices.size(), m_journal.edges.size(), m_journal.faces.size(), slots(), m_epoch, m_frame};
+    return {m_journal.vertices.size(), m_journal.edges.size(), m_journal.faces.size(), slots(), m_epoch, m_frame, m_removed.size()};
 }
 
 void Mesh::rollback(const Mark& mark)
@@ -77,6 +78,7 @@ void Mesh::rollback(const Mark& mark)
     undo(m_journal.faces, mark.faces, m_faceStamp);
     resize(mark.counts);
     m_frame = mark.frame;
+    m_removed.resize(mark.removed);
     ++m_epoch;
 }
 
