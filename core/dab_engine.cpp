@@ -151,7 +151,7 @@ void DabEngine::sculpt(const StrokeSettings& settings, Dab dab, const std::funct
     if (settings.tool == Tool::Layer && report.asked > 0)
         noteRaised(report.reached / report.asked);
     if (holdsOn(settings.tool) && !m_region.empty())
-        m_hold = {true, m_mirror.isOn(), m_hold.axis, m_mesh.removedVertices().size()};
+        m_hold = {true, m_mirror.isOn(), m_hold.axis, m_hold.detail, m_mesh.removedVertices().size()};
 }
 
 /// In sub-steps, until the plan is done or no more can be.
@@ -190,9 +190,10 @@ void DabEngine::deform(Task& task, const std::function<void()>& between, DabRepo
 EdgeBounds DabEngine::boundsFor(const StrokeSettings& settings, const Dab& dab) const
 {
     const double uniform = settings.detailLength > 0 ? settings.detailLength : m_mesh.uniformDetail();
-    const EdgeBounds bounds =
-        settings.topology == Topology::Uniform ? edgeBounds(uniform) : edgeBounds(dab.radius, detailShare(settings) * settings.detail);
-    return edgeBounds(std::max(bounds.detail, m_mesh.lattice().minDetail()));
+    double detail = settings.topology == Topology::Uniform ? uniform : edgeBounds(dab.radius, detailShare(settings) * settings.detail).detail;
+    if (holdsOn(settings.tool) && settings.topology == Topology::Adaptive && m_hold.detail > 0)
+        detail = std::min(detail, m_hold.detail);
+    return edgeBounds(std::max(detail, m_mesh.lattice().minDetail()));
 }
 
 DabEngine::Substep DabEngine::substep(Task& task, DabReport& report)

@@ -65,6 +65,7 @@ private:
         bool isOn = false;
         bool isMirrored = false; ///< m_region is the half that stands for both
         Vec3 axis = Vec3::Zero(); ///< the mean normal when it was taken
+        double detail = 0;        ///< the d_detail that keeps it as fine as it was then
         std::size_t known = 0;    ///< so many of Mesh::removedVertices() are no longer in its region
     };
 
@@ -130,6 +131,7 @@ private:
     void take(const StrokeSettings& settings, const Sphere& ball);
     bool takeMirrored(const StrokeSettings& settings, const Sphere& ball);
     bool takeHeld();
+    double meanEdge(const Region& region) const;
     void swapHolds(Tool tool);
     Sphere ballAround(const Dab& dab) const;
     void selectBothSides(const Task& task);

@@ -36,7 +36,23 @@ void DabEngine::take(const StrokeSettings& settings, const Sphere& ball)
     }
     select(m_region, m_candidates, settings.brush, ball);
     if (holdsOn(settings.tool))
-        m_hold.axis = meanNormal(m_region, m_mesh);
+        m_hold = {false, false, meanNormal(m_region, m_mesh), detailPerMeanEdge * meanEdge(m_region)};
+}
+
+/// Of the edges within the region; 0 if it has none.
+double DabEngine::meanEdge(const Region& region) const
+{
+    double sum = 0;
+    int n = 0;
+    region.forEach([&](Slot v) {
+        m_mesh.forEachOutgoing(v, [&](Slot h) {
+            if (const Slot other = m_mesh.to(h); other > v && region.contains(other)) {
+                sum += (m_mesh.point(other) - m_mesh.point(v)).cast<double>().norm();
+                ++n;
+            }
+        });
+    });
+    return n > 0 ? sum / n : 0;
 }
 
 /// The same of the half, if the model is symmetric there. What was held as a half and is symmetric no more stays one.

@@ -200,8 +200,8 @@ void DabEngine::holdApart(const Orbit& orbit, std::size_t from)
             continue;
         const Turn turn = turnIn(orbit, sector), back = {turn.cosine, -turn.sine};
         const std::size_t known = m_mesh.removedVertices().size();
-        own.hold = {true, false, turn * orbit.hold.axis, known};
-        own.imageHold = {orbit.imageHold.isOn, false, back * orbit.imageHold.axis, known};
+        own.hold = {true, false, turn * orbit.hold.axis, orbit.hold.detail, known};
+        own.imageHold = {orbit.imageHold.isOn, false, back * orbit.imageHold.axis, orbit.imageHold.detail, known};
         takeImages(own.region, orbit.held, turn);
         takeImages(own.imageRegion, orbit.heldImage, back);
     }
@@ -228,7 +228,7 @@ void DabEngine::noteHeld(Orbit& orbit)
             orbit.heldImage.push_back({here, m_region.carried(v)});
         }
     });
-    orbit.imageHold = {true, false, m_mirror.imageOf(m_hold.axis), m_hold.known};
+    orbit.imageHold = {true, false, m_mirror.imageOf(m_hold.axis), m_hold.detail, m_hold.known};
     if (m_mirror.folded(dab.position) != dab.position) { // the half is the image's
         std::swap(orbit.held, orbit.heldImage);
         std::swap(orbit.hold, orbit.imageHold);

@@ -11,8 +11,6 @@ namespace core
 namespace
 {
 constexpr Slot leastReserve = 1u << 18;
-/// The uniform d_detail (Botsch and Kobbelt 2004).
-constexpr double detailPerMeanEdge = 4.0 / 3;
 } // namespace
 
 // --- building --------------------------------------------------------------------------------------------------------------

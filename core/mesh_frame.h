@@ -4,6 +4,9 @@
 
 namespace core
 {
+/// The d_detail of a mesh that is to stay as fine as it is, in terms of its mean edge (Botsch and Kobbelt 2004).
+inline constexpr double detailPerMeanEdge = 4.0 / 3;
+
 /// What a mesh keeps as a whole.
 struct MeshFrame
 {
