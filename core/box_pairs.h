@@ -1,30 +1,35 @@
 #pragma once
 
 #include "face_octree.h"
+#include "parallel.h"
 
 #include <algorithm>
 #include <functional>
 
 namespace core
 {
-/// Calls visit(i, j), i < j, once for every two boxes that meet and of which the first is one of the first `first`.
+/// Every two boxes that meet and of which one is one of the first `first`, once.
 /// Few against all: each with each. Else a sweep along the longest axis of all inside strips along the second longest:
 /// O(n log n + pairs) for boxes most of which are of similar size.
 class BoxPairs
 {
 public:
+    using Pair = std::pair<Slot, Slot>;
+
     explicit BoxPairs(std::span<const LatticeBox> boxes, Slot first) : m_boxes(boxes), m_first(first) {}
 
-    template <class Visit> void forEach(Visit visit) const
+    /// The pairs (i, j), i < j, of boxes that meet, the first among the first `first`, for which isWanted(i, j) holds. On all cores, in the
+    /// same order on any number of them.
+    template <class Test> std::vector<Pair> those(Test isWanted) const
     {
         if (static_cast<std::size_t>(m_first) * m_boxes.size() <= fewPairs)
-            eachWithEach(visit);
-        else
-            sweep(visit);
+            return eachWithEach(isWanted);
+        return sweep(isWanted);
     }
 
 private:
     static constexpr std::size_t fewPairs = 1u << 12;
+    static constexpr std::size_t entriesPerChunk = 1024; ///< that a core takes at a time
 
     /// A box in one of its strips, with all that the sweep asks about at hand.
     struct Entry
@@ -34,34 +39,39 @@ private:
         std::array<int, 3> min, max; ///< along the sweep, across the strips, and the third way
     };
 
-    template <class Visit> void eachWithEach(Visit visit) const
+    template <class Test> std::vector<Pair> eachWithEach(Test isWanted) const
     {
+        std::vector<Pair> pairs;
         for (Slot i = 0; i < m_first; ++i) {
             for (Slot j = i + 1; j < m_boxes.size(); ++j) {
-                if (m_boxes[i].meets(m_boxes[j]))
-                    visit(i, j);
+                if (m_boxes[i].meets(m_boxes[j]) && isWanted(i, j))
+                    pairs.emplace_back(i, j);
             }
         }
+        return pairs;
     }
 
-    template <class Visit> void sweep(Visit visit) const
+    template <class Test> std::vector<Pair> sweep(Test isWanted) const
     {
         const std::array<int, 3> axes = axesByExtent();
         const int height = stripHeight(axes[1]);
         const std::vector<Entry> entries = sortedEntries(axes, height);
-        for (std::size_t a = 0; a < entries.size(); ++a) {
-            const Entry& s = entries[a];
-            for (std::size_t b = a + 1; b < entries.size(); ++b) {
-                const Entry& t = entries[b];
-                if (t.strip != s.strip || t.min[0] > s.max[0])
-                    break;
-                const bool meet = (t.min[1] <= s.max[1]) & (s.min[1] <= t.max[1]) & (t.min[2] <= s.max[2]) &
-                                  (s.min[2] <= t.max[2]) & (std::min(s.box, t.box) < m_first);
-                // Of the strips that both lie in, only the first reports the pair.
-                if (meet && stripOf(std::max(s.min[1], t.min[1]), height) == s.strip)
-                    visit(std::min(s.box, t.box), std::max(s.box, t.box));
+        return joinChunks<std::vector<Pair>>(entries.size(), entriesPerChunk, [&](std::size_t begin, std::size_t end, std::vector<Pair>& pairs) {
+            for (std::size_t a = begin; a < end; ++a) {
+                const Entry& s = entries[a];
+                for (std::size_t b = a + 1; b < entries.size(); ++b) {
+                    const Entry& t = entries[b];
+                    if (t.strip != s.strip || t.min[0] > s.max[0])
+                        break;
+                    const bool meet = (t.min[1] <= s.max[1]) & (s.min[1] <= t.max[1]) & (t.min[2] <= s.max[2]) &
+                                      (s.min[2] <= t.max[2]) & (std::min(s.box, t.box) < m_first);
+                    // Of the strips that both lie in, only the first reports the pair.
+                    if (meet && stripOf(std::max(s.min[1], t.min[1]), height) == s.strip &&
+                        isWanted(std::min(s.box, t.box), std::max(s.box, t.box)))
+                        pairs.emplace_back(std::min(s.box, t.box), std::max(s.box, t.box));
+                }
             }
-        }
+        });
     }
 
     static int stripOf(int y, int height) { return (y + Lattice::limit) / height; }

@@ -24,12 +24,12 @@ constexpr int mostSparingRounds = 16;
 bool DabEngine::easeMotion(Task& task, DabReport& report)
 {
     if (task.steps == 0 && !refineAtOnce(task, report)) {
-        task.meets = true;
+        meet(task);
         return false;
     }
     if (shortenStep(task))
         return true;
-    task.meets = true;
+    meet(task);
     if (join(task, report))
         return true;
     report.contact = report.contact || m_fuser.isContact(m_surface, m_region, task.approach(), task.settings.fusion, m_badVertices);
@@ -72,7 +72,7 @@ DabEngine::Substep DabEngine::careful(Task& task, DabReport& report)
 {
     if (task.steps == 0) {
         count(refineAndPlan(task, judgedEditor(), report));
-        task.meets = true;
+        meet(task);
     }
     task.most = ticksPerStep; // what is held back stays, and the mesh between that and what moves has to follow
     task.ticks = std::min(task.most, task.left);
@@ -154,31 +154,50 @@ std::vector<Slot> DabEngine::namedAround(std::span<const Slot> faces)
     return named;
 }
 
-/// Moves what can be moved without touching anything. Ends: a round without progress holds something back for good.
+/// Moves what can be moved without touching anything. Ends: a round without progress holds something back for good. What a round has changed
+/// is looked at first, and all only when that is in order.
 bool DabEngine::moveHeldBack(double part, DabReport& report)
 {
     m_held.extend(m_region, m_mesh);
+    std::vector<Slot> shortened;
     for (int round = 0; round < mostHoldRounds; ++round) {
         const double share = shareOfPeak();
         if (share == 0)
             return false;
-        m_moves += carefulMove * m_region.size();
+        m_moves += m_region.size();
         const Mesh::Mark mark = m_mesh.mark();
         bool inside = false;
         {
             const PhaseTimer timer(report.deformMs);
             inside = displace(part);
         }
-        if (inside && m_surface.judge(mark)) {
-            report.reached += share * part * report.asked;
-            return true;
+        if (inside && (round == 0 || m_surface.mayBeSound(withImages(shortened)))) {
+            m_moves += carefulMove * m_region.size();
+            if (m_surface.judge(mark)) {
+                report.reached += share * part * report.asked;
+                return true;
+            }
         }
         m_mesh.rollback(mark);
         report.wall = !inside;
-        if (!inside || !m_held.shorten(m_region, m_mesh, m_surface.badFaces(), 1 + round / roundsPerRing))
+        if (!inside)
+            return false;
+        shortened = m_held.shorten(m_region, m_mesh, m_surface.badFaces(), 1 + round / roundsPerRing);
+        if (shortened.empty())
             return false;
     }
     return false;
+}
+
+std::vector<Slot> DabEngine::withImages(std::vector<Slot> vertices)
+{
+    if (!m_mirror.isOn())
+        return vertices;
+    for (std::size_t i = 0, n = vertices.size(); i < n; ++i) {
+        if (const Slot image = m_mirror.imageOf(vertices[i]); image != noSlot && image != vertices[i])
+            vertices.push_back(image);
+    }
+    return vertices;
 }
 
 /// Of the longest displacement planned, the share that the motion, held back as it is, reaches. What is no longer there, being

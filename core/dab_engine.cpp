@@ -55,10 +55,11 @@ double detailShare(const StrokeSettings& settings)
         return alphaDetail;
     return drawsLine(settings.tool) ? lineDetail : 1;
 }
-/// Even where surfaces face each other, as long as none stops it: a line's two sides and an imprint's walls do, and seldom meet.
+/// Even where surfaces face each other, as long as none stops it: a line's two sides, an imprint's walls and the sides of what is in the hand
+/// do, and seldom meet.
 bool takesLongSteps(Tool tool)
 {
-    return drawsLine(tool) || tool == Tool::Stamp;
+    return drawsLine(tool) || tool == Tool::Stamp || followsHand(tool);
 }
 bool isAtRest(const StrokeSettings& settings, const Dab& dab)
 {
@@ -139,12 +140,12 @@ void DabEngine::sculpt(const StrokeSettings& settings, Dab dab, const std::funct
     m_capped = false;
     dab.axis = m_hold.axis;
     Task task = {settings, dab, ballAround(dab), boundsFor(settings, dab)};
-    m_bounds = task.bounds;
     {
         const PhaseTimer timer(report.fuseMs);
         task.meets = facesMeet(settings, task.ball);
     }
     deform(task, between, report);
+    m_bounds = task.bounds;
     if (report.asked > 0)
         report.reached = m_unfolding.shareLeft(m_region, report.reached / report.asked) * report.asked;
     report.touchedVertices = touchedVertices();
@@ -190,10 +191,23 @@ void DabEngine::deform(Task& task, const std::function<void()>& between, DabRepo
 EdgeBounds DabEngine::boundsFor(const StrokeSettings& settings, const Dab& dab) const
 {
     const double uniform = settings.detailLength > 0 ? settings.detailLength : m_mesh.uniformDetail();
-    double detail = settings.topology == Topology::Uniform ? uniform : edgeBounds(dab.radius, detailShare(settings) * settings.detail).detail;
-    if (holdsOn(settings.tool) && settings.topology == Topology::Adaptive && m_hold.detail > 0)
-        detail = std::min(detail, m_hold.detail);
-    return edgeBounds(std::max(detail, m_mesh.lattice().minDetail()));
+    const EdgeBounds bounds =
+        settings.topology == Topology::Uniform ? edgeBounds(uniform) : edgeBounds(dab.radius, detailShare(settings) * settings.detail);
+    return edgeBounds(std::max(bounds.detail, m_mesh.lattice().minDetail()));
+}
+
+/// What is in the hand stays as fine as it was, until it meets something: fine meshes that are pressed together only crumple.
+EdgeBounds DabEngine::boundsInHand(const StrokeSettings& settings, const EdgeBounds& bounds) const
+{
+    if (!holdsOn(settings.tool) || settings.topology == Topology::Uniform || !(m_hold.detail > 0))
+        return bounds;
+    return edgeBounds(std::clamp(m_hold.detail, m_mesh.lattice().minDetail(), bounds.detail));
+}
+
+void DabEngine::meet(Task& task) const
+{
+    task.meets = true;
+    task.bounds = boundsFor(task.settings, task.dab);
 }
 
 DabEngine::Substep DabEngine::substep(Task& task, DabReport& report)
@@ -240,8 +254,10 @@ RemeshCounts DabEngine::refineAndPlan(Task& task, MeshEditor edit, DabReport& re
     report.asked = plan(task);
     if (task.meets && takesLongSteps(task.settings.tool)) {
         const PhaseTimer fuseTimer(report.fuseMs);
-        task.meets = m_fuser.willMeet(m_surface, m_region, task.bounds);
+        task.meets = m_fuser.willMeet(m_surface, m_region, boundsInHand(task.settings, task.bounds));
     }
+    if (!task.meets)
+        task.bounds = boundsInHand(task.settings, task.bounds);
     task.steps = std::max(1.0, std::ceil(report.asked / (movePerMinimum * task.bounds.minimum)));
     m_capped = task.steps > mostSteps;
     task.left = ticksPerStep * static_cast<unsigned>(std::min(task.steps, mostSteps));

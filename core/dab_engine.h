@@ -57,7 +57,7 @@ private:
     /// A step that fails is halved so often that it does one of these; after one that passes the next is twice as long.
     static constexpr unsigned ticksPerStep = 8;
     static constexpr unsigned mostEased = 6, mostEasings = 12; ///< of a sub-step; of a dab, which then holds back what is in the way
-    static constexpr unsigned carefulMove = 16; ///< moves that a vertex's counts for with care
+    static constexpr unsigned carefulMove = 16; ///< moves that a vertex's counts for where it is judged with care
 
     /// What a tool that holds on has taken hold of: from then on m_region is not selected, but kept.
     struct Hold
@@ -152,6 +152,8 @@ private:
     void colour(Slot v, Rgb color, double share);
     void mask(Slot v, double change);
     EdgeBounds boundsFor(const StrokeSettings& settings, const Dab& dab) const;
+    EdgeBounds boundsInHand(const StrokeSettings& settings, const EdgeBounds& bounds) const;
+    void meet(Task& task) const;
     Substep substep(Task& task, DabReport& report);
     Substep straight(Task& task, DabReport& report);
     Substep careful(Task& task, DabReport& report);
@@ -165,6 +167,7 @@ private:
     bool optimiseAtOnce(Task& task, DabReport& report);
     std::vector<Slot> namedAround(std::span<const Slot> faces);
     bool moveHeldBack(double part, DabReport& report);
+    std::vector<Slot> withImages(std::vector<Slot> vertices);
     bool displace(double part);
     double shareOfPeak() const;
     bool facesMeet(const StrokeSettings& settings, const Sphere& ball);

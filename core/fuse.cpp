@@ -150,27 +150,43 @@ std::uint64_t Fuser::joinNear(JudgedMesh& surface, Region& region, const EdgeBou
         const Vec3 middle = 0.5 * (pointOf(mesh, near.p) + pointOf(mesh, near.q));
         if (near.isolated && isBesideTube(middle, bounds.detail))
             continue;
-        const std::optional<Surgery> surgery = joining(surface, near);
+        if (!joinPair(surface, region, near, bounds))
+            continue;
+        ++joined;
+        if (near.isolated)
+            m_tubes.push_back(middle);
+    }
+    return joined;
+}
+
+/// Evenly, or else by what lies nearest. What is around is done with for this pass.
+bool Fuser::joinPair(JudgedMesh& surface, Region& region, const Near& near, const EdgeBounds& bounds)
+{
+    const Mesh& mesh = surface.mesh();
+    bool hasFailed = false;
+    for (Stepping stepping : {Stepping::Even, Stepping::Nearest}) {
+        const std::optional<Surgery> surgery = joining(surface, near, stepping);
         if (!surgery)
             continue;
         const std::vector<Slot> around = cornersOf(mesh, surgery->removed);
         const std::optional<std::vector<Slot>> created = operate(surface, region, *surgery);
         if (!created) {
-            countFailure(near.p);
-            countFailure(near.q);
+            hasFailed = true;
             continue;
         }
         if (!created->empty()) // umbrellas came apart: some may be specks
             removeSpecks(surface, region, cornersLeft(mesh, around, *created), bounds);
-        ++joined;
-        if (near.isolated)
-            m_tubes.push_back(middle);
         for (Slot v : around)
             m_done.add(v);
         for (Slot v : *created)
             m_done.add(v);
+        return true;
     }
-    return joined;
+    if (hasFailed) {
+        countFailure(near.p);
+        countFailure(near.q);
+    }
+    return false;
 }
 
 bool Fuser::isBesideTube(const Vec3& middle, double detail) const
@@ -180,11 +196,11 @@ bool Fuser::isBesideTube(const Vec3& middle, double detail) const
                                [&](const Vec3& tube) { return (tube - middle).squaredNorm() < beside * beside; });
 }
 
-std::optional<Surgery> Fuser::joining(const JudgedMesh& surface, const Near& near)
+std::optional<Surgery> Fuser::joining(const JudgedMesh& surface, const Near& near, Stepping stepping)
 {
     const Mesh& mesh = surface.mesh();
     if (!m_mirror)
-        return joinStars(mesh, near.p, near.q);
+        return joinStars(mesh, near.p, near.q, stepping);
     const bool pOnPlane = m_mirror->isOnPlane(near.p), qOnPlane = m_mirror->isOnPlane(near.q);
     if (!m_mirror->isInHalf(near.p) || !m_mirror->isInHalf(near.q))
         return completed(surface, joinAcross(mesh, *m_mirror, m_mirror->isInHalf(near.p) ? near.p : near.q));
@@ -192,7 +208,7 @@ std::optional<Surgery> Fuser::joining(const JudgedMesh& surface, const Near& nea
         return completed(surface, joinOnPlane(mesh, *m_mirror, near.p, near.q));
     if (pOnPlane || qOnPlane)
         return std::nullopt; // with the image three stars; a neighbour on the plane is near, too
-    return completed(surface, joinStars(mesh, near.p, near.q));
+    return completed(surface, joinStars(mesh, near.p, near.q, stepping));
 }
 
 /// With a mirror: together with its image.

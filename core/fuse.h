@@ -1,6 +1,7 @@
 #pragma once
 
 #include "held_back.h"
+#include "ring_zip.h"
 #include "judged_mesh.h"
 #include "mirror_map.h"
 #include "remesh.h"
@@ -86,7 +87,8 @@ private:
     bool willJoin(Slot i, Slot j, const Mesh& mesh, const Region& region, const HeldBack& held, const Approach& approach);
     bool isNamed(Slot v, Slot other);
     void keepToSeams(const Mesh& mesh);
-    std::optional<Surgery> joining(const JudgedMesh& surface, const Near& near);
+    bool joinPair(JudgedMesh& surface, Region& region, const Near& near, const EdgeBounds& bounds);
+    std::optional<Surgery> joining(const JudgedMesh& surface, const Near& near, Stepping stepping);
     std::optional<Surgery> completed(const JudgedMesh& surface, const std::optional<Surgery>& half);
     std::uint64_t joinNear(JudgedMesh& surface, Region& region, const EdgeBounds& bounds);
     bool isBesideTube(const Vec3& middle, double detail) const;

@@ -26,19 +26,19 @@ void HeldBack::extend(const Region& region, const Mesh& mesh)
     }
 }
 
-bool HeldBack::shorten(Region& region, const Mesh& mesh, const std::vector<Slot>& badFaces, int rings)
+std::vector<Slot> HeldBack::shorten(Region& region, const Mesh& mesh, const std::vector<Slot>& badFaces, int rings)
 {
     std::vector<Slot> around;
     for (Slot f : badFaces)
         around.insert(around.end(), mesh.corners(f).begin(), mesh.corners(f).end());
     for (int ring = 0; ring < rings; ++ring)
         around = withNeighbours(region, mesh, around);
-    bool any = false;
-    for (Slot v : around) {
+    std::erase_if(around, [&](Slot v) {
         double& share = m_share[region.position(v)];
-        any = any || share > 0;
-        share = share == 1 ? shortenedOnce : 0;
-    }
-    return any;
+        const double before = share;
+        share = before == 1 ? shortenedOnce : 0;
+        return before == 0;
+    });
+    return around;
 }
 } // namespace core

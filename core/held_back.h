@@ -24,9 +24,9 @@ public:
 
     /// Vertices that joined the region since are held back as far as their neighbours are.
     void extend(const Region& region, const Mesh& mesh);
-    /// Shortens the motion of the region's vertices at the bad faces and in `rings` > 0 rings around them: 1 -> 1/4 -> 0. False if none of
-    /// them can be held back further.
-    bool shorten(Region& region, const Mesh& mesh, const std::vector<Slot>& badFaces, int rings);
+    /// Shortens the motion of the region's vertices at the bad faces and in `rings` > 0 rings around them: 1 -> 1/4 -> 0. Those that could be
+    /// held back further.
+    std::vector<Slot> shorten(Region& region, const Mesh& mesh, const std::vector<Slot>& badFaces, int rings);
 
 private:
     std::vector<double> m_share; ///< by position in the region; empty: all of it

@@ -2,14 +2,13 @@
 // implementations and El Topo's merging, Brochu and Bridson 2009):
 //   1. rings:      of p counter-clockwise, of q clockwise, seen from outside: they then run the same way
 //   2. arcs:       between successive common vertices, or both rings whole, started where they lie nearest
-//   3. zip:        each pair of arcs becomes a strip of triangles by Bresenham's error diffusion
+//   3. zip:        each pair of arcs becomes a strip of triangles, evenly by Bresenham's error diffusion or by what lies nearest
 //   4. umbrellas:  a vertex that is left with several gets a copy for each further one
 
 #include "join.h"
 
-#include "ring_zip.h"
-
 #include <algorithm>
+#include <limits>
 
 namespace core
 {
@@ -36,7 +35,7 @@ bool has(const Ring& ring, Slot v)
 }
 
 /// Turns b so that its vertices lie nearest to those of a at the same share of the way round.
-void alignNearest(const Mesh& mesh, const Ring& a, Ring& b)
+void alignEvenly(const Mesh& mesh, const Ring& a, Ring& b)
 {
     const auto cost = [&](std::size_t start) {
         double sum = 0;
@@ -58,6 +57,30 @@ void alignNearest(const Mesh& mesh, const Ring& a, Ring& b)
     std::ranges::rotate(b, b.begin() + static_cast<std::ptrdiff_t>(best));
 }
 
+/// Turns both so that they start where they lie nearest to each other.
+void alignAtNearest(const Mesh& mesh, Ring& a, Ring& b)
+{
+    std::size_t bestA = 0, bestB = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const double here = (mesh.point(a[i]).cast<double>() - mesh.point(b[j]).cast<double>()).squaredNorm();
+            if (here < least) {
+                least = here;
+                bestA = i;
+                bestB = j;
+            }
+        }
+    }
+    std::ranges::rotate(a, a.begin() + static_cast<std::ptrdiff_t>(bestA));
+    std::ranges::rotate(b, b.begin() + static_cast<std::ptrdiff_t>(bestB));
+}
+
+Zip zipOf(const Mesh& mesh, Stepping stepping, const Ring& a, const Ring& b, std::vector<Triangle>& faces)
+{
+    return stepping == Stepping::Nearest ? Zip(a, b, faces, mesh) : Zip(a, b, faces);
+}
+
 std::vector<std::size_t> commonPositions(const Ring& ring, const Ring& other)
 {
     std::vector<std::size_t> positions;
@@ -69,7 +92,7 @@ std::vector<std::size_t> commonPositions(const Ring& ring, const Ring& other)
 }
 
 /// The strip between two rings with common vertices. False if these do not follow each other in the same order.
-bool zipArcs(const Ring& a, Ring b, std::vector<Triangle>& faces)
+bool zipArcs(const Mesh& mesh, Stepping stepping, const Ring& a, Ring b, std::vector<Triangle>& faces)
 {
     const std::vector<std::size_t> inA = commonPositions(a, b);
     std::ranges::rotate(b, std::ranges::find(b, a[inA[0]]));
@@ -80,17 +103,21 @@ bool zipArcs(const Ring& a, Ring b, std::vector<Triangle>& faces)
     }
     for (std::size_t k = 0; k < inA.size(); ++k) {
         const std::size_t next = (k + 1) % inA.size();
-        Zip(arc(a, inA[k], inA[next]), arc(b, inB[k], inB[next]), faces).betweenCommonEnds();
+        const Ring arcA = arc(a, inA[k], inA[next]), arcB = arc(b, inB[k], inB[next]);
+        zipOf(mesh, stepping, arcA, arcB, faces).betweenCommonEnds();
     }
     return true;
 }
 
-void zipWhole(const Mesh& mesh, Ring a, Ring b, std::vector<Triangle>& faces)
+void zipWhole(const Mesh& mesh, Stepping stepping, Ring a, Ring b, std::vector<Triangle>& faces)
 {
-    alignNearest(mesh, a, b);
+    if (stepping == Stepping::Nearest)
+        alignAtNearest(mesh, a, b);
+    else
+        alignEvenly(mesh, a, b);
     a.push_back(a.front());
     b.push_back(b.front());
-    Zip(a, b, faces).open();
+    zipOf(mesh, stepping, a, b, faces).open();
 }
 
 std::optional<Surgery> ifOk(const Mesh& mesh, Surgery surgery)
@@ -99,7 +126,7 @@ std::optional<Surgery> ifOk(const Mesh& mesh, Surgery surgery)
 }
 } // namespace
 
-std::optional<Surgery> joinStars(const Mesh& mesh, Slot p, Slot q)
+std::optional<Surgery> joinStars(const Mesh& mesh, Slot p, Slot q, Stepping stepping)
 {
     const Ring a = ringOf(mesh, p);
     Ring b = ringOf(mesh, q);
@@ -111,8 +138,8 @@ std::optional<Surgery> joinStars(const Mesh& mesh, Slot p, Slot q)
     addStar(mesh, p, surgery.removed);
     addStar(mesh, q, surgery.removed);
     if (commonPositions(a, b).empty())
-        zipWhole(mesh, a, b, surgery.faces);
-    else if (!zipArcs(a, b, surgery.faces))
+        zipWhole(mesh, stepping, a, b, surgery.faces);
+    else if (!zipArcs(mesh, stepping, a, b, surgery.faces))
         return std::nullopt;
     if (surgery.faces.empty())
         return std::nullopt; // the two stars were all there was

@@ -18,6 +18,18 @@ bool JudgedMesh::judge(const Mesh::Mark& mark)
     return true;
 }
 
+bool JudgedMesh::mayBeSound(std::span<const Slot> vertices)
+{
+    const PhaseTimer timer(m_verifyMs);
+    if (!m_verification)
+        return true;
+    std::vector<Slot> bad = m_verifier.recheck(m_mesh, vertices);
+    if (bad.empty())
+        return true;
+    m_badFaces = std::move(bad);
+    return false;
+}
+
 bool JudgedMesh::isSound(const TouchedSlots& touched)
 {
     if (!m_verification) {

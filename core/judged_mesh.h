@@ -24,11 +24,14 @@ public:
 
     /// Judges what changed since the mark: true commits it, false leaves it to be rolled back, and badFaces() tells why.
     bool judge(const Mesh::Mark& mark);
+    /// After a change that judge() found fault with: whether it may be sound now that these vertices go less far (Verifier::recheck). It is
+    /// still to be judged. If not, badFaces() tells why.
+    bool mayBeSound(std::span<const Slot> vertices);
     /// Judges for nothing, to be ready for the first time that counts.
     void rehearse(const Mesh::Mark& mark) { m_verifier.verify(m_mesh, m_octree, m_mesh.touchedSince(mark)); }
     /// Runs the operation, and takes it back unless it is sound.
     bool attempt(const std::function<void()>& operation);
-    /// Of the last judge() that found fault.
+    /// Of the last judge() or mayBeSound() that found fault.
     const std::vector<Slot>& badFaces() const { return m_badFaces; }
 
     /// Commits what moved nothing, as painting does.

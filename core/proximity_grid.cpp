@@ -4,12 +4,12 @@
 
 namespace core
 {
-ProximityGrid::ProximityGrid(const std::vector<Vec3>& points, double reach) : m_perReach(1 / reach)
+ProximityGrid::ProximityGrid(const std::vector<Vec3>& points, double reach) : m_perCell(1 / (2 * reach))
 {
     m_buckets.assign(std::bit_ceil(2 * points.size() + 1), noSlot);
     m_entries.reserve(points.size());
     for (const Vec3& p : points) {
-        const Cell cell = cellOf(p);
+        const Cell cell = cellAt(m_perCell * p.array());
         Slot& bucket = m_buckets[bucketOf(cell)];
         m_entries.push_back({cell, bucket});
         bucket = static_cast<Slot>(m_entries.size() - 1);

@@ -13,13 +13,13 @@ public:
     /// `reach` > 0: the largest distance that can be asked about.
     ProximityGrid(const std::vector<Vec3>& points, double reach);
 
-    /// Calls visit(i) for every point in the 27 cells around p: all within reach, and some more. In no useful order.
+    /// Calls visit(i) for every point in the eight cells nearest to p: all within reach, and some more. In no useful order.
     template <class Visit> void forEachNear(const Vec3& p, Visit visit) const
     {
-        const Cell center = cellOf(p);
-        for (std::int64_t z = center.z() - 1; z <= center.z() + 1; ++z) {
-            for (std::int64_t y = center.y() - 1; y <= center.y() + 1; ++y) {
-                for (std::int64_t x = center.x() - 1; x <= center.x() + 1; ++x)
+        const Cell first = cellAt(m_perCell * p.array() - 0.5);
+        for (std::int64_t z = first.z(); z <= first.z() + 1; ++z) {
+            for (std::int64_t y = first.y(); y <= first.y() + 1; ++y) {
+                for (std::int64_t x = first.x(); x <= first.x() + 1; ++x)
                     visitCell({x, y, z}, visit);
             }
         }
@@ -33,10 +33,7 @@ private:
         Slot next;
     };
 
-    Cell cellOf(const Vec3& p) const
-    {
-        return (p.array() * m_perReach).floor().cast<std::int64_t>().matrix();
-    }
+    static Cell cellAt(const Eigen::Array3d& place) { return place.floor().cast<std::int64_t>().matrix(); }
     std::size_t bucketOf(const Cell& cell) const;
     template <class Visit> void visitCell(const Cell& cell, Visit& visit) const
     {
@@ -46,7 +43,7 @@ private:
         }
     }
 
-    double m_perReach;
+    double m_perCell; ///< a cell is two reaches long
     std::vector<Slot> m_buckets; ///< a power of two
     std::vector<Entry> m_entries;
 };

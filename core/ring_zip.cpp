@@ -25,17 +25,18 @@ void Zip::betweenCommonEnds()
             m_faces.push_back({m_a[i], m_a[i + 1], m_a[0]});
     } else {
         m_faces.push_back({m_a[0], m_a[1], m_b[1]});
-        diffuse(1, 1, n - 1, m - 1);
+        step(1, 1, n - 1, m - 1);
         m_faces.push_back({m_a[n - 1], m_a[n], m_b[m - 1]});
     }
 }
 
-/// From (i, j) to (n, m): the side that has come less far, as a share of its length, goes on.
-void Zip::diffuse(std::size_t i, std::size_t j, std::size_t n, std::size_t m)
+/// From (i, j) to (n, m). Evenly, the side goes on that has come less far, as a share of its length.
+void Zip::step(std::size_t i, std::size_t j, std::size_t n, std::size_t m)
 {
     const std::size_t i0 = i, j0 = j;
+    const auto aGoesOn = [&] { return m_mesh ? isNearer(i, j) : (i + 1 - i0) * (m - j0) <= (j + 1 - j0) * (n - i0); };
     while (i < n || j < m) {
-        if (j == m || (i < n && (i + 1 - i0) * (m - j0) <= (j + 1 - j0) * (n - i0))) {
+        if (j == m || (i < n && aGoesOn())) {
             m_faces.push_back({m_a[i], m_a[i + 1], m_b[j]});
             ++i;
         } else {
@@ -43,5 +44,12 @@ void Zip::diffuse(std::size_t i, std::size_t j, std::size_t n, std::size_t m)
             ++j;
         }
     }
+}
+
+/// a's next vertex to where b is, than b's next to where a is.
+bool Zip::isNearer(std::size_t i, std::size_t j) const
+{
+    const auto distance2 = [&](Slot v, Slot w) { return (m_mesh->point(v).cast<double>() - m_mesh->point(w).cast<double>()).squaredNorm(); };
+    return distance2(m_a[i + 1], m_b[j]) <= distance2(m_b[j + 1], m_a[i]);
 }
 } // namespace core

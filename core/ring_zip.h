@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry.h"
+#include "mesh.h"
 
 #include <vector>
 
@@ -12,21 +12,31 @@ using Ring = std::vector<Slot>;
 /// From ring[first] to ring[last], around the end if need be; the whole ring if they are the same.
 Ring arc(const Ring& ring, std::size_t first, std::size_t last);
 
-/// Connects two polylines that run the same way by a strip of triangles, in Bresenham's error diffusion (paper, section 3.4,
-/// Figure 13). With common ends the first and the last triangle close the gap there.
+/// In which order a strip goes on along its two sides.
+enum class Stepping {
+    Even,   ///< Bresenham's error diffusion (paper, section 3.4, Figure 13)
+    Nearest ///< by the shorter of the two edges across (Christiansen and Sederberg 1978): for sides that lie close, with uneven edges
+};
+
+/// Connects two polylines that run the same way by a strip of triangles. With common ends the first and the last triangle close the
+/// gap there.
 class Zip
 {
 public:
     Zip(const Ring& a, const Ring& b, std::vector<Triangle>& faces) : m_a(a), m_b(b), m_faces(faces) {}
+    /// Stepping::Nearest, by where the mesh has the vertices.
+    Zip(const Ring& a, const Ring& b, std::vector<Triangle>& faces, const Mesh& mesh) : m_a(a), m_b(b), m_faces(faces), m_mesh(&mesh) {}
 
-    void open() { diffuse(0, 0, m_a.size() - 1, m_b.size() - 1); }
+    void open() { step(0, 0, m_a.size() - 1, m_b.size() - 1); }
     void betweenCommonEnds();
 
 private:
-    void diffuse(std::size_t i, std::size_t j, std::size_t n, std::size_t m);
+    void step(std::size_t i, std::size_t j, std::size_t n, std::size_t m);
+    bool isNearer(std::size_t i, std::size_t j) const;
 
     const Ring& m_a;
     const Ring& m_b;
     std::vector<Triangle>& m_faces;
+    const Mesh* m_mesh = nullptr; ///< null: even steps
 };
 } // namespace core

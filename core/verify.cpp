@@ -39,6 +39,7 @@ VerifyResult Verifier::verify(const Mesh& mesh, const FaceOctree& octree, const 
     findMislinked(mesh);
     if (m_result.ok() && certifyAll(mesh))
         return m_result;
+    notePlaces();
     findDegenerate();
     if (m_result.ok()) {
         floodPatch(mesh);
@@ -52,6 +53,45 @@ VerifyResult Verifier::verify(const Mesh& mesh, const FaceOctree& octree, const 
     std::ranges::sort(m_result.badFaces);
     m_result.badFaces.erase(std::ranges::unique(m_result.badFaces).begin(), m_result.badFaces.end());
     return m_result;
+}
+
+/// What was gathered holds all that the smaller change can meet.
+std::vector<Slot> Verifier::recheck(const Mesh& mesh, std::span<const Slot> vertices)
+{
+    SparseIndex near; // by place among the gathered: the faces at the vertices, then what meets the box of these
+    std::vector<Slot> bad;
+    LatticeBox box;
+    for (Slot v : vertices) {
+        mesh.forEachOutgoing(v, [&](Slot h) {
+            const Slot place = m_places.find(mesh.face(h));
+            if (place == noSlot || near.contains(place))
+                return;
+            near.add(place);
+            readFaces(mesh, std::span(&m_gathered.slots()[place], 1), place);
+            box.extend(m_boxes[place]);
+            const auto& p = m_shapes[place].points;
+            if (LatticePredicates::collinear(p[0], p[1], p[2]))
+                bad.push_back(m_gathered.slots()[place]);
+        });
+    }
+    if (!bad.empty())
+        return bad;
+    const Slot changed = static_cast<Slot>(near.size());
+    for (Slot place = 0; place < m_gathered.size(); ++place) {
+        if (box.meets(m_boxes[place]))
+            near.add(place);
+    }
+    std::vector<LatticeBox> boxes;
+    for (Slot place : near.slots())
+        boxes.push_back(m_boxes[place]);
+    m_stars.clear();
+    for (const auto& [i, j] : BoxPairs(boxes, changed).those([&](Slot i, Slot j) { return testPair(near.slots()[i], near.slots()[j], true); })) {
+        bad.push_back(m_gathered.slots()[near.slots()[i]]);
+        bad.push_back(m_gathered.slots()[near.slots()[j]]);
+    }
+    std::ranges::sort(bad);
+    bad.erase(std::ranges::unique(bad).begin(), bad.end());
+    return bad;
 }
 
 void Verifier::collectDirty(const Mesh& mesh, const TouchedSlots& touched)
@@ -173,12 +213,16 @@ bool Verifier::isLinked(const Mesh& mesh, Slot local) const
     return linked && h == mesh.faceHalfedge(f);
 }
 
-/// Labels the gathered faces by component (connected through edges); those of the dirty faces come first.
-void Verifier::floodPatch(const Mesh& mesh)
+void Verifier::notePlaces()
 {
     m_places.clear();
     for (Slot f : m_gathered.slots())
         m_places.add(f);
+}
+
+/// Labels the gathered faces by component (connected through edges); those of the dirty faces come first.
+void Verifier::floodPatch(const Mesh& mesh)
+{
     m_component.assign(m_gathered.size(), noSlot);
     m_closed.clear();
     m_patch.clear();
@@ -234,9 +278,12 @@ void Verifier::testPairs(const Mesh& mesh, bool neighboursToo)
     m_starCertified.clear();
     if (neighboursToo && !certifyStars(mesh))
         m_result.tier = VerifyTier::Pairs;
-    BoxPairs(std::span(m_boxes).first(m_gathered.size()), m_dirtyCount).forEach([&](Slot i, Slot j) {
-        testPair(i, j, neighboursToo);
-    });
+    const std::vector<BoxPairs::Pair> bad = BoxPairs(std::span(m_boxes).first(m_gathered.size()), m_dirtyCount)
+                                                .those([&](Slot i, Slot j) { return testPair(i, j, neighboursToo); });
+    for (const auto& [i, j] : bad) {
+        m_result.badFaces.push_back(m_gathered.slots()[i]);
+        m_result.badFaces.push_back(m_gathered.slots()[j]);
+    }
 }
 
 /// Of all corners of dirty faces. False if one has no certificate.
@@ -254,21 +301,19 @@ bool Verifier::certifyStars(const Mesh& mesh)
     return std::ranges::find(m_starCertified, 0) == m_starCertified.end();
 }
 
-void Verifier::testPair(Slot i, Slot j, bool neighboursToo)
+/// Whether they meet where they may not.
+bool Verifier::testPair(Slot i, Slot j, bool neighboursToo) const
 {
     if (!neighboursToo && m_component[i] == 0 && m_component[j] == 0)
-        return;
+        return false;
     const PatchFace& s = m_shapes[i];
     const PatchFace& t = m_shapes[j];
     for (Slot v : s.corners) {
         const bool shared = v == t.corners[0] || v == t.corners[1] || v == t.corners[2];
         if (shared && m_stars.contains(v) && m_starCertified[m_stars.position(v)])
-            return;
+            return false;
     }
-    if (trianglesMeet<LatticePredicates>({s.corners, s.points}, {t.corners, t.points})) {
-        m_result.badFaces.push_back(m_gathered.slots()[i]);
-        m_result.badFaces.push_back(m_gathered.slots()[j]);
-    }
+    return trianglesMeet<LatticePredicates>({s.corners, s.points}, {t.corners, t.points});
 }
 
 /// A shell wholly inside the box may have been turned over, swallowed or let out without any two faces meeting now.

@@ -28,6 +28,10 @@ public:
     /// `touched` comes from the mesh's journal and holds all that changed since `octree` was last up to date.
     VerifyResult verify(const Mesh& mesh, const FaceOctree& octree, const TouchedSlots& touched);
 
+    /// For whoever looks for a change that is sound: after a verify() that found fault, the same change again, only that these vertices
+    /// have gone less far. The bad faces at them; what else was bad is not looked for. Cost: what lies around these vertices.
+    std::vector<Slot> recheck(const Mesh& mesh, std::span<const Slot> vertices);
+
     /// Only finds out which faces changed, and their boxes.
     void collectDirty(const Mesh& mesh, const TouchedSlots& touched);
 
@@ -45,10 +49,11 @@ private:
     void findMislinked(const Mesh& mesh);
     void findDegenerate();
     bool isLinked(const Mesh& mesh, Slot local) const;
+    void notePlaces();
     void floodPatch(const Mesh& mesh);
     bool certifyDirtyPatch();
     void testPairs(const Mesh& mesh, bool neighboursToo);
-    void testPair(Slot i, Slot j, bool neighboursToo);
+    bool testPair(Slot i, Slot j, bool neighboursToo) const;
     bool certifyStars(const Mesh& mesh);
     void checkNesting(const Mesh& mesh, const FaceOctree& octree);
     bool isDirty(Slot f) const { return m_places.find(f) < m_dirtyCount; }
