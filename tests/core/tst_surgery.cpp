@@ -82,7 +82,8 @@ void TestSurgery::joinStars_ofRandomPairs_leavesAManifold()
     for (int i = 0; i < 3000; ++i) {
         const auto mesh = sculptable(core::icosphere(2, 1));
         const auto vertex = [&] { return static_cast<Slot>(random.below(mesh->slots().vertices)); };
-        const std::optional<Surgery> surgery = core::joinStars(*mesh, vertex(), vertex());
+        const Slot p = vertex(), q = vertex();
+        const std::optional<Surgery> surgery = core::joinStars(*mesh, p, q, i % 2 == 0 ? core::Stepping::Even : core::Stepping::Nearest);
         if (!surgery)
             continue;
         ++joined;

@@ -156,6 +156,7 @@ private Q_SLOTS:
     void crease_isSharp();
     void crease_staysSharp();
     void grab_movesWhatItHeld();
+    void grab_keepsTheMeshAsFineAsItWas();
     void grab_alongRaysKeepsToThePlane();
     void grab_ofNothingIsEmpty();
     void grab_farIsStoppedByTheWall();
@@ -324,6 +325,17 @@ void TestTools::grab_movesWhatItHeld()
     stroke(*there, settingsOf(Tool::Grab, 20), path);
     QVERIFY2(highest(there->mesh()) < 51.5 && lowest(there->mesh()) > 49,
              qPrintable(QStringLiteral("%1 %2").arg(highest(there->mesh())).arg(lowest(there->mesh()))));
+}
+
+/// Once it was made as coarse as the brush: a smooth lump came out in facets.
+void TestTools::grab_keepsTheMeshAsFineAsItWas()
+{
+    const auto sculptor = ball();
+    const Slot before = sculptor->mesh().live().vertices;
+    const std::vector<DabReport> reports = stroke(*sculptor, settingsOf(Tool::Grab, 25), straight({0, 0, 50}, {0, 0, 65}, 9));
+    QVERIFY(reports.back().touchedVertices > before / 32); // what is held could have been collapsed
+    QVERIFY2(sculptor->mesh().live().vertices >= before, qPrintable(QString::number(sculptor->mesh().live().vertices)));
+    QVERIFY(isSound(*sculptor));
 }
 
 /// A mouse drags over the plane across its first ray.

@@ -227,6 +227,7 @@ class TestVerify : public QObject
 private Q_SLOTS:
     void randomChanges_agreeWithAllPairsAndCgal_data();
     void randomChanges_agreeWithAllPairsAndCgal();
+    void recheck_findsWhatIsBadThere();
     void certifiedPatch_neverMeetsItself_data();
     void certifiedPatch_neverMeetsItself();
     void certifiedStar_neverMeetsItself();
@@ -301,6 +302,49 @@ void TestVerify::randomChanges_agreeWithAllPairsAndCgal()
     std::cout << QTest::currentDataTag() << ": sound by patch, stars, pairs " << sound[0] << ' ' << sound[1] << ' ' << sound[2]
               << ", meeting " << meeting << ", degenerate " << degenerate << ", turned or swallowed " << nested << std::endl;
     QVERIFY(sound[0] + sound[1] + sound[2] > 100 && meeting > 100);
+}
+
+/// Of a motion that was not sound some vertices go back a part of their way: what the short look finds at them is what the whole one finds.
+void TestVerify::recheck_findsWhatIsBadThere()
+{
+    StrokeFuzzer random(seed);
+    int looked = 0, found = 0;
+    while (looked < 300) {
+        Subject subject(sculptable(core::icosphere(3, 1)));
+        Mesh& mesh = *subject.mesh;
+        const Mesh::Mark mark = mesh.mark();
+        std::vector<std::pair<Slot, Vec3f>> moved;
+        const Vec3 center = mesh.point(randomVertex(random, mesh)).cast<double>(), by = random.uniform(0, 1.2) * random.direction();
+        for (Slot v = 0; v < mesh.slots().vertices; ++v) {
+            const Vec3 p = mesh.point(v).cast<double>();
+            if ((p - center).norm() > 0.5)
+                continue;
+            moved.emplace_back(v, mesh.point(v));
+            mesh.setPoint(v, clamped(mesh.lattice(), p + random.uniform() * by));
+        }
+        if (subject.verify(mark).ok())
+            continue;
+        std::vector<Slot> back;
+        for (const auto& [v, before] : moved) {
+            if (random.below(4) != 0)
+                continue;
+            back.push_back(v);
+            mesh.setPoint(v, mesh.lattice().snap(0.5 * (before + mesh.point(v)).cast<double>()));
+        }
+        if (!collinearFaces(mesh).empty())
+            continue;
+        const std::vector<Slot> there = subject.verifier.recheck(mesh, back);
+        const std::vector<Slot> all = Verifier().verify(mesh, subject.octree, mesh.touchedSince(mark)).badFaces;
+        QVERIFY(std::ranges::includes(all, there));
+        for (Slot v : back) {
+            mesh.forEachOutgoing(v, [&](Slot h) {
+                QCOMPARE(std::ranges::binary_search(there, mesh.face(h)), std::ranges::binary_search(all, mesh.face(h)));
+            });
+        }
+        ++looked;
+        found += !there.empty();
+    }
+    QVERIFY2(found > 50 && found < 300, qPrintable(QString::number(found)));
 }
 
 void TestVerify::certifiedPatch_neverMeetsItself_data()
