@@ -43,6 +43,13 @@ bool DabEngine::easeMotion(Task& task, DabReport& report)
     return true;
 }
 
+/// What was to be kept fine is not any more.
+void DabEngine::meet(Task& task) const
+{
+    task.meets = true;
+    task.bounds = boundsFor(task.settings, task.dab);
+}
+
 /// Of several sub-steps at once half is tried. False if it was one, or a part of one.
 bool DabEngine::shortenStep(Task& task)
 {

@@ -196,20 +196,6 @@ EdgeBounds DabEngine::boundsFor(const StrokeSettings& settings, const Dab& dab) 
     return edgeBounds(std::max(bounds.detail, m_mesh.lattice().minDetail()));
 }
 
-/// What is in the hand stays as fine as it was, until it meets something: fine meshes that are pressed together only crumple.
-EdgeBounds DabEngine::boundsInHand(const StrokeSettings& settings, const EdgeBounds& bounds) const
-{
-    if (!holdsOn(settings.tool) || settings.topology == Topology::Uniform || !(m_hold.detail > 0))
-        return bounds;
-    return edgeBounds(std::clamp(m_hold.detail, m_mesh.lattice().minDetail(), bounds.detail));
-}
-
-void DabEngine::meet(Task& task) const
-{
-    task.meets = true;
-    task.bounds = boundsFor(task.settings, task.dab);
-}
-
 DabEngine::Substep DabEngine::substep(Task& task, DabReport& report)
 {
     const bool isHeld = m_held.inUse();

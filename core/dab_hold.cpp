@@ -55,6 +55,14 @@ double DabEngine::meanEdge(const Region& region) const
     return n > 0 ? sum / n : 0;
 }
 
+/// What is in the hand stays as fine as it was, until it meets something: fine meshes that are pressed together only crumple.
+EdgeBounds DabEngine::boundsInHand(const StrokeSettings& settings, const EdgeBounds& bounds) const
+{
+    if (!holdsOn(settings.tool) || settings.topology == Topology::Uniform || !(m_hold.detail > 0))
+        return bounds;
+    return edgeBounds(std::clamp(m_hold.detail, m_mesh.lattice().minDetail(), bounds.detail));
+}
+
 /// The same of the half, if the model is symmetric there. What was held as a half and is symmetric no more stays one.
 bool DabEngine::takeMirrored(const StrokeSettings& settings, const Sphere& ball)
 {
