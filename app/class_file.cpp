@@ -56,7 +56,15 @@ QStringList toolWords()
 {
     QStringList words;
     for (const std::string_view name : core::toolNames())
-        words << QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+        words << QString::fromUtf8(name);
+    return words;
+}
+
+QStringList starterWords()
+{
+    QStringList words;
+    for (const core::Starter starter : core::starters)
+        words << QString::fromUtf8(core::name(starter));
     return words;
 }
 
@@ -89,8 +97,8 @@ public:
         ui::Classroom read;
         read.title = text("title");
         read.folder = QDir::cleanPath(QFileInfo(m_path).absoluteDir().absoluteFilePath(QDir::fromNativeSeparators(text("folder"))));
-        for (const qsizetype i : choices("starters", wordsOf(ui::starterWords)))
-            read.starters << ui::starterWords[static_cast<std::size_t>(i)].value;
+        for (const qsizetype i : choices("starters", starterWords()))
+            read.starters << core::starters[i];
         for (const qsizetype i : choices("tools", toolWords()))
             read.tools << static_cast<core::Tool>(i);
         read.turnMinutes = minutes("turn_minutes", read.turnMinutes, ui::mostTurnMinutes);
@@ -200,9 +208,9 @@ QString textOf(const ui::Classroom& classroom)
 {
     QStringList starters, tools;
     for (const core::Starter starter : classroom.starters)
-        starters << ui::stored::wordFor(starter, ui::starterWords);
+        starters << QString::fromUtf8(core::name(starter));
     for (const core::Tool tool : classroom.tools)
-        tools << toolWords().at(static_cast<qsizetype>(tool));
+        tools << QString::fromUtf8(core::name(tool));
     const std::pair<const char*, QString> lines[] = {{"title", classroom.title},
                                                      {"folder", QDir::toNativeSeparators(classroom.folder)},
                                                      {"starters", wordList(starters)},

@@ -29,7 +29,7 @@ public:
     /// The document's model as it is now: ownModelWanted().
     void chooseOwnModel() { Q_EMIT ownModelWanted(); }
 
-    /// Whether other files may be chosen than those that were before; at first they may.
+    /// Whether other files may be chosen than those that were before, or the document's model; at first they may.
     bool mayLoad() const { return m_mayLoad; }
     void setMayLoad(bool mayLoad);
     /// Files that were chosen before, the latest first.

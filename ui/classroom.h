@@ -10,15 +10,6 @@
 
 namespace ui
 {
-/// The words are those of class files and of the actions ("new.ball").
-inline constexpr std::array<Named<core::Starter>, 7> starterWords{{{core::Starter::Ball, "ball"},
-                                                                   {core::Starter::Cube, "cube"},
-                                                                   {core::Starter::Torus, "torus"},
-                                                                   {core::Starter::Slab, "slab"},
-                                                                   {core::Starter::Vase, "vase"},
-                                                                   {core::Starter::Head, "head"},
-                                                                   {core::Starter::Tablet, "tablet"}}};
-
 inline constexpr int mostTurnMinutes = 240;
 inline constexpr int leastPinLength = 4, mostPinLength = 32; ///< characters
 

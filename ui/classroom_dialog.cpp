@@ -59,11 +59,11 @@ public:
         Classroom& classroom = draft.classroom;
         classroom.title = m_title->text().simplified();
         classroom.folder = folder();
-        for (const Named<core::Starter>& row : starterWords)
-            if (box(QStringLiteral("new.") + QLatin1StringView(row.key))->isChecked())
-                classroom.starters << row.value;
+        for (const core::Starter starter : core::starters)
+            if (box(QStringLiteral("new.") + QString::fromUtf8(core::name(starter)))->isChecked())
+                classroom.starters << starter;
         for (const std::string_view name : core::toolNames())
-            if (box(QStringLiteral("tool.") + QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())))->isChecked())
+            if (box(QStringLiteral("tool.") + QString::fromUtf8(name))->isChecked())
                 classroom.tools << *core::toolNamed(name);
         classroom.turnMinutes = m_turn->value();
         classroom.warningMinutes = std::min(m_warning->value(), m_turn->value());

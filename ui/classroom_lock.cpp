@@ -18,10 +18,12 @@ namespace ui
 {
 namespace
 {
-constexpr QLatin1StringView closedPanels[] = {QLatin1StringView("filesPanel"), QLatin1StringView("referencePanel"), QLatin1StringView("printPanel"),
-                                              QLatin1StringView("previewPanel"), QLatin1StringView("historyPanel")};
 constexpr QLatin1StringView closedCommands[] = {QLatin1StringView("edit.preferences"), QLatin1StringView("edit.classroom"),
-                                                QLatin1StringView("model.insert"), QLatin1StringView("model.printCheck")};
+                                                QLatin1StringView("brush.fromModel"), QLatin1StringView("model.insert"),
+                                                QLatin1StringView("model.printCheck")};
+/// What is new to the window is closed, until somebody has looked where it leads.
+constexpr QLatin1StringView openPanels[] = {QLatin1StringView("brushPanel"), QLatin1StringView("topologyPanel"), QLatin1StringView("symmetryPanel"),
+                                            QLatin1StringView("colorPanel"), QLatin1StringView("turntablePanel"), QLatin1StringView("modelPanel")};
 
 template <std::size_t count> bool isAmong(const QLatin1StringView (&names)[count], const QString& name)
 {
@@ -116,7 +118,7 @@ void lockWindow(QMainWindow* window, const Actions& actions, const Classroom& cl
             close(action);
     }
     for (QDockWidget* panel : window->findChildren<QDockWidget*>()) {
-        if (!isAmong(closedPanels, panel->objectName())) {
+        if (isAmong(openPanels, panel->objectName())) {
             allowed << panel->toggleViewAction();
             continue;
         }

@@ -71,7 +71,7 @@ QLayout* NamePanel::tiles(const QList<core::Starter>& starters, const Actions& a
     auto* row = new QHBoxLayout;
     row->setSpacing(gap);
     for (const core::Starter starter : starters) {
-        const QAction* action = actions.get(QStringLiteral("new.") + stored::wordFor(starter, starterWords));
+        const QAction* action = actions.get(QStringLiteral("new.") + QString::fromUtf8(core::name(starter)));
         auto* tile = new QToolButton;
         tile->setObjectName(QStringLiteral("turn.") + action->objectName());
         tile->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);

@@ -121,10 +121,11 @@ QComboBox* modelChooser(BrushSettings* brush, BrushShapes* shapes)
         box->clear();
         box->addItem(ShapeChoosers::tr("Ball"), QString());
         addFiles(box, shapes->models(), modelOf(*brush), [](const QString&) { return QIcon(); });
-        box->addItem(ShapeChoosers::tr("This Model"), ownWord);
-        box->setItemData(box->count() - 1, ShapeChoosers::tr("The model that you sculpt, as it is now."), Qt::ToolTipRole);
-        if (shapes->mayLoad())
+        if (shapes->mayLoad()) {
+            box->addItem(ShapeChoosers::tr("This Model"), ownWord);
+            box->setItemData(box->count() - 1, ShapeChoosers::tr("The model that you sculpt, as it is now."), Qt::ToolTipRole);
             box->addItem(ShapeChoosers::tr("Load Model…"), loadWord);
+        }
         box->setCurrentIndex(box->findData(modelOf(*brush)));
     };
     const auto show = [=] {
