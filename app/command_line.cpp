@@ -208,7 +208,7 @@ QString CommandLine::help()
               "                                   a class report: picture, size, print-ready or why not, strokes and time of each model\n"
               "  fettle sheet FILE... -o OUT.pdf [--unit mm|cm|m|in] [--shaded]\n"
               "                                   drawings of models or folders to scale, a page each\n"
-              "  fettle lesson [LESSON] [--model FILE] [--step N] [--pack OUT.zip] [--pictures FOLDER] [--out FILE]\n"
+              "  fettle lesson [LESSON] [--model FILE] [--step N] [--pack OUT.zip] [--unpack FOLDER] [--pictures FOLDER] [--out FILE]\n"
               "                                   check a lesson by playing it to its end, or a pupil's model by one of its steps\n"
               "  fettle help COMMAND              the options of one of them\n"
               "  fettle --version\n"

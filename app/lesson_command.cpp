@@ -14,6 +14,8 @@
 #include <QImage>
 #include <QLocale>
 
+#include <algorithm>
+
 namespace app
 {
 namespace
@@ -27,7 +29,7 @@ constexpr int pictureSide = 160; ///< pixels
 
 struct LessonOptions
 {
-    QString lesson, language, model, pack, pictures, out;
+    QString lesson, language, model, pack, unpack, pictures, out;
     std::optional<std::size_t> step; ///< from 0
 };
 
@@ -42,6 +44,7 @@ std::optional<LessonOptions> parseOptions(const QStringList& arguments)
                        {QStringLiteral("model"), LessonCommandWords::tr("Judges this model, a pupil's, instead of playing."), QStringLiteral("FILE")},
                        {QStringLiteral("step"), LessonCommandWords::tr("By which step's checkpoint; else the last."), QStringLiteral("N")},
                        {QStringLiteral("pack"), LessonCommandWords::tr("Where the lesson goes as one file, if all is well."), QStringLiteral("OUT.zip")},
+                       {QStringLiteral("unpack"), LessonCommandWords::tr("Where the lesson goes as a folder that can be changed."), QStringLiteral("FOLDER")},
                        {QStringLiteral("pictures"), LessonCommandWords::tr("Where a picture of what each step leaves goes, as step-1.png and so on."),
                         QStringLiteral("FOLDER")},
                        {QStringLiteral("out"), LessonCommandWords::tr("Where the model goes that the last step leaves."), QStringLiteral("FILE")}});
@@ -51,14 +54,16 @@ std::optional<LessonOptions> parseOptions(const QStringList& arguments)
     if (lessons.size() > 1)
         CommandLine::fail(LessonCommandWords::tr("lesson: one lesson at a time can be played, not %1 as well.").arg(lessons.at(1)));
     LessonOptions options{lessons.value(0), parser.value(QStringLiteral("language")), parser.value(QStringLiteral("model")),
-                          parser.value(QStringLiteral("pack")), parser.value(QStringLiteral("pictures")), parser.value(QStringLiteral("out")), {}};
+                          parser.value(QStringLiteral("pack")), parser.value(QStringLiteral("unpack")), parser.value(QStringLiteral("pictures")),
+                          parser.value(QStringLiteral("out")), {}};
     if (options.language.isEmpty())
         options.language = QLocale().name();
-    const bool plays = parser.isSet(QStringLiteral("pack")) || parser.isSet(QStringLiteral("pictures")) || parser.isSet(QStringLiteral("out"));
+    const QStringList ofPlaying{QStringLiteral("pack"), QStringLiteral("unpack"), QStringLiteral("pictures"), QStringLiteral("out")};
+    const bool plays = std::ranges::any_of(ofPlaying, [&](const QString& option) { return parser.isSet(option); });
     if (options.lesson.isEmpty() && (plays || parser.isSet(QStringLiteral("model")) || parser.isSet(QStringLiteral("step"))))
         CommandLine::fail(LessonCommandWords::tr("lesson: no lesson was given."));
     if (plays && !options.model.isEmpty())
-        CommandLine::fail(LessonCommandWords::tr("lesson: --model excludes --pack, --pictures and --out."));
+        CommandLine::fail(LessonCommandWords::tr("lesson: --model excludes --pack, --unpack, --pictures and --out."));
     if (parser.isSet(QStringLiteral("step"))) {
         const uint number = parser.value(QStringLiteral("step")).toUInt();
         if (number == 0 || options.model.isEmpty())
@@ -67,6 +72,8 @@ std::optional<LessonOptions> parseOptions(const QStringList& arguments)
     }
     if (!options.pack.isEmpty() && !options.pack.endsWith(QLatin1String(".zip"), Qt::CaseInsensitive))
         CommandLine::fail(LessonCommandWords::tr("lesson: %1 does not end in .zip.").arg(options.pack));
+    if (options.unpack.endsWith(QLatin1String(".zip"), Qt::CaseInsensitive))
+        CommandLine::fail(LessonCommandWords::tr("lesson: %1 is to be a folder, but ends in .zip.").arg(options.unpack));
     return options;
 }
 
@@ -100,7 +107,7 @@ void printHead(const core::LessonStep& step, std::size_t index, const LessonOpti
 {
     QStringList tools;
     for (const core::Tool tool : step.tools)
-        tools << QString::fromLatin1(core::name(tool).data(), static_cast<qsizetype>(core::name(tool).size()));
+        tools << QString::fromUtf8(core::name(tool));
     CommandLine::print(LessonCommandWords::tr("%1. %2 (strokes: %3; tools: %4)")
                            .arg(index + 1)
                            .arg(inLanguage(step.title, options))
@@ -136,6 +143,8 @@ ExitStatus play(const core::Lesson& lesson, core::LessonStage& stage, const Less
         core::writeMesh(toPath(options.out), core::extractMesh(stage.mesh()));
     if (isMet && !options.pack.isEmpty())
         core::writeLesson(toPath(options.pack), lesson);
+    if (!options.unpack.isEmpty())
+        core::writeLesson(toPath(options.unpack), lesson);
     return isMet ? Done : AnswerIsNo;
 }
 

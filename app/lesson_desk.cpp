@@ -91,6 +91,7 @@ LessonDesk::LessonDesk(ui::MainWindow& window, Document& document, SculptWorker&
     connect(m_panel, &LessonPanel::fileWanted, this, [this] { ui::askForLesson(m_window, [this](const QString& path) { read(folderOr(path)); }); });
     connect(m_panel, &LessonPanel::stepWanted, this, &LessonDesk::goTo);
     connect(m_panel, &LessonPanel::playWanted, this, &LessonDesk::playOrPause);
+    connect(m_panel, &LessonPanel::oneWanted, this, &LessonDesk::playOne);
     connect(m_panel, &LessonPanel::tryWanted, this, &LessonDesk::tryIt);
     connect(m_panel, &LessonPanel::left, this, &LessonDesk::leave);
     connect(m_panel, &LessonPanel::differenceWanted, this, &LessonDesk::shade);
@@ -150,8 +151,10 @@ void LessonDesk::begin()
 void LessonDesk::leave()
 {
     interrupt();
-    if (m_player)
+    if (m_player) {
         m_window->viewport()->setShades(nullptr);
+        m_window->brush()->offerTools({});
+    }
     m_player.reset();
     m_lesson = nullptr;
     m_starts.clear();
@@ -172,8 +175,8 @@ void LessonDesk::show()
     const std::size_t step = m_player->stepIndex();
     m_panel->showPage(pageOf(*m_lesson, step));
     m_window->viewport()->frame();
-    if (const std::vector<core::Tool>& tools = m_lesson->steps[step].tools; !tools.empty())
-        m_window->brush()->setTool(tools.front());
+    const std::vector<core::Tool>& tools = m_lesson->steps[step].tools;
+    m_window->brush()->offerTools(QList<core::Tool>(tools.begin(), tools.end()));
     m_inquiry->setPlace({m_lesson, m_path, step});
 }
 
@@ -195,16 +198,34 @@ void LessonDesk::goTo(int step)
 }
 
 /// From the step's start, unless the teacher is in the middle of it.
+void LessonDesk::beTaught()
+{
+    if (m_isTaught)
+        return;
+    tryIt();
+    m_isTaught = true;
+}
+
 void LessonDesk::playOrPause(bool on)
 {
-    if (on && !m_isTaught) {
-        tryIt();
-        m_isTaught = true;
-    }
+    if (on)
+        beTaught();
     on ? m_player->play() : m_player->pause();
-    m_panel->setPlaying(on);
+    setPlaying(on);
+}
+
+void LessonDesk::playOne()
+{
+    beTaught();
+    m_player->playOne();
+    setPlaying(true);
+}
+
+void LessonDesk::setPlaying(bool isPlaying)
+{
+    m_panel->setPlaying(isPlaying);
     m_sinceTick.start();
-    on ? m_timer.start() : m_timer.stop();
+    isPlaying ? m_timer.start() : m_timer.stop();
 }
 
 /// What was done in the step is taken back.
@@ -251,8 +272,10 @@ void LessonDesk::tick()
     m_panel->setProgress(m_player->duration() > 0 ? m_player->time() / m_player->duration() : 1);
     if (m_player->isPlaying())
         placeGhost();
-    else
+    else if (m_player->isAtEnd())
         interrupt();
+    else
+        setPlaying(false);
 }
 
 void LessonDesk::run(const core::LessonCue& cue)

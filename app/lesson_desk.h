@@ -36,6 +36,9 @@ private:
     void goTo(int step);
     void show();
     void playOrPause(bool on);
+    void playOne();
+    void beTaught();
+    void setPlaying(bool isPlaying);
     void tryIt();
     void interrupt();
     void endStroke();

@@ -69,6 +69,7 @@ DrawingSheet sheetOf(const SheetOptions& options, const std::filesystem::path& f
     auto drawing = core::drawLines(core::drawArraysOf(mesh), ui::sheetDetail(options.shaded), {});
     return {ui::shownName(file.filename()), QDate::currentDate(), *std::move(drawing), options.shaded};
 }
+
 /// Standard error says which have none.
 ExitStatus addSheets(ui::SheetBook& book, const SheetOptions& options)
 {

@@ -72,44 +72,30 @@ LessonCue LessonPlayer::cueOf(const Moment& moment) const
     return StrokeEnds{};
 }
 
+void LessonPlayer::play()
+{
+    m_end = m_moments.size();
+    m_isPlaying = !isAtEnd();
+}
+
+void LessonPlayer::playOne()
+{
+    for (m_end = m_next; m_end < m_moments.size() && m_moments[m_end].entry == m_moments[m_next].entry;)
+        ++m_end;
+    m_isPlaying = m_end > m_next;
+}
+
 std::vector<LessonCue> LessonPlayer::advance(double seconds)
 {
     std::vector<LessonCue> due;
     if (!m_isPlaying)
         return due;
-    m_time = std::min(m_time + seconds * m_speed, m_duration);
-    for (; m_next < m_moments.size() && m_moments[m_next].time <= m_time; ++m_next)
+    const double end = m_end < m_moments.size() ? m_moments[m_end - 1].time : m_duration;
+    m_time = std::min(m_time + seconds * m_speed, end);
+    for (; m_next < m_end && m_moments[m_next].time <= m_time; ++m_next)
         due.push_back(cueOf(m_moments[m_next]));
-    m_isPlaying = !isAtEnd();
+    m_isPlaying = m_next < m_end || m_time < end;
     return due;
-}
-
-std::vector<LessonCue> LessonPlayer::forward()
-{
-    pause();
-    std::vector<LessonCue> due;
-    if (m_next == m_moments.size())
-        return due;
-    const std::size_t entry = m_moments[m_next].entry;
-    for (; m_next < m_moments.size() && m_moments[m_next].entry == entry; ++m_next) {
-        due.push_back(cueOf(m_moments[m_next]));
-        m_time = m_moments[m_next].time;
-    }
-    return due;
-}
-
-std::optional<std::size_t> LessonPlayer::back()
-{
-    pause();
-    if (m_next == 0) {
-        m_time = 0;
-        return std::nullopt;
-    }
-    const std::size_t entry = m_moments[m_next - 1].entry;
-    while (m_next > 0 && m_moments[m_next - 1].entry == entry)
-        --m_next;
-    m_time = m_moments[m_next].time;
-    return entry;
 }
 
 bool LessonPlayer::isUnderWay() const

@@ -55,17 +55,14 @@ public:
     void setSpeed(double speed); ///< the nearest that there is
 
     bool isPlaying() const { return m_isPlaying; }
-    void play() { m_isPlaying = !isAtEnd(); }
+    void play();
+    /// Only to the end of the stroke or command that is under way, or else of the next one.
+    void playOne();
     void pause() { m_isPlaying = false; }
     bool isAtEnd() const { return m_next == m_moments.size() && m_time >= m_duration; }
 
-    /// So much time went by: what became due, in order. Nothing while it is paused. At the end of the step it pauses.
+    /// So much time went by: what became due, in order. Nothing while it is paused. It pauses at the end of what it is to play.
     std::vector<LessonCue> advance(double seconds);
-    /// The stroke or command that is under way to its end, or the next one whole; pauses.
-    std::vector<LessonCue> forward();
-    /// To the start of what is under way, or of what was done last; pauses. That is to be taken back: its place in the step's strokes. Nothing at
-    /// the step's start.
-    std::optional<std::size_t> back();
 
     /// Nothing in a step without strokes.
     std::optional<GhostBrush> ghost() const;
@@ -89,6 +86,7 @@ private:
     std::size_t m_step = 0;
     std::vector<Moment> m_moments; ///< of the step, by time
     std::size_t m_next = 0;        ///< the first that is not done
+    std::size_t m_end = 0;         ///< the first that is not to be played
     double m_duration = 0, m_time = 0, m_speed = 1;
     bool m_isPlaying = false;
 };

@@ -36,8 +36,6 @@ public:
     /// The step's start, whichever way it is come to: what lies between is done or taken back.
     void goTo(std::size_t step);
 
-    /// The model as it is now, for the pupil to try on; between strokes.
-    std::unique_ptr<Mesh> copy() const { return std::make_unique<Mesh>(mesh()); }
     /// What the step's checkpoint wants to be come near to; between strokes. Cost: the rest of the step, unless it is a file.
     TriangleMesh target();
 

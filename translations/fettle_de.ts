@@ -272,7 +272,7 @@
                                    a class report: picture, size, print-ready or why not, strokes and time of each model
   fettle sheet FILE... -o OUT.pdf [--unit mm|cm|m|in] [--shaded]
                                    drawings of models or folders to scale, a page each
-  fettle lesson [LESSON] [--model FILE] [--step N] [--pack OUT.zip] [--pictures FOLDER] [--out FILE]
+  fettle lesson [LESSON] [--model FILE] [--step N] [--pack OUT.zip] [--unpack FOLDER] [--pictures FOLDER] [--out FILE]
                                    check a lesson by playing it to its end, or a pupil&apos;s model by one of its steps
   fettle help COMMAND              the options of one of them
   fettle --version
@@ -295,7 +295,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
                                    ein Klassenbericht: von jedem Modell Bild, Größe, druckfertig oder warum nicht, Striche und Zeit
   fettle sheet FILE... -o OUT.pdf [--unit mm|cm|m|in] [--shaded]
                                    maßstäbliche Zeichnungen von Modellen oder Ordnern, je eine Seite
-  fettle lesson [LESSON] [--model FILE] [--step N] [--pack OUT.zip] [--pictures FOLDER] [--out FILE]
+  fettle lesson [LESSON] [--model FILE] [--step N] [--pack OUT.zip] [--unpack FOLDER] [--pictures FOLDER] [--out FILE]
                                    eine Lektion prüfen, indem sie bis zum Ende gespielt wird, oder das Modell eines Schülers nach einem ihrer Schritte
   fettle help COMMAND              die Optionen eines dieser Befehle
   fettle --version
@@ -566,6 +566,18 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>Wohin die Lektion als eine Datei kommt, wenn alles gut ist.</translation>
     </message>
     <message>
+        <source>Where the lesson goes as a folder that can be changed.</source>
+        <translation>Wohin die Lektion als Ordner kommt, der sich ändern lässt.</translation>
+    </message>
+    <message>
+        <source>lesson: %1 does not end in .zip.</source>
+        <translation>lesson: %1 endet nicht auf .zip.</translation>
+    </message>
+    <message>
+        <source>lesson: %1 is to be a folder, but ends in .zip.</source>
+        <translation>lesson: %1 soll ein Ordner werden, endet aber auf .zip.</translation>
+    </message>
+    <message>
         <source>Where a picture of what each step leaves goes, as step-1.png and so on.</source>
         <translation>Wohin von dem, was jeder Schritt hinterlässt, ein Bild kommt, als step-1.png und so weiter.</translation>
     </message>
@@ -582,16 +594,12 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <translation>lesson: Es wurde keine Lektion angegeben.</translation>
     </message>
     <message>
-        <source>lesson: --model excludes --pack, --pictures and --out.</source>
-        <translation>lesson: --model schließt --pack, --pictures und --out aus.</translation>
+        <source>lesson: --model excludes --pack, --unpack, --pictures and --out.</source>
+        <translation>lesson: --model schließt --pack, --unpack, --pictures und --out aus.</translation>
     </message>
     <message>
         <source>lesson: --step needs --model, and a step&apos;s number, from 1.</source>
         <translation>lesson: --step braucht --model und die Nummer eines Schritts, von 1 an.</translation>
-    </message>
-    <message>
-        <source>lesson: %1 does not end in .zip.</source>
-        <translation>lesson: %1 endet nicht auf .zip.</translation>
     </message>
     <message>
         <source>yes</source>
@@ -3709,6 +3717,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Show Me</source>
         <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>One Stroke</source>
+        <translation>Ein Strich</translation>
+    </message>
+    <message>
+        <source>Shows the teacher&apos;s next stroke alone.</source>
+        <translation>Zeigt nur den nächsten Strich der Lehrkraft.</translation>
     </message>
     <message>
         <source>Speed</source>

@@ -270,7 +270,7 @@
                                    a class report: picture, size, print-ready or why not, strokes and time of each model
   fettle sheet FILE... -o OUT.pdf [--unit mm|cm|m|in] [--shaded]
                                    drawings of models or folders to scale, a page each
-  fettle lesson [LESSON] [--model FILE] [--step N] [--pack OUT.zip] [--pictures FOLDER] [--out FILE]
+  fettle lesson [LESSON] [--model FILE] [--step N] [--pack OUT.zip] [--unpack FOLDER] [--pictures FOLDER] [--out FILE]
                                    check a lesson by playing it to its end, or a pupil&apos;s model by one of its steps
   fettle help COMMAND              the options of one of them
   fettle --version
@@ -293,7 +293,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
                                    班级报告：每个模型的图片、大小、能否打印或为何不能、笔画数和用时
   fettle sheet FILE... -o OUT.pdf [--unit mm|cm|m|in] [--shaded]
                                    按比例写出模型或文件夹的图纸，每个模型一页
-  fettle lesson [LESSON] [--model FILE] [--step N] [--pack OUT.zip] [--pictures FOLDER] [--out FILE]
+  fettle lesson [LESSON] [--model FILE] [--step N] [--pack OUT.zip] [--unpack FOLDER] [--pictures FOLDER] [--out FILE]
                                    播放课程到底来检查它，或按其中一步评判学生的模型
   fettle help COMMAND              以上某一命令的选项
   fettle --version
@@ -563,6 +563,18 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>一切正常时，课程打包成一个文件的去处。</translation>
     </message>
     <message>
+        <source>Where the lesson goes as a folder that can be changed.</source>
+        <translation>课程作为可修改的文件夹写到何处。</translation>
+    </message>
+    <message>
+        <source>lesson: %1 does not end in .zip.</source>
+        <translation>lesson：%1 不以 .zip 结尾。</translation>
+    </message>
+    <message>
+        <source>lesson: %1 is to be a folder, but ends in .zip.</source>
+        <translation>lesson：%1 应是文件夹，但以 .zip 结尾。</translation>
+    </message>
+    <message>
         <source>Where a picture of what each step leaves goes, as step-1.png and so on.</source>
         <translation>每一步结果的图片的去处，名为 step-1.png 等。</translation>
     </message>
@@ -579,16 +591,12 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>lesson：没有给出课程。</translation>
     </message>
     <message>
-        <source>lesson: --model excludes --pack, --pictures and --out.</source>
-        <translation>lesson：--model 不能与 --pack、--pictures 和 --out 同用。</translation>
+        <source>lesson: --model excludes --pack, --unpack, --pictures and --out.</source>
+        <translation>lesson：--model 不能与 --pack、--unpack、--pictures 和 --out 同用。</translation>
     </message>
     <message>
         <source>lesson: --step needs --model, and a step&apos;s number, from 1.</source>
         <translation>lesson：--step 需要 --model，以及从 1 开始的步骤编号。</translation>
-    </message>
-    <message>
-        <source>lesson: %1 does not end in .zip.</source>
-        <translation>lesson：%1 不以 .zip 结尾。</translation>
     </message>
     <message>
         <source>yes</source>
@@ -3696,6 +3704,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Show Me</source>
         <translation>演示</translation>
+    </message>
+    <message>
+        <source>One Stroke</source>
+        <translation>单笔</translation>
+    </message>
+    <message>
+        <source>Shows the teacher&apos;s next stroke alone.</source>
+        <translation>只演示老师的下一笔。</translation>
     </message>
     <message>
         <source>Speed</source>

@@ -51,6 +51,8 @@ void connectBrush(const Actions& actions, BrushSettings* brush)
     for (const ToolAction& row : toolActions) {
         group->addAction(action(row.id));
         connectChoice(action(row.id), brush, &core::StrokeSettings::tool, row.tool, row.tool);
+        const auto offer = [tool = action(row.id), brush, row] { tool->setEnabled(brush->isOffered(row.tool)); };
+        QObject::connect(brush, &BrushSettings::changed, action(row.id), offer);
     }
     connectChoice(action("brush.ray"), brush, &core::StrokeSettings::brush, core::BrushShape::Ray, core::BrushShape::Sphere);
     connectChoice(action("topology.uniform"), brush, &core::StrokeSettings::topology, core::Topology::Uniform,

@@ -44,6 +44,7 @@ void BrushSettings::offerTools(const QList<core::Tool>& tools)
     m_tools = tools;
     if (!tools.isEmpty())
         setTool(tools.constFirst());
+    Q_EMIT changed();
 }
 
 void BrushSettings::reset()

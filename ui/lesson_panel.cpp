@@ -138,6 +138,9 @@ void LessonPanel::addTeacher(QVBoxLayout* page)
     m_progress->setAccessibleName(tr("How far the teacher is"));
     m_play = new QPushButton(tr("Show Me"));
     m_play->setObjectName(QStringLiteral("lessonPlay"));
+    m_one = new QPushButton(tr("One Stroke"));
+    m_one->setObjectName(QStringLiteral("lessonOne"));
+    m_one->setToolTip(tr("Shows the teacher's next stroke alone."));
     m_speed = new QComboBox;
     m_speed->setAccessibleName(tr("Speed"));
     m_speed->setToolTip(tr("How fast the teacher works."));
@@ -154,11 +157,15 @@ void LessonPanel::addTeacher(QVBoxLayout* page)
     auto* row = new QHBoxLayout;
     row->addWidget(m_play, 1);
     row->addWidget(m_speed);
-    row->addWidget(m_try, 1);
     page->addLayout(row);
+    auto* slower = new QHBoxLayout;
+    slower->addWidget(m_one, 1);
+    slower->addWidget(m_try, 1);
+    page->addLayout(slower);
     page->addWidget(m_marks);
     page->addWidget(m_difference);
     connect(m_play, &QPushButton::clicked, this, [this] { Q_EMIT playWanted(!m_isPlaying); });
+    connect(m_one, &QPushButton::clicked, this, &LessonPanel::oneWanted);
     connect(m_speed, &QComboBox::currentIndexChanged, this, [this](int index) { Q_EMIT speedChosen(speeds[index]); });
     connect(m_try, &QPushButton::clicked, this, &LessonPanel::tryWanted);
     connect(m_difference, &QCheckBox::toggled, this, &LessonPanel::differenceWanted);
@@ -202,6 +209,7 @@ void LessonPanel::showPage(const LessonPage& page)
     m_picture->setVisible(!page.picture.isNull());
     m_text->setText(page.text);
     m_play->setEnabled(page.isShown);
+    m_one->setEnabled(page.isShown);
     m_difference->setVisible(page.isCompared);
     m_back->setEnabled(page.step > 0);
     m_next->setEnabled(page.step + 1 < page.steps);

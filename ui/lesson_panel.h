@@ -69,6 +69,7 @@ Q_SIGNALS:
     void fileWanted();
     void stepWanted(int step);
     void playWanted(bool on);
+    void oneWanted(); ///< the teacher's next stroke alone
     void speedChosen(double speed);
     void tryWanted();
     void differenceWanted(bool on);
@@ -84,7 +85,7 @@ private:
     QVBoxLayout* m_cards = nullptr;
     QLabel *m_lesson = nullptr, *m_title = nullptr, *m_picture = nullptr, *m_text = nullptr, *m_marks = nullptr;
     QProgressBar* m_progress = nullptr;
-    QPushButton *m_play = nullptr, *m_try = nullptr, *m_back = nullptr, *m_next = nullptr;
+    QPushButton *m_play = nullptr, *m_one = nullptr, *m_try = nullptr, *m_back = nullptr, *m_next = nullptr;
     QComboBox* m_speed = nullptr;
     QCheckBox* m_difference = nullptr;
     int m_step = 0;

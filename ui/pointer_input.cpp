@@ -131,9 +131,10 @@ core::StrokeSettings PointerInput::stroke() const
     return strokeOpen() ? m_stroke.settings() : strokeFor(m_modifiers, m_isEraser);
 }
 
-/// Where the tool follows the hand, it follows every reading of it.
+/// Where the tool follows the hand, it follows every reading of it. The key that smooths does not where Smooth is not offered.
 core::StrokeSettings PointerInput::strokeFor(Qt::KeyboardModifiers modifiers, bool eraser) const
 {
+    modifiers.setFlag(Qt::ShiftModifier, modifiers.testFlag(Qt::ShiftModifier) && m_brush->isOffered(core::Tool::Smooth));
     core::StrokeSettings stroke = withKeysHeld(m_brush->stroke(), modifiers, m_habits.held.invert);
     if (eraser)
         stroke = core::opposite(stroke);

@@ -74,6 +74,9 @@ private Q_SLOTS:
         QCOMPARE(answer.out.count(QStringLiteral("\n   no ")), 0);
         QCOMPARE(lesson({zip}).out, answer.out);
         QCOMPARE(lesson({shelf + QStringLiteral("first-clay")}).out, answer.out);
+        const QString unpacked = folder.filePath(QStringLiteral("clay"));
+        QCOMPARE(lesson({zip, QStringLiteral("--unpack"), unpacked}).out, answer.out);
+        QCOMPARE(lesson({unpacked}).out, answer.out);
         QVERIFY(core::readMesh(model.toStdString()).triangles.size() > 1000);
         QVERIFY(QFile::exists(folder.filePath(QStringLiteral("step-4.png"))));
     }
@@ -142,6 +145,7 @@ private Q_SLOTS:
                                                                {QStringLiteral("mug"), QStringLiteral("creature")},
                                                                {QStringLiteral("mug"), QStringLiteral("--step"), QStringLiteral("1")},
                                                                {QStringLiteral("mug"), QStringLiteral("--pack"), QStringLiteral("mug.rar")},
+                                                               {QStringLiteral("mug"), QStringLiteral("--unpack"), QStringLiteral("mug.zip")},
                                                                {QStringLiteral("--out"), QStringLiteral("a.stl")},
                                                                {QStringLiteral("mug"), QStringLiteral("--out"), QStringLiteral("a.xyz")}}) {
             const Answer answer = lesson(arguments);

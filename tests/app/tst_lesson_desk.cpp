@@ -137,6 +137,32 @@ private Q_SLOTS:
         QCOMPARE(program.document.undoStack().count(), 2);
     }
 
+    /// A step has its tools and no others, and the key that smooths none that it has not.
+    void tools_areTheStepsOwn()
+    {
+        Program program;
+        begin(program, QStringLiteral("First clay: a pear"));
+        const auto isThere = [&program](const char* id) { return program.window.action(QLatin1StringView(id))->isEnabled(); };
+        QVERIFY(isThere("tool.pull") && !isThere("tool.stamp") && !isThere("tool.smooth"));
+        QTest::keyClick(&program.window, Qt::Key_4); // Smooth's
+        QCOMPARE(program.window.brush()->tool(), core::Tool::Pull);
+        program.document.openStarter(core::Starter::Ball);
+        QTRY_VERIFY_WITH_TIMEOUT(isThere("tool.stamp"), 60'000);
+    }
+
+    void oneStroke_isShownAlone()
+    {
+        Program program;
+        begin(program, QStringLiteral("A creature to print"));
+        for (int strokes = 1; strokes <= 2; ++strokes) {
+            press(program, "lessonOne");
+            QTRY_COMPARE_WITH_TIMEOUT(program.document.undoStack().count(), strokes, 60'000);
+            QTRY_VERIFY_WITH_TIMEOUT(!isPlaying(program) && program.document.isSettled(), 60'000);
+        }
+        showStep(program); // the rest
+        QCOMPARE(hashOf(program), teachersHash("creature", 1));
+    }
+
     void anotherModel_endsTheLesson()
     {
         Program program;

@@ -507,6 +507,15 @@ private Q_SLOTS:
         QVERIFY(r.settings.radius != 77);
     }
 
+    void shift_doesNotSmoothWhereSmoothIsNotOffered()
+    {
+        Recorder r;
+        r.brush.offerTools({Tool::Push, Tool::Clay});
+        r.send(Kind::Press, {400, 300}, Qt::LeftButton, Qt::ShiftModifier);
+        r.input.setHover(somewhere);
+        QCOMPARE(r.settings.tool, Tool::Push);
+    }
+
     /// On the model Alt is the brush's; beside it Alt and left move the view, and without Alt they turn it.
     void altInvertsAsInZBrush()
     {
