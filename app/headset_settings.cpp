@@ -10,7 +10,8 @@ namespace
 namespace stored = ui::stored;
 using stored::number, stored::wordFor, stored::yesNo;
 
-constexpr std::array<ui::Named<vr::Preset>, 2> presets{{{vr::Preset::Paper, "paper"}, {vr::Preset::Studio, "studio"}}};
+constexpr std::array<ui::Named<vr::Preset>, 3> presets{
+    {{vr::Preset::Paper, "paper"}, {vr::Preset::Studio, "studio"}, {vr::Preset::OneHand, "one-hand"}}};
 constexpr std::array<ui::Named<vr::Side>, 2> sides{{{vr::Side::Left, "left"}, {vr::Side::Right, "right"}}};
 constexpr std::array<const char*, vr::sensationCount> sensations{"contact", "texture",  "fusion",
                                                                  "refusal", "menuStep", "hold"}; ///< by Sensation

@@ -19,6 +19,7 @@
 #include <QSettings>
 #include <QTranslator>
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -41,6 +42,18 @@ void chooseLanguage(ui::Language language)
     for (const ui::Named<ui::Language>& row : ui::languages)
         if (row.value == language && language != ui::Language::System)
             QLocale::setDefault(QLocale(QLatin1StringView(row.key)));
+}
+
+/// Once, before anything is shown.
+void chooseTextSize(ui::TextSize size)
+{
+    QFont font = QApplication::font();
+    const double factor = static_cast<int>(size) / 100.0;
+    if (font.pointSizeF() > 0)
+        font.setPointSizeF(factor * font.pointSizeF());
+    else
+        font.setPixelSize(static_cast<int>(std::lround(factor * font.pixelSize())));
+    QApplication::setFont(font);
 }
 
 /// Our own words, and Qt's for its dialogs, in the place of those before. They must outlive the texts: they belong to the application.
@@ -174,6 +187,7 @@ int runWindow(int argc, char* argv[])
     QApplication application(argc, argv);
     qInstallMessageHandler(usual);
     chooseLanguage(ui::Settings().preferences().language);
+    chooseTextSize(ui::Settings().preferences().textSize);
     loadTranslations(application);
 
     int status = app::Done;

@@ -6,6 +6,7 @@
 #include "document.h"
 #include "drawing_worker.h"
 #include "headset.h"
+#include "headset_hands.h"
 #include "headset_inquiry.h"
 #include "headset_wearer.h"
 #include "history_list.h"
@@ -328,6 +329,7 @@ Headset* wireHeadset(ui::MainWindow& window, Document& document, SculptWorker& w
             inquiry->ask();
     });
     QObject::connect(inquiry, &HeadsetInquiry::answered, &window, &ui::MainWindow::showNotice);
+    wireHeadsetHands(window, headset);
     wireVisits(window, headset);
     wireRefusals(window, document, worker);
     return headset;

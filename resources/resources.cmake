@@ -21,6 +21,7 @@ set(FETTLE_RESOURCE_FILES
     icons/duplicate.svg
     icons/export.svg
     icons/export-for.svg
+    icons/farther.svg
     icons/fettle.svg
     icons/files.svg
     icons/fill.svg
@@ -35,10 +36,14 @@ set(FETTLE_RESOURCE_FILES
     icons/grab.svg
     icons/ground.svg
     icons/guide.svg
+    icons/hand.svg
+    icons/hand-left.svg
     icons/headset.svg
     icons/headset-find.svg
     icons/inflate.svg
     icons/insert.svg
+    icons/invert.svg
+    icons/key-hand.svg
     icons/keys.svg
     icons/larger.svg
     icons/layer.svg
@@ -62,6 +67,7 @@ set(FETTLE_RESOURCE_FILES
     icons/material-wax.svg
     icons/mirror.svg
     icons/move.svg
+    icons/nearer.svg
     icons/next.svg
     icons/open.svg
     icons/orthographic.svg
@@ -115,6 +121,10 @@ set(FETTLE_RESOURCE_FILES
     icons/swap.svg
     icons/symmetrize.svg
     icons/trash.svg
+    icons/turn-down.svg
+    icons/turn-left.svg
+    icons/turn-right.svg
+    icons/turn-up.svg
     icons/turntable.svg
     icons/twist.svg
     icons/undo.svg

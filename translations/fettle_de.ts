@@ -2542,6 +2542,90 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>Makes the stamp&apos;s model of this model as it is now.</source>
         <translation>Macht dieses Modell, wie es jetzt ist, zum Modell des Stempels.</translation>
     </message>
+    <message>
+        <source>In&amp;vert</source>
+        <translation>Umk&amp;ehren</translation>
+    </message>
+    <message>
+        <source>Turns the tools round, for a hand that cannot hold %1 as well: Pull pushes, Clay digs.</source>
+        <translation>Kehrt die Werkzeuge um, für eine Hand, die nicht auch noch %1 halten kann: Ziehen drückt, Auftragen gräbt.</translation>
+    </message>
+    <message>
+        <source>Sculpt by &amp;Keys</source>
+        <translation>Mit &amp;Tasten formen</translation>
+    </message>
+    <message>
+        <source>Gives the view a cross that the arrow keys move: Space or Return presses the tool on the model, beside it the view turns.</source>
+        <translation>Gibt der Ansicht ein Kreuz, das die Pfeiltasten bewegen: Leertaste oder Eingabe drückt das Werkzeug auf das Modell, daneben dreht sich die Ansicht.</translation>
+    </message>
+    <message>
+        <source>Turn &amp;Left</source>
+        <translation>Nach &amp;links drehen</translation>
+    </message>
+    <message>
+        <source>Turns what faces you to the left, by 15 degrees.</source>
+        <translation>Dreht nach links, was Ihnen zugewandt ist, um 15 Grad.</translation>
+    </message>
+    <message>
+        <source>Turn &amp;Right</source>
+        <translation>Nach &amp;rechts drehen</translation>
+    </message>
+    <message>
+        <source>Turns what faces you to the right, by 15 degrees.</source>
+        <translation>Dreht nach rechts, was Ihnen zugewandt ist, um 15 Grad.</translation>
+    </message>
+    <message>
+        <source>Turn &amp;Up</source>
+        <translation>Nach &amp;oben drehen</translation>
+    </message>
+    <message>
+        <source>Turns what faces you upwards, by 15 degrees.</source>
+        <translation>Dreht nach oben, was Ihnen zugewandt ist, um 15 Grad.</translation>
+    </message>
+    <message>
+        <source>Turn &amp;Down</source>
+        <translation>Nach &amp;unten drehen</translation>
+    </message>
+    <message>
+        <source>Turns what faces you downwards, by 15 degrees.</source>
+        <translation>Dreht nach unten, was Ihnen zugewandt ist, um 15 Grad.</translation>
+    </message>
+    <message>
+        <source>&amp;Nearer</source>
+        <translation>&amp;Näher</translation>
+    </message>
+    <message>
+        <source>Shows the model larger.</source>
+        <translation>Zeigt das Modell größer.</translation>
+    </message>
+    <message>
+        <source>&amp;Farther</source>
+        <translation>&amp;Weiter weg</translation>
+    </message>
+    <message>
+        <source>Shows the model smaller.</source>
+        <translation>Zeigt das Modell kleiner.</translation>
+    </message>
+    <message>
+        <source>&amp;One Hand</source>
+        <translation>Ein&amp;händig</translation>
+    </message>
+    <message>
+        <source>From the next visit to VR on, one wand does all, and panels stand before you.</source>
+        <translation>Ab dem nächsten Besuch in VR macht ein Controller alles, und die Tafeln stehen vor Ihnen.</translation>
+    </message>
+    <message>
+        <source>&amp;Left-Handed</source>
+        <translation>&amp;Linkshändig</translation>
+    </message>
+    <message>
+        <source>From the next visit to VR on, the left hand sculpts.</source>
+        <translation>Ab dem nächsten Besuch in VR formt die linke Hand.</translation>
+    </message>
+    <message>
+        <source>T&amp;urn and Zoom</source>
+        <translation>Dre&amp;hen und Zoomen</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -3498,6 +3582,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Click where the ball should be. Esc puts it away.</source>
         <translation>Klicken Sie dahin, wo die Kugel sein soll. Esc legt sie weg.</translation>
+    </message>
+    <message>
+        <source>Arrow keys move the cross. Space presses while it is held, Return until the next Return.</source>
+        <translation>Die Pfeiltasten bewegen das Kreuz. Die Leertaste drückt, solange sie gehalten wird, die Eingabetaste bis zur nächsten Eingabe.</translation>
     </message>
 </context>
 <context>
@@ -4835,10 +4923,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Wählt die Sprache der Texte im Fenster.</translation>
     </message>
     <message>
-        <source>Another language is spoken from the next start on.</source>
-        <translation>Eine andere Sprache gilt ab dem nächsten Start.</translation>
-    </message>
-    <message>
         <source>As the system</source>
         <translation>Wie das System</translation>
     </message>
@@ -4921,6 +5005,30 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Changes that are not saved yet are kept in any case, should Fettle end unexpectedly; the next start offers them.</source>
         <translation>Noch nicht gespeicherte Änderungen bleiben in jedem Fall erhalten, sollte Fettle unerwartet enden; der nächste Start bietet sie an.</translation>
+    </message>
+    <message>
+        <source>&amp;Text size</source>
+        <translation>&amp;Schriftgröße</translation>
+    </message>
+    <message>
+        <source>Makes the window&apos;s texts larger than the desktop has them.</source>
+        <translation>Macht die Texte des Fensters größer, als der Schreibtisch sie hat.</translation>
+    </message>
+    <message>
+        <source>Another language and another text size hold from the next start on.</source>
+        <translation>Eine andere Sprache und eine andere Schriftgröße gelten ab dem nächsten Start.</translation>
+    </message>
+    <message>
+        <source>&amp;Reduced motion</source>
+        <translation>Weniger &amp;Bewegung</translation>
+    </message>
+    <message>
+        <source>The view goes at once where it is sent, instead of flying there.</source>
+        <translation>Die Ansicht ist sofort dort, wohin sie geschickt wird, statt dorthin zu fliegen.</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
     </message>
 </context>
 <context>
@@ -6044,6 +6152,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>Hold: invert</source>
         <translation>Halten: umkehren</translation>
     </message>
+    <message>
+        <source>Invert</source>
+        <translation>Umkehren</translation>
+    </message>
+    <message>
+        <source>Hold: colour</source>
+        <translation>Halten: Farbe</translation>
+    </message>
 </context>
 <context>
     <name>vr::SettingsPanel</name>
@@ -6144,6 +6260,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Vibration</source>
         <translation>Vibration</translation>
+    </message>
+    <message>
+        <source>One hand</source>
+        <translation>Eine Hand</translation>
     </message>
 </context>
 <context>

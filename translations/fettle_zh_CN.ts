@@ -2538,6 +2538,90 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>Makes the stamp&apos;s model of this model as it is now.</source>
         <translation>把现在的模型作为图章的模型。</translation>
     </message>
+    <message>
+        <source>In&amp;vert</source>
+        <translation>反转(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Turns the tools round, for a hand that cannot hold %1 as well: Pull pushes, Clay digs.</source>
+        <translation>反转各工具，供无法同时按住 %1 的手使用：拉起变为按下，黏土变为挖去。</translation>
+    </message>
+    <message>
+        <source>Sculpt by &amp;Keys</source>
+        <translation>用按键雕刻(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Gives the view a cross that the arrow keys move: Space or Return presses the tool on the model, beside it the view turns.</source>
+        <translation>在视图中显示一个由方向键移动的十字：空格或回车把工具按在模型上，在模型之外则转动视图。</translation>
+    </message>
+    <message>
+        <source>Turn &amp;Left</source>
+        <translation>向左转(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Turns what faces you to the left, by 15 degrees.</source>
+        <translation>把面向您的一侧向左转 15 度。</translation>
+    </message>
+    <message>
+        <source>Turn &amp;Right</source>
+        <translation>向右转(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Turns what faces you to the right, by 15 degrees.</source>
+        <translation>把面向您的一侧向右转 15 度。</translation>
+    </message>
+    <message>
+        <source>Turn &amp;Up</source>
+        <translation>向上转(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Turns what faces you upwards, by 15 degrees.</source>
+        <translation>把面向您的一侧向上转 15 度。</translation>
+    </message>
+    <message>
+        <source>Turn &amp;Down</source>
+        <translation>向下转(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Turns what faces you downwards, by 15 degrees.</source>
+        <translation>把面向您的一侧向下转 15 度。</translation>
+    </message>
+    <message>
+        <source>&amp;Nearer</source>
+        <translation>靠近(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Shows the model larger.</source>
+        <translation>把模型显示得更大。</translation>
+    </message>
+    <message>
+        <source>&amp;Farther</source>
+        <translation>远离(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Shows the model smaller.</source>
+        <translation>把模型显示得更小。</translation>
+    </message>
+    <message>
+        <source>&amp;One Hand</source>
+        <translation>单手(&amp;O)</translation>
+    </message>
+    <message>
+        <source>From the next visit to VR on, one wand does all, and panels stand before you.</source>
+        <translation>从下次进入 VR 起，一支手柄完成所有操作，面板立在您面前。</translation>
+    </message>
+    <message>
+        <source>&amp;Left-Handed</source>
+        <translation>左手(&amp;L)</translation>
+    </message>
+    <message>
+        <source>From the next visit to VR on, the left hand sculpts.</source>
+        <translation>从下次进入 VR 起，由左手雕刻。</translation>
+    </message>
+    <message>
+        <source>T&amp;urn and Zoom</source>
+        <translation>转动与缩放(&amp;U)</translation>
+    </message>
 </context>
 <context>
     <name>ui::BrushDrag</name>
@@ -3487,6 +3571,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Click where the ball should be. Esc puts it away.</source>
         <translation>请单击要放置球的位置。按 Esc 取消。</translation>
+    </message>
+    <message>
+        <source>Arrow keys move the cross. Space presses while it is held, Return until the next Return.</source>
+        <translation>方向键移动十字。按住空格即按下工具；回车按下后，到再按一次回车为止。</translation>
     </message>
 </context>
 <context>
@@ -4820,10 +4908,6 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>选择窗口文字的语言。</translation>
     </message>
     <message>
-        <source>Another language is spoken from the next start on.</source>
-        <translation>新的语言在下次启动时生效。</translation>
-    </message>
-    <message>
         <source>As the system</source>
         <translation>跟随系统</translation>
     </message>
@@ -4906,6 +4990,30 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Changes that are not saved yet are kept in any case, should Fettle end unexpectedly; the next start offers them.</source>
         <translation>若 Fettle 意外结束，尚未保存的更改总会保留；下次启动时提供恢复。</translation>
+    </message>
+    <message>
+        <source>&amp;Text size</source>
+        <translation>文字大小(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Makes the window&apos;s texts larger than the desktop has them.</source>
+        <translation>使窗口文字大于桌面的文字。</translation>
+    </message>
+    <message>
+        <source>Another language and another text size hold from the next start on.</source>
+        <translation>更改语言和文字大小在下次启动后生效。</translation>
+    </message>
+    <message>
+        <source>&amp;Reduced motion</source>
+        <translation>减少动态效果(&amp;R)</translation>
+    </message>
+    <message>
+        <source>The view goes at once where it is sent, instead of flying there.</source>
+        <translation>视图直接到达目标，而不是飞过去。</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
     </message>
 </context>
 <context>
@@ -6027,6 +6135,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>Hold: invert</source>
         <translation>按住：反转</translation>
     </message>
+    <message>
+        <source>Invert</source>
+        <translation>反转</translation>
+    </message>
+    <message>
+        <source>Hold: colour</source>
+        <translation>按住：颜色</translation>
+    </message>
 </context>
 <context>
     <name>vr::SettingsPanel</name>
@@ -6127,6 +6243,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Vibration</source>
         <translation>振动</translation>
+    </message>
+    <message>
+        <source>One hand</source>
+        <translation>单手</translation>
     </message>
 </context>
 <context>

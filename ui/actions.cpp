@@ -155,6 +155,8 @@ QString Actions::menuTitle(MenuId menu) const
         return tr("Mo&del");
     case MenuId::View:
         return tr("&View");
+    case MenuId::Turn:
+        return tr("T&urn and Zoom");
     case MenuId::Material:
         return tr("Mat&erial");
     case MenuId::Background:

@@ -14,8 +14,8 @@ class QWidget;
 
 namespace ui
 {
-/// New is a menu of File; Tool is one of Sculpt; Material, Background and Reference are menus of View; Files is that of the panel.
-enum class MenuId { File, New, Files, Edit, Sculpt, Tool, Mask, Model, View, Material, Background, Reference, Vr, Help };
+/// New is a menu of File; Tool is one of Sculpt; Turn, Material, Background and Reference are menus of View; Files is that of the panel.
+enum class MenuId { File, New, Files, Edit, Sculpt, Tool, Mask, Model, View, Turn, Material, Background, Reference, Vr, Help };
 enum class Bar { None, Top, Tools, Options };
 
 /// One row an action. Menus, tool bar, shortcut sheet, settings and tests read this table.

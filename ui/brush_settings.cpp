@@ -56,6 +56,7 @@ void BrushSettings::reset()
     const BrushSettings first;
     m_plane = first.m_plane;
     m_sectors = first.m_sectors;
+    m_isTurnedRound = first.m_isTurnedRound;
     m_isSteady = first.m_isSteady;
     m_stringLength = first.m_stringLength;
     Q_EMIT changed();
@@ -130,6 +131,12 @@ void BrushSettings::take(const core::StrokeSettings& stroke)
     if (stroke.radial > 1)
         m_sectors = stroke.radial;
     Q_EMIT changed();
+}
+
+void BrushSettings::setTurnedRound(bool turned)
+{
+    if (std::exchange(m_isTurnedRound, turned) != turned)
+        Q_EMIT changed();
 }
 
 void BrushSettings::setSteady(bool steady)

@@ -58,6 +58,10 @@ public:
     /// As a new user's, but for the radius, which is the model's; of the tools that are offered the first.
     void reset();
 
+    /// Strokes do the opposite of what their tool does, and with the key that inverts what it does.
+    bool isTurnedRound() const { return m_isTurnedRound; }
+    void setTurnedRound(bool turned);
+
     /// A steady stroke hangs on a string behind the pointer.
     bool isSteady() const { return m_isSteady; }
     void setSteady(bool steady);
@@ -85,6 +89,7 @@ Q_SIGNALS:
 private:
     core::StrokeSettings m_stroke;
     QList<core::Tool> m_tools; ///< that are offered; none: all
+    bool m_isTurnedRound = false;
     bool m_isSteady = false;
     double m_stringLength = defaultString;
     core::Symmetry m_plane = core::Symmetry::X;

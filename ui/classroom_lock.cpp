@@ -99,6 +99,7 @@ bool isAllowed(const ActionInfo& row, const Classroom& classroom)
     case MenuId::Sculpt:
     case MenuId::Model:
     case MenuId::View:
+    case MenuId::Turn:
     case MenuId::Material:
     case MenuId::Background:
     case MenuId::Vr:

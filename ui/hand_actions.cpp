@@ -62,6 +62,22 @@ void connectAdding(QAction* action, const HandPlace& place)
     QObject::connect(place.viewport, &Viewport::addingChanged, action, &QAction::setChecked);
 }
 
+void connectKeys(QAction* action, const HandPlace& place)
+{
+    QObject::connect(action, &QAction::triggered, place.viewport, [viewport = place.viewport, notice = place.notice](bool on) {
+        viewport->setKeyHand(on);
+        if (on)
+            notice(HandActions::tr("Arrow keys move the cross. Space presses while it is held, Return until the next Return."));
+    });
+    QObject::connect(place.viewport, &Viewport::keyHandChanged, action, &QAction::setChecked);
+}
+
+void connectInvert(QAction* action, BrushSettings* brush)
+{
+    QObject::connect(action, &QAction::triggered, brush, &BrushSettings::setTurnedRound);
+    QObject::connect(brush, &BrushSettings::changed, action, [=] { action->setChecked(brush->isTurnedRound()); });
+}
+
 void connectTurntable(QAction* action, const HandPlace& place, Settings* settings)
 {
     auto* turntable = new TurntableMotor(place.viewport);
@@ -86,6 +102,8 @@ void connectHand(const HandPlace& place, BrushSettings* brush, Settings* setting
 {
     connectDrags(actions, brush, place.viewport);
     connectSteady(actions.get(QStringLiteral("brush.steady")), brush, settings);
+    connectInvert(actions.get(QStringLiteral("brush.invert")), brush);
+    connectKeys(actions.get(QStringLiteral("brush.keys")), place);
     connectAdding(actions.get(QStringLiteral("brush.add")), place);
     connectTurntable(actions.get(QStringLiteral("turntable.on")), place, settings);
 }

@@ -67,7 +67,7 @@ QString menuWords(const ActionInfo& row, const Actions& actions)
         way.prepend(MenuId::File);
     if (row.menu == MenuId::Tool || row.menu == MenuId::Mask)
         way.prepend(MenuId::Sculpt);
-    if (row.menu == MenuId::Material || row.menu == MenuId::Background)
+    if (row.menu == MenuId::Turn || row.menu == MenuId::Material || row.menu == MenuId::Background)
         way.prepend(MenuId::View);
     QStringList words;
     for (const MenuId menu : way)

@@ -69,6 +69,7 @@ void MainWindow::State::buildBars()
             files.addMenus(menu, actions);
         if (id != MenuId::View)
             continue;
+        actions.fill(menu->addMenu(actions.menuTitle(MenuId::Turn)), MenuId::Turn);
         addLooks(actions, viewport, &settings, menu);
         buildPanels(menu->addMenu(tr("&Panels")));
     }

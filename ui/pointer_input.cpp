@@ -62,6 +62,12 @@ void PointerInput::pan(const OrbitCamera::Pixel& delta)
     takeView();
 }
 
+void PointerInput::orbit(const OrbitCamera::Pixel& delta)
+{
+    m_camera->orbit(delta);
+    takeView();
+}
+
 void PointerInput::hold(const OrbitCamera::Pixel& pixel)
 {
     m_inside = m_holds = true;
@@ -136,7 +142,7 @@ core::StrokeSettings PointerInput::strokeFor(Qt::KeyboardModifiers modifiers, bo
 {
     modifiers.setFlag(Qt::ShiftModifier, modifiers.testFlag(Qt::ShiftModifier) && m_brush->isOffered(core::Tool::Smooth));
     core::StrokeSettings stroke = withKeysHeld(m_brush->stroke(), modifiers, m_habits.held.invert);
-    if (eraser)
+    if (eraser != m_brush->isTurnedRound())
         stroke = core::opposite(stroke);
     if (core::followsHand(stroke.tool))
         stroke.spacing = 0;

@@ -30,6 +30,7 @@ public:
     /// `factor` < 1 comes nearer; what lies under the pixel stays there.
     void zoom(double factor, const OrbitCamera::Pixel& toward);
     void pan(const OrbitCamera::Pixel& delta);
+    void orbit(const OrbitCamera::Pixel& delta);
     /// Fingers hold what lies at that pixel: it is asked for, so that zoom() goes by its depth, but not shown.
     void hold(const OrbitCamera::Pixel& pixel);
     /// The pointer left the view.

@@ -7,10 +7,15 @@
 namespace ui
 {
 enum class ThemeChoice { System, Light, Dark };
+/// Of what the desktop has, in percent.
+enum class TextSize { Usual = 100, Larger = 125, Large = 150, Largest = 175 };
 enum class Language { System, English, German, Chinese };
 
 inline constexpr std::array<Named<ThemeChoice>, 3> themeChoices{
     {{ThemeChoice::System, "system"}, {ThemeChoice::Light, "light"}, {ThemeChoice::Dark, "dark"}}};
+
+inline constexpr std::array<Named<TextSize>, 4> textSizes{
+    {{TextSize::Usual, "100"}, {TextSize::Larger, "125"}, {TextSize::Large, "150"}, {TextSize::Largest, "175"}}};
 
 /// The keys are locale names.
 inline constexpr std::array<Named<Language>, 4> languages{
@@ -45,6 +50,8 @@ struct Preferences
 {
     ThemeChoice theme = ThemeChoice::System;
     Language language = Language::System; ///< of the next start
+    TextSize textSize = TextSize::Usual;  ///< of the next start
+    bool isCalm = false;                  ///< nothing moves that nobody moves: the view goes at once where it is sent
     HandHabits hand;
     KeyChoice keys{};
     bool keepsVersions = false; ///< what a file held stays beside it when it is saved again

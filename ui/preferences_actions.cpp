@@ -29,6 +29,7 @@ void connectPreferences(const PreferencesPlace& place)
     const auto takeUp = [=] {
         const Preferences preferences = settings->preferences();
         theme->choose(preferences.theme);
+        viewport->setCalm(preferences.isCalm);
         viewport->setHabits(preferences.habits());
         actions->setKeys(preferences.keys);
     };

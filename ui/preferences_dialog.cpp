@@ -90,7 +90,10 @@ QWidget* PreferencesDialog::appearancePage()
     addChoice(form, {"theme", tr("&Colours"), tr("Chooses a light or a dark window, or what the desktop has.")}, themeChoices,
               &Preferences::theme);
     addChoice(form, {"language", tr("&Language"), tr("Chooses the language of the window's texts.")}, languages, &Preferences::language);
-    form->addRow(remark(tr("Another language is spoken from the next start on.")));
+    addChoice(form, {"textSize", tr("&Text size"), tr("Makes the window's texts larger than the desktop has them.")}, textSizes, &Preferences::textSize);
+    form->addRow(remark(tr("Another language and another text size hold from the next start on.")));
+    addCheck(form, {"calm", tr("&Reduced motion"), tr("The view goes at once where it is sent, instead of flying there.")},
+             [](Preferences& all) { return &all.isCalm; });
     return page;
 }
 
@@ -195,6 +198,11 @@ QString PreferencesDialog::words(ThemeChoice theme)
         return tr("Dark");
     }
     return {};
+}
+
+QString PreferencesDialog::words(TextSize size)
+{
+    return tr("%1 %").arg(static_cast<int>(size));
 }
 
 /// Each language under its own name, so that it is found by whoever reads no other.

@@ -51,6 +51,7 @@ private:
     template <class Part> void addCheck(QFormLayout* form, const Words& words, Part part);
     void addPen(QFormLayout* form);
     static QString words(ThemeChoice theme);
+    static QString words(TextSize size);
     void change(const Preferences& to);
 
     Preferences m_now;

@@ -23,6 +23,8 @@ const QString radiusShareKey = QStringLiteral("brush/radiusShare");
 const QString themeKey = QStringLiteral("preferences/theme");
 const QString keepsVersionsKey = QStringLiteral("preferences/keepsVersions");
 const QString languageKey = QStringLiteral("preferences/language");
+const QString textSizeKey = QStringLiteral("preferences/textSize");
+const QString calmKey = QStringLiteral("preferences/calm");
 const QString keyPresetKey = QStringLiteral("keys/preset");
 const QString ownKeys = QStringLiteral("keys/own/"); ///< and the action's id
 const QString penKey = QStringLiteral("preferences/penExponent");
@@ -74,6 +76,8 @@ Preferences Settings::preferences() const
     Preferences preferences;
     preferences.theme = choice(m_settings, themeKey, themeChoices, preferences.theme);
     preferences.language = choice(m_settings, languageKey, languages, preferences.language);
+    preferences.textSize = choice(m_settings, textSizeKey, textSizes, preferences.textSize);
+    preferences.isCalm = yesNo(m_settings, calmKey, preferences.isCalm);
     for (const HabitSwitch& row : habitSwitches)
         preferences.hand.*row.what = yesNo(m_settings, row.key, preferences.hand.*row.what);
     preferences.hand.penExponent = number(m_settings, penKey, minPenExponent, maxPenExponent, preferences.hand.penExponent);
@@ -89,6 +93,8 @@ void Settings::setPreferences(const Preferences& preferences)
 {
     m_settings.setValue(themeKey, wordFor(preferences.theme, themeChoices));
     m_settings.setValue(languageKey, wordFor(preferences.language, languages));
+    m_settings.setValue(textSizeKey, wordFor(preferences.textSize, textSizes));
+    m_settings.setValue(calmKey, preferences.isCalm);
     for (const HabitSwitch& row : habitSwitches)
         m_settings.setValue(row.key, preferences.hand.*row.what);
     m_settings.setValue(penKey, preferences.hand.penExponent);

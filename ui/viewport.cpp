@@ -120,6 +120,7 @@ Viewport::Viewport(BrushSettings* brush, QWidget* parent)
     m_state->string = new StringLine(this);
     prepareFlight();
     prepareFollowing();
+    prepareKeys();
 
     PointerInput* input = &m_state->input;
     connect(input, &PointerInput::hoverRequested, this, &Viewport::hoverRequested);
@@ -341,6 +342,7 @@ void Viewport::sayThatNothingCanBeShown()
 void Viewport::resizeGL(int width, int height)
 {
     m_state->camera.setViewport(width, height);
+    m_state->reachWithKeys({width, height});
     m_state->input.viewMoved();
 }
 

@@ -70,6 +70,8 @@ public:
     void setProjection(OrbitCamera::Projection projection);
 
     void setHabits(const HandHabits& habits);
+    /// The view goes at once where it is sent, instead of flying.
+    void setCalm(bool calm);
     void setLook(const ViewLook& look);
     const ViewLook& look() const;
     /// The numbers behind the look's material.
@@ -106,6 +108,14 @@ public:
     /// Ends whatever drag is going on, as a release would.
     void finish();
 
+    /// On, arrow keys, Space and Return are a hand (KeyHand) while the view has the focus, which it gets.
+    void setKeyHand(bool on);
+    bool hasKeyHand() const;
+    /// The view turns by so many degrees, to the right and down, as the hand would turn it.
+    void turnView(double right, double down);
+    /// `factor` < 1 comes nearer: to the hand of the keys, else to the middle of the view.
+    void zoomView(double factor);
+
     /// While on, the next press for the brush takes a colour from the model instead: picked() ends it. So does Escape.
     void setPicking(bool on);
 
@@ -131,6 +141,7 @@ Q_SIGNALS:
     void strokeEnded();
     void pressDecided();
     void addingChanged(bool adding);
+    void keyHandChanged(bool on);
     /// A ball of the brush's radius at the sample's position, or nothing.
     void sphereRequested(const core::StrokeSettings& settings, const core::StrokeSample& sample);
 
@@ -153,12 +164,16 @@ protected:
     void tabletEvent(QTabletEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
     bool event(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void prepareFlight();
     void prepareFollowing();
+    void prepareKeys();
     void follow();
     void chooseCursor();
     void sayThatNothingCanBeShown();

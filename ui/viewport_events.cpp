@@ -56,19 +56,26 @@ void Viewport::changeEvent(QEvent* event)
     update();
 }
 
+/// While the keys' hand holds the model the mouse's does not draw as well.
 void Viewport::mousePressEvent(QMouseEvent* event)
 {
+    if (m_state->keys.isDown())
+        return;
     m_state->flight.stop();
     m_state->input.handle(pointerEvent(PointerEvent::Kind::Press, *event));
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event)
 {
+    if (m_state->keys.isDown())
+        return;
     m_state->input.handle(pointerEvent(PointerEvent::Kind::Move, *event));
 }
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event)
 {
+    if (m_state->keys.isDown())
+        return;
     m_state->input.handle(pointerEvent(PointerEvent::Kind::Release, *event));
 }
 
@@ -96,7 +103,8 @@ void Viewport::wheelEvent(QWheelEvent* event)
 
 void Viewport::leaveEvent(QEvent* event)
 {
-    m_state->input.leave();
+    if (!hasKeyHand())
+        m_state->input.leave();
     QOpenGLWidget::leaveEvent(event);
 }
 

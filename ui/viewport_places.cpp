@@ -30,6 +30,11 @@ void Viewport::prepareFlight()
     });
 }
 
+void Viewport::setCalm(bool calm)
+{
+    m_state->isCalm = calm;
+}
+
 void Viewport::setShades(const std::shared_ptr<const core::Footprint>& shades)
 {
     m_state->shades = shades;
@@ -47,7 +52,10 @@ void Viewport::flyTo(const core::Vec3& point, const core::Vec3& normal, double e
     s.camera.setPivot({});
     s.from = s.camera.pose();
     s.to = s.camera.facing(point, normal, shown);
-    s.flight.start();
+    if (!s.isCalm)
+        return s.flight.start();
+    s.camera.setPose(s.to);
+    s.input.viewMoved();
 }
 
 void Viewport::forgetMark()

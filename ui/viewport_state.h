@@ -1,5 +1,7 @@
 #pragma once
 
+#include "key_cross.h"
+#include "key_hand.h"
 #include "pointer_input.h"
 #include "scale_bar.h"
 #include "scene.h"
@@ -13,7 +15,7 @@
 
 namespace ui
 {
-/// For the viewport's own files: viewport.cpp shows, viewport_events.cpp takes what the hand does,
+/// For the viewport's own files: viewport.cpp shows, viewport_events.cpp takes what the hand does, viewport_keys.cpp what keys do,
 /// viewport_places.cpp goes where somebody wants to look, and viewport_wearer.cpp to where the headset is.
 struct Viewport::State
 {
@@ -23,12 +25,14 @@ struct Viewport::State
     OrbitCamera camera;
     PointerInput input{brush, &camera};
     TouchInput touch{&input};
+    KeyHand keys{&input};
     std::unique_ptr<Scene> scene;
     core::Box box;
     ViewLook look;
     References references;
     ScaleBar* scaleBar = nullptr;
     StringLine* string = nullptr;
+    KeyCross* cross = nullptr; ///< where the hand of the keys is
     std::function<std::optional<core::MeshPatch>()> take;
     struct Mark
     {
@@ -39,6 +43,7 @@ struct Viewport::State
     std::shared_ptr<const core::Footprint> shades;
     OrbitCamera::Pose from, to; ///< of the flight
     QVariantAnimation flight;
+    bool isCalm = false; ///< there are none
     std::optional<Wearer> wearer;
     QTimer following; ///< runs while the view follows the head
     QElapsedTimer sinceFollowed;
@@ -48,6 +53,7 @@ struct Viewport::State
 
     bool applyPatch();
     void placeCursor();
+    void reachWithKeys(const QSize& view);
     void spanString();
     void placeMark();
     void placeWearer();

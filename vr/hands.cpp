@@ -122,7 +122,9 @@ HandMode Hands::modeOf(Side side) const
 {
     if (roleOf(side) == HandRole::Support)
         return m_toolMenuOpen ? HandMode::ToolMenu : HandMode::Plain;
-    return m_colorPanelOpen ? HandMode::ColorPanel : HandMode::Plain;
+    if (m_colorPanelOpen)
+        return HandMode::ColorPanel;
+    return m_toolMenuOpen && m_choice.preset == Preset::OneHand ? HandMode::ToolMenu : HandMode::Plain;
 }
 
 std::optional<Hands::Hold> Hands::hold(Side side) const

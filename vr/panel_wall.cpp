@@ -18,6 +18,10 @@ struct Stand
 Stand standOf(PanelKind kind)
 {
     switch (kind) {
+    case PanelKind::Tools: // of one hand: out of the way of Files and Settings
+        return {12 * degree, 0.3};
+    case PanelKind::Color:
+        return {-12 * degree, 0.3};
     case PanelKind::Files:
         return {35 * degree, 0.08};
     case PanelKind::Settings:
@@ -82,6 +86,8 @@ void PanelWall::takePicture()
 
 std::optional<Side> PanelWall::carrier(PanelKind kind) const
 {
+    if (m_isOneHanded)
+        return std::nullopt;
     const Side support = m_sculpting == Side::Right ? Side::Left : Side::Right;
     return kind == PanelKind::Tools   ? std::optional(support)
            : kind == PanelKind::Color ? std::optional(m_sculpting)
@@ -114,6 +120,7 @@ Pose PanelWall::placeOf(PanelKind kind, const Sight& sight) const
 void PanelWall::place(const Sight& sight)
 {
     m_sculpting = sight.sculpting;
+    m_isOneHanded = sight.isOneHanded;
     takePicture();
     for (std::size_t i = 0; i < panelKindCount; ++i) {
         Place& place = m_places[i];

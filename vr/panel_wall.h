@@ -32,6 +32,7 @@ public:
         std::array<std::optional<Pose>, sideCount> grips; ///< by Side; none: the hand is not seen
         Side sculpting = Side::Right;                     ///< has the colours, the other the tools
         core::Sphere clay;                                ///< which panels keep out of
+        bool isOneHanded = false;                         ///< no panel goes with a hand
     };
     void place(const Sight& sight);
     /// Where a panel that goes with no hand is placed when it opens. Pure.
@@ -72,6 +73,7 @@ private:
     std::array<PanelPointer, sideCount> m_pointers; ///< by Side
     std::vector<PlacedPanel> m_targets;             ///< of aim()
     Side m_sculpting = Side::Right;
+    bool m_isOneHanded = false;
     std::size_t m_turn = 0; ///< whose picture is looked for first
 };
 } // namespace vr

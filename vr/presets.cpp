@@ -62,6 +62,24 @@ constexpr PresetRow studio[] = {
     {Sculpting, Any,        Trigger,     F::Sculpt,           QT_TRANSLATE_NOOP("vr::Presets", "Sculpt")},
     {Sculpting, Any,        Squeeze,     F::MoveModel,        QT_TRANSLATE_NOOP("vr::Presets", "Move model")},
 };
+/// Saving, restoring and the rest are on panels.
+constexpr PresetRow oneHand[] = {
+    {Sculpting, Plain,      PadLeft,     F::Undo,             QT_TRANSLATE_NOOP("vr::Presets", "Undo")},
+    {Sculpting, ToolMenu,   PadLeft,     F::PreviousTool,     QT_TRANSLATE_NOOP("vr::Presets", "Previous tool")},
+    {Sculpting, Plain,      PadRight,    F::Redo,             QT_TRANSLATE_NOOP("vr::Presets", "Redo")},
+    {Sculpting, ToolMenu,   PadRight,    F::NextTool,         QT_TRANSLATE_NOOP("vr::Presets", "Next tool")},
+    {Sculpting, Plain,      PadTop,      F::ToggleInverse,    QT_TRANSLATE_NOOP("vr::Presets", "Invert")},
+    {Sculpting, Plain,      PadBottom,   F::ToggleSymmetry,   QT_TRANSLATE_NOOP("vr::Presets", "Symmetry")},
+    {Sculpting, Plain,      SlideUpDown, F::SetRadius,        QT_TRANSLATE_NOOP("vr::Presets", "Slide: radius")},
+    {Sculpting, ToolMenu,   SlideUpDown, F::ScaleModel,       QT_TRANSLATE_NOOP("vr::Presets", "Slide: scale")},
+    {Sculpting, Any,        MenuTap,     F::ToggleToolMenu,   QT_TRANSLATE_NOOP("vr::Presets", "Tools")},
+    {Sculpting, Any,        MenuHold,    F::ToggleColorPanel, QT_TRANSLATE_NOOP("vr::Presets", "Hold: colour")},
+    {Sculpting, ColorPanel, PadLeft,     F::PreviousChannel,  QT_TRANSLATE_NOOP("vr::Presets", "Previous channel")},
+    {Sculpting, ColorPanel, PadRight,    F::NextChannel,      QT_TRANSLATE_NOOP("vr::Presets", "Next channel")},
+    {Sculpting, ColorPanel, SlideUpDown, F::SetChannel,       QT_TRANSLATE_NOOP("vr::Presets", "Slide: value")},
+    {Sculpting, Any,        Trigger,     F::Sculpt,           QT_TRANSLATE_NOOP("vr::Presets", "Sculpt")},
+    {Sculpting, Any,        Squeeze,     F::MoveModel,        QT_TRANSLATE_NOOP("vr::Presets", "Move model")},
+};
 // clang-format on
 
 constexpr bool answers(const PresetRow& row, const WandControl& control)
@@ -89,12 +107,20 @@ constexpr bool isClear(std::span<const PresetRow> table)
         }
     return true;
 }
-static_assert(isClear(paper) && isClear(studio));
+static_assert(isClear(paper) && isClear(studio) && isClear(oneHand));
 } // namespace
 
 std::span<const PresetRow> rows(Preset preset)
 {
-    return preset == Preset::Paper ? std::span<const PresetRow>(paper) : std::span<const PresetRow>(studio);
+    switch (preset) {
+    case Preset::Paper:
+        return paper;
+    case Preset::Studio:
+        return studio;
+    case Preset::OneHand:
+        return oneHand;
+    }
+    return {};
 }
 
 std::optional<WandFunction> functionOf(Preset preset, const WandControl& control)

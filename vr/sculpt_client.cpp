@@ -106,7 +106,7 @@ void SculptClient::place(const FrameInput& input)
         m_room.place(m_head, m_choice.raised);
         m_isPlaced = true;
     }
-    PanelWall::Sight sight{m_head, {}, m_choice.hands.sculpting, clayOf(m_room, m_news.box)};
+    PanelWall::Sight sight{m_head, {}, m_choice.hands.sculpting, clayOf(m_room, m_news.box), m_choice.hands.preset == Preset::OneHand};
     for (std::size_t i = 0; i < sideCount; ++i)
         if (input.wands[i].isTracked)
             sight.grips[i] = input.wands[i].grip;

@@ -32,6 +32,7 @@ class TestEndToEnd : public QObject
 private Q_SLOTS:
     void openPullUndoExport();
     void toolsByModifier();
+    void sculptedByKeysAlone();
     void refusedFileLeavesTheModel();
     void closing_asksOnlyWithChanges();
     void closing_waitsForThePress();
@@ -102,6 +103,49 @@ void TestEndToEnd::toolsByModifier()
     }
     QVERIFY(program.document.undoStack().text(0) != program.document.undoStack().text(1));
     QVERIFY(program.document.undoStack().text(1) != program.document.undoStack().text(2));
+}
+
+/// From the menus' keys to the export, no mouse is touched.
+void TestEndToEnd::sculptedByKeysAlone()
+{
+    QTemporaryDir folder;
+    const QString in = folder.filePath(QStringLiteral("ball.stl")), out = folder.filePath(QStringLiteral("out.stl"));
+    core::writeMesh(in.toStdString(), core::icosphere(4, 30));
+    Program program;
+    openFile(program, in, {900, 700});
+    ui::Viewport* view = program.window.viewport();
+    const QUndoStack& steps = program.document.undoStack();
+
+    QTest::keyClick(&program.window, Qt::Key_K, Qt::ControlModifier);
+    QVERIFY(view->hasKeyHand() && view->hasFocus());
+    QVERIFY(program.window.findChild<QWidget*>(QStringLiteral("keyCross"))->isVisible());
+    QTest::keyClick(view, Qt::Key_1); // Pull
+    QTest::keyPress(view, Qt::Key_Space);
+    for (int i = 0; i < 10; ++i)
+        QTest::keyClick(view, Qt::Key_Right);
+    QTest::keyRelease(view, Qt::Key_Space);
+    QTRY_COMPARE_WITH_TIMEOUT(steps.count(), 1, 60'000);
+
+    const core::Vec3 before = view->camera().viewDirection();
+    QTest::keyClick(view, Qt::Key_Left, Qt::ControlModifier);
+    QVERIFY(view->camera().viewDirection() != before);
+    QTest::keyClick(view, Qt::Key_I, Qt::ShiftModifier);
+    QTest::keyClick(view, Qt::Key_Return);
+    QTest::keyClick(view, Qt::Key_Down);
+    QTest::keyClick(view, Qt::Key_Return);
+    QTRY_COMPARE_WITH_TIMEOUT(steps.count(), 2, 60'000);
+    QVERIFY(steps.text(0) != steps.text(1)); // Push
+
+    QTest::keyClick(&program.window, Qt::Key_K, Qt::ControlModifier);
+    QVERIFY(!view->hasKeyHand());
+    QTest::keyClick(view, Qt::Key_Space);
+    QTRY_VERIFY_WITH_TIMEOUT(program.document.isSettled(), 60'000);
+    QCOMPARE(steps.count(), 2);
+
+    QSignalSpy exported(&program.document, &Document::exported);
+    Q_EMIT program.window.exportRequested(out);
+    QTRY_COMPARE(exported.size(), 1);
+    QVERIFY(isSound(out));
 }
 
 void TestEndToEnd::refusedFileLeavesTheModel()

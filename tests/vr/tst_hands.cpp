@@ -28,7 +28,7 @@ using vr::WandState;
 
 namespace
 {
-constexpr Preset presets[] = {Preset::Paper, Preset::Studio};
+constexpr Preset presets[] = {Preset::Paper, Preset::Studio, Preset::OneHand};
 constexpr Side sides[] = {Side::Left, Side::Right};
 constexpr HandRole roles[] = {HandRole::Sculpting, HandRole::Support};
 constexpr unsigned seed = 20261122;

@@ -1,3 +1,4 @@
+#include "vr/hands.h"
 #include "vr/presets.h"
 
 #include <QCoreApplication>
@@ -18,7 +19,7 @@ using vr::WandFunction;
 
 namespace
 {
-constexpr Preset presets[] = {Preset::Paper, Preset::Studio};
+constexpr Preset presets[] = {Preset::Paper, Preset::Studio, Preset::OneHand};
 
 /// What one gesture of a hand does, with its panel closed and with it open.
 struct Place
@@ -90,6 +91,34 @@ const Place studio[] = {
     {dominant, Gesture::SqueezeHold, nothing, nothing},
 };
 
+/// All by the one hand; here `open` is the colour panel, which counts before the tools.
+const Place oneHand[] = {
+    {support, Gesture::PadLeft, nothing, nothing},
+    {support, Gesture::PadRight, nothing, nothing},
+    {support, Gesture::PadTop, nothing, nothing},
+    {support, Gesture::PadBottom, nothing, nothing},
+    {support, Gesture::Slide, nothing, nothing},
+    {support, Gesture::SlideUpDown, nothing, nothing},
+    {support, Gesture::Menu, nothing, nothing},
+    {support, Gesture::MenuTap, nothing, nothing},
+    {support, Gesture::MenuHold, nothing, nothing},
+    {support, Gesture::Trigger, nothing, nothing},
+    {support, Gesture::Squeeze, nothing, nothing},
+    {support, Gesture::SqueezeHold, nothing, nothing},
+    {dominant, Gesture::PadTop, F::ToggleInverse, nothing},
+    {dominant, Gesture::PadBottom, F::ToggleSymmetry, nothing},
+    {dominant, Gesture::PadLeft, F::Undo, F::PreviousChannel},
+    {dominant, Gesture::PadRight, F::Redo, F::NextChannel},
+    {dominant, Gesture::Slide, nothing, nothing},
+    {dominant, Gesture::SlideUpDown, F::SetRadius, F::SetChannel},
+    {dominant, Gesture::Menu, nothing, nothing},
+    {dominant, Gesture::MenuTap, F::ToggleToolMenu, F::ToggleToolMenu},
+    {dominant, Gesture::MenuHold, F::ToggleColorPanel, F::ToggleColorPanel},
+    {dominant, Gesture::Trigger, F::Sculpt, F::Sculpt},
+    {dominant, Gesture::Squeeze, F::MoveModel, F::MoveModel},
+    {dominant, Gesture::SqueezeHold, nothing, nothing},
+};
+
 HandMode openMode(HandRole hand)
 {
     return hand == HandRole::Support ? HandMode::ToolMenu : HandMode::ColorPanel;
@@ -124,6 +153,7 @@ private Q_SLOTS:
         QTest::addColumn<std::vector<Place>>("places");
         QTest::newRow("Paper") << Preset::Paper << std::vector<Place>(std::begin(paper), std::end(paper));
         QTest::newRow("Studio") << Preset::Studio << std::vector<Place>(std::begin(studio), std::end(studio));
+        QTest::newRow("OneHand") << Preset::OneHand << std::vector<Place>(std::begin(oneHand), std::end(oneHand));
     }
 
     void eachFunctionIsWhereItBelongs()
@@ -137,6 +167,19 @@ private Q_SLOTS:
         }
     }
 
+    /// With the tools before it, one hand steps through them and scales the model.
+    void oneHandHasTheToolMenuToo()
+    {
+        const auto withTools = [](Gesture gesture) { return vr::functionOf(Preset::OneHand, {dominant, HandMode::ToolMenu, gesture}); };
+        QCOMPARE(withTools(Gesture::PadLeft), F::PreviousTool);
+        QCOMPARE(withTools(Gesture::PadRight), F::NextTool);
+        QCOMPARE(withTools(Gesture::SlideUpDown), F::ScaleModel);
+        QCOMPARE(withTools(Gesture::MenuTap), F::ToggleToolMenu);
+        QCOMPARE(withTools(Gesture::Trigger), F::Sculpt);
+        vr::Hands hands({Preset::OneHand, vr::Side::Right});
+        QVERIFY(hands.modeOf(vr::Side::Right) == HandMode::Plain && hands.modeOf(vr::Side::Left) == HandMode::Plain);
+    }
+
     /// What writes files, and what throws away the most, is never done by one press.
     void savingAndRestoringAreHeld()
     {
@@ -146,12 +189,13 @@ private Q_SLOTS:
                     QVERIFY(isHeld(row.gesture));
     }
 
-    /// Each hand's panel is its own.
+    /// Each hand's panel is its own; one hand has both.
     void rowsAreOfTheHandsOwnModes()
     {
         for (const Preset preset : presets)
             for (const PresetRow& row : vr::rows(preset))
-                QVERIFY(row.mode == HandMode::Any || row.mode == HandMode::Plain || row.mode == openMode(row.hand));
+                QVERIFY(row.mode == HandMode::Any || row.mode == HandMode::Plain || row.mode == openMode(row.hand) ||
+                        (preset == Preset::OneHand && row.hand == HandRole::Sculpting));
     }
 
     void labelsAreShortAndTheSameForTheSame()
@@ -162,7 +206,7 @@ private Q_SLOTS:
                 const QString label = vr::labelOf(row);
                 QVERIFY(!label.isEmpty() && label.size() <= 20 && label.split(u' ').size() <= 3);
                 QCOMPARE(label.startsWith(QStringLiteral("Hold: ")), isHeld(row.gesture));
-                labels[row.function].insert(label);
+                labels[row.function].insert(QString(label).remove(QStringLiteral("Hold: ")).toLower());
             }
         for (const auto& [function, texts] : labels)
             QVERIFY(texts.size() == 1);

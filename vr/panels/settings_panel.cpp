@@ -77,7 +77,8 @@ void SettingsPanel::addGeneral(PanelBuilder& builder) const
     const auto [preset, sculpting] = choice.hands;
     builder.addChoice(tr("Buttons"), settingsNameWidth,
                       {{tr("Paper"), {}, Preset::Paper, preset == Preset::Paper},
-                       {tr("Studio"), {}, Preset::Studio, preset == Preset::Studio}});
+                       {tr("Studio"), {}, Preset::Studio, preset == Preset::Studio},
+                       {tr("One hand"), {}, Preset::OneHand, preset == Preset::OneHand}});
     builder.addChoice(tr("Sculpting hand"), settingsNameWidth,
                       {{tr("Left"), {}, ChooseHand{Side::Left}, sculpting == Side::Left},
                        {tr("Right"), {}, ChooseHand{Side::Right}, sculpting == Side::Right}});

@@ -1,0 +1,38 @@
+#include "headset_hands.h"
+
+#include "headset.h"
+#include "headset_settings.h"
+
+#include "ui/main_window.h"
+
+#include <QAction>
+#include <QMenu>
+
+namespace app
+{
+void wireHeadsetHands(ui::MainWindow& window, Headset* headset)
+{
+    QAction* oneHand = window.action(QStringLiteral("vr.oneHand"));
+    QAction* leftHanded = window.action(QStringLiteral("vr.leftHanded"));
+    const auto show = [=] {
+        const vr::HandsChoice hands = HeadsetSettings().choice().hands;
+        oneHand->setChecked(hands.preset == vr::Preset::OneHand);
+        leftHanded->setChecked(hands.sculpting == vr::Side::Left);
+        for (QAction* action : {oneHand, leftHanded})
+            action->setEnabled(!headset->isIn());
+    };
+    const auto choose = [=] {
+        vr::HeadsetChoice choice = HeadsetSettings().choice();
+        if (oneHand->isChecked() != (choice.hands.preset == vr::Preset::OneHand))
+            choice.hands.preset = oneHand->isChecked() ? vr::Preset::OneHand : vr::HandsChoice().preset;
+        choice.hands.sculpting = leftHanded->isChecked() ? vr::Side::Left : vr::Side::Right;
+        HeadsetSettings().setChoice(choice);
+    };
+    QObject::connect(oneHand, &QAction::triggered, headset, choose);
+    QObject::connect(leftHanded, &QAction::triggered, headset, choose);
+    for (QObject* place : oneHand->associatedObjects())
+        if (auto* menu = qobject_cast<QMenu*>(place))
+            QObject::connect(menu, &QMenu::aboutToShow, oneHand, show);
+    show();
+}
+} // namespace app

@@ -1,0 +1,44 @@
+#include "key_cross.h"
+
+#include <QPainter>
+
+namespace ui
+{
+namespace
+{
+// Pixels.
+constexpr int side = 33;
+constexpr double arm = 14, hole = 5;
+} // namespace
+
+KeyCross::KeyCross(QWidget* parent) : QWidget(parent)
+{
+    setObjectName(QStringLiteral("keyCross"));
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    resize(side, side);
+    hide();
+}
+
+void KeyCross::place(const QPointF& at, bool down)
+{
+    m_isDown = down;
+    move(at.toPoint() - rect().center());
+    show();
+    update();
+}
+
+/// Light on dark: it is seen on every clay. Down, the hole in its middle is closed to a ring.
+void KeyCross::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.translate(QRectF(rect()).center());
+    for (const QPen& pen : {QPen(QColor(0, 0, 0, 150), 4, Qt::SolidLine, Qt::RoundCap), QPen(QColor(255, 246, 232), 1.8, Qt::SolidLine, Qt::RoundCap)}) {
+        painter.setPen(pen);
+        for (const QPointF& direction : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
+            painter.drawLine(hole * direction, arm * direction);
+        if (m_isDown)
+            painter.drawEllipse(QPointF(), hole, hole);
+    }
+}
+} // namespace ui

@@ -1,0 +1,149 @@
+#include "key_hand.h"
+
+#include <QKeyEvent>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ui
+{
+namespace
+{
+constexpr double firstStep = 0.125, widestStep = 0.5; ///< of the brush's radius
+constexpr double leastStep = 1;                       ///< pixel
+constexpr double growth = 1.25;                       ///< of the step, each time that a held key comes again
+constexpr double sampleStep = 4; ///< pixels: a hand that steps farther is read on its way, as a mouse is
+
+OrbitCamera::Pixel directionOf(int key)
+{
+    switch (key) {
+    case Qt::Key_Left:
+        return {-1, 0};
+    case Qt::Key_Right:
+        return {1, 0};
+    case Qt::Key_Up:
+        return {0, -1};
+    case Qt::Key_Down:
+        return {0, 1};
+    default:
+        return {0, 0};
+    }
+}
+
+bool isArrow(int key)
+{
+    return directionOf(key) != OrbitCamera::Pixel(0, 0);
+}
+} // namespace
+
+KeyHand::KeyHand(PointerInput* input, QObject* parent) : QObject(parent), m_input(input) {}
+
+void KeyHand::setOn(bool on)
+{
+    if (std::exchange(m_isOn, on) == on)
+        return;
+    if (on) {
+        m_at = inside(m_isPlaced ? m_at : OrbitCamera::Pixel(0.5 * m_reach.view));
+        m_isPlaced = true;
+        m_input->handle({.kind = PointerEvent::Kind::Move, .pixel = m_at});
+    } else {
+        lift();
+        m_input->leave();
+    }
+    Q_EMIT changed();
+}
+
+void KeyHand::setReach(const Reach& reach)
+{
+    m_reach = reach;
+    if (const OrbitCamera::Pixel to = inside(m_at); m_isOn && to != m_at) {
+        m_at = to;
+        Q_EMIT changed();
+    }
+}
+
+bool KeyHand::press(const QKeyEvent& key)
+{
+    if (!m_isOn)
+        return false;
+    if (isArrow(key.key())) {
+        step(key);
+        return true;
+    }
+    const bool isSpace = key.key() == Qt::Key_Space, isReturn = key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter;
+    if (!isSpace && !isReturn)
+        return false;
+    if (!key.isAutoRepeat())
+        setDown(isSpace || !m_isDown, key);
+    return true;
+}
+
+bool KeyHand::release(const QKeyEvent& key)
+{
+    if (!m_isOn || key.isAutoRepeat())
+        return m_isOn && (isArrow(key.key()) || key.key() == Qt::Key_Space);
+    if (m_arrows.removeAll(key.key()) > 0)
+        return true;
+    if (key.key() != Qt::Key_Space)
+        return false;
+    setDown(false, key);
+    return true;
+}
+
+void KeyHand::lift()
+{
+    m_arrows.clear();
+    if (!std::exchange(m_isDown, false))
+        return;
+    m_input->finish();
+    Q_EMIT changed();
+}
+
+/// Two keys at a time go aslant.
+void KeyHand::step(const QKeyEvent& key)
+{
+    const double first = std::max(leastStep, firstStep * m_reach.brush);
+    m_step = key.isAutoRepeat() ? std::min(m_step * growth, std::max(first, widestStep * m_reach.brush)) : first;
+    if (!m_arrows.contains(key.key()))
+        m_arrows << key.key();
+    OrbitCamera::Pixel way(0, 0);
+    for (const int arrow : m_arrows)
+        way += directionOf(arrow);
+    const OrbitCamera::Pixel from = m_at, to = inside(m_at + m_step * way);
+    const int samples = std::max(1, static_cast<int>(std::ceil((to - from).norm() / sampleStep)));
+    for (int i = 1; i <= samples; ++i)
+        moveTo(from + (to - from) * i / samples, key);
+    Q_EMIT changed();
+}
+
+void KeyHand::moveTo(const OrbitCamera::Pixel& pixel, const QKeyEvent& key)
+{
+    m_at = pixel;
+    send(PointerEvent::Kind::Move, key);
+}
+
+void KeyHand::setDown(bool down, const QKeyEvent& key)
+{
+    if (std::exchange(m_isDown, down) == down)
+        return;
+    send(down ? PointerEvent::Kind::Press : PointerEvent::Kind::Release, key);
+    Q_EMIT changed();
+}
+
+void KeyHand::send(PointerEvent::Kind kind, const QKeyEvent& key)
+{
+    PointerEvent event;
+    event.kind = kind;
+    event.pixel = m_at;
+    event.button = kind == PointerEvent::Kind::Move ? Qt::NoButton : Qt::LeftButton;
+    event.modifiers = key.modifiers() & ~Qt::KeyboardModifiers(Qt::KeypadModifier);
+    event.time = static_cast<double>(key.timestamp()) * 1e-3;
+    m_input->handle(event);
+}
+
+OrbitCamera::Pixel KeyHand::inside(const OrbitCamera::Pixel& pixel) const
+{
+    return pixel.cwiseMin(m_reach.view - OrbitCamera::Pixel(1, 1)).cwiseMax(0);
+}
+} // namespace ui
