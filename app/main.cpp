@@ -10,6 +10,7 @@
 
 #include "ui/main_window.h"
 #include "ui/settings.h"
+#include "ui/theme.h"
 #include "ui/viewport.h"
 #include "vr/runtime_thread.h"
 
@@ -19,7 +20,6 @@
 #include <QSettings>
 #include <QTranslator>
 
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -47,13 +47,7 @@ void chooseLanguage(ui::Language language)
 /// Once, before anything is shown.
 void chooseTextSize(ui::TextSize size)
 {
-    QFont font = QApplication::font();
-    const double factor = static_cast<int>(size) / 100.0;
-    if (font.pointSizeF() > 0)
-        font.setPointSizeF(factor * font.pointSizeF());
-    else
-        font.setPixelSize(static_cast<int>(std::lround(factor * font.pixelSize())));
-    QApplication::setFont(font);
+    QApplication::setFont(ui::scaled(QApplication::font(), size));
 }
 
 /// Our own words, and Qt's for its dialogs, in the place of those before. They must outlive the texts: they belong to the application.

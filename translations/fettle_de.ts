@@ -2544,15 +2544,11 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>In&amp;vert</source>
-        <translation>Umk&amp;ehren</translation>
+        <translation>Um&amp;gekehrt</translation>
     </message>
     <message>
         <source>Turns the tools round, for a hand that cannot hold %1 as well: Pull pushes, Clay digs.</source>
         <translation>Kehrt die Werkzeuge um, für eine Hand, die nicht auch noch %1 halten kann: Ziehen drückt, Auftragen gräbt.</translation>
-    </message>
-    <message>
-        <source>Sculpt by &amp;Keys</source>
-        <translation>Mit &amp;Tasten formen</translation>
     </message>
     <message>
         <source>Gives the view a cross that the arrow keys move: Space or Return presses the tool on the model, beside it the view turns.</source>
@@ -2615,16 +2611,20 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Ab dem nächsten Besuch in VR macht ein Controller alles, und die Tafeln stehen vor Ihnen.</translation>
     </message>
     <message>
-        <source>&amp;Left-Handed</source>
-        <translation>&amp;Linkshändig</translation>
-    </message>
-    <message>
         <source>From the next visit to VR on, the left hand sculpts.</source>
         <translation>Ab dem nächsten Besuch in VR formt die linke Hand.</translation>
     </message>
     <message>
         <source>T&amp;urn and Zoom</source>
         <translation>Dre&amp;hen und Zoomen</translation>
+    </message>
+    <message>
+        <source>Scul&amp;pt by Keys</source>
+        <translation>Mit Tasten &amp;formen</translation>
+    </message>
+    <message>
+        <source>Left-&amp;Handed</source>
+        <translation>&amp;Linkshändig</translation>
     </message>
 </context>
 <context>

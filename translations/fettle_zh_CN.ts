@@ -2547,10 +2547,6 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>反转各工具，供无法同时按住 %1 的手使用：拉起变为按下，黏土变为挖去。</translation>
     </message>
     <message>
-        <source>Sculpt by &amp;Keys</source>
-        <translation>用按键雕刻(&amp;K)</translation>
-    </message>
-    <message>
         <source>Gives the view a cross that the arrow keys move: Space or Return presses the tool on the model, beside it the view turns.</source>
         <translation>在视图中显示一个由方向键移动的十字：空格或回车把工具按在模型上，在模型之外则转动视图。</translation>
     </message>
@@ -2611,16 +2607,20 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>从下次进入 VR 起，一支手柄完成所有操作，面板立在您面前。</translation>
     </message>
     <message>
-        <source>&amp;Left-Handed</source>
-        <translation>左手(&amp;L)</translation>
-    </message>
-    <message>
         <source>From the next visit to VR on, the left hand sculpts.</source>
         <translation>从下次进入 VR 起，由左手雕刻。</translation>
     </message>
     <message>
         <source>T&amp;urn and Zoom</source>
         <translation>转动与缩放(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Scul&amp;pt by Keys</source>
+        <translation>用按键雕刻(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Left-&amp;Handed</source>
+        <translation>左手(&amp;H)</translation>
     </message>
 </context>
 <context>

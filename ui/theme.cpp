@@ -4,6 +4,8 @@
 
 #include <QApplication>
 
+#include <cmath>
+
 namespace ui
 {
 namespace
@@ -45,6 +47,16 @@ QPalette darkPalette()
 {
     return paletteOf({.window = {45, 48, 53}, .base = {31, 33, 37}, .alternate = {38, 40, 45}, .button = {56, 60, 66}, .text = {226, 229, 233},
                       .faint = {135, 140, 148}, .highlight = {52, 124, 190}, .link = {116, 178, 236}, .tip = {62, 66, 72}});
+}
+
+QFont scaled(QFont font, TextSize size)
+{
+    const double factor = static_cast<int>(size) / 100.0;
+    if (font.pointSizeF() > 0)
+        font.setPointSizeF(factor * font.pointSizeF());
+    else
+        font.setPixelSize(static_cast<int>(std::lround(factor * font.pixelSize())));
+    return font;
 }
 
 Theme::Theme(ThemeChoice choice, QObject* parent)

@@ -17,6 +17,7 @@
 #include "ui/scene.h"
 #include "ui/settings.h"
 #include "ui/start_page.h"
+#include "ui/theme.h"
 #include "ui/unit_bar.h"
 #include "ui/viewport.h"
 
@@ -46,7 +47,7 @@ using namespace app;
 
 namespace
 {
-constexpr QSize smallScreen{1280, 720};
+constexpr QSize smallScreen{1280, 720}, largeScreen{1920, 1080};
 constexpr int flightMs = 600; ///< of the view, to a place
 constexpr int longestWait = 60'000;
 constexpr int settleMs = 250; ///< layouts, and what comes from other threads: facts
@@ -131,9 +132,12 @@ class TestScreenshots : public QObject
 private Q_SLOTS:
     void states_data();
     void states();
+    void largerTexts_data();
+    void largerTexts();
 
 private:
-    void take(QWidget& window, const QString& state);
+    void take(QWidget& window, const QString& state, const QSize& screen = smallScreen);
+    void takeKeyHand(Program& program);
     void takeRecovery(Program& program);
     void takeUnits(Program& program);
     void takePrint(Program& program);
@@ -185,6 +189,7 @@ void TestScreenshots::states()
     QTRY_VERIFY(program.document.isSettled());
     QTRY_COMPARE(program.window.size(), smallScreen);
     take(program.window, QStringLiteral("window"));
+    takeKeyHand(program);
     takeRecovery(program);
     takeUnits(program);
     takePrint(program);
@@ -198,13 +203,59 @@ void TestScreenshots::states()
     takeLesson(program);
 }
 
-void TestScreenshots::take(QWidget& window, const QString& state)
+void TestScreenshots::take(QWidget& window, const QString& state, const QSize& screen)
 {
     QTest::qWait(settleMs);
     QVERIFY(window.grab().save(m_folder.filePath(state + QStringLiteral(".png"))));
     const QStringList clipped = clippedTexts(window);
     QVERIFY2(clipped.isEmpty(), qPrintable(QStringLiteral("%1: %2").arg(state, clipped.join(QStringLiteral("; ")))));
-    QVERIFY2(window.width() <= smallScreen.width() && window.height() <= smallScreen.height(), qPrintable(state));
+    QVERIFY2(window.width() <= screen.width() && window.height() <= screen.height(), qPrintable(state));
+}
+
+void TestScreenshots::takeKeyHand(Program& program)
+{
+    ui::Viewport* view = program.window.viewport();
+    program.window.action(QStringLiteral("brush.keys"))->trigger();
+    QTest::keyClick(view, Qt::Key_Return);
+    take(program.window, QStringLiteral("key-hand"));
+    QTest::keyClick(view, Qt::Key_Return);
+    program.window.action(QStringLiteral("brush.keys"))->trigger();
+    QTRY_VERIFY(program.document.isSettled());
+}
+
+/// On a larger screen: who wants large texts has one, or hides panels.
+void TestScreenshots::largerTexts_data()
+{
+    QTest::addColumn<ui::TextSize>("size");
+    for (const ui::Named<ui::TextSize>& row : ui::textSizes)
+        if (row.value != ui::TextSize::Usual)
+            QTest::addRow("%s percent", row.key) << row.value;
+}
+
+void TestScreenshots::largerTexts()
+{
+    if (!ui::graphicsProblem().isEmpty())
+        QSKIP("There is no OpenGL here.");
+    QFETCH(ui::TextSize, size);
+    m_folder.setPath(QStringLiteral(FETTLE_SCREENSHOT_DIR "/text %1").arg(QString::fromLatin1(QTest::currentDataTag())));
+    QVERIFY(m_folder.mkpath(QStringLiteral(".")));
+    const QFont usual = QApplication::font();
+    QApplication::setFont(ui::scaled(usual, size));
+    {
+        const Words words(QStringLiteral("de")); // the longest
+        Program program;
+        program.window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&program.window));
+        program.window.resize(largeScreen);
+        program.document.openStarter(core::Starter::Vase);
+        QTRY_VERIFY(!program.document.isBusy());
+        take(program.window, QStringLiteral("window"), largeScreen);
+        program.window.action(QStringLiteral("edit.preferences"))->trigger();
+        auto* dialog = program.window.findChild<QDialog*>(QStringLiteral("preferences"));
+        take(*dialog, QStringLiteral("preferences"), largeScreen);
+        dialog->close();
+    }
+    QApplication::setFont(usual);
 }
 
 void TestScreenshots::takeRecovery(Program& program)

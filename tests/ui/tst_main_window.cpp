@@ -761,7 +761,7 @@ private Q_SLOTS:
             QTest::keyClick(dialog->findChild<QComboBox*>(QStringLiteral("keyPreset")), Qt::Key_End);
             auto* list = dialog->findChild<ui::CommandList*>(QStringLiteral("keyList"));
             list->setCurrentItem(list->itemOf(QStringLiteral("view.ground")));
-            QTest::keyClick(dialog->findChild<QWidget*>(QStringLiteral("key1")), Qt::Key_6, Qt::KeypadModifier);
+            QTest::keyClick(dialog->findChild<QWidget*>(QStringLiteral("key1")), Qt::Key_9, Qt::KeypadModifier);
             QTest::keyClick(dialog, Qt::Key_Escape);
             QTRY_VERIFY(!window.findChild<QDialog*>(QStringLiteral("preferences")));
         }
@@ -777,7 +777,7 @@ private Q_SLOTS:
         QVERIFY(act(window, "view.wireframe")->isChecked()); // not its key any more
         QTest::keyClick(&window, Qt::Key_G);
         QVERIFY(act(window, "view.ground")->isChecked());
-        QTest::keyClick(&window, Qt::Key_6, Qt::KeypadModifier);
+        QTest::keyClick(&window, Qt::Key_9, Qt::KeypadModifier);
         QVERIFY(!act(window, "view.ground")->isChecked());
         QTest::keyClick(&window, Qt::Key_F1);
         const auto* sheet = child<QDialog>(window, "commandBox")->findChild<ui::CommandList*>();

@@ -37,9 +37,12 @@ private Q_SLOTS:
         QSignalSpy changed(&dialog, &PreferencesDialog::changed);
         QTest::keyClick(child<QComboBox>(dialog, "theme"), Qt::Key_Down);
         QTest::keyClick(child<QComboBox>(dialog, "language"), Qt::Key_End);
-        QCOMPARE(changed.count(), 2);
+        QTest::keyClick(child<QComboBox>(dialog, "textSize"), Qt::Key_Down);
+        QTest::keyClick(child<QCheckBox>(dialog, "calm"), Qt::Key_Space);
+        QCOMPARE(changed.count(), 4);
         QCOMPARE(dialog.preferences().theme, ui::ThemeChoice::Light);
         QCOMPARE(dialog.preferences().language, ui::Language::Chinese);
+        QVERIFY(dialog.preferences().textSize == ui::TextSize::Larger && dialog.preferences().isCalm);
     }
 
     void habitsAreSwitched()

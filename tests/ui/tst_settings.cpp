@@ -55,7 +55,7 @@ private Q_SLOTS:
         for (const auto& theme : ui::themeChoices)
             for (const auto& language : ui::languages) {
                 const ui::Preferences preferences{
-                    .theme = theme.value, .language = language.value, .hand = {false, true, false, 2.5}, .keepsVersions = true};
+                    .theme = theme.value, .language = language.value, .textSize = ui::TextSize::Large, .isCalm = true, .hand = {false, true, false, 2.5}, .keepsVersions = true};
                 ui::Settings().setPreferences(preferences);
                 QCOMPARE(ui::Settings().preferences(), preferences);
             }
@@ -148,7 +148,7 @@ private Q_SLOTS:
         QFETCH(QVariant, stored);
         QSettings raw;
         for (const char* key : {"brush/strength", "brush/falloff", "brush/radiusShare", "files/lastFolder", "window/geometry", "view/material",
-                                "view/background", "preferences/theme", "preferences/language", "preferences/altMovesView", "preferences/keepsVersions", "keys/preset", "view/ground", "view/wireframe"})
+                                "view/background", "preferences/theme", "preferences/language", "preferences/altMovesView", "preferences/keepsVersions", "preferences/textSize", "preferences/calm", "keys/preset", "view/ground", "view/wireframe"})
             raw.setValue(QLatin1StringView(key), stored);
         raw.sync();
         const ui::Settings settings;

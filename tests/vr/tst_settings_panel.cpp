@@ -127,7 +127,8 @@ void TestSettingsPanel::everySetting_canBeReached()
                     return true;
         return false;
     };
-    QVERIFY(canBecome([](const HeadsetChoice& c) { return c.hands.preset == vr::Preset::Studio; }));
+    for (const vr::Preset preset : {vr::Preset::Studio, vr::Preset::OneHand})
+        QVERIFY(canBecome([&](const HeadsetChoice& c) { return c.hands.preset == preset; }));
     QVERIFY(canBecome([](const HeadsetChoice& c) { return c.hands.sculpting == vr::Side::Left; }));
     QVERIFY(canBecome([](const HeadsetChoice& c) { return !c.showsFloor; }));
     QVERIFY(canBecome([](const HeadsetChoice& c) { return c.showsPerformance; }));
