@@ -34,7 +34,7 @@ cpack --config "$2/CPackConfig.cmake" -B "$scratch/package" >"$scratch/cpack.log
     { cat "$scratch/cpack.log"; exit 1; }
 deb=$(echo "$scratch"/package/fettle_*.deb)
 files=$(dpkg-deb --contents "$deb" | awk '{print $6}')
-for file in usr/bin/fettle usr/share/applications/org.fettle.Fettle.desktop usr/share/icons/hicolor/scalable/apps/fettle.svg \
+for file in usr/bin/fettle usr/lib/fettle/libfettle_simulator.so usr/lib/fettle/fettle_simulator.json usr/share/applications/org.fettle.Fettle.desktop usr/share/icons/hicolor/scalable/apps/fettle.svg \
     usr/share/mime/packages/org.fettle.Fettle.xml usr/share/metainfo/org.fettle.Fettle.metainfo.xml usr/share/doc/fettle/copyright; do
     expect "the package brings $file" grep -qx "\./$file" <<<"$files"
 done
