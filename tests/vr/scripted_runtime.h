@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QByteArray>
+#include <QImage>
 #include <QJsonObject>
 #include <QStringList>
 
@@ -23,6 +24,8 @@ public:
     /// Waits until the client has ended so many more frames; at pace "stepped" they go only now.
     bool frames(int count);
     QJsonObject report() const;
+    /// What the left eye saw in the newest frame since this was last asked, which asks for the next; null: nothing new.
+    QImage picture();
     /// Both must be empty of a client that knows the rules.
     QStringList clientErrors() const;
     QStringList clientWarnings() const;

@@ -4,6 +4,7 @@
 #include "session.h"
 
 #include <chrono>
+#include <utility>
 
 using simulator::Runtime;
 
@@ -59,6 +60,20 @@ __attribute__((visibility("default"))) int fettle_xr_frames(int count, int milli
     runtime.changed.wait_for(lock, std::chrono::milliseconds(milliseconds),
                              [&] { return runtime.framesEnded >= first + count && isAtRest(runtime); });
     return static_cast<int>(runtime.framesEnded - first);
+}
+
+__attribute__((visibility("default"))) const FettleXrPicture* fettle_xr_picture()
+{
+    thread_local simulator::Picture shown;
+    thread_local FettleXrPicture told;
+    Runtime& runtime = Runtime::get();
+    const std::lock_guard lock(runtime.mutex);
+    runtime.isPictureWanted = true;
+    if (!runtime.picture)
+        return nullptr;
+    shown = *std::exchange(runtime.picture, std::nullopt);
+    told = {shown.width, shown.height, shown.rgba.data()};
+    return &told;
 }
 
 __attribute__((visibility("default"))) const char* fettle_xr_report()

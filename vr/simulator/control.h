@@ -1,7 +1,9 @@
 #pragma once
 
-/// How the runtime is steered: by a script that the environment names, or by a test in the client's process through the functions
-/// below, found by dlsym() in the library. Both speak JSON with one vocabulary.
+#include <cstdint>
+
+/// How the runtime is steered: by a script that the environment names, or in the client's process through the functions below, found by
+/// dlsym() in the library, by a test or by a hand at a desk. All speak JSON with one vocabulary.
 ///
 ///     FETTLE_XR_SCRIPT    a file with a script; none: a headset that lies still
 ///     FETTLE_XR_LOG       a file that is written, an object a line: {"call", "result", "session", "frame", ...},
@@ -22,7 +24,7 @@
 ///     "size": [w,h], "hz", "views": "stereo"|"mono"|"mono_first", "eye_distance", "fov": [left,right,up,down] degrees of the left eye
 ///     "stage": bool, "bounds": [w,d]|null
 ///     "runtime", "headset", "opengl": bool     whether there is one, for who asks next
-///     "pace": "real"|"fast"|"stepped"
+///     "pace": "real"|"live"|"fast"|"stepped"   live: the display time is the clock's, else a slow client has slow time
 ///     "worn", "visible", "focus", "should_render": bool
 ///     "exit": true                the session is asked to stop for good
 ///     "late_ms": n                the frame comes so much later, and its display time as many periods
@@ -47,4 +49,14 @@ int fettle_xr_frames(int count, int milliseconds);
 /// {"state", "is_running", "is_frozen": the client is in the call that does not return, "sessions", "frames_ended",
 /// "client_errors": [text], "client_warnings": [text], "haptics": [...], "calls": {name: count}, "last_frame": {"layers": [...], ...}}
 const char* fettle_xr_report();
+
+/// What an eye sees: 4 bytes of red, green, blue and alpha a pixel, the top row first, without gaps; sRGB. Alpha says nothing.
+struct FettleXrPicture
+{
+    int width, height;
+    const std::uint8_t* rgba;
+};
+/// The newest of the left eye since the last call, or null; and asks for the next. Returns at once. It stays valid until the thread's
+/// next call.
+const FettleXrPicture* fettle_xr_picture();
 }

@@ -39,16 +39,26 @@ void waitUntilAllowed(Call& call, Session& session)
         --runtime.framesAllowed;
 }
 
-/// To the beginning of the next frame's interval.
+/// When the next frame's interval begins. Those of a live display follow each other by the clock: a frame that misses its own is late.
+Clock::time_point nextStart(World& world, const Session& session)
+{
+    const XrDuration period = world.period();
+    const bool isPaced = world.pace == Pace::Real || world.pace == Pace::Live;
+    const auto due = session.frameStart + nanoseconds(isPaced ? period : 0);
+    const auto now = Clock::now();
+    if (world.pace != Pace::Live || session.nextFrame == 0 || now <= due)
+        return std::max(now, due) + nanoseconds(world.late);
+    world.late += (nanoseconds(now - due).count() + period - 1) / period * period;
+    return due + nanoseconds(world.late);
+}
+
 void waitForDisplay(Call& call, Session& session)
 {
-    const World& world = call.runtime.world;
-    const nanoseconds interval(world.pace == Pace::Real ? world.period() : 0);
-    const auto due = std::max(Clock::now(), session.frameStart + interval) + nanoseconds(world.late);
+    const auto start = nextStart(call.runtime.world, session);
     call.lock.unlock();
-    std::this_thread::sleep_until(due);
+    std::this_thread::sleep_until(start);
     call.lock.lock();
-    session.frameStart = due;
+    session.frameStart = start;
 }
 
 /// The display time moves by one period, and by as many more as the frame is late.
@@ -121,6 +131,7 @@ XrResult endFrame(Call& call, XrSession handle, const XrFrameEndInfo* info)
     if (info->displayTime != frame.displayTime)
         call.warn("the display time is not the one that xrWaitFrame predicted for this frame");
     keepPictures(runtime, session, frame, layers);
+    showPicture(runtime, session, layers);
     runtime.log.frame({{"session", session.index},
                        {"number", frame.number},
                        {"display_time", frame.displayTime},

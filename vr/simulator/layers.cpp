@@ -7,6 +7,7 @@
 #include <iomanip>
 #include <numbers>
 #include <sstream>
+#include <utility>
 
 namespace simulator
 {
@@ -129,6 +130,15 @@ Layers checkedLayers(Call& call, const Session& session, const XrFrameEndInfo& i
     for (std::uint32_t i = 0; i < info.layerCount; ++i)
         layers.description.push_back(checkedLayer(call, session, (&given(info.layers))[i], layers));
     return layers;
+}
+
+void showPicture(Runtime& runtime, const Session& session, const Layers& layers)
+{
+    const auto eye = std::find_if(layers.shown.begin(), layers.shown.end(), [](const auto& it) { return !it.isQuad; });
+    if (eye == layers.shown.end() || !std::exchange(runtime.isPictureWanted, false))
+        return;
+    runtime.picture = session.gl()->read(eye->part);
+    runtime.changed.notify_all();
 }
 
 void keepPictures(Runtime& runtime, const Session& session, const Frame& frame, const Layers& layers)

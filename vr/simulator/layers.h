@@ -25,4 +25,6 @@ Layers checkedLayers(Call& call, const Session& session, const XrFrameEndInfo& i
 
 /// If the script wants this frame's: <folder>/session0_frame0012_left.png and so on.
 void keepPictures(Runtime& runtime, const Session& session, const Frame& frame, const Layers& layers);
+/// If somebody watches: what the left eye sees, or the only one, without the quads.
+void showPicture(Runtime& runtime, const Session& session, const Layers& layers);
 } // namespace simulator

@@ -36,6 +36,7 @@ void Runtime::load(const std::string& text)
     world = {};
     framesAllowed = 0;
     sessionsMade = 0;
+    picture.reset();
     log.open(std::getenv("FETTLE_XR_LOG"));
     const char* folder = std::getenv("FETTLE_XR_FRAMES");
     pictureFolder = folder ? folder : "";

@@ -2,11 +2,13 @@
 
 #include "call_log.h"
 #include "handles.h"
+#include "picture.h"
 #include "script.h"
 #include "world.h"
 
 #include <condition_variable>
 #include <mutex>
+#include <optional>
 
 namespace simulator
 {
@@ -59,6 +61,8 @@ public:
     bool isClientWaiting = false;   ///< for a frame to be allowed
     bool isClientFrozen = false;    ///< in a call that does not return
     std::string pictureFolder;      ///< empty: none are kept
+    bool isPictureWanted = false;   ///< of the next frame, to be shown
+    std::optional<Picture> picture; ///< the newest that was wanted
 
 private:
     Runtime() = default;

@@ -57,7 +57,7 @@ Change fovChange(const json& value, Over)
 
 Change paceChange(const json& value, Over)
 {
-    const Pace pace = readOneOf<Pace>(value, {{"real", Pace::Real}, {"fast", Pace::Fast}, {"stepped", Pace::Stepped}});
+    const Pace pace = readOneOf<Pace>(value, {{"real", Pace::Real}, {"live", Pace::Live}, {"fast", Pace::Fast}, {"stepped", Pace::Stepped}});
     return [pace](Runtime& runtime, XrTime) { runtime.world.pace = pace; };
 }
 

@@ -39,15 +39,17 @@ public:
 
     explicit Track(const T& value) : m_legs{Leg{0, 0, value, value}} {}
 
-    /// From `start` on; a leg that is underway ends there, and those to come are given up.
+    /// From `start` on; a leg that is underway ends there, and those to come are given up. What was long before is forgotten.
     void go(const T& to, XrTime start, XrDuration duration)
     {
+        while (m_legs.size() > 1 && m_legs[1].start < start - memory)
+            m_legs.erase(m_legs.begin());
         while (m_legs.size() > 1 && m_legs.back().start > start)
             m_legs.pop_back();
         m_legs.push_back({start, duration, at(start), to});
     }
 
-    /// The one that tells the value at that time.
+    /// The one that tells the value at that time, which may not be forgotten.
     const Leg& leg(XrTime time) const
     {
         const auto after = std::upper_bound(m_legs.begin() + 1, m_legs.end(), time,
@@ -64,6 +66,8 @@ public:
     }
 
 private:
+    static constexpr XrDuration memory = 2'000'000'000; ///< longer than clients ask back
+
     std::vector<Leg> m_legs; ///< by start, the first from ever
 };
 

@@ -10,6 +10,7 @@ namespace simulator
 {
 enum class Pace {
     Real,   ///< a frame lasts as long as the display's
+    Live,   ///< the same, and a client that is slower misses frames: time is the clock's
     Fast,   ///< xrWaitFrame does not wait
     Stepped ///< xrWaitFrame waits until the control lets a frame go
 };
