@@ -6,9 +6,11 @@
 #include "foreign_reader.h"
 #include "journal_shelf.h"
 #include "process_signals.h"
+#include "simulator_desk.h"
 #include "wiring.h"
 
 #include "ui/main_window.h"
+#include "ui/scene.h"
 #include "ui/settings.h"
 #include "ui/viewport.h"
 #include "vr/runtime_thread.h"
@@ -19,6 +21,7 @@
 #include <QSettings>
 #include <QTranslator>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -57,13 +60,24 @@ void loadTranslations(QCoreApplication& application)
     }
 }
 
+bool hasWord(int argc, char* argv[], const char* word)
+{
+    return std::any_of(argv + std::min(1, argc), argv + argc, [word](const char* argument) { return qstrcmp(argument, word) == 0; });
+}
+
+/// The simulator takes its pictures by GLX, which is X11's.
+void preferX11()
+{
+    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM") && !qEnvironmentVariableIsEmpty("DISPLAY"))
+        qputenv("QT_QPA_PLATFORM", "xcb");
+}
+
 /// Qt ends a program without a display by abort(). Where X11 or Wayland would be used, we look first and say it in words.
 bool canHaveWindow(int argc, char* argv[])
 {
 #if defined(Q_OS_UNIX) && !defined(Q_OS_MACOS)
-    for (int i = 1; i < argc; ++i)
-        if (qstrcmp(argv[i], "-platform") == 0 || qstrcmp(argv[i], "--platform") == 0)
-            return true;
+    if (hasWord(argc, argv, "-platform") || hasWord(argc, argv, "--platform"))
+        return true;
     return !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY")
            || !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
 #else
@@ -111,6 +125,14 @@ void enterVrOnce(const app::Document& document, ui::MainWindow& window)
     QObject::connect(&document, &app::Document::opened, window.action(QStringLiteral("vr.enter")), &QAction::trigger, how);
 }
 
+/// Before VR is entered. Throws CommandFailure.
+void simulateVr(ui::MainWindow& window)
+{
+    if (const QString unable = ui::graphicsProblem(); !unable.isEmpty())
+        throw app::CommandFailure{unable};
+    new app::SimulatorDesk(&window, app::Simulator::open());
+}
+
 /// All goes in the order from below: the window, then the mesh thread with the document, then what it worked for and what kept it.
 int showWindow(const app::WindowStart& start)
 {
@@ -121,6 +143,8 @@ int showWindow(const app::WindowStart& start)
     ui::MainWindow window;
     app::wire(window, document, worker, inbox);
     app::wireRecovery(window, document, shelf);
+    if (start.simulatesVr)
+        simulateVr(window);
     window.show();
     if (start.entersVr)
         enterVrOnce(document, window);
@@ -153,6 +177,8 @@ int showClass(QApplication& application, const app::WindowStart& start)
     document.keepJournals(&shelf);
     app::ClassroomMode mode({&window, &document, &shelf}, classroom, places);
     app::wireClassroom(window, mode);
+    if (start.simulatesVr)
+        simulateVr(window);
     if (classroom.fullScreen)
         window.showFullScreen();
     else
@@ -169,6 +195,8 @@ int runWindow(int argc, char* argv[])
         std::fputs(noDisplay, stderr);
         return app::BadInput;
     }
+    if (hasWord(argc, argv, app::simulatorWord))
+        preferX11();
     ui::prepareGraphics();
     const QtMessageHandler usual = qInstallMessageHandler(onlyTellOfMissingDisplay);
     QApplication application(argc, argv);
