@@ -14,7 +14,7 @@ namespace ui
 {
 namespace
 {
-constexpr int legendWidth = 270;
+constexpr int legendWidth = 330, edge = 8;
 
 struct Control
 {
@@ -81,7 +81,8 @@ QWidget* SimulatorWindow::legend()
     grid->setColumnStretch(1, 1);
     m_hand->setObjectName(QStringLiteral("simulatedHand"));
     grid->addWidget(m_hand, 0, 0, 1, 2);
-    int row = 1;
+    grid->setRowMinimumHeight(1, gap);
+    int row = 2;
     for (const Control& control : controls) {
         QLabel* hand = wrapped(tr(control.hand));
         hand->setFont(bold(hand->font()));
@@ -107,7 +108,8 @@ void SimulatorWindow::begin()
 /// To its right, as far as the screen goes.
 void SimulatorWindow::placeBesideMain()
 {
-    const QRect main = parentWidget()->window()->frameGeometry(), screen = parentWidget()->screen()->availableGeometry();
+    const QRect main = parentWidget()->window()->frameGeometry();
+    const QRect screen = parentWidget()->screen()->availableGeometry().adjusted(edge, edge, -edge, -edge); // a frame comes around it
     resize(size().boundedTo(screen.size()));
     move(std::clamp(main.right() + 1, screen.left(), std::max(screen.left(), screen.right() + 1 - width())),
          std::clamp(main.top(), screen.top(), std::max(screen.top(), screen.bottom() + 1 - height())));
