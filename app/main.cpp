@@ -25,6 +25,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <utility>
 
 namespace
 {
@@ -125,17 +126,20 @@ void enterVrOnce(const app::Document& document, ui::MainWindow& window)
     QObject::connect(&document, &app::Document::opened, window.action(QStringLiteral("vr.enter")), &QAction::trigger, how);
 }
 
-/// Before VR is entered. Throws CommandFailure.
-void simulateVr(ui::MainWindow& window)
+/// If that is wanted, before anything asks for VR. Throws CommandFailure.
+std::unique_ptr<app::Simulator> simulatorFor(const app::WindowStart& start)
 {
+    if (!start.simulatesVr)
+        return nullptr;
     if (const QString unable = ui::graphicsProblem(); !unable.isEmpty())
         throw app::CommandFailure{unable};
-    new app::SimulatorDesk(&window, app::Simulator::open());
+    return app::Simulator::open();
 }
 
 /// All goes in the order from below: the window, then the mesh thread with the document, then what it worked for and what kept it.
 int showWindow(const app::WindowStart& start)
 {
+    std::unique_ptr<app::Simulator> simulator = simulatorFor(start);
     app::JournalShelf shelf;
     app::SculptWorker worker;
     const auto inbox = std::make_shared<app::PatchInbox>();
@@ -143,8 +147,8 @@ int showWindow(const app::WindowStart& start)
     ui::MainWindow window;
     app::wire(window, document, worker, inbox);
     app::wireRecovery(window, document, shelf);
-    if (start.simulatesVr)
-        simulateVr(window);
+    if (simulator)
+        new app::SimulatorDesk(&window, std::move(simulator));
     window.show();
     if (start.entersVr)
         enterVrOnce(document, window);
@@ -168,6 +172,7 @@ int showClass(QApplication& application, const app::WindowStart& start)
         chooseLanguage(classroom.language);
         loadTranslations(application);
     }
+    std::unique_ptr<app::Simulator> simulator = simulatorFor(start);
     app::JournalShelf shelf(places.journals);
     app::SculptWorker worker;
     const auto inbox = std::make_shared<app::PatchInbox>();
@@ -177,8 +182,8 @@ int showClass(QApplication& application, const app::WindowStart& start)
     document.keepJournals(&shelf);
     app::ClassroomMode mode({&window, &document, &shelf}, classroom, places);
     app::wireClassroom(window, mode);
-    if (start.simulatesVr)
-        simulateVr(window);
+    if (simulator)
+        new app::SimulatorDesk(&window, std::move(simulator));
     if (classroom.fullScreen)
         window.showFullScreen();
     else

@@ -5594,6 +5594,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>weiter weg und näher</translation>
     </message>
     <message>
+        <source>Shift and wheel</source>
+        <translation>Umschalt und Mausrad</translation>
+    </message>
+    <message>
+        <source>turns the wand about itself</source>
+        <translation>dreht den Controller um sich selbst</translation>
+    </message>
+    <message>
         <source>Left button, Space</source>
         <translation>Linke Taste, Leertaste</translation>
     </message>

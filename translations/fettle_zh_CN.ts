@@ -5577,6 +5577,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>远近</translation>
     </message>
     <message>
+        <source>Shift and wheel</source>
+        <translation>Shift 和滚轮</translation>
+    </message>
+    <message>
+        <source>turns the wand about itself</source>
+        <translation>让手柄绕自身旋转</translation>
+    </message>
+    <message>
         <source>Left button, Space</source>
         <translation>左键、空格</translation>
     </message>

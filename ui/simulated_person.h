@@ -52,8 +52,10 @@ public:
     void walk(const core::Vec3& metres);
     /// Where the mouse is in what the left eye sees: -1 to 1, right and up.
     void point(const Eigen::Vector2d& place);
-    /// The wand goes farther along the way that it points.
+    /// The wand goes farther along the eye's way to it.
     void reach(double metres);
+    /// The wand turns about the way that it points; radians, anticlockwise as seen from the hand.
+    void turn(double angle) { m_turn += angle; }
 
 private:
     static constexpr double standingEyes = 1.6, atTheModel = 0.36;
@@ -67,6 +69,7 @@ private:
     SimulatedHand m_hand = SimulatedHand::Right;
     Eigen::Vector2d m_place{0.3, -0.3}; ///< beside the model
     double m_reach = atTheModel; ///< from the eye
+    double m_turn = 0;
     std::array<SimulatedButtons, simulatedHandCount> m_buttons;
     Eigen::Isometry3d m_other; ///< the other hand's wand, as seen from the body
 };

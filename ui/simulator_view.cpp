@@ -18,6 +18,7 @@ constexpr double padEdge = 0.8;           ///< where a thumb presses a side of t
 constexpr double radiansAPixel = 0.004;   ///< of looking about
 constexpr double slideAPixel = 1.0 / 120; ///< of the thumb, in radii of the pad
 constexpr double reachANotch = 0.02;      ///< metres
+constexpr double radiansANotch = 0.2;     ///< of a wand that turns
 constexpr double notch = 120;             ///< of a wheel, in Qt's units
 constexpr double walkingSpeed = 0.8;      ///< metres a second
 
@@ -120,14 +121,20 @@ void SimulatorView::mouseMoveEvent(QMouseEvent* event)
 
 void SimulatorView::wheelEvent(QWheelEvent* event)
 {
-    m_person.reach(reachANotch * event->angleDelta().y() / notch);
+    const double notches = event->angleDelta().y() / notch;
+    if (event->modifiers().testFlag(Qt::ShiftModifier))
+        m_person.turn(radiansANotch * notches);
+    else
+        m_person.reach(reachANotch * notches);
 }
 
 void SimulatorView::keyPressEvent(QKeyEvent* event)
 {
+    if (event->isAutoRepeat())
+        return;
     if (event->key() == Qt::Key_Escape)
         Q_EMIT escaped();
-    else if (event->key() == Qt::Key_Tab || event->key() == Qt::Key_Backtab)
+    else if (event->key() == Qt::Key_Tab)
         changeHand();
     else if (!press(*event, true))
         QWidget::keyPressEvent(event);
@@ -135,15 +142,13 @@ void SimulatorView::keyPressEvent(QKeyEvent* event)
 
 void SimulatorView::keyReleaseEvent(QKeyEvent* event)
 {
-    if (!press(*event, false))
+    if (!event->isAutoRepeat() && !press(*event, false))
         QWidget::keyReleaseEvent(event);
 }
 
 /// False: the key is none of ours.
 bool SimulatorView::press(const QKeyEvent& event, bool isDown)
 {
-    if (event.isAutoRepeat())
-        return true;
     const int key = event.key();
     if (std::ranges::any_of(walkingKeys, [key](const WalkingKey& walk) { return walk.key == key; })) {
         isDown ? (void)m_walking.insert(key) : (void)m_walking.remove(key);

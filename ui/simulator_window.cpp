@@ -26,6 +26,7 @@ struct Control
 constexpr Control controls[] = {
     {QT_TRANSLATE_NOOP("ui::SimulatorWindow", "Mouse"), QT_TRANSLATE_NOOP("ui::SimulatorWindow", "moves the wand")},
     {QT_TRANSLATE_NOOP("ui::SimulatorWindow", "Wheel"), QT_TRANSLATE_NOOP("ui::SimulatorWindow", "farther and nearer")},
+    {QT_TRANSLATE_NOOP("ui::SimulatorWindow", "Shift and wheel"), QT_TRANSLATE_NOOP("ui::SimulatorWindow", "turns the wand about itself")},
     {QT_TRANSLATE_NOOP("ui::SimulatorWindow", "Left button, Space"), QT_TRANSLATE_NOOP("ui::SimulatorWindow", "trigger; with Shift half as strong")},
     {QT_TRANSLATE_NOOP("ui::SimulatorWindow", "Tab"), QT_TRANSLATE_NOOP("ui::SimulatorWindow", "the other wand")},
     {QT_TRANSLATE_NOOP("ui::SimulatorWindow", "Arrows"), QT_TRANSLATE_NOOP("ui::SimulatorWindow", "press the pad at that side")},

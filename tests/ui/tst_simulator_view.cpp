@@ -33,9 +33,9 @@ void move(SimulatorView& view, const Eigen::Vector2d& place, Qt::MouseButton but
     sendMouse(&view, QEvent::MouseMove, view.placeOf(place).toPoint(), button, modifiers);
 }
 
-void wheel(SimulatorView& view, int notches)
+void wheel(SimulatorView& view, int notches, Qt::KeyboardModifiers modifiers = {})
 {
-    QWheelEvent event(QPointF(9, 9), view.mapToGlobal(QPointF(9, 9)), {}, {0, 120 * notches}, {}, {}, Qt::NoScrollPhase, false);
+    QWheelEvent event(QPointF(9, 9), view.mapToGlobal(QPointF(9, 9)), {}, {0, 120 * notches}, {}, modifiers, Qt::NoScrollPhase, false);
     QCoreApplication::sendEvent(&view, &event);
 }
 
@@ -78,6 +78,16 @@ private Q_SLOTS:
         QVERIFY((seen(at.person(), at.tip()) - place).norm() < 1e-9);
         wheel(at.view, -200);
         QVERIFY(farFromEye(at.person()) > 0.1);
+    }
+
+    void wheel_withShiftTurnsTheWandAboutItself()
+    {
+        Seated at;
+        const Eigen::Isometry3d before = at.person().tip(SimulatedHand::Right);
+        wheel(at.view, 2, Qt::ShiftModifier);
+        const Eigen::Isometry3d turned = before.inverse() * at.person().tip(SimulatedHand::Right);
+        QVERIFY(turned.translation().norm() < 1e-9 && (turned * Vec3::UnitZ() - Vec3::UnitZ()).norm() < 1e-9);
+        QVERIFY((turned * Vec3::UnitX() - Vec3::UnitX()).norm() > 0.2);
     }
 
     void trigger_byButtonOrSpace()
