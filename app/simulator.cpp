@@ -18,8 +18,8 @@ namespace app
 {
 namespace
 {
-/// Fewer than a headset's: a processor that draws in software is quick enough, and signs on the wands can be read.
-constexpr int pixelsUp = 960, pixelsAside = 1080;
+/// One view, of as many pixels as the window has at first: a processor that draws in software does it, too.
+constexpr int pixelsUp = 720, pixelsAside = 810;
 constexpr int hertz = 60;
 
 QByteArray text(const QJsonObject& object)
@@ -37,7 +37,7 @@ QJsonObject script()
                                                   {QStringLiteral("hz"), hertz},
                                                   {QStringLiteral("size"), QJsonArray{pixelsAside, pixelsUp}},
                                                   {QStringLiteral("fov"), QJsonArray{-side, side, up, -up}},
-                                                  {QStringLiteral("eye_distance"), ui::SimulatedPerson::eyeDistance},
+                                                  {QStringLiteral("views"), QStringLiteral("mono")},
                                                   {QStringLiteral("aim"), aim}}}};
 }
 

@@ -23,7 +23,7 @@ public:
 
     /// How head and wands are from the next frame on, in the words of vr/simulator/control.h.
     void obey(const QJsonObject& step);
-    /// What the left eye saw in the newest frame since this was last asked, which asks for the next; null: nothing new.
+    /// What the eye saw in the newest frame since this was last asked, which asks for the next; null: nothing new.
     QImage picture();
 
 private:

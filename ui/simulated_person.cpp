@@ -66,9 +66,8 @@ Isometry3d SimulatedPerson::head() const
 
 Isometry3d SimulatedPerson::atMouse() const
 {
-    const Vec3 eye(-eyeDistance / 2, 0, 0);
     const Vec3 way = Vec3(m_place.x() * sideTangent, m_place.y() * upTangent, -1).normalized();
-    return head() * pointing(mirrored(wrist, m_hand), eye + m_reach * way) * AngleAxisd(m_turn, Vec3::UnitZ());
+    return head() * pointing(mirrored(wrist, m_hand), m_reach * way) * AngleAxisd(m_turn, Vec3::UnitZ());
 }
 
 Isometry3d SimulatedPerson::tip(SimulatedHand hand) const

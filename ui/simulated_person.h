@@ -28,9 +28,8 @@ struct SimulatedButtons
 class SimulatedPerson
 {
 public:
-    /// How far the eyes see, as tangents: to both sides, and up and down.
+    /// How far the eye sees, as tangents: to both sides, and up and down.
     static constexpr double sideTangent = 1.125, upTangent = 1;
-    static constexpr double eyeDistance = 0.064;
 
     SimulatedPerson();
 
@@ -50,7 +49,7 @@ public:
     void look(double left, double up);
     /// To the right, up and back as the head faces, along the floor; as far as the room goes.
     void walk(const core::Vec3& metres);
-    /// Where the mouse is in what the left eye sees: -1 to 1, right and up.
+    /// Where the mouse is in what the eye sees, of which there is one: -1 to 1, right and up.
     void point(const Eigen::Vector2d& place);
     /// The wand goes farther along the eye's way to it.
     void reach(double metres);

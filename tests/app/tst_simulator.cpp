@@ -4,6 +4,7 @@
 #include "app/simulator_desk.h"
 #include "core/mesh_build.h"
 #include "core/mesh_io.h"
+#include "tests/support/other_windows_x11.h"
 #include "tests/support/program_hand.h"
 #include "tests/support/solid_asserts.h"
 #include "tests/vr/scripted_runtime.h"
@@ -11,6 +12,8 @@
 #include "ui/simulator_view.h"
 #include "ui/simulator_window.h"
 
+#include <QFile>
+#include <QProcess>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QWheelEvent>
@@ -60,10 +63,10 @@ struct Desk
     {
         sendMouse(view, QEvent::MouseMove, view->placeOf(place).toPoint(), button, modifiers);
     }
-    /// Where the left eye sees a point of the room.
+    /// Where the eye sees a point of the room.
     Eigen::Vector2d placeOf(const Vec3& point) const
     {
-        const Vec3 own = view->person().head().inverse() * point + Vec3(ui::SimulatedPerson::eyeDistance / 2, 0, 0);
+        const Vec3 own = view->person().head().inverse() * point;
         return Eigen::Vector2d(own.x() / ui::SimulatedPerson::sideTangent, own.y() / ui::SimulatedPerson::upTangent) / -own.z();
     }
     /// Over the middle of the model's front, the tip a little inside.
@@ -71,7 +74,7 @@ struct Desk
     {
         const Vec3 front = seen.model * Vec3(0, 0, 48);
         move(placeOf(front));
-        const Vec3 eye = view->person().head() * Vec3(-ui::SimulatedPerson::eyeDistance / 2, 0, 0);
+        const Vec3 eye = view->person().head().translation();
         const Vec3 tip = view->person().tip(view->person().hand()).translation();
         constexpr double metresANotch = 0.02;
         const double notches = ((front - eye).norm() - (tip - eye).norm()) / metresANotch;
@@ -141,6 +144,7 @@ private Q_SLOTS:
     void visit_fromTheFirstFrameToTheNextVisit();
     void hand_thatRestsMovesTheModel();
     void window_closedLeavesVr();
+    void process_entersAndEnds();
     void missing_isSaid();
 };
 
@@ -216,6 +220,32 @@ void TestSimulator::window_closedLeavesVr()
     desk.program.window.close(); // leaves first
     QTRY_VERIFY_WITH_TIMEOUT(!desk.program.window.isVisible(), longEnough);
     QVERIFY(!desk.isIn() && !desk.window->isVisible());
+}
+
+/// As from a shell: no other runtime is asked, VR is entered with the file's model, and closing the windows ends all.
+void TestSimulator::process_entersAndEnds()
+{
+    const QTemporaryDir folder;
+    const QString model = folder.filePath(QStringLiteral("clay.glb")), log = folder.filePath(QStringLiteral("log"));
+    core::writeMesh(model.toStdU16String(), core::icosphere(4, 50));
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("XR_RUNTIME_JSON"), folder.filePath(QStringLiteral("none.json")));
+    environment.insert(QStringLiteral("FETTLE_XR_LOG"), log);
+    for (const char* home : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME"})
+        environment.insert(QString::fromLatin1(home), folder.filePath(QString::fromLatin1(home)));
+    QProcess fettle;
+    fettle.setProcessEnvironment(environment);
+    fettle.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+    fettle.start(QStringLiteral(FETTLE_PROGRAM), {QStringLiteral("--vr-simulator"), model});
+    const auto hasFocus = [&log] {
+        QFile file(log);
+        return file.open(QIODevice::ReadOnly) && file.readAll().contains("XR_SESSION_STATE_FOCUSED");
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(hasFocus(), longEnough);
+    QTRY_VERIFY_WITH_TIMEOUT(askToClose(fettle.processId()), longEnough);
+    QTRY_COMPARE_WITH_TIMEOUT(fettle.state(), QProcess::NotRunning, longEnough);
+    QCOMPARE(fettle.exitStatus(), QProcess::NormalExit);
+    QCOMPARE(fettle.exitCode(), 0);
 }
 
 void TestSimulator::missing_isSaid()

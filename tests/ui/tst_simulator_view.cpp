@@ -16,16 +16,16 @@ using ui::SimulatorView;
 
 namespace
 {
-/// Where the left eye sees a point: -1 to 1 from edge to edge, right and up.
+/// Where the eye sees a point: -1 to 1 from edge to edge, right and up.
 Eigen::Vector2d seen(const SimulatedPerson& person, const Vec3& point)
 {
-    const Vec3 own = person.head().inverse() * point + Vec3(SimulatedPerson::eyeDistance / 2, 0, 0);
+    const Vec3 own = person.head().inverse() * point;
     return Eigen::Vector2d(own.x() / SimulatedPerson::sideTangent, own.y() / SimulatedPerson::upTangent) / -own.z();
 }
 
 double farFromEye(const SimulatedPerson& person)
 {
-    return (person.tip(person.hand()).translation() - person.head() * Vec3(-SimulatedPerson::eyeDistance / 2, 0, 0)).norm();
+    return (person.tip(person.hand()).translation() - person.head().translation()).norm();
 }
 
 void move(SimulatorView& view, const Eigen::Vector2d& place, Qt::MouseButton button = Qt::NoButton, Qt::KeyboardModifiers modifiers = {})
