@@ -285,6 +285,8 @@ void TestCommandLine::window_startsInTheSimulatorIfAsked()
         const app::WindowStart asked = start(arguments);
         QVERIFY(asked.file == file && asked.simulatesVr && asked.entersVr);
     }
+    const app::WindowStart lesson = start({simulator, QStringLiteral("--classroom"), file});
+    QVERIFY(lesson.simulatesVr && lesson.classFile == file);
     QVERIFY(!start({QStringLiteral("--vr")}).simulatesVr && !start({QStringLiteral("--"), simulator}).simulatesVr);
     QVERIFY(fettle({QStringLiteral("--help")}).out.contains("--vr-simulator [FILE]"));
     VERIFY_REFUSED(fettle({simulator}), "display");

@@ -27,6 +27,7 @@ for type in model/stl model/obj application/x-ply; do
     expect "the file types know $type" grep -q "^$type\$" "$scratch/mime/types"
     expect "the desktop entry opens $type" grep -q "^MimeType=.*$type;" "$packaging/org.fettle.Fettle.desktop"
 done
+expect "the desktop entry begins in the simulator, too" grep -q '^Exec=fettle --vr-simulator$' "$packaging/org.fettle.Fettle.desktop"
 expect "the shell scripts parse" bash -c 'for script; do bash -n "$script" || exit 1; done' scripts \
     "$source/run.sh" "$source/test.sh" "$packaging/prepare.sh" "$source/tests/support/on_a_display.sh"
 
