@@ -5655,7 +5655,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>squeezes both wands</source>
-        <translation>drückt die Seitentasten beider</translation>
+        <translation>drückt beide Seitentasten</translation>
     </message>
     <message>
         <source>Right button</source>

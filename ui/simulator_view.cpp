@@ -151,7 +151,10 @@ bool SimulatorView::press(const QKeyEvent& event, bool isDown)
 {
     const int key = event.key();
     if (std::ranges::any_of(walkingKeys, [key](const WalkingKey& walk) { return walk.key == key; })) {
-        isDown ? (void)m_walking.insert(key) : (void)m_walking.remove(key);
+        if (isDown)
+            m_walking.insert(key);
+        else
+            m_walking.remove(key);
         return true;
     }
     switch (key) {
@@ -208,11 +211,12 @@ void SimulatorView::pull(bool isDown, Qt::KeyboardModifiers modifiers)
 /// By pixels. A thumb that comes to the edge stays there.
 void SimulatorView::slide(const QPointF& by)
 {
+    if (!buttons().touchesPad)
+        return;
     Eigen::Vector2d& pad = buttons().pad;
     pad += slideAPixel * Eigen::Vector2d(by.x(), -by.y());
     if (pad.norm() > 1)
         pad.normalize();
-    buttons().touchesPad = true;
 }
 
 /// The hand before goes on squeezing, as both do that stretch the model; else it lets go.

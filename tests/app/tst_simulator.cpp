@@ -44,10 +44,12 @@ struct Desk
 
     void enter()
     {
+        seen = {};
         program.window.action(QStringLiteral("vr.enter"))->trigger();
         QTRY_VERIFY_WITH_TIMEOUT(runtime.report()[QStringLiteral("state")].toString().contains(QStringLiteral("FOCUSED")), longEnough);
         QTRY_VERIFY_WITH_TIMEOUT(!view->picture().isNull(), longEnough);
         QVERIFY(window->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(seen.brush, longEnough);
         frames(4);
     }
     bool isIn() const { return program.window.findChild<Headset*>()->isIn(); }
