@@ -1,6 +1,7 @@
 // The VR simulator as somebody at a desk has it: keys and mouse on its window, the real loader, the very same headset code.
 #include "app/command_line.h"
 #include "app/headset.h"
+#include "app/headset_settings.h"
 #include "app/simulator_desk.h"
 #include "core/mesh_build.h"
 #include "core/mesh_io.h"
@@ -30,9 +31,10 @@ constexpr int longEnough = 120'000; ///< milliseconds; frames are drawn in softw
 /// The program with a ball of 100 mm, started with --vr-simulator.
 struct Desk
 {
-    Desk()
+    explicit Desk(const vr::HeadsetChoice& choice = {})
     {
         QSettings().clear();
+        HeadsetSettings().setChoice(choice);
         core::writeMesh(m_folder.filePath(QStringLiteral("clay.glb")).toStdU16String(), core::icosphere(4, 50));
         new SimulatorDesk(&program.window, Simulator::open(QStringLiteral(FETTLE_BUILD_DIR)));
         window = program.window.findChild<ui::SimulatorWindow*>();
@@ -145,6 +147,7 @@ private Q_SLOTS:
 
     void visit_fromTheFirstFrameToTheNextVisit();
     void hand_thatRestsMovesTheModel();
+    void bothHands_stretchTheModel();
     void window_closedLeavesVr();
     void process_entersAndEnds();
     void missing_isSaid();
@@ -206,6 +209,40 @@ void TestSimulator::hand_thatRestsMovesTheModel()
     desk.frames(3);
     QTest::keyRelease(desk.view, Qt::Key_Space);
     QTRY_VERIFY_WITH_TIMEOUT(before.x() - desk.seen.model.translation().x() > 0.03, longEnough);
+    QCOMPARE(desk.changes(), 0);
+    QTest::keyClick(desk.view, Qt::Key_Escape);
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.isIn(), longEnough);
+}
+
+/// In the preset Studio squeezing grabs: one hand moves the model, both stretch it.
+void TestSimulator::bothHands_stretchTheModel()
+{
+    vr::HeadsetChoice choice;
+    choice.hands.preset = vr::Preset::Studio;
+    Desk desk(choice);
+    desk.enter();
+    const auto scale = [&desk] { return desk.seen.model.linear().col(0).norm(); };
+    const double before = scale();
+    desk.move({-0.1, -0.3});
+    desk.frames(3);
+    QTest::keyPress(desk.view, Qt::Key_B);
+    desk.frames(3);
+    for (int i = 1; i <= 4; ++i) {
+        desk.move({-0.1 + 0.2 * i, -0.3});
+        desk.frames(2);
+    }
+    QTest::keyRelease(desk.view, Qt::Key_B);
+    QTRY_VERIFY_WITH_TIMEOUT(scale() > 1.3 * before, longEnough);
+    desk.frames(4);
+    const Vec3 place = desk.seen.model.translation();
+    const double stretched = scale();
+    QTest::keyPress(desk.view, Qt::Key_G);
+    desk.frames(3);
+    desk.move({0.5, 0});
+    desk.frames(3);
+    QTest::keyRelease(desk.view, Qt::Key_G);
+    QTRY_VERIFY_WITH_TIMEOUT((desk.seen.model.translation() - place).norm() > 0.02, longEnough);
+    QVERIFY(std::abs(scale() / stretched - 1) < 1e-6);
     QCOMPARE(desk.changes(), 0);
     QTest::keyClick(desk.view, Qt::Key_Escape);
     QTRY_VERIFY_WITH_TIMEOUT(!desk.isIn(), longEnough);
