@@ -120,6 +120,8 @@ WindowStart CommandLine::windowStart(QStringList arguments)
             onlyFiles = true;
         else if (!onlyFiles && argument == QLatin1String("--vr"))
             start.entersVr = true;
+        else if (!onlyFiles && argument == QLatin1String(simulatorWord))
+            start.entersVr = start.simulatesVr = true;
         else if (!onlyFiles && argument.size() > 1 && argument.startsWith(QLatin1Char('-')))
             fail(tr("Unknown option %1; fettle --help lists them.").arg(argument));
         else
@@ -196,6 +198,7 @@ QString CommandLine::help()
     return tr("Fettle sculpts closed models that stay ready to print.\n"
               "\n"
               "  fettle [--vr] [FILE]             open the window, with a model or with a ball of clay; --vr enters VR with it\n"
+              "  fettle --vr-simulator [FILE]     the same without a headset: a window shows what it would, mouse and keys are head and wands\n"
               "  fettle [--vr] --classroom CLASS.ini\n"
               "                                   begin a class in turns, as its teacher set it up (Edit > Classroom)\n"
               "  fettle check FILE... [--unit mm|cm|m|in] [--print] [--json] [--csv]\n"

@@ -19,11 +19,14 @@ struct CommandFailure
     ExitStatus status = BadInput;
 };
 
+inline constexpr const char* simulatorWord = "--vr-simulator";
+
 /// What `fettle` without a subcommand begins with.
 struct WindowStart
 {
     QString file; ///< absolute; empty: the ball
     bool entersVr = false;
+    bool simulatesVr = false; ///< it enters the simulator
     QString classFile; ///< absolute; empty: it is no class
 };
 

@@ -6,9 +6,11 @@
 #include "foreign_reader.h"
 #include "journal_shelf.h"
 #include "process_signals.h"
+#include "simulator_desk.h"
 #include "wiring.h"
 
 #include "ui/main_window.h"
+#include "ui/scene.h"
 #include "ui/settings.h"
 #include "ui/theme.h"
 #include "ui/viewport.h"
@@ -20,9 +22,11 @@
 #include <QSettings>
 #include <QTranslator>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <utility>
 
 namespace
 {
@@ -64,13 +68,24 @@ void loadTranslations(QCoreApplication& application)
     }
 }
 
+bool hasWord(int argc, char* argv[], const char* word)
+{
+    return std::any_of(argv + std::min(1, argc), argv + argc, [word](const char* argument) { return qstrcmp(argument, word) == 0; });
+}
+
+/// The simulator takes its pictures by GLX, which is X11's.
+void preferX11()
+{
+    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM") && !qEnvironmentVariableIsEmpty("DISPLAY"))
+        qputenv("QT_QPA_PLATFORM", "xcb");
+}
+
 /// Qt ends a program without a display by abort(). Where X11 or Wayland would be used, we look first and say it in words.
 bool canHaveWindow(int argc, char* argv[])
 {
 #if defined(Q_OS_UNIX) && !defined(Q_OS_MACOS)
-    for (int i = 1; i < argc; ++i)
-        if (qstrcmp(argv[i], "-platform") == 0 || qstrcmp(argv[i], "--platform") == 0)
-            return true;
+    if (hasWord(argc, argv, "-platform") || hasWord(argc, argv, "--platform"))
+        return true;
     return !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY")
            || !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
 #else
@@ -118,9 +133,20 @@ void enterVrOnce(const app::Document& document, ui::MainWindow& window)
     QObject::connect(&document, &app::Document::opened, window.action(QStringLiteral("vr.enter")), &QAction::trigger, how);
 }
 
+/// If that is wanted, before anything asks for VR. Throws CommandFailure.
+std::unique_ptr<app::Simulator> simulatorFor(const app::WindowStart& start)
+{
+    if (!start.simulatesVr)
+        return nullptr;
+    if (const QString unable = ui::graphicsProblem(); !unable.isEmpty())
+        throw app::CommandFailure{unable};
+    return app::Simulator::open();
+}
+
 /// All goes in the order from below: the window, then the mesh thread with the document, then what it worked for and what kept it.
 int showWindow(const app::WindowStart& start)
 {
+    std::unique_ptr<app::Simulator> simulator = simulatorFor(start);
     app::JournalShelf shelf;
     app::SculptWorker worker;
     const auto inbox = std::make_shared<app::PatchInbox>();
@@ -128,6 +154,8 @@ int showWindow(const app::WindowStart& start)
     ui::MainWindow window;
     app::wire(window, document, worker, inbox);
     app::wireRecovery(window, document, shelf);
+    if (simulator)
+        new app::SimulatorDesk(&window, std::move(simulator));
     window.show();
     if (start.entersVr)
         enterVrOnce(document, window);
@@ -151,6 +179,7 @@ int showClass(QApplication& application, const app::WindowStart& start)
         chooseLanguage(classroom.language);
         loadTranslations(application);
     }
+    std::unique_ptr<app::Simulator> simulator = simulatorFor(start);
     app::JournalShelf shelf(places.journals);
     app::SculptWorker worker;
     const auto inbox = std::make_shared<app::PatchInbox>();
@@ -160,6 +189,8 @@ int showClass(QApplication& application, const app::WindowStart& start)
     document.keepJournals(&shelf);
     app::ClassroomMode mode({&window, &document, &shelf}, classroom, places);
     app::wireClassroom(window, mode);
+    if (simulator)
+        new app::SimulatorDesk(&window, std::move(simulator));
     if (classroom.fullScreen)
         window.showFullScreen();
     else
@@ -176,6 +207,8 @@ int runWindow(int argc, char* argv[])
         std::fputs(noDisplay, stderr);
         return app::BadInput;
     }
+    if (hasWord(argc, argv, app::simulatorWord))
+        preferX11();
     ui::prepareGraphics();
     const QtMessageHandler usual = qInstallMessageHandler(onlyTellOfMissingDisplay);
     QApplication application(argc, argv);

@@ -260,6 +260,7 @@
         <source>Fettle sculpts closed models that stay ready to print.
 
   fettle [--vr] [FILE]             open the window, with a model or with a ball of clay; --vr enters VR with it
+  fettle --vr-simulator [FILE]     the same without a headset: a window shows what it would, mouse and keys are head and wands
   fettle [--vr] --classroom CLASS.ini
                                    begin a class in turns, as its teacher set it up (Edit &gt; Classroom)
   fettle check FILE... [--unit mm|cm|m|in] [--print] [--json] [--csv]
@@ -283,6 +284,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>Fettle formt geschlossene Modelle, die druckfertig bleiben.
 
   fettle [--vr] [FILE]             das Fenster öffnen, mit einem Modell oder einer Tonkugel; --vr betritt damit VR
+  fettle --vr-simulator [FILE]     dasselbe ohne VR-Brille: ein Fenster zeigt ihr Bild, Maus und Tasten sind Kopf und Controller
   fettle [--vr] --classroom CLASS.ini
                                    eine Klasse beginnen, wie ihre Lehrkraft sie eingerichtet hat (Bearbeiten &gt; Klassenraum)
   fettle check FILE... [--unit mm|cm|m|in] [--print] [--json] [--csv]
@@ -1285,6 +1287,17 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>%1 was not written: there is no model that has a sheet.</source>
         <translation>%1 wurde nicht geschrieben: Kein Modell bekommt ein Blatt.</translation>
+    </message>
+</context>
+<context>
+    <name>app::Simulator</name>
+    <message>
+        <source>The VR simulator cannot be loaded: %1</source>
+        <translation>Der VR-Simulator lässt sich nicht laden: %1</translation>
+    </message>
+    <message>
+        <source>The VR simulator is not installed with this program: there is no folder %1 beside it with fettle_simulator.json.</source>
+        <translation>Der VR-Simulator ist nicht mit diesem Programm installiert: daneben gibt es keinen Ordner %1 mit fettle_simulator.json.</translation>
     </message>
 </context>
 <context>
@@ -5661,6 +5674,144 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>The model that you sculpt, as it is now.</source>
         <translation>Das Modell, das Sie formen, wie es jetzt ist.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SimulatorView</name>
+    <message>
+        <source>VR starts…</source>
+        <translation>VR startet …</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SimulatorWindow</name>
+    <message>
+        <source>Mouse</source>
+        <translation>Maus</translation>
+    </message>
+    <message>
+        <source>moves the wand</source>
+        <translation>bewegt den Controller</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Mausrad</translation>
+    </message>
+    <message>
+        <source>farther and nearer</source>
+        <translation>weiter weg und näher</translation>
+    </message>
+    <message>
+        <source>Shift and wheel</source>
+        <translation>Umschalt und Mausrad</translation>
+    </message>
+    <message>
+        <source>turns the wand about itself</source>
+        <translation>dreht den Controller um sich selbst</translation>
+    </message>
+    <message>
+        <source>Left button, Space</source>
+        <translation>Linke Taste, Leertaste</translation>
+    </message>
+    <message>
+        <source>trigger; with Shift half as strong</source>
+        <translation>Abzug; mit Umschalt halb so stark</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>the other wand</source>
+        <translation>der andere Controller</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>press the pad at that side</source>
+        <translation>drücken das Touchpad an dieser Seite</translation>
+    </message>
+    <message>
+        <source>Ctrl and mouse</source>
+        <translation>Strg und Maus</translation>
+    </message>
+    <message>
+        <source>the thumb slides on the pad</source>
+        <translation>der Daumen gleitet auf dem Touchpad</translation>
+    </message>
+    <message>
+        <source>M</source>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>menu button</source>
+        <translation>Menütaste</translation>
+    </message>
+    <message>
+        <source>G</source>
+        <translation>G</translation>
+    </message>
+    <message>
+        <source>squeezes the wand</source>
+        <translation>drückt die Seitentaste</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>squeezes both wands</source>
+        <translation>drückt beide Seitentasten</translation>
+    </message>
+    <message>
+        <source>Right button</source>
+        <translation>Rechte Taste</translation>
+    </message>
+    <message>
+        <source>looks about</source>
+        <translation>sieht sich um</translation>
+    </message>
+    <message>
+        <source>W A S D</source>
+        <translation>W A S D</translation>
+    </message>
+    <message>
+        <source>walk</source>
+        <translation>gehen</translation>
+    </message>
+    <message>
+        <source>E, Q</source>
+        <translation>E, Q</translation>
+    </message>
+    <message>
+        <source>up and down</source>
+        <translation>nach oben und unten</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>leaves VR</source>
+        <translation>verlässt VR</translation>
+    </message>
+    <message>
+        <source>VR Simulator</source>
+        <translation>VR-Simulator</translation>
+    </message>
+    <message>
+        <source>What the headset shows</source>
+        <translation>Was die VR-Brille zeigt</translation>
+    </message>
+    <message>
+        <source>The mouse moves the left wand.</source>
+        <translation>Die Maus bewegt den linken Controller.</translation>
+    </message>
+    <message>
+        <source>The mouse moves the right wand.</source>
+        <translation>Die Maus bewegt den rechten Controller.</translation>
     </message>
 </context>
 <context>

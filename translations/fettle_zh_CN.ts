@@ -258,6 +258,7 @@
         <source>Fettle sculpts closed models that stay ready to print.
 
   fettle [--vr] [FILE]             open the window, with a model or with a ball of clay; --vr enters VR with it
+  fettle --vr-simulator [FILE]     the same without a headset: a window shows what it would, mouse and keys are head and wands
   fettle [--vr] --classroom CLASS.ini
                                    begin a class in turns, as its teacher set it up (Edit &gt; Classroom)
   fettle check FILE... [--unit mm|cm|m|in] [--print] [--json] [--csv]
@@ -281,6 +282,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <translation>Fettle 用于雕刻封闭模型，并使其始终可以打印。
 
   fettle [--vr] [FILE]             打开窗口，载入模型或一个黏土球；--vr 同时进入 VR
+  fettle --vr-simulator [FILE]     同上，但不需要头显：由一个窗口显示画面，鼠标和键盘充当头部和手柄
   fettle [--vr] --classroom CLASS.ini
                                    按教师的设置开始课堂（编辑 &gt; 课堂）
   fettle check FILE... [--unit mm|cm|m|in] [--print] [--json] [--csv]
@@ -1281,6 +1283,17 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>%1 was not written: there is no model that has a sheet.</source>
         <translation>%1 未写入：没有可出图纸的模型。</translation>
+    </message>
+</context>
+<context>
+    <name>app::Simulator</name>
+    <message>
+        <source>The VR simulator cannot be loaded: %1</source>
+        <translation>无法加载 VR 模拟器：%1</translation>
+    </message>
+    <message>
+        <source>The VR simulator is not installed with this program: there is no folder %1 beside it with fettle_simulator.json.</source>
+        <translation>此程序没有安装 VR 模拟器：它旁边没有包含 fettle_simulator.json 的文件夹 %1。</translation>
     </message>
 </context>
 <context>
@@ -5644,6 +5657,144 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>The model that you sculpt, as it is now.</source>
         <translation>您正在雕刻的模型，按它现在的样子。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SimulatorView</name>
+    <message>
+        <source>VR starts…</source>
+        <translation>VR 正在启动…</translation>
+    </message>
+</context>
+<context>
+    <name>ui::SimulatorWindow</name>
+    <message>
+        <source>Mouse</source>
+        <translation>鼠标</translation>
+    </message>
+    <message>
+        <source>moves the wand</source>
+        <translation>移动手柄</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>滚轮</translation>
+    </message>
+    <message>
+        <source>farther and nearer</source>
+        <translation>远近</translation>
+    </message>
+    <message>
+        <source>Shift and wheel</source>
+        <translation>Shift 和滚轮</translation>
+    </message>
+    <message>
+        <source>turns the wand about itself</source>
+        <translation>让手柄绕自身旋转</translation>
+    </message>
+    <message>
+        <source>Left button, Space</source>
+        <translation>左键、空格</translation>
+    </message>
+    <message>
+        <source>trigger; with Shift half as strong</source>
+        <translation>扳机；按住 Shift 时力度减半</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>the other wand</source>
+        <translation>另一只手柄</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>方向键</translation>
+    </message>
+    <message>
+        <source>press the pad at that side</source>
+        <translation>按下触摸板的那一侧</translation>
+    </message>
+    <message>
+        <source>Ctrl and mouse</source>
+        <translation>Ctrl 和鼠标</translation>
+    </message>
+    <message>
+        <source>the thumb slides on the pad</source>
+        <translation>拇指在触摸板上滑动</translation>
+    </message>
+    <message>
+        <source>M</source>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>menu button</source>
+        <translation>菜单键</translation>
+    </message>
+    <message>
+        <source>G</source>
+        <translation>G</translation>
+    </message>
+    <message>
+        <source>squeezes the wand</source>
+        <translation>握紧手柄</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>squeezes both wands</source>
+        <translation>握紧两只手柄</translation>
+    </message>
+    <message>
+        <source>Right button</source>
+        <translation>右键</translation>
+    </message>
+    <message>
+        <source>looks about</source>
+        <translation>环顾</translation>
+    </message>
+    <message>
+        <source>W A S D</source>
+        <translation>W A S D</translation>
+    </message>
+    <message>
+        <source>walk</source>
+        <translation>行走</translation>
+    </message>
+    <message>
+        <source>E, Q</source>
+        <translation>E、Q</translation>
+    </message>
+    <message>
+        <source>up and down</source>
+        <translation>上下</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>leaves VR</source>
+        <translation>离开 VR</translation>
+    </message>
+    <message>
+        <source>VR Simulator</source>
+        <translation>VR 模拟器</translation>
+    </message>
+    <message>
+        <source>What the headset shows</source>
+        <translation>头显显示的画面</translation>
+    </message>
+    <message>
+        <source>The mouse moves the left wand.</source>
+        <translation>鼠标移动左手柄。</translation>
+    </message>
+    <message>
+        <source>The mouse moves the right wand.</source>
+        <translation>鼠标移动右手柄。</translation>
     </message>
 </context>
 <context>

@@ -106,6 +106,7 @@ private Q_SLOTS:
     void window_withoutADisplaySaysSo();
     void window_withADeadDisplaySaysSo();
     void window_startsInVrIfAsked();
+    void window_startsInTheSimulatorIfAsked();
     void class_isRefusedWithItsReason();
     void check_cube();
     void check_openModelIsNotReady();
@@ -274,6 +275,23 @@ void TestCommandLine::window_startsInVrIfAsked()
     QVERIFY(!CommandLine::isCommand({vr}));
     QVERIFY(fettle({QStringLiteral("--help")}).out.contains("--vr"));
     VERIFY_REFUSED(fettle({vr}), "display");
+}
+
+void TestCommandLine::window_startsInTheSimulatorIfAsked()
+{
+    const QString simulator = QString::fromLatin1(app::simulatorWord), file = at("a.stl");
+    const auto start = [](const QStringList& arguments) { return app::CommandLine::windowStart(arguments); };
+    for (const QStringList& arguments : {QStringList{simulator, file}, {file, simulator}}) {
+        const app::WindowStart asked = start(arguments);
+        QVERIFY(asked.file == file && asked.simulatesVr && asked.entersVr);
+    }
+    const app::WindowStart lesson = start({simulator, QStringLiteral("--classroom"), file});
+    QVERIFY(lesson.simulatesVr && lesson.classFile == file);
+    QVERIFY(!start({QStringLiteral("--vr")}).simulatesVr && !start({QStringLiteral("--"), simulator}).simulatesVr);
+    QVERIFY(fettle({QStringLiteral("--help")}).out.contains("--vr-simulator [FILE]"));
+    VERIFY_REFUSED(fettle({simulator}), "display");
+    const QMap<QString, QString> quiet{{QStringLiteral("XDG_RUNTIME_DIR"), m_folder->path()}};
+    VERIFY_REFUSED(fettle({QStringLiteral("-platform"), QStringLiteral("offscreen"), simulator}, quiet), "OpenGL");
 }
 
 void TestCommandLine::window_withADeadDisplaySaysSo()

@@ -27,6 +27,7 @@ for type in model/stl model/obj application/x-ply; do
     expect "the file types know $type" grep -q "^$type\$" "$scratch/mime/types"
     expect "the desktop entry opens $type" grep -q "^MimeType=.*$type;" "$packaging/org.fettle.Fettle.desktop"
 done
+expect "the desktop entry begins in the simulator, too" grep -q '^Exec=fettle --vr-simulator$' "$packaging/org.fettle.Fettle.desktop"
 expect "the shell scripts parse" bash -c 'for script; do bash -n "$script" || exit 1; done' scripts \
     "$source/run.sh" "$source/test.sh" "$packaging/prepare.sh" "$source/tests/support/on_a_display.sh"
 
@@ -34,7 +35,7 @@ cpack --config "$2/CPackConfig.cmake" -B "$scratch/package" >"$scratch/cpack.log
     { cat "$scratch/cpack.log"; exit 1; }
 deb=$(echo "$scratch"/package/fettle_*.deb)
 files=$(dpkg-deb --contents "$deb" | awk '{print $6}')
-for file in usr/bin/fettle usr/share/applications/org.fettle.Fettle.desktop usr/share/icons/hicolor/scalable/apps/fettle.svg \
+for file in usr/bin/fettle usr/lib/fettle/libfettle_simulator.so usr/lib/fettle/fettle_simulator.json usr/share/applications/org.fettle.Fettle.desktop usr/share/icons/hicolor/scalable/apps/fettle.svg \
     usr/share/mime/packages/org.fettle.Fettle.xml usr/share/metainfo/org.fettle.Fettle.metainfo.xml usr/share/doc/fettle/copyright; do
     expect "the package brings $file" grep -qx "\./$file" <<<"$files"
 done

@@ -1,5 +1,7 @@
 #include "scripted_runtime.h"
 
+#include "vr/simulator/control.h"
+
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QLibrary>
@@ -57,6 +59,12 @@ bool ScriptedRuntime::frames(int count)
 QJsonObject ScriptedRuntime::report() const
 {
     return QJsonDocument::fromJson(function<const char* (*)()>("fettle_xr_report")()).object();
+}
+
+QImage ScriptedRuntime::picture()
+{
+    const FettleXrPicture* shown = function<decltype(&fettle_xr_picture)>("fettle_xr_picture")();
+    return shown ? QImage(shown->rgba, shown->width, shown->height, QImage::Format_RGBX8888).copy() : QImage();
 }
 
 QStringList ScriptedRuntime::clientErrors() const

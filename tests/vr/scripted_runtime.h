@@ -1,11 +1,12 @@
 #pragma once
 
 #include <QByteArray>
+#include <QImage>
 #include <QJsonObject>
 #include <QStringList>
 
-/// The OpenXR runtime of tests/vr/runtime, in the process of the test: the loader takes it from now on, and the test steers it.
-/// The words are in runtime/control.h; a word that is not understood ends the test. Any thread.
+/// The OpenXR runtime of vr/simulator, in the process of the test: the loader takes it from now on, and the test steers it.
+/// The words are in vr/simulator/control.h; a word that is not understood ends the test. Any thread.
 class ScriptedRuntime
 {
 public:
@@ -23,6 +24,8 @@ public:
     /// Waits until the client has ended so many more frames; at pace "stepped" they go only now.
     bool frames(int count);
     QJsonObject report() const;
+    /// What the left eye saw in the newest frame since this was last asked, which asks for the next; null: nothing new.
+    QImage picture();
     /// Both must be empty of a client that knows the rules.
     QStringList clientErrors() const;
     QStringList clientWarnings() const;

@@ -11,6 +11,9 @@
 #include <QOpenGLFunctions>
 #include <QTemporaryDir>
 
+#include <chrono>
+#include <thread>
+
 namespace
 {
 const QByteArray fast = R"({"start": {"pace": "fast", "size": [64, 48]}})";
@@ -38,6 +41,8 @@ private Q_SLOTS:
     void followsTheEnvironment(); // first: later ones load scripts of their own
     void livesThroughASession();
     void keepsPictures();
+    void showsPictures();
+    void liveTime_isTheClocks();
     void keepsQuads();
     void writesALog();
     void isTheSameEveryTime();
@@ -115,6 +120,50 @@ void TestScriptedRuntime::keepsPictures()
     QCOMPARE(left.pixel(0, 24), qRgb(255, 0, 0));
     QCOMPARE(left.pixel(63, 47), qRgb(255, 0, 0));
     QCOMPARE(right.pixel(32, 24), qRgb(0, 255, 0));
+}
+
+/// Only pictures that are asked for are made, and each is shown once.
+void TestScriptedRuntime::showsPictures()
+{
+    ScriptedRuntime runtime(R"({"start": {"pace": "fast", "size": [64, 48]}})");
+    QVERIFY(runtime.picture().isNull());
+    RawClient client;
+    QSUCCEEDS(client.enter());
+    const QImage first = runtime.picture();
+    QCOMPARE(first.size(), QSize(64, 48));
+    QCOMPARE(first.pixel(32, 0), qRgb(0, 0, 255));
+    QCOMPARE(first.pixel(32, 47), qRgb(255, 0, 0));
+    QVERIFY(runtime.picture().isNull());
+    QSUCCEEDS(client.frame());
+    QVERIFY(!runtime.picture().isNull());
+    QSUCCEEDS(client.frame());
+    runtime.set(R"({"should_render": false})"); // nothing new to see: what was seen is shown once, too
+    QSUCCEEDS(client.frame());
+    QVERIFY(!runtime.picture().isNull());
+    QSUCCEEDS(client.frame());
+    QVERIFY(runtime.picture().isNull());
+}
+
+/// A client that is slower than the display: its time goes by the clock at pace "live", by its frames at pace "real".
+void TestScriptedRuntime::liveTime_isTheClocks()
+{
+    constexpr int frames = 8;
+    constexpr auto slowness = std::chrono::milliseconds(30);
+    for (const bool isLive : {false, true}) {
+        ScriptedRuntime runtime(isLive ? R"({"start": {"pace": "live", "hz": 100}})" : R"({"start": {"pace": "real", "hz": 100}})");
+        RawClient client;
+        QSUCCEEDS(client.enter());
+        const XrTime first = client.frameState.predictedDisplayTime;
+        for (int i = 0; i < frames; ++i)
+            QSUCCEEDS(client.frame([&] { std::this_thread::sleep_for(slowness); }));
+        const XrTime passed = client.frameState.predictedDisplayTime - first;
+        constexpr XrTime period = 10'000'000;
+        QCOMPARE(passed % period, 0);
+        if (isLive)
+            QVERIFY2(passed >= (frames - 1) * std::chrono::nanoseconds(slowness).count() - period, qPrintable(QString::number(passed)));
+        else
+            QCOMPARE(passed, frames * period);
+    }
 }
 
 /// One with alpha in a linear format on an array's second layer, and one that covers.

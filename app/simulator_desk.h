@@ -1,0 +1,53 @@
+#pragma once
+
+#include "simulator.h"
+
+#include "ui/simulated_person.h"
+#include "vr/headset_report.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+
+#include <array>
+#include <deque>
+
+namespace ui
+{
+class MainWindow;
+class SimulatorWindow;
+} // namespace ui
+
+namespace app
+{
+class Headset;
+
+/// The VR simulator's window during visits to VR: brings what mouse and keys do to the simulated headset, and its pictures back. Gui thread.
+class SimulatorDesk : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// After wire(). The window owns it and the simulator's window.
+    SimulatorDesk(ui::MainWindow* window, std::unique_ptr<Simulator> simulator);
+
+private:
+    /// By ui::SimulatedHand.
+    using Buttons = std::array<ui::SimulatedButtons, ui::simulatedHandCount>;
+
+    void take(const vr::HeadsetReport& report);
+    void tick();
+    void takePicture();
+    void noteButtons();
+    void move();
+
+    std::unique_ptr<Simulator> m_simulator;
+    Headset* m_headset;
+    ui::SimulatorWindow* m_window;
+    QTimer m_timer; ///< runs during a visit
+    QElapsedTimer m_clock;
+    std::deque<Buttons> m_waiting; ///< what buttons did, not yet told
+    Buttons m_told;
+    int m_picturesSince = 0; ///< the last was told
+};
+} // namespace app

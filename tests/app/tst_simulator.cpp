@@ -1,0 +1,305 @@
+// The VR simulator as somebody at a desk has it: keys and mouse on its window, the real loader, the very same headset code.
+#include "app/command_line.h"
+#include "app/headset.h"
+#include "app/headset_settings.h"
+#include "app/simulator_desk.h"
+#include "core/mesh_build.h"
+#include "core/mesh_io.h"
+#include "tests/support/other_windows_x11.h"
+#include "tests/support/program_hand.h"
+#include "tests/support/solid_asserts.h"
+#include "tests/vr/scripted_runtime.h"
+#include "tests/vr/vr_test.h"
+#include "ui/simulator_view.h"
+#include "ui/simulator_window.h"
+
+#include <QFile>
+#include <QProcess>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QWheelEvent>
+
+#include <future>
+
+using namespace app;
+using core::Vec3;
+
+namespace
+{
+constexpr int longEnough = 120'000; ///< milliseconds; frames are drawn in software, on a busy machine
+
+/// The program with a ball of 100 mm, started with --vr-simulator.
+struct Desk
+{
+    explicit Desk(const vr::HeadsetChoice& choice = {})
+    {
+        QSettings().clear();
+        HeadsetSettings().setChoice(choice);
+        core::writeMesh(m_folder.filePath(QStringLiteral("clay.glb")).toStdU16String(), core::icosphere(4, 50));
+        new SimulatorDesk(&program.window, Simulator::open(QStringLiteral(FETTLE_BUILD_DIR)));
+        window = program.window.findChild<ui::SimulatorWindow*>();
+        view = window->view();
+        openFile(program, m_folder.filePath(QStringLiteral("clay.glb")), {640, 480});
+        auto* headset = program.window.findChild<Headset*>();
+        QObject::connect(headset, &Headset::seen, headset, [this](const std::optional<vr::Presence>& presence) { seen = presence.value_or(seen); });
+    }
+
+    void enter()
+    {
+        seen = {};
+        program.window.action(QStringLiteral("vr.enter"))->trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(runtime.report()[QStringLiteral("state")].toString().contains(QStringLiteral("FOCUSED")), longEnough);
+        QTRY_VERIFY_WITH_TIMEOUT(!view->picture().isNull(), longEnough);
+        QVERIFY(window->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(seen.brush, longEnough);
+        frames(4);
+    }
+    bool isIn() const { return program.window.findChild<Headset*>()->isIn(); }
+    /// The headset shows so many more.
+    void frames(int count)
+    {
+        for (int i = 0; i < count; ++i) {
+            const qint64 before = view->picture().cacheKey();
+            QTRY_VERIFY_WITH_TIMEOUT(view->picture().cacheKey() != before, longEnough);
+        }
+    }
+    void move(const Eigen::Vector2d& place, Qt::MouseButton button = Qt::NoButton, Qt::KeyboardModifiers modifiers = {})
+    {
+        sendMouse(view, QEvent::MouseMove, view->placeOf(place).toPoint(), button, modifiers);
+    }
+    /// Where the eye sees a point of the room.
+    Eigen::Vector2d placeOf(const Vec3& point) const
+    {
+        const Vec3 own = view->person().head().inverse() * point;
+        return Eigen::Vector2d(own.x() / ui::SimulatedPerson::sideTangent, own.y() / ui::SimulatedPerson::upTangent) / -own.z();
+    }
+    /// Over the middle of the model's front, the tip a little inside.
+    void touchClay()
+    {
+        const Vec3 front = seen.model * Vec3(0, 0, 48);
+        move(placeOf(front));
+        const Vec3 eye = view->person().head().translation();
+        const Vec3 tip = view->person().tip(view->person().hand()).translation();
+        constexpr double metresANotch = 0.02;
+        const double notches = ((front - eye).norm() - (tip - eye).norm()) / metresANotch;
+        QWheelEvent event(QPointF(9, 9), view->mapToGlobal(QPointF(9, 9)), {}, {0, qRound(120 * notches)}, {}, {}, Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(view, &event);
+        frames(3);
+    }
+    /// With the left button, to the side.
+    void stroke()
+    {
+        touchClay();
+        const Eigen::Vector2d from = placeOf(view->person().tip(view->person().hand()).translation());
+        sendMouse(view, QEvent::MouseButtonPress, view->placeOf(from).toPoint(), Qt::LeftButton);
+        for (int i = 1; i <= 8; ++i) {
+            move(from + Eigen::Vector2d(0.02 * i, 0), Qt::LeftButton);
+            frames(1);
+        }
+        sendMouse(view, QEvent::MouseButtonRelease, view->placeOf(from).toPoint(), Qt::LeftButton);
+        frames(4);
+        QTRY_VERIFY_WITH_TIMEOUT(program.document.isSettled(), longEnough);
+    }
+    void click(Qt::Key key)
+    {
+        QTest::keyClick(view, key);
+        frames(6);
+    }
+    template <class Ask> auto ask(const Ask& what)
+    {
+        std::promise<decltype(what(std::declval<core::Sculptor&>()))> answer;
+        program.worker.post([&](core::Sculptor& sculptor) { answer.set_value(what(sculptor)); });
+        return answer.get_future().get();
+    }
+    std::uint64_t hash()
+    {
+        return ask([](core::Sculptor& sculptor) { return sculptor.mesh().meshHash(); });
+    }
+    int changes() const { return program.document.undoStack().index(); }
+
+    ScriptedRuntime runtime; ///< hears what the client does wrong
+    Program program;
+    ui::SimulatorWindow* window = nullptr;
+    ui::SimulatorView* view = nullptr;
+    vr::Presence seen;
+
+private:
+    QTemporaryDir m_folder;
+};
+
+/// Of the picture's middle.
+int clayPixels(const QImage& picture)
+{
+    int count = 0;
+    for (int y = picture.height() / 3; y < 2 * picture.height() / 3; y += 4)
+        for (int x = picture.width() / 3; x < 2 * picture.width() / 3; x += 4)
+            count += picture.pixelColor(x, y).lightness() > 60;
+    return count;
+}
+} // namespace
+
+class TestSimulator : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { SKIP_WITHOUT_GLX(); }
+
+    void visit_fromTheFirstFrameToTheNextVisit();
+    void hand_thatRestsMovesTheModel();
+    void bothHands_stretchTheModel();
+    void window_closedLeavesVr();
+    void process_entersAndEnds();
+    void missing_isSaid();
+};
+
+/// A stroke is one step of the document, and sound; the wand's own undo takes it back; afterwards all goes on at the desktop and in VR.
+void TestSimulator::visit_fromTheFirstFrameToTheNextVisit()
+{
+    Desk desk;
+    QVERIFY(!desk.window->isVisible());
+    const std::uint64_t before = desk.hash();
+    desk.enter();
+    QVERIFY(clayPixels(desk.view->picture()) > 1000);
+
+    desk.stroke();
+    QCOMPARE(desk.changes(), 1);
+    QVERIFY(desk.hash() != before);
+    const std::string unsoundness = desk.ask([](core::Sculptor& sculptor) { return mesh_asserts::unsoundness(sculptor.mesh()); });
+    QVERIFY2(unsoundness.empty(), unsoundness.c_str());
+
+    const double radius = desk.seen.brush->radius;
+    QTest::keyPress(desk.view, Qt::Key_Control);
+    desk.frames(3);
+    for (int i = 1; i <= 4; ++i) {
+        desk.move({0.1 * i, 0}, Qt::NoButton, Qt::ControlModifier);
+        desk.frames(2);
+    }
+    QTest::keyRelease(desk.view, Qt::Key_Control);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.seen.brush && desk.seen.brush->radius > 1.1 * radius, longEnough);
+
+    desk.click(Qt::Key_Left); // the sculpting wand's pad
+    QTRY_COMPARE_WITH_TIMEOUT(desk.changes(), 0, longEnough);
+    QCOMPARE(desk.hash(), before);
+
+    QTest::keyClick(desk.view, Qt::Key_Escape);
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.isIn(), longEnough);
+    QVERIFY(!desk.window->isVisible());
+    desk.program.window.action(QStringLiteral("edit.redo"))->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(desk.changes(), 1, longEnough);
+    desk.enter();
+    QTest::keyClick(desk.view, Qt::Key_Escape);
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.isIn(), longEnough);
+    QCOMPARE(desk.runtime.clientErrors(), QStringList());
+    QCOMPARE(desk.runtime.clientWarnings(), QStringList());
+}
+
+/// In the paper's preset the other hand's trigger grabs.
+void TestSimulator::hand_thatRestsMovesTheModel()
+{
+    Desk desk;
+    desk.enter();
+    desk.click(Qt::Key_Tab);
+    desk.move({-0.2, 0.3});
+    desk.frames(3);
+    const Vec3 before = desk.seen.model.translation();
+    QTest::keyPress(desk.view, Qt::Key_Space);
+    desk.frames(3);
+    desk.move({-0.4, 0.3});
+    desk.frames(3);
+    QTest::keyRelease(desk.view, Qt::Key_Space);
+    QTRY_VERIFY_WITH_TIMEOUT(before.x() - desk.seen.model.translation().x() > 0.03, longEnough);
+    QCOMPARE(desk.changes(), 0);
+    QTest::keyClick(desk.view, Qt::Key_Escape);
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.isIn(), longEnough);
+}
+
+/// In the preset Studio squeezing grabs: one hand moves the model, both stretch it.
+void TestSimulator::bothHands_stretchTheModel()
+{
+    vr::HeadsetChoice choice;
+    choice.hands.preset = vr::Preset::Studio;
+    Desk desk(choice);
+    desk.enter();
+    const auto scale = [&desk] { return desk.seen.model.linear().col(0).norm(); };
+    const double before = scale();
+    desk.move({-0.1, -0.3});
+    desk.frames(3);
+    QTest::keyPress(desk.view, Qt::Key_B);
+    desk.frames(3);
+    for (int i = 1; i <= 4; ++i) {
+        desk.move({-0.1 + 0.2 * i, -0.3});
+        desk.frames(2);
+    }
+    QTest::keyRelease(desk.view, Qt::Key_B);
+    QTRY_VERIFY_WITH_TIMEOUT(scale() > 1.3 * before, longEnough);
+    desk.frames(4);
+    const Vec3 place = desk.seen.model.translation();
+    const double stretched = scale();
+    QTest::keyPress(desk.view, Qt::Key_G);
+    desk.frames(3);
+    desk.move({0.5, 0});
+    desk.frames(3);
+    QTest::keyRelease(desk.view, Qt::Key_G);
+    QTRY_VERIFY_WITH_TIMEOUT((desk.seen.model.translation() - place).norm() > 0.02, longEnough);
+    QVERIFY(std::abs(scale() / stretched - 1) < 1e-6);
+    QCOMPARE(desk.changes(), 0);
+    QTest::keyClick(desk.view, Qt::Key_Escape);
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.isIn(), longEnough);
+}
+
+void TestSimulator::window_closedLeavesVr()
+{
+    Desk desk;
+    desk.enter();
+    desk.window->close();
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.isIn(), longEnough);
+    QVERIFY(desk.program.window.isVisible());
+    desk.enter();
+    desk.program.window.close(); // leaves first
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.program.window.isVisible(), longEnough);
+    QVERIFY(!desk.isIn() && !desk.window->isVisible());
+}
+
+/// As from a shell: no other runtime is asked, VR is entered with the file's model, and closing the windows ends all.
+void TestSimulator::process_entersAndEnds()
+{
+    const QTemporaryDir folder;
+    const QString model = folder.filePath(QStringLiteral("clay.glb")), log = folder.filePath(QStringLiteral("log"));
+    core::writeMesh(model.toStdU16String(), core::icosphere(4, 50));
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("XR_RUNTIME_JSON"), folder.filePath(QStringLiteral("none.json")));
+    environment.insert(QStringLiteral("FETTLE_XR_LOG"), log);
+    for (const char* home : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME"})
+        environment.insert(QString::fromLatin1(home), folder.filePath(QString::fromLatin1(home)));
+    QProcess fettle;
+    fettle.setProcessEnvironment(environment);
+    fettle.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+    fettle.start(QStringLiteral(FETTLE_PROGRAM), {QStringLiteral("--vr-simulator"), model});
+    const auto hasFocus = [&log] {
+        QFile file(log);
+        return file.open(QIODevice::ReadOnly) && file.readAll().contains("XR_SESSION_STATE_FOCUSED");
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(hasFocus(), longEnough);
+    QTRY_VERIFY_WITH_TIMEOUT(askToClose(fettle.processId()), longEnough);
+    QTRY_COMPARE_WITH_TIMEOUT(fettle.state(), QProcess::NotRunning, longEnough);
+    QCOMPARE(fettle.exitStatus(), QProcess::NormalExit);
+    QCOMPARE(fettle.exitCode(), 0);
+}
+
+void TestSimulator::missing_isSaid()
+{
+    const QTemporaryDir empty;
+    try {
+        Simulator::open(empty.path());
+        QFAIL("there is none");
+    } catch (const CommandFailure& failure) {
+        QVERIFY(failure.sentence.contains(QStringLiteral("fettle_simulator.json")));
+    }
+}
+
+int main(int argc, char* argv[])
+{
+    return runOnScreen<TestSimulator>(argc, argv, "TestSimulator");
+}
+#include "tst_simulator.moc"

@@ -1,0 +1,237 @@
+// The hand of who sits before the VR simulator: each key and each move of the mouse does what the legend says.
+#include "ui/simulator_view.h"
+#include "ui/simulator_window.h"
+
+#include "ui_test.h"
+
+#include <QLabel>
+#include <QSignalSpy>
+#include <QWheelEvent>
+
+using core::Vec3;
+using ui::SimulatedButtons;
+using ui::SimulatedHand;
+using ui::SimulatedPerson;
+using ui::SimulatorView;
+
+namespace
+{
+/// Where the eye sees a point: -1 to 1 from edge to edge, right and up.
+Eigen::Vector2d seen(const SimulatedPerson& person, const Vec3& point)
+{
+    const Vec3 own = person.head().inverse() * point;
+    return Eigen::Vector2d(own.x() / SimulatedPerson::sideTangent, own.y() / SimulatedPerson::upTangent) / -own.z();
+}
+
+double farFromEye(const SimulatedPerson& person)
+{
+    return (person.tip(person.hand()).translation() - person.head().translation()).norm();
+}
+
+void move(SimulatorView& view, const Eigen::Vector2d& place, Qt::MouseButton button = Qt::NoButton, Qt::KeyboardModifiers modifiers = {})
+{
+    sendMouse(&view, QEvent::MouseMove, view.placeOf(place).toPoint(), button, modifiers);
+}
+
+void wheel(SimulatorView& view, int notches, Qt::KeyboardModifiers modifiers = {})
+{
+    QWheelEvent event(QPointF(9, 9), view.mapToGlobal(QPointF(9, 9)), {}, {0, 120 * notches}, {}, modifiers, Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(&view, &event);
+}
+
+struct Seated
+{
+    Seated() { view.resize(900, 600); }
+    const SimulatedPerson& person() const { return view.person(); }
+    const SimulatedButtons& right() const { return person().buttons(SimulatedHand::Right); }
+    const SimulatedButtons& left() const { return person().buttons(SimulatedHand::Left); }
+    Vec3 tip() const { return person().tip(person().hand()).translation(); }
+
+    SimulatorView view;
+};
+} // namespace
+
+class TestSimulatorView : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void tip_isWhereTheMouseIs()
+    {
+        Seated at;
+        for (const Eigen::Vector2d& place : {Eigen::Vector2d(0, 0), Eigen::Vector2d(-0.7, 0.4), Eigen::Vector2d(0.9, -0.8)}) {
+            move(at.view, place);
+            QVERIFY((seen(at.person(), at.tip()) - place).norm() < 0.01);
+        }
+        sendMouse(&at.view, QEvent::MouseMove, QPoint(-500, 2000)); // out of the window, a button held
+        QVERIFY((seen(at.person(), at.tip()) - Eigen::Vector2d(-1, -1)).norm() < 1e-9);
+    }
+
+    void wheel_reachesFartherAlongTheSight()
+    {
+        Seated at;
+        move(at.view, {0.2, 0.1});
+        const double before = farFromEye(at.person());
+        const Eigen::Vector2d place = seen(at.person(), at.tip());
+        wheel(at.view, 3);
+        QVERIFY(std::abs(farFromEye(at.person()) - before - 0.06) < 1e-9);
+        QVERIFY((seen(at.person(), at.tip()) - place).norm() < 1e-9);
+        wheel(at.view, -200);
+        QVERIFY(farFromEye(at.person()) > 0.1);
+    }
+
+    void wheel_withShiftTurnsTheWandAboutItself()
+    {
+        Seated at;
+        const Eigen::Isometry3d before = at.person().tip(SimulatedHand::Right);
+        wheel(at.view, 2, Qt::ShiftModifier);
+        const Eigen::Isometry3d turned = before.inverse() * at.person().tip(SimulatedHand::Right);
+        QVERIFY(turned.translation().norm() < 1e-9 && (turned * Vec3::UnitZ() - Vec3::UnitZ()).norm() < 1e-9);
+        QVERIFY((turned * Vec3::UnitX() - Vec3::UnitX()).norm() > 0.2);
+    }
+
+    void trigger_byButtonOrSpace()
+    {
+        Seated at;
+        QSignalSpy changes(&at.view, &SimulatorView::buttonsChanged);
+        sendMouse(&at.view, QEvent::MouseButtonPress, {9, 9}, Qt::LeftButton);
+        QCOMPARE(at.right().trigger, 1.0);
+        sendMouse(&at.view, QEvent::MouseButtonRelease, {9, 9}, Qt::LeftButton);
+        QCOMPARE(at.right().trigger, 0.0);
+        sendMouse(&at.view, QEvent::MouseButtonPress, {9, 9}, Qt::LeftButton, Qt::ShiftModifier);
+        QVERIFY(at.right().trigger > 0.6 && at.right().trigger < 0.8);
+        sendMouse(&at.view, QEvent::MouseButtonRelease, {9, 9}, Qt::LeftButton);
+        QTest::keyPress(&at.view, Qt::Key_Space);
+        QCOMPARE(at.right().trigger, 1.0);
+        QTest::keyRelease(&at.view, Qt::Key_Space);
+        QCOMPARE(at.right(), SimulatedButtons());
+        QCOMPARE(changes.count(), 6);
+    }
+
+    void pad_isPressedByArrows_data()
+    {
+        QTest::addColumn<Qt::Key>("key");
+        QTest::addColumn<QPointF>("side");
+        QTest::newRow("left") << Qt::Key_Left << QPointF(-1, 0);
+        QTest::newRow("right") << Qt::Key_Right << QPointF(1, 0);
+        QTest::newRow("top") << Qt::Key_Up << QPointF(0, 1);
+        QTest::newRow("bottom") << Qt::Key_Down << QPointF(0, -1);
+    }
+
+    void pad_isPressedByArrows()
+    {
+        QFETCH(Qt::Key, key);
+        QFETCH(QPointF, side);
+        Seated at;
+        QTest::keyPress(&at.view, key);
+        QVERIFY(at.right().pressesPad && at.right().touchesPad);
+        QVERIFY(at.right().pad.dot(Eigen::Vector2d(side.x(), side.y())) > 0.5);
+        QTest::keyRelease(&at.view, key);
+        QCOMPARE(at.right(), SimulatedButtons());
+    }
+
+    void thumb_slidesWithCtrl()
+    {
+        Seated at;
+        move(at.view, {0, 0});
+        const Vec3 tip = at.tip();
+        QTest::keyPress(&at.view, Qt::Key_Control);
+        QVERIFY(at.right().touchesPad);
+        move(at.view, {0.2, 0}, Qt::NoButton, Qt::ControlModifier);
+        QVERIFY(at.right().pad.x() > 0.2 && !at.right().pressesPad);
+        move(at.view, {1, 1}, Qt::NoButton, Qt::ControlModifier);
+        QVERIFY(at.right().pad.norm() < 1 + 1e-9);
+        QCOMPARE(at.tip(), tip); // the hand holds still meanwhile
+        QTest::keyRelease(&at.view, Qt::Key_Control);
+        QCOMPARE(at.right(), SimulatedButtons());
+    }
+
+    void menuAndSqueeze()
+    {
+        Seated at;
+        QTest::keyPress(&at.view, Qt::Key_M);
+        QVERIFY(at.right().pressesMenu && !at.left().pressesMenu);
+        QTest::keyRelease(&at.view, Qt::Key_M);
+        QTest::keyPress(&at.view, Qt::Key_G);
+        QVERIFY(at.right().squeezes && !at.left().squeezes);
+        QTest::keyRelease(&at.view, Qt::Key_G);
+        QTest::keyPress(&at.view, Qt::Key_B);
+        QVERIFY(at.right().squeezes && at.left().squeezes);
+        QTest::keyRelease(&at.view, Qt::Key_B);
+        QVERIFY(at.right() == SimulatedButtons() && at.left() == SimulatedButtons());
+    }
+
+    /// What squeezes goes on, and stays where it is; any other hand comes to rest.
+    void tab_changesTheHand()
+    {
+        Seated at;
+        QSignalSpy hands(&at.view, &SimulatorView::handChanged);
+        const Vec3 leftAtRest = at.person().tip(SimulatedHand::Left).translation();
+        move(at.view, {0.1, 0.1});
+        const Vec3 place = at.tip();
+        QTest::keyPress(&at.view, Qt::Key_G);
+        QTest::keyClick(&at.view, Qt::Key_Tab);
+        QVERIFY(at.person().hand() == SimulatedHand::Left && hands.count() == 1);
+        move(at.view, {-0.4, 0});
+        QVERIFY(at.right().squeezes && !at.left().squeezes);
+        QVERIFY((at.person().tip(SimulatedHand::Right).translation() - place).norm() < 1e-9);
+        QTest::keyRelease(&at.view, Qt::Key_G);
+        QVERIFY(!at.right().squeezes);
+        QTest::keyPress(&at.view, Qt::Key_Space);
+        QVERIFY(at.left().trigger == 1 && at.right().trigger == 0);
+        QTest::keyClick(&at.view, Qt::Key_Tab);
+        QVERIFY(at.left() == SimulatedButtons());
+        QVERIFY((at.person().tip(SimulatedHand::Left).translation() - leftAtRest).norm() < 1e-9);
+    }
+
+    void head_looksAndWalks()
+    {
+        Seated at;
+        sendMouse(&at.view, QEvent::MouseButtonPress, {400, 300}, Qt::RightButton);
+        sendMouse(&at.view, QEvent::MouseMove, {400 - 393, 300}, Qt::RightButton);
+        const Vec3 ahead = at.person().head().linear() * Vec3(0, 0, -1);
+        QVERIFY(ahead.x() < -0.9);
+        const Vec3 from = at.person().head().translation();
+        QTest::keyPress(&at.view, Qt::Key_W);
+        at.view.advance(0.5);
+        QTest::keyRelease(&at.view, Qt::Key_W);
+        at.view.advance(0.5);
+        const Vec3 way = at.person().head().translation() - from;
+        QVERIFY(way.x() < -0.39 && std::abs(way.y()) < 1e-9 && way.norm() < 0.41);
+        QTest::keyPress(&at.view, Qt::Key_Q);
+        at.view.advance(60);
+        QVERIFY(at.person().head().translation().y() > 0.2); // not through the floor
+    }
+
+    void focus_thatIsLostLetsGo()
+    {
+        Seated at;
+        QTest::keyPress(&at.view, Qt::Key_G);
+        QTest::keyPress(&at.view, Qt::Key_W);
+        QFocusEvent lost(QEvent::FocusOut);
+        QCoreApplication::sendEvent(&at.view, &lost);
+        QCOMPARE(at.right(), SimulatedButtons());
+        const Vec3 from = at.person().head().translation();
+        at.view.advance(1);
+        QCOMPARE(at.person().head().translation(), from);
+    }
+
+    void window_saysItsKeysAndCloses()
+    {
+        QWidget main;
+        auto* window = new ui::SimulatorWindow(&main);
+        window->begin();
+        QVERIFY(QTest::qWaitForWindowExposed(window));
+        auto* hand = window->findChild<QLabel*>(QStringLiteral("simulatedHand"));
+        const QString right = hand->text();
+        QTest::keyClick(window->view(), Qt::Key_Tab);
+        QVERIFY(hand->text() != right);
+        QSignalSpy closed(window, &ui::SimulatorWindow::closed);
+        QTest::keyClick(window->view(), Qt::Key_Escape);
+        QVERIFY(!window->isVisible());
+        QCOMPARE(closed.count(), 1);
+    }
+};
+
+UI_TEST_MAIN(TestSimulatorView)
+#include "tst_simulator_view.moc"

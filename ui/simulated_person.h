@@ -1,0 +1,75 @@
+#pragma once
+
+#include "core/geometry.h"
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cstddef>
+
+namespace ui
+{
+enum class SimulatedHand { Left, Right };
+inline constexpr std::size_t simulatedHandCount = 2;
+
+/// What a hand does with the wand's buttons.
+struct SimulatedButtons
+{
+    double trigger = 0;                            ///< 0 to 1
+    Eigen::Vector2d pad = Eigen::Vector2d::Zero(); ///< the thumb, where it touches: x right, y away from the hand, at most 1 from the middle
+    bool touchesPad = false, pressesPad = false;
+    bool squeezes = false, pressesMenu = false;
+
+    bool operator==(const SimulatedButtons&) const = default;
+};
+
+/// Who stands in the VR simulator's room while somebody sits at a desk: a head that looks and walks about, the hand that follows the mouse,
+/// and the other one, which rests before the body. Room space: metres, Y up, the floor at y = 0; what points, points along its own -Z.
+class SimulatedPerson
+{
+public:
+    /// How far the eye sees, as tangents: to both sides, and up and down.
+    static constexpr double sideTangent = 1.125, upTangent = 1;
+
+    SimulatedPerson();
+
+    Eigen::Isometry3d head() const;
+    /// A wand's front end.
+    Eigen::Isometry3d tip(SimulatedHand hand) const;
+    SimulatedButtons& buttons(SimulatedHand hand) { return m_buttons[static_cast<std::size_t>(hand)]; }
+    const SimulatedButtons& buttons(SimulatedHand hand) const { return m_buttons[static_cast<std::size_t>(hand)]; }
+
+    /// The one that follows the mouse.
+    SimulatedHand hand() const { return m_hand; }
+    /// The one before comes to rest; if it holds something, where it is.
+    void swapHands();
+    void letGo() { m_buttons = {}; }
+
+    /// Radians to the left and up.
+    void look(double left, double up);
+    /// To the right, up and back as the head faces, along the floor; as far as the room goes.
+    void walk(const core::Vec3& metres);
+    /// Where the mouse is in what the eye sees, of which there is one: -1 to 1, right and up.
+    void point(const Eigen::Vector2d& place);
+    /// The wand goes farther along the eye's way to it.
+    void reach(double metres);
+    /// The wand turns about the way that it points; radians, anticlockwise as seen from the hand.
+    void turn(double angle) { m_turn += angle; }
+
+private:
+    static constexpr double standingEyes = 1.6, atTheModel = 0.36;
+    static constexpr double slightlyDown = -0.26; ///< radians: models are placed below the eyes
+
+    Eigen::Isometry3d body() const;
+    Eigen::Isometry3d atMouse() const;
+
+    core::Vec3 m_position{0, standingEyes, 0}; ///< of the head
+    double m_left = 0, m_up = slightlyDown;
+    SimulatedHand m_hand = SimulatedHand::Right;
+    Eigen::Vector2d m_place{0.3, -0.3}; ///< beside the model
+    double m_reach = atTheModel; ///< from the eye
+    double m_turn = 0;
+    std::array<SimulatedButtons, simulatedHandCount> m_buttons;
+    Eigen::Isometry3d m_other; ///< the other hand's wand, as seen from the body
+};
+} // namespace ui

@@ -1,0 +1,246 @@
+#include "simulator_view.h"
+
+#include <QKeyEvent>
+#include <QPainter>
+
+#include <algorithm>
+#include <utility>
+
+namespace ui
+{
+namespace
+{
+using core::Vec3;
+
+/// A press that sculpts half as strongly as a whole one: the middle between where a trigger begins to count and its end.
+constexpr double halfPull = 0.725;
+constexpr double padEdge = 0.8;           ///< where a thumb presses a side of the pad
+constexpr double radiansAPixel = 0.004;   ///< of looking about
+constexpr double slideAPixel = 1.0 / 120; ///< of the thumb, in radii of the pad
+constexpr double reachANotch = 0.02;      ///< metres
+constexpr double radiansANotch = 0.2;     ///< of a wand that turns
+constexpr double notch = 120;             ///< of a wheel, in Qt's units
+constexpr double walkingSpeed = 0.8;      ///< metres a second
+
+struct WalkingKey
+{
+    int key;
+    Vec3 way; ///< right, up, back
+};
+const WalkingKey walkingKeys[] = {{Qt::Key_W, -Vec3::UnitZ()}, {Qt::Key_S, Vec3::UnitZ()}, {Qt::Key_A, -Vec3::UnitX()},
+                                  {Qt::Key_D, Vec3::UnitX()},  {Qt::Key_E, Vec3::UnitY()}, {Qt::Key_Q, -Vec3::UnitY()}};
+
+struct PadKey
+{
+    int key;
+    Eigen::Vector2d thumb;
+};
+const PadKey padKeys[] = {{Qt::Key_Left, {-padEdge, 0}}, {Qt::Key_Right, {padEdge, 0}}, {Qt::Key_Up, {0, padEdge}}, {Qt::Key_Down, {0, -padEdge}}};
+
+} // namespace
+
+SimulatorView::SimulatorView(QWidget* parent) : QWidget(parent)
+{
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setCursor(Qt::CrossCursor);
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+}
+
+void SimulatorView::begin()
+{
+    m_person = {};
+    m_picture = {};
+    m_walking.clear();
+    Q_EMIT handChanged();
+    update();
+}
+
+void SimulatorView::setPicture(const QImage& picture)
+{
+    m_picture = picture;
+    update();
+}
+
+void SimulatorView::advance(double seconds)
+{
+    for (const WalkingKey& walk : walkingKeys)
+        if (m_walking.contains(walk.key))
+            m_person.walk(walkingSpeed * seconds * walk.way);
+}
+
+/// The picture's, as large as it fits.
+QRectF SimulatorView::frame() const
+{
+    const QSizeF size = QSizeF(SimulatedPerson::sideTangent, SimulatedPerson::upTangent).scaled(this->size(), Qt::KeepAspectRatio);
+    return {QPointF(width() - size.width(), height() - size.height()) / 2, size};
+}
+
+QPointF SimulatorView::placeOf(const Eigen::Vector2d& place) const
+{
+    const QRectF area = frame();
+    return area.center() + QPointF(place.x() * area.width() / 2, -place.y() * area.height() / 2);
+}
+
+void SimulatorView::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.fillRect(rect(), Qt::black);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    if (!m_picture.isNull())
+        return painter.drawImage(frame(), m_picture);
+    painter.setPen(Qt::white);
+    painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap, tr("VR starts…"));
+}
+
+void SimulatorView::mousePressEvent(QMouseEvent* event)
+{
+    m_mouse = event->position();
+    if (event->button() == Qt::LeftButton)
+        pull(true, event->modifiers());
+}
+
+void SimulatorView::mouseReleaseEvent(QMouseEvent* event)
+{
+    if (event->button() == Qt::LeftButton)
+        pull(false, event->modifiers());
+}
+
+void SimulatorView::mouseMoveEvent(QMouseEvent* event)
+{
+    const QPointF by = event->position() - std::exchange(m_mouse, event->position());
+    if (event->modifiers().testFlag(Qt::ControlModifier))
+        return slide(by);
+    if (event->buttons().testFlag(Qt::RightButton))
+        return m_person.look(-radiansAPixel * by.x(), -radiansAPixel * by.y());
+    const QRectF area = frame();
+    const QPointF from = m_mouse - area.center();
+    m_person.point({2 * from.x() / area.width(), -2 * from.y() / area.height()});
+}
+
+void SimulatorView::wheelEvent(QWheelEvent* event)
+{
+    const double notches = event->angleDelta().y() / notch;
+    if (event->modifiers().testFlag(Qt::ShiftModifier))
+        m_person.turn(radiansANotch * notches);
+    else
+        m_person.reach(reachANotch * notches);
+}
+
+void SimulatorView::keyPressEvent(QKeyEvent* event)
+{
+    if (event->isAutoRepeat())
+        return;
+    if (event->key() == Qt::Key_Escape)
+        Q_EMIT escaped();
+    else if (event->key() == Qt::Key_Tab)
+        changeHand();
+    else if (!press(*event, true))
+        QWidget::keyPressEvent(event);
+}
+
+void SimulatorView::keyReleaseEvent(QKeyEvent* event)
+{
+    if (!event->isAutoRepeat() && !press(*event, false))
+        QWidget::keyReleaseEvent(event);
+}
+
+/// False: the key is none of ours.
+bool SimulatorView::press(const QKeyEvent& event, bool isDown)
+{
+    const int key = event.key();
+    if (std::ranges::any_of(walkingKeys, [key](const WalkingKey& walk) { return walk.key == key; })) {
+        if (isDown)
+            m_walking.insert(key);
+        else
+            m_walking.remove(key);
+        return true;
+    }
+    switch (key) {
+    case Qt::Key_Space:
+        pull(isDown, event.modifiers());
+        return true;
+    case Qt::Key_M:
+        buttons().pressesMenu = isDown;
+        break;
+    case Qt::Key_G:
+        squeeze({m_person.hand()}, isDown);
+        break;
+    case Qt::Key_B:
+        squeeze({SimulatedHand::Left, SimulatedHand::Right}, isDown);
+        break;
+    case Qt::Key_Control:
+        buttons().touchesPad = isDown;
+        buttons().pad.setZero();
+        break;
+    default:
+        if (!pressPad(key, isDown))
+            return false;
+    }
+    Q_EMIT buttonsChanged();
+    return true;
+}
+
+/// A key that goes up lets both go: another hand may be the mouse's by now.
+void SimulatorView::squeeze(std::initializer_list<SimulatedHand> hands, bool isDown)
+{
+    for (SimulatedButtons* each : {&m_person.buttons(SimulatedHand::Left), &m_person.buttons(SimulatedHand::Right)})
+        each->squeezes = each->squeezes && isDown;
+    for (const SimulatedHand hand : hands)
+        m_person.buttons(hand).squeezes = isDown;
+}
+
+bool SimulatorView::pressPad(int key, bool isDown)
+{
+    const PadKey* const side = std::ranges::find(padKeys, key, &PadKey::key);
+    if (side == std::end(padKeys))
+        return false;
+    buttons().pressesPad = buttons().touchesPad = isDown;
+    buttons().pad = isDown ? side->thumb : Eigen::Vector2d::Zero();
+    return true;
+}
+
+void SimulatorView::pull(bool isDown, Qt::KeyboardModifiers modifiers)
+{
+    const double down = modifiers.testFlag(Qt::ShiftModifier) ? halfPull : 1;
+    buttons().trigger = isDown ? down : 0;
+    Q_EMIT buttonsChanged();
+}
+
+/// By pixels. A thumb that comes to the edge stays there.
+void SimulatorView::slide(const QPointF& by)
+{
+    if (!buttons().touchesPad)
+        return;
+    Eigen::Vector2d& pad = buttons().pad;
+    pad += slideAPixel * Eigen::Vector2d(by.x(), -by.y());
+    if (pad.norm() > 1)
+        pad.normalize();
+}
+
+/// The hand before goes on squeezing, as both do that stretch the model; else it lets go.
+void SimulatorView::changeHand()
+{
+    const bool squeezes = buttons().squeezes;
+    buttons() = {};
+    buttons().squeezes = squeezes;
+    m_person.swapHands();
+    Q_EMIT buttonsChanged();
+    Q_EMIT handChanged();
+}
+
+void SimulatorView::letGo()
+{
+    m_walking.clear();
+    m_person.letGo();
+    Q_EMIT buttonsChanged();
+}
+
+/// Whoever looks elsewhere presses nothing here.
+void SimulatorView::focusOutEvent(QFocusEvent* event)
+{
+    letGo();
+    QWidget::focusOutEvent(event);
+}
+} // namespace ui

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "simulated_person.h"
+
+#include <QImage>
+#include <QSet>
+#include <QWidget>
+
+#include <initializer_list>
+
+namespace ui
+{
+/// What the simulated headset shows, and the hand of who sits before it: mouse and keys become a person's head and wands. Gui thread.
+class SimulatorView : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit SimulatorView(QWidget* parent = nullptr);
+
+    const SimulatedPerson& person() const { return m_person; }
+    /// A new one, with nothing pressed, and nothing to see yet.
+    void begin();
+    void setPicture(const QImage& picture);
+    /// So much time has passed: keys that are down walk.
+    void advance(double seconds);
+
+    /// Where a place of the picture, -1 to 1 right and up, is in this widget.
+    QPointF placeOf(const Eigen::Vector2d& place) const;
+    const QImage& picture() const { return m_picture; }
+    QSize sizeHint() const override { return {810, 720}; }
+    QSize minimumSizeHint() const override { return {360, 320}; }
+
+Q_SIGNALS:
+    /// Buttons of a wand are pressed or let go.
+    void buttonsChanged();
+    /// Another hand follows the mouse.
+    void handChanged();
+    void escaped();
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    bool focusNextPrevChild(bool) override { return false; } // Tab is a key here
+
+private:
+    /// Of the hand that follows the mouse.
+    SimulatedButtons& buttons() { return m_person.buttons(m_person.hand()); }
+    QRectF frame() const;
+    bool press(const QKeyEvent& event, bool isDown);
+    bool pressPad(int key, bool isDown);
+    void squeeze(std::initializer_list<SimulatedHand> hands, bool isDown);
+    void pull(bool isDown, Qt::KeyboardModifiers modifiers);
+    void slide(const QPointF& by);
+    void changeHand();
+    void letGo();
+
+    SimulatedPerson m_person;
+    QImage m_picture;
+    QSet<int> m_walking; ///< keys that are down
+    QPointF m_mouse;     ///< where it was last
+};
+} // namespace ui

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+
+namespace ui
+{
+class SimulatorView;
+
+/// The VR simulator's window, beside the program's: what the headset shows, and which key does what. Gui thread.
+class SimulatorWindow : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit SimulatorWindow(QWidget* main);
+
+    SimulatorView* view() const { return m_view; }
+    /// A visit begins: the window comes, with a person who presses nothing.
+    void begin();
+
+Q_SIGNALS:
+    /// Somebody closed it, and so wants to leave VR.
+    void closed();
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+
+private:
+    QWidget* legend();
+    void placeBesideMain();
+    void sayHand();
+
+    SimulatorView* m_view;
+    QLabel* m_hand;
+};
+} // namespace ui

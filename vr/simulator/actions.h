@@ -1,0 +1,30 @@
+#pragma once
+
+#include "handles.h"
+#include "paths.h"
+
+#include <string>
+#include <vector>
+
+namespace simulator
+{
+class Action : public Object
+{
+public:
+    std::string name, localizedName;
+    XrActionType type = XR_ACTION_TYPE_BOOLEAN_INPUT;
+    std::vector<XrPath> subactions;
+};
+
+class ActionSet : public Object
+{
+public:
+    std::string name, localizedName;
+    std::uint32_t priority = 0;
+    bool isAttached = false; ///< to any session: it can no longer change
+    std::vector<std::shared_ptr<Action>> actions; ///< also those whose handle is destroyed
+};
+
+/// Null, or one that the action was created with; else fails.
+void requireSubaction(const Paths& paths, const Action& action, XrPath subaction);
+} // namespace simulator

@@ -1,0 +1,237 @@
+// The doors: the loader asks xrNegotiateLoaderRuntimeInterface() for getInstanceProcAddr(), and that for all else. Each function of
+// OpenXR is an Entry: it takes the mutex, waits while it is frozen, lets a scripted answer or the function of calls.h answer, and writes
+// what was asked.
+#include "calls.h"
+#include "enum_names.h"
+#include "loader_interface.h"
+
+#include <iostream>
+#include <new>
+
+namespace simulator
+{
+namespace
+{
+template <std::size_t N> struct Name
+{
+    consteval Name(const char (&given)[N]) { std::copy_n(given, N, text); }
+    char text[N]{}; // NOLINT(readability-identifier-naming): a template's argument has no private members
+};
+
+bool isClientsFault(XrResult result)
+{
+    switch (result) {
+    case XR_ERROR_RUNTIME_FAILURE:
+    case XR_ERROR_OUT_OF_MEMORY:
+    case XR_ERROR_INITIALIZATION_FAILED:
+    case XR_ERROR_FUNCTION_UNSUPPORTED:
+    case XR_ERROR_FORM_FACTOR_UNAVAILABLE:
+    case XR_ERROR_RUNTIME_UNAVAILABLE:
+    case XR_ERROR_INSTANCE_LOST:
+    case XR_ERROR_SESSION_LOST: return false;
+    default: return XR_FAILED(result);
+    }
+}
+
+std::optional<XrResult> scriptedAnswer(Call& call)
+{
+    auto& answers = call.runtime.world.answers;
+    const auto found = answers.find(call.name);
+    if (found == answers.end() || found->second.times == 0)
+        return {};
+    --found->second.times;
+    call.line["scripted"] = true;
+    return found->second.result;
+}
+
+template <class Implementation> XrResult answered(Call& call, Implementation implementation)
+{
+    if (const auto answer = scriptedAnswer(call))
+        return *answer;
+    try {
+        const XrResult result = implementation();
+        return result == XR_SUCCESS && call.isLossPending() ? XR_SESSION_LOSS_PENDING : result;
+    } catch (const Failure& failure) {
+        call.line["reason"] = failure.reason;
+        if (isClientsFault(failure.result))
+            call.error(nameOf(failure.result) + ", " + failure.reason);
+        return failure.result;
+    } catch (const std::bad_alloc&) {
+        return XR_ERROR_OUT_OF_MEMORY;
+    } catch (const std::exception& exception) {
+        call.line["reason"] = exception.what();
+        return XR_ERROR_RUNTIME_FAILURE;
+    }
+}
+
+void waitWhileFrozen(Call& call)
+{
+    Runtime& runtime = call.runtime;
+    if (runtime.world.frozen != call.name)
+        return;
+    runtime.isClientFrozen = true;
+    runtime.changed.wait(call.lock, [&] { return runtime.world.frozen != call.name; });
+    runtime.isClientFrozen = false;
+}
+
+template <Name FunctionName, auto Implementation> struct Entry;
+
+template <Name FunctionName, class... Arguments, XrResult (*Implementation)(Call&, Arguments...)> struct Entry<FunctionName, Implementation>
+{
+    static XrResult XRAPI_CALL call(Arguments... arguments)
+    {
+        Runtime& runtime = Runtime::get();
+        std::unique_lock lock(runtime.mutex);
+        Call call(FunctionName.text, runtime, lock);
+        waitWhileFrozen(call);
+        const XrResult result = answered(call, [&] { return Implementation(call, arguments...); });
+        call.line["result"] = nameOf(result);
+        call.line.update(call.where());
+        runtime.log.call(FunctionName.text, std::move(call.line));
+        return result;
+    }
+};
+
+template <class Function, Name FunctionName, auto Implementation> std::pair<std::string_view, PFN_xrVoidFunction> entry()
+{
+    constexpr Function function = &Entry<FunctionName, Implementation>::call; // so that the two agree on the arguments
+    return {FunctionName.text, reinterpret_cast<PFN_xrVoidFunction>(function)};
+}
+
+#define FETTLE_ENTRY(FUNCTION, IMPLEMENTATION) entry<PFN_##FUNCTION, #FUNCTION, IMPLEMENTATION>()
+
+const std::map<std::string_view, PFN_xrVoidFunction>& globalEntries()
+{
+    static const std::map<std::string_view, PFN_xrVoidFunction> entries{
+        FETTLE_ENTRY(xrEnumerateInstanceExtensionProperties, enumerateInstanceExtensionProperties),
+        FETTLE_ENTRY(xrCreateInstance, createInstance),
+    };
+    return entries;
+}
+
+const std::map<std::string_view, PFN_xrVoidFunction>& instanceEntries()
+{
+    static const std::map<std::string_view, PFN_xrVoidFunction> entries{
+        FETTLE_ENTRY(xrDestroyInstance, destroyInstance),
+        FETTLE_ENTRY(xrGetInstanceProperties, getInstanceProperties),
+        FETTLE_ENTRY(xrPollEvent, pollEvent),
+        FETTLE_ENTRY(xrResultToString, resultToString),
+        FETTLE_ENTRY(xrStructureTypeToString, structureTypeToString),
+        FETTLE_ENTRY(xrStringToPath, stringToPath),
+        FETTLE_ENTRY(xrPathToString, pathToString),
+        FETTLE_ENTRY(xrGetSystem, getSystem),
+        FETTLE_ENTRY(xrGetSystemProperties, getSystemProperties),
+        FETTLE_ENTRY(xrEnumerateEnvironmentBlendModes, enumerateEnvironmentBlendModes),
+        FETTLE_ENTRY(xrEnumerateViewConfigurations, enumerateViewConfigurations),
+        FETTLE_ENTRY(xrGetViewConfigurationProperties, getViewConfigurationProperties),
+        FETTLE_ENTRY(xrEnumerateViewConfigurationViews, enumerateViewConfigurationViews),
+        FETTLE_ENTRY(xrCreateSession, createSession),
+        FETTLE_ENTRY(xrDestroySession, destroySession),
+        FETTLE_ENTRY(xrBeginSession, beginSession),
+        FETTLE_ENTRY(xrEndSession, endSession),
+        FETTLE_ENTRY(xrRequestExitSession, requestExitSession),
+        FETTLE_ENTRY(xrWaitFrame, waitFrame),
+        FETTLE_ENTRY(xrBeginFrame, beginFrame),
+        FETTLE_ENTRY(xrEndFrame, endFrame),
+        FETTLE_ENTRY(xrEnumerateSwapchainFormats, enumerateSwapchainFormats),
+        FETTLE_ENTRY(xrCreateSwapchain, createSwapchain),
+        FETTLE_ENTRY(xrDestroySwapchain, destroySwapchain),
+        FETTLE_ENTRY(xrEnumerateSwapchainImages, enumerateSwapchainImages),
+        FETTLE_ENTRY(xrAcquireSwapchainImage, acquireSwapchainImage),
+        FETTLE_ENTRY(xrWaitSwapchainImage, waitSwapchainImage),
+        FETTLE_ENTRY(xrReleaseSwapchainImage, releaseSwapchainImage),
+        FETTLE_ENTRY(xrEnumerateReferenceSpaces, enumerateReferenceSpaces),
+        FETTLE_ENTRY(xrCreateReferenceSpace, createReferenceSpace),
+        FETTLE_ENTRY(xrGetReferenceSpaceBoundsRect, getReferenceSpaceBoundsRect),
+        FETTLE_ENTRY(xrCreateActionSpace, createActionSpace),
+        FETTLE_ENTRY(xrLocateSpace, locateSpace),
+        FETTLE_ENTRY(xrDestroySpace, destroySpace),
+        FETTLE_ENTRY(xrLocateViews, locateViews),
+        FETTLE_ENTRY(xrCreateActionSet, createActionSet),
+        FETTLE_ENTRY(xrDestroyActionSet, destroyActionSet),
+        FETTLE_ENTRY(xrCreateAction, createAction),
+        FETTLE_ENTRY(xrDestroyAction, destroyAction),
+        FETTLE_ENTRY(xrSuggestInteractionProfileBindings, suggestInteractionProfileBindings),
+        FETTLE_ENTRY(xrAttachSessionActionSets, attachSessionActionSets),
+        FETTLE_ENTRY(xrGetCurrentInteractionProfile, getCurrentInteractionProfile),
+        FETTLE_ENTRY(xrSyncActions, syncActions),
+        FETTLE_ENTRY(xrGetActionStateBoolean, getActionStateBoolean),
+        FETTLE_ENTRY(xrGetActionStateFloat, getActionStateFloat),
+        FETTLE_ENTRY(xrGetActionStateVector2f, getActionStateVector2f),
+        FETTLE_ENTRY(xrGetActionStatePose, getActionStatePose),
+        FETTLE_ENTRY(xrEnumerateBoundSourcesForAction, enumerateBoundSourcesForAction),
+        FETTLE_ENTRY(xrGetInputSourceLocalizedName, getInputSourceLocalizedName),
+        FETTLE_ENTRY(xrApplyHapticFeedback, applyHapticFeedback),
+        FETTLE_ENTRY(xrStopHapticFeedback, stopHapticFeedback),
+    };
+    return entries;
+}
+
+const auto openGlEntry = FETTLE_ENTRY(xrGetOpenGLGraphicsRequirementsKHR, getOpenGlRequirements);
+
+bool takesOpenGl(XrInstance handle)
+{
+    Runtime& runtime = Runtime::get();
+    const std::lock_guard lock(runtime.mutex);
+    return runtime.handles.find<Instance>(handle)->takesOpenGl;
+}
+
+PFN_xrVoidFunction find(const std::map<std::string_view, PFN_xrVoidFunction>& entries, std::string_view name)
+{
+    const auto found = entries.find(name);
+    return found == entries.end() ? nullptr : found->second;
+}
+
+XrResult XRAPI_CALL getInstanceProcAddr(XrInstance instance, const char* name, PFN_xrVoidFunction* function);
+
+PFN_xrVoidFunction functionFor(XrInstance instance, std::string_view name)
+{
+    if (name == "xrGetInstanceProcAddr")
+        return reinterpret_cast<PFN_xrVoidFunction>(&getInstanceProcAddr);
+    if (const auto global = find(globalEntries(), name))
+        return global;
+    require(instance != XR_NULL_HANDLE, XR_ERROR_HANDLE_INVALID, "without an instance there is none of that name");
+    const bool isGl = takesOpenGl(instance) && name == openGlEntry.first;
+    return isGl ? openGlEntry.second : find(instanceEntries(), name);
+}
+
+XrResult XRAPI_CALL getInstanceProcAddr(XrInstance instance, const char* name, PFN_xrVoidFunction* function)
+{
+    try {
+        given(function) = nullptr;
+        *function = functionFor(instance, &given(name));
+        return *function ? XR_SUCCESS : XR_ERROR_FUNCTION_UNSUPPORTED;
+    } catch (const Failure& failure) {
+        return failure.result;
+    }
+}
+
+bool speaksOurs(const LoaderInfo* loader, const RuntimeRequest* request)
+{
+    return loader && request && loader->type == LoaderStructure::LoaderInfo && request->type == LoaderStructure::RuntimeRequest
+           && loader->size == sizeof(LoaderInfo) && request->size == sizeof(RuntimeRequest)
+           && loader->minInterfaceVersion <= loaderInterfaceVersion && loader->maxInterfaceVersion >= loaderInterfaceVersion
+           && loader->minApiVersion <= XR_CURRENT_API_VERSION;
+}
+} // namespace
+} // namespace simulator
+
+extern "C" __attribute__((visibility("default"))) XrResult xrNegotiateLoaderRuntimeInterface(const simulator::LoaderInfo* loader,
+                                                                                           simulator::RuntimeRequest* request)
+{
+    using namespace simulator;
+    if (!speaksOurs(loader, request))
+        return XR_ERROR_INITIALIZATION_FAILED;
+    try {
+        Runtime& runtime = Runtime::get();
+        const std::lock_guard lock(runtime.mutex);
+        runtime.loadOnce();
+    } catch (const std::exception& exception) {
+        std::cerr << "Fettle's VR simulator does not understand its script: " << exception.what() << '\n';
+        return XR_ERROR_INITIALIZATION_FAILED;
+    }
+    request->interfaceVersion = loaderInterfaceVersion;
+    request->apiVersion = XR_CURRENT_API_VERSION;
+    request->getInstanceProcAddr = &getInstanceProcAddr;
+    return XR_SUCCESS;
+}

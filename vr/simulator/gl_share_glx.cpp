@@ -1,0 +1,178 @@
+#include "gl_share_glx.h"
+
+#include <GL/gl.h>
+#include <GL/glext.h>
+#include <GL/glx.h>
+
+#define XR_USE_PLATFORM_XLIB
+#define XR_USE_GRAPHICS_API_OPENGL
+#include <openxr/openxr_platform.h>
+
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+namespace simulator
+{
+namespace
+{
+std::uint8_t encoded(std::uint8_t linear)
+{
+    static const auto table = [] {
+        std::array<std::uint8_t, 256> made{};
+        for (std::size_t i = 0; i < made.size(); ++i) {
+            const double value = static_cast<double>(i) / 255;
+            const double srgb = value <= 0.0031308 ? 12.92 * value : 1.055 * std::pow(value, 1 / 2.4) - 0.055;
+            made[i] = static_cast<std::uint8_t>(std::lround(srgb * 255));
+        }
+        return made;
+    }();
+    return table[linear];
+}
+
+GLenum targetOf(const TextureForm& form)
+{
+    return form.layers > 1 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D;
+}
+
+/// Not by its name: clients have variables of that name.
+template <class Function> Function glFunction(const char* name)
+{
+    return reinterpret_cast<Function>(glXGetProcAddressARB(reinterpret_cast<const GLubyte*>(name)));
+}
+
+/// Of the texture that is bound.
+void allocate(const TextureForm& form)
+{
+    const auto format = static_cast<GLenum>(form.format);
+    if (form.layers > 1)
+        glFunction<PFNGLTEXSTORAGE3DPROC>("glTexStorage3D")(targetOf(form), form.levels, format, form.width, form.height, form.layers);
+    else
+        glFunction<PFNGLTEXSTORAGE2DPROC>("glTexStorage2D")(targetOf(form), form.levels, format, form.width, form.height);
+}
+
+/// The part of one layer's pixels, turned upside up.
+Picture cut(const TexturePart& part, const std::uint8_t* layer)
+{
+    Picture picture{part.width, part.height, {}};
+    picture.rgba.reserve(static_cast<std::size_t>(part.width) * static_cast<std::size_t>(part.height) * 4);
+    for (int y = part.y + part.height - 1; y >= part.y; --y) {
+        const std::uint8_t* row = layer + (static_cast<std::ptrdiff_t>(y) * part.form.width + part.x) * 4;
+        picture.rgba.insert(picture.rgba.end(), row, row + static_cast<std::ptrdiff_t>(part.width) * 4);
+    }
+    return picture;
+}
+} // namespace
+
+class ShareContext::Scope
+{
+public:
+    explicit Scope(const ShareContext& share)
+        : m_ours(share.m_client.display), m_display(glXGetCurrentDisplay()), m_context(glXGetCurrentContext())
+        , m_draw(glXGetCurrentDrawable()), m_read(glXGetCurrentReadDrawable())
+    {
+        if (m_context)
+            glFinish(); // so that we see what it has drawn
+        if (!glXMakeContextCurrent(m_ours, None, None, share.m_context))
+            throw std::runtime_error("the runtime's own OpenGL context cannot be made current");
+    }
+    ~Scope() { glXMakeContextCurrent(m_context ? m_display : m_ours, m_draw, m_read, m_context); }
+    Scope(const Scope&) = delete;
+    Scope& operator=(const Scope&) = delete;
+
+private:
+    Display* m_ours;
+    Display* m_display;
+    GLXContext m_context;
+    GLXDrawable m_draw, m_read;
+};
+
+std::optional<ShareContext::Client> ShareContext::find(const void* chain)
+{
+    for (auto* it = static_cast<const XrBaseInStructure*>(chain); it; it = it->next) {
+        if (it->type != XR_TYPE_GRAPHICS_BINDING_OPENGL_XLIB_KHR)
+            continue;
+        const auto& binding = *reinterpret_cast<const XrGraphicsBindingOpenGLXlibKHR*>(it);
+        return Client{binding.xDisplay, binding.glxFBConfig, binding.glxContext};
+    }
+    return {};
+}
+
+ShareContext::ShareContext(const Client& client) : m_client(client)
+{
+    if (!client.display || !client.config || !client.context)
+        throw std::runtime_error("the client's binding is not complete");
+    m_context = glXCreateNewContext(client.display, client.config, GLX_RGBA_TYPE, client.context, True);
+    if (!m_context)
+        throw std::runtime_error("no OpenGL context shares with the client's");
+}
+
+ShareContext::~ShareContext()
+{
+    glXDestroyContext(m_client.display, m_context);
+}
+
+bool ShareContext::isClientCurrent() const
+{
+    return glXGetCurrentContext() == m_client.context;
+}
+
+const std::vector<std::int64_t>& ShareContext::formats()
+{
+    static const std::vector<std::int64_t> all{GL_SRGB8_ALPHA8, GL_RGBA8, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT24};
+    return all;
+}
+
+bool ShareContext::isDepth(std::int64_t format)
+{
+    return format == GL_DEPTH_COMPONENT32F || format == GL_DEPTH_COMPONENT24;
+}
+
+std::vector<unsigned int> ShareContext::createTextures(const TextureForm& form, std::size_t count) const
+{
+    const Scope scope(*this);
+    std::vector<unsigned int> textures(count);
+    glGenTextures(static_cast<GLsizei>(count), textures.data());
+    for (const unsigned int texture : textures) {
+        glBindTexture(targetOf(form), texture);
+        allocate(form);
+    }
+    if (glGetError() != GL_NO_ERROR)
+        throw std::runtime_error("OpenGL makes no such texture");
+    glFinish();
+    return textures;
+}
+
+void ShareContext::destroyTextures(const std::vector<unsigned int>& textures) const
+{
+    const Scope scope(*this);
+    glDeleteTextures(static_cast<GLsizei>(textures.size()), textures.data());
+}
+
+__GLsync* ShareContext::markDrawing()
+{
+    return glFunction<PFNGLFENCESYNCPROC>("glFenceSync")(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+}
+
+bool ShareContext::isDone(__GLsync* mark)
+{
+    const GLenum result = glFunction<PFNGLCLIENTWAITSYNCPROC>("glClientWaitSync")(mark, 0, 0);
+    glFunction<PFNGLDELETESYNCPROC>("glDeleteSync")(mark);
+    return result == GL_ALREADY_SIGNALED;
+}
+
+Picture ShareContext::read(const TexturePart& part) const
+{
+    const Scope scope(*this);
+    const std::size_t layerSize = static_cast<std::size_t>(part.form.width) * static_cast<std::size_t>(part.form.height) * 4;
+    std::vector<std::uint8_t> pixels(layerSize * static_cast<std::size_t>(part.form.layers));
+    glBindTexture(targetOf(part.form), part.texture);
+    glGetTexImage(targetOf(part.form), 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    Picture picture = cut(part, pixels.data() + layerSize * static_cast<std::size_t>(part.layer));
+    if (part.form.format == GL_RGBA8) {
+        for (std::size_t i = 0; i < picture.rgba.size(); ++i)
+            picture.rgba[i] = i % 4 == 3 ? picture.rgba[i] : encoded(picture.rgba[i]);
+    }
+    return picture;
+}
+} // namespace simulator

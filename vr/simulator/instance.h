@@ -1,0 +1,53 @@
+#pragma once
+
+#include "handles.h"
+#include "paths.h"
+
+#include <deque>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace simulator
+{
+class Action;
+class ActionSet;
+
+/// What has happened and was not told yet.
+class Events
+{
+public:
+    template <class Event> void push(const Event& event)
+    {
+        static_assert(sizeof(Event) <= sizeof(XrEventDataBuffer));
+        XrEventDataBuffer buffer{};
+        std::memcpy(&buffer, &event, sizeof event);
+        m_waiting.push_back(buffer);
+    }
+
+    std::optional<XrEventDataBuffer> take();
+    /// Those that tell of it.
+    void drop(XrSession session);
+
+private:
+    std::deque<XrEventDataBuffer> m_waiting;
+};
+
+struct SuggestedBinding
+{
+    std::shared_ptr<Action> action;
+    std::string path;
+};
+
+class Instance : public Object
+{
+public:
+    Paths paths;
+    Events events;
+    bool takesOpenGl = false;     ///< the client enabled the extension
+    bool requirementsAsked = false;
+    std::optional<std::int64_t> lostAt; ///< frame of the session
+    std::vector<std::shared_ptr<ActionSet>> actionSets; ///< also those whose handles are destroyed: bindings live on
+    std::map<std::string, std::vector<SuggestedBinding>> suggestions; ///< by profile
+};
+} // namespace simulator

@@ -1,0 +1,143 @@
+#include "actions.h"
+#include "calls.h"
+#include "enum_names.h"
+
+namespace simulator
+{
+namespace
+{
+constexpr const char* openGlExtension = XR_KHR_OPENGL_ENABLE_EXTENSION_NAME;
+
+std::vector<std::string> offeredExtensions(const World& world)
+{
+    return world.hasOpenGl ? std::vector<std::string>{openGlExtension} : std::vector<std::string>{};
+}
+
+void checkExtensions(const XrInstanceCreateInfo& info, const World& world)
+{
+    const std::vector<std::string> offered = offeredExtensions(world);
+    for (std::uint32_t i = 0; i < info.enabledExtensionCount; ++i) {
+        const char* name = (&given(info.enabledExtensionNames))[i];
+        const bool isOffered = std::find(offered.begin(), offered.end(), &given(name)) != offered.end();
+        require(isOffered, XR_ERROR_EXTENSION_NOT_PRESENT, "an extension is not offered");
+    }
+}
+
+void copyName(char* to, const std::string& name, std::size_t size)
+{
+    const std::size_t length = name.copy(&given(to), size - 1);
+    to[length] = 0;
+}
+} // namespace
+
+std::optional<XrEventDataBuffer> Events::take()
+{
+    if (m_waiting.empty())
+        return {};
+    const XrEventDataBuffer first = m_waiting.front();
+    m_waiting.pop_front();
+    return first;
+}
+
+void Events::drop(XrSession session)
+{
+    std::erase_if(m_waiting, [session](const XrEventDataBuffer& event) {
+        return event.type != XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING
+               && reinterpret_cast<const XrEventDataSessionStateChanged&>(event).session == session;
+    });
+}
+
+XrResult enumerateInstanceExtensionProperties(Call& call, const char* layer, std::uint32_t capacity, std::uint32_t* count,
+                                              XrExtensionProperties* properties)
+{
+    require(!layer, XR_ERROR_API_LAYER_NOT_PRESENT, "the runtime has no layers");
+    answer(Room<XrExtensionProperties>{capacity, count, properties}, offeredExtensions(call.runtime.world),
+           [](XrExtensionProperties& to, const std::string& name) {
+               given(&to, XR_TYPE_EXTENSION_PROPERTIES);
+               copyText(to.extensionName, name);
+               to.extensionVersion = XR_KHR_opengl_enable_SPEC_VERSION;
+           });
+    return XR_SUCCESS;
+}
+
+XrResult createInstance(Call& call, const XrInstanceCreateInfo* info, XrInstance* instance)
+{
+    given(info, XR_TYPE_INSTANCE_CREATE_INFO);
+    given(instance);
+    Runtime& runtime = call.runtime;
+    require(runtime.world.hasRuntime, XR_ERROR_RUNTIME_UNAVAILABLE, "so the script says");
+    require(info->createFlags == 0, XR_ERROR_VALIDATION_FAILURE, "there are no flags");
+    require(info->applicationInfo.applicationName[0] != 0, XR_ERROR_NAME_INVALID, "the application has no name");
+    require(XR_VERSION_MAJOR(info->applicationInfo.apiVersion) == XR_VERSION_MAJOR(XR_CURRENT_API_VERSION)
+                && info->applicationInfo.apiVersion <= XR_MAKE_VERSION(1, 0, 0xFFFFFFFF),
+            XR_ERROR_API_VERSION_UNSUPPORTED, "not 1.0");
+    checkExtensions(*info, runtime.world);
+    require(!runtime.instance, XR_ERROR_LIMIT_REACHED, "one instance at a time");
+    runtime.instance = std::make_shared<Instance>();
+    runtime.instance->takesOpenGl = info->enabledExtensionCount > 0;
+    *instance = runtime.handles.add<XrInstance>(runtime.instance, nullptr);
+    return XR_SUCCESS;
+}
+
+XrResult destroyInstance(Call& call, XrInstance handle)
+{
+    Runtime& runtime = call.runtime;
+    const auto instance = runtime.handles.find<Instance>(handle);
+    runtime.session.reset();
+    runtime.instance.reset();
+    runtime.handles.destroy(*instance);
+    runtime.log.flush();
+    runtime.changed.notify_all();
+    return XR_SUCCESS;
+}
+
+XrResult getInstanceProperties(Call& call, XrInstance handle, XrInstanceProperties* properties)
+{
+    call.get<Instance>(handle);
+    given(properties, XR_TYPE_INSTANCE_PROPERTIES);
+    properties->runtimeVersion = XR_MAKE_VERSION(1, 0, 0);
+    copyText(properties->runtimeName, "Fettle's simulator");
+    return XR_SUCCESS;
+}
+
+XrResult pollEvent(Call& call, XrInstance handle, XrEventDataBuffer* buffer)
+{
+    Instance& instance = call.get<Instance>(handle);
+    given(buffer, XR_TYPE_EVENT_DATA_BUFFER);
+    const auto event = instance.events.take();
+    if (!event)
+        return XR_EVENT_UNAVAILABLE;
+    *buffer = *event;
+    call.line["event"] = nameOf(event->type);
+    if (event->type == XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED)
+        call.line["state"] = nameOf(reinterpret_cast<const XrEventDataSessionStateChanged&>(*event).state);
+    return XR_SUCCESS;
+}
+
+XrResult resultToString(Call& call, XrInstance handle, XrResult result, char* buffer)
+{
+    call.get<Instance>(handle);
+    copyName(buffer, nameOf(result), XR_MAX_RESULT_STRING_SIZE);
+    return XR_SUCCESS;
+}
+
+XrResult structureTypeToString(Call& call, XrInstance handle, XrStructureType type, char* buffer)
+{
+    call.get<Instance>(handle);
+    copyName(buffer, nameOf(type), XR_MAX_STRUCTURE_NAME_SIZE);
+    return XR_SUCCESS;
+}
+
+XrResult stringToPath(Call& call, XrInstance handle, const char* text, XrPath* path)
+{
+    Instance& instance = call.get<Instance>(handle);
+    given(path) = instance.paths.number(&given(text));
+    return XR_SUCCESS;
+}
+
+XrResult pathToString(Call& call, XrInstance handle, XrPath path, std::uint32_t capacity, std::uint32_t* count, char* buffer)
+{
+    answerText({capacity, count, buffer}, call.get<Instance>(handle).paths.text(path));
+    return XR_SUCCESS;
+}
+} // namespace simulator

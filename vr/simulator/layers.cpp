@@ -1,0 +1,158 @@
+#include "layers.h"
+
+#include "spaces.h"
+#include "system.h"
+#include "xr_pose.h"
+
+#include <iomanip>
+#include <numbers>
+#include <sstream>
+#include <utility>
+
+namespace simulator
+{
+namespace
+{
+using nlohmann::json;
+
+json listOf(const XrPosef& pose)
+{
+    return {pose.position.x,    pose.position.y,    pose.position.z,   pose.orientation.x,
+            pose.orientation.y, pose.orientation.z, pose.orientation.w};
+}
+
+json listOf(const XrFovf& fov)
+{
+    return {fov.angleLeft, fov.angleRight, fov.angleUp, fov.angleDown};
+}
+
+TexturePart checkedPart(Call& call, const XrSwapchainSubImage& image)
+{
+    const auto& swapchain = call.get<Swapchain>(image.swapchain);
+    const XrOffset2Di& offset = image.imageRect.offset;
+    const XrExtent2Di& extent = image.imageRect.extent;
+    const TextureForm& form = swapchain.form();
+    require(swapchain.shown().has_value(), XR_ERROR_LAYER_INVALID, "no image of the swapchain was released");
+    const bool isInside = offset.x >= 0 && offset.y >= 0 && extent.width > 0 && extent.height > 0
+                          && extent.width <= form.width - offset.x && extent.height <= form.height - offset.y;
+    require(isInside, XR_ERROR_SWAPCHAIN_RECT_INVALID, "the rectangle is empty or leaves the image");
+    require(image.imageArrayIndex < static_cast<std::uint32_t>(form.layers), XR_ERROR_VALIDATION_FAILURE, "no such array layer");
+    return {swapchain.texture(*swapchain.shown()), form, offset.x, offset.y, extent.width, extent.height,
+            static_cast<int>(image.imageArrayIndex)};
+}
+
+void checkFov(const XrFovf& fov)
+{
+    const auto isAngle = [](float angle) { return std::abs(angle) < std::numbers::pi_v<float> / 2; };
+    require(isAngle(fov.angleLeft) && isAngle(fov.angleRight) && isAngle(fov.angleUp) && isAngle(fov.angleDown),
+            XR_ERROR_VALIDATION_FAILURE, "an angle of view is out of range");
+}
+
+/// A picture that was drawn from elsewhere than it says swims before the eyes.
+void compareWithView(Call& call, const Session& session, const XrCompositionLayerProjection& layer, std::uint32_t eye)
+{
+    constexpr double allowed = 1e-3; // metres, or parts of a quaternion
+    const auto& space = call.get<Space>(layer.space);
+    const auto located = locateView(call.runtime.world, {space, session.views(), eye, session.begun->displayTime});
+    const vr::Pose drawn = fromXr(layer.views[eye].pose);
+    const bool isThere = (!located.hasPosition() || (drawn.position - located.pose.position).norm() < allowed)
+                         && std::abs(drawn.rotation.dot(located.pose.rotation)) > 1 - allowed;
+    if (located.isValid() && !isThere)
+        call.warn("a view is not where xrLocateViews says it is at the frame's display time");
+}
+
+json projection(Call& call, const Session& session, const XrCompositionLayerProjection& layer, Layers& layers)
+{
+    constexpr const char* eyes[] = {"left", "right"};
+    call.get<Space>(layer.space);
+    require(layer.viewCount == viewCount(session.views()), XR_ERROR_VALIDATION_FAILURE, "not as many views as the session has");
+    json views = json::array();
+    const bool isFirst = std::all_of(layers.shown.begin(), layers.shown.end(), [](const auto& it) { return it.isQuad; });
+    for (std::uint32_t eye = 0; eye < layer.viewCount; ++eye) {
+        const XrCompositionLayerProjectionView& view = (&given(layer.views))[eye];
+        given(&view, XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW);
+        fromXr(view.pose);
+        checkFov(view.fov);
+        const TexturePart part = checkedPart(call, view.subImage);
+        compareWithView(call, session, layer, eye);
+        if (isFirst)
+            layers.shown.push_back({layer.viewCount == 1 ? "mono" : eyes[eye], part});
+        views.push_back({{"pose", listOf(view.pose)},
+                         {"fov", listOf(view.fov)},
+                         {"rect", {part.x, part.y, part.width, part.height}},
+                         {"layer", part.layer}});
+    }
+    return {{"type", "projection"}, {"space", nameOf(call.get<Space>(layer.space))}, {"views", views}};
+}
+
+json quad(Call& call, const XrCompositionLayerQuad& layer, Layers& layers)
+{
+    const auto& space = call.get<Space>(layer.space);
+    fromXr(layer.pose);
+    const bool isEyes = layer.eyeVisibility >= XR_EYE_VISIBILITY_BOTH && layer.eyeVisibility <= XR_EYE_VISIBILITY_RIGHT;
+    require(isEyes, XR_ERROR_VALIDATION_FAILURE, "no such eye");
+    const TexturePart part = checkedPart(call, layer.subImage);
+    const auto number = std::count_if(layers.shown.begin(), layers.shown.end(), [](const auto& it) { return it.isQuad; });
+    const bool isOpaque = (layer.layerFlags & XR_COMPOSITION_LAYER_BLEND_TEXTURE_SOURCE_ALPHA_BIT) == 0;
+    layers.shown.push_back({"quad" + std::to_string(number), part, true, isOpaque});
+    return {{"type", "quad"},
+            {"space", nameOf(space)},
+            {"pose", listOf(layer.pose)},
+            {"size", {layer.size.width, layer.size.height}},
+            {"rect", {part.x, part.y, part.width, part.height}}};
+}
+
+json checkedLayer(Call& call, const Session& session, const XrCompositionLayerBaseHeader* header, Layers& layers)
+{
+    require(header, XR_ERROR_LAYER_INVALID, "a layer is null");
+    switch (header->type) {
+    case XR_TYPE_COMPOSITION_LAYER_PROJECTION:
+        return projection(call, session, reinterpret_cast<const XrCompositionLayerProjection&>(*header), layers);
+    case XR_TYPE_COMPOSITION_LAYER_QUAD: return quad(call, reinterpret_cast<const XrCompositionLayerQuad&>(*header), layers);
+    default: throw Failure{XR_ERROR_LAYER_INVALID, "a layer of a kind that is not offered"};
+    }
+}
+
+bool isWanted(World& world, std::int64_t frame)
+{
+    const bool isListed = world.keptFrames.erase(frame) > 0;
+    return isListed || (world.keepEvery > 0 && frame % world.keepEvery == 0);
+}
+} // namespace
+
+Layers checkedLayers(Call& call, const Session& session, const XrFrameEndInfo& info)
+{
+    require(info.displayTime > 0, XR_ERROR_TIME_INVALID, "the display time is not positive");
+    require(info.environmentBlendMode == XR_ENVIRONMENT_BLEND_MODE_OPAQUE, XR_ERROR_ENVIRONMENT_BLEND_MODE_UNSUPPORTED,
+            "only the opaque blend mode is offered");
+    require(info.layerCount <= mostLayers, XR_ERROR_LAYER_LIMIT_EXCEEDED, "too many layers");
+    Layers layers;
+    for (std::uint32_t i = 0; i < info.layerCount; ++i)
+        layers.description.push_back(checkedLayer(call, session, (&given(info.layers))[i], layers));
+    return layers;
+}
+
+void showPicture(Runtime& runtime, const Session& session, const Layers& layers)
+{
+    const auto eye = std::find_if(layers.shown.begin(), layers.shown.end(), [](const auto& it) { return !it.isQuad; });
+    if (eye == layers.shown.end() || !std::exchange(runtime.isPictureWanted, false))
+        return;
+    runtime.picture = session.gl()->read(eye->part);
+    runtime.changed.notify_all();
+}
+
+void keepPictures(Runtime& runtime, const Session& session, const Frame& frame, const Layers& layers)
+{
+    if (runtime.pictureFolder.empty() || !isWanted(runtime.world, frame.number))
+        return;
+    for (const Layers::Shown& shown : layers.shown) {
+        Picture picture = session.gl()->read(shown.part);
+        for (std::size_t alpha = 3; shown.isOpaque && alpha < picture.rgba.size(); alpha += 4)
+            picture.rgba[alpha] = 255;
+        std::ostringstream path;
+        path << runtime.pictureFolder << "/session" << session.index << "_frame" << std::setw(4) << std::setfill('0') << frame.number << '_'
+             << shown.name << ".png";
+        writePng(picture, path.str());
+    }
+}
+} // namespace simulator

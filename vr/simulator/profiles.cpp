@@ -1,0 +1,233 @@
+#include "profiles.h"
+
+#include <algorithm>
+
+namespace simulator
+{
+enum class Where { Both, Left, Right };
+
+struct Component
+{
+    std::string_view path; ///< without the hand
+    Source::Kind kind;
+    Input input = Input::Trigger;
+    Where where = Where::Both;
+    double threshold = 0.5;
+};
+
+namespace
+{
+using enum Source::Kind;
+constexpr double clickOfTrigger = 0.8;
+constexpr double touchOfTrigger = 0.01;
+constexpr double never = 2; ///< the system button is the runtime's own: it may be bound, and is never pressed
+
+constexpr Component gripPose{"/input/grip/pose", Grip};
+constexpr Component aimPose{"/input/aim/pose", Aim};
+constexpr Component haptic{"/output/haptic", Haptic};
+constexpr Component menuClick{"/input/menu/click", Boolean, Input::Menu};
+constexpr Component squeezeClick{"/input/squeeze/click", Boolean, Input::Squeeze};
+constexpr Component squeezeValue{"/input/squeeze/value", Float, Input::Squeeze};
+constexpr Component triggerValue{"/input/trigger/value", Float, Input::Trigger};
+constexpr Component triggerClick{"/input/trigger/click", Boolean, Input::Trigger, Where::Both, clickOfTrigger};
+constexpr Component triggerTouch{"/input/trigger/touch", Boolean, Input::Trigger, Where::Both, touchOfTrigger};
+constexpr Component padX{"/input/trackpad/x", Float, Input::PadX};
+constexpr Component padY{"/input/trackpad/y", Float, Input::PadY};
+constexpr Component padClick{"/input/trackpad/click", Boolean, Input::PadPress};
+constexpr Component padTouch{"/input/trackpad/touch", Boolean, Input::PadTouch};
+constexpr Component padForce{"/input/trackpad/force", Float, Input::PadPress};
+constexpr Component stickX{"/input/thumbstick/x", Float, Input::StickX};
+constexpr Component stickY{"/input/thumbstick/y", Float, Input::StickY};
+constexpr Component stickClick{"/input/thumbstick/click", Boolean, Input::StickPress};
+constexpr Component stickTouch{"/input/thumbstick/touch", Boolean, Input::StickPress};
+
+constexpr Component simple[] = {{"/input/select/click", Boolean, Input::Trigger}, menuClick, gripPose, aimPose, haptic};
+
+constexpr Component vive[] = {{"/input/system/click", Boolean, Input::Menu, Where::Both, never},
+                              squeezeClick, menuClick, triggerClick, triggerValue, padX, padY, padClick, padTouch,
+                              gripPose, aimPose, haptic};
+
+constexpr Component index[] = {{"/input/system/click", Boolean, Input::Menu, Where::Both, never},
+                               {"/input/system/touch", Boolean, Input::Menu, Where::Both, never},
+                               {"/input/a/click", Boolean, Input::ButtonA},
+                               {"/input/a/touch", Boolean, Input::ButtonA},
+                               {"/input/b/click", Boolean, Input::ButtonB},
+                               {"/input/b/touch", Boolean, Input::ButtonB},
+                               squeezeValue, {"/input/squeeze/force", Float, Input::Squeeze},
+                               triggerClick, triggerValue, triggerTouch, stickX, stickY, stickClick, stickTouch,
+                               padX, padY, padForce, padTouch, gripPose, aimPose, haptic};
+
+constexpr Component touch[] = {{"/input/x/click", Boolean, Input::ButtonA, Where::Left},
+                               {"/input/x/touch", Boolean, Input::ButtonA, Where::Left},
+                               {"/input/y/click", Boolean, Input::ButtonB, Where::Left},
+                               {"/input/y/touch", Boolean, Input::ButtonB, Where::Left},
+                               {"/input/menu/click", Boolean, Input::Menu, Where::Left},
+                               {"/input/a/click", Boolean, Input::ButtonA, Where::Right},
+                               {"/input/a/touch", Boolean, Input::ButtonA, Where::Right},
+                               {"/input/b/click", Boolean, Input::ButtonB, Where::Right},
+                               {"/input/b/touch", Boolean, Input::ButtonB, Where::Right},
+                               {"/input/system/click", Boolean, Input::Menu, Where::Right, never},
+                               {"/input/thumbrest/touch", Boolean, Input::PadTouch},
+                               squeezeValue, triggerValue, triggerTouch, stickX, stickY, stickClick, stickTouch,
+                               gripPose, aimPose, haptic};
+
+constexpr Component motion[] = {menuClick, squeezeClick, triggerValue, stickX, stickY, stickClick,
+                                padX, padY, padClick, padTouch, gripPose, aimPose, haptic};
+
+constexpr Component daydream[] = {{"/input/select/click", Boolean, Input::Trigger}, padX, padY, padClick, padTouch, gripPose, aimPose};
+
+constexpr Component go[] = {{"/input/system/click", Boolean, Input::Menu, Where::Both, never},
+                            {"/input/back/click", Boolean, Input::Menu},
+                            triggerClick, padX, padY, padClick, padTouch, gripPose, aimPose};
+
+constexpr std::string_view vivePro[] = {"/user/head/input/system/click", "/user/head/input/volume_up/click",
+                                        "/user/head/input/volume_down/click", "/user/head/input/mute_mic/click"};
+
+constexpr std::string_view gamepad[] = {
+    "/user/gamepad/input/menu/click",          "/user/gamepad/input/view/click",
+    "/user/gamepad/input/a/click",             "/user/gamepad/input/b/click",
+    "/user/gamepad/input/x/click",             "/user/gamepad/input/y/click",
+    "/user/gamepad/input/dpad_down/click",     "/user/gamepad/input/dpad_right/click",
+    "/user/gamepad/input/dpad_up/click",       "/user/gamepad/input/dpad_left/click",
+    "/user/gamepad/input/shoulder_left/click", "/user/gamepad/input/shoulder_right/click",
+    "/user/gamepad/input/thumbstick_left/x",   "/user/gamepad/input/thumbstick_left/y",
+    "/user/gamepad/input/thumbstick_left/click", "/user/gamepad/input/thumbstick_right/x",
+    "/user/gamepad/input/thumbstick_right/y",  "/user/gamepad/input/thumbstick_right/click",
+    "/user/gamepad/input/trigger_left/value",  "/user/gamepad/input/trigger_right/value",
+    "/user/gamepad/output/haptic_left",        "/user/gamepad/output/haptic_right",
+    "/user/gamepad/output/haptic_left_trigger", "/user/gamepad/output/haptic_right_trigger"};
+
+constexpr Profile known[] = {
+    {"/interaction_profiles/htc/vive_controller", "Vive Controller", vive},
+    {"/interaction_profiles/khr/simple_controller", "Simple Controller", simple},
+    {"/interaction_profiles/valve/index_controller", "Index Controller", index},
+    {"/interaction_profiles/oculus/touch_controller", "Touch Controller", touch},
+    {"/interaction_profiles/microsoft/motion_controller", "Mixed Reality Controller", motion},
+    {"/interaction_profiles/google/daydream_controller", "Daydream Controller", daydream},
+    {"/interaction_profiles/oculus/go_controller", "Go Controller", go},
+    {"/interaction_profiles/htc/vive_pro", "Vive Pro", {}, vivePro},
+    {"/interaction_profiles/microsoft/xbox_controller", "Xbox Controller", {}, gamepad},
+};
+
+/// A path of the whole, cut after the hand.
+struct HandPath
+{
+    Hand hand;
+    std::string_view rest;
+};
+
+std::optional<HandPath> cut(std::string_view path)
+{
+    for (const Hand hand : hands) {
+        if (path.starts_with(userPath(hand)))
+            return HandPath{hand, path.substr(userPath(hand).size())};
+    }
+    return {};
+}
+
+bool isOn(const Component& component, Hand hand)
+{
+    return component.where == Where::Both || (component.where == Where::Left) == (hand == Hand::Left);
+}
+
+/// "/input/trigger" of "/input/trigger/value"
+std::string_view parentOf(std::string_view path)
+{
+    const std::string_view parent = path.substr(0, path.rfind('/'));
+    return parent.ends_with("/input") || parent.ends_with("/output") ? std::string_view() : parent;
+}
+
+const Component* find(const Profile& profile, Hand hand, std::string_view path)
+{
+    const auto found = std::find_if(profile.components.begin(), profile.components.end(),
+                                    [&](const Component& it) { return it.path == path && isOn(it, hand); });
+    return found == profile.components.end() ? nullptr : &*found;
+}
+
+/// Of a parent's children the first of these.
+const Component* childOf(const Profile& profile, const HandPath& parent, std::initializer_list<std::string_view> names)
+{
+    for (const std::string_view name : names) {
+        if (const Component* child = find(profile, parent.hand, std::string(parent.rest) + std::string(name)))
+            return child;
+    }
+    return nullptr;
+}
+
+const Component* componentFor(const Profile& profile, const HandPath& at, XrActionType type)
+{
+    if (const Component* component = find(profile, at.hand, at.rest))
+        return component;
+    switch (type) {
+    case XR_ACTION_TYPE_BOOLEAN_INPUT: return childOf(profile, at, {"/click", "/value"});
+    case XR_ACTION_TYPE_FLOAT_INPUT: return childOf(profile, at, {"/value", "/click"});
+    case XR_ACTION_TYPE_POSE_INPUT: return childOf(profile, at, {"/pose"});
+    default: return nullptr;
+    }
+}
+
+bool suits(Source::Kind kind, XrActionType type)
+{
+    switch (type) {
+    case XR_ACTION_TYPE_BOOLEAN_INPUT:
+    case XR_ACTION_TYPE_FLOAT_INPUT: return kind == Boolean || kind == Float;
+    case XR_ACTION_TYPE_POSE_INPUT: return kind == Grip || kind == Aim;
+    case XR_ACTION_TYPE_VIBRATION_OUTPUT: return kind == Haptic;
+    default: return false;
+    }
+}
+
+std::string wholePath(const HandPath& at, std::string_view rest)
+{
+    return std::string(userPath(at.hand)) + std::string(rest);
+}
+
+std::optional<Source> vectorAt(const Profile& profile, const HandPath& at)
+{
+    const Component* x = childOf(profile, at, {"/x"});
+    const Component* y = childOf(profile, at, {"/y"});
+    if (!x || !y)
+        return {};
+    return Source{wholePath(at, at.rest), at.hand, Vector, x->input, y->input};
+}
+} // namespace
+
+std::string_view userPath(Hand hand)
+{
+    return hand == Hand::Left ? "/user/hand/left" : "/user/hand/right";
+}
+
+std::span<const Profile> profiles()
+{
+    return known;
+}
+
+const Profile* profileAt(std::string_view path)
+{
+    const auto found = std::find_if(std::begin(known), std::end(known), [&](const Profile& it) { return it.path == path; });
+    return found == std::end(known) ? nullptr : found;
+}
+
+bool hasPath(const Profile& profile, std::string_view path)
+{
+    const auto at = cut(path);
+    if (!at || at->rest.empty())
+        return std::any_of(profile.unread.begin(), profile.unread.end(), [&](auto it) { return it == path || parentOf(it) == path; });
+    return std::any_of(profile.components.begin(), profile.components.end(), [&](const Component& it) {
+        return isOn(it, at->hand) && (it.path == at->rest || parentOf(it.path) == at->rest);
+    });
+}
+
+std::optional<Source> sourceAt(const Profile& profile, std::string_view path, XrActionType type)
+{
+    const auto at = cut(path);
+    if (!at)
+        return {};
+    if (type == XR_ACTION_TYPE_VECTOR2F_INPUT)
+        return vectorAt(profile, *at);
+    const Component* component = componentFor(profile, *at, type);
+    if (!component || !suits(component->kind, type))
+        return {};
+    return Source{wholePath(*at, component->path), at->hand, component->kind, component->input, component->input, component->threshold};
+}
+} // namespace simulator

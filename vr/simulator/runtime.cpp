@@ -1,0 +1,128 @@
+#include "runtime.h"
+
+#include "enum_names.h"
+#include "session.h"
+#include "xr_pose.h"
+
+#include <cstdlib>
+#include <sstream>
+
+namespace simulator
+{
+namespace
+{
+std::string contents(const char* path)
+{
+    std::ifstream file(path);
+    if (!file)
+        throw std::runtime_error(std::string("cannot read ") + path);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+} // namespace
+
+Runtime& Runtime::get()
+{
+    static Runtime& runtime = *new Runtime; // never deleted: what it holds of a client's display may be gone at the end
+    return runtime;
+}
+
+void Runtime::load(const std::string& text)
+{
+    if (instance)
+        throw std::runtime_error("an instance is in use");
+    script = Script::parse(text);
+    world = {};
+    framesAllowed = 0;
+    sessionsMade = 0;
+    picture.reset();
+    log.open(std::getenv("FETTLE_XR_LOG"));
+    const char* folder = std::getenv("FETTLE_XR_FRAMES");
+    pictureFolder = folder ? folder : "";
+    m_isLoaded = true;
+    apply(script.start());
+}
+
+void Runtime::loadOnce()
+{
+    if (m_isLoaded)
+        return;
+    const char* path = std::getenv("FETTLE_XR_SCRIPT");
+    load(path && *path ? contents(path) : "{}");
+}
+
+void Runtime::apply(const Step& step)
+{
+    const XrTime start = world.next();
+    for (const Change& change : step)
+        change(*this, start);
+    if (session)
+        session->settle();
+    changed.notify_all();
+}
+
+std::int64_t Runtime::nextFrame() const
+{
+    return session ? session->nextFrame : 0;
+}
+
+void Runtime::recentre(const Recentring& recentring)
+{
+    const bool isStage = recentring.space == XR_REFERENCE_SPACE_TYPE_STAGE;
+    Motion& origin = isStage ? world.stage : world.local;
+    const XrTime time = world.next() + recentring.after * world.period();
+    const vr::Pose inPrevious = origin.at(time).inverse() * recentring.origin;
+    origin.position.go(recentring.origin.position, time, 0);
+    origin.rotation.go(recentring.origin.rotation, time, 0);
+    if (!session)
+        return;
+    instance->events.push(XrEventDataReferenceSpaceChangePending{XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING, nullptr,
+                                                                 session->handle(), recentring.space, time, XR_TRUE,
+                                                                 toXr(inPrevious)});
+}
+
+void Runtime::loseSession(std::int64_t afterFrames)
+{
+    if (!session)
+        return;
+    session->tellOfLoss();
+    session->lostAt = nextFrame() + afterFrames;
+    loseIfDue();
+}
+
+void Runtime::loseInstance(std::int64_t afterFrames)
+{
+    if (!instance)
+        return;
+    const XrTime time = world.next() + afterFrames * world.period();
+    instance->events.push(XrEventDataInstanceLossPending{XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING, nullptr, time});
+    instance->lostAt = nextFrame() + afterFrames;
+    loseIfDue();
+}
+
+void Runtime::loseIfDue()
+{
+    if (session && session->lostAt && nextFrame() >= *session->lostAt)
+        session->lost = XR_ERROR_SESSION_LOST;
+    if (instance && instance->lostAt && nextFrame() >= *instance->lostAt)
+        instance->lost = XR_ERROR_INSTANCE_LOST;
+}
+
+void Runtime::exitSession()
+{
+    if (session)
+        session->requestExit();
+}
+
+nlohmann::json Runtime::report() const
+{
+    nlohmann::json report = log.report();
+    report["state"] = session ? nameOf(session->state()) : "";
+    report["is_running"] = session && session->isRunning();
+    report["is_frozen"] = isClientFrozen;
+    report["sessions"] = sessionsMade;
+    report["frames_ended"] = framesEnded;
+    return report;
+}
+} // namespace simulator

@@ -1,0 +1,86 @@
+#include "session.h"
+
+#include "runtime.h"
+
+namespace simulator
+{
+Session::Session(Runtime& runtime, std::shared_ptr<ShareContext> gl)
+    : index(runtime.sessionsMade++), m_runtime(runtime), m_gl(std::move(gl))
+{}
+
+Instance& Session::instance() const
+{
+    return static_cast<Instance&>(*parent);
+}
+
+void Session::enter(XrSessionState state)
+{
+    m_state = state;
+    instance().events.push(XrEventDataSessionStateChanged{XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED, nullptr, handle(), state,
+                                                          m_runtime.world.now});
+}
+
+void Session::open()
+{
+    enter(XR_SESSION_STATE_IDLE);
+    settle();
+}
+
+void Session::begin(XrViewConfigurationType views)
+{
+    m_isRunning = true;
+    m_views = views;
+    waited.reset();
+    begun.reset();
+    settle();
+}
+
+void Session::end()
+{
+    m_isRunning = false;
+    enter(XR_SESSION_STATE_IDLE);
+    settle();
+}
+
+void Session::requestExit()
+{
+    m_exits = true;
+    settle();
+}
+
+bool Session::mustStop() const
+{
+    return m_exits || !m_runtime.world.isWorn;
+}
+
+XrSessionState Session::highest() const
+{
+    if (mustStop() || !m_runtime.world.isVisible)
+        return XR_SESSION_STATE_SYNCHRONIZED;
+    return m_runtime.world.hasFocus ? XR_SESSION_STATE_FOCUSED : XR_SESSION_STATE_VISIBLE;
+}
+
+// The enumerators from READY to FOCUSED are neighbours.
+void Session::settle()
+{
+    if (m_state == XR_SESSION_STATE_IDLE && m_exits)
+        enter(XR_SESSION_STATE_EXITING);
+    else if (m_state == XR_SESSION_STATE_IDLE && m_runtime.world.isWorn)
+        enter(XR_SESSION_STATE_READY);
+    if (!m_isRunning || m_state > XR_SESSION_STATE_FOCUSED)
+        return;
+    while (m_state > highest())
+        enter(static_cast<XrSessionState>(m_state - 1));
+    if (!mustStop())
+        return;
+    if (m_state == XR_SESSION_STATE_READY)
+        enter(XR_SESSION_STATE_SYNCHRONIZED);
+    enter(XR_SESSION_STATE_STOPPING);
+}
+
+void Session::rise()
+{
+    if (m_isRunning && m_state < highest())
+        enter(static_cast<XrSessionState>(m_state + 1));
+}
+} // namespace simulator

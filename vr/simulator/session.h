@@ -1,0 +1,70 @@
+#pragma once
+
+#include "gl_share_glx.h"
+#include "instance.h"
+#include "session_input.h"
+
+#include <chrono>
+
+namespace simulator
+{
+class Runtime;
+
+struct Frame
+{
+    std::int64_t number = 0; ///< since the session was made
+    XrTime displayTime = 0;
+};
+
+/// A session and its way through the specification's states. It goes up one state with each frame that ends, and down at once.
+class Session : public Object
+{
+public:
+    Session(Runtime& runtime, std::shared_ptr<ShareContext> gl);
+
+    XrSession handle() const { return std::bit_cast<XrSession>(number); }
+    XrSessionState state() const { return m_state; }
+    bool isRunning() const { return m_isRunning; }
+    bool isFocused() const { return m_state == XR_SESSION_STATE_FOCUSED; }
+    bool isShown() const { return m_state == XR_SESSION_STATE_VISIBLE || isFocused(); }
+
+    /// Once it has its handle.
+    void open();
+    void begin(XrViewConfigurationType views);
+    void end();
+    void requestExit();
+    /// Down to what the world still grants, or ready again.
+    void settle();
+    /// One state up, if the world grants it.
+    void rise();
+    void tellOfLoss() { enter(XR_SESSION_STATE_LOSS_PENDING); }
+
+    const std::shared_ptr<ShareContext>& gl() const { return m_gl; }
+    XrViewConfigurationType views() const { return m_views; }
+    Instance& instance() const;
+
+    std::int64_t index = 0;            ///< among the sessions of this process
+    std::int64_t nextFrame = 0;
+    std::optional<Frame> waited, begun; ///< and not yet begun, and not yet ended
+    std::chrono::steady_clock::time_point frameStart; ///< of the last interval
+    std::optional<std::int64_t> lostAt; ///< frame
+    SessionInput input;
+
+private:
+    void enter(XrSessionState state);
+    bool mustStop() const;
+    XrSessionState highest() const;
+
+    Runtime& m_runtime;
+    std::shared_ptr<ShareContext> m_gl;
+    XrSessionState m_state = XR_SESSION_STATE_UNKNOWN;
+    XrViewConfigurationType m_views = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
+    bool m_isRunning = false;
+    bool m_exits = false;
+};
+
+inline void requireRunning(const Session& session)
+{
+    require(session.isRunning(), XR_ERROR_SESSION_NOT_RUNNING, "the session is not running");
+}
+} // namespace simulator

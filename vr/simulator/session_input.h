@@ -1,0 +1,73 @@
+#pragma once
+
+#include "actions.h"
+#include "profiles.h"
+#include "world.h"
+
+#include <map>
+
+namespace simulator
+{
+struct SuggestedBinding;
+
+/// What an action says, of one subaction path or of all.
+struct ActionState
+{
+    bool isActive = false;
+    double x = 0, y = 0; ///< a boolean is 0 or 1
+    bool isChanged = false;
+    XrTime changedAt = 0;
+    std::optional<Source> pose; ///< where a pose comes from
+};
+
+/// An action set that is to be read, and for which hands.
+struct ActiveSet
+{
+    const ActionSet* set = nullptr;
+    std::array<bool, hands.size()> isFor{true, true};
+};
+
+/// The action sets of one session, what they are bound to, and what they said at the last xrSyncActions.
+class SessionInput
+{
+public:
+    using Suggestions = std::map<std::string, std::vector<SuggestedBinding>>;
+
+    struct Binding
+    {
+        std::shared_ptr<Action> action;
+        Source source;
+    };
+
+    bool isAttached() const { return !m_sets.empty(); }
+    bool has(const Action& action) const;
+    bool has(const ActionSet& set) const;
+    void attach(std::vector<std::shared_ptr<ActionSet>> sets);
+
+    /// Which profile each hand has now, if the client knows it. True: it is another than before.
+    bool chooseProfiles(const World& world, const Suggestions& suggestions);
+    const Profile* profile(Hand hand) const { return m_profiles[static_cast<std::size_t>(hand)]; }
+    const std::vector<Binding>& bindings() const { return m_bindings; }
+
+    void sync(const World& world, const Paths& paths, const std::vector<ActiveSet>& active);
+    /// All is inactive.
+    void rest() { m_states.clear(); }
+    ActionState state(const Action& action, XrPath subaction) const;
+    std::optional<Source> poseSource(const Action& action, XrPath subaction) const { return state(action, subaction).pose; }
+
+private:
+    struct Key
+    {
+        const Action* action = nullptr;
+        XrPath subaction = XR_NULL_PATH;
+        friend auto operator<=>(const Key&, const Key&) = default;
+    };
+
+    std::vector<const Binding*> heard(const World& world, const std::vector<ActiveSet>& active) const;
+
+    std::vector<std::shared_ptr<ActionSet>> m_sets;
+    std::array<const Profile*, hands.size()> m_profiles{};
+    std::vector<Binding> m_bindings;
+    std::map<Key, ActionState> m_states;
+};
+} // namespace simulator

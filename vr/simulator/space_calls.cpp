@@ -1,0 +1,135 @@
+#include "actions.h"
+#include "calls.h"
+#include "spaces.h"
+#include "system.h"
+#include "xr_pose.h"
+
+namespace simulator
+{
+namespace
+{
+std::vector<XrReferenceSpaceType> offeredSpaces(const World& world)
+{
+    std::vector<XrReferenceSpaceType> spaces{XR_REFERENCE_SPACE_TYPE_VIEW, XR_REFERENCE_SPACE_TYPE_LOCAL};
+    if (world.hasStage)
+        spaces.push_back(XR_REFERENCE_SPACE_TYPE_STAGE);
+    return spaces;
+}
+
+void requireSpace(const World& world, XrReferenceSpaceType type)
+{
+    const auto offered = offeredSpaces(world);
+    require(std::find(offered.begin(), offered.end(), type) != offered.end(), XR_ERROR_REFERENCE_SPACE_UNSUPPORTED,
+            "the reference space is not offered");
+}
+
+void requireTime(XrTime time)
+{
+    require(time > 0, XR_ERROR_TIME_INVALID, "the time is not positive");
+}
+
+/// Into an XrSpaceVelocity in the chain, if there is one.
+void tellVelocity(void* chain, const Located& located)
+{
+    for (auto* it = static_cast<XrBaseOutStructure*>(chain); it; it = it->next) {
+        if (it->type != XR_TYPE_SPACE_VELOCITY)
+            continue;
+        auto& velocity = reinterpret_cast<XrSpaceVelocity&>(*it);
+        velocity.velocityFlags = 0;
+        if (located.tracking == Tracking::Full)
+            velocity.velocityFlags |= XR_SPACE_VELOCITY_LINEAR_VALID_BIT;
+        if (located.isValid())
+            velocity.velocityFlags |= XR_SPACE_VELOCITY_ANGULAR_VALID_BIT;
+        velocity.linearVelocity = toXr(located.velocity);
+        velocity.angularVelocity = toXr(located.turning);
+    }
+}
+} // namespace
+
+XrResult enumerateReferenceSpaces(Call& call, XrSession handle, std::uint32_t capacity, std::uint32_t* count,
+                                  XrReferenceSpaceType* spaces)
+{
+    call.get<Session>(handle);
+    answer(Room<XrReferenceSpaceType>{capacity, count, spaces}, offeredSpaces(call.runtime.world));
+    return XR_SUCCESS;
+}
+
+XrResult createReferenceSpace(Call& call, XrSession handle, const XrReferenceSpaceCreateInfo* info, XrSpace* out)
+{
+    Session& session = call.get<Session>(handle);
+    given(info, XR_TYPE_REFERENCE_SPACE_CREATE_INFO);
+    given(out);
+    requireSpace(call.runtime.world, info->referenceSpaceType);
+    const auto space = std::make_shared<Space>(info->referenceSpaceType, fromXr(info->poseInReferenceSpace));
+    *out = call.runtime.handles.add<XrSpace>(space, &session);
+    call.line["space"] = nameOf(*space);
+    return XR_SUCCESS;
+}
+
+XrResult getReferenceSpaceBoundsRect(Call& call, XrSession handle, XrReferenceSpaceType type, XrExtent2Df* bounds)
+{
+    call.get<Session>(handle);
+    given(bounds) = {};
+    const World& world = call.runtime.world;
+    requireSpace(world, type);
+    if (type != XR_REFERENCE_SPACE_TYPE_STAGE || !world.bounds)
+        return XR_SPACE_BOUNDS_UNAVAILABLE;
+    *bounds = *world.bounds;
+    return XR_SUCCESS;
+}
+
+XrResult createActionSpace(Call& call, XrSession handle, const XrActionSpaceCreateInfo* info, XrSpace* out)
+{
+    Session& session = call.get<Session>(handle);
+    given(info, XR_TYPE_ACTION_SPACE_CREATE_INFO);
+    given(out);
+    call.get<Action>(info->action);
+    const auto action = call.runtime.handles.get<Action>(info->action);
+    require(action->type == XR_ACTION_TYPE_POSE_INPUT, XR_ERROR_ACTION_TYPE_MISMATCH, "not a pose action");
+    requireSubaction(session.instance().paths, *action, info->subactionPath);
+    const auto space = std::make_shared<Space>(Space::OfAction{action, info->subactionPath}, fromXr(info->poseInActionSpace));
+    *out = call.runtime.handles.add<XrSpace>(space, &session);
+    return XR_SUCCESS;
+}
+
+XrResult locateSpace(Call& call, XrSpace handle, XrSpace baseHandle, XrTime time, XrSpaceLocation* location)
+{
+    const auto& space = call.get<Space>(handle);
+    const auto& base = call.get<Space>(baseHandle);
+    given(location, XR_TYPE_SPACE_LOCATION);
+    requireTime(time);
+    const World& world = call.runtime.world;
+    const Located located = space.at(world, time).seenFrom(base.at(world, time));
+    location->locationFlags = located.flags();
+    location->pose = poseOrNone(located);
+    tellVelocity(location->next, located);
+    return XR_SUCCESS;
+}
+
+XrResult destroySpace(Call& call, XrSpace handle)
+{
+    call.runtime.handles.destroy(*call.runtime.handles.find<Space>(handle));
+    return XR_SUCCESS;
+}
+
+XrResult locateViews(Call& call, XrSession handle, const XrViewLocateInfo* info, XrViewState* state, std::uint32_t capacity,
+                     std::uint32_t* count, XrView* views)
+{
+    call.get<Session>(handle);
+    given(info, XR_TYPE_VIEW_LOCATE_INFO);
+    given(state, XR_TYPE_VIEW_STATE);
+    const auto& space = call.get<Space>(info->space);
+    const World& world = call.runtime.world;
+    requireViews(world, info->viewConfigurationType);
+    requireTime(info->displayTime);
+    std::vector<std::uint32_t> eyes(viewCount(info->viewConfigurationType));
+    std::iota(eyes.begin(), eyes.end(), 0U);
+    answer(Room<XrView>{capacity, count, views}, eyes, [&](XrView& to, std::uint32_t eye) {
+        const Located located = locateView(world, {space, info->viewConfigurationType, eye, info->displayTime});
+        given(&to, XR_TYPE_VIEW).pose = poseOrNone(located);
+        to.fov = fovOf(world.headset, info->viewConfigurationType, eye);
+        state->viewStateFlags = located.flags();
+    });
+    return XR_SUCCESS;
+}
+} // namespace simulator

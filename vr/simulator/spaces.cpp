@@ -1,0 +1,123 @@
+#include "spaces.h"
+
+#include "actions.h"
+#include "xr_pose.h"
+
+namespace simulator
+{
+namespace
+{
+static_assert(XR_SPACE_LOCATION_ORIENTATION_VALID_BIT == XR_VIEW_STATE_ORIENTATION_VALID_BIT
+              && XR_SPACE_LOCATION_POSITION_VALID_BIT == XR_VIEW_STATE_POSITION_VALID_BIT
+              && XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT == XR_VIEW_STATE_ORIENTATION_TRACKED_BIT
+              && XR_SPACE_LOCATION_POSITION_TRACKED_BIT == XR_VIEW_STATE_POSITION_TRACKED_BIT);
+
+Located moving(const Motion& motion, Tracking tracking, XrTime time)
+{
+    return {motion.at(time), tracking, motion.velocity(time), motion.turning(time)};
+}
+
+Located originAt(const World& world, XrReferenceSpaceType type, XrTime time)
+{
+    switch (type) {
+    case XR_REFERENCE_SPACE_TYPE_VIEW: return moving(world.head.motion, world.head.tracking, time);
+    case XR_REFERENCE_SPACE_TYPE_STAGE: return {world.stage.at(time)};
+    default: return {world.local.at(time)};
+    }
+}
+
+Located wandAt(const World& world, const Source& source, XrTime time)
+{
+    const Wand& wand = world.wands[static_cast<std::size_t>(source.hand)];
+    const Located grip = moving(wand.grip, wand.isOn ? wand.tracking : Tracking::None, time);
+    return source.kind == Source::Kind::Aim ? grip.with(world.aim) : grip;
+}
+
+Located nowhere()
+{
+    return {{}, Tracking::None};
+}
+} // namespace
+
+Located Located::with(const vr::Pose& own) const
+{
+    Located point = *this;
+    point.pose = pose * own;
+    point.velocity += turning.cross(pose.rotation * own.position);
+    return point;
+}
+
+Located Located::seenFrom(const Located& base) const
+{
+    const vr::Pose inverse = base.pose.inverse();
+    const core::Vec3 arm = pose.position - base.pose.position;
+    Located seen;
+    seen.pose = inverse * pose;
+    seen.tracking = std::max(tracking, base.tracking);
+    seen.velocity = inverse.rotation * (velocity - base.velocity - base.turning.cross(arm));
+    seen.turning = inverse.rotation * (turning - base.turning);
+    return seen;
+}
+
+XrFlags64 Located::flags() const
+{
+    constexpr XrFlags64 rotation = XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT;
+    switch (tracking) {
+    case Tracking::Full: return rotation | XR_SPACE_LOCATION_POSITION_VALID_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
+    case Tracking::RotationOnly: return rotation | XR_SPACE_LOCATION_POSITION_VALID_BIT;
+    case Tracking::NoPosition: return rotation;
+    case Tracking::None: break;
+    }
+    return 0;
+}
+
+Located Space::at(const World& world, XrTime time) const
+{
+    if (const auto* type = std::get_if<XrReferenceSpaceType>(&m_origin))
+        return originAt(world, *type, time).with(m_offset);
+    const auto& [action, subaction] = std::get<OfAction>(m_origin);
+    const auto& session = static_cast<const Session&>(*parent);
+    const auto source = session.isFocused() ? session.input.poseSource(*action, subaction) : std::nullopt;
+    return source ? wandAt(world, *source, time).with(m_offset) : nowhere();
+}
+
+std::string nameOf(const Space& space)
+{
+    const auto* type = std::get_if<XrReferenceSpaceType>(&space.origin());
+    if (!type)
+        return "action";
+    switch (*type) {
+    case XR_REFERENCE_SPACE_TYPE_VIEW: return "view";
+    case XR_REFERENCE_SPACE_TYPE_STAGE: return "stage";
+    default: return "local";
+    }
+}
+
+Located locateView(const World& world, const ViewQuestion& question)
+{
+    Located eye = moving(world.head.motion, world.head.tracking, question.time);
+    if (question.views == XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO) {
+        const double side = question.eye == 0 ? -0.5 : 0.5;
+        eye = eye.with({Eigen::Quaterniond::Identity(), core::Vec3(side * world.headset.eyeDistance, 0, 0)});
+    }
+    return eye.seenFrom(question.space.at(world, question.time));
+}
+
+XrFovf fovOf(const Headset& headset, XrViewConfigurationType views, std::uint32_t eye)
+{
+    XrFovf fov = headset.fov;
+    if (views != XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO)
+        fov.angleRight = -fov.angleLeft;
+    else if (eye == 1)
+        std::tie(fov.angleLeft, fov.angleRight) = std::pair(-fov.angleRight, -fov.angleLeft);
+    return fov;
+}
+
+XrPosef poseOrNone(const Located& located)
+{
+    XrPosef pose = located.isValid() ? toXr(located.pose) : XrPosef{};
+    if (!located.hasPosition())
+        pose.position = {};
+    return pose;
+}
+} // namespace simulator

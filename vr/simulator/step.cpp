@@ -1,0 +1,247 @@
+#include "step.h"
+
+#include "enum_names.h"
+#include "runtime.h"
+#include "step_devices.h"
+#include "step_values.h"
+
+#include <chrono>
+#include <cstdlib>
+#include <thread>
+
+namespace simulator
+{
+namespace
+{
+using nlohmann::json;
+
+using Reader = Change (*)(const json& value, Over over);
+
+template <auto Member> Change flag(const json& value, Over)
+{
+    return [on = readBool(value)](Runtime& runtime, XrTime) { runtime.world.*Member = on; };
+}
+
+Change sizeChange(const json& value, Over)
+{
+    const std::vector<double> size = readNumbers(value, 2);
+    return [size](Runtime& runtime, XrTime) {
+        runtime.world.headset.width = static_cast<int>(size[0]);
+        runtime.world.headset.height = static_cast<int>(size[1]);
+    };
+}
+
+Change hertzChange(const json& value, Over)
+{
+    return [hertz = readPositive(value)](Runtime& runtime, XrTime) { runtime.world.headset.hertz = hertz; };
+}
+
+Change viewsChange(const json& value, Over)
+{
+    const Views views = readOneOf<Views>(value, {{"stereo", Views::Stereo}, {"mono", Views::Mono}, {"mono_first", Views::MonoFirst}});
+    return [views](Runtime& runtime, XrTime) { runtime.world.headset.views = views; };
+}
+
+Change eyeDistanceChange(const json& value, Over)
+{
+    return [metres = readPositive(value)](Runtime& runtime, XrTime) { runtime.world.headset.eyeDistance = metres; };
+}
+
+Change fovChange(const json& value, Over)
+{
+    const std::vector<double> degrees = readNumbers(value, 4);
+    const auto radians = [&](std::size_t i) { return static_cast<float>(degrees[i] * radiansPerDegree); };
+    const XrFovf fov{radians(0), radians(1), radians(2), radians(3)};
+    return [fov](Runtime& runtime, XrTime) { runtime.world.headset.fov = fov; };
+}
+
+Change paceChange(const json& value, Over)
+{
+    const Pace pace = readOneOf<Pace>(value, {{"real", Pace::Real}, {"live", Pace::Live}, {"fast", Pace::Fast}, {"stepped", Pace::Stepped}});
+    return [pace](Runtime& runtime, XrTime) { runtime.world.pace = pace; };
+}
+
+Change boundsChange(const json& value, Over)
+{
+    std::optional<XrExtent2Df> bounds;
+    if (!value.is_null()) {
+        const std::vector<double> size = readNumbers(value, 2);
+        bounds = XrExtent2Df{static_cast<float>(size[0]), static_cast<float>(size[1])};
+    }
+    return [bounds](Runtime& runtime, XrTime) { runtime.world.bounds = bounds; };
+}
+
+Change profileChange(const json& value, Over)
+{
+    const std::string path = readText(value);
+    if (!profileAt(path))
+        throw std::runtime_error(path + " is no profile that is known here");
+    return [path](Runtime& runtime, XrTime) { runtime.world.profile = path; };
+}
+
+Change aimChange(const json& value, Over)
+{
+    return [pose = readPose(value)](Runtime& runtime, XrTime) { runtime.world.aim = pose; };
+}
+
+Change lateChange(const json& value, Over)
+{
+    const auto late = static_cast<XrDuration>(readPositive(value) * 1e6);
+    return [late](Runtime& runtime, XrTime) { runtime.world.late = late; };
+}
+
+Change recentreChange(const json& value, Over)
+{
+    const std::map<std::string, XrReferenceSpaceType> spaces{{"local", XR_REFERENCE_SPACE_TYPE_LOCAL},
+                                                             {"stage", XR_REFERENCE_SPACE_TYPE_STAGE}};
+    Recentring recentring;
+    for (const auto& [key, part] : members(value)) {
+        if (key == "space")
+            recentring.space = readOneOf(part, spaces);
+        else if (key == "after")
+            recentring.after = readCount(part);
+        else if (key == "position")
+            recentring.origin.position = readVector(part);
+        else
+            recentring.origin.rotation = readRotation(key, part);
+    }
+    return [recentring](Runtime& runtime, XrTime) { runtime.recentre(recentring); };
+}
+
+Change loseSession(const json& value, Over)
+{
+    return [after = readCount(value)](Runtime& runtime, XrTime) { runtime.loseSession(after); };
+}
+
+Change loseInstance(const json& value, Over)
+{
+    return [after = readCount(value)](Runtime& runtime, XrTime) { runtime.loseInstance(after); };
+}
+
+Change exitChange(const json& value, Over)
+{
+    return [exits = readBool(value)](Runtime& runtime, XrTime) {
+        if (exits)
+            runtime.exitSession();
+    };
+}
+
+/// true: the next frame; else those.
+Change keepChange(const json& value, Over)
+{
+    std::vector<std::int64_t> frames;
+    if (value.is_array())
+        std::transform(value.begin(), value.end(), std::back_inserter(frames), readCount);
+    else if (!readBool(value))
+        throw std::runtime_error("keep: true, or a list of frames");
+    return [frames](Runtime& runtime, XrTime) {
+        runtime.world.keptFrames.insert(frames.begin(), frames.end());
+        if (frames.empty())
+            runtime.world.keptFrames.insert(runtime.nextFrame());
+    };
+}
+
+Change keepEveryChange(const json& value, Over)
+{
+    return [every = readCount(value)](Runtime& runtime, XrTime) { runtime.world.keepEvery = static_cast<int>(every); };
+}
+
+Change failChange(const json& value, Over)
+{
+    std::string call;
+    ScriptedAnswer answer;
+    for (const auto& [key, part] : members(value)) {
+        if (key == "call") {
+            call = readText(part);
+        } else if (key == "times") {
+            answer.times = static_cast<int>(readCount(part));
+        } else if (key == "result") {
+            const auto result = resultNamed(readText(part));
+            if (!result)
+                throw std::runtime_error(readText(part) + " is no XrResult");
+            answer.result = *result;
+        } else {
+            notUnderstood(key);
+        }
+    }
+    return [call, answer](Runtime& runtime, XrTime) { runtime.world.answers[call] = answer; };
+}
+
+Change freezeChange(const json& value, Over)
+{
+    return [call = readText(value)](Runtime& runtime, XrTime) { runtime.world.frozen = call; };
+}
+
+void wakeAtExit()
+{
+    Runtime& runtime = Runtime::get();
+    {
+        const std::lock_guard lock(runtime.mutex);
+        runtime.world.frozen.clear();
+        runtime.changed.notify_all();
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+}
+
+Change wakeChange(const json& value, Over)
+{
+    return [wakes = readBool(value)](Runtime&, XrTime) {
+        if (wakes)
+            std::atexit(wakeAtExit);
+    };
+}
+
+const std::map<std::string_view, Reader>& vocabulary()
+{
+    static const std::map<std::string_view, Reader> readers{
+        {"runtime", flag<&World::hasRuntime>},
+        {"headset", flag<&World::hasHeadset>},
+        {"opengl", flag<&World::hasOpenGl>},
+        {"stage", flag<&World::hasStage>},
+        {"worn", flag<&World::isWorn>},
+        {"visible", flag<&World::isVisible>},
+        {"focus", flag<&World::hasFocus>},
+        {"should_render", flag<&World::shouldRender>},
+        {"head", headChange},
+        {"left", [](const json& value, Over over) { return wandChange(value, over, Hand::Left); }},
+        {"right", [](const json& value, Over over) { return wandChange(value, over, Hand::Right); }},
+        {"aim", aimChange},
+        {"profile", profileChange},
+        {"size", sizeChange},
+        {"hz", hertzChange},
+        {"views", viewsChange},
+        {"eye_distance", eyeDistanceChange},
+        {"fov", fovChange},
+        {"pace", paceChange},
+        {"late_ms", lateChange},
+        {"bounds", boundsChange},
+        {"recentre", recentreChange},
+        {"lose_session", loseSession},
+        {"lose_instance", loseInstance},
+        {"exit", exitChange},
+        {"keep", keepChange},
+        {"keep_every", keepEveryChange},
+        {"watch_drawing", flag<&World::watchesDrawing>},
+        {"fail", failChange},
+        {"freeze", freezeChange},
+        {"wake_at_exit", wakeChange},
+    };
+    return readers;
+}
+} // namespace
+
+Step readStep(const json& step)
+{
+    const Over over = step.is_object() && step.contains("over") ? readCount(step["over"]) : 0;
+    Step changes;
+    for (const auto& [key, value] : members(step)) {
+        if (key == "over")
+            continue;
+        const auto reader = vocabulary().find(key);
+        if (reader == vocabulary().end())
+            notUnderstood(key);
+        changes.push_back(reader->second(value, over));
+    }
+    return changes;
+}
+} // namespace simulator

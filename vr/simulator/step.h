@@ -1,0 +1,20 @@
+#pragma once
+
+#include "track.h"
+
+#include <nlohmann/json.hpp>
+
+#include <functional>
+#include <vector>
+
+namespace simulator
+{
+class Runtime;
+
+/// What a script changes at one moment. Movements begin at `start`.
+using Change = std::function<void(Runtime&, XrTime start)>;
+using Step = std::vector<Change>;
+
+/// Throws std::runtime_error that says what is not understood. The vocabulary is in control.h.
+Step readStep(const nlohmann::json& json);
+} // namespace simulator

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "profiles.h"
+#include "step.h"
+
+namespace simulator
+{
+/// A movement takes that many frames; 0: it is there at once.
+using Over = std::int64_t;
+
+/// What a step says of the head, and of a wand. These throw as readStep().
+Change headChange(const nlohmann::json& value, Over over);
+Change wandChange(const nlohmann::json& value, Over over, Hand hand);
+} // namespace simulator

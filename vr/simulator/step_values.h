@@ -1,0 +1,40 @@
+#pragma once
+
+#include "world.h"
+
+#include <nlohmann/json.hpp>
+
+#include <stdexcept>
+#include <utility>
+
+/// The values that a script is written with. All of these throw std::runtime_error with what is wrong.
+namespace simulator
+{
+inline constexpr double radiansPerDegree = 3.14159265358979323846 / 180;
+
+[[noreturn]] void notUnderstood(const std::string& key);
+
+std::vector<std::pair<std::string, nlohmann::json>> members(const nlohmann::json& object);
+
+bool readBool(const nlohmann::json& value);
+std::string readText(const nlohmann::json& value);
+std::int64_t readCount(const nlohmann::json& value);
+double readPositive(const nlohmann::json& value);
+/// A number, or false and true for 0 and 1.
+double readAmount(const nlohmann::json& value);
+std::vector<double> readNumbers(const nlohmann::json& value, std::size_t count);
+core::Vec3 readVector(const nlohmann::json& value);
+/// Key "rotation": [x, y, z, w]; "yaw_pitch_roll": degrees, about Y (left is positive), then X (up), then Z.
+Eigen::Quaterniond readRotation(const std::string& key, const nlohmann::json& value);
+vr::Pose readPose(const nlohmann::json& value);
+/// true, false, "rotation" for nothing but that and a guess, or "no_position" for nothing but that.
+Tracking readTracking(const nlohmann::json& value);
+
+template <class Choice> Choice readOneOf(const nlohmann::json& value, const std::map<std::string, Choice>& choices)
+{
+    const auto found = choices.find(readText(value));
+    if (found == choices.end())
+        throw std::runtime_error(readText(value) + " is not among the choices");
+    return found->second;
+}
+} // namespace simulator

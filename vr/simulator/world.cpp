@@ -1,0 +1,26 @@
+#include "world.h"
+
+namespace simulator
+{
+namespace
+{
+constexpr double eyeHeight = 1.6;
+
+Motion still(const core::Vec3& position)
+{
+    Motion motion;
+    motion.position = Track<core::Vec3>(position);
+    return motion;
+}
+} // namespace
+
+World::World()
+{
+    constexpr double tilt = -0.6; // radians: a wand held at ease points a little downwards
+    aim = {Eigen::Quaterniond(Eigen::AngleAxisd(tilt, core::Vec3::UnitX())), core::Vec3(0, -0.01, -0.05)};
+    head.motion = still({0, eyeHeight, 0});
+    local = still({0, eyeHeight, 0});
+    wands[0].grip = still({-0.2, 1.1, -0.3});
+    wands[1].grip = still({0.2, 1.1, -0.3});
+}
+} // namespace simulator
