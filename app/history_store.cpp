@@ -20,12 +20,12 @@ StoredDelta::~StoredDelta()
     drop();
 }
 
-const core::MeshDelta* StoredDelta::swap(core::Sculptor& sculptor)
+std::shared_ptr<core::MeshDelta> StoredDelta::swap(core::Sculptor& sculptor)
 {
     if (!m_delta && !load())
         return nullptr;
     sculptor.swap(*m_delta);
-    return m_delta.get();
+    return m_delta;
 }
 
 bool StoredDelta::spill(const QString& folder)
@@ -129,7 +129,7 @@ void HistoryStore::swap(int index)
     m_post([this, delta, index, meshSide = m_meshSide, journal = m_journal](core::Sculptor& sculptor) {
         if (meshSide->broken)
             return;
-        const core::MeshDelta* swapped = delta->swap(sculptor);
+        const std::shared_ptr<const core::MeshDelta> swapped = delta->swap(sculptor);
         meshSide->broken = !swapped;
         if (swapped && journal)
             journal->swapped(sculptor.mesh(), *swapped, static_cast<std::uint32_t>(index));

@@ -19,6 +19,7 @@ set(FETTLE_RESOURCE_FILES
     icons/dimensions.svg
     icons/drawing.svg
     icons/duplicate.svg
+    icons/edit-stroke.svg
     icons/export.svg
     icons/export-for.svg
     icons/fettle.svg
@@ -68,9 +69,11 @@ set(FETTLE_RESOURCE_FILES
     icons/paint.svg
     icons/panel-close.svg
     icons/panel-float.svg
+    icons/pause.svg
     icons/pick.svg
     icons/pinch.svg
     icons/place-on-bed.svg
+    icons/play.svg
     icons/plus.svg
     icons/preferences.svg
     icons/previous.svg
@@ -114,6 +117,7 @@ set(FETTLE_RESOURCE_FILES
     icons/strength.svg
     icons/swap.svg
     icons/symmetrize.svg
+    icons/time-lapse.svg
     icons/trash.svg
     icons/turntable.svg
     icons/twist.svg

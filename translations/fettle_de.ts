@@ -1400,6 +1400,13 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
 </context>
 <context>
+    <name>app::StrokeEdit</name>
+    <message>
+        <source>With this brush it does nothing.</source>
+        <translation>Mit diesem Pinsel bewirkt er nichts.</translation>
+    </message>
+</context>
+<context>
     <name>app::StrokeShapes</name>
     <message>
         <source>%1: %2: %3</source>
@@ -2541,6 +2548,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Makes the stamp&apos;s model of this model as it is now.</source>
         <translation>Macht dieses Modell, wie es jetzt ist, zum Modell des Stempels.</translation>
+    </message>
+    <message>
+        <source>Edit &amp;Last Stroke…</source>
+        <translation>&amp;Letzten Strich ändern…</translation>
+    </message>
+    <message>
+        <source>Does the last stroke again with another tool, radius or strength.</source>
+        <translation>Führt den letzten Strich mit anderem Werkzeug, Radius oder anderer Stärke noch einmal aus.</translation>
     </message>
 </context>
 <context>
@@ -5607,10 +5622,69 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
+    <name>ui::StrokeBar</name>
+    <message>
+        <source>Edit Last Stroke</source>
+        <translation>Letzten Strich ändern</translation>
+    </message>
+    <message>
+        <source>Last stroke:</source>
+        <translation>Letzter Strich:</translation>
+    </message>
+    <message>
+        <source>Tool of the last stroke</source>
+        <translation>Werkzeug des letzten Strichs</translation>
+    </message>
+    <message>
+        <source>Does the stroke again with another tool.</source>
+        <translation>Führt den Strich mit einem anderen Werkzeug noch einmal aus.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>&amp;Behalten</translation>
+    </message>
+    <message>
+        <source>Leaves the stroke as it is now, and hides this bar.</source>
+        <translation>Lässt den Strich, wie er jetzt ist, und blendet diese Leiste aus.</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>Gives the stroke back as it was, and hides this bar.</source>
+        <translation>Gibt den Strich zurück, wie er war, und blendet diese Leiste aus.</translation>
+    </message>
+</context>
+<context>
     <name>ui::ThumbnailMaker</name>
     <message>
         <source>%1: there is not enough memory for its picture.</source>
         <translation>%1: Für das Bild reicht der Speicher nicht.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Timeline</name>
+    <message>
+        <source>Timeline</source>
+        <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>Drag to see the model as it was after each step; Left and Right go by one. Sculpting there drops the later steps.</source>
+        <translation>Zum Ziehen: zeigt das Modell, wie es nach jedem Schritt war; Links und Rechts gehen um einen weiter. Wer dort formt, verliert die späteren Schritte.</translation>
+    </message>
+    <message>
+        <source>Play the steps</source>
+        <translation>Schritte abspielen</translation>
+    </message>
+    <message>
+        <source>Plays the steps one after the other, from here or from the first.</source>
+        <translation>Spielt die Schritte nacheinander ab, von hier oder vom ersten an.</translation>
+    </message>
+    <message>
+        <source>%1 of %2: %3</source>
+        <comment>step, steps, its name</comment>
+        <translation>%1 von %2: %3</translation>
     </message>
 </context>
 <context>

@@ -1396,6 +1396,13 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
 </context>
 <context>
+    <name>app::StrokeEdit</name>
+    <message>
+        <source>With this brush it does nothing.</source>
+        <translation>用这个笔刷没有任何效果。</translation>
+    </message>
+</context>
+<context>
     <name>app::StrokeShapes</name>
     <message>
         <source>%1: %2: %3</source>
@@ -2537,6 +2544,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Makes the stamp&apos;s model of this model as it is now.</source>
         <translation>把现在的模型作为图章的模型。</translation>
+    </message>
+    <message>
+        <source>Edit &amp;Last Stroke…</source>
+        <translation>修改最后一笔(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>Does the last stroke again with another tool, radius or strength.</source>
+        <translation>用其他工具、半径或强度重做最后一笔。</translation>
     </message>
 </context>
 <context>
@@ -5590,10 +5605,69 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
 </context>
 <context>
+    <name>ui::StrokeBar</name>
+    <message>
+        <source>Edit Last Stroke</source>
+        <translation>修改最后一笔</translation>
+    </message>
+    <message>
+        <source>Last stroke:</source>
+        <translation>最后一笔：</translation>
+    </message>
+    <message>
+        <source>Tool of the last stroke</source>
+        <translation>最后一笔的工具</translation>
+    </message>
+    <message>
+        <source>Does the stroke again with another tool.</source>
+        <translation>用其他工具重做这一笔。</translation>
+    </message>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>保留(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Leaves the stroke as it is now, and hides this bar.</source>
+        <translation>保留现在这一笔，并隐藏此栏。</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>取消(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Gives the stroke back as it was, and hides this bar.</source>
+        <translation>恢复原来的那一笔，并隐藏此栏。</translation>
+    </message>
+</context>
+<context>
     <name>ui::ThumbnailMaker</name>
     <message>
         <source>%1: there is not enough memory for its picture.</source>
         <translation>%1：内存不足，无法生成图片。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::Timeline</name>
+    <message>
+        <source>Timeline</source>
+        <translation>时间线</translation>
+    </message>
+    <message>
+        <source>Drag to see the model as it was after each step; Left and Right go by one. Sculpting there drops the later steps.</source>
+        <translation>拖动可查看每一步之后的模型；左右方向键逐步移动。在那里雕刻会丢弃之后的步骤。</translation>
+    </message>
+    <message>
+        <source>Play the steps</source>
+        <translation>播放步骤</translation>
+    </message>
+    <message>
+        <source>Plays the steps one after the other, from here or from the first.</source>
+        <translation>从这里或从第一步开始，依次播放各步骤。</translation>
+    </message>
+    <message>
+        <source>%1 of %2: %3</source>
+        <comment>step, steps, its name</comment>
+        <translation>第 %1 步，共 %2 步：%3</translation>
     </message>
 </context>
 <context>

@@ -65,6 +65,8 @@ constexpr ActionInfo table[] = {
      QT_TRANSLATE_NOOP("ui::Actions", "Takes the last stroke back."), "Ctrl+Z", "undo", true, Bar::Top},
     {MenuId::Edit, "edit.redo", QT_TRANSLATE_NOOP("ui::Actions", "&Redo"),
      QT_TRANSLATE_NOOP("ui::Actions", "Does again what was taken back."), "Ctrl+Shift+Z; Ctrl+Y", "redo", false, Bar::Top},
+    {MenuId::Edit, "edit.lastStroke", QT_TRANSLATE_NOOP("ui::Actions", "Edit &Last Stroke…"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Does the last stroke again with another tool, radius or strength."), "Ctrl+L", "edit-stroke"},
 
     {MenuId::Edit, "edit.stop", QT_TRANSLATE_NOOP("ui::Actions", "&Stop"),
      QT_TRANSLATE_NOOP("ui::Actions", "Ends what is going on and leaves the model as it is."), "Esc", "stop", true},

@@ -14,6 +14,7 @@
 #include "ui/messages.h"
 #include "ui/name_panel.h"
 #include "ui/recovery_bar.h"
+#include "ui/stroke_bar.h"
 #include "ui/scene.h"
 #include "ui/settings.h"
 #include "ui/start_page.h"
@@ -135,6 +136,7 @@ private Q_SLOTS:
 private:
     void take(QWidget& window, const QString& state);
     void takeRecovery(Program& program);
+    void takeStrokeBar(Program& program);
     void takeUnits(Program& program);
     void takePrint(Program& program);
     void takeMending(Program& program);
@@ -186,6 +188,7 @@ void TestScreenshots::states()
     QTRY_COMPARE(program.window.size(), smallScreen);
     take(program.window, QStringLiteral("window"));
     takeRecovery(program);
+    takeStrokeBar(program);
     takeUnits(program);
     takePrint(program);
     takeMending(program);
@@ -214,6 +217,16 @@ void TestScreenshots::takeRecovery(Program& program)
     bar->findChild<QPushButton*>(QStringLiteral("discardRecovery"))->click();
     take(*QApplication::activeModalWidget(), QStringLiteral("recovery-question"));
     QApplication::activeModalWidget()->close();
+    bar->leave();
+}
+
+void TestScreenshots::takeStrokeBar(Program& program)
+{
+    ui::ModelFacts facts;
+    facts.size = {100, 100, 100};
+    auto* bar = new ui::StrokeBar({core::Tool::Flatten, 12.5, 0.8}, facts, &program.window);
+    bar->setHint(QCoreApplication::translate("app::StrokeEdit", "With this brush it does nothing."));
+    take(program.window, QStringLiteral("stroke-bar"));
     bar->leave();
 }
 
