@@ -2,6 +2,7 @@
 
 #include "history_store.h"
 #include "long_work.h"
+#include "model_past.h"
 #include "sculpt_worker.h"
 #include "work_clock.h"
 
@@ -106,6 +107,11 @@ public:
     /// Does another stroke in the place of the last, or of what was done in its place already: one step, as before. Where that changes nothing the
     /// step stays taken back. Null, or if it is stopped before it is done: the last stroke as it was, bit for bit.
     void redoStroke(const LastStroke& last, std::shared_ptr<const core::Stroke> stroke, const std::stop_token& stop, TakeAgain done);
+
+    /// `look` sees the states of the model from the first that is kept to the present, in a thread of its own, `done` comes when it has; nobody
+    /// sculpts meanwhile, and the model stays as it is. stop() is told to `look`. False: something else is going on, and nothing is done.
+    using LookBack = std::function<void(const ModelPast& past, const core::JobWatch& watch)>;
+    bool lookBack(const QString& what, LookBack look, std::function<void()> done);
 
     const QUndoStack& undoStack() const { return m_stack; }
     HistoryStore& history() { return m_history; }
@@ -236,6 +242,7 @@ private:
     void takeSaved(const QString& path, int index);
     void moveTo(int index);
     void comeTo(int index);
+    void startLookingBack(const LookBack& look, const std::function<void()>& done, const core::JobWatch& watch);
     void takeAgain(const StrokeReport& report);
     void request(std::function<void()> run);
     void strokeRequest(std::function<void()> run);

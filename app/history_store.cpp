@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <new>
 
 namespace app
 {
@@ -60,6 +61,19 @@ bool StoredDelta::load()
     QFile::remove(QFile::decodeName(m_file.c_str()));
     m_file.clear();
     return true;
+}
+
+std::optional<core::MeshDelta> StoredDelta::copy() const
+{
+    try {
+        if (m_delta)
+            return *m_delta;
+        std::ifstream in(m_file, std::ios::binary);
+        core::MeshDelta delta = core::MeshDelta::read(in);
+        return in ? std::optional(std::move(delta)) : std::nullopt;
+    } catch (const std::bad_alloc&) {
+        return std::nullopt;
+    }
 }
 
 void StoredDelta::drop()

@@ -30,6 +30,8 @@ public:
     /// Moves it from memory into a file of that folder. False if that is impossible; it stays in memory then.
     bool spill(const QString& folder);
     void drop();
+    /// Nothing if its file cannot be read, or there is not enough memory.
+    std::optional<core::MeshDelta> copy() const;
     std::size_t bytesInMemory() const;
 
 private:

@@ -18,6 +18,7 @@
 #include "report_desk.h"
 #include "sculpt_worker.h"
 #include "stroke_edit.h"
+#include "time_lapse_desk.h"
 
 #include "ui/color_panel.h"
 #include "ui/history_panel.h"
@@ -354,6 +355,7 @@ void wire(ui::MainWindow& window, Document& document, SculptWorker& worker, cons
     wireWorker(*window.viewport(), worker, inbox);
     wireDrawings(window, worker);
     wireReports(window, document);
+    new TimeLapseDesk(window, document);
     wireClassFiles(window);
 }
 

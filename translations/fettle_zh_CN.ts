@@ -264,7 +264,7 @@
                                    say whether models are in order; several files or a folder: a table
   fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]
                                    write a model in another format or size, mended, or with fewer triangles
-  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--verify local|full|none]
+  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--frames FOLDER] [--verify local|full|none]
                                    play recorded strokes on a model
   fettle report FOLDER -o OUT.html|OUT.pdf [--unit mm|cm|m|in]
                                    a class report: picture, size, print-ready or why not, strokes and time of each model
@@ -287,7 +287,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
                                    检查模型是否完好；多个文件或文件夹则输出表格
   fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]
                                    以其他格式或尺寸写出模型，可修复，也可减少三角形
-  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--verify local|full|none]
+  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--frames FOLDER] [--verify local|full|none]
                                    在模型上回放录制的笔触
   fettle report FOLDER -o OUT.html|OUT.pdf [--unit mm|cm|m|in]
                                    班级报告：每个模型的图片、大小、能否打印或为何不能、笔画数和用时
@@ -1208,6 +1208,22 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>replay: strokes[%1]: %2</source>
         <translation>replay: strokes[%1]: %2</translation>
     </message>
+    <message>
+        <source>A folder for pictures of the model, PNG, at the start and after each stroke.</source>
+        <translation>存放模型图片（PNG）的文件夹，开始时和每一笔之后各一张。</translation>
+    </message>
+    <message>
+        <source>Strokes from one picture to the next.</source>
+        <translation>两张图片之间的笔数。</translation>
+    </message>
+    <message>
+        <source>replay: --every says how many strokes there are to a picture, and needs --frames.</source>
+        <translation>replay：--every 指定每张图片的笔数，需要 --frames。</translation>
+    </message>
+    <message>
+        <source>replay: --every is a whole number from 1 on, not %1.</source>
+        <translation>replay：--every 是从 1 开始的整数，不是 %1。</translation>
+    </message>
 </context>
 <context>
     <name>app::ReportCommand</name>
@@ -1502,6 +1518,46 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>&quot;%1&quot; is out of range, 0 or %2 to %3</source>
         <translation>“%1”超出范围（0，或 %2 至 %3）</translation>
+    </message>
+</context>
+<context>
+    <name>app::TimeLapse</name>
+    <message>
+        <source>%1 is no folder, so no pictures can be written there.</source>
+        <translation>%1 不是文件夹，因此无法在那里写入图片。</translation>
+    </message>
+    <message>
+        <source>%1 has a %2 already, and nothing was written over it: choose an empty folder.</source>
+        <translation>%1 中已有 %2，没有覆盖任何文件：请选择一个空文件夹。</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for a time-lapse of this model.</source>
+        <translation>内存不足，无法导出这个模型的延时图片。</translation>
+    </message>
+    <message>
+        <source>The earlier steps of the model cannot be read any more, so there is no time-lapse of them.</source>
+        <translation>无法再读取模型较早的步骤，因此没有它们的延时图片。</translation>
+    </message>
+</context>
+<context>
+    <name>app::TimeLapseDesk</name>
+    <message>
+        <source>Drawing the time-lapse</source>
+        <translation>正在画延时图片</translation>
+    </message>
+    <message>
+        <source>The time-lapse has to wait until this is done; ask for it again then.</source>
+        <translation>延时图片要等这项工作完成；请到时再导出。</translation>
+    </message>
+    <message>
+        <source>The time-lapse was stopped; no picture of it is in %1.</source>
+        <translation>延时图片已停止；%1 中没有它的图片。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %Ln pictures were written.</source>
+        <translation>
+            <numerusform>%1：写入了 %Ln 张图片。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2552,6 +2608,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Does the last stroke again with another tool, radius or strength.</source>
         <translation>用其他工具、半径或强度重做最后一笔。</translation>
+    </message>
+    <message>
+        <source>Export Time-&amp;Lapse…</source>
+        <translation>导出延时图片(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>Draws the model after each of its steps, as numbered PNG pictures for a film.</source>
+        <translation>画出模型每一步之后的样子，成为带编号的 PNG 图片，可用于制作影片。</translation>
     </message>
 </context>
 <context>
@@ -5644,6 +5708,39 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>%1: there is not enough memory for its picture.</source>
         <translation>%1：内存不足，无法生成图片。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::TimeLapseDialog</name>
+    <message>
+        <source>Export Time-Lapse</source>
+        <translation>导出延时图片</translation>
+    </message>
+    <message>
+        <source>Draws the model after its steps, as it is seen now, into numbered PNG files in a folder that you choose. Sculpting rests meanwhile.</source>
+        <translation>按现在的视角画出模型各步骤之后的样子，存为带编号的 PNG 文件，放在您选择的文件夹中。其间不能雕刻。</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 像素</translation>
+    </message>
+    <message>
+        <source>&amp;Size:</source>
+        <translation>大小(&amp;S)：</translation>
+    </message>
+    <message>
+        <source>Steps to a &amp;picture:</source>
+        <translation>每张图片的步数(&amp;P)：</translation>
+    </message>
+    <message>
+        <source>&amp;Choose Folder…</source>
+        <translation>选择文件夹(&amp;C)…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln pictures</source>
+        <translation>
+            <numerusform>%Ln 张图片</numerusform>
+        </translation>
     </message>
 </context>
 <context>
