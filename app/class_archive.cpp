@@ -53,7 +53,7 @@ QByteArray pictureOf(const core::TriangleMesh& mesh)
     QByteArray png;
     if (!picture || picture->rgba.empty())
         return png;
-    const QImage image(reinterpret_cast<const uchar*>(picture->rgba.data()), picture->pixels, picture->pixels, QImage::Format_RGBA8888_Premultiplied);
+    const QImage image(reinterpret_cast<const uchar*>(picture->rgba.data()), picture->width, picture->height, QImage::Format_RGBA8888_Premultiplied);
     QBuffer buffer(&png);
     buffer.open(QIODevice::WriteOnly);
     image.save(&buffer, "PNG");

@@ -205,7 +205,7 @@ QString CommandLine::help()
               "                                   say whether models are in order; several files or a folder: a table\n"
               "  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]\n"
               "                                   write a model in another format or size, mended, or with fewer triangles\n"
-              "  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--verify local|full|none]\n"
+              "  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--frames FOLDER] [--verify local|full|none]\n"
               "                                   play recorded strokes on a model\n"
               "  fettle report FOLDER -o OUT.html|OUT.pdf [--unit mm|cm|m|in]\n"
               "                                   a class report: picture, size, print-ready or why not, strokes and time of each model\n"

@@ -114,6 +114,7 @@ void Document::finishChange(const core::ModelCommand& command, const ui::Inserti
         const int index = m_stack.index();
         m_history.add(index, delta);
         m_stack.push(new StrokeCommand(ModelWords::name(command), {ModelWords::icon(command)}, &m_history, index));
+        m_lastReport.reset();
         Q_EMIT stepped(core::FileCommand{command, insertion.path.toStdString()});
         endChange(command, insertion, outcome);
     });
@@ -214,9 +215,14 @@ void Document::moveTo(int index)
 {
     if (!m_worker->hold()) // another hand was faster
         return goTo(index);
+    comeTo(index);
+    m_worker->release();
+}
+
+void Document::comeTo(int index)
+{
     ++m_moves;
     m_stack.setIndex(index);
-    m_worker->release();
     whenRecorded([this] {
         --m_moves;
         tellState();
@@ -259,7 +265,11 @@ void Document::takeReport(const StrokeReport& report)
             m_history.add(index, report.delta);
             const StepWords words = StrokeCommand::wordsOf(report);
             m_stack.push(new StrokeCommand(words.text, words.marks, &m_history, index));
-            countWork();
+            m_lastReport = report;
+            m_lastReport->delta = nullptr;
+            m_lastIndex = index;
+            if (!report.isAgain)
+                countWork();
             Q_EMIT stepped(*report.stroke);
         }
         const bool isSeen = report.shortfall == core::Shortfall::Stuck && report.delta; // other dabs did something
@@ -272,6 +282,7 @@ void Document::takeReport(const StrokeReport& report)
         takeFacts(report.facts);
         describeToJournal();
     }
+    takeAgain(report);
     tellState();
     runRequests();
 }
@@ -301,6 +312,7 @@ void Document::loseHistory()
     m_changedBeyondHistory = isModified();
     m_history.clear();
     m_stack.clear();
+    m_lastReport.reset();
     if (m_journal)
         m_worker->post([journal = m_journal](core::Sculptor&) { journal->forget(); });
     describeToJournal();

@@ -2,6 +2,7 @@
 
 #include "history_store.h"
 #include "long_work.h"
+#include "model_past.h"
 #include "sculpt_worker.h"
 #include "work_clock.h"
 
@@ -91,6 +92,27 @@ public:
     /// `keep` puts it somewhere, in a thread of its own, and says whether it is safe there; then it counts as saved. Nobody sculpts from when it
     /// is copied until `done`, which hears the answer, has returned. False: something else is going on, and nothing is done.
     bool handOver(const QString& what, std::function<bool(const Present& present)> keep, std::function<void(bool isKept)> done);
+    /// A step of the history that is a stroke.
+    struct LastStroke
+    {
+        StrokeReport report; ///< without its change
+        std::shared_ptr<StoredDelta> change;
+        int index = 0;
+        std::optional<quint64> saving; ///< since that one nothing was changed
+    };
+    /// The last step, if it is a stroke that was done since the model was opened, and nothing is taken back.
+    std::optional<LastStroke> lastStroke() const;
+    /// Hears what came of it; nothing: the stroke is not the last step any more, or another hand sculpts.
+    using TakeAgain = std::function<void(const std::optional<StrokeReport>& report)>;
+    /// Does another stroke in the place of the last, or of what was done in its place already: one step, as before. Where that changes nothing the
+    /// step stays taken back. Null, or if it is stopped before it is done: the last stroke as it was, bit for bit.
+    void redoStroke(const LastStroke& last, std::shared_ptr<const core::Stroke> stroke, const std::stop_token& stop, TakeAgain done);
+
+    /// `look` sees the states of the model from the first that is kept to the present, in a thread of its own, `done` comes when it has; nobody
+    /// sculpts meanwhile, and the model stays as it is. stop() is told to `look`. False: something else is going on, and nothing is done.
+    using LookBack = std::function<void(const ModelPast& past, const core::JobWatch& watch)>;
+    bool lookBack(const QString& what, LookBack look, std::function<void()> done);
+
     const QUndoStack& undoStack() const { return m_stack; }
     HistoryStore& history() { return m_history; }
 
@@ -219,6 +241,9 @@ private:
     void finishBrush(const KeptBrush& kept);
     void takeSaved(const QString& path, int index);
     void moveTo(int index);
+    void comeTo(int index);
+    void startLookingBack(const LookBack& look, const std::function<void()>& done, const core::JobWatch& watch);
+    void takeAgain(const StrokeReport& report);
     void request(std::function<void()> run);
     void strokeRequest(std::function<void()> run);
     void runRequests();
@@ -246,6 +271,10 @@ private:
     bool m_strokeOpen = false;         ///< as the person sees it: not yet posted, perhaps
     QString m_lastStep; ///< the name of the stroke that began last
     quint64 m_reported = 0;            ///< strokes
+    std::optional<StrokeReport> m_lastReport; ///< of the step that was done last, without its change; none: it was no stroke
+    int m_lastIndex = 0;                      ///< and where that stands
+    TakeAgain m_takeAgain; ///< while a stroke is done again
+    quint64 m_savings = 0;
     WorkClock m_clock;
     std::optional<Choice> m_next;      ///< to be opened once what goes on has ended
     bool m_isLoading = false;

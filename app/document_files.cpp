@@ -133,6 +133,7 @@ void Document::install(std::shared_ptr<LoadedModel> model)
     m_isInstalling = true;
     m_history.clear();
     m_stack.clear();
+    m_lastReport.reset();
     m_changedBeyondHistory = !model->mended.isEmpty();
     m_facts.name = model->name;
     m_facts.path = model->path;
@@ -307,6 +308,7 @@ void Document::setSaved(int index)
     if (m_stack.index() != index || hasUnreported())
         return;
     m_stack.setClean();
+    ++m_savings;
     m_changedBeyondHistory = false;
     if (m_journal)
         m_journal->saved(static_cast<std::uint32_t>(index));

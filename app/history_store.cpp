@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <new>
 
 namespace app
 {
@@ -20,12 +21,12 @@ StoredDelta::~StoredDelta()
     drop();
 }
 
-const core::MeshDelta* StoredDelta::swap(core::Sculptor& sculptor)
+std::shared_ptr<core::MeshDelta> StoredDelta::swap(core::Sculptor& sculptor)
 {
     if (!m_delta && !load())
         return nullptr;
     sculptor.swap(*m_delta);
-    return m_delta.get();
+    return m_delta;
 }
 
 bool StoredDelta::spill(const QString& folder)
@@ -60,6 +61,19 @@ bool StoredDelta::load()
     QFile::remove(QFile::decodeName(m_file.c_str()));
     m_file.clear();
     return true;
+}
+
+std::optional<core::MeshDelta> StoredDelta::copy() const
+{
+    try {
+        if (m_delta)
+            return *m_delta;
+        std::ifstream in(m_file, std::ios::binary);
+        core::MeshDelta delta = core::MeshDelta::read(in);
+        return in ? std::optional(std::move(delta)) : std::nullopt;
+    } catch (const std::bad_alloc&) {
+        return std::nullopt;
+    }
 }
 
 void StoredDelta::drop()
@@ -129,7 +143,7 @@ void HistoryStore::swap(int index)
     m_post([this, delta, index, meshSide = m_meshSide, journal = m_journal](core::Sculptor& sculptor) {
         if (meshSide->broken)
             return;
-        const core::MeshDelta* swapped = delta->swap(sculptor);
+        const std::shared_ptr<const core::MeshDelta> swapped = delta->swap(sculptor);
         meshSide->broken = !swapped;
         if (swapped && journal)
             journal->swapped(sculptor.mesh(), *swapped, static_cast<std::uint32_t>(index));

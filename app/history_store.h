@@ -26,10 +26,12 @@ public:
     ~StoredDelta();
 
     /// Undoes it, or does it again. Null if its file cannot be read; the mesh is untouched then.
-    const core::MeshDelta* swap(core::Sculptor& sculptor);
+    std::shared_ptr<core::MeshDelta> swap(core::Sculptor& sculptor);
     /// Moves it from memory into a file of that folder. False if that is impossible; it stays in memory then.
     bool spill(const QString& folder);
     void drop();
+    /// Nothing if its file cannot be read, or there is not enough memory.
+    std::optional<core::MeshDelta> copy() const;
     std::size_t bytesInMemory() const;
 
 private:
@@ -63,6 +65,8 @@ public:
     void add(int index, std::shared_ptr<core::MeshDelta> delta);
     /// Undoes or redoes the change at `index`; where none is kept nothing happens.
     void swap(int index);
+    /// The change at `index`, which has not expired; it outlives its place here.
+    std::shared_ptr<StoredDelta> at(int index) const { return m_entries.at(static_cast<std::size_t>(index)).delta; }
     /// Hears of each of them, on the mesh thread. May be null.
     void setJournal(std::shared_ptr<core::Journal> journal);
     /// Begins with these, of which so many are done; those that are null cannot be gone past.

@@ -119,7 +119,7 @@ void printHead(const core::LessonStep& step, std::size_t index, const LessonOpti
 void draw(const core::TriangleMesh& mesh, const QString& path)
 {
     const core::ModelPicture picture = core::drawPicture(mesh, pictureSide, {}).value();
-    const QImage image(picture.rgba.data()->data(), picture.pixels, picture.pixels, QImage::Format_RGBA8888_Premultiplied);
+    const QImage image(picture.rgba.data()->data(), picture.width, picture.height, QImage::Format_RGBA8888_Premultiplied);
     if (!image.save(path))
         CommandLine::fail(LessonCommandWords::tr("%1: this picture cannot be written.").arg(path));
 }

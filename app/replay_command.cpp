@@ -2,12 +2,15 @@
 // order: judge all input (what stands after a command, when the model is as that leaves it), sculpt, write. Nothing is written when anything is wrong.
 #include "command_line.h"
 #include "model_loader.h"
+#include "model_trial.h"
 #include "model_words.h"
 #include "process_usage.h"
 #include "replay_stats.h"
 #include "stroke_shapes.h"
 #include "stroke_words.h"
+#include "time_lapse.h"
 
+#include "core/face_geometry.h"
 #include "core/mesh_build.h"
 #include "core/mesh_check.h"
 #include "core/mesh_io.h"
@@ -26,6 +29,7 @@ namespace app
 namespace
 {
 constexpr double paperRadius = 1;
+constexpr int frameWidth = 1280, frameHeight = 720;
 
 class ReplayWords
 {
@@ -38,6 +42,8 @@ enum class Verify { Local, Full, None };
 struct ReplayOptions
 {
     QString strokes, in, out, stats;
+    QString frames; ///< a folder; empty: no pictures
+    int every = 1;
     Verify verify = Verify::Local;
 };
 
@@ -52,6 +58,15 @@ Verify verifyNamed(const QString& word)
     return Verify::Local;
 }
 
+int everyNamed(const QString& word)
+{
+    bool isNumber = true;
+    const int every = word.isEmpty() ? 1 : word.toInt(&isNumber);
+    if (!isNumber || every < 1)
+        CommandLine::fail(ReplayWords::tr("replay: --every is a whole number from 1 on, not %1.").arg(word));
+    return every;
+}
+
 std::optional<ReplayOptions> parseOptions(const QStringList& arguments)
 {
     QCommandLineParser parser;
@@ -60,6 +75,8 @@ std::optional<ReplayOptions> parseOptions(const QStringList& arguments)
                        {QStringLiteral("in"), ReplayWords::tr("The model; without it, a sphere of 2562 vertices, radius 1."), QStringLiteral("FILE")},
                        {QStringLiteral("out"), ReplayWords::tr("Where the sculpted model goes."), QStringLiteral("FILE")},
                        {QStringLiteral("stats"), ReplayWords::tr("Where cost and outcome of each dab go, JSON."), QStringLiteral("T.json")},
+                       {QStringLiteral("frames"), ReplayWords::tr("A folder for pictures of the model, PNG, at the start and after each stroke."), QStringLiteral("FOLDER")},
+                       {QStringLiteral("every"), ReplayWords::tr("Strokes from one picture to the next."), QStringLiteral("N")},
                        {QStringLiteral("verify"),
                         ReplayWords::tr("local: what changed (as in the window); full: the whole mesh after each dab as well; none: for measurements, excludes --out."),
                         QStringLiteral("local|full|none"), QStringLiteral("local")}});
@@ -67,11 +84,14 @@ std::optional<ReplayOptions> parseOptions(const QStringList& arguments)
         return std::nullopt;
     ReplayOptions options{parser.value(QStringLiteral("strokes")), parser.value(QStringLiteral("in")),
                           parser.value(QStringLiteral("out")), parser.value(QStringLiteral("stats")),
+                          parser.value(QStringLiteral("frames")), everyNamed(parser.value(QStringLiteral("every"))),
                           verifyNamed(parser.value(QStringLiteral("verify")))};
     if (!parser.positionalArguments().isEmpty())
         CommandLine::fail(ReplayWords::tr("replay: %1 is no option; the model is given with --in.").arg(parser.positionalArguments().first()));
     if (options.strokes.isEmpty())
         CommandLine::fail(ReplayWords::tr("replay: --strokes is missing."));
+    if (options.frames.isEmpty() && parser.isSet(QStringLiteral("every")))
+        CommandLine::fail(ReplayWords::tr("replay: --every says how many strokes there are to a picture, and needs --frames."));
     if (options.verify == Verify::None && parser.isSet(QStringLiteral("out")))
         CommandLine::fail(ReplayWords::tr("replay: --verify none and --out exclude each other: what is not verified is not kept."));
     return options;
@@ -137,14 +157,14 @@ void requireWhole(const core::Sculptor& sculptor, std::size_t dab)
         throw CommandFailure{ReplayWords::tr("replay: the mesh is not in order in dab %1.").arg(dab), AnswerIsNo};
 }
 
-void play(core::Sculptor& sculptor, const core::Stroke& stroke, double& dabStart)
+core::MeshDelta play(core::Sculptor& sculptor, const core::Stroke& stroke, double& dabStart)
 {
     sculptor.beginStroke(stroke.settings);
     for (const core::StrokeSample& sample : stroke.samples) {
         dabStart = threadCpuMs();
         sculptor.addSample(sample);
     }
-    sculptor.endStroke();
+    return sculptor.endStroke();
 }
 
 /// What a reset goes back to is the model as it came.
@@ -158,18 +178,30 @@ void setStart(Entries& entries, const std::shared_ptr<const core::Snapshot>& sta
 }
 
 /// As the Model menu does it. `index`: of the entry.
-void play(core::Sculptor& sculptor, const core::FileCommand& entry, std::size_t index)
+core::MeshDelta play(core::Sculptor& sculptor, const core::FileCommand& entry, std::size_t index)
 {
     core::ModelChange change = core::tryOn(sculptor.mesh(), entry.command);
     if (change.refusal != core::ModelRefusal::None)
         throw CommandFailure{ReplayWords::tr("replay: strokes[%1]: %2").arg(index)
                                  .arg(ModelWords::refusal(change, QFile::decodeName(entry.file.c_str()))), AnswerIsNo};
     sculptor.swap(change.delta);
+    return std::move(change.delta);
 }
 
-std::vector<ReplayedDab> play(core::Sculptor& sculptor, const Entries& entries, const ReplayOptions& options)
+struct Replayed
 {
     std::vector<ReplayedDab> dabs;
+    std::vector<core::MeshDelta> changes; ///< of what changed anything, back to before; only for frames
+};
+
+Replayed play(core::Sculptor& sculptor, const Entries& entries, const ReplayOptions& options)
+{
+    Replayed replayed;
+    std::vector<ReplayedDab>& dabs = replayed.dabs;
+    const auto keep = [&](core::MeshDelta change) {
+        if (!options.frames.isEmpty() && !change.empty())
+            replayed.changes.push_back(std::move(change));
+    };
     double dabStart = 0;
     sculptor.setVerification(options.verify != Verify::None);
     if (options.verify == Verify::Full)
@@ -183,15 +215,25 @@ std::vector<ReplayedDab> play(core::Sculptor& sculptor, const Entries& entries, 
     checkAgainst(sculptor.mesh().lattice(), entries, 0, options.strokes);
     for (std::size_t i = 0; i < entries.size(); ++i) {
         if (const auto* stroke = std::get_if<core::Stroke>(&entries[i])) {
-            play(sculptor, *stroke, dabStart);
+            keep(play(sculptor, *stroke, dabStart));
             continue;
         }
-        play(sculptor, std::get<core::FileCommand>(entries[i]), i);
+        keep(play(sculptor, std::get<core::FileCommand>(entries[i]), i));
         checkAgainst(sculptor.mesh().lattice(), entries, i + 1, options.strokes);
     }
     sculptor.setBetweenSubsteps({});
     sculptor.setAfterDab({});
-    return dabs;
+    return replayed;
+}
+
+/// As large as the model is at its start or at its end, so that all is in one view.
+void writeFrames(const ReplayOptions& options, const core::Mesh& mesh, std::vector<core::MeshDelta>& changes, const core::Box& box)
+{
+    const ModelPast past{ModelTrial::copyOf(mesh), 0, static_cast<int>(changes.size()),
+                         [&changes](int index) { return std::optional(std::move(changes[static_cast<std::size_t>(index)])); }};
+    const TimeLapseOutcome outcome = TimeLapse::run({options.frames, options.every, core::viewOf(box, frameWidth, frameHeight)}, past, {});
+    if (!outcome.problem.isEmpty())
+        CommandLine::fail(outcome.problem);
 }
 
 void run(const ReplayOptions& options, Entries& entries)
@@ -204,21 +246,29 @@ void run(const ReplayOptions& options, Entries& entries)
         stats.emplace(toPath(options.stats));
     if (!options.out.isEmpty())
         core::AtomicFile trial(toPath(options.out));
+    if (!options.frames.isEmpty()) {
+        const QString obstacle = TimeLapse::obstacle(options.frames, TimeLapse::frameNames(0, static_cast<int>(entries.size()), options.every));
+        if (!obstacle.isEmpty())
+            CommandLine::fail(obstacle);
+    }
 
     const LoadedModel model =
         options.in.isEmpty() ? ModelLoader::sphere(paperRadius) : ModelLoader::loadInPlace(options.in);
     if (!model.sculptor)
         CommandLine::fail(model.problem);
     setStart(entries, model.start);
-    const std::vector<ReplayedDab> dabs = play(*model.sculptor, entries, options);
+    core::Box box = options.frames.isEmpty() ? core::Box() : core::boxOf(core::extractMesh(model.sculptor->mesh()));
+    Replayed replayed = play(*model.sculptor, entries, options);
 
     const core::TriangleMesh mesh = core::extractMesh(model.sculptor->mesh());
     if (stats)
-        writeReplayStats(*stats, dabs, *model.sculptor, mesh);
+        writeReplayStats(*stats, replayed.dabs, *model.sculptor, mesh);
     if (!options.out.isEmpty())
         core::writeMesh(toPath(options.out), mesh);
     if (stats)
         stats->commit();
+    if (!options.frames.isEmpty())
+        writeFrames(options, model.sculptor->mesh(), replayed.changes, box.extend(core::boxOf(mesh)));
 }
 } // namespace
 

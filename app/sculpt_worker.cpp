@@ -227,6 +227,8 @@ bool SculptWorker::isFlushDue() const
 
 bool SculptWorker::flushPatch()
 {
+    if (m_isQuiet)
+        return false;
     m_flushedNs = steadyNs();
     core::MeshPatch patch = m_sculptor->takePatch();
     if (patch.empty())

@@ -44,7 +44,17 @@ struct StrokeReport
     bool hasModel = false;   ///< the brush
     bool asymmetric = false; ///< mirrored where the model is not symmetric: some dabs were done as two
     bool apart = false;      ///< radial where the model is not its own image by the turn, or over the axis: some dabs were done one after the other
+    bool isAgain = false;    ///< of redoStroke()
     MeshFacts facts;
+};
+
+/// Another stroke in the place of one that was undone.
+struct StrokeAgain
+{
+    StrokeReport before; ///< of the one that was undone
+    std::function<std::shared_ptr<core::MeshDelta>(core::Sculptor&)> giveBack; ///< does its change again; mesh thread
+    std::shared_ptr<const core::Stroke> stroke; ///< null: the one that was undone comes back, bit for bit
+    std::stop_token stop;                       ///< the same, if this is not done yet
 };
 
 struct WorkerStats
@@ -83,6 +93,10 @@ public:
     /// the surface it is refused as too close. As beginStroke().
     bool addSphere(Source source, const core::StrokeSettings& settings, const core::StrokeSample& sample);
     bool strokeOpen() const;
+    /// Viewers see nothing of what follows until the next redoStroke() is done.
+    void hidePatches();
+    /// Only while it is held: none of its samples is dropped, and it is reported as any stroke.
+    void redoStroke(const StrokeAgain& again);
     /// From now on strokes are refused: the mesh stays as it is but for jobs. False if a stroke is open.
     bool hold();
     void release();
@@ -129,6 +143,10 @@ private:
     bool touches(const core::StrokeSample& sample) const;
     void decide(const core::StrokeSample& first);
     core::Shortfall apply(const core::StrokeSample& sample);
+    bool isOver(const core::StrokeSample& sample);
+    bool doAgain(const StrokeAgain& again);
+    void giveBack(const StrokeAgain& again);
+    void report();
     void run(BeginStroke& job);
     void run(Sample& job);
     void run(EndStroke& job);
@@ -159,6 +177,7 @@ private:
     StrokeReport m_report;
     quint64 m_fusionsBefore = 0; ///< the stroke
     BeginStroke m_stroke;        ///< in work
+    bool m_isQuiet = false; ///< hidePatches()
     /// What its samples do. Undecided: a pull or a sphere, says the first.
     enum class Course { Open, Undecided, Over } m_course = Course::Open;
     std::shared_ptr<core::Journal> m_journal;

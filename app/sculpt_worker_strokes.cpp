@@ -89,14 +89,22 @@ void SculptWorker::decide(const core::StrokeSample& first)
     m_sculptor->beginStroke(m_stroke.settings);
 }
 
-void SculptWorker::run(Sample& job)
+/// Whether the stroke, with this sample, has nothing more to do.
+bool SculptWorker::isOver(const core::StrokeSample& sample)
 {
     if (m_sculptor && m_course == Course::Undecided)
-        decide(job.sample);
+        decide(sample);
     if (!m_sculptor || m_course == Course::Over)
-        return;
+        return true;
     if (mayAdd(m_stroke.settings)) // a hand that pulls faster than the clay follows leaves no row of balls
         m_course = Course::Over;
+    return false;
+}
+
+void SculptWorker::run(Sample& job)
+{
+    if (isOver(job.sample))
+        return;
     m_sampledNs = job.postedNs;
     const std::uint64_t before = meetingsOf(*m_sculptor);
     const core::Shortfall shortfall = apply(job.sample);
@@ -131,12 +139,19 @@ void SculptWorker::run(EndStroke&)
 {
     if (m_sculptor) {
         auto delta = std::make_shared<core::MeshDelta>(m_sculptor->strokeOpen() ? m_sculptor->endStroke() : core::MeshDelta());
-        flushPatch();
         if (!delta->empty()) {
             m_report.delta = std::move(delta);
             m_report.stroke = std::make_shared<const core::Stroke>(core::Stroke{m_stroke.settings, std::exchange(m_samples, {}), {}, {}});
         }
         m_report.fusions = m_sculptor->totals().fusions - m_fusionsBefore;
+    }
+    report();
+}
+
+void SculptWorker::report()
+{
+    if (m_sculptor) {
+        flushPatch();
         m_report.facts = facts();
         if (m_journal && m_report.delta)
             record(*m_report.delta);

@@ -10,6 +10,7 @@
 #include "headset_inquiry.h"
 #include "headset_wearer.h"
 #include "history_list.h"
+#include "history_scrubber.h"
 #include "journal_shelf.h"
 #include "lesson_desk.h"
 #include "model_inquiry.h"
@@ -17,6 +18,8 @@
 #include "print_inquiry.h"
 #include "report_desk.h"
 #include "sculpt_worker.h"
+#include "stroke_edit.h"
+#include "time_lapse_desk.h"
 
 #include "ui/color_panel.h"
 #include "ui/history_panel.h"
@@ -157,6 +160,7 @@ void wireHistoryPanel(ui::MainWindow& window, Document& document)
     };
     setCap(panel->cap());
     QObject::connect(panel, &HistoryPanel::jumpRequested, &document, &Document::goTo);
+    QObject::connect(panel, &HistoryPanel::stateWanted, new HistoryScrubber(&document), &HistoryScrubber::want);
     QObject::connect(panel, &HistoryPanel::capChanged, panel, setCap);
     QObject::connect(panel, &HistoryPanel::shown, panel, show);
     QObject::connect(&document, &Document::historyChanged, panel, show);
@@ -348,10 +352,12 @@ void wire(ui::MainWindow& window, Document& document, SculptWorker& worker, cons
     wireModelPanel(window, document, worker);
     wirePrintPanel(window, document, worker);
     new LessonDesk(window, document, worker); // before the strokes: the teacher's ends where the hand's begins
+    new StrokeEdit(window, document); // the same: what is wanted of the last stroke comes before the next
     wireStrokes(*window.viewport(), document);
     wireWorker(*window.viewport(), worker, inbox);
     wireDrawings(window, worker);
     wireReports(window, document);
+    new TimeLapseDesk(window, document);
     wireClassFiles(window);
 }
 

@@ -137,11 +137,12 @@ void DepthImage::drawFaces(const DrawArrays& model, std::span<const std::uint8_t
 /// At the pixels' centres. Row by row between the edges' crossings, so that a sliver costs its pixels and not its box.
 void DepthImage::drawFace(Slot f, const Vec3f& a, const Vec3f& b, const Vec3f& c)
 {
-    const auto [lowY, highY] = std::minmax({a.y(), b.y(), c.y()});
+    const auto inGrid = [](float at, int pixels) { return std::clamp(at, 0.0F, static_cast<float>(pixels)); };
+    const float lowY = inGrid(std::min({a.y(), b.y(), c.y()}), m_height), highY = inGrid(std::max({a.y(), b.y(), c.y()}), m_height);
     const int bottom = firstCentre(lowY), top = lastCentre(highY);
     if (bottom > top)
         return;
-    const auto [lowX, highX] = std::minmax({a.x(), b.x(), c.x()});
+    const float lowX = inGrid(std::min({a.x(), b.x(), c.x()}), m_width), highX = inGrid(std::max({a.x(), b.x(), c.x()}), m_width);
     const int left = firstCentre(lowX), right = lastCentre(highX);
     if (left > right || !isStale({left / tilePixels, bottom / tilePixels, right / tilePixels, top / tilePixels}))
         return;
@@ -155,7 +156,7 @@ void DepthImage::drawFace(Slot f, const Vec3f& a, const Vec3f& b, const Vec3f& c
     const std::array<const Vec3f*, 3> corners{&a, &b, &c};
     for (int y = bottom; y <= top; ++y) {
         const float row = static_cast<float>(y) + 0.5F;
-        float from = highX, to = lowX;
+        float from = std::numeric_limits<float>::infinity(), to = -from;
         for (std::size_t i = 0; i < 3; ++i) {
             const Vec3f *lower = corners[i], *upper = corners[(i + 1) % 3];
             if (lower->y() > upper->y()) // the same sum for both faces at the edge, so that no pixel falls between them
@@ -167,7 +168,7 @@ void DepthImage::drawFace(Slot f, const Vec3f& a, const Vec3f& b, const Vec3f& c
             from = std::min(from, x);
             to = std::max(to, x);
         }
-        const int first = std::max(left, firstCentre(from)), last = std::min(right, lastCentre(to));
+        const int first = std::max(left, firstCentre(std::clamp(from, lowX, highX))), last = std::min(right, lastCentre(std::clamp(to, lowX, highX)));
         for (int x = first; x <= last; ++x) {
             const float z = a.z() + slopeX * (static_cast<float>(x) + 0.5F - a.x()) + slopeY * (row - a.y());
             const std::size_t i = index(x, y);

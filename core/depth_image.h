@@ -19,7 +19,7 @@ public:
     /// What stands where this face is, is to be drawn anew. Cost: the tiles under its box.
     void expire(const DrawArrays& model, Slot face);
 
-    /// Draws the faces that look to the eye into the expired tiles; false if it was stopped. `facing`: as DrawingScan has it.
+    /// Draws the faces that look to the eye into the expired tiles, as far as they lie on the grid; false if it was stopped. `facing`: as DrawingScan has it.
     /// `blocks`: around each `facesABlock` faces, so that others need not be looked at; or none.
     bool draw(const DrawArrays& model, std::span<const std::uint8_t> facing, std::span<const Box> blocks, const std::stop_token& stop);
 

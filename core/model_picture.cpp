@@ -7,12 +7,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace core
 {
 namespace
 {
-constexpr int samples = 3; ///< a pixel's, each way
+constexpr int samples = 3;     ///< a pixel's, each way
+constexpr int viewSamples = 2; ///< the same, of pictures that may be large
+constexpr double roomAround = 1.05;
 constexpr int border = 2;  ///< samples left free at each side, beside those of the depth image itself
 constexpr std::size_t elementsAStep = 1 << 13;
 
@@ -30,56 +33,97 @@ Eigen::Matrix3d turn()
     return rows;
 }
 
+/// From the document to the picture: lengths so that float32 holds them well.
+struct PicturePlace
+{
+    Eigen::Matrix3d turn; ///< and scale
+    Vec3 target;          ///< in the picture's middle
+    double distance;      ///< of the eye, after the scale; 0: infinite
+};
+
+constexpr double nearest = 0.01; ///< of the eye's distance from the target: what is nearer is not seen
+
 class PicturePainter
 {
 public:
-    PicturePainter(const TriangleMesh& mesh, const std::stop_token& stop) : m_mesh(mesh), m_stop(stop) {}
+    PicturePainter(const TriangleMesh& mesh, int fineness, const std::stop_token& stop) : m_mesh(mesh), m_samples(fineness), m_stop(stop) {}
 
     std::optional<ModelPicture> paint(int pixels)
     {
-        ModelPicture picture{pixels, {}};
-        picture.rgba.resize(static_cast<std::size_t>(pixels) * static_cast<std::size_t>(pixels));
-        if (!place() || !faceTheEye())
+        const Box box = boxOfFaces();
+        const double size = box.isEmpty() ? 0 : box.sizes().maxCoeff();
+        if (!place({turn() / (size > 0 ? size : 1), box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.center()), 0}) || !faceTheEye())
             return std::nullopt;
         const float extent = m_box.isEmpty() ? 0 : m_box.sizes().maxCoeff();
         if (!(extent > 0))
-            return picture;
-        const int room = samples * pixels - 2 * border - 5; // what the depth image puts around the box
-        DepthImage image(DrawnSide::Front, m_box, extent / static_cast<float>(room));
-        if (!image.draw(m_model, std::vector<std::uint8_t>(m_model.faces.size(), 1), {}, m_stop))
+            return emptyPicture(pixels, pixels);
+        const int room = m_samples * pixels - 2 * border - 5; // what the depth image puts around the box
+        return draw(m_box, extent / static_cast<float>(room), emptyPicture(pixels, pixels));
+    }
+
+    /// In lengths of the picture's height.
+    std::optional<ModelPicture> paint(const PictureView& view)
+    {
+        if (!place({view.axes / view.extent, view.target, view.distance / view.extent}) || !faceTheEye())
             return std::nullopt;
-        if (!light(image, picture))
-            return std::nullopt;
-        return picture;
+        const Vec2f corner(0.5F * static_cast<float>(view.width) / static_cast<float>(view.height), 0.5F);
+        return draw({-corner, corner}, 1 / static_cast<float>(m_samples * view.height), emptyPicture(view.width, view.height));
     }
 
 private:
     using Sum = std::array<std::uint16_t, 4>;
 
+    static ModelPicture emptyPicture(int width, int height)
+    {
+        ModelPicture picture{width, height, {}};
+        picture.rgba.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+        return picture;
+    }
+
     bool stopsAt(std::size_t i) const { return i % elementsAStep == 0 && m_stop.stop_requested(); }
 
-    /// Turned, and so large that float32 holds it well: the box of what faces use becomes about 1.
-    bool place()
+    Box boxOfFaces() const
     {
         Box box;
-        for (std::size_t f = 0; f < m_mesh.triangles.size(); ++f) {
-            if (stopsAt(f))
-                return false;
+        for (std::size_t f = 0; f < m_mesh.triangles.size() && !stopsAt(f); ++f)
             for (const Slot corner : m_mesh.triangles[f])
                 box.extend(m_mesh.points[corner].cast<double>());
-        }
-        const double size = box.isEmpty() ? 0 : box.sizes().maxCoeff();
-        const Eigen::Matrix3d toPicture = turn() / (size > 0 ? size : 1);
-        const Vec3 centre = box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.center());
+        return box;
+    }
+
+    std::optional<ModelPicture> draw(const Eigen::AlignedBox2f& box, float pixel, ModelPicture picture) const
+    {
+        DepthImage image(DrawnSide::Front, box, pixel);
+        if (!image.draw(m_model, std::vector<std::uint8_t>(m_model.faces.size(), 1), {}, m_stop) || !light(image, picture))
+            return std::nullopt;
+        return picture;
+    }
+
+    bool place(const PicturePlace& where)
+    {
         m_model.vertices.reserve(m_mesh.points.size());
+        m_shape.reserve(m_mesh.points.size());
         for (std::size_t i = 0; i < m_mesh.points.size(); ++i) {
             if (stopsAt(i))
                 return false;
             const Rgb color = m_mesh.colors.empty() ? clay : m_mesh.colors[i];
-            const Vec3 placed = toPicture * (m_mesh.points[i].cast<double>() - centre);
-            m_model.vertices.push_back({placed.cast<float>(), {}, {color.r, color.g, color.b, 255}});
+            const Vec3 placed = where.turn * (m_mesh.points[i].cast<double>() - where.target);
+            m_shape.push_back(placed.cast<float>());
+            m_model.vertices.push_back({seenFrom(where.distance, placed).cast<float>(), {}, {color.r, color.g, color.b, 255}});
         }
         return true;
+    }
+
+    /// The third says how near; planes stay planes. What is not seen is no number.
+    static Vec3 seenFrom(double distance, const Vec3& placed)
+    {
+        if (distance == 0)
+            return placed;
+        const double away = distance - placed.z();
+        if (away < nearest * distance)
+            return Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+        const double larger = distance / away;
+        return {larger * placed.x(), larger * placed.y(), distance * larger};
     }
 
     /// Faces that look away are turned round, normals and all: a picture has no inside.
@@ -91,19 +135,23 @@ private:
             if (stopsAt(f))
                 return false;
             Triangle t = m_mesh.triangles[f];
-            for (const Slot corner : t) {
+            for (const Slot corner : t)
                 m_normals[corner] += areaOf(t);
-                m_box.extend(Vec2f(at(corner).head<2>()));
-            }
-            if (areaOf(t).z() < 0)
+            const Vec2f a = at(t[0]), ab = at(t[1]) - a, ac = at(t[2]) - a;
+            const float area = ab.x() * ac.y() - ab.y() * ac.x();
+            if (std::isnan(area))
+                continue;
+            for (const Slot corner : t)
+                m_box.extend(at(corner));
+            if (area < 0)
                 std::swap(t[1], t[2]);
             m_model.faces.push_back(t);
         }
         return true;
     }
 
-    const Vec3f& at(Slot corner) const { return m_model.vertices[corner].position; }
-    Vec3f areaOf(const Triangle& t) const { return (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])); }
+    Vec2f at(Slot corner) const { return m_model.vertices[corner].position.head<2>(); }
+    Vec3f areaOf(const Triangle& t) const { return (m_shape[t[1]] - m_shape[t[0]]).cross(m_shape[t[2]] - m_shape[t[0]]); }
 
     Sum lit(const DepthImage::Seen& seen) const
     {
@@ -132,20 +180,21 @@ private:
         return turned < 0 ? Vec3f(-mean) : mean;
     }
 
-    /// The image stands in the picture's middle; its rows go up, the picture's down.
+    /// The image stands in the picture's middle, and may be a little larger; its rows go up, the picture's down.
     bool light(const DepthImage& image, ModelPicture& picture) const
     {
         std::vector<Sum> sums(picture.rgba.size());
-        const int left = (samples * picture.pixels - image.width()) / 2, bottom = (samples * picture.pixels - image.height()) / 2;
-        for (int y = 0; y < image.height(); ++y) {
+        const int width = m_samples * picture.width, height = m_samples * picture.height;
+        const int left = (width - image.width()) / 2, bottom = (height - image.height()) / 2;
+        for (int y = std::max(0, -bottom); y < std::min(image.height(), height - bottom); ++y) {
             if (m_stop.stop_requested())
                 return false;
-            const int row = picture.pixels - 1 - (bottom + y) / samples;
-            for (int x = 0; x < image.width(); ++x)
+            const int row = picture.height - 1 - (bottom + y) / m_samples;
+            for (int x = std::max(0, -left); x < std::min(image.width(), width - left); ++x)
                 if (const DepthImage::Seen seen = image.seen(m_model, x, y); seen.face != noSlot)
-                    add(sums[static_cast<std::size_t>(row * picture.pixels + (left + x) / samples)], lit(seen));
+                    add(sums[static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>((left + x) / m_samples)], lit(seen));
         }
-        std::transform(sums.begin(), sums.end(), picture.rgba.begin(), mean);
+        std::transform(sums.begin(), sums.end(), picture.rgba.begin(), [this](const Sum& sum) { return mean(sum); });
         return true;
     }
 
@@ -155,17 +204,19 @@ private:
             sum[i] = static_cast<std::uint16_t>(sum[i] + sample[i]);
     }
 
-    static std::array<std::uint8_t, 4> mean(const Sum& sum)
+    std::array<std::uint8_t, 4> mean(const Sum& sum) const
     {
         std::array<std::uint8_t, 4> result{};
         for (std::size_t i = 0; i < sum.size(); ++i)
-            result[i] = static_cast<std::uint8_t>(sum[i] / (samples * samples));
+            result[i] = static_cast<std::uint8_t>(sum[i] / (m_samples * m_samples));
         return result;
     }
 
     const TriangleMesh& m_mesh;
+    int m_samples; ///< a pixel's, each way
     const std::stop_token& m_stop;
-    DrawArrays m_model; ///< in the picture: to the right, up, to the eye
+    DrawArrays m_model;         ///< in the picture: to the right, up, how near
+    std::vector<Vec3f> m_shape; ///< of its vertices, turned to the eye: to the right, up, to the eye
     std::vector<Vec3f> m_normals;
     Eigen::AlignedBox2f m_box; ///< of the faces
 };
@@ -173,6 +224,22 @@ private:
 
 std::optional<ModelPicture> drawPicture(const TriangleMesh& mesh, int pixels, const std::stop_token& stop)
 {
-    return PicturePainter(mesh, stop).paint(pixels);
+    return PicturePainter(mesh, samples, stop).paint(pixels);
+}
+
+std::optional<ModelPicture> drawPicture(const TriangleMesh& mesh, const PictureView& view, const std::stop_token& stop)
+{
+    return PicturePainter(mesh, viewSamples, stop).paint(view);
+}
+
+PictureView viewOf(const Box& box, int width, int height)
+{
+    PictureView view{turn(), box.center(), 0, 0, width, height};
+    Box seen;
+    for (int corner = 0; corner < 8; ++corner)
+        seen.extend(Vec3(view.axes * (box.corner(static_cast<Box::CornerType>(corner)) - view.target)));
+    const double aspect = static_cast<double>(width) / height;
+    view.extent = std::max(seen.sizes().y(), seen.sizes().x() / aspect) * roomAround;
+    return view;
 }
 } // namespace core

@@ -19,6 +19,7 @@ set(FETTLE_RESOURCE_FILES
     icons/dimensions.svg
     icons/drawing.svg
     icons/duplicate.svg
+    icons/edit-stroke.svg
     icons/export.svg
     icons/export-for.svg
     icons/farther.svg
@@ -74,9 +75,11 @@ set(FETTLE_RESOURCE_FILES
     icons/paint.svg
     icons/panel-close.svg
     icons/panel-float.svg
+    icons/pause.svg
     icons/pick.svg
     icons/pinch.svg
     icons/place-on-bed.svg
+    icons/play.svg
     icons/plus.svg
     icons/preferences.svg
     icons/previous.svg
@@ -120,6 +123,7 @@ set(FETTLE_RESOURCE_FILES
     icons/strength.svg
     icons/swap.svg
     icons/symmetrize.svg
+    icons/time-lapse.svg
     icons/trash.svg
     icons/turn-down.svg
     icons/turn-left.svg

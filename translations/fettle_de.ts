@@ -260,6 +260,54 @@
         <source>Fettle sculpts closed models that stay ready to print.
 
   fettle [--vr] [FILE]             open the window, with a model or with a ball of clay; --vr enters VR with it
+  fettle [--vr] --classroom CLASS.ini
+                                   begin a class in turns, as its teacher set it up (Edit &gt; Classroom)
+  fettle check FILE... [--unit mm|cm|m|in] [--print] [--json] [--csv]
+                                   say whether models are in order; several files or a folder: a table
+  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]
+                                   write a model in another format or size, mended, or with fewer triangles
+  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--frames FOLDER] [--verify local|full|none]
+                                   play recorded strokes on a model
+  fettle report FOLDER -o OUT.html|OUT.pdf [--unit mm|cm|m|in]
+                                   a class report: picture, size, print-ready or why not, strokes and time of each model
+  fettle sheet FILE... -o OUT.pdf [--unit mm|cm|m|in] [--shaded]
+                                   drawings of models or folders to scale, a page each
+  fettle lesson [LESSON] [--model FILE] [--step N] [--pack OUT.zip] [--unpack FOLDER] [--pictures FOLDER] [--out FILE]
+                                   check a lesson by playing it to its end, or a pupil&apos;s model by one of its steps
+  fettle help COMMAND              the options of one of them
+  fettle --version
+
+Formats: %1. Lengths are in millimetres.
+Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standard error).
+</source>
+        <translation>Fettle formt geschlossene Modelle, die druckfertig bleiben.
+
+  fettle [--vr] [FILE]             das Fenster öffnen, mit einem Modell oder einer Tonkugel; --vr betritt damit VR
+  fettle [--vr] --classroom CLASS.ini
+                                   eine Klasse beginnen, wie ihre Lehrkraft sie eingerichtet hat (Bearbeiten &gt; Klassenraum)
+  fettle check FILE... [--unit mm|cm|m|in] [--print] [--json] [--csv]
+                                   sagen, ob Modelle in Ordnung sind; mehrere Dateien oder ein Ordner: eine Tabelle
+  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]
+                                   ein Modell in anderem Format oder anderer Größe schreiben, repariert oder mit weniger Dreiecken
+  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--frames FOLDER] [--verify local|full|none]
+                                   aufgezeichnete Striche auf einem Modell abspielen
+  fettle report FOLDER -o OUT.html|OUT.pdf [--unit mm|cm|m|in]
+                                   ein Klassenbericht: von jedem Modell Bild, Größe, druckfertig oder warum nicht, Striche und Zeit
+  fettle sheet FILE... -o OUT.pdf [--unit mm|cm|m|in] [--shaded]
+                                   maßstäbliche Zeichnungen von Modellen oder Ordnern, je eine Seite
+  fettle lesson [LESSON] [--model FILE] [--step N] [--pack OUT.zip] [--unpack FOLDER] [--pictures FOLDER] [--out FILE]
+                                   eine Lektion prüfen, indem sie bis zum Ende gespielt wird, oder das Modell eines Schülers nach einem ihrer Schritte
+  fettle help COMMAND              die Optionen eines dieser Befehle
+  fettle --version
+
+Formate: %1. Längen in Millimetern.
+Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mit einer Zeile auf der Standardfehlerausgabe).
+</translation>
+    </message>
+    <message>
+        <source>Fettle sculpts closed models that stay ready to print.
+
+  fettle [--vr] [FILE]             open the window, with a model or with a ball of clay; --vr enters VR with it
   fettle --vr-simulator [FILE]     the same without a headset: a window shows what it would, mouse and keys are head and wands
   fettle [--vr] --classroom CLASS.ini
                                    begin a class in turns, as its teacher set it up (Edit &gt; Classroom)
@@ -1213,6 +1261,22 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>replay: strokes[%1]: %2</source>
         <translation>replay: strokes[%1]: %2</translation>
     </message>
+    <message>
+        <source>A folder for pictures of the model, PNG, at the start and after each stroke.</source>
+        <translation>Ein Ordner für Bilder des Modells, PNG, am Anfang und nach jedem Strich.</translation>
+    </message>
+    <message>
+        <source>Strokes from one picture to the next.</source>
+        <translation>Striche von einem Bild zum nächsten.</translation>
+    </message>
+    <message>
+        <source>replay: --every says how many strokes there are to a picture, and needs --frames.</source>
+        <translation>replay: --every sagt, wie viele Striche auf ein Bild kommen, und braucht --frames.</translation>
+    </message>
+    <message>
+        <source>replay: --every is a whole number from 1 on, not %1.</source>
+        <translation>replay: --every ist eine ganze Zahl ab 1, nicht %1.</translation>
+    </message>
 </context>
 <context>
     <name>app::ReportCommand</name>
@@ -1413,6 +1477,13 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
 </context>
 <context>
+    <name>app::StrokeEdit</name>
+    <message>
+        <source>With this brush it does nothing.</source>
+        <translation>Mit diesem Pinsel bewirkt er nichts.</translation>
+    </message>
+</context>
+<context>
     <name>app::StrokeShapes</name>
     <message>
         <source>%1: %2: %3</source>
@@ -1512,6 +1583,47 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     <message>
         <source>&quot;%1&quot; is out of range, 0 or %2 to %3</source>
         <translation>„%1“ liegt außerhalb des Bereichs, 0 oder %2 bis %3</translation>
+    </message>
+</context>
+<context>
+    <name>app::TimeLapse</name>
+    <message>
+        <source>%1 is no folder, so no pictures can be written there.</source>
+        <translation>%1 ist kein Ordner, also können dort keine Bilder geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>%1 has a %2 already, and nothing was written over it: choose an empty folder.</source>
+        <translation>In %1 gibt es schon %2, und nichts wurde überschrieben: Wählen Sie einen leeren Ordner.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for a time-lapse of this model.</source>
+        <translation>Für einen Zeitraffer dieses Modells reicht der Speicher nicht.</translation>
+    </message>
+    <message>
+        <source>The earlier steps of the model cannot be read any more, so there is no time-lapse of them.</source>
+        <translation>Die früheren Schritte des Modells können nicht mehr gelesen werden, also gibt es keinen Zeitraffer davon.</translation>
+    </message>
+</context>
+<context>
+    <name>app::TimeLapseDesk</name>
+    <message>
+        <source>Drawing the time-lapse</source>
+        <translation>Der Zeitraffer wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>The time-lapse has to wait until this is done; ask for it again then.</source>
+        <translation>Der Zeitraffer muss warten, bis dies fertig ist; wählen Sie ihn dann noch einmal.</translation>
+    </message>
+    <message>
+        <source>The time-lapse was stopped; no picture of it is in %1.</source>
+        <translation>Der Zeitraffer wurde angehalten; kein Bild davon ist in %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %Ln pictures were written.</source>
+        <translation>
+            <numerusform>%1: %Ln Bild wurde geschrieben.</numerusform>
+            <numerusform>%1: %Ln Bilder wurden geschrieben.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2554,6 +2666,22 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Makes the stamp&apos;s model of this model as it is now.</source>
         <translation>Macht dieses Modell, wie es jetzt ist, zum Modell des Stempels.</translation>
+    </message>
+    <message>
+        <source>Edit &amp;Last Stroke…</source>
+        <translation>&amp;Letzten Strich ändern…</translation>
+    </message>
+    <message>
+        <source>Does the last stroke again with another tool, radius or strength.</source>
+        <translation>Führt den letzten Strich mit anderem Werkzeug, Radius oder anderer Stärke noch einmal aus.</translation>
+    </message>
+    <message>
+        <source>Export Time-&amp;Lapse…</source>
+        <translation>&amp;Zeitraffer exportieren…</translation>
+    </message>
+    <message>
+        <source>Draws the model after each of its steps, as numbered PNG pictures for a film.</source>
+        <translation>Zeichnet das Modell nach jedem seiner Schritte, als nummerierte PNG-Bilder für einen Film.</translation>
     </message>
     <message>
         <source>In&amp;vert</source>
@@ -5866,10 +5994,103 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
+    <name>ui::StrokeBar</name>
+    <message>
+        <source>Edit Last Stroke</source>
+        <translation>Letzten Strich ändern</translation>
+    </message>
+    <message>
+        <source>Last stroke:</source>
+        <translation>Letzter Strich:</translation>
+    </message>
+    <message>
+        <source>Tool of the last stroke</source>
+        <translation>Werkzeug des letzten Strichs</translation>
+    </message>
+    <message>
+        <source>Does the stroke again with another tool.</source>
+        <translation>Führt den Strich mit einem anderen Werkzeug noch einmal aus.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>&amp;Behalten</translation>
+    </message>
+    <message>
+        <source>Leaves the stroke as it is now, and hides this bar.</source>
+        <translation>Lässt den Strich, wie er jetzt ist, und blendet diese Leiste aus.</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>Gives the stroke back as it was, and hides this bar.</source>
+        <translation>Gibt den Strich zurück, wie er war, und blendet diese Leiste aus.</translation>
+    </message>
+</context>
+<context>
     <name>ui::ThumbnailMaker</name>
     <message>
         <source>%1: there is not enough memory for its picture.</source>
         <translation>%1: Für das Bild reicht der Speicher nicht.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::TimeLapseDialog</name>
+    <message>
+        <source>Export Time-Lapse</source>
+        <translation>Zeitraffer exportieren</translation>
+    </message>
+    <message>
+        <source>Draws the model after its steps, as it is seen now, into numbered PNG files in a folder that you choose. Sculpting rests meanwhile.</source>
+        <translation>Zeichnet das Modell nach seinen Schritten, so wie es jetzt zu sehen ist, in nummerierte PNG-Dateien in einem Ordner, den Sie wählen. Das Formen ruht so lange.</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 Pixel</translation>
+    </message>
+    <message>
+        <source>&amp;Size:</source>
+        <translation>&amp;Größe:</translation>
+    </message>
+    <message>
+        <source>Steps to a &amp;picture:</source>
+        <translation>&amp;Schritte je Bild:</translation>
+    </message>
+    <message>
+        <source>&amp;Choose Folder…</source>
+        <translation>Ordner &amp;wählen…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln pictures</source>
+        <translation>
+            <numerusform>%Ln Bild</numerusform>
+            <numerusform>%Ln Bilder</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ui::Timeline</name>
+    <message>
+        <source>Timeline</source>
+        <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>Drag to see the model as it was after each step; Left and Right go by one. Sculpting there drops the later steps.</source>
+        <translation>Zum Ziehen: zeigt das Modell, wie es nach jedem Schritt war; Links und Rechts gehen um einen weiter. Wer dort formt, verliert die späteren Schritte.</translation>
+    </message>
+    <message>
+        <source>Play the steps</source>
+        <translation>Schritte abspielen</translation>
+    </message>
+    <message>
+        <source>Plays the steps one after the other, from here or from the first.</source>
+        <translation>Spielt die Schritte nacheinander ab, von hier oder vom ersten an.</translation>
+    </message>
+    <message>
+        <source>%1 of %2: %3</source>
+        <comment>step, steps, its name</comment>
+        <translation>%1 von %2: %3</translation>
     </message>
 </context>
 <context>

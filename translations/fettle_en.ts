@@ -42,6 +42,16 @@
     </message>
 </context>
 <context>
+    <name>app::TimeLapseDesk</name>
+    <message numerus="yes">
+        <source>%1: %Ln pictures were written.</source>
+        <translation>
+            <numerusform>%1: %Ln picture was written.</numerusform>
+            <numerusform>%1: %Ln pictures were written.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ui::ClassBar</name>
     <message numerus="yes">
         <source>%n minutes left</source>
@@ -162,6 +172,16 @@
         <translation>
             <numerusform>%Ln step</numerusform>
             <numerusform>%Ln steps</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ui::TimeLapseDialog</name>
+    <message numerus="yes">
+        <source>%Ln pictures</source>
+        <translation>
+            <numerusform>%Ln picture</numerusform>
+            <numerusform>%Ln pictures</numerusform>
         </translation>
     </message>
 </context>

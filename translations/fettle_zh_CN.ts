@@ -258,6 +258,54 @@
         <source>Fettle sculpts closed models that stay ready to print.
 
   fettle [--vr] [FILE]             open the window, with a model or with a ball of clay; --vr enters VR with it
+  fettle [--vr] --classroom CLASS.ini
+                                   begin a class in turns, as its teacher set it up (Edit &gt; Classroom)
+  fettle check FILE... [--unit mm|cm|m|in] [--print] [--json] [--csv]
+                                   say whether models are in order; several files or a folder: a table
+  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]
+                                   write a model in another format or size, mended, or with fewer triangles
+  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--frames FOLDER] [--verify local|full|none]
+                                   play recorded strokes on a model
+  fettle report FOLDER -o OUT.html|OUT.pdf [--unit mm|cm|m|in]
+                                   a class report: picture, size, print-ready or why not, strokes and time of each model
+  fettle sheet FILE... -o OUT.pdf [--unit mm|cm|m|in] [--shaded]
+                                   drawings of models or folders to scale, a page each
+  fettle lesson [LESSON] [--model FILE] [--step N] [--pack OUT.zip] [--unpack FOLDER] [--pictures FOLDER] [--out FILE]
+                                   check a lesson by playing it to its end, or a pupil&apos;s model by one of its steps
+  fettle help COMMAND              the options of one of them
+  fettle --version
+
+Formats: %1. Lengths are in millimetres.
+Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standard error).
+</source>
+        <translation>Fettle 用于雕刻封闭模型，并使其始终可以打印。
+
+  fettle [--vr] [FILE]             打开窗口，载入模型或一个黏土球；--vr 同时进入 VR
+  fettle [--vr] --classroom CLASS.ini
+                                   按教师的设置开始课堂（编辑 &gt; 课堂）
+  fettle check FILE... [--unit mm|cm|m|in] [--print] [--json] [--csv]
+                                   检查模型是否完好；多个文件或文件夹则输出表格
+  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]
+                                   以其他格式或尺寸写出模型，可修复，也可减少三角形
+  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--frames FOLDER] [--verify local|full|none]
+                                   在模型上回放录制的笔触
+  fettle report FOLDER -o OUT.html|OUT.pdf [--unit mm|cm|m|in]
+                                   班级报告：每个模型的图片、大小、能否打印或为何不能、笔画数和用时
+  fettle sheet FILE... -o OUT.pdf [--unit mm|cm|m|in] [--shaded]
+                                   按比例写出模型或文件夹的图纸，每个模型一页
+  fettle lesson [LESSON] [--model FILE] [--step N] [--pack OUT.zip] [--unpack FOLDER] [--pictures FOLDER] [--out FILE]
+                                   播放课程到底来检查它，或按其中一步评判学生的模型
+  fettle help COMMAND              以上某一命令的选项
+  fettle --version
+
+格式：%1。长度单位为毫米。
+状态：0 完成，1 结果为否，2 输入或用法有误（标准错误输出一行说明）。
+</translation>
+    </message>
+    <message>
+        <source>Fettle sculpts closed models that stay ready to print.
+
+  fettle [--vr] [FILE]             open the window, with a model or with a ball of clay; --vr enters VR with it
   fettle --vr-simulator [FILE]     the same without a headset: a window shows what it would, mouse and keys are head and wands
   fettle [--vr] --classroom CLASS.ini
                                    begin a class in turns, as its teacher set it up (Edit &gt; Classroom)
@@ -1210,6 +1258,22 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>replay: strokes[%1]: %2</source>
         <translation>replay: strokes[%1]: %2</translation>
     </message>
+    <message>
+        <source>A folder for pictures of the model, PNG, at the start and after each stroke.</source>
+        <translation>存放模型图片（PNG）的文件夹，开始时和每一笔之后各一张。</translation>
+    </message>
+    <message>
+        <source>Strokes from one picture to the next.</source>
+        <translation>两张图片之间的笔数。</translation>
+    </message>
+    <message>
+        <source>replay: --every says how many strokes there are to a picture, and needs --frames.</source>
+        <translation>replay：--every 指定每张图片的笔数，需要 --frames。</translation>
+    </message>
+    <message>
+        <source>replay: --every is a whole number from 1 on, not %1.</source>
+        <translation>replay：--every 是从 1 开始的整数，不是 %1。</translation>
+    </message>
 </context>
 <context>
     <name>app::ReportCommand</name>
@@ -1409,6 +1473,13 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
 </context>
 <context>
+    <name>app::StrokeEdit</name>
+    <message>
+        <source>With this brush it does nothing.</source>
+        <translation>用这个笔刷没有任何效果。</translation>
+    </message>
+</context>
+<context>
     <name>app::StrokeShapes</name>
     <message>
         <source>%1: %2: %3</source>
@@ -1508,6 +1579,46 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     <message>
         <source>&quot;%1&quot; is out of range, 0 or %2 to %3</source>
         <translation>“%1”超出范围（0，或 %2 至 %3）</translation>
+    </message>
+</context>
+<context>
+    <name>app::TimeLapse</name>
+    <message>
+        <source>%1 is no folder, so no pictures can be written there.</source>
+        <translation>%1 不是文件夹，因此无法在那里写入图片。</translation>
+    </message>
+    <message>
+        <source>%1 has a %2 already, and nothing was written over it: choose an empty folder.</source>
+        <translation>%1 中已有 %2，没有覆盖任何文件：请选择一个空文件夹。</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for a time-lapse of this model.</source>
+        <translation>内存不足，无法导出这个模型的延时图片。</translation>
+    </message>
+    <message>
+        <source>The earlier steps of the model cannot be read any more, so there is no time-lapse of them.</source>
+        <translation>无法再读取模型较早的步骤，因此没有它们的延时图片。</translation>
+    </message>
+</context>
+<context>
+    <name>app::TimeLapseDesk</name>
+    <message>
+        <source>Drawing the time-lapse</source>
+        <translation>正在画延时图片</translation>
+    </message>
+    <message>
+        <source>The time-lapse has to wait until this is done; ask for it again then.</source>
+        <translation>延时图片要等这项工作完成；请到时再导出。</translation>
+    </message>
+    <message>
+        <source>The time-lapse was stopped; no picture of it is in %1.</source>
+        <translation>延时图片已停止；%1 中没有它的图片。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %Ln pictures were written.</source>
+        <translation>
+            <numerusform>%1：写入了 %Ln 张图片。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2550,6 +2661,22 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Makes the stamp&apos;s model of this model as it is now.</source>
         <translation>把现在的模型作为图章的模型。</translation>
+    </message>
+    <message>
+        <source>Edit &amp;Last Stroke…</source>
+        <translation>修改最后一笔(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>Does the last stroke again with another tool, radius or strength.</source>
+        <translation>用其他工具、半径或强度重做最后一笔。</translation>
+    </message>
+    <message>
+        <source>Export Time-&amp;Lapse…</source>
+        <translation>导出延时图片(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>Draws the model after each of its steps, as numbered PNG pictures for a film.</source>
+        <translation>画出模型每一步之后的样子，成为带编号的 PNG 图片，可用于制作影片。</translation>
     </message>
     <message>
         <source>In&amp;vert</source>
@@ -5849,10 +5976,102 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
 </context>
 <context>
+    <name>ui::StrokeBar</name>
+    <message>
+        <source>Edit Last Stroke</source>
+        <translation>修改最后一笔</translation>
+    </message>
+    <message>
+        <source>Last stroke:</source>
+        <translation>最后一笔：</translation>
+    </message>
+    <message>
+        <source>Tool of the last stroke</source>
+        <translation>最后一笔的工具</translation>
+    </message>
+    <message>
+        <source>Does the stroke again with another tool.</source>
+        <translation>用其他工具重做这一笔。</translation>
+    </message>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>保留(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Leaves the stroke as it is now, and hides this bar.</source>
+        <translation>保留现在这一笔，并隐藏此栏。</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>取消(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Gives the stroke back as it was, and hides this bar.</source>
+        <translation>恢复原来的那一笔，并隐藏此栏。</translation>
+    </message>
+</context>
+<context>
     <name>ui::ThumbnailMaker</name>
     <message>
         <source>%1: there is not enough memory for its picture.</source>
         <translation>%1：内存不足，无法生成图片。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::TimeLapseDialog</name>
+    <message>
+        <source>Export Time-Lapse</source>
+        <translation>导出延时图片</translation>
+    </message>
+    <message>
+        <source>Draws the model after its steps, as it is seen now, into numbered PNG files in a folder that you choose. Sculpting rests meanwhile.</source>
+        <translation>按现在的视角画出模型各步骤之后的样子，存为带编号的 PNG 文件，放在您选择的文件夹中。其间不能雕刻。</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 像素</translation>
+    </message>
+    <message>
+        <source>&amp;Size:</source>
+        <translation>大小(&amp;S)：</translation>
+    </message>
+    <message>
+        <source>Steps to a &amp;picture:</source>
+        <translation>每张图片的步数(&amp;P)：</translation>
+    </message>
+    <message>
+        <source>&amp;Choose Folder…</source>
+        <translation>选择文件夹(&amp;C)…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln pictures</source>
+        <translation>
+            <numerusform>%Ln 张图片</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ui::Timeline</name>
+    <message>
+        <source>Timeline</source>
+        <translation>时间线</translation>
+    </message>
+    <message>
+        <source>Drag to see the model as it was after each step; Left and Right go by one. Sculpting there drops the later steps.</source>
+        <translation>拖动可查看每一步之后的模型；左右方向键逐步移动。在那里雕刻会丢弃之后的步骤。</translation>
+    </message>
+    <message>
+        <source>Play the steps</source>
+        <translation>播放步骤</translation>
+    </message>
+    <message>
+        <source>Plays the steps one after the other, from here or from the first.</source>
+        <translation>从这里或从第一步开始，依次播放各步骤。</translation>
+    </message>
+    <message>
+        <source>%1 of %2: %3</source>
+        <comment>step, steps, its name</comment>
+        <translation>第 %1 步，共 %2 步：%3</translation>
     </message>
 </context>
 <context>

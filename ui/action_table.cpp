@@ -26,6 +26,8 @@ constexpr ActionInfo table[] = {
      QT_TRANSLATE_NOOP("ui::Actions", "Writes STL, 3MF or GLB with as many triangles as you like, and judges the file."), "Ctrl+Shift+E", "export-for"},
     {MenuId::File, "file.exportDrawing", QT_TRANSLATE_NOOP("ui::Actions", "Export &Drawing…"),
      QT_TRANSLATE_NOOP("ui::Actions", "Writes a sheet with front, side and top view to scale: PDF, SVG or PNG."), "Ctrl+Shift+D", "drawing"},
+    {MenuId::File, "file.timeLapse", QT_TRANSLATE_NOOP("ui::Actions", "Export Time-&Lapse…"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Draws the model after each of its steps, as numbered PNG pictures for a film."), "", "time-lapse"},
     {MenuId::File, "file.report", QT_TRANSLATE_NOOP("ui::Actions", "&Class Report…"),
      QT_TRANSLATE_NOOP("ui::Actions", "Writes a page on every model in a folder: picture, size, print-ready or why not, strokes and time. HTML or PDF."), "", "report"},
     {MenuId::File, "file.quit", QT_TRANSLATE_NOOP("ui::Actions", "&Quit"),
@@ -65,6 +67,8 @@ constexpr ActionInfo table[] = {
      QT_TRANSLATE_NOOP("ui::Actions", "Takes the last stroke back."), "Ctrl+Z", "undo", true, Bar::Top},
     {MenuId::Edit, "edit.redo", QT_TRANSLATE_NOOP("ui::Actions", "&Redo"),
      QT_TRANSLATE_NOOP("ui::Actions", "Does again what was taken back."), "Ctrl+Shift+Z; Ctrl+Y", "redo", false, Bar::Top},
+    {MenuId::Edit, "edit.lastStroke", QT_TRANSLATE_NOOP("ui::Actions", "Edit &Last Stroke…"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Does the last stroke again with another tool, radius or strength."), "Ctrl+L", "edit-stroke"},
 
     {MenuId::Edit, "edit.stop", QT_TRANSLATE_NOOP("ui::Actions", "&Stop"),
      QT_TRANSLATE_NOOP("ui::Actions", "Ends what is going on and leaves the model as it is."), "Esc", "stop", true},

@@ -4,6 +4,7 @@
 #include "side_dock.h"
 #include "spacing.h"
 #include "themed_icon.h"
+#include "timeline.h"
 
 #include <QAbstractTableModel>
 #include <QDockWidget>
@@ -100,6 +101,7 @@ HistoryPanel::HistoryPanel(Settings* settings, QWidget* parent)
     : QWidget(parent)
     , m_model(std::make_unique<Model>())
     , m_list(new QTreeView)
+    , m_timeline(new Timeline)
     , m_memory(new QLabel)
     , m_cap(new QSpinBox)
 {
@@ -121,6 +123,7 @@ HistoryPanel::HistoryPanel(Settings* settings, QWidget* parent)
     };
     connect(m_list, &QTreeView::clicked, this, jump);
     connect(m_list, &QTreeView::activated, this, jump);
+    connect(m_timeline, &Timeline::stateWanted, this, &HistoryPanel::stateWanted);
 
     m_memory->setObjectName(QStringLiteral("historyMemory"));
     m_cap->setObjectName(QStringLiteral("historyCap"));
@@ -147,6 +150,7 @@ HistoryPanel::HistoryPanel(Settings* settings, QWidget* parent)
     column->setContentsMargins(gap, gap, gap, gap);
     column->setSpacing(gap);
     column->addWidget(m_list, 1);
+    column->addWidget(m_timeline);
     column->addLayout(foot);
     setHistory({});
 }
@@ -158,6 +162,7 @@ HistoryPanel::~HistoryPanel()
 
 void HistoryPanel::setHistory(History history)
 {
+    m_timeline->setHistory(history);
     m_model->set(std::move(history));
     const QModelIndex present = m_model->index(m_model->history().present, 0);
     m_list->setCurrentIndex(present);

@@ -14,6 +14,7 @@ class QTreeView;
 namespace ui
 {
 class Settings;
+class Timeline;
 
 struct HistoryStep
 {
@@ -32,7 +33,7 @@ struct History
     qint64 bytes = 0;        ///< in memory
 };
 
-/// The steps that were done, a click or Return goes to any that is still kept, and how much memory they may take. Knows no document: it shows
+/// The steps that were done, a click or Return goes to any that is still kept, a timeline through them, and how much memory they may take. Knows no document: it shows
 /// what it is given, and asks. Gui thread.
 class HistoryPanel : public QWidget
 {
@@ -48,6 +49,8 @@ public:
 
 Q_SIGNALS:
     void jumpRequested(int state);
+    /// By the timeline; many in a row, of which only the newest counts.
+    void stateWanted(int state);
     void capChanged(qint64 bytes);
     /// It can be seen, and may show what is old.
     void shown();
@@ -59,6 +62,7 @@ private:
     class Model;
     std::unique_ptr<Model> m_model;
     QTreeView* m_list;
+    Timeline* m_timeline;
     QLabel* m_memory;
     QSpinBox* m_cap;
 };

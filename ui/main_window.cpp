@@ -23,7 +23,7 @@ void MainWindow::State::setBusy(bool isBusy)
     for (const ActionInfo& row : actionTable())
         if (row.menu == MenuId::Model || row.menu == MenuId::Mask)
             actions.get(QLatin1StringView(row.id))->setEnabled(!isBusy);
-    for (const char* id : {"file.save", "file.saveAs", "file.saveCopy", "file.exportAs", "file.exportFor", "file.exportDrawing", "file.report",
+    for (const char* id : {"file.save", "file.saveAs", "file.saveCopy", "file.exportAs", "file.exportFor", "file.exportDrawing", "file.timeLapse", "file.report",
                            "brush.fromModel"})
         actions.get(QLatin1StringView(id))->setEnabled(!isBusy);
 }

@@ -23,7 +23,7 @@ constexpr qsizetype mostCachedKeys = 20'000;
 
 QImage toImage(const core::ModelPicture& picture)
 {
-    const QImage rgba(reinterpret_cast<const uchar*>(picture.rgba.data()), picture.pixels, picture.pixels, QImage::Format_RGBA8888_Premultiplied);
+    const QImage rgba(reinterpret_cast<const uchar*>(picture.rgba.data()), picture.width, picture.height, QImage::Format_RGBA8888_Premultiplied);
     return rgba.convertToFormat(QImage::Format_ARGB32_Premultiplied);
 }
 

@@ -14,6 +14,7 @@
 #include "ui/messages.h"
 #include "ui/name_panel.h"
 #include "ui/recovery_bar.h"
+#include "ui/stroke_bar.h"
 #include "ui/scene.h"
 #include "ui/settings.h"
 #include "ui/start_page.h"
@@ -139,6 +140,7 @@ private:
     void take(QWidget& window, const QString& state, const QSize& screen = smallScreen);
     void takeKeyHand(Program& program);
     void takeRecovery(Program& program);
+    void takeStrokeBar(Program& program);
     void takeUnits(Program& program);
     void takePrint(Program& program);
     void takeMending(Program& program);
@@ -191,6 +193,7 @@ void TestScreenshots::states()
     take(program.window, QStringLiteral("window"));
     takeKeyHand(program);
     takeRecovery(program);
+    takeStrokeBar(program);
     takeUnits(program);
     takePrint(program);
     takeMending(program);
@@ -265,6 +268,16 @@ void TestScreenshots::takeRecovery(Program& program)
     bar->findChild<QPushButton*>(QStringLiteral("discardRecovery"))->click();
     take(*QApplication::activeModalWidget(), QStringLiteral("recovery-question"));
     QApplication::activeModalWidget()->close();
+    bar->leave();
+}
+
+void TestScreenshots::takeStrokeBar(Program& program)
+{
+    ui::ModelFacts facts;
+    facts.size = {100, 100, 100};
+    auto* bar = new ui::StrokeBar({core::Tool::Flatten, 12.5, 0.8}, facts, &program.window);
+    bar->setHint(QCoreApplication::translate("app::StrokeEdit", "With this brush it does nothing."));
+    take(program.window, QStringLiteral("stroke-bar"));
     bar->leave();
 }
 
@@ -395,7 +408,7 @@ void TestScreenshots::takeMenus(Program& program)
 
 void TestScreenshots::takeDialogs(Program& program)
 {
-    for (const char* id : {"edit.preferences", "edit.classroom", "help.keys", "help.about", "model.move", "model.rotate", "model.scale", "model.mirror",
+    for (const char* id : {"edit.preferences", "edit.classroom", "file.timeLapse", "help.keys", "help.about", "model.move", "model.rotate", "model.scale", "model.mirror",
                            "model.symmetrize", "model.remesh", "model.flattenBase"}) {
         program.window.action(QLatin1StringView(id))->trigger();
         QDialog* dialog = nullptr;

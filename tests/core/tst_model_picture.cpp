@@ -27,9 +27,9 @@ struct Extent
 {
     explicit Extent(const core::ModelPicture& picture)
     {
-        for (int y = 0; y < picture.pixels; ++y)
-            for (int x = 0; x < picture.pixels; ++x)
-                if (picture.rgba[static_cast<std::size_t>(y * picture.pixels + x)][3] > 0) {
+        for (int y = 0; y < picture.height; ++y)
+            for (int x = 0; x < picture.width; ++x)
+                if (picture.rgba[static_cast<std::size_t>(y * picture.width + x)][3] > 0) {
                     left = std::min(left, x);
                     right = std::max(right, x);
                     top = std::min(top, y);

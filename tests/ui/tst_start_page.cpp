@@ -32,7 +32,7 @@ QImage pictureOf(core::Starter starter)
 {
     const core::ModelPicture picture = core::drawPicture(core::starterModel(starter), pictureSide, {}).value();
     const auto* bytes = picture.rgba.front().data();
-    return QImage(bytes, picture.pixels, picture.pixels, QImage::Format_RGBA8888_Premultiplied).convertToFormat(QImage::Format_RGBA8888);
+    return QImage(bytes, picture.width, picture.height, QImage::Format_RGBA8888_Premultiplied).convertToFormat(QImage::Format_RGBA8888);
 }
 
 /// But for what rounding may do.

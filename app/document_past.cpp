@@ -1,0 +1,63 @@
+// Going back through the document's steps on a copy.
+
+#include "document.h"
+
+#include "model_trial.h"
+
+#include <chrono>
+#include <future>
+#include <utility>
+
+namespace app
+{
+namespace
+{
+constexpr std::chrono::milliseconds patience(50); ///< between two looks whether it was stopped
+} // namespace
+
+bool Document::lookBack(const QString& what, LookBack look, std::function<void()> done)
+{
+    if (m_work.isBusy())
+        return false;
+    const core::JobWatch watch = m_work.beginStoppable(what);
+    request([this, look = std::move(look), done = std::move(done), watch] { startLookingBack(look, done, watch); });
+    return true;
+}
+
+void Document::startLookingBack(const LookBack& look, const std::function<void()>& done, const core::JobWatch& watch)
+{
+    if (!m_worker->hold()) // another hand was faster
+        return request([this, look, done, watch] { startLookingBack(look, done, watch); });
+    m_isChanging = true; // what is asked for waits
+    ModelPast past{nullptr, m_history.firstIndex(), m_stack.index(), {}};
+    std::vector<std::shared_ptr<StoredDelta>> changes;
+    for (int i = past.first; i < past.present; ++i)
+        changes.push_back(m_history.at(i));
+    past.change = [worker = m_worker, changes, first = past.first, stop = watch.stop](int index) -> std::optional<core::MeshDelta> {
+        auto answer = std::make_shared<std::promise<std::optional<core::MeshDelta>>>();
+        auto copied = answer->get_future();
+        const auto change = changes.at(static_cast<std::size_t>(index - first));
+        worker->post([answer = std::move(answer), change](core::Sculptor&) { answer->set_value(change->copy()); });
+        while (copied.wait_for(patience) != std::future_status::ready)
+            if (stop.stop_requested()) // the mesh thread may have ended
+                return std::nullopt;
+        return copied.get();
+    };
+    m_worker->post([this, look, done, watch, past](core::Sculptor& sculptor) mutable {
+        past.mesh = ModelTrial::copyOf(sculptor.mesh());
+        auto work = [look, past, watch] {
+            look(past, watch);
+            return 0;
+        };
+        m_work.run(std::move(work), [this, done](int) {
+            m_work.keep();
+            m_work.end();
+            m_isChanging = false;
+            m_worker->release();
+            done();
+            tellState();
+            runRequests();
+        });
+    });
+}
+} // namespace app

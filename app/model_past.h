@@ -1,0 +1,20 @@
+#pragma once
+
+#include "core/mesh.h"
+#include "core/mesh_delta.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace app
+{
+/// What a model was after each of its steps, for who goes back through them.
+struct ModelPast
+{
+    std::shared_ptr<core::Mesh> mesh; ///< a copy, after the last step; null: there was no memory for it
+    int first = 0, present = 0;       ///< states: so many steps were done
+    /// What takes the step at that index back; nothing if it cannot be read any more, or it was stopped. Not on the gui thread.
+    std::function<std::optional<core::MeshDelta>(int index)> change;
+};
+} // namespace app

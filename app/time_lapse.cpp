@@ -1,0 +1,118 @@
+// From the present back to the first state: draw it where a frame is due -> take the next step back. The frames' numbers are known before.
+
+#include "time_lapse.h"
+
+#include "model_loader.h"
+
+#include "core/atomic_file.h"
+#include "core/mesh_build.h"
+#include "ui/messages.h"
+
+#include <QBuffer>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QImage>
+
+#include <algorithm>
+#include <new>
+
+namespace app
+{
+namespace
+{
+constexpr int leastDigits = 4;
+constexpr int behind[] = {236, 238, 241}; ///< sRGB
+
+int framesBetween(int first, int last, int every)
+{
+    return (last - first + every - 1) / every + 1;
+}
+
+QByteArray pngOf(const core::ModelPicture& picture)
+{
+    QImage frame(picture.width, picture.height, QImage::Format_RGB888);
+    auto pixel = picture.rgba.begin();
+    for (int y = 0; y < picture.height; ++y)
+        for (uchar *at = frame.scanLine(y), *end = at + 3 * picture.width; at < end; at += 3, ++pixel)
+            for (std::size_t i = 0; i < 3; ++i)
+                at[i] = static_cast<uchar>((*pixel)[i] + behind[i] * (255 - (*pixel)[3]) / 255);
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    frame.save(&buffer, "PNG");
+    return bytes;
+}
+
+void write(const QString& path, const QByteArray& bytes)
+{
+    core::AtomicFile file(toPath(path));
+    file.write({bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    file.commit();
+}
+} // namespace
+
+QStringList TimeLapse::frameNames(int first, int last, int every)
+{
+    const int frames = framesBetween(first, last, every);
+    const int digits = std::max(leastDigits, static_cast<int>(QString::number(frames).size()));
+    QStringList names;
+    for (int i = 1; i <= frames; ++i)
+        names << QStringLiteral("frame-%1.png").arg(i, digits, 10, QLatin1Char('0'));
+    return names;
+}
+
+QString TimeLapse::obstacle(const QString& folder, const QStringList& frames)
+{
+    if (!QFileInfo(folder).isDir())
+        return tr("%1 is no folder, so no pictures can be written there.").arg(QDir::toNativeSeparators(folder));
+    for (const QString& name : frames)
+        if (QFileInfo::exists(QDir(folder).filePath(name)))
+            return tr("%1 has a %2 already, and nothing was written over it: choose an empty folder.").arg(QDir::toNativeSeparators(folder), name);
+    return {};
+}
+
+TimeLapseOutcome TimeLapse::run(const TimeLapseOrder& order, const ModelPast& past, const core::JobWatch& watch)
+{
+    const QStringList names = frameNames(past.first, past.present, order.every);
+    QStringList written;
+    const auto without = [&written](const QString& problem) {
+        for (const QString& path : written)
+            QFile::remove(path);
+        return TimeLapseOutcome{problem, 0};
+    };
+    const QString noMemory = tr("There is not enough memory for a time-lapse of this model.");
+    const QString problem = obstacle(order.folder, names);
+    if (!problem.isEmpty())
+        return {problem, 0};
+    if (!past.mesh)
+        return {noMemory, 0};
+    try {
+        for (int state = past.present; !watch.stopped(); --state) {
+            if (state == past.present || (state - past.first) % order.every == 0) {
+                const auto picture = core::drawPicture(core::extractMesh(*past.mesh), order.view, watch.stop);
+                if (!picture)
+                    break;
+                const QString path = QDir(order.folder).filePath(names[framesBetween(past.first, state, order.every) - 1]);
+                if (QFileInfo::exists(path)) // since it began
+                    return without(obstacle(order.folder, {QFileInfo(path).fileName()}));
+                write(path, pngOf(*picture));
+                written << path;
+                watch.reached(static_cast<double>(written.size()) / static_cast<double>(names.size()));
+            }
+            if (state == past.first)
+                return {{}, static_cast<int>(written.size())};
+            auto change = past.change(state - 1);
+            if (!change && !watch.stopped())
+                return without(tr("The earlier steps of the model cannot be read any more, so there is no time-lapse of them."));
+            if (change)
+                past.mesh->swap(*change);
+        }
+    } catch (const core::FileError& error) {
+        return without(ui::Messages::sentence(error));
+    } catch (const std::bad_alloc&) {
+        return without(noMemory);
+    }
+    return without({});
+}
+} // namespace app

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "model_past.h"
+
+#include "core/job_watch.h"
+#include "core/model_picture.h"
+
+#include <QCoreApplication>
+#include <QString>
+#include <QStringList>
+
+namespace app
+{
+struct TimeLapseOrder
+{
+    QString folder; ///< that is there
+    int every = 1;  ///< steps from one picture to the next; the last state is always among them
+    core::PictureView view;
+};
+
+/// What became of it: no frames and no problem if it was stopped.
+struct TimeLapseOutcome
+{
+    QString problem; ///< one sentence; none of its frames is left then
+    int frames = 0;
+};
+
+/// The states of a model as numbered PNG files, frame-0001.png and so on: opaque, the model on a light grey. A file that is there is never written
+/// over. Any thread.
+class TimeLapse
+{
+    Q_DECLARE_TR_FUNCTIONS(app::TimeLapse)
+
+public:
+    /// From `first` to `last`, which are both among them.
+    static QStringList frameNames(int first, int last, int every);
+    /// One sentence if the frames cannot be written there: there is no such folder, or one of them is there already. Else empty.
+    static QString obstacle(const QString& folder, const QStringList& frames);
+    /// Uses the past's mesh up.
+    static TimeLapseOutcome run(const TimeLapseOrder& order, const ModelPast& past, const core::JobWatch& watch);
+};
+} // namespace app

@@ -1,0 +1,72 @@
+#include "time_lapse_desk.h"
+
+#include "document.h"
+
+#include "ui/file_dialogs.h"
+#include "ui/main_window.h"
+#include "ui/settings.h"
+#include "ui/time_lapse_dialog.h"
+#include "ui/viewport.h"
+
+#include <QAction>
+#include <QDir>
+
+#include <algorithm>
+#include <memory>
+
+namespace app
+{
+namespace
+{
+/// All that the window shows of the model is in the picture.
+core::PictureView viewOf(const ui::OrbitCamera& camera, const ui::TimeLapseChoice& choice)
+{
+    core::PictureView view;
+    view.axes << camera.right().transpose(), camera.up().transpose(), -camera.viewDirection().transpose();
+    view.target = camera.target();
+    view.distance = camera.projection() == ui::OrbitCamera::Projection::Perspective ? camera.distance() : 0;
+    const Eigen::Vector2d shown = camera.viewport() / camera.pixelsPerMm(camera.target());
+    view.extent = std::max(shown.y(), shown.x() * choice.height / choice.width);
+    view.width = choice.width;
+    view.height = choice.height;
+    return view;
+}
+} // namespace
+
+TimeLapseDesk::TimeLapseDesk(ui::MainWindow& window, Document& document) : QObject(&document), m_window(&window), m_document(&document)
+{
+    connect(window.action(QStringLiteral("file.timeLapse")), &QAction::triggered, this, &TimeLapseDesk::ask);
+}
+
+void TimeLapseDesk::ask()
+{
+    const int steps = m_document->undoStack().index() - m_document->history().firstIndex();
+    ui::askForTimeLapse(m_window, steps, [this](const ui::TimeLapseChoice& choice) {
+        ui::askForFolder(m_window, ui::Settings().lastFolder(), [this, choice](const QString& folder) { write(choice, folder); });
+    });
+}
+
+void TimeLapseDesk::write(const ui::TimeLapseChoice& choice, const QString& folder)
+{
+    if (!m_window)
+        return;
+    const TimeLapseOrder order{folder, choice.every, viewOf(m_window->viewport()->camera(), choice)};
+    const auto outcome = std::make_shared<TimeLapseOutcome>();
+    const auto look = [order, outcome](const ModelPast& past, const core::JobWatch& watch) { *outcome = TimeLapse::run(order, past, watch); };
+    if (!m_document->lookBack(tr("Drawing the time-lapse"), look, [this, folder, outcome] { finish(folder, *outcome); }))
+        m_window->showNotice(tr("The time-lapse has to wait until this is done; ask for it again then."));
+}
+
+void TimeLapseDesk::finish(const QString& folder, const TimeLapseOutcome& outcome)
+{
+    if (!m_window)
+        return;
+    const QString place = QDir::toNativeSeparators(folder);
+    if (!outcome.problem.isEmpty())
+        m_window->showProblem(outcome.problem);
+    else if (outcome.frames > 0)
+        m_window->showNotice(tr("%1: %Ln pictures were written.", nullptr, outcome.frames).arg(place));
+    else
+        m_window->showNotice(tr("The time-lapse was stopped; no picture of it is in %1.").arg(place));
+}
+} // namespace app

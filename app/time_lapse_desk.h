@@ -1,0 +1,35 @@
+#pragma once
+
+#include "time_lapse.h"
+
+#include <QObject>
+#include <QPointer>
+
+namespace ui
+{
+class MainWindow;
+struct TimeLapseChoice;
+} // namespace ui
+
+namespace app
+{
+class Document;
+
+/// File > Export Time-Lapse: the steps of the document as pictures, seen as the window sees the model. Nobody sculpts meanwhile. Gui thread.
+class TimeLapseDesk : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// All must outlive it but for the window: a child of the document.
+    TimeLapseDesk(ui::MainWindow& window, Document& document);
+
+private:
+    void ask();
+    void write(const ui::TimeLapseChoice& choice, const QString& folder);
+    void finish(const QString& folder, const TimeLapseOutcome& outcome);
+
+    QPointer<ui::MainWindow> m_window;
+    Document* m_document;
+};
+} // namespace app

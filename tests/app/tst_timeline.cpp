@@ -1,0 +1,495 @@
+#include "tests/support/program_hand.h"
+
+#include "app/classroom_turn.h"
+#include "app/journal_shelf.h"
+
+#include "core/alpha.h"
+#include "core/brush_model.h"
+#include "core/journal/replay.h"
+#include "core/mesh_build.h"
+#include "core/mesh_check.h"
+#include "core/stroke_change.h"
+#include "ui/history_panel.h"
+#include "ui/mailbox.h"
+#include "ui/stroke_bar.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QTemporaryDir>
+#include <QToolButton>
+
+#include <random>
+
+using namespace app;
+
+namespace
+{
+constexpr int longestWait = 60'000;
+
+/// The program with a ball of clay, and strokes that need no mouse.
+struct Desk
+{
+    Desk()
+    {
+        program.window.resize(1200, 800);
+        program.window.show();
+        program.document.setMayDiscard({}); // nobody is asked
+        program.document.openSphere();
+        rest();
+    }
+
+    void rest() { QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy() && program.document.isSettled() && program.document.facts().faces > 0, longestWait); }
+
+    /// What the mesh is, slots and free lists too.
+    std::uint64_t state()
+    {
+        rest();
+        std::optional<std::uint64_t> hash;
+        ui::Mailbox mail;
+        program.worker.post([&](core::Sculptor& sculptor) {
+            const bool isSound = core::checkMesh(core::extractMesh(sculptor.mesh())).printReady();
+            mail.post([&hash, value = isSound ? sculptor.mesh().stateHash() : 0] { hash = value; });
+        });
+        [&] { QTRY_VERIFY_WITH_TIMEOUT(hash.has_value(), longestWait); }();
+        return hash.value_or(0);
+    }
+
+    void stroke(const core::Stroke& stroke)
+    {
+        program.document.beginStroke(stroke.settings);
+        for (const core::StrokeSample& sample : stroke.samples) // so few that none is dropped
+            program.document.addSample(sample);
+        program.document.endStroke();
+        rest();
+    }
+
+    int index() const { return program.document.undoStack().index(); }
+    int count() const { return program.document.undoStack().count(); }
+    template <class Widget> Widget* find(const char* name) { return program.window.findChild<Widget*>(QLatin1StringView(name)); }
+    ui::StrokeBar* bar() { return program.window.findChild<ui::StrokeBar*>(); }
+    void showHistory()
+    {
+        auto* dock = find<QWidget>("historyPanel");
+        dock->show();
+        dock->raise();
+        QTRY_VERIFY_WITH_TIMEOUT(program.window.history()->isVisible(), longestWait);
+    }
+    QAction* edit() { return program.window.action(QStringLiteral("edit.lastStroke")); }
+    void beginEdit()
+    {
+        edit()->trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(bar() && bar()->isVisible(), longestWait);
+    }
+    /// As if it were typed.
+    void set(const char* box, double value) { bar()->findChild<QDoubleSpinBox*>(QLatin1StringView(box))->setValue(value); }
+    void choose(core::Tool tool)
+    {
+        auto* tools = bar()->findChild<QComboBox*>();
+        tools->setCurrentIndex(tools->findData(static_cast<int>(tool)));
+        Q_EMIT tools->activated(tools->currentIndex());
+    }
+    void press(const char* button)
+    {
+        QTest::mouseClick(bar()->findChild<QPushButton*>(QLatin1StringView(button)), Qt::LeftButton);
+        rest();
+        QTRY_VERIFY_WITH_TIMEOUT(!bar(), longestWait);
+    }
+
+    Program program;
+};
+
+core::StrokeSample sampleAt(const core::Vec3& position)
+{
+    core::StrokeSample sample;
+    sample.position = position;
+    sample.direction = -position.normalized();
+    return sample;
+}
+
+/// A few dabs over the front of the ball.
+core::Stroke across(core::Tool tool = core::Tool::Pull)
+{
+    core::Stroke stroke;
+    stroke.settings.tool = tool;
+    stroke.settings.radius = 9;
+    stroke.settings.spacing = 0.25;
+    for (int i = 0; i < 6; ++i)
+        stroke.samples.push_back(sampleAt(50 * core::Vec3(-0.4 + 0.16 * i, 0.3, 1).normalized()));
+    return stroke;
+}
+
+core::Stroke randomStroke(std::mt19937_64& random)
+{
+    std::uniform_real_distribution<double> between(-1, 1);
+    core::Stroke stroke = across(static_cast<core::Tool>(random() % 3));
+    stroke.samples = {sampleAt(50 * core::Vec3(between(random), between(random), between(random)).normalized())};
+    return stroke;
+}
+} // namespace
+
+class TestTimeline : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void scrub_eachStateIsWhatItWasWhenItWasMade();
+    void scrub_keysGoByOneAndPlayToTheEnd();
+    void edit_isAsIfTheStrokeHadBeenDoneSo_data();
+    void edit_isAsIfTheStrokeHadBeenDoneSo();
+    void edit_cancelGivesTheStrokeBackAsItWas();
+    void edit_manyWishesEndAtTheNewest();
+    void edit_theNextStrokeEndsIt();
+    void edit_undoEndsIt();
+    void edit_whatDoesNothingSaysSo();
+    void edit_onlyOfAStrokeThatIsTheLastStep();
+    void edit_offersTheToolsThatTheBrushOffers();
+    void edit_theRecordIsOfWhatIsThere();
+    void edit_survivesTheProgram();
+};
+
+void TestTimeline::scrub_eachStateIsWhatItWasWhenItWasMade()
+{
+    Desk desk;
+    std::mt19937_64 random(8);
+    std::vector<std::uint64_t> states{desk.state()};
+    while (states.size() < 31) {
+        desk.stroke(randomStroke(random));
+        states.push_back(desk.state());
+        QCOMPARE(desk.index(), static_cast<int>(states.size()) - 1);
+    }
+    auto* slider = desk.find<QSlider>("timeline");
+    desk.showHistory();
+    QTRY_COMPARE_WITH_TIMEOUT(slider->maximum(), 30, longestWait);
+    QCOMPARE(slider->minimum(), 0);
+    for (int i = 0; i < 25; ++i) {
+        int wanted = 0;
+        for (int burst = 0; burst < 4; ++burst) { // a drag that does not wait
+            wanted = static_cast<int>(random() % states.size());
+            slider->setValue(wanted);
+            if (burst % 2 == 1)
+                QCoreApplication::processEvents();
+        }
+        QTRY_COMPARE_WITH_TIMEOUT(desk.index(), wanted, longestWait);
+        QCOMPARE(desk.state(), states[static_cast<std::size_t>(wanted)]);
+        QCOMPARE(slider->value(), wanted);
+    }
+    QCOMPARE(desk.count(), 30);
+}
+
+void TestTimeline::scrub_keysGoByOneAndPlayToTheEnd()
+{
+    Desk desk;
+    std::mt19937_64 random(9);
+    for (int i = 0; i < 3; ++i)
+        desk.stroke(randomStroke(random));
+    const std::uint64_t last = desk.state();
+    auto* slider = desk.find<QSlider>("timeline");
+    desk.showHistory();
+    QTRY_COMPARE_WITH_TIMEOUT(slider->maximum(), 3, longestWait);
+    QTest::keyClick(slider, Qt::Key_Left);
+    QTest::keyClick(slider, Qt::Key_Left);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.index(), 1, longestWait);
+    QTest::keyClick(slider, Qt::Key_Right);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.index(), 2, longestWait);
+    const QString text = desk.find<QLabel>("timelineText")->text();
+    QVERIFY2(text.contains(QStringLiteral("2")) && text.contains(QStringLiteral("3")) && text.contains(desk.program.document.undoStack().text(1)), qPrintable(text));
+    auto* play = desk.find<QToolButton>("timelinePlay");
+    QTest::mouseClick(play, Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.index() == 3 && !play->isChecked(), longestWait);
+    QSignalSpy moved(&desk.program.document.undoStack(), &QUndoStack::indexChanged);
+    QTest::mouseClick(play, Qt::LeftButton); // from the first
+    QTRY_VERIFY_WITH_TIMEOUT(desk.index() == 3 && !play->isChecked() && moved.size() >= 4, longestWait);
+    QCOMPARE(desk.state(), last);
+}
+
+void TestTimeline::edit_isAsIfTheStrokeHadBeenDoneSo_data()
+{
+    QTest::addColumn<core::Stroke>("stroke");
+    QTest::addColumn<core::BrushChange>("brush");
+    const core::BrushChange twice{core::Tool::Pull, 18, 1};
+    QTest::newRow("twice as large") << across() << twice;
+    QTest::newRow("stronger") << across() << core::BrushChange{core::Tool::Pull, 9, 2};
+    QTest::newRow("another tool") << across() << core::BrushChange{core::Tool::Crease, 9, 1};
+    core::Stroke other = across();
+    other.settings.symmetry = core::Symmetry::X;
+    QTest::newRow("mirrored") << other << twice;
+    other.settings.radial = 4;
+    QTest::newRow("radial") << other << twice;
+    other = across();
+    for (std::size_t i = 0; i < other.samples.size(); ++i)
+        other.samples[i].rotation = Eigen::Quaterniond(Eigen::AngleAxisd(0.3 * static_cast<double>(i), core::Vec3::UnitY()));
+    QTest::newRow("turntable") << other << twice;
+    other = across();
+    other.settings.alpha = core::builtInAlpha(core::builtInAlphas().front());
+    QTest::newRow("alpha") << other << twice;
+    other = across();
+    for (std::size_t i = 0; i < other.samples.size(); ++i) {
+        other.samples[i].pressure = 0.2 + 0.1 * static_cast<double>(i);
+        other.samples[i].radius = 6 + static_cast<double>(i);
+        other.samples[i].strength = 0.5 + 0.1 * static_cast<double>(i);
+    }
+    QTest::newRow("a pen's own") << other << core::BrushChange{core::Tool::Clay, 18, 0.5};
+    other = across(core::Tool::Stamp);
+    other.samples.resize(2);
+    QTest::newRow("stamp") << other << core::BrushChange{core::Tool::Stamp, 12, 1};
+    other = across(core::Tool::Grab);
+    QTest::newRow("grab") << other << core::BrushChange{core::Tool::Grab, 14, 1};
+}
+
+void TestTimeline::edit_isAsIfTheStrokeHadBeenDoneSo()
+{
+    QFETCH(core::Stroke, stroke);
+    QFETCH(core::BrushChange, brush);
+    Desk desk;
+    desk.stroke(across(core::Tool::Flatten));
+    const std::uint64_t before = desk.state();
+    desk.stroke(stroke);
+    QCOMPARE(desk.count(), 2);
+    const quint64 strokes = desk.program.document.facts().notes.work->strokes;
+    desk.beginEdit();
+    if (brush.tool != stroke.settings.tool)
+        desk.choose(brush.tool);
+    desk.set("radius.box", brush.radius);
+    desk.set("strength.box", brush.strength);
+    desk.press("keepStroke");
+    const std::uint64_t edited = desk.state();
+    QCOMPARE(desk.count(), 2);
+    QCOMPARE(desk.index(), 2);
+    QCOMPARE(desk.program.document.facts().notes.work->strokes, strokes); // it was one, and is one
+    desk.program.document.undo();
+    QCOMPARE(desk.state(), before);
+    desk.program.document.redo();
+    QCOMPARE(desk.state(), edited);
+
+    Desk other;
+    other.stroke(across(core::Tool::Flatten));
+    core::Stroke done = stroke;
+    done.settings.tool = brush.tool;
+    done.settings.radius = brush.radius;
+    done.settings.strength = brush.strength;
+    for (core::StrokeSample& sample : done.samples) {
+        if (sample.radius)
+            *sample.radius *= brush.radius / stroke.settings.radius;
+        if (sample.strength)
+            *sample.strength *= brush.strength / stroke.settings.strength;
+    }
+    other.stroke(done);
+    QCOMPARE(edited, other.state());
+}
+
+void TestTimeline::edit_cancelGivesTheStrokeBackAsItWas()
+{
+    const QTemporaryDir folder;
+    Desk desk;
+    desk.stroke(across());
+    desk.program.document.save(folder.filePath(QStringLiteral("a.glb")));
+    desk.rest();
+    const std::uint64_t was = desk.state();
+    QVERIFY(!desk.program.document.isModified());
+    for (const char* how : {"nothing", "once", "twice", "at once"}) {
+        const QString word = QLatin1StringView(how);
+        desk.beginEdit();
+        if (word != QLatin1String("nothing"))
+            desk.set("radius.box", 20);
+        if (word != QLatin1String("at once"))
+            desk.rest();
+        if (word == QLatin1String("twice")) {
+            QVERIFY(desk.state() != was && desk.program.document.isModified());
+            desk.choose(core::Tool::Push);
+            desk.rest();
+        }
+        if (word == QLatin1String("once"))
+            QTest::keyClick(desk.bar(), Qt::Key_Escape);
+        else
+            desk.press("cancelStroke");
+        QTRY_VERIFY_WITH_TIMEOUT(!desk.bar(), longestWait);
+        QCOMPARE(desk.state(), was);
+        QCOMPARE(desk.count(), 1);
+        QVERIFY(!desk.program.document.isModified());
+        QCOMPARE(desk.program.document.undoText(), desk.program.document.undoStack().text(0));
+    }
+}
+
+void TestTimeline::edit_manyWishesEndAtTheNewest()
+{
+    Desk desk;
+    desk.stroke(across());
+    desk.beginEdit();
+    QSignalSpy finished(&desk.program.worker, &SculptWorker::strokeFinished);
+    for (int i = 0; i < 60; ++i)
+        desk.set("radius.box", 10 + 0.1 * i);
+    desk.set("radius.box", 14);
+    desk.press("keepStroke");
+    QVERIFY(finished.size() < 20);
+    const std::uint64_t edited = desk.state();
+    Desk other;
+    core::Stroke done = across();
+    done.settings.radius = 14;
+    other.stroke(done);
+    QCOMPARE(edited, other.state());
+}
+
+/// What was wanted is done before it.
+void TestTimeline::edit_theNextStrokeEndsIt()
+{
+    Desk desk;
+    desk.stroke(across());
+    desk.beginEdit();
+    desk.set("radius.box", 11);
+    desk.set("radius.box", 14); // not begun yet
+    Q_EMIT desk.program.window.viewport()->strokeBegan(across(core::Tool::Push).settings);
+    for (const core::StrokeSample& sample : across().samples)
+        Q_EMIT desk.program.window.viewport()->strokeSampled(sample);
+    Q_EMIT desk.program.window.viewport()->strokeEnded();
+    desk.rest();
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.bar(), longestWait);
+    QCOMPARE(desk.count(), 2);
+    desk.program.document.undo();
+    Desk other;
+    core::Stroke done = across();
+    done.settings.radius = 14;
+    other.stroke(done);
+    QCOMPARE(desk.state(), other.state());
+}
+
+void TestTimeline::edit_undoEndsIt()
+{
+    Desk desk;
+    const std::uint64_t start = desk.state();
+    desk.stroke(across());
+    desk.beginEdit();
+    desk.set("radius.box", 14);
+    desk.rest();
+    desk.program.document.undo();
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.bar(), longestWait);
+    QCOMPARE(desk.state(), start);
+    QVERIFY(!desk.edit()->isEnabled());
+    desk.program.document.redo();
+    desk.rest();
+    QVERIFY(desk.edit()->isEnabled());
+}
+
+void TestTimeline::edit_whatDoesNothingSaysSo()
+{
+    Desk desk;
+    const std::uint64_t start = desk.state();
+    desk.stroke(across());
+    const std::uint64_t was = desk.state();
+    desk.beginEdit();
+    desk.set("strength.box", 0);
+    desk.rest();
+    auto* hint = desk.find<QLabel>("strokeHint");
+    QTRY_VERIFY_WITH_TIMEOUT(!hint->text().isEmpty(), longestWait);
+    QCOMPARE(desk.state(), start);
+    desk.set("strength.box", 2);
+    desk.rest();
+    QVERIFY(hint->text().isEmpty() && desk.state() != start);
+    desk.set("strength.box", 0);
+    desk.press("cancelStroke");
+    QCOMPARE(desk.state(), was);
+    QCOMPARE(desk.count(), 1);
+}
+
+void TestTimeline::edit_onlyOfAStrokeThatIsTheLastStep()
+{
+    Desk desk;
+    QVERIFY(!desk.edit()->isEnabled());
+    desk.stroke(across());
+    QVERIFY(desk.edit()->isEnabled());
+    desk.program.document.apply(core::Fill{{1, 2, 3}});
+    desk.rest();
+    QVERIFY(!desk.edit()->isEnabled());
+    desk.program.document.undo();
+    desk.rest();
+    QVERIFY(!desk.edit()->isEnabled());
+    desk.program.document.openStarter(core::Starter::Cube);
+    desk.rest();
+    desk.program.document.apply(core::Fill{{1, 2, 3}});
+    desk.rest();
+    QVERIFY(!desk.edit()->isEnabled()); // as many steps as before, of another model
+}
+
+void TestTimeline::edit_offersTheToolsThatTheBrushOffers()
+{
+    Desk desk;
+    desk.stroke(across(core::Tool::Clay));
+    desk.program.window.brush()->offerTools({core::Tool::Pull, core::Tool::Smooth});
+    desk.beginEdit();
+    auto* tools = desk.bar()->findChild<QComboBox*>();
+    QCOMPARE(tools->count(), 3); // and its own
+    QCOMPARE(tools->currentData().toInt(), static_cast<int>(core::Tool::Clay));
+    desk.choose(core::Tool::Smooth);
+    desk.press("keepStroke");
+    QVERIFY(desk.program.document.undoStack().text(0) == desk.program.document.undoText());
+    QCOMPARE(desk.program.document.lastStroke()->report.tool, core::Tool::Smooth);
+    QCOMPARE(desk.program.window.brush()->tool(), core::Tool::Pull); // the hand's own is not touched
+}
+
+/// What a class's archive would keep of the turn, played anew.
+void TestTimeline::edit_theRecordIsOfWhatIsThere()
+{
+    Desk desk;
+    TurnRecord record{std::vector<core::FileEntry>()};
+    connect(&desk.program.document, &Document::stepped, &desk.program.window,
+            [&](const core::FileEntry& entry) { record.add(desk.index(), entry); });
+    desk.stroke(across(core::Tool::Flatten));
+    desk.stroke(across());
+    desk.beginEdit();
+    desk.set("radius.box", 14);
+    desk.rest();
+    desk.set("radius.box", 16);
+    desk.press("keepStroke");
+    const auto entries = record.upTo(desk.index());
+    QVERIFY(entries && entries->size() == 2);
+    Desk other;
+    for (const core::FileEntry& entry : *entries)
+        other.stroke(std::get<core::Stroke>(entry));
+    QCOMPARE(other.state(), desk.state());
+}
+
+void TestTimeline::edit_survivesTheProgram()
+{
+    const QTemporaryDir folder;
+    JournalShelf shelf(std::filesystem::path(folder.path().toStdString()) / "journals");
+    Desk desk;
+    desk.program.document.keepJournals(&shelf);
+    desk.program.document.openSphere();
+    desk.rest();
+    desk.stroke(across(core::Tool::Flatten));
+    const std::uint64_t before = desk.state();
+    desk.stroke(across());
+    const std::uint64_t was = desk.state();
+    const auto recovered = [&] {
+        desk.program.document.journal()->drain();
+        return core::replayJournal(desk.program.document.journal()->folder());
+    };
+    const auto isRight = [&](std::uint64_t now) {
+        auto found = recovered();
+        if (!found || found->isDamaged || found->history.present != 2 || found->history.steps.size() != 2 || found->mesh->stateHash() != now)
+            return false;
+        found->mesh->swap(*found->deltas[1]);
+        return found->mesh->stateHash() == before;
+    };
+    QVERIFY(isRight(was));
+    desk.beginEdit();
+    desk.set("radius.box", 14);
+    desk.rest();
+    const std::uint64_t edited = desk.state();
+    QVERIFY(edited != was && isRight(edited));
+    desk.choose(core::Tool::Push);
+    desk.rest();
+    QVERIFY(isRight(desk.state()));
+    desk.press("cancelStroke");
+    QCOMPARE(desk.state(), was);
+    QVERIFY(isRight(was));
+}
+
+int main(int argc, char* argv[])
+{
+    return runOnScreen<TestTimeline>(argc, argv, "tst_timeline");
+}
+#include "tst_timeline.moc"

@@ -1,0 +1,91 @@
+#include "stroke_bar.h"
+
+#include "brush_bar.h"
+#include "main_window.h"
+#include "spacing.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+
+#include <utility>
+
+namespace ui
+{
+StrokeBar::StrokeBar(const core::BrushChange& brush, const ModelFacts& facts, MainWindow* window)
+    : OfferBar("strokeBar", tr("Edit Last Stroke"), window), m_first(brush), m_told(brush), m_tools(new QComboBox), m_hint(new QLabel)
+{
+    m_brush.fitTo(facts, brush.radius / facts.size.maxCoeff());
+    m_brush.setTool(brush.tool);
+    m_brush.setValue(core::Parameter::Strength, brush.strength);
+    m_shownFirst = core::brushOf(m_brush.stroke());
+
+    auto* title = new QLabel(tr("Last stroke:"));
+    title->setContentsMargins(gap, 0, gap, 0);
+    addWidget(title);
+    addTools(*window);
+    auto* numbers = new BrushBar(&m_brush);
+    addWidget(numbers);
+    m_hint->setObjectName(QStringLiteral("strokeHint"));
+    m_hint->setTextFormat(Qt::PlainText);
+    m_hint->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    m_hint->setContentsMargins(gap, 0, gap, 0);
+    addWidget(m_hint);
+    QPushButton* keep = addButton("keepStroke", tr("&Keep"), tr("Leaves the stroke as it is now, and hides this bar."));
+    keep->setDefault(true);
+    QPushButton* cancel = addButton("cancelStroke", tr("&Cancel"), tr("Gives the stroke back as it was, and hides this bar."));
+    const auto leaveWith = [this](void (StrokeBar::*what)()) {
+        Q_EMIT(this->*what)();
+        leave();
+    };
+    connect(keep, &QPushButton::clicked, this, [leaveWith] { leaveWith(&StrokeBar::kept); });
+    connect(cancel, &QPushButton::clicked, this, [leaveWith] { leaveWith(&StrokeBar::cancelled); });
+    connect(numbers, &BrushBar::entered, keep, [keep] { keep->setFocus(); });
+    connect(&m_brush, &BrushSettings::changed, this, &StrokeBar::tell);
+    m_tools->setFocus();
+}
+
+void StrokeBar::setHint(const QString& sentence)
+{
+    m_hint->setText(sentence);
+}
+
+void StrokeBar::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() != Qt::Key_Escape)
+        return OfferBar::keyPressEvent(event);
+    Q_EMIT cancelled();
+    leave();
+}
+
+void StrokeBar::addTools(const MainWindow& window)
+{
+    m_tools->setObjectName(QStringLiteral("strokeTool"));
+    m_tools->setAccessibleName(tr("Tool of the last stroke"));
+    m_tools->setToolTip(tr("Does the stroke again with another tool."));
+    for (const std::string_view name : core::toolNames()) {
+        const core::Tool tool = core::toolNamed(name).value_or(m_first.tool);
+        if (tool != m_first.tool && !window.brush()->isOffered(tool))
+            continue;
+        const QAction* action = window.action(QStringLiteral("tool.") + QLatin1StringView(name.data(), static_cast<qsizetype>(name.size())));
+        m_tools->addItem(action->icon(), action->text().remove(QLatin1Char('&')), static_cast<int>(tool));
+    }
+    m_tools->setCurrentIndex(m_tools->findData(static_cast<int>(m_first.tool)));
+    connect(m_tools, &QComboBox::activated, this, [this] { m_brush.setTool(static_cast<core::Tool>(m_tools->currentData().toInt())); });
+    addWidget(m_tools);
+}
+
+/// What a hand has not touched is what it was, though a control may not be able to show that.
+void StrokeBar::tell()
+{
+    core::BrushChange brush = core::brushOf(m_brush.stroke());
+    if (brush.radius == m_shownFirst.radius)
+        brush.radius = m_first.radius;
+    if (brush.strength == m_shownFirst.strength)
+        brush.strength = m_first.strength;
+    if (std::exchange(m_told, brush) != brush)
+        Q_EMIT changed(brush);
+}
+} // namespace ui

@@ -1,0 +1,125 @@
+#include "timeline.h"
+
+#include "history_panel.h"
+#include "spacing.h"
+#include "themed_icon.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QToolButton>
+
+#include <cstdlib>
+#include <utility>
+
+namespace ui
+{
+namespace
+{
+constexpr int paceMs = 400; ///< a step; slow enough to see what each did
+constexpr int statesAPage = 10;
+} // namespace
+
+Timeline::Timeline(QWidget* parent) : QWidget(parent), m_slider(new QSlider(Qt::Horizontal)), m_text(new QLabel), m_play(new QToolButton)
+{
+    m_slider->setObjectName(QStringLiteral("timeline"));
+    m_slider->setAccessibleName(tr("Timeline"));
+    m_slider->setToolTip(tr("Drag to see the model as it was after each step; Left and Right go by one. Sculpting there drops the later steps."));
+    m_slider->setPageStep(statesAPage);
+    m_text->setObjectName(QStringLiteral("timelineText"));
+    m_text->setTextFormat(Qt::PlainText);
+    m_text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_play->setObjectName(QStringLiteral("timelinePlay"));
+    m_play->setAutoRaise(true);
+    m_play->setCheckable(true);
+    m_play->setAccessibleName(tr("Play the steps"));
+    m_play->setToolTip(tr("Plays the steps one after the other, from here or from the first."));
+    m_pace.setInterval(paceMs);
+    connect(m_slider, &QSlider::valueChanged, this, &Timeline::want);
+    connect(m_play, &QToolButton::clicked, this, &Timeline::setPlaying);
+    connect(m_slider, &QSlider::sliderPressed, this, [this] { setPlaying(false); });
+    connect(&m_pace, &QTimer::timeout, this, &Timeline::playOn);
+
+    auto* row = new QHBoxLayout;
+    row->setSpacing(gap);
+    row->addWidget(m_play);
+    row->addWidget(m_slider, 1);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(gap / 2);
+    column->addLayout(row);
+    column->addWidget(m_text);
+    setPlaying(false);
+    setHistory({});
+}
+
+/// Whatever else happens to the history is not ours: what was wanted is forgotten, and nothing plays.
+void Timeline::setHistory(const History& history)
+{
+    QStringList names;
+    for (const HistoryStep& step : history.steps)
+        names << step.name;
+    const int before = std::exchange(m_present, history.present);
+    const bool isOther = std::exchange(m_names, names) != names;
+    const auto away = [this](int state) { return std::abs(state - m_wanted.value_or(state)); };
+    const bool isLost = m_wanted && m_present != before && away(m_present) >= away(before); // somebody else went elsewhere
+    if (isOther || isLost || m_wanted == m_present)
+        m_wanted.reset();
+    if (isOther || isLost)
+        setPlaying(false);
+    const QSignalBlocker quiet(m_slider);
+    m_slider->setRange(history.first, history.last);
+    m_slider->setValue(m_wanted.value_or(m_present));
+    m_slider->setEnabled(history.first < history.last);
+    m_play->setEnabled(history.first < history.last);
+    showState(nameOf(m_slider->value()));
+}
+
+void Timeline::want(int state)
+{
+    m_wanted = state;
+    showState(nameOf(state));
+    Q_EMIT stateWanted(state);
+}
+
+QString Timeline::nameOf(int state) const
+{
+    return state == 0 ? HistoryPanel::tr("Start") : m_names.value(state - 1);
+}
+
+void Timeline::showState(const QString& name)
+{
+    const QLocale locale;
+    m_text->setText(tr("%1 of %2: %3", "step, steps, its name").arg(locale.toString(m_slider->value()), locale.toString(m_names.size()), name));
+    m_text->setToolTip(m_text->text());
+}
+
+void Timeline::setPlaying(bool isPlaying)
+{
+    m_play->setChecked(isPlaying);
+    m_play->setIcon(themedIcon(isPlaying ? QStringLiteral("pause") : QStringLiteral("play")));
+    if (!isPlaying)
+        return m_pace.stop();
+    if (m_slider->value() == m_slider->maximum())
+        m_slider->setValue(m_slider->minimum());
+    m_pace.start();
+}
+
+/// No faster than the model comes.
+void Timeline::playOn()
+{
+    if (m_wanted)
+        return;
+    if (m_slider->value() == m_slider->maximum())
+        return setPlaying(false);
+    m_slider->setValue(m_slider->value() + 1);
+}
+
+void Timeline::hideEvent(QHideEvent* event)
+{
+    setPlaying(false);
+    QWidget::hideEvent(event);
+}
+} // namespace ui
