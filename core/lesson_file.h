@@ -92,6 +92,8 @@ Lesson readLesson(const std::filesystem::path& path);
 /// lesson is the same to the bit.
 void writeLesson(const std::filesystem::path& path, const Lesson& lesson);
 
+/// All files that writeLesson() writes, by their names.
+std::map<std::string, std::string> filesOf(const Lesson& lesson);
 /// What lesson.json says.
 std::string lessonJson(const Lesson& lesson);
 /// What the step's stroke file says.

@@ -86,12 +86,19 @@ void LessonStage::play(const FileEntry& entry)
     m_done.push_back(m_sculptor->endStroke());
 }
 
+bool LessonStage::playNext()
+{
+    assert(done() < step().strokes.size() && !m_sculptor->strokeOpen());
+    play(step().strokes[done()]);
+    return !m_done.back().empty();
+}
+
 void LessonStage::finish()
 {
     if (m_sculptor->strokeOpen())
         takeBack();
     while (done() < step().strokes.size())
-        play(step().strokes[done()]);
+        playNext();
 }
 
 void LessonStage::rewind()
