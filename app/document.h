@@ -63,6 +63,8 @@ public:
     const std::shared_ptr<core::Journal>& journal() const { return m_journal; }
 
     const QString& path() const { return m_facts.path; } ///< empty: it comes from no file
+    /// Who had it made knows it by that; null: a file's, or a starter.
+    const std::shared_ptr<const void>& mark() const { return m_mark; }
     const ui::ModelFacts& facts() const { return m_facts; }
     bool isModified() const;
     bool isBusy() const { return m_work.isBusy(); }
@@ -93,6 +95,18 @@ public:
     bool handOver(const QString& what, std::function<bool(const Present& present)> keep, std::function<void(bool isKept)> done);
     const QUndoStack& undoStack() const { return m_stack; }
     HistoryStore& history() { return m_history; }
+
+    /// Makes a model that may be sculpted, or says why not; in a thread of its own.
+    using Make = std::function<LoadedModel(const core::JobWatch& watch)>;
+    struct Made
+    {
+        QString what; ///< is going on meanwhile
+        Make make;
+        std::shared_ptr<const void> mark;
+        bool losesChanges = false; ///< the person knows it
+    };
+    /// A model that others make: no file's.
+    void openMade(const Made& made);
 
 public Q_SLOTS:
     /// In the place of what is being opened just now; after what is being written or changed.
@@ -180,8 +194,6 @@ private:
         std::function<void()> run;
     };
 
-    /// Makes a model that may be sculpted, or says why not; in a thread of its own.
-    using Make = std::function<LoadedModel(const core::JobWatch& watch)>;
     struct Choice
     {
         QString what;
@@ -235,6 +247,7 @@ private:
     QUndoStack m_stack;
     ui::ModelFacts m_facts;
     std::shared_ptr<const core::Snapshot> m_start; ///< what Reset goes back to
+    std::shared_ptr<const void> m_mark;
     MayDiscard m_mayDiscard;
     std::function<void(core::DocumentNotes&)> m_completeNotes;
     JournalShelf* m_shelf = nullptr;

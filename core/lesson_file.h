@@ -45,7 +45,7 @@ struct LessonError : std::runtime_error
         MissingFile,  ///< `file` is named, but not there
         TooLarge,     ///< `file`, or all together if it is empty; `most` bytes
         NotAPicture,  ///< `file` is neither PNG nor JPEG
-        Unsound,      ///< the model in `file` bounds no solid: `report` says why
+        Unsound,      ///< the model in `file` bounds no solid: `report` says why; or else `most` of its faces fit no lattice
         Strokes,      ///< `strokes` says what is wrong in `file`
         NamesFiles,   ///< strokes in `file` need other files; `strokes` says which
         Refused,      ///< a command in `file` cannot be done soundly; `strokes` says which

@@ -14,6 +14,7 @@ LessonStage::LessonStage(std::shared_ptr<const Lesson> lesson, std::filesystem::
         LessonError error(LessonError::Kind::Unsound, m_path);
         error.file = file ? *file : std::string();
         error.report = built.report;
+        error.most = static_cast<double>(built.unsnappable);
         throw error;
     }
     m_start = snapshotOf(*built.mesh);
