@@ -11,7 +11,6 @@
 #include "ui/viewport.h"
 
 #include <QAction>
-#include <QFileInfo>
 
 namespace app
 {
@@ -32,13 +31,6 @@ ui::LessonPage pageOf(const core::Lesson& lesson, std::size_t index)
     const core::LessonStep& step = lesson.steps[index];
     return {inOurLanguage(lesson.title), inOurLanguage(step.title), inOurLanguage(step.text), pictureOf(lesson, step.picture),
             static_cast<int>(index), static_cast<int>(lesson.steps.size()), !step.strokes.empty(), step.checkpoint.target.has_value()};
-}
-
-/// What is chosen by its lesson.json is the folder.
-QString folderOr(const QString& path)
-{
-    const QFileInfo file(path);
-    return file.fileName() == QLatin1String("lesson.json") ? file.absolutePath() : path;
 }
 
 /// Of the lessons that are inside of the program.
@@ -66,7 +58,7 @@ LessonDesk::LessonDesk(ui::MainWindow& window, Document& document, SculptWorker&
     offerAtStart(lessons);
     connect(&m_timer, &QTimer::timeout, this, &LessonDesk::tick);
     connect(m_panel, &LessonPanel::lessonChosen, this, &LessonDesk::read);
-    connect(m_panel, &LessonPanel::fileWanted, this, [this] { ui::askForLesson(m_window, [this](const QString& path) { read(folderOr(path)); }); });
+    connect(m_panel, &LessonPanel::fileWanted, this, [this] { ui::askForLesson(m_window, [this](const QString& path) { read(lessonOrItsFolder(path)); }); });
     connect(m_panel, &LessonPanel::stepWanted, this, &LessonDesk::goTo);
     connect(m_panel, &LessonPanel::playWanted, this, &LessonDesk::playOrPause);
     connect(m_panel, &LessonPanel::oneWanted, this, &LessonDesk::playOne);

@@ -8,6 +8,7 @@
 #include "ui/messages.h"
 
 #include <QFile>
+#include <QFileInfo>
 #include <QLocale>
 #include <QRegularExpression>
 #include <QTemporaryDir>
@@ -80,6 +81,12 @@ std::string lessonStartOf(const core::TriangleMesh& mesh)
 QString inOurLanguage(const core::LessonText& text)
 {
     return QString::fromStdString(text.in(QLocale().name().toStdString()));
+}
+
+QString lessonOrItsFolder(const QString& path)
+{
+    const QFileInfo file(path);
+    return file.fileName() == QLatin1String("lesson.json") ? file.absolutePath() : path;
 }
 
 ReadLesson tryToReadLesson(const QString& pathOrName)

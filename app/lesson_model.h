@@ -21,6 +21,8 @@ std::string lessonStartOf(const core::TriangleMesh& mesh);
 inline constexpr char lessonStart[] = "start.glb";
 
 QString inOurLanguage(const core::LessonText& text);
+/// What is chosen by its lesson.json is the folder.
+QString lessonOrItsFolder(const QString& path);
 
 /// A lesson, or why not: one sentence.
 struct ReadLesson

@@ -11,6 +11,7 @@
 #include "history_list.h"
 #include "journal_shelf.h"
 #include "lesson_desk.h"
+#include "lesson_editor_desk.h"
 #include "model_inquiry.h"
 #include "patch_inbox.h"
 #include "print_inquiry.h"
@@ -346,6 +347,7 @@ void wire(ui::MainWindow& window, Document& document, SculptWorker& worker, cons
     wireModelPanel(window, document, worker);
     wirePrintPanel(window, document, worker);
     new LessonDesk(window, document, worker); // before the strokes: the teacher's ends where the hand's begins
+    new LessonEditorDesk(window, document, worker);
     wireStrokes(*window.viewport(), document);
     wireWorker(*window.viewport(), worker, inbox);
     wireDrawings(window, worker);
