@@ -64,6 +64,8 @@ public:
     const std::shared_ptr<core::Journal>& journal() const { return m_journal; }
 
     const QString& path() const { return m_facts.path; } ///< empty: it comes from no file
+    /// Who had it made knows it by that; null: a file's, or a starter.
+    const std::shared_ptr<const void>& mark() const { return m_mark; }
     const ui::ModelFacts& facts() const { return m_facts; }
     bool isModified() const;
     bool isBusy() const { return m_work.isBusy(); }
@@ -115,6 +117,18 @@ public:
 
     const QUndoStack& undoStack() const { return m_stack; }
     HistoryStore& history() { return m_history; }
+
+    /// Makes a model that may be sculpted, or says why not; in a thread of its own.
+    using Make = std::function<LoadedModel(const core::JobWatch& watch)>;
+    struct Made
+    {
+        QString what; ///< is going on meanwhile
+        Make make;
+        std::shared_ptr<const void> mark;
+        bool losesChanges = false; ///< the person knows it
+    };
+    /// A model that others make: no file's.
+    void openMade(const Made& made);
 
 public Q_SLOTS:
     /// In the place of what is being opened just now; after what is being written or changed.
@@ -202,8 +216,6 @@ private:
         std::function<void()> run;
     };
 
-    /// Makes a model that may be sculpted, or says why not; in a thread of its own.
-    using Make = std::function<LoadedModel(const core::JobWatch& watch)>;
     struct Choice
     {
         QString what;
@@ -260,6 +272,7 @@ private:
     QUndoStack m_stack;
     ui::ModelFacts m_facts;
     std::shared_ptr<const core::Snapshot> m_start; ///< what Reset goes back to
+    std::shared_ptr<const void> m_mark;
     MayDiscard m_mayDiscard;
     std::function<void(core::DocumentNotes&)> m_completeNotes;
     JournalShelf* m_shelf = nullptr;

@@ -70,6 +70,17 @@ void Document::openCopy(const QString& path, const QString& name)
               }});
 }
 
+void Document::openMade(const Made& made)
+{
+    openFrom({made.what,
+              [make = made.make, mark = made.mark](const core::JobWatch& watch) {
+                  LoadedModel model = make(watch);
+                  model.mark = mark;
+                  return model;
+              },
+              made.losesChanges});
+}
+
 /// Changes are what they are when all strokes have reported. Who let them go for a model that does not come need not be asked again.
 void Document::openFrom(const Choice& choice)
 {
@@ -134,7 +145,8 @@ void Document::install(std::shared_ptr<LoadedModel> model)
     m_history.clear();
     m_stack.clear();
     m_lastReport.reset();
-    m_changedBeyondHistory = !model->mended.isEmpty();
+    m_changedBeyondHistory = model->isUnsaved || !model->mended.isEmpty();
+    m_mark = model->mark;
     m_facts.name = model->name;
     m_facts.path = model->path;
     m_facts.notes = model->notes;

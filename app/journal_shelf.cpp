@@ -97,7 +97,7 @@ void JournalShelf::atExit()
 std::shared_ptr<core::Journal> JournalShelf::begin(const LoadedModel& model)
 {
     try {
-        const core::StartRecord start{model.start, {text(model.name), text(model.path), model.notes, !model.mended.isEmpty()}};
+        const core::StartRecord start{model.start, {text(model.name), text(model.path), model.notes, model.isUnsaved || !model.mended.isEmpty()}};
         auto journal = core::Journal::begin(m_root, start, news(), m_limits);
         const std::lock_guard lock(m_mutex);
         m_open.push_back(journal);

@@ -1,5 +1,6 @@
 // lesson: a lesson played to its end without a window, and each of its checkpoints judged; or a pupil's model judged by one of them.
 #include "command_line.h"
+#include "lesson_saving.h"
 #include "lesson_shelf.h"
 #include "lesson_words.h"
 #include "model_loader.h"
@@ -7,7 +8,7 @@
 #include "core/lesson_stage.h"
 #include "core/mesh_build.h"
 #include "core/mesh_io.h"
-#include "core/model_picture.h"
+
 #include "ui/messages.h"
 
 #include <QDir>
@@ -24,8 +25,6 @@ class LessonCommandWords
 {
     Q_DECLARE_TR_FUNCTIONS(app::LessonCommand)
 };
-
-constexpr int pictureSide = 160; ///< pixels
 
 struct LessonOptions
 {
@@ -118,9 +117,7 @@ void printHead(const core::LessonStep& step, std::size_t index, const LessonOpti
 
 void draw(const core::TriangleMesh& mesh, const QString& path)
 {
-    const core::ModelPicture picture = core::drawPicture(mesh, pictureSide, {}).value();
-    const QImage image(picture.rgba.data()->data(), picture.width, picture.height, QImage::Format_RGBA8888_Premultiplied);
-    if (!image.save(path))
+    if (!lessonPicture(mesh).save(path))
         CommandLine::fail(LessonCommandWords::tr("%1: this picture cannot be written.").arg(path));
 }
 

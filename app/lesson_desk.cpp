@@ -1,17 +1,16 @@
 #include "lesson_desk.h"
 
 #include "document.h"
+#include "lesson_model.h"
 #include "lesson_shelf.h"
 #include "lesson_words.h"
-#include "model_loader.h"
 
 #include "ui/file_dialogs.h"
 #include "ui/main_window.h"
-#include "ui/messages.h"
+#include "ui/start_page.h"
 #include "ui/viewport.h"
 
-#include <QFileInfo>
-#include <QLocale>
+#include <QAction>
 
 namespace app
 {
@@ -20,11 +19,6 @@ namespace
 constexpr int tickMs = 16;
 constexpr quint64 mostWaiting = 3; ///< samples that the mesh thread may be behind: so none is ever dropped
 constexpr double longestTick = 0.1; ///< s: a window that was held up does not make up for it
-
-QString inOurLanguage(const core::LessonText& text)
-{
-    return QString::fromStdString(text.in(QLocale().name().toStdString()));
-}
 
 QImage pictureOf(const core::Lesson& lesson, const std::string& name)
 {
@@ -39,38 +33,12 @@ ui::LessonPage pageOf(const core::Lesson& lesson, std::size_t index)
             static_cast<int>(index), static_cast<int>(lesson.steps.size()), !step.strokes.empty(), step.checkpoint.target.has_value()};
 }
 
-/// What is chosen by its lesson.json is the folder.
-QString folderOr(const QString& path)
-{
-    const QFileInfo file(path);
-    return file.fileName() == QLatin1String("lesson.json") ? file.absolutePath() : path;
-}
-
-/// A lesson, or why not.
-struct ReadLesson
-{
-    std::shared_ptr<const core::Lesson> lesson;
-    QString problem;
-};
-
-ReadLesson tryToRead(const QString& pathOrName)
-{
-    try {
-        return {std::make_shared<const core::Lesson>(readLesson(pathOrName)), {}};
-    } catch (const core::LessonError& error) {
-        const QString sentence = LessonWords::sentence(error);
-        return {{}, sentence.endsWith(QLatin1Char('.')) ? sentence : sentence + QLatin1Char('.')};
-    } catch (const core::FileError& error) {
-        return {{}, ui::Messages::sentence(error)};
-    }
-}
-
 /// Of the lessons that are inside of the program.
 QList<ui::LessonCard> cards()
 {
     QList<ui::LessonCard> all;
     for (const QString& name : shippedLessons()) {
-        const std::shared_ptr<const core::Lesson> lesson = tryToRead(name).lesson;
+        const std::shared_ptr<const core::Lesson> lesson = tryToReadLesson(name).lesson;
         if (lesson)
             all.append({name, inOurLanguage(lesson->title), inOurLanguage(lesson->summary), pictureOf(*lesson, lesson->steps.back().picture)});
     }
@@ -85,10 +53,12 @@ LessonDesk::LessonDesk(ui::MainWindow& window, Document& document, SculptWorker&
     using ui::LessonPanel;
     m_timer.setInterval(tickMs);
     m_timer.setTimerType(Qt::PreciseTimer);
-    m_panel->setLessons(cards());
+    const QList<ui::LessonCard> lessons = cards();
+    m_panel->setLessons(lessons);
+    offerAtStart(lessons);
     connect(&m_timer, &QTimer::timeout, this, &LessonDesk::tick);
     connect(m_panel, &LessonPanel::lessonChosen, this, &LessonDesk::read);
-    connect(m_panel, &LessonPanel::fileWanted, this, [this] { ui::askForLesson(m_window, [this](const QString& path) { read(folderOr(path)); }); });
+    connect(m_panel, &LessonPanel::fileWanted, this, [this] { ui::askForLesson(m_window, [this](const QString& path) { read(lessonOrItsFolder(path)); }); });
     connect(m_panel, &LessonPanel::stepWanted, this, &LessonDesk::goTo);
     connect(m_panel, &LessonPanel::playWanted, this, &LessonDesk::playOrPause);
     connect(m_panel, &LessonPanel::oneWanted, this, &LessonDesk::playOne);
@@ -100,17 +70,25 @@ LessonDesk::LessonDesk(ui::MainWindow& window, Document& document, SculptWorker&
         if (m_player)
             m_player->setSpeed(speed);
     });
-    connect(m_window, &ui::MainWindow::openRequested, this, [this] { m_coming = nullptr; });
-    connect(m_window, &ui::MainWindow::starterRequested, this, [this] { m_coming = nullptr; });
     connect(m_window->viewport(), &ui::Viewport::strokeBegan, this, &LessonDesk::interrupt);
     connect(m_document, &Document::opened, this, &LessonDesk::begin);
     connect(m_inquiry, &LessonInquiry::answered, this, &LessonDesk::tell);
     connect(m_inquiry, &RestingModel::outdated, this, [this] { tell({}, {}); });
 }
 
+void LessonDesk::offerAtStart(const QList<ui::LessonCard>& lessons)
+{
+    auto* start = m_window->findChild<ui::StartPage*>();
+    start->setLessons(lessons);
+    connect(start, &ui::StartPage::lessonChosen, this, [this](const QString& name) {
+        m_window->action(QStringLiteral("help.lessons"))->trigger();
+        read(name);
+    });
+}
+
 void LessonDesk::read(const QString& pathOrName)
 {
-    m_aside.run([pathOrName] { return tryToRead(pathOrName); },
+    m_aside.run([pathOrName] { return tryToReadLesson(pathOrName); },
                 [this, path = toPath(pathOrName)](const ReadLesson& read) {
                     if (!m_window)
                         return;
@@ -123,25 +101,21 @@ void LessonDesk::read(const QString& pathOrName)
 
 void LessonDesk::take(std::shared_ptr<const core::Lesson> lesson, const std::filesystem::path& path)
 {
-    const auto* const starter = std::get_if<core::Starter>(&lesson->start);
-    if (!starter)
-        return m_window->showProblem(tr("This lesson begins with a model from a file, which the window cannot give yet; fettle lesson plays it."));
     m_coming = lesson;
     m_comingPath = path;
-    m_document->openStarter(*starter);
+    const auto make = [model = LessonModel{lesson, path}](const core::JobWatch& watch) { return model.load(watch); };
+    m_document->openMade({tr("Opening %1").arg(inOurLanguage(lesson->title)), make, lesson});
 }
 
 /// Another model is here: the lesson's start, or the end of the lesson.
 void LessonDesk::begin()
 {
-    const bool isOurs = m_coming && m_document->path().isEmpty();
     leave();
-    m_lesson = std::exchange(m_coming, nullptr);
-    m_path = m_comingPath;
-    if (!isOurs)
-        m_lesson = nullptr;
-    if (!m_lesson)
+    const std::shared_ptr<const core::Lesson> coming = std::exchange(m_coming, nullptr);
+    if (!coming || m_document->mark() != coming)
         return;
+    m_lesson = coming;
+    m_path = m_comingPath;
     m_player.emplace(m_lesson);
     m_player->setSpeed(m_speed);
     enter(0);

@@ -28,6 +28,7 @@ public:
     LessonDesk(ui::MainWindow& window, Document& document, SculptWorker& worker);
 
 private:
+    void offerAtStart(const QList<ui::LessonCard>& lessons);
     void read(const QString& pathOrName);
     void take(std::shared_ptr<const core::Lesson> lesson, const std::filesystem::path& path);
     void begin();

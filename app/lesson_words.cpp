@@ -87,7 +87,9 @@ QString LessonWords::files(const core::LessonError& error)
     case Kind::MissingFile: return tr("this file is named, but not there");
     case Kind::TooLarge: return tr("this is too large for a lesson: at most %1 are read").arg(bytes(error.most));
     case Kind::NotAPicture: return tr("this is no PNG or JPEG picture");
-    case Kind::Unsound: return ui::Messages::refusal(QString::fromStdString(error.file), error.report);
+    case Kind::Unsound:
+        return error.report.printReady() ? ui::Messages::tooFine(QString::fromStdString(error.file), static_cast<quint64>(error.most))
+                                         : ui::Messages::refusal(QString::fromStdString(error.file), error.report);
     case Kind::Strokes: return error.strokes ? StrokeWords::reason(*error.strokes) : QString();
     case Kind::NamesFiles: return tr("the strokes of a lesson cannot need other images or models");
     case Kind::Refused: return tr("this command cannot be done soundly on the model that it comes to");

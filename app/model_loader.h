@@ -35,6 +35,7 @@ struct LoadedModel
     QString problem;                          ///< then: one sentence with file, place or counts, and reason
     bool isMendable = false;                  ///< then: loadMended() may take it
     QStringList mended;                       ///< what was done to it; empty: nothing
+    bool isUnsaved = false;                   ///< it is in no file as it is
     QString notice;                           ///< what the person should know of a model that was taken; may be empty
     core::UnitDoubt unitGuess = core::UnitDoubt::None; ///< of a model whose file has none
     QString name;
@@ -43,6 +44,7 @@ struct LoadedModel
     std::shared_ptr<core::Journal> journal; ///< that was begun for it; may be null
     std::shared_ptr<core::RecoveredDocument> recovered; ///< of a model out of such a journal: its history; the mesh is the sculptor's
     quint64 offer = 0;                                  ///< that it was
+    std::shared_ptr<const void> mark = {};              ///< of who had it made
 };
 
 /// Files to models and back, in words for people. Any thread; takes as long as the model is large. Never throws.

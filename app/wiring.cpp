@@ -13,6 +13,7 @@
 #include "history_scrubber.h"
 #include "journal_shelf.h"
 #include "lesson_desk.h"
+#include "lesson_editor_desk.h"
 #include "model_inquiry.h"
 #include "patch_inbox.h"
 #include "print_inquiry.h"
@@ -353,6 +354,7 @@ void wire(ui::MainWindow& window, Document& document, SculptWorker& worker, cons
     wirePrintPanel(window, document, worker);
     new LessonDesk(window, document, worker); // before the strokes: the teacher's ends where the hand's begins
     new StrokeEdit(window, document); // the same: what is wanted of the last stroke comes before the next
+    new LessonEditorDesk(window, document, worker);
     wireStrokes(*window.viewport(), document);
     wireWorker(*window.viewport(), worker, inbox);
     wireDrawings(window, worker);

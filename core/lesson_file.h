@@ -45,7 +45,7 @@ struct LessonError : std::runtime_error
         MissingFile,  ///< `file` is named, but not there
         TooLarge,     ///< `file`, or all together if it is empty; `most` bytes
         NotAPicture,  ///< `file` is neither PNG nor JPEG
-        Unsound,      ///< the model in `file` bounds no solid: `report` says why
+        Unsound,      ///< the model in `file` bounds no solid: `report` says why; or else `most` of its faces fit no lattice
         Strokes,      ///< `strokes` says what is wrong in `file`
         NamesFiles,   ///< strokes in `file` need other files; `strokes` says which
         Refused,      ///< a command in `file` cannot be done soundly; `strokes` says which
@@ -92,6 +92,8 @@ Lesson readLesson(const std::filesystem::path& path);
 /// lesson is the same to the bit.
 void writeLesson(const std::filesystem::path& path, const Lesson& lesson);
 
+/// All files that writeLesson() writes, by their names.
+std::map<std::string, std::string> filesOf(const Lesson& lesson);
 /// What lesson.json says.
 std::string lessonJson(const Lesson& lesson);
 /// What the step's stroke file says.

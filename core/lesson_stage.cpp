@@ -14,6 +14,7 @@ LessonStage::LessonStage(std::shared_ptr<const Lesson> lesson, std::filesystem::
         LessonError error(LessonError::Kind::Unsound, m_path);
         error.file = file ? *file : std::string();
         error.report = built.report;
+        error.most = static_cast<double>(built.unsnappable);
         throw error;
     }
     m_start = snapshotOf(*built.mesh);
@@ -86,12 +87,19 @@ void LessonStage::play(const FileEntry& entry)
     m_done.push_back(m_sculptor->endStroke());
 }
 
+bool LessonStage::playNext()
+{
+    assert(done() < step().strokes.size() && !m_sculptor->strokeOpen());
+    play(step().strokes[done()]);
+    return !m_done.back().empty();
+}
+
 void LessonStage::finish()
 {
     if (m_sculptor->strokeOpen())
         takeBack();
     while (done() < step().strokes.size())
-        play(step().strokes[done()]);
+        playNext();
 }
 
 void LessonStage::rewind()

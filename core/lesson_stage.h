@@ -29,6 +29,8 @@ public:
     void apply(const LessonCue& cue);
     /// What was done last in the step, or is under way. False at the step's start.
     bool takeBack();
+    /// Does the step's next stroke or command, which there is; nothing is under way. Whether that changed the model.
+    bool playNext();
     /// Does the rest of the step; what is under way is done anew.
     void finish();
     /// Back to the step's start.
@@ -38,6 +40,14 @@ public:
 
     /// What the step's checkpoint wants to be come near to; between strokes. Cost: the rest of the step, unless it is a file.
     TriangleMesh target();
+
+    /// The model as it is, to be sculpted on, and the lesson's start. The last that is asked of the stage.
+    struct Left
+    {
+        std::unique_ptr<Sculptor> sculptor;
+        std::shared_ptr<const Snapshot> start;
+    };
+    Left leave() && { return {std::move(m_sculptor), std::move(m_start)}; }
 
 private:
     void begin(const StrokeSettings& settings);

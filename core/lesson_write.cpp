@@ -70,17 +70,6 @@ Json jsonOf(const LessonStep& step)
     return json;
 }
 
-/// All files of the lesson by their names.
-std::map<std::string, std::string> filesOf(const Lesson& lesson)
-{
-    std::map<std::string, std::string> files = lesson.files;
-    files[lessonJsonName] = lessonJson(lesson);
-    for (const LessonStep& step : lesson.steps)
-        if (!step.strokesFile.empty())
-            files[step.strokesFile] = strokesText(step);
-    return files;
-}
-
 void writeZip(const std::filesystem::path& path, const std::map<std::string, std::string>& files)
 {
     mesh_io::ZipWriter zip;
@@ -145,6 +134,16 @@ bool isZipName(const std::filesystem::path& path)
     return ending == ".zip" || ending == ".ZIP";
 }
 } // namespace
+
+std::map<std::string, std::string> filesOf(const Lesson& lesson)
+{
+    std::map<std::string, std::string> files = lesson.files;
+    files[lessonJsonName] = lessonJson(lesson);
+    for (const LessonStep& step : lesson.steps)
+        if (!step.strokesFile.empty())
+            files[step.strokesFile] = strokesText(step);
+    return files;
+}
 
 std::string lessonJson(const Lesson& lesson)
 {

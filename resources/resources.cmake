@@ -92,6 +92,7 @@ set(FETTLE_RESOURCE_FILES
     icons/radius.svg
     icons/ray.svg
     icons/recentre.svg
+    icons/record.svg
     icons/redo.svg
     icons/reference.svg
     icons/reference-choose.svg

@@ -683,13 +683,120 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
 <context>
     <name>app::LessonDesk</name>
     <message>
-        <source>This lesson begins with a model from a file, which the window cannot give yet; fettle lesson plays it.</source>
-        <translation>Diese Lektion beginnt mit einem Modell aus einer Datei, was das Fenster noch nicht kann; fettle lesson spielt sie ab.</translation>
-    </message>
-    <message>
         <source>%1 (%2)</source>
         <comment>what is asked; what is</comment>
         <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 wird geöffnet</translation>
+    </message>
+</context>
+<context>
+    <name>app::LessonEditorDesk</name>
+    <message>
+        <source>This was taken back: a lesson cannot hold images and models from other files.</source>
+        <translation>Das wurde zurückgenommen: Eine Lektion kann keine Bilder und Modelle aus anderen Dateien enthalten.</translation>
+    </message>
+    <message>
+        <source>The model is too large for a lesson.</source>
+        <translation>Das Modell ist zu groß für eine Lektion.</translation>
+    </message>
+    <message>
+        <source>Preparing the lesson</source>
+        <translation>Die Lektion wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>Not yet: other work on the model is not done.</source>
+        <translation>Noch nicht: Eine andere Arbeit am Modell ist noch nicht fertig.</translation>
+    </message>
+    <message>
+        <source>Playing the lesson to its end</source>
+        <translation>Die Lektion wird bis zum Ende abgespielt</translation>
+    </message>
+    <message>
+        <source>lesson</source>
+        <translation>Lektion</translation>
+    </message>
+    <message>
+        <source>%1 was not written.</source>
+        <translation>%1 wurde nicht geschrieben.</translation>
+    </message>
+    <message numerus="yes">
+        <source>And %n more.</source>
+        <translation>
+            <numerusform>Und %n weitere Meldung.</numerusform>
+            <numerusform>Und %n weitere Meldungen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Save the lesson</source>
+        <translation>Lektion speichern</translation>
+    </message>
+    <message>
+        <source>Not everything is as the lesson asks for.</source>
+        <translation>Nicht alles ist so, wie die Lektion es verlangt.</translation>
+    </message>
+    <message>
+        <source>Save All the Same</source>
+        <translation>Trotzdem speichern</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>%1 wird gespeichert</translation>
+    </message>
+    <message>
+        <source>%1 was written.</source>
+        <translation>%1 wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>Unsaved lesson</source>
+        <translation>Nicht gespeicherte Lektion</translation>
+    </message>
+    <message>
+        <source>The lesson has changes that were not saved.</source>
+        <translation>Die Lektion hat Änderungen, die nicht gespeichert wurden.</translation>
+    </message>
+</context>
+<context>
+    <name>app::LessonSaving</name>
+    <message>
+        <source>The lesson has no title yet.</source>
+        <translation>Die Lektion hat noch keinen Titel.</translation>
+    </message>
+    <message>
+        <source>The lesson has no steps yet.</source>
+        <translation>Die Lektion hat noch keine Schritte.</translation>
+    </message>
+    <message>
+        <source>Step %1 has no title yet.</source>
+        <translation>Schritt %1 hat noch keinen Titel.</translation>
+    </message>
+    <message>
+        <source>Step %1 has no text yet.</source>
+        <translation>Schritt %1 hat noch keinen Text.</translation>
+    </message>
+    <message>
+        <source>Step %1, stroke %2 (%3) changes nothing any more.</source>
+        <translation>Schritt %1, Strich %2 (%3) ändert nichts mehr.</translation>
+    </message>
+    <message>
+        <source>Step %1 is not met: %2 (%3).</source>
+        <extracomment>a step&apos;s number; what it asks for; what the teacher&apos;s own model has</extracomment>
+        <translation>Schritt %1 ist nicht erfüllt: %2 (%3).</translation>
+    </message>
+    <message>
+        <source>%1, %2 mm</source>
+        <extracomment>a stroke&apos;s tool and radius</extracomment>
+        <translation>%1, %2 mm</translation>
+    </message>
+    <message>
+        <source>Played again, the lesson does not end with the model in the window.</source>
+        <translation>Noch einmal abgespielt, endet die Lektion nicht mit dem Modell im Fenster.</translation>
+    </message>
+    <message>
+        <source>%1 is there already; a lesson&apos;s folder gets a name of its own.</source>
+        <translation>%1 gibt es schon; der Ordner einer Lektion bekommt einen eigenen Namen.</translation>
     </message>
 </context>
 <context>
@@ -2668,6 +2775,14 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Macht dieses Modell, wie es jetzt ist, zum Modell des Stempels.</translation>
     </message>
     <message>
+        <source>Record Le&amp;sson…</source>
+        <translation>Lektion auf&amp;zeichnen …</translation>
+    </message>
+    <message>
+        <source>Makes a lesson of what you sculpt, step by step, or changes one that is there.</source>
+        <translation>Macht aus dem, was Sie formen, Schritt für Schritt eine Lektion oder ändert eine vorhandene.</translation>
+    </message>
+    <message>
         <source>Edit &amp;Last Stroke…</source>
         <translation>&amp;Letzten Strich ändern…</translation>
     </message>
@@ -3487,6 +3602,18 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>Class report</source>
         <translation>Klassenbericht</translation>
     </message>
+    <message>
+        <source>One file (%1)</source>
+        <translation>Eine Datei (%1)</translation>
+    </message>
+    <message>
+        <source>A folder (*)</source>
+        <translation>Ein Ordner (*)</translation>
+    </message>
+    <message>
+        <source>Save the Lesson</source>
+        <translation>Lektion speichern</translation>
+    </message>
 </context>
 <context>
     <name>ui::FileItemDelegate</name>
@@ -3926,6 +4053,150 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
+    <name>ui::LessonEditor</name>
+    <message>
+        <source>A lesson records what you sculpt, step by step, here or in the headset. It begins with:</source>
+        <translation>Eine Lektion zeichnet auf, was Sie formen, Schritt für Schritt, hier oder im Headset. Sie beginnt mit:</translation>
+    </message>
+    <message>
+        <source>Begins with</source>
+        <translation>Beginnt mit</translation>
+    </message>
+    <message>
+        <source>The model as it is now</source>
+        <translation>Modell, wie es jetzt ist</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Begins a lesson of one step. The strokes before it cannot be undone any more.</source>
+        <translation>Beginnt eine Lektion mit einem Schritt. Die Striche davor lassen sich nicht mehr rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>Or change a lesson that is there:</source>
+        <translation>Oder eine vorhandene Lektion ändern:</translation>
+    </message>
+    <message>
+        <source>Lessons of the program</source>
+        <translation>Lektionen des Programms</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Bearbeiten</translation>
+    </message>
+    <message>
+        <source>Opens it here; it is saved under a name of your own.</source>
+        <translation>Öffnet sie hier; gespeichert wird sie unter einem eigenen Namen.</translation>
+    </message>
+    <message>
+        <source>Open a Lesson…</source>
+        <translation>Lektion öffnen …</translation>
+    </message>
+    <message>
+        <source>Opens a lesson from a zip or a folder, to change it.</source>
+        <translation>Öffnet eine Lektion aus einem Zip oder einem Ordner, um sie zu ändern.</translation>
+    </message>
+    <message>
+        <source>Language of the texts</source>
+        <translation>Sprache der Texte</translation>
+    </message>
+    <message>
+        <source>Texts are written in this language. Where one is missing, pupils read another one.</source>
+        <translation>In dieser Sprache werden die Texte geschrieben. Wo einer fehlt, lesen Kinder ihn in einer anderen.</translation>
+    </message>
+    <message>
+        <source>Title of the lesson</source>
+        <translation>Titel der Lektion</translation>
+    </message>
+    <message>
+        <source>What the lesson is called.</source>
+        <translation>Wie die Lektion heißt.</translation>
+    </message>
+    <message>
+        <source>In one sentence</source>
+        <translation>In einem Satz</translation>
+    </message>
+    <message>
+        <source>What the lesson is about, in one sentence.</source>
+        <translation>Worum es in der Lektion geht, in einem Satz.</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>New Step</source>
+        <translation>Neuer Schritt</translation>
+    </message>
+    <message>
+        <source>From here on strokes belong to a new step, the last one.</source>
+        <translation>Von hier an gehören Striche zu einem neuen Schritt, dem letzten.</translation>
+    </message>
+    <message>
+        <source>Moves the step up</source>
+        <translation>Schiebt den Schritt nach oben</translation>
+    </message>
+    <message>
+        <source>Moves the step down</source>
+        <translation>Schiebt den Schritt nach unten</translation>
+    </message>
+    <message>
+        <source>Removes the step with its strokes</source>
+        <translation>Entfernt den Schritt mit seinen Strichen</translation>
+    </message>
+    <message>
+        <source>Plays the lesson to its end and records from there, or stops that.</source>
+        <translation>Spielt die Lektion bis zum Ende ab und zeichnet von da an auf, oder hört damit auf.</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern …</translation>
+    </message>
+    <message>
+        <source>Plays the lesson to its end, judges each step, and writes it as one file or a folder.</source>
+        <translation>Spielt die Lektion bis zum Ende ab, prüft jeden Schritt und schreibt sie als eine Datei oder einen Ordner.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Ends the work on this lesson. The model stays as it is.</source>
+        <translation>Beendet die Arbeit an dieser Lektion. Das Modell bleibt, wie es ist.</translation>
+    </message>
+    <message>
+        <source>%1. %2 (%3)</source>
+        <extracomment>number of a step, its title, how many strokes it has</extracomment>
+        <translation>%1. %2 (%3)</translation>
+    </message>
+    <message>
+        <source>Step %1</source>
+        <translation>Schritt %1</translation>
+    </message>
+    <message>
+        <source>Stop Recording</source>
+        <translation>Aufzeichnung beenden</translation>
+    </message>
+    <message>
+        <source>Record On</source>
+        <translation>Weiter aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Lesson Editor</source>
+        <translation>Lektion bearbeiten</translation>
+    </message>
+    <message>
+        <source>● Recording into step %1</source>
+        <translation>● Aufzeichnung in Schritt %1</translation>
+    </message>
+    <message>
+        <source>○ Not recording</source>
+        <translation>○ Keine Aufzeichnung</translation>
+    </message>
+</context>
+<context>
     <name>ui::LessonPanel</name>
     <message>
         <source>Choose a lesson. It begins with a model of its own.</source>
@@ -4011,6 +4282,134 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Lessons</source>
         <translation>Lektionen</translation>
+    </message>
+</context>
+<context>
+    <name>ui::LessonStepEditor</name>
+    <message>
+        <source>Title of the step</source>
+        <translation>Titel des Schritts</translation>
+    </message>
+    <message>
+        <source>What the step is called.</source>
+        <translation>Wie der Schritt heißt.</translation>
+    </message>
+    <message>
+        <source>Text of the step</source>
+        <translation>Text des Schritts</translation>
+    </message>
+    <message>
+        <source>What the pupil reads beside the model.</source>
+        <translation>Was das Kind neben dem Modell liest.</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Strokes of the step</source>
+        <translation>Striche des Schritts</translation>
+    </message>
+    <message>
+        <source>Cut Stroke</source>
+        <translation>Strich herausnehmen</translation>
+    </message>
+    <message>
+        <source>Takes this stroke out of the lesson. Those after it are played without it when the lesson is saved.</source>
+        <translation>Nimmt diesen Strich aus der Lektion. Die danach werden beim Speichern ohne ihn abgespielt.</translation>
+    </message>
+    <message>
+        <source>Strokes</source>
+        <translation>Striche</translation>
+    </message>
+    <message>
+        <source>The pupil has these tools; all of them, if none is chosen.</source>
+        <translation>Das Kind hat diese Werkzeuge; alle, wenn keines gewählt ist.</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>%1, at least</source>
+        <translation>%1, mindestens</translation>
+    </message>
+    <message>
+        <source>%1, at most</source>
+        <translation>%1, höchstens</translation>
+    </message>
+    <message>
+        <source>The step is done when the pupil&apos;s model is so:</source>
+        <translation>Der Schritt ist geschafft, wenn das Modell des Kindes so ist:</translation>
+    </message>
+    <message>
+        <source>at least</source>
+        <translation>mindestens</translation>
+    </message>
+    <message>
+        <source>at most</source>
+        <translation>höchstens</translation>
+    </message>
+    <message>
+        <source>Holes</source>
+        <translation>Löcher</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>Height, mm</source>
+        <translation>Höhe, mm</translation>
+    </message>
+    <message>
+        <source>Width, mm</source>
+        <translation>Breite, mm</translation>
+    </message>
+    <message>
+        <source>Depth, mm</source>
+        <translation>Tiefe, mm</translation>
+    </message>
+    <message>
+        <source>Volume, mm³</source>
+        <translation>Volumen, mm³</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>So near the pupil&apos;s shape is to come to the one that the teacher&apos;s strokes leave.</source>
+        <translation>So nahe soll die Form des Kindes der kommen, die die Striche der Lehrkraft ergeben.</translation>
+    </message>
+    <message>
+        <source>Near the teacher&apos;s, mm</source>
+        <translation>Nahe am Vorbild, mm</translation>
+    </message>
+    <message>
+        <source>Ready to print</source>
+        <translation>Druckfertig</translation>
+    </message>
+    <message>
+        <source>Take from the Model</source>
+        <translation>Vom Modell übernehmen</translation>
+    </message>
+    <message>
+        <source>Asks for the holes and parts that the model in the window has, for its height at least, and that it can be printed.</source>
+        <translation>Verlangt die Löcher und Teile, die das Modell im Fenster hat, mindestens seine Höhe und dass es druckfertig ist.</translation>
+    </message>
+    <message>
+        <source>Goal</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>What the pupil reads</source>
+        <translation>Was das Kind liest</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <comment>number of a stroke; what it is</comment>
+        <translation>%1. %2</translation>
     </message>
 </context>
 <context>
@@ -5975,10 +6374,6 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>Opens a model that was open before.</source>
         <translation>Öffnet ein Modell, das schon einmal offen war.</translation>
-    </message>
-    <message>
-        <source>Opens the lesson in the guide, beside the window.</source>
-        <translation>Öffnet die Lektion in der Anleitung, neben dem Fenster.</translation>
     </message>
     <message>
         <source>&amp;Show this page at start</source>

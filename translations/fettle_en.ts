@@ -32,6 +32,16 @@
     </message>
 </context>
 <context>
+    <name>app::LessonEditorDesk</name>
+    <message numerus="yes">
+        <source>And %n more.</source>
+        <translation>
+            <numerusform>And %n more.</numerusform>
+            <numerusform>And %n more.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>app::ReportCommand</name>
     <message numerus="yes">
         <source>report: one folder is needed, but %n were given.</source>

@@ -680,13 +680,119 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
 <context>
     <name>app::LessonDesk</name>
     <message>
-        <source>This lesson begins with a model from a file, which the window cannot give yet; fettle lesson plays it.</source>
-        <translation>这堂课从文件里的模型开始，窗口还做不到；fettle lesson 可以播放它。</translation>
-    </message>
-    <message>
         <source>%1 (%2)</source>
         <comment>what is asked; what is</comment>
         <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>正在打开 %1</translation>
+    </message>
+</context>
+<context>
+    <name>app::LessonEditorDesk</name>
+    <message>
+        <source>This was taken back: a lesson cannot hold images and models from other files.</source>
+        <translation>已撤回：课程不能包含其他文件中的图片和模型。</translation>
+    </message>
+    <message>
+        <source>The model is too large for a lesson.</source>
+        <translation>模型太大，不能用于课程。</translation>
+    </message>
+    <message>
+        <source>Preparing the lesson</source>
+        <translation>正在准备课程</translation>
+    </message>
+    <message>
+        <source>Not yet: other work on the model is not done.</source>
+        <translation>请稍候：模型上的其他操作尚未完成。</translation>
+    </message>
+    <message>
+        <source>Playing the lesson to its end</source>
+        <translation>正在把课程播放到底</translation>
+    </message>
+    <message>
+        <source>lesson</source>
+        <translation>课程</translation>
+    </message>
+    <message>
+        <source>%1 was not written.</source>
+        <translation>未写入 %1。</translation>
+    </message>
+    <message numerus="yes">
+        <source>And %n more.</source>
+        <translation>
+            <numerusform>还有 %n 条。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Save the lesson</source>
+        <translation>保存课程</translation>
+    </message>
+    <message>
+        <source>Not everything is as the lesson asks for.</source>
+        <translation>并非一切都符合课程的要求。</translation>
+    </message>
+    <message>
+        <source>Save All the Same</source>
+        <translation>仍然保存</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>正在保存 %1</translation>
+    </message>
+    <message>
+        <source>%1 was written.</source>
+        <translation>已写入 %1。</translation>
+    </message>
+    <message>
+        <source>Unsaved lesson</source>
+        <translation>未保存的课程</translation>
+    </message>
+    <message>
+        <source>The lesson has changes that were not saved.</source>
+        <translation>课程有未保存的更改。</translation>
+    </message>
+</context>
+<context>
+    <name>app::LessonSaving</name>
+    <message>
+        <source>The lesson has no title yet.</source>
+        <translation>课程还没有标题。</translation>
+    </message>
+    <message>
+        <source>The lesson has no steps yet.</source>
+        <translation>课程还没有步骤。</translation>
+    </message>
+    <message>
+        <source>Step %1 has no title yet.</source>
+        <translation>第 %1 步还没有标题。</translation>
+    </message>
+    <message>
+        <source>Step %1 has no text yet.</source>
+        <translation>第 %1 步还没有文字。</translation>
+    </message>
+    <message>
+        <source>Step %1, stroke %2 (%3) changes nothing any more.</source>
+        <translation>第 %1 步的第 %2 笔（%3）不再改变任何东西。</translation>
+    </message>
+    <message>
+        <source>Step %1 is not met: %2 (%3).</source>
+        <extracomment>a step&apos;s number; what it asks for; what the teacher&apos;s own model has</extracomment>
+        <translation>第 %1 步没有达到：%2（%3）。</translation>
+    </message>
+    <message>
+        <source>%1, %2 mm</source>
+        <extracomment>a stroke&apos;s tool and radius</extracomment>
+        <translation>%1，%2 mm</translation>
+    </message>
+    <message>
+        <source>Played again, the lesson does not end with the model in the window.</source>
+        <translation>再次播放后，课程的结果与窗口中的模型不同。</translation>
+    </message>
+    <message>
+        <source>%1 is there already; a lesson&apos;s folder gets a name of its own.</source>
+        <translation>%1 已经存在；课程的文件夹要有自己的名称。</translation>
     </message>
 </context>
 <context>
@@ -2663,6 +2769,14 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>把现在的模型作为图章的模型。</translation>
     </message>
     <message>
+        <source>Record Le&amp;sson…</source>
+        <translation>录制课程(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Makes a lesson of what you sculpt, step by step, or changes one that is there.</source>
+        <translation>把您的雕刻一步一步做成课程，或修改已有的课程。</translation>
+    </message>
+    <message>
         <source>Edit &amp;Last Stroke…</source>
         <translation>修改最后一笔(&amp;L)…</translation>
     </message>
@@ -3478,6 +3592,18 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>Class report</source>
         <translation>班级报告</translation>
     </message>
+    <message>
+        <source>One file (%1)</source>
+        <translation>一个文件 (%1)</translation>
+    </message>
+    <message>
+        <source>A folder (*)</source>
+        <translation>文件夹 (*)</translation>
+    </message>
+    <message>
+        <source>Save the Lesson</source>
+        <translation>保存课程</translation>
+    </message>
 </context>
 <context>
     <name>ui::FileItemDelegate</name>
@@ -3912,6 +4038,150 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
 </context>
 <context>
+    <name>ui::LessonEditor</name>
+    <message>
+        <source>A lesson records what you sculpt, step by step, here or in the headset. It begins with:</source>
+        <translation>课程一步一步地录制您在这里或头显中的雕刻。它从这里开始：</translation>
+    </message>
+    <message>
+        <source>Begins with</source>
+        <translation>开始于</translation>
+    </message>
+    <message>
+        <source>The model as it is now</source>
+        <translation>现在的模型</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>录制</translation>
+    </message>
+    <message>
+        <source>Begins a lesson of one step. The strokes before it cannot be undone any more.</source>
+        <translation>开始一个只有一步的课程。之前的笔触不能再撤销。</translation>
+    </message>
+    <message>
+        <source>Or change a lesson that is there:</source>
+        <translation>或者修改已有的课程：</translation>
+    </message>
+    <message>
+        <source>Lessons of the program</source>
+        <translation>程序自带的课程</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>编辑</translation>
+    </message>
+    <message>
+        <source>Opens it here; it is saved under a name of your own.</source>
+        <translation>在这里打开；保存时使用您自己的名称。</translation>
+    </message>
+    <message>
+        <source>Open a Lesson…</source>
+        <translation>打开课程…</translation>
+    </message>
+    <message>
+        <source>Opens a lesson from a zip or a folder, to change it.</source>
+        <translation>从 zip 或文件夹打开课程来修改。</translation>
+    </message>
+    <message>
+        <source>Language of the texts</source>
+        <translation>文字的语言</translation>
+    </message>
+    <message>
+        <source>Texts are written in this language. Where one is missing, pupils read another one.</source>
+        <translation>文字用这种语言书写。缺少时，学生会看到另一种语言。</translation>
+    </message>
+    <message>
+        <source>Title of the lesson</source>
+        <translation>课程标题</translation>
+    </message>
+    <message>
+        <source>What the lesson is called.</source>
+        <translation>课程的名称。</translation>
+    </message>
+    <message>
+        <source>In one sentence</source>
+        <translation>一句话介绍</translation>
+    </message>
+    <message>
+        <source>What the lesson is about, in one sentence.</source>
+        <translation>用一句话说明课程的内容。</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>步骤</translation>
+    </message>
+    <message>
+        <source>New Step</source>
+        <translation>新步骤</translation>
+    </message>
+    <message>
+        <source>From here on strokes belong to a new step, the last one.</source>
+        <translation>从这里起，笔触属于一个新的步骤，也就是最后一步。</translation>
+    </message>
+    <message>
+        <source>Moves the step up</source>
+        <translation>把这一步上移</translation>
+    </message>
+    <message>
+        <source>Moves the step down</source>
+        <translation>把这一步下移</translation>
+    </message>
+    <message>
+        <source>Removes the step with its strokes</source>
+        <translation>删除这一步及其笔触</translation>
+    </message>
+    <message>
+        <source>Plays the lesson to its end and records from there, or stops that.</source>
+        <translation>把课程播放到底并从那里开始录制，或停止录制。</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>保存…</translation>
+    </message>
+    <message>
+        <source>Plays the lesson to its end, judges each step, and writes it as one file or a folder.</source>
+        <translation>把课程播放到底，评判每一步，然后写成一个文件或文件夹。</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Ends the work on this lesson. The model stays as it is.</source>
+        <translation>结束对这个课程的编辑。模型保持不变。</translation>
+    </message>
+    <message>
+        <source>%1. %2 (%3)</source>
+        <extracomment>number of a step, its title, how many strokes it has</extracomment>
+        <translation>%1. %2（%3）</translation>
+    </message>
+    <message>
+        <source>Step %1</source>
+        <translation>第 %1 步</translation>
+    </message>
+    <message>
+        <source>Stop Recording</source>
+        <translation>停止录制</translation>
+    </message>
+    <message>
+        <source>Record On</source>
+        <translation>继续录制</translation>
+    </message>
+    <message>
+        <source>Lesson Editor</source>
+        <translation>课程编辑</translation>
+    </message>
+    <message>
+        <source>● Recording into step %1</source>
+        <translation>● 正在录制到第 %1 步</translation>
+    </message>
+    <message>
+        <source>○ Not recording</source>
+        <translation>○ 没有录制</translation>
+    </message>
+</context>
+<context>
     <name>ui::LessonPanel</name>
     <message>
         <source>Choose a lesson. It begins with a model of its own.</source>
@@ -3997,6 +4267,134 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Lessons</source>
         <translation>课程</translation>
+    </message>
+</context>
+<context>
+    <name>ui::LessonStepEditor</name>
+    <message>
+        <source>Title of the step</source>
+        <translation>步骤标题</translation>
+    </message>
+    <message>
+        <source>What the step is called.</source>
+        <translation>步骤的名称。</translation>
+    </message>
+    <message>
+        <source>Text of the step</source>
+        <translation>步骤文字</translation>
+    </message>
+    <message>
+        <source>What the pupil reads beside the model.</source>
+        <translation>学生在模型旁边看到的文字。</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>文字</translation>
+    </message>
+    <message>
+        <source>Strokes of the step</source>
+        <translation>这一步的笔触</translation>
+    </message>
+    <message>
+        <source>Cut Stroke</source>
+        <translation>剪掉这一笔</translation>
+    </message>
+    <message>
+        <source>Takes this stroke out of the lesson. Those after it are played without it when the lesson is saved.</source>
+        <translation>把这一笔从课程中剪掉。保存课程时，后面的笔触在没有它的情况下播放。</translation>
+    </message>
+    <message>
+        <source>Strokes</source>
+        <translation>笔画数</translation>
+    </message>
+    <message>
+        <source>The pupil has these tools; all of them, if none is chosen.</source>
+        <translation>学生可以使用这些工具；一个都不选就是全部。</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>%1, at least</source>
+        <translation>%1，至少</translation>
+    </message>
+    <message>
+        <source>%1, at most</source>
+        <translation>%1，至多</translation>
+    </message>
+    <message>
+        <source>The step is done when the pupil&apos;s model is so:</source>
+        <translation>学生的模型达到以下要求，这一步就完成：</translation>
+    </message>
+    <message>
+        <source>at least</source>
+        <translation>至少</translation>
+    </message>
+    <message>
+        <source>at most</source>
+        <translation>至多</translation>
+    </message>
+    <message>
+        <source>Holes</source>
+        <translation>孔</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>部分</translation>
+    </message>
+    <message>
+        <source>Height, mm</source>
+        <translation>高度，mm</translation>
+    </message>
+    <message>
+        <source>Width, mm</source>
+        <translation>宽度，mm</translation>
+    </message>
+    <message>
+        <source>Depth, mm</source>
+        <translation>深度，mm</translation>
+    </message>
+    <message>
+        <source>Volume, mm³</source>
+        <translation>体积，mm³</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>三角形</translation>
+    </message>
+    <message>
+        <source>So near the pupil&apos;s shape is to come to the one that the teacher&apos;s strokes leave.</source>
+        <translation>学生的形状要与老师的笔触留下的形状相差不超过这么多。</translation>
+    </message>
+    <message>
+        <source>Near the teacher&apos;s, mm</source>
+        <translation>与老师的相差，mm</translation>
+    </message>
+    <message>
+        <source>Ready to print</source>
+        <translation>可以打印</translation>
+    </message>
+    <message>
+        <source>Take from the Model</source>
+        <translation>取自模型</translation>
+    </message>
+    <message>
+        <source>Asks for the holes and parts that the model in the window has, for its height at least, and that it can be printed.</source>
+        <translation>要求与窗口中的模型有同样的孔数和部分数，至少同样高，并且可以打印。</translation>
+    </message>
+    <message>
+        <source>Goal</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>What the pupil reads</source>
+        <translation>学生看到的文字</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <comment>number of a stroke; what it is</comment>
+        <translation>%1. %2</translation>
     </message>
 </context>
 <context>
@@ -5957,10 +6355,6 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>Opens a model that was open before.</source>
         <translation>打开以前打开过的模型。</translation>
-    </message>
-    <message>
-        <source>Opens the lesson in the guide, beside the window.</source>
-        <translation>在窗口旁的指南中打开课程。</translation>
     </message>
     <message>
         <source>&amp;Show this page at start</source>

@@ -158,6 +158,8 @@ constexpr ActionInfo table[] = {
      QT_TRANSLATE_NOOP("ui::Actions", "Puts a ball of the brush's radius, or the stamp's model, where you click next."), "A", "add", false, Bar::Options, true},
     {MenuId::Sculpt, "brush.fromModel", QT_TRANSLATE_NOOP("ui::Actions", "&Use Model as Brush"),
      QT_TRANSLATE_NOOP("ui::Actions", "Makes the stamp's model of this model as it is now."), "", "brush-model"},
+    {MenuId::Sculpt, "lesson.record", QT_TRANSLATE_NOOP("ui::Actions", "Record Le&sson…"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Makes a lesson of what you sculpt, step by step, or changes one that is there."), "", "record"},
     {MenuId::Sculpt, "turntable.on", QT_TRANSLATE_NOOP("ui::Actions", "Tur&ntable"),
      QT_TRANSLATE_NOOP("ui::Actions", "Turns the model under the hand: a hand that rests makes a groove all around."), "T", "turntable", false, Bar::Options,
      true},

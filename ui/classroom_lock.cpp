@@ -19,8 +19,8 @@ namespace ui
 namespace
 {
 constexpr QLatin1StringView closedCommands[] = {QLatin1StringView("edit.preferences"), QLatin1StringView("edit.classroom"),
-                                                QLatin1StringView("brush.fromModel"), QLatin1StringView("model.insert"),
-                                                QLatin1StringView("model.printCheck")};
+                                                QLatin1StringView("brush.fromModel"), QLatin1StringView("lesson.record"),
+                                                QLatin1StringView("model.insert"), QLatin1StringView("model.printCheck")};
 /// What is new to the window is closed, until somebody has looked where it leads.
 constexpr QLatin1StringView openPanels[] = {QLatin1StringView("brushPanel"), QLatin1StringView("topologyPanel"), QLatin1StringView("symmetryPanel"),
                                             QLatin1StringView("colorPanel"), QLatin1StringView("turntablePanel"), QLatin1StringView("modelPanel")};

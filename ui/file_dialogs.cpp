@@ -109,6 +109,20 @@ void askForLesson(QWidget* parent, PathAnswer answer)
     show(dialog, answer);
 }
 
+void askForLessonTarget(QWidget* parent, const QString& title, PathAnswer answer)
+{
+    const QString zip = QStringLiteral("zip"), file = FileDialogs::tr("One file (%1)").arg(QStringLiteral("*.zip")), folder = FileDialogs::tr("A folder (*)");
+    auto* dialog = new QFileDialog(parent, FileDialogs::tr("Save the Lesson"));
+    dialog->setObjectName(QStringLiteral("lessonTargetDialog"));
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setNameFilters({file, folder});
+    dialog->setDefaultSuffix(zip);
+    dialog->selectFile(title);
+    QObject::connect(dialog, &QFileDialog::filterSelected, dialog,
+                     [dialog, zip, file](const QString& filter) { dialog->setDefaultSuffix(filter == file ? zip : QString()); });
+    show(dialog, answer);
+}
+
 void askForPicture(QWidget* parent, const QString& folder, PathAnswer answer)
 {
     QStringList endings;

@@ -23,6 +23,8 @@ void askForExport(QWidget* parent, const QString& folder, const QString& modelNa
 void askForAlpha(QWidget* parent, const QString& folder, PathAnswer answer);
 /// A zip, or the lesson.json of a folder.
 void askForLesson(QWidget* parent, PathAnswer answer);
+/// Where one is to be written: a zip, or a folder that is not there yet.
+void askForLessonTarget(QWidget* parent, const QString& title, PathAnswer answer);
 void askForPicture(QWidget* parent, const QString& folder, PathAnswer answer);
 
 /// One that is there.

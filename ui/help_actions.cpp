@@ -14,20 +14,20 @@ namespace ui
 namespace
 {
 /// There is one, made when it is first wanted.
-void openGuide(const Actions& actions, QWidget* window, const QString& page)
+void openGuide(const Actions& actions, QWidget* window)
 {
     auto* guide = window->findChild<GuideWindow*>();
-    (guide ? guide : new GuideWindow(actions, window))->openPage(page);
+    (guide ? guide : new GuideWindow(actions, window))->openPage({});
 }
 } // namespace
 
 StartPage* connectHelp(const Actions& actions, Settings* settings, QMainWindow* window)
 {
     auto* start = new StartPage(actions, settings, window->centralWidget());
-    QObject::connect(start, &StartPage::lessonChosen, window, [&actions, window](const QString& page) { openGuide(actions, window, page); });
+    QObject::connect(start, &StartPage::guideWanted, window, [&actions, window] { openGuide(actions, window); });
     const auto on = [&](const char* id, auto what) { QObject::connect(actions.get(QLatin1StringView(id)), &QAction::triggered, window, what); };
     on("help.start", [start] { start->open(); });
-    on("help.guide", [&actions, window] { openGuide(actions, window, {}); });
+    on("help.guide", [&actions, window] { openGuide(actions, window); });
     on("help.keys", [&actions, window] { (new CommandBox(actions, window))->open(); });
     on("help.about", [window] { showAbout(window); });
     return start;

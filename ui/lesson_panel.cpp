@@ -1,8 +1,8 @@
 #include "lesson_panel.h"
 
 #include "actions.h"
+#include "panel_parts.h"
 #include "side_dock.h"
-#include "spacing.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -14,7 +14,6 @@
 #include <QMainWindow>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QStackedWidget>
 
 #include <cmath>
@@ -44,27 +43,9 @@ void enlarge(QLabel* label, double factor)
     label->setFont(font);
 }
 
-QVBoxLayout* column(QWidget* widget)
-{
-    auto* layout = new QVBoxLayout(widget);
-    layout->setContentsMargins(gap, gap, gap, gap);
-    layout->setSpacing(gap);
-    return layout;
-}
-
 QPixmap pixmapOf(const QImage& picture, int side)
 {
     return picture.isNull() ? QPixmap() : QPixmap::fromImage(picture.scaled(side, side, Qt::KeepAspectRatio, Qt::SmoothTransformation));
-}
-
-QScrollArea* scrolled(QWidget* page)
-{
-    auto* area = new QScrollArea;
-    area->setWidget(page);
-    area->setWidgetResizable(true);
-    area->setFrameShape(QFrame::NoFrame);
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    return area;
 }
 } // namespace
 
@@ -79,10 +60,10 @@ LessonPanel::LessonPanel(QWidget* parent) : QWidget(parent), m_stack(new QStacke
     rows->setContentsMargins(0, 0, 0, 0);
     rows->setSpacing(0);
     auto* said = new QWidget;
-    addHead(column(said));
-    rows->addWidget(scrolled(said), 1);
+    addHead(panelColumn(said));
+    rows->addWidget(scrolledPanel(said), 1);
     auto* done = new QWidget; // in sight whatever the text's length
-    QVBoxLayout* ways = column(done);
+    QVBoxLayout* ways = panelColumn(done);
     addTeacher(ways);
     addWays(ways);
     rows->addWidget(done);
@@ -92,7 +73,7 @@ LessonPanel::LessonPanel(QWidget* parent) : QWidget(parent), m_stack(new QStacke
 void LessonPanel::addChooser()
 {
     auto* page = new QWidget;
-    QVBoxLayout* rows = column(page);
+    QVBoxLayout* rows = panelColumn(page);
     QLabel* head = label("lessonsHead");
     head->setText(tr("Choose a lesson. It begins with a model of its own."));
     rows->addWidget(head);
@@ -104,7 +85,7 @@ void LessonPanel::addChooser()
     connect(file, &QPushButton::clicked, this, &LessonPanel::fileWanted);
     rows->addWidget(file);
     rows->addStretch();
-    m_stack->addWidget(scrolled(page));
+    m_stack->addWidget(scrolledPanel(page));
 }
 
 void LessonPanel::addHead(QVBoxLayout* page)

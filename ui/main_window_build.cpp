@@ -14,6 +14,7 @@
 #include "hand_actions.h"
 #include "help_actions.h"
 #include "history_panel.h"
+#include "lesson_editor.h"
 #include "lesson_panel.h"
 #include "look_actions.h"
 #include "messages.h"
@@ -108,6 +109,7 @@ void MainWindow::State::buildPanels(QMenu* toggles)
     modelPanel = addModelPanel(q, toggles);
     addPrintPanel({q, toggles, viewport}, &settings, actions);
     addLessonPanel({q, toggles}, actions);
+    addLessonEditor({q, toggles}, actions);
     addFilesPanel({q, toggles, &files}, &settings, actions, [this](const QString& word) { q->showNotice(word); });
     addReferences({q, toggles, viewport, &files}, &settings, actions, [this](const QString& word) { q->showNotice(word); });
     addPreview(q, &settings, actions.get(QStringLiteral("file.exportDrawing")), [this] { return model.name; }, toggles);

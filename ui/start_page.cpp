@@ -1,7 +1,7 @@
 #include "start_page.h"
 
 #include "actions.h"
-#include "help_text.h"
+#include "lesson_panel.h"
 #include "settings.h"
 #include "spacing.h"
 #include "themed_icon.h"
@@ -47,7 +47,8 @@ QToolButton* tile(QSize icon)
 } // namespace
 
 StartPage::StartPage(const Actions& actions, Settings* settings, QWidget* over)
-    : QFrame(over), m_actions(actions), m_settings(settings), m_over(over), m_recent(new QListWidget)
+    : QFrame(over), m_actions(actions), m_settings(settings), m_over(over), m_recent(new QListWidget), m_lessonsHead(heading(tr("Three short lessons"))),
+      m_lessons(new QHBoxLayout)
 {
     setObjectName(QStringLiteral("startPage"));
     setAccessibleName(tr("Start page"));
@@ -62,10 +63,12 @@ StartPage::StartPage(const Actions& actions, Settings* settings, QWidget* over)
     grid->addLayout(starters(), 2, 0, 1, 2);
     grid->setRowMinimumHeight(3, gap);
     grid->addWidget(heading(tr("Recent files")), 4, 0);
-    grid->addWidget(heading(tr("Three short lessons")), 4, 1);
+    grid->addWidget(m_lessonsHead, 4, 1);
     grid->addLayout(recent(), 5, 0);
-    grid->addLayout(lessons(), 5, 1);
+    grid->addLayout(m_lessons, 5, 1);
     grid->addLayout(foot(), 6, 0, 1, 2);
+    m_lessons->setSpacing(gap);
+    m_lessonsHead->hide();
     over->installEventFilter(this);
     hide();
 }
@@ -141,26 +144,21 @@ QLayout* StartPage::recent()
     return column;
 }
 
-QLayout* StartPage::lessons()
+void StartPage::setLessons(const QList<LessonCard>& lessons)
 {
-    auto* row = new QHBoxLayout;
-    row->setSpacing(gap);
-    for (const HelpPage& page : helpPages()) {
-        if (!page.isLesson())
-            continue;
-        const QString id = QLatin1StringView(page.id), title = helpTitle(helpText(id, m_actions));
+    for (const LessonCard& card : lessons) {
         QToolButton* button = tile(pictureSize);
-        button->setObjectName(QStringLiteral("start.") + id);
-        button->setIcon(QIcon(QStringLiteral(":/help/pictures/") + QLatin1StringView(page.picture)));
-        button->setText(title);
-        button->setToolTip(tr("Opens the lesson in the guide, beside the window."));
-        connect(button, &QToolButton::clicked, this, [this, id] {
+        button->setObjectName(QStringLiteral("start.lesson.") + card.name);
+        button->setIcon(QPixmap::fromImage(card.picture));
+        button->setText(card.title);
+        button->setToolTip(card.summary);
+        connect(button, &QToolButton::clicked, this, [this, name = card.name] {
             close();
-            Q_EMIT lessonChosen(id);
+            Q_EMIT lessonChosen(name);
         });
-        row->addWidget(button, 1, Qt::AlignTop);
+        m_lessons->addWidget(button, 1, Qt::AlignTop);
     }
-    return row;
+    m_lessonsHead->setVisible(!lessons.isEmpty());
 }
 
 QLayout* StartPage::foot()
@@ -175,7 +173,7 @@ QLayout* StartPage::foot()
     auto* guide = new QPushButton(m_actions.get(QStringLiteral("help.guide"))->text());
     guide->setObjectName(QStringLiteral("startGuide"));
     guide->setToolTip(m_actions.get(QStringLiteral("help.guide"))->toolTip());
-    connect(guide, &QPushButton::clicked, this, [this] { Q_EMIT lessonChosen({}); });
+    connect(guide, &QPushButton::clicked, this, &StartPage::guideWanted);
     auto* row = new QHBoxLayout;
     row->addWidget(atStart, 1);
     row->addWidget(guide);

@@ -2,12 +2,15 @@
 
 #include <QFrame>
 
+class QHBoxLayout;
+class QLabel;
 class QListWidget;
 
 namespace ui
 {
 class Actions;
 class Settings;
+struct LessonCard;
 
 /// What to begin with: a starter, a recent file, a lesson. Lies over the middle of a widget until something is chosen, Esc, or a
 /// press beside it, which is that widget's as ever. Gui thread.
@@ -19,12 +22,16 @@ public:
     /// The actions and the settings must outlive it.
     StartPage(const Actions& actions, Settings* settings, QWidget* over);
 
+    /// That can be begun with; at first there are none.
+    void setLessons(const QList<LessonCard>& lessons);
+
     void open();
     void close();
 
 Q_SIGNALS:
     void fileChosen(const QString& path);
-    void lessonChosen(const QString& page);
+    void lessonChosen(const QString& name);
+    void guideWanted();
 
 protected:
     bool event(QEvent* event) override;
@@ -34,7 +41,6 @@ private:
     QLayout* head();
     QLayout* starters();
     QLayout* recent();
-    QLayout* lessons();
     QLayout* foot();
     void fillRecent();
     void place();
@@ -43,5 +49,7 @@ private:
     Settings* m_settings;
     QWidget* m_over;
     QListWidget* m_recent;
+    QLabel* m_lessonsHead;
+    QHBoxLayout* m_lessons;
 };
 } // namespace ui

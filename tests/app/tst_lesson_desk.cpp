@@ -2,6 +2,7 @@
 #include "tests/support/program_hand.h"
 
 #include "core/lesson_stage.h"
+#include "core/mesh_io.h"
 #include "ui/lesson_panel.h"
 
 #include <QComboBox>
@@ -10,8 +11,10 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <QToolButton>
 
 #include <fstream>
+#include <sstream>
 
 using namespace app;
 
@@ -161,6 +164,48 @@ private Q_SLOTS:
         }
         showStep(program); // the rest
         QCOMPARE(hashOf(program), teachersHash("creature", 1));
+    }
+
+    /// The lesson's own model, to the bit as core has it.
+    void startFromAFile_isGiven()
+    {
+        core::Lesson lesson = core::readLesson(shelf / "first-clay");
+        core::TriangleMesh start = core::starterModel(core::Starter::Ball);
+        for (core::Vec3f& point : start.points)
+            point *= 0.7F;
+        const QTemporaryDir folder;
+        const QString model = folder.filePath(QStringLiteral("start.stl")), path = folder.filePath(QStringLiteral("lesson.zip"));
+        core::writeMesh(model.toStdString(), start);
+        std::ostringstream bytes;
+        bytes << std::ifstream(model.toStdString(), std::ios::binary).rdbuf();
+        lesson.files["start.stl"] = bytes.str();
+        lesson.start = "start.stl";
+        core::writeLesson(path.toStdString(), lesson);
+        core::LessonStage stage(std::make_shared<const core::Lesson>(core::readLesson(path.toStdString())), path.toStdString());
+
+        Program program;
+        begin(program, QStringLiteral("First clay: a pear"));
+        showStep(program);
+        Q_EMIT program.window.findChild<ui::LessonPanel*>()->lessonChosen(path);
+        answerQuestion(program, QMessageBox::Discard);
+        QTRY_COMPARE_WITH_TIMEOUT(program.document.undoStack().count(), 0, 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy(), 60'000);
+        QCOMPARE(hashOf(program), stage.mesh().meshHash());
+        stage.finish();
+        showStep(program);
+        QCOMPARE(hashOf(program), stage.mesh().meshHash());
+    }
+
+    void startPage_opensALesson()
+    {
+        Program program;
+        program.window.resize(1300, 900);
+        program.window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&program.window));
+        program.window.action(QStringLiteral("help.start"))->trigger();
+        part<QToolButton>(program, "start.lesson.mug")->click();
+        QTRY_VERIFY_WITH_TIMEOUT(part<QLabel>(program, "lessonText")->isVisible(), 60'000);
+        QVERIFY(part<QLabel>(program, "lessonTitle")->text().contains(QStringLiteral("mug"), Qt::CaseInsensitive));
     }
 
     void anotherModel_endsTheLesson()

@@ -7,6 +7,7 @@
 #include "ui/drawing_canvas.h"
 #include "ui/files_panel.h"
 #include "ui/guide_window.h"
+#include "ui/lesson_editor.h"
 #include "ui/lesson_panel.h"
 #include "ui/main_window.h"
 #include "ui/mending_dialogs.h"
@@ -152,6 +153,7 @@ private:
     void takeHelp(Program& program);
     void takeClass();
     void takeLesson(Program& program);
+    void takeLessonEditor(Program& program);
     void takeDialog(const QString& state);
 
     QDir m_folder;
@@ -204,6 +206,7 @@ void TestScreenshots::states()
     takeHelp(program);
     takeClass();
     takeLesson(program);
+    takeLessonEditor(program);
 }
 
 void TestScreenshots::take(QWidget& window, const QString& state, const QSize& screen)
@@ -502,6 +505,25 @@ void TestScreenshots::takeLesson(Program& program)
     const auto isMet = [marks] { return marks->text().contains(QChar(0x2713)) && !marks->text().contains(QChar(0x25CB)); };
     QTRY_VERIFY_WITH_TIMEOUT(isMet(), 60'000);
     take(program.window, QStringLiteral("lesson-met"));
+}
+
+/// With what to begin, and each page of a step.
+void TestScreenshots::takeLessonEditor(Program& program)
+{
+    program.window.action(QStringLiteral("lesson.record"))->trigger();
+    auto* editor = program.window.findChild<ui::LessonEditor*>();
+    QTRY_VERIFY(editor->isVisible());
+    take(program.window, QStringLiteral("lesson-editor-start"));
+    Q_EMIT editor->lessonChosen(QStringLiteral("mug"));
+    QTRY_VERIFY_WITH_TIMEOUT(editor->isOpen(), longestWait);
+    auto* pages = editor->findChild<ui::LessonStepEditor*>();
+    for (int page = 0; page < pages->count(); ++page) {
+        pages->setCurrentIndex(page);
+        take(program.window, QStringLiteral("lesson-editor-%1").arg(page + 1));
+    }
+    editor->findChild<QPushButton*>(QStringLiteral("lessonRecord"))->click();
+    QTRY_VERIFY_WITH_TIMEOUT(editor->findChild<QLabel*>(QStringLiteral("lessonState"))->text().startsWith(QChar(0x25CF)), longestWait);
+    take(program.window, QStringLiteral("lesson-editor-recording"));
 }
 
 int main(int argc, char* argv[])

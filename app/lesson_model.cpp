@@ -1,0 +1,102 @@
+#include "lesson_model.h"
+
+#include "lesson_shelf.h"
+#include "lesson_words.h"
+
+#include "core/lesson_stage.h"
+#include "core/mesh_io.h"
+#include "ui/messages.h"
+
+#include <QFile>
+#include <QFileInfo>
+#include <QLocale>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+
+namespace app
+{
+namespace
+{
+QString sentenceOf(const core::LessonError& error)
+{
+    const QString sentence = LessonWords::sentence(error);
+    return sentence.endsWith(QLatin1Char('.')) ? sentence : sentence + QLatin1Char('.');
+}
+
+/// The lesson's title, as files may be called.
+QString modelName(const core::Lesson& lesson)
+{
+    static const QRegularExpression notInNames(QStringLiteral(R"([\\/:*?"<>|])"));
+    return inOurLanguage(lesson.title).replace(notInNames, QStringLiteral(" ")).simplified();
+}
+
+/// The first steps, stroke by stroke, so that it can be stopped between them.
+void play(core::LessonStage& stage, std::size_t steps, const core::JobWatch& watch)
+{
+    std::size_t all = 0, done = 0;
+    for (std::size_t i = 0; i < steps; ++i)
+        all += stage.lesson().steps[i].strokes.size();
+    for (std::size_t i = 0; i < steps; ++i) {
+        stage.goTo(i);
+        for (; stage.done() < stage.step().strokes.size() && !watch.stopped(); ++done) {
+            watch.reached(static_cast<double>(done) / static_cast<double>(all));
+            stage.playNext();
+        }
+    }
+}
+} // namespace
+
+LoadedModel LessonModel::load(const core::JobWatch& watch) const
+{
+    LoadedModel loaded;
+    loaded.name = modelName(*lesson);
+    loaded.notes.work.emplace(); // nobody did anything yet
+    try {
+        core::LessonStage stage(lesson, path);
+        play(stage, steps, watch);
+        if (watch.stopped())
+            return loaded;
+        core::LessonStage::Left left = std::move(stage).leave();
+        loaded.sculptor = std::move(left.sculptor);
+        loaded.start = std::move(left.start);
+    } catch (const core::LessonError& error) {
+        loaded.problem = sentenceOf(error);
+    } catch (const core::FileError& error) {
+        loaded.problem = ui::Messages::sentence(error);
+    }
+    return loaded;
+}
+
+std::string lessonStartOf(const core::TriangleMesh& mesh)
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QLatin1StringView(lessonStart));
+    core::writeMesh(toPath(path), mesh);
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        throw core::FileError(core::FileErrorKind::NotReadable, toPath(path));
+    return file.readAll().toStdString();
+}
+
+QString inOurLanguage(const core::LessonText& text)
+{
+    return QString::fromStdString(text.in(QLocale().name().toStdString()));
+}
+
+QString lessonOrItsFolder(const QString& path)
+{
+    const QFileInfo file(path);
+    return file.fileName() == QLatin1String("lesson.json") ? file.absolutePath() : path;
+}
+
+ReadLesson tryToReadLesson(const QString& pathOrName)
+{
+    try {
+        return {std::make_shared<const core::Lesson>(readLesson(pathOrName)), {}};
+    } catch (const core::LessonError& error) {
+        return {{}, sentenceOf(error)};
+    } catch (const core::FileError& error) {
+        return {{}, ui::Messages::sentence(error)};
+    }
+}
+} // namespace app

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "model_loader.h"
+
+#include "core/lesson_file.h"
+
+namespace app
+{
+/// A lesson's model for the window, to the bit what core::LessonStage has: what its first `steps` steps leave, or its start. Like ModelLoader.
+struct LessonModel
+{
+    std::shared_ptr<const core::Lesson> lesson;
+    std::filesystem::path path; ///< of the lesson, for errors
+    std::size_t steps = 0;
+
+    LoadedModel load(const core::JobWatch& watch) const;
+};
+
+/// What the file holds that a lesson begins with, if it begins with this model: to be named lessonStart. Throws FileError.
+std::string lessonStartOf(const core::TriangleMesh& mesh);
+inline constexpr char lessonStart[] = "start.glb";
+
+QString inOurLanguage(const core::LessonText& text);
+/// What is chosen by its lesson.json is the folder.
+QString lessonOrItsFolder(const QString& path);
+
+/// A lesson, or why not: one sentence.
+struct ReadLesson
+{
+    std::shared_ptr<const core::Lesson> lesson;
+    QString problem;
+};
+/// As app::readLesson(). Never throws; any thread.
+ReadLesson tryToReadLesson(const QString& pathOrName);
+} // namespace app

@@ -1,0 +1,87 @@
+#include "lesson_recorder.h"
+
+#include "document.h"
+
+#include "core/alpha.h"
+#include "core/brush_model.h"
+
+namespace app
+{
+namespace
+{
+/// Whoever plays it has no more than the lesson.
+bool needsFile(const core::FileEntry& entry)
+{
+    if (const auto* const command = std::get_if<core::FileCommand>(&entry))
+        return std::holds_alternative<core::Insert>(command->command);
+    const core::Stroke& stroke = std::get<core::Stroke>(entry);
+    const core::StrokeSettings& settings = stroke.settings;
+    return settings.model || (settings.alpha && !settings.alpha->isBuiltIn()) || !stroke.model.file.empty() || !stroke.alpha.file.empty();
+}
+} // namespace
+
+LessonRecorder::LessonRecorder(Document& document) : m_document(&document)
+{
+    connect(&document, &Document::stepped, this, &LessonRecorder::add);
+    connect(&document.undoStack(), &QUndoStack::indexChanged, this, &LessonRecorder::follow);
+}
+
+void LessonRecorder::begin(core::LessonDraft* draft)
+{
+    m_draft = draft;
+    m_steps.clear();
+    m_undone.clear();
+}
+
+void LessonRecorder::end()
+{
+    m_draft = nullptr;
+}
+
+/// A push tells of the longer stack first, and that may have looked like a redo.
+void LessonRecorder::add(const core::FileEntry& entry)
+{
+    if (!isOn())
+        return;
+    while (static_cast<int>(m_steps.size()) >= m_document->undoStack().index())
+        takeOut();
+    m_undone.clear();
+    m_steps.push_back(m_draft->steps() - 1);
+    m_draft->addStroke(m_steps.back(), entry);
+    refuseUnfit();
+    Q_EMIT recorded();
+}
+
+void LessonRecorder::follow(int index)
+{
+    if (!isOn())
+        return;
+    if (m_document->undoStack().count() == 0) { // cleared: the strokes stay
+        end();
+        return Q_EMIT ended();
+    }
+    while (static_cast<int>(m_steps.size()) > index)
+        takeOut();
+    while (static_cast<int>(m_steps.size()) < index && !m_undone.empty()) {
+        m_steps.push_back(m_undone.back().step);
+        m_draft->addStroke(m_steps.back(), std::move(m_undone.back().entry));
+        m_undone.pop_back();
+    }
+    refuseUnfit();
+    Q_EMIT recorded();
+}
+
+void LessonRecorder::takeOut()
+{
+    m_undone.push_back({m_draft->takeLastStroke(m_steps.back()), m_steps.back()});
+    m_steps.pop_back();
+}
+
+void LessonRecorder::refuseUnfit()
+{
+    if (m_steps.empty() || !needsFile(m_draft->step(m_steps.back()).strokes.back()))
+        return;
+    QMetaObject::invokeMethod(m_document, &Document::undo, Qt::QueuedConnection);
+    Q_EMIT refused();
+}
+} // namespace app

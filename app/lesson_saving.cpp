@@ -1,0 +1,136 @@
+#include "lesson_saving.h"
+
+#include "lesson_words.h"
+#include "model_words.h"
+#include "stroke_command.h"
+
+#include "core/lesson_file.h"
+#include "core/lesson_trial.h"
+#include "core/model_picture.h"
+#include "ui/messages.h"
+
+#include <QBuffer>
+#include <QDir>
+#include <QLocale>
+
+namespace app
+{
+namespace
+{
+constexpr int pictureSide = 160; ///< pixels
+constexpr double afterPlaying = 0.95; ///< share of the time
+
+std::string pngOf(const QImage& image)
+{
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    image.save(&buffer, "PNG");
+    return bytes.toStdString();
+}
+
+/// As if it had been written and opened.
+core::Lesson readAsWritten(const core::Lesson& lesson, const std::filesystem::path& path)
+{
+    const std::map<std::string, std::string> files = core::filesOf(lesson);
+    return core::readLesson({path, [&files](const std::string& name, std::size_t most) -> std::optional<std::string> {
+                                 const auto found = files.find(name);
+                                 return found == files.end() ? std::nullopt : std::optional(found->second.substr(0, most + 1));
+                             }});
+}
+} // namespace
+
+QImage lessonPicture(const core::TriangleMesh& mesh)
+{
+    const core::ModelPicture picture = core::drawPicture(mesh, pictureSide, {}).value();
+    return QImage(picture.rgba.data()->data(), picture.width, picture.height, QImage::Format_RGBA8888_Premultiplied).copy();
+}
+
+QString LessonSaving::missing(const core::LessonDraft& draft)
+{
+    const auto missing = draft.missing();
+    if (!missing)
+        return {};
+    switch (missing->what) {
+    case core::LessonDraft::Lack::Title: return tr("The lesson has no title yet.");
+    case core::LessonDraft::Lack::Steps: return tr("The lesson has no steps yet.");
+    case core::LessonDraft::Lack::StepTitle: return tr("Step %1 has no title yet.").arg(missing->step + 1);
+    case core::LessonDraft::Lack::StepText: return tr("Step %1 has no text yet.").arg(missing->step + 1);
+    }
+    return {};
+}
+
+QStringList LessonSaving::remarksOn(const core::LessonStep& step, std::size_t index, const core::StepTrial& trial)
+{
+    QStringList remarks;
+    for (const std::size_t stroke : trial.idle)
+        remarks << tr("Step %1, stroke %2 (%3) changes nothing any more.").arg(index + 1).arg(stroke + 1).arg(nameOf(step.strokes[stroke]));
+    const auto fault = [&](const QString& asked, const QString& found) {
+        //: a step's number; what it asks for; what the teacher's own model has
+        remarks << tr("Step %1 is not met: %2 (%3).").arg(index + 1).arg(asked, found);
+    };
+    for (const core::FactVerdict& fact : trial.verdict.facts)
+        if (!fact.holds)
+            fault(LessonWords::asked(fact.asked), LessonWords::found(fact));
+    if (trial.verdict.target && !trial.verdict.target->holds)
+        fault(LessonWords::asked(core::CheckpointTarget{{}, trial.verdict.target->tolerance}), LessonWords::found(*trial.verdict.target));
+    return remarks;
+}
+
+QString LessonSaving::nameOf(const core::FileEntry& entry)
+{
+    if (const auto* const command = std::get_if<core::FileCommand>(&entry))
+        return ModelWords::name(command->command);
+    return StrokeCommand::textOf(std::get<core::Stroke>(entry).settings.tool);
+}
+
+QString LessonSaving::lineOf(const core::Stroke& stroke)
+{
+    const double radius = stroke.settings.radius;
+    //: a stroke's tool and radius
+    return tr("%1, %2 mm").arg(StrokeCommand::textOf(stroke.settings.tool), QLocale().toString(radius, 'f', radius < 10 ? 1 : 0));
+}
+
+TriedLesson LessonSaving::attempt(const core::LessonDraft& draft, const std::filesystem::path& path, const std::optional<std::uint64_t>& hash,
+                                  const core::JobWatch& watch)
+{
+    TriedLesson tried;
+    try {
+        core::LessonStage stage(std::make_shared<const core::Lesson>(readAsWritten(draft.complete({}), path)), path);
+        std::vector<std::string> pictures(draft.steps());
+        const auto draw = [&](std::size_t step, const core::TriangleMesh& mesh) {
+            if (draft.makesPicture(step))
+                pictures[step] = pngOf(lessonPicture(mesh));
+        };
+        const std::vector<core::StepTrial> trials = core::tryLesson(stage, draw, watch.part(0, afterPlaying));
+        if (watch.stopped())
+            return {};
+        for (std::size_t i = 0; i < trials.size(); ++i)
+            tried.remarks << remarksOn(draft.step(i), i, trials[i]);
+        if (hash && stage.mesh().meshHash() != *hash)
+            tried.remarks << tr("Played again, the lesson does not end with the model in the window.");
+        auto lesson = std::make_shared<const core::Lesson>(draft.complete(pictures));
+        readAsWritten(*lesson, path); // all together is not too large
+        tried.lesson = std::move(lesson);
+    } catch (const core::LessonError& error) {
+        tried.problem = LessonWords::sentence(error);
+        if (!tried.problem.endsWith(QLatin1Char('.')))
+            tried.problem += QLatin1Char('.');
+    } catch (const core::FileError& error) {
+        tried.problem = ui::Messages::sentence(error);
+    }
+    return tried;
+}
+
+QString LessonSaving::write(const core::Lesson& lesson, const std::filesystem::path& path)
+{
+    try {
+        core::writeLesson(path, lesson);
+    } catch (const core::FileError& error) {
+        if (error.systemError == EEXIST)
+            return tr("%1 is there already; a lesson's folder gets a name of its own.").arg(QDir::toNativeSeparators(QString::fromStdU16String(path.u16string())));
+        return ui::Messages::sentence(error);
+    }
+    return {};
+}
+} // namespace app

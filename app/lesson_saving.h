@@ -1,0 +1,54 @@
+#pragma once
+
+#include "core/job_watch.h"
+#include "core/lesson_draft.h"
+
+#include <QCoreApplication>
+#include <QImage>
+#include <QStringList>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+namespace core
+{
+struct StepTrial;
+}
+
+namespace app
+{
+/// As the pictures of steps are drawn.
+QImage lessonPicture(const core::TriangleMesh& mesh);
+
+/// A lesson that was played to its end.
+struct TriedLesson
+{
+    std::shared_ptr<const core::Lesson> lesson; ///< as it is to be written, with its pictures; null: it cannot be, or was stopped
+    QString problem;                            ///< why not: one sentence; empty if it was stopped
+    QStringList remarks;                        ///< what is not as it should be, step by step
+};
+
+/// A teacher's lesson to its file, in words for people. Any thread. Never throws.
+class LessonSaving
+{
+    Q_DECLARE_TR_FUNCTIONS(app::LessonSaving)
+
+public:
+    /// What it lacks, one sentence; empty: it can be tried.
+    static QString missing(const core::LessonDraft& draft);
+    /// By the strict reader, on the very bytes that are to be written, and played. `hash`: of the model that its strokes are to leave; nothing: any.
+    static TriedLesson attempt(const core::LessonDraft& draft, const std::filesystem::path& path, const std::optional<std::uint64_t>& hash,
+                               const core::JobWatch& watch);
+    /// Empty, or what is wrong; then nothing has changed on disk.
+    static QString write(const core::Lesson& lesson, const std::filesystem::path& path);
+
+    /// Of a stroke or command.
+    static QString nameOf(const core::FileEntry& entry);
+    /// Its tool and radius.
+    static QString lineOf(const core::Stroke& stroke);
+
+private:
+    static QStringList remarksOn(const core::LessonStep& step, std::size_t index, const core::StepTrial& trial);
+};
+} // namespace app

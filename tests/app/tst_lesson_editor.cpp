@@ -1,0 +1,407 @@
+// A teacher's lesson in the real window: recorded by strokes, written, read back and played; opened and changed.
+#include "tests/support/program_hand.h"
+
+#include "app/lesson_model.h"
+#include "app/lesson_shelf.h"
+#include "core/lesson_stage.h"
+#include "core/mesh_check.h"
+#include "core/mesh_build.h"
+#include "core/mesh_io.h"
+#include "ui/lesson_editor.h"
+
+#include <QComboBox>
+#include <QDir>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QListWidget>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QToolButton>
+
+using namespace app;
+
+namespace
+{
+template <class Widget> Widget* part(Program& program, const char* name)
+{
+    return program.window.findChild<Widget*>(QLatin1StringView(name));
+}
+
+void press(Program& program, const char* button)
+{
+    auto* found = part<QAbstractButton>(program, button);
+    QVERIFY2(found && found->isEnabled(), button);
+    found->click();
+}
+
+bool isRecording(Program& program)
+{
+    return part<QLabel>(program, "lessonState")->text().startsWith(QStringLiteral("●"));
+}
+
+bool rests(Program& program)
+{
+    return program.document.isSettled() && !program.document.isBusy();
+}
+
+std::uint64_t hashOf(Program& program)
+{
+    std::atomic<std::uint64_t> hash = 0;
+    program.worker.post([&](core::Sculptor& sculptor) { hash = sculptor.mesh().meshHash(); });
+    while (hash == 0)
+        QTest::qWait(5);
+    return hash;
+}
+
+/// The window with its lesson editor, and nothing recorded.
+void show(Program& program)
+{
+    program.window.resize(1400, 1000);
+    program.window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&program.window));
+    program.document.openSphere();
+    QTRY_VERIFY_WITH_TIMEOUT(rests(program) && program.window.viewport()->stats().patches > 0, 60'000);
+    program.window.action(QStringLiteral("lesson.record"))->trigger();
+    QTRY_VERIFY(part<QDockWidget>(program, "lessonEditor")->isVisible());
+}
+
+/// A lesson begins; -1: with the model as it is.
+void record(Program& program, int starter)
+{
+    auto* start = part<QComboBox>(program, "lessonStart");
+    start->setCurrentIndex(start->findData(starter));
+    press(program, "lessonBegin");
+    QTRY_VERIFY_WITH_TIMEOUT(isRecording(program) && rests(program), 60'000);
+}
+
+void stroke(Program& program, const QPoint& by)
+{
+    const int before = program.document.undoStack().index();
+    drag(program.window.viewport(), by);
+    QTRY_COMPARE_WITH_TIMEOUT(program.document.undoStack().index(), before + 1, 60'000);
+    QTRY_VERIFY_WITH_TIMEOUT(rests(program), 60'000);
+}
+
+void write(Program& program, const char* title, const char* text)
+{
+    auto* name = part<QLineEdit>(program, "lessonName");
+    if (name->text().isEmpty())
+        QTest::keyClicks(name, QStringLiteral("Mine"));
+    auto* field = part<QLineEdit>(program, "lessonStepTitle");
+    field->clear();
+    QTest::keyClicks(field, QLatin1StringView(title));
+    part<QPlainTextEdit>(program, "lessonStepText")->setPlainText(QLatin1StringView(text));
+}
+
+int strokesOf(Program& program)
+{
+    return part<QListWidget>(program, "lessonStrokes")->count();
+}
+
+void save(Program& program, const QString& path)
+{
+    press(program, "lessonSave");
+    QTRY_VERIFY_WITH_TIMEOUT(part<QFileDialog>(program, "lessonTargetDialog"), 60'000);
+    auto* dialog = part<QFileDialog>(program, "lessonTargetDialog");
+    QCOMPARE(dialog->defaultSuffix(), QStringLiteral("zip"));
+    if (path.endsWith(QStringLiteral(".zip"))) {
+        chooseFile(program, "lessonTargetDialog", path);
+    } else { // where other files are it may choose one of them before a name is typed
+        Q_EMIT dialog->filterSelected(dialog->nameFilters().constLast());
+        QCOMPARE(dialog->defaultSuffix(), QString());
+        Q_EMIT dialog->fileSelected(path);
+        dialog->close();
+    }
+    QTRY_VERIFY_WITH_TIMEOUT(!part<QFileDialog>(program, "lessonTargetDialog"), 60'000);
+}
+
+void saveAndWait(Program& program, const QString& path)
+{
+    save(program, path);
+    QTRY_VERIFY_WITH_TIMEOUT(QFileInfo::exists(path) && rests(program), 120'000);
+}
+
+/// Waits for what the window asks or says, and reads it.
+QMessageBox* question(Program& program, const char* name)
+{
+    QMessageBox* box = nullptr;
+    const auto find = [&] {
+        for (auto* each : program.window.findChildren<QMessageBox*>())
+            if (each->isVisible() && (!*name || each->objectName() == QLatin1StringView(name)))
+                box = each;
+        return box != nullptr;
+    };
+    [&] { QTRY_VERIFY_WITH_TIMEOUT(find(), 120'000); }();
+    return box;
+}
+
+std::uint64_t playedHash(const QString& path)
+{
+    core::LessonStage stage(std::make_shared<const core::Lesson>(core::readLesson(toPath(path))), toPath(path));
+    stage.goTo(stage.lesson().steps.size() - 1);
+    stage.finish();
+    if (!core::checkMesh(core::extractMesh(stage.mesh())).printReady())
+        return 0;
+    return stage.mesh().meshHash();
+}
+
+void edit(Program& program, const char* lesson)
+{
+    auto* shelf = part<QComboBox>(program, "lessonShelf");
+    shelf->setCurrentIndex(shelf->findData(QLatin1StringView(lesson)));
+    press(program, "lessonEdit");
+    QTRY_VERIFY_WITH_TIMEOUT(program.window.findChild<ui::LessonEditor*>()->isOpen(), 60'000);
+}
+} // namespace
+
+class TestLessonEditor : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { QSettings().clear(); }
+
+    /// Two steps by hand, as one file and as a folder: both are the teacher's model to the bit, with words, tools, goals and pictures.
+    void recorded_isReadBackToTheBit()
+    {
+        Program program;
+        show(program);
+        record(program, static_cast<int>(core::Starter::Torus));
+        stroke(program, {30, 12});
+        stroke(program, {-25, 30});
+        write(program, "Out", "Pull it out.");
+        press(program, "lesson.tool.pull");
+        press(program, "lesson.tool.smooth");
+        press(program, "lessonNewStep");
+        program.window.action(QStringLiteral("tool.inflate"))->trigger();
+        stroke(program, {10, -40});
+        write(program, "Blow", "Make it thicker.");
+        press(program, "lessonFacts");
+        auto* holes = part<QDoubleSpinBox>(program, "lessonMost.genus");
+        QTRY_COMPARE_WITH_TIMEOUT(holes->value(), 1.0, 60'000);
+        part<QDoubleSpinBox>(program, "lessonTolerance")->setValue(2.5);
+
+        const QTemporaryDir folder;
+        const QString zip = folder.filePath(QStringLiteral("mine.zip")), plain = folder.filePath(QStringLiteral("plain"));
+        saveAndWait(program, zip);
+        saveAndWait(program, plain);
+        QVERIFY(QFileInfo(plain).isDir());
+        for (const QString& path : {zip, plain}) {
+            QCOMPARE(playedHash(path), hashOf(program));
+            const core::Lesson lesson = core::readLesson(toPath(path));
+            QCOMPARE(lesson.steps.size(), std::size_t(2));
+            QCOMPARE(lesson.steps[0].strokes.size(), std::size_t(2));
+            QCOMPARE(lesson.steps[0].tools, (std::vector{core::Tool::Pull, core::Tool::Smooth}));
+            QCOMPARE(lesson.steps[1].strokes.size(), std::size_t(1));
+            QCOMPARE(lesson.steps[1].title.words.begin()->second, std::string("Blow"));
+            QCOMPARE(lesson.steps[1].checkpoint.facts.front(), (core::FactBounds{core::Fact::Genus, 1, 1}));
+            QCOMPARE(lesson.steps[1].checkpoint.target->tolerance, 2.5);
+            for (const core::LessonStep& step : lesson.steps)
+                QVERIFY(QImage::fromData(QByteArray::fromStdString(lesson.files.at(step.picture))).width() > 100);
+        }
+        QCOMPARE(QDir(folder.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot | QDir::Hidden).size(), 2);
+    }
+
+    /// The model that is there becomes the lesson's start, and is from then on what the file says.
+    void asItIs_beginsWithTheModelInTheWindow()
+    {
+        Program program;
+        show(program);
+        stroke(program, {40, 20});
+        const auto before = program.document.facts().size;
+        record(program, -1);
+        QVERIFY(program.document.isModified()); // it is in no file of its own
+        QCOMPARE(program.document.undoStack().count(), 0);
+        QVERIFY((program.document.facts().size - before).norm() < 1e-3);
+        stroke(program, {-30, 25});
+        write(program, "On", "Go on.");
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("on.zip"));
+        saveAndWait(program, path);
+        QVERIFY(std::holds_alternative<std::string>(core::readLesson(toPath(path)).start));
+        QCOMPARE(playedHash(path), hashOf(program));
+    }
+
+    void undone_isOutOfTheLesson()
+    {
+        Program program;
+        show(program);
+        record(program, static_cast<int>(core::Starter::Ball));
+        stroke(program, {30, 12});
+        stroke(program, {-30, 12});
+        QCOMPARE(strokesOf(program), 2);
+        program.document.undo();
+        QTRY_COMPARE(strokesOf(program), 1);
+        program.document.redo();
+        QTRY_COMPARE(strokesOf(program), 2);
+        program.document.goTo(0);
+        QTRY_COMPARE(strokesOf(program), 0);
+        stroke(program, {20, -20});
+        QCOMPARE(strokesOf(program), 1);
+        QTRY_VERIFY(rests(program));
+        write(program, "One", "One stroke.");
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("one.zip"));
+        saveAndWait(program, path);
+        QCOMPARE(playedHash(path), hashOf(program));
+    }
+
+    /// A wand's strokes are steps of the same document, and so are commands for the whole model.
+    void strokesOfTheHeadset_areRecorded()
+    {
+        Program program;
+        show(program);
+        record(program, static_cast<int>(core::Starter::Ball));
+        core::StrokeSettings settings;
+        settings.radius = 15;
+        settings.strength = 5;
+        program.worker.beginStroke(Source::Headset, settings);
+        core::StrokeSample sample;
+        sample.position = {0, 0, 50};
+        program.worker.addSample(Source::Headset, sample);
+        program.worker.endStroke(Source::Headset);
+        QTRY_COMPARE_WITH_TIMEOUT(strokesOf(program), 1, 60'000);
+        program.document.apply(core::Scale{1.25});
+        QTRY_COMPARE_WITH_TIMEOUT(strokesOf(program), 2, 60'000);
+        write(program, "Wand", "By hand.");
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("wand.zip"));
+        saveAndWait(program, path);
+        QCOMPARE(playedHash(path), hashOf(program));
+    }
+
+    /// What needs a file that the lesson has not is taken back at once.
+    void insertedModel_isTakenBack()
+    {
+        Program program;
+        show(program);
+        record(program, static_cast<int>(core::Starter::Ball));
+        const std::uint64_t start = hashOf(program);
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("cube.stl"));
+        core::writeMesh(toPath(path), core::starterModel(core::Starter::Cube));
+        ui::Insertion insertion;
+        insertion.path = path;
+        program.document.insert(insertion);
+        QTRY_COMPARE_WITH_TIMEOUT(notice(program).isEmpty(), false, 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(rests(program) && program.document.undoStack().index() == 0, 60'000);
+        QCOMPARE(strokesOf(program), 0);
+        QCOMPARE(hashOf(program), start);
+        QVERIFY(isRecording(program));
+    }
+
+    /// A lesson of the program is opened, a stroke cut, which ends the recording; what that breaks is said, and it may be saved all the same.
+    void cutStroke_isSaidAndMaySavedAllTheSame()
+    {
+        Program program;
+        show(program);
+        edit(program, "creature");
+        auto* steps = part<QListWidget>(program, "lessonSteps");
+        QCOMPARE(steps->count(), 4);
+        const int strokes = strokesOf(program);
+        for (int i = 0; i < strokes; ++i) {
+            part<QListWidget>(program, "lessonStrokes")->setCurrentRow(0);
+            press(program, "lessonCut");
+        }
+        QCOMPARE(strokesOf(program), 0);
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("legless.zip"));
+        save(program, path);
+        QMessageBox* box = question(program, "lessonRemarks");
+        QVERIFY(box->informativeText().contains(QStringLiteral("Step 1 is not met: height")));
+        box->button(QMessageBox::Cancel)->click();
+        QVERIFY(!QFileInfo::exists(path));
+        save(program, path);
+        box = question(program, "lessonRemarks");
+        for (QAbstractButton* button : box->buttons())
+            if (box->buttonRole(button) == QMessageBox::AcceptRole)
+                button->click();
+        QTRY_VERIFY_WITH_TIMEOUT(QFileInfo::exists(path), 60'000);
+        QVERIFY(core::readLesson(toPath(path)).steps[0].strokes.empty());
+        QVERIFY(playedHash(path) != 0);
+    }
+
+    /// Steps change places, a text in one language is another one, and recording goes on from the end of what was opened.
+    void opened_isChangedAndRecordedOn()
+    {
+        Program program;
+        show(program);
+        const QTemporaryDir folder;
+        const QString ours = folder.filePath(QStringLiteral("ours.zip")), path = folder.filePath(QStringLiteral("more"));
+        core::writeLesson(toPath(ours), readLesson(QStringLiteral("first-clay")));
+        Q_EMIT program.window.findChild<ui::LessonEditor*>()->lessonChosen(ours);
+        auto* steps = part<QListWidget>(program, "lessonSteps");
+        QTRY_COMPARE_WITH_TIMEOUT(steps->count(), 4, 60'000);
+        steps->setCurrentRow(3);
+        press(program, "lessonRemove");
+        QCOMPARE(steps->count(), 3);
+        steps->setCurrentRow(2);
+        press(program, "lessonUp");
+        press(program, "lessonDown");
+        QCOMPARE(steps->currentRow(), 2);
+        auto* language = part<QComboBox>(program, "lessonLanguage");
+        language->setCurrentIndex(language->findData(QStringLiteral("de")));
+        Q_EMIT language->activated(language->currentIndex());
+        part<QPlainTextEdit>(program, "lessonStepText")->setPlainText(QStringLiteral("Anders."));
+        press(program, "lessonRecord");
+        QTRY_VERIFY_WITH_TIMEOUT(isRecording(program) && rests(program), 120'000);
+        press(program, "lessonNewStep");
+        stroke(program, {25, 25});
+        write(program, "Neu", "Noch etwas.");
+        saveAndWait(program, path);
+        const core::Lesson lesson = core::readLesson(toPath(path));
+        QCOMPARE(lesson.steps.size(), std::size_t(4));
+        QCOMPARE(lesson.steps[2].text.in("de"), std::string("Anders."));
+        QVERIFY(lesson.steps[2].text.in("en") != "Anders.");
+        QCOMPARE(lesson.steps[3].text.in("en"), std::string("Noch etwas.")); // no other is there
+        QCOMPARE(playedHash(path), hashOf(program));
+    }
+
+    void withoutText_orOverAFolder_isToldAndNothingIsWritten()
+    {
+        Program program;
+        show(program);
+        record(program, static_cast<int>(core::Starter::Ball));
+        press(program, "lessonSave");
+        QVERIFY(question(program, "")->text().contains(QStringLiteral("title")));
+        question(program, "")->close();
+        write(program, "One", "Text.");
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("there"));
+        QVERIFY(QDir().mkpath(path));
+        save(program, path);
+        QVERIFY(question(program, "")->text().contains(QStringLiteral("is there already")));
+        QVERIFY(QDir(path).isEmpty());
+        QCOMPARE(QDir(folder.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot | QDir::Hidden).size(), 1);
+    }
+
+    /// Another model ends the recording, and what was recorded stays; a window with an unsaved lesson asks before it closes.
+    void unsaved_isAskedFor()
+    {
+        Program program;
+        show(program);
+        record(program, static_cast<int>(core::Starter::Ball));
+        stroke(program, {30, 12});
+        answerQuestion(program, QMessageBox::Discard);
+        program.document.openStarter(core::Starter::Cube);
+        QTRY_VERIFY_WITH_TIMEOUT(!isRecording(program) && rests(program), 60'000);
+        QCOMPARE(strokesOf(program), 1);
+        program.window.close();
+        QVERIFY(program.window.isVisible());
+        question(program, "lessonQuestion")->button(QMessageBox::Cancel)->click();
+        QVERIFY(program.window.isVisible());
+        press(program, "lessonClose");
+        question(program, "lessonQuestion")->button(QMessageBox::Discard)->click();
+        QTRY_VERIFY(!program.window.findChild<ui::LessonEditor*>()->isOpen());
+        program.window.close();
+        QTRY_VERIFY(!program.window.isVisible());
+    }
+};
+
+int main(int argc, char* argv[])
+{
+    return runOnScreen<TestLessonEditor>(argc, argv, "tst_lesson_editor");
+}
+#include "tst_lesson_editor.moc"

@@ -1,0 +1,363 @@
+#include "lesson_editor.h"
+
+#include "actions.h"
+#include "lesson_panel.h"
+#include "panel_parts.h"
+#include "side_dock.h"
+#include "themed_icon.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QLocale>
+#include <QMainWindow>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QStackedWidget>
+#include <QToolButton>
+
+namespace ui
+{
+namespace
+{
+constexpr int stepsShown = 4; ///< rows of the list, at most
+
+QLabel* head(const QString& text)
+{
+    auto* label = new QLabel(text);
+    label->setWordWrap(true);
+    return label;
+}
+
+QString nameOfLanguage(const QString& code)
+{
+    if (code == QStringLiteral("en"))
+        return QStringLiteral("English");
+    if (code == QStringLiteral("zh") || code == QStringLiteral("zh_CN"))
+        return QStringLiteral("简体中文");
+    const QString name = QLocale(code).nativeLanguageName();
+    return name.isEmpty() ? code : name;
+}
+
+/// Those of the program, as far as the lesson does not have them under a plainer code, and then those that only the lesson has.
+QStringList languagesOf(const core::Lesson& lesson)
+{
+    QStringList own;
+    const auto add = [&](const core::LessonText& text) {
+        for (const auto& [code, words] : text.words)
+            if (!own.contains(QString::fromStdString(code)))
+                own << QString::fromStdString(code);
+    };
+    add(lesson.title);
+    add(lesson.summary);
+    for (const core::LessonStep& step : lesson.steps) {
+        add(step.title);
+        add(step.text);
+    }
+    QStringList all;
+    for (const QString& code : {QStringLiteral("en"), QStringLiteral("de"), QStringLiteral("zh_CN")}) {
+        const QString plain = code.section(u'_', 0, 0);
+        all << (own.contains(plain) && !own.contains(code) ? plain : code);
+    }
+    for (const QString& code : own)
+        if (!all.contains(code))
+            all << code;
+    return all;
+}
+
+QToolButton* button(const char* name, const char* icon, const QString& tip)
+{
+    auto* button = new QToolButton;
+    button->setObjectName(QLatin1StringView(name));
+    button->setIcon(themedIcon(QLatin1StringView(icon)));
+    button->setFocusPolicy(Qt::StrongFocus);
+    button->setToolTip(tip);
+    button->setAccessibleName(tip);
+    return button;
+}
+} // namespace
+
+LessonEditor::LessonEditor(const Actions& actions, QWidget* parent) : QWidget(parent), m_stack(new QStackedWidget), m_step(new LessonStepEditor(actions))
+{
+    auto* all = new QVBoxLayout(this);
+    all->setContentsMargins(0, 0, 0, 0);
+    all->addWidget(m_stack);
+    addStarts(actions);
+    addEditor();
+}
+
+void LessonEditor::addStarts(const Actions& actions)
+{
+    auto* page = new QWidget;
+    QVBoxLayout* rows = panelColumn(page);
+    rows->addWidget(head(tr("A lesson records what you sculpt, step by step, here or in the headset. It begins with:")));
+    m_start = new QComboBox;
+    m_start->setObjectName(QStringLiteral("lessonStart"));
+    m_start->setAccessibleName(tr("Begins with"));
+    m_start->addItem(tr("The model as it is now"), -1);
+    for (const core::Starter starter : core::starters)
+        m_start->addItem(Actions::plain(actions.get(QStringLiteral("new.") + QString::fromUtf8(core::name(starter)))->text()), static_cast<int>(starter));
+    auto* record = new QPushButton(tr("Record"));
+    record->setObjectName(QStringLiteral("lessonBegin"));
+    record->setToolTip(tr("Begins a lesson of one step. The strokes before it cannot be undone any more."));
+    rows->addWidget(m_start);
+    rows->addWidget(record);
+    rows->addSpacing(2 * gap);
+    rows->addWidget(head(tr("Or change a lesson that is there:")));
+    m_shelf = new QComboBox;
+    m_shelf->setObjectName(QStringLiteral("lessonShelf"));
+    m_shelf->setAccessibleName(tr("Lessons of the program"));
+    auto* change = new QPushButton(tr("Edit"));
+    change->setObjectName(QStringLiteral("lessonEdit"));
+    change->setToolTip(tr("Opens it here; it is saved under a name of your own."));
+    auto* file = new QPushButton(tr("Open a Lesson…"));
+    file->setObjectName(QStringLiteral("lessonEditFile"));
+    file->setToolTip(tr("Opens a lesson from a zip or a folder, to change it."));
+    rows->addWidget(m_shelf);
+    rows->addWidget(change);
+    rows->addWidget(file);
+    rows->addStretch();
+    connect(record, &QPushButton::clicked, this, [this] {
+        const int starter = m_start->currentData().toInt();
+        Q_EMIT startChosen(starter < 0 ? std::nullopt : std::optional(static_cast<core::Starter>(starter)));
+    });
+    connect(change, &QPushButton::clicked, this, [this] { Q_EMIT lessonChosen(m_shelf->currentData().toString()); });
+    connect(file, &QPushButton::clicked, this, &LessonEditor::fileWanted);
+    m_stack->addWidget(page);
+}
+
+void LessonEditor::addEditor()
+{
+    auto* page = new QWidget;
+    QVBoxLayout* rows = panelColumn(page);
+    addHead(rows);
+    addSteps(rows);
+    rows->addWidget(m_step, 1);
+    addFoot(rows);
+    m_stack->addWidget(page);
+    connect(m_step, &LessonStepEditor::titleEdited, this, [this] { m_steps->currentItem()->setText(lineOf(step())); });
+    connect(m_step, &LessonStepEditor::aboutToCut, this, &LessonEditor::aboutToChange);
+    connect(m_step, &LessonStepEditor::cut, this, [this] { m_steps->currentItem()->setText(lineOf(step())); });
+    connect(m_step, &LessonStepEditor::factsWanted, this, &LessonEditor::factsWanted);
+}
+
+void LessonEditor::addHead(QVBoxLayout* rows)
+{
+    m_language = new QComboBox;
+    m_language->setObjectName(QStringLiteral("lessonLanguage"));
+    m_language->setAccessibleName(tr("Language of the texts"));
+    m_language->setToolTip(tr("Texts are written in this language. Where one is missing, pupils read another one."));
+    m_title = new QLineEdit;
+    m_title->setObjectName(QStringLiteral("lessonName"));
+    m_title->setAccessibleName(tr("Title of the lesson"));
+    m_title->setToolTip(tr("What the lesson is called."));
+    m_summary = new QLineEdit;
+    m_summary->setObjectName(QStringLiteral("lessonSummary"));
+    m_summary->setAccessibleName(tr("In one sentence"));
+    m_summary->setToolTip(tr("What the lesson is about, in one sentence."));
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_title, 1);
+    row->addWidget(m_language);
+    rows->addLayout(row);
+    rows->addWidget(m_summary);
+    connect(m_language, &QComboBox::activated, this, &LessonEditor::showWords);
+    connect(m_title, &QLineEdit::textEdited, this, [this](const QString& words) { m_draft->setTitle(language(), words.toStdString()); });
+    connect(m_summary, &QLineEdit::textEdited, this, [this](const QString& words) { m_draft->setSummary(language(), words.toStdString()); });
+}
+
+void LessonEditor::addSteps(QVBoxLayout* rows)
+{
+    m_steps = new QListWidget;
+    m_steps->setObjectName(QStringLiteral("lessonSteps"));
+    m_steps->setAccessibleName(tr("Steps"));
+    m_steps->setTextElideMode(Qt::ElideRight);
+    m_steps->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_steps->setFixedHeight(stepsShown * (m_steps->fontMetrics().height() + gap));
+    auto* add = new QPushButton(tr("New Step"));
+    add->setObjectName(QStringLiteral("lessonNewStep"));
+    add->setToolTip(tr("From here on strokes belong to a new step, the last one."));
+    m_up = button("lessonUp", "sort-up", tr("Moves the step up"));
+    m_down = button("lessonDown", "sort-down", tr("Moves the step down"));
+    m_remove = button("lessonRemove", "trash", tr("Removes the step with its strokes"));
+    auto* row = new QHBoxLayout;
+    row->addWidget(add, 1);
+    for (QToolButton* each : {m_up, m_down, m_remove})
+        row->addWidget(each);
+    rows->addWidget(m_steps);
+    rows->addLayout(row);
+    connect(m_steps, &QListWidget::currentRowChanged, this, [this] { showWords(); });
+    connect(add, &QPushButton::clicked, this, &LessonEditor::addStep);
+    connect(m_remove, &QToolButton::clicked, this, &LessonEditor::removeStep);
+    connect(m_up, &QToolButton::clicked, this, [this] { moveStep(-1); });
+    connect(m_down, &QToolButton::clicked, this, [this] { moveStep(1); });
+}
+
+void LessonEditor::addFoot(QVBoxLayout* rows)
+{
+    m_state = head({});
+    m_state->setObjectName(QStringLiteral("lessonState"));
+    m_record = new QPushButton;
+    m_record->setObjectName(QStringLiteral("lessonRecord"));
+    m_record->setToolTip(tr("Plays the lesson to its end and records from there, or stops that."));
+    auto* save = new QPushButton(tr("Save…"));
+    save->setObjectName(QStringLiteral("lessonSave"));
+    save->setToolTip(tr("Plays the lesson to its end, judges each step, and writes it as one file or a folder."));
+    auto* close = new QPushButton(tr("Close"));
+    close->setObjectName(QStringLiteral("lessonClose"));
+    close->setToolTip(tr("Ends the work on this lesson. The model stays as it is."));
+    rows->addWidget(m_state);
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_record, 1);
+    row->addWidget(save);
+    row->addWidget(close);
+    rows->addLayout(row);
+    connect(m_record, &QPushButton::clicked, this, [this] { Q_EMIT recordWanted(!m_isRecording); });
+    connect(save, &QPushButton::clicked, this, &LessonEditor::saveWanted);
+    connect(close, &QPushButton::clicked, this, &LessonEditor::closeWanted);
+}
+
+void LessonEditor::setLessons(const QList<LessonCard>& lessons)
+{
+    for (const LessonCard& card : lessons)
+        m_shelf->addItem(card.title, card.name);
+}
+
+std::string LessonEditor::language() const
+{
+    return m_language->currentData().toString().toStdString();
+}
+
+std::size_t LessonEditor::step() const
+{
+    return static_cast<std::size_t>(std::max(m_steps->currentRow(), 0));
+}
+
+/// That of the window, if it is among them.
+void LessonEditor::fillLanguages()
+{
+    m_language->clear();
+    for (const QString& code : languagesOf(m_draft->lesson()))
+        m_language->addItem(nameOfLanguage(code), code);
+    const QString ours = QLocale().name();
+    for (const QString& code : {ours.section(u'_', 0, 0), ours})
+        if (const int found = m_language->findData(code); found >= 0)
+            m_language->setCurrentIndex(found);
+}
+
+void LessonEditor::showDraft(core::LessonDraft* draft, std::size_t step)
+{
+    m_draft = draft;
+    fillLanguages();
+    fillSteps(static_cast<int>(step));
+    m_stack->setCurrentIndex(1);
+    setRecording(false);
+}
+
+void LessonEditor::showStarts()
+{
+    m_step->showStep(nullptr, 0, {});
+    m_draft = nullptr;
+    m_stack->setCurrentIndex(0);
+}
+
+void LessonEditor::showWords()
+{
+    if (!m_draft)
+        return;
+    const auto show = [this](QLineEdit* field, const core::LessonText& text, const QString& none) {
+        const auto found = text.words.find(language());
+        const QString instead = QString::fromStdString(text.in(language()));
+        field->setText(found == text.words.end() ? QString() : QString::fromStdString(found->second));
+        field->setPlaceholderText(instead.isEmpty() ? none : instead);
+    };
+    show(m_title, m_draft->lesson().title, m_title->accessibleName());
+    show(m_summary, m_draft->lesson().summary, m_summary->accessibleName());
+    m_step->showStep(m_draft, step(), language());
+    for (int row = 0; row < m_steps->count(); ++row)
+        m_steps->item(row)->setText(lineOf(static_cast<std::size_t>(row)));
+    m_up->setEnabled(m_steps->currentRow() > 0);
+    m_down->setEnabled(m_steps->currentRow() + 1 < m_steps->count());
+    m_remove->setEnabled(m_steps->count() > 1);
+}
+
+void LessonEditor::fillSteps(int row)
+{
+    {
+        const QSignalBlocker quiet(m_steps);
+        m_steps->clear();
+        for (std::size_t i = 0; i < m_draft->steps(); ++i)
+            m_steps->addItem(lineOf(i));
+        m_steps->setCurrentRow(std::min(row, m_steps->count() - 1));
+    }
+    showWords();
+}
+
+QString LessonEditor::lineOf(std::size_t step) const
+{
+    const core::LessonStep& its = m_draft->step(step);
+    const QString title = QString::fromStdString(its.title.in(language()));
+    //: number of a step, its title, how many strokes it has
+    return tr("%1. %2 (%3)").arg(step + 1).arg(title).arg(its.strokes.size());
+}
+
+void LessonEditor::addStep()
+{
+    m_draft->addStep();
+    const std::size_t last = m_draft->steps() - 1;
+    m_draft->setStepTitle(last, language(), tr("Step %1").arg(last + 1).toStdString());
+    fillSteps(static_cast<int>(last));
+    setRecording(m_isRecording);
+}
+
+void LessonEditor::removeStep()
+{
+    Q_EMIT aboutToChange();
+    const auto row = static_cast<int>(step());
+    m_draft->removeStep(step());
+    fillSteps(row);
+}
+
+void LessonEditor::moveStep(int by)
+{
+    Q_EMIT aboutToChange();
+    const int to = static_cast<int>(step()) + by;
+    m_draft->moveStep(step(), static_cast<std::size_t>(to));
+    fillSteps(to);
+}
+
+void LessonEditor::showChanges()
+{
+    if (!m_draft)
+        return;
+    m_step->showStrokes();
+    m_step->showCheckpoint();
+    for (int row = 0; row < m_steps->count(); ++row)
+        m_steps->item(row)->setText(lineOf(static_cast<std::size_t>(row)));
+}
+
+/// A sign and words: colour alone says nothing.
+void LessonEditor::setRecording(bool isRecording)
+{
+    m_isRecording = isRecording;
+    m_record->setText(isRecording ? tr("Stop Recording") : tr("Record On"));
+    m_state->setText(isRecording ? tr("● Recording into step %1").arg(m_draft->steps())
+                                 : tr("○ Not recording"));
+}
+
+void addLessonEditor(const LessonEditorPlace& place, const Actions& actions)
+{
+    auto* dock = new QDockWidget(LessonEditor::tr("Lesson Editor"));
+    dock->setObjectName(QStringLiteral("lessonEditor"));
+    dock->setWidget(new LessonEditor(actions));
+    addSideDock(place.window, place.toggles, dock, QStringLiteral("brushPanel"));
+    dock->hide();
+    QObject::connect(actions.get(QStringLiteral("lesson.record")), &QAction::triggered, dock, [dock] {
+        dock->show();
+        dock->raise();
+    });
+}
+} // namespace ui

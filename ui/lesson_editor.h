@@ -1,0 +1,94 @@
+#pragma once
+
+#include "lesson_step_editor.h"
+
+#include "core/starter_models.h"
+
+#include <QWidget>
+
+#include <optional>
+
+class QComboBox;
+class QLabel;
+class QListWidget;
+class QMainWindow;
+class QMenu;
+class QStackedWidget;
+class QToolButton;
+class QVBoxLayout;
+
+namespace ui
+{
+struct LessonCard;
+
+/// Where a teacher makes and changes a lesson: first with what to begin, then its words and steps. Changes the draft as it is changed, and
+/// says what else is wanted. Gui thread.
+class LessonEditor : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit LessonEditor(const Actions& actions, QWidget* parent = nullptr);
+
+    void setDescribe(DescribeStroke describe) { m_step->setDescribe(std::move(describe)); }
+    /// That can be changed, besides those in files.
+    void setLessons(const QList<LessonCard>& lessons);
+
+    /// All of it, at that step. The draft must live until another is shown, or none.
+    void showDraft(core::LessonDraft* draft, std::size_t step = 0);
+    void showStarts();
+    bool isOpen() const { return m_draft != nullptr; }
+    std::size_t step() const;
+
+    /// Strokes or a checkpoint were changed by others.
+    void showChanges();
+    /// As the last one, which is shown then.
+    void addStep();
+    void setRecording(bool isRecording);
+
+Q_SIGNALS:
+    /// A lesson that begins so; nothing: with the model as it is.
+    void startChosen(const std::optional<core::Starter>& starter);
+    void lessonChosen(const QString& name);
+    void fileWanted();
+    /// What the steps leave is about to be another model than it was.
+    void aboutToChange();
+    void recordWanted(bool on);
+    void factsWanted();
+    void saveWanted();
+    void closeWanted();
+
+private:
+    void addStarts(const Actions& actions);
+    void addEditor();
+    void addHead(QVBoxLayout* rows);
+    void addSteps(QVBoxLayout* rows);
+    void addFoot(QVBoxLayout* rows);
+    std::string language() const;
+    void fillLanguages();
+    void showWords();
+    void fillSteps(int row);
+    QString lineOf(std::size_t step) const;
+    void removeStep();
+    void moveStep(int by);
+
+    core::LessonDraft* m_draft = nullptr;
+    bool m_isRecording = false;
+    QStackedWidget* m_stack = nullptr;
+    QComboBox *m_start = nullptr, *m_shelf = nullptr, *m_language = nullptr;
+    QLineEdit *m_title = nullptr, *m_summary = nullptr;
+    QListWidget* m_steps = nullptr;
+    QToolButton *m_up = nullptr, *m_down = nullptr, *m_remove = nullptr;
+    LessonStepEditor* m_step = nullptr;
+    QLabel* m_state = nullptr;
+    QPushButton* m_record = nullptr;
+};
+
+struct LessonEditorPlace
+{
+    QMainWindow* window;
+    QMenu* toggles;
+};
+/// As a dock behind the brush's, with its entry among the toggles; lesson.record raises it.
+void addLessonEditor(const LessonEditorPlace& place, const Actions& actions);
+} // namespace ui
