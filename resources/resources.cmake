@@ -11,6 +11,7 @@ set(FETTLE_RESOURCE_FILES
     icons/background-theme.svg
     icons/background-white.svg
     icons/brush-model.svg
+    icons/caption.svg
     icons/classroom.svg
     icons/clay.svg
     icons/clock.svg
@@ -69,6 +70,7 @@ set(FETTLE_RESOURCE_FILES
     icons/panel-close.svg
     icons/panel-float.svg
     icons/pick.svg
+    icons/point.svg
     icons/pinch.svg
     icons/place-on-bed.svg
     icons/plus.svg
@@ -114,6 +116,7 @@ set(FETTLE_RESOURCE_FILES
     icons/strength.svg
     icons/swap.svg
     icons/symmetrize.svg
+    icons/take-over.svg
     icons/trash.svg
     icons/turntable.svg
     icons/twist.svg

@@ -223,6 +223,8 @@ constexpr ActionInfo table[] = {
      QT_TRANSLATE_NOOP("ui::Actions", "Shows a grid in millimetres under the model."), "G", "ground", false, Bar::None, true},
     {MenuId::View, "view.scaleBar", QT_TRANSLATE_NOOP("ui::Actions", "&Scale Bar"),
      QT_TRANSLATE_NOOP("ui::Actions", "Shows a length in millimetres in the corner of the view."), "Shift+G", "scale-bar", false, Bar::None, true},
+    {MenuId::View, "view.caption", QT_TRANSLATE_NOOP("ui::Actions", "Caption in &VR"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Shows tool, radius and the time left in large letters while somebody is in VR."), "", "caption", false, Bar::None, true},
 
     {MenuId::Material, "material.clay", QT_TRANSLATE_NOOP("ui::Actions", "&Clay"),
      QT_TRANSLATE_NOOP("ui::Actions", "Shows the model as warm, dull clay."), "Alt+1", "material-clay", false, Bar::None, true},
@@ -265,6 +267,11 @@ constexpr ActionInfo table[] = {
     {MenuId::Vr, "vr.follow", QT_TRANSLATE_NOOP("ui::Actions", "&Follow the Head"),
      QT_TRANSLATE_NOOP("ui::Actions", "Shows in this window what the person with the headset looks at, for a class to watch."), "Shift+V", "follow", false,
      Bar::None, true},
+    {MenuId::Vr, "vr.point", QT_TRANSLATE_NOOP("ui::Actions", "&Point"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Shows the person in VR a light where the pointer is on the model; held, the key points until it is let go."), "Q", "point",
+     true, Bar::None, true},
+    {MenuId::Vr, "vr.takeOver", QT_TRANSLATE_NOOP("ui::Actions", "&Take Over"),
+     QT_TRANSLATE_NOOP("ui::Actions", "Only this window sculpts until you give back; the person in VR looks on."), "", "take-over", false, Bar::None, true},
     {MenuId::Vr, "vr.status", QT_TRANSLATE_NOOP("ui::Actions", "&Look for a Headset"),
      QT_TRANSLATE_NOOP("ui::Actions", "Says whether a VR headset is ready."), "", "headset-find", true},
 

@@ -106,6 +106,14 @@ public:
     /// Ends whatever drag is going on, as a release would.
     void finish();
 
+    /// The brush of a lesson's teacher, as a ghost besides; nothing: nobody teaches.
+    void showTeacher(const std::optional<core::Sphere>& brush);
+
+    /// While on, the pointer does not sculpt but shows a light where it is on the model, and pointed() tells. Escape ends it, and so does what
+    /// else a press may be for.
+    void setPointing(bool on);
+    bool isPointing() const;
+
     /// While on, the next press for the brush takes a colour from the model instead: picked() ends it. So does Escape.
     void setPicking(bool on);
 
@@ -138,6 +146,11 @@ Q_SIGNALS:
     void lookChanged();
     void followingChanged(bool on);
 
+    void pointingChanged(bool on);
+    /// Nothing: the pointer has left the model, or has rested for a while.
+    void pointed(const std::optional<core::SurfaceHit>& place);
+    void teacherShown(const std::optional<core::Sphere>& brush);
+
     void pickingChanged(bool on);
     /// Nothing: the press was not on the model.
     void picked(const std::optional<core::Rgb>& color);
@@ -159,6 +172,9 @@ protected:
 private:
     void prepareFlight();
     void prepareFollowing();
+    void preparePointing();
+    void wakePointing();
+    void tellPointed();
     void follow();
     void chooseCursor();
     void sayThatNothingCanBeShown();

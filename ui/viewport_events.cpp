@@ -64,6 +64,7 @@ void Viewport::mousePressEvent(QMouseEvent* event)
 
 void Viewport::mouseMoveEvent(QMouseEvent* event)
 {
+    wakePointing();
     m_state->input.handle(pointerEvent(PointerEvent::Kind::Move, *event));
 }
 
@@ -78,6 +79,7 @@ void Viewport::tabletEvent(QTabletEvent* event)
     const auto kind = event->type() == QEvent::TabletPress     ? PointerEvent::Kind::Press
                       : event->type() == QEvent::TabletRelease ? PointerEvent::Kind::Release
                                                                : PointerEvent::Kind::Move;
+    wakePointing();
     PointerEvent pen = pointerEvent(kind, *event);
     pen.pressure = event->pressure();
     pen.isEraser = event->pointerType() == QPointingDevice::PointerType::Eraser;
@@ -133,6 +135,7 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event)
     if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
         setPicking(false);
         setAdding(false);
+        setPointing(false);
     }
     return QOpenGLWidget::eventFilter(watched, event);
 }

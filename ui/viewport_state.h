@@ -1,5 +1,6 @@
 #pragma once
 
+#include "point_light.h"
 #include "pointer_input.h"
 #include "scale_bar.h"
 #include "scene.h"
@@ -14,7 +15,8 @@
 namespace ui
 {
 /// For the viewport's own files: viewport.cpp shows, viewport_events.cpp takes what the hand does,
-/// viewport_places.cpp goes where somebody wants to look, and viewport_wearer.cpp to where the headset is.
+/// viewport_places.cpp goes where somebody wants to look, viewport_wearer.cpp to where the headset is, and viewport_pointing.cpp shows
+/// somebody where to look.
 struct Viewport::State
 {
     explicit State(BrushSettings* settings) : brush(settings) {}
@@ -29,6 +31,7 @@ struct Viewport::State
     References references;
     ScaleBar* scaleBar = nullptr;
     StringLine* string = nullptr;
+    PointLight* light = nullptr;
     std::function<std::optional<core::MeshPatch>()> take;
     struct Mark
     {
@@ -40,6 +43,9 @@ struct Viewport::State
     OrbitCamera::Pose from, to; ///< of the flight
     QVariantAnimation flight;
     std::optional<Wearer> wearer;
+    std::optional<core::Sphere> teacher;
+    std::optional<core::SurfaceHit> pointed; ///< as was told last
+    QTimer pointRest; ///< runs out: the light goes
     QTimer following; ///< runs while the view follows the head
     QElapsedTimer sinceFollowed;
     bool patchWaiting = false;
@@ -51,6 +57,7 @@ struct Viewport::State
     void spanString();
     void placeMark();
     void placeWearer();
+    void placeLight();
     void show(const Scene::Image& image, QSize pixels, unsigned int widgetFramebuffer);
 };
 } // namespace ui

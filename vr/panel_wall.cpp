@@ -19,6 +19,7 @@ Stand standOf(PanelKind kind)
 {
     switch (kind) {
     case PanelKind::Files:
+    case PanelKind::Lesson:
         return {35 * degree, 0.08};
     case PanelKind::Settings:
         return {-35 * degree, 0.08};
