@@ -27,6 +27,9 @@ public:
     void leave();
     /// One sentence, to be read in the headset; nowhere if nobody wears it.
     void tell(const QString& sentence) { m_desk.tellNotice(sentence); }
+    /// As HeadsetDesk's.
+    void point(const std::optional<core::SurfaceHit>& place) { m_desk.point(place); }
+    void setTakenOver(bool isTakenOver) { m_desk.setTakenOver(isTakenOver); }
     /// A visit has begun, and was neither ended nor given up.
     bool isIn() const { return m_thread.isIn(); }
     /// One was given up, and hinders others.

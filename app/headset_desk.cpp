@@ -37,6 +37,7 @@ HeadsetDesk::HeadsetDesk(const Program& program, QObject* parent)
 {
     takeBrush();
     hear();
+    hearPartner();
 }
 
 HeadsetDesk::~HeadsetDesk()
@@ -77,6 +78,7 @@ std::shared_ptr<HeadsetPort> HeadsetDesk::open()
     m_news.saved.clear();
     m_news.notice.clear();
     m_news.noticeCount = 0;
+    beginPartner();
     m_port = std::make_shared<HeadsetPort>(m_worker);
     connect(m_port.get(), &HeadsetPort::mailCame, this, &HeadsetDesk::takeMail, Qt::QueuedConnection);
     m_port->begin();
@@ -93,6 +95,7 @@ void HeadsetDesk::close()
     m_port->end();
     takeMail();
     m_port.reset();
+    m_choice.stop();
     m_files.stop();
     Q_EMIT seen({});
 }
@@ -109,8 +112,10 @@ void HeadsetDesk::takeBrush()
     const core::StrokeSettings& brush = m_window->brush()->stroke();
     if (brush.symmetry != core::Symmetry::None)
         m_news.plane = brush.symmetry;
-    if (!m_isChoosing && chosen(brush) != chosen(m_news.brush))
+    if (!m_isChoosing && chosen(brush) != chosen(m_news.brush)) {
         ++m_news.brushChange;
+        m_choice.start();
+    }
     m_news.brush = brush;
     tellSoon();
 }
@@ -143,6 +148,7 @@ void HeadsetDesk::tell()
     m_tellsSoon = false;
     if (!m_port)
         return;
+    takeRadius();
     vr::DocumentNews news = m_news;
     const ui::Viewport& viewport = *m_window->viewport();
     news.box = m_document->facts().box;
@@ -150,6 +156,8 @@ void HeadsetDesk::tell()
     news.isFlat = viewport.look().flat;
     news.canUndo = m_document->canUndo();
     news.canRedo = m_document->canRedo();
+    m_undoText = m_document->undoText();
+    m_redoText = m_document->redoText();
     news.isModified = m_document->isModified();
     news.isBusy = m_document->isBusy();
     news.swatches = m_colors->swatches();

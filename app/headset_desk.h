@@ -4,6 +4,8 @@
 #include "headset_port.h"
 
 #include <QObject>
+#include <QPointer>
+#include <QTimer>
 
 #include <deque>
 #include <memory>
@@ -12,6 +14,7 @@
 namespace ui
 {
 class ColorPanel;
+class LessonPanel;
 class MainWindow;
 } // namespace ui
 
@@ -45,6 +48,10 @@ public:
 
     /// To be read in the headset.
     void tellNotice(const QString& sentence);
+    /// Where somebody at the window points; nothing: nowhere.
+    void point(const std::optional<core::SurfaceHit>& place);
+    /// The window alone changes the model, until it gives back or the visit ends. A stroke of the headset that is open ends as it is.
+    void setTakenOver(bool isTakenOver);
 
 Q_SIGNALS:
     /// One sentence about what a wish came to, for those at the window.
@@ -58,6 +65,7 @@ private:
     {
         std::shared_ptr<HeadsetPort> port;
         vr::Wish wish;
+        bool isForbidden = false; ///< the window has taken over
     };
 
     void hear();
@@ -68,6 +76,15 @@ private:
     Q_INVOKABLE void tell();
     QString folder() const;
 
+    void hearPartner();
+    void beginPartner();
+    void takeRadius();
+    void tellChoice();
+    void tellHistory(const QString& sentence);
+    void takeLesson();
+    bool isForbidden(const vr::Wish& wish) const;
+    void forbid();
+
     void takeMail();
     void obeyNext();
     void finish(const std::shared_ptr<HeadsetPort>& port);
@@ -75,6 +92,7 @@ private:
     void refuseTool();
     void obey(const vr::ChooseBrush& wish);
     void obey(const vr::HeadsetChoice& choice);
+    void obey(vr::LessonWish wish);
     void obey(const vr::Undo&);
     void obey(const vr::Redo&);
     void obey(const vr::RestoreModel&);
@@ -89,6 +107,16 @@ private:
     std::shared_ptr<HeadsetPort> m_port; ///< of the visit; null: there is none
     vr::DocumentNews m_news;             ///< what of it is not to be found elsewhere
     bool m_isChoosing = false;           ///< the headset's brush
+    QPointer<ui::LessonPanel> m_lessons;
+    bool m_isTakenOver = false;
+    core::StrokeSettings m_toldBrush; ///< of which the person in the headset knows
+    QString m_undoText, m_redoText;   ///< as it was told: what is undone just now is still among them
+    quint64 m_radiusModel = 0;        ///< whose share the next is
+    double m_radiusShare = 0;         ///< of the window's brush, as it was told
+    bool m_isRadiusNew = false;
+    bool m_isStepNew = false; ///< of a lesson, which has tools of its own
+    double m_wearerRadius = 0; ///< mm; 0: not known
+    QTimer m_choice;           ///< runs while the window's choice may still go on
     bool m_tellsSoon = false;
     std::deque<Turn> m_turns;
     bool m_isObeying = false; ///< one of them

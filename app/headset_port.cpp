@@ -60,13 +60,24 @@ void HeadsetPort::wishDone()
 
 bool HeadsetPort::holdsStrokes(const vr::Wish& wish)
 {
-    return !std::holds_alternative<vr::ChooseBrush>(wish) && !std::holds_alternative<vr::HeadsetChoice>(wish);
+    return !std::holds_alternative<vr::ChooseBrush>(wish) && !std::holds_alternative<vr::HeadsetChoice>(wish) &&
+           !std::holds_alternative<vr::LessonWish>(wish);
 }
 
 void HeadsetPort::setRefusing(bool refuses)
 {
     const std::lock_guard lock(m_mutex);
     m_isRefusing = refuses;
+}
+
+void HeadsetPort::setTakenOver(bool isTakenOver)
+{
+    const std::lock_guard lock(m_mutex);
+    m_isTakenOver = isTakenOver;
+    if (!isTakenOver || m_open == Stroke::None)
+        return;
+    ++m_effect.refusals;
+    endOpenStroke();
 }
 
 // --- what comes and goes -----------------------------------------------------------------------------------------------
@@ -144,8 +155,9 @@ void HeadsetPort::ring(bool isNew)
 bool HeadsetPort::beginStroke(const core::StrokeSettings& settings)
 {
     const std::lock_guard lock(m_mutex);
-    if (m_isRefusing || m_hasEnded) {
+    if (m_isRefusing || m_isTakenOver || m_hasEnded) {
         ++m_effect.refusals;
+        m_mail.wasRefused |= m_isTakenOver; // it is fetched with the frame's presence
         return false;
     }
     if (m_done < m_wished) {

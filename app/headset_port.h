@@ -19,6 +19,7 @@ struct HeadsetMail
 {
     std::deque<vr::Wish> wishes;
     std::optional<vr::Presence> presence; ///< the newest
+    bool wasRefused = false;              ///< a stroke, because somebody at the window has taken over
 };
 
 /// The document of one visit to the headset. Strokes go straight to the mesh thread, wishes to the gui thread. A stroke that begins after a
@@ -46,6 +47,8 @@ public:
     static bool holdsStrokes(const vr::Wish& wish);
     /// While another model is on its way: no stroke begins.
     void setRefusing(bool refuses);
+    /// While somebody at the window has taken over: no stroke begins, and an open one ends as it is. What was drawn before is done all the same.
+    void setTakenOver(bool isTakenOver);
 
     // The headset's thread.
 
@@ -93,7 +96,7 @@ private:
     vr::StrokeEffect m_effect;
     HeadsetMail m_mail;
     bool m_hasRung = false;
-    bool m_isRefusing = false;
+    bool m_isRefusing = false, m_isTakenOver = false;
     bool m_hasEnded = false;
     quint64 m_wished = 0, m_done = 0; ///< of the wishes that hold strokes
     Stroke m_open = Stroke::None;

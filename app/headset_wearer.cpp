@@ -38,6 +38,7 @@ ui::Wearer wearerOf(const vr::Presence& presence)
     };
     ui::Wearer wearer;
     wearer.metre = metre;
+    wearer.radius = presence.radius * metre;
     if (presence.head)
         wearer.head = inModel(*presence.head);
     for (std::size_t i = 0; i < vr::sideCount; ++i)

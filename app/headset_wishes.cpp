@@ -4,6 +4,7 @@
 
 #include "document.h"
 #include "headset_settings.h"
+#include "headset_wearer.h"
 
 #include "ui/brush_settings.h"
 #include "ui/main_window.h"
@@ -22,14 +23,21 @@ void HeadsetDesk::takeMail()
         return;
     HeadsetMail mail = m_port->takeMail();
     for (vr::Wish& wish : mail.wishes) {
+        const bool isRefused = isForbidden(wish);
         if (HeadsetPort::holdsStrokes(wish))
-            m_turns.push_back({m_port, std::move(wish)});
+            m_turns.push_back({m_port, std::move(wish), isRefused});
+        else if (isRefused)
+            forbid();
         else
             std::visit([this](const auto& what) { obey(what); }, wish);
     }
     obeyNext();
-    if (mail.presence)
-        Q_EMIT seen(mail.presence);
+    if (mail.wasRefused)
+        forbid();
+    if (!mail.presence)
+        return;
+    m_wearerRadius = wearerOf(*mail.presence).radius;
+    Q_EMIT seen(mail.presence);
 }
 
 /// One at a time: strokes between two wishes come to the document before the second.
@@ -42,7 +50,10 @@ void HeadsetDesk::obeyNext()
     m_document->inTurn([self = QPointer(this), turn] {
         if (!self)
             return;
-        std::visit([self](const auto& wish) { self->obey(wish); }, turn.wish);
+        if (turn.isForbidden)
+            self->forbid();
+        else
+            std::visit([self](const auto& wish) { self->obey(wish); }, turn.wish);
         self->m_document->inTurn([self, port = turn.port] {
             if (self)
                 self->finish(port);
@@ -76,6 +87,7 @@ void HeadsetDesk::obey(const vr::ChooseBrush& wish)
     brush.set(&StrokeSettings::symmetry, wish.brush.symmetry);
     brush.set(&StrokeSettings::radial, wish.brush.radial);
     brush.set(&StrokeSettings::color, wish.brush.color);
+    m_toldBrush = brush.stroke();
 }
 
 /// The headset is told which tool there is instead.

@@ -71,6 +71,7 @@ LessonDesk::LessonDesk(ui::MainWindow& window, Document& document, SculptWorker&
             m_player->setSpeed(speed);
     });
     connect(m_window->viewport(), &ui::Viewport::strokeBegan, this, &LessonDesk::interrupt);
+    connect(m_worker, &SculptWorker::strokeRefused, this, &LessonDesk::giveWay);
     connect(m_document, &Document::opened, this, &LessonDesk::begin);
     connect(m_inquiry, &LessonInquiry::answered, this, &LessonDesk::tell);
     connect(m_inquiry, &RestingModel::outdated, this, [this] { tell({}, {}); });
@@ -224,6 +225,13 @@ void LessonDesk::interrupt()
     showGhost({});
 }
 
+/// Two strokes at once, the teacher's and one in the headset: whichever was refused, it is the pupil's turn.
+void LessonDesk::giveWay()
+{
+    if (m_timer.isActive())
+        interrupt();
+}
+
 void LessonDesk::endStroke()
 {
     if (std::exchange(m_isStrokeOpen, false))
@@ -291,12 +299,8 @@ void LessonDesk::placeGhost()
 
 void LessonDesk::showGhost(const std::optional<core::Sphere>& ghost)
 {
-    if (!m_window)
-        return;
-    std::optional<ui::Wearer> teacher;
-    if (ghost)
-        teacher.emplace().brush = ghost;
-    m_window->viewport()->showWearer(teacher);
+    if (m_window)
+        m_window->viewport()->showTeacher(ghost);
 }
 
 void LessonDesk::tell(const core::CheckpointVerdict& verdict, const std::shared_ptr<const core::Footprint>& shades)

@@ -42,6 +42,7 @@ private:
     void setPlaying(bool isPlaying);
     void tryIt();
     void interrupt();
+    void giveWay();
     void endStroke();
     void tick();
     void run(const core::LessonCue& cue);

@@ -27,6 +27,7 @@
 #include "ui/main_window.h"
 #include "ui/mending_dialogs.h"
 #include "ui/model_panel.h"
+#include "ui/partner_bar.h"
 #include "ui/preview_panel.h"
 #include "ui/print_panel.h"
 #include "ui/recovery_bar.h"
@@ -313,6 +314,17 @@ void wireVisits(ui::MainWindow& window, Headset* headset)
     });
 }
 
+/// What the one at the desktop does for the one in the headset.
+void wirePartner(ui::MainWindow& window, Headset* headset)
+{
+    QObject::connect(window.viewport(), &ui::Viewport::pointed, headset, &Headset::point);
+    QObject::connect(window.action(QStringLiteral("vr.takeOver")), &QAction::toggled, headset, &Headset::setTakenOver);
+    auto* bar = window.findChild<ui::PartnerBar*>();
+    QObject::connect(headset, &Headset::seen, bar, [bar](const std::optional<vr::Presence>& presence) {
+        bar->setWearer(presence ? std::optional(wearerOf(*presence)) : std::nullopt);
+    });
+}
+
 /// Who draws in the headset feels that somebody draws at the desktop, who in turn reads it.
 void wireRefusals(ui::MainWindow& window, const Document& document, SculptWorker& worker)
 {
@@ -336,6 +348,7 @@ Headset* wireHeadset(ui::MainWindow& window, Document& document, SculptWorker& w
     QObject::connect(inquiry, &HeadsetInquiry::answered, &window, &ui::MainWindow::showNotice);
     wireHeadsetHands(window, headset);
     wireVisits(window, headset);
+    wirePartner(window, headset);
     wireRefusals(window, document, worker);
     return headset;
 }
@@ -384,5 +397,6 @@ void wireClassroom(ui::MainWindow& window, ClassroomMode& mode)
 {
     QObject::connect(&mode, &ClassroomMode::noticed, &window, &ui::MainWindow::showNotice);
     QObject::connect(&mode, &ClassroomMode::noticed, window.findChild<Headset*>(), &Headset::tell);
+    QObject::connect(window.findChild<ui::ClassBar*>(), &ui::ClassBar::timeShown, window.findChild<ui::PartnerBar*>(), &ui::PartnerBar::setTime);
 }
 } // namespace app

@@ -11,6 +11,7 @@ set(FETTLE_RESOURCE_FILES
     icons/background-theme.svg
     icons/background-white.svg
     icons/brush-model.svg
+    icons/caption.svg
     icons/classroom.svg
     icons/clay.svg
     icons/clock.svg
@@ -77,6 +78,7 @@ set(FETTLE_RESOURCE_FILES
     icons/panel-float.svg
     icons/pause.svg
     icons/pick.svg
+    icons/point.svg
     icons/pinch.svg
     icons/place-on-bed.svg
     icons/play.svg
@@ -124,6 +126,7 @@ set(FETTLE_RESOURCE_FILES
     icons/strength.svg
     icons/swap.svg
     icons/symmetrize.svg
+    icons/take-over.svg
     icons/time-lapse.svg
     icons/trash.svg
     icons/turn-down.svg

@@ -542,6 +542,31 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>The mask was not changed: other work on the model is not done yet.</source>
         <translation>Die Maske wurde nicht geändert: Andere Arbeit am Modell ist noch nicht fertig.</translation>
     </message>
+    <message>
+        <source>Your partner took back: %1.</source>
+        <translation>Am Fenster rückgängig gemacht: %1.</translation>
+    </message>
+    <message>
+        <source>Your partner did again: %1.</source>
+        <translation>Am Fenster wiederholt: %1.</translation>
+    </message>
+    <message>
+        <source>Your partner chose %1, %2 mm.</source>
+        <extracomment>%1: a tool; %2: a length</extracomment>
+        <translation>Am Fenster gewählt: %1, %2 mm.</translation>
+    </message>
+    <message>
+        <source>Your partner chose a strength of %1 %.</source>
+        <translation>Am Fenster gewählt: Stärke %1 %.</translation>
+    </message>
+    <message>
+        <source>Your partner sculpts now.</source>
+        <translation>Jetzt wird am Fenster geformt.</translation>
+    </message>
+    <message>
+        <source>It is your turn again.</source>
+        <translation>Sie sind wieder an der Reihe.</translation>
+    </message>
 </context>
 <context>
     <name>app::HeadsetInquiry</name>
@@ -2023,7 +2048,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Hält eine Kantenlänge für das ganze Modell statt einer, die dem Pinsel folgt.</translation>
     </message>
     <message>
-        <source>Fusi&amp;on</source>
+        <source>&amp;Fusion</source>
         <translation>&amp;Verschmelzen</translation>
     </message>
     <message>
@@ -2775,7 +2800,31 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Macht dieses Modell, wie es jetzt ist, zum Modell des Stempels.</translation>
     </message>
     <message>
-        <source>Record Le&amp;sson…</source>
+        <source>Caption in &amp;VR</source>
+        <translation>Be&amp;schriftung in VR</translation>
+    </message>
+    <message>
+        <source>Shows tool, radius and the time left in large letters while somebody is in VR.</source>
+        <translation>Zeigt Werkzeug, Radius und übrige Zeit in großer Schrift, solange jemand in VR ist.</translation>
+    </message>
+    <message>
+        <source>&amp;Point</source>
+        <translation>&amp;Zeigen</translation>
+    </message>
+    <message>
+        <source>Shows the person in VR a light where the pointer is on the model; held, the key points until it is let go.</source>
+        <translation>Zeigt der Person in VR ein Licht, wo der Zeiger auf dem Modell ist; gehalten zeigt die Taste, bis sie losgelassen wird.</translation>
+    </message>
+    <message>
+        <source>&amp;Take Over</source>
+        <translation>Über&amp;nehmen</translation>
+    </message>
+    <message>
+        <source>Only this window sculpts until you give back; the person in VR looks on.</source>
+        <translation>Nur dieses Fenster formt, bis Sie zurückgeben; die Person in VR sieht zu.</translation>
+    </message>
+    <message>
+        <source>Rec&amp;ord Lesson…</source>
         <translation>Lektion auf&amp;zeichnen …</translation>
     </message>
     <message>
@@ -2784,7 +2833,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Edit &amp;Last Stroke…</source>
-        <translation>&amp;Letzten Strich ändern…</translation>
+        <translation>&amp;Letzten Strich ändern …</translation>
     </message>
     <message>
         <source>Does the last stroke again with another tool, radius or strength.</source>
@@ -2792,7 +2841,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Export Time-&amp;Lapse…</source>
-        <translation>&amp;Zeitraffer exportieren…</translation>
+        <translation>Zei&amp;traffer exportieren …</translation>
     </message>
     <message>
         <source>Draws the model after each of its steps, as numbered PNG pictures for a film.</source>
@@ -3861,6 +3910,10 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     <message>
         <source>L&amp;eave VR</source>
         <translation>VR &amp;verlassen</translation>
+    </message>
+    <message>
+        <source>&amp;Give Back</source>
+        <translation>Zurück&amp;geben</translation>
     </message>
 </context>
 <context>
@@ -5373,6 +5426,21 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
 </context>
 <context>
+    <name>ui::PartnerBar</name>
+    <message>
+        <source>Partner</source>
+        <translation>Partner</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Time is up</source>
+        <translation>Die Zeit ist um</translation>
+    </message>
+</context>
+<context>
     <name>ui::PenCurve</name>
     <message>
         <source>Pressure curve</source>
@@ -6751,6 +6819,38 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <source>VR ended: the headset&apos;s program reports a fault (%1). The model is as it was; try to enter VR again.</source>
         <extracomment>%1: a call of OpenXR and its result, such as xrCreateSession: XR_ERROR_RUNTIME_FAILURE</extracomment>
         <translation>VR ist beendet: Das Programm der VR-Brille meldet einen Fehler (%1). Das Modell ist, wie es war; bitte VR erneut betreten.</translation>
+    </message>
+</context>
+<context>
+    <name>vr::LessonPanel</name>
+    <message>
+        <source>%1 / %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Show Me</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Try It</source>
+        <translation>Versuchen</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>%1: step %2 of %3</source>
+        <extracomment>%1: a lesson&apos;s name; %2 of %3: its step</extracomment>
+        <translation>%1: Schritt %2 von %3</translation>
     </message>
 </context>
 <context>

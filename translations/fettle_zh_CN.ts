@@ -539,6 +539,31 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>The mask was not changed: other work on the model is not done yet.</source>
         <translation>遮罩未更改：模型上的其他操作尚未完成。</translation>
     </message>
+    <message>
+        <source>Your partner took back: %1.</source>
+        <translation>窗口旁的搭档撤销了：%1。</translation>
+    </message>
+    <message>
+        <source>Your partner did again: %1.</source>
+        <translation>窗口旁的搭档重做了：%1。</translation>
+    </message>
+    <message>
+        <source>Your partner chose %1, %2 mm.</source>
+        <extracomment>%1: a tool; %2: a length</extracomment>
+        <translation>窗口旁的搭档选了%1，%2 毫米。</translation>
+    </message>
+    <message>
+        <source>Your partner chose a strength of %1 %.</source>
+        <translation>窗口旁的搭档选了强度 %1 %。</translation>
+    </message>
+    <message>
+        <source>Your partner sculpts now.</source>
+        <translation>现在由窗口旁的搭档雕刻。</translation>
+    </message>
+    <message>
+        <source>It is your turn again.</source>
+        <translation>又轮到您了。</translation>
+    </message>
 </context>
 <context>
     <name>app::HeadsetInquiry</name>
@@ -2017,8 +2042,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>整个模型保持同一边长，而不随笔刷变化。</translation>
     </message>
     <message>
-        <source>Fusi&amp;on</source>
-        <translation>融合(&amp;O)</translation>
+        <source>&amp;Fusion</source>
+        <translation>融合(&amp;F)</translation>
     </message>
     <message>
         <source>Surfaces that meet join and thin necks part; without it they stop at contact.</source>
@@ -2769,8 +2794,32 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>把现在的模型作为图章的模型。</translation>
     </message>
     <message>
-        <source>Record Le&amp;sson…</source>
-        <translation>录制课程(&amp;S)…</translation>
+        <source>Caption in &amp;VR</source>
+        <translation>VR 大字说明(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Shows tool, radius and the time left in large letters while somebody is in VR.</source>
+        <translation>有人在 VR 中时，用大字显示工具、半径和剩余时间。</translation>
+    </message>
+    <message>
+        <source>&amp;Point</source>
+        <translation>指点(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Shows the person in VR a light where the pointer is on the model; held, the key points until it is let go.</source>
+        <translation>在模型上指针所在处给 VR 中的人显示一个光点；按住该键则指到松开为止。</translation>
+    </message>
+    <message>
+        <source>&amp;Take Over</source>
+        <translation>接手(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Only this window sculpts until you give back; the person in VR looks on.</source>
+        <translation>交还之前只有此窗口可以雕刻；VR 中的人只能观看。</translation>
+    </message>
+    <message>
+        <source>Rec&amp;ord Lesson…</source>
+        <translation>录制课程(&amp;O)…</translation>
     </message>
     <message>
         <source>Makes a lesson of what you sculpt, step by step, or changes one that is there.</source>
@@ -3848,6 +3897,10 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     <message>
         <source>L&amp;eave VR</source>
         <translation>离开 VR(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Give Back</source>
+        <translation>交还(&amp;G)</translation>
     </message>
 </context>
 <context>
@@ -5357,6 +5410,21 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
 </context>
 <context>
+    <name>ui::PartnerBar</name>
+    <message>
+        <source>Partner</source>
+        <translation>搭档</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 毫米</translation>
+    </message>
+    <message>
+        <source>Time is up</source>
+        <translation>时间到</translation>
+    </message>
+</context>
+<context>
     <name>ui::PenCurve</name>
     <message>
         <source>Pressure curve</source>
@@ -6731,6 +6799,38 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <source>VR ended: the headset&apos;s program reports a fault (%1). The model is as it was; try to enter VR again.</source>
         <extracomment>%1: a call of OpenXR and its result, such as xrCreateSession: XR_ERROR_RUNTIME_FAILURE</extracomment>
         <translation>VR 已结束：头显的程序报告错误（%1）。模型保持原样；请尝试再次进入 VR。</translation>
+    </message>
+</context>
+<context>
+    <name>vr::LessonPanel</name>
+    <message>
+        <source>%1 / %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Show Me</source>
+        <translation>演示</translation>
+    </message>
+    <message>
+        <source>Try It</source>
+        <translation>试一试</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>上一步</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>下一步</translation>
+    </message>
+    <message>
+        <source>%1: step %2 of %3</source>
+        <extracomment>%1: a lesson&apos;s name; %2 of %3: its step</extracomment>
+        <translation>%1：第 %2 步，共 %3 步</translation>
     </message>
 </context>
 <context>

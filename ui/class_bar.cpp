@@ -15,12 +15,6 @@ namespace
 constexpr int clockSize = 18; ///< pixels
 constexpr int mostNameWidth = 240;
 
-/// What is left is never told as less than it is.
-int minutesOf(int seconds)
-{
-    return (seconds + 59) / 60;
-}
-
 void setBold(QWidget* widget, bool isBold)
 {
     QFont font = widget->font();
@@ -105,6 +99,7 @@ void ClassBar::setTime(const std::optional<TurnTime>& time)
         m_time->setText(tr("Time is up"));
     else
         m_time->setText(tr("%n minutes left", nullptr, minutesOf(time->seconds)));
+    Q_EMIT timeShown(time);
 }
 
 void ClassBar::setResumable(const std::optional<QString>& pupil)

@@ -18,6 +18,11 @@ struct TurnTime
 
     bool operator==(const TurnTime&) const = default;
 };
+/// What is left is never told as less than it is.
+inline int minutesOf(int seconds)
+{
+    return (seconds + 59) / 60;
+}
 
 /// The topmost bar of a class: whose turn it is, how long it lasts, and whose comes next. Shows itself in the window. Gui thread.
 class ClassBar : public QToolBar
@@ -42,6 +47,8 @@ Q_SIGNALS:
     void nextRequested();
     void resumeRequested();
     void leaveRequested();
+    /// As setTime() was told.
+    void timeShown(const std::optional<ui::TurnTime>& time);
 
 private:
     QLabel* addLabel(const char* name);

@@ -55,7 +55,7 @@ void GhostPainter::take(Shape& shape, const std::shared_ptr<const core::DrawArra
 /// The nearest surface only: first its depths, then its colours. Whoever stands far behind the model, or between the eye and it, is not cut off.
 void GhostPainter::draw(const OrbitCamera& camera)
 {
-    if (!m_wearer)
+    if (!m_wearer && !m_teacher)
         return;
     m_view = camera.viewMatrix();
     m_program->bind();
@@ -79,8 +79,10 @@ void GhostPainter::draw(const OrbitCamera& camera)
     m_gl->glEnable(GL_BLEND);
     m_gl->glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     drawBodies();
-    if (m_wearer->brush)
+    if (m_wearer && m_wearer->brush)
         drawBrush(*m_wearer->brush);
+    if (m_teacher)
+        drawBrush(*m_teacher);
 
     m_gl->glDisable(GL_BLEND);
     m_gl->glDepthMask(GL_TRUE);
@@ -93,6 +95,8 @@ void GhostPainter::draw(const OrbitCamera& camera)
 void GhostPainter::drawBodies()
 {
     static const auto head = std::make_shared<const core::DrawArrays>(headShape());
+    if (!m_wearer)
+        return;
     if (m_wearer->head) {
         take(m_head, head);
         place(m_head, sized(*m_wearer->head, m_wearer->metre));

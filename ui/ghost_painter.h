@@ -12,7 +12,7 @@ class QOpenGLShaderProgram;
 
 namespace ui
 {
-/// Draws a person in the headset, half transparent, with OpenGL 3.3 core into the framebuffer that is bound, after all else; clay hides
+/// Draws a person in the headset and a teacher's brush, half transparent, with OpenGL 3.3 core into the framebuffer that is bound, after all else; clay hides
 /// them. Plain OpenGL and not Qt3D, so that they are there in layers, too, and so that to move them costs nothing. The context that was
 /// current at create() must be current at every call but show().
 class GhostPainter
@@ -27,6 +27,7 @@ public:
 
     /// In the next pictures.
     void show(const std::optional<Wearer>& wearer) { m_wearer = wearer; }
+    void showTeacher(const std::optional<core::Sphere>& brush) { m_teacher = brush; }
     void setDark(bool dark) { m_isDark = dark; }
     /// A shape that was not drawn yet is uploaded.
     void draw(const OrbitCamera& camera);
@@ -48,6 +49,7 @@ private:
     Shape m_head, m_ball;
     std::array<Shape, 2> m_hands;
     std::optional<Wearer> m_wearer;
+    std::optional<core::Sphere> m_teacher;
     Eigen::Matrix4d m_view = Eigen::Matrix4d::Identity(); ///< of the picture that is being drawn
     bool m_isDark = false;
 };

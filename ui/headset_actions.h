@@ -1,11 +1,15 @@
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QString>
+
+class QAction;
 
 namespace ui
 {
 class Actions;
+class PartnerBar;
 class Viewport;
 
 /// Changing: on the way in or out.
@@ -17,20 +21,34 @@ class HeadsetActions : public QObject
     Q_OBJECT
 
 public:
-    /// None is owned; actions and viewport must outlive it.
-    HeadsetActions(Actions& actions, Viewport* viewport, QObject* parent = nullptr);
+    struct Parts
+    {
+        Actions* actions;
+        Viewport* viewport;
+        PartnerBar* bar;
+    };
 
-    /// Out: the viewport shows nobody.
+    /// None is owned; all must outlive it.
+    explicit HeadsetActions(const Parts& parts, QObject* parent = nullptr);
+
+    /// Out: the viewport shows nobody, nobody points, and what was taken over is given back.
     void show(HeadsetState state);
 
 Q_SIGNALS:
     void enterRequested();
     void leaveRequested();
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
-    Actions& m_actions;
-    Viewport* m_viewport;
-    QString m_enterText;
+    void connectPointing();
+    void connectTakeOver();
+    QAction* action(const QString& id) const;
+
+    Parts m_parts;
+    QElapsedTimer m_sincePointing;
+    QString m_enterText, m_takeOverText;
     HeadsetState m_state = HeadsetState::Out;
 };
 } // namespace ui

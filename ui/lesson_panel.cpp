@@ -17,6 +17,7 @@
 #include <QStackedWidget>
 
 #include <cmath>
+#include <utility>
 
 namespace ui
 {
@@ -196,6 +197,7 @@ void LessonPanel::showPage(const LessonPage& page)
     m_next->setEnabled(page.step + 1 < page.steps);
     setPlaying(false);
     setProgress(0);
+    m_shown = LessonShown{page, {}, false};
     setMarks({});
     m_stack->setCurrentIndex(1);
 }
@@ -203,12 +205,23 @@ void LessonPanel::showPage(const LessonPage& page)
 void LessonPanel::showLessons()
 {
     m_stack->setCurrentIndex(0);
+    m_shown.reset();
+    Q_EMIT changed();
+}
+
+void LessonPanel::press(LessonButton button)
+{
+    QPushButton* const buttons[] = {m_play, m_try, m_back, m_next};
+    if (m_shown)
+        buttons[static_cast<std::size_t>(button)]->click();
 }
 
 void LessonPanel::setPlaying(bool isPlaying)
 {
     m_isPlaying = isPlaying;
     m_play->setText(isPlaying ? tr("Pause") : tr("Show Me"));
+    if (m_shown && std::exchange(m_shown->isPlaying, isPlaying) != isPlaying)
+        Q_EMIT changed();
 }
 
 void LessonPanel::setProgress(double share)
@@ -223,6 +236,10 @@ void LessonPanel::setMarks(const QList<LessonMark>& marks)
     for (const LessonMark& mark : marks)
         lines << QStringLiteral("%1 %2").arg(mark.holds ? QStringLiteral("✓") : QStringLiteral("○"), mark.text);
     m_marks->setText(lines.join(QLatin1Char('\n')));
+    if (m_shown) {
+        m_shown->marks = marks;
+        Q_EMIT changed();
+    }
 }
 
 bool LessonPanel::wantsDifference() const

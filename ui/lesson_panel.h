@@ -4,6 +4,8 @@
 #include <QList>
 #include <QWidget>
 
+#include <optional>
+
 class QCheckBox;
 class QComboBox;
 class QLabel;
@@ -44,6 +46,15 @@ struct LessonMark
     QString text;
 };
 
+/// A step as it stands now.
+struct LessonShown
+{
+    LessonPage page;
+    QList<LessonMark> marks;
+    bool isPlaying = false;
+};
+enum class LessonButton { Play, Try, Back, Next };
+
 /// A lesson beside the model: what to do, what the teacher does, and whether it is done. Knows no lesson file and no mesh: it says what is
 /// wanted and shows what it is given. Gui thread.
 class LessonPanel : public QWidget
@@ -64,7 +75,13 @@ public:
     void setMarks(const QList<LessonMark>& marks);
     bool wantsDifference() const;
 
+    /// What the pupil reads; nothing: no lesson is open. changed() tells of another.
+    const std::optional<LessonShown>& shown() const { return m_shown; }
+    /// As by the buttons, from elsewhere; what their state forbids is not done.
+    void press(LessonButton button);
+
 Q_SIGNALS:
+    void changed();
     void lessonChosen(const QString& name);
     void fileWanted();
     void stepWanted(int step);
@@ -88,6 +105,7 @@ private:
     QPushButton *m_play = nullptr, *m_one = nullptr, *m_try = nullptr, *m_back = nullptr, *m_next = nullptr;
     QComboBox* m_speed = nullptr;
     QCheckBox* m_difference = nullptr;
+    std::optional<LessonShown> m_shown;
     int m_step = 0;
     bool m_isPlaying = false;
 };

@@ -21,7 +21,8 @@ struct Switch
 constexpr Switch switches[] = {{"view.wireframe", &ViewLook::wireframe},
                                {"view.flat", &ViewLook::flat},
                                {"view.ground", &ViewLook::ground},
-                               {"view.scaleBar", &ViewLook::scaleBar}};
+                               {"view.scaleBar", &ViewLook::scaleBar},
+                               {"view.caption", &ViewLook::caption}};
 
 /// Shows it, and keeps it for the next start.
 class Looks

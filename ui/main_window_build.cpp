@@ -20,6 +20,7 @@
 #include "messages.h"
 #include "model_actions.h"
 #include "model_panel.h"
+#include "partner_bar.h"
 #include "preferences_actions.h"
 #include "preview_panel.h"
 #include "print_panel.h"
@@ -181,7 +182,7 @@ void MainWindow::State::connectTools()
 
 void MainWindow::State::connectHeadset()
 {
-    headset = new HeadsetActions(actions, viewport, q);
+    headset = new HeadsetActions({&actions, viewport, new PartnerBar({&actions, &brush, viewport}, q)}, q);
     connect(headset, &HeadsetActions::enterRequested, q, &MainWindow::enterVrRequested);
     connect(headset, &HeadsetActions::leaveRequested, q, &MainWindow::leaveVrRequested);
 }

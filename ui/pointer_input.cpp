@@ -126,9 +126,23 @@ void PointerInput::setPicking(bool on)
 {
     if (std::exchange(m_isPicking, on) == on)
         return;
-    if (on)
+    if (on) {
         setAdding(false);
+        setPointing(false);
+    }
     Q_EMIT pickingChanged(on);
+    Q_EMIT hoverChanged();
+}
+
+void PointerInput::setPointing(bool on)
+{
+    if (std::exchange(m_isPointing, on) == on)
+        return;
+    if (on) {
+        setAdding(false);
+        setPicking(false);
+    }
+    Q_EMIT pointingChanged(on);
     Q_EMIT hoverChanged();
 }
 
@@ -207,8 +221,10 @@ void PointerInput::setAdding(bool adding)
 {
     if (std::exchange(m_isAdding, adding) == adding)
         return;
-    if (adding)
+    if (adding) {
         setPicking(false);
+        setPointing(false);
+    }
     Q_EMIT addingChanged(adding);
     Q_EMIT hoverChanged();
 }
@@ -221,6 +237,8 @@ void PointerInput::begin(const Waiting& press, const std::optional<core::Surface
         Q_EMIT picked(hit);
         return;
     }
+    if (m_drag == Drag::None && press.event.button == Qt::LeftButton && m_isPointing && hit)
+        return;
     if (m_drag == Drag::None && press.event.button == Qt::LeftButton)
         m_drag = hit ? Drag::Stroke : dragBesideModel(press.event.modifiers, m_habits);
     if (m_drag == Drag::None)

@@ -56,6 +56,12 @@ public:
     void setPicking(bool on);
     bool isPicking() const { return m_isPicking; }
 
+    /// While on, a press on the model does nothing: the hand points.
+    void setPointing(bool on);
+    bool isPointing() const { return m_isPointing; }
+    /// Where; nothing: beside the model, or the hand does something else.
+    std::optional<core::SurfaceHit> pointed() const;
+
     /// Armed: the next left press anywhere asks for a sphere, and disarms.
     void setAdding(bool adding);
     bool isAdding() const { return m_isAdding; }
@@ -86,6 +92,7 @@ Q_SIGNALS:
     void strokeEnded();
     void pressDecided();
     void pickingChanged(bool on);
+    void pointingChanged(bool on);
     void picked(const std::optional<core::SurfaceHit>& hit);
     void viewChanged();
     /// The hand turned, moved or zoomed the view; viewChanged() follows.
@@ -141,6 +148,7 @@ private:
     bool m_inside = false;
     bool m_holds = false; ///< fingers are inside, no pointer
     bool m_isPicking = false;
+    bool m_isPointing = false;
     bool m_isAdding = false;
     HandHabits m_habits;
     Qt::KeyboardModifiers m_modifiers;

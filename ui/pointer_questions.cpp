@@ -130,7 +130,12 @@ std::optional<core::SurfaceHit> PointerInput::hover() const
     if (m_isAdding && m_inside && !movesView())
         return core::SurfaceHit{m_camera->acrossPivot(m_camera->ray(m_last)), -m_camera->viewDirection(), 0, core::noSlot};
     const bool next = m_drag == Drag::None && viewDrag(Qt::LeftButton, m_modifiers, m_habits) != Drag::None;
-    return m_inside && !m_holds && !movesView() && !next && !m_isPicking ? m_hit : std::nullopt;
+    return m_inside && !m_holds && !movesView() && !next && !m_isPicking && !m_isPointing ? m_hit : std::nullopt;
+}
+
+std::optional<core::SurfaceHit> PointerInput::pointed() const
+{
+    return m_isPointing && m_inside && !m_holds && m_drag == Drag::None ? m_hit : std::nullopt;
 }
 
 bool PointerInput::wouldStroke() const

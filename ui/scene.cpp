@@ -320,6 +320,11 @@ void Scene::showWearer(const std::optional<Wearer>& wearer)
     m_state->ghosts.show(wearer);
 }
 
+void Scene::showTeacher(const std::optional<core::Sphere>& brush)
+{
+    m_state->ghosts.showTeacher(brush);
+}
+
 void Scene::setLook(const ViewLook& look, bool darkTheme)
 {
     State& s = *m_state;

@@ -67,6 +67,8 @@ public:
     void showReference(const PlacedReference& reference);
     /// In the next images; none: nobody is in the headset.
     void showWearer(const std::optional<Wearer>& wearer);
+    /// The same of a lesson's teacher, of whom there is a brush.
+    void showTeacher(const std::optional<core::Sphere>& brush);
     /// `darkTheme`: what the background is where it follows the window.
     void setLook(const ViewLook& look, bool darkTheme);
 

@@ -31,7 +31,8 @@ struct LookSwitch
 const LookSwitch lookSwitches[] = {{QStringLiteral("view/wireframe"), &ViewLook::wireframe},
                                    {QStringLiteral("view/flat"), &ViewLook::flat},
                                    {QStringLiteral("view/ground"), &ViewLook::ground},
-                                   {QStringLiteral("view/scaleBar"), &ViewLook::scaleBar}};
+                                   {QStringLiteral("view/scaleBar"), &ViewLook::scaleBar},
+                                   {QStringLiteral("view/caption"), &ViewLook::caption}};
 } // namespace
 
 ViewLook Settings::look() const

@@ -40,6 +40,7 @@ struct ViewLook
     bool flat = false; ///< each triangle in one shade
     bool ground = true;
     bool scaleBar = true;
+    bool caption = true; ///< of the brush, while VR is worn
 
     bool operator==(const ViewLook&) const = default;
 };

@@ -118,9 +118,11 @@ Viewport::Viewport(BrushSettings* brush, QWidget* parent)
     setAccessibleName(tr("Model"));
     m_state->scaleBar = new ScaleBar(this);
     m_state->string = new StringLine(this);
+    m_state->light = new PointLight(this);
     prepareFlight();
     prepareFollowing();
     prepareKeys();
+    preparePointing();
 
     PointerInput* input = &m_state->input;
     connect(input, &PointerInput::hoverRequested, this, &Viewport::hoverRequested);
@@ -326,7 +328,7 @@ void Viewport::initializeGL()
 void Viewport::chooseCursor()
 {
     const PointerInput& input = m_state->input;
-    setCursor(input.isPicking() ? pickCursor() : input.hover() ? Qt::CrossCursor : Qt::ArrowCursor);
+    setCursor(input.isPicking() ? pickCursor() : input.hover() || input.pointed() ? Qt::CrossCursor : Qt::ArrowCursor);
 }
 
 /// The driver promised OpenGL 3.3 (graphicsProblem() was empty) and did not keep it.
@@ -357,6 +359,7 @@ void Viewport::paintGL()
     s.placeCursor();
     s.placeMark();
     s.placeWearer();
+    s.placeLight();
     s.scene->showPlane(s.brush->stroke().symmetry, s.box);
     s.scene->showSectors(s.brush->stroke().radial, s.brush->stroke().symmetry, s.box);
     const bool darkTheme = palette().window().color().lightness() < 128;

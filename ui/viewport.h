@@ -116,6 +116,14 @@ public:
     /// `factor` < 1 comes nearer: to the hand of the keys, else to the middle of the view.
     void zoomView(double factor);
 
+    /// The brush of a lesson's teacher, as a ghost besides; nothing: nobody teaches.
+    void showTeacher(const std::optional<core::Sphere>& brush);
+
+    /// While on, the pointer does not sculpt but shows a light where it is on the model, and pointed() tells. Escape ends it, and so does what
+    /// else a press may be for.
+    void setPointing(bool on);
+    bool isPointing() const;
+
     /// While on, the next press for the brush takes a colour from the model instead: picked() ends it. So does Escape.
     void setPicking(bool on);
 
@@ -149,6 +157,11 @@ Q_SIGNALS:
     void lookChanged();
     void followingChanged(bool on);
 
+    void pointingChanged(bool on);
+    /// Nothing: the pointer has left the model, or has rested for a while.
+    void pointed(const std::optional<core::SurfaceHit>& place);
+    void teacherShown(const std::optional<core::Sphere>& brush);
+
     void pickingChanged(bool on);
     /// Nothing: the press was not on the model.
     void picked(const std::optional<core::Rgb>& color);
@@ -174,6 +187,9 @@ private:
     void prepareFlight();
     void prepareFollowing();
     void prepareKeys();
+    void preparePointing();
+    void wakePointing();
+    void tellPointed();
     void follow();
     void chooseCursor();
     void sayThatNothingCanBeShown();

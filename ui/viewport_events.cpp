@@ -69,6 +69,7 @@ void Viewport::mouseMoveEvent(QMouseEvent* event)
 {
     if (m_state->keys.isDown())
         return;
+    wakePointing();
     m_state->input.handle(pointerEvent(PointerEvent::Kind::Move, *event));
 }
 
@@ -85,6 +86,7 @@ void Viewport::tabletEvent(QTabletEvent* event)
     const auto kind = event->type() == QEvent::TabletPress     ? PointerEvent::Kind::Press
                       : event->type() == QEvent::TabletRelease ? PointerEvent::Kind::Release
                                                                : PointerEvent::Kind::Move;
+    wakePointing();
     PointerEvent pen = pointerEvent(kind, *event);
     pen.pressure = event->pressure();
     pen.isEraser = event->pointerType() == QPointingDevice::PointerType::Eraser;
@@ -141,6 +143,7 @@ bool Viewport::eventFilter(QObject* watched, QEvent* event)
     if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
         setPicking(false);
         setAdding(false);
+        setPointing(false);
     }
     return QOpenGLWidget::eventFilter(watched, event);
 }

@@ -2,6 +2,7 @@
 
 #include "key_cross.h"
 #include "key_hand.h"
+#include "point_light.h"
 #include "pointer_input.h"
 #include "scale_bar.h"
 #include "scene.h"
@@ -16,7 +17,8 @@
 namespace ui
 {
 /// For the viewport's own files: viewport.cpp shows, viewport_events.cpp takes what the hand does, viewport_keys.cpp what keys do,
-/// viewport_places.cpp goes where somebody wants to look, and viewport_wearer.cpp to where the headset is.
+/// viewport_places.cpp goes where somebody wants to look, viewport_wearer.cpp to where the headset is, and viewport_pointing.cpp shows
+/// somebody where to look.
 struct Viewport::State
 {
     explicit State(BrushSettings* settings) : brush(settings) {}
@@ -33,6 +35,7 @@ struct Viewport::State
     ScaleBar* scaleBar = nullptr;
     StringLine* string = nullptr;
     KeyCross* cross = nullptr; ///< where the hand of the keys is
+    PointLight* light = nullptr;
     std::function<std::optional<core::MeshPatch>()> take;
     struct Mark
     {
@@ -45,6 +48,9 @@ struct Viewport::State
     QVariantAnimation flight;
     bool isCalm = false; ///< there are none
     std::optional<Wearer> wearer;
+    std::optional<core::Sphere> teacher;
+    std::optional<core::SurfaceHit> pointed; ///< as was told last
+    QTimer pointRest; ///< runs out: the light goes
     QTimer following; ///< runs while the view follows the head
     QElapsedTimer sinceFollowed;
     bool patchWaiting = false;
@@ -57,6 +63,7 @@ struct Viewport::State
     void spanString();
     void placeMark();
     void placeWearer();
+    void placeLight();
     void show(const Scene::Image& image, QSize pixels, unsigned int widgetFramebuffer);
 };
 } // namespace ui

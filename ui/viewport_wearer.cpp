@@ -24,6 +24,7 @@ void Viewport::State::placeWearer()
     if (shown && following.isActive())
         shown->head.reset();
     scene->showWearer(shown);
+    scene->showTeacher(teacher);
 }
 
 void Viewport::prepareFollowing()
@@ -42,6 +43,15 @@ void Viewport::showWearer(const std::optional<Wearer>& wearer)
     if (!wearer)
         setFollowing(false);
     update();
+}
+
+void Viewport::showTeacher(const std::optional<core::Sphere>& brush)
+{
+    if (!brush && !m_state->teacher)
+        return;
+    m_state->teacher = brush;
+    update();
+    Q_EMIT teacherShown(brush);
 }
 
 void Viewport::setFollowing(bool on)

@@ -24,6 +24,7 @@ struct Wearer
     std::optional<Eigen::Isometry3d> head; ///< the origin between the eyes, -Z ahead, +Y up
     std::array<std::optional<Ghost>, 2> hands;
     std::optional<core::Sphere> brush;
+    double radius = 0;   ///< of the brush, whatever its shape
     double metre = 1000; ///< so many mm of the document are a metre of the person's room
 };
 } // namespace ui

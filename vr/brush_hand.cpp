@@ -1,5 +1,8 @@
 #include "brush_hand.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace vr
 {
 namespace
@@ -12,9 +15,11 @@ bool isSameChoice(const core::StrokeSettings& a, const core::StrokeSettings& b)
 }
 } // namespace
 
-void BrushHand::take(const DocumentNews& news)
+void BrushHand::take(const DocumentNews& news, const Room& room)
 {
     m_state.plane = news.plane;
+    if (std::exchange(m_seenRadius, news.radiusChange) != news.radiusChange)
+        m_state.radius = std::clamp(room.lengthToRoom(news.brush.radius), leastRadius, mostRadius);
     if (news.brushChange == m_seenChange)
         return;
     m_seenChange = news.brushChange;

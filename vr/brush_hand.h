@@ -14,8 +14,8 @@ public:
     explicit BrushHand(DocumentPort* port) : m_port(port) {}
 
     const BrushState& state() const { return m_state; }
-    /// What the window changed of it.
-    void take(const DocumentNews& news);
+    /// What the window changed of it. A radius in mm becomes that length on the model as it is shown.
+    void take(const DocumentNews& news, const Room& room);
     /// By a hand or a panel; the window hears of what it has, too.
     void change(const BrushState& state);
 
@@ -46,7 +46,7 @@ private:
 
     DocumentPort* m_port;
     BrushState m_state;
-    quint64 m_seenChange = 0; ///< of the window
+    quint64 m_seenChange = 0, m_seenRadius = 0; ///< of the window
     bool m_draws = false;
     double m_pressure = 0;
     std::optional<double> m_firstTime; ///< seconds, of the first point: a runtime's clock may begin anywhere, files' times have bounds

@@ -18,6 +18,15 @@
 
 namespace vr
 {
+/// A place of the surface, in the document's space, mm.
+struct PointedPlace
+{
+    core::Vec3 position = core::Vec3::Zero();
+    core::Vec3 normal = core::Vec3::UnitY(); ///< of length 1
+
+    bool operator==(const PointedPlace&) const = default;
+};
+
 /// What the headset knows of the document and of the window beside it. The newest replaces those before it.
 struct DocumentNews
 {
@@ -29,6 +38,8 @@ struct DocumentNews
     /// window's own changes: what the headset wished for is told back without one.
     core::StrokeSettings brush;
     quint64 brushChange = 0;
+    /// The brush's radius is the headset's own, in metres of the room. Another number: the person at the window chose brush.radius for it, mm.
+    quint64 radiusChange = 0;
     core::Symmetry plane = core::Symmetry::Y; ///< of symmetry when it is switched on
     bool canUndo = false, canRedo = false;
     bool isModified = false; ///< opening another file would lose something
@@ -39,6 +50,9 @@ struct DocumentNews
     QString saved;           ///< the name that the last save of this visit gave, for people
     QString notice;          ///< a sentence that is to be read in the headset, too
     quint64 noticeCount = 0; ///< another number: it is told anew
+    std::optional<PointedPlace> pointed;  ///< where the person at the window points
+    std::optional<LessonPanel> lesson;    ///< that is open in the window; its page is the headset's own
+    std::optional<core::Sphere> teacher;  ///< the brush of the lesson's teacher, mm
 };
 
 /// Where a brush of these settings meets the surface: a ray brush along the ray, a spherical one at its origin.
@@ -70,6 +84,7 @@ struct Presence
     std::optional<Pose> head;
     std::array<std::optional<Pose>, sideCount> hands;    ///< grips, by Side
     std::optional<core::Sphere> brush;                   ///< the spherical one
+    double radius = 0;                                   ///< of the brush, whatever its shape; metres
     Eigen::Affine3d model = Eigen::Affine3d::Identity(); ///< document to room
 };
 
@@ -87,7 +102,7 @@ struct OpenModel
 };
 
 /// What the gui thread is asked to do; it is done there in this order, and in the order of the strokes before and after it.
-using Wish = std::variant<ChooseBrush, Undo, Redo, SaveModel, RestoreModel, OpenModel, core::ChangeMask, HeadsetChoice>;
+using Wish = std::variant<ChooseBrush, Undo, Redo, SaveModel, RestoreModel, OpenModel, core::ChangeMask, HeadsetChoice, LessonWish>;
 
 /// The document as the headset's thread sees it. All is called on that thread, none waits for another thread, and none allocates
 /// more than what it hands over. Values of millimetres are in the document's space.

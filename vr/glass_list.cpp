@@ -14,6 +14,7 @@ namespace
 {
 const Eigen::Vector3f paneColor(0.15F, 0.33F, 0.66F), accentColor(0.22F, 0.56F, 1.0F), paleColor(0.85F, 0.88F, 0.92F);
 const Eigen::Vector3f holdColor(1.0F, 0.48F, 0.10F);
+const Eigen::Vector3f lightColor(0.30F, 1.0F, 0.06F); ///< nothing else has it
 
 constexpr float thin = 0.0011F, thinner = 0.0008F; ///< widths of lines, metres
 constexpr float mirrored = 0.45F;                  ///< how strong a brush's mirror image is
@@ -22,6 +23,9 @@ constexpr double offSurface = 0.0006; ///< so that what lies on a surface is see
 constexpr double holdRadius = 0.026, holdLift = 0.030;
 constexpr float holdHole = 0.80F, footprintHole = 0.97F;
 const core::Vec3 holdPlace(0, 0, 0.012); ///< between the side buttons
+// The light where somebody points: metres.
+constexpr double lightRadius = 0.007, leastWave = 0.012, widestWave = 0.036, beamHeight = 0.35;
+constexpr float beamWidth = 0.003F, waveHole = 0.78F, throughClay = 0.45F;
 
 Eigen::Vector3f toFloat(const core::Vec3& v)
 {
@@ -51,6 +55,8 @@ public:
     void addBrush(const RayBrush& brush);
     void addWand(const ShownWand& wand);
     void addLaser(const Laser& laser);
+    void addLight(const PointLight& light);
+    void addTeacher(const core::Sphere& brush);
     void addPanel(const Panel& panel);
 
 private:
@@ -208,6 +214,36 @@ void GlassMaker::addLaser(const Laser& laser)
     addDot(laser.to, dotRadius, accentColor);
 }
 
+/// A glowing bead, a wave that spreads on the surface, and a beam from above: it is found by its shape, too, and through the clay.
+void GlassMaker::addLight(const PointLight& light)
+{
+    const core::Vec3 at = light.center + offSurface * light.normal;
+    const Eigen::Matrix3d axes = axesFacing(m_state.head, at);
+    const auto bead = [&](double radius, const Eigen::Vector3f& color, float alpha) { // the smaller before the larger
+        const core::Vec3 before = at + (lightRadius - radius / 4) * axes.col(2);
+        add(before, Ring{.place = rectangle(before, radius * axes.col(0), radius * axes.col(1)),
+                         .color = color,
+                         .alpha = alpha,
+                         .hiddenAlpha = throughClay * alpha});
+    };
+    const double wave = leastWave + (widestWave - leastWave) * light.pulse;
+    const auto strength = static_cast<float>(1 - light.pulse);
+    add(at, Ring{.place = acrossTo(at, light.normal, wave),
+                 .hole = waveHole,
+                 .color = lightColor,
+                 .alpha = strength,
+                 .hiddenAlpha = throughClay * strength});
+    addLine(at + beamHeight * core::Vec3::UnitY(), at, {.width = beamWidth, .color = lightColor, .alphas = {0.0F, 0.9F}});
+    bead(2 * lightRadius, lightColor, 0.35F);
+    bead(lightRadius, lightColor, 1);
+    bead(0.45 * lightRadius, Eigen::Vector3f::Ones(), 1);
+}
+
+void GlassMaker::addTeacher(const core::Sphere& brush)
+{
+    add(brush.center, Shell{toFloat(brush.center), static_cast<float>(brush.radius), accentColor});
+}
+
 void GlassMaker::addPanel(const Panel& panel)
 {
     const core::Vec3 center = panel.pose.position;
@@ -235,6 +271,10 @@ void listGlass(const SceneState& state, LabelPictures& labels, GlassLists& into)
     for (const std::optional<Laser>& laser : state.lasers)
         if (laser)
             maker.addLaser(*laser);
+    if (state.teacher)
+        maker.addTeacher(*state.teacher);
+    if (state.light)
+        maker.addLight(*state.light);
     for (const Panel& panel : state.panels)
         maker.addPanel(panel);
     sortByDistance(into.panels);

@@ -23,6 +23,7 @@ Stand standOf(PanelKind kind)
     case PanelKind::Color:
         return {-12 * degree, 0.3};
     case PanelKind::Files:
+    case PanelKind::Lesson:
         return {35 * degree, 0.08};
     case PanelKind::Settings:
         return {-35 * degree, 0.08};

@@ -62,6 +62,13 @@ struct Laser
     core::Vec3 from, to;
 };
 
+/// Where somebody beside the headset points.
+struct PointLight
+{
+    core::Vec3 center = core::Vec3::Zero(), normal = core::Vec3::UnitY(); ///< of the surface; the normal has length 1
+    double pulse = 0;                                                     ///< 0 to 1, over and over: how far its wave has come
+};
+
 /// A rectangle with a picture. Seen from behind it is a dark plate.
 struct Panel
 {
@@ -84,6 +91,8 @@ struct SceneState
     std::variant<std::monostate, BallBrush, RayBrush> brush;
     core::Rgb brushColor{235, 240, 248};
     std::array<ShownWand, sideCount> wands; ///< by Side
+    std::optional<PointLight> light;
+    std::optional<core::Sphere> teacher; ///< a brush that nobody in the headset holds
     std::vector<Panel> panels;
     std::array<std::optional<Laser>, sideCount> lasers; ///< by Side
     bool hasFloor = true;

@@ -7,6 +7,11 @@ namespace vr
 {
 namespace
 {
+bool isSameStep(const std::optional<LessonPanel>& a, const std::optional<LessonPanel>& b)
+{
+    return a && b && a->lesson == b->lesson && a->step == b->step;
+}
+
 /// What panels ahead do not hide: a ball about the model's middle.
 core::Sphere clayOf(const Room& room, const core::Box& box)
 {
@@ -64,16 +69,21 @@ FrameOutput SculptClient::frame(const FrameInput& input)
     return m_output;
 }
 
-/// Another model is placed before the person; one that has only grown stays where it is.
+/// Another model is placed before the person; one that has only grown stays where it is. The hand feels what the window chose for it.
 void SculptClient::takeNews()
 {
     std::optional<DocumentNews> news = m_port->takeNews();
     if (!news)
         return;
     const bool isAnother = news->model != m_news.model;
+    const bool isFirst = m_news.brushChange == 0;
+    const bool isChosen = news->brushChange != m_news.brushChange || news->radiusChange != m_news.radiusChange;
+    feeling(m_choice.hands.sculpting).stepped = isChosen && !isFirst;
+    if (!isSameStep(news->lesson, m_news.lesson))
+        m_lessonPage = 0;
     m_news = *std::move(news);
-    m_brush.take(m_news);
     m_room.setModel(m_news.box);
+    m_brush.take(m_news, m_room);
     m_isPlaced = m_isPlaced && !isAnother;
     m_files.folder = m_news.folder;
     m_files.files = m_news.files;

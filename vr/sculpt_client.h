@@ -52,6 +52,7 @@ private:
     void showPanels(const FrameInput& input);
     ToolPanel toolPanel() const;
     void showNotice(double time);
+    void showLesson();
     void see(const FrameInput& input);
     ShownWand shown(const WandState& wand, Side side) const;
     void tellPresence(const FrameInput& input);
@@ -73,6 +74,7 @@ private:
 
     PanelWall m_wall;
     FilesPanel m_files;
+    int m_lessonPage = 0;
     SettingsPage m_page = SettingsPage::General;
     PerformancePanel m_performance;
     double m_measuredAt = 0; ///< seconds

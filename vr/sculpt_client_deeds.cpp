@@ -71,6 +71,8 @@ void SculptClient::obey(Side side, const PanelAction& action)
         [&](PanelCommand command) { obey(command); },
         [&](const ShowPanel& panel) { m_wall.open(panel.kind, panel.isShown); },
         [&](SettingsPage page) { m_page = page; },
+        [&](const ShowLessonPage& shown) { m_lessonPage = shown.page; },
+        [&](LessonWish wish) { m_port->wish(wish); },
         [&](const ChooseChannel& channel) { m_hands.selectChannel(channel.channel); },
         // Of the item that was pressed: what is painted may be older than the changes.
         [&](const OpenFile& file) { m_port->wish(OpenModel{file.path, file.losesChanges}); },

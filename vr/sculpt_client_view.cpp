@@ -8,6 +8,7 @@ namespace vr
 namespace
 {
 constexpr double measuresEvery = 0.5; ///< seconds; numbers that change faster cannot be read
+constexpr double pulseSeconds = 1.2;  ///< of the light where somebody points: it catches the eye and does not flicker
 
 WandPart partOf(Sector sector)
 {
@@ -60,7 +61,20 @@ void SculptClient::showPanels(const FrameInput& input)
         }
         m_wall.show(m_performance);
     }
+    showLesson();
     showNotice(time);
+}
+
+/// Files stand in its place while they are open.
+void SculptClient::showLesson()
+{
+    const bool isShown = m_news.lesson && !m_wall.isOpen(PanelKind::Files);
+    m_wall.open(PanelKind::Lesson, isShown);
+    if (!isShown)
+        return;
+    LessonPanel panel = *m_news.lesson;
+    panel.page = m_lessonPage;
+    m_wall.show(panel);
 }
 
 void SculptClient::showNotice(double time)
@@ -121,6 +135,13 @@ void SculptClient::see(const FrameInput& input)
     m_state.brushColor = brush.stroke.tool == core::Tool::Paint ? brush.stroke.color : SceneState().brushColor;
     for (std::size_t i = 0; i < sideCount; ++i)
         m_state.wands[i] = shown(input.wands[i], static_cast<Side>(i));
+    m_state.light = {};
+    if (m_news.pointed)
+        m_state.light = PointLight{m_room.toRoom(m_news.pointed->position), m_room.directionToRoom(m_news.pointed->normal),
+                                   std::fmod(std::abs(input.seconds()), pulseSeconds) / pulseSeconds};
+    m_state.teacher = {};
+    if (m_news.teacher)
+        m_state.teacher = core::Sphere{m_room.toRoom(m_news.teacher->center), m_room.lengthToRoom(m_news.teacher->radius)};
     m_wall.list(m_state.panels);
     m_state.lasers = {};
     for (const Side side : {Side::Left, Side::Right})
@@ -142,6 +163,7 @@ void SculptClient::tellPresence(const FrameInput& input)
             presence.hands[i] = input.wands[i].grip;
     if (const auto* ball = std::get_if<BallBrush>(&m_state.brush))
         presence.brush = core::Sphere{ball->center, ball->radius};
+    presence.radius = m_brush.state().radius;
     presence.model = m_room.matrix();
     m_port->show(presence);
 }

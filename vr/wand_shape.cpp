@@ -28,7 +28,7 @@ constexpr Section sections[] = {
     {-0.0800, 0.0196, 0.0142, -0.0142}, {-0.0950, 0.0146, 0.0114, -0.0112}, {-0.1120, 0.0098, 0.0078, -0.0080},
     {-0.1260, 0.0066, 0.0052, -0.0054}, {-0.1310, 0.0050, 0.0040, -0.0042},
 };
-constexpr int stepsBetween = 4, around = 56;
+constexpr int stepsBetween = 4, sidesAround = 56;
 constexpr double squareness = 2.5; ///< of a section: 2 is an ellipse
 
 constexpr double padMiddleZ = -0.048, padRadius = 0.0190, padMiddleRadius = 0.0062, padGap = 0.0007;
@@ -58,8 +58,8 @@ Solid::Loop loopOf(const Section& section)
 {
     const auto power = [](double x) { return std::copysign(std::pow(std::abs(x), 2 / squareness), x); };
     Solid::Loop loop;
-    for (int i = 0; i < around; ++i) {
-        const double turn = 2 * pi * i / around, up = power(std::sin(turn));
+    for (int i = 0; i < sidesAround; ++i) {
+        const double turn = 2 * pi * i / sidesAround, up = power(std::sin(turn));
         loop.emplace_back(section.halfWidth * power(std::cos(turn)), up > 0 ? up * section.top : -up * section.bottom, section.z);
     }
     return loop;

@@ -80,6 +80,24 @@ struct Alone : Visit
     }
 };
 
+/// What the left eye sees.
+struct Look
+{
+    QImage picture;
+    vr::Pose head;
+
+    /// Where a place of the room is on the picture.
+    QPoint at(const core::Vec3& place) const
+    {
+        const core::Vec3 own = head.inverse() * place - core::Vec3(-0.032, 0, 0);
+        const double left = std::tan(-0.94), right = std::tan(0.81), top = std::tan(0.96), bottom = std::tan(-0.98);
+        const double x = (own.x() / -own.z() - left) / (right - left), y = (top - own.y() / -own.z()) / (top - bottom);
+        return {static_cast<int>(x * picture.width()), static_cast<int>(y * picture.height())};
+    }
+    /// Between two corners, those of a panel's part.
+    QImage between(const core::Vec3& a, const core::Vec3& b) const { return picture.copy(QRect(at(a), at(b)).normalized()); }
+};
+
 /// The pulses of a run that feel like that.
 inline int pulsesOf(HeadsetHand& hand, vr::Side side, const vr::HandFeeling& feeling)
 {

@@ -9,6 +9,7 @@
 #include "core/sculptor.h"
 #include "core/stroke_file.h"
 #include "ui/actions.h"
+#include "ui/brush_caption.h"
 #include "ui/classroom_lock.h"
 #include "ui/color_panel.h"
 #include "ui/mailbox.h"
@@ -401,14 +402,21 @@ void TestClassroom::theClock_warnsAndTakesNothing()
         c.mode.tick();
         return c.text("classTime");
     };
+    c.program.window.setHeadset(ui::HeadsetState::In, {});
+    const auto& caption = *c.program.window.findChild<ui::BrushCaption*>();
     QCOMPARE(at(0), QStringLiteral("20 minutes left"));
+    QVERIFY(caption.isVisible());
+    QCOMPARE(caption.words().time, QStringLiteral("20 min"));
+    QCOMPARE(caption.words().tool, QStringLiteral("Clay"));
     QCOMPARE(at(17 * minute - 1), QStringLiteral("4 minutes left"));
     QVERIFY(!c.part<QLabel>("classTime")->font().bold() && notice(c.program).isEmpty());
     QCOMPARE(at(17 * minute), QStringLiteral("3 minutes left"));
     QVERIFY(c.part<QLabel>("classTime")->font().bold() && !c.part<QLabel>("classClock")->pixmap(Qt::ReturnByValue).isNull());
     QVERIFY(notice(c.program).contains(QStringLiteral("3 minutes are left")));
+    QVERIFY(caption.words().time == QStringLiteral("3 min") && caption.words().isNearEnd);
     QCOMPARE(at(20 * minute), QStringLiteral("Time is up"));
     QVERIFY(notice(c.program).contains(QStringLiteral("The time is up")));
+    QCOMPARE(caption.words().time, QStringLiteral("Time is up"));
     QCOMPARE(at(25 * minute), QStringLiteral("Time is up"));
     c.sculpt({30, -20});
     QCOMPARE(c.program.document.undoStack().count(), 2);
@@ -416,6 +424,9 @@ void TestClassroom::theClock_warnsAndTakesNothing()
     c.beginTurn(QStringLiteral("Ben"));
     QCOMPARE(at(c.now), QStringLiteral("20 minutes left"));
     QVERIFY(!c.part<QLabel>("classTime")->font().bold());
+    QVERIFY(caption.isVisible() && !caption.words().isNearEnd); // a turn's beginning brings bars back, but not this one's absence
+    c.program.window.setHeadset(ui::HeadsetState::Out, {});
+    QVERIFY(!caption.isVisible());
 }
 
 void TestClassroom::aMissingFolder_isSaidAtOnce()

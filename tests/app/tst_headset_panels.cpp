@@ -27,24 +27,6 @@ vr::ToolPanel tools()
     return panel;
 }
 
-/// What the left eye sees.
-struct Look
-{
-    QImage picture;
-    vr::Pose head;
-
-    /// Where a place of the room is on the picture.
-    QPoint at(const Vec3& place) const
-    {
-        const Vec3 own = head.inverse() * place - Vec3(-0.032, 0, 0);
-        const double left = std::tan(-0.94), right = std::tan(0.81), top = std::tan(0.96), bottom = std::tan(-0.98);
-        const double x = (own.x() / -own.z() - left) / (right - left), y = (top - own.y() / -own.z()) / (top - bottom);
-        return {static_cast<int>(x * picture.width()), static_cast<int>(y * picture.height())};
-    }
-    /// Between two corners, those of a panel's part.
-    QImage between(const Vec3& a, const Vec3& b) const { return picture.copy(QRect(at(a), at(b)).normalized()); }
-};
-
 /// With the tool panel open, which is held up beside the model, and painted.
 struct AtTools : Alone
 {

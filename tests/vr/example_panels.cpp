@@ -136,6 +136,23 @@ std::vector<ExamplePanel> filesPanels()
     busy.isBusy = true;
     return {{"files", chosen}, {"files-last", last}, {"files-empty", empty}, {"files-busy", busy}};
 }
+std::vector<ExamplePanel> lessonPanels()
+{
+    vr::LessonPanel shown{QStringLiteral("First clay: a pear"), QStringLiteral("Pull the neck"),
+                          QStringLiteral("Take Pull, and draw the top of the ball upwards in three strokes."), 0, 5, {}, true};
+    shown.marks = {{QStringLiteral("height: at least 115.0 mm (100.0 mm)"), false}, {QStringLiteral("in one piece (1)"), true}};
+    vr::LessonPanel paged = shown;
+    paged.title = QStringLiteral("A very long title of a step that somebody wrote without looking at it");
+    paged.text = QString(shown.text + QLatin1Char(' ')).repeated(9) + QStringLiteral("用手柄把泥球的顶部拉起来，分三笔完成。");
+    paged.step = 4;
+    paged.page = 1;
+    paged.isPlaying = true;
+    vr::LessonPanel bare = shown;
+    bare.canPlay = false;
+    bare.marks.clear();
+    bare.step = 2;
+    return {{"lesson", shown}, {"lesson-paged", paged}, {"lesson-bare", bare}};
+}
 } // namespace
 
 OtherWords::OtherWords(std::unique_ptr<QTranslator> translator) : m_translator(std::move(translator))
@@ -163,7 +180,7 @@ OtherWords OtherWords::ofLanguage(const QString& language)
 std::vector<ExamplePanel> examplePanels()
 {
     std::vector<ExamplePanel> all = toolPanels();
-    for (const auto& more : {colorPanels(), filesPanels()})
+    for (const auto& more : {colorPanels(), filesPanels(), lessonPanels()})
         all.insert(all.end(), more.begin(), more.end());
     const vr::HeadsetChoice changed{.hands = {},
                                     .raised = 0.12,

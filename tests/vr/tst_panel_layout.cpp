@@ -63,7 +63,12 @@ std::vector<PanelAction> wanted()
                                  vr::ChooseHand{vr::Side::Left},
                                  vr::ChooseHand{vr::Side::Right},
                                  vr::ShowPage{0},
-                                 vr::ShowPage{1}};
+                                 vr::ShowPage{1},
+                                 vr::ShowLessonPage{0},
+                                 vr::LessonWish::Play,
+                                 vr::LessonWish::TryIt,
+                                 vr::LessonWish::Back,
+                                 vr::LessonWish::Next};
     for (std::size_t i = 0; i < core::toolNames().size(); ++i)
         all.push_back(static_cast<core::Tool>(i));
     for (const auto kind : {vr::PanelKind::Files, vr::PanelKind::Settings})

@@ -11,8 +11,8 @@
 
 namespace vr
 {
-enum class PanelKind { Tools, Color, Files, Settings, Performance, Notice };
-inline constexpr std::size_t panelKindCount = 6;
+enum class PanelKind { Tools, Color, Files, Settings, Performance, Notice, Lesson };
+inline constexpr std::size_t panelKindCount = 7;
 
 enum class SettingsPage { General, Feel };
 
@@ -63,6 +63,21 @@ struct ShowPage
 {
     int page = 0; ///< of the files
     bool operator==(const ShowPage&) const = default;
+};
+
+/// Of a step's text.
+struct ShowLessonPage
+{
+    int page = 0;
+    bool operator==(const ShowLessonPage&) const = default;
+};
+
+/// What a pupil may want of a lesson.
+enum class LessonWish {
+    Play,  ///< or pause
+    TryIt, ///< what was done in the step is taken back
+    Back,
+    Next
 };
 
 /// To be opened, perhaps.
@@ -123,7 +138,7 @@ struct Slide
 /// What a person wants by an item of a panel.
 using PanelAction = std::variant<PanelCommand, core::Tool, core::BrushShape, core::Topology, Preset, SettingsPage,
                                  ShowPanel, ChooseSymmetry, ChooseRadial, ChooseChannel, ChooseColor, ShowPage, ChooseFile, OpenFile,
-                                 ChooseHand, ShowPerformance, ShowFloor, Slide>;
+                                 ChooseHand, ShowPerformance, ShowFloor, Slide, ShowLessonPage, LessonWish>;
 
 /// Whether one item wants both: sliders want one thing after the other.
 inline bool isSameItem(const PanelAction& a, const PanelAction& b)

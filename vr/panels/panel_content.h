@@ -152,6 +152,39 @@ private:
     static QString nameOf(FramePhase phase);
 };
 
+/// One thing that a lesson's step asks for.
+struct LessonMark
+{
+    QString text;
+    bool holds = false;
+
+    bool operator==(const LessonMark&) const = default;
+};
+
+/// A step of the lesson that is open in the window. A text that is too long for the panel has pages: no letter is smaller than another panel's.
+struct LessonPanel
+{
+    Q_DECLARE_TR_FUNCTIONS(vr::LessonPanel)
+
+public:
+    QString lesson, title, text;
+    int step = 0; ///< from 0
+    int steps = 1;
+    QList<LessonMark> marks;
+    bool canPlay = false; ///< the teacher has strokes for it
+    bool isPlaying = false;
+    int page = 0; ///< of the text; beyond the last it is the last
+
+    bool operator==(const LessonPanel&) const = default;
+    PanelLayout layout() const;
+
+private:
+    void addTitle(PanelBuilder& builder) const;
+    void addText(PanelBuilder& builder) const;
+    void addMarks(PanelBuilder& builder) const;
+    void addButtons(PanelBuilder& builder) const;
+};
+
 /// One sentence.
 struct Notice
 {
@@ -164,7 +197,7 @@ struct Notice
 double noticeOpacity(const Notice& notice, double age);
 
 using PanelContent =
-    std::variant<ToolPanel, ColorPanel, FilesPanel, SettingsPanel, PerformancePanel, Notice>; ///< by PanelKind
+    std::variant<ToolPanel, ColorPanel, FilesPanel, SettingsPanel, PerformancePanel, Notice, LessonPanel>; ///< by PanelKind
 
 PanelKind kindOf(const PanelContent& content);
 PanelLayout layoutOf(const PanelContent& content);

@@ -1,0 +1,452 @@
+// Two people and one model: who wears the headset, and who stands at the desktop.
+// FETTLE_HEADSET_PICTURES=<folder> keeps what the left eye saw, and the window.
+#include "headset_visit.h"
+#include "tests/vr/vr_test.h"
+
+#include "core/mesh_check.h"
+#include "ui/brush_caption.h"
+#include "ui/lesson_panel.h"
+#include "ui/partner_bar.h"
+#include "ui/point_light.h"
+
+#include <QAbstractButton>
+#include <QDockWidget>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QToolButton>
+
+using namespace app;
+using core::Vec3;
+using vr::Side;
+
+namespace
+{
+void sendMove(QWidget* widget, const QPoint& to, Qt::MouseButtons buttons = Qt::NoButton)
+{
+    QMouseEvent move(QEvent::MouseMove, to, widget->mapToGlobal(to), Qt::NoButton, buttons, {});
+    QApplication::sendEvent(widget, &move);
+}
+
+bool isOfTheLight(const QColor& color)
+{
+    return color.green() > 140 && color.green() > color.red() + 25 && color.green() > color.blue() + 50;
+}
+
+int countLight(const QImage& picture)
+{
+    int count = 0;
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x)
+            count += isOfTheLight(picture.pixelColor(x, y));
+    return count;
+}
+
+/// A visit, and somebody at the desktop.
+struct Pair : Visit
+{
+    explicit Pair(const QSize& pixels = HeadsetHand::few) : Visit({}, qEnvironmentVariableIsEmpty("FETTLE_HEADSET_PICTURES") ? pixels : QSize(540, 600))
+    {
+        QObject::connect(&viewport(), &ui::Viewport::pointed, &program.window, [this](const auto& where) { place = where; });
+    }
+    ui::Viewport& viewport() const { return *program.window.viewport(); }
+    QAction* action(const char* id) const { return program.window.action(QLatin1StringView(id)); }
+    ui::BrushCaption& caption() const { return *program.window.findChild<ui::BrushCaption*>(); }
+    ui::PartnerBar& bar() const { return *program.window.findChild<ui::PartnerBar*>(); }
+
+    void pointAt(const QPoint& pixel)
+    {
+        action("vr.point")->setChecked(true);
+        sendMove(&viewport(), pixel);
+        QTRY_VERIFY_WITH_TIMEOUT(place, 60'000);
+        hand.frames(3);
+    }
+    /// A stroke of the mouse across the model.
+    void drawAtTheDesktop()
+    {
+        const int before = changes();
+        drag(&viewport(), {20, 10});
+        QTRY_COMPARE_WITH_TIMEOUT(changes(), before + 1, 60'000);
+        hand.settle();
+    }
+    void keep(const char* name)
+    {
+        const QString folder = qEnvironmentVariable("FETTLE_HEADSET_PICTURES");
+        if (folder.isEmpty())
+            return;
+        hand.waitForPanels();
+        hand.picture().save(QStringLiteral("%1/%2-eye.png").arg(folder, QLatin1StringView(name)));
+        program.window.grab().save(QStringLiteral("%1/%2-window.png").arg(folder, QLatin1StringView(name)));
+    }
+    bool isSound()
+    {
+        return core::checkMesh(hand.ask([](core::Sculptor& sculptor) { return core::extractMesh(sculptor.mesh()); })).boundsSolid == true;
+    }
+
+    std::optional<core::SurfaceHit> place; ///< that was pointed at last
+};
+
+vr::HandFeeling tick()
+{
+    vr::HandFeeling feeling;
+    feeling.stepped = true;
+    return feeling;
+}
+
+vr::HandFeeling refusal()
+{
+    vr::HandFeeling feeling;
+    feeling.refused = true;
+    return feeling;
+}
+
+/// The document as one in the headset hears of it, without a headset.
+struct Listener
+{
+    Listener()
+    {
+        port = headsetDesk.open();
+    }
+    vr::DocumentNews news()
+    {
+        QCoreApplication::processEvents();
+        if (auto next = port->takeNews())
+            last = *next;
+        return last;
+    }
+
+    Desk desk;
+    HeadsetDesk headsetDesk{{&desk.program.document, &desk.program.worker, &desk.program.window}};
+    std::shared_ptr<HeadsetPort> port;
+    vr::DocumentNews last;
+};
+} // namespace
+
+class TestHeadsetPartner : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void pointing_isALightInBoth();
+    void pointing_sculptsNothing();
+    void pointing_endsAtRestAndBeside();
+    void pointing_byAKeyThatIsHeld();
+    void choices_comeToTheHand();
+    void choices_areTold();
+    void takingOver_refusesTheWearer();
+    void takingOver_endsWithTheVisit();
+    void takingOver_isTold();
+    void caption_tellsTheBrush();
+    void caption_isReadFromThreeMetres();
+    void lesson_isOnAPanel();
+};
+
+/// Where the mouse is: green in the eye's picture, at that very place, and nowhere before and after.
+void TestHeadsetPartner::pointing_isALightInBoth()
+{
+    Pair v(HeadsetHand::enough);
+    v.hand.put(Side::Right, {0.5, 1.0, -0.1});
+    v.hand.put(Side::Left, {-0.5, 1.0, -0.1});
+    v.hand.frames(2);
+    const QImage before = v.hand.picture();
+    QCOMPARE(countLight(before), 0);
+    v.pointAt(middle(&v.viewport()) + QPoint(12, -8));
+    auto* light = v.program.window.findChild<ui::PointLight*>();
+    QTRY_VERIFY(light->isVisible());
+    QVERIFY((light->geometry().center() - (middle(&v.viewport()) + QPoint(12, -8))).manhattanLength() < 6);
+
+    const Look look{v.hand.picture(), v.hand.head};
+    const Vec3 place = v.model() * v.place->position;
+    QPoint nearest;
+    int distance = 1000;
+    for (int y = 0; y < look.picture.height(); ++y)
+        for (int x = 0; x < look.picture.width(); ++x)
+            if (isOfTheLight(look.picture.pixelColor(x, y)) && (QPoint(x, y) - look.at(place)).manhattanLength() < distance)
+                distance = (QPoint(nearest = {x, y}) - look.at(place)).manhattanLength();
+    QVERIFY2(distance <= 2 + look.picture.width() / 100, qPrintable(QStringLiteral("%1, of %2 pixels").arg(distance).arg(countLight(look.picture))));
+    v.keep("pointing");
+
+    QEvent leave(QEvent::Leave);
+    QApplication::sendEvent(&v.viewport(), &leave);
+    QVERIFY(!v.place);
+    v.hand.frames(3);
+    QCOMPARE(countLight(v.hand.picture()), 0);
+    QTRY_VERIFY(!light->isVisible());
+    QVERIFY(v.isUntouched());
+    QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+void TestHeadsetPartner::pointing_sculptsNothing()
+{
+    Pair v;
+    v.pointAt(middle(&v.viewport()));
+    drag(&v.viewport(), {20, 10});
+    v.hand.settle();
+    QVERIFY(v.isUntouched() && v.place);
+    v.pull(); // who wears the headset goes on meanwhile
+    QCOMPARE(v.changes(), 1);
+    QTest::keyClick(&v.viewport(), Qt::Key_Escape);
+    QVERIFY(!v.action("vr.point")->isChecked() && !v.viewport().isPointing() && !v.place);
+    v.drawAtTheDesktop();
+    QVERIFY(v.isSound());
+    v.action("vr.point")->setChecked(true);
+    v.hand.leave();
+    QVERIFY(!v.viewport().isPointing() && !v.action("vr.point")->isEnabled());
+    QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+void TestHeadsetPartner::pointing_endsAtRestAndBeside()
+{
+    Pair v;
+    v.pointAt(middle(&v.viewport()));
+    sendMove(&v.viewport(), {2, 2});
+    QTRY_VERIFY_WITH_TIMEOUT(!v.place, 60'000);
+    v.pointAt(middle(&v.viewport()));
+    QVERIFY(v.viewport().isPointing());
+    QTRY_VERIFY_WITH_TIMEOUT(!v.place, 60'000); // nobody moves
+    QVERIFY(v.viewport().isPointing());
+    sendMove(&v.viewport(), middle(&v.viewport()) + QPoint(3, 0));
+    QTRY_VERIFY_WITH_TIMEOUT(v.place, 60'000);
+}
+
+/// Struck it stays on, held it goes with the hand.
+void TestHeadsetPartner::pointing_byAKeyThatIsHeld()
+{
+    Pair v;
+    v.viewport().setFocus();
+    QTest::keyClick(&v.viewport(), Qt::Key_Q);
+    QVERIFY(v.viewport().isPointing());
+    QTest::keyClick(&v.viewport(), Qt::Key_Q);
+    QVERIFY(!v.viewport().isPointing());
+    QTest::keyPress(&v.viewport(), Qt::Key_Q);
+    QVERIFY(v.viewport().isPointing());
+    QTest::qWait(500);
+    QTest::keyRelease(&v.viewport(), Qt::Key_Q);
+    QVERIFY(!v.viewport().isPointing() && !v.action("vr.point")->isChecked());
+}
+
+/// A radius in millimetres is that length on the model as it is shown; the headset's own change of it stays its own.
+void TestHeadsetPartner::choices_comeToTheHand()
+{
+    Pair v;
+    const double own = v.hand.seen().radius;
+    QVERIFY(own > 0);
+    v.trigger("tool.push");
+    v.program.window.brush()->setValue(core::Parameter::Radius, 9);
+    v.hand.frames(3);
+    QVERIFY(std::abs(v.hand.seen().radius - 9 * v.scale()) < 1e-6);
+    QVERIFY(pulsesOf(v.hand, Side::Right, tick()) > 0);
+    v.hand.stroke({0, 51, 0}, {0, 46, 0}, 8);
+    QVERIFY(v.box().max().y() < 49.9);
+    v.trigger("edit.undo");
+    v.hand.settle();
+    QVERIFY(v.isUntouched());
+    v.trigger("edit.redo");
+    v.hand.settle();
+    QCOMPARE(v.changes(), 1);
+
+    v.hand.slide(Side::Right, {0.8, 0});
+    const double slid = v.hand.seen().radius;
+    v.trigger("tool.pull");
+    v.hand.frames(3);
+    QCOMPARE(v.hand.seen().radius, slid);
+    QVERIFY(v.isSound());
+    QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+void TestHeadsetPartner::choices_areTold()
+{
+    Listener listener;
+    QVERIFY(listener.news().notice.isEmpty());
+    Desk& desk = listener.desk;
+    desk.trigger("tool.clay");
+    desk.program.window.brush()->setValue(core::Parameter::Radius, 12);
+    QTRY_COMPARE_WITH_TIMEOUT(listener.news().notice, QStringLiteral("Your partner chose Clay, 12 mm."), 60'000);
+    QCOMPARE(listener.last.radiusChange, 1U);
+    desk.program.window.brush()->setValue(core::Parameter::Strength, 0.8);
+    QTRY_COMPARE_WITH_TIMEOUT(listener.news().notice, QStringLiteral("Your partner chose a strength of 80 %."), 60'000);
+
+    core::StrokeSettings paint = listener.last.brush;
+    paint.tool = core::Tool::Paint;
+    const quint64 notices = listener.last.noticeCount;
+    listener.port->wish(vr::ChooseBrush{paint});
+    QTRY_COMPARE_WITH_TIMEOUT(listener.news().brush.tool, core::Tool::Paint, 60'000);
+    QTest::qWait(700);
+    QCOMPARE(listener.news().noticeCount, notices); // nobody is told what they did themselves
+
+    drag(desk.program.window.viewport(), {30, 10});
+    QTRY_COMPARE_WITH_TIMEOUT(desk.changes(), 1, 60'000);
+    desk.trigger("edit.undo");
+    QTRY_COMPARE_WITH_TIMEOUT(listener.news().notice, QStringLiteral("Your partner took back: Paint."), 60'000);
+    desk.trigger("edit.redo");
+    QTRY_COMPARE_WITH_TIMEOUT(listener.news().notice, QStringLiteral("Your partner did again: Paint."), 60'000);
+}
+
+void TestHeadsetPartner::takingOver_refusesTheWearer()
+{
+    Pair v;
+    v.pull();
+    v.hand.begin({0, -49, 0}, {0, -54, 0}, 6); // and the trigger stays down
+    v.action("vr.takeOver")->setChecked(true);
+    QCOMPARE(v.action("vr.takeOver")->iconText(), QStringLiteral("Give Back"));
+    QTRY_COMPARE_WITH_TIMEOUT(v.changes(), 2, 60'000); // the open stroke is kept as far as it came
+    const std::uint64_t kept = v.hash();
+    v.hand.begin({0, -54, 0}, {0, -70, 0}, 6);
+    v.hand.end();
+    v.hand.settle();
+    v.pull();
+    QCOMPARE(v.hash(), kept);
+    QVERIFY(pulsesOf(v.hand, Side::Right, refusal()) > 0);
+    v.hand.pressPad(Side::Right, -0.8, 0); // undo
+    v.hand.settle();
+    QCOMPARE(v.hash(), kept);
+    QCOMPARE(v.changes(), 2);
+    v.keep("taken-over");
+
+    v.drawAtTheDesktop();
+    QCOMPARE(v.changes(), 3);
+    v.action("vr.takeOver")->setChecked(false);
+    v.hand.settle();
+    v.pull();
+    QCOMPARE(v.changes(), 4);
+    QVERIFY(v.isSound());
+    QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+void TestHeadsetPartner::takingOver_endsWithTheVisit()
+{
+    Pair v;
+    QVERIFY(v.action("vr.takeOver")->isEnabled());
+    v.action("vr.takeOver")->setChecked(true);
+    v.hand.leave();
+    QVERIFY(!v.action("vr.takeOver")->isChecked() && !v.action("vr.takeOver")->isEnabled());
+    v.hand.enter();
+    v.pull();
+    QCOMPARE(v.changes(), 1);
+}
+
+void TestHeadsetPartner::takingOver_isTold()
+{
+    Listener listener;
+    listener.headsetDesk.setTakenOver(true);
+    QCOMPARE(listener.news().notice, QStringLiteral("Your partner sculpts now."));
+    const quint64 first = listener.last.noticeCount;
+    QVERIFY(!listener.port->beginStroke({}));
+    listener.port->show({});
+    QTRY_VERIFY(listener.news().noticeCount > first);
+    const quint64 brush = listener.last.brushChange;
+    core::StrokeSettings paint = listener.last.brush;
+    paint.tool = core::Tool::Paint;
+    listener.port->wish(vr::ChooseBrush{paint});
+    QTRY_VERIFY(listener.news().brushChange > brush); // it is told back what there is
+    QVERIFY(listener.last.brush.tool != core::Tool::Paint);
+    listener.headsetDesk.setTakenOver(false);
+    QCOMPARE(listener.news().notice, QStringLiteral("It is your turn again."));
+    QVERIFY(listener.port->beginStroke({}));
+    listener.port->endStroke();
+}
+
+void TestHeadsetPartner::caption_tellsTheBrush()
+{
+    Pair v;
+    QVERIFY(v.bar().isVisible() && v.caption().isVisible());
+    const double mm = v.hand.seen().radius / v.scale();
+    QCOMPARE(v.caption().words().tool, QStringLiteral("Pull"));
+    QVERIFY(v.caption().words().radius.startsWith(QString::number(static_cast<int>(mm))));
+    QVERIFY(v.caption().words().time.isEmpty());
+    v.trigger("tool.crease");
+    v.program.window.brush()->setValue(core::Parameter::Radius, 12);
+    v.hand.frames(3);
+    QCOMPARE(v.caption().words().tool, QStringLiteral("Crease"));
+    QTRY_COMPARE(v.caption().words().radius, QStringLiteral("12 mm"));
+    v.hand.slide(Side::Right, {0.8, 0});
+    QTRY_VERIFY(v.caption().words().radius != QStringLiteral("12 mm")); // the wearer's
+    v.keep("caption");
+    v.trigger("view.caption");
+    QTRY_VERIFY(!v.caption().isVisible() && v.bar().isVisible());
+    v.trigger("view.caption");
+    QTRY_VERIFY(v.caption().isVisible());
+    v.hand.leave();
+    QVERIFY(!v.bar().isVisible());
+    v.bar().setVisible(true); // as a kept state of the window would have it
+    QVERIFY(!v.bar().isVisible());
+}
+
+/// 14 mm on a screen of 96 dots an inch, and larger letters with a larger text; in a narrow place all of it is there.
+void TestHeadsetPartner::caption_isReadFromThreeMetres()
+{
+    ui::BrushCaption caption;
+    caption.setWords({QIcon(), QStringLiteral("Clay"), QStringLiteral("12 mm"), QStringLiteral("3 min"), true});
+    caption.resize(1500, 10);
+    caption.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&caption));
+    const auto inked = [&caption] {
+        const QImage picture = caption.grab().toImage();
+        int top = picture.height(), bottom = 0;
+        for (int y = 0; y < picture.height(); ++y)
+            for (int x = 0; x < picture.width() / 2; ++x)
+                if (picture.pixelColor(x, y) != picture.pixelColor(0, 0))
+                    top = std::min(top, y), bottom = std::max(bottom, y);
+        return bottom - top;
+    };
+    const double usual = caption.font().pointSizeF();
+    const int tall = caption.height();
+    QVERIFY2(inked() >= 14 / 25.4 * 96 * usual / 10, qPrintable(QStringLiteral("%1 of %2 pt").arg(inked()).arg(usual)));
+    QFont large = caption.font();
+    large.setPointSizeF(1.5 * usual);
+    caption.setFont(large);
+    QTRY_VERIFY(caption.height() > 1.4 * tall);
+    caption.resize(300, caption.height());
+    QTRY_VERIFY(caption.height() < tall);
+    QVERIFY(caption.sizeHint().width() < 500);
+}
+
+/// The step of the window's lesson, its buttons by the wand, and the teacher's brush in the room.
+void TestHeadsetPartner::lesson_isOnAPanel()
+{
+    Pair v(HeadsetHand::enough);
+    v.trigger("help.lessons");
+    auto* panel = v.program.window.findChild<ui::LessonPanel*>();
+    Q_EMIT panel->lessonChosen(QStringLiteral("first-clay"));
+    QTRY_VERIFY_WITH_TIMEOUT(panel->shown(), 60'000);
+    v.hand.settle();
+    v.hand.lookAgain();
+    v.hand.waitForPanels();
+    const auto content = [&] {
+        const ui::LessonShown& shown = *panel->shown();
+        vr::LessonPanel lesson{shown.page.lesson, shown.page.title, shown.page.text, shown.page.step, shown.page.steps, {}, shown.page.isShown, shown.isPlaying};
+        for (const ui::LessonMark& mark : shown.marks)
+            lesson.marks.append({mark.text, mark.holds});
+        return lesson;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(!panel->shown()->marks.isEmpty(), 60'000);
+    v.keep("lesson");
+    QVERIFY(v.hand.choose(content(), vr::LessonWish::Next, [&] { return panel->shown()->page.step == 1; }));
+    QVERIFY(v.hand.choose(content(), vr::LessonWish::Back, [&] { return panel->shown()->page.step == 0; }));
+    QVERIFY(v.hand.choose(content(), vr::LessonWish::Play, [&] { return panel->shown()->isPlaying; }));
+    const auto frameUntil = [&](const auto& isSo) {
+        for (int i = 0; i < 2000 && !isSo(); ++i) {
+            v.hand.frame();
+            QTest::qWait(5);
+        }
+        return isSo();
+    };
+    QVERIFY(frameUntil([&] { return v.program.document.undoStack().index() > 0 || !v.program.document.isSettled(); }));
+    v.keep("lesson-playing");
+    QVERIFY(frameUntil([&] { return !panel->shown()->isPlaying; }));
+    v.hand.settle();
+    QVERIFY(v.changes() > 0);
+    v.keep("lesson-shown");
+    QVERIFY(v.hand.choose(content(), vr::LessonWish::TryIt, [&] { return v.changes() == 0; }));
+    QVERIFY(v.isSound());
+    panel->left();
+    v.hand.settle();
+    QVERIFY(!panel->shown());
+    v.keep("lesson-left");
+    QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+int main(int argc, char* argv[])
+{
+    return runOnScreen<TestHeadsetPartner>(argc, argv, "tst_headset_partner");
+}
+#include "tst_headset_partner.moc"

@@ -1,0 +1,130 @@
+#include "brush_caption.h"
+
+#include "spacing.h"
+#include "themed_icon.h"
+
+#include <QEvent>
+#include <QPainter>
+
+#include <algorithm>
+#include <utility>
+
+namespace ui
+{
+namespace
+{
+constexpr double captionSize = 5.5;   ///< of the window's text: letters of 16 minutes of arc from 3 m
+constexpr double leastCaption = 1.6;  ///< the same
+constexpr double shrinksBy = 0.97;
+constexpr double captionGap = 0.55;   ///< between words, of the letters' height
+
+QFont sizedFont(QFont font, double factor)
+{
+    if (font.pointSizeF() > 0)
+        font.setPointSizeF(font.pointSizeF() * factor);
+    else
+        font.setPixelSize(static_cast<int>(font.pixelSize() * factor));
+    font.setWeight(QFont::DemiBold);
+    return font;
+}
+
+/// Where each part of the line is, from left to right.
+struct CaptionLine
+{
+    CaptionLine(const CaptionWords& words, const QFont& font)
+    {
+        const QFontMetrics metrics(font);
+        const int height = metrics.height(), space = static_cast<int>(captionGap * metrics.capHeight());
+        int x = gap;
+        const auto take = [&](int width) {
+            const QRect place(x, 0, width, height);
+            x += width + space;
+            return place;
+        };
+        icon = take(height);
+        tool = take(metrics.horizontalAdvance(words.tool));
+        x += space;
+        radius = take(metrics.horizontalAdvance(words.radius));
+        if (!words.time.isEmpty()) {
+            x += space;
+            clock = take(height);
+            time = take(metrics.horizontalAdvance(words.time));
+        }
+        width = x - space + gap;
+    }
+    QRect icon, tool, radius, clock, time;
+    int width = 0;
+};
+} // namespace
+
+BrushCaption::BrushCaption(QWidget* parent) : QWidget(parent)
+{
+    setObjectName(QStringLiteral("brushCaption"));
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    fit();
+}
+
+void BrushCaption::setWords(const CaptionWords& words)
+{
+    if (m_words == words)
+        return;
+    m_words = words;
+    setAccessibleName(QStringList({words.tool, words.radius, words.time}).join(QStringLiteral(", ")));
+    fit();
+}
+
+QSize BrushCaption::sizeHint() const
+{
+    return {CaptionLine(m_words, sizedFont(font(), leastCaption)).width, QFontMetrics(m_font).height()};
+}
+
+void BrushCaption::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    fit();
+}
+
+void BrushCaption::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::ApplicationFontChange)
+        fit();
+    update();
+}
+
+void BrushCaption::fit()
+{
+    double factor = captionSize;
+    while (factor > leastCaption && CaptionLine(m_words, sizedFont(font(), factor)).width > width())
+        factor *= shrinksBy;
+    m_font = sizedFont(font(), std::max(factor, leastCaption));
+    if (const int height = QFontMetrics(m_font).height(); minimumHeight() != height)
+        setFixedHeight(height);
+    update();
+}
+
+/// A turn's end is told by a clock and by light letters on dark ground, by no colour alone.
+void BrushCaption::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    const CaptionLine line(m_words, m_font);
+    const int inset = QFontMetrics(m_font).descent() / 2;
+    const auto drawing = [inset](const QRect& place) { return place.adjusted(inset, inset, -inset, -inset); };
+    painter.setFont(m_font);
+    painter.setPen(palette().color(QPalette::WindowText));
+    m_words.icon.paint(&painter, drawing(line.icon));
+    painter.drawText(line.tool, Qt::AlignCenter | Qt::TextSingleLine, m_words.tool);
+    painter.drawText(line.radius, Qt::AlignCenter | Qt::TextSingleLine, m_words.radius);
+    if (m_words.time.isEmpty())
+        return;
+    if (m_words.isNearEnd) {
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(palette().color(QPalette::WindowText));
+        painter.drawRoundedRect(line.time.adjusted(-gap, inset, gap, -inset), gap, gap);
+        painter.setPen(palette().color(QPalette::Window));
+    }
+    themedIcon(QStringLiteral("clock")).paint(&painter, drawing(line.clock));
+    painter.drawText(line.time, Qt::AlignCenter | Qt::TextSingleLine, m_words.time);
+}
+} // namespace ui

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "class_bar.h"
+#include "wearer.h"
+
+namespace ui
+{
+class Actions;
+class BrushCaption;
+class BrushSettings;
+class Viewport;
+
+/// For the one at the desktop while somebody is in VR: a large caption of the brush for those who watch, and buttons to point and to take
+/// over. It is there only while VR is worn. Gui thread.
+class PartnerBar : public QToolBar
+{
+    Q_OBJECT
+
+public:
+    struct Parts
+    {
+        const Actions* actions;
+        BrushSettings* brush;
+        Viewport* viewport;
+    };
+
+    /// None is owned, and all outlive the bar. Shows itself in the window.
+    PartnerBar(const Parts& parts, QMainWindow* window);
+
+    /// A length without its unit, as one reads it aloud: three figures at most, and no noughts after them.
+    static QString figures(double mm);
+
+    void setWorn(bool isWorn);
+    /// Whose radius the caption tells; nothing: it is not known yet.
+    void setWearer(const std::optional<Wearer>& wearer);
+    /// Of a class's turn; nothing: it has no end.
+    void setTime(const std::optional<TurnTime>& time);
+
+    /// What the window's own state, which is kept, says of it does not count.
+    void setVisible(bool visible) override;
+
+private:
+    void tell();
+
+    Parts m_parts;
+    BrushCaption* m_caption;
+    QAction* m_captionCell;
+    bool m_isWorn = false;
+    std::optional<double> m_radius; ///< the wearer's, mm
+    std::optional<TurnTime> m_time;
+};
+} // namespace ui

@@ -1,0 +1,63 @@
+#include "point_light.h"
+
+#include <QPainter>
+
+#include <cmath>
+
+namespace ui
+{
+namespace
+{
+constexpr int lightSide = 72;                                      ///< pixels; the ring at its widest is within
+constexpr double spotRadius = 7, leastRing = 12, mostRing = 32; ///< the same
+constexpr int frameMs = 40;
+constexpr double pulseMs = 1200; ///< as in the headset
+constexpr QColor lightColor(160, 255, 70); ///< nothing else has it; as in the headset
+} // namespace
+
+PointLight::PointLight(QWidget* parent) : QWidget(parent)
+{
+    setObjectName(QStringLiteral("pointLight"));
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    resize(lightSide, lightSide);
+    hide();
+    m_timer.setInterval(frameMs);
+    connect(&m_timer, &QTimer::timeout, this, [this] {
+        m_pulse = std::fmod(m_pulse + frameMs / pulseMs, 1.0);
+        update();
+    });
+}
+
+void PointLight::place(const std::optional<QPointF>& middle)
+{
+    setVisible(middle.has_value());
+    if (!middle)
+        return m_timer.stop();
+    move((*middle - QPointF(lightSide, lightSide) / 2).toPoint());
+    if (!m_timer.isActive())
+        m_timer.start();
+}
+
+/// Light between dark edges: it is seen on every clay.
+void PointLight::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.translate(lightSide / 2.0, lightSide / 2.0);
+    const double ring = leastRing + (mostRing - leastRing) * m_pulse;
+    const double strength = 1 - m_pulse;
+    QColor dark(0, 0, 0), bright = lightColor;
+    dark.setAlphaF(static_cast<float>(0.55 * strength));
+    bright.setAlphaF(static_cast<float>(strength));
+    painter.setPen(QPen(dark, 6));
+    painter.drawEllipse(QPointF(), ring, ring);
+    painter.setPen(QPen(bright, 3));
+    painter.drawEllipse(QPointF(), ring, ring);
+    painter.setPen(QPen(QColor(0, 0, 0, 170), 2.5));
+    painter.setBrush(lightColor);
+    painter.drawEllipse(QPointF(), spotRadius, spotRadius);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(Qt::white);
+    painter.drawEllipse(QPointF(), spotRadius * 0.45, spotRadius * 0.45);
+}
+} // namespace ui

@@ -1,0 +1,94 @@
+#include "panel_builder.h"
+#include "panel_content.h"
+#include "panel_theme.h"
+#include "text_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vr
+{
+namespace
+{
+constexpr double lessonWidth = 940, wayHeight = 92, leafWidth = 84, countWidth = 120, markSign = 52, noteHeight = 44;
+constexpr double lessonDistance = 0.6; ///< metres: at arm's length
+constexpr int linesPerPage = 7, mostMarks = 4;
+
+/// In lines of one size, which all pages have.
+FittedText wrappedText(const QString& text, double width)
+{
+    return fitted(text, width, {.height = theme::bodyHeight, .leastHeight = theme::bodyHeight, .lines = 10'000});
+}
+
+int pageCountOf(const FittedText& text)
+{
+    return std::max(1, (static_cast<int>(text.lines.size()) + linesPerPage - 1) / linesPerPage);
+}
+} // namespace
+
+void LessonPanel::addTitle(PanelBuilder& builder) const
+{
+    const FittedText shown = fitted(title, builder.innerWidth(),
+                                    {.height = theme::titleHeight, .leastHeight = theme::titleHeight, .lines = 2, .weight = QFont::DemiBold});
+    builder.add(builder.nextRow(shown.lineSpacing() * static_cast<double>(shown.lines.size())),
+                TextLook{.text = title, .role = TextRole::Title, .lines = static_cast<int>(shown.lines.size())});
+    //: %1: a lesson's name; %2 of %3: its step
+    builder.add(builder.nextRow(noteHeight),
+                TextLook{.text = tr("%1: step %2 of %3").arg(lesson).arg(step + 1).arg(steps), .role = TextRole::Faint});
+}
+
+void LessonPanel::addText(PanelBuilder& builder) const
+{
+    const FittedText all = wrappedText(text, builder.innerWidth());
+    const int pages = pageCountOf(all), shown = std::clamp(page, 0, pages - 1);
+    const double spacing = all.lineSpacing();
+    const auto count = static_cast<int>(all.lines.size());
+    const QRectF area = builder.nextRow(spacing * std::min(count, linesPerPage));
+    for (int i = 0; i < linesPerPage && shown * linesPerPage + i < count; ++i)
+        builder.add(QRectF(area.left(), area.top() + i * spacing, area.width(), spacing),
+                    TextLook{.text = all.lines[static_cast<std::size_t>(shown * linesPerPage + i)]});
+    if (pages == 1)
+        return;
+    const std::vector<QRectF> places = cells(builder.nextRow(theme::row), {0, leafWidth, countWidth, leafWidth});
+    builder.add(places[1], {{.icon = QStringLiteral("previous")}, ShowLessonPage{shown - 1}, shown > 0});
+    builder.add(places[2], TextLook{tr("%1 / %2").arg(shown + 1).arg(pages), TextRole::Number, Qt::AlignCenter});
+    builder.add(places[3], {{.icon = QStringLiteral("next")}, ShowLessonPage{shown + 1}, shown + 1 < pages});
+}
+
+/// A sign and the text's weight: colour alone says nothing.
+void LessonPanel::addMarks(PanelBuilder& builder) const
+{
+    for (qsizetype i = 0; i < std::min<qsizetype>(marks.size(), mostMarks); ++i) {
+        const LessonMark& mark = marks[i];
+        const FittedText shown =
+            fitted(mark.text, builder.innerWidth() - markSign - theme::gap,
+                   {.height = theme::bodyHeight, .leastHeight = theme::leastHeight, .lines = 2});
+        const std::vector<QRectF> places =
+            cells(builder.nextRow(shown.lineSpacing() * static_cast<double>(shown.lines.size())), {markSign, 0});
+        builder.add(places[0], TextLook{.text = mark.holds ? QStringLiteral("✓") : QStringLiteral("○"), .alignment = Qt::AlignCenter});
+        builder.add(places[1],
+                    TextLook{.text = mark.text, .role = mark.holds ? TextRole::Body : TextRole::Faint, .lines = 2});
+    }
+}
+
+void LessonPanel::addButtons(PanelBuilder& builder) const
+{
+    const std::vector<QRectF> places = evenCells(builder.nextRow(wayHeight), 4);
+    builder.add(places[0], {{.text = isPlaying ? tr("Pause") : tr("Show Me")}, LessonWish::Play, canPlay});
+    builder.add(places[1], {{.text = tr("Try It")}, LessonWish::TryIt});
+    builder.add(places[2], {{.text = tr("Back")}, LessonWish::Back, step > 0});
+    builder.add(places[3], {{.text = tr("Next")}, LessonWish::Next, step + 1 < steps});
+}
+
+PanelLayout LessonPanel::layout() const
+{
+    PanelBuilder builder(PanelKind::Lesson, lessonWidth, lessonDistance);
+    addTitle(builder);
+    addText(builder);
+    builder.skip(theme::gap);
+    addMarks(builder);
+    builder.skip(theme::gap);
+    addButtons(builder);
+    return builder.finished();
+}
+} // namespace vr
