@@ -1,0 +1,87 @@
+#include "headset_wiring.h"
+
+#include "document.h"
+#include "headset.h"
+#include "headset_hands.h"
+#include "headset_inquiry.h"
+#include "headset_wearer.h"
+#include "sculpt_worker.h"
+
+#include "ui/main_window.h"
+#include "ui/partner_bar.h"
+#include "ui/viewport.h"
+#include "vr/sculpt_client.h"
+
+#include <QAction>
+
+namespace app
+{
+namespace
+{
+std::shared_ptr<vr::FrameClient> makeClient(const std::shared_ptr<vr::DocumentPort>& port, const vr::HeadsetChoice& choice)
+{
+    return std::make_shared<vr::SculptClient>(port, choice);
+}
+
+/// A visit that has not quite begun can be left already: a runtime may wait for a headset that nobody puts on.
+ui::HeadsetState stateOf(const vr::HeadsetReport& report)
+{
+    return report.isEnded() ? ui::HeadsetState::Out : ui::HeadsetState::In;
+}
+
+void wireVisits(ui::MainWindow& window, Headset* headset)
+{
+    using ui::MainWindow;
+    QObject::connect(&window, &MainWindow::enterVrRequested, headset, &Headset::enter);
+    QObject::connect(&window, &MainWindow::leaveVrRequested, headset, &Headset::leave);
+    QObject::connect(headset, &Headset::leaving, &window, [&window] { window.setHeadset(ui::HeadsetState::Changing, Headset::tr("Leaving VR…")); });
+    QObject::connect(headset, &Headset::noticed, &window, &MainWindow::showNotice);
+    QObject::connect(headset, &Headset::reported, &window, [&window](const vr::HeadsetReport& report) {
+        window.setHeadset(stateOf(report), report.text);
+        if (report.isEnded() && !report.text.isEmpty())
+            window.showNotice(report.text);
+    });
+    QObject::connect(headset, &Headset::seen, window.viewport(), [&window](const std::optional<vr::Presence>& presence) {
+        window.viewport()->showWearer(presence ? std::optional(wearerOf(*presence)) : std::nullopt);
+    });
+}
+
+/// What the one at the desktop does for the one in the headset.
+void wirePartner(ui::MainWindow& window, Headset* headset)
+{
+    QObject::connect(window.viewport(), &ui::Viewport::pointed, headset, &Headset::point);
+    QObject::connect(window.action(QStringLiteral("vr.takeOver")), &QAction::toggled, headset, &Headset::setTakenOver);
+    auto* bar = window.findChild<ui::PartnerBar*>();
+    QObject::connect(headset, &Headset::seen, bar, [bar](const std::optional<vr::Presence>& presence) {
+        bar->setWearer(presence ? std::optional(wearerOf(*presence)) : std::nullopt);
+    });
+}
+
+/// Who draws in the headset feels that somebody draws at the desktop, who in turn reads it.
+void wireRefusals(ui::MainWindow& window, const Document& document, SculptWorker& worker)
+{
+    QObject::connect(&worker, &SculptWorker::strokeRefused, &window, [&window, &document](Source source) {
+        if (source == Source::Desktop && !document.isBusy())
+            window.showNotice(Headset::tr("Somebody is sculpting in the headset: your turn comes when that stroke has ended."));
+    });
+}
+} // namespace
+
+Headset* wireHeadset(ui::MainWindow& window, Document& document, SculptWorker& worker)
+{
+    auto* headset = new Headset({&document, &worker, &window}, makeClient, &window);
+    auto* inquiry = new HeadsetInquiry(&window);
+    QObject::connect(window.action(QStringLiteral("vr.status")), &QAction::triggered, inquiry, [&window, headset, inquiry] {
+        if (headset->isStuck())
+            window.showNotice(vr::HeadsetReport::ended(vr::HeadsetEnd::Stuck).text);
+        else
+            inquiry->ask();
+    });
+    QObject::connect(inquiry, &HeadsetInquiry::answered, &window, &ui::MainWindow::showNotice);
+    wireHeadsetHands(window, headset);
+    wireVisits(window, headset);
+    wirePartner(window, headset);
+    wireRefusals(window, document, worker);
+    return headset;
+}
+} // namespace app
