@@ -2608,7 +2608,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Edit &amp;Last Stroke…</source>
-        <translation>&amp;Letzten Strich ändern…</translation>
+        <translation>&amp;Letzten Strich ändern …</translation>
     </message>
     <message>
         <source>Does the last stroke again with another tool, radius or strength.</source>
@@ -2616,7 +2616,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>Export Time-&amp;Lapse…</source>
-        <translation>&amp;Zeitraffer exportieren…</translation>
+        <translation>Zei&amp;traffer exportieren …</translation>
     </message>
     <message>
         <source>Draws the model after each of its steps, as numbered PNG pictures for a film.</source>
@@ -5752,7 +5752,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>&amp;Choose Folder…</source>
-        <translation>Ordner &amp;wählen…</translation>
+        <translation>Ordner &amp;wählen …</translation>
     </message>
     <message numerus="yes">
         <source>%Ln pictures</source>
