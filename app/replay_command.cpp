@@ -177,13 +177,19 @@ void setStart(Entries& entries, const std::shared_ptr<const core::Snapshot>& sta
     }
 }
 
-/// As the Model menu does it. `index`: of the entry.
-core::MeshDelta play(core::Sculptor& sculptor, const core::FileCommand& entry, std::size_t index)
+/// `index`: of the entry.
+void requireDone(const core::ModelChange& change, const core::FileCommand& entry, std::size_t index)
 {
-    core::ModelChange change = core::tryOn(sculptor.mesh(), entry.command);
     if (change.refusal != core::ModelRefusal::None)
         throw CommandFailure{ReplayWords::tr("replay: strokes[%1]: %2").arg(index)
                                  .arg(ModelWords::refusal(change, QFile::decodeName(entry.file.c_str()))), AnswerIsNo};
+}
+
+/// As the Model menu does it.
+core::MeshDelta play(core::Sculptor& sculptor, const core::FileCommand& entry, std::size_t index)
+{
+    core::ModelChange change = core::tryOn(sculptor.mesh(), entry.command);
+    requireDone(change, entry, index);
     sculptor.swap(change.delta);
     return std::move(change.delta);
 }

@@ -6522,7 +6522,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>&amp;Choose Folder…</source>
-        <translation>Ordner &amp;wählen…</translation>
+        <translation>Ordner &amp;wählen …</translation>
     </message>
     <message numerus="yes">
         <source>%Ln pictures</source>

@@ -1,5 +1,6 @@
 #include "stroke_bar.h"
 
+#include "actions.h"
 #include "brush_bar.h"
 #include "main_window.h"
 #include "spacing.h"
@@ -70,7 +71,7 @@ void StrokeBar::addTools(const MainWindow& window)
         if (tool != m_first.tool && !window.brush()->isOffered(tool))
             continue;
         const QAction* action = window.action(QStringLiteral("tool.") + QLatin1StringView(name.data(), static_cast<qsizetype>(name.size())));
-        m_tools->addItem(action->icon(), action->text().remove(QLatin1Char('&')), static_cast<int>(tool));
+        m_tools->addItem(action->icon(), Actions::plain(action->text()), static_cast<int>(tool));
     }
     m_tools->setCurrentIndex(m_tools->findData(static_cast<int>(m_first.tool)));
     connect(m_tools, &QComboBox::activated, this, [this] { m_brush.setTool(static_cast<core::Tool>(m_tools->currentData().toInt())); });

@@ -119,6 +119,58 @@ private Q_SLOTS:
         QVERIFY(!core::drawPicture(core::icosphere(3, 10), side, stop.get_token()));
     }
 
+    /// A ball of radius 10 about the target: its outline is the cone's from the eye.
+    void aCameraSeesWhatItSees_data()
+    {
+        QTest::addColumn<double>("distance");
+        QTest::addColumn<double>("outline"); // mm of the plane through the target
+        QTest::newRow("parallel") << 0.0 << 10.0;
+        QTest::newRow("far") << 100.0 << 10.0 * 100 / std::sqrt(100.0 * 100 - 100);
+        QTest::newRow("near") << 20.0 << 10.0 * 20 / std::sqrt(20.0 * 20 - 100);
+    }
+
+    void aCameraSeesWhatItSees()
+    {
+        QFETCH(double, distance);
+        QFETCH(double, outline);
+        core::TriangleMesh mesh = core::icosphere(5, 10);
+        for (core::Vec3f& p : mesh.points)
+            p += core::Vec3f(5, -7, 3);
+        core::PictureView view{Eigen::Matrix3d::Identity(), core::Vec3(5, -7, 3), distance, 40, 160, 120};
+        const core::ModelPicture picture = core::drawPicture(mesh, view, {}).value();
+        QCOMPARE(picture.width, 160);
+        QCOMPARE(picture.height, 120);
+        int left = 160, right = -1, top = 120, bottom = -1;
+        for (int y = 0; y < 120; ++y)
+            for (int x = 0; x < 160; ++x)
+                if (picture.rgba[static_cast<std::size_t>(y * 160 + x)][3] > 127) {
+                    left = std::min(left, x), right = std::max(right, x);
+                    top = std::min(top, y), bottom = std::max(bottom, y);
+                }
+        const double pixels = 2 * outline * 120 / 40;
+        QVERIFY(std::abs(right - left + 1 - pixels) <= 2 && std::abs(bottom - top + 1 - pixels) <= 2);
+        QVERIFY(std::abs(left + right + 1 - 160) <= 2 && std::abs(top + bottom + 1 - 120) <= 2);
+
+        view.target = core::Vec3(-5, -17, 3); // now it is up and to the right, and reaches over the borders
+        const core::ModelPicture cut = core::drawPicture(mesh, view, {}).value();
+        const auto alpha = [&cut](int x, int y) { return cut.rgba[static_cast<std::size_t>(y * 160 + x)][3]; };
+        QCOMPARE(alpha(110, 30), std::uint8_t(255));
+        QCOMPARE(alpha(50, 90), std::uint8_t(0));
+    }
+
+    void whatIsBehindTheEyeOrBesideThePictureIsNotSeen()
+    {
+        const core::TriangleMesh mesh = core::icosphere(4, 10);
+        core::PictureView view{Eigen::Matrix3d::Identity(), core::Vec3(0, 0, -30), 5, 10, 80, 60};
+        const auto inkOf = [&] { return inked(core::drawPicture(mesh, view, {}).value()); };
+        QCOMPARE(inkOf(), std::size_t(0)); // behind
+        view.target = {0, 0, -4};
+        QCOMPARE(inkOf(), std::size_t(80 * 60)); // around the eye: it sees the inside, and nothing else
+        view.target = {1e6, 0, 0};
+        view.distance = 0;
+        QCOMPARE(inkOf(), std::size_t(0));
+    }
+
     void readingStopsInEachFormat()
     {
         const QTemporaryDir folder;

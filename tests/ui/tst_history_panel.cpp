@@ -7,6 +7,7 @@
 #include <QLocale>
 #include <QSettings>
 #include <QSignalSpy>
+#include <QSlider>
 #include <QSpinBox>
 #include <QTreeView>
 
@@ -105,6 +106,50 @@ private Q_SLOTS:
         QTest::keyClick(s.list(), Qt::Key_Return);
         QCOMPARE(jumps.count(), 1);
         QCOMPARE(jumps[0][0].toInt(), 2);
+    }
+
+    void theTimelineSpansWhatIsKept()
+    {
+        Shown s;
+        s.panel.setHistory(fourSteps());
+        const auto* slider = s.panel.findChild<QSlider*>();
+        QCOMPARE(slider->minimum(), 1);
+        QCOMPARE(slider->maximum(), 4);
+        QCOMPARE(slider->value(), 3);
+        const auto text = [&s] { return s.panel.findChild<QLabel*>(QStringLiteral("timelineText"))->text(); };
+        QVERIFY2(text().contains(QStringLiteral("Fill")), qPrintable(text()));
+        s.panel.setHistory({});
+        QVERIFY(!slider->isEnabled());
+    }
+
+    void theTimelineStaysWhereItWasPulledUntilTheModelIsThere()
+    {
+        Shown s;
+        ui::History history = fourSteps();
+        s.panel.setHistory(history);
+        auto* slider = s.panel.findChild<QSlider*>();
+        QSignalSpy wanted(&s.panel, &ui::HistoryPanel::stateWanted);
+        const auto comeTo = [&](int present) {
+            history.present = present;
+            s.panel.setHistory(history);
+        };
+        slider->setValue(1);
+        QCOMPARE(wanted.count(), 1);
+        QCOMPARE(wanted[0][0].toInt(), 1);
+        comeTo(2); // on its way
+        QCOMPARE(slider->value(), 1);
+        comeTo(1);
+        comeTo(3); // by Redo
+        QCOMPARE(slider->value(), 3);
+        slider->setValue(1);
+        comeTo(4); // somebody else went the other way
+        QCOMPARE(slider->value(), 4);
+        slider->setValue(2);
+        history.steps.append({QStringLiteral("Pull"), QStringLiteral("pull"), 1, 0});
+        history.last = 5;
+        comeTo(5); // a stroke
+        QCOMPARE(slider->value(), 5);
+        QCOMPARE(wanted.count(), 3); // what the model does asks for nothing
     }
 
     void theCapComesBack()
