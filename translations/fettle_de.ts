@@ -1898,7 +1898,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Hält eine Kantenlänge für das ganze Modell statt einer, die dem Pinsel folgt.</translation>
     </message>
     <message>
-        <source>Fusi&amp;on</source>
+        <source>&amp;Fusion</source>
         <translation>&amp;Verschmelzen</translation>
     </message>
     <message>
@@ -2650,7 +2650,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Macht dieses Modell, wie es jetzt ist, zum Modell des Stempels.</translation>
     </message>
     <message>
-        <source>Record Le&amp;sson…</source>
+        <source>Rec&amp;ord Lesson…</source>
         <translation>Lektion auf&amp;zeichnen …</translation>
     </message>
     <message>

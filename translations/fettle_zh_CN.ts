@@ -1893,8 +1893,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>整个模型保持同一边长，而不随笔刷变化。</translation>
     </message>
     <message>
-        <source>Fusi&amp;on</source>
-        <translation>融合(&amp;O)</translation>
+        <source>&amp;Fusion</source>
+        <translation>融合(&amp;F)</translation>
     </message>
     <message>
         <source>Surfaces that meet join and thin necks part; without it they stop at contact.</source>
@@ -2645,8 +2645,8 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>把现在的模型作为图章的模型。</translation>
     </message>
     <message>
-        <source>Record Le&amp;sson…</source>
-        <translation>录制课程(&amp;S)…</translation>
+        <source>Rec&amp;ord Lesson…</source>
+        <translation>录制课程(&amp;O)…</translation>
     </message>
     <message>
         <source>Makes a lesson of what you sculpt, step by step, or changes one that is there.</source>
