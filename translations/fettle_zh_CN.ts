@@ -4358,7 +4358,7 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
     </message>
     <message>
         <source>Strokes</source>
-        <translation>笔画数</translation>
+        <translation>笔触</translation>
     </message>
     <message>
         <source>The pupil has these tools; all of them, if none is chosen.</source>

@@ -25,6 +25,7 @@ namespace ui
 namespace
 {
 constexpr int stepsShown = 4; ///< rows of the list, at most
+constexpr int stepHeight = 180; ///< pixels, at least: of the pages of a step
 
 QLabel* head(const QString& text)
 {
@@ -136,6 +137,7 @@ void LessonEditor::addEditor()
     QVBoxLayout* rows = panelColumn(page);
     addHead(rows);
     addSteps(rows);
+    m_step->setMinimumHeight(stepHeight);
     rows->addWidget(m_step, 1);
     addFoot(rows);
     m_stack->addWidget(page);
@@ -272,6 +274,7 @@ void LessonEditor::showWords()
         const auto found = text.words.find(language());
         const QString instead = QString::fromStdString(text.in(language()));
         field->setText(found == text.words.end() ? QString() : QString::fromStdString(found->second));
+        field->setCursorPosition(0); // the beginning is read first
         field->setPlaceholderText(instead.isEmpty() ? none : instead);
     };
     show(m_title, m_draft->lesson().title, m_title->accessibleName());
@@ -339,13 +342,14 @@ void LessonEditor::showChanges()
         m_steps->item(row)->setText(lineOf(static_cast<std::size_t>(row)));
 }
 
-/// A sign and words: colour alone says nothing.
+/// A sign and words: colour alone says nothing. The step that is recorded is the one in sight.
 void LessonEditor::setRecording(bool isRecording)
 {
+    if (isRecording && !m_isRecording)
+        m_steps->setCurrentRow(m_steps->count() - 1);
     m_isRecording = isRecording;
     m_record->setText(isRecording ? tr("Stop Recording") : tr("Record On"));
-    m_state->setText(isRecording ? tr("● Recording into step %1").arg(m_draft->steps())
-                                 : tr("○ Not recording"));
+    m_state->setText(isRecording ? tr("● Recording into step %1").arg(m_draft->steps()) : tr("○ Not recording"));
 }
 
 void addLessonEditor(const LessonEditorPlace& place, const Actions& actions)

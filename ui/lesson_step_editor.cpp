@@ -24,7 +24,7 @@ namespace
 {
 constexpr double mostShown = 1e9; ///< of a fact, as far as it can be typed
 constexpr double mostTolerance = 1000; ///< mm
-constexpr int spinWidth = 84; ///< pixels
+constexpr int spinWidth = 84, iconSide = 16; ///< pixels
 
 QLabel* sentence(const QString& text)
 {
@@ -93,6 +93,7 @@ void LessonStepEditor::addStrokes()
     m_strokes = new QListWidget;
     m_strokes->setObjectName(QStringLiteral("lessonStrokes"));
     m_strokes->setAccessibleName(tr("Strokes of the step"));
+    m_strokes->setIconSize(QSize(iconSide, iconSide));
     m_cut = new QPushButton(tr("Cut Stroke"));
     m_cut->setObjectName(QStringLiteral("lessonCut"));
     m_cut->setToolTip(tr("Takes this stroke out of the lesson. Those after it are played without it when the lesson is saved."));
@@ -244,6 +245,7 @@ void LessonStepEditor::showStep(core::LessonDraft* draft, std::size_t step, cons
     };
     show(hasStep() ? draft->step(step).title : none, [this](const QString& words, const QString& instead) {
         m_title->setText(words);
+        m_title->setCursorPosition(0);
         m_title->setPlaceholderText(instead.isEmpty() ? tr("Title of the step") : instead);
     });
     show(hasStep() ? draft->step(step).text : none, [this](const QString& words, const QString& instead) {

@@ -2,6 +2,7 @@
 #include "tests/support/program_hand.h"
 
 #include "app/lesson_model.h"
+#include "app/lesson_saving.h"
 #include "app/lesson_shelf.h"
 #include "core/lesson_stage.h"
 #include "core/mesh_check.h"
@@ -375,6 +376,43 @@ private Q_SLOTS:
         QVERIFY(question(program, "")->text().contains(QStringLiteral("is there already")));
         QVERIFY(QDir(path).isEmpty());
         QCOMPARE(QDir(folder.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot | QDir::Hidden).size(), 1);
+    }
+
+    /// What cannot be done on what is left of the model is said by its step and stroke.
+    void brokenCommand_isSaidByStepAndStroke()
+    {
+        core::LessonDraft draft(readLesson(QStringLiteral("first-clay")));
+        draft.addStroke(1, core::FileCommand{core::FlattenBase{500}, {}});
+        const TriedLesson tried = LessonSaving::attempt(draft, "broken.zip", {}, {});
+        QVERIFY(!tried.lesson);
+        QVERIFY2(tried.problem.contains(QStringLiteral("step 2")), qPrintable(tried.problem));
+        QVERIFY2(tried.problem.contains(QStringLiteral("stroke %1").arg(draft.step(1).strokes.size())), qPrintable(tried.problem));
+    }
+
+    /// One sentence, and nothing on disk.
+    void unwritable_isTold()
+    {
+        const core::Lesson lesson = readLesson(QStringLiteral("first-clay"));
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("none/lesson.zip"));
+        QVERIFY(LessonSaving::write(lesson, toPath(path)).contains(QStringLiteral("none")));
+        QVERIFY(!LessonSaving::write(lesson, toPath(folder.filePath(QStringLiteral("none/lesson")))).isEmpty());
+        QVERIFY(QDir(folder.path()).isEmpty());
+    }
+
+    void stopped_writesNothing()
+    {
+        Program program;
+        show(program);
+        edit(program, "mug");
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("mug.zip"));
+        save(program, path);
+        QTRY_VERIFY_WITH_TIMEOUT(program.document.isBusy(), 60'000);
+        program.window.action(QStringLiteral("edit.stop"))->trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy(), 60'000);
+        QVERIFY(notice(program).contains(QStringLiteral("was not written")));
+        QVERIFY(QDir(folder.path()).isEmpty());
     }
 
     /// Another model ends the recording, and what was recorded stays; a window with an unsaved lesson asks before it closes.
