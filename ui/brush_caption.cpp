@@ -16,6 +16,7 @@ namespace
 constexpr double captionSize = 5.5;   ///< of the window's text: letters of 16 minutes of arc from 3 m
 constexpr double leastCaption = 1.6;  ///< the same
 constexpr double shrinksBy = 0.97;
+constexpr double mostOfWindow = 0.08; ///< of its height
 constexpr double captionGap = 0.55;   ///< between words, of the letters' height
 
 QFont sizedFont(QFont font, double factor)
@@ -84,6 +85,20 @@ void BrushCaption::resizeEvent(QResizeEvent* event)
     fit();
 }
 
+void BrushCaption::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    window()->installEventFilter(this);
+    fit();
+}
+
+bool BrushCaption::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::Resize && watched == window() && !isWindow())
+        fit();
+    return QWidget::eventFilter(watched, event);
+}
+
 void BrushCaption::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
@@ -94,8 +109,13 @@ void BrushCaption::changeEvent(QEvent* event)
 
 void BrushCaption::fit()
 {
+    const double mostHeight = isWindow() ? QWIDGETSIZE_MAX : mostOfWindow * window()->height();
+    const auto fits = [&](double factor) {
+        const QFont font = sizedFont(this->font(), factor);
+        return CaptionLine(m_words, font).width <= width() && QFontMetrics(font).height() <= mostHeight;
+    };
     double factor = captionSize;
-    while (factor > leastCaption && CaptionLine(m_words, sizedFont(font(), factor)).width > width())
+    while (factor > leastCaption && !fits(factor))
         factor *= shrinksBy;
     m_font = sizedFont(font(), std::max(factor, leastCaption));
     if (const int height = QFontMetrics(m_font).height(); minimumHeight() != height)

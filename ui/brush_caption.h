@@ -21,7 +21,7 @@ struct CaptionWords
 };
 
 /// One line in letters that are read from three metres: of a screen's usual size and distance between dots they are 14 mm high, and they grow
-/// with the window's text. Smaller only where the line would not fit its width; its height follows.
+/// with the window's text. Smaller only where the line would not fit its width, or would take too much of a low window; its height follows.
 class BrushCaption : public QWidget
 {
     Q_OBJECT
@@ -37,6 +37,8 @@ public:
 protected:
     void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
 private:

@@ -44,7 +44,7 @@ int countLight(const QImage& picture)
 /// A visit, and somebody at the desktop.
 struct Pair : Visit
 {
-    explicit Pair(const QSize& pixels = HeadsetHand::few) : Visit({}, qEnvironmentVariableIsEmpty("FETTLE_HEADSET_PICTURES") ? pixels : QSize(540, 600))
+    explicit Pair(const QSize& pixels = HeadsetHand::few) : Visit({}, keepsPictures() ? QSize(540, 600) : pixels)
     {
         QObject::connect(&viewport(), &ui::Viewport::pointed, &program.window, [this](const auto& where) { place = where; });
     }
@@ -68,12 +68,17 @@ struct Pair : Visit
         QTRY_COMPARE_WITH_TIMEOUT(changes(), before + 1, 60'000);
         hand.settle();
     }
+    static bool keepsPictures() { return !qEnvironmentVariableIsEmpty("FETTLE_HEADSET_PICTURES"); }
     void keep(const char* name)
     {
-        const QString folder = qEnvironmentVariable("FETTLE_HEADSET_PICTURES");
-        if (folder.isEmpty())
+        if (!keepsPictures())
             return;
-        hand.waitForPanels();
+        const QString folder = qEnvironmentVariable("FETTLE_HEADSET_PICTURES");
+        if (place)
+            sendMove(&viewport(), middle(&viewport()));
+        else
+            hand.waitForPanels();
+        hand.frames(2);
         hand.picture().save(QStringLiteral("%1/%2-eye.png").arg(folder, QLatin1StringView(name)));
         program.window.grab().save(QStringLiteral("%1/%2-window.png").arg(folder, QLatin1StringView(name)));
     }
@@ -296,6 +301,7 @@ void TestHeadsetPartner::takingOver_refusesTheWearer()
     v.pull();
     QCOMPARE(v.hash(), kept);
     QVERIFY(pulsesOf(v.hand, Side::Right, refusal()) > 0);
+    v.keep("refused");
     v.hand.pressPad(Side::Right, -0.8, 0); // undo
     v.hand.settle();
     QCOMPARE(v.hash(), kept);
@@ -431,6 +437,8 @@ void TestHeadsetPartner::lesson_isOnAPanel()
         return isSo();
     };
     QVERIFY(frameUntil([&] { return v.program.document.undoStack().index() > 0 || !v.program.document.isSettled(); }));
+    if (v.keepsPictures())
+        v.hand.picture().save(qEnvironmentVariable("FETTLE_HEADSET_PICTURES") + QStringLiteral("/teacher-eye.png"));
     v.keep("lesson-playing");
     QVERIFY(frameUntil([&] { return !panel->shown()->isPlaying; }));
     v.hand.settle();

@@ -484,6 +484,9 @@ void TestScreenshots::takeClass()
     now = 18 * 60'000;
     mode.tick();
     take(program.window, QStringLiteral("class-warning"));
+    program.window.setHeadset(ui::HeadsetState::In, {});
+    take(program.window, QStringLiteral("class-vr"));
+    program.window.setHeadset(ui::HeadsetState::Out, {});
     program.window.close();
     takeDialog(QStringLiteral("class-pin"));
 }

@@ -180,7 +180,7 @@ OtherWords OtherWords::ofLanguage(const QString& language)
 std::vector<ExamplePanel> examplePanels()
 {
     std::vector<ExamplePanel> all = toolPanels();
-    for (const auto& more : {colorPanels(), filesPanels(), lessonPanels()})
+    for (const auto& more : {colorPanels(), filesPanels()})
         all.insert(all.end(), more.begin(), more.end());
     const vr::HeadsetChoice changed{.hands = {},
                                     .raised = 0.12,
@@ -202,5 +202,7 @@ std::vector<ExamplePanel> examplePanels()
              "“teapot with a long and winding name.stl” cannot be opened: 12 triangles meet others, 3 edges belong to "
              "more than two "
              "triangles, and two shells lie within each other. Open it at the desktop, where it can be mended.")}});
+    for (const ExamplePanel& lesson : lessonPanels())
+        all.push_back(lesson);
     return all;
 }

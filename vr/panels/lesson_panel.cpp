@@ -12,6 +12,7 @@ namespace
 {
 constexpr double lessonWidth = 940, wayHeight = 92, leafWidth = 84, countWidth = 120, markSign = 52, noteHeight = 44;
 constexpr double lessonDistance = 0.6; ///< metres: at arm's length
+constexpr double wrapShare = 0.95; ///< of the width: painted in dots, letters are a little wider or narrower than here
 constexpr int linesPerPage = 7, mostMarks = 4;
 
 /// In lines of one size, which all pages have.
@@ -29,7 +30,7 @@ int pageCountOf(const FittedText& text)
 void LessonPanel::addTitle(PanelBuilder& builder) const
 {
     const FittedText shown = fitted(title, builder.innerWidth(),
-                                    {.height = theme::titleHeight, .leastHeight = theme::titleHeight, .lines = 2, .weight = QFont::DemiBold});
+                                    {.height = theme::titleHeight, .leastHeight = theme::titleHeight, .lines = 3, .weight = QFont::DemiBold});
     builder.add(builder.nextRow(shown.lineSpacing() * static_cast<double>(shown.lines.size())),
                 TextLook{.text = title, .role = TextRole::Title, .lines = static_cast<int>(shown.lines.size())});
     //: %1: a lesson's name; %2 of %3: its step
@@ -39,7 +40,7 @@ void LessonPanel::addTitle(PanelBuilder& builder) const
 
 void LessonPanel::addText(PanelBuilder& builder) const
 {
-    const FittedText all = wrappedText(text, builder.innerWidth());
+    const FittedText all = wrappedText(text, wrapShare * builder.innerWidth());
     const int pages = pageCountOf(all), shown = std::clamp(page, 0, pages - 1);
     const double spacing = all.lineSpacing();
     const auto count = static_cast<int>(all.lines.size());
