@@ -260,54 +260,6 @@
         <source>Fettle sculpts closed models that stay ready to print.
 
   fettle [--vr] [FILE]             open the window, with a model or with a ball of clay; --vr enters VR with it
-  fettle [--vr] --classroom CLASS.ini
-                                   begin a class in turns, as its teacher set it up (Edit &gt; Classroom)
-  fettle check FILE... [--unit mm|cm|m|in] [--print] [--json] [--csv]
-                                   say whether models are in order; several files or a folder: a table
-  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]
-                                   write a model in another format or size, mended, or with fewer triangles
-  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--frames FOLDER] [--verify local|full|none]
-                                   play recorded strokes on a model
-  fettle report FOLDER -o OUT.html|OUT.pdf [--unit mm|cm|m|in]
-                                   a class report: picture, size, print-ready or why not, strokes and time of each model
-  fettle sheet FILE... -o OUT.pdf [--unit mm|cm|m|in] [--shaded]
-                                   drawings of models or folders to scale, a page each
-  fettle lesson [LESSON] [--model FILE] [--step N] [--pack OUT.zip] [--unpack FOLDER] [--pictures FOLDER] [--out FILE]
-                                   check a lesson by playing it to its end, or a pupil&apos;s model by one of its steps
-  fettle help COMMAND              the options of one of them
-  fettle --version
-
-Formats: %1. Lengths are in millimetres.
-Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standard error).
-</source>
-        <translation>Fettle formt geschlossene Modelle, die druckfertig bleiben.
-
-  fettle [--vr] [FILE]             das Fenster öffnen, mit einem Modell oder einer Tonkugel; --vr betritt damit VR
-  fettle [--vr] --classroom CLASS.ini
-                                   eine Klasse beginnen, wie ihre Lehrkraft sie eingerichtet hat (Bearbeiten &gt; Klassenraum)
-  fettle check FILE... [--unit mm|cm|m|in] [--print] [--json] [--csv]
-                                   sagen, ob Modelle in Ordnung sind; mehrere Dateien oder ein Ordner: eine Tabelle
-  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]
-                                   ein Modell in anderem Format oder anderer Größe schreiben, repariert oder mit weniger Dreiecken
-  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--frames FOLDER] [--verify local|full|none]
-                                   aufgezeichnete Striche auf einem Modell abspielen
-  fettle report FOLDER -o OUT.html|OUT.pdf [--unit mm|cm|m|in]
-                                   ein Klassenbericht: von jedem Modell Bild, Größe, druckfertig oder warum nicht, Striche und Zeit
-  fettle sheet FILE... -o OUT.pdf [--unit mm|cm|m|in] [--shaded]
-                                   maßstäbliche Zeichnungen von Modellen oder Ordnern, je eine Seite
-  fettle lesson [LESSON] [--model FILE] [--step N] [--pack OUT.zip] [--unpack FOLDER] [--pictures FOLDER] [--out FILE]
-                                   eine Lektion prüfen, indem sie bis zum Ende gespielt wird, oder das Modell eines Schülers nach einem ihrer Schritte
-  fettle help COMMAND              die Optionen eines dieser Befehle
-  fettle --version
-
-Formate: %1. Längen in Millimetern.
-Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mit einer Zeile auf der Standardfehlerausgabe).
-</translation>
-    </message>
-    <message>
-        <source>Fettle sculpts closed models that stay ready to print.
-
-  fettle [--vr] [FILE]             open the window, with a model or with a ball of clay; --vr enters VR with it
   fettle --vr-simulator [FILE]     the same without a headset: a window shows what it would, mouse and keys are head and wands
   fettle [--vr] --classroom CLASS.ini
                                    begin a class in turns, as its teacher set it up (Edit &gt; Classroom)
@@ -315,7 +267,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
                                    say whether models are in order; several files or a folder: a table
   fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]
                                    write a model in another format or size, mended, or with fewer triangles
-  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--verify local|full|none]
+  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--frames FOLDER] [--verify local|full|none]
                                    play recorded strokes on a model
   fettle report FOLDER -o OUT.html|OUT.pdf [--unit mm|cm|m|in]
                                    a class report: picture, size, print-ready or why not, strokes and time of each model
@@ -339,7 +291,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
                                    sagen, ob Modelle in Ordnung sind; mehrere Dateien oder ein Ordner: eine Tabelle
   fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]
                                    ein Modell in anderem Format oder anderer Größe schreiben, repariert oder mit weniger Dreiecken
-  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--verify local|full|none]
+  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--frames FOLDER] [--verify local|full|none]
                                    aufgezeichnete Striche auf einem Modell abspielen
   fettle report FOLDER -o OUT.html|OUT.pdf [--unit mm|cm|m|in]
                                    ein Klassenbericht: von jedem Modell Bild, Größe, druckfertig oder warum nicht, Striche und Zeit
@@ -2921,7 +2873,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>T&amp;urn and Zoom</source>
-        <translation>Dre&amp;hen und Zoomen</translation>
+        <translation>Drehen und &amp;Zoomen</translation>
     </message>
     <message>
         <source>Scul&amp;pt by Keys</source>

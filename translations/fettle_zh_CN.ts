@@ -258,54 +258,6 @@
         <source>Fettle sculpts closed models that stay ready to print.
 
   fettle [--vr] [FILE]             open the window, with a model or with a ball of clay; --vr enters VR with it
-  fettle [--vr] --classroom CLASS.ini
-                                   begin a class in turns, as its teacher set it up (Edit &gt; Classroom)
-  fettle check FILE... [--unit mm|cm|m|in] [--print] [--json] [--csv]
-                                   say whether models are in order; several files or a folder: a table
-  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]
-                                   write a model in another format or size, mended, or with fewer triangles
-  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--frames FOLDER] [--verify local|full|none]
-                                   play recorded strokes on a model
-  fettle report FOLDER -o OUT.html|OUT.pdf [--unit mm|cm|m|in]
-                                   a class report: picture, size, print-ready or why not, strokes and time of each model
-  fettle sheet FILE... -o OUT.pdf [--unit mm|cm|m|in] [--shaded]
-                                   drawings of models or folders to scale, a page each
-  fettle lesson [LESSON] [--model FILE] [--step N] [--pack OUT.zip] [--unpack FOLDER] [--pictures FOLDER] [--out FILE]
-                                   check a lesson by playing it to its end, or a pupil&apos;s model by one of its steps
-  fettle help COMMAND              the options of one of them
-  fettle --version
-
-Formats: %1. Lengths are in millimetres.
-Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standard error).
-</source>
-        <translation>Fettle 用于雕刻封闭模型，并使其始终可以打印。
-
-  fettle [--vr] [FILE]             打开窗口，载入模型或一个黏土球；--vr 同时进入 VR
-  fettle [--vr] --classroom CLASS.ini
-                                   按教师的设置开始课堂（编辑 &gt; 课堂）
-  fettle check FILE... [--unit mm|cm|m|in] [--print] [--json] [--csv]
-                                   检查模型是否完好；多个文件或文件夹则输出表格
-  fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]
-                                   以其他格式或尺寸写出模型，可修复，也可减少三角形
-  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--frames FOLDER] [--verify local|full|none]
-                                   在模型上回放录制的笔触
-  fettle report FOLDER -o OUT.html|OUT.pdf [--unit mm|cm|m|in]
-                                   班级报告：每个模型的图片、大小、能否打印或为何不能、笔画数和用时
-  fettle sheet FILE... -o OUT.pdf [--unit mm|cm|m|in] [--shaded]
-                                   按比例写出模型或文件夹的图纸，每个模型一页
-  fettle lesson [LESSON] [--model FILE] [--step N] [--pack OUT.zip] [--unpack FOLDER] [--pictures FOLDER] [--out FILE]
-                                   播放课程到底来检查它，或按其中一步评判学生的模型
-  fettle help COMMAND              以上某一命令的选项
-  fettle --version
-
-格式：%1。长度单位为毫米。
-状态：0 完成，1 结果为否，2 输入或用法有误（标准错误输出一行说明）。
-</translation>
-    </message>
-    <message>
-        <source>Fettle sculpts closed models that stay ready to print.
-
-  fettle [--vr] [FILE]             open the window, with a model or with a ball of clay; --vr enters VR with it
   fettle --vr-simulator [FILE]     the same without a headset: a window shows what it would, mouse and keys are head and wands
   fettle [--vr] --classroom CLASS.ini
                                    begin a class in turns, as its teacher set it up (Edit &gt; Classroom)
@@ -313,7 +265,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
                                    say whether models are in order; several files or a folder: a table
   fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]
                                    write a model in another format or size, mended, or with fewer triangles
-  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--verify local|full|none]
+  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--frames FOLDER] [--verify local|full|none]
                                    play recorded strokes on a model
   fettle report FOLDER -o OUT.html|OUT.pdf [--unit mm|cm|m|in]
                                    a class report: picture, size, print-ready or why not, strokes and time of each model
@@ -337,7 +289,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
                                    检查模型是否完好；多个文件或文件夹则输出表格
   fettle convert IN OUT [--unit mm|cm|m|in] [--size MM] [--up y|z] [--legalise] [--triangles N]
                                    以其他格式或尺寸写出模型，可修复，也可减少三角形
-  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--verify local|full|none]
+  fettle replay --strokes S.json [--in FILE] [--out FILE] [--stats T.json] [--frames FOLDER] [--verify local|full|none]
                                    在模型上回放录制的笔触
   fettle report FOLDER -o OUT.html|OUT.pdf [--unit mm|cm|m|in]
                                    班级报告：每个模型的图片、大小、能否打印或为何不能、笔画数和用时
