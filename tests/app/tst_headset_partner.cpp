@@ -9,12 +9,6 @@
 #include "ui/partner_bar.h"
 #include "ui/point_light.h"
 
-#include <QAbstractButton>
-#include <QDockWidget>
-#include <QPushButton>
-#include <QSignalSpy>
-#include <QToolButton>
-
 using namespace app;
 using core::Vec3;
 using vr::Side;
