@@ -35,7 +35,7 @@ ui::LessonStroke describe(const core::FileEntry& entry)
 }
 
 /// By name and title alone.
-QList<ui::LessonCard> cards()
+QList<ui::LessonCard> titleCards()
 {
     QList<ui::LessonCard> all;
     for (const QString& name : shippedLessons())
@@ -67,7 +67,7 @@ LessonEditorDesk::LessonEditorDesk(ui::MainWindow& window, Document& document, S
     : QObject(&document), m_window(&window), m_panel(window.findChild<ui::LessonEditor*>()), m_document(&document), m_worker(&worker), m_recorder(document)
 {
     m_panel->setDescribe(describe);
-    m_panel->setLessons(cards());
+    m_panel->setLessons(titleCards());
     connectAll();
     window.setGuard([this] { return mayClose(); });
 }
