@@ -282,6 +282,7 @@ void LessonEditorDesk::takeAttempt(const QString& path, const TriedLesson& tried
     box->setTextFormat(Qt::PlainText);
     box->setInformativeText(remarks.join(QLatin1Char('\n')));
     const QPushButton* all = box->addButton(tr("Save All the Same"), QMessageBox::AcceptRole);
+    box->setDefaultButton(QMessageBox::Cancel);
     connect(box, &QMessageBox::buttonClicked, this, [this, all, path, tried, revision](const QAbstractButton* pressed) {
         if (pressed == all)
             write(path, tried.lesson, revision);
