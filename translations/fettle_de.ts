@@ -7082,7 +7082,7 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
     </message>
     <message>
         <source>One hand</source>
-        <translation>Eine Hand</translation>
+        <translation>Einhand</translation>
     </message>
 </context>
 <context>

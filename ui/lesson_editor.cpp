@@ -25,7 +25,7 @@ namespace ui
 namespace
 {
 constexpr int stepsShown = 4; ///< rows of the list, at most
-constexpr int stepHeight = 180; ///< pixels, at least: of the pages of a step
+constexpr int stepHeight = 168; ///< pixels, at least: of the pages of a step
 
 QLabel* head(const QString& text)
 {

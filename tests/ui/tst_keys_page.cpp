@@ -69,9 +69,9 @@ private Q_SLOTS:
     {
         Desk desk;
         desk.mark("tool.pull");
-        QTest::keyClick(desk.edit("key1"), Qt::Key_Q);
-        QCOMPARE(desk.key("tool.pull"), QKeySequence(Qt::Key_Q));
-        QCOMPARE(desk.shown("tool.pull"), QStringLiteral("Q"));
+        QTest::keyClick(desk.edit("key1"), Qt::Key_H);
+        QCOMPARE(desk.key("tool.pull"), QKeySequence(Qt::Key_H));
+        QCOMPARE(desk.shown("tool.pull"), QStringLiteral("H"));
         QTest::keyClick(desk.edit("key2"), Qt::Key_4, Qt::KeypadModifier | Qt::ControlModifier);
         QCOMPARE(KeyMap(desk.told).keys(QStringLiteral("tool.pull")).value(1), QKeySequence(QStringLiteral("Ctrl+Num+4")));
         QTest::keyClick(desk.edit("key1"), Qt::Key_Backspace);
@@ -87,7 +87,7 @@ private Q_SLOTS:
         QKeyEvent press(QEvent::KeyPress, Qt::Key_Question, Qt::ShiftModifier, QStringLiteral("?"));
         QCoreApplication::sendEvent(desk.edit("key1"), &press);
         QCOMPARE(desk.key("tool.pull"), QKeySequence(Qt::Key_Question));
-        QTest::keyClick(desk.edit("key1"), Qt::Key_Q, Qt::ShiftModifier);
+        QTest::keyClick(desk.edit("key1"), Qt::Key_H, Qt::ShiftModifier);
         QCOMPARE(desk.key("tool.pull"), QKeySequence(QStringLiteral("Shift+Q")));
     }
 
@@ -104,7 +104,7 @@ private Q_SLOTS:
         QCOMPARE(desk.marked(), QStringLiteral("brush.radius"));
         QVERIFY(!desk.mayGo() && desk.word().isEmpty());
 
-        QTest::keyClick(desk.edit("key1"), Qt::Key_Q); // and now F is free
+        QTest::keyClick(desk.edit("key1"), Qt::Key_H); // and now F is free
         desk.mark("tool.pull");
         QTest::keyClick(desk.edit("key1"), Qt::Key_F);
         QCOMPARE(desk.key("tool.pull"), QKeySequence(Qt::Key_F));
@@ -170,11 +170,11 @@ private Q_SLOTS:
     {
         Desk desk;
         desk.mark("view.ground");
-        QTest::keyClick(desk.edit("key1"), Qt::Key_Q);
+        QTest::keyClick(desk.edit("key1"), Qt::Key_H);
         QTest::keyClick(desk.child<QComboBox>("keyPreset"), Qt::Key_End);
         QCOMPARE(desk.told.preset, KeyPreset::ZBrush);
         QCOMPARE(desk.shown("brush.radius"), QStringLiteral("S"));
-        QCOMPARE(desk.shown("view.ground"), QStringLiteral("Q"));
+        QCOMPARE(desk.shown("view.ground"), QStringLiteral("H"));
     }
 
     void oneAndAllAreReset()
@@ -184,7 +184,7 @@ private Q_SLOTS:
         QVERIFY(!resetAll->isEnabled());
         for (const char* id : {"tool.pull", "tool.push"}) {
             desk.mark(id);
-            QTest::keyClick(desk.edit("key1"), *id == 't' && desk.times == 0 ? Qt::Key_Q : Qt::Key_1);
+            QTest::keyClick(desk.edit("key1"), *id == 't' && desk.times == 0 ? Qt::Key_H : Qt::Key_1);
         }
         QCOMPARE(desk.key("tool.push"), QKeySequence(Qt::Key_1)); // which Pull had
         desk.mark("tool.pull");
