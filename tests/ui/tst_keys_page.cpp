@@ -88,7 +88,7 @@ private Q_SLOTS:
         QCoreApplication::sendEvent(desk.edit("key1"), &press);
         QCOMPARE(desk.key("tool.pull"), QKeySequence(Qt::Key_Question));
         QTest::keyClick(desk.edit("key1"), Qt::Key_H, Qt::ShiftModifier);
-        QCOMPARE(desk.key("tool.pull"), QKeySequence(QStringLiteral("Shift+Q")));
+        QCOMPARE(desk.key("tool.pull"), QKeySequence(QStringLiteral("Shift+H")));
     }
 
     void aTakenKeyIsRefusedWithItsOwner()
