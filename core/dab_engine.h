@@ -79,7 +79,7 @@ private:
     struct HeldPlace
     {
         Vec3f point;
-        double distance;
+        double distance, carried = 0;
     };
     struct Orbit;
 
@@ -120,6 +120,7 @@ private:
     bool canTransplant(const Orbit& orbit, const std::vector<std::size_t>& others);
     bool transplant(const Orbit& orbit, std::size_t other, const DabReport& once, DabReport& report);
     static Turn turnIn(const Orbit& orbit, std::size_t sector);
+    void holdHalf(const Orbit& orbit, SectorHold& own, const Turn& turn);
     void holdApart(const Orbit& orbit, std::size_t from);
     void noteHeld(Orbit& orbit);
     void takeImages(Region& region, const std::vector<HeldPlace>& held, const Turn& turn) const;

@@ -25,6 +25,8 @@ struct DabEngine::Orbit
     bool adds = false; ///< solids
     Hold hold = {}, imageHold = {}; ///< before the first dab; so the next two
     std::vector<HeldPlace> held = {}, heldImage = {};
+    std::vector<HeldPlace> half = {}; ///< if one stands for both: as it is
+    Vec3 halfAxis = Vec3::Zero();
 };
 
 void DabEngine::runOnce(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report)
@@ -200,11 +202,32 @@ void DabEngine::holdApart(const Orbit& orbit, std::size_t from)
             continue;
         const Turn turn = turnIn(orbit, sector), back = {turn.cosine, -turn.sine};
         const std::size_t known = m_mesh.removedVertices().size();
+        if (!orbit.half.empty() && (turn.cosine == -1 || orbit.settings.symmetry == Symmetry::Y)) {
+            holdHalf(orbit, own, turn);
+            continue;
+        }
         own.hold = {true, false, turn * orbit.hold.axis, orbit.hold.detail, known};
         own.imageHold = {orbit.imageHold.isOn, false, back * orbit.imageHold.axis, orbit.imageHold.detail, known};
         takeImages(own.region, orbit.held, turn);
         takeImages(own.imageRegion, orbit.heldImage, back);
     }
+}
+
+/// Half turns take the plane to itself, and those about its normal do, too: there the half still stands for both.
+void DabEngine::holdHalf(const Orbit& orbit, SectorHold& own, const Turn& turn)
+{
+    m_mirror.setPlane(orbit.settings.symmetry);
+    const bool isTurnedOver = orbit.settings.symmetry != Symmetry::Y;
+    const Vec3 axis = turn * orbit.halfAxis;
+    own.hold = {true, true, isTurnedOver ? m_mirror.imageOf(axis) : axis, orbit.hold.detail, m_mesh.removedVertices().size()};
+    own.imageHold = {};
+    own.region.clear();
+    own.imageRegion.clear();
+    for (const HeldPlace& place : orbit.half) {
+        if (const Slot v = vertexAt(m_surface, m_mirror.folded(turn * place.point)); v != noSlot)
+            own.region.add(v, place.distance, Vec3::Zero(), place.carried);
+    }
+    m_mirror.setPlane(Symmetry::None);
 }
 
 /// Before the orbit's first dab, by place: of a half that stands for both the dab's own part, and that of its mirror image.
@@ -219,7 +242,9 @@ void DabEngine::noteHeld(Orbit& orbit)
     }
     m_mirror.setPlane(orbit.settings.symmetry);
     const Dab& dab = orbit.dabs[orbit.first];
+    orbit.halfAxis = m_hold.axis;
     m_region.forEach([&](Slot v) {
+        orbit.half.push_back({m_mesh.point(v), m_region.distance(v), m_region.carried(v)});
         const Vec3f here = m_mesh.point(v), there = m_mirror.imageOf(here);
         orbit.held.push_back({here, m_region.distance(v)});
         orbit.heldImage.push_back({there, m_region.distance(v)});

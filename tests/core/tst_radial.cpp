@@ -171,6 +171,8 @@ private Q_SLOTS:
     void paintedModel_keepsItsColours();
     void heldClay_isHeldInEachSector_data();
     void heldClay_isHeldInEachSector();
+    void heldHalf_staysOne_data();
+    void heldHalf_staysOne();
     void spheres_areAddedInEachSector();
     void hook_seesSoundMeshes();
     void undone_data() { addTools(); }
@@ -426,6 +428,38 @@ void TestRadial::heldClay_isHeldInEachSector()
             QVERIFY2(isBlocked || std::abs(height - first) < 0.06 * first, qPrintable(QStringLiteral("%1 and %2").arg(height).arg(first)));
         }
     }
+    QVERIFY(isSound(*sculptor));
+}
+
+void TestRadial::heldHalf_staysOne_data()
+{
+    QTest::addColumn<Symmetry>("plane");
+    for (const Symmetry plane : {Symmetry::X, Symmetry::Y, Symmetry::Z})
+        QTest::addRow("%s", core::name(plane).data()) << plane;
+}
+
+/// Balls stand before the other sector, alike on both sides of the plane: it goes on by itself there, and yet as exactly on both sides.
+void TestRadial::heldHalf_staysOne()
+{
+    QFETCH(Symmetry, plane);
+    const auto sculptor = ball();
+    const Vec3 at = onBall(22, 30);
+    StrokeSettings obstacle = settingsOf(Tool::Pull, 1, plane);
+    obstacle.add = true;
+    QVERIFY(stroke(*sculptor, obstacle, {inSector(1, 2, 1.44 * at)}).at(0).outcome == DabOutcome::Added);
+    VERIFY_SYMMETRIC(sculptor->mesh(), plane);
+
+    StrokeSettings settings = settingsOf(Tool::Grab, 2, plane);
+    settings.fusion = false;
+    std::vector<Vec3> way;
+    for (int i = 0; i < 12; ++i)
+        way.push_back((1 + 0.04 * i) * at);
+    const std::vector<DabReport> reports = stroke(*sculptor, settings, way);
+    QVERIFY(!reports[1].apart && reports[11].apart);
+    for (const DabReport& report : reports)
+        QVERIFY(!report.asymmetric);
+    VERIFY_SYMMETRIC(sculptor->mesh(), plane);
+    QVERIFY(heightAt(sculptor->mesh(), at) - ballRadius > 0.8 * 22);
     QVERIFY(isSound(*sculptor));
 }
 
