@@ -51,7 +51,7 @@ void chooseLanguage(ui::Language language)
 /// Once, before anything is shown.
 void chooseTextSize(ui::TextSize size)
 {
-    QApplication::setFont(ui::scaled(QApplication::font(), size));
+    QApplication::setFont(ui::scaled(QApplication::font(), ui::factorOf(size)));
 }
 
 /// Our own words, and Qt's for its dialogs, in the place of those before. They must outlive the texts: they belong to the application.

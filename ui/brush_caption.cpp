@@ -1,6 +1,7 @@
 #include "brush_caption.h"
 
 #include "spacing.h"
+#include "theme.h"
 #include "themed_icon.h"
 
 #include <QEvent>
@@ -19,12 +20,9 @@ constexpr double shrinksBy = 0.97;
 constexpr double mostOfWindow = 0.08; ///< of its height
 constexpr double captionGap = 0.55;   ///< between words, of the letters' height
 
-QFont sizedFont(QFont font, double factor)
+QFont sizedFont(const QFont& usual, double factor)
 {
-    if (font.pointSizeF() > 0)
-        font.setPointSizeF(font.pointSizeF() * factor);
-    else
-        font.setPixelSize(static_cast<int>(font.pixelSize() * factor));
+    QFont font = scaled(usual, factor);
     font.setWeight(QFont::DemiBold);
     return font;
 }

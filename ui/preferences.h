@@ -14,6 +14,11 @@ enum class Language { System, English, German, Chinese };
 inline constexpr std::array<Named<ThemeChoice>, 3> themeChoices{
     {{ThemeChoice::System, "system"}, {ThemeChoice::Light, "light"}, {ThemeChoice::Dark, "dark"}}};
 
+inline double factorOf(TextSize size)
+{
+    return static_cast<int>(size) / 100.0;
+}
+
 inline constexpr std::array<Named<TextSize>, 4> textSizes{
     {{TextSize::Usual, "100"}, {TextSize::Larger, "125"}, {TextSize::Large, "150"}, {TextSize::Largest, "175"}}};
 

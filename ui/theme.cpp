@@ -49,9 +49,8 @@ QPalette darkPalette()
                       .faint = {135, 140, 148}, .highlight = {52, 124, 190}, .link = {116, 178, 236}, .tip = {62, 66, 72}});
 }
 
-QFont scaled(QFont font, TextSize size)
+QFont scaled(QFont font, double factor)
 {
-    const double factor = static_cast<int>(size) / 100.0;
     if (font.pointSizeF() > 0)
         font.setPointSizeF(factor * font.pointSizeF());
     else

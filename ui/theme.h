@@ -11,8 +11,8 @@ namespace ui
 QPalette lightPalette();
 QPalette darkPalette();
 
-/// As large as a person wants it.
-QFont scaled(QFont font, TextSize size);
+/// So many times as large.
+QFont scaled(QFont font, double factor);
 
 /// The colours of the whole application: Qt's Fusion style with our own light or dark palette, as chosen or as the
 /// desktop is. A desktop that says nothing is as dark as its palette was when the program started. Gui thread; one at a

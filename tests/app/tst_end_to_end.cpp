@@ -1,3 +1,4 @@
+#include "app/headset_settings.h"
 #include "tests/support/program_hand.h"
 
 #include "core/mesh_check.h"
@@ -33,6 +34,7 @@ private Q_SLOTS:
     void openPullUndoExport();
     void toolsByModifier();
     void sculptedByKeysAlone();
+    void handsOfTheNextVisit_areChosenInTheMenu();
     void refusedFileLeavesTheModel();
     void closing_asksOnlyWithChanges();
     void closing_waitsForThePress();
@@ -146,6 +148,25 @@ void TestEndToEnd::sculptedByKeysAlone()
     Q_EMIT program.window.exportRequested(out);
     QTRY_COMPARE(exported.size(), 1);
     QVERIFY(isSound(out));
+}
+
+/// They are kept; one hand given up is the usual two again.
+void TestEndToEnd::handsOfTheNextVisit_areChosenInTheMenu()
+{
+    const auto hands = [] { return HeadsetSettings().choice().hands; };
+    const QStringList ids{QStringLiteral("vr.oneHand"), QStringLiteral("vr.leftHanded")};
+    {
+        Program program;
+        for (const QString& id : ids)
+            program.window.action(id)->trigger();
+    }
+    QCOMPARE(hands(), (vr::HandsChoice{vr::Preset::OneHand, vr::Side::Left}));
+    Program program;
+    for (const QString& id : ids) {
+        QVERIFY(program.window.action(id)->isChecked());
+        program.window.action(id)->trigger();
+    }
+    QCOMPARE(hands(), vr::HandsChoice());
 }
 
 void TestEndToEnd::refusedFileLeavesTheModel()

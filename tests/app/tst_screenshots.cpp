@@ -246,7 +246,7 @@ void TestScreenshots::largerTexts()
     m_folder.setPath(QStringLiteral(FETTLE_SCREENSHOT_DIR "/text %1").arg(QString::fromLatin1(QTest::currentDataTag())));
     QVERIFY(m_folder.mkpath(QStringLiteral(".")));
     const QFont usual = QApplication::font();
-    QApplication::setFont(ui::scaled(usual, size));
+    QApplication::setFont(ui::scaled(usual, ui::factorOf(size)));
     {
         const Words words(QStringLiteral("de")); // the longest
         Program program;
