@@ -79,7 +79,7 @@ private:
     struct HeldPlace
     {
         Vec3f point;
-        double distance, carried = 0;
+        double distance;
     };
     struct Orbit;
 

@@ -24,9 +24,7 @@ struct DabEngine::Orbit
     const std::function<void()>& between;
     bool adds = false; ///< solids
     Hold hold = {}, imageHold = {}; ///< before the first dab; so the next two
-    std::vector<HeldPlace> held = {}, heldImage = {};
-    std::vector<HeldPlace> half = {}; ///< if one stands for both: as it is
-    Vec3 halfAxis = Vec3::Zero();
+    std::vector<HeldPlace> held = {}, heldImage = {}; ///< `heldImage`: none, where a half stands for both
 };
 
 void DabEngine::runOnce(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report)
@@ -202,7 +200,7 @@ void DabEngine::holdApart(const Orbit& orbit, std::size_t from)
             continue;
         const Turn turn = turnIn(orbit, sector), back = {turn.cosine, -turn.sine};
         const std::size_t known = m_mesh.removedVertices().size();
-        if (!orbit.half.empty() && (turn.cosine == -1 || orbit.settings.symmetry == Symmetry::Y)) {
+        if (orbit.hold.isMirrored) {
             holdHalf(orbit, own, turn);
             continue;
         }
@@ -213,24 +211,33 @@ void DabEngine::holdApart(const Orbit& orbit, std::size_t from)
     }
 }
 
-/// Half turns take the plane to itself, and those about its normal do, too: there the half still stands for both.
+/// Where a half stood for both sides of the plane, it does so here. A quarter turn takes the plane elsewhere: what was held as a whole is
+/// halved anew.
 void DabEngine::holdHalf(const Orbit& orbit, SectorHold& own, const Turn& turn)
 {
     m_mirror.setPlane(orbit.settings.symmetry);
-    const bool isTurnedOver = orbit.settings.symmetry != Symmetry::Y;
-    const Vec3 axis = turn * orbit.halfAxis;
-    own.hold = {true, true, isTurnedOver ? m_mirror.imageOf(axis) : axis, orbit.hold.detail, m_mesh.removedVertices().size()};
+    const Dab& dab = orbit.dabs[orbit.first];
+    const Vec3 at = turn * dab.position, axis = turn * orbit.hold.axis;
+    const bool isOver = m_mirror.folded(at) != at; // the half is the image's
+    own.hold = {true, true, isOver ? m_mirror.imageOf(axis) : axis, orbit.hold.detail, m_mesh.removedVertices().size()};
     own.imageHold = {};
-    own.region.clear();
     own.imageRegion.clear();
-    for (const HeldPlace& place : orbit.half) {
-        if (const Slot v = vertexAt(m_surface, m_mirror.folded(turn * place.point)); v != noSlot)
-            own.region.add(v, place.distance, Vec3::Zero(), place.carried);
+    std::vector<HeldPlace> whole = orbit.held;
+    for (HeldPlace& place : whole)
+        place.point = isOver ? m_mirror.imageOf(turn * place.point) : turn * place.point;
+    own.region.clear();
+    for (const HeldPlace& place : whole) {
+        if (const Slot v = vertexAt(m_surface, place.point); v != noSlot && m_mirror.isInHalf(v))
+            own.region.add(v, place.distance, Vec3::Zero(), 2 * dab.radius);
+    }
+    for (const HeldPlace& place : whole) {
+        if (const Slot v = vertexAt(m_surface, m_mirror.imageOf(place.point)); v != noSlot && own.region.contains(v))
+            own.region.setCarried(v, place.distance);
     }
     m_mirror.setPlane(Symmetry::None);
 }
 
-/// Before the orbit's first dab, by place: of a half that stands for both the dab's own part, and that of its mirror image.
+/// Before the orbit's first dab, by place: its own, and its mirror image's where no half stands for both.
 void DabEngine::noteHeld(Orbit& orbit)
 {
     orbit.hold = m_hold;
@@ -242,22 +249,15 @@ void DabEngine::noteHeld(Orbit& orbit)
     }
     m_mirror.setPlane(orbit.settings.symmetry);
     const Dab& dab = orbit.dabs[orbit.first];
-    orbit.halfAxis = m_hold.axis;
+    const bool isOver = m_mirror.folded(dab.position) != dab.position; // the half is the image's
     m_region.forEach([&](Slot v) {
-        orbit.half.push_back({m_mesh.point(v), m_region.distance(v), m_region.carried(v)});
-        const Vec3f here = m_mesh.point(v), there = m_mirror.imageOf(here);
-        orbit.held.push_back({here, m_region.distance(v)});
-        orbit.heldImage.push_back({there, m_region.distance(v)});
-        if (!m_mirror.isOnPlane(v) && m_region.carried(v) <= dab.radius) {
-            orbit.held.push_back({there, m_region.carried(v)});
-            orbit.heldImage.push_back({here, m_region.carried(v)});
-        }
+        const Vec3f point = m_mesh.point(v), image = m_mirror.imageOf(point);
+        orbit.held.push_back({isOver ? image : point, m_region.distance(v)});
+        if (!m_mirror.isOnPlane(v) && m_region.carried(v) <= dab.radius)
+            orbit.held.push_back({isOver ? point : image, m_region.carried(v)});
     });
-    orbit.imageHold = {true, false, m_mirror.imageOf(m_hold.axis), m_hold.detail, m_hold.known};
-    if (m_mirror.folded(dab.position) != dab.position) { // the half is the image's
-        std::swap(orbit.held, orbit.heldImage);
-        std::swap(orbit.hold, orbit.imageHold);
-    }
+    if (isOver)
+        orbit.hold.axis = m_mirror.imageOf(orbit.hold.axis);
     m_mirror.setPlane(Symmetry::None);
 }
 
