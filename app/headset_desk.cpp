@@ -154,6 +154,8 @@ void HeadsetDesk::tell()
     news.box = m_document->facts().box;
     news.shading = viewport.shading();
     news.isFlat = viewport.look().flat;
+    news.smooths = m_window->brush()->isOffered(core::Tool::Smooth);
+    news.isCalm = viewport.isCalm();
     news.canUndo = m_document->canUndo();
     news.canRedo = m_document->canRedo();
     m_undoText = m_document->undoText();

@@ -308,6 +308,8 @@ void LessonDesk::tell(const core::CheckpointVerdict& verdict, const std::shared_
     if (!m_panel || !m_window)
         return;
     QList<ui::LessonMark> marks;
+    if (m_player && !m_player->step().strokes.empty() && !(verdict.facts.empty() && !verdict.target))
+        marks.append({m_document->undoStack().index() > m_starts.back(), tr("something sculpted in this step")});
     for (const core::FactVerdict& fact : verdict.facts)
         marks.append({fact.holds, tr("%1 (%2)", "what is asked; what is").arg(LessonWords::asked(fact.asked), LessonWords::found(fact))});
     if (verdict.target)

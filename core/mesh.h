@@ -19,9 +19,15 @@ namespace core
 /// What an open journal has seen since a mark. Slots are distinct, in the order of first touch.
 struct TouchedSlots
 {
+    struct Place
+    {
+        Slot vertex;
+        Vec3f point;
+    };
     std::vector<Slot> vertices; ///< moved, relinked, created or removed
     std::vector<Slot> faces;    ///< relinked, created or removed; not those of which only a corner moved
-    Eigen::AlignedBox3f before; ///< of the vertices that were there, where they were then
+    std::vector<Place> before;         ///< of the vertices that were there, each once: where they were then
+    std::vector<Triangle> facesBefore; ///< of the faces that were there: their corners then
 };
 
 /// The surface: an OpenMesh kernel whose elements are recycled slots, and the one gate through which it is written. The gate

@@ -115,11 +115,15 @@ TouchedSlots Mesh::touchedSince(const Mark& mark) const
             continue;
         touched.vertices.push_back(image.slot);
         if (image.live)
-            touched.before.extend(image.point);
+            touched.before.push_back({image.slot, image.point});
     }
     for (std::size_t i = mark.faces; i < m_journal.faces.size(); ++i) {
-        if (m_journal.faces[i].stamp < mark.epoch)
-            touched.faces.push_back(m_journal.faces[i].slot);
+        const FaceImage& image = m_journal.faces[i];
+        if (image.stamp >= mark.epoch)
+            continue;
+        touched.faces.push_back(image.slot);
+        if (image.live())
+            touched.facesBefore.push_back(image.corners);
     }
     return touched;
 }

@@ -145,9 +145,11 @@ Vec3 relaxedPlace(const Mesh& mesh, const EdgeBounds& bounds, Slot v)
 Vec3 relaxedAlongSharp(const Mesh& mesh, const EdgeBounds& bounds, Slot v)
 {
     bool sharp = false;
+    Vec3 right = faceNormal(mesh, mesh.face(mesh.outgoing(v) ^ 1));
     mesh.forEachOutgoing(v, [&](Slot h) {
-        const Vec3 left = faceNormal(mesh, mesh.face(h)), right = faceNormal(mesh, mesh.face(h ^ 1));
+        const Vec3 left = faceNormal(mesh, mesh.face(h)); // lies to the right of the next one
         sharp = sharp || left.dot(right) < sharpCosine * left.norm() * right.norm();
+        right = left;
     });
     return sharp ? Vec3(mesh.point(v).cast<double>()) : relaxedPlace(mesh, bounds, v);
 }

@@ -50,13 +50,11 @@ std::size_t Remesher::keepShape(Slot h, Choices& choices) const
 {
     if (foldsUp(m_mesh, h))
         return 0;
-    const auto error = [&](const Merged& merged) { return planeError(m_mesh, h, merged.point.cast<double>()) / m_minimum2; };
-    std::ranges::stable_sort(choices, {}, [&](const Merged& merged) {
-        const double e = error(merged);
-        return e > onPlanes * onPlanes ? e : 0;
-    });
-    const double most = littleLarger * error(choices[0]) + nearPlanes * nearPlanes;
-    const auto end = std::ranges::find_if(choices, [&](const Merged& merged) { return error(merged) > most; });
+    for (Merged& merged : choices)
+        merged.error = planeError(m_mesh, h, merged.point.cast<double>()) / m_minimum2;
+    std::ranges::stable_sort(choices, {}, [](const Merged& merged) { return merged.error > onPlanes * onPlanes ? merged.error : 0; });
+    const double most = littleLarger * choices[0].error + nearPlanes * nearPlanes;
+    const auto end = std::ranges::find_if(choices, [&](const Merged& merged) { return merged.error > most; });
     return static_cast<std::size_t>(end - choices.begin());
 }
 

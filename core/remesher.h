@@ -40,6 +40,7 @@ private:
     {
         Vec3f point;
         Vec3 plan;
+        double error = 0; ///< planeError(), in squares of the shortest edge; of keepShape() only
     };
     /// What a step may do to a face, unless it was worse before.
     struct Limits

@@ -1,11 +1,12 @@
 // The exact local check of a change (DESIGN section 3, step 5):
 //   1. dirty faces:  those the journal says were relinked, and those around a vertex that moved
 //   2. linked:       each rightly
-//   3. partners:     every face that meets the box of the dirty ones, where they are and where they were
-//   4. tier a:       one certificate for all of these, or for the connected patch around the dirty faces
-//      tier b:       certificates for the stars of its vertices, exact tests of the disjoint pairs
+//   3. partners:     every face that meets a box of the dirty ones, where they are and where they were: one box, or one for each of
+//                    those parts of the change that nothing connects, as on both sides of a plane of symmetry
+//   4. tier a:       one certificate for all of these, or for each connected patch around dirty faces
+//      tier b:       certificates for the stars of the vertices of one that has none, exact tests of the disjoint pairs
 //      tier c:       exact tests of neighbouring pairs too, where a star has no certificate
-//   5. nesting:      a shell wholly inside the box must still face the right way at its depth
+//   5. nesting:      a shell wholly inside a box must still face the right way at its depth
 
 #include "verify.h"
 
@@ -27,6 +28,42 @@ BoundaryEdge boundaryEdge(const Mesh& mesh, Slot h)
     const Slot from = mesh.from(h), to = mesh.to(h);
     return {from, to, mesh.latticePoint(from), mesh.latticePoint(to)};
 }
+
+/// Exact: integers. Its length is twice the area.
+Vec3 normalOf(const PatchFace& face)
+{
+    const Vec3 ab = (face.points[1] - face.points[0]).cast<double>(), ac = (face.points[2] - face.points[0]).cast<double>();
+    return ab.cross(ac);
+}
+
+/// Along which no box lies across the middle of the one around them all; 3: along none.
+int axisApart(std::span<const LatticeBox> boxes, const LatticeBox& all)
+{
+    const auto isApart = [&](int axis) {
+        const int twice = all.min[axis] + all.max[axis];
+        return std::ranges::all_of(boxes, [=](const LatticeBox& box) { return 2 * box.max[axis] < twice || 2 * box.min[axis] > twice; });
+    };
+    int axis = 0;
+    while (axis < 3 && !isApart(axis))
+        ++axis;
+    return axis;
+}
+
+/// Boxes around all of them, of which none need know of the others.
+void addParts(std::span<LatticeBox> boxes, std::vector<LatticeBox>& parts)
+{
+    if (boxes.empty())
+        return;
+    LatticeBox all;
+    for (const LatticeBox& box : boxes)
+        all.extend(box);
+    const int axis = axisApart(boxes, all);
+    if (axis == 3)
+        return parts.push_back(all);
+    const auto above = std::ranges::partition(boxes, [&](const LatticeBox& box) { return 2 * box.max[axis] < all.min[axis] + all.max[axis]; });
+    addParts({boxes.begin(), above.begin()}, parts);
+    addParts(above, parts);
+}
 } // namespace
 
 VerifyResult Verifier::verify(const Mesh& mesh, const FaceOctree& octree, const TouchedSlots& touched)
@@ -35,20 +72,19 @@ VerifyResult Verifier::verify(const Mesh& mesh, const FaceOctree& octree, const 
     collectDirty(mesh, touched);
     if (m_dirtyCount == 0 && touched.faces.empty())
         return m_result;
-    gather(mesh, octree, touched.before);
+    gather(mesh, octree, touched);
     findMislinked(mesh);
     if (m_result.ok() && certifyAll(mesh))
         return m_result;
     notePlaces();
     findDegenerate();
     if (m_result.ok()) {
-        floodPatch(mesh);
-        const bool certified = certifyDirtyPatch();
-        const bool alone = m_component.empty() || std::ranges::all_of(m_component, [](Slot c) { return c == 0; });
-        if (!certified || !alone)
-            testPairs(mesh, !certified);
-        if (m_result.ok() && !(certified && alone))
-            checkNesting(mesh, octree);
+        findComponents(mesh);
+        if (!isCertified() || m_components.size() > 1) {
+            testPairs(mesh);
+            if (m_result.ok())
+                checkNesting(mesh, octree);
+        }
     }
     std::ranges::sort(m_result.badFaces);
     m_result.badFaces.erase(std::ranges::unique(m_result.badFaces).begin(), m_result.badFaces.end());
@@ -85,7 +121,7 @@ std::vector<Slot> Verifier::recheck(const Mesh& mesh, std::span<const Slot> vert
     for (Slot place : near.slots())
         boxes.push_back(m_boxes[place]);
     m_stars.clear();
-    for (const auto& [i, j] : BoxPairs(boxes, changed).those([&](Slot i, Slot j) { return testPair(near.slots()[i], near.slots()[j], true); })) {
+    for (const auto& [i, j] : BoxPairs(boxes, changed).those([&](Slot i, Slot j) { return meetBadly(near.slots()[i], near.slots()[j]); })) {
         bad.push_back(m_gathered.slots()[near.slots()[i]]);
         bad.push_back(m_gathered.slots()[near.slots()[j]]);
     }
@@ -110,17 +146,47 @@ void Verifier::collectDirty(const Mesh& mesh, const TouchedSlots& touched)
     readFaces(mesh, m_gathered.slots(), 0);
 }
 
-/// The box of the change holds where its faces are and where they were: what lay between has been swept over.
-void Verifier::gather(const Mesh& mesh, const FaceOctree& octree, const Eigen::AlignedBox3f& before)
+/// The boxes of the change hold where its faces are and where they were: what lay between has been swept over. A shell that is swallowed
+/// or let out is so by a connected part of the surface as it was and as it is, and lies in the box of that.
+void Verifier::gather(const Mesh& mesh, const FaceOctree& octree, const TouchedSlots& touched)
 {
-    m_box = {};
+    LatticeBox all;
     for (const LatticeBox& box : dirtyBoxes())
-        m_box.extend(box);
-    if (!before.isEmpty())
-        m_box.extend(LatticeBox{mesh.lattice().toLattice(before.min()), mesh.lattice().toLattice(before.max())});
-    for (Slot f : facesIn(mesh, octree, m_box))
-        m_gathered.add(f); // a dirty one is known already
+        all.extend(box);
+    for (const TouchedSlots::Place& place : touched.before)
+        all.extend(mesh.lattice().toLattice(place.point));
+    std::vector<LatticeBox> parts;
+    if (axisApart(dirtyBoxes(), all) == 3) { // nearly always
+        parts.push_back(all);
+    } else {
+        std::vector<LatticeBox> boxes = boxesOf(mesh, touched); // none, of faces that have come and gone
+        addParts(boxes, parts);
+    }
+    for (const LatticeBox& part : parts) {
+        for (Slot f : facesIn(mesh, octree, part))
+            m_gathered.add(f); // a dirty one is known already
+    }
     readFaces(mesh, std::span(m_gathered.slots()).subspan(m_dirtyCount), m_dirtyCount);
+}
+
+/// Of the faces that changed: where each was and is, or, if it was relinked, of what it was and of what it is.
+std::vector<LatticeBox> Verifier::boxesOf(const Mesh& mesh, const TouchedSlots& touched)
+{
+    m_moved.clear();
+    for (const TouchedSlots::Place& place : touched.before)
+        m_moved.add(place.vertex);
+    const auto extend = [&](LatticeBox& box, const Triangle& corners) {
+        for (Slot v : corners) {
+            const Slot place = m_moved.find(v);
+            box.extend(place == noSlot ? mesh.latticePoint(v) : mesh.lattice().toLattice(touched.before[place].point));
+        }
+    };
+    std::vector<LatticeBox> boxes(dirtyBoxes().begin(), dirtyBoxes().end());
+    for (Slot i = m_relinkedCount; i < m_dirtyCount; ++i)
+        extend(boxes[i], m_shapes[i].corners);
+    for (const Triangle& corners : touched.facesBefore)
+        extend(boxes.emplace_back(), corners);
+    return boxes;
 }
 
 /// Their shapes and boxes, to stand from `first` on.
@@ -155,12 +221,9 @@ bool Verifier::certifyAll(const Mesh& mesh)
 
 IntegerDirection Verifier::directionOfChange() const
 {
-    Vec3 sum = Vec3::Zero(); // exact: integers
-    for (Slot i = 0; i < m_dirtyCount; ++i) {
-        const auto& p = m_shapes[i].points;
-        const Vec3 ab = (p[1] - p[0]).cast<double>(), ac = (p[2] - p[0]).cast<double>();
-        sum += ab.cross(ac);
-    }
+    Vec3 sum = Vec3::Zero();
+    for (Slot i = 0; i < m_dirtyCount; ++i)
+        sum += normalOf(m_shapes[i]);
     return integerDirection(sum);
 }
 
@@ -220,76 +283,80 @@ void Verifier::notePlaces()
         m_places.add(f);
 }
 
-/// Labels the gathered faces by component (connected through edges); those of the dirty faces come first.
-void Verifier::floodPatch(const Mesh& mesh)
+/// Labels the gathered faces by component; those of the dirty faces come first.
+void Verifier::findComponents(const Mesh& mesh)
 {
     m_component.assign(m_gathered.size(), noSlot);
-    m_closed.clear();
+    m_components.clear();
+    m_dirtyComponents = 0;
+    for (Slot seed = 0; seed < m_gathered.size(); ++seed) {
+        if (m_component[seed] == noSlot)
+            addComponent(mesh, seed);
+        if (seed < m_dirtyCount)
+            m_dirtyComponents = static_cast<Slot>(m_components.size());
+    }
+}
+
+/// With its certificate, where it has dirty faces and gets one.
+void Verifier::addComponent(const Mesh& mesh, Slot seed)
+{
+    const Slot number = static_cast<Slot>(m_components.size());
+    Component& component = m_components.emplace_back();
+    Vec3 sum = Vec3::Zero(); // of the dirty faces' normals
     m_patch.clear();
     m_boundary.clear();
-    m_patchComponents = 0;
-    std::vector<Slot> front;
-    for (Slot seed = 0; seed < m_gathered.size(); ++seed) {
-        if (seed == m_dirtyCount)
-            m_patchComponents = static_cast<Slot>(m_closed.size());
-        if (m_component[seed] != noSlot)
-            continue;
-        const Slot component = static_cast<Slot>(m_closed.size());
-        m_closed.push_back(1);
-        m_component[seed] = component;
-        front.assign(1, seed);
-        while (!front.empty()) {
-            const Slot at = front.back();
-            front.pop_back();
-            if (component == 0)
-                m_patch.push_back(m_shapes[at]);
-            Slot h = mesh.faceHalfedge(m_gathered.slots()[at]);
-            for (int k = 0; k < 3; ++k, h = mesh.next(h)) {
-                const Slot other = mesh.face(h ^ 1);
-                if (const Slot next = m_places.find(other); next != noSlot) {
-                    if (m_component[next] == noSlot) {
-                        m_component[next] = component;
-                        front.push_back(next);
-                    }
-                    continue;
-                }
-                m_closed[component] = 0;
-                if (component == 0)
+    m_component[seed] = number;
+    m_front.assign(1, seed);
+    while (!m_front.empty()) {
+        const Slot at = m_front.back();
+        m_front.pop_back();
+        if (at < m_dirtyCount)
+            sum += normalOf(m_shapes[at]);
+        if (seed < m_dirtyCount)
+            m_patch.push_back(m_shapes[at]);
+        Slot h = mesh.faceHalfedge(m_gathered.slots()[at]);
+        for (int k = 0; k < 3; ++k, h = mesh.next(h)) {
+            const Slot next = m_places.find(mesh.face(h ^ 1));
+            if (next == noSlot) {
+                component.isClosed = false;
+                if (seed < m_dirtyCount)
                     m_boundary.push_back(boundaryEdge(mesh, h));
+            } else if (m_component[next] == noSlot) {
+                m_component[next] = number;
+                m_front.push_back(next);
             }
         }
     }
-    if (m_gathered.size() == m_dirtyCount)
-        m_patchComponents = static_cast<Slot>(m_closed.size());
+    component.isCertified = seed < m_dirtyCount && !component.isClosed && certifyPatch(m_patch, m_boundary, integerDirection(sum));
 }
 
-bool Verifier::certifyDirtyPatch()
+/// Each patch in itself; and there is one.
+bool Verifier::isCertified() const
 {
-    if (m_patchComponents != 1 || m_closed[0])
-        return false;
-    return certifyPatch(m_patch, m_boundary, directionOfChange());
+    return m_dirtyComponents > 0 && std::ranges::all_of(std::span(m_components).first(m_dirtyComponents), &Component::isCertified);
 }
 
-/// Tests the pairs with at least one dirty face whose boxes meet. After tier a only those of different components are left.
-void Verifier::testPairs(const Mesh& mesh, bool neighboursToo)
+/// Tests the pairs with at least one dirty face whose boxes meet, but those within a certified patch.
+void Verifier::testPairs(const Mesh& mesh)
 {
-    m_result.tier = VerifyTier::Stars;
     m_stars.clear();
     m_starCertified.clear();
-    if (neighboursToo && !certifyStars(mesh))
-        m_result.tier = VerifyTier::Pairs;
-    const std::vector<BoxPairs::Pair> bad = BoxPairs(std::span(m_boxes).first(m_gathered.size()), m_dirtyCount)
-                                                .those([&](Slot i, Slot j) { return testPair(i, j, neighboursToo); });
+    if (!isCertified())
+        m_result.tier = certifyStars(mesh) ? VerifyTier::Stars : VerifyTier::Pairs;
+    const std::vector<BoxPairs::Pair> bad =
+        BoxPairs(std::span(m_boxes).first(m_gathered.size()), m_dirtyCount).those([&](Slot i, Slot j) { return !areInOneCertified(i, j) && meetBadly(i, j); });
     for (const auto& [i, j] : bad) {
         m_result.badFaces.push_back(m_gathered.slots()[i]);
         m_result.badFaces.push_back(m_gathered.slots()[j]);
     }
 }
 
-/// Of all corners of dirty faces. False if one has no certificate.
+/// Of all corners of dirty faces in patches that have none themselves. False if one has no certificate.
 bool Verifier::certifyStars(const Mesh& mesh)
 {
     for (Slot i = 0; i < m_dirtyCount; ++i) {
+        if (m_components[m_component[i]].isCertified)
+            continue;
         for (Slot v : m_shapes[i].corners)
             m_stars.add(v);
     }
@@ -301,11 +368,14 @@ bool Verifier::certifyStars(const Mesh& mesh)
     return std::ranges::find(m_starCertified, 0) == m_starCertified.end();
 }
 
-/// Whether they meet where they may not.
-bool Verifier::testPair(Slot i, Slot j, bool neighboursToo) const
+bool Verifier::areInOneCertified(Slot i, Slot j) const
 {
-    if (!neighboursToo && m_component[i] == 0 && m_component[j] == 0)
-        return false;
+    return m_component[i] == m_component[j] && m_components[m_component[i]].isCertified;
+}
+
+/// Whether they meet where they may not.
+bool Verifier::meetBadly(Slot i, Slot j) const
+{
     const PatchFace& s = m_shapes[i];
     const PatchFace& t = m_shapes[j];
     for (Slot v : s.corners) {
@@ -316,11 +386,11 @@ bool Verifier::testPair(Slot i, Slot j, bool neighboursToo) const
     return trianglesMeet<LatticePredicates>({s.corners, s.points}, {t.corners, t.points});
 }
 
-/// A shell wholly inside the box may have been turned over, swallowed or let out without any two faces meeting now.
+/// A shell wholly inside a box of the change may have been turned over, swallowed or let out without any two faces meeting now.
 void Verifier::checkNesting(const Mesh& mesh, const FaceOctree& octree)
 {
-    for (Slot component = 0; component < m_closed.size(); ++component) {
-        if (!m_closed[component])
+    for (Slot component = 0; component < m_components.size(); ++component) {
+        if (!m_components[component].isClosed)
             continue;
         ShellProbe probe;
         for (Slot i = 0; i < m_gathered.size(); ++i) {

@@ -7,8 +7,8 @@
 
 namespace core
 {
-/// What was needed to prove a change sound: one certificate of the whole patch, certificates of all its stars and tests of
-/// disjoint pairs, or tests of neighbouring pairs too.
+/// What was needed to prove a change sound, besides tests of pairs of different patches: a certificate of each patch that changed, certificates
+/// of all stars of one and tests of its disjoint pairs, or tests of neighbouring pairs too.
 enum class VerifyTier { Patch, Stars, Pairs };
 
 struct VerifyResult
@@ -41,7 +41,8 @@ public:
     std::span<const LatticeBox> dirtyBoxes() const { return std::span(m_boxes).first(m_dirtyCount); }
 
 private:
-    void gather(const Mesh& mesh, const FaceOctree& octree, const Eigen::AlignedBox3f& before);
+    void gather(const Mesh& mesh, const FaceOctree& octree, const TouchedSlots& touched);
+    std::vector<LatticeBox> boxesOf(const Mesh& mesh, const TouchedSlots& touched);
     void readFaces(const Mesh& mesh, std::span<const Slot> faces, std::size_t first);
     bool certifyAll(const Mesh& mesh);
     IntegerDirection directionOfChange() const;
@@ -50,27 +51,37 @@ private:
     void findDegenerate();
     bool isLinked(const Mesh& mesh, Slot local) const;
     void notePlaces();
-    void floodPatch(const Mesh& mesh);
-    bool certifyDirtyPatch();
-    void testPairs(const Mesh& mesh, bool neighboursToo);
-    bool testPair(Slot i, Slot j, bool neighboursToo) const;
+    void findComponents(const Mesh& mesh);
+    void addComponent(const Mesh& mesh, Slot seed);
+    bool isCertified() const;
+    void testPairs(const Mesh& mesh);
+    bool areInOneCertified(Slot i, Slot j) const;
+    bool meetBadly(Slot i, Slot j) const;
     bool certifyStars(const Mesh& mesh);
     void checkNesting(const Mesh& mesh, const FaceOctree& octree);
     bool isDirty(Slot f) const { return m_places.find(f) < m_dirtyCount; }
 
+    /// Of the gathered faces, connected through edges.
+    struct Component
+    {
+        bool isClosed = true;     ///< no half-edge leaves the gathered faces
+        bool isCertified = false; ///< sound in itself; of those with dirty faces only
+    };
+
     VerifyResult m_result;
-    SlotSet m_gathered;               ///< changed faces first, of these the relinked ones first; then all that meet the box
+    SlotSet m_gathered;               ///< changed faces first, of these the relinked ones first; then all that meet a box of the change
     SparseIndex m_places;             ///< where each stands among them; for what tier a leaves over
     std::vector<PatchFace> m_shapes;  ///< of m_gathered, in its order; what stands behind these is of no use
     std::vector<LatticeBox> m_boxes;  ///< likewise
     Slot m_relinkedCount = 0;
     Slot m_dirtyCount = 0;
-    LatticeBox m_box;                 ///< of the change: the dirty faces, and where their vertices were
     std::vector<Slot> m_component;    ///< by gathered face
-    std::vector<char> m_closed;       ///< by component: no half-edge leaves the gathered faces
-    Slot m_patchComponents = 0;       ///< components 0 to this hold dirty faces
-    std::vector<PatchFace> m_patch;
-    std::vector<BoundaryEdge> m_boundary;
+    std::vector<Component> m_components;
+    Slot m_dirtyComponents = 0;       ///< the first ones, which hold dirty faces
+    std::vector<PatchFace> m_patch;   ///< the component at work
+    std::vector<BoundaryEdge> m_boundary; ///< of that, or of all that was gathered
+    std::vector<Slot> m_front;        ///< of that, whose neighbours are to be looked at
+    SparseIndex m_moved;              ///< vertices that were there before
     SparseIndex m_stars;              ///< vertices asked about
     std::vector<char> m_starCertified;
 };

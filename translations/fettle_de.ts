@@ -668,6 +668,10 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>Opening %1</source>
         <translation>%1 wird geöffnet</translation>
     </message>
+    <message>
+        <source>something sculpted in this step</source>
+        <translation>in diesem Schritt modelliert</translation>
+    </message>
 </context>
 <context>
     <name>app::LessonEditorDesk</name>
@@ -5583,12 +5587,12 @@ Modelle mit Maus, Stift oder VR-Controllern formen und druckfertig exportieren.<
         <translation>Weniger &amp;Bewegung</translation>
     </message>
     <message>
-        <source>The view goes at once where it is sent, instead of flying there.</source>
-        <translation>Die Ansicht ist sofort dort, wohin sie geschickt wird, statt dorthin zu fliegen.</translation>
-    </message>
-    <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>The view goes at once where it is sent, instead of flying there, and the light of who points stands still.</source>
+        <translation>Die Ansicht springt sofort ans Ziel, statt hinzufliegen, und das Licht dessen, der zeigt, steht still.</translation>
     </message>
 </context>
 <context>

@@ -665,6 +665,10 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>Opening %1</source>
         <translation>正在打开 %1</translation>
     </message>
+    <message>
+        <source>something sculpted in this step</source>
+        <translation>在这一步里雕刻过</translation>
+    </message>
 </context>
 <context>
     <name>app::LessonEditorDesk</name>
@@ -5566,12 +5570,12 @@ Sculpt a model with mouse, pen or VR wands, and export it ready to print.</sourc
         <translation>减少动态效果(&amp;R)</translation>
     </message>
     <message>
-        <source>The view goes at once where it is sent, instead of flying there.</source>
-        <translation>视图直接到达目标，而不是飞过去。</translation>
-    </message>
-    <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>The view goes at once where it is sent, instead of flying there, and the light of who points stands still.</source>
+        <translation>视图立即到达目标，不再飞过去；指示用的光点静止不动。</translation>
     </message>
 </context>
 <context>

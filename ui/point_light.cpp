@@ -11,7 +11,7 @@ namespace
 constexpr int lightSide = 72;                                      ///< pixels; the ring at its widest is within
 constexpr double spotRadius = 7, leastRing = 12, mostRing = 32; ///< the same
 constexpr int frameMs = 40;
-constexpr double pulseMs = 1200; ///< as in the headset
+constexpr double pulseMs = 1200, calmPulse = 0.4; ///< as in the headset
 constexpr QColor lightColor(160, 255, 70); ///< nothing else has it; as in the headset
 } // namespace
 
@@ -23,7 +23,7 @@ PointLight::PointLight(QWidget* parent) : QWidget(parent)
     hide();
     m_timer.setInterval(frameMs);
     connect(&m_timer, &QTimer::timeout, this, [this] {
-        m_pulse = std::fmod(m_pulse + frameMs / pulseMs, 1.0);
+        m_pulse = m_isCalm ? calmPulse : std::fmod(m_pulse + frameMs / pulseMs, 1.0);
         update();
     });
 }
@@ -36,6 +36,11 @@ void PointLight::place(const std::optional<QPointF>& middle)
     move((*middle - QPointF(lightSide, lightSide) / 2).toPoint());
     if (!m_timer.isActive())
         m_timer.start();
+}
+
+void PointLight::setCalm(bool calm)
+{
+    m_isCalm = calm;
 }
 
 /// Light between dark edges: it is seen on every clay.

@@ -56,7 +56,7 @@ struct Preferences
     ThemeChoice theme = ThemeChoice::System;
     Language language = Language::System; ///< of the next start
     TextSize textSize = TextSize::Usual;  ///< of the next start
-    bool isCalm = false;                  ///< nothing moves that nobody moves: the view goes at once where it is sent
+    bool isCalm = false;                  ///< nothing moves that nobody moves: the view goes at once where it is sent, a light stands still
     HandHabits hand;
     KeyChoice keys{};
     bool keepsVersions = false; ///< what a file held stays beside it when it is saved again

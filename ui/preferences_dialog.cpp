@@ -92,7 +92,7 @@ QWidget* PreferencesDialog::appearancePage()
     addChoice(form, {"language", tr("&Language"), tr("Chooses the language of the window's texts.")}, languages, &Preferences::language);
     addChoice(form, {"textSize", tr("&Text size"), tr("Makes the window's texts larger than the desktop has them.")}, textSizes, &Preferences::textSize);
     form->addRow(remark(tr("Another language and another text size hold from the next start on.")));
-    addCheck(form, {"calm", tr("&Reduced motion"), tr("The view goes at once where it is sent, instead of flying there.")},
+    addCheck(form, {"calm", tr("&Reduced motion"), tr("The view goes at once where it is sent, instead of flying there, and the light of who points stands still.")},
              [](Preferences& all) { return &all.isCalm; });
     return page;
 }

@@ -70,8 +70,9 @@ public:
     void setProjection(OrbitCamera::Projection projection);
 
     void setHabits(const HandHabits& habits);
-    /// The view goes at once where it is sent, instead of flying.
+    /// The view goes at once where it is sent, instead of flying, and what catches the eye stands still.
     void setCalm(bool calm);
+    bool isCalm() const;
     void setLook(const ViewLook& look);
     const ViewLook& look() const;
     /// The numbers behind the look's material.

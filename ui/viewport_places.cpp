@@ -33,6 +33,12 @@ void Viewport::prepareFlight()
 void Viewport::setCalm(bool calm)
 {
     m_state->isCalm = calm;
+    m_state->light->setCalm(calm);
+}
+
+bool Viewport::isCalm() const
+{
+    return m_state->isCalm;
 }
 
 void Viewport::setShades(const std::shared_ptr<const core::Footprint>& shades)

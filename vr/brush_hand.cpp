@@ -18,6 +18,7 @@ bool isSameChoice(const core::StrokeSettings& a, const core::StrokeSettings& b)
 void BrushHand::take(const DocumentNews& news, const Room& room)
 {
     m_state.plane = news.plane;
+    m_smooths = news.smooths;
     if (std::exchange(m_seenRadius, news.radiusChange) != news.radiusChange)
         m_state.radius = std::clamp(room.lengthToRoom(news.brush.radius), leastRadius, mostRadius);
     if (news.brushChange == m_seenChange)
@@ -34,8 +35,9 @@ void BrushHand::change(const BrushState& state)
         m_port->wish(ChooseBrush{state.stroke});
 }
 
-bool BrushHand::begin(const BeginStroke& begin, const Room& room)
+bool BrushHand::begin(BeginStroke begin, const Room& room)
 {
+    begin.smooths = begin.smooths && m_smooths;
     m_draws = m_port->beginStroke(strokeSettings(m_state, begin, room));
     return m_draws;
 }

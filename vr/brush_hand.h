@@ -19,8 +19,8 @@ public:
     /// By a hand or a panel; the window hears of what it has, too.
     void change(const BrushState& state);
 
-    /// False: it is refused.
-    bool begin(const BeginStroke& begin, const Room& room);
+    /// False: it is refused. Where Smooth is not offered, the brush's own tool sculpts instead.
+    bool begin(BeginStroke begin, const Room& room);
     void draw(const StrokePoint& point, const Room& room);
     void end();
 
@@ -47,6 +47,7 @@ private:
     DocumentPort* m_port;
     BrushState m_state;
     quint64 m_seenChange = 0, m_seenRadius = 0; ///< of the window
+    bool m_smooths = true; ///< where a hand asks for it
     bool m_draws = false;
     double m_pressure = 0;
     std::optional<double> m_firstTime; ///< seconds, of the first point: a runtime's clock may begin anywhere, files' times have bounds

@@ -38,6 +38,8 @@ struct DocumentNews
     /// window's own changes: what the headset wished for is told back without one.
     core::StrokeSettings brush;
     quint64 brushChange = 0;
+    bool smooths = true;  ///< Smooth is offered: by a trigger, too, whatever the tool is
+    bool isCalm = false;  ///< nothing moves that nobody moves
     /// The brush's radius is the headset's own, in metres of the room. Another number: the person at the window chose brush.radius for it, mm.
     quint64 radiusChange = 0;
     core::Symmetry plane = core::Symmetry::Y; ///< of symmetry when it is switched on

@@ -8,6 +8,7 @@ namespace vr
 namespace
 {
 constexpr double measuresEvery = 0.5; ///< seconds; numbers that change faster cannot be read
+constexpr double calmPulse = 0.4;
 constexpr double pulseSeconds = 1.2;  ///< of the light where somebody points: it catches the eye and does not flicker
 
 WandPart partOf(Sector sector)
@@ -138,7 +139,7 @@ void SculptClient::see(const FrameInput& input)
     m_state.light = {};
     if (m_news.pointed)
         m_state.light = PointLight{m_room.toRoom(m_news.pointed->position), m_room.directionToRoom(m_news.pointed->normal),
-                                   std::fmod(std::abs(input.seconds()), pulseSeconds) / pulseSeconds};
+                                   m_news.isCalm ? calmPulse : std::fmod(std::abs(input.seconds()), pulseSeconds) / pulseSeconds};
     m_state.teacher = {};
     if (m_news.teacher)
         m_state.teacher = core::Sphere{m_room.toRoom(m_news.teacher->center), m_room.lengthToRoom(m_news.teacher->radius)};

@@ -127,6 +127,8 @@ class TestHeadsetPartner : public QObject
 private Q_SLOTS:
     void pointing_isALightInBoth();
     void pointing_sculptsNothing();
+    void pointing_pulsesUnlessCalm_data();
+    void pointing_pulsesUnlessCalm();
     void pointing_endsAtRestAndBeside();
     void pointing_byAKeyThatIsHeld();
     void choices_comeToTheHand();
@@ -172,6 +174,36 @@ void TestHeadsetPartner::pointing_isALightInBoth()
     QTRY_VERIFY(!light->isVisible());
     QVERIFY(v.isUntouched());
     QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+void TestHeadsetPartner::pointing_pulsesUnlessCalm_data()
+{
+    QTest::addColumn<bool>("isCalm");
+    QTest::newRow("pulses") << false;
+    QTest::newRow("stands still") << true;
+}
+
+/// Of the wave that spreads around the light, in the eye and at the window.
+void TestHeadsetPartner::pointing_pulsesUnlessCalm()
+{
+    QFETCH(bool, isCalm);
+    Pair v(HeadsetHand::enough);
+    v.viewport().setCalm(isCalm);
+    v.hand.put(Side::Right, {0.5, 1.0, -0.1});
+    v.hand.put(Side::Left, {-0.5, 1.0, -0.1});
+    v.pointAt(middle(&v.viewport()));
+    auto* light = v.program.window.findChild<ui::PointLight*>();
+    QSet<QByteArray> eye, window;
+    const auto bytes = [](const QImage& image) { return QByteArray(reinterpret_cast<const char*>(image.constBits()), static_cast<qsizetype>(image.sizeInBytes())); };
+    QTest::qWait(100);
+    for (int i = 0; i < 4; ++i) {
+        v.hand.frames(20);
+        eye.insert(bytes(v.hand.picture()));
+        QTest::qWait(60);
+        window.insert(bytes(light->grab().toImage()));
+    }
+    QCOMPARE(eye.size() == 1, isCalm);
+    QCOMPARE(window.size() == 1, isCalm);
 }
 
 void TestHeadsetPartner::pointing_sculptsNothing()

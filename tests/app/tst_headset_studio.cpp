@@ -35,6 +35,7 @@ private Q_SLOTS:
     void supportPad_togglesTopology();
     void supportMenu_opensTheTools();
     void supportTrigger_smooths();
+    void supportTrigger_hasNoToolThatIsNotOffered();
     void oneGrip_movesAndTurns();
     void bothGrips_scaleAndTurn();
     void sculptingPad_choosesBrushSymmetryAndTool();
@@ -102,6 +103,20 @@ void TestHeadsetStudio::supportTrigger_smooths()
     v.hand.end();
     v.hand.settle();
     QCOMPARE(v.changes(), 5); // pulled, smoothed, pulled
+    QCOMPARE(v.brush().tool, core::Tool::Pull);
+    QCOMPARE(v.hand.headset().complaints(), QString());
+}
+
+/// A lesson's step, or a class, has its tools and no others: what smooths elsewhere pulls here, within the same stroke.
+void TestHeadsetStudio::supportTrigger_hasNoToolThatIsNotOffered()
+{
+    AtStudio v;
+    v.program.window.brush()->offerTools({core::Tool::Pull});
+    v.hand.frames(4);
+    const double before = v.box().max().y();
+    v.hand.set(Side::Left, "trigger", 1);
+    v.pull();
+    QVERIFY2(v.box().max().y() > before + 0.2, qPrintable(QStringLiteral("%1 %2").arg(before).arg(v.box().max().y())));
     QCOMPARE(v.brush().tool, core::Tool::Pull);
     QCOMPARE(v.hand.headset().complaints(), QString());
 }

@@ -120,9 +120,11 @@ private Q_SLOTS:
         QTRY_COMPARE(program.document.undoStack().index(), 0);
         QCOMPARE(hashOf(program), start);
         QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("○ height: at least 115.0 mm (100.0 mm)")), 60'000);
+        QVERIFY(marks(program).contains(QStringLiteral("○ something sculpted in this step")));
         drag(program.window.viewport(), {30, 0});
         QTRY_COMPARE_WITH_TIMEOUT(program.document.undoStack().count(), 1, 60'000);
         QVERIFY(hashOf(program) != start);
+        QTRY_VERIFY_WITH_TIMEOUT(marks(program).contains(QStringLiteral("✓ something sculpted in this step")), 60'000);
         showStep(program);
         QCOMPARE(hashOf(program), teachersHash("first-clay", 1));
     }

@@ -237,7 +237,9 @@ private Q_SLOTS:
     void shellSweptOverFromBelow_isBad();
     void cavityLetOut_isBad();
     void cavityLetOutBehindThePush_isBad();
+    void cavityLetOutOfASpike_isBad();
     void nestedShellTurnedOver_isBad();
+    void changesApart_areCertifiedApart();
     void brokenLink_isBad();
 };
 
@@ -501,6 +503,26 @@ void TestVerify::cavityLetOutBehindThePush_isBad()
     QVERIFY(!subject.verify(mark).ok());
 }
 
+/// A spike goes whose tip is far from all that there is afterwards.
+void TestVerify::cavityLetOutOfASpike_isBad()
+{
+    TriangleMesh spiked = core::icosphere(3, 1);
+    const auto top = std::ranges::max_element(spiked.points, {}, [](const Vec3f& p) { return p.y(); });
+    const Slot tip = static_cast<Slot>(top - spiked.points.begin());
+    const Vec3f foot = *top;
+    top->y() = 2.5f;
+    Subject subject(sculptable(shapes::together(spiked, shapes::reversed(shapes::moved(core::icosphere(0, 0.01), {foot.x(), 1.7f, foot.z()})))));
+    Mesh& mesh = *subject.mesh;
+    VERIFY_VALID(mesh);
+    const Mesh::Mark mark = mesh.mark();
+    const Slot h = mesh.outgoing(tip);
+    QVERIFY(mesh.isCollapseOk(h));
+    mesh.collapse(h, mesh.point(mesh.to(h)));
+    QVERIFY(mesh_asserts::badFaces(mesh).empty());
+    QVERIFY(!mesh_asserts::unsoundness(mesh).empty());
+    QVERIFY(!subject.verify(mark).ok());
+}
+
 void TestVerify::nestedShellTurnedOver_isBad()
 {
     const auto outer = static_cast<Slot>(core::icosphere(2, 3).points.size());
@@ -516,6 +538,24 @@ void TestVerify::nestedShellTurnedOver_isBad()
 }
 
 /// Only the gate can write links, and it writes them rightly; so the damage comes in by a delta.
+/// As on both sides of a plane of symmetry: what lies between is not looked at, and the most that is asked of each is its own certificate.
+void TestVerify::changesApart_areCertifiedApart()
+{
+    Subject subject(sculptable(core::icosphere(4, 1)));
+    Mesh& mesh = *subject.mesh;
+    const Mesh::Mark mark = mesh.mark();
+    for (const double side : {-1.0, 1.0}) {
+        for (Slot v = 0; v < mesh.slots().vertices; ++v) {
+            const Vec3 p = mesh.point(v).cast<double>();
+            if (side * p.x() > 0.95)
+                mesh.setPoint(v, mesh.lattice().snap(1.02 * p));
+        }
+    }
+    const VerifyResult result = subject.verify(mark);
+    QVERIFY(result.ok());
+    QVERIFY(result.tier == core::VerifyTier::Patch);
+}
+
 void TestVerify::brokenLink_isBad()
 {
     Subject subject(sculptable(core::icosphere(1, 1)));
