@@ -11,6 +11,7 @@
 #include "verify.h"
 
 #include "box_pairs.h"
+#include "box_parts.h"
 #include "parallel.h"
 #include "shell_probe.h"
 
@@ -34,35 +35,6 @@ Vec3 normalOf(const PatchFace& face)
 {
     const Vec3 ab = (face.points[1] - face.points[0]).cast<double>(), ac = (face.points[2] - face.points[0]).cast<double>();
     return ab.cross(ac);
-}
-
-/// Along which no box lies across the middle of the one around them all; 3: along none.
-int axisApart(std::span<const LatticeBox> boxes, const LatticeBox& all)
-{
-    const auto isApart = [&](int axis) {
-        const int twice = all.min[axis] + all.max[axis];
-        return std::ranges::all_of(boxes, [=](const LatticeBox& box) { return 2 * box.max[axis] < twice || 2 * box.min[axis] > twice; });
-    };
-    int axis = 0;
-    while (axis < 3 && !isApart(axis))
-        ++axis;
-    return axis;
-}
-
-/// Boxes around all of them, of which none need know of the others.
-void addParts(std::span<LatticeBox> boxes, std::vector<LatticeBox>& parts)
-{
-    if (boxes.empty())
-        return;
-    LatticeBox all;
-    for (const LatticeBox& box : boxes)
-        all.extend(box);
-    const int axis = axisApart(boxes, all);
-    if (axis == 3)
-        return parts.push_back(all);
-    const auto above = std::ranges::partition(boxes, [&](const LatticeBox& box) { return 2 * box.max[axis] < all.min[axis] + all.max[axis]; });
-    addParts({boxes.begin(), above.begin()}, parts);
-    addParts(above, parts);
 }
 } // namespace
 
