@@ -169,9 +169,9 @@ bool DabEngine::moveHeldBack(double part, DabReport& report)
     std::vector<Slot> shortened;
     for (int round = 0; round < mostHoldRounds; ++round) {
         const double share = shareOfPeak();
-        if (share == 0)
+        if (share == 0 || isSpent())
             return false;
-        m_moves += m_region.size();
+        m_work += m_region.size();
         const Mesh::Mark mark = m_mesh.mark();
         bool inside = false;
         {
@@ -179,7 +179,7 @@ bool DabEngine::moveHeldBack(double part, DabReport& report)
             inside = displace(part);
         }
         if (inside && (round == 0 || m_surface.mayBeSound(withImages(shortened)))) {
-            m_moves += carefulMove * m_region.size();
+            m_work += carefulMove * m_region.size();
             if (m_surface.judge(mark)) {
                 report.reached += share * part * report.asked;
                 return true;
@@ -220,8 +220,18 @@ double DabEngine::shareOfPeak() const
     return planned2 > 0 ? std::sqrt(reached2 / planned2) : 0;
 }
 
+/// Each operation by itself, until the dab has done all the work that it may: what is left is left undone.
 MeshEditor DabEngine::judgedEditor()
 {
-    return MeshEditor(m_mesh, [this](const std::function<void()>& operation) { return m_surface.attempt(operation); }, mirror());
+    const auto attempt = [this](const std::function<void()>& operation) {
+        if (isSpent()) {
+            m_capped = true;
+            return false;
+        }
+        const bool done = m_surface.attempt(operation);
+        m_work += m_surface.facesLookedAt();
+        return done;
+    };
+    return MeshEditor(m_mesh, attempt, mirror());
 }
 } // namespace core

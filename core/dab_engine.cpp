@@ -27,11 +27,9 @@ namespace
 {
 /// d_move in terms of d: the paper asks for less than d/2 (section 3.3).
 constexpr double movePerMinimum = 0.45;
-/// Guards, not tuning knobs: steps that a plan is cut into, tries to take them, and vertices that these move together (some
-/// seconds of work). A dab that would need more ends early.
+/// Guards, not tuning knobs: steps that a plan is cut into, and tries to take them. A dab that would need more ends early.
 constexpr double mostSteps = 4096;
 constexpr int mostAttempts = 4 * 4096;
-constexpr double mostVertexMoves = 1 << 21;
 /// A dab whose centre is farther from its image's than this, in radii, does not bring the two into contact.
 constexpr double farthestFromImage = 4;
 /// A line is sharp if the mesh along it is fine, and so is what an alpha or a stamp has in it.
@@ -41,12 +39,6 @@ constexpr Slot mostRehearsed = 1024;
 /// What a core takes at a time.
 constexpr std::size_t verticesPerChunk = 512;
 
-/// Into how many transactions the plan is cut where nothing can meet: in none do neighbours move more than d_move against each
-/// other.
-double transactionsFor(double betweenNeighbours, const EdgeBounds& bounds)
-{
-    return std::max(1.0, std::ceil(betweenNeighbours / (movePerMinimum * bounds.minimum)));
-}
 double detailShare(const StrokeSettings& settings)
 {
     if (settings.tool == Tool::Stamp)
@@ -105,6 +97,7 @@ DabReport DabEngine::apply(const StrokeSettings& settings, const Dab& dab, const
 {
     DabReport report;
     m_bounds.reset();
+    m_work = 0;
     if (!(dab.strength > 0))
         return report;
     if (isAtRest(settings, dab))
@@ -159,9 +152,8 @@ void DabEngine::sculpt(const StrokeSettings& settings, Dab dab, const std::funct
 void DabEngine::deform(Task& task, const std::function<void()>& between, DabReport& report)
 {
     report.outcome = DabOutcome::Committed;
-    m_moves = 0;
-    for (int attempt = 0; task.steps == 0 || task.left > 0; ++attempt, m_moves += m_region.size()) {
-        const bool tooMuch = attempt >= mostAttempts || m_moves >= mostVertexMoves;
+    for (int attempt = 0; task.steps == 0 || task.left > 0; ++attempt, m_work += m_region.size()) {
+        const bool tooMuch = attempt >= mostAttempts || isSpent();
         const Substep result = tooMuch ? Substep::Stuck : substep(task, report);
         if (result == Substep::Again)
             continue;
@@ -172,7 +164,7 @@ void DabEngine::deform(Task& task, const std::function<void()>& between, DabRepo
         }
         if (result == Substep::Stuck || m_capped) {
             report.outcome = DabOutcome::EndedEarly;
-            report.capped = tooMuch || m_capped;
+            report.capped = tooMuch || m_capped || isSpent();
             break;
         }
         report.substeps += task.substeps();
@@ -249,9 +241,18 @@ RemeshCounts DabEngine::refineAndPlan(Task& task, MeshEditor edit, DabReport& re
     task.left = ticksPerStep * static_cast<unsigned>(std::min(task.steps, mostSteps));
     task.most = ticksPerStep;
     if (task.steps > 1 && !task.meets)
-        task.most *= std::max(1u, static_cast<unsigned>(task.steps / transactionsFor(longestBetweenNeighbours(), task.bounds)));
+        task.most *= std::max(1u, static_cast<unsigned>(task.steps / transactionsFor(task)));
     task.ticks = std::min(task.most, task.left);
     return counts;
+}
+
+/// Into how many the plan is cut where nothing can meet: in none do neighbours move more than d_move against each other. An imprint is
+/// done at once: what moves in one direction does not fold up, however steep its walls become.
+double DabEngine::transactionsFor(const Task& task) const
+{
+    if (task.settings.tool == Tool::Stamp)
+        return 1;
+    return std::max(1.0, std::ceil(longestBetweenNeighbours() / (movePerMinimum * task.bounds.minimum)));
 }
 
 /// The longest of the differences between the plans of neighbours.

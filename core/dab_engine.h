@@ -57,7 +57,10 @@ private:
     /// A step that fails is halved so often that it does one of these; after one that passes the next is twice as long.
     static constexpr unsigned ticksPerStep = 8;
     static constexpr unsigned mostEased = 6, mostEasings = 12; ///< of a sub-step; of a dab, which then holds back what is in the way
-    static constexpr unsigned carefulMove = 16; ///< moves that a vertex's counts for where it is judged with care
+    /// A guard, not a tuning knob: of a dab, some seconds. What is counted costs some microsecond each: vertices moved, and faces looked at
+    /// by operations that are judged by themselves. A dab that would need more ends early.
+    static constexpr double mostWork = 1 << 21;
+    static constexpr unsigned carefulMove = 16; ///< work that a vertex's move counts for where it is judged with care
 
     /// What a tool that holds on has taken hold of: from then on m_region is not selected, but kept.
     struct Hold
@@ -145,6 +148,7 @@ private:
     bool isMirroredIn(BrushShape brush, const Sphere& ball);
     MeshEditor plainEditor() { return MeshEditor(m_mesh, {}, mirror()); }
     MeshEditor judgedEditor();
+    bool isSpent() const { return m_work >= mostWork; }
     MirrorMap* mirror() { return m_mirror.isOn() ? &m_mirror : nullptr; }
     Slot touchedVertices() const;
     void select(Region& region, std::vector<Slot>& candidates, BrushShape brush, const Sphere& ball, Slot most = noSlot) const;
@@ -160,6 +164,7 @@ private:
     Substep careful(Task& task, DabReport& report);
     RemeshCounts refineAndPlan(Task& task, MeshEditor edit, DabReport& report);
     double plan(const Task& task);
+    double transactionsFor(const Task& task) const;
     double longestBetweenNeighbours() const;
     void selectRefined(Region& region, const Sphere& ball);
     bool moveAndOptimise(const Task& task, RemeshCounts& counts, DabReport& report);
@@ -202,6 +207,6 @@ private:
     SculptorTotals m_totals;
     std::optional<EdgeBounds> m_bounds; ///< of the last dab, if it remeshes
     bool m_capped = false; ///< a sub-step reached the cap on remeshing operations: the dab ends there
-    double m_moves = 0; ///< of vertices, that the dab has tried
+    double m_work = 0; ///< of the dab so far, see mostWork
 };
 } // namespace core

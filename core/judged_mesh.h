@@ -31,6 +31,8 @@ public:
     void rehearse(const Mesh::Mark& mark) { m_verifier.verify(m_mesh, m_octree, m_mesh.touchedSince(mark)); }
     /// Runs the operation, and takes it back unless it is sound.
     bool attempt(const std::function<void()>& operation);
+    /// By the last judge(), which costs some microsecond for each where the surface is crumpled.
+    Slot facesLookedAt() const { return m_verifier.facesLookedAt(); }
     /// Of the last judge() or mayBeSound() that found fault.
     const std::vector<Slot>& badFaces() const { return m_badFaces; }
 

@@ -39,6 +39,8 @@ public:
     std::span<const Slot> dirtyFaces() const { return std::span(m_gathered.slots()).first(m_dirtyCount); }
     /// Their boxes, in their order.
     std::span<const LatticeBox> dirtyBoxes() const { return std::span(m_boxes).first(m_dirtyCount); }
+    /// By the last verify() or collectDirty(): those that changed, and all near them.
+    Slot facesLookedAt() const { return static_cast<Slot>(m_gathered.size()); }
 
 private:
     void gather(const Mesh& mesh, const FaceOctree& octree, const TouchedSlots& touched);
