@@ -10,8 +10,6 @@ namespace bench
 {
 namespace
 {
-constexpr double spacing = 0.126; ///< in radii
-
 double microseconds(clockid_t clock)
 {
     timespec time{};
@@ -61,6 +59,7 @@ Clocks Clocks::since(const Clocks& start) const
 void measure(benchmark::State& state, core::Sculptor& sculptor, const GreatCircle& stroke)
 {
     core::StrokeSettings settings;
+    settings.tool = stroke.tool;
     settings.radius = stroke.radius;
     settings.strength = stroke.strength;
     settings.detail = stroke.detail;
@@ -71,7 +70,7 @@ void measure(benchmark::State& state, core::Sculptor& sculptor, const GreatCircl
     sculptor.beginStroke(settings);
     double ends = Clocks::now().since(beforeStroke).thread;
     for (int i = 0; i < stroke.dabs; ++i) {
-        const double angle = spacing * stroke.radius * i;
+        const double angle = stroke.spacing * stroke.radius * i;
         core::StrokeSample sample;
         sample.position = {std::cos(angle), 0, std::sin(angle)};
         const Clocks start = Clocks::now();

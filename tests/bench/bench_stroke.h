@@ -9,10 +9,12 @@ namespace bench
 /// The strokes that peers were measured on: pull dabs on a great circle of the sphere of radius 1, 0.126 radii apart.
 struct GreatCircle
 {
+    core::Tool tool = core::Tool::Pull;
     double radius = 0.25;
     double strength = 0.2; ///< 0.2: dabs of 0.02 radii
     double detail = 1;     ///< scales d_detail, sqrt(0.05) radii
     int dabs = 200;
+    double spacing = 0.126; ///< in radii
 };
 
 /// Times of the calling thread, of all threads of the program, and on the wall, in microseconds.

@@ -147,4 +147,21 @@ BENCHMARK(strength)
     ->Iterations(1)
     ->UseManualTime()
     ->Unit(benchmark::kMicrosecond);
+/// Each tool, from fresh surface to fresh surface; those that follow the hand drag what they hold along the surface, as far as it goes without a fold.
+void tools(benchmark::State& state)
+{
+    const auto tool = static_cast<core::Tool>(state.range(0));
+    const bool drags = core::followsHand(tool);
+    state.SetLabel(std::string(core::name(tool)));
+    for ([[maybe_unused]] auto round : state) {
+        Sculptor sculptor(bench::opened(bench::geodesicSphere(64)));
+        bench::measure(state, sculptor, {.tool = tool, .radius = 0.2, .strength = 1, .dabs = drags ? 10 : 60, .spacing = drags ? 0.05 : 0.4});
+    }
+}
+BENCHMARK(tools)
+    ->ArgName("tool")
+    ->DenseRange(0, static_cast<int>(core::Tool::Mask))
+    ->Iterations(1)
+    ->UseManualTime()
+    ->Unit(benchmark::kMicrosecond);
 } // namespace
