@@ -1,7 +1,8 @@
 #pragma once
 
+#include "classroom_turn.h"
+
 #include "core/document_notes.h"
-#include "core/stroke_file.h"
 #include "core/triangle_mesh.h"
 
 #include <QCoreApplication>
@@ -24,8 +25,7 @@ struct TurnWork
     std::shared_ptr<const core::TriangleMesh> mesh;
     quint64 meshHash = 0;
     core::DocumentNotes notes;
-    /// What was done to the starter, step by step, without what was undone; nothing: it is not known.
-    std::optional<std::vector<core::FileEntry>> record;
+    TurnRecord record; ///< step by step, without what was undone
 };
 
 /// Where a turn's work went.

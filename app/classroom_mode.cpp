@@ -80,13 +80,12 @@ void ClassroomMode::connectAll()
     connect(m_bar, &ui::ClassBar::leaveRequested, this, &ClassroomMode::leave);
     connect(m_panel, &ui::NamePanel::begun, this, &ClassroomMode::prepare);
     connect(m_program.shelf, &JournalShelf::offered, this, &ClassroomMode::takeOffer);
-    connect(document, &Document::stepped, this, &ClassroomMode::takeStep);
+    connect(document, &Document::stepped, this, &ClassroomMode::noteStep);
     connect(document, &Document::busy, m_bar, [this] { m_bar->setBusy(true); });
     connect(document, &Document::idle, m_bar, [this] { m_bar->setBusy(false); });
     connect(document, &Document::opened, this, [this] { m_isOpened = true; });
     connect(document, &Document::opened, this, &ClassroomMode::goOn, Qt::QueuedConnection);
     connect(document, &Document::idle, this, &ClassroomMode::lookWhetherOpened, Qt::QueuedConnection);
-    connect(&document->history(), &HistoryStore::lost, this, [this] { m_record->lose(); });
     connect(&m_clock, &QTimer::timeout, this, &ClassroomMode::tick);
     connect(&m_deliverAgain, &QTimer::timeout, this, &ClassroomMode::deliver);
     document->setMayDiscard([this](const std::function<void()>& goOn) {
@@ -133,13 +132,15 @@ void ClassroomMode::recoverNext()
     openThen([this, offer] { m_program.document->recover(offer.id, offer.name); }, [this, offer] { keepRecovered(offer); });
 }
 
-/// Of what was done only the model is left for certain.
+/// Of one that was resumed what came before is not known any more.
 void ClassroomMode::keepRecovered(const RecoveryOffer& offer)
 {
     const auto note = readTurnNote(m_places.turnNote);
     ClassTurn turn = note && note->pupil == offer.name ? *note : ClassTurn{newId(), offer.name, {}, 0};
     turn.ended = offer.changed;
-    m_record->lose();
+    m_recordBefore.reset();
+    if (note && note->pupil == offer.name && !note->isResumed)
+        m_recordBefore.emplace();
     keepThen(turn, [this] { recoverNext(); });
 }
 
@@ -150,7 +151,7 @@ void ClassroomMode::ask()
 {
     m_stage = Stage::Asking;
     m_turn = {};
-    m_record = std::make_shared<TurnRecord>();
+    m_recordBefore.emplace();
     m_panel->open();
     openThen([this] { m_program.document->openStarter(m_classroom.starters.constFirst()); }, [this] { m_program.window->beginTurn(); });
     show();
@@ -164,17 +165,17 @@ void ClassroomMode::prepare(const QString& pupil, core::Starter starter)
              [this, pupil] {
                  m_program.window->beginTurn();
                  m_program.document->setName(pupil);
-                 startTurn({newId(), pupil, QDateTime::currentDateTime(), 0}, std::make_shared<TurnRecord>());
+                 startTurn({newId(), pupil, QDateTime::currentDateTime(), 0}, TurnRecord(std::in_place));
              });
 }
 
-void ClassroomMode::startTurn(const ClassTurn& turn, std::shared_ptr<TurnRecord> record)
+void ClassroomMode::startTurn(const ClassTurn& turn, const TurnRecord& before)
 {
     m_stage = Stage::Sculpting;
     m_turn = turn;
     m_startMs = m_nowMs();
     m_isWarned = m_isOver = false;
-    m_record = std::move(record);
+    m_recordBefore = before;
     writeTurnNote(m_places.turnNote, turn);
     m_panel->close();
     show();
@@ -190,11 +191,12 @@ void ClassroomMode::resume()
 {
     if (!m_ended || (m_stage != Stage::Asking && m_stage != Stage::Sculpting))
         return;
-    const Ended ended = *m_ended;
+    Ended ended = *m_ended;
+    ended.turn.isResumed = true;
     openThen([this, ended] { m_program.document->openCopy(ended.folder + QStringLiteral("/model.glb"), ended.turn.pupil); },
              [this, ended] {
                  m_ended.reset();
-                 startTurn(ended.turn, std::make_shared<TurnRecord>(ended.record));
+                 startTurn(ended.turn, ended.record);
              });
 }
 
@@ -223,9 +225,8 @@ void ClassroomMode::lookWhetherOpened()
         ask();
 }
 
-void ClassroomMode::takeStep(const core::FileEntry& entry)
+void ClassroomMode::noteStep()
 {
-    m_record->add(m_program.document->undoStack().index(), entry);
     if (m_stage == Stage::Sculpting)
         m_ended.reset();
     show();
@@ -239,15 +240,19 @@ void ClassroomMode::keepThen(const ClassTurn& turn, std::function<void()> then)
     if (m_stage == Stage::Keeping)
         return;
     m_program.window->viewport()->finish();
-    const auto kept = std::make_shared<KeptWork>();
-    const auto keep = [archive = archive(), turn, record = m_record, kept](const Document::Present& present) {
-        const QDateTime ended = turn.ended.isValid() ? turn.ended : QDateTime::currentDateTime();
-        *kept = archive.keep({turn.id, turn.pupil, turn.begun, ended, present.step, present.mesh, present.hash, present.notes, record->upTo(present.step)});
-        return kept->problem.isEmpty();
+    const auto ended = std::make_shared<Ended>(Ended{turn, {}, {}});
+    const auto problem = std::make_shared<QString>();
+    const auto keep = [archive = archive(), turn, before = m_recordBefore, ended, problem](const Document::Present& present) {
+        const QDateTime end = turn.ended.isValid() ? turn.ended : QDateTime::currentDateTime();
+        ended->record = joined(before, present.deeds);
+        const KeptWork kept = archive.keep({turn.id, turn.pupil, turn.begun, end, present.step, present.mesh, present.hash, present.notes, ended->record});
+        ended->folder = kept.folder;
+        *problem = kept.problem;
+        return kept.problem.isEmpty();
     };
-    const auto done = [self = QPointer(this), turn, kept, then = std::move(then)](bool) {
+    const auto done = [self = QPointer(this), ended, problem, then = std::move(then)](bool) {
         if (self)
-            self->takeKept(turn, *kept, then);
+            self->takeKept(*ended, *problem, then);
     };
     if (m_program.document->handOver(tr("Keeping the work of %1").arg(nameOf(turn)), keep, done))
         m_before = std::exchange(m_stage, Stage::Keeping);
@@ -261,14 +266,14 @@ void ClassroomMode::refuseForNow()
     Q_EMIT noticed(tr("Not yet: other work on the model is not done."));
 }
 
-void ClassroomMode::takeKept(const ClassTurn& turn, const KeptWork& kept, const std::function<void()>& then)
+void ClassroomMode::takeKept(const Ended& ended, const QString& problem, const std::function<void()>& then)
 {
     m_stage = m_before;
-    if (!kept.problem.isEmpty()) {
+    if (!problem.isEmpty()) {
         m_mayLeave = false;
-        return m_program.window->showProblem(tr("%1 The work of %2 stays open, and nothing of it is lost.").arg(kept.problem, nameOf(turn)));
+        return m_program.window->showProblem(tr("%1 The work of %2 stays open, and nothing of it is lost.").arg(problem, nameOf(ended.turn)));
     }
-    m_ended = Ended{turn, kept.folder, m_record->upTo(m_program.document->undoStack().index())};
+    m_ended = ended;
     m_ended->turn.ended = {};
     deliver();
     then();

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "class_archive.h"
-#include "classroom_turn.h"
 #include "journal_shelf.h"
 
 #include "ui/class_bar.h"
@@ -75,7 +74,7 @@ private:
     {
         ClassTurn turn;
         QString folder; ///< of its work
-        std::optional<std::vector<core::FileEntry>> record; ///< nothing: it is not known
+        TurnRecord record;
     };
 
     void connectAll();
@@ -85,7 +84,7 @@ private:
     void keepRecovered(const RecoveryOffer& offer);
     void ask();
     void prepare(const QString& pupil, core::Starter starter);
-    void startTurn(const ClassTurn& turn, std::shared_ptr<TurnRecord> record);
+    void startTurn(const ClassTurn& turn, const TurnRecord& before);
     void next();
     void resume();
     void openThen(const std::function<void()>& open, const std::function<void()>& then);
@@ -95,8 +94,8 @@ private:
     void leave();
     void keepThen(const ClassTurn& turn, std::function<void()> then);
     void refuseForNow();
-    void takeKept(const ClassTurn& turn, const KeptWork& kept, const std::function<void()>& then);
-    void takeStep(const core::FileEntry& entry);
+    void takeKept(const Ended& ended, const QString& problem, const std::function<void()>& then);
+    void noteStep();
     void deliver();
     void show();
     qint64 leftMs() const;
@@ -118,7 +117,7 @@ private:
     qint64 m_startMs = 0;
     bool m_isWarned = false, m_isOver = false;
     bool m_mayLeave = false;
-    std::shared_ptr<TurnRecord> m_record = std::make_shared<TurnRecord>();
+    TurnRecord m_recordBefore; ///< of what was done before the document's history begins
     std::optional<Ended> m_ended; ///< the turn before, while it can be resumed
     std::function<void()> m_then; ///< when the model is there that is being opened
     bool m_isOpened = false;      ///< it is there, and that goes on next

@@ -10,30 +10,11 @@
 
 namespace app
 {
-/// What the hands did to a starter, in step with an undo stack.
-class TurnRecord
-{
-public:
-    TurnRecord() = default;
-    /// Goes on from what was done before the stack began; nothing: that is not known.
-    explicit TurnRecord(std::optional<std::vector<core::FileEntry>> before)
-        : m_isWhole(before.has_value()), m_entries(std::move(before).value_or(std::vector<core::FileEntry>())), m_before(m_entries.size())
-    {
-    }
+/// What the hands did to a starter; nothing: it is not known.
+using TurnRecord = std::optional<std::vector<core::FileEntry>>;
 
-    /// The step that makes the stack so long; those that had been undone are gone.
-    void add(int steps, core::FileEntry entry);
-    /// The stack was cleared though the model stayed: what was done is not known any more.
-    void lose() { m_isWhole = false; }
-
-    /// Up to that step; nothing if it is not known.
-    std::optional<std::vector<core::FileEntry>> upTo(int step) const;
-
-private:
-    bool m_isWhole = true;
-    std::vector<core::FileEntry> m_entries;
-    std::size_t m_before = 0;
-};
+/// The one after the other; nothing if one of them is not known.
+TurnRecord joined(const TurnRecord& before, const TurnRecord& after);
 
 /// Whose turn it is.
 struct ClassTurn
@@ -43,6 +24,7 @@ struct ClassTurn
     QDateTime begun;
     qint64 usedMs = 0; ///< before it was interrupted
     QDateTime ended = {}; ///< invalid: it goes on
+    bool isResumed = false; ///< it did not begin with a starter
 };
 
 /// What of a turn must outlive the program, beside its journal. A file that cannot be written or read only costs the time of its beginning.

@@ -104,18 +104,18 @@ void Document::finishChange(const core::ModelCommand& command, const ui::Inserti
         return endChange(command, insertion, outcome);
     m_work.keep();
     auto delta = std::make_shared<core::MeshDelta>(std::move(outcome.change.delta));
-    const core::JournalStep step{ModelWords::name(command).toStdString(), QString(ModelWords::icon(command)).toStdString(), 0, 0};
-    m_worker->post([delta, step, journal = m_journal](core::Sculptor& sculptor) {
+    const StepMarks marks{ModelWords::icon(command), 0, 0, std::make_shared<const core::FileEntry>(core::FileCommand{command, insertion.path.toStdString()})};
+    m_worker->post([delta, step = StrokeCommand::forJournal(ModelWords::name(command), marks), journal = m_journal](core::Sculptor& sculptor) {
         sculptor.swap(*delta);
         if (journal)
             journal->changed(sculptor.mesh(), *delta, step);
     });
-    whenRecorded([this, command, insertion, outcome = std::move(outcome), delta] {
+    whenRecorded([this, command, insertion, outcome = std::move(outcome), delta, marks] {
         const int index = m_stack.index();
         m_history.add(index, delta);
-        m_stack.push(new StrokeCommand(ModelWords::name(command), {ModelWords::icon(command)}, &m_history, index));
+        m_stack.push(new StrokeCommand(ModelWords::name(command), marks, &m_history, index));
         m_lastReport.reset();
-        Q_EMIT stepped(core::FileCommand{command, insertion.path.toStdString()});
+        Q_EMIT stepped(*marks.deed);
         endChange(command, insertion, outcome);
     });
 }
@@ -270,7 +270,7 @@ void Document::takeReport(const StrokeReport& report)
             m_lastIndex = index;
             if (!report.isAgain)
                 countWork();
-            Q_EMIT stepped(*report.stroke);
+            Q_EMIT stepped(*report.deed);
         }
         const bool isSeen = report.shortfall == core::Shortfall::Stuck && report.delta; // other dabs did something
         if (report.shortfall != core::Shortfall::None && !isSeen)
@@ -313,6 +313,7 @@ void Document::loseHistory()
     m_history.clear();
     m_stack.clear();
     m_lastReport.reset();
+    m_isHistoryWhole = false;
     if (m_journal)
         m_worker->post([journal = m_journal](core::Sculptor&) { journal->forget(); });
     describeToJournal();

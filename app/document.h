@@ -90,6 +90,7 @@ public:
         quint64 hash = 0;
         core::DocumentNotes notes;
         int step = 0;
+        std::optional<std::vector<core::FileEntry>> deeds; ///< what was done to the model since it was opened; nothing: it is not known
     };
     /// `keep` puts it somewhere, in a thread of its own, and says whether it is safe there; then it counts as saved. Nobody sculpts from when it
     /// is copied until `done`, which hears the answer, has returned. False: something else is going on, and nothing is done.
@@ -234,6 +235,7 @@ private:
     void recordLate(const std::shared_ptr<core::JournalFolder>& folder);
     core::JournalDocument forJournal() const;
     core::JournalHistory historyNow() const;
+    std::optional<std::vector<core::FileEntry>> deedsNow() const;
     void describeToJournal();
     void startChange(core::ModelCommand command, const ui::Insertion& insertion);
     void finishChange(const core::ModelCommand& command, const ui::Insertion& insertion, ModelOutcome outcome);
@@ -297,6 +299,7 @@ private:
     int m_moves = 0;           ///< along the undo stack, whose index is there already, that the mesh thread has to confirm
     std::deque<std::function<void()>> m_unconfirmed;
     bool m_changedBeyondHistory = false;
+    bool m_isHistoryWhole = true; ///< its first step was done to the model as it was opened
     bool m_toldModified = false;
     LongWork m_work; ///< last
 };

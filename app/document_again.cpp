@@ -23,11 +23,11 @@ void Document::redoStroke(const LastStroke& last, std::shared_ptr<const core::St
         if (!isLast || !m_worker->hold())
             return done(std::nullopt);
         m_takeAgain = [this, last, done](const std::optional<StrokeReport>& report) {
-            if (report && report->stroke == last.report.stroke && last.saving == m_savings)
+            if (report && report->deed == last.report.deed && last.saving == m_savings)
                 setSaved(last.index + 1);
             done(report);
         };
-        m_lastStep = StrokeCommand::textOf((stroke ? stroke : last.report.stroke)->settings.tool);
+        m_lastStep = StrokeCommand::textOf((stroke ? stroke.get() : last.report.stroke())->settings.tool);
         m_worker->hidePatches();
         if (m_stack.index() > last.index)
             comeTo(last.index);

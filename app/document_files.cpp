@@ -145,6 +145,7 @@ void Document::install(std::shared_ptr<LoadedModel> model)
     m_history.clear();
     m_stack.clear();
     m_lastReport.reset();
+    m_isHistoryWhole = true;
     m_changedBeyondHistory = model->isUnsaved || !model->mended.isEmpty();
     m_mark = model->mark;
     m_facts.name = model->name;
@@ -340,7 +341,7 @@ void Document::startHandingOver(const std::function<bool(const Present& present)
     if (!m_worker->hold()) // another hand was faster
         return request([this, keep, done] { startHandingOver(keep, done); });
     m_isChanging = true; // what is asked for waits
-    m_worker->post([this, keep, done, present = Present{nullptr, 0, notesNow(), m_stack.index()}](core::Sculptor& sculptor) mutable {
+    m_worker->post([this, keep, done, present = Present{nullptr, 0, notesNow(), m_stack.index(), deedsNow()}](core::Sculptor& sculptor) mutable {
         present.mesh = std::make_shared<core::TriangleMesh>(core::extractMesh(sculptor.mesh()));
         present.hash = sculptor.mesh().meshHash();
         present.notes.frame = sculptor.mesh().frame();

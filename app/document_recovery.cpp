@@ -42,9 +42,13 @@ void Document::restore(const core::RecoveredDocument& recovered)
     const core::JournalHistory& history = recovered.history;
     const QSignalBlocker quiet(m_stack); // of steps that nobody takes
     for (int i = 0; i < static_cast<int>(history.steps.size()); ++i) {
-        const core::JournalStep& step = history.steps[static_cast<std::size_t>(i)];
-        const StepMarks marks{QString::fromStdString(step.icon), step.dabs, step.fusions};
-        m_stack.push(new StrokeCommand(QString::fromStdString(step.text), marks, &m_history, i));
+        const StepWords step = StrokeCommand::fromJournal(history.steps[static_cast<std::size_t>(i)]);
+        m_stack.push(new StrokeCommand(step.text, step.marks, &m_history, i));
+    }
+    m_isHistoryWhole = history.isWhole;
+    if (m_stack.count() > 0) {
+        m_lastIndex = m_stack.count() - 1;
+        m_lastReport = StrokeCommand::reportOf(static_cast<const StrokeCommand*>(m_stack.command(m_lastIndex))->marks());
     }
     m_stack.resetClean();
     if (history.saved && static_cast<int>(*history.saved) <= m_stack.count()) {
@@ -92,14 +96,26 @@ core::JournalHistory Document::historyNow() const
 {
     core::JournalHistory history;
     history.saved.reset();
-    for (int i = 0; i < m_stack.count(); ++i) {
-        const StepMarks& marks = static_cast<const StrokeCommand*>(m_stack.command(i))->marks();
-        history.steps.push_back({m_stack.text(i).toStdString(), marks.icon.toStdString(), marks.dabs, marks.fusions});
-    }
+    history.isWhole = m_isHistoryWhole;
+    for (int i = 0; i < m_stack.count(); ++i)
+        history.steps.push_back(StrokeCommand::forJournal(m_stack.text(i), static_cast<const StrokeCommand*>(m_stack.command(i))->marks()));
     history.present = static_cast<std::uint32_t>(m_stack.index());
     if (m_stack.cleanIndex() >= 0)
         history.saved = static_cast<std::uint32_t>(m_stack.cleanIndex());
     return history;
+}
+
+/// Nothing if that of one step is not known.
+std::optional<std::vector<core::FileEntry>> Document::deedsNow() const
+{
+    std::vector<core::FileEntry> deeds;
+    for (int i = 0; i < m_stack.index(); ++i) {
+        const auto& deed = static_cast<const StrokeCommand*>(m_stack.command(i))->marks().deed;
+        if (!deed)
+            return std::nullopt;
+        deeds.push_back(*deed);
+    }
+    return m_isHistoryWhole ? std::optional(std::move(deeds)) : std::nullopt;
 }
 
 void Document::describeToJournal()

@@ -4,6 +4,7 @@
 #include "patch_inbox.h"
 
 #include "core/sculptor.h"
+#include "core/stroke_file.h"
 #include "ui/mailbox.h"
 
 #include <QObject>
@@ -35,7 +36,7 @@ struct MeshFacts
 struct StrokeReport
 {
     std::shared_ptr<core::MeshDelta> delta; ///< already applied; null if nothing changed
-    std::shared_ptr<const core::Stroke> stroke; ///< that did it; null if nothing changed
+    std::shared_ptr<const core::FileEntry> deed; ///< a core::Stroke, that did it; null if nothing changed
     core::Tool tool = core::Tool::Pull;
     quint64 dabs = 0;
     quint64 fusions = 0;
@@ -46,6 +47,9 @@ struct StrokeReport
     bool apart = false;      ///< radial where the model is not its own image by the turn, or over the axis: some dabs were done one after the other
     bool isAgain = false;    ///< of redoStroke()
     MeshFacts facts;
+
+    /// The same: null if nothing changed.
+    const core::Stroke* stroke() const { return std::get_if<core::Stroke>(deed.get()); }
 };
 
 /// Another stroke in the place of one that was undone.

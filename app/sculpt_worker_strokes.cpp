@@ -141,7 +141,7 @@ void SculptWorker::run(EndStroke&)
         auto delta = std::make_shared<core::MeshDelta>(m_sculptor->strokeOpen() ? m_sculptor->endStroke() : core::MeshDelta());
         if (!delta->empty()) {
             m_report.delta = std::move(delta);
-            m_report.stroke = std::make_shared<const core::Stroke>(core::Stroke{m_stroke.settings, std::exchange(m_samples, {}), {}, {}});
+            m_report.deed = std::make_shared<const core::FileEntry>(core::Stroke{m_stroke.settings, std::exchange(m_samples, {}), {}, {}});
         }
         m_report.fusions = m_sculptor->totals().fusions - m_fusionsBefore;
     }
@@ -163,8 +163,6 @@ void SculptWorker::report()
 void SculptWorker::record(const core::MeshDelta& delta)
 {
     const StepWords words = StrokeCommand::wordsOf(m_report);
-    m_journal->changed(m_sculptor->mesh(), delta,
-                       {words.text.toStdString(), words.marks.icon.toStdString(), words.marks.dabs, words.marks.fusions},
-                       *m_report.stroke);
+    m_journal->changed(m_sculptor->mesh(), delta, StrokeCommand::forJournal(words.text, words.marks));
 }
 } // namespace app

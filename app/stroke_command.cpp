@@ -5,6 +5,11 @@
 
 namespace app
 {
+namespace
+{
+const QString addIcon = QStringLiteral("add");
+} // namespace
+
 StrokeCommand::StrokeCommand(const QString& text, StepMarks marks, HistoryStore* store, int index)
     : QUndoCommand(text), m_marks(std::move(marks)), m_store(store), m_index(index)
 {
@@ -59,7 +64,32 @@ QString StrokeCommand::textOfAdding(bool isModel)
 
 StepWords StrokeCommand::wordsOf(const StrokeReport& report)
 {
-    const StepMarks marks{report.added ? QStringLiteral("add") : iconOf(report.tool), report.dabs, report.fusions};
+    const StepMarks marks{report.added ? addIcon : iconOf(report.tool), report.dabs, report.fusions, report.deed};
     return {report.added ? textOfAdding(report.hasModel) : textOf(report.tool), marks};
+}
+
+std::optional<StrokeReport> StrokeCommand::reportOf(const StepMarks& marks)
+{
+    const auto* stroke = std::get_if<core::Stroke>(marks.deed.get());
+    if (!stroke || !stroke->alpha.file.empty() || !stroke->model.file.empty())
+        return std::nullopt;
+    StrokeReport report;
+    report.deed = marks.deed;
+    report.tool = stroke->settings.tool;
+    report.dabs = marks.dabs;
+    report.fusions = marks.fusions;
+    report.added = marks.icon == addIcon;
+    report.hasModel = stroke->settings.model != nullptr;
+    return report;
+}
+
+core::JournalStep StrokeCommand::forJournal(const QString& text, const StepMarks& marks)
+{
+    return {text.toStdString(), marks.icon.toStdString(), marks.dabs, marks.fusions, marks.deed};
+}
+
+StepWords StrokeCommand::fromJournal(const core::JournalStep& step)
+{
+    return {QString::fromStdString(step.text), {QString::fromStdString(step.icon), step.dabs, step.fusions, step.deed}};
 }
 } // namespace app

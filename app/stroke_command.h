@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/brush.h"
+#include "core/journal/record.h"
 
 #include <QCoreApplication>
 #include <QUndoCommand>
@@ -10,12 +10,13 @@ namespace app
 class HistoryStore;
 struct StrokeReport;
 
-/// What History shows of a step besides its name.
+/// What History shows of a step besides its name, and what did it.
 struct StepMarks
 {
     QString icon;     ///< of those in resources/icons
     quint64 dabs = 0; ///< 0: it was no stroke
     quint64 fusions = 0;
+    std::shared_ptr<const core::FileEntry> deed; ///< null: not known
 };
 
 struct StepWords
@@ -45,6 +46,10 @@ public:
     static QString textOfAdding(bool isModel);
     /// Any thread.
     static StepWords wordsOf(const StrokeReport& report);
+    /// What wordsOf() was made of; nothing if it was no stroke, or cannot be done again without its files.
+    static std::optional<StrokeReport> reportOf(const StepMarks& marks);
+    static core::JournalStep forJournal(const QString& text, const StepMarks& marks);
+    static StepWords fromJournal(const core::JournalStep& step);
 
 private:
     StepMarks m_marks;

@@ -32,7 +32,7 @@ void StrokeEdit::begin()
     if (!m_window || m_stroke || !stroke)
         return;
     m_stroke = stroke;
-    m_present = core::brushOf(stroke->report.stroke->settings);
+    m_present = core::brushOf(stroke->report.stroke()->settings);
     m_index = stroke->index + 1;
     m_isClosing = false;
     m_bar = new ui::StrokeBar(m_present, m_document->facts(), m_window);
@@ -60,7 +60,7 @@ void StrokeEdit::cancel()
     if (!m_stroke)
         return;
     m_isClosing = true;
-    m_wanted = core::brushOf(m_stroke->report.stroke->settings);
+    m_wanted = core::brushOf(m_stroke->report.stroke()->settings);
     m_stop.request_stop();
     goOn();
 }
@@ -84,7 +84,7 @@ void StrokeEdit::redo(const core::BrushChange& brush)
     m_stop = std::stop_source();
     if (m_bar)
         m_bar->setHint({});
-    const core::Stroke& before = *m_stroke->report.stroke;
+    const core::Stroke& before = *m_stroke->report.stroke();
     const bool isAsItWas = brush == core::brushOf(before.settings);
     m_document->redoStroke(*m_stroke, isAsItWas ? nullptr : std::make_shared<const core::Stroke>(core::changed(before, brush)), m_stop.get_token(),
                            [this](const std::optional<StrokeReport>& report) { take(report); });
@@ -97,7 +97,7 @@ void StrokeEdit::take(const std::optional<StrokeReport>& report)
         return end();
     m_index = m_document->undoStack().index();
     if (report->delta)
-        m_present = core::brushOf(report->stroke->settings); // it may have been stopped
+        m_present = core::brushOf(report->stroke()->settings); // it may have been stopped
     else if (m_bar)
         m_bar->setHint(tr("With this brush it does nothing."));
     goOn();

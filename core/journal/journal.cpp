@@ -52,11 +52,9 @@ void Journal::beginWith(std::shared_ptr<const Mesh> mesh, StartRecord start, Bas
     });
 }
 
-void Journal::changed(const Mesh& mesh, const MeshDelta& delta, JournalStep step, std::optional<Stroke> stroke)
+void Journal::changed(const Mesh& mesh, const MeshDelta& delta, JournalStep step)
 {
     m_writer->add(ChangeRecord{m_present++, std::move(step), imageOf(mesh, delta)});
-    if (stroke)
-        m_writer->add(StrokeRecord{std::move(*stroke)});
 }
 
 void Journal::swapped(const Mesh& mesh, const MeshDelta& delta, std::uint32_t index)

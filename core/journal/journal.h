@@ -25,7 +25,7 @@ public:
 
     // --- the mesh thread; cost: a copy of what changed ---
     /// A step was done: `delta` takes it back.
-    void changed(const Mesh& mesh, const MeshDelta& delta, JournalStep step, std::optional<Stroke> stroke = {});
+    void changed(const Mesh& mesh, const MeshDelta& delta, JournalStep step);
     /// The delta of the step at `index` was swapped.
     void swapped(const Mesh& mesh, const MeshDelta& delta, std::uint32_t index);
     /// The steps cannot be undone any more; the mesh is what it is.

@@ -3,8 +3,6 @@
 #include "bytes.h"
 #include "checksum.h"
 
-#include "../stroke_file.h"
-
 #include <sstream>
 #include <utility>
 
@@ -12,7 +10,7 @@ namespace core
 {
 namespace
 {
-constexpr std::uint32_t mark = 0x324a5446; ///< "FTJ2"
+constexpr std::uint32_t mark = 0x334a5446; ///< "FTJ3"
 
 struct Head
 {
@@ -97,14 +95,38 @@ void take(ByteReader& in, MeshDelta& image)
     image.counts = in.take<SlotCounts>(), image.meshHash = in.take<std::uint64_t>(), take(in, image.frame);
 }
 
+/// A stroke file of its own.
+void putEntry(ByteWriter& out, const FileEntry* entry)
+{
+    std::ostringstream text;
+    if (entry)
+        writeStrokes(text, {*entry});
+    out.put(text.view());
+}
+
+/// Null: there is none, or it is another version's.
+std::shared_ptr<const FileEntry> takeEntry(ByteReader& in)
+{
+    const std::string_view text = in.takeText();
+    try {
+        std::vector<FileEntry> entries = text.empty() ? std::vector<FileEntry>() : parseStrokes(text);
+        if (!entries.empty())
+            return std::make_shared<const FileEntry>(std::move(entries.front()));
+    } catch (const StrokeFileError&) {
+    }
+    return nullptr;
+}
+
 void put(ByteWriter& out, const JournalStep& step)
 {
     out.put(std::string_view(step.text)), out.put(std::string_view(step.icon)), out.put(step.dabs), out.put(step.fusions);
+    putEntry(out, step.deed.get());
 }
 
 void take(ByteReader& in, JournalStep& step)
 {
     step.text = in.takeText(), step.icon = in.takeText(), step.dabs = in.take<std::uint64_t>(), step.fusions = in.take<std::uint64_t>();
+    step.deed = takeEntry(in);
 }
 
 template <class T> void putPlain(ByteWriter& out, const std::vector<T>& values)
@@ -134,18 +156,6 @@ void take(ByteReader& in, SavedView& view)
     view.orthographic = in.take<std::uint8_t>() != 0;
 }
 
-/// A file of one stroke without samples; what is in files of its own is not there.
-std::optional<StrokeSettings> brushIn(std::string_view text)
-{
-    try {
-        const std::vector<FileEntry> entries = text.empty() ? std::vector<FileEntry>() : parseStrokes(text);
-        if (const auto* stroke = entries.empty() ? nullptr : std::get_if<Stroke>(&entries[0]))
-            return stroke->settings;
-    } catch (const StrokeFileError&) { // another version's
-    }
-    return std::nullopt;
-}
-
 /// Bits: which of the notes there are.
 constexpr std::uint8_t viewBit = 1, workBit = 2;
 
@@ -153,10 +163,8 @@ void put(ByteWriter& out, const DocumentNotes& notes)
 {
     const int parts = (notes.view ? viewBit : 0) | (notes.work ? workBit : 0);
     putPlain(out, notes.palette), out.put(static_cast<std::uint8_t>(parts)), put(out, notes.view.value_or(SavedView()));
-    std::ostringstream brush;
-    if (notes.brush)
-        writeStrokes(brush, {Stroke{*notes.brush, {}, {}, {}}});
-    out.put(brush.view());
+    const FileEntry brush = Stroke{notes.brush.value_or(StrokeSettings()), {}, {}, {}};
+    putEntry(out, notes.brush ? &brush : nullptr);
     if (notes.work)
         out.put(notes.work->strokes), out.put(notes.work->seconds);
 }
@@ -168,7 +176,9 @@ void take(ByteReader& in, DocumentNotes& notes)
     take(in, notes.view.emplace());
     if ((parts & viewBit) == 0)
         notes.view.reset();
-    notes.brush = brushIn(in.takeText());
+    const auto brush = takeEntry(in);
+    if (const auto* stroke = std::get_if<Stroke>(brush.get()))
+        notes.brush = stroke->settings;
     if ((parts & workBit) != 0)
         notes.work = WorkDone{in.take<std::uint64_t>(), in.take<double>()};
 }
@@ -223,18 +233,6 @@ void take(ByteReader& in, SwapRecord& record)
     record.index = in.take<std::uint32_t>(), record.isDone = in.take<std::uint8_t>() != 0, take(in, record.image);
 }
 
-void put(ByteWriter& out, const StrokeRecord& record)
-{
-    std::ostringstream text;
-    writeStrokes(text, {record.stroke});
-    out.put(text.view());
-}
-
-void take(ByteReader& in, StrokeRecord&)
-{
-    in.takeText();
-}
-
 void put(ByteWriter& out, const SavedRecord& record)
 {
     out.put(record.index);
@@ -263,6 +261,7 @@ void put(ByteWriter& out, const BaseRecord& record)
 {
     const JournalHistory& history = record.history;
     put(out, record.document), out.put(history.present), out.put(history.saved.has_value()), out.put(history.saved.value_or(0));
+    out.put(history.isWhole);
     out.put(static_cast<std::uint32_t>(history.steps.size()));
     for (const JournalStep& step : history.steps)
         put(out, step);
@@ -276,6 +275,7 @@ void take(ByteReader& in, BaseRecord& record)
     history.saved = in.take<std::uint32_t>();
     if (!isSaved)
         history.saved.reset();
+    history.isWhole = in.take<std::uint8_t>() != 0;
     history.steps.resize(in.takeCount(1));
     for (JournalStep& step : history.steps)
         take(in, step);
@@ -316,6 +316,14 @@ std::optional<RawRecord> takeRaw(std::string_view& bytes)
 }
 } // namespace
 
+bool operator==(const JournalStep& a, const JournalStep& b)
+{
+    std::string ofA, ofB;
+    ByteWriter toA(ofA), toB(ofB);
+    put(toA, a), put(toB, b);
+    return ofA == ofB;
+}
+
 std::string pack(const JournalRecord& record, std::uint64_t number)
 {
     std::string bytes;
@@ -351,15 +359,5 @@ bool holdsRecord(std::string_view bytes)
             return true;
     }
     return false;
-}
-
-std::vector<std::string> strokesIn(std::string_view bytes)
-{
-    std::vector<std::string> strokes;
-    while (const auto raw = takeRaw(bytes)) {
-        if (raw->head.kind == JournalRecord(StrokeRecord()).index())
-            strokes.emplace_back(ByteReader(raw->content).takeText());
-    }
-    return strokes;
 }
 } // namespace core

@@ -2,8 +2,7 @@
 
 #include "../document_notes.h"
 #include "../mesh_delta.h"
-#include "../model_command.h"
-#include "../stroke.h"
+#include "../stroke_file.h"
 
 #include <memory>
 #include <optional>
@@ -14,13 +13,15 @@
 
 namespace core
 {
-/// What a history shows of a step. Texts are UTF-8.
+/// What a history shows of a step, and what did it. Texts are UTF-8.
 struct JournalStep
 {
     std::string text, icon;
     std::uint64_t dabs = 0, fusions = 0;
+    std::shared_ptr<const FileEntry> deed = {}; ///< as a stroke file would have it: what is in files of its own is not there; null: not known
 
-    friend bool operator==(const JournalStep&, const JournalStep&) = default;
+    /// By what would be written of them.
+    friend bool operator==(const JournalStep& a, const JournalStep& b);
 };
 
 /// What belongs to the document beside its mesh.
@@ -37,6 +38,7 @@ struct JournalHistory
     std::vector<JournalStep> steps;
     std::uint32_t present = 0;                   ///< so many are done
     std::optional<std::uint32_t> saved = 0;      ///< so many were when the file was written; none: it is not a state of these steps
+    bool isWhole = true;                         ///< the first was done to the model as it was opened
     friend bool operator==(const JournalHistory&, const JournalHistory&) = default;
 };
 
@@ -62,11 +64,6 @@ struct SwapRecord
     bool isDone = false; ///< again; else undone
     MeshDelta image;
 };
-/// What the hand did in the change before: it is kept, and recovery does without.
-struct StrokeRecord
-{
-    Stroke stroke;
-};
 /// The file holds what the model was when so many steps were done.
 struct SavedRecord
 {
@@ -88,8 +85,7 @@ struct BaseRecord
     JournalHistory history;
 };
 
-using JournalRecord = std::variant<StartRecord, ChangeRecord, SwapRecord, StrokeRecord, SavedRecord, JournalDocument, ForgottenRecord,
-                                   PartRecord, BaseRecord>;
+using JournalRecord = std::variant<StartRecord, ChangeRecord, SwapRecord, SavedRecord, JournalDocument, ForgottenRecord, PartRecord, BaseRecord>;
 
 /// A record as it stands in a file: mark, kind, number, length, content, checksum of all these.
 std::string pack(const JournalRecord& record, std::uint64_t number);
@@ -99,10 +95,8 @@ struct NumberedRecord
     std::uint64_t number = 0;
     JournalRecord record;
 };
-/// The first record of these bytes, which are cut by it; nothing if it is not whole. A StrokeRecord comes back empty: see strokesIn().
+/// The first record of these bytes, which are cut by it; nothing if it is not whole.
 std::optional<NumberedRecord> unpack(std::string_view& bytes);
 /// Whether there is a whole record anywhere in them.
 bool holdsRecord(std::string_view bytes);
-/// The strokes of a file's whole records, as text of a stroke file each.
-std::vector<std::string> strokesIn(std::string_view bytes);
 } // namespace core

@@ -39,7 +39,6 @@ private:
     bool apply(BaseRecord&) { return false; }
     bool apply(ChangeRecord& record);
     bool apply(SwapRecord& record);
-    bool apply(StrokeRecord&) { return true; }
     bool apply(SavedRecord& record);
     bool apply(JournalDocument& record);
     bool apply(ForgottenRecord&);
@@ -179,6 +178,7 @@ bool Replay::apply(JournalDocument& record)
 bool Replay::apply(ForgottenRecord&)
 {
     m_found.history = {};
+    m_found.history.isWhole = false;
     m_found.deltas.clear();
     return true;
 }

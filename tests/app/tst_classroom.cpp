@@ -666,6 +666,7 @@ void TestClassroom::aPowerCut_losesNobodysWork()
         QVERIFY2(!name.startsWith(u'.') && name.contains(QStringLiteral("Anna")), qPrintable(name));
         QCOMPARE(hashOf(home.works + u'/' + name + QStringLiteral("/model.glb")), hash);
         QVERIFY(turnIn(home.works + u'/' + name).contains(QStringLiteral("begun")));
+        QCOMPARE(replayed(core::Starter::Ball, home.works + u'/' + name + QStringLiteral("/record.json")), hash);
     }
     QVERIFY(foldersIn(home.works).size() <= 2);
     QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.journals()).size(), 1, longestWait);

@@ -157,9 +157,9 @@ struct Session
         const auto last = document.lastStroke();
         if (!last)
             return;
-        core::BrushChange brush = core::brushOf(last->report.stroke->settings);
+        core::BrushChange brush = core::brushOf(last->report.stroke()->settings);
         brush.radius *= factor;
-        document.redoStroke(*last, std::make_shared<const core::Stroke>(core::changed(*last->report.stroke, brush)), {}, [](const auto&) {});
+        document.redoStroke(*last, std::make_shared<const core::Stroke>(core::changed(*last->report.stroke(), brush)), {}, [](const auto&) {});
         wait();
     }
     void wholeModel(StrokeFuzzer& random)
@@ -391,6 +391,7 @@ private Q_SLOTS:
     void kill_afterEachKindOfChange_data();
     void kill_afterEachKindOfChange();
     void recovered_goesOnWithItsHistory();
+    void recovered_itsLastStrokeCanBeEdited();
     void recovered_thatWasSavedIsNotOffered();
     void discarded_isNeverOfferedAgain();
     void closed_leavesNothing();
@@ -409,6 +410,8 @@ private:
     void startVictim(QProcess& victim, const fs::path& root, std::uint64_t seed, int changes);
     /// A journal whose program was killed after some changes.
     State leaveJournal(const fs::path& root, std::uint64_t seed, int changes);
+    /// What the program told after each of the kinds up to `last`, and then was killed.
+    QList<QByteArray> killAfter(const fs::path& root, int last);
     QByteArray killDisplayOf(const fs::path& root, const QString& changes);
 
     QTemporaryDir m_home;
@@ -516,25 +519,34 @@ void TestRecovery::kill_afterEachKindOfChange()
 {
     QFETCH(int, last);
     const fs::path root = newRoot();
-    QProcess victim;
-    victim.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-    victim.start(QCoreApplication::applicationFilePath(), {QStringLiteral("--kinds"), QString::fromStdString(root.string()), QString::number(last)});
-    QList<QByteArray> lines;
-    while (lines.size() <= last) {
-        QVERIFY(victim.canReadLine() || victim.waitForReadyRead(longestWait));
-        if (victim.canReadLine())
-            lines.append(victim.readLine().trimmed());
-    }
-    victim.kill();
-    QVERIFY(victim.waitForFinished(longestWait));
+    const QList<QByteArray> lines = killAfter(root, last);
+    QCOMPARE(lines.size(), last + 1);
     QVERIFY2(last == 0 || lines[last] != lines[last - 1], "it did nothing");
     const bool isModified = lines[last].endsWith(" 1");
     int found = 0; // the model before may be there yet
     for (const auto& folder : fs::directory_iterator(root)) {
         const auto document = core::replayJournal(folder.path());
-        found += document && stateOf(*document) == stateIn(lines[last]) && document->isUnsaved() == isModified;
+        if (!document || stateOf(*document) != stateIn(lines[last]) || document->isUnsaved() != isModified)
+            continue;
+        ++found;
+        QVERIFY(document->history.isWhole && std::ranges::all_of(document->history.steps, [](const core::JournalStep& step) { return step.deed != nullptr; }));
     }
     QCOMPARE(found, 1);
+}
+
+QList<QByteArray> TestRecovery::killAfter(const fs::path& root, int last)
+{
+    QProcess victim;
+    victim.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+    victim.start(QCoreApplication::applicationFilePath(), {QStringLiteral("--kinds"), QString::fromStdString(root.string()), QString::number(last)});
+    QList<QByteArray> lines;
+    while (lines.size() <= last && (victim.canReadLine() || victim.waitForReadyRead(longestWait))) {
+        if (victim.canReadLine())
+            lines.append(victim.readLine().trimmed());
+    }
+    victim.kill();
+    victim.waitForFinished(longestWait);
+    return lines;
 }
 
 void TestRecovery::recovered_goesOnWithItsHistory()
@@ -575,6 +587,27 @@ void TestRecovery::recovered_goesOnWithItsHistory()
         QVERIFY(again && stateOf(*again) == last);
     }
     QVERIFY(fs::is_empty(root)); // both documents were given up in order
+}
+
+/// As if the program had not been killed in between.
+void TestRecovery::recovered_itsLastStrokeCanBeEdited()
+{
+    const QList<QByteArray> edited = killAfter(newRoot(), 1);
+    QCOMPARE(edited.size(), 2);
+    const fs::path root = newRoot();
+    QCOMPARE(killAfter(root, 0).size(), 1);
+    Session session(root);
+    session.openBall();
+    QSignalSpy offers(&session.shelf, &JournalShelf::offered), opened(&session.document, &Document::opened);
+    session.shelf.look();
+    QTRY_COMPARE(offers.size(), 1);
+    const auto offer = offers[0][0].value<RecoveryOffer>();
+    session.document.recover(offer.id, offer.name);
+    QTRY_COMPARE_WITH_TIMEOUT(opened.size(), 1, longestWait);
+    session.wait();
+    QVERIFY(session.document.lastStroke().has_value());
+    session.editLast(1.2);
+    QVERIFY(session.state() == stateIn(edited[1]));
 }
 
 void TestRecovery::recovered_thatWasSavedIsNotOffered()

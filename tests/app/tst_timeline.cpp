@@ -1,6 +1,5 @@
 #include "tests/support/program_hand.h"
 
-#include "app/classroom_turn.h"
 #include "app/journal_shelf.h"
 
 #include "core/alpha.h"
@@ -433,9 +432,6 @@ void TestTimeline::edit_offersTheToolsThatTheBrushOffers()
 void TestTimeline::edit_theRecordIsOfWhatIsThere()
 {
     Desk desk;
-    TurnRecord record{std::vector<core::FileEntry>()};
-    connect(&desk.program.document, &Document::stepped, &desk.program.window,
-            [&](const core::FileEntry& entry) { record.add(desk.index(), entry); });
     desk.stroke(across(core::Tool::Flatten));
     desk.stroke(across());
     desk.beginEdit();
@@ -443,7 +439,14 @@ void TestTimeline::edit_theRecordIsOfWhatIsThere()
     desk.rest();
     desk.set("radius.box", 16);
     desk.press("keepStroke");
-    const auto entries = record.upTo(desk.index());
+    std::optional<std::vector<core::FileEntry>> entries;
+    bool isDone = false;
+    const auto keep = [&entries](const Document::Present& present) {
+        entries = present.deeds;
+        return true;
+    };
+    QVERIFY(desk.program.document.handOver({}, keep, [&isDone](bool) { isDone = true; }));
+    QTRY_VERIFY_WITH_TIMEOUT(isDone, longestWait);
     QVERIFY(entries && entries->size() == 2);
     Desk other;
     for (const core::FileEntry& entry : *entries)

@@ -61,10 +61,11 @@ Costs sculpt(core::Sculptor& sculptor, double radius, core::Journal* journal)
             continue;
         const Clocks beforeEnd = Clocks::now();
         const core::MeshDelta delta = sculptor.endStroke();
+        const auto deed = std::make_shared<const core::FileEntry>(core::Stroke{settings, {sample}, {}, {}});
         const Clocks ended = Clocks::now();
         costs.endUs.push_back(ended.since(beforeEnd).wall);
         if (journal)
-            journal->changed(sculptor.mesh(), delta, {"Pull", "pull", dabsAStroke, 0}, core::Stroke{settings, {sample}, {}, {}});
+            journal->changed(sculptor.mesh(), delta, {"Pull", "pull", dabsAStroke, 0, deed});
         costs.copyUs.push_back(Clocks::now().since(ended).wall);
     }
     return costs;

@@ -68,10 +68,10 @@ public:
         auto delta = std::make_shared<MeshDelta>(m_sculptor->endStroke());
         if (delta->empty())
             return;
-        const JournalStep step{"step " + std::to_string(states.size()), "pull", stroke.samples.size(), 0};
-        m_journal->changed(m_sculptor->mesh(), *delta, step, stroke);
+        const JournalStep step{"step " + std::to_string(states.size()), "pull", stroke.samples.size(), 0, std::make_shared<const FileEntry>(stroke)};
+        m_journal->changed(m_sculptor->mesh(), *delta, step);
         if (m_other)
-            m_other->changed(m_sculptor->mesh(), *delta, step, stroke);
+            m_other->changed(m_sculptor->mesh(), *delta, step);
         m_deltas.resize(m_history.present);
         m_deltas.push_back(delta);
         m_history.steps.resize(m_history.present++);
@@ -142,20 +142,13 @@ void write(const fs::path& file, std::string_view bytes)
     std::ofstream(file, std::ios::binary | std::ios::trunc).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
 }
 
-/// The end of each record, 0 first; and how many of them changed the state, up to there.
-struct Ends
+/// The end of each record, 0 first.
+std::vector<std::size_t> endsIn(const std::string& segment)
 {
-    std::vector<std::size_t> bytes{0}, states{0};
-};
-
-Ends endsIn(const std::string& segment)
-{
-    Ends ends;
+    std::vector<std::size_t> ends{0};
     std::string_view rest = segment;
-    while (const auto record = unpack(rest)) {
-        ends.bytes.push_back(segment.size() - rest.size());
-        ends.states.push_back(ends.states.back() + (std::holds_alternative<StrokeRecord>(record->record) ? 0 : 1));
-    }
+    while (unpack(rest))
+        ends.push_back(segment.size() - rest.size());
     return ends;
 }
 } // namespace
@@ -293,16 +286,16 @@ void TestJournal::truncation_atEveryByteLosesWhatFollowsOnly()
         whole = contentOf(segmentFile(brief->journal().folder(), 0));
     }
     Session& session = *brief;
-    const Ends ends = endsIn(whole);
-    QCOMPARE(ends.bytes.back(), whole.size());
-    QCOMPARE(ends.states.back(), session.states.size() - 1);
+    const std::vector<std::size_t> ends = endsIn(whole);
+    QCOMPARE(ends.back(), whole.size());
+    QCOMPARE(ends.size(), session.states.size());
     const fs::path folder = copyOf(session.journal().folder());
-    std::size_t record = ends.bytes.size() - 1;
+    std::size_t record = ends.size() - 1;
     for (std::size_t bytes = whole.size(); bytes <= whole.size(); --bytes) {
         fs::resize_file(segmentFile(folder, 0), bytes);
-        record -= bytes < ends.bytes[record];
+        record -= bytes < ends[record];
         const auto found = replayJournal(folder);
-        QVERIFY2(found && stateOf(*found) == session.states[ends.states[record]], qPrintable(QString::number(bytes)));
+        QVERIFY2(found && stateOf(*found) == session.states[record], qPrintable(QString::number(bytes)));
         QVERIFY(!found->isDamaged); // a power cut does that
     }
     qInfo("%zu bytes, %zu states", whole.size(), session.states.size());
@@ -331,7 +324,7 @@ void TestJournal::flippedBytes_neverGiveAnotherState()
         session.act();
     session.journal().drain();
     const std::string whole = contentOf(segmentFile(session.journal().folder(), 0));
-    const Ends ends = endsIn(whole);
+    const std::vector<std::size_t> ends = endsIn(whole);
     const fs::path folder = copyOf(session.journal().folder());
     StrokeFuzzer random(6);
     for (int i = 0; i < 1000; ++i) {
@@ -344,9 +337,9 @@ void TestJournal::flippedBytes_neverGiveAnotherState()
         }
         write(segmentFile(folder, 0), spoilt);
         const auto found = replayJournal(folder);
-        const auto record = static_cast<std::size_t>(std::upper_bound(ends.bytes.begin(), ends.bytes.end(), first) - ends.bytes.begin()) - 1;
+        const auto record = static_cast<std::size_t>(std::upper_bound(ends.begin(), ends.end(), first) - ends.begin()) - 1;
         const bool isWhole = first == whole.size();
-        QVERIFY(found && stateOf(*found) == session.states[isWhole ? ends.states.back() : ends.states[record]]);
+        QVERIFY(found && stateOf(*found) == session.states[isWhole ? ends.size() - 1 : record]);
     }
 }
 
@@ -599,11 +592,12 @@ void TestJournal::samples_areKept()
             strokes.push_back(stroke);
     }
     session.journal().drain();
-    const auto kept = strokesIn(contentOf(segmentFile(session.journal().folder(), 0)));
+    const auto found = replayJournal(session.journal().folder(), {.mesh = false});
+    QVERIFY(found && found->history.isWhole);
+    const std::vector<JournalStep>& kept = found->history.steps;
     QCOMPARE(kept.size(), strokes.size());
     for (std::size_t i = 0; i < kept.size(); ++i) {
-        const auto entries = parseStrokes(kept[i]);
-        const auto& stroke = std::get<Stroke>(entries.at(0));
+        const auto& stroke = std::get<Stroke>(*kept[i].deed);
         QCOMPARE(stroke.samples.size(), strokes[i].samples.size());
         QCOMPARE(stroke.settings.radius, strokes[i].settings.radius);
         QVERIFY(stroke.samples.back().position == strokes[i].samples.back().position);
