@@ -34,6 +34,9 @@ ui::LessonStroke describe(const core::FileEntry& entry)
     return {LessonSaving::lineOf(std::get<core::Stroke>(entry)), StrokeCommand::iconOf(std::get<core::Stroke>(entry).settings.tool)};
 }
 
+/// Of no draft.
+constexpr std::uint64_t nothingWritten = ~std::uint64_t(0);
+
 /// By name and title alone.
 QList<ui::LessonCard> titleCards()
 {
@@ -67,9 +70,28 @@ LessonEditorDesk::LessonEditorDesk(ui::MainWindow& window, Document& document, S
     : QObject(&document), m_window(&window), m_panel(window.findChild<ui::LessonEditor*>()), m_document(&document), m_worker(&worker), m_recorder(document)
 {
     m_panel->setDescribe(describe);
-    m_panel->setLessons(titleCards());
+    showLessons();
     connectAll();
     window.setGuard([this] { return mayClose(); });
+}
+
+void LessonEditorDesk::keepLessons(const std::filesystem::path& root)
+{
+    m_keeper = std::make_unique<LessonKeeper>(root, [this] { return hasChanges() ? &m_draft : nullptr; });
+    showLessons();
+    if (m_window && !m_keeper->left().isEmpty())
+        m_window->showNotice(tr("A lesson that was not saved is kept: Sculpt > Record Lesson has it among the lessons."));
+}
+
+/// Those that were not saved first.
+void LessonEditorDesk::showLessons()
+{
+    QList<ui::LessonCard> cards;
+    for (const QString& file : m_keeper ? m_keeper->left() : QStringList()) {
+        const auto read = tryToReadLesson(file);
+        cards.append({file, tr("Not saved: %1").arg(read.lesson ? inOurLanguage(read.lesson->title) : file), {}, {}});
+    }
+    m_panel->setLessons(cards + titleCards());
 }
 
 void LessonEditorDesk::connectAll()
@@ -142,6 +164,8 @@ void LessonEditorDesk::startFromModel()
 
 void LessonEditorDesk::read(const QString& pathOrName)
 {
+    if (m_keeper && m_keeper->left().contains(pathOrName))
+        return goOnWith(pathOrName);
     m_aside.run([pathOrName] { return tryToReadLesson(pathOrName); },
                 [this, pathOrName](const ReadLesson& read) {
                     if (!m_window)
@@ -150,6 +174,18 @@ void LessonEditorDesk::read(const QString& pathOrName)
                         return m_window->showProblem(read.problem);
                     take(*read.lesson, pathOrName);
                 });
+}
+
+/// Still not saved, and no file's.
+void LessonEditorDesk::goOnWith(const QString& kept)
+{
+    const ReadLesson read = tryToReadLesson(kept);
+    if (!read.lesson)
+        return m_window->showProblem(read.problem);
+    take(LessonKeeper::withoutPlaceholders(*read.lesson), {});
+    m_written = nothingWritten;
+    m_keeper->takeOver(kept);
+    showLessons();
 }
 
 /// A lesson without steps gets one.

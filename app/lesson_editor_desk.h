@@ -1,5 +1,6 @@
 #pragma once
 
+#include "lesson_keeper.h"
 #include "lesson_recorder.h"
 #include "lesson_saving.h"
 
@@ -30,11 +31,16 @@ public:
     /// All must outlive it but for the window: a child of the document.
     LessonEditorDesk(ui::MainWindow& window, Document& document, SculptWorker& worker);
 
+    /// A lesson that is not saved is kept there, and those that are there from before are offered. Once.
+    void keepLessons(const std::filesystem::path& root);
+
 private:
     void connectAll();
     void start(const std::optional<core::Starter>& starter);
     void startFromModel();
     void read(const QString& pathOrName);
+    void goOnWith(const QString& kept);
+    void showLessons();
     void take(core::Lesson lesson, const QString& path);
     void record(bool on);
     void openEnd(bool losesChanges, bool isUnsaved = false);
@@ -61,6 +67,7 @@ private:
     std::uint64_t m_written = 0;  ///< revision of the draft that is in a file
     std::shared_ptr<const core::Lesson> m_coming; ///< at whose end recording begins once its model is there; null: none
     bool m_isOurs = false;        ///< what was done to the document is all in the lesson
+    std::unique_ptr<LessonKeeper> m_keeper; ///< null: nothing is kept
     ui::SideThread m_aside;       ///< last
 };
 } // namespace app

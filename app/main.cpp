@@ -154,6 +154,7 @@ int showWindow(const app::WindowStart& start)
     ui::MainWindow window;
     app::wire(window, document, worker, inbox);
     app::wireRecovery(window, document, shelf);
+    app::wireLessonKeeping(document, app::JournalShelf::usualRoot().parent_path() / "lessons");
     if (simulator)
         new app::SimulatorDesk(&window, std::move(simulator));
     window.show();

@@ -323,6 +323,11 @@ void wireRecovery(ui::MainWindow& window, Document& document, JournalShelf& shel
     shelf.look();
 }
 
+void wireLessonKeeping(Document& document, const std::filesystem::path& root)
+{
+    document.findChild<LessonEditorDesk*>()->keepLessons(root);
+}
+
 void wireClassroom(ui::MainWindow& window, ClassroomMode& mode)
 {
     QObject::connect(&mode, &ClassroomMode::noticed, &window, &ui::MainWindow::showNotice);

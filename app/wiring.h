@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 
 namespace ui
@@ -21,6 +22,9 @@ void wire(ui::MainWindow& window, Document& document, SculptWorker& worker, cons
 
 /// Changes are recorded on the shelf, and what it has from before is offered in the window. The shelf must outlive the document.
 void wireRecovery(ui::MainWindow& window, Document& document, JournalShelf& shelf);
+
+/// A lesson that is not saved is kept there, and what is there from before is offered in the window. wire() comes first.
+void wireLessonKeeping(Document& document, const std::filesystem::path& root);
 
 /// What a class says is read in the window and in the headset. wire() comes first.
 void wireClassroom(ui::MainWindow& window, ClassroomMode& mode);

@@ -738,6 +738,14 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
         <source>The lesson has changes that were not saved.</source>
         <translation>Die Lektion hat Änderungen, die nicht gespeichert wurden.</translation>
     </message>
+    <message>
+        <source>A lesson that was not saved is kept: Sculpt &gt; Record Lesson has it among the lessons.</source>
+        <translation>Eine nicht gespeicherte Lektion ist aufgehoben: Formen &gt; Lektion aufzeichnen hat sie unter den Lektionen.</translation>
+    </message>
+    <message>
+        <source>Not saved: %1</source>
+        <translation>Nicht gespeichert: %1</translation>
+    </message>
 </context>
 <context>
     <name>app::LessonSaving</name>

@@ -734,6 +734,14 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
         <source>The lesson has changes that were not saved.</source>
         <translation>课程有未保存的更改。</translation>
     </message>
+    <message>
+        <source>A lesson that was not saved is kept: Sculpt &gt; Record Lesson has it among the lessons.</source>
+        <translation>有一个未保存的课程被保留：可在“雕刻 &gt; 录制课程”的课程列表中找到。</translation>
+    </message>
+    <message>
+        <source>Not saved: %1</source>
+        <translation>未保存：%1</translation>
+    </message>
 </context>
 <context>
     <name>app::LessonSaving</name>

@@ -224,6 +224,7 @@ void LessonEditor::addFoot(QVBoxLayout* rows)
 
 void LessonEditor::setLessons(const QList<LessonCard>& lessons)
 {
+    m_shelf->clear();
     for (const LessonCard& card : lessons)
         m_shelf->addItem(card.title, card.name);
 }

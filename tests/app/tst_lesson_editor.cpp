@@ -324,6 +324,54 @@ private Q_SLOTS:
         QVERIFY(playedHash(path) != 0);
     }
 
+    /// What a kill would leave on disk comes back as it was, still not saved, and goes when it is given up.
+    void killed_isKept()
+    {
+        const QTemporaryDir home;
+        const std::filesystem::path root = toPath(home.filePath(QStringLiteral("lessons"))), left = toPath(home.filePath(QStringLiteral("left")));
+        const auto isKept = [](const std::filesystem::path& where) {
+            return std::filesystem::exists(where) && !std::filesystem::is_empty(where);
+        };
+        {
+            Program program;
+            wireLessonKeeping(program.document, root);
+            show(program);
+            record(program, static_cast<int>(core::Starter::Torus));
+            QTest::keyClicks(part<QLineEdit>(program, "lessonName"), QStringLiteral("Mine"));
+            stroke(program, {30, 12});
+            const auto strokesKept = [&] {
+                for (const auto& folder : isKept(root) ? std::filesystem::directory_iterator(root) : std::filesystem::directory_iterator())
+                    if (const ReadLesson read = tryToReadLesson(QString::fromStdString((folder.path() / "lesson.zip").string())); read.lesson)
+                        return read.lesson->steps.at(0).strokes.size();
+                return std::size_t(0);
+            };
+            QTRY_COMPARE_WITH_TIMEOUT(strokesKept(), std::size_t(1), 60'000);
+            std::filesystem::copy(root, left, std::filesystem::copy_options::recursive);
+        }
+        QVERIFY(!isKept(root)); // this one ended in order
+        Program program;
+        wireLessonKeeping(program.document, left);
+        show(program);
+        QVERIFY(notice(program).contains(QStringLiteral("was not saved is kept")));
+        auto* shelf = part<QComboBox>(program, "lessonShelf");
+        QCOMPARE(shelf->itemText(0), QStringLiteral("Not saved: Mine"));
+        QCOMPARE(shelf->count(), 4);
+        shelf->setCurrentIndex(0);
+        press(program, "lessonEdit");
+        QTRY_VERIFY_WITH_TIMEOUT(program.window.findChild<ui::LessonEditor*>()->isOpen(), 60'000);
+        QCOMPARE(part<QLineEdit>(program, "lessonName")->text(), QStringLiteral("Mine"));
+        QCOMPARE(part<QPlainTextEdit>(program, "lessonStepText")->toPlainText(), QString()); // no word that nobody wrote
+        QCOMPARE(strokesOf(program), 1);
+        QCOMPARE(shelf->count(), 3);
+        press(program, "lessonSave");
+        QVERIFY(question(program, "problem")->text().contains(QStringLiteral("has no text yet")));
+        question(program, "problem")->close();
+        QVERIFY(isKept(left));
+        press(program, "lessonClose");
+        question(program, "lessonQuestion")->button(QMessageBox::Discard)->click();
+        QTRY_VERIFY_WITH_TIMEOUT(!isKept(left), 60'000);
+    }
+
     /// Steps change places, a text in one language is another one, and recording goes on from the end of what was opened.
     void opened_isChangedAndRecordedOn()
     {

@@ -1,0 +1,124 @@
+#include "lesson_keeper.h"
+
+#include "core/file_error.h"
+#include "core/lesson_file.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace app
+{
+namespace
+{
+constexpr int lookMs = 2000;
+constexpr char fileName[] = "lesson.zip";
+/// In the place of words that a lesson must have and has not yet: a reader takes no lesson without.
+constexpr char placeholder[] = "\u2026", placeholderLanguage[] = "en";
+
+core::LessonDraft filled(core::LessonDraft draft)
+{
+    using Lack = core::LessonDraft::Lack;
+    while (const auto missing = draft.missing()) {
+        switch (missing->what) {
+        case Lack::Title: draft.setTitle(placeholderLanguage, placeholder); break;
+        case Lack::Steps: draft.addStep(); break;
+        case Lack::StepTitle: draft.setStepTitle(missing->step, placeholderLanguage, placeholder); break;
+        case Lack::StepText: draft.setStepText(missing->step, placeholderLanguage, placeholder); break;
+        }
+    }
+    return draft;
+}
+
+void dropPlaceholder(core::LessonText& text)
+{
+    if (const auto found = text.words.find(placeholderLanguage); found != text.words.end() && found->second == placeholder)
+        text.words.erase(found);
+}
+} // namespace
+
+/// The aside thread's, but for its beginning and end. Gone before its time only with the program.
+struct LessonKeeper::Place
+{
+    std::unique_ptr<core::JournalFolder> folder;
+};
+
+LessonKeeper::LessonKeeper(const std::filesystem::path& root, Unsaved unsaved)
+    : m_root(root), m_unsaved(std::move(unsaved)), m_left(core::JournalFolder::abandoned(root))
+{
+    std::erase_if(m_left, [](const auto& folder) {
+        std::error_code problem;
+        if (std::filesystem::exists(folder->path() / fileName, problem))
+            return false;
+        folder->remove();
+        return true;
+    });
+    std::ranges::sort(m_left, std::greater(), [](const auto& folder) {
+        std::error_code problem;
+        return std::filesystem::last_write_time(folder->path() / fileName, problem);
+    });
+    connect(&m_clock, &QTimer::timeout, this, &LessonKeeper::look);
+    m_clock.start(lookMs);
+}
+
+/// In order: what is not saved was given up.
+LessonKeeper::~LessonKeeper()
+{
+    m_aside.run([place = m_place] {
+        if (place && place->folder)
+            place->folder->remove();
+    });
+}
+
+QStringList LessonKeeper::left() const
+{
+    QStringList files;
+    for (const auto& folder : m_left)
+        files << QString::fromStdU16String((folder->path() / fileName).u16string());
+    return files;
+}
+
+core::Lesson LessonKeeper::withoutPlaceholders(core::Lesson lesson)
+{
+    dropPlaceholder(lesson.title);
+    for (core::LessonStep& step : lesson.steps) {
+        dropPlaceholder(step.title);
+        dropPlaceholder(step.text);
+    }
+    return lesson;
+}
+
+void LessonKeeper::takeOver(const QString& file)
+{
+    const auto found = std::ranges::find_if(m_left, [&](const auto& folder) { return folder->path() / fileName == std::filesystem::path(file.toStdU16String()); });
+    if (found == m_left.end())
+        return;
+    m_place = std::make_shared<Place>(Place{std::move(*found)});
+    m_left.erase(found);
+    m_revision = 0;
+}
+
+void LessonKeeper::look()
+{
+    const core::LessonDraft* const draft = m_unsaved();
+    if (!draft) {
+        m_aside.run([place = std::exchange(m_place, nullptr)] {
+            if (place && place->folder)
+                place->folder->remove();
+        });
+        return;
+    }
+    if (m_place && draft->revision() == m_revision)
+        return;
+    if (!m_place)
+        m_place = std::make_shared<Place>();
+    m_revision = draft->revision();
+    m_aside.run([place = m_place, root = m_root, draft = *draft] {
+        try {
+            if (!place->folder)
+                place->folder = core::JournalFolder::make(root);
+            core::writeLesson(place->folder->path() / fileName, filled(draft).complete({}));
+        } catch (const core::FileError&) { // what was kept before stays
+        }
+    });
+}
+} // namespace app

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "core/journal/folder.h"
+#include "core/lesson_draft.h"
+#include "ui/side_thread.h"
+
+#include <QObject>
+#include <QStringList>
+#include <QTimer>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace app
+{
+/// Keeps the lesson in the making in a file, a few seconds behind, until it is saved or given up: what ends the program leaves it there for the
+/// next one. Where nothing can be written nothing is kept. Gui thread; never throws.
+class LessonKeeper : public QObject
+{
+public:
+    /// What is not saved; null: nothing is.
+    using Unsaved = std::function<const core::LessonDraft*()>;
+
+    LessonKeeper(const std::filesystem::path& root, Unsaved unsaved);
+    ~LessonKeeper() override;
+
+    /// What programs before left, the latest first.
+    QStringList left() const;
+    /// One of those as it was: it had to be given words that it lacked.
+    static core::Lesson withoutPlaceholders(core::Lesson lesson);
+    /// That one goes as soon as what is not saved is kept anew: it is that now.
+    void takeOver(const QString& file);
+
+private:
+    struct Place;
+
+    void look();
+
+    std::filesystem::path m_root;
+    Unsaved m_unsaved;
+    std::vector<std::unique_ptr<core::JournalFolder>> m_left;
+    std::shared_ptr<Place> m_place; ///< of our own; null: nothing is kept
+    std::uint64_t m_revision = 0;   ///< that is kept
+    QTimer m_clock;
+    ui::SideThread m_aside; ///< last
+};
+} // namespace app
