@@ -3,9 +3,12 @@
 #include "headset_visit.h"
 #include "tests/vr/vr_test.h"
 
+#include "app/class_pin.h"
+#include "app/classroom_mode.h"
 #include "core/mesh_check.h"
 #include "ui/brush_caption.h"
 #include "ui/lesson_panel.h"
+#include "ui/name_panel.h"
 #include "ui/partner_bar.h"
 #include "ui/point_light.h"
 
@@ -24,6 +27,15 @@ void sendMove(QWidget* widget, const QPoint& to, Qt::MouseButtons buttons = Qt::
 bool isOfTheLight(const QColor& color)
 {
     return color.green() > 140 && color.green() > color.red() + 25 && color.green() > color.blue() + 50;
+}
+
+int differences(const QImage& a, const QImage& b)
+{
+    int count = 0;
+    for (int y = 0; y < a.height(); ++y)
+        for (int x = 0; x < a.width(); ++x)
+            count += a.pixel(x, y) != b.pixel(x, y);
+    return count;
 }
 
 int countLight(const QImage& picture)
@@ -139,6 +151,7 @@ private Q_SLOTS:
     void caption_tellsTheBrush();
     void caption_isReadFromThreeMetres();
     void lesson_isOnAPanel();
+    void classTime_isToldInBoth();
 };
 
 /// Where the mouse is: green in the eye's picture, at that very place, and nowhere before and after.
@@ -433,6 +446,43 @@ void TestHeadsetPartner::caption_isReadFromThreeMetres()
 }
 
 /// The step of the window's lesson, its buttons by the wand, and the teacher's brush in the room.
+/// A sentence before the clay, and in the window.
+void TestHeadsetPartner::classTime_isToldInBoth()
+{
+    constexpr qint64 minute = 60'000;
+    const QTemporaryDir home;
+    Desk desk({}, {270, 300});
+    JournalShelf shelf(home.filePath(QStringLiteral("journals")).toStdString());
+    qint64 now = 0;
+    const ui::Classroom classroom{QStringLiteral("5b"), home.path(), {core::Starter::Ball}, {core::Tool::Pull}, 20, 3, false, ui::Language::System,
+                                  pinRecord(QStringLiteral("2468"))};
+    const ClassPlaces places{home.filePath(QStringLiteral("journals")).toStdString(), home.filePath(QStringLiteral("waiting")),
+                             home.filePath(QStringLiteral("turn.json"))};
+    ClassroomMode mode({&desk.program.window, &desk.program.document, &shelf}, classroom, places, [&now] { return now; });
+    wireClassroom(desk.program.window, mode);
+    mode.begin();
+    auto* panel = desk.program.window.findChild<ui::NamePanel*>();
+    const auto rests = [&] { return desk.program.document.isSettled() && !desk.program.document.isBusy(); };
+    QTRY_VERIFY_WITH_TIMEOUT(panel->isVisible() && rests(), 60'000);
+    auto* name = desk.program.window.findChild<QLineEdit*>(QStringLiteral("pupilName"));
+    QTest::keyClicks(name, QStringLiteral("Anna"));
+    QTest::keyClick(name, Qt::Key_Return);
+    QTRY_VERIFY_WITH_TIMEOUT(!panel->isVisible() && rests(), 60'000);
+    desk.hand.enter();
+    desk.hand.frames(5);
+    const QImage before = desk.hand.picture();
+    desk.hand.frames(5);
+    const int still = differences(before, desk.hand.picture());
+    now = 17 * minute;
+    mode.tick();
+    QVERIFY(notice(desk.program).contains(QStringLiteral("3 minutes are left")));
+    desk.hand.waitForPanels();
+    desk.hand.frames(20);
+    const int told = differences(before, desk.hand.picture());
+    QCOMPARE(still, 0);
+    QVERIFY2(told > 300, qPrintable(QString::number(told)));
+}
+
 void TestHeadsetPartner::lesson_isOnAPanel()
 {
     Pair v(HeadsetHand::enough);
