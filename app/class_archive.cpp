@@ -31,6 +31,7 @@ constexpr int mostNumber = 10'000;
 constexpr int staleHours = 24;
 const QString unfinished = QStringLiteral(".unfinished-");
 const QString turnFile = QStringLiteral("turn.json");
+const QString turnIdKey = QStringLiteral("id");
 
 void writeFile(const QString& path, const QByteArray& bytes)
 {
@@ -71,7 +72,7 @@ QByteArray turnOf(const TurnWork& work)
 {
     QJsonObject turn{{QStringLiteral("format"), QStringLiteral("fettle-turn")},
                      {QStringLiteral("version"), 1},
-                     {QStringLiteral("id"), work.id},
+                     {turnIdKey, work.id},
                      {QStringLiteral("name"), work.pupil},
                      {QStringLiteral("ended"), work.ended.toString(Qt::ISODate)},
                      {QStringLiteral("steps"), work.steps},
@@ -158,15 +159,15 @@ KeptWork keepIn(const QString& root, const QString& name, const TurnWork& work)
     }
 }
 
-/// Where the same turn's work is, under whatever number; empty: nowhere.
-QString placeOf(const QString& root, const QString& name, const QByteArray& turn)
+/// Where the work of that turn is, by what its turn.json holds, under whatever number; empty: nowhere.
+template <class IsTurn> QString placeOf(const QString& root, const QString& name, IsTurn isTurn)
 {
     for (int number = 1; number < mostNumber; ++number) {
         const QString folder = root + u'/' + HiddenFolder::numbered(name, number);
         if (!QFileInfo::exists(folder))
             break;
         QFile file(folder + u'/' + turnFile);
-        if (file.open(QIODevice::ReadOnly) && file.readAll() == turn)
+        if (file.open(QIODevice::ReadOnly) && isTurn(file.readAll()))
             return folder;
     }
     return {};
@@ -183,7 +184,7 @@ void removeWork(const QString& root, const QString& name)
 QString deliverOne(const QString& waiting, const QString& classFolder, const QString& name)
 {
     const QString from = waiting + u'/' + name;
-    QString to = placeOf(classFolder, name, readFile(from + u'/' + turnFile));
+    QString to = placeOf(classFolder, name, [turn = readFile(from + u'/' + turnFile)](const QByteArray& other) { return other == turn; });
     if (to.isEmpty())
         to = makeFolder(classFolder, name, [&from](const QString& folder) { copyWork(from, folder); });
     removeWork(waiting, name);
@@ -234,6 +235,15 @@ Delivery ClassArchive::deliver() const
         }
     }
     return delivery;
+}
+
+QString ClassArchive::whereIs(const QString& folder, const QString& id) const
+{
+    if (QFileInfo::exists(folder))
+        return folder;
+    const auto isTurn = [&id](const QByteArray& turn) { return QJsonDocument::fromJson(turn).object().value(turnIdKey).toString() == id; };
+    const QString delivered = placeOf(m_classFolder, QFileInfo(folder).fileName(), isTurn);
+    return delivered.isEmpty() ? folder : delivered;
 }
 
 void ClassArchive::sweep() const

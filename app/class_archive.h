@@ -60,6 +60,9 @@ public:
     /// Parts of works that a power cut left: in the waiting folder all, in the class's, where others may be writing, those of another day.
     void sweep() const;
 
+    /// Of the turn with that id, whose work was kept in that folder: where it is now, since it may have been delivered.
+    QString whereIs(const QString& folder, const QString& id) const;
+
     const QString& waiting() const { return m_waiting; }
 
     /// "2026-11-24-1015-Anna": letters, digits and signs of the nickname, nothing that means something to a file system.

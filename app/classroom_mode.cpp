@@ -193,7 +193,15 @@ void ClassroomMode::resume()
         return;
     Ended ended = *m_ended;
     ended.turn.isResumed = true;
-    openThen([this, ended] { m_program.document->openCopy(ended.folder + QStringLiteral("/model.glb"), ended.turn.pupil); },
+    const auto make = [archive = archive(), ended](const core::JobWatch& watch) {
+        LoadedModel model;
+        for (int attempt = 0; attempt < 2 && !model.sculptor && !watch.stopped(); ++attempt) // between look and reading it may be delivered
+            model = ModelLoader::load(archive.whereIs(ended.folder, ended.turn.id) + QStringLiteral("/model.glb"), {}, watch);
+        model.path.clear();
+        model.name = ended.turn.pupil;
+        return model;
+    };
+    openThen([this, ended, make] { m_program.document->openMade({tr("Opening the work of %1").arg(nameOf(ended.turn)), make, {}, false}); },
              [this, ended] {
                  m_ended.reset();
                  startTurn(ended.turn, ended.record);

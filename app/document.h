@@ -141,8 +141,6 @@ public Q_SLOTS:
     /// The paper's sphere.
     void openSphere();
     void openStarter(core::Starter starter);
-    /// The model of a file, called otherwise, which has no file of its own.
-    void openCopy(const QString& path, const QString& name);
     /// A document that the shelf has an offer of, with its history.
     void recover(quint64 offer, const QString& name);
     /// What its files keep beside the model. No change to be saved by itself.

@@ -60,16 +60,6 @@ void Document::openStarter(core::Starter starter)
     openFrom({tr("Preparing the clay"), [starter](const core::JobWatch&) { return ModelLoader::starter(starter); }});
 }
 
-void Document::openCopy(const QString& path, const QString& name)
-{
-    openFrom({tr("Opening %1").arg(name), [path, name](const core::JobWatch& watch) {
-                  LoadedModel model = ModelLoader::load(path, {}, watch);
-                  model.path.clear();
-                  model.name = name;
-                  return model;
-              }});
-}
-
 void Document::openMade(const Made& made)
 {
     openFrom({made.what,

@@ -4,6 +4,7 @@
 #include "core/lesson_file.h"
 
 #include <algorithm>
+#include <new>
 #include <utility>
 
 namespace app
@@ -36,7 +37,7 @@ void dropPlaceholder(core::LessonText& text)
 }
 } // namespace
 
-/// The aside thread's, but for its beginning and end. Gone before its time only with the program.
+/// From its beginning on the aside thread's alone.
 struct LessonKeeper::Place
 {
     std::unique_ptr<core::JournalFolder> folder;
@@ -118,6 +119,7 @@ void LessonKeeper::look()
                 place->folder = core::JournalFolder::make(root);
             core::writeLesson(place->folder->path() / fileName, filled(draft).complete({}));
         } catch (const core::FileError&) { // what was kept before stays
+        } catch (const std::bad_alloc&) {
         }
     });
 }

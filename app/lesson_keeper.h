@@ -11,7 +11,6 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace app
@@ -31,7 +30,7 @@ public:
     QStringList left() const;
     /// One of those as it was: it had to be given words that it lacked.
     static core::Lesson withoutPlaceholders(core::Lesson lesson);
-    /// That one goes as soon as what is not saved is kept anew: it is that now.
+    /// That one is what is not saved from now on.
     void takeOver(const QString& file);
 
 private:

@@ -206,6 +206,10 @@
             <numerusform>Noch %n Minuten: Komm bald zum Ende.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Opening the work of %1</source>
+        <translation>Die Arbeit wird geöffnet: %1</translation>
+    </message>
 </context>
 <context>
     <name>app::CommandLine</name>

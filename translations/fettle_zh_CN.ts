@@ -205,6 +205,10 @@
             <numerusform>还剩 %n 分钟：请准备结束。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Opening the work of %1</source>
+        <translation>正在打开作品：%1</translation>
+    </message>
 </context>
 <context>
     <name>app::CommandLine</name>

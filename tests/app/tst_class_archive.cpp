@@ -104,6 +104,9 @@ void TestClassArchive::aWorkIsWholeAndGoesToItsFolder()
     QVERIFY(delivery.waiting == 0 && delivery.problem.isEmpty());
     const QString there = places.works + QStringLiteral("/2026-11-24-1015-Anna");
     QCOMPARE(delivery.moved.value(kept.folder), there);
+    QCOMPARE(places.archive().whereIs(kept.folder, work.id), there);
+    QCOMPARE(places.archive().whereIs(there, work.id), there);
+    QCOMPARE(places.archive().whereIs(kept.folder, QStringLiteral("another")), kept.folder); // nowhere else
     verifyWork(there, work);
     QCOMPARE(Places::all(places.waiting), QStringList());
     QCOMPARE(Places::all(places.works).size(), 1);

@@ -117,6 +117,7 @@ struct Class
     void beginTurn(const QString& name, const char* starter = "new.ball")
     {
         QTest::mouseClick(part<QAbstractButton>((QByteArray("turn.") + starter).constData()), Qt::LeftButton);
+        part<QLineEdit>("pupilName")->clear();
         QTest::keyClicks(part<QLineEdit>("pupilName"), name);
         QTest::keyClick(part<QLineEdit>("pupilName"), Qt::Key_Return);
         QTRY_VERIFY_WITH_TIMEOUT(!asks() && isIdle() && text("classPupil") == name, longestWait);
@@ -357,7 +358,7 @@ void TestClassroom::aMistakenPress_isTakenBack()
     QTRY_VERIFY(c.part<QPushButton>("classResume")->isVisible());
     c.sculpt();
     QTRY_VERIFY(!c.part<QPushButton>("classResume")->isVisible()); // when the bar is laid out again
-    QTRY_COMPARE_WITH_TIMEOUT(foldersIn(home.works).size(), 2, longestWait); // what was kept stays
+    QTRY_VERIFY_WITH_TIMEOUT(foldersIn(home.works).size() == 2 && !foldersIn(home.works).constFirst().startsWith(u'.'), longestWait); // what was kept stays
     const QString folder = home.works + u'/' + foldersIn(home.works).last();
     QCOMPARE(hashOf(folder + QStringLiteral("/model.glb")), later);
     QCOMPARE(core::readStrokes((folder + QStringLiteral("/record.json")).toStdString()).size(), std::size_t(2));
