@@ -182,7 +182,7 @@ void LessonEditorDesk::goOnWith(const QString& kept)
     const ReadLesson read = tryToReadLesson(kept);
     if (!read.lesson)
         return m_window->showProblem(read.problem);
-    take(LessonKeeper::withoutPlaceholders(*read.lesson), {});
+    take(LessonKeeper::withoutStandIns(*read.lesson), {});
     m_written = nothingWritten;
     m_keeper->takeOver(kept);
     showLessons();

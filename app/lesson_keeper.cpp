@@ -14,25 +14,25 @@ namespace
 constexpr int lookMs = 2000;
 constexpr char fileName[] = "lesson.zip";
 /// In the place of words that a lesson must have and has not yet: a reader takes no lesson without.
-constexpr char placeholder[] = "\u2026", placeholderLanguage[] = "en";
+constexpr char standIn[] = "\u2026", standInLanguage[] = "en";
 
 core::LessonDraft filled(core::LessonDraft draft)
 {
     using Lack = core::LessonDraft::Lack;
     while (const auto missing = draft.missing()) {
         switch (missing->what) {
-        case Lack::Title: draft.setTitle(placeholderLanguage, placeholder); break;
+        case Lack::Title: draft.setTitle(standInLanguage, standIn); break;
         case Lack::Steps: draft.addStep(); break;
-        case Lack::StepTitle: draft.setStepTitle(missing->step, placeholderLanguage, placeholder); break;
-        case Lack::StepText: draft.setStepText(missing->step, placeholderLanguage, placeholder); break;
+        case Lack::StepTitle: draft.setStepTitle(missing->step, standInLanguage, standIn); break;
+        case Lack::StepText: draft.setStepText(missing->step, standInLanguage, standIn); break;
         }
     }
     return draft;
 }
 
-void dropPlaceholder(core::LessonText& text)
+void dropStandIn(core::LessonText& text)
 {
-    if (const auto found = text.words.find(placeholderLanguage); found != text.words.end() && found->second == placeholder)
+    if (const auto found = text.words.find(standInLanguage); found != text.words.end() && found->second == standIn)
         text.words.erase(found);
 }
 } // namespace
@@ -78,12 +78,12 @@ QStringList LessonKeeper::left() const
     return files;
 }
 
-core::Lesson LessonKeeper::withoutPlaceholders(core::Lesson lesson)
+core::Lesson LessonKeeper::withoutStandIns(core::Lesson lesson)
 {
-    dropPlaceholder(lesson.title);
+    dropStandIn(lesson.title);
     for (core::LessonStep& step : lesson.steps) {
-        dropPlaceholder(step.title);
-        dropPlaceholder(step.text);
+        dropStandIn(step.title);
+        dropStandIn(step.text);
     }
     return lesson;
 }

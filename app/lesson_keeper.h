@@ -29,7 +29,7 @@ public:
     /// What programs before left, the latest first.
     QStringList left() const;
     /// One of those as it was: it had to be given words that it lacked.
-    static core::Lesson withoutPlaceholders(core::Lesson lesson);
+    static core::Lesson withoutStandIns(core::Lesson lesson);
     /// That one is what is not saved from now on.
     void takeOver(const QString& file);
 
