@@ -137,6 +137,7 @@ void DabEngine::sculpt(const StrokeSettings& settings, Dab dab, const std::funct
         const PhaseTimer timer(report.fuseMs);
         task.meets = facesMeet(settings, task.ball);
     }
+    recallHeldBack(task);
     deform(task, between, report);
     m_bounds = task.bounds;
     if (report.asked > 0)
@@ -144,8 +145,10 @@ void DabEngine::sculpt(const StrokeSettings& settings, Dab dab, const std::funct
     report.touchedVertices = touchedVertices();
     if (settings.tool == Tool::Layer && report.asked > 0)
         noteRaised(report.reached / report.asked);
-    if (holdsOn(settings.tool) && !m_region.empty())
+    if (holdsOn(settings.tool) && !m_region.empty()) {
         m_hold = {true, m_mirror.isOn(), m_hold.axis, m_hold.detail, m_mesh.removedVertices().size()};
+        noteHeldBack(task, report);
+    }
 }
 
 /// In sub-steps, until the plan is done or no more can be.
@@ -230,7 +233,7 @@ RemeshCounts DabEngine::refineAndPlan(Task& task, MeshEditor edit, DabReport& re
     }
     const PhaseTimer timer(report.deformMs, report.fuseMs);
     report.asked = plan(task);
-    if (task.meets && takesLongSteps(task.settings.tool)) {
+    if (task.meets && takesLongSteps(task.settings.tool) && !m_held.inUse()) {
         const PhaseTimer fuseTimer(report.fuseMs);
         task.meets = m_fuser.willMeet(m_surface, m_region, boundsInHand(task.settings, task.bounds));
     }
@@ -246,13 +249,15 @@ RemeshCounts DabEngine::refineAndPlan(Task& task, MeshEditor edit, DabReport& re
     return counts;
 }
 
-/// Into how many the plan is cut where nothing can meet: in none do neighbours move more than d_move against each other. An imprint is
-/// done at once: what moves in one direction does not fold up, however steep its walls become.
+/// Into how many the plan is cut where nothing can meet: in none do neighbours move more than d_move against each other, or, of what is in
+/// the hand, which folds up only where it is dragged far along the surface, more than an edge is long. An imprint is done at once: what moves
+/// in one direction does not fold up, however steep its walls become.
 double DabEngine::transactionsFor(const Task& task) const
 {
     if (task.settings.tool == Tool::Stamp)
         return 1;
-    return std::max(1.0, std::ceil(longestBetweenNeighbours() / (movePerMinimum * task.bounds.minimum)));
+    const double most = holdsOn(task.settings.tool) ? task.bounds.detail : movePerMinimum * task.bounds.minimum;
+    return std::max(1.0, std::ceil(longestBetweenNeighbours() / most));
 }
 
 /// The longest of the differences between the plans of neighbours.

@@ -60,6 +60,7 @@ private:
     /// A guard, not a tuning knob: of a dab, some seconds. What is counted costs some microsecond each: vertices moved, and faces looked at
     /// by operations that are judged by themselves. A dab that would need more ends early.
     static constexpr double mostWork = 1 << 21;
+    static constexpr unsigned mostHeldSubsteps = 8; ///< what is held back is let go of after as many at the latest
     static constexpr unsigned carefulMove = 16; ///< work that a vertex's move counts for where it is judged with care
 
     /// What a tool that holds on has taken hold of: from then on m_region is not selected, but kept.
@@ -70,6 +71,9 @@ private:
         Vec3 axis = Vec3::Zero(); ///< the mean normal when it was taken
         double detail = 0;        ///< the d_detail that keeps it as fine as it was then
         std::size_t known = 0;    ///< so many of Mesh::removedVertices() are no longer in its region
+        Vec3 way = Vec3::Zero();  ///< of the last dab: where it is the next one's, too, what was in the way still is
+        HeldBack held;            ///< by that
+        unsigned carefulSubsteps = 0; ///< with that
     };
 
     /// What a radial stroke's tool that holds on has in another sector than the first.
@@ -104,8 +108,8 @@ private:
         /// Of the plan, that the next sub-step does.
         double part() const { return ticks / (ticksPerStep * steps); }
         Approach approach() const { return {pushes(settings), bounds, part()}; }
-        /// What was held back once in a dab stays so in its next sub-steps, but after 1, 2, 4, 8 ... of them: what stood in the way may be gone.
-        bool letsGo() const { return std::has_single_bit(carefulSubsteps); }
+        /// What was held back once stays so in the next sub-steps, but after 1, 2, 4, 8, 16, 24 ... of them: what stood in the way may be gone.
+        bool letsGo() const { return std::has_single_bit(carefulSubsteps) || carefulSubsteps % mostHeldSubsteps == 0; }
         /// To which the finished transaction amounts.
         unsigned substeps() const { return std::max(ticks / ticksPerStep, 1u); }
     };
@@ -135,6 +139,8 @@ private:
     void take(const StrokeSettings& settings, const Sphere& ball);
     bool takeMirrored(const StrokeSettings& settings, const Sphere& ball);
     bool takeHeld();
+    void recallHeldBack(Task& task);
+    void noteHeldBack(const Task& task, const DabReport& report);
     double meanEdge(const Region& region) const;
     void swapHolds(Tool tool);
     Sphere ballAround(const Dab& dab) const;

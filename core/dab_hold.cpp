@@ -7,6 +7,19 @@
 
 namespace core
 {
+namespace
+{
+/// The cosine of the angle that ways of dabs may differ by and be the same.
+constexpr double sameWay = 0.9;
+/// A dab that reached less of what was asked has held back too much.
+constexpr double wholeShare = 0.95;
+
+Vec3 wayOf(const Dab& dab)
+{
+    return dab.turn != 0 ? Vec3(dab.turn * dab.axis) : dab.motion;
+}
+} // namespace
+
 void DabEngine::beginStroke()
 {
     m_hold = m_imageHold = {};
@@ -84,6 +97,26 @@ bool DabEngine::takeHeld()
     faces.sort();
     m_candidates = faces.slots();
     return m_mirror.isOn() && m_mirror.learn(m_candidates, m_surface.octree());
+}
+
+/// What stood in the way of what is in the hand still does while that goes on in the same way: it is not found out anew in each dab.
+void DabEngine::recallHeldBack(Task& task)
+{
+    const Vec3 way = wayOf(task.dab);
+    if (!m_hold.held.inUse() || way.dot(m_hold.way) < sameWay * way.norm() * m_hold.way.norm())
+        return;
+    m_held = std::move(m_hold.held);
+    task.carefulSubsteps = m_hold.carefulSubsteps;
+    meet(task);
+}
+
+void DabEngine::noteHeldBack(const Task& task, const DabReport& report)
+{
+    if (!m_held.inUse() || report.reached < wholeShare * report.asked)
+        return;
+    m_hold.way = wayOf(task.dab);
+    m_hold.held = std::move(m_held);
+    m_hold.carefulSubsteps = task.carefulSubsteps;
 }
 
 /// Of a tool that holds on. What was removed meanwhile, with the other hold, is let go.

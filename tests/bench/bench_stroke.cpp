@@ -22,11 +22,9 @@ class Values
 public:
     void add(double value) { m_values.push_back(value); }
     double first() const { return m_values.front(); }
+    double sum() const { return std::accumulate(m_values.begin(), m_values.end(), 0.0); }
     /// Of all but the first.
-    double meanOfLater() const
-    {
-        return std::accumulate(m_values.begin() + 1, m_values.end(), 0.0) / static_cast<double>(m_values.size() - 1);
-    }
+    double meanOfLater() const { return (sum() - first()) / static_cast<double>(m_values.size() - 1); }
     double median() { return percentile(0.5); }
     double percentile(double part)
     {
@@ -105,6 +103,7 @@ void measure(benchmark::State& state, core::Sculptor& sculptor, const GreatCircl
     state.counters["stroke"] = ends;
     state.counters["touched"] = touched.median();
     state.counters["per_vertex"] = perVertex.median();
+    state.counters["per_vertex_mean"] = cpu.sum() / touched.sum();
     state.counters["whole"] = whole / stroke.dabs;
     state.counters["vertices"] = sculptor.mesh().live().vertices;
 }

@@ -1,5 +1,5 @@
 // What a dab costs, in tables: the paper's Table 1, scale, large dabs, strength, memory. By hand, on a release build:
-//   fettle_bench [--benchmark_filter=table1|peersStroke|largeDab|strength|tools|drawing|print|files|memory]
+//   fettle_bench [--benchmark_filter=table1|peersStroke|largeDab|strength|tools|drags|drawing|print|files|memory]
 //   FETTLE_AGED_DABS=100000 fettle_bench --benchmark_filter=agedStroke
 // Five interleaved runs of each row, of which the best counts; --benchmark_repetitions=1 is enough for a look.
 
@@ -57,6 +57,14 @@ std::vector<bench::Table> tables()
           {"per_vertex", "a vertex", 3},
           {"per_vertex", "/ pull", 2, 0},
           {"verify", "verify", 0},
+          {"whole", "whole", 3}}},
+        {"drags",
+         "Drags along the surface, dabs of 0.1 radii, 40,962 vertices, radius 0.2: microseconds a dab",
+         {{"touched", "touched", 0},
+          {"cpu", "cpu", 0},
+          {"cpu_p99", "p99", 0},
+          {"per_vertex", "a vertex", 3},
+          {"per_vertex_mean", "in all", 3},
           {"whole", "whole", 3}}},
         {"drawing", "Drawings of 1,004,892 vertices, three views: milliseconds", {{"wall", "wall", 1}}},
         {"drawingStroke", "The same while a stroke goes on, each fifth dab drawn: milliseconds", {{"apply", "patch", 1}, {"wall", "all", 1}, {"worst", "worst", 1}}},

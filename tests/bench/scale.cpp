@@ -164,4 +164,22 @@ BENCHMARK(tools)
     ->Iterations(1)
     ->UseManualTime()
     ->Unit(benchmark::kMicrosecond);
+
+/// What is dragged along the surface farther than it goes without a fold. Arguments: tool, dabs of a tenth of a radius.
+void drags(benchmark::State& state)
+{
+    const auto tool = static_cast<core::Tool>(state.range(0));
+    const auto dabs = static_cast<int>(state.range(1));
+    state.SetLabel(std::string(core::name(tool)));
+    for ([[maybe_unused]] auto round : state) {
+        Sculptor sculptor(bench::opened(bench::geodesicSphere(64)));
+        bench::measure(state, sculptor, {.tool = tool, .radius = 0.2, .strength = 1, .dabs = dabs, .spacing = 0.1});
+    }
+}
+BENCHMARK(drags)
+    ->ArgNames({"tool", "dabs"})
+    ->ArgsProduct({{static_cast<int>(core::Tool::Pull), static_cast<int>(core::Tool::Grab), static_cast<int>(core::Tool::Snake)}, {5, 10, 20, 40}})
+    ->Iterations(1)
+    ->UseManualTime()
+    ->Unit(benchmark::kMicrosecond);
 } // namespace
