@@ -47,7 +47,7 @@ bool DabEngine::easeMotion(Task& task, DabReport& report)
 void DabEngine::meet(Task& task) const
 {
     task.meets = true;
-    task.bounds = boundsFor(task.settings, task.dab);
+    task.bounds = boundsFor(task.settings, task.dab.radius);
 }
 
 /// Of several sub-steps at once half is tried. False if it was one, or a part of one.

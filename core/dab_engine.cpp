@@ -83,7 +83,7 @@ void DabEngine::rehearse()
     const Mesh::Mark mark = m_mesh.mark();
     select(m_region, m_candidates, BrushShape::Sphere, {dab.position, dab.radius});
     if (m_region.size() <= mostRehearsed) {
-        Task task = {settings, dab, {dab.position, dab.radius}, boundsFor(settings, dab)};
+        Task task = {settings, dab, {dab.position, dab.radius}, boundsFor(settings, dab.radius)};
         RemeshCounts counts = refineAndPlan(task, plainEditor(), report);
         moveAndOptimise(task, counts, report);
         m_surface.rehearse(mark);
@@ -132,7 +132,7 @@ void DabEngine::sculpt(const StrokeSettings& settings, Dab dab, const std::funct
     m_blocked.clear();
     m_capped = false;
     dab.axis = m_hold.axis;
-    Task task = {settings, dab, ballAround(dab), boundsFor(settings, dab)};
+    Task task = {settings, dab, ballAround(dab), boundsFor(settings, dab.radius)};
     {
         const PhaseTimer timer(report.fuseMs);
         task.meets = facesMeet(settings, task.ball);
@@ -183,11 +183,11 @@ void DabEngine::deform(Task& task, const std::function<void()>& between, DabRepo
     }
 }
 
-EdgeBounds DabEngine::boundsFor(const StrokeSettings& settings, const Dab& dab) const
+EdgeBounds DabEngine::boundsFor(const StrokeSettings& settings, double radius) const
 {
     const double uniform = settings.detailLength > 0 ? settings.detailLength : m_mesh.uniformDetail();
     const EdgeBounds bounds =
-        settings.topology == Topology::Uniform ? edgeBounds(uniform) : edgeBounds(dab.radius, detailShare(settings) * settings.detail);
+        settings.topology == Topology::Uniform ? edgeBounds(uniform) : edgeBounds(radius, detailShare(settings) * settings.detail);
     return edgeBounds(std::max(bounds.detail, m_mesh.lattice().minDetail()));
 }
 

@@ -72,7 +72,7 @@ private:
         double detail = 0;        ///< the d_detail that keeps it as fine as it was then
         std::size_t known = 0;    ///< so many of Mesh::removedVertices() are no longer in its region
         Vec3 way = Vec3::Zero();  ///< of the last dab: where it is the next one's, too, what was in the way still is
-        HeldBack held;            ///< by that
+        HeldBack held{};          ///< by that
         unsigned carefulSubsteps = 0; ///< with that
     };
 
@@ -139,6 +139,7 @@ private:
     void take(const StrokeSettings& settings, const Sphere& ball);
     bool takeMirrored(const StrokeSettings& settings, const Sphere& ball);
     bool takeHeld();
+    void joinRim(const StrokeSettings& settings, double radius);
     void recallHeldBack(Task& task);
     void noteHeldBack(const Task& task, const DabReport& report);
     double meanEdge(const Region& region) const;
@@ -162,7 +163,7 @@ private:
     void mark(const StrokeSettings& settings, const Dab& dab, DabReport& report);
     void colour(Slot v, Rgb color, double share);
     void mask(Slot v, double change);
-    EdgeBounds boundsFor(const StrokeSettings& settings, const Dab& dab) const;
+    EdgeBounds boundsFor(const StrokeSettings& settings, double radius) const;
     EdgeBounds boundsInHand(const StrokeSettings& settings, const EdgeBounds& bounds) const;
     void meet(Task& task) const;
     Substep substep(Task& task, DabReport& report);

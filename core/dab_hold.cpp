@@ -44,6 +44,7 @@ DabReport DabEngine::rest(const StrokeSettings& settings, const Dab& dab)
 void DabEngine::take(const StrokeSettings& settings, const Sphere& ball)
 {
     if (m_hold.isOn) {
+        joinRim(settings, ball.radius);
         takeHeld();
         return;
     }
@@ -82,10 +83,34 @@ bool DabEngine::takeMirrored(const StrokeSettings& settings, const Sphere& ball)
     const bool isHeld = m_hold.isOn;
     if (!isHeld)
         take(settings, ball);
+    else if (m_hold.isMirrored)
+        joinRim(settings, ball.radius);
     const bool mirrored = isHeld ? m_hold.isMirrored && takeHeld() : isMirroredIn(settings.brush, ball);
     if (mirrored) // of what is held some may have been taken across the plane by another dab
         keepHalf(m_region, m_mirror);
     return mirrored;
+}
+
+/// What the hand has drawn away from joins with no weight: an edge that has one end alone in the region is not split, however long it grows,
+/// and long ones are soon in the way.
+void DabEngine::joinRim(const StrokeSettings& settings, double radius)
+{
+    if (settings.falloff == 0) // all that is in the region weighs
+        return;
+    const EdgeBounds bounds = boundsFor(settings, radius);
+    const double detail = m_hold.held.inUse() ? bounds.detail : boundsInHand(settings, bounds).detail;
+    std::vector<Slot> rim;
+    m_region.forEach([&](Slot v) {
+        if (m_region.distance(v) >= radius && !(m_hold.isMirrored && m_region.carried(v) < radius))
+            return; // has joined like that
+        m_mesh.forEachOutgoing(v, [&](Slot h) {
+            const Slot other = m_mesh.to(h);
+            if (!m_region.contains(other) && (m_mesh.point(other) - m_mesh.point(v)).cast<double>().squaredNorm() > detail * detail)
+                rim.push_back(other);
+        });
+    });
+    for (Slot v : rim)
+        m_region.add(v, radius, Vec3::Zero(), 2 * radius);
 }
 
 /// The faces around what is held; whether they have images.

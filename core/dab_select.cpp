@@ -142,7 +142,7 @@ void DabEngine::mark(const StrokeSettings& settings, const Dab& dab, DabReport& 
     };
     m_region.remeshed().clear(); // here nothing is
     if (m_mirror.isOn())
-        selectBothSides({settings, dab, {dab.position, dab.radius}, boundsFor(settings, dab)});
+        selectBothSides({settings, dab, {dab.position, dab.radius}, boundsFor(settings, dab.radius)});
     const Region& whole = m_mirror.isOn() ? m_whole : m_region;
     const DabWeights weights(whole, m_mesh, settings, dab);
     m_region.forEach([&](Slot v) {

@@ -82,6 +82,16 @@ template <class Visit> void forEachPoint(const Mesh& mesh, Visit visit)
     }
 }
 
+double longestEdge(const Mesh& mesh)
+{
+    double longest = 0;
+    for (Slot v = 0; v < mesh.slots().vertices; ++v) {
+        if (mesh.isVertex(v))
+            mesh.forEachOutgoing(v, [&](Slot h) { longest = std::max(longest, double((mesh.point(mesh.to(h)) - mesh.point(v)).norm())); });
+    }
+    return longest;
+}
+
 double highest(const Mesh& mesh)
 {
     double most = 0;
@@ -361,7 +371,8 @@ void TestTools::grab_alongRaysKeepsToThePlane()
     QVERIFY(isSound(*sculptor));
 }
 
-/// What is dragged two radii over its own front folds up there. That holds little back, and nothing on the way back.
+/// What is dragged two radii over its own front folds up there. That holds little back, and nothing on the way back; and behind it the mesh
+/// stays as fine as the brush asks for, up to what is not in the hand.
 void TestTools::grab_farAlongTheSurfaceGoesAllTheWay()
 {
     const auto sculptor = ball();
@@ -378,6 +389,8 @@ void TestTools::grab_farAlongTheSurfaceGoesAllTheWay()
     QVERIFY2(reached >= 0.95 * asked, qPrintable(QStringLiteral("%1 of %2").arg(reached).arg(asked)));
     for (std::size_t i = 40; i < reports.size(); ++i)
         QVERIFY2(reports[i].reached >= 0.99 * reports[i].asked, qPrintable(QString::number(i)));
+    const double longest = longestEdge(sculptor->mesh()), detail = core::edgeBounds(20, 1).detail;
+    QVERIFY2(longest < 1.1 * detail, qPrintable(QStringLiteral("%1 for %2").arg(longest).arg(detail)));
     QVERIFY(isSound(*sculptor));
 }
 
