@@ -23,7 +23,6 @@ constexpr std::array<std::string_view, 6> outcomeTable{"committed", "careful", "
 
 constexpr double detailPerRadiusSquared = 0.05; ///< paper, section 3.2.2
 constexpr double minimumPerDetail = 0.5;        ///< square root of the paper's 0.25
-constexpr double wholeShare = 0.95;             ///< of what was asked, that a hand takes for all of it (DESIGN, section 6)
 
 template <class Value, std::size_t N>
 std::optional<Value> named(std::string_view name, const std::array<std::string_view, N>& table)
@@ -156,7 +155,7 @@ Shortfall shortfallOf(const DabReport& dab)
         return Shortfall::Capped;
     if (dab.wall)
         return Shortfall::Wall;
-    if (dab.contact && (dab.outcome == DabOutcome::EndedEarly || dab.reached < wholeShare * dab.asked))
+    if (dab.contact && (dab.outcome == DabOutcome::EndedEarly || !dab.isWhole()))
         return Shortfall::Contact;
     return dab.outcome == DabOutcome::EndedEarly ? Shortfall::Stuck : Shortfall::None;
 }

@@ -11,8 +11,6 @@ namespace
 {
 /// The cosine of the angle that ways of dabs may differ by and be the same.
 constexpr double sameWay = 0.9;
-/// A dab that reached less of what was asked has held back too much.
-constexpr double wholeShare = 0.95;
 
 Vec3 wayOf(const Dab& dab)
 {
@@ -137,7 +135,7 @@ void DabEngine::recallHeldBack(Task& task)
 
 void DabEngine::noteHeldBack(const Task& task, const DabReport& report)
 {
-    if (!m_held.inUse() || report.reached < wholeShare * report.asked)
+    if (!m_held.inUse() || !report.isWhole()) // else it has held back too much
         return;
     m_hold.way = wayOf(task.dab);
     m_hold.held = std::move(m_held);

@@ -135,6 +135,8 @@ struct DabReport
     /// meet, as over the axis; so they were done one after the other.
     bool apart = false;
 
+    /// Whether a hand takes what was reached for all that was asked (DESIGN, section 6).
+    bool isWhole() const { return reached >= 0.95 * asked; }
     /// For a dab done as several: costs add up; of two that did something the worse outcome and the smaller share reached count.
     DabReport& operator+=(const DabReport& second);
 };
