@@ -8,15 +8,13 @@
 //     verify     exactly, where it changed                                                     judged_mesh
 //     index      octree and draw ranges learn what changed                                     judged_mesh
 //     fuse       what the next sub-step would bring into contact joins; thin necks part        fuse
-// What it works on is selected in dab_select.cpp, or is what an earlier dab of the stroke took hold of, in dab_hold.cpp; a sub-step that
-// does not verify is rolled back and goes on in dab_careful.cpp. Of several sectors dab_radial.cpp does one after the other.
+// It is planned in dab_plan.cpp. What it works on is selected in dab_select.cpp, or is what an earlier dab of the stroke took hold of, in
+// dab_hold.cpp; a sub-step that does not verify is rolled back and goes on in dab_careful.cpp. Of several sectors dab_radial.cpp does one
+// after the other.
 
 #include "dab_engine.h"
 
-#include "deform.h"
 #include "free_topology.h"
-#include "mirror_plan.h"
-#include "parallel.h"
 #include "phase_timer.h"
 
 #include <utility>
@@ -25,34 +23,13 @@ namespace core
 {
 namespace
 {
-/// d_move in terms of d: the paper asks for less than d/2 (section 3.3).
-constexpr double movePerMinimum = 0.45;
-/// Guards, not tuning knobs: steps that a plan is cut into, and tries to take them. A dab that would need more ends early.
-constexpr double mostSteps = 4096;
+/// A guard, not a tuning knob: tries to take the steps of a dab, which ends early if it would need more.
 constexpr int mostAttempts = 4 * 4096;
 /// A dab whose centre is farther from its image's than this, in radii, does not bring the two into contact.
 constexpr double farthestFromImage = 4;
-/// A line is sharp if the mesh along it is fine, and so is what an alpha or a stamp has in it.
-constexpr double lineDetail = 0.5, alphaDetail = 0.35, stampDetail = 0.28;
 /// Vertices of a dab that is only a rehearsal: where the mesh is far finer than elsewhere none is made.
 constexpr Slot mostRehearsed = 1024;
-/// What a core takes at a time.
-constexpr std::size_t verticesPerChunk = 512;
 
-double detailShare(const StrokeSettings& settings)
-{
-    if (settings.tool == Tool::Stamp)
-        return stampDetail;
-    if (settings.alpha && usesAlpha(settings.tool))
-        return alphaDetail;
-    return drawsLine(settings.tool) ? lineDetail : 1;
-}
-/// Even where surfaces face each other, as long as none stops it: a line's two sides, an imprint's walls and the sides of what is in the hand
-/// do, and seldom meet.
-bool takesLongSteps(Tool tool)
-{
-    return drawsLine(tool) || tool == Tool::Stamp || followsHand(tool);
-}
 bool isAtRest(const StrokeSettings& settings, const Dab& dab)
 {
     return followsHand(settings.tool) && (settings.tool == Tool::Twist ? dab.turn == 0 : dab.motion.isZero());
@@ -128,7 +105,7 @@ void DabEngine::sculpt(const StrokeSettings& settings, Dab dab, const std::funct
         return mark(settings, dab, report);
     m_held.clear();
     m_unfolding.clear();
-    m_fuser.beginDab(mirror(), settings.topology == Topology::Uniform ? 1 : detailShare(settings));
+    m_fuser.beginDab(mirror(), detailShare(settings));
     m_blocked.clear();
     m_capped = false;
     dab.axis = m_hold.axis;
@@ -183,14 +160,6 @@ void DabEngine::deform(Task& task, const std::function<void()>& between, DabRepo
     }
 }
 
-EdgeBounds DabEngine::boundsFor(const StrokeSettings& settings, double radius) const
-{
-    const double uniform = settings.detailLength > 0 ? settings.detailLength : m_mesh.uniformDetail();
-    const EdgeBounds bounds =
-        settings.topology == Topology::Uniform ? edgeBounds(uniform) : edgeBounds(radius, detailShare(settings) * settings.detail);
-    return edgeBounds(std::max(bounds.detail, m_mesh.lattice().minDetail()));
-}
-
 DabEngine::Substep DabEngine::substep(Task& task, DabReport& report)
 {
     const bool isHeld = m_held.inUse();
@@ -215,81 +184,6 @@ DabEngine::Substep DabEngine::substep(Task& task, DabReport& report)
     const Substep result = careful(task, report);
     separate(task, report);
     return result;
-}
-
-/// The first sub-step begins with this: the mesh under the brush is made fine enough to plan on.
-RemeshCounts DabEngine::refineAndPlan(Task& task, MeshEditor edit, DabReport& report)
-{
-    RemeshCounts counts;
-    if (!m_hold.isOn) {
-        const PhaseTimer timer(report.optimiseMs, m_surface.verifyMs());
-        counts = refine(edit, m_region, m_candidates, task.ball, task.bounds);
-    }
-    if (task.settings.brush == BrushShape::Ray && counts.splits > 0) {
-        const PhaseTimer timer(report.selectMs);
-        selectRefined(m_region, task.ball);
-        if (m_mirror.isOn())
-            keepHalf(m_region, m_mirror);
-    }
-    const PhaseTimer timer(report.deformMs, report.fuseMs);
-    report.asked = plan(task);
-    if (task.meets && takesLongSteps(task.settings.tool) && !m_held.inUse()) {
-        const PhaseTimer fuseTimer(report.fuseMs);
-        task.meets = m_fuser.willMeet(m_surface, m_region, boundsInHand(task.settings, task.bounds));
-    }
-    if (!task.meets)
-        task.bounds = boundsInHand(task.settings, task.bounds);
-    task.steps = std::max(1.0, std::ceil(report.asked / (movePerMinimum * task.bounds.minimum)));
-    m_capped = task.steps > mostSteps;
-    task.left = ticksPerStep * static_cast<unsigned>(std::min(task.steps, mostSteps));
-    task.most = ticksPerStep;
-    if (task.steps > 1 && !task.meets)
-        task.most *= std::max(1u, static_cast<unsigned>(task.steps / transactionsFor(task)));
-    task.ticks = std::min(task.most, task.left);
-    return counts;
-}
-
-/// Into how many the plan is cut where nothing can meet: in none do neighbours move more than d_move against each other, or, of what is in
-/// the hand, which folds up only where it is dragged far along the surface, more than an edge is long. An imprint is done at once: what moves
-/// in one direction does not fold up, however steep its walls become.
-double DabEngine::transactionsFor(const Task& task) const
-{
-    if (task.settings.tool == Tool::Stamp)
-        return 1;
-    const double most = holdsOn(task.settings.tool) ? task.bounds.detail : movePerMinimum * task.bounds.minimum;
-    return std::max(1.0, std::ceil(longestBetweenNeighbours() / most));
-}
-
-/// The longest of the differences between the plans of neighbours.
-double DabEngine::longestBetweenNeighbours() const
-{
-    const std::vector<Slot>& slots = m_region.slots();
-    std::vector<double> longest2(1 + chunksOf(slots.size(), verticesPerChunk), 0.0);
-    forEachChunk(slots.size(), verticesPerChunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const Slot v = slots[i];
-            if (!m_region.contains(v))
-                continue;
-            const Vec3& plan = m_region.plan(v);
-            m_mesh.forEachOutgoing(v, [&](Slot h) {
-                const Slot other = m_mesh.to(h);
-                if (other > v && m_region.contains(other)) // at the region's rim the plan is nearly none
-                    longest2[chunk] = std::max(longest2[chunk], (plan - m_region.plan(other)).squaredNorm());
-            });
-        }
-    });
-    return std::sqrt(*std::ranges::max_element(longest2));
-}
-
-/// Returns the longest displacement planned.
-double DabEngine::plan(const Task& task)
-{
-    if (task.settings.tool == Tool::Layer)
-        recallRaised();
-    if (!m_mirror.isOn())
-        return planDeformation(m_region, m_mesh, task.settings, task.dab);
-    selectBothSides(task);
-    return planMirrored(m_region, m_whole, m_mirror, m_mesh, task.settings, task.dab);
 }
 
 DabEngine::Substep DabEngine::straight(Task& task, DabReport& report)

@@ -163,6 +163,7 @@ private:
     void mark(const StrokeSettings& settings, const Dab& dab, DabReport& report);
     void colour(Slot v, Rgb color, double share);
     void mask(Slot v, double change);
+    static double detailShare(const StrokeSettings& settings); ///< of the brush's own d, that the tool asks for; 1 where the brush has none
     EdgeBounds boundsFor(const StrokeSettings& settings, double radius) const;
     EdgeBounds boundsInHand(const StrokeSettings& settings, const EdgeBounds& bounds) const;
     void meet(Task& task) const;
