@@ -104,6 +104,7 @@ inline void chooseFile(Program& program, const char* dialogName, const QString& 
     auto* name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
     dialog->setDirectory(QFileInfo(path).absolutePath());
     name->setText(QFileInfo(path).fileName());
+    QTRY_VERIFY_WITH_TIMEOUT(dialog->isActiveWindow(), 60'000); // until then Return is the window's behind it
     QTest::keyClick(name, Qt::Key_Return);
 }
 
