@@ -35,9 +35,9 @@ struct CaptionLine
         const QFontMetrics metrics(font);
         const int height = metrics.height(), space = static_cast<int>(captionGap * metrics.capHeight());
         int x = gap;
-        const auto take = [&](int width) {
-            const QRect place(x, 0, width, height);
-            x += width + space;
+        const auto take = [&](int wide) {
+            const QRect place(x, 0, wide, height);
+            x += wide + space;
             return place;
         };
         icon = take(height);

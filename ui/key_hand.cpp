@@ -46,7 +46,7 @@ void KeyHand::setOn(bool on)
     if (on) {
         m_at = inside(m_isPlaced ? m_at : OrbitCamera::Pixel(0.5 * m_reach.view));
         m_isPlaced = true;
-        m_input->handle({.kind = PointerEvent::Kind::Move, .pixel = m_at});
+        m_input->handle({.kind = PointerEvent::Kind::Move, .pixel = m_at, .modifiers = {}});
     } else {
         lift();
         m_input->leave();

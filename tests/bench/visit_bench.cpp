@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <iterator>
 #include <numbers>
 
@@ -64,6 +65,14 @@ void print(const char* name, const std::vector<vr::FrameCost>& costs,
     std::printf("  %-9s %6.3f (%6.3f)", name, at(values, 0.5), at(values, 0.99));
 }
 
+template <class Condition> void waitFor(const Condition& condition)
+{
+    if (QTest::qWaitFor(condition, waitMs))
+        return;
+    std::fprintf(stderr, "visit_bench: what is to be measured did not come within %d s.\n", waitMs / 1000);
+    std::exit(1);
+}
+
 void measure(core::Slot cuts)
 {
     const QTemporaryDir folder;
@@ -75,7 +84,7 @@ void measure(core::Slot cuts)
     app::Program program;
     program.window.show();
     program.document.open(path);
-    QTest::qWaitFor([&] { return !program.document.isBusy() && program.document.path() == path; }, waitMs);
+    waitFor([&] { return !program.document.isBusy() && program.document.path() == path; });
     ScriptedHeadset headset;
     headset.load(script().constData());
     const auto ended = [&headset] { return headset.report()["frames_ended"].toInt(); };
@@ -83,7 +92,7 @@ void measure(core::Slot cuts)
     app::HeadsetDesk desk({&program.document, &program.worker, &program.window});
     vr::HeadsetThread thread;
     thread.enter(std::make_shared<vr::SculptClient>(desk.open(), vr::HeadsetChoice()));
-    QTest::qWaitFor([&] { return ended() - before >= frames; }, waitMs);
+    waitFor([&] { return ended() - before >= frames; });
     const std::vector<vr::FrameCost> all = thread.costs().last();
     const auto first = std::min<std::ptrdiff_t>(restFrames, std::ssize(all)),
                last = std::min<std::ptrdiff_t>(frames, std::ssize(all));
@@ -100,7 +109,7 @@ void measure(core::Slot cuts)
     std::printf("  %llu strokes\n", static_cast<unsigned long long>(program.worker.strokesBegun()));
     std::fflush(stdout);
     thread.leave();
-    QTest::qWaitFor([&] { return !thread.isIn(); }, waitMs);
+    waitFor([&] { return !thread.isIn(); });
     desk.close();
 }
 } // namespace

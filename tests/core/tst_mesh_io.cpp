@@ -388,13 +388,13 @@ void TestMeshIo::palette_isKeptBesideTheModel()
     const TriangleMesh ball = core::icosphere(2, 10);
     for (const char* name : {"a.ply", "a.obj", "a.off", "a.glb", "a.3mf"})
         for (const bool ascii : {false, true}) {
-            core::writeMesh(file(name), ball, {.ascii = ascii, .notes = {.palette = palette, .frame = {}, .view = {}, .brush = {}}});
+            core::writeMesh(file(name), ball, {.ascii = ascii, .notes = {.palette = palette, .frame = {}, .view = {}, .brush = {}, .work = {}}});
             QVERIFY2(readPalette(file(name)) == palette, name);
             QVERIFY2(core::readMesh(file(name)).points == ball.points, name);
             core::writeMesh(file(name), ball, {.ascii = ascii});
             QVERIFY2(readPalette(file(name)).empty(), name);
         }
-    core::writeMesh(file("a.stl"), ball, {.notes = {.palette = palette, .frame = {}, .view = {}, .brush = {}}});
+    core::writeMesh(file("a.stl"), ball, {.notes = {.palette = palette, .frame = {}, .view = {}, .brush = {}, .work = {}}});
     QVERIFY(readPalette(file("a.stl")).empty());
     QVERIFY(readPalette(file("none.ply")).empty());
 }
