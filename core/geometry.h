@@ -1,11 +1,12 @@
 #pragma once
 
+#include "slot.h"
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include <array>
 #include <cstdint>
-#include <limits>
 
 /// The one place that states units and axes: a document is in millimetres, right-handed, Y up.
 /// Triangles wind counter-clockwise seen from outside; "outside" is where the normal points.
@@ -13,10 +14,6 @@ namespace core
 {
 using Vec3 = Eigen::Vector3d;
 using Vec3f = Eigen::Vector3f;
-
-/// Index of a vertex, edge, half-edge or face in the mesh's arrays; stable while the document has history.
-using Slot = std::uint32_t;
-inline constexpr Slot noSlot = std::numeric_limits<Slot>::max();
 
 /// Corner slots of a face, counter-clockwise from outside.
 using Triangle = std::array<Slot, 3>;

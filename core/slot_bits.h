@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry.h"
+#include "slot.h"
 
 #include <vector>
 
