@@ -1,6 +1,6 @@
 #pragma once
 
-#include "face_octree.h"
+#include "lattice_box.h"
 #include "parallel.h"
 
 #include <algorithm>

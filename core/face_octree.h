@@ -1,5 +1,6 @@
 #pragma once
 
+#include "lattice_box.h"
 #include "mesh.h"
 
 #include <algorithm>
@@ -9,26 +10,6 @@
 
 namespace core
 {
-/// Integer box on the lattice, bounds included. The default box is empty.
-struct LatticeBox
-{
-    LatticePoint min = LatticePoint::Constant(std::numeric_limits<int>::max());
-    LatticePoint max = LatticePoint::Constant(std::numeric_limits<int>::min());
-
-    void extend(const LatticePoint& p) { min = min.cwiseMin(p), max = max.cwiseMax(p); }
-    void extend(const LatticeBox& b) { min = min.cwiseMin(b.min), max = max.cwiseMax(b.max); }
-    bool empty() const { return min.x() > max.x(); }
-    bool meets(const LatticeBox& b) const
-    {
-        return min.x() <= b.max.x() && b.min.x() <= max.x() && min.y() <= b.max.y() && b.min.y() <= max.y() &&
-               min.z() <= b.max.z() && b.min.z() <= max.z();
-    }
-    bool contains(const LatticeBox& b) const
-    {
-        return (min.array() <= b.min.array()).all() && (b.max.array() <= max.array()).all();
-    }
-};
-
 LatticeBox boxOf(const Mesh& mesh, Slot face);
 
 /// Loose octree of faces (paper, section 3.1.1). The root is the whole lattice and never changes. A face lies in a cell two

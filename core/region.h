@@ -88,7 +88,4 @@ void selectSphere(Region& region, std::vector<Slot>& candidates, const Mesh& mes
 /// of `candidates`, which then become the faces reached. Ascending by slot. A path along edges is never shorter than the true geodesic, and on even meshes up to 15 % longer.
 /// `most`: of more vertices none is selected, and the search ends there.
 void selectGeodesic(Region& region, std::vector<Slot>& candidates, const Mesh& mesh, const Sphere& ball, Slot most = noSlot);
-
-/// The box of lattice points that holds the ball, clipped to the lattice.
-LatticeBox latticeBox(const Lattice& lattice, const Sphere& ball);
 } // namespace core

@@ -1,7 +1,5 @@
 #include "surface_query.h"
 
-#include "region.h"
-
 #include <algorithm>
 
 namespace core
