@@ -5,7 +5,7 @@
 
 #include "collapse_shape.h"
 
-#include "deform.h"
+#include "normals.h"
 
 #include <algorithm>
 

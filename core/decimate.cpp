@@ -10,9 +10,9 @@
 
 #include "decimate.h"
 
-#include "deform.h"
 #include "judged_mesh.h"
 #include "mesh_build.h"
+#include "normals.h"
 #include "quadric.h"
 
 #include <algorithm>

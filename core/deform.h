@@ -4,13 +4,6 @@
 
 namespace core
 {
-/// Area-weighted normal of a vertex: an exact sum of products of lattice coordinates, so the order of the faces does not
-/// matter. In squared units of the document, not normalised; zero where the star's areas cancel.
-Vec3 vertexNormal(const Mesh& mesh, Slot v);
-
-/// Of a face, twice its area long.
-Vec3 faceNormal(const Mesh& mesh, Slot f);
-
 /// The dab's share of a vertex at that distance: 1 in the middle, 0 at the rim; n of b(x) is the stroke's falloff (paper, section 3.3).
 double weightAt(double distance, const StrokeSettings& settings, const Dab& dab);
 
@@ -20,9 +13,6 @@ Vec3 meanNormal(const Region& region, const Mesh& mesh);
 /// Plans where the dab moves each vertex of the region, by its tool's field: fields stand in deform.cpp, a line each. r_i is the region's
 /// distance; what the mask holds back is left out. Returns the longest displacement planned. Precondition: not marks(tool).
 double planDeformation(Region& region, const Mesh& mesh, const StrokeSettings& settings, const Dab& dab);
-
-/// Of the points around v.
-Vec3 neighbourMean(const Mesh& mesh, Slot v);
 
 /// Turns the plans of the region's vertices at and around the given ones towards their neighbours' mean, lengths kept: on a
 /// rough surface normals differ so much that neighbours would pass each other, faces turn over. `vertices`: may be gone.

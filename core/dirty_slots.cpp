@@ -1,6 +1,6 @@
 #include "dirty_slots.h"
 
-#include "deform.h"
+#include "normals.h"
 #include "parallel.h"
 
 #include <algorithm>

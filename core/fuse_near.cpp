@@ -6,7 +6,7 @@
 
 #include "fuse.h"
 
-#include "deform.h"
+#include "normals.h"
 #include "parallel.h"
 #include "proximity_grid.h"
 

@@ -5,7 +5,7 @@
 
 #include "mask_change.h"
 
-#include "deform.h"
+#include "normals.h"
 
 #include <algorithm>
 

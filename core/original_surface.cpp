@@ -6,7 +6,7 @@
 
 #include "original_surface.h"
 
-#include "deform.h"
+#include "normals.h"
 #include "remesh.h"
 #include "surface_query.h"
 

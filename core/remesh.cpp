@@ -10,7 +10,7 @@
 
 #include "remesher.h"
 
-#include "deform.h"
+#include "normals.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "unfolding.h"
 
-#include "deform.h"
+#include "normals.h"
 
 #include <algorithm>
 

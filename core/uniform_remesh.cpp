@@ -10,11 +10,11 @@
 
 #include "uniform_remesh.h"
 
-#include "deform.h"
 #include "judged_mesh.h"
 #include "lattice_fit.h"
 #include "model_transform.h"
 #include "morton_order.h"
+#include "normals.h"
 #include "original_surface.h"
 #include "remesh.h"
 

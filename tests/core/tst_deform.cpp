@@ -1,4 +1,5 @@
 #include "core/deform.h"
+#include "core/normals.h"
 #include "tests/support/clay.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/shapes.h"

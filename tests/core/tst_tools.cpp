@@ -1,6 +1,6 @@
 // What each tool beyond the paper's does, by what can be measured of it; every result is judged.
-#include "core/deform.h"
 #include "core/mesh_build.h"
+#include "core/normals.h"
 #include "core/sculptor.h"
 #include "tests/support/cgal_judge.h"
 #include "tests/support/clay.h"
