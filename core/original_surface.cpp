@@ -7,8 +7,8 @@
 #include "original_surface.h"
 
 #include "normals.h"
+#include "point_triangle.h"
 #include "remesh.h"
-#include "surface_query.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "region.h"
 
-#include "surface_query.h"
+#include "point_triangle.h"
 
 #include <algorithm>
 #include <queue>

@@ -2,7 +2,7 @@
 
 #include "remesher.h"
 
-#include "surface_query.h"
+#include "point_triangle.h"
 
 #include <algorithm>
 #include <deque>

@@ -5,7 +5,7 @@
 #include "surface_distance.h"
 
 #include "face_geometry.h"
-#include "surface_query.h"
+#include "point_triangle.h"
 #include "watched_chunks.h"
 
 #include <atomic>

@@ -17,9 +17,6 @@ struct SurfaceHit
     Rgb color = {}; ///< there, between those of the face's corners
 };
 
-/// The point of a triangle nearest to p (Ericson 2005, section 5.1.5).
-Vec3 nearestInTriangle(const Vec3& p, const std::array<Vec3, 3>& triangle);
-
 /// The first face from the ray's origin on that faces it. Cost: the faces near the ray.
 std::optional<SurfaceHit> firstHit(const Mesh& mesh, const FaceOctree& octree, const Ray& ray);
 

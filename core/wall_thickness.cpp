@@ -9,7 +9,7 @@
 #include "wall_thickness.h"
 
 #include "face_geometry.h"
-#include "surface_query.h"
+#include "point_triangle.h"
 
 #include <cmath>
 #include <optional>
