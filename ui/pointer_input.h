@@ -3,8 +3,10 @@
 #include "stroke_maker.h"
 #include "view_drag.h"
 
+#include "core/footprint.h"
 #include "core/mesh_patch.h"
-#include "core/sculptor.h"
+#include "core/stroke.h"
+#include "core/surface_hit.h"
 
 #include <QObject>
 

@@ -5,8 +5,10 @@
 #include "reference_image.h"
 #include "wearer.h"
 
+#include "core/footprint.h"
 #include "core/mesh_patch.h"
-#include "core/sculptor.h"
+#include "core/stroke.h"
+#include "core/surface_hit.h"
 
 #include <QOpenGLContext>
 

@@ -7,9 +7,11 @@
 #include "view_look.h"
 #include "wearer.h"
 
+#include "core/footprint.h"
 #include "core/mesh_patch.h"
 #include "core/shading.h"
-#include "core/sculptor.h"
+#include "core/stroke.h"
+#include "core/surface_hit.h"
 
 #include <QOpenGLWidget>
 

@@ -9,7 +9,7 @@
 #include "core/model_command.h"
 #include "core/shading.h"
 #include "core/stroke.h"
-#include "core/surface_query.h"
+#include "core/surface_hit.h"
 
 #include <array>
 #include <memory>
