@@ -1,5 +1,7 @@
 #pragma once
 
+#include "drawing_settings.h"
+
 #include "core/line_drawing.h"
 
 #include <QColor>
@@ -13,16 +15,6 @@ class QPainter;
 
 namespace ui
 {
-enum class DrawnSides { All, Front, Right, Top };
-
-struct DrawingChoice
-{
-    DrawnSides sides = DrawnSides::All;
-    bool shaded = false; ///< colours under the lines
-    bool dimensions = true;
-    friend bool operator==(const DrawingChoice&, const DrawingChoice&) = default;
-};
-
 /// Lengths are the painter's units.
 struct DrawingLook
 {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "reference_placement.h"
+
 #include "core/document_notes.h"
 
 #include <Eigen/Core>
@@ -16,8 +18,7 @@ public:
     using Pixel = Eigen::Vector2d;
 
     enum class Projection { Perspective, Orthographic };
-    /// Where the camera stands: Front at +Z, Right at +X, Top at +Y. Front and Top have x to the right.
-    enum class Side { Front, Back, Right, Left, Top, Bottom };
+    using Side = ViewSide;
 
     /// Logical pixels, at least 1 x 1.
     void setViewport(double width, double height);

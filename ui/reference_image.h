@@ -1,7 +1,7 @@
 #pragma once
 
 #include "orbit_camera.h"
-#include "view_look.h"
+#include "reference_placement.h"
 
 #include <QImage>
 #include <QString>
@@ -12,27 +12,6 @@
 
 namespace ui
 {
-inline constexpr double minReferenceWidth = 0.01, maxReferenceWidth = 100000, maxReferenceOffset = 100000;
-inline constexpr double minReferenceOpacity = 0.05, defaultReferenceOpacity = 0.6;
-
-inline constexpr std::array<Named<OrbitCamera::Side>, 6> viewSides{{{OrbitCamera::Side::Front, "front"},
-                                                                {OrbitCamera::Side::Back, "back"},
-                                                                {OrbitCamera::Side::Right, "right"},
-                                                                {OrbitCamera::Side::Left, "left"},
-                                                                {OrbitCamera::Side::Top, "top"},
-                                                                {OrbitCamera::Side::Bottom, "bottom"}}};
-
-/// How a reference image stands on its side: mm, as seen from there.
-struct ReferencePlacement
-{
-    double width = 100;
-    double x = 0, y = 0; ///< the image's middle from the origin, to the right and up
-    double opacity = defaultReferenceOpacity;
-    bool inFront = false; ///< over the model instead of behind it
-
-    bool operator==(const ReferencePlacement&) const = default;
-};
-
 /// An image as it is drawn: RGBA8888 premultiplied, each level half as large as the one before, down to one pixel.
 struct ReferencePicture
 {

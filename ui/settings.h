@@ -1,13 +1,13 @@
 #pragma once
 
 #include "brush_settings.h"
-#include "drawing_painter.h"
+#include "drawing_settings.h"
 #include "export_choice.h"
 #include "files_choice.h"
 #include "preferences.h"
 #include "printers.h"
-#include "reference_image.h"
-#include "turntable_motor.h"
+#include "reference_placement.h"
+#include "turntable_settings.h"
 #include "view_look.h"
 
 #include "core/brush.h"
@@ -141,8 +141,8 @@ public:
     bool turnsClockwise() const;
     void setTurnsClockwise(bool clockwise);
 
-    StoredReference reference(OrbitCamera::Side side) const;
-    void setReference(OrbitCamera::Side side, const StoredReference& reference);
+    StoredReference reference(ViewSide side) const;
+    void setReference(ViewSide side, const StoredReference& reference);
     bool showsReferences() const;
     void setShowsReferences(bool shows);
 

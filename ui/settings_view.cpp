@@ -86,7 +86,7 @@ void Settings::setSwatches(const QList<core::Rgb>& swatches)
     m_settings.setValue(swatchesKey, names);
 }
 
-StoredReference Settings::reference(OrbitCamera::Side side) const
+StoredReference Settings::reference(ViewSide side) const
 {
     const QString key = referenceKeys + wordFor(side, viewSides) + u'/';
     const ReferencePlacement usual;
@@ -100,7 +100,7 @@ StoredReference Settings::reference(OrbitCamera::Side side) const
     return stored;
 }
 
-void Settings::setReference(OrbitCamera::Side side, const StoredReference& reference)
+void Settings::setReference(ViewSide side, const StoredReference& reference)
 {
     const QString key = referenceKeys + wordFor(side, viewSides);
     m_settings.remove(key);

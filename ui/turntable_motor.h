@@ -1,14 +1,13 @@
 #pragma once
 
+#include "turntable_settings.h"
+
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
 
 namespace ui
 {
-/// Degrees a second.
-inline constexpr double minTurn = 1, maxTurn = 720, defaultTurn = 60;
-
 /// Turns the model under the hand while it is on, by small steps that follow the clock. Gui thread.
 class TurntableMotor : public QObject
 {

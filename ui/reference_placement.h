@@ -1,0 +1,32 @@
+#pragma once
+
+#include "view_look.h"
+
+#include <array>
+
+namespace ui
+{
+/// Where the camera stands: Front at +Z, Right at +X, Top at +Y. Front and Top have x to the right.
+enum class ViewSide { Front, Back, Right, Left, Top, Bottom };
+
+inline constexpr double minReferenceWidth = 0.01, maxReferenceWidth = 100000, maxReferenceOffset = 100000;
+inline constexpr double minReferenceOpacity = 0.05, defaultReferenceOpacity = 0.6;
+
+inline constexpr std::array<Named<ViewSide>, 6> viewSides{{{ViewSide::Front, "front"},
+                                                        {ViewSide::Back, "back"},
+                                                        {ViewSide::Right, "right"},
+                                                        {ViewSide::Left, "left"},
+                                                        {ViewSide::Top, "top"},
+                                                        {ViewSide::Bottom, "bottom"}}};
+
+/// How a reference image stands on its side: mm, as seen from there.
+struct ReferencePlacement
+{
+    double width = 100;
+    double x = 0, y = 0; ///< the image's middle from the origin, to the right and up
+    double opacity = defaultReferenceOpacity;
+    bool inFront = false; ///< over the model instead of behind it
+
+    bool operator==(const ReferencePlacement&) const = default;
+};
+} // namespace ui
