@@ -5,6 +5,7 @@
 #include "report_maker.h"
 
 #include "ui/messages.h"
+#include "ui/model_formats.h"
 
 #include <QFileInfo>
 

@@ -6,6 +6,7 @@
 
 #include "core/mesh_io.h"
 #include "ui/messages.h"
+#include "ui/model_formats.h"
 
 #include <QDir>
 #include <QFileInfo>

@@ -118,14 +118,6 @@ QString reportLink(const fs::path& report, const fs::path& model)
     return QString::fromLatin1(QByteArray(reinterpret_cast<const char*>(bytes.data()), static_cast<qsizetype>(bytes.size())).toPercentEncoding("/"));
 }
 
-QStringList reportEndings()
-{
-    QStringList all;
-    for (const ReportFormat& format : reportFormats)
-        all << format.ending;
-    return all;
-}
-
 void writeReport(core::AtomicFile& file, const ClassReport& report)
 {
     const QString ending = shownName(file.path().extension()).mid(1).toLower();

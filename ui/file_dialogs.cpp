@@ -1,8 +1,5 @@
 #include "file_dialogs.h"
 
-#include "brush_files.h"
-#include "class_report.h"
-#include "drawing_sheet.h"
 #include "model_formats.h"
 
 #include <QCoreApplication>
@@ -95,9 +92,9 @@ void askForExport(QWidget* parent, const QString& folder, const QString& modelNa
     askForTarget(parent, FileDialogs::tr("Export the Model"), QStringLiteral("exportDialog"), folder, modelName, endings, answer);
 }
 
-void askForAlpha(QWidget* parent, const QString& folder, PathAnswer answer)
+void askForAlpha(QWidget* parent, const QString& folder, const QStringList& endings, PathAnswer answer)
 {
-    askForImage(parent, FileDialogs::tr("Choose an Alpha"), QStringLiteral("alphaDialog"), folder, alphaEndings(), answer);
+    askForImage(parent, FileDialogs::tr("Choose an Alpha"), QStringLiteral("alphaDialog"), folder, endings, answer);
 }
 
 void askForLesson(QWidget* parent, PathAnswer answer)
@@ -145,13 +142,13 @@ void askForClassFile(QWidget* parent, const QString& folder, PathAnswer answer)
     askForTarget(parent, FileDialogs::tr("Save the Class"), QStringLiteral("classDialog"), folder, FileDialogs::tr("class"), {QStringLiteral("ini")}, answer);
 }
 
-void askForDrawing(QWidget* parent, const QString& folder, const QString& modelName, PathAnswer answer)
+void askForDrawing(QWidget* parent, const QString& folder, const QString& modelName, const QStringList& endings, PathAnswer answer)
 {
-    askForTarget(parent, FileDialogs::tr("Export the Drawing"), QStringLiteral("drawingDialog"), folder, modelName, drawingEndings(), answer);
+    askForTarget(parent, FileDialogs::tr("Export the Drawing"), QStringLiteral("drawingDialog"), folder, modelName, endings, answer);
 }
 
-void askForReport(QWidget* parent, const QString& folder, PathAnswer answer)
+void askForReport(QWidget* parent, const QString& folder, const QStringList& endings, PathAnswer answer)
 {
-    askForTarget(parent, FileDialogs::tr("Write the Class Report"), QStringLiteral("reportDialog"), folder, FileDialogs::tr("Class report"), reportEndings(), answer);
+    askForTarget(parent, FileDialogs::tr("Write the Class Report"), QStringLiteral("reportDialog"), folder, FileDialogs::tr("Class report"), endings, answer);
 }
 } // namespace ui

@@ -20,7 +20,8 @@ void askForSaving(QWidget* parent, const QString& folder, const QString& modelNa
 /// `endings`: of the formats that are offered.
 void askForExport(QWidget* parent, const QString& folder, const QString& modelName, const QStringList& endings, PathAnswer answer);
 
-void askForAlpha(QWidget* parent, const QString& folder, PathAnswer answer);
+/// `endings`, here and below: of the formats that are offered, the first one suggested.
+void askForAlpha(QWidget* parent, const QString& folder, const QStringList& endings, PathAnswer answer);
 /// A zip, or the lesson.json of a folder.
 void askForLesson(QWidget* parent, PathAnswer answer);
 /// Where one is to be written: a zip, or a folder that is not there yet.
@@ -32,9 +33,8 @@ void askForFolder(QWidget* parent, const QString& folder, PathAnswer answer);
 /// Where a class is to be written.
 void askForClassFile(QWidget* parent, const QString& folder, PathAnswer answer);
 
-/// For the sheet of drawings: PDF, SVG or PNG.
-void askForDrawing(QWidget* parent, const QString& folder, const QString& modelName, PathAnswer answer);
+/// For the sheet of drawings.
+void askForDrawing(QWidget* parent, const QString& folder, const QString& modelName, const QStringList& endings, PathAnswer answer);
 
-/// For a class report: HTML or PDF.
-void askForReport(QWidget* parent, const QString& folder, PathAnswer answer);
+void askForReport(QWidget* parent, const QString& folder, const QStringList& endings, PathAnswer answer);
 } // namespace ui

@@ -226,7 +226,7 @@ void ModelFiles::report()
 {
     askForFolder(m_window, m_settings->lastFolder(), [this](const QString& folder) {
         m_settings->setLastFolder(folder);
-        askForReport(m_window, folder, [this, folder](const QString& path) { Q_EMIT reportRequested(folder, path); });
+        askForReport(m_window, folder, reportEndings(), [this, folder](const QString& path) { Q_EMIT reportRequested(folder, path); });
     });
 }
 

@@ -34,6 +34,11 @@ QStringList writtenEndings()
     return toList(core::writtenEndings());
 }
 
+QStringList reportEndings()
+{
+    return {QStringLiteral("html"), QStringLiteral("pdf")};
+}
+
 QString modelFormats()
 {
     constexpr qsizetype named = 4;

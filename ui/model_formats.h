@@ -11,6 +11,8 @@ QStringList writtenEndings();
 /// "STL, OBJ, PLY", or "STL, OBJ, PLY and others": for sentences.
 QString modelFormats();
 QString writtenFormats();
+/// Returns "html" and "pdf", the endings of class reports.
+QStringList reportEndings();
 /// Whether a model can be written under that name, by its ending.
 bool isWritten(const QString& path);
 /// A file of that name holds all of a document: GLB.

@@ -1,6 +1,7 @@
 #include "preview_panel.h"
 
 #include "actions.h"
+#include "drawing_sheet.h"
 #include "file_dialogs.h"
 #include "panel_button.h"
 #include "settings.h"
@@ -150,7 +151,7 @@ void PreviewPanel::setDrawing(SharedDrawing drawing)
 
 void PreviewPanel::exportAs(const QString& modelName)
 {
-    askForDrawing(window(), m_settings->lastFolder(), modelName, [this, modelName](const QString& path) {
+    askForDrawing(window(), m_settings->lastFolder(), modelName, drawingEndings(), [this, modelName](const QString& path) {
         m_settings->setLastFolder(QFileInfo(path).absolutePath());
         Q_EMIT exportRequested(path, modelName, m_choice.shaded);
     });

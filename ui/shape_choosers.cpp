@@ -1,5 +1,6 @@
 #include "shape_choosers.h"
 
+#include "brush_files.h"
 #include "brush_shapes.h"
 #include "file_dialogs.h"
 
@@ -104,7 +105,7 @@ QComboBox* alphaChooser(BrushSettings* brush, BrushShapes* shapes)
         show(); // until it was read
         if (source != loadWord)
             return shapes->chooseAlpha(source);
-        askForAlpha(box->window(), Settings().lastFolder(), [shapes](const QString& path) { shapes->chooseAlpha(path); });
+        askForAlpha(box->window(), Settings().lastFolder(), alphaEndings(), [shapes](const QString& path) { shapes->chooseAlpha(path); });
     });
     QObject::connect(brush, &BrushSettings::changed, box, show);
     QObject::connect(shapes, &BrushShapes::changed, box, fill);
