@@ -1,5 +1,6 @@
 #include "stroke_edit.h"
 
+#include "ui/brush_settings.h"
 #include "ui/main_window.h"
 #include "ui/viewport.h"
 
@@ -35,10 +36,22 @@ void StrokeEdit::begin()
     m_present = core::brushOf(stroke->report.stroke()->settings);
     m_index = stroke->index + 1;
     m_isClosing = false;
-    m_bar = new ui::StrokeBar(m_present, m_document->facts(), m_window);
+    m_bar = new ui::StrokeBar(m_present, m_document->facts(), offeredTools(), m_window);
     connect(m_bar, &ui::StrokeBar::changed, this, &StrokeEdit::want);
     connect(m_bar, &ui::StrokeBar::kept, this, &StrokeEdit::keep);
     connect(m_bar, &ui::StrokeBar::cancelled, this, &StrokeEdit::cancel);
+}
+
+QList<ui::OfferedTool> StrokeEdit::offeredTools() const
+{
+    QList<ui::OfferedTool> tools;
+    for (const std::string_view name : core::toolNames()) {
+        const core::Tool tool = core::toolNamed(name).value_or(m_present.tool);
+        if (tool != m_present.tool && !m_window->brush()->isOffered(tool))
+            continue;
+        tools.append({tool, m_window->action(QStringLiteral("tool.") + QLatin1StringView(name.data(), static_cast<qsizetype>(name.size())))});
+    }
+    return tools;
 }
 
 void StrokeEdit::want(const core::BrushChange& brush)

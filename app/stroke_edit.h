@@ -27,6 +27,7 @@ public:
 
 private:
     void begin();
+    QList<ui::OfferedTool> offeredTools() const;
     void want(const core::BrushChange& brush);
     void keep();
     void cancel();

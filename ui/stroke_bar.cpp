@@ -2,7 +2,6 @@
 
 #include "actions.h"
 #include "brush_bar.h"
-#include "main_window.h"
 #include "spacing.h"
 
 #include <QAction>
@@ -15,7 +14,7 @@
 
 namespace ui
 {
-StrokeBar::StrokeBar(const core::BrushChange& brush, const ModelFacts& facts, MainWindow* window)
+StrokeBar::StrokeBar(const core::BrushChange& brush, const ModelFacts& facts, const QList<OfferedTool>& tools, QMainWindow* window)
     : OfferBar("strokeBar", tr("Edit Last Stroke"), window), m_first(brush), m_told(brush), m_tools(new QComboBox), m_hint(new QLabel)
 {
     m_brush.fitTo(facts, brush.radius / facts.size.maxCoeff());
@@ -26,7 +25,7 @@ StrokeBar::StrokeBar(const core::BrushChange& brush, const ModelFacts& facts, Ma
     auto* title = new QLabel(tr("Last stroke:"));
     title->setContentsMargins(gap, 0, gap, 0);
     addWidget(title);
-    addTools(*window);
+    addTools(tools);
     auto* numbers = new BrushBar(&m_brush);
     addWidget(numbers);
     m_hint->setObjectName(QStringLiteral("strokeHint"));
@@ -61,18 +60,13 @@ void StrokeBar::keyPressEvent(QKeyEvent* event)
     leave();
 }
 
-void StrokeBar::addTools(const MainWindow& window)
+void StrokeBar::addTools(const QList<OfferedTool>& tools)
 {
     m_tools->setObjectName(QStringLiteral("strokeTool"));
     m_tools->setAccessibleName(tr("Tool of the last stroke"));
     m_tools->setToolTip(tr("Does the stroke again with another tool."));
-    for (const std::string_view name : core::toolNames()) {
-        const core::Tool tool = core::toolNamed(name).value_or(m_first.tool);
-        if (tool != m_first.tool && !window.brush()->isOffered(tool))
-            continue;
-        const QAction* action = window.action(QStringLiteral("tool.") + QLatin1StringView(name.data(), static_cast<qsizetype>(name.size())));
+    for (const auto& [tool, action] : tools)
         m_tools->addItem(action->icon(), Actions::plain(action->text()), static_cast<int>(tool));
-    }
     m_tools->setCurrentIndex(m_tools->findData(static_cast<int>(m_first.tool)));
     connect(m_tools, &QComboBox::activated, this, [this] { m_brush.setTool(static_cast<core::Tool>(m_tools->currentData().toInt())); });
     addWidget(m_tools);

@@ -5,21 +5,28 @@
 
 #include "core/stroke_change.h"
 
+#include <QList>
+
+class QAction;
 class QComboBox;
 
 namespace ui
 {
-class MainWindow;
+/// A tool that the bar offers, with the action that shows its name and icon.
+struct OfferedTool
+{
+    core::Tool tool;
+    const QAction* action;
+};
 
-/// Tool, radius and strength of the stroke that was done last, to be changed after the fact. Of the tools, those that the window's brush offers.
-/// Esc in it cancels. Gui thread.
+/// A bar that changes tool, radius and strength of the last stroke after the fact. Esc in it cancels. Gui thread.
 class StrokeBar : public OfferBar
 {
     Q_OBJECT
 
 public:
-    /// `facts`: of the model, for the radius's range.
-    StrokeBar(const core::BrushChange& brush, const ModelFacts& facts, MainWindow* window);
+    /// `facts`: of the model, for the radius's range. `tools`: in the order of the list; the stroke's own tool among them.
+    StrokeBar(const core::BrushChange& brush, const ModelFacts& facts, const QList<OfferedTool>& tools, QMainWindow* window);
 
     /// What is to be said of the stroke as it is; empty: nothing.
     void setHint(const QString& sentence);
@@ -33,7 +40,7 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    void addTools(const MainWindow& window);
+    void addTools(const QList<OfferedTool>& tools);
     void tell();
 
     BrushSettings m_brush; ///< as the controls show it

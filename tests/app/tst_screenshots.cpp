@@ -278,7 +278,10 @@ void TestScreenshots::takeStrokeBar(Program& program)
 {
     ui::ModelFacts facts;
     facts.size = {100, 100, 100};
-    auto* bar = new ui::StrokeBar({core::Tool::Flatten, 12.5, 0.8}, facts, &program.window);
+    QList<ui::OfferedTool> tools;
+    for (const core::Tool tool : {core::Tool::Pull, core::Tool::Flatten, core::Tool::Smooth})
+        tools.append({tool, program.window.action(QStringLiteral("tool.") + QLatin1StringView(core::name(tool).data()))});
+    auto* bar = new ui::StrokeBar({core::Tool::Flatten, 12.5, 0.8}, facts, tools, &program.window);
     bar->setHint(QCoreApplication::translate("app::StrokeEdit", "With this brush it does nothing."));
     take(program.window, QStringLiteral("stroke-bar"));
     bar->leave();
