@@ -4,6 +4,7 @@
 #include "model_trial.h"
 #include "model_words.h"
 #include "stroke_command.h"
+#include "stroke_step.h"
 
 #include "core/journal/journal.h"
 #include "ui/messages.h"
@@ -105,7 +106,7 @@ void Document::finishChange(const core::ModelCommand& command, const ui::Inserti
     m_work.keep();
     auto delta = std::make_shared<core::MeshDelta>(std::move(outcome.change.delta));
     const StepMarks marks{ModelWords::icon(command), 0, 0, std::make_shared<const core::FileEntry>(core::FileCommand{command, insertion.path.toStdString()})};
-    m_worker->post([delta, step = StrokeCommand::forJournal(ModelWords::name(command), marks), journal = m_journal](core::Sculptor& sculptor) {
+    m_worker->post([delta, step = StrokeStep::forJournal(ModelWords::name(command), marks), journal = m_journal](core::Sculptor& sculptor) {
         sculptor.swap(*delta);
         if (journal)
             journal->changed(sculptor.mesh(), *delta, step);
@@ -164,7 +165,7 @@ void Document::tellOutcome(const core::ModelCommand& command, const ui::Insertio
 void Document::beginStroke(const core::StrokeSettings& settings)
 {
     m_strokeOpen = true;
-    m_lastStep = StrokeCommand::textOf(settings.tool);
+    m_lastStep = StrokeStep::textOf(settings.tool);
     strokeRequest([this, settings] { m_worker->beginStroke(Source::Desktop, settings); });
     tellState();
 }
@@ -185,7 +186,7 @@ void Document::endStroke()
 
 void Document::addSphere(const core::StrokeSettings& settings, const core::StrokeSample& sample)
 {
-    m_lastStep = StrokeCommand::textOfAdding(settings.model != nullptr);
+    m_lastStep = StrokeStep::textOfAdding(settings.model != nullptr);
     strokeRequest([this, settings, sample] { m_worker->addSphere(Source::Desktop, settings, sample); });
     tellState();
 }
@@ -263,7 +264,7 @@ void Document::takeReport(const StrokeReport& report)
         if (report.delta) {
             const int index = m_stack.index();
             m_history.add(index, report.delta);
-            const StepWords words = StrokeCommand::wordsOf(report);
+            const StepWords words = StrokeStep::wordsOf(report);
             m_stack.push(new StrokeCommand(words.text, words.marks, &m_history, index));
             m_lastReport = report;
             m_lastReport->delta = nullptr;

@@ -2,7 +2,7 @@
 
 #include "document.h"
 
-#include "stroke_command.h"
+#include "stroke_step.h"
 
 #include <utility>
 
@@ -27,7 +27,7 @@ void Document::redoStroke(const LastStroke& last, std::shared_ptr<const core::St
                 setSaved(last.index + 1);
             done(report);
         };
-        m_lastStep = StrokeCommand::textOf((stroke ? stroke.get() : last.report.stroke())->settings.tool);
+        m_lastStep = StrokeStep::textOf((stroke ? stroke.get() : last.report.stroke())->settings.tool);
         m_worker->hidePatches();
         if (m_stack.index() > last.index)
             comeTo(last.index);

@@ -6,6 +6,7 @@
 #include "model_loader.h"
 #include "model_trial.h"
 #include "stroke_command.h"
+#include "stroke_step.h"
 
 #include <utility>
 
@@ -42,13 +43,13 @@ void Document::restore(const core::RecoveredDocument& recovered)
     const core::JournalHistory& history = recovered.history;
     const QSignalBlocker quiet(m_stack); // of steps that nobody takes
     for (int i = 0; i < static_cast<int>(history.steps.size()); ++i) {
-        const StepWords step = StrokeCommand::fromJournal(history.steps[static_cast<std::size_t>(i)]);
+        const StepWords step = StrokeStep::fromJournal(history.steps[static_cast<std::size_t>(i)]);
         m_stack.push(new StrokeCommand(step.text, step.marks, &m_history, i));
     }
     m_isHistoryWhole = history.isWhole;
     if (m_stack.count() > 0) {
         m_lastIndex = m_stack.count() - 1;
-        m_lastReport = StrokeCommand::reportOf(static_cast<const StrokeCommand*>(m_stack.command(m_lastIndex))->marks());
+        m_lastReport = StrokeStep::reportOf(static_cast<const StrokeCommand*>(m_stack.command(m_lastIndex))->marks());
     }
     m_stack.resetClean();
     if (history.saved && static_cast<int>(*history.saved) <= m_stack.count()) {
@@ -98,7 +99,7 @@ core::JournalHistory Document::historyNow() const
     history.saved.reset();
     history.isWhole = m_isHistoryWhole;
     for (int i = 0; i < m_stack.count(); ++i)
-        history.steps.push_back(StrokeCommand::forJournal(m_stack.text(i), static_cast<const StrokeCommand*>(m_stack.command(i))->marks()));
+        history.steps.push_back(StrokeStep::forJournal(m_stack.text(i), static_cast<const StrokeCommand*>(m_stack.command(i))->marks()));
     history.present = static_cast<std::uint32_t>(m_stack.index());
     if (m_stack.cleanIndex() >= 0)
         history.saved = static_cast<std::uint32_t>(m_stack.cleanIndex());

@@ -3,7 +3,7 @@
 #include "headset_desk.h"
 
 #include "document.h"
-#include "stroke_command.h"
+#include "stroke_step.h"
 
 #include "ui/brush_settings.h"
 #include "ui/lesson_panel.h"
@@ -98,7 +98,7 @@ void HeadsetDesk::tellChoice()
     const double radius = isRadiusNew || m_wearerRadius <= 0 ? brush.radius : m_wearerRadius;
     if (brush.tool != before.tool || isRadiusNew)
         //: %1: a tool; %2: a length
-        tellNotice(tr("Your partner chose %1, %2 mm.").arg(StrokeCommand::textOf(brush.tool), ui::PartnerBar::figures(radius)));
+        tellNotice(tr("Your partner chose %1, %2 mm.").arg(StrokeStep::textOf(brush.tool), ui::PartnerBar::figures(radius)));
     else if (brush.strength != before.strength)
         tellNotice(tr("Your partner chose a strength of %1 %.").arg(std::lround(brush.strength * 100)));
 }

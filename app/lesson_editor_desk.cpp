@@ -4,7 +4,7 @@
 #include "lesson_model.h"
 #include "lesson_shelf.h"
 #include "model_words.h"
-#include "stroke_command.h"
+#include "stroke_step.h"
 
 #include "core/checkpoint.h"
 #include "core/mesh_build.h"
@@ -31,7 +31,7 @@ ui::LessonStroke describe(const core::FileEntry& entry)
 {
     if (const auto* const command = std::get_if<core::FileCommand>(&entry))
         return {LessonSaving::nameOf(entry), ModelWords::icon(command->command)};
-    return {LessonSaving::lineOf(std::get<core::Stroke>(entry)), StrokeCommand::iconOf(std::get<core::Stroke>(entry).settings.tool)};
+    return {LessonSaving::lineOf(std::get<core::Stroke>(entry)), StrokeStep::iconOf(std::get<core::Stroke>(entry).settings.tool)};
 }
 
 /// Of no draft.

@@ -2,7 +2,7 @@
 
 #include "lesson_words.h"
 #include "model_words.h"
-#include "stroke_command.h"
+#include "stroke_step.h"
 
 #include "core/lesson_file.h"
 #include "core/lesson_trial.h"
@@ -81,14 +81,14 @@ QString LessonSaving::nameOf(const core::FileEntry& entry)
 {
     if (const auto* const command = std::get_if<core::FileCommand>(&entry))
         return ModelWords::name(command->command);
-    return StrokeCommand::textOf(std::get<core::Stroke>(entry).settings.tool);
+    return StrokeStep::textOf(std::get<core::Stroke>(entry).settings.tool);
 }
 
 QString LessonSaving::lineOf(const core::Stroke& stroke)
 {
     const double radius = stroke.settings.radius;
     //: a stroke's tool and radius
-    return tr("%1, %2 mm").arg(StrokeCommand::textOf(stroke.settings.tool), QLocale().toString(radius, 'f', radius < 10 ? 1 : 0));
+    return tr("%1, %2 mm").arg(StrokeStep::textOf(stroke.settings.tool), QLocale().toString(radius, 'f', radius < 10 ? 1 : 0));
 }
 
 TriedLesson LessonSaving::attempt(const core::LessonDraft& draft, const std::filesystem::path& path, const std::optional<std::uint64_t>& hash,

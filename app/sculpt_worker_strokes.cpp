@@ -2,7 +2,7 @@
 
 #include "sculpt_worker.h"
 
-#include "stroke_command.h"
+#include "stroke_step.h"
 
 #include "core/journal/journal.h"
 #include "core/sectors.h"
@@ -162,7 +162,7 @@ void SculptWorker::report()
 
 void SculptWorker::record(const core::MeshDelta& delta)
 {
-    const StepWords words = StrokeCommand::wordsOf(m_report);
-    m_journal->changed(m_sculptor->mesh(), delta, StrokeCommand::forJournal(words.text, words.marks));
+    const StepWords words = StrokeStep::wordsOf(m_report);
+    m_journal->changed(m_sculptor->mesh(), delta, StrokeStep::forJournal(words.text, words.marks));
 }
 } // namespace app

@@ -1484,7 +1484,7 @@ Status: 0 erledigt, 1 die Antwort ist nein, 2 Eingabe oder Aufruf fehlerhaft (mi
     </message>
 </context>
 <context>
-    <name>app::StrokeCommand</name>
+    <name>app::StrokeStep</name>
     <message>
         <source>Pull</source>
         <comment>undo step</comment>

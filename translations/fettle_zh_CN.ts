@@ -1479,7 +1479,7 @@ Status: 0 done, 1 the answer is no, 2 bad input or usage (with a line on standar
     </message>
 </context>
 <context>
-    <name>app::StrokeCommand</name>
+    <name>app::StrokeStep</name>
     <message>
         <source>Pull</source>
         <comment>undo step</comment>

@@ -1,7 +1,7 @@
 #include "app/document.h"
 #include "app/history_list.h"
 #include "app/model_inquiry.h"
-#include "app/stroke_command.h"
+#include "app/stroke_step.h"
 
 #include "core/mesh_build.h"
 #include "core/mesh_check.h"
@@ -170,7 +170,7 @@ void TestDocument::history_hasANameForEveryTool()
 {
     QStringList names;
     for (std::size_t i = 0; i < core::toolNames().size(); ++i)
-        names << StrokeCommand::textOf(static_cast<core::Tool>(i));
+        names << StrokeStep::textOf(static_cast<core::Tool>(i));
     QVERIFY(!names.contains(QString()));
     QCOMPARE(names.removeDuplicates(), 0);
 }
@@ -186,7 +186,7 @@ void TestDocument::history_namesStepsAndMarksThem()
     session.settle();
     const ui::History history = historyOf(session.document);
     QCOMPARE(history.steps.size(), 2);
-    QCOMPARE(history.steps[0].name, StrokeCommand::textOf(core::Tool::Push));
+    QCOMPARE(history.steps[0].name, StrokeStep::textOf(core::Tool::Push));
     QCOMPARE(history.steps[0].icon, QStringLiteral("push"));
     QCOMPARE(history.steps[0].dabs, 3u);
     QCOMPARE(history.steps[1].icon, QStringLiteral("fill"));
@@ -427,7 +427,7 @@ void TestDocument::sphere_isAStepOrAWordWhyNot()
     const quint64 faces = session.document.facts().faces;
     add({90, 0, 0});
     QVERIFY(noticed.isEmpty() && session.document.facts().faces > faces && session.state() != start);
-    QCOMPARE(session.document.undoText(), StrokeCommand::textOfAdding(false));
+    QCOMPARE(session.document.undoText(), StrokeStep::textOfAdding(false));
     session.verifyWhole();
     const std::uint64_t one = session.state();
     add({-90, 0, 0}, core::Symmetry::X); // its mirror image would lie in the first
