@@ -1,13 +1,13 @@
 // Our own reader: QSettings takes each file, tells no line, and reads \ and , in a folder's name as signs of its own.
 
-#include "class_file.h"
+#include "app/classroom/class_file.h"
 
-#include "class_pin.h"
-#include "model_loader.h"
+#include "app/classroom/class_pin.h"
+#include "app/model/model_loader.h"
 
-#include "core/atomic_file.h"
-#include "ui/messages.h"
-#include "ui/stored_values.h"
+#include "core/util/atomic_file.h"
+#include "ui/util/error_messages.h"
+#include "ui/settings/stored_values.h"
 
 #include <QDir>
 #include <QFileInfo>

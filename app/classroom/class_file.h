@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/classroom.h"
+#include "ui/classroom/classroom.h"
 
 #include <QCoreApplication>
 

@@ -1,6 +1,6 @@
 // "pbkdf2-sha256:<rounds>:<salt>:<key>", both in hexadecimal digits.
 
-#include "class_pin.h"
+#include "app/classroom/class_pin.h"
 
 #include <QPasswordDigestor>
 #include <QRandomGenerator>

@@ -1,13 +1,13 @@
-#include "classroom_mode.h"
+#include "app/classroom/classroom_mode.h"
 
-#include "class_pin.h"
-#include "document.h"
-#include "model_loader.h"
+#include "app/classroom/class_pin.h"
+#include "app/document/document.h"
+#include "app/model/model_loader.h"
 
-#include "ui/main_window.h"
-#include "ui/name_panel.h"
-#include "ui/pin_dialog.h"
-#include "ui/viewport.h"
+#include "ui/window/main_window.h"
+#include "ui/classroom/pupil_name_panel.h"
+#include "ui/classroom/pin_dialog.h"
+#include "ui/viewport/viewport.h"
 
 #include <QCryptographicHash>
 #include <QDir>

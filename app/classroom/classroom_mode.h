@@ -1,11 +1,11 @@
 #pragma once
 
-#include "class_archive.h"
-#include "journal_shelf.h"
+#include "app/classroom/work_archive.h"
+#include "app/recovery/recovery_store.h"
 
-#include "ui/class_bar.h"
-#include "ui/classroom.h"
-#include "ui/side_thread.h"
+#include "ui/classroom/class_bar.h"
+#include "ui/classroom/classroom.h"
+#include "ui/util/background_thread.h"
 
 #include <QObject>
 #include <QTimer>

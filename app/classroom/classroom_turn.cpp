@@ -1,4 +1,4 @@
-#include "classroom_turn.h"
+#include "app/classroom/classroom_turn.h"
 
 #include <QDir>
 #include <QFile>

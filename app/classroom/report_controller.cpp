@@ -1,12 +1,12 @@
-#include "report_desk.h"
+#include "app/classroom/report_controller.h"
 
-#include "long_work.h"
-#include "model_loader.h"
-#include "report_maker.h"
+#include "app/worker/background_job.h"
+#include "app/model/model_loader.h"
+#include "app/classroom/report_writer.h"
 
-#include "core/mesh_io.h"
-#include "ui/messages.h"
-#include "ui/model_formats.h"
+#include "core/io/mesh_io.h"
+#include "ui/util/error_messages.h"
+#include "ui/util/format_filters.h"
 
 #include <QDir>
 #include <QFileInfo>

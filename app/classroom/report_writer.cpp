@@ -1,11 +1,11 @@
-#include "report_maker.h"
+#include "app/classroom/report_writer.h"
 
-#include "core/mesh_io.h"
-#include "core/model_picture.h"
-#include "core/scaling.h"
-#include "ui/messages.h"
-#include "ui/model_folder.h"
-#include "ui/thumbnail_maker.h"
+#include "core/io/mesh_io.h"
+#include "core/drawing/model_thumbnail.h"
+#include "core/geometry/scale_mesh.h"
+#include "ui/util/error_messages.h"
+#include "ui/util/path_display.h"
+#include "ui/files/thumbnail_maker.h"
 
 #include <new>
 

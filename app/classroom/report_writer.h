@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/job_watch.h"
-#include "ui/class_report.h"
+#include "core/util/job_control.h"
+#include "ui/classroom/class_report.h"
 
 #include <QCoreApplication>
 

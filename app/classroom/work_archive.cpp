@@ -1,14 +1,14 @@
 // A work is written into a hidden folder, file by file, each of them down to the disk; then the folder gets its name. So a name that can be
 // seen has a whole work behind it.
 
-#include "class_archive.h"
+#include "app/classroom/work_archive.h"
 
-#include "model_loader.h"
+#include "app/model/model_loader.h"
 
-#include "core/atomic_file.h"
-#include "core/mesh_io.h"
-#include "core/model_picture.h"
-#include "ui/messages.h"
+#include "core/util/atomic_file.h"
+#include "core/io/mesh_io.h"
+#include "core/drawing/model_thumbnail.h"
+#include "ui/util/error_messages.h"
 
 #include <QBuffer>
 #include <QDir>

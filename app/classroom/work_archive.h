@@ -1,9 +1,9 @@
 #pragma once
 
-#include "classroom_turn.h"
+#include "app/classroom/classroom_turn.h"
 
-#include "core/document_notes.h"
-#include "core/triangle_mesh.h"
+#include "core/io/document_metadata.h"
+#include "core/geometry/triangle_mesh.h"
 
 #include <QCoreApplication>
 #include <QDateTime>

@@ -1,12 +1,12 @@
 // check: is a model in order? One file: a few lines, or one JSON object. Several, or a folder: a table, or an object a line.
-#include "command_models.h"
-#include "command_unit.h"
-#include "text_table.h"
+#include "app/commands/command_models.h"
+#include "app/commands/command_unit.h"
+#include "app/commands/text_table.h"
 
-#include "core/mesh_io.h"
-#include "core/print_check.h"
-#include "ui/messages.h"
-#include "ui/model_folder.h"
+#include "core/io/mesh_io.h"
+#include "core/analysis/print_check.h"
+#include "ui/util/error_messages.h"
+#include "ui/util/path_display.h"
 
 #include <QRegularExpression>
 

@@ -1,8 +1,8 @@
-#include "command_line.h"
+#include "app/commands/command_line.h"
 
-#include "model_loader.h"
+#include "app/model/model_loader.h"
 
-#include "ui/model_formats.h"
+#include "ui/util/format_filters.h"
 
 #include <QFileInfo>
 

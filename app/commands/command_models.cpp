@@ -1,9 +1,9 @@
-#include "command_models.h"
+#include "app/commands/command_models.h"
 
-#include "model_loader.h"
+#include "app/model/model_loader.h"
 
-#include "ui/messages.h"
-#include "ui/model_folder.h"
+#include "ui/util/error_messages.h"
+#include "ui/util/path_display.h"
 
 #include <QFileInfo>
 

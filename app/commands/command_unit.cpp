@@ -1,9 +1,9 @@
-#include "command_unit.h"
+#include "app/commands/command_unit.h"
 
-#include "command_line.h"
+#include "app/commands/command_line.h"
 
-#include "core/scaling.h"
-#include "ui/messages.h"
+#include "core/geometry/scale_mesh.h"
+#include "ui/util/error_messages.h"
 
 namespace app
 {

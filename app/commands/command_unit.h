@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/mesh_io.h"
+#include "core/io/mesh_io.h"
 
 #include <QCoreApplication>
 #include <QString>

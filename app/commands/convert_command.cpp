@@ -1,15 +1,15 @@
 // convert: read, judge, scale if asked to, judge again, write. A model that is not in order is not written, or legalised if asked to.
-#include "command_line.h"
-#include "command_unit.h"
-#include "model_loader.h"
+#include "app/commands/command_line.h"
+#include "app/commands/command_unit.h"
+#include "app/model/model_loader.h"
 
-#include "core/decimate.h"
-#include "core/legalise.h"
-#include "core/mesh_build.h"
-#include "core/mesh_check.h"
-#include "core/mesh_io.h"
-#include "ui/mending_words.h"
-#include "ui/messages.h"
+#include "core/operations/decimate.h"
+#include "core/repair/repair.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/analysis/mesh_check.h"
+#include "core/io/mesh_io.h"
+#include "ui/util/repair_messages.h"
+#include "ui/util/error_messages.h"
 
 #include <QLocale>
 

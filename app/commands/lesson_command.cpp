@@ -1,15 +1,15 @@
 // lesson: a lesson played to its end without a window, and each of its checkpoints judged; or a pupil's model judged by one of them.
-#include "command_line.h"
-#include "lesson_saving.h"
-#include "lesson_shelf.h"
-#include "lesson_words.h"
-#include "model_loader.h"
+#include "app/commands/command_line.h"
+#include "app/lesson/lesson_saving.h"
+#include "app/lesson/lesson_library.h"
+#include "app/lesson/lesson_messages.h"
+#include "app/model/model_loader.h"
 
-#include "core/lesson_stage.h"
-#include "core/mesh_build.h"
-#include "core/mesh_io.h"
+#include "core/lesson/lesson_playback.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/io/mesh_io.h"
 
-#include "ui/messages.h"
+#include "ui/util/error_messages.h"
 
 #include <QDir>
 #include <QImage>

@@ -1,21 +1,21 @@
 // replay: strokes and commands from a file on a model from a file, or on the paper's sphere; what came of it to files. In
 // order: judge all input (what stands after a command, when the model is as that leaves it), sculpt, write. Nothing is written when anything is wrong.
-#include "command_line.h"
-#include "model_loader.h"
-#include "model_trial.h"
-#include "model_words.h"
-#include "process_usage.h"
-#include "replay_stats.h"
-#include "stroke_shapes.h"
-#include "stroke_words.h"
-#include "time_lapse.h"
+#include "app/commands/command_line.h"
+#include "app/model/model_loader.h"
+#include "app/model/model_change_job.h"
+#include "app/model/command_names.h"
+#include "app/platform/process_usage.h"
+#include "app/commands/replay_stats.h"
+#include "app/commands/stroke_assets.h"
+#include "app/model/stroke_file_messages.h"
+#include "app/document/time_lapse.h"
 
-#include "core/face_geometry.h"
-#include "core/mesh_build.h"
-#include "core/mesh_check.h"
-#include "core/mesh_io.h"
-#include "core/stroke_file.h"
-#include "ui/messages.h"
+#include "core/geometry/face_geometry.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/analysis/mesh_check.h"
+#include "core/io/mesh_io.h"
+#include "core/io/stroke/stroke_file.h"
+#include "ui/util/error_messages.h"
 
 #include <QFile>
 

@@ -1,6 +1,6 @@
-#include "replay_stats.h"
+#include "app/commands/replay_stats.h"
 
-#include "process_usage.h"
+#include "app/platform/process_usage.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/atomic_file.h"
-#include "core/sculptor.h"
-#include "core/triangle_mesh.h"
+#include "core/util/atomic_file.h"
+#include "core/sculpt/sculptor.h"
+#include "core/geometry/triangle_mesh.h"
 
 #include <vector>
 

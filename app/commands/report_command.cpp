@@ -1,11 +1,11 @@
 // report: a page for whoever judges a folder of models.
-#include "command_line.h"
-#include "command_unit.h"
-#include "model_loader.h"
-#include "report_maker.h"
+#include "app/commands/command_line.h"
+#include "app/commands/command_unit.h"
+#include "app/model/model_loader.h"
+#include "app/classroom/report_writer.h"
 
-#include "ui/messages.h"
-#include "ui/model_formats.h"
+#include "ui/util/error_messages.h"
+#include "ui/util/format_filters.h"
 
 #include <QFileInfo>
 

@@ -1,14 +1,14 @@
 // sheet: the drawings of models for a printer, a page each.
-#include "command_models.h"
-#include "command_unit.h"
-#include "model_loader.h"
+#include "app/commands/command_models.h"
+#include "app/commands/command_unit.h"
+#include "app/model/model_loader.h"
 
-#include "core/draw_arrays.h"
-#include "core/mesh_check.h"
-#include "core/mesh_io.h"
-#include "ui/messages.h"
-#include "ui/model_folder.h"
-#include "ui/sheet_book.h"
+#include "core/mesh/draw_arrays.h"
+#include "core/analysis/mesh_check.h"
+#include "core/io/mesh_io.h"
+#include "ui/util/error_messages.h"
+#include "ui/util/path_display.h"
+#include "ui/drawing/sheet_book.h"
 
 #include <QDir>
 #include <QFileInfo>

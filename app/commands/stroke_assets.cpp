@@ -1,10 +1,10 @@
-#include "stroke_shapes.h"
+#include "app/commands/stroke_assets.h"
 
-#include "command_line.h"
-#include "model_loader.h"
-#include "stroke_words.h"
+#include "app/commands/command_line.h"
+#include "app/model/model_loader.h"
+#include "app/model/stroke_file_messages.h"
 
-#include "ui/brush_files.h"
+#include "ui/brush/brush_files.h"
 
 #include <QFile>
 

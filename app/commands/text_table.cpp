@@ -1,4 +1,4 @@
-#include "text_table.h"
+#include "app/commands/text_table.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,13 +1,13 @@
-#include "document.h"
+#include "app/document/document.h"
 
-#include "model_loader.h"
-#include "model_trial.h"
-#include "model_words.h"
-#include "stroke_command.h"
-#include "stroke_step.h"
+#include "app/model/model_loader.h"
+#include "app/model/model_change_job.h"
+#include "app/model/command_names.h"
+#include "app/document/stroke_command.h"
+#include "app/worker/stroke_step.h"
 
 #include "core/journal/journal.h"
-#include "ui/messages.h"
+#include "ui/util/error_messages.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,15 +1,15 @@
 #pragma once
 
-#include "history_store.h"
-#include "long_work.h"
-#include "model_past.h"
-#include "sculpt_worker.h"
-#include "work_clock.h"
+#include "app/document/history_store.h"
+#include "app/worker/background_job.h"
+#include "app/model/model_history.h"
+#include "app/worker/sculpt_worker.h"
+#include "app/document/work_timer.h"
 
-#include "core/starter_models.h"
-#include "core/stroke_file.h"
-#include "ui/insertion.h"
-#include "ui/model_facts.h"
+#include "core/operations/primitives.h"
+#include "core/io/stroke/stroke_file.h"
+#include "ui/model/insert_request.h"
+#include "ui/settings/model_info.h"
 
 #include <QUndoStack>
 

@@ -1,16 +1,16 @@
 // Where the document's model comes from, and where it goes.
 
-#include "document.h"
+#include "app/document/document.h"
 
-#include "brush_keeper.h"
-#include "journal_shelf.h"
-#include "model_export.h"
-#include "model_loader.h"
-#include "model_saving.h"
-#include "model_trial.h"
+#include "app/model/brush_export.h"
+#include "app/recovery/recovery_store.h"
+#include "app/model/model_export.h"
+#include "app/model/model_loader.h"
+#include "app/model/model_saving.h"
+#include "app/model/model_change_job.h"
 
-#include "core/mesh_build.h"
-#include "ui/settings.h"
+#include "core/mesh/mesh_builder.h"
+#include "ui/settings/settings.h"
 
 #include <QFileInfo>
 

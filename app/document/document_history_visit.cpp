@@ -1,8 +1,8 @@
 // Going back through the document's steps on a copy.
 
-#include "document.h"
+#include "app/document/document.h"
 
-#include "model_trial.h"
+#include "app/model/model_change_job.h"
 
 #include <chrono>
 #include <future>

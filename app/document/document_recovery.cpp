@@ -1,12 +1,12 @@
 // How the document's changes outlive the program, and come back.
 
-#include "document.h"
+#include "app/document/document.h"
 
-#include "journal_shelf.h"
-#include "model_loader.h"
-#include "model_trial.h"
-#include "stroke_command.h"
-#include "stroke_step.h"
+#include "app/recovery/recovery_store.h"
+#include "app/model/model_loader.h"
+#include "app/model/model_change_job.h"
+#include "app/document/stroke_command.h"
+#include "app/worker/stroke_step.h"
 
 #include <utility>
 

@@ -1,8 +1,8 @@
 // The last stroke, done again by another brush: it is taken back, and another comes in its place.
 
-#include "document.h"
+#include "app/document/document.h"
 
-#include "stroke_step.h"
+#include "app/worker/stroke_step.h"
 
 #include <utility>
 

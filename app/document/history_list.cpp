@@ -1,7 +1,7 @@
-#include "history_list.h"
+#include "app/document/history_list.h"
 
-#include "document.h"
-#include "stroke_command.h"
+#include "app/document/document.h"
+#include "app/document/stroke_command.h"
 
 namespace app
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/history_panel.h"
+#include "ui/history/history_panel.h"
 
 namespace app
 {

@@ -1,6 +1,6 @@
-#include "history_scrubber.h"
+#include "app/document/history_scrubber.h"
 
-#include "document.h"
+#include "app/document/document.h"
 
 #include <algorithm>
 

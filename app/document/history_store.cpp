@@ -1,7 +1,7 @@
-#include "history_store.h"
+#include "app/document/history_store.h"
 
 #include "core/journal/journal.h"
-#include "core/sculptor.h"
+#include "core/sculpt/sculptor.h"
 
 #include <QDir>
 #include <QFile>

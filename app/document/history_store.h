@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/mesh_delta.h"
-#include "ui/mailbox.h"
+#include "core/mesh/mesh_delta.h"
+#include "ui/util/thread_mailbox.h"
 
 #include <QObject>
 #include <QTemporaryDir>

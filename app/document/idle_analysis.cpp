@@ -1,9 +1,9 @@
-#include "resting_model.h"
+#include "app/document/idle_analysis.h"
 
-#include "document.h"
-#include "sculpt_worker.h"
+#include "app/document/document.h"
+#include "app/worker/sculpt_worker.h"
 
-#include "core/mesh_build.h"
+#include "core/mesh/mesh_builder.h"
 
 namespace app
 {

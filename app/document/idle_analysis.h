@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/triangle_mesh.h"
+#include "core/geometry/triangle_mesh.h"
 
 #include <QObject>
 #include <QTimer>

@@ -1,4 +1,4 @@
-#include "model_inquiry.h"
+#include "app/document/model_analysis.h"
 
 namespace app
 {

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "resting_model.h"
+#include "app/document/idle_analysis.h"
 
-#include "core/mesh_check.h"
-#include "ui/side_thread.h"
+#include "core/analysis/mesh_check.h"
+#include "ui/util/background_thread.h"
 
 namespace app
 {

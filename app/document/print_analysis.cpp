@@ -1,8 +1,8 @@
-#include "print_inquiry.h"
+#include "app/document/print_analysis.h"
 
-#include "document.h"
+#include "app/document/document.h"
 
-#include "ui/print_legend.h"
+#include "ui/print/print_legend.h"
 
 namespace app
 {

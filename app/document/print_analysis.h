@@ -1,10 +1,10 @@
 #pragma once
 
-#include "resting_model.h"
+#include "app/document/idle_analysis.h"
 
-#include "core/footprint.h"
-#include "core/print_check.h"
-#include "ui/side_thread.h"
+#include "core/mesh/footprint.h"
+#include "core/analysis/print_check.h"
+#include "ui/util/background_thread.h"
 
 #include <optional>
 

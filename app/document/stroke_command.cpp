@@ -1,6 +1,6 @@
-#include "stroke_command.h"
+#include "app/document/stroke_command.h"
 
-#include "history_store.h"
+#include "app/document/history_store.h"
 
 namespace app
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stroke_step.h"
+#include "app/worker/stroke_step.h"
 
 #include <QUndoCommand>
 

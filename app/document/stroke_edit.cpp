@@ -1,8 +1,8 @@
-#include "stroke_edit.h"
+#include "app/document/stroke_edit.h"
 
-#include "ui/brush_settings.h"
-#include "ui/main_window.h"
-#include "ui/viewport.h"
+#include "ui/settings/brush_settings.h"
+#include "ui/window/main_window.h"
+#include "ui/viewport/viewport.h"
 
 #include <QAction>
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "document.h"
+#include "app/document/document.h"
 
-#include "core/stroke_change.h"
-#include "ui/stroke_bar.h"
+#include "core/stroke/stroke_edit.h"
+#include "ui/brush/stroke_edit_bar.h"
 
 #include <QElapsedTimer>
 #include <QPointer>

@@ -1,12 +1,12 @@
 // From the present back to the first state: draw it where a frame is due -> take the next step back. The frames' numbers are known before.
 
-#include "time_lapse.h"
+#include "app/document/time_lapse.h"
 
-#include "model_loader.h"
+#include "app/model/model_loader.h"
 
-#include "core/atomic_file.h"
-#include "core/mesh_build.h"
-#include "ui/messages.h"
+#include "core/util/atomic_file.h"
+#include "core/mesh/mesh_builder.h"
+#include "ui/util/error_messages.h"
 
 #include <QBuffer>
 #include <QDir>

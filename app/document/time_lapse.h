@@ -1,9 +1,9 @@
 #pragma once
 
-#include "model_past.h"
+#include "app/model/model_history.h"
 
-#include "core/job_watch.h"
-#include "core/model_picture.h"
+#include "core/util/job_control.h"
+#include "core/drawing/model_thumbnail.h"
 
 #include <QCoreApplication>
 #include <QString>

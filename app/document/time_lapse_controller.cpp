@@ -1,12 +1,12 @@
-#include "time_lapse_desk.h"
+#include "app/document/time_lapse_controller.h"
 
-#include "document.h"
+#include "app/document/document.h"
 
-#include "ui/file_dialogs.h"
-#include "ui/main_window.h"
-#include "ui/settings.h"
-#include "ui/time_lapse_dialog.h"
-#include "ui/viewport.h"
+#include "ui/widgets/file_dialogs.h"
+#include "ui/window/main_window.h"
+#include "ui/settings/settings.h"
+#include "ui/history/time_lapse_dialog.h"
+#include "ui/viewport/viewport.h"
 
 #include <QAction>
 #include <QDir>

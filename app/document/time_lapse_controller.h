@@ -1,6 +1,6 @@
 #pragma once
 
-#include "time_lapse.h"
+#include "app/document/time_lapse.h"
 
 #include <QObject>
 #include <QPointer>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/document_notes.h"
+#include "core/io/document_metadata.h"
 
 #include <chrono>
 #include <optional>

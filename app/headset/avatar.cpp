@@ -1,6 +1,6 @@
-#include "headset_wearer.h"
+#include "app/headset/avatar.h"
 
-#include "vr/wand_shape.h"
+#include "vr/scene/wand_model.h"
 
 #include <iterator>
 

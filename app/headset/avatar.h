@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ui/wearer.h"
-#include "vr/document_port.h"
+#include "ui/scene/headset_avatar.h"
+#include "vr/sculpt/document_port.h"
 
 namespace app
 {

@@ -1,9 +1,9 @@
-#include "headset_hands.h"
+#include "app/headset/handedness_actions.h"
 
-#include "headset.h"
-#include "headset_settings.h"
+#include "app/headset/headset.h"
+#include "app/headset/headset_settings.h"
 
-#include "ui/main_window.h"
+#include "ui/window/main_window.h"
 
 #include <QAction>
 #include <QMenu>

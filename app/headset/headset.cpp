@@ -1,6 +1,6 @@
-#include "headset.h"
+#include "app/headset/headset.h"
 
-#include "headset_settings.h"
+#include "app/headset/headset_settings.h"
 
 #include <utility>
 

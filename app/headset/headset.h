@@ -1,8 +1,8 @@
 #pragma once
 
-#include "headset_desk.h"
+#include "app/headset/headset_controller.h"
 
-#include "vr/headset_thread.h"
+#include "vr/frame/headset_thread.h"
 
 #include <functional>
 #include <memory>

@@ -1,16 +1,16 @@
-#include "headset_wiring.h"
+#include "app/headset/headset_connections.h"
 
-#include "document.h"
-#include "headset.h"
-#include "headset_hands.h"
-#include "headset_inquiry.h"
-#include "headset_wearer.h"
-#include "sculpt_worker.h"
+#include "app/document/document.h"
+#include "app/headset/headset.h"
+#include "app/headset/handedness_actions.h"
+#include "app/headset/runtime_probe.h"
+#include "app/headset/avatar.h"
+#include "app/worker/sculpt_worker.h"
 
-#include "ui/main_window.h"
-#include "ui/partner_bar.h"
-#include "ui/viewport.h"
-#include "vr/sculpt_client.h"
+#include "ui/window/main_window.h"
+#include "ui/headset/partner_bar.h"
+#include "ui/viewport/viewport.h"
+#include "vr/sculpt/sculpt_client.h"
 
 #include <QAction>
 

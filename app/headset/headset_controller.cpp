@@ -1,14 +1,14 @@
 // What the headset is told of the document and of the window.
 
-#include "headset_desk.h"
+#include "app/headset/headset_controller.h"
 
-#include "document.h"
+#include "app/document/document.h"
 
-#include "ui/brush_settings.h"
-#include "ui/color_panel.h"
-#include "ui/main_window.h"
-#include "ui/settings.h"
-#include "ui/viewport.h"
+#include "ui/settings/brush_settings.h"
+#include "ui/brush/color_panel.h"
+#include "ui/window/main_window.h"
+#include "ui/settings/settings.h"
+#include "ui/viewport/viewport.h"
 
 #include <QFileInfo>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "headset_files.h"
-#include "headset_port.h"
+#include "app/headset/headset_files.h"
+#include "app/headset/headset_port.h"
 
 #include <QObject>
 #include <QPointer>

@@ -1,15 +1,15 @@
 // What somebody at the window does for the person in the headset: points, chooses, takes over, gives a lesson.
 
-#include "headset_desk.h"
+#include "app/headset/headset_controller.h"
 
-#include "document.h"
-#include "stroke_step.h"
+#include "app/document/document.h"
+#include "app/worker/stroke_step.h"
 
-#include "ui/brush_settings.h"
-#include "ui/lesson_panel.h"
-#include "ui/main_window.h"
-#include "ui/partner_bar.h"
-#include "ui/viewport.h"
+#include "ui/settings/brush_settings.h"
+#include "ui/lesson/lesson_panel.h"
+#include "ui/window/main_window.h"
+#include "ui/headset/partner_bar.h"
+#include "ui/viewport/viewport.h"
 
 #include <QAction>
 

@@ -1,13 +1,13 @@
 // What the person in the headset wants of the document and of the window.
 
-#include "headset_desk.h"
+#include "app/headset/headset_controller.h"
 
-#include "document.h"
-#include "headset_settings.h"
-#include "headset_wearer.h"
+#include "app/document/document.h"
+#include "app/headset/headset_settings.h"
+#include "app/headset/avatar.h"
 
-#include "ui/brush_settings.h"
-#include "ui/main_window.h"
+#include "ui/settings/brush_settings.h"
+#include "ui/window/main_window.h"
 
 #include <QDir>
 #include <QPointer>

@@ -1,4 +1,4 @@
-#include "headset_files.h"
+#include "app/headset/headset_files.h"
 
 #include <QDir>
 #include <QFileInfo>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "ui/file_jobs.h"
-#include "ui/side_thread.h"
-#include "ui/thumbnail_maker.h"
+#include "ui/files/file_jobs.h"
+#include "ui/util/background_thread.h"
+#include "ui/files/thumbnail_maker.h"
 
 #include "vr/panels/panel_content.h"
 

@@ -1,4 +1,4 @@
-#include "headset_port.h"
+#include "app/headset/headset_port.h"
 
 #include <utility>
 

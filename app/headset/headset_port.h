@@ -1,8 +1,8 @@
 #pragma once
 
-#include "sculpt_worker.h"
+#include "app/worker/sculpt_worker.h"
 
-#include "vr/document_port.h"
+#include "vr/sculpt/document_port.h"
 
 #include <QObject>
 

@@ -1,6 +1,6 @@
-#include "headset_settings.h"
+#include "app/headset/headset_settings.h"
 
-#include "ui/stored_values.h"
+#include "ui/settings/stored_values.h"
 #include "vr/panels/panel_content.h"
 
 namespace app

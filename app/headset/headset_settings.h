@@ -1,6 +1,6 @@
 #pragma once
 
-#include "vr/headset_choice.h"
+#include "vr/input/headset_settings.h"
 
 #include <QSettings>
 

@@ -1,6 +1,6 @@
-#include "headset_inquiry.h"
+#include "app/headset/runtime_probe.h"
 
-#include "vr/openxr_runtime.h"
+#include "vr/openxr/openxr_runtime.h"
 
 namespace app
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "vr/runtime_thread.h"
+#include "vr/openxr/runtime_thread.h"
 
 #include <QTimer>
 

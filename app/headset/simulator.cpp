@@ -1,9 +1,9 @@
-#include "simulator.h"
+#include "app/headset/simulator.h"
 
-#include "command_line.h"
+#include "app/commands/command_line.h"
 
-#include "ui/simulated_person.h"
-#include "vr/simulator/control.h"
+#include "ui/headset/simulator_controls.h"
+#include "vr/simulator/control_api.h"
 
 #include <QDir>
 #include <QFile>

@@ -1,11 +1,11 @@
-#include "simulator_desk.h"
+#include "app/headset/simulator_controller.h"
 
-#include "headset.h"
+#include "app/headset/headset.h"
 
-#include "ui/main_window.h"
-#include "ui/simulator_view.h"
-#include "ui/simulator_window.h"
-#include "vr/wand_state.h"
+#include "ui/window/main_window.h"
+#include "ui/headset/simulator_view.h"
+#include "ui/headset/simulator_window.h"
+#include "vr/openxr/wand_state.h"
 
 #include <QJsonArray>
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "simulator.h"
+#include "app/headset/simulator.h"
 
-#include "ui/simulated_person.h"
-#include "vr/headset_report.h"
+#include "ui/headset/simulator_controls.h"
+#include "vr/frame/headset_report.h"
 
 #include <QElapsedTimer>
 #include <QObject>

@@ -1,9 +1,9 @@
-#include "foreign_import.h"
+#include "app/import/assimp_import.h"
 
-#include "foreign_answer.h"
-#include "own_limits.h"
+#include "app/import/import_protocol.h"
+#include "app/platform/resource_limits.h"
 
-#include "core/triangle_mesh.h"
+#include "core/geometry/triangle_mesh.h"
 
 #include <assimp/DefaultIOSystem.h>
 #include <assimp/Importer.hpp>

@@ -1,10 +1,10 @@
-#include "foreign_reader.h"
+#include "app/import/sandboxed_importer.h"
 
-#include "child_process.h"
-#include "foreign_answer.h"
-#include "foreign_import.h"
+#include "app/platform/child_process.h"
+#include "app/import/import_protocol.h"
+#include "app/import/assimp_import.h"
 
-#include "core/file_error.h"
+#include "core/util/file_error.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/foreign_reader.h"
+#include "core/io/external_reader.h"
 
 #include <string>
 

@@ -1,7 +1,7 @@
-#include "lesson_keeper.h"
+#include "app/lesson/lesson_autosave.h"
 
-#include "core/file_error.h"
-#include "core/lesson_file.h"
+#include "core/util/file_error.h"
+#include "core/lesson/lesson_file.h"
 
 #include <algorithm>
 #include <new>

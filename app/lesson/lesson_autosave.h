@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/journal/folder.h"
-#include "core/lesson_draft.h"
-#include "ui/side_thread.h"
+#include "core/journal/journal_folder.h"
+#include "core/lesson/lesson_draft.h"
+#include "ui/util/background_thread.h"
 
 #include <QObject>
 #include <QStringList>

@@ -1,8 +1,8 @@
-#include "lesson_inquiry.h"
+#include "app/lesson/lesson_checker.h"
 
-#include "document.h"
+#include "app/document/document.h"
 
-#include "core/lesson_stage.h"
+#include "core/lesson/lesson_playback.h"
 
 #include <algorithm>
 

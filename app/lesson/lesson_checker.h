@@ -1,11 +1,11 @@
 #pragma once
 
-#include "resting_model.h"
+#include "app/document/idle_analysis.h"
 
-#include "core/checkpoint.h"
-#include "core/footprint.h"
-#include "core/lesson.h"
-#include "ui/side_thread.h"
+#include "core/lesson/checkpoint.h"
+#include "core/mesh/footprint.h"
+#include "core/lesson/lesson.h"
+#include "ui/util/background_thread.h"
 
 #include <filesystem>
 

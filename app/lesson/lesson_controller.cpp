@@ -1,14 +1,14 @@
-#include "lesson_desk.h"
+#include "app/lesson/lesson_controller.h"
 
-#include "document.h"
-#include "lesson_model.h"
-#include "lesson_shelf.h"
-#include "lesson_words.h"
+#include "app/document/document.h"
+#include "app/lesson/lesson_model.h"
+#include "app/lesson/lesson_library.h"
+#include "app/lesson/lesson_messages.h"
 
-#include "ui/file_dialogs.h"
-#include "ui/main_window.h"
-#include "ui/start_page.h"
-#include "ui/viewport.h"
+#include "ui/widgets/file_dialogs.h"
+#include "ui/window/main_window.h"
+#include "ui/help/start_page.h"
+#include "ui/viewport/viewport.h"
 
 #include <QAction>
 

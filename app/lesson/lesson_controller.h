@@ -1,10 +1,10 @@
 #pragma once
 
-#include "lesson_inquiry.h"
+#include "app/lesson/lesson_checker.h"
 
-#include "core/lesson_player.h"
-#include "ui/lesson_panel.h"
-#include "ui/side_thread.h"
+#include "core/lesson/lesson_player.h"
+#include "ui/lesson/lesson_panel.h"
+#include "ui/util/background_thread.h"
 
 #include <QElapsedTimer>
 #include <QPointer>

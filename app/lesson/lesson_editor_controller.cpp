@@ -1,18 +1,18 @@
-#include "lesson_editor_desk.h"
+#include "app/lesson/lesson_editor_controller.h"
 
-#include "document.h"
-#include "lesson_model.h"
-#include "lesson_shelf.h"
-#include "model_words.h"
-#include "stroke_step.h"
+#include "app/document/document.h"
+#include "app/lesson/lesson_model.h"
+#include "app/lesson/lesson_library.h"
+#include "app/model/command_names.h"
+#include "app/worker/stroke_step.h"
 
-#include "core/checkpoint.h"
-#include "core/mesh_build.h"
-#include "ui/file_dialogs.h"
-#include "ui/lesson_panel.h"
-#include "ui/main_window.h"
-#include "ui/messages.h"
-#include "ui/viewport.h"
+#include "core/lesson/checkpoint.h"
+#include "core/mesh/mesh_builder.h"
+#include "ui/widgets/file_dialogs.h"
+#include "ui/lesson/lesson_panel.h"
+#include "ui/window/main_window.h"
+#include "ui/util/error_messages.h"
+#include "ui/viewport/viewport.h"
 
 #include <QDir>
 #include <QFileInfo>

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "lesson_keeper.h"
-#include "lesson_recorder.h"
-#include "lesson_saving.h"
+#include "app/lesson/lesson_autosave.h"
+#include "app/lesson/lesson_recorder.h"
+#include "app/lesson/lesson_saving.h"
 
-#include "core/starter_models.h"
-#include "ui/lesson_editor.h"
-#include "ui/side_thread.h"
+#include "core/operations/primitives.h"
+#include "ui/lesson/lesson_editor.h"
+#include "ui/util/background_thread.h"
 
 #include <QPointer>
 

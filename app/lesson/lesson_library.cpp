@@ -1,6 +1,6 @@
-#include "lesson_shelf.h"
+#include "app/lesson/lesson_library.h"
 
-#include "model_loader.h"
+#include "app/model/model_loader.h"
 
 #include <QFile>
 #include <QFileInfo>

@@ -1,8 +1,8 @@
-#include "lesson_words.h"
+#include "app/lesson/lesson_messages.h"
 
-#include "stroke_words.h"
+#include "app/model/stroke_file_messages.h"
 
-#include "ui/messages.h"
+#include "ui/util/error_messages.h"
 
 #include <QDir>
 #include <QLocale>

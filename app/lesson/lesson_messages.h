@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/lesson_file.h"
+#include "core/lesson/lesson_file.h"
 
 #include <QCoreApplication>
 #include <QString>

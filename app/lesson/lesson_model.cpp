@@ -1,11 +1,11 @@
-#include "lesson_model.h"
+#include "app/lesson/lesson_model.h"
 
-#include "lesson_shelf.h"
-#include "lesson_words.h"
+#include "app/lesson/lesson_library.h"
+#include "app/lesson/lesson_messages.h"
 
-#include "core/lesson_stage.h"
-#include "core/mesh_io.h"
-#include "ui/messages.h"
+#include "core/lesson/lesson_playback.h"
+#include "core/io/mesh_io.h"
+#include "ui/util/error_messages.h"
 
 #include <QFile>
 #include <QFileInfo>

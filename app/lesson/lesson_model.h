@@ -1,8 +1,8 @@
 #pragma once
 
-#include "model_loader.h"
+#include "app/model/model_loader.h"
 
-#include "core/lesson_file.h"
+#include "core/lesson/lesson_file.h"
 
 namespace app
 {

@@ -1,9 +1,9 @@
-#include "lesson_recorder.h"
+#include "app/lesson/lesson_recorder.h"
 
-#include "document.h"
+#include "app/document/document.h"
 
-#include "core/alpha.h"
-#include "core/brush_model.h"
+#include "core/sculpt/deform/alpha.h"
+#include "core/sculpt/deform/brush_model.h"
 
 namespace app
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/lesson_draft.h"
+#include "core/lesson/lesson_draft.h"
 
 #include <QObject>
 

@@ -1,13 +1,13 @@
-#include "lesson_saving.h"
+#include "app/lesson/lesson_saving.h"
 
-#include "lesson_words.h"
-#include "model_words.h"
-#include "stroke_step.h"
+#include "app/lesson/lesson_messages.h"
+#include "app/model/command_names.h"
+#include "app/worker/stroke_step.h"
 
-#include "core/lesson_file.h"
-#include "core/lesson_trial.h"
-#include "core/model_picture.h"
-#include "ui/messages.h"
+#include "core/lesson/lesson_file.h"
+#include "core/lesson/lesson_check.h"
+#include "core/drawing/model_thumbnail.h"
+#include "ui/util/error_messages.h"
 
 #include <QBuffer>
 #include <QDir>

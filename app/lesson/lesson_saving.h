@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/job_watch.h"
-#include "core/lesson_draft.h"
+#include "core/util/job_control.h"
+#include "core/lesson/lesson_draft.h"
 
 #include <QCoreApplication>
 #include <QImage>

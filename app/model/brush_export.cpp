@@ -1,10 +1,10 @@
-#include "brush_keeper.h"
+#include "app/model/brush_export.h"
 
-#include "model_loader.h"
+#include "app/model/model_loader.h"
 
-#include "core/decimate.h"
-#include "core/mesh_build.h"
-#include "ui/brush_files.h"
+#include "core/operations/decimate.h"
+#include "core/mesh/mesh_builder.h"
+#include "ui/brush/brush_files.h"
 
 #include <QDir>
 #include <QFileInfo>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/job_watch.h"
-#include "core/mesh.h"
+#include "core/util/job_control.h"
+#include "core/mesh/mesh.h"
 
 #include <QCoreApplication>
 #include <QString>

@@ -1,6 +1,6 @@
-#include "model_words.h"
+#include "app/model/command_names.h"
 
-#include "ui/messages.h"
+#include "ui/util/error_messages.h"
 
 #include <QFileInfo>
 #include <QLocale>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/model_command.h"
+#include "core/operations/model_command.h"
 
 #include <QCoreApplication>
 #include <QString>

@@ -1,12 +1,12 @@
-#include "model_trial.h"
+#include "app/model/model_change_job.h"
 
-#include "model_loader.h"
-#include "model_words.h"
+#include "app/model/model_loader.h"
+#include "app/model/command_names.h"
 
-#include "core/mesh_io.h"
-#include "core/scaling.h"
-#include "ui/mending_words.h"
-#include "ui/messages.h"
+#include "core/io/mesh_io.h"
+#include "core/geometry/scale_mesh.h"
+#include "ui/util/repair_messages.h"
+#include "ui/util/error_messages.h"
 
 #include <QFileInfo>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/model_command.h"
-#include "ui/insertion.h"
+#include "core/operations/model_command.h"
+#include "ui/model/insert_request.h"
 
 #include <QCoreApplication>
 #include <QString>

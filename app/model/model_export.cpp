@@ -1,12 +1,12 @@
-#include "model_export.h"
+#include "app/model/model_export.h"
 
-#include "model_loader.h"
-#include "slicer_trial.h"
+#include "app/model/model_loader.h"
+#include "app/model/slicer_check.h"
 
-#include "core/decimate.h"
-#include "core/mesh_build.h"
-#include "core/mesh_io.h"
-#include "ui/messages.h"
+#include "core/operations/decimate.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/io/mesh_io.h"
+#include "ui/util/error_messages.h"
 
 #include <QDir>
 #include <QFileInfo>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/document_notes.h"
-#include "core/export_check.h"
-#include "core/mesh.h"
+#include "core/io/document_metadata.h"
+#include "core/io/export_check.h"
+#include "core/mesh/mesh.h"
 
 #include <QCoreApplication>
 #include <QString>

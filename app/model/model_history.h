@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/mesh.h"
-#include "core/mesh_delta.h"
+#include "core/mesh/mesh.h"
+#include "core/mesh/mesh_delta.h"
 
 #include <functional>
 #include <memory>

@@ -1,16 +1,16 @@
-#include "model_loader.h"
+#include "app/model/model_loader.h"
 
-#include "foreign_import.h"
+#include "app/import/assimp_import.h"
 
-#include "core/face_geometry.h"
-#include "core/kept_version.h"
-#include "core/lattice_placement.h"
-#include "core/mesh_build.h"
-#include "core/mesh_io.h"
-#include "ui/insertion.h"
-#include "ui/measures.h"
-#include "ui/mending_words.h"
-#include "ui/messages.h"
+#include "core/geometry/face_geometry.h"
+#include "core/util/numbered_backup.h"
+#include "core/geometry/lattice_placement.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/io/mesh_io.h"
+#include "ui/model/insert_request.h"
+#include "ui/util/number_format.h"
+#include "ui/util/repair_messages.h"
+#include "ui/util/error_messages.h"
 
 #include <QFileInfo>
 

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "core/document_notes.h"
-#include "core/file_error.h"
-#include "core/job_watch.h"
-#include "core/legalise.h"
-#include "core/model_command.h"
-#include "core/print_check.h"
-#include "core/sculptor.h"
-#include "core/starter_models.h"
+#include "core/io/document_metadata.h"
+#include "core/util/file_error.h"
+#include "core/util/job_control.h"
+#include "core/repair/repair.h"
+#include "core/operations/model_command.h"
+#include "core/analysis/print_check.h"
+#include "core/sculpt/sculptor.h"
+#include "core/operations/primitives.h"
 
 #include <QCoreApplication>
 #include <QString>

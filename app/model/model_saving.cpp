@@ -1,8 +1,8 @@
-#include "model_saving.h"
+#include "app/model/model_saving.h"
 
-#include "model_loader.h"
+#include "app/model/model_loader.h"
 
-#include "ui/file_jobs.h"
+#include "ui/files/file_jobs.h"
 
 #include <QDir>
 #include <QFileInfo>

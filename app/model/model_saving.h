@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/document_notes.h"
-#include "core/mesh_io.h"
+#include "core/io/document_metadata.h"
+#include "core/io/mesh_io.h"
 
 #include <QCoreApplication>
 #include <QString>

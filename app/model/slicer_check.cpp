@@ -1,6 +1,6 @@
-#include "slicer_trial.h"
+#include "app/model/slicer_check.h"
 
-#include "ui/slicer.h"
+#include "ui/files/slicer.h"
 
 #include <QElapsedTimer>
 #include <QFile>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/job_watch.h"
+#include "core/util/job_control.h"
 
 #include <QCoreApplication>
 #include <QString>

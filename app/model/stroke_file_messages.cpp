@@ -1,4 +1,4 @@
-#include "stroke_words.h"
+#include "app/model/stroke_file_messages.h"
 
 #include <QLocale>
 

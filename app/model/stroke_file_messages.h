@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/stroke_file.h"
+#include "core/io/stroke/stroke_file.h"
 
 #include <QCoreApplication>
 #include <QString>

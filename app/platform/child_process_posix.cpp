@@ -1,4 +1,4 @@
-#include "child_process.h"
+#include "app/platform/child_process.h"
 
 #include <QCoreApplication>
 

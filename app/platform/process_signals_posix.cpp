@@ -1,4 +1,4 @@
-#include "process_signals.h"
+#include "app/platform/process_signals.h"
 
 #include <csignal>
 

@@ -1,4 +1,4 @@
-#include "process_usage.h"
+#include "app/platform/process_usage.h"
 
 #include <sys/resource.h>
 #include <time.h>

@@ -1,4 +1,4 @@
-#include "own_limits.h"
+#include "app/platform/resource_limits.h"
 
 #include <sys/resource.h>
 #include <unistd.h>

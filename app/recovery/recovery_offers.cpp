@@ -1,9 +1,9 @@
 // The journals that programs before left: which there are, and how their documents come back.
-#include "journal_shelf.h"
+#include "app/recovery/recovery_store.h"
 
-#include "model_loader.h"
+#include "app/model/model_loader.h"
 
-#include "core/journal/files.h"
+#include "core/journal/journal_files.h"
 
 #include <QDir>
 

@@ -1,8 +1,8 @@
-#include "journal_shelf.h"
+#include "app/recovery/recovery_store.h"
 
-#include "model_loader.h"
+#include "app/model/model_loader.h"
 
-#include "ui/messages.h"
+#include "ui/util/error_messages.h"
 
 #include <QDir>
 #include <QLocale>

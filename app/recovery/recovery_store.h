@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/journal/journal.h"
-#include "ui/mailbox.h"
-#include "ui/side_thread.h"
+#include "ui/util/thread_mailbox.h"
+#include "ui/util/background_thread.h"
 
 #include <QDateTime>
 #include <QObject>

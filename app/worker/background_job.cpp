@@ -1,4 +1,4 @@
-#include "long_work.h"
+#include "app/worker/background_job.h"
 
 #include <memory>
 #include <utility>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/job_watch.h"
-#include "ui/side_thread.h"
+#include "core/util/job_control.h"
+#include "ui/util/background_thread.h"
 
 #include <QObject>
 

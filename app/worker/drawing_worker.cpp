@@ -1,10 +1,10 @@
-#include "drawing_worker.h"
+#include "app/worker/drawing_worker.h"
 
-#include "sculpt_worker.h"
+#include "app/worker/sculpt_worker.h"
 
-#include "core/file_error.h"
-#include "ui/drawing_sheet.h"
-#include "ui/messages.h"
+#include "core/util/file_error.h"
+#include "ui/drawing/drawing_sheet.h"
+#include "ui/util/error_messages.h"
 
 #include <QDir>
 #include <QFileInfo>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "patch_inbox.h"
+#include "app/worker/patch_inbox.h"
 
-#include "core/line_drawer.h"
-#include "ui/mailbox.h"
+#include "core/drawing/incremental_line_drawing.h"
+#include "ui/util/thread_mailbox.h"
 
 #include <QObject>
 #include <QString>

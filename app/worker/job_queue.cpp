@@ -1,4 +1,4 @@
-#include "job_queue.h"
+#include "app/worker/job_queue.h"
 
 #include <algorithm>
 #include <chrono>

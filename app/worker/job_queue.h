@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/stroke.h"
+#include "core/stroke/stroke.h"
 
 #include <array>
 #include <condition_variable>

@@ -1,4 +1,4 @@
-#include "patch_inbox.h"
+#include "app/worker/patch_inbox.h"
 
 #include <utility>
 

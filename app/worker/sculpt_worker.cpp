@@ -1,6 +1,6 @@
 // The thread's loop: each viewer's newest question, then the next job. A stroke's jobs are BeginStroke, Sample..., EndStroke; what the
 // engine changed goes to the viewers' inboxes at a sub-step's end, at most once a frame while samples wait.
-#include "sculpt_worker.h"
+#include "app/worker/sculpt_worker.h"
 
 #include "core/journal/journal.h"
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "job_queue.h"
-#include "patch_inbox.h"
+#include "app/worker/job_queue.h"
+#include "app/worker/patch_inbox.h"
 
-#include "core/sculptor.h"
-#include "core/stroke_file.h"
-#include "ui/mailbox.h"
+#include "core/sculpt/sculptor.h"
+#include "core/io/stroke/stroke_file.h"
+#include "ui/util/thread_mailbox.h"
 
 #include <QObject>
 

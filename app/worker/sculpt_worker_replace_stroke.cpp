@@ -1,6 +1,6 @@
 // A stroke that was done before, by another brush or as it was. One job.
 
-#include "sculpt_worker.h"
+#include "app/worker/sculpt_worker.h"
 
 namespace app
 {

@@ -1,11 +1,11 @@
 // What the mesh thread does for a hand: its strokes, and where its brush would meet the surface.
 
-#include "sculpt_worker.h"
+#include "app/worker/sculpt_worker.h"
 
-#include "stroke_step.h"
+#include "app/worker/stroke_step.h"
 
 #include "core/journal/journal.h"
-#include "core/sectors.h"
+#include "core/stroke/radial_symmetry.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/journal/record.h"
+#include "core/journal/journal_record.h"
 
 #include <QCoreApplication>
 #include <QString>

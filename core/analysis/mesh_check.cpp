@@ -1,9 +1,9 @@
-#include "mesh_check.h"
+#include "core/analysis/mesh_check.h"
 
-#include "face_geometry.h"
-#include "lattice_placement.h"
-#include "nesting.h"
-#include "parallel.h"
+#include "core/geometry/face_geometry.h"
+#include "core/geometry/lattice_placement.h"
+#include "core/analysis/nesting.h"
+#include "core/util/parallel.h"
 
 #include <atomic>
 #include <cmath>

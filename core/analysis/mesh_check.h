@@ -1,9 +1,9 @@
 #pragma once
 
-#include "job_watch.h"
-#include "mesh_topology.h"
-#include "self_intersection.h"
-#include "triangle_mesh.h"
+#include "core/util/job_control.h"
+#include "core/analysis/mesh_topology.h"
+#include "core/analysis/self_intersection.h"
+#include "core/geometry/triangle_mesh.h"
 
 #include <cstdint>
 #include <optional>

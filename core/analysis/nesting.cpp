@@ -1,11 +1,11 @@
 // For each shell: the sign of its volume, in doubles where their rounding cannot decide it, else in an exact sum; and, if
 // there are others, how many of their faces lie above its highest vertex: odd means it lies inside an odd number of them.
 
-#include "nesting.h"
+#include "core/analysis/nesting.h"
 
-#include "disjoint_sets.h"
-#include "exact_sum.h"
-#include "face_geometry.h"
+#include "core/util/disjoint_sets.h"
+#include "core/geometry/exact_sum.h"
+#include "core/geometry/face_geometry.h"
 
 #include <cmath>
 #include <numeric>

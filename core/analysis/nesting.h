@@ -1,7 +1,7 @@
 #pragma once
 
-#include "geometry.h"
-#include "lattice.h"
+#include "core/geometry/geometry.h"
+#include "core/geometry/lattice.h"
 
 #include <span>
 #include <vector>

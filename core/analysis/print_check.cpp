@@ -1,8 +1,8 @@
 // Will it print? Walls by wall_thickness; the rest is a pass over the faces.
 
-#include "print_check.h"
+#include "core/analysis/print_check.h"
 
-#include "disjoint_sets.h"
+#include "core/util/disjoint_sets.h"
 
 #include <algorithm>
 #include <cmath>

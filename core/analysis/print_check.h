@@ -1,7 +1,7 @@
 #pragma once
 
-#include "mesh_check.h"
-#include "wall_thickness.h"
+#include "core/analysis/mesh_check.h"
+#include "core/analysis/wall_thickness.h"
 
 #include <optional>
 

@@ -1,11 +1,11 @@
 // All pairs of faces that meet: those whose boxes meet in a tree of boxes are tested exactly.
 
-#include "self_intersection.h"
+#include "core/analysis/self_intersection.h"
 
-#include "face_geometry.h"
-#include "first_few.h"
-#include "parallel.h"
-#include "triangle_pair.h"
+#include "core/geometry/face_geometry.h"
+#include "core/util/smallest_k.h"
+#include "core/util/parallel.h"
+#include "core/geometry/triangle_intersection.h"
 
 #include <atomic>
 #include <numeric>

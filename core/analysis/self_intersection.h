@@ -1,6 +1,6 @@
 #pragma once
 
-#include "predicates.h"
+#include "core/geometry/predicates.h"
 
 #include <compare>
 #include <cstdint>

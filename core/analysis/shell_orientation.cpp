@@ -1,6 +1,6 @@
-#include "shell_probe.h"
+#include "core/analysis/shell_orientation.h"
 
-#include "predicates.h"
+#include "core/geometry/predicates.h"
 
 namespace core
 {

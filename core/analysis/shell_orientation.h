@@ -1,6 +1,6 @@
 #pragma once
 
-#include "face_octree.h"
+#include "core/geometry/lattice_box.h"
 
 namespace core
 {

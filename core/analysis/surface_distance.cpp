@@ -2,11 +2,11 @@
 // 2. inside    samples in the other faces, each search bounded by where the last one ended
 // 3. corners   only the largest distance is asked of them: a search ends as soon as a corner is known to be nearer than that
 
-#include "surface_distance.h"
+#include "core/analysis/surface_distance.h"
 
-#include "face_geometry.h"
-#include "point_triangle.h"
-#include "watched_chunks.h"
+#include "core/geometry/face_geometry.h"
+#include "core/geometry/point_triangle.h"
+#include "core/util/parallel_progress.h"
 
 #include <atomic>
 #include <bit>

@@ -6,10 +6,10 @@
 //   2. ball    the least of these balls shrinks: the point nearest to its centre, of the opposite faces, is the next q, until none
 //              lies inside (after Ma, Bae and Choi 2012, with the faces themselves in the place of sampled points)
 
-#include "wall_thickness.h"
+#include "core/analysis/wall_thickness.h"
 
-#include "face_geometry.h"
-#include "point_triangle.h"
+#include "core/geometry/face_geometry.h"
+#include "core/geometry/point_triangle.h"
 
 #include <cmath>
 #include <optional>

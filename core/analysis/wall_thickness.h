@@ -1,7 +1,7 @@
 #pragma once
 
-#include "job_watch.h"
-#include "triangle_mesh.h"
+#include "core/util/job_control.h"
+#include "core/geometry/triangle_mesh.h"
 
 #include <vector>
 

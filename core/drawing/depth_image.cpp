@@ -1,4 +1,4 @@
-#include "depth_image.h"
+#include "core/drawing/depth_image.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "line_drawing.h"
+#include "core/drawing/line_drawing.h"
 
 #include <span>
 

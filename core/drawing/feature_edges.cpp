@@ -1,8 +1,8 @@
 // Which edges are lines of a drawing. Nobody keeps the mesh's connectivity for this: an edge of an outline joins two vertices that have
 // faces looking to the eye and others; a crease joins two whose normals lie far from a face's. Only faces at such edges are paired.
-#include "drawing_edges.h"
+#include "core/drawing/feature_edges.h"
 
-#include "depth_image.h"
+#include "core/drawing/depth_image.h"
 
 #include <algorithm>
 #include <array>

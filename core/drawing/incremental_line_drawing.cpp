@@ -1,4 +1,4 @@
-#include "line_drawer.h"
+#include "core/drawing/incremental_line_drawing.h"
 
 #include <algorithm>
 #include <iterator>

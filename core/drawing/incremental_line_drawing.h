@@ -1,6 +1,6 @@
 #pragma once
 
-#include "drawn_views.h"
+#include "core/drawing/projected_views.h"
 
 namespace core
 {

@@ -1,6 +1,6 @@
-#include "line_drawing.h"
+#include "core/drawing/line_drawing.h"
 
-#include "drawn_views.h"
+#include "core/drawing/projected_views.h"
 
 namespace core
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "draw_arrays.h"
+#include "core/mesh/draw_arrays.h"
 
 #include <optional>
 #include <stop_token>

@@ -1,9 +1,9 @@
 // place (turn, fit) -> face the eye -> depth image, finer than the picture -> light -> mean of the samples.
 // Normals: the mean of the faces around a vertex, or the face's own where that turns away from it (a crease).
 
-#include "model_picture.h"
+#include "core/drawing/model_thumbnail.h"
 
-#include "depth_image.h"
+#include "core/drawing/depth_image.h"
 
 #include <algorithm>
 #include <cmath>

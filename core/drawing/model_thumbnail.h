@@ -1,6 +1,6 @@
 #pragma once
 
-#include "triangle_mesh.h"
+#include "core/geometry/triangle_mesh.h"
 
 #include <optional>
 #include <stop_token>

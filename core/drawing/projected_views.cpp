@@ -1,4 +1,4 @@
-#include "drawn_views.h"
+#include "core/drawing/projected_views.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "depth_image.h"
-#include "drawing_edges.h"
+#include "core/drawing/depth_image.h"
+#include "core/drawing/feature_edges.h"
 
 namespace core
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lattice_box.h"
+#include "core/geometry/lattice_box.h"
 
 #include <algorithm>
 #include <span>

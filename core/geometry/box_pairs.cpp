@@ -1,4 +1,4 @@
-#include "box_pairs.h"
+#include "core/geometry/box_pairs.h"
 
 namespace core
 {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "lattice_box.h"
-#include "parallel.h"
+#include "core/geometry/lattice_box.h"
+#include "core/util/parallel.h"
 
 #include <algorithm>
 #include <functional>

@@ -1,8 +1,8 @@
-#include "box_tree.h"
+#include "core/geometry/box_tree.h"
 
-#include "morton_code.h"
-#include "parallel.h"
-#include "radix_sort.h"
+#include "core/geometry/morton_code.h"
+#include "core/util/parallel.h"
+#include "core/util/radix_sort.h"
 
 namespace core
 {

@@ -1,4 +1,4 @@
-#include "face_geometry.h"
+#include "core/geometry/face_geometry.h"
 
 namespace core
 {

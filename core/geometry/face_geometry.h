@@ -1,8 +1,8 @@
 #pragma once
 
-#include "box_tree.h"
-#include "parallel.h"
-#include "triangle_mesh.h"
+#include "core/geometry/box_tree.h"
+#include "core/util/parallel.h"
+#include "core/geometry/triangle_mesh.h"
 
 #include <span>
 

@@ -1,7 +1,7 @@
 // The paper's sphere: each triangle of an icosahedron is split in four, new vertices are pushed out to the sphere.
 // Arithmetic is + - x / sqrt only: the same bits everywhere.
 
-#include "triangle_mesh.h"
+#include "core/geometry/triangle_mesh.h"
 
 #include <cassert>
 #include <cmath>

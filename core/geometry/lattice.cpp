@@ -1,4 +1,4 @@
-#include "lattice.h"
+#include "core/geometry/lattice.h"
 
 #include <cassert>
 

@@ -1,4 +1,4 @@
-#include "lattice_box.h"
+#include "core/geometry/lattice_box.h"
 
 namespace core
 {

@@ -1,4 +1,4 @@
-#include "lattice_placement.h"
+#include "core/geometry/lattice_placement.h"
 
 #include <algorithm>
 #include <cmath>

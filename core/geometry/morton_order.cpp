@@ -1,7 +1,7 @@
-#include "morton_order.h"
+#include "core/geometry/morton_order.h"
 
-#include "morton_code.h"
-#include "radix_sort.h"
+#include "core/geometry/morton_code.h"
+#include "core/util/radix_sort.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "lattice.h"
-#include "triangle_mesh.h"
+#include "core/geometry/lattice.h"
+#include "core/geometry/triangle_mesh.h"
 
 namespace core
 {

@@ -1,4 +1,4 @@
-#include "point_triangle.h"
+#include "core/geometry/point_triangle.h"
 
 namespace core
 {

@@ -3,7 +3,7 @@
 //   2. bridge   holes, from left to right, are joined to the loop by the shortest segment that meets nothing
 //   3. clip     ears, each second one first, so that no corner collects all triangles
 
-#include "polygon_fill.h"
+#include "core/geometry/polygon_triangulation.h"
 
 #include <algorithm>
 #include <numeric>

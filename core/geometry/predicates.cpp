@@ -3,9 +3,9 @@
 // The determinant of four points, expanded without taking differences, is a sum of 24 signed products of three coordinates
 // (6 products of two in the plane), which ExactSum adds without rounding.
 
-#include "predicates.h"
+#include "core/geometry/predicates.h"
 
-#include "exact_sum.h"
+#include "core/geometry/exact_sum.h"
 
 #include <utility>
 

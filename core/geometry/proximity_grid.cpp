@@ -1,4 +1,4 @@
-#include "proximity_grid.h"
+#include "core/geometry/proximity_grid.h"
 
 #include <bit>
 

@@ -1,4 +1,4 @@
-#include "scaling.h"
+#include "core/geometry/scale_mesh.h"
 
 namespace core
 {

@@ -5,7 +5,7 @@
 //   0  Guigue and Devillers, "Fast and robust triangle-triangle overlap test using orientation predicates", 2003;
 //      coplanar triangles by separating edges
 
-#include "triangle_pair.h"
+#include "core/geometry/triangle_intersection.h"
 
 #include <cassert>
 #include <utility>

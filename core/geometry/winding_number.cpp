@@ -1,6 +1,6 @@
-#include "winding_number.h"
+#include "core/geometry/winding_number.h"
 
-#include "face_geometry.h"
+#include "core/geometry/face_geometry.h"
 
 #include <algorithm>
 #include <cmath>

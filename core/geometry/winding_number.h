@@ -1,6 +1,6 @@
 #pragma once
 
-#include "box_tree.h"
+#include "core/geometry/box_tree.h"
 
 #include <span>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "mesh_frame.h"
-#include "stroke.h"
+#include "core/mesh/mesh_frame.h"
+#include "core/stroke/stroke.h"
 
 #include <cstdint>
 #include <optional>

@@ -1,6 +1,6 @@
-#include "export_check.h"
+#include "core/io/export_check.h"
 
-#include "mesh_io.h"
+#include "core/io/mesh_io.h"
 
 #include <algorithm>
 

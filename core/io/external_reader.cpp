@@ -1,4 +1,4 @@
-#include "foreign_reader.h"
+#include "core/io/external_reader.h"
 
 namespace core
 {

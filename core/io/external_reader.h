@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesh_io.h"
+#include "core/io/mesh_io.h"
 
 #include <functional>
 

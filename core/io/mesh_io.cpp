@@ -1,15 +1,15 @@
 // Reading: look at the start and the size first, refuse what cannot be, then read the whole file and parse it.
 
-#include "mesh_io.h"
+#include "core/io/mesh_io.h"
 
-#include "foreign_reader.h"
-#include "large_buffer.h"
-#include "mesh_io/format.h"
-#include "mesh_io/glb_notes.h"
-#include "mesh_io/input_file.h"
-#include "mesh_io/palette.h"
-#include "mesh_io/welder.h"
-#include "parallel.h"
+#include "core/io/external_reader.h"
+#include "core/util/large_buffer.h"
+#include "core/io/mesh/format.h"
+#include "core/io/mesh/glb_metadata.h"
+#include "core/io/mesh/input_file.h"
+#include "core/io/mesh/palette.h"
+#include "core/io/mesh/vertex_welder.h"
+#include "core/util/parallel.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "document_notes.h"
-#include "triangle_mesh.h"
+#include "core/io/document_metadata.h"
+#include "core/geometry/triangle_mesh.h"
 
 #include <filesystem>
 #include <optional>

@@ -1,7 +1,7 @@
-#include "append_file.h"
+#include "core/journal/append_file.h"
 
-#include "../atomic_file.h"
-#include "../file_error.h"
+#include "core/util/atomic_file.h"
+#include "core/util/file_error.h"
 
 #include <cerrno>
 #include <fcntl.h>

@@ -1,4 +1,4 @@
-#include "checksum.h"
+#include "core/journal/checksum.h"
 
 #include <array>
 

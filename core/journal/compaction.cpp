@@ -1,10 +1,10 @@
-#include "compact.h"
+#include "core/journal/compaction.h"
 
-#include "base.h"
-#include "files.h"
-#include "replay.h"
+#include "core/journal/journal_base.h"
+#include "core/journal/journal_files.h"
+#include "core/journal/journal_recovery.h"
 
-#include "../file_error.h"
+#include "core/util/file_error.h"
 
 #include <new>
 

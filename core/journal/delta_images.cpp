@@ -1,4 +1,4 @@
-#include "images.h"
+#include "core/journal/delta_images.h"
 
 #include <algorithm>
 #include <array>

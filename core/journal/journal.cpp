@@ -1,8 +1,8 @@
-#include "journal.h"
+#include "core/journal/journal.h"
 
-#include "base.h"
-#include "files.h"
-#include "images.h"
+#include "core/journal/journal_base.h"
+#include "core/journal/journal_files.h"
+#include "core/journal/delta_images.h"
 
 #include <new>
 

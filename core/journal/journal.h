@@ -1,8 +1,8 @@
 #pragma once
 
-#include "folder.h"
-#include "replay.h"
-#include "writer.h"
+#include "core/journal/journal_folder.h"
+#include "core/journal/journal_recovery.h"
+#include "core/journal/journal_writer.h"
 
 namespace core
 {

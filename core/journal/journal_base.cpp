@@ -1,8 +1,8 @@
-#include "base.h"
+#include "core/journal/journal_base.h"
 
-#include "images.h"
+#include "core/journal/delta_images.h"
 
-#include "../atomic_file.h"
+#include "core/util/atomic_file.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "files.h"
+#include "core/journal/journal_files.h"
 
 #include <charconv>
 #include <fstream>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "record.h"
+#include "core/journal/journal_record.h"
 
 #include <filesystem>
 #include <functional>

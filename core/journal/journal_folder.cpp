@@ -1,8 +1,8 @@
-#include "folder.h"
+#include "core/journal/journal_folder.h"
 
-#include "files.h"
+#include "core/journal/journal_files.h"
 
-#include "../atomic_file.h"
+#include "core/util/atomic_file.h"
 
 #include <algorithm>
 #include <chrono>

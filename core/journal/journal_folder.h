@@ -1,6 +1,6 @@
 #pragma once
 
-#include "append_file.h"
+#include "core/journal/append_file.h"
 
 #include <memory>
 #include <vector>

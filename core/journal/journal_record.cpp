@@ -1,7 +1,7 @@
-#include "record.h"
+#include "core/journal/journal_record.h"
 
-#include "bytes.h"
-#include "checksum.h"
+#include "core/journal/byte_stream.h"
+#include "core/journal/checksum.h"
 
 #include <sstream>
 #include <utility>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "../document_notes.h"
-#include "../mesh_delta.h"
-#include "../stroke_file.h"
+#include "core/io/document_metadata.h"
+#include "core/mesh/mesh_delta.h"
+#include "core/io/stroke/stroke_file.h"
 
 #include <memory>
 #include <optional>

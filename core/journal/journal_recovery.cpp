@@ -3,14 +3,14 @@
 //   2. read on    the segments, record by record, while numbers and checksums are right
 //   3. apply      each image, if it fits the mesh and leads to the mesh_hash that it was written with
 
-#include "replay.h"
+#include "core/journal/journal_recovery.h"
 
-#include "files.h"
-#include "images.h"
+#include "core/journal/journal_files.h"
+#include "core/journal/delta_images.h"
 
-#include "../mesh_build.h"
-#include "../mesh_hash.h"
-#include "../model_start.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/mesh/mesh_hash.h"
+#include "core/operations/snapshot.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "record.h"
+#include "core/journal/journal_record.h"
 
-#include "../job_watch.h"
+#include "core/util/job_control.h"
 
 #include <filesystem>
 #include <limits>

@@ -1,8 +1,8 @@
-#include "writer.h"
+#include "core/journal/journal_writer.h"
 
-#include "background.h"
-#include "compact.h"
-#include "files.h"
+#include "core/journal/thread_priority.h"
+#include "core/journal/compaction.h"
+#include "core/journal/journal_files.h"
 
 #include <algorithm>
 #include <chrono>

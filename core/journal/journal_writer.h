@@ -1,9 +1,9 @@
 #pragma once
 
-#include "append_file.h"
-#include "record.h"
+#include "core/journal/append_file.h"
+#include "core/journal/journal_record.h"
 
-#include "../file_error.h"
+#include "core/util/file_error.h"
 
 #include <condition_variable>
 #include <deque>

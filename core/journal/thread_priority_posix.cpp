@@ -1,4 +1,4 @@
-#include "background.h"
+#include "core/journal/thread_priority.h"
 
 #ifdef __linux__
 #include <sched.h>

@@ -1,8 +1,8 @@
-#include "checkpoint.h"
+#include "core/lesson/checkpoint.h"
 
-#include "face_geometry.h"
-#include "mesh_check.h"
-#include "surface_distance.h"
+#include "core/geometry/face_geometry.h"
+#include "core/analysis/mesh_check.h"
+#include "core/analysis/surface_distance.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "checkpoint.h"
-#include "starter_models.h"
-#include "stroke_file.h"
+#include "core/lesson/checkpoint.h"
+#include "core/operations/primitives.h"
+#include "core/io/stroke/stroke_file.h"
 
 #include <map>
 #include <string>

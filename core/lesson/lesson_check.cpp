@@ -1,6 +1,6 @@
-#include "lesson_trial.h"
+#include "core/lesson/lesson_check.h"
 
-#include "mesh_build.h"
+#include "core/mesh/mesh_builder.h"
 
 namespace core
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lesson_stage.h"
+#include "core/lesson/lesson_playback.h"
 
 namespace core
 {

@@ -1,4 +1,4 @@
-#include "lesson_draft.h"
+#include "core/lesson/lesson_draft.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lesson.h"
+#include "core/lesson/lesson.h"
 
 #include <optional>
 #include <string_view>

@@ -1,7 +1,7 @@
-#include "lesson_file.h"
+#include "core/lesson/lesson_file.h"
 
-#include "lesson_reader.h"
-#include "mesh_io.h"
+#include "core/lesson/lesson_json_reader.h"
+#include "core/io/mesh_io.h"
 
 namespace core
 {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "file_error.h"
-#include "lesson.h"
-#include "mesh_check.h"
+#include "core/util/file_error.h"
+#include "core/lesson/lesson.h"
+#include "core/analysis/mesh_check.h"
 
 #include <filesystem>
 #include <functional>

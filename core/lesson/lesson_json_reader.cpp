@@ -1,7 +1,7 @@
 // lesson.json as a tree, which is small; then each value to its place, and each file that is named is read and understood.
-#include "lesson_reader.h"
+#include "core/lesson/lesson_json_reader.h"
 
-#include "mesh_io.h"
+#include "core/io/mesh_io.h"
 
 #include <algorithm>
 #include <set>

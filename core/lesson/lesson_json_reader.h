@@ -2,7 +2,7 @@
 
 // For the lesson's reader only.
 
-#include "lesson_source.h"
+#include "core/lesson/lesson_source.h"
 
 #include <nlohmann/json.hpp>
 

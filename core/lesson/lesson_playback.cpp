@@ -1,6 +1,6 @@
-#include "lesson_stage.h"
+#include "core/lesson/lesson_playback.h"
 
-#include "mesh_build.h"
+#include "core/mesh/mesh_builder.h"
 
 #include <cassert>
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "lesson_file.h"
-#include "lesson_player.h"
-#include "model_command.h"
-#include "sculptor.h"
+#include "core/lesson/lesson_file.h"
+#include "core/lesson/lesson_player.h"
+#include "core/operations/model_command.h"
+#include "core/sculpt/sculptor.h"
 
 namespace core
 {

@@ -1,6 +1,6 @@
 // A step is laid out once as moments, each with its time; playing is a walk along them, and the ghost stands between the last and the next one
 // that have a place.
-#include "lesson_player.h"
+#include "core/lesson/lesson_player.h"
 
 #include <algorithm>
 #include <cassert>

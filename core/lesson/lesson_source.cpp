@@ -1,7 +1,7 @@
 // Where a lesson's files lie: below a folder, links followed but not out of it; or in a zip, of which only what the lesson names is unpacked.
-#include "lesson_source.h"
+#include "core/lesson/lesson_source.h"
 
-#include "mesh_io/zip_package.h"
+#include "core/io/mesh/zip_reader.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 
 // For the lesson's reader and writer only.
 
-#include "lesson_file.h"
+#include "core/lesson/lesson_file.h"
 
 namespace core
 {

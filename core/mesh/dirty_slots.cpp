@@ -1,7 +1,7 @@
-#include "dirty_slots.h"
+#include "core/mesh/dirty_slots.h"
 
-#include "normals.h"
-#include "parallel.h"
+#include "core/mesh/normals.h"
+#include "core/util/parallel.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "mesh.h"
-#include "mesh_patch.h"
-#include "sparse_index.h"
+#include "core/mesh/mesh.h"
+#include "core/mesh/mesh_patch.h"
+#include "core/util/sparse_index.h"
 
 namespace core
 {

@@ -1,4 +1,4 @@
-#include "draw_arrays.h"
+#include "core/mesh/draw_arrays.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "mesh_patch.h"
-#include "triangle_mesh.h"
+#include "core/mesh/mesh_patch.h"
+#include "core/geometry/triangle_mesh.h"
 
 namespace core
 {

@@ -1,6 +1,6 @@
-#include "face_octree.h"
+#include "core/mesh/face_octree.h"
 
-#include "parallel.h"
+#include "core/util/parallel.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "lattice_box.h"
-#include "mesh.h"
+#include "core/geometry/lattice_box.h"
+#include "core/mesh/mesh.h"
 
 #include <algorithm>
 #include <bit>

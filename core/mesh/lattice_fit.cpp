@@ -4,10 +4,10 @@
 //   3. resnap   a corner of each unsound face to the next lattice point nearby, and judge again, a few times
 //   4. nesting  the whole must bound a solid
 
-#include "lattice_fit.h"
+#include "core/mesh/lattice_fit.h"
 
-#include "nesting.h"
-#include "self_intersection.h"
+#include "core/analysis/nesting.h"
+#include "core/analysis/self_intersection.h"
 
 #include <algorithm>
 

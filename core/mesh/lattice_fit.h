@@ -1,7 +1,7 @@
 #pragma once
 
-#include "job_watch.h"
-#include "lattice.h"
+#include "core/util/job_control.h"
+#include "core/geometry/lattice.h"
 
 #include <span>
 #include <vector>

@@ -1,7 +1,7 @@
-#include "mesh.h"
+#include "core/mesh/mesh.h"
 
-#include "mesh_hash.h"
-#include "open_halfedges.h"
+#include "core/mesh/mesh_hash.h"
+#include "core/mesh/unpaired_halfedges.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "lattice.h"
-#include "mesh_delta.h"
-#include "slot_map.h"
-#include "surgery.h"
-#include "triangle_mesh.h"
+#include "core/geometry/lattice.h"
+#include "core/mesh/mesh_delta.h"
+#include "core/util/slot_map.h"
+#include "core/mesh/surgery.h"
+#include "core/geometry/triangle_mesh.h"
 
 // clang-format off: EigenVectorT.hh needs vector_traits declared before it
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>

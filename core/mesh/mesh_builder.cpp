@@ -5,11 +5,11 @@
 //                 lattice points where faces came to meet                        lattice_fit
 //   4. lay out    along a Morton curve, and link                                 morton_order, mesh
 
-#include "mesh_build.h"
+#include "core/mesh/mesh_builder.h"
 
-#include "lattice_fit.h"
-#include "lattice_placement.h"
-#include "morton_order.h"
+#include "core/mesh/lattice_fit.h"
+#include "core/geometry/lattice_placement.h"
+#include "core/geometry/morton_order.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "job_watch.h"
-#include "mesh.h"
-#include "mesh_check.h"
+#include "core/util/job_control.h"
+#include "core/mesh/mesh.h"
+#include "core/analysis/mesh_check.h"
 
 #include <memory>
 

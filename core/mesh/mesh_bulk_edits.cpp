@@ -1,6 +1,6 @@
 // Edits of the whole mesh, O(mesh).
 
-#include "mesh.h"
+#include "core/mesh/mesh.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "mesh_delta.h"
+#include "core/mesh/mesh_delta.h"
 
 #include <istream>
 #include <ostream>

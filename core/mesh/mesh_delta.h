@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesh_frame.h"
+#include "core/mesh/mesh_frame.h"
 
 #include <OpenMesh/Core/Mesh/ArrayItems.hh>
 

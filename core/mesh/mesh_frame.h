@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lattice.h"
+#include "core/geometry/lattice.h"
 
 namespace core
 {

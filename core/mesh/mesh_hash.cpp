@@ -1,4 +1,4 @@
-#include "mesh_hash.h"
+#include "core/mesh/mesh_hash.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesh.h"
+#include "core/mesh/mesh.h"
 
 namespace core
 {

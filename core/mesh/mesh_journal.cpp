@@ -1,8 +1,8 @@
 // The mesh's journal: before-images of elements at their first touch, and its readers that restore: rollback, undo, redo.
 
-#include "mesh.h"
+#include "core/mesh/mesh.h"
 
-#include "mesh_hash.h"
+#include "core/mesh/mesh_hash.h"
 
 #include <algorithm>
 

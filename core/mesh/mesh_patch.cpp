@@ -1,4 +1,4 @@
-#include "mesh_patch.h"
+#include "core/mesh/mesh_patch.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "normals.h"
+#include "core/mesh/normals.h"
 
 namespace core
 {

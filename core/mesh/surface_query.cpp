@@ -1,6 +1,6 @@
-#include "surface_query.h"
+#include "core/mesh/surface_query.h"
 
-#include "point_triangle.h"
+#include "core/geometry/point_triangle.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "face_octree.h"
-#include "surface_hit.h"
+#include "core/mesh/face_octree.h"
+#include "core/mesh/surface_hit.h"
 
 #include <limits>
 #include <optional>

@@ -3,10 +3,10 @@
 //   2. each side of a face that comes takes an open half-edge, or the opposite of a side that came before it, or a new edge
 //   3. edges and vertices that nothing uses any more go
 
-#include "surgery.h"
+#include "core/mesh/surgery.h"
 
-#include "mesh.h"
-#include "open_halfedges.h"
+#include "core/mesh/mesh.h"
+#include "core/mesh/unpaired_halfedges.h"
 
 #include <algorithm>
 

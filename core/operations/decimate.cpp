@@ -8,12 +8,12 @@
 // does 4. Measured on a wavy ball, 82 thousand to 8 thousand triangles, mean distance: 0.348 mm here, 0.363 mm meshoptimizer 0.18 (fifty
 // times faster, 7 pairs of faces meet), 0.369 mm OpenMesh 9 (6 pairs meet).
 
-#include "decimate.h"
+#include "core/operations/decimate.h"
 
-#include "judged_mesh.h"
-#include "mesh_build.h"
-#include "normals.h"
-#include "quadric.h"
+#include "core/sculpt/verify/verified_mesh.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/mesh/normals.h"
+#include "core/geometry/quadric.h"
 
 #include <algorithm>
 #include <queue>

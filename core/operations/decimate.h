@@ -1,7 +1,7 @@
 #pragma once
 
-#include "job_watch.h"
-#include "mesh.h"
+#include "core/util/job_control.h"
+#include "core/mesh/mesh.h"
 
 namespace core
 {

@@ -4,11 +4,11 @@
 //   3. cap      faces without a corner above go; the loops that are left are filled            polygon_fill
 //   4. judge    the whole, exactly. If it is not sound, again without the first step, and a little higher
 
-#include "flatten_base.h"
+#include "core/operations/flatten_base.h"
 
-#include "mesh_build.h"
-#include "model_transform.h"
-#include "polygon_fill.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/operations/transform.h"
+#include "core/geometry/polygon_triangulation.h"
 
 #include <algorithm>
 #include <unordered_map>

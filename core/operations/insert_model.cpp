@@ -5,15 +5,15 @@
 //   4. fit       both together must be sound there and bound a solid: neither inside the other's matter  lattice_fit
 //   5. write     through the mesh's gate
 
-#include "model_insert.h"
+#include "core/operations/insert_model.h"
 
-#include "face_geometry.h"
-#include "lattice_fit.h"
-#include "lattice_placement.h"
-#include "mesh_build.h"
-#include "model_transform.h"
-#include "morton_order.h"
-#include "self_intersection.h"
+#include "core/geometry/face_geometry.h"
+#include "core/mesh/lattice_fit.h"
+#include "core/geometry/lattice_placement.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/operations/transform.h"
+#include "core/geometry/morton_order.h"
+#include "core/analysis/self_intersection.h"
 
 #include <algorithm>
 

@@ -3,9 +3,9 @@
 //   blur, grow, shrink        from its own and its neighbours', as one ring of edges lies around it
 //   cavity, color, part       from the surface: what is hollow, of a colour, or in one piece with what is masked is masked, too
 
-#include "mask_change.h"
+#include "core/operations/mask_operations.h"
 
-#include "normals.h"
+#include "core/mesh/normals.h"
 
 #include <algorithm>
 

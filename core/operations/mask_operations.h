@@ -1,7 +1,7 @@
 #pragma once
 
-#include "mesh.h"
-#include "model_command.h"
+#include "core/mesh/mesh.h"
+#include "core/operations/model_command.h"
 
 namespace core
 {

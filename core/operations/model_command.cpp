@@ -1,13 +1,13 @@
-#include "model_command.h"
+#include "core/operations/model_command.h"
 
-#include "flatten_base.h"
-#include "mask_change.h"
-#include "mesh_build.h"
-#include "model_insert.h"
-#include "model_start.h"
-#include "model_transform.h"
-#include "symmetrize.h"
-#include "uniform_remesh.h"
+#include "core/operations/flatten_base.h"
+#include "core/operations/mask_operations.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/operations/insert_model.h"
+#include "core/operations/snapshot.h"
+#include "core/operations/transform.h"
+#include "core/operations/symmetrize.h"
+#include "core/operations/uniform_remesh.h"
 
 namespace core
 {

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "brush.h"
-#include "job_watch.h"
-#include "mesh.h"
-#include "mesh_check.h"
+#include "core/stroke/tool.h"
+#include "core/util/job_control.h"
+#include "core/mesh/mesh.h"
+#include "core/analysis/mesh_check.h"
 
 #include <memory>
 #include <optional>

@@ -4,11 +4,11 @@
 //   3. project   onto the nearest face that looks as each sector does
 //   4. raise     when all that is done, one vertex after another: by the depth of the edges around it
 
-#include "original_surface.h"
+#include "core/operations/reference_surface.h"
 
-#include "normals.h"
-#include "point_triangle.h"
-#include "remesh.h"
+#include "core/mesh/normals.h"
+#include "core/geometry/point_triangle.h"
+#include "core/sculpt/remesh/remesh.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "brush.h"
-#include "face_octree.h"
+#include "core/stroke/tool.h"
+#include "core/mesh/face_octree.h"
 
 #include <optional>
 

@@ -5,10 +5,10 @@
 //   4. judge    the whole, exactly                                                 mesh_check
 // If that is not sound it is tried once more without step 1.
 
-#include "symmetrize.h"
+#include "core/operations/symmetrize.h"
 
-#include "mesh_build.h"
-#include "mirror_map.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/sculpt/edit/mirror_map.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "model_command.h"
+#include "core/operations/model_command.h"
 
 namespace core
 {

@@ -4,10 +4,10 @@
 //   3. fit       snap, judge the whole exactly, retry neighbouring lattice points          lattice_fit
 //   4. write     through the mesh's gate, if it is sound
 
-#include "model_transform.h"
+#include "core/operations/transform.h"
 
-#include "lattice_fit.h"
-#include "lattice_placement.h"
+#include "core/mesh/lattice_fit.h"
+#include "core/geometry/lattice_placement.h"
 
 namespace core
 {

@@ -8,15 +8,15 @@
 //   7. raise     the vertices a little, so that round shapes keep their volume                       original_surface
 //   8. judge     the whole, exactly                                                                  lattice_fit
 
-#include "uniform_remesh.h"
+#include "core/operations/uniform_remesh.h"
 
-#include "judged_mesh.h"
-#include "lattice_fit.h"
-#include "model_transform.h"
-#include "morton_order.h"
-#include "normals.h"
-#include "original_surface.h"
-#include "remesh.h"
+#include "core/sculpt/verify/verified_mesh.h"
+#include "core/mesh/lattice_fit.h"
+#include "core/operations/transform.h"
+#include "core/geometry/morton_order.h"
+#include "core/mesh/normals.h"
+#include "core/operations/reference_surface.h"
+#include "core/sculpt/remesh/remesh.h"
 
 #include <algorithm>
 

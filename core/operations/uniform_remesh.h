@@ -1,7 +1,7 @@
 #pragma once
 
-#include "brush.h"
-#include "model_command.h"
+#include "core/stroke/tool.h"
+#include "core/operations/model_command.h"
 
 namespace core
 {

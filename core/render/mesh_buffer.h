@@ -1,8 +1,8 @@
 #pragma once
 
-#include "gl_numbers.h"
-#include "mesh_patch.h"
-#include "tint_buffer.h"
+#include "core/render/gl_constants.h"
+#include "core/mesh/mesh_patch.h"
+#include "core/render/vertex_weight_buffer.h"
 
 #include <cassert>
 #include <cstddef>

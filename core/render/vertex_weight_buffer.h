@@ -1,7 +1,7 @@
 #pragma once
 
-#include "footprint.h"
-#include "gl_numbers.h"
+#include "core/mesh/footprint.h"
+#include "core/render/gl_constants.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,11 +1,11 @@
 // 1. cut    each face that others meet, on all cores
 // 2. join   the faces' points: they are exact, so equal ones are the same numbers, whichever face found them
 
-#include "arrangement.h"
+#include "core/repair/arrangement.h"
 
-#include "face_cutter.h"
+#include "core/repair/face_cutter.h"
 
-#include "../watched_chunks.h"
+#include "core/util/parallel_progress.h"
 
 #include <algorithm>
 

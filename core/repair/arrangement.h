@@ -1,9 +1,9 @@
 #pragma once
 
-#include "surface.h"
+#include "core/repair/triangle_soup.h"
 
-#include "../job_watch.h"
-#include "../self_intersection.h"
+#include "core/util/job_control.h"
+#include "core/analysis/self_intersection.h"
 
 #include <span>
 

@@ -1,8 +1,8 @@
-#include "tidy.h"
+#include "core/repair/cleanup.h"
 
-#include "edge_faces.h"
+#include "core/repair/edge_faces.h"
 
-#include "../predicates.h"
+#include "core/geometry/predicates.h"
 
 #include <numeric>
 

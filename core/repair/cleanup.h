@@ -1,6 +1,6 @@
 #pragma once
 
-#include "surface.h"
+#include "core/repair/triangle_soup.h"
 
 #include <cstddef>
 

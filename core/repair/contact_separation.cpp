@@ -4,13 +4,13 @@
 // 4. part    the copies of each vertex: into their own cones, until nothing meets there, by an exact judgement of the whole
 // 5. drop    a little clay where that does not help
 
-#include "separate.h"
+#include "core/repair/contact_separation.h"
 
-#include "edge_faces.h"
+#include "core/repair/edge_faces.h"
 
-#include "../disjoint_sets.h"
-#include "../predicates.h"
-#include "../self_intersection.h"
+#include "core/util/disjoint_sets.h"
+#include "core/geometry/predicates.h"
+#include "core/analysis/self_intersection.h"
 
 #include <cmath>
 #include <map>

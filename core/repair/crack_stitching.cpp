@@ -1,13 +1,13 @@
 // 1. join    open vertices near each other: the one that comes first stays where it is
 // 2. split   open edges at the open vertices near them
 
-#include "seams.h"
+#include "core/repair/crack_stitching.h"
 
-#include "edge_faces.h"
+#include "core/repair/edge_faces.h"
 
-#include "../box_tree.h"
-#include "../disjoint_sets.h"
-#include "../proximity_grid.h"
+#include "core/geometry/box_tree.h"
+#include "core/util/disjoint_sets.h"
+#include "core/geometry/proximity_grid.h"
 
 #include <cmath>
 #include <unordered_map>

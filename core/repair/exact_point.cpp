@@ -1,6 +1,6 @@
-#include "exact_point.h"
+#include "core/repair/exact_point.h"
 
-#include "../predicates.h"
+#include "core/geometry/predicates.h"
 
 #include <cmath>
 

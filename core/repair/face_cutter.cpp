@@ -3,11 +3,11 @@
 //   3. cut        a triangulation with all of the points as corners and all of the segments as edges
 //   4. cover      of pieces that lie upon each other, the one of the lowest face remains
 
-#include "face_cutter.h"
+#include "core/repair/face_cutter.h"
 
-#include "planar_triangulation.h"
+#include "core/repair/planar_triangulation.h"
 
-#include "../predicates.h"
+#include "core/geometry/predicates.h"
 
 #include <algorithm>
 #include <optional>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "exact_point.h"
-#include "surface.h"
+#include "core/repair/exact_point.h"
+#include "core/repair/triangle_soup.h"
 
 #include <span>
 

@@ -1,8 +1,8 @@
-#include "holes.h"
+#include "core/repair/hole_filling.h"
 
-#include "edge_faces.h"
+#include "core/repair/edge_faces.h"
 
-#include "../predicates.h"
+#include "core/geometry/predicates.h"
 
 #include <cmath>
 #include <unordered_map>

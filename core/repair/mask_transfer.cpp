@@ -1,4 +1,4 @@
-#include "masks.h"
+#include "core/repair/mask_transfer.h"
 
 #include <algorithm>
 

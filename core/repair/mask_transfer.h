@@ -1,7 +1,7 @@
 #pragma once
 
-#include "../lattice_placement.h"
-#include "../triangle_mesh.h"
+#include "core/geometry/lattice_placement.h"
+#include "core/geometry/triangle_mesh.h"
 
 namespace core::mending
 {

@@ -1,9 +1,9 @@
-#include "orient.h"
+#include "core/repair/orientation.h"
 
-#include "edge_faces.h"
+#include "core/repair/edge_faces.h"
 
-#include "../face_geometry.h"
-#include "../winding_number.h"
+#include "core/geometry/face_geometry.h"
+#include "core/geometry/winding_number.h"
 
 #include <cmath>
 

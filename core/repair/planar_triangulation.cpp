@@ -1,4 +1,4 @@
-#include "planar_triangulation.h"
+#include "core/repair/planar_triangulation.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exact_point.h"
+#include "core/repair/exact_point.h"
 
 namespace core::mending
 {

@@ -12,19 +12,19 @@
 //   9. measure   how far it is from what it was                                  surface_distance
 //      and mask  what was masked and is still there                              masks
 
-#include "legalise.h"
+#include "core/repair/repair.h"
 
-#include "face_geometry.h"
-#include "lattice_placement.h"
+#include "core/geometry/face_geometry.h"
+#include "core/geometry/lattice_placement.h"
 
-#include "mending/holes.h"
-#include "mending/masks.h"
-#include "mending/orient.h"
-#include "mending/seams.h"
-#include "mending/separate.h"
-#include "mending/solid.h"
-#include "mending/tidy.h"
-#include "mending/wrap.h"
+#include "core/repair/hole_filling.h"
+#include "core/repair/mask_transfer.h"
+#include "core/repair/orientation.h"
+#include "core/repair/crack_stitching.h"
+#include "core/repair/contact_separation.h"
+#include "core/repair/winding_solid.h"
+#include "core/repair/cleanup.h"
+#include "core/repair/shrink_wrap.h"
 
 namespace core
 {

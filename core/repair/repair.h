@@ -1,9 +1,9 @@
 #pragma once
 
-#include "job_watch.h"
-#include "mesh_check.h"
-#include "surface_distance.h"
-#include "triangle_mesh.h"
+#include "core/util/job_control.h"
+#include "core/analysis/mesh_check.h"
+#include "core/analysis/surface_distance.h"
+#include "core/geometry/triangle_mesh.h"
 
 #include <optional>
 

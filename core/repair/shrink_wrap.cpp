@@ -3,10 +3,10 @@
 //   2. ask      which of their corners are inside, and go on to the cubes that the boundary leads to
 //   3. cut      each tetrahedron that has both kinds of corners, in one triangle or two; a vertex on each edge that changes side
 
-#include "wrap.h"
+#include "core/repair/shrink_wrap.h"
 
-#include "../face_geometry.h"
-#include "../winding_number.h"
+#include "core/geometry/face_geometry.h"
+#include "core/geometry/winding_number.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "surface.h"
+#include "core/repair/triangle_soup.h"
 
-#include "../job_watch.h"
+#include "core/util/job_control.h"
 
 namespace core::mending
 {

@@ -2,14 +2,14 @@
 // 2. classify  each patch by the winding numbers at the middle of its largest piece
 // 3. keep      those with the inside behind, and turned over those with the inside before them
 
-#include "solid.h"
+#include "core/repair/winding_solid.h"
 
-#include "edge_faces.h"
-#include "tidy.h"
+#include "core/repair/edge_faces.h"
+#include "core/repair/cleanup.h"
 
-#include "../disjoint_sets.h"
-#include "../watched_chunks.h"
-#include "../winding_number.h"
+#include "core/util/disjoint_sets.h"
+#include "core/util/parallel_progress.h"
+#include "core/geometry/winding_number.h"
 
 #include <algorithm>
 #include <cmath>

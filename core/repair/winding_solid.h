@@ -1,6 +1,6 @@
 #pragma once
 
-#include "arrangement.h"
+#include "core/repair/arrangement.h"
 
 namespace core::mending
 {

@@ -1,11 +1,11 @@
-#include "free_topology.h"
+#include "core/sculpt/add_solid.h"
 
-#include "brush_model.h"
-#include "dab_frame.h"
-#include "lattice_fit.h"
-#include "shell_probe.h"
-#include "surface_query.h"
-#include "triangle_mesh.h"
+#include "core/sculpt/deform/brush_model.h"
+#include "core/sculpt/deform/dab_frame.h"
+#include "core/mesh/lattice_fit.h"
+#include "core/analysis/shell_orientation.h"
+#include "core/mesh/surface_query.h"
+#include "core/geometry/triangle_mesh.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "judged_mesh.h"
-#include "mirror_map.h"
-#include "stroke.h"
+#include "core/sculpt/verify/verified_mesh.h"
+#include "core/sculpt/edit/mirror_map.h"
+#include "core/stroke/stroke.h"
 
 namespace core
 {

@@ -12,10 +12,10 @@
 // dab_hold.cpp; a sub-step that does not verify is rolled back and goes on in dab_careful.cpp. Of several sectors dab_radial.cpp does one
 // after the other.
 
-#include "dab_engine.h"
+#include "core/sculpt/dab_engine.h"
 
-#include "free_topology.h"
-#include "phase_timer.h"
+#include "core/sculpt/add_solid.h"
+#include "core/util/phase_timer.h"
 
 #include <utility>
 

@@ -1,15 +1,15 @@
 #pragma once
 
-#include "dab_weights.h"
-#include "fuse.h"
-#include "held_back.h"
-#include "judged_mesh.h"
-#include "mesh_editor.h"
-#include "region.h"
-#include "remesh.h"
-#include "sculptor.h"
-#include "transplant.h"
-#include "unfolding.h"
+#include "core/sculpt/deform/dab_weights.h"
+#include "core/sculpt/fuse/fusion.h"
+#include "core/sculpt/deform/motion_limits.h"
+#include "core/sculpt/verify/verified_mesh.h"
+#include "core/sculpt/edit/mesh_editor.h"
+#include "core/sculpt/select/region.h"
+#include "core/sculpt/remesh/remesh.h"
+#include "core/sculpt/sculptor.h"
+#include "core/sculpt/patch_copy.h"
+#include "core/sculpt/fuse/fold_smoothing.h"
 
 #include <bit>
 

@@ -1,13 +1,13 @@
 // What a dab works on (paper, sections 3.1 and 3.5.2): the region under the brush, or with symmetry the half of it whose image is
 // changed with it; and painting and masking, which are done once it is selected.
 
-#include "dab_engine.h"
+#include "core/sculpt/dab_engine.h"
 
-#include "dab_weights.h"
-#include "mirror_plan.h"
-#include "phase_timer.h"
-#include "sectors.h"
-#include "surface_query.h"
+#include "core/sculpt/deform/dab_weights.h"
+#include "core/sculpt/deform/mirrored_deform.h"
+#include "core/util/phase_timer.h"
+#include "core/stroke/radial_symmetry.h"
+#include "core/mesh/surface_query.h"
 
 namespace core
 {

@@ -4,10 +4,10 @@
 // and then taken with care: first the motion alone, vertices that would touch something held back; then each remeshing operation
 // by itself, judged by itself. What cannot be done is left undone.
 
-#include "dab_engine.h"
+#include "core/sculpt/dab_engine.h"
 
-#include "deform.h"
-#include "phase_timer.h"
+#include "core/sculpt/deform/deform.h"
+#include "core/util/phase_timer.h"
 
 namespace core
 {

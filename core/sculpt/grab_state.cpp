@@ -1,9 +1,9 @@
 // What a stroke keeps from dab to dab: what a tool that holds on has under its brush, and how far Layer has raised each vertex.
 
-#include "dab_engine.h"
+#include "core/sculpt/dab_engine.h"
 
-#include "deform.h"
-#include "mirror_plan.h"
+#include "core/sculpt/deform/deform.h"
+#include "core/sculpt/deform/mirrored_deform.h"
 
 namespace core
 {

@@ -6,9 +6,9 @@
 //   write    faces are exchanged, vertices moved and coloured as here
 //   judge    as every change is
 
-#include "transplant.h"
+#include "core/sculpt/patch_copy.h"
 
-#include "region.h"
+#include "core/sculpt/select/region.h"
 
 #include <algorithm>
 

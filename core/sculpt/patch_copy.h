@@ -1,8 +1,8 @@
 #pragma once
 
-#include "judged_mesh.h"
-#include "sectors.h"
-#include "sparse_index.h"
+#include "core/sculpt/verify/verified_mesh.h"
+#include "core/stroke/radial_symmetry.h"
+#include "core/util/sparse_index.h"
 
 namespace core
 {

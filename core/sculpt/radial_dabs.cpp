@@ -4,10 +4,10 @@
 //   or repeated   where that cannot be: the surface is not its own image there, or the patches meet
 // Orbits are done one after the other. What a tool that holds on has in its hands is kept for each sector by itself.
 
-#include "dab_engine.h"
+#include "core/sculpt/dab_engine.h"
 
-#include "free_topology.h"
-#include "phase_timer.h"
+#include "core/sculpt/add_solid.h"
+#include "core/util/phase_timer.h"
 
 #include <utility>
 

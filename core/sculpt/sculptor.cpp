@@ -1,8 +1,8 @@
-#include "sculptor.h"
+#include "core/sculpt/sculptor.h"
 
-#include "dab_engine.h"
-#include "hand.h"
-#include "stroke_path.h"
+#include "core/sculpt/dab_engine.h"
+#include "core/stroke/stroke_anchor.h"
+#include "core/stroke/stroke_path.h"
 
 namespace core
 {

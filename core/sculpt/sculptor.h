@@ -1,11 +1,11 @@
 #pragma once
 
-#include "footprint.h"
-#include "mesh.h"
-#include "mesh_patch.h"
-#include "mesh_quality.h"
-#include "stroke.h"
-#include "surface_query.h"
+#include "core/mesh/footprint.h"
+#include "core/mesh/mesh.h"
+#include "core/mesh/mesh_patch.h"
+#include "core/sculpt/selection_quality.h"
+#include "core/stroke/stroke.h"
+#include "core/mesh/surface_query.h"
 
 #include <functional>
 #include <memory>

@@ -1,4 +1,4 @@
-#include "mesh_quality.h"
+#include "core/sculpt/selection_quality.h"
 
 #include <algorithm>
 #include <cmath>

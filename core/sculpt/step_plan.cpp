@@ -1,12 +1,12 @@
 // How far a dab means to move what is under the brush, how fine it makes the mesh there, and into how many steps that is cut (paper,
 // section 3.3).
 
-#include "dab_engine.h"
+#include "core/sculpt/dab_engine.h"
 
-#include "deform.h"
-#include "mirror_plan.h"
-#include "parallel.h"
-#include "phase_timer.h"
+#include "core/sculpt/deform/deform.h"
+#include "core/sculpt/deform/mirrored_deform.h"
+#include "core/util/parallel.h"
+#include "core/util/phase_timer.h"
 
 namespace core
 {

@@ -1,4 +1,4 @@
-#include "sectors.h"
+#include "core/stroke/radial_symmetry.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "stroke.h"
+#include "core/stroke/stroke.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "brush.h"
+#include "core/stroke/tool.h"
 
 #include <cstdint>
 #include <memory>

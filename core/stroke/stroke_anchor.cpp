@@ -1,4 +1,4 @@
-#include "hand.h"
+#include "core/stroke/stroke_anchor.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "stroke_change.h"
+#include "core/stroke/stroke_edit.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "stroke_path.h"
+#include "core/stroke/stroke_path.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stroke.h"
+#include "core/stroke/stroke.h"
 
 #include <functional>
 #include <optional>

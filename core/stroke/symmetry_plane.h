@@ -1,6 +1,6 @@
 #pragma once
 
-#include "brush.h"
+#include "core/stroke/tool.h"
 
 namespace core
 {

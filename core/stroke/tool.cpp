@@ -1,6 +1,6 @@
-#include "brush.h"
+#include "core/stroke/tool.h"
 
-#include "stroke.h"
+#include "core/stroke/stroke.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "atomic_file.h"
+#include "core/util/atomic_file.h"
 
 #include <atomic>
 #include <cerrno>

@@ -1,4 +1,4 @@
-#include "large_buffer.h"
+#include "core/util/large_buffer.h"
 
 #include <cstdlib>
 #include <new>

@@ -1,6 +1,6 @@
-#include "kept_version.h"
+#include "core/util/numbered_backup.h"
 
-#include "atomic_file.h"
+#include "core/util/atomic_file.h"
 
 #include <string>
 #include <system_error>

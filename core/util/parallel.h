@@ -1,6 +1,6 @@
 #pragma once
 
-#include "worker_pool.h"
+#include "core/util/worker_pool.h"
 
 #include <algorithm>
 #include <atomic>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "job_watch.h"
-#include "parallel.h"
+#include "core/util/job_control.h"
+#include "core/util/parallel.h"
 
 namespace core
 {

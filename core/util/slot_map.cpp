@@ -1,4 +1,4 @@
-#include "slot_map.h"
+#include "core/util/slot_map.h"
 
 #include <bit>
 #include <cassert>

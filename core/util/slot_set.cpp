@@ -1,4 +1,4 @@
-#include "slot_set.h"
+#include "core/util/slot_set.h"
 
 #include <algorithm>
 #include <array>

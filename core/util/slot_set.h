@@ -1,6 +1,6 @@
 #pragma once
 
-#include "slot.h"
+#include "core/util/slot.h"
 
 #include <cstdint>
 #include <vector>

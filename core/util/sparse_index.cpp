@@ -1,4 +1,4 @@
-#include "sparse_index.h"
+#include "core/util/sparse_index.h"
 
 #include <algorithm>
 #include <new>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "slot_set.h"
+#include "core/util/slot_set.h"
 
 #include <cstdlib>
 #include <memory>

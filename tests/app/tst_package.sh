@@ -29,7 +29,7 @@ for type in model/stl model/obj application/x-ply; do
 done
 expect "the desktop entry begins in the simulator, too" grep -q '^Exec=fettle --vr-simulator$' "$packaging/org.fettle.Fettle.desktop"
 expect "the shell scripts parse" bash -c 'for script; do bash -n "$script" || exit 1; done' scripts \
-    "$source/run.sh" "$source/test.sh" "$packaging/prepare.sh" "$source/tests/support/on_a_display.sh"
+    "$source/run.sh" "$source/test.sh" "$packaging/prepare.sh" "$source/tests/support/with_display.sh"
 
 cpack --config "$2/CPackConfig.cmake" -B "$scratch/package" >"$scratch/cpack.log" 2>&1 ||
     { cat "$scratch/cpack.log"; exit 1; }

@@ -1,9 +1,5 @@
-// The house keeps its layout: every #include in core, ui, vr and app goes in the allowed direction, and every source is
-// named in its room's CMakeLists.txt.
-//
-//     core <- ui, core <- vr, {core, ui, vr} <- app
-//     Qt: none in core, QtCore and QtGui in vr; OpenMesh in core only; OpenXR in vr only; CGAL in none of them
-//     headers of one platform: only in files named after it (gl_context_glx.cpp, file_sync_posix.cpp)
+// The layout of the sources: which folder may include which, from the project's root; which libraries belong to which
+// folder; how many files a folder holds; and that the build names every file.
 
 #include <QDir>
 #include <QDirIterator>
@@ -17,14 +13,110 @@
 
 namespace
 {
-const QStringList rooms{"core", "ui", "vr", "app"};
-
-const QMap<QString, QStringList> knownRooms{
-    {"core", {"core"}},
-    {"ui", {"ui", "core"}},
-    {"vr", {"vr", "core"}},
-    {"app", {"app", "ui", "vr", "core"}},
+struct FolderRule
+{
+    const char* folder;
+    const char* mayInclude; ///< besides itself
 };
+
+/// Every folder of the program, and the folders that it may include. A folder stands below those that it includes; only
+/// core/io/mesh includes upwards: core/io and its formats are one module.
+const FolderRule folderRules[] = {
+    {"core/util", ""},
+    {"core/geometry", "core/util"},
+    {"core/analysis", "core/util core/geometry"},
+    {"core/stroke", "core/geometry"},
+    {"core/mesh", "core/util core/geometry core/analysis"},
+    {"core/repair", "core/util core/geometry core/analysis"},
+    {"core/drawing", "core/geometry core/mesh"},
+    {"core/render", "core/geometry core/mesh"},
+    {"core/sculpt/select", "core/util core/geometry core/stroke core/mesh"},
+    {"core/sculpt/edit", "core/util core/stroke core/mesh"},
+    {"core/sculpt/verify", "core/util core/geometry core/analysis core/mesh"},
+    {"core/sculpt/remesh", "core/util core/geometry core/mesh core/sculpt/select core/sculpt/edit"},
+    {"core/sculpt/deform", "core/util core/geometry core/analysis core/stroke core/mesh core/sculpt/select "
+                           "core/sculpt/edit"},
+    {"core/sculpt/fuse", "core/util core/geometry core/mesh core/sculpt/select core/sculpt/edit "
+                         "core/sculpt/verify core/sculpt/remesh core/sculpt/deform"},
+    {"core/sculpt", "core/util core/geometry core/analysis core/stroke core/mesh core/sculpt/select "
+                    "core/sculpt/edit core/sculpt/verify core/sculpt/remesh core/sculpt/deform core/sculpt/fuse"},
+    {"core/operations", "core/util core/geometry core/analysis core/stroke core/mesh core/sculpt/edit "
+                        "core/sculpt/verify core/sculpt/remesh"},
+    {"core/io/stroke", "core/util core/geometry core/stroke core/sculpt/deform core/operations"},
+    {"core/io/mesh", "core/util core/geometry core/sculpt/deform core/io/stroke core/io"},
+    {"core/io", "core/util core/geometry core/analysis core/stroke core/mesh core/io/mesh"},
+    {"core/journal", "core/util core/mesh core/operations core/io/stroke core/io"},
+    {"core/lesson", "core/util core/geometry core/analysis core/mesh core/sculpt core/operations core/io/stroke "
+                    "core/io/mesh core/io"},
+    {"ui/util", "core/util core/geometry core/analysis core/stroke core/repair core/io"},
+    {"ui/settings", "core/geometry core/analysis core/stroke core/sculpt/deform core/io ui/util"},
+    {"ui/widgets", "ui/util ui/settings"},
+    {"ui/actions", "ui/settings ui/widgets"},
+    {"ui/scene", "core/geometry core/stroke core/mesh core/render core/io ui/settings"},
+    {"ui/input", "core/stroke core/mesh ui/settings ui/scene"},
+    {"ui/viewport", "core/stroke core/mesh core/render ui/util ui/settings ui/widgets ui/actions ui/scene "
+                    "ui/input"},
+    {"ui/model", "core/analysis core/repair core/operations ui/settings ui/widgets ui/actions"},
+    {"ui/files", "core/drawing core/operations core/io ui/util ui/settings ui/widgets ui/actions ui/scene "
+                 "ui/model"},
+    {"ui/brush", "core/util core/geometry core/stroke core/sculpt/deform core/io ui/util ui/settings ui/widgets "
+                 "ui/actions ui/viewport"},
+    {"ui/reference", "ui/util ui/settings ui/widgets ui/actions ui/scene ui/viewport ui/files"},
+    {"ui/drawing", "core/util core/drawing ui/util ui/settings ui/widgets ui/actions"},
+    {"ui/print", "core/analysis core/mesh ui/util ui/settings ui/widgets ui/actions ui/viewport"},
+    {"ui/history", "ui/settings ui/widgets"},
+    {"ui/lesson", "core/operations core/lesson ui/widgets ui/actions"},
+    {"ui/preferences", "ui/settings ui/widgets ui/actions ui/viewport"},
+    {"ui/classroom", "core/util core/analysis core/stroke core/operations core/io ui/util ui/settings ui/widgets "
+                     "ui/actions ui/preferences"},
+    {"ui/headset", "core/geometry core/stroke ui/util ui/settings ui/widgets ui/actions ui/scene ui/viewport "
+                   "ui/brush ui/classroom"},
+    {"ui/help", "ui/settings ui/widgets ui/actions ui/lesson"},
+    {"ui/window", "core/operations core/io ui/util ui/settings ui/widgets ui/actions ui/scene ui/viewport "
+                  "ui/model ui/files ui/brush ui/reference ui/drawing ui/print ui/history ui/lesson "
+                  "ui/preferences ui/classroom ui/headset ui/help"},
+    {"vr/util", "core/geometry"},
+    {"vr/gl", ""},
+    {"vr/openxr", "vr/util vr/gl"},
+    {"vr/input", "vr/util vr/openxr"},
+    {"vr/frame", "vr/util vr/gl vr/openxr"},
+    {"vr/scene", "core/geometry core/stroke core/mesh core/render core/io/mesh vr/util vr/gl vr/openxr vr/input"},
+    {"vr/panels", "core/stroke vr/util vr/gl vr/openxr vr/input vr/frame vr/scene"},
+    {"vr/sculpt", "core/stroke core/mesh core/render core/operations vr/util vr/input vr/frame vr/scene "
+                  "vr/panels"},
+    {"vr/simulator", "vr/util"},
+    {"app/platform", ""},
+    {"app/import", "core/util core/geometry core/io app/platform"},
+    {"app/model", "core/util core/geometry core/analysis core/mesh core/repair core/sculpt core/operations "
+                  "core/io/stroke core/io ui/util ui/model ui/files ui/brush app/import"},
+    {"app/worker", "core/util core/stroke core/mesh core/drawing core/sculpt core/io/stroke core/journal ui/util "
+                   "ui/drawing"},
+    {"app/recovery", "core/journal ui/util app/model"},
+    {"app/document", "core/util core/geometry core/analysis core/stroke core/mesh core/drawing core/sculpt "
+                     "core/operations core/io/stroke core/io core/journal ui/util ui/settings ui/widgets "
+                     "ui/viewport ui/model ui/brush ui/print ui/history ui/window app/model app/worker "
+                     "app/recovery"},
+    {"app/classroom", "core/util core/geometry core/drawing core/io/stroke core/io ui/util ui/settings "
+                      "ui/viewport ui/files ui/classroom ui/window app/model app/worker app/recovery "
+                      "app/document"},
+    {"app/lesson", "core/util core/mesh core/drawing core/sculpt/deform core/operations core/io core/journal "
+                   "core/lesson ui/util ui/widgets ui/viewport ui/lesson ui/help ui/window app/model app/worker "
+                   "app/document"},
+    {"app/commands", "core/util core/geometry core/analysis core/mesh core/repair core/sculpt core/operations "
+                     "core/io/stroke core/io core/lesson ui/util ui/brush ui/drawing app/platform app/model "
+                     "app/document app/classroom app/lesson"},
+    {"app/headset", "ui/util ui/settings ui/scene ui/viewport ui/files ui/brush ui/lesson ui/headset ui/window "
+                    "vr/openxr vr/input vr/frame vr/scene vr/panels vr/sculpt vr/simulator app/worker "
+                    "app/document app/commands"},
+    {"app/window", "ui/viewport ui/model ui/brush ui/drawing ui/print ui/history ui/headset ui/window app/worker "
+                   "app/recovery app/document app/classroom app/lesson app/headset"},
+    {"app", "app/classroom app/commands app/document app/headset app/import app/platform app/recovery app/window"
+            " ui/scene ui/settings ui/viewport ui/widgets ui/window vr/openxr"},
+};
+
+const QStringList libraries{"core", "ui", "vr", "app"};
+constexpr qsizetype maxFiles = 40;
+const QStringList largeFolders{"core/io/mesh", "vr/simulator"}; ///< many formats; one file for each part of the specification
 
 const QRegularExpression includeLine(R"(^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"])");
 const QRegularExpression platformHeader(
@@ -35,28 +127,24 @@ const QRegularExpression platformFile(R"(_(glx|wgl|egl|x11|linux|posix|windows|m
 struct Include
 {
     QString header;
-    bool quoted = false;
+    bool isQuoted = false;
 };
 
-/// A quoted include as a path from the project's root.
-QString fromFile(const QString& room, const QString& file, const Include& include)
+/// Returns the folder of a file, "core/mesh" of "core/mesh/mesh.h".
+QString folderOf(const QString& path)
 {
-    return QDir::cleanPath(room + '/' + file + "/../" + include.header);
+    return path.section('/', 0, -2);
 }
 
-/// The room an include of ours leads to, seen from room/file; empty when it is not ours.
-QString roomOf(const QString& room, const QString& file, const Include& include)
+QMap<QString, QStringList> allowedFolders()
 {
-    const QString first = include.header.section('/', 0, 0);
-    if (rooms.contains(first))
-        return first;
-    if (!include.quoted)
-        return {};
-    const QString fromRoot = fromFile(room, file, include).section('/', 0, 0);
-    return rooms.contains(fromRoot) ? fromRoot : QString();
+    QMap<QString, QStringList> allowed;
+    for (const FolderRule& rule : folderRules)
+        allowed[rule.folder] = QString(rule.mayInclude).split(' ', Qt::SkipEmptyParts) + QStringList(rule.folder);
+    return allowed;
 }
 
-/// "QtWidgets" for QPushButton, qpushbutton.h and QtWidgets/QPushButton; empty when it is no header of Qt.
+/// Returns "QtWidgets" for QPushButton, qpushbutton.h and QtWidgets/QPushButton; empty if it is no header of Qt.
 QString qtModule(const QString& header)
 {
     const QDir headers(QLibraryInfo::path(QLibraryInfo::HeadersPath));
@@ -70,31 +158,56 @@ QString qtModule(const QString& header)
     return {};
 }
 
-/// What is wrong with an include in a file of this room; empty when nothing is.
-QString fault(const QString& room, const QString& file, const Include& include)
+/// Returns what is wrong with the include of a file of ours; empty if nothing is.
+QString ownFault(const QString& path, const QString& header)
 {
-    const QString target = roomOf(room, file, include);
-    if (!target.isEmpty() && !knownRooms[room].contains(target))
-        return room + " must not know " + target;
-    if (include.quoted && QFile::exists(FETTLE_SOURCE_DIR "/" + fromFile(room, file, include)))
+    static const QMap<QString, QStringList> allowed = allowedFolders();
+    const QString from = folderOf(path), to = folderOf(header);
+    if (from.startsWith("tests"))
         return {};
-    const QString module = qtModule(include.header);
-    if (room == "core" && !module.isEmpty())
-        return "core must not know Qt";
-    if (room == "vr" && !module.isEmpty() && module != "QtCore" && module != "QtGui")
-        return "vr must not know " + module;
-    if (room != "core" && include.header.startsWith("OpenMesh/"))
+    if (!allowed.value(from).contains(to))
+        return from + " must not include " + to;
+    return {};
+}
+
+/// Returns what is wrong with the include of a library or of the system; empty if nothing is.
+QString foreignFault(const QString& path, const QString& header)
+{
+    const QString library = path.section('/', 0, 0), module = qtModule(header);
+    static const QStringList modulesOfVr{"QtCore", "QtGui", "QtOpenGL"};
+    if (library == "core" && !module.isEmpty())
+        return "core must not include Qt";
+    if (library == "vr" && !module.isEmpty() && !modulesOfVr.contains(module))
+        return "vr must not include " + module;
+    if (library == "tests")
+        return {};
+    if (library != "core" && header.startsWith("OpenMesh/"))
         return "OpenMesh belongs to core";
-    if (room != "vr" && include.header.startsWith("openxr/"))
+    if (library != "vr" && header.startsWith("openxr/"))
         return "OpenXR belongs to vr";
-    if (include.header.startsWith("CGAL/"))
+    if (header.startsWith("CGAL/"))
         return "CGAL belongs to the tests";
-    if (platformHeader.match(include.header).hasMatch() && !platformFile.match(file).hasMatch())
+    if (platformHeader.match(header).hasMatch() && !platformFile.match(path).hasMatch())
         return "a header of one platform belongs to a file named after it (_linux, _posix, _windows, _glx, _wgl ...)";
     return {};
 }
 
-QStringList faults(const QString& room, const QString& file, const QString& text)
+/// Returns what is wrong with an include; empty if nothing is.
+QString fault(const QString& path, const Include& include)
+{
+    if (include.header.endsWith(".moc"))
+        return {};
+    if (include.header.contains(".."))
+        return "includes are written from the project's root";
+    const QString library = include.header.section('/', 0, 0);
+    if (libraries.contains(library) || library == "tests")
+        return include.isQuoted ? ownFault(path, include.header) : QString("files of ours are included with quotes");
+    if (include.isQuoted)
+        return "includes of ours are written from the project's root, others in angle brackets";
+    return foreignFault(path, include.header);
+}
+
+QStringList faults(const QString& path, const QString& text)
 {
     QStringList found;
     int number = 0;
@@ -104,9 +217,9 @@ QStringList faults(const QString& room, const QString& file, const QString& text
         if (!match.hasMatch())
             continue;
         const Include include{match.captured(2), match.captured(1) == "\""};
-        const QString reason = fault(room, file, include);
+        const QString reason = fault(path, include);
         if (!reason.isEmpty())
-            found << QString("%1/%2:%3: %4: %5").arg(room, file).arg(number).arg(include.header, reason);
+            found << QString("%1:%2: %3: %4").arg(path).arg(number).arg(include.header, reason);
     }
     return found;
 }
@@ -117,76 +230,91 @@ QString contents(const QString& path)
     return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
 
-/// All files of a room with these endings, relative to it.
-QStringList filesOf(const QString& room, const QStringList& endings)
+/// Returns all files below a folder with these endings, as paths from the project's root.
+QStringList filesBelow(const QString& folder, const QStringList& endings)
 {
-    const QDir folder(QString(FETTLE_SOURCE_DIR "/") + room);
+    const QDir root(FETTLE_SOURCE_DIR);
     QStringList files;
-    for (QDirIterator it(folder.path(), endings, QDir::Files, QDirIterator::Subdirectories); it.hasNext();)
-        files << folder.relativeFilePath(it.next());
+    for (QDirIterator it(root.filePath(folder), endings, QDir::Files, QDirIterator::Subdirectories); it.hasNext();)
+        files << root.relativeFilePath(it.next());
     files.sort();
     return files;
 }
 
-/// One line of a file, to try the scan on.
+QStringList sources(const QString& folder)
+{
+    return filesBelow(folder, {"*.h", "*.cpp", "*.mm"});
+}
+
+/// A line of a file, to test the scan with.
 struct Example
 {
     const char* name;
-    const char* room;
-    const char* file;
+    const char* path;
     const char* line;
 };
 
 const Example badIncludes[] = {
-    {"core to ui", "core", "a.cpp", "#include \"ui/viewport.h\""},
-    {"core to app, by the back door", "core", "a.cpp", "#include \"../app/document.h\""},
-    {"core to vr, from a folder below", "core", "mesh_io/a.cpp", "#include \"../../vr/xr_session.h\""},
-    {"core to Qt", "core", "a.h", "#include <QString>"},
-    {"core to Qt, by module", "core", "a.h", "  #  include <QtCore/qglobal.h>"},
-    {"core to Qt, old name", "core", "a.h", "#include <qstring.h>"},
-    {"ui to vr", "ui", "a.cpp", "#include \"vr/xr_session.h\""},
-    {"ui to app", "ui", "a.cpp", "#include <app/document.h>"},
-    {"ui to OpenXR", "ui", "a.cpp", "#include <openxr/openxr.h>"},
-    {"ui to OpenMesh", "ui", "a.cpp", "#include <OpenMesh/Core/Mesh/TriConnectivity.hh>"},
-    {"vr to ui", "vr", "a.cpp", "#include \"ui/viewport.h\""},
-    {"vr to widgets", "vr", "a.cpp", "#include <QWidget>"},
-    {"vr to Qt3D", "vr", "a.cpp", "#include <Qt3DRender/QMesh>"},
-    {"vr to Qt3D, short", "vr", "a.cpp", "#include <QAspectEngine>"},
-    {"app to OpenXR", "app", "a.cpp", "#include <openxr/openxr.h>"},
-    {"CGAL in core", "core", "a.cpp", "#include <CGAL/Surface_mesh.h>"},
-    {"GLX anywhere", "vr", "xr_session.cpp", "#include <GL/glx.h>"},
-    {"X11 anywhere", "ui", "viewport.cpp", "#include <X11/Xlib.h>"},
-    {"POSIX anywhere", "app", "document.cpp", "#include <unistd.h>"},
-    {"POSIX in core", "core", "mesh_io.cpp", "#include <sys/mman.h>"},
-    {"Windows anywhere", "app", "main.cpp", "#include <Windows.h>"},
+    {"core to ui", "core/mesh/a.cpp", "#include \"ui/viewport/viewport.h\""},
+    {"core to app, relative", "core/mesh/a.cpp", "#include \"../../app/document/document.h\""},
+    {"beside it, relative", "core/mesh/a.cpp", "#include \"mesh.h\""},
+    {"the folder beside it, relative", "core/mesh/a.cpp", "#include \"../util/slot.h\""},
+    {"up the folders", "core/util/a.cpp", "#include \"core/mesh/mesh.h\""},
+    {"a later step of the engine", "core/sculpt/select/a.cpp", "#include \"core/sculpt/deform/deform.h\""},
+    {"a feature above", "ui/model/a.cpp", "#include \"ui/files/model_files.h\""},
+    {"no folder of ours", "core/mesh/a.cpp", "#include \"core/mesh.h\""},
+    {"a file in no folder", "core/a.cpp", "#include \"core/util/slot.h\""},
+    {"ours in angle brackets", "ui/scene/a.cpp", "#include <core/mesh/mesh_patch.h>"},
+    {"a test, relative", "tests/core/mesh/a.cpp", "#include \"../support/shapes.h\""},
+    {"core to tests", "core/mesh/a.cpp", "#include \"tests/support/shapes.h\""},
+    {"core to Qt", "core/mesh/a.h", "#include <QString>"},
+    {"core to Qt, by module", "core/mesh/a.h", "  #  include <QtCore/qglobal.h>"},
+    {"core to Qt, old name", "core/mesh/a.h", "#include <qstring.h>"},
+    {"ui to vr", "ui/scene/a.cpp", "#include \"vr/openxr/xr_session.h\""},
+    {"ui to app", "ui/scene/a.cpp", "#include \"app/document/document.h\""},
+    {"ui to OpenXR", "ui/scene/a.cpp", "#include <openxr/openxr.h>"},
+    {"ui to OpenMesh", "ui/scene/a.cpp", "#include <OpenMesh/Core/Mesh/TriConnectivity.hh>"},
+    {"vr to ui", "vr/scene/a.cpp", "#include \"ui/viewport/viewport.h\""},
+    {"vr to widgets", "vr/scene/a.cpp", "#include <QWidget>"},
+    {"vr to Qt3D", "vr/scene/a.cpp", "#include <Qt3DRender/QMesh>"},
+    {"vr to Qt3D, short", "vr/scene/a.cpp", "#include <QAspectEngine>"},
+    {"app to OpenXR", "app/headset/a.cpp", "#include <openxr/openxr.h>"},
+    {"CGAL in core", "core/mesh/a.cpp", "#include <CGAL/Surface_mesh.h>"},
+    {"GLX anywhere", "vr/openxr/xr_session.cpp", "#include <GL/glx.h>"},
+    {"X11 anywhere", "ui/viewport/viewport.cpp", "#include <X11/Xlib.h>"},
+    {"POSIX anywhere", "app/document/document.cpp", "#include <unistd.h>"},
+    {"POSIX in core", "core/io/mesh_io.cpp", "#include <sys/mman.h>"},
+    {"Windows anywhere", "app/main.cpp", "#include <Windows.h>"},
 };
 
 const Example goodIncludes[] = {
-    {"core to core", "core", "a.cpp", "#include \"geometry.h\""},
-    {"core to core, from a folder below", "core", "mesh_io/a.cpp", "#include \"../geometry.h\""},
-    {"core to OpenMesh", "core", "mesh.h", "#include <OpenMesh/Core/Mesh/TriConnectivity.hh>"},
-    {"core to standard", "core", "a.cpp", "#include <vector>"},
-    {"ui to core", "ui", "a.cpp", "#include \"core/mesh_patch.h\""},
-    {"ui to Qt3D", "ui", "a.cpp", "#include <Qt3DRender/QMesh>"},
-    {"vr to QtGui", "vr", "a.cpp", "#include <QOpenGLContext>"},
-    {"vr to OpenXR", "vr", "a.cpp", "#include <openxr/openxr.h>"},
-    {"app to vr", "app", "a.cpp", "#include \"vr/xr_session.h\""},
-    {"GLX in its file", "vr", "gl_binding_glx.cpp", "#include <GL/glx.h>"},
-    {"POSIX in its file", "core", "file_sync_posix.cpp", "#include <unistd.h>"},
-    {"text that names an include", "core", "a.cpp", "// see #include <QString>"},
+    {"beside it", "core/mesh/a.cpp", "#include \"core/mesh/mesh.h\""},
+    {"down the folders", "core/mesh/a.cpp", "#include \"core/util/slot.h\""},
+    {"core to OpenMesh", "core/mesh/mesh.h", "#include <OpenMesh/Core/Mesh/TriConnectivity.hh>"},
+    {"core to standard", "core/mesh/a.cpp", "#include <vector>"},
+    {"ui to core", "ui/scene/a.cpp", "#include \"core/mesh/mesh_patch.h\""},
+    {"ui to Qt3D", "ui/scene/a.cpp", "#include <Qt3DRender/QMesh>"},
+    {"vr to QtGui", "vr/scene/a.cpp", "#include <QOpenGLContext>"},
+    {"vr to QtOpenGL", "vr/gl/a.cpp", "#include <QOpenGLShaderProgram>"},
+    {"vr to OpenXR", "vr/openxr/a.cpp", "#include <openxr/openxr.h>"},
+    {"app to vr", "app/headset/a.cpp", "#include \"vr/frame/headset_thread.h\""},
+    {"a test to anything", "tests/core/mesh/a.cpp", "#include \"core/sculpt/sculptor.h\""},
+    {"its moc file", "tests/core/mesh/tst_mesh.cpp", "#include \"tst_mesh.moc\""},
+    {"GLX in its file", "vr/gl/gl_binding_glx.cpp", "#include <GL/glx.h>"},
+    {"POSIX in its file", "core/util/file_sync_posix.cpp", "#include <unistd.h>"},
+    {"text that names an include", "core/mesh/a.cpp", "// see #include <QString>"},
 };
 
 void addExamples(const Example* first, const Example* last)
 {
-    QTest::addColumn<QString>("room");
-    QTest::addColumn<QString>("file");
+    QTest::addColumn<QString>("path");
     QTest::addColumn<QString>("line");
     for (; first != last; ++first)
-        QTest::newRow(first->name) << QString(first->room) << QString(first->file) << QString(first->line);
+        QTest::newRow(first->name) << QString(first->path) << QString(first->line);
 }
 } // namespace
 
-class TestLayout : public QObject
+class TestSourceLayout : public QObject
 {
     Q_OBJECT
 
@@ -195,98 +323,140 @@ private Q_SLOTS:
     void scan_findsBadInclude();
     void scan_passesGoodInclude_data();
     void scan_passesGoodInclude();
-    void includes_goInTheAllowedDirection_data();
-    void includes_goInTheAllowedDirection();
+    void folders_haveNoCycle();
+    void folders_areInTheTable();
+    void folders_areSmall();
+    void includes_followTheTable_data();
+    void includes_followTheTable();
     void sources_areNamedInCMake_data();
     void sources_areNamedInCMake();
     void resources_areNamedInCMake();
-
-private:
-    void addRooms();
 };
 
-void TestLayout::addRooms()
-{
-    QTest::addColumn<QString>("room");
-    for (const QString& room : rooms)
-        QTest::newRow(qPrintable(room)) << room;
-}
-
-void TestLayout::scan_findsBadInclude_data()
+void TestSourceLayout::scan_findsBadInclude_data()
 {
     addExamples(std::begin(badIncludes), std::end(badIncludes));
 }
 
-void TestLayout::scan_findsBadInclude()
+void TestSourceLayout::scan_findsBadInclude()
 {
-    QFETCH(QString, room);
-    QFETCH(QString, file);
+    QFETCH(QString, path);
     QFETCH(QString, line);
-    const QStringList found = faults(room, file, "#pragma once\n" + line + "\n");
+    const QStringList found = faults(path, "#pragma once\n" + line + "\n");
     QCOMPARE(found.size(), 1);
-    QVERIFY(found.first().startsWith(room + '/' + file + ":2: "));
+    QVERIFY(found.first().startsWith(path + ":2: "));
 }
 
-void TestLayout::scan_passesGoodInclude_data()
+void TestSourceLayout::scan_passesGoodInclude_data()
 {
     addExamples(std::begin(goodIncludes), std::end(goodIncludes));
 }
 
-void TestLayout::scan_passesGoodInclude()
+void TestSourceLayout::scan_passesGoodInclude()
 {
-    QFETCH(QString, room);
-    QFETCH(QString, file);
+    QFETCH(QString, path);
     QFETCH(QString, line);
-    QCOMPARE(faults(room, file, line), QStringList());
+    QCOMPARE(faults(path, line), QStringList());
 }
 
-void TestLayout::includes_goInTheAllowedDirection_data()
+/// Each folder comes after those that it includes, so the table has no cycle.
+void TestSourceLayout::folders_haveNoCycle()
 {
-    addRooms();
+    const QMap<QString, QStringList> allowed = allowedFolders();
+    QStringList above;
+    for (const FolderRule& rule : folderRules) {
+        above << rule.folder;
+        for (const QString& folder : allowed.value(rule.folder)) {
+            if (QString(rule.folder) == "core/io/mesh" && folder == "core/io")
+                continue;
+            QVERIFY2(above.contains(folder), qPrintable(rule.folder + (" includes " + folder)));
+        }
+    }
 }
 
-void TestLayout::includes_goInTheAllowedDirection()
+/// Every source is in a folder of the table, and no folder of the table is gone. Only main.cpp is in none.
+void TestSourceLayout::folders_areInTheTable()
 {
-    QFETCH(QString, room);
-    const QStringList files = filesOf(room, {"*.h", "*.cpp", "*.mm"});
+    QStringList present;
+    for (const QString& library : libraries) {
+        for (const QString& file : sources(library))
+            present << folderOf(file);
+    }
+    present.removeDuplicates();
+    present.sort();
+    QStringList listed = allowedFolders().keys();
+    listed.sort();
+    QCOMPARE(present, listed);
+    QCOMPARE(QDir(FETTLE_SOURCE_DIR "/app").entryList({"*.h", "*.cpp"}, QDir::Files), QStringList("main.cpp"));
+}
+
+void TestSourceLayout::folders_areSmall()
+{
+    QMap<QString, qsizetype> count;
+    for (const QString& library : libraries + QStringList("tests")) {
+        for (const QString& file : sources(library))
+            ++count[folderOf(file)];
+    }
+    QStringList large;
+    for (auto [folder, files] : count.asKeyValueRange()) {
+        if (files > maxFiles && !largeFolders.contains(folder))
+            large << QString("%1: %2 files").arg(folder).arg(files);
+    }
+    QVERIFY2(large.isEmpty(), qPrintable(large.join('\n')));
+}
+
+void TestSourceLayout::includes_followTheTable_data()
+{
+    QTest::addColumn<QString>("folder");
+    for (const QString& folder : libraries + QStringList("tests"))
+        QTest::newRow(qPrintable(folder)) << folder;
+}
+
+void TestSourceLayout::includes_followTheTable()
+{
+    QFETCH(QString, folder);
+    const QStringList files = sources(folder);
     QVERIFY(!files.isEmpty());
     QStringList found;
     for (const QString& file : files)
-        found << faults(room, file, contents(QString(FETTLE_SOURCE_DIR "/%1/%2").arg(room, file)));
+        found << faults(file, contents(FETTLE_SOURCE_DIR "/" + file));
     QVERIFY2(found.isEmpty(), qPrintable(found.join('\n')));
 }
 
-void TestLayout::sources_areNamedInCMake_data()
+void TestSourceLayout::sources_areNamedInCMake_data()
 {
-    addRooms();
+    QTest::addColumn<QString>("library");
+    for (const QString& library : libraries)
+        QTest::newRow(qPrintable(library)) << library;
 }
 
-void TestLayout::sources_areNamedInCMake()
+void TestSourceLayout::sources_areNamedInCMake()
 {
-    QFETCH(QString, room);
-    const QString list = contents(QString(FETTLE_SOURCE_DIR "/%1/CMakeLists.txt").arg(room));
-    QVERIFY(!list.contains("GLOB"));
+    QFETCH(QString, library);
     QStringList forgotten;
-    for (const QString& file : filesOf(room, {"*.cpp", "*.mm"})) {
-        const QRegularExpression word("(^|\\s)" + QRegularExpression::escape(file) + "(\\s|\\)|$)");
+    for (const QString& file : sources(library)) {
+        const QString list = contents(FETTLE_SOURCE_DIR "/" + folderOf(file) + "/CMakeLists.txt");
+        QVERIFY2(!list.contains("GLOB"), qPrintable(file));
+        const QString name = file.section('/', -1);
+        const QRegularExpression word("(^|\\s)" + QRegularExpression::escape(name) + "(\\s|\\)|$)");
         if (!word.match(list).hasMatch())
-            forgotten << room + '/' + file;
+            forgotten << file;
     }
     QVERIFY2(forgotten.isEmpty(), qPrintable("not in CMakeLists.txt: " + forgotten.join(", ")));
 }
 
-void TestLayout::resources_areNamedInCMake()
+void TestSourceLayout::resources_areNamedInCMake()
 {
     const QString list = contents(FETTLE_SOURCE_DIR "/resources/resources.cmake");
     QStringList forgotten;
-    for (const QString& folder : QStringList{"icons/", "shaders/"}) {
-        for (const QString& file : filesOf("resources/" + folder, {"*"})) {
-            if (!list.contains(' ' + folder + file))
-                forgotten << "resources/" + folder + file;
+    for (const QString& folder : QStringList{"icons", "shaders"}) {
+        for (const QString& file : filesBelow("resources/" + folder, {"*"})) {
+            if (!list.contains(' ' + file.section('/', 1)))
+                forgotten << file;
         }
     }
     QVERIFY2(forgotten.isEmpty(), qPrintable("not in resources.cmake: " + forgotten.join(", ")));
 }
 
-QTEST_GUILESS_MAIN(TestLayout)
-#include "tst_layout.moc"
+QTEST_GUILESS_MAIN(TestSourceLayout)
+#include "tst_source_layout.moc"

@@ -1,6 +1,6 @@
-#include "bench_models.h"
+#include "tests/bench/bench_models.h"
 
-#include "core/morton_order.h"
+#include "core/geometry/morton_order.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/stroke_fuzzer.h"
 

@@ -1,4 +1,4 @@
-#include "bench_stroke.h"
+#include "tests/bench/bench_stroke.h"
 
 #include <algorithm>
 #include <chrono>

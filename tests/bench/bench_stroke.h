@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/sculptor.h"
+#include "core/sculpt/sculptor.h"
 
 #include <benchmark/benchmark.h>
 

@@ -1,4 +1,4 @@
-#include "bench_tables.h"
+#include "tests/bench/bench_tables.h"
 
 #include <algorithm>
 #include <iomanip>

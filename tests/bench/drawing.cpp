@@ -1,8 +1,8 @@
 // What three views of a model of a million vertices cost: as the 2D preview draws them while strokes go on, and when they rest.
-#include "bench_models.h"
+#include "tests/bench/bench_models.h"
 
-#include "core/line_drawer.h"
-#include "core/sculptor.h"
+#include "core/drawing/incremental_line_drawing.h"
+#include "core/sculpt/sculptor.h"
 
 #include <benchmark/benchmark.h>
 

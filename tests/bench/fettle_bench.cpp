@@ -3,7 +3,7 @@
 //   FETTLE_AGED_DABS=100000 fettle_bench --benchmark_filter=agedStroke
 // Five interleaved runs of each row, of which the best counts; --benchmark_repetitions=1 is enough for a look.
 
-#include "bench_tables.h"
+#include "tests/bench/bench_tables.h"
 
 namespace
 {

@@ -1,9 +1,9 @@
 // What it takes to open and to export a model of a million vertices, beside a plain read and write of the same bytes and beside
 // Assimp's import of the same file.
-#include "bench_models.h"
+#include "tests/bench/bench_models.h"
 
-#include "core/mesh_build.h"
-#include "core/mesh_io.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/io/mesh_io.h"
 
 #include <assimp/Importer.hpp>
 #include <benchmark/benchmark.h>

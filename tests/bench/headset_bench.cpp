@@ -1,17 +1,17 @@
 // What the headset's renderer costs its thread, and pictures of what it shows. On a display, by hand:
 //   headset_bench                    milliseconds of the thread's CPU a frame, outside draw calls
 //   headset_bench --pictures FOLDER
-#include "bench_models.h"
+#include "tests/bench/bench_models.h"
 
 #include "tests/support/mesh_asserts.h"
-#include "tests/vr/example_scene.h"
-#include "tests/vr/offscreen_gl.h"
-#include "vr/eye_target.h"
-#include "vr/picture_texture.h"
-#include "vr/scene.h"
+#include "tests/vr/scene/example_scene.h"
+#include "tests/vr/gl/offscreen_gl.h"
+#include "vr/scene/eye_target.h"
+#include "vr/gl/texture.h"
+#include "vr/scene/scene.h"
 
-#include "core/sculptor.h"
-#include "core/starter_models.h"
+#include "core/sculpt/sculptor.h"
+#include "core/operations/primitives.h"
 
 #include <QDir>
 

@@ -1,8 +1,8 @@
 // What it costs that nothing is lost: the same strokes without a journal and with one, on two models, with a base being made meanwhile.
-#include "bench_models.h"
-#include "bench_stroke.h"
+#include "tests/bench/bench_models.h"
+#include "tests/bench/bench_stroke.h"
 
-#include "core/journal/compact.h"
+#include "core/journal/compaction.h"
 #include "core/journal/journal.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // What legalise does to each of the bad models, or to the files given: a table, CGAL's verdict in the last column but one.
-#include "core/legalise.h"
-#include "core/mesh_io.h"
+#include "core/repair/repair.h"
+#include "core/io/mesh_io.h"
 #include "tests/support/bad_models.h"
 #include "tests/support/cgal_judge.h"
 

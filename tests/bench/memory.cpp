@@ -1,6 +1,6 @@
 // What a model of a million vertices holds, by how much the process grows, in bytes a vertex.
-#include "bench_models.h"
-#include "bench_stroke.h"
+#include "tests/bench/bench_models.h"
+#include "tests/bench/bench_stroke.h"
 
 #include <fstream>
 #include <unistd.h>

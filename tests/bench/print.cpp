@@ -1,7 +1,7 @@
 // What it takes to find out whether a model of a million vertices prints.
-#include "bench_models.h"
+#include "tests/bench/bench_models.h"
 
-#include "core/print_check.h"
+#include "core/analysis/print_check.h"
 #include "tests/support/shapes.h"
 
 #include <benchmark/benchmark.h>

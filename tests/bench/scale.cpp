@@ -1,6 +1,6 @@
 // What a dab costs as models, brushes and displacements grow.
-#include "bench_models.h"
-#include "bench_stroke.h"
+#include "tests/bench/bench_models.h"
+#include "tests/bench/bench_stroke.h"
 #include "tests/support/stroke_fuzzer.h"
 
 #include <cstdlib>

@@ -2,14 +2,14 @@
 // By hand, on a release build, with a display:
 //   visit_bench [VERTICES...]
 // CPU milliseconds; draw calls, within which software OpenGL shades the picture, are left out and told apart.
-#include "app/headset_desk.h"
-#include "bench_models.h"
-#include "core/mesh_io.h"
+#include "app/headset/headset_controller.h"
+#include "tests/bench/bench_models.h"
+#include "core/io/mesh_io.h"
 #include "tests/support/program.h"
-#include "tests/vr/scripted_headset.h"
-#include "ui/viewport.h"
-#include "vr/hands.h"
-#include "vr/sculpt_client.h"
+#include "tests/vr/simulator/scripted_headset.h"
+#include "ui/viewport/viewport.h"
+#include "vr/input/wand_mapping.h"
+#include "vr/sculpt/sculpt_client.h"
 
 #include <QApplication>
 #include <QTemporaryDir>

@@ -2,13 +2,13 @@
 // stroke, and how long the gui thread was ever away. By hand, on a release build, with a display:
 //   window_bench [VERTICES...]
 // CPU milliseconds of the gui thread; software GL rasterises in "clay" and in "blit", a graphics card does not.
-#include "app/drawing_worker.h"
-#include "app/job_queue.h"
+#include "app/worker/drawing_worker.h"
+#include "app/worker/job_queue.h"
 
-#include "bench_models.h"
-#include "core/mesh_io.h"
+#include "tests/bench/bench_models.h"
+#include "core/io/mesh_io.h"
 #include "tests/support/program.h"
-#include "ui/viewport.h"
+#include "ui/viewport/viewport.h"
 
 #include <QAction>
 #include <QApplication>

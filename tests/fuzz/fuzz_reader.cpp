@@ -1,6 +1,6 @@
 // One reader, fed with a stranger's bytes: it returns a mesh as core/mesh_io.h promises, or throws a FileError; nothing else.
-#include "core/file_error.h"
-#include "core/mesh_io.h"
+#include "core/util/file_error.h"
+#include "core/io/mesh_io.h"
 
 #include <cstdio>
 #include <cstdlib>

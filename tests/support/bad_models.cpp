@@ -1,6 +1,6 @@
-#include "bad_models.h"
+#include "tests/support/bad_models.h"
 
-#include "shapes.h"
+#include "tests/support/shapes.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "cgal_judge.h"
+#include "tests/support/cgal_judge.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>

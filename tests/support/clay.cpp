@@ -1,6 +1,6 @@
-#include "clay.h"
+#include "tests/support/clay.h"
 
-#include "shapes.h"
+#include "tests/support/shapes.h"
 
 #include <cmath>
 #include <map>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/triangle_mesh.h"
+#include "core/geometry/triangle_mesh.h"
 
 /// Shapes that sculpting tests work on: closed, facing outwards, free of self-intersections, about one unit large.
 namespace clay

@@ -1,12 +1,12 @@
-#include "fuzz_run.h"
+#include "tests/support/fuzz_run.h"
 
-#include "clay.h"
-#include "core/mesh_hash.h"
-#include "core/mesh_io.h"
-#include "core/uniform_remesh.h"
-#include "mirror_asserts.h"
-#include "shapes.h"
-#include "solid_asserts.h"
+#include "tests/support/clay.h"
+#include "core/mesh/mesh_hash.h"
+#include "core/io/mesh_io.h"
+#include "core/operations/uniform_remesh.h"
+#include "tests/support/mirror_asserts.h"
+#include "tests/support/shapes.h"
+#include "tests/support/solid_asserts.h"
 
 #include <cstdlib>
 #include <iostream>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/model_command.h"
-#include "fuzz_tally.h"
-#include "stroke_fuzzer.h"
+#include "core/operations/model_command.h"
+#include "tests/support/fuzz_tally.h"
+#include "tests/support/stroke_fuzzer.h"
 
 #include <optional>
 #include <variant>

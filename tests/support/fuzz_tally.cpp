@@ -1,4 +1,4 @@
-#include "fuzz_tally.h"
+#include "tests/support/fuzz_tally.h"
 
 #include <iomanip>
 #include <ostream>

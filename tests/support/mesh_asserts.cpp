@@ -1,6 +1,6 @@
-#include "mesh_asserts.h"
+#include "tests/support/mesh_asserts.h"
 
-#include "core/triangle_pair.h"
+#include "core/geometry/triangle_intersection.h"
 
 #include <algorithm>
 #include <sstream>

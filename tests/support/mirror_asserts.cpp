@@ -1,4 +1,4 @@
-#include "mirror_asserts.h"
+#include "tests/support/mirror_asserts.h"
 
 #include <algorithm>
 #include <map>

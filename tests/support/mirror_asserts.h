@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/mesh.h"
-#include "core/brush.h"
+#include "core/mesh/mesh.h"
+#include "core/stroke/tool.h"
 
 #include <string>
 

@@ -1,4 +1,4 @@
-#include "other_windows_x11.h"
+#include "tests/support/other_windows_x11.h"
 
 #include <memory>
 #include <vector>

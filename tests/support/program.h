@@ -1,8 +1,8 @@
 #pragma once
 
-#include "app/document.h"
-#include "app/wiring.h"
-#include "ui/main_window.h"
+#include "app/document/document.h"
+#include "app/window/connections.h"
+#include "ui/window/main_window.h"
 
 namespace app
 {

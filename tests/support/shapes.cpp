@@ -1,4 +1,4 @@
-#include "shapes.h"
+#include "tests/support/shapes.h"
 
 #include <cmath>
 #include <numbers>

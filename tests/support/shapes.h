@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/triangle_mesh.h"
+#include "core/geometry/triangle_mesh.h"
 
 /// Small named meshes for tests. Closed ones face outwards unless their name says otherwise. core::icosphere is the ball.
 namespace shapes

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "cgal_judge.h"
-#include "mesh_asserts.h"
+#include "tests/support/cgal_judge.h"
+#include "tests/support/mesh_asserts.h"
 
 namespace mesh_asserts
 {

@@ -1,10 +1,10 @@
-#include "stroke_fuzzer.h"
+#include "tests/support/stroke_fuzzer.h"
 
-#include "clay.h"
+#include "tests/support/clay.h"
 
-#include "core/alpha.h"
-#include "core/brush_model.h"
-#include "core/starter_models.h"
+#include "core/sculpt/deform/alpha.h"
+#include "core/sculpt/deform/brush_model.h"
+#include "core/operations/primitives.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "hard_places.h"
+#include "tests/support/unwritable_places.h"
 
 #include <fstream>
 #include <linux/capability.h>

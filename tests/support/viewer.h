@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/mesh_patch.h"
+#include "core/mesh/mesh_patch.h"
 
 #include <algorithm>
 #include <vector>

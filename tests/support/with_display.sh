@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs a program on a display of its own, without a screen and with a window manager: programs side by side take no focus from each other.
-#   on_a_display.sh PROGRAM [ARGUMENTS]
+#   with_display.sh PROGRAM [ARGUMENTS]
 set -uo pipefail
 place=$(mktemp -d)
 trap 'kill $(jobs -p) 2>/dev/null; wait; rm -rf "$place"' EXIT
@@ -15,7 +15,7 @@ export DISPLAY=:$number LIBGL_ALWAYS_SOFTWARE=1
 unset WAYLAND_DISPLAY
 openbox --startup "sh -c 'echo >$place/managed'" >/dev/null 2>&1 &
 read -r -t 60 <>"$place/managed" || {
-    echo "on_a_display.sh: openbox does not start" >&2
+    echo "with_display.sh: openbox does not start" >&2
     exit 1
 }
 

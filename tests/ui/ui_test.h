@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ui/scene.h"
-#include "ui/viewport.h"
+#include "ui/scene/scene.h"
+#include "ui/viewport/viewport.h"
 
 #include <QApplication>
 #include <QDropEvent>

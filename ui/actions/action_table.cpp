@@ -1,6 +1,6 @@
 // The one table of actions; see ActionInfo.
 
-#include "actions.h"
+#include "ui/actions/actions.h"
 
 namespace ui
 {

@@ -1,6 +1,6 @@
-#include "actions.h"
+#include "ui/actions/actions.h"
 
-#include "themed_icon.h"
+#include "ui/widgets/themed_icon.h"
 
 #include <QAbstractItemView>
 #include <QAbstractSlider>

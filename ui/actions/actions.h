@@ -1,6 +1,6 @@
 #pragma once
 
-#include "key_map.h"
+#include "ui/actions/shortcut_map.h"
 
 #include <QHash>
 #include <QObject>

@@ -1,6 +1,6 @@
-#include "command_list.h"
+#include "ui/actions/command_list.h"
 
-#include "actions.h"
+#include "ui/actions/actions.h"
 
 #include <QAction>
 #include <QHeaderView>

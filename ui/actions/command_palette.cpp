@@ -1,8 +1,8 @@
-#include "command_box.h"
+#include "ui/actions/command_palette.h"
 
-#include "actions.h"
-#include "command_list.h"
-#include "spacing.h"
+#include "ui/actions/actions.h"
+#include "ui/actions/command_list.h"
+#include "ui/widgets/spacing.h"
 
 #include <QAction>
 #include <QKeyEvent>

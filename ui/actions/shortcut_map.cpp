@@ -1,6 +1,6 @@
-#include "key_map.h"
+#include "ui/actions/shortcut_map.h"
 
-#include "actions.h"
+#include "ui/actions/actions.h"
 
 #include <algorithm>
 #include <optional>

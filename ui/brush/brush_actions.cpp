@@ -1,7 +1,7 @@
-#include "brush_actions.h"
+#include "ui/brush/brush_actions.h"
 
-#include "actions.h"
-#include "brush_settings.h"
+#include "ui/actions/actions.h"
+#include "ui/settings/brush_settings.h"
 
 #include <QAction>
 #include <QActionGroup>

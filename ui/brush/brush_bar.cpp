@@ -1,7 +1,7 @@
-#include "brush_bar.h"
+#include "ui/brush/brush_bar.h"
 
-#include "messages.h"
-#include "spacing.h"
+#include "ui/util/error_messages.h"
+#include "ui/widgets/spacing.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

@@ -1,8 +1,8 @@
-#include "brush_caption.h"
+#include "ui/brush/brush_caption.h"
 
-#include "spacing.h"
-#include "theme.h"
-#include "themed_icon.h"
+#include "ui/widgets/spacing.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/themed_icon.h"
 
 #include <QEvent>
 #include <QPainter>

@@ -1,9 +1,9 @@
-#include "brush_files.h"
+#include "ui/brush/brush_files.h"
 
-#include "messages.h"
+#include "ui/util/error_messages.h"
 
-#include "core/file_error.h"
-#include "core/mesh_io.h"
+#include "core/util/file_error.h"
+#include "core/io/mesh_io.h"
 
 #include <QCoreApplication>
 #include <QFile>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/alpha.h"
-#include "core/brush_model.h"
+#include "core/sculpt/deform/alpha.h"
+#include "core/sculpt/deform/brush_model.h"
 
 #include <QString>
 #include <QStringList>

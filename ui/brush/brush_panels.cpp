@@ -1,11 +1,11 @@
-#include "brush_panels.h"
+#include "ui/brush/brush_panels.h"
 
-#include "brush_bar.h"
-#include "falloff_curve.h"
-#include "messages.h"
-#include "shape_choosers.h"
-#include "side_dock.h"
-#include "spacing.h"
+#include "ui/brush/brush_bar.h"
+#include "ui/brush/falloff_curve.h"
+#include "ui/util/error_messages.h"
+#include "ui/brush/shape_choosers.h"
+#include "ui/widgets/side_dock.h"
+#include "ui/widgets/spacing.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -1,4 +1,4 @@
-#include "brush_shapes.h"
+#include "ui/brush/brush_shapes.h"
 
 #include <algorithm>
 #include <utility>

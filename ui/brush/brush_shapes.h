@@ -1,8 +1,8 @@
 #pragma once
 
-#include "brush_files.h"
-#include "settings.h"
-#include "side_thread.h"
+#include "ui/brush/brush_files.h"
+#include "ui/settings/settings.h"
+#include "ui/util/background_thread.h"
 
 #include <QHash>
 #include <QObject>

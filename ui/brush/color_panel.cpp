@@ -1,14 +1,14 @@
-#include "color_panel.h"
+#include "ui/brush/color_panel.h"
 
-#include "actions.h"
-#include "brush_settings.h"
-#include "color_convert.h"
-#include "color_swatches.h"
-#include "color_wheel.h"
-#include "settings.h"
-#include "side_dock.h"
-#include "spacing.h"
-#include "viewport.h"
+#include "ui/actions/actions.h"
+#include "ui/settings/brush_settings.h"
+#include "ui/util/color_convert.h"
+#include "ui/brush/color_swatches.h"
+#include "ui/brush/color_wheel.h"
+#include "ui/settings/settings.h"
+#include "ui/widgets/side_dock.h"
+#include "ui/widgets/spacing.h"
+#include "ui/viewport/viewport.h"
 
 #include <QAction>
 #include <QDockWidget>

@@ -1,7 +1,7 @@
-#include "color_swatches.h"
+#include "ui/brush/color_swatches.h"
 
-#include "color_convert.h"
-#include "themed_icon.h"
+#include "ui/util/color_convert.h"
+#include "ui/widgets/themed_icon.h"
 
 #include <QAction>
 #include <QEvent>

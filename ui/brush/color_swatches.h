@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry.h"
+#include "core/geometry/geometry.h"
 
 #include <QWidget>
 

@@ -1,6 +1,6 @@
-#include "color_wheel.h"
+#include "ui/brush/color_wheel.h"
 
-#include "color_convert.h"
+#include "ui/util/color_convert.h"
 
 #include <QConicalGradient>
 #include <QKeyEvent>

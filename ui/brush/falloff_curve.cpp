@@ -1,6 +1,6 @@
-#include "falloff_curve.h"
+#include "ui/brush/falloff_curve.h"
 
-#include "messages.h"
+#include "ui/util/error_messages.h"
 
 #include <algorithm>
 #include <cmath>

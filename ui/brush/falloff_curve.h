@@ -1,7 +1,7 @@
 #pragma once
 
-#include "brush_settings.h"
-#include "curve_widget.h"
+#include "ui/settings/brush_settings.h"
+#include "ui/widgets/curve_widget.h"
 
 namespace ui
 {

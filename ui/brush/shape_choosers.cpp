@@ -1,8 +1,8 @@
-#include "shape_choosers.h"
+#include "ui/brush/shape_choosers.h"
 
-#include "brush_files.h"
-#include "brush_shapes.h"
-#include "file_dialogs.h"
+#include "ui/brush/brush_files.h"
+#include "ui/brush/brush_shapes.h"
+#include "ui/widgets/file_dialogs.h"
 
 #include <QComboBox>
 #include <QCoreApplication>

@@ -1,8 +1,8 @@
-#include "stroke_bar.h"
+#include "ui/brush/stroke_edit_bar.h"
 
-#include "actions.h"
-#include "brush_bar.h"
-#include "spacing.h"
+#include "ui/actions/actions.h"
+#include "ui/brush/brush_bar.h"
+#include "ui/widgets/spacing.h"
 
 #include <QAction>
 #include <QComboBox>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "brush_settings.h"
-#include "offer_bar.h"
+#include "ui/settings/brush_settings.h"
+#include "ui/widgets/message_bar.h"
 
-#include "core/stroke_change.h"
+#include "core/stroke/stroke_edit.h"
 
 #include <QList>
 

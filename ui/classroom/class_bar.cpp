@@ -1,7 +1,7 @@
-#include "class_bar.h"
+#include "ui/classroom/class_bar.h"
 
-#include "spacing.h"
-#include "themed_icon.h"
+#include "ui/widgets/spacing.h"
+#include "ui/widgets/themed_icon.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

@@ -1,12 +1,12 @@
 // What the rows of a report say; how they stand: report_html, report_pdf.
 
-#include "class_report.h"
+#include "ui/classroom/class_report.h"
 
-#include "measures.h"
-#include "messages.h"
-#include "model_folder.h"
-#include "report_html.h"
-#include "report_pdf.h"
+#include "ui/util/number_format.h"
+#include "ui/util/error_messages.h"
+#include "ui/util/path_display.h"
+#include "ui/classroom/report_html.h"
+#include "ui/classroom/report_pdf.h"
 
 #include <QCoreApplication>
 #include <QLocale>

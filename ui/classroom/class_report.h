@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/atomic_file.h"
-#include "core/document_notes.h"
-#include "core/mesh_check.h"
+#include "core/util/atomic_file.h"
+#include "core/io/document_metadata.h"
+#include "core/analysis/mesh_check.h"
 
 #include <QDate>
 #include <QImage>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "preferences.h"
+#include "ui/settings/preferences.h"
 
-#include "core/brush.h"
-#include "core/starter_models.h"
+#include "core/stroke/tool.h"
+#include "core/operations/primitives.h"
 
 #include <QList>
 #include <QString>

@@ -1,10 +1,10 @@
-#include "classroom_dialog.h"
+#include "ui/classroom/classroom_dialog.h"
 
-#include "actions.h"
-#include "dialog_parts.h"
-#include "file_dialogs.h"
-#include "preferences_dialog.h"
-#include "stored_values.h"
+#include "ui/actions/actions.h"
+#include "ui/widgets/dialog_helpers.h"
+#include "ui/widgets/file_dialogs.h"
+#include "ui/preferences/preferences_dialog.h"
+#include "ui/settings/stored_values.h"
 
 #include <QAction>
 #include <QCheckBox>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "classroom.h"
+#include "ui/classroom/classroom.h"
 
 #include <functional>
 

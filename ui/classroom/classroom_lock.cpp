@@ -1,7 +1,7 @@
-#include "classroom_lock.h"
+#include "ui/classroom/classroom_lock.h"
 
-#include "actions.h"
-#include "classroom.h"
+#include "ui/actions/actions.h"
+#include "ui/classroom/classroom.h"
 
 #include <QAction>
 #include <QActionGroup>

@@ -1,7 +1,7 @@
-#include "pin_dialog.h"
+#include "ui/classroom/pin_dialog.h"
 
-#include "classroom.h"
-#include "dialog_parts.h"
+#include "ui/classroom/classroom.h"
+#include "ui/widgets/dialog_helpers.h"
 
 #include <QCoreApplication>
 #include <QDialog>

@@ -1,9 +1,9 @@
-#include "name_panel.h"
+#include "ui/classroom/pupil_name_panel.h"
 
-#include "actions.h"
-#include "classroom.h"
-#include "spacing.h"
-#include "stored_values.h"
+#include "ui/actions/actions.h"
+#include "ui/classroom/classroom.h"
+#include "ui/widgets/spacing.h"
+#include "ui/settings/stored_values.h"
 
 #include <QAction>
 #include <QButtonGroup>

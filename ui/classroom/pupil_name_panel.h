@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/starter_models.h"
+#include "core/operations/primitives.h"
 
 #include <QFrame>
 #include <QList>

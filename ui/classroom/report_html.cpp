@@ -1,6 +1,6 @@
-#include "report_html.h"
+#include "ui/classroom/report_html.h"
 
-#include "class_report.h"
+#include "ui/classroom/class_report.h"
 
 #include <QBuffer>
 #include <QCryptographicHash>

@@ -1,8 +1,8 @@
 // lay out each row -> deal them to pages -> paint page by page. Everything is placed in 1/100 mm, so that fonts, which have whole sizes,
 // can be of any.
-#include "report_pdf.h"
+#include "ui/classroom/report_pdf.h"
 
-#include "class_report.h"
+#include "ui/classroom/class_report.h"
 
 #include <QBuffer>
 #include <QCoreApplication>

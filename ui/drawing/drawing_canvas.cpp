@@ -1,4 +1,4 @@
-#include "drawing_canvas.h"
+#include "ui/drawing/drawing_canvas.h"
 
 #include <QEvent>
 #include <QKeyEvent>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "drawing_painter.h"
-#include "side_thread.h"
+#include "ui/drawing/drawing_painter.h"
+#include "ui/util/background_thread.h"
 
 #include <QImage>
 #include <QWidget>

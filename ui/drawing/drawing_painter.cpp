@@ -1,6 +1,6 @@
-#include "drawing_painter.h"
+#include "ui/drawing/drawing_painter.h"
 
-#include "measures.h"
+#include "ui/util/number_format.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "drawing_settings.h"
+#include "ui/settings/drawing_settings.h"
 
-#include "core/line_drawing.h"
+#include "core/drawing/line_drawing.h"
 
 #include <QColor>
 #include <QFont>

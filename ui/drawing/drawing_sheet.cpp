@@ -1,11 +1,11 @@
 // The page: views in the middle, below them a strip with name, measures and scale. Everything is placed in 1/100 mm, so that fonts, which
 // have whole sizes, can be of any.
-#include "drawing_sheet.h"
+#include "ui/drawing/drawing_sheet.h"
 
-#include "drawing_painter.h"
-#include "measures.h"
+#include "ui/drawing/drawing_painter.h"
+#include "ui/util/number_format.h"
 
-#include "core/atomic_file.h"
+#include "core/util/atomic_file.h"
 
 #include <QBuffer>
 #include <QCoreApplication>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/line_drawing.h"
+#include "core/drawing/line_drawing.h"
 
 #include <QDate>
 #include <QRectF>

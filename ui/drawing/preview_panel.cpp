@@ -1,11 +1,11 @@
-#include "preview_panel.h"
+#include "ui/drawing/preview_panel.h"
 
-#include "actions.h"
-#include "drawing_sheet.h"
-#include "file_dialogs.h"
-#include "panel_button.h"
-#include "settings.h"
-#include "spacing.h"
+#include "ui/actions/actions.h"
+#include "ui/drawing/drawing_sheet.h"
+#include "ui/widgets/file_dialogs.h"
+#include "ui/widgets/panel_button.h"
+#include "ui/settings/settings.h"
+#include "ui/widgets/spacing.h"
 
 #include <QAction>
 #include <QComboBox>

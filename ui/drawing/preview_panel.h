@@ -1,6 +1,6 @@
 #pragma once
 
-#include "drawing_canvas.h"
+#include "ui/drawing/drawing_canvas.h"
 
 #include <QDockWidget>
 

@@ -1,4 +1,4 @@
-#include "sheet_book.h"
+#include "ui/drawing/sheet_book.h"
 
 namespace ui
 {

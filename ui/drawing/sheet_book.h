@@ -1,8 +1,8 @@
 #pragma once
 
-#include "drawing_sheet.h"
+#include "ui/drawing/drawing_sheet.h"
 
-#include "core/atomic_file.h"
+#include "core/util/atomic_file.h"
 
 #include <QBuffer>
 #include <QPainter>

@@ -1,8 +1,8 @@
-#include "export_dialog.h"
+#include "ui/files/export_dialog.h"
 
-#include "dialog_parts.h"
-#include "settings.h"
-#include "slicer.h"
+#include "ui/widgets/dialog_helpers.h"
+#include "ui/settings/settings.h"
+#include "ui/files/slicer.h"
 
 #include <QButtonGroup>
 #include <QCheckBox>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "export_choice.h"
-#include "model_facts.h"
+#include "ui/settings/export_settings.h"
+#include "ui/settings/model_info.h"
 
 #include <functional>
 

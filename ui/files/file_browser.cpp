@@ -1,14 +1,14 @@
-#include "files_panel.h"
+#include "ui/files/file_browser.h"
 
-#include "actions.h"
-#include "file_grid.h"
-#include "file_item_delegate.h"
-#include "file_list_model.h"
-#include "panel_button.h"
-#include "reveal_file.h"
-#include "settings.h"
-#include "spacing.h"
-#include "thumbnail_maker.h"
+#include "ui/actions/actions.h"
+#include "ui/files/file_grid.h"
+#include "ui/files/file_item_delegate.h"
+#include "ui/files/file_list_model.h"
+#include "ui/widgets/panel_button.h"
+#include "ui/util/reveal_file.h"
+#include "ui/settings/settings.h"
+#include "ui/widgets/spacing.h"
+#include "ui/files/thumbnail_maker.h"
 
 #include <QAction>
 #include <QComboBox>

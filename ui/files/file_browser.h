@@ -1,8 +1,8 @@
 #pragma once
 
-#include "file_jobs.h"
-#include "files_choice.h"
-#include "side_thread.h"
+#include "ui/files/file_jobs.h"
+#include "ui/settings/file_browser_settings.h"
+#include "ui/util/background_thread.h"
 
 #include <QFileSystemWatcher>
 #include <QTimer>

@@ -1,15 +1,15 @@
 // The folder that the panel shows: looking into it, what is there, what is done with it.
 
-#include "actions.h"
-#include "file_dialogs.h"
-#include "file_grid.h"
-#include "file_list_model.h"
-#include "files_panel.h"
-#include "model_files.h"
-#include "model_formats.h"
-#include "settings.h"
-#include "themed_icon.h"
-#include "thumbnail_maker.h"
+#include "ui/actions/actions.h"
+#include "ui/widgets/file_dialogs.h"
+#include "ui/files/file_grid.h"
+#include "ui/files/file_list_model.h"
+#include "ui/files/file_browser.h"
+#include "ui/files/model_files.h"
+#include "ui/util/format_filters.h"
+#include "ui/settings/settings.h"
+#include "ui/widgets/themed_icon.h"
+#include "ui/files/thumbnail_maker.h"
 
 #include <QAction>
 #include <QComboBox>

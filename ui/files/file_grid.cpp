@@ -1,6 +1,6 @@
-#include "file_grid.h"
+#include "ui/files/file_grid.h"
 
-#include "file_item_delegate.h"
+#include "ui/files/file_item_delegate.h"
 
 #include <QAction>
 #include <QKeyEvent>

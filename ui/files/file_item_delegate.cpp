@@ -1,8 +1,8 @@
-#include "file_item_delegate.h"
+#include "ui/files/file_item_delegate.h"
 
-#include "file_list_model.h"
-#include "spacing.h"
-#include "themed_icon.h"
+#include "ui/files/file_list_model.h"
+#include "ui/widgets/spacing.h"
+#include "ui/widgets/themed_icon.h"
 
 #include <QLineEdit>
 #include <QPainter>

@@ -1,7 +1,7 @@
-#include "file_jobs.h"
+#include "ui/files/file_jobs.h"
 
-#include "messages.h"
-#include "model_formats.h"
+#include "ui/util/error_messages.h"
+#include "ui/util/format_filters.h"
 
 #include <QDateTime>
 #include <QDir>

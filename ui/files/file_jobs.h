@@ -1,6 +1,6 @@
 #pragma once
 
-#include "file_entry.h"
+#include "ui/files/file_entry.h"
 
 #include <QCoreApplication>
 #include <QList>

@@ -1,6 +1,6 @@
-#include "file_list_model.h"
+#include "ui/files/file_list_model.h"
 
-#include "model_folder.h"
+#include "ui/util/path_display.h"
 
 #include <QDateTime>
 #include <QDir>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "file_entry.h"
-#include "files_choice.h"
-#include "thumbnail_cache.h"
+#include "ui/files/file_entry.h"
+#include "ui/settings/file_browser_settings.h"
+#include "ui/files/thumbnail_cache.h"
 
 #include <QAbstractListModel>
 #include <QCache>

@@ -1,14 +1,14 @@
-#include "model_files.h"
+#include "ui/files/model_files.h"
 
-#include "actions.h"
-#include "export_dialog.h"
-#include "file_dialogs.h"
-#include "file_jobs.h"
-#include "model_dialogs.h"
-#include "model_facts.h"
-#include "model_formats.h"
-#include "reference_image.h"
-#include "settings.h"
+#include "ui/actions/actions.h"
+#include "ui/files/export_dialog.h"
+#include "ui/widgets/file_dialogs.h"
+#include "ui/files/file_jobs.h"
+#include "ui/model/model_dialogs.h"
+#include "ui/settings/model_info.h"
+#include "ui/util/format_filters.h"
+#include "ui/scene/reference_image.h"
+#include "ui/settings/settings.h"
 
 #include <QAction>
 #include <QDir>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "file_entry.h"
-#include "insertion.h"
+#include "ui/files/file_entry.h"
+#include "ui/model/insert_request.h"
 
-#include "core/starter_models.h"
+#include "core/operations/primitives.h"
 
 #include <QObject>
 #include <QString>

@@ -1,4 +1,4 @@
-#include "slicer.h"
+#include "ui/files/slicer.h"
 
 #include <QStandardPaths>
 

@@ -1,4 +1,4 @@
-#include "thumbnail_cache.h"
+#include "ui/files/thumbnail_cache.h"
 
 #include <QDateTime>
 #include <QDir>

@@ -1,11 +1,11 @@
-#include "thumbnail_maker.h"
+#include "ui/files/thumbnail_maker.h"
 
-#include "file_jobs.h"
-#include "messages.h"
-#include "yielding_thread.h"
+#include "ui/files/file_jobs.h"
+#include "ui/util/error_messages.h"
+#include "ui/util/thread_priority.h"
 
-#include "core/mesh_io.h"
-#include "core/model_picture.h"
+#include "core/io/mesh_io.h"
+#include "core/drawing/model_thumbnail.h"
 
 #include <QCryptographicHash>
 #include <QFile>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "file_entry.h"
-#include "mailbox.h"
-#include "thumbnail_cache.h"
+#include "ui/files/file_entry.h"
+#include "ui/util/thread_mailbox.h"
+#include "ui/files/thumbnail_cache.h"
 
 #include <QHash>
 #include <QList>

@@ -1,8 +1,8 @@
-#include "headset_actions.h"
+#include "ui/headset/headset_actions.h"
 
-#include "actions.h"
-#include "partner_bar.h"
-#include "viewport.h"
+#include "ui/actions/actions.h"
+#include "ui/headset/partner_bar.h"
+#include "ui/viewport/viewport.h"
 
 #include <QAction>
 #include <QCoreApplication>

@@ -1,12 +1,12 @@
-#include "partner_bar.h"
+#include "ui/headset/partner_bar.h"
 
-#include "actions.h"
-#include "brush_caption.h"
-#include "brush_settings.h"
-#include "measures.h"
-#include "viewport.h"
+#include "ui/actions/actions.h"
+#include "ui/brush/brush_caption.h"
+#include "ui/settings/brush_settings.h"
+#include "ui/util/number_format.h"
+#include "ui/viewport/viewport.h"
 
-#include "core/brush.h"
+#include "core/stroke/tool.h"
 
 #include <QAction>
 #include <QLocale>

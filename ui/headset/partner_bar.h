@@ -1,7 +1,7 @@
 #pragma once
 
-#include "class_bar.h"
-#include "wearer.h"
+#include "ui/classroom/class_bar.h"
+#include "ui/scene/headset_avatar.h"
 
 namespace ui
 {

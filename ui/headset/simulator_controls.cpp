@@ -1,4 +1,4 @@
-#include "simulated_person.h"
+#include "ui/headset/simulator_controls.h"
 
 #include <algorithm>
 

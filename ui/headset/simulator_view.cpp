@@ -1,4 +1,4 @@
-#include "simulator_view.h"
+#include "ui/headset/simulator_view.h"
 
 #include <QKeyEvent>
 #include <QPainter>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "simulated_person.h"
+#include "ui/headset/simulator_controls.h"
 
 #include <QImage>
 #include <QSet>

@@ -1,7 +1,7 @@
-#include "simulator_window.h"
+#include "ui/headset/simulator_window.h"
 
-#include "simulator_view.h"
-#include "spacing.h"
+#include "ui/headset/simulator_view.h"
+#include "ui/widgets/spacing.h"
 
 #include <QCloseEvent>
 #include <QGridLayout>

@@ -1,8 +1,8 @@
-#include "guide_window.h"
+#include "ui/help/guide_window.h"
 
-#include "actions.h"
-#include "help_text.h"
-#include "spacing.h"
+#include "ui/actions/actions.h"
+#include "ui/help/help_text.h"
+#include "ui/widgets/spacing.h"
 
 #include <QCoreApplication>
 #include <QEvent>

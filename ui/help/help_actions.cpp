@@ -1,10 +1,10 @@
-#include "help_actions.h"
+#include "ui/help/help_actions.h"
 
-#include "about.h"
-#include "actions.h"
-#include "command_box.h"
-#include "guide_window.h"
-#include "start_page.h"
+#include "ui/help/about.h"
+#include "ui/actions/actions.h"
+#include "ui/actions/command_palette.h"
+#include "ui/help/guide_window.h"
+#include "ui/help/start_page.h"
 
 #include <QAction>
 #include <QMainWindow>

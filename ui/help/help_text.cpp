@@ -1,6 +1,6 @@
-#include "help_text.h"
+#include "ui/help/help_text.h"
 
-#include "actions.h"
+#include "ui/actions/actions.h"
 
 #include <QAction>
 #include <QCoreApplication>

@@ -1,10 +1,10 @@
-#include "start_page.h"
+#include "ui/help/start_page.h"
 
-#include "actions.h"
-#include "lesson_panel.h"
-#include "settings.h"
-#include "spacing.h"
-#include "themed_icon.h"
+#include "ui/actions/actions.h"
+#include "ui/lesson/lesson_panel.h"
+#include "ui/settings/settings.h"
+#include "ui/widgets/spacing.h"
+#include "ui/widgets/themed_icon.h"
 
 #include <QAction>
 #include <QCheckBox>

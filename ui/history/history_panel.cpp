@@ -1,10 +1,10 @@
-#include "history_panel.h"
+#include "ui/history/history_panel.h"
 
-#include "settings.h"
-#include "side_dock.h"
-#include "spacing.h"
-#include "themed_icon.h"
-#include "timeline.h"
+#include "ui/settings/settings.h"
+#include "ui/widgets/side_dock.h"
+#include "ui/widgets/spacing.h"
+#include "ui/widgets/themed_icon.h"
+#include "ui/history/timeline.h"
 
 #include <QAbstractTableModel>
 #include <QDockWidget>

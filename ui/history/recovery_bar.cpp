@@ -1,4 +1,4 @@
-#include "recovery_bar.h"
+#include "ui/history/recovery_bar.h"
 
 #include <QLocale>
 #include <QMessageBox>

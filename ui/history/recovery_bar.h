@@ -1,6 +1,6 @@
 #pragma once
 
-#include "offer_bar.h"
+#include "ui/widgets/message_bar.h"
 
 #include <QDateTime>
 

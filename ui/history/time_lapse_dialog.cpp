@@ -1,6 +1,6 @@
-#include "time_lapse_dialog.h"
+#include "ui/history/time_lapse_dialog.h"
 
-#include "dialog_parts.h"
+#include "ui/widgets/dialog_helpers.h"
 
 #include <QComboBox>
 #include <QCoreApplication>

@@ -1,8 +1,8 @@
-#include "timeline.h"
+#include "ui/history/timeline.h"
 
-#include "history_panel.h"
-#include "spacing.h"
-#include "themed_icon.h"
+#include "ui/history/history_panel.h"
+#include "ui/widgets/spacing.h"
+#include "ui/widgets/themed_icon.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

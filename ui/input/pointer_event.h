@@ -1,6 +1,6 @@
 #pragma once
 
-#include "orbit_camera.h"
+#include "ui/scene/orbit_camera.h"
 
 #include <Qt>
 

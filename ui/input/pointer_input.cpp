@@ -1,4 +1,4 @@
-#include "pointer_input.h"
+#include "ui/input/pointer_input.h"
 
 #include <cmath>
 #include <utility>

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "stroke_maker.h"
-#include "view_drag.h"
+#include "ui/input/stroke_builder.h"
+#include "ui/input/view_drag.h"
 
-#include "core/footprint.h"
-#include "core/mesh_patch.h"
-#include "core/stroke.h"
-#include "core/surface_hit.h"
+#include "core/mesh/footprint.h"
+#include "core/mesh/mesh_patch.h"
+#include "core/stroke/stroke.h"
+#include "core/mesh/surface_hit.h"
 
 #include <QObject>
 

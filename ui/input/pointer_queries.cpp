@@ -1,6 +1,6 @@
 // What the hand asks about the surface, and what it makes of the answers.
 
-#include "pointer_input.h"
+#include "ui/input/pointer_input.h"
 
 namespace ui
 {

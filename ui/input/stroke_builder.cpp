@@ -1,4 +1,4 @@
-#include "stroke_maker.h"
+#include "ui/input/stroke_builder.h"
 
 #include <algorithm>
 #include <cmath>

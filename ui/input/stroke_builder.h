@@ -1,10 +1,10 @@
 #pragma once
 
-#include "brush_settings.h"
-#include "pointer_event.h"
-#include "preferences.h"
+#include "ui/settings/brush_settings.h"
+#include "ui/input/pointer_event.h"
+#include "ui/settings/preferences.h"
 
-#include "core/stroke.h"
+#include "core/stroke/stroke.h"
 
 #include <QObject>
 

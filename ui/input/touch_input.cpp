@@ -1,4 +1,4 @@
-#include "touch_input.h"
+#include "ui/input/touch_input.h"
 
 #include <QGuiApplication>
 #include <QStyleHints>

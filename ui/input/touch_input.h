@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pointer_input.h"
+#include "ui/input/pointer_input.h"
 
 class QTouchEvent;
 

@@ -1,4 +1,4 @@
-#include "view_drag.h"
+#include "ui/input/view_drag.h"
 
 #include <span>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "preferences.h"
+#include "ui/settings/preferences.h"
 
 #include <Qt>
 

@@ -1,10 +1,10 @@
-#include "lesson_editor.h"
+#include "ui/lesson/lesson_editor.h"
 
-#include "actions.h"
-#include "lesson_panel.h"
-#include "panel_parts.h"
-#include "side_dock.h"
-#include "themed_icon.h"
+#include "ui/actions/actions.h"
+#include "ui/lesson/lesson_panel.h"
+#include "ui/widgets/panel_layout.h"
+#include "ui/widgets/side_dock.h"
+#include "ui/widgets/themed_icon.h"
 
 #include <QAction>
 #include <QComboBox>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "lesson_step_editor.h"
+#include "ui/lesson/lesson_step_editor.h"
 
-#include "core/starter_models.h"
+#include "core/operations/primitives.h"
 
 #include <QWidget>
 

@@ -1,8 +1,8 @@
-#include "lesson_panel.h"
+#include "ui/lesson/lesson_panel.h"
 
-#include "actions.h"
-#include "panel_parts.h"
-#include "side_dock.h"
+#include "ui/actions/actions.h"
+#include "ui/widgets/panel_layout.h"
+#include "ui/widgets/side_dock.h"
 
 #include <QAction>
 #include <QCheckBox>

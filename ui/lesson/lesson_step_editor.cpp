@@ -1,8 +1,8 @@
-#include "lesson_step_editor.h"
+#include "ui/lesson/lesson_step_editor.h"
 
-#include "actions.h"
-#include "panel_parts.h"
-#include "themed_icon.h"
+#include "ui/actions/actions.h"
+#include "ui/widgets/panel_layout.h"
+#include "ui/widgets/themed_icon.h"
 
 #include <QAction>
 #include <QCheckBox>

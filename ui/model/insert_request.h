@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/legalise.h"
-#include "core/model_command.h"
+#include "core/repair/repair.h"
+#include "core/operations/model_command.h"
 
 #include <QString>
 

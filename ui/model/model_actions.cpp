@@ -1,8 +1,8 @@
-#include "model_actions.h"
+#include "ui/model/model_actions.h"
 
-#include "actions.h"
-#include "brush_settings.h"
-#include "model_dialogs.h"
+#include "ui/actions/actions.h"
+#include "ui/settings/brush_settings.h"
+#include "ui/model/model_dialogs.h"
 
 #include <QAction>
 #include <QWidget>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "model_facts.h"
+#include "ui/settings/model_info.h"
 
-#include "core/model_command.h"
+#include "core/operations/model_command.h"
 
 #include <functional>
 

@@ -1,6 +1,6 @@
-#include "model_dialogs.h"
+#include "ui/model/model_dialogs.h"
 
-#include "dialog_parts.h"
+#include "ui/widgets/dialog_helpers.h"
 
 #include <QButtonGroup>
 #include <QComboBox>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "insertion.h"
-#include "model_facts.h"
+#include "ui/model/insert_request.h"
+#include "ui/settings/model_info.h"
 
-#include "core/model_command.h"
+#include "core/operations/model_command.h"
 
 #include <functional>
 

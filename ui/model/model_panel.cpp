@@ -1,9 +1,9 @@
-#include "model_panel.h"
+#include "ui/model/model_panel.h"
 
-#include "app_style.h"
-#include "side_dock.h"
-#include "spacing.h"
-#include "themed_icon.h"
+#include "ui/widgets/app_style.h"
+#include "ui/widgets/side_dock.h"
+#include "ui/widgets/spacing.h"
+#include "ui/widgets/themed_icon.h"
 
 #include <QDockWidget>
 #include <QEvent>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/mesh_check.h"
+#include "core/analysis/mesh_check.h"
 
 #include <QHash>
 #include <QWidget>

@@ -1,6 +1,6 @@
-#include "mending_dialogs.h"
+#include "ui/model/repair_dialogs.h"
 
-#include "dialog_parts.h"
+#include "ui/widgets/dialog_helpers.h"
 
 #include <QCheckBox>
 #include <QCoreApplication>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/legalise.h"
+#include "core/repair/repair.h"
 
 #include <QStringList>
 

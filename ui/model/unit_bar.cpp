@@ -1,4 +1,4 @@
-#include "unit_bar.h"
+#include "ui/model/unit_bar.h"
 
 #include <QLocale>
 #include <QPushButton>

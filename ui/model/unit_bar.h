@@ -1,8 +1,8 @@
 #pragma once
 
-#include "offer_bar.h"
+#include "ui/widgets/message_bar.h"
 
-#include "core/print_check.h"
+#include "core/analysis/print_check.h"
 
 namespace ui
 {

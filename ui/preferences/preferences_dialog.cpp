@@ -1,9 +1,9 @@
-#include "preferences_dialog.h"
+#include "ui/preferences/preferences_dialog.h"
 
-#include "keys_page.h"
-#include "pen_curve.h"
-#include "pen_test.h"
-#include "spacing.h"
+#include "ui/preferences/shortcuts_page.h"
+#include "ui/preferences/pressure_curve.h"
+#include "ui/preferences/pressure_test.h"
+#include "ui/widgets/spacing.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -1,4 +1,4 @@
-#include "pen_curve.h"
+#include "ui/preferences/pressure_curve.h"
 
 #include <algorithm>
 

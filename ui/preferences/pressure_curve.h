@@ -1,7 +1,7 @@
 #pragma once
 
-#include "curve_widget.h"
-#include "preferences.h"
+#include "ui/widgets/curve_widget.h"
+#include "ui/settings/preferences.h"
 
 namespace ui
 {

@@ -1,6 +1,6 @@
-#include "pen_test.h"
+#include "ui/preferences/pressure_test.h"
 
-#include "preferences.h"
+#include "ui/settings/preferences.h"
 
 #include <QLocale>
 #include <QMouseEvent>

@@ -1,9 +1,9 @@
-#include "keys_page.h"
+#include "ui/preferences/shortcuts_page.h"
 
-#include "actions.h"
-#include "command_list.h"
-#include "key_edit.h"
-#include "spacing.h"
+#include "ui/actions/actions.h"
+#include "ui/actions/command_list.h"
+#include "ui/widgets/shortcut_edit.h"
+#include "ui/widgets/spacing.h"
 
 #include <QAction>
 #include <QComboBox>

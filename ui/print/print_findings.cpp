@@ -1,7 +1,7 @@
-#include "print_findings.h"
+#include "ui/print/print_findings.h"
 
-#include "measures.h"
-#include "messages.h"
+#include "ui/util/number_format.h"
+#include "ui/util/error_messages.h"
 
 #include <QCoreApplication>
 #include <QLocale>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "printers.h"
+#include "ui/settings/printer_presets.h"
 
-#include "core/print_check.h"
+#include "core/analysis/print_check.h"
 
 #include <QList>
 #include <QString>

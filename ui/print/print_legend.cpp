@@ -1,4 +1,4 @@
-#include "print_legend.h"
+#include "ui/print/print_legend.h"
 
 #include <QLocale>
 #include <QPainter>

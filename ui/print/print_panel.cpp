@@ -1,13 +1,13 @@
-#include "print_panel.h"
+#include "ui/print/print_panel.h"
 
-#include "actions.h"
-#include "panel_button.h"
-#include "printers_dialog.h"
-#include "settings.h"
-#include "side_dock.h"
-#include "spacing.h"
-#include "themed_icon.h"
-#include "viewport.h"
+#include "ui/actions/actions.h"
+#include "ui/widgets/panel_button.h"
+#include "ui/print/printers_dialog.h"
+#include "ui/settings/settings.h"
+#include "ui/widgets/side_dock.h"
+#include "ui/widgets/spacing.h"
+#include "ui/widgets/themed_icon.h"
+#include "ui/viewport/viewport.h"
 
 #include <QAction>
 #include <QComboBox>

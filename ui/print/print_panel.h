@@ -1,7 +1,7 @@
 #pragma once
 
-#include "print_findings.h"
-#include "print_legend.h"
+#include "ui/print/print_findings.h"
+#include "ui/print/print_legend.h"
 
 #include <QWidget>
 

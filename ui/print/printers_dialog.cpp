@@ -1,6 +1,6 @@
-#include "printers_dialog.h"
+#include "ui/print/printers_dialog.h"
 
-#include "spacing.h"
+#include "ui/widgets/spacing.h"
 
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>

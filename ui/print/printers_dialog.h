@@ -1,6 +1,6 @@
 #pragma once
 
-#include "printers.h"
+#include "ui/settings/printer_presets.h"
 
 #include <QDialog>
 

@@ -1,13 +1,13 @@
-#include "reference_actions.h"
+#include "ui/reference/reference_actions.h"
 
-#include "actions.h"
-#include "file_dialogs.h"
-#include "model_files.h"
-#include "reference_images.h"
-#include "reference_panel.h"
-#include "settings.h"
-#include "side_dock.h"
-#include "viewport.h"
+#include "ui/actions/actions.h"
+#include "ui/widgets/file_dialogs.h"
+#include "ui/files/model_files.h"
+#include "ui/reference/reference_images.h"
+#include "ui/reference/reference_panel.h"
+#include "ui/settings/settings.h"
+#include "ui/widgets/side_dock.h"
+#include "ui/viewport/viewport.h"
 
 #include <QAction>
 #include <QDockWidget>

@@ -1,7 +1,7 @@
-#include "reference_images.h"
+#include "ui/reference/reference_images.h"
 
-#include "messages.h"
-#include "settings.h"
+#include "ui/util/error_messages.h"
+#include "ui/settings/settings.h"
 
 #include <QFileInfo>
 

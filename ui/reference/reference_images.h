@@ -1,7 +1,7 @@
 #pragma once
 
-#include "reference_image.h"
-#include "side_thread.h"
+#include "ui/scene/reference_image.h"
+#include "ui/util/background_thread.h"
 
 #include <QObject>
 

@@ -1,10 +1,10 @@
-#include "reference_panel.h"
+#include "ui/reference/reference_panel.h"
 
-#include "actions.h"
-#include "reference_images.h"
-#include "spacing.h"
-#include "themed_icon.h"
-#include "viewport.h"
+#include "ui/actions/actions.h"
+#include "ui/reference/reference_images.h"
+#include "ui/widgets/spacing.h"
+#include "ui/widgets/themed_icon.h"
+#include "ui/viewport/viewport.h"
 
 #include <QAction>
 #include <QCheckBox>

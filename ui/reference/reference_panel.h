@@ -1,6 +1,6 @@
 #pragma once
 
-#include "reference_image.h"
+#include "ui/scene/reference_image.h"
 
 #include <QWidget>
 

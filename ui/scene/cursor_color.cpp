@@ -1,4 +1,4 @@
-#include "cursor_color.h"
+#include "ui/scene/cursor_color.h"
 
 namespace ui
 {

@@ -1,7 +1,7 @@
-#include "ghost_painter.h"
+#include "ui/scene/ghost_renderer.h"
 
-#include "ghost_shapes.h"
-#include "gl_convert.h"
+#include "ui/scene/ghost_shapes.h"
+#include "ui/scene/gl_convert.h"
 
 #include <QOpenGLShaderProgram>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "clay_buffer.h"
-#include "orbit_camera.h"
-#include "wearer.h"
+#include "ui/scene/mesh_buffer.h"
+#include "ui/scene/orbit_camera.h"
+#include "ui/scene/headset_avatar.h"
 
 #include <QOpenGLFunctions_3_3_Core>
 

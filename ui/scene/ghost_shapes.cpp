@@ -1,4 +1,4 @@
-#include "ghost_shapes.h"
+#include "ui/scene/ghost_shapes.h"
 
 #include <cmath>
 #include <cstdlib>

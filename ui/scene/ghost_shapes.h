@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/draw_arrays.h"
+#include "core/mesh/draw_arrays.h"
 
 namespace ui
 {

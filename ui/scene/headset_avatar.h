@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/draw_arrays.h"
-#include "core/geometry.h"
+#include "core/mesh/draw_arrays.h"
+#include "core/geometry/geometry.h"
 
 #include <Eigen/Geometry>
 

@@ -1,4 +1,4 @@
-#include "clay_materials.h"
+#include "ui/scene/materials.h"
 
 namespace ui
 {

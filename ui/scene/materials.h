@@ -1,8 +1,8 @@
 #pragma once
 
-#include "view_look.h"
+#include "ui/settings/view_appearance.h"
 
-#include "core/shading.h"
+#include "core/render/shading.h"
 
 #include <QColor>
 

@@ -1,4 +1,4 @@
-#include "clay_buffer.h"
+#include "ui/scene/mesh_buffer.h"
 
 #include <QOpenGLFunctions_3_3_Core>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/clay_buffer.h"
+#include "core/render/mesh_buffer.h"
 
 class QOpenGLFunctions_3_3_Core;
 

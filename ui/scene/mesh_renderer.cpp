@@ -1,6 +1,6 @@
-#include "clay_painter.h"
+#include "ui/scene/mesh_renderer.h"
 
-#include "gl_convert.h"
+#include "ui/scene/gl_convert.h"
 
 #include <QOpenGLFunctions_3_3_Core>
 #include <QOpenGLShaderProgram>

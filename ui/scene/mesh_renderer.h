@@ -1,8 +1,8 @@
 #pragma once
 
-#include "clay_buffer.h"
-#include "clay_materials.h"
-#include "orbit_camera.h"
+#include "ui/scene/mesh_buffer.h"
+#include "ui/scene/materials.h"
+#include "ui/scene/orbit_camera.h"
 
 #include <QSize>
 #include <QVector4D>

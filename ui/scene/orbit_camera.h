@@ -1,8 +1,8 @@
 #pragma once
 
-#include "reference_placement.h"
+#include "ui/settings/reference_placement.h"
 
-#include "core/document_notes.h"
+#include "core/io/document_metadata.h"
 
 #include <Eigen/Core>
 

@@ -1,8 +1,8 @@
-#include "overlay_entities.h"
+#include "ui/scene/overlay_entities.h"
 
-#include "gl_convert.h"
+#include "ui/scene/gl_convert.h"
 
-#include "core/symmetry_pane.h"
+#include "core/stroke/symmetry_plane.h"
 
 #include <QSize>
 #include <QUrl>

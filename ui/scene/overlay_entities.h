@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/brush.h"
-#include "core/geometry.h"
+#include "core/stroke/tool.h"
+#include "core/geometry/geometry.h"
 
 #include <QColor>
 #include <Qt3DCore/QEntity>

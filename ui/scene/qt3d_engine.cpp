@@ -1,6 +1,6 @@
-#include "qt3d_engine.h"
+#include "ui/scene/qt3d_engine.h"
 
-#include "gl_convert.h"
+#include "ui/scene/gl_convert.h"
 
 #include <QOffscreenSurface>
 #include <QOpenGLContext>

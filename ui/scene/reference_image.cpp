@@ -1,4 +1,4 @@
-#include "reference_image.h"
+#include "ui/scene/reference_image.h"
 
 #include <QFileInfo>
 #include <QImageReader>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "orbit_camera.h"
-#include "reference_placement.h"
+#include "ui/scene/orbit_camera.h"
+#include "ui/settings/reference_placement.h"
 
 #include <QImage>
 #include <QString>

@@ -1,6 +1,6 @@
-#include "reference_painter.h"
+#include "ui/scene/reference_renderer.h"
 
-#include "gl_convert.h"
+#include "ui/scene/gl_convert.h"
 
 #include <QOpenGLShaderProgram>
 

@@ -1,4 +1,4 @@
-#include "render_target.h"
+#include "ui/scene/render_target.h"
 
 #include <QOpenGLFunctions_3_3_Core>
 

@@ -1,12 +1,12 @@
-#include "scene.h"
+#include "ui/scene/scene.h"
 
-#include "ghost_painter.h"
-#include "overlay_entities.h"
-#include "qt3d_engine.h"
-#include "reference_painter.h"
-#include "render_target.h"
+#include "ui/scene/ghost_renderer.h"
+#include "ui/scene/overlay_entities.h"
+#include "ui/scene/qt3d_engine.h"
+#include "ui/scene/reference_renderer.h"
+#include "ui/scene/render_target.h"
 
-#include "core/symmetry_pane.h"
+#include "core/stroke/symmetry_plane.h"
 
 #include <QCoreApplication>
 #include <QElapsedTimer>

@@ -1,14 +1,14 @@
 #pragma once
 
-#include "clay_painter.h"
-#include "orbit_camera.h"
-#include "reference_image.h"
-#include "wearer.h"
+#include "ui/scene/mesh_renderer.h"
+#include "ui/scene/orbit_camera.h"
+#include "ui/scene/reference_image.h"
+#include "ui/scene/headset_avatar.h"
 
-#include "core/footprint.h"
-#include "core/mesh_patch.h"
-#include "core/stroke.h"
-#include "core/surface_hit.h"
+#include "core/mesh/footprint.h"
+#include "core/mesh/mesh_patch.h"
+#include "core/stroke/stroke.h"
+#include "core/mesh/surface_hit.h"
 
 #include <QOpenGLContext>
 

@@ -1,8 +1,8 @@
-#include "brush_settings.h"
+#include "ui/settings/brush_settings.h"
 
-#include "settings.h"
+#include "ui/settings/settings.h"
 
-#include "core/alpha.h"
+#include "core/sculpt/deform/alpha.h"
 
 #include <algorithm>
 #include <cmath>

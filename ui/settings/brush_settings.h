@@ -1,8 +1,8 @@
 #pragma once
 
-#include "model_facts.h"
+#include "ui/settings/model_info.h"
 
-#include "core/stroke.h"
+#include "core/stroke/stroke.h"
 
 #include <QList>
 #include <QObject>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/document_notes.h"
-#include "core/print_check.h"
+#include "core/io/document_metadata.h"
+#include "core/analysis/print_check.h"
 
 #include <QString>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "key_choice.h"
+#include "ui/settings/shortcut_preset.h"
 
 #include <cmath>
 

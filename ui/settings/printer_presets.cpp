@@ -1,4 +1,4 @@
-#include "printers.h"
+#include "ui/settings/printer_presets.h"
 
 #include <cmath>
 

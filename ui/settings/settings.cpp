@@ -1,6 +1,6 @@
-#include "settings.h"
+#include "ui/settings/settings.h"
 
-#include "stored_values.h"
+#include "ui/settings/stored_values.h"
 
 #include <QDir>
 

@@ -1,17 +1,17 @@
 #pragma once
 
-#include "brush_settings.h"
-#include "drawing_settings.h"
-#include "export_choice.h"
-#include "files_choice.h"
-#include "preferences.h"
-#include "printers.h"
-#include "reference_placement.h"
-#include "turntable_settings.h"
-#include "view_look.h"
+#include "ui/settings/brush_settings.h"
+#include "ui/settings/drawing_settings.h"
+#include "ui/settings/export_settings.h"
+#include "ui/settings/file_browser_settings.h"
+#include "ui/settings/preferences.h"
+#include "ui/settings/printer_presets.h"
+#include "ui/settings/reference_placement.h"
+#include "ui/settings/turntable_settings.h"
+#include "ui/settings/view_appearance.h"
 
-#include "core/brush.h"
-#include "core/geometry.h"
+#include "core/stroke/tool.h"
+#include "core/geometry/geometry.h"
 
 #include <QByteArray>
 #include <QList>

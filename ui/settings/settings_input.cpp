@@ -1,8 +1,8 @@
 // What the hand holds and how it is taken: brush, pen, keys, turntable.
 
-#include "settings.h"
+#include "ui/settings/settings.h"
 
-#include "stored_values.h"
+#include "ui/settings/stored_values.h"
 
 namespace ui
 {

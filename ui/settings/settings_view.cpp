@@ -1,9 +1,9 @@
 // How the model is shown, and what stands beside it.
 
-#include "settings.h"
+#include "ui/settings/settings.h"
 
-#include "color_convert.h"
-#include "stored_values.h"
+#include "ui/util/color_convert.h"
+#include "ui/settings/stored_values.h"
 
 namespace ui
 {

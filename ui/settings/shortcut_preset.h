@@ -1,6 +1,6 @@
 #pragma once
 
-#include "view_look.h"
+#include "ui/settings/view_appearance.h"
 
 #include <QMap>
 #include <QString>

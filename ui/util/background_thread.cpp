@@ -1,4 +1,4 @@
-#include "side_thread.h"
+#include "ui/util/background_thread.h"
 
 #include <utility>
 

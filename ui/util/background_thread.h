@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mailbox.h"
+#include "ui/util/thread_mailbox.h"
 
 #include <condition_variable>
 #include <memory>

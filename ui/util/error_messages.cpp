@@ -1,12 +1,12 @@
-#include "messages.h"
+#include "ui/util/error_messages.h"
 
-#include "measures.h"
-#include "model_folder.h"
-#include "model_formats.h"
+#include "ui/util/number_format.h"
+#include "ui/util/path_display.h"
+#include "ui/util/format_filters.h"
 
-#include "core/mesh_check.h"
-#include "core/mesh_io.h"
-#include "core/print_check.h"
+#include "core/analysis/mesh_check.h"
+#include "core/io/mesh_io.h"
+#include "core/analysis/print_check.h"
 
 #include <QDir>
 #include <QLocale>

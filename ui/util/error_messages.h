@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/brush.h"
-#include "core/file_error.h"
-#include "core/stroke.h"
+#include "core/stroke/tool.h"
+#include "core/util/file_error.h"
+#include "core/stroke/stroke.h"
 
 #include <QCoreApplication>
 #include <QString>

@@ -1,6 +1,6 @@
-#include "model_formats.h"
+#include "ui/util/format_filters.h"
 
-#include "core/mesh_io.h"
+#include "core/io/mesh_io.h"
 
 #include <QCoreApplication>
 

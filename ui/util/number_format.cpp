@@ -1,4 +1,4 @@
-#include "measures.h"
+#include "ui/util/number_format.h"
 
 #include <QCoreApplication>
 #include <QLocale>

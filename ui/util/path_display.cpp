@@ -1,8 +1,8 @@
-#include "model_folder.h"
+#include "ui/util/path_display.h"
 
-#include "model_formats.h"
+#include "ui/util/format_filters.h"
 
-#include "core/file_error.h"
+#include "core/util/file_error.h"
 
 #include <QLocale>
 

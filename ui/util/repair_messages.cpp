@@ -1,6 +1,6 @@
-#include "mending_words.h"
+#include "ui/util/repair_messages.h"
 
-#include "measures.h"
+#include "ui/util/number_format.h"
 
 #include <QLocale>
 

@@ -1,4 +1,4 @@
-#include "reveal_file.h"
+#include "ui/util/reveal_file.h"
 
 #include <QCoreApplication>
 #include <QDBusConnection>

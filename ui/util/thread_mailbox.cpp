@@ -1,4 +1,4 @@
-#include "mailbox.h"
+#include "ui/util/thread_mailbox.h"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "yielding_thread.h"
+#include "ui/util/thread_priority.h"
 
 #include <sys/resource.h>
 

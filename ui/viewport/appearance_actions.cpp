@@ -1,9 +1,9 @@
-#include "look_actions.h"
+#include "ui/viewport/appearance_actions.h"
 
-#include "actions.h"
-#include "settings.h"
-#include "themed_icon.h"
-#include "viewport.h"
+#include "ui/actions/actions.h"
+#include "ui/settings/settings.h"
+#include "ui/widgets/themed_icon.h"
+#include "ui/viewport/viewport.h"
 
 #include <QAction>
 #include <QActionGroup>

@@ -1,7 +1,7 @@
-#include "brush_drag.h"
+#include "ui/viewport/brush_drag.h"
 
-#include "messages.h"
-#include "viewport.h"
+#include "ui/util/error_messages.h"
+#include "ui/viewport/viewport.h"
 
 #include <QKeyEvent>
 #include <QLocale>

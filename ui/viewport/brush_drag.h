@@ -1,6 +1,6 @@
 #pragma once
 
-#include "brush_settings.h"
+#include "ui/settings/brush_settings.h"
 
 #include <QLabel>
 

@@ -1,4 +1,4 @@
-#include "head_following.h"
+#include "ui/viewport/head_tracking.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
-#include "hand_actions.h"
+#include "ui/viewport/input_actions.h"
 
-#include "actions.h"
-#include "brush_drag.h"
-#include "settings.h"
-#include "side_dock.h"
-#include "turntable_motor.h"
-#include "turntable_panel.h"
-#include "viewport.h"
+#include "ui/actions/actions.h"
+#include "ui/viewport/brush_drag.h"
+#include "ui/settings/settings.h"
+#include "ui/widgets/side_dock.h"
+#include "ui/viewport/turntable.h"
+#include "ui/viewport/turntable_panel.h"
+#include "ui/viewport/viewport.h"
 
 #include <QAction>
 #include <QCoreApplication>

@@ -1,4 +1,4 @@
-#include "key_hand.h"
+#include "ui/viewport/keyboard_cursor.h"
 
 #include <QKeyEvent>
 

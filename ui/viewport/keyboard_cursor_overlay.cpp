@@ -1,4 +1,4 @@
-#include "key_cross.h"
+#include "ui/viewport/keyboard_cursor_overlay.h"
 
 #include <QPainter>
 

@@ -1,4 +1,4 @@
-#include "point_light.h"
+#include "ui/viewport/pointer_highlight.h"
 
 #include <QPainter>
 

@@ -1,6 +1,6 @@
-#include "scale_bar.h"
+#include "ui/viewport/scale_bar.h"
 
-#include "orbit_camera.h"
+#include "ui/scene/orbit_camera.h"
 
 #include <QEvent>
 #include <QLocale>

@@ -1,4 +1,4 @@
-#include "string_line.h"
+#include "ui/viewport/stabilizer_line.h"
 
 #include <QPainter>
 

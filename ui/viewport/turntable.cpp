@@ -1,4 +1,4 @@
-#include "turntable_motor.h"
+#include "ui/viewport/turntable.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "turntable_settings.h"
+#include "ui/settings/turntable_settings.h"
 
 #include <QElapsedTimer>
 #include <QObject>

@@ -1,7 +1,7 @@
-#include "turntable_panel.h"
+#include "ui/viewport/turntable_panel.h"
 
-#include "spacing.h"
-#include "turntable_motor.h"
+#include "ui/widgets/spacing.h"
+#include "ui/viewport/turntable.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -1,7 +1,7 @@
-#include "view_actions.h"
+#include "ui/viewport/view_actions.h"
 
-#include "actions.h"
-#include "viewport.h"
+#include "ui/actions/actions.h"
+#include "ui/viewport/viewport.h"
 
 #include <QAction>
 

@@ -1,8 +1,8 @@
-#include "viewport.h"
+#include "ui/viewport/viewport.h"
 
-#include "cursor_color.h"
-#include "themed_icon.h"
-#include "viewport_state.h"
+#include "ui/scene/cursor_color.h"
+#include "ui/widgets/themed_icon.h"
+#include "ui/viewport/viewport_state.h"
 
 #include <QApplication>
 #include <QElapsedTimer>

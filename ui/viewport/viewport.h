@@ -1,17 +1,17 @@
 #pragma once
 
-#include "brush_settings.h"
-#include "orbit_camera.h"
-#include "preferences.h"
-#include "reference_image.h"
-#include "view_look.h"
-#include "wearer.h"
+#include "ui/settings/brush_settings.h"
+#include "ui/scene/orbit_camera.h"
+#include "ui/settings/preferences.h"
+#include "ui/scene/reference_image.h"
+#include "ui/settings/view_appearance.h"
+#include "ui/scene/headset_avatar.h"
 
-#include "core/footprint.h"
-#include "core/mesh_patch.h"
-#include "core/shading.h"
-#include "core/stroke.h"
-#include "core/surface_hit.h"
+#include "core/mesh/footprint.h"
+#include "core/mesh/mesh_patch.h"
+#include "core/render/shading.h"
+#include "core/stroke/stroke.h"
+#include "core/mesh/surface_hit.h"
 
 #include <QOpenGLWidget>
 

@@ -1,5 +1,5 @@
-#include "head_following.h"
-#include "viewport_state.h"
+#include "ui/viewport/head_tracking.h"
+#include "ui/viewport/viewport_state.h"
 
 #include <chrono>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "viewport_state.h"
+#include "ui/viewport/viewport_state.h"
 
 #include <QMouseEvent>
 #include <QNativeGestureEvent>

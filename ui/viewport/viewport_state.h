@@ -1,14 +1,14 @@
 #pragma once
 
-#include "key_cross.h"
-#include "key_hand.h"
-#include "point_light.h"
-#include "pointer_input.h"
-#include "scale_bar.h"
-#include "scene.h"
-#include "string_line.h"
-#include "touch_input.h"
-#include "viewport.h"
+#include "ui/viewport/keyboard_cursor_overlay.h"
+#include "ui/viewport/keyboard_cursor.h"
+#include "ui/viewport/pointer_highlight.h"
+#include "ui/input/pointer_input.h"
+#include "ui/viewport/scale_bar.h"
+#include "ui/scene/scene.h"
+#include "ui/viewport/stabilizer_line.h"
+#include "ui/input/touch_input.h"
+#include "ui/viewport/viewport.h"
 
 #include <QElapsedTimer>
 #include <QTimer>

@@ -1,7 +1,7 @@
-#include "app_style.h"
+#include "ui/widgets/app_style.h"
 
-#include "spacing.h"
-#include "themed_icon.h"
+#include "ui/widgets/spacing.h"
+#include "ui/widgets/themed_icon.h"
 
 #include <QDockWidget>
 #include <QMainWindow>

@@ -1,4 +1,4 @@
-#include "curve_widget.h"
+#include "ui/widgets/curve_widget.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>

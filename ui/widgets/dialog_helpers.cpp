@@ -1,4 +1,4 @@
-#include "dialog_parts.h"
+#include "ui/widgets/dialog_helpers.h"
 
 #include <QDialog>
 #include <QDialogButtonBox>

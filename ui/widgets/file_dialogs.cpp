@@ -1,6 +1,6 @@
-#include "file_dialogs.h"
+#include "ui/widgets/file_dialogs.h"
 
-#include "model_formats.h"
+#include "ui/util/format_filters.h"
 
 #include <QCoreApplication>
 #include <QFileDialog>

@@ -1,6 +1,6 @@
-#include "offer_bar.h"
+#include "ui/widgets/message_bar.h"
 
-#include "spacing.h"
+#include "ui/widgets/spacing.h"
 
 #include <QAction>
 #include <QApplication>

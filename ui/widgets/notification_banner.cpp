@@ -1,4 +1,4 @@
-#include "banner.h"
+#include "ui/widgets/notification_banner.h"
 
 #include <QEvent>
 

@@ -1,6 +1,6 @@
-#include "panel_button.h"
+#include "ui/widgets/panel_button.h"
 
-#include "themed_icon.h"
+#include "ui/widgets/themed_icon.h"
 
 #include <QAction>
 #include <QToolButton>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "spacing.h"
+#include "ui/widgets/spacing.h"
 
 #include <QScrollArea>
 #include <QVBoxLayout>

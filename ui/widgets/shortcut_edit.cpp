@@ -1,4 +1,4 @@
-#include "key_edit.h"
+#include "ui/widgets/shortcut_edit.h"
 
 #include <QKeyEvent>
 #include <QLineEdit>

@@ -1,4 +1,4 @@
-#include "side_dock.h"
+#include "ui/widgets/side_dock.h"
 
 #include <QDockWidget>
 #include <QMainWindow>

@@ -1,4 +1,4 @@
-#include "system_scheme.h"
+#include "ui/widgets/system_color_scheme.h"
 
 #include <QDBusConnection>
 #include <QDBusMessage>

@@ -1,6 +1,6 @@
-#include "theme.h"
+#include "ui/widgets/theme.h"
 
-#include "app_style.h"
+#include "ui/widgets/app_style.h"
 
 #include <QApplication>
 

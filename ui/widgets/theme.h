@@ -1,7 +1,7 @@
 #pragma once
 
-#include "preferences.h"
-#include "system_scheme.h"
+#include "ui/settings/preferences.h"
+#include "ui/widgets/system_color_scheme.h"
 
 #include <QFont>
 #include <QPalette>

@@ -1,4 +1,4 @@
-#include "themed_icon.h"
+#include "ui/widgets/themed_icon.h"
 
 #include <QFile>
 #include <QGuiApplication>

@@ -1,6 +1,6 @@
-#include "facts_bar.h"
+#include "ui/window/info_bar.h"
 
-#include "measures.h"
+#include "ui/util/number_format.h"
 
 #include <QHBoxLayout>
 #include <QLabel>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "brush_settings.h"
-#include "model_facts.h"
+#include "ui/settings/brush_settings.h"
+#include "ui/settings/model_info.h"
 
 #include <QWidget>
 

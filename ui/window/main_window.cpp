@@ -1,10 +1,10 @@
-#include "main_window_state.h"
+#include "ui/window/main_window_state.h"
 
-#include "banner.h"
-#include "brush_shapes.h"
-#include "busy_bar.h"
-#include "facts_bar.h"
-#include "window_place.h"
+#include "ui/widgets/notification_banner.h"
+#include "ui/brush/brush_shapes.h"
+#include "ui/window/progress_bar.h"
+#include "ui/window/info_bar.h"
+#include "ui/window/window_geometry.h"
 
 #include <QAction>
 #include <QCloseEvent>

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "brush_settings.h"
-#include "classroom_dialog.h"
-#include "headset_actions.h"
-#include "insertion.h"
-#include "model_facts.h"
+#include "ui/settings/brush_settings.h"
+#include "ui/classroom/classroom_dialog.h"
+#include "ui/headset/headset_actions.h"
+#include "ui/model/insert_request.h"
+#include "ui/settings/model_info.h"
 
-#include "core/starter_models.h"
+#include "core/operations/primitives.h"
 
 #include <QMainWindow>
 

@@ -1,10 +1,10 @@
 // What becomes of the main window in a class.
 
-#include "main_window_state.h"
+#include "ui/window/main_window_state.h"
 
-#include "brush_shapes.h"
-#include "classroom_lock.h"
-#include "color_panel.h"
+#include "ui/brush/brush_shapes.h"
+#include "ui/classroom/classroom_lock.h"
+#include "ui/brush/color_panel.h"
 
 #include <QAction>
 

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "actions.h"
-#include "brush_settings.h"
-#include "classroom.h"
-#include "main_window.h"
-#include "model_files.h"
-#include "settings.h"
-#include "viewport.h"
+#include "ui/actions/actions.h"
+#include "ui/settings/brush_settings.h"
+#include "ui/classroom/classroom.h"
+#include "ui/window/main_window.h"
+#include "ui/files/model_files.h"
+#include "ui/settings/settings.h"
+#include "ui/viewport/viewport.h"
 
 #include <QHash>
 #include <QPointer>

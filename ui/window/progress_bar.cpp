@@ -1,4 +1,4 @@
-#include "busy_bar.h"
+#include "ui/window/progress_bar.h"
 
 #include <QAction>
 #include <QHBoxLayout>

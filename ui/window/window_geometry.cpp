@@ -1,6 +1,6 @@
-#include "window_place.h"
+#include "ui/window/window_geometry.h"
 
-#include "settings.h"
+#include "ui/settings/settings.h"
 
 #include <QMainWindow>
 #include <QScreen>

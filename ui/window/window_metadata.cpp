@@ -1,8 +1,8 @@
-#include "window_notes.h"
+#include "ui/window/window_metadata.h"
 
-#include "brush_settings.h"
-#include "main_window.h"
-#include "viewport.h"
+#include "ui/settings/brush_settings.h"
+#include "ui/window/main_window.h"
+#include "ui/viewport/viewport.h"
 
 #include <QAction>
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "eye.h"
-#include "frame_costs.h"
-#include "haptic_pulse.h"
-#include "pose.h"
-#include "wand_state.h"
+#include "vr/gl/eye_image.h"
+#include "vr/frame/frame_timing.h"
+#include "vr/openxr/haptic_pulse.h"
+#include "vr/util/pose.h"
+#include "vr/openxr/wand_state.h"
 
 #include <cstdint>
 #include <optional>

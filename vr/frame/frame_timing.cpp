@@ -1,4 +1,4 @@
-#include "frame_costs.h"
+#include "vr/frame/frame_timing.h"
 
 #include <cmath>
 #include <utility>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "thread_clock.h"
+#include "vr/util/thread_cpu_time.h"
 
 #include <array>
 #include <cstddef>

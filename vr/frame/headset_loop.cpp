@@ -1,6 +1,6 @@
 // In turns: what the runtime tells -> what we want -> a frame, or a rest while there are none.
 // A frame: wait, begin, wands and head and eyes at the time at which it will be seen, the client, each eye, end.
-#include "headset_loop.h"
+#include "vr/frame/headset_loop.h"
 
 #include <thread>
 

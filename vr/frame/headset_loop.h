@@ -1,13 +1,13 @@
 #pragma once
 
-#include "frame_client.h"
-#include "gl_context.h"
-#include "headset_report.h"
-#include "session_steps.h"
-#include "xr_actions.h"
-#include "xr_eyes.h"
-#include "xr_session.h"
-#include "xr_spaces.h"
+#include "vr/frame/frame_client.h"
+#include "vr/gl/gl_context.h"
+#include "vr/frame/headset_report.h"
+#include "vr/openxr/session_state.h"
+#include "vr/openxr/xr_actions.h"
+#include "vr/openxr/xr_views.h"
+#include "vr/openxr/xr_session.h"
+#include "vr/openxr/xr_spaces.h"
 
 #include <chrono>
 #include <condition_variable>

@@ -1,4 +1,4 @@
-#include "headset_report.h"
+#include "vr/frame/headset_report.h"
 
 namespace vr
 {

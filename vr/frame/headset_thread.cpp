@@ -1,6 +1,6 @@
-#include "headset_thread.h"
+#include "vr/frame/headset_thread.h"
 
-#include "headset_loop.h"
+#include "vr/frame/headset_loop.h"
 
 #include <QGuiApplication>
 

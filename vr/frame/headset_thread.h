@@ -1,8 +1,8 @@
 #pragma once
 
-#include "frame_client.h"
-#include "headset_report.h"
-#include "runtime_thread.h"
+#include "vr/frame/frame_client.h"
+#include "vr/frame/headset_report.h"
+#include "vr/openxr/runtime_thread.h"
 
 #include <QTimer>
 

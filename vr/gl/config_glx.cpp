@@ -1,4 +1,4 @@
-#include "config_glx.h"
+#include "vr/gl/config_glx.h"
 
 namespace vr
 {

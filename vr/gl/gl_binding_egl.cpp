@@ -1,4 +1,4 @@
-#include "gl_binding.h"
+#include "vr/gl/gl_binding.h"
 
 #include <EGL/egl.h>
 

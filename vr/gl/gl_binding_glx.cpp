@@ -1,6 +1,6 @@
-#include "gl_binding.h"
+#include "vr/gl/gl_binding.h"
 
-#include "config_glx.h"
+#include "vr/gl/config_glx.h"
 
 #define XR_USE_PLATFORM_XLIB
 #define XR_USE_GRAPHICS_API_OPENGL

@@ -1,4 +1,4 @@
-#include "gl_binding.h"
+#include "vr/gl/gl_binding.h"
 
 #include <windows.h>
 #include <unknwn.h> // OpenXR's header names IUnknown

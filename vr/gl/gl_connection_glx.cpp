@@ -1,6 +1,6 @@
-#include "gl_connection.h"
+#include "vr/gl/gl_connection.h"
 
-#include "config_glx.h"
+#include "vr/gl/config_glx.h"
 
 #include <GL/glxext.h>
 

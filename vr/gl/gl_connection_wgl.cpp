@@ -1,4 +1,4 @@
-#include "gl_connection.h"
+#include "vr/gl/gl_connection.h"
 
 namespace vr
 {

@@ -1,4 +1,4 @@
-#include "gl_context.h"
+#include "vr/gl/gl_context.h"
 
 #include <QOffscreenSurface>
 #include <QOpenGLContext>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gl_connection.h"
+#include "vr/gl/gl_connection.h"
 
 #include <memory>
 

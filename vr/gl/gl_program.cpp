@@ -1,4 +1,4 @@
-#include "gl_program.h"
+#include "vr/gl/gl_program.h"
 
 #include <QDebug>
 #include <QFile>

@@ -1,4 +1,4 @@
-#include "picture_texture.h"
+#include "vr/gl/texture.h"
 
 #include <QImage>
 #include <QOpenGLContext>

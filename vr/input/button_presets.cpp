@@ -1,4 +1,4 @@
-#include "presets.h"
+#include "vr/input/button_presets.h"
 
 #include <QCoreApplication>
 

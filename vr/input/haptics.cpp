@@ -1,4 +1,4 @@
-#include "haptics.h"
+#include "vr/input/haptics.h"
 
 #include <algorithm>
 #include <cmath>

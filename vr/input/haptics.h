@@ -1,6 +1,6 @@
 #pragma once
 
-#include "haptic_pulse.h"
+#include "vr/openxr/haptic_pulse.h"
 
 #include <optional>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "hands.h"
-#include "haptics.h"
+#include "vr/input/wand_mapping.h"
+#include "vr/input/haptics.h"
 
 namespace vr
 {

@@ -1,4 +1,4 @@
-#include "room.h"
+#include "vr/input/model_placement.h"
 
 #include <algorithm>
 #include <cassert>

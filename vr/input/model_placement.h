@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pose.h"
+#include "vr/util/pose.h"
 
 namespace vr
 {

@@ -1,4 +1,4 @@
-#include "pad_reader.h"
+#include "vr/input/trackpad_reader.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "presets.h"
-#include "room.h"
-#include "wand_state.h"
+#include "vr/input/button_presets.h"
+#include "vr/input/model_placement.h"
+#include "vr/openxr/wand_state.h"
 
 #include <variant>
 

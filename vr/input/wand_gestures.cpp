@@ -1,4 +1,4 @@
-#include "wand_gestures.h"
+#include "vr/input/wand_gestures.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pad_reader.h"
+#include "vr/input/trackpad_reader.h"
 
 namespace vr
 {

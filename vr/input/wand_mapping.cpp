@@ -1,4 +1,4 @@
-#include "hands.h"
+#include "vr/input/wand_mapping.h"
 
 #include <cmath>
 #include <numbers>

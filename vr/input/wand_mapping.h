@@ -1,7 +1,7 @@
 #pragma once
 
-#include "hand_commands.h"
-#include "wand_gestures.h"
+#include "vr/input/wand_commands.h"
+#include "vr/input/wand_gestures.h"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
-#include "openxr_runtime.h"
+#include "vr/openxr/openxr_runtime.h"
 
-#include "xr_instance.h"
+#include "vr/openxr/xr_instance.h"
 
 namespace vr
 {

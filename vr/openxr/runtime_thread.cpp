@@ -1,4 +1,4 @@
-#include "runtime_thread.h"
+#include "vr/openxr/runtime_thread.h"
 
 #include <atomic>
 #include <utility>

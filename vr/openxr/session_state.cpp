@@ -1,4 +1,4 @@
-#include "session_steps.h"
+#include "vr/openxr/session_state.h"
 
 namespace vr
 {

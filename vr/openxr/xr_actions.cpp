@@ -1,6 +1,6 @@
-#include "xr_actions.h"
+#include "vr/openxr/xr_actions.h"
 
-#include "xr_convert.h"
+#include "vr/openxr/xr_convert.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "haptic_pulse.h"
-#include "wand_state.h"
-#include "xr_bindings.h"
-#include "xr_instance.h"
+#include "vr/openxr/haptic_pulse.h"
+#include "vr/openxr/wand_state.h"
+#include "vr/openxr/xr_bindings.h"
+#include "vr/openxr/xr_instance.h"
 
 #include <QCoreApplication>
 #include <QStringList>

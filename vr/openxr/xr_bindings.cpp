@@ -1,5 +1,5 @@
 // The paths are of section 6.4 of the OpenXR specification, "Interaction Profile Paths".
-#include "xr_bindings.h"
+#include "vr/openxr/xr_bindings.h"
 
 namespace vr
 {

@@ -1,4 +1,4 @@
-#include "xr_convert.h"
+#include "vr/openxr/xr_convert.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "xr_instance.h"
+#include "vr/openxr/xr_instance.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "openxr_runtime.h"
-#include "xr_handle.h"
-#include "xr_result.h"
+#include "vr/openxr/openxr_runtime.h"
+#include "vr/openxr/xr_handle.h"
+#include "vr/openxr/xr_result.h"
 
 #include <cstring>
 #include <mutex>

@@ -1,4 +1,4 @@
-#include "xr_result.h"
+#include "vr/openxr/xr_result.h"
 
 #include <openxr/openxr_reflection.h>
 

@@ -1,4 +1,4 @@
-#include "xr_session.h"
+#include "vr/openxr/xr_session.h"
 
 #define XR_USE_GRAPHICS_API_OPENGL
 #include <openxr/openxr_platform.h>

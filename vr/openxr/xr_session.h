@@ -1,9 +1,9 @@
 #pragma once
 
-#include "gl_binding.h"
-#include "xr_handle.h"
-#include "xr_instance.h"
-#include "xr_swapchain.h"
+#include "vr/gl/gl_binding.h"
+#include "vr/openxr/xr_handle.h"
+#include "vr/openxr/xr_instance.h"
+#include "vr/openxr/xr_swapchain.h"
 
 #include <span>
 #include <vector>

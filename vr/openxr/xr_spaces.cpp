@@ -1,7 +1,7 @@
-#include "xr_spaces.h"
+#include "vr/openxr/xr_spaces.h"
 
-#include "xr_convert.h"
-#include "xr_result.h"
+#include "vr/openxr/xr_convert.h"
+#include "vr/openxr/xr_result.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "pose.h"
-#include "xr_handle.h"
+#include "vr/util/pose.h"
+#include "vr/openxr/xr_handle.h"
 
 #include <optional>
 #include <vector>

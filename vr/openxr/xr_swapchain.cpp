@@ -1,6 +1,6 @@
-#include "xr_swapchain.h"
+#include "vr/openxr/xr_swapchain.h"
 
-#include "xr_result.h"
+#include "vr/openxr/xr_result.h"
 
 #include <qopengl.h>
 

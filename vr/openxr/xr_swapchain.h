@@ -1,6 +1,6 @@
 #pragma once
 
-#include "xr_handle.h"
+#include "vr/openxr/xr_handle.h"
 
 #include <cstdint>
 #include <optional>

@@ -1,6 +1,6 @@
-#include "xr_eyes.h"
+#include "vr/openxr/xr_views.h"
 
-#include "xr_convert.h"
+#include "vr/openxr/xr_convert.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "eye.h"
-#include "xr_session.h"
+#include "vr/gl/eye_image.h"
+#include "vr/openxr/xr_session.h"
 
 #include <functional>
 

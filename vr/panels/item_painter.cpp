@@ -1,8 +1,8 @@
-#include "part_painter.h"
+#include "vr/panels/item_painter.h"
 
-#include "panel_icons.h"
-#include "panel_theme.h"
-#include "text_fit.h"
+#include "vr/panels/panel_icons.h"
+#include "vr/panels/panel_theme.h"
+#include "vr/panels/text_fit.h"
 
 #include <QFontMetricsF>
 #include <QLinearGradient>

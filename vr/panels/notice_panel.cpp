@@ -1,7 +1,7 @@
-#include "panel_builder.h"
-#include "panel_content.h"
-#include "panel_theme.h"
-#include "text_fit.h"
+#include "vr/panels/panel_builder.h"
+#include "vr/panels/panel_content.h"
+#include "vr/panels/panel_theme.h"
+#include "vr/panels/text_fit.h"
 
 #include <algorithm>
 #include <cmath>

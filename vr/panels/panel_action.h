@@ -1,9 +1,9 @@
 #pragma once
 
-#include "../presets.h"
-#include "../wand_state.h"
+#include "vr/input/button_presets.h"
+#include "vr/openxr/wand_state.h"
 
-#include "core/brush.h"
+#include "core/stroke/tool.h"
 
 #include <QString>
 

@@ -1,6 +1,6 @@
-#include "panel_builder.h"
+#include "vr/panels/panel_builder.h"
 
-#include "panel_theme.h"
+#include "vr/panels/panel_theme.h"
 
 #include <algorithm>
 #include <numeric>

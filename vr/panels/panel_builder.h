@@ -1,6 +1,6 @@
 #pragma once
 
-#include "panel_layout.h"
+#include "vr/panels/panel_layout.h"
 
 #include <initializer_list>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "panel_content.h"
+#include "vr/panels/panel_content.h"
 
 namespace vr
 {

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "panel_layout.h"
+#include "vr/panels/panel_layout.h"
 
-#include "../frame_costs.h"
-#include "../headset_choice.h"
+#include "vr/frame/frame_timing.h"
+#include "vr/input/headset_settings.h"
 
 #include <QCoreApplication>
 #include <QList>

@@ -1,4 +1,4 @@
-#include "panel_icons.h"
+#include "vr/panels/panel_icons.h"
 
 #include <QtCore/QBuffer> // Qt3D has one of that name, too
 #include <QFile>

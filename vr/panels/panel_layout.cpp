@@ -1,6 +1,6 @@
-#include "panel_layout.h"
+#include "vr/panels/panel_layout.h"
 
-#include "panel_theme.h"
+#include "vr/panels/panel_theme.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "panel_action.h"
+#include "vr/panels/panel_action.h"
 
 #include <Eigen/Core>
 

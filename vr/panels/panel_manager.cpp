@@ -1,4 +1,4 @@
-#include "panel_wall.h"
+#include "vr/panels/panel_manager.h"
 
 #include <numbers>
 

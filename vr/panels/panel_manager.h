@@ -1,9 +1,9 @@
 #pragma once
 
-#include "panels/panel_pictures.h"
-#include "panels/panel_pointer.h"
-#include "picture_texture.h"
-#include "scene_state.h"
+#include "vr/panels/panel_textures.h"
+#include "vr/panels/panel_pointer.h"
+#include "vr/gl/texture.h"
+#include "vr/scene/scene_state.h"
 
 namespace vr
 {

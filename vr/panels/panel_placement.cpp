@@ -1,4 +1,4 @@
-#include "panel_place.h"
+#include "vr/panels/panel_placement.h"
 
 #include <algorithm>
 #include <cmath>

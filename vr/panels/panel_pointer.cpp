@@ -1,4 +1,4 @@
-#include "panel_pointer.h"
+#include "vr/panels/panel_pointer.h"
 
 #include <algorithm>
 #include <cmath>

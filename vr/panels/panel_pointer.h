@@ -1,9 +1,9 @@
 #pragma once
 
-#include "panel_painter.h"
-#include "panel_place.h"
+#include "vr/panels/panel_painter.h"
+#include "vr/panels/panel_placement.h"
 
-#include "../wand_gestures.h"
+#include "vr/input/wand_gestures.h"
 
 #include <memory>
 #include <span>

@@ -1,4 +1,4 @@
-#include "panel_pictures.h"
+#include "vr/panels/panel_textures.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "panel_content.h"
-#include "panel_painter.h"
+#include "vr/panels/panel_content.h"
+#include "vr/panels/panel_painter.h"
 
 #include <condition_variable>
 #include <memory>

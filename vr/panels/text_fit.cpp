@@ -1,6 +1,6 @@
-#include "text_fit.h"
+#include "vr/panels/text_fit.h"
 
-#include "panel_theme.h"
+#include "vr/panels/panel_theme.h"
 
 #include <QFontMetricsF>
 #include <QTextLayout>

@@ -1,6 +1,6 @@
-#include "panel_builder.h"
-#include "panel_content.h"
-#include "panel_theme.h"
+#include "vr/panels/panel_builder.h"
+#include "vr/panels/panel_content.h"
+#include "vr/panels/panel_theme.h"
 
 namespace vr
 {

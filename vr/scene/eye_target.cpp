@@ -1,4 +1,4 @@
-#include "eye_target.h"
+#include "vr/scene/eye_target.h"
 
 #include <QOpenGLExtraFunctions>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "eye.h"
-#include "thread_clock.h"
+#include "vr/gl/eye_image.h"
+#include "vr/util/thread_cpu_time.h"
 
 class QOpenGLExtraFunctions;
 

@@ -1,4 +1,4 @@
-#include "label_layout.h"
+#include "vr/scene/label_layout.h"
 
 #include <algorithm>
 #include <span>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "pose.h"
-#include "wand_shape.h"
+#include "vr/util/pose.h"
+#include "vr/scene/wand_model.h"
 
 #include <array>
 #include <optional>

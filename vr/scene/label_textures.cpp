@@ -1,4 +1,4 @@
-#include "label_pictures.h"
+#include "vr/scene/label_textures.h"
 
 #include <QFontMetrics>
 #include <QImage>

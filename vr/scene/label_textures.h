@@ -1,6 +1,6 @@
 #pragma once
 
-#include "picture_texture.h"
+#include "vr/gl/texture.h"
 
 #include <QHash>
 #include <QString>

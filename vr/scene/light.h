@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/geometry.h"
-#include "core/mesh_io/srgb.h"
+#include "core/geometry/geometry.h"
+#include "core/io/mesh/srgb.h"
 
 namespace vr
 {

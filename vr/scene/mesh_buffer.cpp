@@ -1,4 +1,4 @@
-#include "clay_buffer.h"
+#include "vr/scene/mesh_buffer.h"
 
 #include <QOpenGLExtraFunctions>
 

@@ -1,4 +1,4 @@
-#include "clay_program.h"
+#include "vr/scene/mesh_program.h"
 
 namespace vr
 {

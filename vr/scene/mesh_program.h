@@ -1,9 +1,9 @@
 #pragma once
 
-#include "eye_frame.h"
-#include "gl_program.h"
+#include "vr/scene/eye_uniforms.h"
+#include "vr/gl/gl_program.h"
 
-#include "core/shading.h"
+#include "core/render/shading.h"
 
 namespace vr
 {

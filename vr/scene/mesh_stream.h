@@ -1,6 +1,6 @@
 #pragma once
 
-#include "patch_slices.h"
+#include "vr/scene/patch_slices.h"
 
 #include <array>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "patch_slices.h"
+#include "vr/scene/patch_slices.h"
 
 #include <algorithm>
 #include <cassert>

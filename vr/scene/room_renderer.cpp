@@ -1,4 +1,4 @@
-#include "room_painter.h"
+#include "vr/scene/room_renderer.h"
 
 #include <QOpenGLExtraFunctions>
 

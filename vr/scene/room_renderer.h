@@ -1,8 +1,8 @@
 #pragma once
 
-#include "eye_frame.h"
-#include "gl_program.h"
-#include "thread_clock.h"
+#include "vr/scene/eye_uniforms.h"
+#include "vr/gl/gl_program.h"
+#include "vr/util/thread_cpu_time.h"
 
 namespace vr
 {

@@ -1,16 +1,16 @@
 // First what hides (clay, wands), then the dome behind it, then what is seen through: floor, panels, and the rest from far to near.
-#include "scene.h"
+#include "vr/scene/scene.h"
 
-#include "clay_buffer.h"
-#include "clay_program.h"
-#include "clay_stream.h"
-#include "glass_list.h"
-#include "glass_painter.h"
-#include "label_layout.h"
-#include "room_painter.h"
-#include "wand_painter.h"
+#include "vr/scene/mesh_buffer.h"
+#include "vr/scene/mesh_program.h"
+#include "vr/scene/mesh_stream.h"
+#include "vr/scene/translucent_list.h"
+#include "vr/scene/translucent_renderer.h"
+#include "vr/scene/label_layout.h"
+#include "vr/scene/room_renderer.h"
+#include "vr/scene/wand_renderer.h"
 
-#include "core/symmetry_pane.h"
+#include "core/stroke/symmetry_plane.h"
 
 #include <QOpenGLExtraFunctions>
 

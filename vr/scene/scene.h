@@ -1,10 +1,10 @@
 #pragma once
 
-#include "eye.h"
-#include "scene_state.h"
+#include "vr/gl/eye_image.h"
+#include "vr/scene/scene_state.h"
 
-#include "core/footprint.h"
-#include "core/mesh_patch.h"
+#include "core/mesh/footprint.h"
+#include "core/mesh/mesh_patch.h"
 
 #include <memory>
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "pose.h"
-#include "wand_shape.h"
-#include "wand_state.h"
+#include "vr/util/pose.h"
+#include "vr/scene/wand_model.h"
+#include "vr/openxr/wand_state.h"
 
-#include "core/brush.h"
-#include "core/shading.h"
+#include "core/stroke/tool.h"
+#include "core/render/shading.h"
 
 #include <QString>
 

@@ -1,4 +1,4 @@
-#include "solid.h"
+#include "vr/scene/solid_builder.h"
 
 #include <algorithm>
 #include <cmath>

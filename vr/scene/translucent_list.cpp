@@ -1,10 +1,10 @@
-#include "glass_list.h"
+#include "vr/scene/translucent_list.h"
 
-#include "label_layout.h"
-#include "light.h"
+#include "vr/scene/label_layout.h"
+#include "vr/scene/light.h"
 
-#include "core/sectors.h"
-#include "core/symmetry_pane.h"
+#include "core/stroke/radial_symmetry.h"
+#include "core/stroke/symmetry_plane.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "glass.h"
-#include "label_pictures.h"
-#include "scene_state.h"
+#include "vr/scene/translucent_shapes.h"
+#include "vr/scene/label_textures.h"
+#include "vr/scene/scene_state.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
-#include "glass_painter.h"
+#include "vr/scene/translucent_renderer.h"
 
-#include "core/draw_arrays.h"
-#include "core/triangle_mesh.h"
+#include "core/mesh/draw_arrays.h"
+#include "core/geometry/triangle_mesh.h"
 
 #include <QOpenGLExtraFunctions>
 

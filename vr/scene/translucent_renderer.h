@@ -1,10 +1,10 @@
 #pragma once
 
-#include "clay_buffer.h"
-#include "eye_frame.h"
-#include "gl_program.h"
-#include "glass.h"
-#include "thread_clock.h"
+#include "vr/scene/mesh_buffer.h"
+#include "vr/scene/eye_uniforms.h"
+#include "vr/gl/gl_program.h"
+#include "vr/scene/translucent_shapes.h"
+#include "vr/util/thread_cpu_time.h"
 
 #include <span>
 

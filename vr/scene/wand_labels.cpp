@@ -1,4 +1,4 @@
-#include "wand_labels.h"
+#include "vr/scene/wand_labels.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "hands.h"
-#include "scene_state.h"
+#include "vr/input/wand_mapping.h"
+#include "vr/scene/scene_state.h"
 
 #include <cstdint>
 #include <span>

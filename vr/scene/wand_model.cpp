@@ -1,8 +1,8 @@
 // The body is lofted over sections from a table, the pad is cut into its four sides and a middle, the buttons are plates and ellipsoids that
 // stand a little out of the body.
-#include "wand_shape.h"
+#include "vr/scene/wand_model.h"
 
-#include "wand_state.h"
+#include "vr/openxr/wand_state.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solid.h"
+#include "vr/scene/solid_builder.h"
 
 namespace vr
 {

@@ -1,6 +1,6 @@
-#include "wand_painter.h"
+#include "vr/scene/wand_renderer.h"
 
-#include "light.h"
+#include "vr/scene/light.h"
 
 namespace vr
 {

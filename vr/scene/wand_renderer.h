@@ -1,9 +1,9 @@
 #pragma once
 
-#include "clay_buffer.h"
-#include "clay_program.h"
-#include "scene_state.h"
-#include "thread_clock.h"
+#include "vr/scene/mesh_buffer.h"
+#include "vr/scene/mesh_program.h"
+#include "vr/scene/scene_state.h"
+#include "vr/util/thread_cpu_time.h"
 
 namespace vr
 {

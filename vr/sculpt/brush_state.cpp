@@ -1,6 +1,6 @@
-#include "brush_state.h"
+#include "vr/sculpt/brush_state.h"
 
-#include "overloaded.h"
+#include "vr/util/overloaded.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "hand_commands.h"
+#include "vr/input/wand_commands.h"
 
-#include "core/stroke.h"
+#include "core/stroke/stroke.h"
 
 namespace vr
 {

@@ -1,15 +1,15 @@
 #pragma once
 
-#include "headset_choice.h"
-#include "panels/panel_content.h"
-#include "pose.h"
+#include "vr/input/headset_settings.h"
+#include "vr/panels/panel_content.h"
+#include "vr/util/pose.h"
 
-#include "core/footprint.h"
-#include "core/mesh_patch.h"
-#include "core/model_command.h"
-#include "core/shading.h"
-#include "core/stroke.h"
-#include "core/surface_hit.h"
+#include "core/mesh/footprint.h"
+#include "core/mesh/mesh_patch.h"
+#include "core/operations/model_command.h"
+#include "core/render/shading.h"
+#include "core/stroke/stroke.h"
+#include "core/mesh/surface_hit.h"
 
 #include <array>
 #include <memory>

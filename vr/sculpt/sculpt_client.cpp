@@ -1,4 +1,4 @@
-#include "sculpt_client.h"
+#include "vr/sculpt/sculpt_client.h"
 
 #include <QOpenGLContext>
 #include <QOpenGLExtraFunctions>

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "brush_hand.h"
-#include "eye_target.h"
-#include "frame_client.h"
-#include "hands.h"
-#include "panel_wall.h"
-#include "scene.h"
-#include "wand_labels.h"
+#include "vr/sculpt/wand_brush.h"
+#include "vr/scene/eye_target.h"
+#include "vr/frame/frame_client.h"
+#include "vr/input/wand_mapping.h"
+#include "vr/panels/panel_manager.h"
+#include "vr/scene/scene.h"
+#include "vr/scene/wand_labels.h"
 
 #include <memory>
 

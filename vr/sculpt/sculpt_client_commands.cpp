@@ -1,7 +1,7 @@
 // What hands and panels ask for.
-#include "sculpt_client.h"
+#include "vr/sculpt/sculpt_client.h"
 
-#include "overloaded.h"
+#include "vr/util/overloaded.h"
 
 namespace vr
 {

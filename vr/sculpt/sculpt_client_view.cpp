@@ -1,5 +1,5 @@
 // What is seen in the headset, and at the window of who wears it.
-#include "sculpt_client.h"
+#include "vr/sculpt/sculpt_client.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "brush_hand.h"
+#include "vr/sculpt/wand_brush.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "brush_state.h"
-#include "document_port.h"
-#include "scene_state.h"
+#include "vr/sculpt/brush_state.h"
+#include "vr/sculpt/document_port.h"
+#include "vr/scene/scene_state.h"
 
 namespace vr
 {

@@ -1,5 +1,5 @@
-#include "actions.h"
-#include "calls.h"
+#include "vr/simulator/actions.h"
+#include "vr/simulator/calls.h"
 
 namespace simulator
 {

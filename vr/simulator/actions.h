@@ -1,7 +1,7 @@
 #pragma once
 
-#include "handles.h"
-#include "paths.h"
+#include "vr/simulator/handles.h"
+#include "vr/simulator/paths.h"
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "call.h"
+#include "vr/simulator/call.h"
 
 namespace simulator
 {

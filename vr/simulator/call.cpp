@@ -1,4 +1,4 @@
-#include "call.h"
+#include "vr/simulator/call.h"
 
 namespace simulator
 {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "runtime.h"
-#include "session.h"
+#include "vr/simulator/runtime.h"
+#include "vr/simulator/session.h"
 
 namespace simulator
 {

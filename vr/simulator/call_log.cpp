@@ -1,4 +1,4 @@
-#include "call_log.h"
+#include "vr/simulator/call_log.h"
 
 namespace simulator
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "call.h"
+#include "vr/simulator/call.h"
 
 #define XR_USE_GRAPHICS_API_OPENGL
 #include <openxr/openxr_platform.h>

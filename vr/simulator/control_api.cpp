@@ -1,7 +1,7 @@
-#include "control.h"
+#include "vr/simulator/control_api.h"
 
-#include "runtime.h"
-#include "session.h"
+#include "vr/simulator/runtime.h"
+#include "vr/simulator/session.h"
 
 #include <chrono>
 #include <utility>

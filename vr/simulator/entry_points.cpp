@@ -1,9 +1,9 @@
 // The doors: the loader asks xrNegotiateLoaderRuntimeInterface() for getInstanceProcAddr(), and that for all else. Each function of
 // OpenXR is an Entry: it takes the mutex, waits while it is frozen, lets a scripted answer or the function of calls.h answer, and writes
 // what was asked.
-#include "calls.h"
-#include "enum_names.h"
-#include "loader_interface.h"
+#include "vr/simulator/calls.h"
+#include "vr/simulator/enum_names.h"
+#include "vr/simulator/loader_interface.h"
 
 #include <iostream>
 #include <new>

@@ -1,4 +1,4 @@
-#include "enum_names.h"
+#include "vr/simulator/enum_names.h"
 
 #include <openxr/openxr_reflection.h>
 

@@ -1,6 +1,6 @@
-#include "calls.h"
-#include "enum_names.h"
-#include "layers.h"
+#include "vr/simulator/calls.h"
+#include "vr/simulator/enum_names.h"
+#include "vr/simulator/layers.h"
 
 #include <thread>
 

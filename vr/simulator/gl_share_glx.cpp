@@ -1,4 +1,4 @@
-#include "gl_share_glx.h"
+#include "vr/simulator/gl_share_glx.h"
 
 #include <GL/gl.h>
 #include <GL/glext.h>

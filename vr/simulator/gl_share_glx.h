@@ -1,6 +1,6 @@
 #pragma once
 
-#include "picture.h"
+#include "vr/simulator/picture.h"
 
 #include <openxr/openxr.h>
 

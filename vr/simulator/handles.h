@@ -1,6 +1,6 @@
 #pragma once
 
-#include "failure.h"
+#include "vr/simulator/call_failure.h"
 
 #include <bit>
 #include <map>

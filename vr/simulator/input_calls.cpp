@@ -1,5 +1,5 @@
-#include "attached_action.h"
-#include "calls.h"
+#include "vr/simulator/attached_action.h"
+#include "vr/simulator/calls.h"
 
 #include <cctype>
 

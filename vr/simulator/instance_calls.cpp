@@ -1,6 +1,6 @@
-#include "actions.h"
-#include "calls.h"
-#include "enum_names.h"
+#include "vr/simulator/actions.h"
+#include "vr/simulator/calls.h"
+#include "vr/simulator/enum_names.h"
 
 namespace simulator
 {

@@ -1,8 +1,8 @@
-#include "layers.h"
+#include "vr/simulator/layers.h"
 
-#include "spaces.h"
-#include "system.h"
-#include "xr_pose.h"
+#include "vr/simulator/spaces.h"
+#include "vr/simulator/system.h"
+#include "vr/simulator/xr_pose.h"
 
 #include <iomanip>
 #include <numbers>

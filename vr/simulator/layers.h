@@ -1,7 +1,7 @@
 #pragma once
 
-#include "calls.h"
-#include "swapchain.h"
+#include "vr/simulator/calls.h"
+#include "vr/simulator/swapchain.h"
 
 namespace simulator
 {

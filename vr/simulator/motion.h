@@ -1,6 +1,6 @@
 #pragma once
 
-#include "vr/pose.h"
+#include "vr/util/pose.h"
 
 #include <openxr/openxr.h>
 

@@ -1,4 +1,4 @@
-#include "paths.h"
+#include "vr/simulator/paths.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // PNG (ISO/IEC 15948): a signature, then chunks of length, name, bytes and their check; the pixels are one zlib stream, each row
 // preceded by the number of its filter, here always none.
-#include "picture.h"
+#include "vr/simulator/picture.h"
 
 #include <QByteArray>
 #include <QtEndian>

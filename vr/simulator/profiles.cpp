@@ -1,4 +1,4 @@
-#include "profiles.h"
+#include "vr/simulator/profiles.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
-#include "runtime.h"
+#include "vr/simulator/runtime.h"
 
-#include "enum_names.h"
-#include "session.h"
-#include "xr_pose.h"
+#include "vr/simulator/enum_names.h"
+#include "vr/simulator/session.h"
+#include "vr/simulator/xr_pose.h"
 
 #include <cstdlib>
 #include <sstream>

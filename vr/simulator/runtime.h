@@ -1,10 +1,10 @@
 #pragma once
 
-#include "call_log.h"
-#include "handles.h"
-#include "picture.h"
-#include "script.h"
-#include "world.h"
+#include "vr/simulator/call_log.h"
+#include "vr/simulator/handles.h"
+#include "vr/simulator/picture.h"
+#include "vr/simulator/script.h"
+#include "vr/simulator/simulated_world.h"
 
 #include <condition_variable>
 #include <mutex>

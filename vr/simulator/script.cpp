@@ -1,6 +1,6 @@
-#include "script.h"
+#include "vr/simulator/script.h"
 
-#include "step_values.h"
+#include "vr/simulator/script_values.h"
 
 namespace simulator
 {

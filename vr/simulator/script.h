@@ -1,6 +1,6 @@
 #pragma once
 
-#include "step.h"
+#include "vr/simulator/script_step.h"
 
 #include <cstdint>
 #include <map>

@@ -1,7 +1,7 @@
-#include "step_devices.h"
+#include "vr/simulator/script_devices.h"
 
-#include "runtime.h"
-#include "step_values.h"
+#include "vr/simulator/runtime.h"
+#include "vr/simulator/script_values.h"
 
 namespace simulator
 {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "profiles.h"
-#include "step.h"
+#include "vr/simulator/profiles.h"
+#include "vr/simulator/script_step.h"
 
 namespace simulator
 {

@@ -1,9 +1,9 @@
-#include "step.h"
+#include "vr/simulator/script_step.h"
 
-#include "enum_names.h"
-#include "runtime.h"
-#include "step_devices.h"
-#include "step_values.h"
+#include "vr/simulator/enum_names.h"
+#include "vr/simulator/runtime.h"
+#include "vr/simulator/script_devices.h"
+#include "vr/simulator/script_values.h"
 
 #include <chrono>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "track.h"
+#include "vr/simulator/motion.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,4 @@
-#include "step_values.h"
+#include "vr/simulator/script_values.h"
 
 #include <cmath>
 

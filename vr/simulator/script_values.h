@@ -1,6 +1,6 @@
 #pragma once
 
-#include "world.h"
+#include "vr/simulator/simulated_world.h"
 
 #include <nlohmann/json.hpp>
 

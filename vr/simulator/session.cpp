@@ -1,6 +1,6 @@
-#include "session.h"
+#include "vr/simulator/session.h"
 
-#include "runtime.h"
+#include "vr/simulator/runtime.h"
 
 namespace simulator
 {

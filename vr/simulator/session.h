@@ -1,8 +1,8 @@
 #pragma once
 
-#include "gl_share_glx.h"
-#include "instance.h"
-#include "session_input.h"
+#include "vr/simulator/gl_share_glx.h"
+#include "vr/simulator/instance.h"
+#include "vr/simulator/session_input.h"
 
 #include <chrono>
 

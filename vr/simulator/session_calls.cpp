@@ -1,5 +1,5 @@
-#include "calls.h"
-#include "system.h"
+#include "vr/simulator/calls.h"
+#include "vr/simulator/system.h"
 
 namespace simulator
 {

@@ -1,8 +1,8 @@
 // A sync in steps: which bindings are heard (their set is active, their wand is there, no set of higher priority takes their
 // source), what each action makes of those that it has, and how that differs from the last time.
-#include "session_input.h"
+#include "vr/simulator/session_input.h"
 
-#include "instance.h"
+#include "vr/simulator/instance.h"
 
 #include <algorithm>
 #include <cmath>

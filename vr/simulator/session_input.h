@@ -1,8 +1,8 @@
 #pragma once
 
-#include "actions.h"
-#include "profiles.h"
-#include "world.h"
+#include "vr/simulator/actions.h"
+#include "vr/simulator/profiles.h"
+#include "vr/simulator/simulated_world.h"
 
 #include <map>
 

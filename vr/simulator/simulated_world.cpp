@@ -1,4 +1,4 @@
-#include "world.h"
+#include "vr/simulator/simulated_world.h"
 
 namespace simulator
 {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "profiles.h"
-#include "track.h"
+#include "vr/simulator/profiles.h"
+#include "vr/simulator/motion.h"
 
 #include <map>
 #include <set>

@@ -1,8 +1,8 @@
-#include "actions.h"
-#include "calls.h"
-#include "spaces.h"
-#include "system.h"
-#include "xr_pose.h"
+#include "vr/simulator/actions.h"
+#include "vr/simulator/calls.h"
+#include "vr/simulator/spaces.h"
+#include "vr/simulator/system.h"
+#include "vr/simulator/xr_pose.h"
 
 namespace simulator
 {

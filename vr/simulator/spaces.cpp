@@ -1,7 +1,7 @@
-#include "spaces.h"
+#include "vr/simulator/spaces.h"
 
-#include "actions.h"
-#include "xr_pose.h"
+#include "vr/simulator/actions.h"
+#include "vr/simulator/xr_pose.h"
 
 namespace simulator
 {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "session.h"
-#include "world.h"
+#include "vr/simulator/session.h"
+#include "vr/simulator/simulated_world.h"
 
 #include <variant>
 

@@ -1,4 +1,4 @@
-#include "swapchain.h"
+#include "vr/simulator/swapchain.h"
 
 #include <utility>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "gl_share_glx.h"
-#include "handles.h"
+#include "vr/simulator/gl_share_glx.h"
+#include "vr/simulator/handles.h"
 
 #include <deque>
 

@@ -1,6 +1,6 @@
-#include "calls.h"
-#include "swapchain.h"
-#include "system.h"
+#include "vr/simulator/calls.h"
+#include "vr/simulator/swapchain.h"
+#include "vr/simulator/system.h"
 
 namespace simulator
 {

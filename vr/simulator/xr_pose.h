@@ -1,8 +1,8 @@
 #pragma once
 
-#include "failure.h"
+#include "vr/simulator/call_failure.h"
 
-#include "vr/pose.h"
+#include "vr/util/pose.h"
 
 #include <cmath>
 

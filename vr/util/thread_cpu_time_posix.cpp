@@ -1,4 +1,4 @@
-#include "thread_clock.h"
+#include "vr/util/thread_cpu_time.h"
 
 #include <ctime>
 

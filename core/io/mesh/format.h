@@ -1,8 +1,8 @@
 #pragma once
 
-#include "../atomic_file.h"
-#include "../file_error.h"
-#include "../mesh_io.h"
+#include "core/util/atomic_file.h"
+#include "core/util/file_error.h"
+#include "core/io/mesh_io.h"
 
 #include <string_view>
 

@@ -1,6 +1,6 @@
 // What a file's content looks like, whatever its ending says.
 
-#include "format.h"
+#include "core/io/mesh/format.h"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
-#include "glb_notes.h"
+#include "core/io/mesh/glb_metadata.h"
 
-#include "binary.h"
-#include "gltf.h"
-#include "palette.h"
+#include "core/io/mesh/binary.h"
+#include "core/io/mesh/gltf_document.h"
+#include "core/io/mesh/palette.h"
 
-#include "core/alpha.h"
-#include "core/stroke_file.h"
+#include "core/sculpt/deform/alpha.h"
+#include "core/io/stroke/stroke_file.h"
 
 #include <cmath>
 #include <sstream>

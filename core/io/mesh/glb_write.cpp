@@ -1,13 +1,13 @@
 // GLB: a node that scales millimetres to glTF's metres, one mesh of one primitive, its colours linear in 16 bits,
 // its mask an attribute of our own, 0 to 1.
 
-#include "binary.h"
-#include "glb_notes.h"
-#include "gltf.h"
-#include "record_writer.h"
-#include "srgb.h"
+#include "core/io/mesh/binary.h"
+#include "core/io/mesh/glb_metadata.h"
+#include "core/io/mesh/gltf_document.h"
+#include "core/io/mesh/record_writer.h"
+#include "core/io/mesh/srgb.h"
 
-#include "format.h"
+#include "core/io/mesh/format.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,5 @@
 // Source: Khronos, glTF 2.0 specification, section 2.8 (URIs); RFC 3986 (percent signs), RFC 4648 (base64).
-#include "gltf_buffers.h"
+#include "core/io/mesh/gltf_buffers.h"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 // Source: Khronos, glTF 2.0 specification, sections 3.6 (accessors, sparse ones) and 4 (GLB).
-#include "gltf.h"
+#include "core/io/mesh/gltf_document.h"
 
-#include "../parallel.h"
-#include "binary.h"
-#include "gltf_buffers.h"
+#include "core/util/parallel.h"
+#include "core/io/mesh/binary.h"
+#include "core/io/mesh/gltf_buffers.h"
 
 #include <cmath>
 #include <limits>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "format.h"
+#include "core/io/mesh/format.h"
 
-#include "../large_buffer.h"
+#include "core/util/large_buffer.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,8 +1,8 @@
 // glTF: the scene's nodes from the root down: each primitive's triangles with the transforms above it, metres made millimetres.
 
-#include "../parallel.h"
-#include "gltf.h"
-#include "srgb.h"
+#include "core/util/parallel.h"
+#include "core/io/mesh/gltf_document.h"
+#include "core/io/mesh/srgb.h"
 
 #include <Eigen/Geometry>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../file_error.h"
+#include "core/util/file_error.h"
 
 #include <filesystem>
 #include <span>

@@ -1,4 +1,4 @@
-#include "input_file.h"
+#include "core/io/mesh/input_file.h"
 
 #include <cerrno>
 #include <fcntl.h>

@@ -1,4 +1,4 @@
-#include "numbers.h"
+#include "core/io/mesh/number_parsing.h"
 
 #include <charconv>
 #include <cmath>

@@ -1,9 +1,9 @@
 // OBJ: the lines v (with colour, if any) and f; all others are passed over, materials with a remark. Faces may name vertices that come later.
 
-#include "palette.h"
-#include "polygons.h"
-#include "text_scanner.h"
-#include "text_writer.h"
+#include "core/io/mesh/palette.h"
+#include "core/io/mesh/polygons.h"
+#include "core/io/mesh/text_scanner.h"
+#include "core/io/mesh/text_writer.h"
 
 #include <algorithm>
 #include <array>

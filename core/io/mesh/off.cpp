@@ -1,10 +1,10 @@
 // OFF and COFF: a header with the counts, a vertex a line (with normal or colour, if the header says so), a face a line, whose colour
 // is passed over.
 
-#include "palette.h"
-#include "polygons.h"
-#include "text_scanner.h"
-#include "text_writer.h"
+#include "core/io/mesh/palette.h"
+#include "core/io/mesh/polygons.h"
+#include "core/io/mesh/text_scanner.h"
+#include "core/io/mesh/text_writer.h"
 
 #include <algorithm>
 #include <array>

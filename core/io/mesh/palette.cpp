@@ -1,4 +1,4 @@
-#include "palette.h"
+#include "core/io/mesh/palette.h"
 
 #include <charconv>
 

@@ -1,10 +1,10 @@
 // PLY: the header announces elements and their properties; the vertex and face elements are read, the others passed over.
 
-#include "palette.h"
-#include "ply_source.h"
-#include "polygons.h"
-#include "record_writer.h"
-#include "text_writer.h"
+#include "core/io/mesh/palette.h"
+#include "core/io/mesh/ply_source.h"
+#include "core/io/mesh/polygons.h"
+#include "core/io/mesh/record_writer.h"
+#include "core/io/mesh/text_writer.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
-#include "ply_header.h"
+#include "core/io/mesh/ply_header.h"
 
-#include "text_scanner.h"
+#include "core/io/mesh/text_scanner.h"
 
 #include <algorithm>
 #include <array>

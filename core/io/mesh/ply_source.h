@@ -1,8 +1,8 @@
 #pragma once
 
-#include "binary.h"
-#include "ply_header.h"
-#include "text_scanner.h"
+#include "core/io/mesh/binary.h"
+#include "core/io/mesh/ply_header.h"
+#include "core/io/mesh/text_scanner.h"
 
 #include <cmath>
 

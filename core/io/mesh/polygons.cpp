@@ -1,6 +1,6 @@
-#include "polygons.h"
+#include "core/io/mesh/polygons.h"
 
-#include "../predicates.h"
+#include "core/geometry/predicates.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "format.h"
+#include "core/io/mesh/format.h"
 
-#include "../triangle_mesh.h"
+#include "core/geometry/triangle_mesh.h"
 
 #include <span>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "../atomic_file.h"
-#include "../large_buffer.h"
-#include "../parallel.h"
+#include "core/util/atomic_file.h"
+#include "core/util/large_buffer.h"
+#include "core/util/parallel.h"
 
 namespace core::mesh_io
 {

@@ -1,12 +1,12 @@
 // STL: triangles as loose corners, binary or text. Corners with equal bits are welded. Colours are read where a binary file has them; none
 // are written: a triangle's colour is not a vertex's.
 
-#include "binary.h"
-#include "record_writer.h"
-#include "stl_colors.h"
-#include "text_scanner.h"
-#include "text_writer.h"
-#include "welder.h"
+#include "core/io/mesh/binary.h"
+#include "core/io/mesh/record_writer.h"
+#include "core/io/mesh/stl_colors.h"
+#include "core/io/mesh/text_scanner.h"
+#include "core/io/mesh/text_writer.h"
+#include "core/io/mesh/vertex_welder.h"
 
 #include <array>
 #include <bit>

@@ -1,6 +1,6 @@
-#include "stl_colors.h"
+#include "core/io/mesh/stl_colors.h"
 
-#include "mean_color.h"
+#include "core/io/mesh/mean_color.h"
 
 #include <algorithm>
 

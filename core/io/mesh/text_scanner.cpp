@@ -1,6 +1,6 @@
-#include "text_scanner.h"
+#include "core/io/mesh/text_scanner.h"
 
-#include "numbers.h"
+#include "core/io/mesh/number_parsing.h"
 
 namespace core::mesh_io
 {

@@ -1,9 +1,9 @@
 // Source: 3MF Consortium, Core Specification 1.3; Materials and Properties Extension 1.2 (colour groups); Production Extension 1.1 (paths).
 // Elements come in the order that the specification asks for: what is named stands before what names it.
-#include "threemf_part.h"
+#include "core/io/mesh/threemf_part.h"
 
-#include "mean_color.h"
-#include "numbers.h"
+#include "core/io/mesh/mean_color.h"
+#include "core/io/mesh/number_parsing.h"
 
 #include <array>
 #include <charconv>

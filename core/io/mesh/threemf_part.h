@@ -1,6 +1,6 @@
 #pragma once
 
-#include "xml_reader.h"
+#include "core/io/mesh/xml_reader.h"
 
 #include <Eigen/Core>
 

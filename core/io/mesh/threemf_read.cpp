@@ -1,7 +1,7 @@
 // 3MF: the package names its model part; the items of its build say which objects stand where, and their components what they are made of.
 // What other parts hold is read when it is asked for.
-#include "threemf_part.h"
-#include "zip_package.h"
+#include "core/io/mesh/threemf_part.h"
+#include "core/io/mesh/zip_reader.h"
 
 #include <Eigen/LU>
 

@@ -1,8 +1,8 @@
 // 3MF: content types, relationships and one model part, whose text is made while it is packed: an object, one build item, and, if there are
 // colours, a colour group that the triangles' corners point into.
-#include "format.h"
-#include "palette.h"
-#include "zip_writer.h"
+#include "core/io/mesh/format.h"
+#include "core/io/mesh/palette.h"
+#include "core/io/mesh/zip_writer.h"
 
 #include <zip.h>
 

@@ -3,9 +3,9 @@
 //   2. search  each drawer in all chunks together, which a core's cache holds: each point takes the index of the first that is like it
 //   3. number  the first ones in the order of the file, each by how many bits before its own are set: so few that the cache holds them
 
-#include "welder.h"
+#include "core/io/mesh/vertex_welder.h"
 
-#include "../parallel.h"
+#include "core/util/parallel.h"
 
 #include <bit>
 #include <random>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "format.h"
+#include "core/io/mesh/format.h"
 
-#include "../large_buffer.h"
-#include "../triangle_mesh.h"
+#include "core/util/large_buffer.h"
+#include "core/geometry/triangle_mesh.h"
 
 #include <functional>
 

@@ -1,6 +1,6 @@
-#include "xml_reader.h"
+#include "core/io/mesh/xml_reader.h"
 
-#include "numbers.h"
+#include "core/io/mesh/number_parsing.h"
 
 #include <expat.h>
 

@@ -1,4 +1,4 @@
-#include "zip_package.h"
+#include "core/io/mesh/zip_reader.h"
 
 #include <zip.h>
 

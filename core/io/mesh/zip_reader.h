@@ -1,6 +1,6 @@
 #pragma once
 
-#include "format.h"
+#include "core/io/mesh/format.h"
 
 #include <functional>
 #include <memory>

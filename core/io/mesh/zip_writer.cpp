@@ -1,4 +1,4 @@
-#include "zip_writer.h"
+#include "core/io/mesh/zip_writer.h"
 
 #include <zip.h>
 

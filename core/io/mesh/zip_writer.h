@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../atomic_file.h"
+#include "core/util/atomic_file.h"
 
 #include <memory>
 #include <string_view>

@@ -1,5 +1,5 @@
 // The stroke file's commands for the whole model: which keys each has, and its words.
-#include "stroke_reader.h"
+#include "core/io/stroke/stroke_json_reader.h"
 
 namespace core
 {

@@ -1,8 +1,8 @@
 // The stroke file, read in one pass without a tree: each value goes straight to its place, so a file costs what its
 // samples cost, and a nest of brackets is refused at the first bracket that the format does not have.
-#include "stroke_file.h"
+#include "core/io/stroke/stroke_file.h"
 
-#include "stroke_reader.h"
+#include "core/io/stroke/stroke_json_reader.h"
 
 #include <array>
 #include <cerrno>

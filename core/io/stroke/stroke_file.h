@@ -1,8 +1,8 @@
 #pragma once
 
-#include "lattice.h"
-#include "model_command.h"
-#include "stroke.h"
+#include "core/geometry/lattice.h"
+#include "core/operations/model_command.h"
+#include "core/stroke/stroke.h"
 
 #include <cstddef>
 #include <iosfwd>

@@ -1,8 +1,8 @@
-#include "stroke_file.h"
-#include "stroke_keys.h"
+#include "core/io/stroke/stroke_file.h"
+#include "core/io/stroke/stroke_keys.h"
 
-#include "alpha.h"
-#include "brush_model.h"
+#include "core/sculpt/deform/alpha.h"
+#include "core/sculpt/deform/brush_model.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,5 @@
 // The stroke file's structure: which object holds which keys. Its values: stroke_values.cpp.
-#include "stroke_reader.h"
+#include "core/io/stroke/stroke_json_reader.h"
 
 namespace core
 {

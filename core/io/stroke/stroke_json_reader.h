@@ -1,7 +1,7 @@
 #pragma once
 
-#include "stroke_file.h"
-#include "stroke_keys.h"
+#include "core/io/stroke/stroke_file.h"
+#include "core/io/stroke/stroke_keys.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,8 +1,8 @@
 // The stroke file's values: types, ranges, and where each goes.
-#include "fingerprint.h"
-#include "stroke_reader.h"
+#include "core/util/fingerprint.h"
+#include "core/io/stroke/stroke_json_reader.h"
 
-#include "alpha.h"
+#include "core/sculpt/deform/alpha.h"
 
 #include <cmath>
 #include <limits>

@@ -1,6 +1,6 @@
-#include "alpha.h"
+#include "core/sculpt/deform/alpha.h"
 
-#include "fingerprint.h"
+#include "core/util/fingerprint.h"
 
 #include <algorithm>
 #include <cassert>

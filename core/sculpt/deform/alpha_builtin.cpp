@@ -1,5 +1,5 @@
 // Our own alphas, drawn by formula: a shade for each point of the square from -1 to 1, x to the right and y up.
-#include "alpha.h"
+#include "core/sculpt/deform/alpha.h"
 
 #include <algorithm>
 #include <array>

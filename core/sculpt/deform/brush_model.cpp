@@ -1,8 +1,8 @@
-#include "brush_model.h"
+#include "core/sculpt/deform/brush_model.h"
 
-#include "face_geometry.h"
-#include "fingerprint.h"
-#include "mesh_build.h"
+#include "core/geometry/face_geometry.h"
+#include "core/util/fingerprint.h"
+#include "core/mesh/mesh_builder.h"
 
 #include <bit>
 #include <cmath>

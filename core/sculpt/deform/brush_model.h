@@ -1,8 +1,8 @@
 #pragma once
 
-#include "box_tree.h"
-#include "mesh_check.h"
-#include "triangle_mesh.h"
+#include "core/geometry/box_tree.h"
+#include "core/analysis/mesh_check.h"
+#include "core/geometry/triangle_mesh.h"
 
 #include <memory>
 #include <optional>

@@ -1,6 +1,6 @@
-#include "dab_frame.h"
+#include "core/sculpt/deform/dab_frame.h"
 
-#include "deform.h"
+#include "core/sculpt/deform/deform.h"
 
 namespace core
 {

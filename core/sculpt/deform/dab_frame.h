@@ -1,7 +1,7 @@
 #pragma once
 
-#include "region.h"
-#include "stroke.h"
+#include "core/sculpt/select/region.h"
+#include "core/stroke/stroke.h"
 
 namespace core
 {

@@ -1,7 +1,7 @@
-#include "dab_weights.h"
+#include "core/sculpt/deform/dab_weights.h"
 
-#include "alpha.h"
-#include "deform.h"
+#include "core/sculpt/deform/alpha.h"
+#include "core/sculpt/deform/deform.h"
 
 namespace core
 {

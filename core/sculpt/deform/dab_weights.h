@@ -1,7 +1,7 @@
 #pragma once
 
-#include "dab_frame.h"
-#include "stamp.h"
+#include "core/sculpt/deform/dab_frame.h"
+#include "core/sculpt/deform/stamp_shape.h"
 
 namespace core
 {

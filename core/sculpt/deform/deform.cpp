@@ -1,8 +1,8 @@
-#include "deform.h"
+#include "core/sculpt/deform/deform.h"
 
-#include "dab_weights.h"
-#include "normals.h"
-#include "parallel.h"
+#include "core/sculpt/deform/dab_weights.h"
+#include "core/mesh/normals.h"
+#include "core/util/parallel.h"
 
 #include <algorithm>
 #include <cassert>

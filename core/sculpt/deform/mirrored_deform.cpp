@@ -1,7 +1,7 @@
-#include "mirror_plan.h"
+#include "core/sculpt/deform/mirrored_deform.h"
 
-#include "dab_weights.h"
-#include "deform.h"
+#include "core/sculpt/deform/dab_weights.h"
+#include "core/sculpt/deform/deform.h"
 
 namespace core
 {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "mirror_map.h"
-#include "region.h"
-#include "stroke.h"
+#include "core/sculpt/edit/mirror_map.h"
+#include "core/sculpt/select/region.h"
+#include "core/stroke/stroke.h"
 
 namespace core
 {

@@ -1,4 +1,4 @@
-#include "held_back.h"
+#include "core/sculpt/deform/motion_limits.h"
 
 #include <algorithm>
 

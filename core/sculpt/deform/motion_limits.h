@@ -1,6 +1,6 @@
 #pragma once
 
-#include "region.h"
+#include "core/sculpt/select/region.h"
 
 #include <cassert>
 

@@ -1,6 +1,6 @@
-#include "stamp.h"
+#include "core/sculpt/deform/stamp_shape.h"
 
-#include "brush_model.h"
+#include "core/sculpt/deform/brush_model.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dab_frame.h"
+#include "core/sculpt/deform/dab_frame.h"
 
 namespace core
 {

@@ -1,4 +1,4 @@
-#include "mesh_editor.h"
+#include "core/sculpt/edit/mesh_editor.h"
 
 namespace core
 {

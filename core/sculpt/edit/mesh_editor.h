@@ -1,7 +1,7 @@
 #pragma once
 
-#include "mirror_map.h"
-#include "slot_set.h"
+#include "core/sculpt/edit/mirror_map.h"
+#include "core/util/slot_set.h"
 
 #include <functional>
 

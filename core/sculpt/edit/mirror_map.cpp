@@ -1,4 +1,4 @@
-#include "mirror_map.h"
+#include "core/sculpt/edit/mirror_map.h"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "brush.h"
-#include "face_octree.h"
-#include "sparse_index.h"
-#include "stroke.h"
+#include "core/stroke/tool.h"
+#include "core/mesh/face_octree.h"
+#include "core/util/sparse_index.h"
+#include "core/stroke/stroke.h"
 
 namespace core
 {

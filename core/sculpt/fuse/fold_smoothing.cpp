@@ -1,6 +1,6 @@
-#include "unfolding.h"
+#include "core/sculpt/fuse/fold_smoothing.h"
 
-#include "normals.h"
+#include "core/mesh/normals.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "judged_mesh.h"
-#include "mesh_editor.h"
-#include "region.h"
+#include "core/sculpt/verify/verified_mesh.h"
+#include "core/sculpt/edit/mesh_editor.h"
+#include "core/sculpt/select/region.h"
 
 namespace core
 {

@@ -4,10 +4,10 @@
 //     operate    nearest first, each judged by itself
 //   separate   what can no longer be collapsed, in fuse_separate.cpp
 
-#include "fuse.h"
+#include "core/sculpt/fuse/fusion.h"
 
-#include "join.h"
-#include "mirror_surgery.h"
+#include "core/sculpt/fuse/ring_join.h"
+#include "core/sculpt/fuse/mirrored_join.h"
 
 #include <algorithm>
 #include <tuple>

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "held_back.h"
-#include "ring_zip.h"
-#include "judged_mesh.h"
-#include "mirror_map.h"
-#include "remesh.h"
+#include "core/sculpt/deform/motion_limits.h"
+#include "core/sculpt/fuse/ring_strip.h"
+#include "core/sculpt/verify/verified_mesh.h"
+#include "core/sculpt/edit/mirror_map.h"
+#include "core/sculpt/remesh/remesh.h"
 
 namespace core
 {

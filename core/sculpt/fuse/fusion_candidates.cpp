@@ -4,11 +4,11 @@
 // Two filters, as in Ginier's FreeStyle implementations: surfaces that meet from outside join whatever the tool; the two sides
 // of a wall do only when they are pushed.
 
-#include "fuse.h"
+#include "core/sculpt/fuse/fusion.h"
 
-#include "normals.h"
-#include "parallel.h"
-#include "proximity_grid.h"
+#include "core/mesh/normals.h"
+#include "core/util/parallel.h"
+#include "core/geometry/proximity_grid.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,6 +1,6 @@
-#include "mirror_surgery.h"
+#include "core/sculpt/fuse/mirrored_join.h"
 
-#include "ring_zip.h"
+#include "core/sculpt/fuse/ring_strip.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mirror_map.h"
+#include "core/sculpt/edit/mirror_map.h"
 
 #include <optional>
 

@@ -5,7 +5,7 @@
 //   3. zip:        each pair of arcs becomes a strip of triangles, evenly by Bresenham's error diffusion or by what lies nearest
 //   4. umbrellas:  a vertex that is left with several gets a copy for each further one
 
-#include "join.h"
+#include "core/sculpt/fuse/ring_join.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ring_zip.h"
+#include "core/sculpt/fuse/ring_strip.h"
 
 #include <optional>
 

@@ -1,4 +1,4 @@
-#include "ring_zip.h"
+#include "core/sculpt/fuse/ring_strip.h"
 
 namespace core
 {

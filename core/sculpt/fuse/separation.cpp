@@ -1,9 +1,9 @@
 // The last step of fuse.cpp, where an edge that is too short can no longer be collapsed: a neck three edges around is cut, a speck
 // is removed.
 
-#include "fuse.h"
+#include "core/sculpt/fuse/fusion.h"
 
-#include "join.h"
+#include "core/sculpt/fuse/ring_join.h"
 
 namespace core
 {

@@ -1,8 +1,8 @@
 // Step 2 of remesh.cpp: what is too short is collapsed.
 
-#include "remesher.h"
+#include "core/sculpt/remesh/remesher.h"
 
-#include "collapse_shape.h"
+#include "core/sculpt/remesh/collapse_placement.h"
 
 #include <algorithm>
 

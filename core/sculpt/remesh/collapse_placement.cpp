@@ -3,9 +3,9 @@
 //   by their areas, not by the squares of these, which let the small faces beside a crease count for nothing
 //   the normals of the faces that would meet in its vertex
 
-#include "collapse_shape.h"
+#include "core/sculpt/remesh/collapse_placement.h"
 
-#include "normals.h"
+#include "core/mesh/normals.h"
 
 #include <algorithm>
 

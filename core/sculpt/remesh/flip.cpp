@@ -1,6 +1,6 @@
 // Step 3 of remesh.cpp: edges are flipped by Delaunay's criterion.
 
-#include "remesher.h"
+#include "core/sculpt/remesh/remesher.h"
 
 #include <algorithm>
 

@@ -8,9 +8,9 @@
 // No step after the splits makes an edge longer than d_detail, the last two none shorter than d.
 // Keys of each order are total (length, then slots), so that results depend only on the mesh.
 
-#include "remesher.h"
+#include "core/sculpt/remesh/remesher.h"
 
-#include "normals.h"
+#include "core/mesh/normals.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "mesh_editor.h"
-#include "region.h"
+#include "core/sculpt/edit/mesh_editor.h"
+#include "core/sculpt/select/region.h"
 
 #include <span>
 

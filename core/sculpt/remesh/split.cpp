@@ -1,8 +1,8 @@
 // Steps 0 and 1 of remesh.cpp: what is too long is split.
 
-#include "remesher.h"
+#include "core/sculpt/remesh/remesher.h"
 
-#include "point_triangle.h"
+#include "core/geometry/point_triangle.h"
 
 #include <algorithm>
 #include <deque>

@@ -1,6 +1,6 @@
-#include "region.h"
+#include "core/sculpt/select/region.h"
 
-#include "point_triangle.h"
+#include "core/geometry/point_triangle.h"
 
 #include <algorithm>
 #include <queue>

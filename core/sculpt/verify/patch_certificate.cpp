@@ -1,6 +1,6 @@
-#include "patch_certificate.h"
+#include "core/sculpt/verify/patch_certificate.h"
 
-#include "parallel.h"
+#include "core/util/parallel.h"
 
 #include <algorithm>
 #include <atomic>

@@ -1,6 +1,6 @@
-#include "judged_mesh.h"
+#include "core/sculpt/verify/verified_mesh.h"
 
-#include "phase_timer.h"
+#include "core/util/phase_timer.h"
 
 namespace core
 {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "dirty_slots.h"
-#include "verify.h"
+#include "core/mesh/dirty_slots.h"
+#include "core/sculpt/verify/verifier.h"
 
 #include <functional>
 

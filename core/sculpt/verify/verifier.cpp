@@ -8,12 +8,12 @@
 //      tier c:       exact tests of neighbouring pairs too, where a star has no certificate
 //   5. nesting:      a shell wholly inside a box must still face the right way at its depth
 
-#include "verify.h"
+#include "core/sculpt/verify/verifier.h"
 
-#include "box_pairs.h"
-#include "box_parts.h"
-#include "parallel.h"
-#include "shell_probe.h"
+#include "core/geometry/box_pairs.h"
+#include "core/geometry/box_clusters.h"
+#include "core/util/parallel.h"
+#include "core/analysis/shell_orientation.h"
 
 #include <algorithm>
 

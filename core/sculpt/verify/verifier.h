@@ -1,9 +1,9 @@
 #pragma once
 
-#include "face_octree.h"
-#include "patch_certificate.h"
-#include "sparse_index.h"
-#include "triangle_pair.h"
+#include "core/mesh/face_octree.h"
+#include "core/sculpt/verify/patch_certificate.h"
+#include "core/util/sparse_index.h"
+#include "core/geometry/triangle_intersection.h"
 
 namespace core
 {

@@ -1,7 +1,7 @@
-#include "app/class_file.h"
-#include "app/class_pin.h"
+#include "app/classroom/class_file.h"
+#include "app/classroom/class_pin.h"
 
-#include "tests/support/hard_places.h"
+#include "tests/support/unwritable_places.h"
 
 #include <QDir>
 #include <QTemporaryDir>

@@ -1,10 +1,10 @@
-#include "app/report_maker.h"
-#include "tests/support/program_hand.h"
+#include "app/classroom/report_writer.h"
+#include "tests/support/program_driver.h"
 #include "tests/support/shapes.h"
 
-#include "core/mesh_io.h"
-#include "core/starter_models.h"
-#include "ui/measures.h"
+#include "core/io/mesh_io.h"
+#include "core/operations/primitives.h"
+#include "ui/util/number_format.h"
 
 #include <QAction>
 #include <QCryptographicHash>

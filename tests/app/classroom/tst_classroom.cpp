@@ -1,19 +1,19 @@
-#include "tests/support/program_hand.h"
+#include "tests/support/program_driver.h"
 
-#include "app/class_file.h"
-#include "app/class_pin.h"
-#include "app/classroom_mode.h"
-#include "app/model_loader.h"
+#include "app/classroom/class_file.h"
+#include "app/classroom/class_pin.h"
+#include "app/classroom/classroom_mode.h"
+#include "app/model/model_loader.h"
 
 #include "core/journal/journal.h"
-#include "core/sculptor.h"
-#include "core/stroke_file.h"
-#include "ui/actions.h"
-#include "ui/brush_caption.h"
-#include "ui/classroom_lock.h"
-#include "ui/color_panel.h"
-#include "ui/mailbox.h"
-#include "ui/name_panel.h"
+#include "core/sculpt/sculptor.h"
+#include "core/io/stroke/stroke_file.h"
+#include "ui/actions/actions.h"
+#include "ui/brush/brush_caption.h"
+#include "ui/classroom/classroom_lock.h"
+#include "ui/brush/color_panel.h"
+#include "ui/util/thread_mailbox.h"
+#include "ui/classroom/pupil_name_panel.h"
 
 #include <QAction>
 #include <QContextMenuEvent>

@@ -1,10 +1,10 @@
-#include "app/class_archive.h"
-#include "app/model_loader.h"
+#include "app/classroom/work_archive.h"
+#include "app/model/model_loader.h"
 
-#include "tests/support/hard_places.h"
+#include "tests/support/unwritable_places.h"
 
-#include "core/mesh_build.h"
-#include "core/starter_models.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/operations/primitives.h"
 
 #include <QDir>
 #include <QImage>
@@ -274,4 +274,4 @@ int main(int argc, char* argv[])
     TestClassArchive test;
     return QTest::qExec(&test, argc, argv);
 }
-#include "tst_class_archive.moc"
+#include "tst_work_archive.moc"

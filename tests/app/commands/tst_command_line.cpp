@@ -1,8 +1,8 @@
-#include "app/command_line.h"
+#include "app/commands/command_line.h"
 
-#include "core/mesh_check.h"
-#include "core/mesh_io.h"
-#include "tests/support/hard_places.h"
+#include "core/analysis/mesh_check.h"
+#include "core/io/mesh_io.h"
+#include "tests/support/unwritable_places.h"
 
 #include <QDir>
 #include <QFile>

@@ -1,9 +1,9 @@
 // The whole program where numbers have commas: what stands in files does not change by it.
 
-#include "app/foreign_reader.h"
-#include "core/export_check.h"
-#include "core/mesh_io.h"
-#include "core/stroke_file.h"
+#include "app/import/sandboxed_importer.h"
+#include "core/io/export_check.h"
+#include "core/io/mesh_io.h"
+#include "core/io/stroke/stroke_file.h"
 
 #include <QApplication>
 #include <QFile>

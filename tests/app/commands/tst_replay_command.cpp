@@ -1,9 +1,9 @@
 // What stroke files may hold: strokes in every tool and mode, and commands for the whole model.
-#include "app/model_loader.h"
-#include "core/mesh_io.h"
-#include "core/model_command.h"
-#include "core/sculptor.h"
-#include "core/starter_models.h"
+#include "app/model/model_loader.h"
+#include "core/io/mesh_io.h"
+#include "core/operations/model_command.h"
+#include "core/sculpt/sculptor.h"
+#include "core/operations/primitives.h"
 #include "tests/support/solid_asserts.h"
 
 #include <nlohmann/json.hpp>

@@ -9,7 +9,7 @@
 //   bridges    3 and their images, 2 across the mirror's plane    1           16   one makes one of two; 7 more are handles
 //   handles    from the lip to the shoulder, and its image        1           18   one a handle
 //   motifs     turned waves and pearls                            1           18
-#include "core/mesh_io.h"
+#include "core/io/mesh_io.h"
 #include "tests/support/mirror_asserts.h"
 #include "tests/support/solid_asserts.h"
 

@@ -1,13 +1,13 @@
-#include "app/document.h"
-#include "app/history_list.h"
-#include "app/model_inquiry.h"
-#include "app/stroke_step.h"
+#include "app/document/document.h"
+#include "app/document/history_list.h"
+#include "app/document/model_analysis.h"
+#include "app/worker/stroke_step.h"
 
-#include "core/mesh_build.h"
-#include "core/mesh_check.h"
-#include "core/mesh_io.h"
-#include "ui/mailbox.h"
-#include "ui/messages.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/analysis/mesh_check.h"
+#include "core/io/mesh_io.h"
+#include "ui/util/thread_mailbox.h"
+#include "ui/util/error_messages.h"
 
 #include <QDir>
 #include <QFile>

@@ -1,13 +1,13 @@
-#include "app/brush_keeper.h"
-#include "app/document.h"
-#include "app/stroke_shapes.h"
+#include "app/model/brush_export.h"
+#include "app/document/document.h"
+#include "app/commands/stroke_assets.h"
 
-#include "core/mesh_build.h"
-#include "core/mesh_io.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/io/mesh_io.h"
 #include "tests/support/shapes.h"
 #include "tests/support/viewer.h"
-#include "ui/brush_files.h"
-#include "ui/mailbox.h"
+#include "ui/brush/brush_files.h"
+#include "ui/util/thread_mailbox.h"
 
 #include <QScopeGuard>
 #include <QSemaphore>

@@ -1,9 +1,9 @@
-#include "tests/support/program_hand.h"
+#include "tests/support/program_driver.h"
 
-#include "core/mesh_io.h"
-#include "ui/file_grid.h"
-#include "ui/files_panel.h"
-#include "ui/settings.h"
+#include "core/io/mesh_io.h"
+#include "ui/files/file_grid.h"
+#include "ui/files/file_browser.h"
+#include "ui/settings/settings.h"
 
 #include <QAction>
 #include <QDir>

@@ -1,12 +1,12 @@
 // The print check in the real window: what it finds, shows and forgets; and the commands that belong to it.
 
 #include "tests/support/clay.h"
-#include "tests/support/program_hand.h"
+#include "tests/support/program_driver.h"
 #include "tests/support/shapes.h"
 
-#include "core/mesh_io.h"
-#include "ui/print_panel.h"
-#include "ui/settings.h"
+#include "core/io/mesh_io.h"
+#include "ui/print/print_panel.h"
+#include "ui/settings/settings.h"
 
 #include <QAction>
 #include <QComboBox>

@@ -1,8 +1,8 @@
-#include "tests/support/program_hand.h"
+#include "tests/support/program_driver.h"
 
-#include "core/mesh_io.h"
-#include "ui/color_panel.h"
-#include "ui/mailbox.h"
+#include "core/io/mesh_io.h"
+#include "ui/brush/color_panel.h"
+#include "ui/util/thread_mailbox.h"
 
 #include <QAction>
 #include <QStandardPaths>

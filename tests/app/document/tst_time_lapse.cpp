@@ -1,10 +1,10 @@
-#include "tests/support/hard_places.h"
-#include "tests/support/program_hand.h"
+#include "tests/support/unwritable_places.h"
+#include "tests/support/program_driver.h"
 
-#include "app/time_lapse.h"
+#include "app/document/time_lapse.h"
 
-#include "ui/mailbox.h"
-#include "ui/time_lapse_dialog.h"
+#include "ui/util/thread_mailbox.h"
+#include "ui/history/time_lapse_dialog.h"
 
 #include <QAction>
 #include <QComboBox>

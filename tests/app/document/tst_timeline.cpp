@@ -1,16 +1,16 @@
-#include "tests/support/program_hand.h"
+#include "tests/support/program_driver.h"
 
-#include "app/journal_shelf.h"
+#include "app/recovery/recovery_store.h"
 
-#include "core/alpha.h"
-#include "core/brush_model.h"
-#include "core/journal/replay.h"
-#include "core/mesh_build.h"
-#include "core/mesh_check.h"
-#include "core/stroke_change.h"
-#include "ui/history_panel.h"
-#include "ui/mailbox.h"
-#include "ui/stroke_bar.h"
+#include "core/sculpt/deform/alpha.h"
+#include "core/sculpt/deform/brush_model.h"
+#include "core/journal/journal_recovery.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/analysis/mesh_check.h"
+#include "core/stroke/stroke_edit.h"
+#include "ui/history/history_panel.h"
+#include "ui/util/thread_mailbox.h"
+#include "ui/brush/stroke_edit_bar.h"
 
 #include <QAction>
 #include <QComboBox>

@@ -1,10 +1,10 @@
 // Models without a unit in the real window: the doubt, and what becomes of it.
 
-#include "tests/support/program_hand.h"
+#include "tests/support/program_driver.h"
 #include "tests/support/shapes.h"
 
-#include "core/mesh_io.h"
-#include "ui/unit_bar.h"
+#include "core/io/mesh_io.h"
+#include "ui/model/unit_bar.h"
 
 #include <QAction>
 #include <QFile>

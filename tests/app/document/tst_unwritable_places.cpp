@@ -1,10 +1,10 @@
-#include "tests/support/hard_places.h"
-#include "tests/support/program_hand.h"
+#include "tests/support/unwritable_places.h"
+#include "tests/support/program_driver.h"
 
-#include "core/mesh_io.h"
-#include "ui/file_grid.h"
-#include "ui/files_panel.h"
-#include "ui/mailbox.h"
+#include "core/io/mesh_io.h"
+#include "ui/files/file_grid.h"
+#include "ui/files/file_browser.h"
+#include "ui/util/thread_mailbox.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -336,4 +336,4 @@ int main(int argc, char* argv[])
     TestHardPlaces::disk = &disk;
     return runOnScreen<TestHardPlaces>(argc, argv, "tst_hard_places");
 }
-#include "tst_hard_places.moc"
+#include "tst_unwritable_places.moc"

@@ -1,4 +1,4 @@
-#include "app/work_clock.h"
+#include "app/document/work_timer.h"
 
 #include <QTest>
 
@@ -47,4 +47,4 @@ void TestWorkClock::anotherSitting_goesOnCounting()
 }
 
 QTEST_GUILESS_MAIN(TestWorkClock)
-#include "tst_work_clock.moc"
+#include "tst_work_timer.moc"

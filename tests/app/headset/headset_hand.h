@@ -1,13 +1,13 @@
 #pragma once
 
-#include "tests/support/program_hand.h"
-#include "tests/vr/scripted_headset.h"
+#include "tests/support/program_driver.h"
+#include "tests/vr/simulator/scripted_headset.h"
 
-#include "app/headset.h"
-#include "app/headset_settings.h"
-#include "vr/hands.h"
-#include "vr/panel_wall.h"
-#include "vr/room.h"
+#include "app/headset/headset.h"
+#include "app/headset/headset_settings.h"
+#include "vr/input/wand_mapping.h"
+#include "vr/panels/panel_manager.h"
+#include "vr/input/model_placement.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "headset_hand.h"
+#include "tests/app/headset/headset_hand.h"
 
-#include "app/headset_settings.h"
-#include "core/mesh_build.h"
-#include "core/mesh_io.h"
+#include "app/headset/headset_settings.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/io/mesh_io.h"
 
 #include <QDir>
 #include <QSettings>

@@ -1,11 +1,11 @@
-#include "app/headset.h"
-#include "app/headset_settings.h"
+#include "app/headset/headset.h"
+#include "app/headset/headset_settings.h"
 
-#include "core/mesh_io.h"
-#include "tests/support/hard_places.h"
-#include "tests/support/program_hand.h"
-#include "ui/clay_materials.h"
-#include "ui/settings.h"
+#include "core/io/mesh_io.h"
+#include "tests/support/unwritable_places.h"
+#include "tests/support/program_driver.h"
+#include "ui/scene/materials.h"
+#include "ui/settings/settings.h"
 
 #include <QAction>
 #include <QDir>
@@ -542,4 +542,4 @@ int main(int argc, char* argv[])
     TestHeadsetWishes::disk = &disk;
     return runOnScreen<TestHeadsetWishes>(argc, argv, "tst_headset_wishes");
 }
-#include "tst_headset_wishes.moc"
+#include "tst_headset_controller_requests.moc"

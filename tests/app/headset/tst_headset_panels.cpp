@@ -1,10 +1,10 @@
 // Each item of the panels in the headset, pressed with a wand that points at it, and looked at in the document and in the window.
-#include "headset_visit.h"
+#include "tests/app/headset/headset_visit.h"
 #include "tests/vr/vr_test.h"
 
-#include "app/headset_files.h"
-#include "core/mesh_check.h"
-#include "ui/color_panel.h"
+#include "app/headset/headset_files.h"
+#include "core/analysis/mesh_check.h"
+#include "ui/brush/color_panel.h"
 
 #include <numbers>
 

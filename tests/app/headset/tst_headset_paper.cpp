@@ -1,5 +1,5 @@
 // Each button of the preset Paper (section 4.1 of the paper), pressed in the headset and looked at in the document.
-#include "headset_visit.h"
+#include "tests/app/headset/headset_visit.h"
 #include "tests/vr/vr_test.h"
 
 #include <numbers>

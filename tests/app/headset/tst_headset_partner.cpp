@@ -1,16 +1,16 @@
 // Two people and one model: who wears the headset, and who stands at the desktop.
 // FETTLE_HEADSET_PICTURES=<folder> keeps what the left eye saw, and the window.
-#include "headset_visit.h"
+#include "tests/app/headset/headset_visit.h"
 #include "tests/vr/vr_test.h"
 
-#include "app/class_pin.h"
-#include "app/classroom_mode.h"
-#include "core/mesh_check.h"
-#include "ui/brush_caption.h"
-#include "ui/lesson_panel.h"
-#include "ui/name_panel.h"
-#include "ui/partner_bar.h"
-#include "ui/point_light.h"
+#include "app/classroom/class_pin.h"
+#include "app/classroom/classroom_mode.h"
+#include "core/analysis/mesh_check.h"
+#include "ui/brush/brush_caption.h"
+#include "ui/lesson/lesson_panel.h"
+#include "ui/classroom/pupil_name_panel.h"
+#include "ui/headset/partner_bar.h"
+#include "ui/viewport/pointer_highlight.h"
 
 using namespace app;
 using core::Vec3;

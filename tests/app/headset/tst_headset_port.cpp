@@ -1,8 +1,8 @@
-#include "app/document.h"
-#include "app/headset_port.h"
+#include "app/document/document.h"
+#include "app/headset/headset_port.h"
 
 #include "tests/support/viewer.h"
-#include "ui/mailbox.h"
+#include "ui/util/thread_mailbox.h"
 
 #include <QSignalSpy>
 #include <QStandardPaths>

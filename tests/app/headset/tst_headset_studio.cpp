@@ -1,5 +1,5 @@
 // Each row of the preset Studio, done in the headset and looked at in the document.
-#include "headset_visit.h"
+#include "tests/app/headset/headset_visit.h"
 #include "tests/vr/vr_test.h"
 
 #include <numbers>

@@ -1,10 +1,10 @@
 // Entering and leaving, two people at one document, and all that can go wrong with a headset: against the scripted runtime, with Khronos'
 // validation layer between.
-#include "headset_visit.h"
+#include "tests/app/headset/headset_visit.h"
 #include "tests/support/other_windows_x11.h"
 #include "tests/vr/vr_test.h"
 
-#include "core/mesh_check.h"
+#include "core/analysis/mesh_check.h"
 
 #include <QAction>
 #include <QElapsedTimer>

@@ -1,17 +1,17 @@
 // The VR simulator as somebody at a desk has it: keys and mouse on its window, the real loader, the very same headset code.
-#include "app/command_line.h"
-#include "app/headset.h"
-#include "app/headset_settings.h"
-#include "app/simulator_desk.h"
-#include "core/mesh_build.h"
-#include "core/mesh_io.h"
+#include "app/commands/command_line.h"
+#include "app/headset/headset.h"
+#include "app/headset/headset_settings.h"
+#include "app/headset/simulator_controller.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/io/mesh_io.h"
 #include "tests/support/other_windows_x11.h"
-#include "tests/support/program_hand.h"
+#include "tests/support/program_driver.h"
 #include "tests/support/solid_asserts.h"
-#include "tests/vr/scripted_runtime.h"
+#include "tests/vr/simulator/scripted_runtime.h"
 #include "tests/vr/vr_test.h"
-#include "ui/simulator_view.h"
-#include "ui/simulator_window.h"
+#include "ui/headset/simulator_view.h"
+#include "ui/headset/simulator_window.h"
 
 #include <QFile>
 #include <QProcess>

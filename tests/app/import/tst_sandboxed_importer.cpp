@@ -1,11 +1,11 @@
 // Formats that come in through Assimp, written by Assimp's own exporters; and what hostile files and broken readers do to us: nothing.
 
-#include "app/child_process.h"
-#include "app/foreign_import.h"
-#include "app/foreign_reader.h"
-#include "app/own_limits.h"
-#include "core/file_error.h"
-#include "core/mesh_io.h"
+#include "app/platform/child_process.h"
+#include "app/import/assimp_import.h"
+#include "app/import/sandboxed_importer.h"
+#include "app/platform/resource_limits.h"
+#include "core/util/file_error.h"
+#include "core/io/mesh_io.h"
 #include "tests/support/shapes.h"
 
 #include <QDir>
@@ -363,4 +363,4 @@ void TestForeignReader::mutatedFiles_neverGetThrough()
 }
 
 QTEST_GUILESS_MAIN(TestForeignReader)
-#include "tst_foreign_reader.moc"
+#include "tst_sandboxed_importer.moc"

@@ -1,9 +1,9 @@
 // A lesson in the real window: shown, tried, judged, and left.
-#include "tests/support/program_hand.h"
+#include "tests/support/program_driver.h"
 
-#include "core/lesson_stage.h"
-#include "core/mesh_io.h"
-#include "ui/lesson_panel.h"
+#include "core/lesson/lesson_playback.h"
+#include "core/io/mesh_io.h"
+#include "ui/lesson/lesson_panel.h"
 
 #include <QComboBox>
 #include <QDockWidget>
@@ -244,4 +244,4 @@ int main(int argc, char* argv[])
 {
     return runOnScreen<TestLessonDesk>(argc, argv, "tst_lesson_desk");
 }
-#include "tst_lesson_desk.moc"
+#include "tst_lesson_controller.moc"

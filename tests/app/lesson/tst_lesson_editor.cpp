@@ -1,14 +1,14 @@
 // A teacher's lesson in the real window: recorded by strokes, written, read back and played; opened and changed.
-#include "tests/support/program_hand.h"
+#include "tests/support/program_driver.h"
 
-#include "app/lesson_model.h"
-#include "app/lesson_saving.h"
-#include "app/lesson_shelf.h"
-#include "core/lesson_stage.h"
-#include "core/mesh_check.h"
-#include "core/mesh_build.h"
-#include "core/mesh_io.h"
-#include "ui/lesson_editor.h"
+#include "app/lesson/lesson_model.h"
+#include "app/lesson/lesson_saving.h"
+#include "app/lesson/lesson_library.h"
+#include "core/lesson/lesson_playback.h"
+#include "core/analysis/mesh_check.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/io/mesh_io.h"
+#include "ui/lesson/lesson_editor.h"
 
 #include <QComboBox>
 #include <QDir>

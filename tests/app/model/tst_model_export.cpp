@@ -1,9 +1,9 @@
-#include "tests/support/program_hand.h"
+#include "tests/support/program_driver.h"
 
-#include "app/model_export.h"
+#include "app/model/model_export.h"
 
-#include "core/mesh_build.h"
-#include "core/mesh_io.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/io/mesh_io.h"
 
 #include <QAction>
 #include <QCheckBox>

@@ -1,17 +1,17 @@
-#include "tests/support/hard_places.h"
+#include "tests/support/unwritable_places.h"
 #include "tests/support/stroke_fuzzer.h"
 
-#include "app/document.h"
-#include "app/journal_shelf.h"
-#include "app/stroke_command.h"
+#include "app/document/document.h"
+#include "app/recovery/recovery_store.h"
+#include "app/document/stroke_command.h"
 
-#include "core/journal/files.h"
-#include "core/kept_version.h"
-#include "core/mesh_build.h"
-#include "core/mesh_check.h"
-#include "core/mesh_io.h"
-#include "core/stroke_change.h"
-#include "ui/settings.h"
+#include "core/journal/journal_files.h"
+#include "core/util/numbered_backup.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/analysis/mesh_check.h"
+#include "core/io/mesh_io.h"
+#include "core/stroke/stroke_edit.h"
+#include "ui/settings/settings.h"
 
 #include <QApplication>
 #include <QElapsedTimer>

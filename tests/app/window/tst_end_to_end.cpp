@@ -1,11 +1,11 @@
-#include "app/headset_settings.h"
-#include "tests/support/program_hand.h"
+#include "app/headset/headset_settings.h"
+#include "tests/support/program_driver.h"
 
-#include "core/mesh_check.h"
-#include "core/mesh_io.h"
-#include "ui/color_panel.h"
-#include "ui/messages.h"
-#include "ui/settings.h"
+#include "core/analysis/mesh_check.h"
+#include "core/io/mesh_io.h"
+#include "ui/brush/color_panel.h"
+#include "ui/util/error_messages.h"
+#include "ui/settings/settings.h"
 
 #include <QAction>
 #include <QApplication>

@@ -1,12 +1,12 @@
 #include "tests/support/program.h"
 
-#include "core/mesh_build.h"
-#include "core/mesh_check.h"
-#include "ui/actions.h"
-#include "ui/mailbox.h"
-#include "ui/main_window.h"
-#include "ui/scene.h"
-#include "ui/viewport.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/analysis/mesh_check.h"
+#include "ui/actions/actions.h"
+#include "ui/util/thread_mailbox.h"
+#include "ui/window/main_window.h"
+#include "ui/scene/scene.h"
+#include "ui/viewport/viewport.h"
 
 #include <QAction>
 #include <QApplication>
@@ -241,4 +241,4 @@ int main(int argc, char* argv[])
     TestRandomHand test;
     return QTest::qExec(&test, argc, argv);
 }
-#include "tst_random_hand.moc"
+#include "tst_random_input.moc"

@@ -1,5 +1,5 @@
 // Every language says everything: the files in translations/ against the sources, against themselves, and in the program.
-#include "ui/actions.h"
+#include "ui/actions/actions.h"
 
 #include <QAction>
 #include <QApplication>

@@ -1,8 +1,8 @@
-#include "app/drawing_worker.h"
-#include "app/sculpt_worker.h"
+#include "app/worker/drawing_worker.h"
+#include "app/worker/sculpt_worker.h"
 
-#include "core/mesh_build.h"
-#include "ui/mailbox.h"
+#include "core/mesh/mesh_builder.h"
+#include "ui/util/thread_mailbox.h"
 
 #include <QDir>
 #include <QFile>

@@ -1,9 +1,9 @@
-#include "app/job_queue.h"
-#include "app/sculpt_worker.h"
+#include "app/worker/job_queue.h"
+#include "app/worker/sculpt_worker.h"
 
-#include "core/mesh_build.h"
+#include "core/mesh/mesh_builder.h"
 #include "tests/support/viewer.h"
-#include "ui/mailbox.h"
+#include "ui/util/thread_mailbox.h"
 
 #include <QSignalSpy>
 #include <QTest>

@@ -1,8 +1,8 @@
 // The whole-model check: named shapes by their properties, random ones against CGAL.
 
-#include "core/lattice_placement.h"
-#include "core/mesh_check.h"
-#include "core/nesting.h"
+#include "core/geometry/lattice_placement.h"
+#include "core/analysis/mesh_check.h"
+#include "core/analysis/nesting.h"
 #include "tests/support/cgal_judge.h"
 #include "tests/support/shapes.h"
 

@@ -1,8 +1,8 @@
 // Will it print: walls, overhangs and bases of solids whose measures are known.
 
-#include "core/print_check.h"
-#include "core/starter_models.h"
-#include "core/worker_pool.h"
+#include "core/analysis/print_check.h"
+#include "core/operations/primitives.h"
+#include "core/util/worker_pool.h"
 #include "tests/support/clay.h"
 #include "tests/support/shapes.h"
 

@@ -1,7 +1,7 @@
 // Drawings that follow patches against drawings of the whole model: line by line and pixel by pixel they are the same.
 
-#include "core/line_drawer.h"
-#include "core/sculptor.h"
+#include "core/drawing/incremental_line_drawing.h"
+#include "core/sculpt/sculptor.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/shapes.h"
 #include "tests/support/stroke_fuzzer.h"
@@ -151,4 +151,4 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestLineDrawer)
-#include "tst_line_drawer.moc"
+#include "tst_incremental_line_drawing.moc"

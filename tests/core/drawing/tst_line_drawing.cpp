@@ -1,7 +1,7 @@
 // Drawings against the model itself: what is drawn lies on its edges, and a ray from there to the eye says whether it can be seen.
 
-#include "core/dirty_slots.h"
-#include "core/line_drawing.h"
+#include "core/mesh/dirty_slots.h"
+#include "core/drawing/line_drawing.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/shapes.h"
 

@@ -1,5 +1,5 @@
-#include "core/mesh_io.h"
-#include "core/model_picture.h"
+#include "core/io/mesh_io.h"
+#include "core/drawing/model_thumbnail.h"
 
 #include "tests/support/shapes.h"
 
@@ -187,4 +187,4 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestModelPicture)
-#include "tst_model_picture.moc"
+#include "tst_model_thumbnail.moc"

@@ -1,4 +1,4 @@
-#include "core/triangle_mesh.h"
+#include "core/geometry/triangle_mesh.h"
 
 #include <QTest>
 

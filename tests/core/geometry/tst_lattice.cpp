@@ -1,4 +1,4 @@
-#include "core/lattice.h"
+#include "core/geometry/lattice.h"
 
 #include <QTest>
 

@@ -1,6 +1,6 @@
 // The exact predicates, against CGAL's exact-predicates kernel.
 
-#include "core/predicates.h"
+#include "core/geometry/predicates.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

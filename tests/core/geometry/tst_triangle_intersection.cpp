@@ -1,7 +1,7 @@
 // Pairs of triangles, against CGAL: do_intersect for pairs that share no corner, the exact kernel's intersection, by its
 // kind, for pairs that do.
 
-#include "core/triangle_pair.h"
+#include "core/geometry/triangle_intersection.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -221,4 +221,4 @@ void TestTrianglePair::speed()
 }
 
 QTEST_APPLESS_MAIN(TestTrianglePair)
-#include "tst_triangle_pair.moc"
+#include "tst_triangle_intersection.moc"

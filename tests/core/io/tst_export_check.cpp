@@ -1,8 +1,8 @@
 #include "tests/support/shapes.h"
 
-#include "core/export_check.h"
-#include "core/file_error.h"
-#include "core/mesh_io.h"
+#include "core/io/export_check.h"
+#include "core/util/file_error.h"
+#include "core/io/mesh_io.h"
 
 #include <QTemporaryDir>
 #include <QTest>

@@ -1,7 +1,7 @@
 #include "tests/support/mesh_asserts.h"
 
-#include "core/mesh_build.h"
-#include "core/mesh_io.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/io/mesh_io.h"
 
 #include <assimp/Importer.hpp>
 #include <assimp/postprocess.h>

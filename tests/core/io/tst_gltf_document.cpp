@@ -1,7 +1,7 @@
 // glTF with its buffers in the JSON and in files beside it; and files that name what is not theirs.
 
-#include "core/file_error.h"
-#include "core/mesh_io.h"
+#include "core/util/file_error.h"
+#include "core/io/mesh_io.h"
 #include "tests/support/shapes.h"
 
 #include <QTemporaryDir>
@@ -227,4 +227,4 @@ void TestGltf::gltf_isNotWritten()
 }
 
 QTEST_APPLESS_MAIN(TestGltf)
-#include "tst_gltf.moc"
+#include "tst_gltf_document.moc"

@@ -1,8 +1,8 @@
 // Files of more than a few thousand elements, which all cores read and write in parts: the same as if one had read them.
 
-#include "core/file_error.h"
-#include "core/mesh_io.h"
-#include "core/parallel.h"
+#include "core/util/file_error.h"
+#include "core/io/mesh_io.h"
+#include "core/util/parallel.h"
 #include "tests/support/shapes.h"
 
 #include <QTemporaryDir>

@@ -1,7 +1,7 @@
 // Mesh files: round trips to the same bits, bad input by kind and place, and mutations of good files.
 
-#include "core/file_error.h"
-#include "core/mesh_io.h"
+#include "core/util/file_error.h"
+#include "core/io/mesh_io.h"
 #include "tests/support/shapes.h"
 
 #include <QDir>

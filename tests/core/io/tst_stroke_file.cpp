@@ -1,6 +1,6 @@
-#include "core/alpha.h"
-#include "core/brush_model.h"
-#include "core/stroke_file.h"
+#include "core/sculpt/deform/alpha.h"
+#include "core/sculpt/deform/brush_model.h"
+#include "core/io/stroke/stroke_file.h"
 
 #include <QElapsedTimer>
 #include <QTemporaryDir>

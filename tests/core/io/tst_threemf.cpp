@@ -1,7 +1,7 @@
 // 3MF packages of others: units, components, colours, parts elsewhere; and what hostile ones try.
 
-#include "core/file_error.h"
-#include "core/mesh_io.h"
+#include "core/util/file_error.h"
+#include "core/io/mesh_io.h"
 #include "tests/support/shapes.h"
 
 #include <QTemporaryDir>

@@ -1,6 +1,6 @@
 // Fettle's own lessons, and how lessons are played: each is played to its end and meets its checkpoints, in every language.
-#include "core/lesson_stage.h"
-#include "core/mesh_build.h"
+#include "core/lesson/lesson_playback.h"
+#include "core/mesh/mesh_builder.h"
 #include "tests/support/solid_asserts.h"
 
 #include <QTest>
@@ -277,4 +277,4 @@ private:
 };
 
 QTEST_APPLESS_MAIN(TestLessons)
-#include "tst_lessons.moc"
+#include "tst_bundled_lessons.moc"

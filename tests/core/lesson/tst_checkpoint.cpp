@@ -1,6 +1,6 @@
-#include "core/checkpoint.h"
-#include "core/mesh_check.h"
-#include "core/starter_models.h"
+#include "core/lesson/checkpoint.h"
+#include "core/analysis/mesh_check.h"
+#include "core/operations/primitives.h"
 
 #include <QTest>
 

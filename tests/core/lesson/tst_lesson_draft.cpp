@@ -1,7 +1,7 @@
 // A lesson is changed as its editor changes it, and stays one that can be written, read and played to its end.
-#include "core/lesson_draft.h"
-#include "core/lesson_file.h"
-#include "core/lesson_trial.h"
+#include "core/lesson/lesson_draft.h"
+#include "core/lesson/lesson_file.h"
+#include "core/lesson/lesson_check.h"
 #include "tests/support/solid_asserts.h"
 
 #include <QTemporaryDir>

@@ -1,7 +1,7 @@
 // Lessons as files: what comes back, and what is refused.
-#include "core/lesson_file.h"
-#include "core/mesh_io.h"
-#include "core/starter_models.h"
+#include "core/lesson/lesson_file.h"
+#include "core/io/mesh_io.h"
+#include "core/operations/primitives.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,5 @@
-#include "core/box_pairs.h"
-#include "core/face_octree.h"
+#include "core/geometry/box_pairs.h"
+#include "core/mesh/face_octree.h"
 #include "tests/support/clay.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/shapes.h"

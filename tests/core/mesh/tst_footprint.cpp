@@ -1,4 +1,4 @@
-#include "core/sculptor.h"
+#include "core/sculpt/sculptor.h"
 #include "tests/support/clay.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/shapes.h"

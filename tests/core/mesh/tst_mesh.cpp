@@ -1,5 +1,5 @@
-#include "core/mesh.h"
-#include "core/mesh_hash.h"
+#include "core/mesh/mesh.h"
+#include "core/mesh/mesh_hash.h"
 #include "tests/support/clay.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solid_asserts.h"

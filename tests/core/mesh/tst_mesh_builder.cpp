@@ -1,4 +1,4 @@
-#include "core/mesh_build.h"
+#include "core/mesh/mesh_builder.h"
 #include "tests/support/clay.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solid_asserts.h"
@@ -225,4 +225,4 @@ void TestMeshBuild::extractMesh_roundTrips()
 }
 
 QTEST_APPLESS_MAIN(TestMeshBuild)
-#include "tst_mesh_build.moc"
+#include "tst_mesh_builder.moc"

@@ -1,9 +1,9 @@
 // Patches against the mesh: what a viewer has after applying them, or any merge of them, is what the mesh is.
 
-#include "core/dirty_slots.h"
-#include "core/mesh_patch.h"
-#include "core/model_command.h"
-#include "core/sculptor.h"
+#include "core/mesh/dirty_slots.h"
+#include "core/mesh/mesh_patch.h"
+#include "core/operations/model_command.h"
+#include "core/sculpt/sculptor.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/shapes.h"
 #include "tests/support/stroke_fuzzer.h"

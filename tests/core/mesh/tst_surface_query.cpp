@@ -1,4 +1,4 @@
-#include "core/surface_query.h"
+#include "core/mesh/surface_query.h"
 #include "tests/support/clay.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/shapes.h"

@@ -1,5 +1,5 @@
-#include "core/join.h"
-#include "core/mesh_build.h"
+#include "core/sculpt/fuse/ring_join.h"
+#include "core/mesh/mesh_builder.h"
 #include "tests/support/cgal_judge.h"
 #include "tests/support/clay.h"
 #include "tests/support/mesh_asserts.h"

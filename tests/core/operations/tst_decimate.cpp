@@ -2,9 +2,9 @@
 #include "tests/support/cgal_judge.h"
 #include "tests/support/shapes.h"
 
-#include "core/decimate.h"
-#include "core/mesh_build.h"
-#include "core/starter_models.h"
+#include "core/operations/decimate.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/operations/primitives.h"
 
 #include <QTest>
 

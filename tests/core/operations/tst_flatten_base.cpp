@@ -1,9 +1,9 @@
 // A flat base and a place on the bed: on named solids exactly, on random ones judged by CGAL.
 
-#include "core/model_command.h"
-#include "core/polygon_fill.h"
-#include "core/print_check.h"
-#include "core/mesh_build.h"
+#include "core/operations/model_command.h"
+#include "core/geometry/polygon_triangulation.h"
+#include "core/analysis/print_check.h"
+#include "core/mesh/mesh_builder.h"
 #include "tests/support/clay.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solid_asserts.h"

@@ -1,5 +1,5 @@
-#include "core/mesh_build.h"
-#include "core/model_command.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/operations/model_command.h"
 #include "tests/support/clay.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solid_asserts.h"
@@ -171,4 +171,4 @@ void TestModelInsert::stopped_changesNothing()
 }
 
 QTEST_APPLESS_MAIN(TestModelInsert)
-#include "tst_model_insert.moc"
+#include "tst_insert_model.moc"

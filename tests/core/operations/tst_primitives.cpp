@@ -1,5 +1,5 @@
-#include "core/mesh_build.h"
-#include "core/starter_models.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/operations/primitives.h"
 
 #include <QTest>
 
@@ -98,4 +98,4 @@ void TestStarterModels::edgesAreOfOneKind()
 }
 
 QTEST_APPLESS_MAIN(TestStarterModels)
-#include "tst_starter_models.moc"
+#include "tst_primitives.moc"

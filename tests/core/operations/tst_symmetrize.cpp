@@ -1,5 +1,5 @@
-#include "core/model_command.h"
-#include "core/sculptor.h"
+#include "core/operations/model_command.h"
+#include "core/sculpt/sculptor.h"
 #include "tests/support/clay.h"
 #include "tests/support/mirror_asserts.h"
 #include "tests/support/shapes.h"

@@ -1,6 +1,6 @@
-#include "core/mesh_build.h"
-#include "core/model_command.h"
-#include "core/sculptor.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/operations/model_command.h"
+#include "core/sculpt/sculptor.h"
 #include "tests/support/clay.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solid_asserts.h"
@@ -414,4 +414,4 @@ void TestModelTransform::strokesAndCommands_areUndoneAndRedoneBitForBit()
 }
 
 QTEST_APPLESS_MAIN(TestModelTransform)
-#include "tst_model_transform.moc"
+#include "tst_transform.moc"

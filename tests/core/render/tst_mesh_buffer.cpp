@@ -1,6 +1,6 @@
-#include "core/clay_buffer.h"
-#include "core/draw_arrays.h"
-#include "core/sculptor.h"
+#include "core/render/mesh_buffer.h"
+#include "core/mesh/draw_arrays.h"
+#include "core/sculpt/sculptor.h"
 #include "tests/support/mesh_asserts.h"
 
 #include <QTest>
@@ -189,4 +189,4 @@ void TestClayBuffer::destroy_leavesNothing()
 }
 
 QTEST_GUILESS_MAIN(TestClayBuffer)
-#include "tst_clay_buffer.moc"
+#include "tst_mesh_buffer.moc"

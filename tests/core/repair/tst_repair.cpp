@@ -1,9 +1,9 @@
 // FETTLE_SOAK=1: 20,000 strange models, some six hours of a core. FETTLE_SEED=n: from another seed on. FETTLE_MODELS=n: another number of them.
 
-#include "core/legalise.h"
-#include "core/mesh_build.h"
-#include "core/mesh_hash.h"
-#include "core/worker_pool.h"
+#include "core/repair/repair.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/mesh/mesh_hash.h"
+#include "core/util/worker_pool.h"
 #include "tests/support/bad_models.h"
 #include "tests/support/cgal_judge.h"
 #include "tests/support/environment.h"
@@ -373,4 +373,4 @@ void TestLegalise::strangeModels_becomeSolidsOrAreRefused()
 }
 
 QTEST_APPLESS_MAIN(TestLegalise)
-#include "tst_legalise.moc"
+#include "tst_repair.moc"

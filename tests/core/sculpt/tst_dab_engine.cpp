@@ -1,5 +1,5 @@
-#include "core/mesh_build.h"
-#include "core/sculptor.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/sculpt/sculptor.h"
 #include "tests/support/cgal_judge.h"
 #include "tests/support/clay.h"
 #include "tests/support/mesh_asserts.h"

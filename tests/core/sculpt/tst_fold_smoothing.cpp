@@ -1,4 +1,4 @@
-#include "core/sculptor.h"
+#include "core/sculpt/sculptor.h"
 #include "tests/support/clay.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solid_asserts.h"
@@ -111,4 +111,4 @@ void TestUnfolding::motionStoppedAtContact_isNotCalledReached()
 }
 
 QTEST_APPLESS_MAIN(TestUnfolding)
-#include "tst_unfolding.moc"
+#include "tst_fold_smoothing.moc"

@@ -2,8 +2,8 @@
 //
 // FETTLE_SEED=n: another seed. FETTLE_DABS=n: another number of dabs of each shape and plane.
 
-#include "core/model_command.h"
-#include "core/sculptor.h"
+#include "core/operations/model_command.h"
+#include "core/sculpt/sculptor.h"
 #include "tests/support/clay.h"
 #include "tests/support/environment.h"
 #include "tests/support/mirror_asserts.h"

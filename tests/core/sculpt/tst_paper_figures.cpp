@@ -1,8 +1,8 @@
 // What the figures of the paper show. Of those that are shown elsewhere: Figures 5 and 6 in tst_remesh, 16 in tst_dab_engine.
 
-#include "core/mesh_check.h"
-#include "core/remesh.h"
-#include "core/sculptor.h"
+#include "core/analysis/mesh_check.h"
+#include "core/sculpt/remesh/remesh.h"
+#include "core/sculpt/sculptor.h"
 #include "tests/support/clay.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solid_asserts.h"

@@ -1,9 +1,9 @@
 // Sculpting in several sectors about y: bit for bit alike by half and quarter turns, as alike as the lattice allows by others; every result is
 // judged.
-#include "core/deform.h"
-#include "core/mesh_build.h"
-#include "core/sculptor.h"
-#include "core/sectors.h"
+#include "core/sculpt/deform/deform.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/sculpt/sculptor.h"
+#include "core/stroke/radial_symmetry.h"
 #include "tests/support/cgal_judge.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/mirror_asserts.h"
@@ -541,4 +541,4 @@ void TestRadial::unusableCount_isAnEmptyDab()
 }
 
 QTEST_GUILESS_MAIN(TestRadial)
-#include "tst_radial.moc"
+#include "tst_radial_dabs.moc"

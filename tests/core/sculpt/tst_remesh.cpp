@@ -1,4 +1,4 @@
-#include "core/remesh.h"
+#include "core/sculpt/remesh/remesh.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solid_asserts.h"
 

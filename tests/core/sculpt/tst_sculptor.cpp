@@ -4,9 +4,9 @@
 // FETTLE_SOAK=1: a million dabs. FETTLE_SEED=n: another seed. FETTLE_DABS=n: another number of dabs. FETTLE_TRACE=1: says
 // what each dab did. FETTLE_START=file, FETTLE_PLANE=x|y|z: the first run begins with that mesh, symmetric about that plane.
 
-#include "core/sculptor.h"
-#include "core/mesh_io.h"
-#include "core/worker_pool.h"
+#include "core/sculpt/sculptor.h"
+#include "core/io/mesh_io.h"
+#include "core/util/worker_pool.h"
 #include "tests/support/clay.h"
 #include "tests/support/environment.h"
 #include "tests/support/fuzz_run.h"

@@ -1,5 +1,5 @@
-#include "core/mesh_quality.h"
-#include "core/sculptor.h"
+#include "core/sculpt/selection_quality.h"
+#include "core/sculpt/sculptor.h"
 #include "tests/support/clay.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/shapes.h"
@@ -137,4 +137,4 @@ void TestMeshQuality::sculptor_measuresWhatTheLastDabSelected()
 }
 
 QTEST_APPLESS_MAIN(TestMeshQuality)
-#include "tst_mesh_quality.moc"
+#include "tst_selection_quality.moc"

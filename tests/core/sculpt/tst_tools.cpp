@@ -1,7 +1,7 @@
 // What each tool beyond the paper's does, by what can be measured of it; every result is judged.
-#include "core/mesh_build.h"
-#include "core/normals.h"
-#include "core/sculptor.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/mesh/normals.h"
+#include "core/sculpt/sculptor.h"
 #include "tests/support/cgal_judge.h"
 #include "tests/support/clay.h"
 #include "tests/support/mesh_asserts.h"

@@ -1,6 +1,6 @@
 // Model rotation while sculpting (paper, section 3.5.4): a resting hand makes a groove around the model.
-#include "core/stroke_file.h"
-#include "core/sculptor.h"
+#include "core/io/stroke/stroke_file.h"
+#include "core/sculpt/sculptor.h"
 #include "tests/support/clay.h"
 #include "tests/support/solid_asserts.h"
 

@@ -1,7 +1,7 @@
 // The local check against exhaustive exact tests of all pairs and against CGAL, on random changes; certificates against
 // exact pairs; and the errors that no pair of faces shows.
 
-#include "core/verify.h"
+#include "core/sculpt/verify/verifier.h"
 #include "tests/support/clay.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solid_asserts.h"
@@ -574,4 +574,4 @@ void TestVerify::brokenLink_isBad()
 }
 
 QTEST_APPLESS_MAIN(TestVerify)
-#include "tst_verify.moc"
+#include "tst_verifier.moc"

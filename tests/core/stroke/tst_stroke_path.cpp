@@ -1,4 +1,4 @@
-#include "core/stroke_path.h"
+#include "core/stroke/stroke_path.h"
 
 #include <QTest>
 

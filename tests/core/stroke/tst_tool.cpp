@@ -1,5 +1,5 @@
-#include "core/brush.h"
-#include "core/stroke.h"
+#include "core/stroke/tool.h"
+#include "core/stroke/stroke.h"
 
 #include <QTest>
 
@@ -93,4 +93,4 @@ void TestBrush::parameters_haveTheirDefaultsInRange()
 }
 
 QTEST_APPLESS_MAIN(TestBrush)
-#include "tst_brush.moc"
+#include "tst_tool.moc"

@@ -1,6 +1,6 @@
-#include "core/atomic_file.h"
-#include "core/kept_version.h"
-#include "core/mesh_io.h"
+#include "core/util/atomic_file.h"
+#include "core/util/numbered_backup.h"
+#include "core/io/mesh_io.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -114,4 +114,4 @@ void TestKeptVersion::keptModels_areReadByTheirFormat()
 }
 
 QTEST_APPLESS_MAIN(TestKeptVersion)
-#include "tst_kept_version.moc"
+#include "tst_numbered_backup.moc"

@@ -1,4 +1,4 @@
-#include "core/parallel.h"
+#include "core/util/parallel.h"
 
 #include <QTest>
 

@@ -1,4 +1,4 @@
-#include "core/slot_map.h"
+#include "core/util/slot_map.h"
 
 #include <QTest>
 

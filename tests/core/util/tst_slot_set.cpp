@@ -1,4 +1,4 @@
-#include "core/slot_set.h"
+#include "core/util/slot_set.h"
 
 #include <QTest>
 

@@ -1,4 +1,4 @@
-#include "core/sparse_index.h"
+#include "core/util/sparse_index.h"
 
 #include <QTest>
 

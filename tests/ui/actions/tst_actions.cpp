@@ -1,8 +1,8 @@
-#include "ui/actions.h"
+#include "ui/actions/actions.h"
 
-#include "ui_test.h"
+#include "tests/ui/ui_test.h"
 
-#include "core/brush.h"
+#include "core/stroke/tool.h"
 
 #include <QAction>
 #include <QMainWindow>

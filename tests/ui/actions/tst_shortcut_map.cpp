@@ -1,5 +1,5 @@
-#include "ui/actions.h"
-#include "ui/key_map.h"
+#include "ui/actions/actions.h"
+#include "ui/actions/shortcut_map.h"
 
 #include <QTest>
 
@@ -153,4 +153,4 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestKeyMap)
-#include "tst_key_map.moc"
+#include "tst_shortcut_map.moc"

@@ -1,12 +1,12 @@
 // Files that become an alpha or a brush's shape, good ones and bad ones; and how the window chooses them.
-#include "ui_test.h"
+#include "tests/ui/ui_test.h"
 
-#include "core/mesh_io.h"
-#include "core/starter_models.h"
-#include "ui/brush_files.h"
-#include "ui/brush_shapes.h"
-#include "ui/main_window.h"
-#include "ui/settings.h"
+#include "core/io/mesh_io.h"
+#include "core/operations/primitives.h"
+#include "ui/brush/brush_files.h"
+#include "ui/brush/brush_shapes.h"
+#include "ui/window/main_window.h"
+#include "ui/settings/settings.h"
 
 #include <QAction>
 #include <QBuffer>

@@ -1,11 +1,11 @@
-#include "ui/actions.h"
-#include "ui/brush_settings.h"
-#include "ui/color_panel.h"
-#include "ui/color_swatches.h"
-#include "ui/color_wheel.h"
-#include "ui/settings.h"
+#include "ui/actions/actions.h"
+#include "ui/settings/brush_settings.h"
+#include "ui/brush/color_panel.h"
+#include "ui/brush/color_swatches.h"
+#include "ui/brush/color_wheel.h"
+#include "ui/settings/settings.h"
 
-#include "ui_test.h"
+#include "tests/ui/ui_test.h"
 
 #include <QAction>
 #include <QLineEdit>

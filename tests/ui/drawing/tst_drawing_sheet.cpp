@@ -1,13 +1,13 @@
 // The sheet against a ruler: what its files say about their size, and how long things are on it.
 
-#include "ui/drawing_painter.h"
-#include "ui/drawing_sheet.h"
+#include "ui/drawing/drawing_painter.h"
+#include "ui/drawing/drawing_sheet.h"
 
-#include "core/dirty_slots.h"
-#include "core/file_error.h"
+#include "core/mesh/dirty_slots.h"
+#include "core/util/file_error.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/shapes.h"
-#include "ui_test.h"
+#include "tests/ui/ui_test.h"
 
 #include <QDir>
 #include <QFile>

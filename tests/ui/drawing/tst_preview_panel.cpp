@@ -1,10 +1,10 @@
-#include "ui/main_window.h"
-#include "ui/preview_panel.h"
+#include "ui/window/main_window.h"
+#include "ui/drawing/preview_panel.h"
 
-#include "core/dirty_slots.h"
+#include "core/mesh/dirty_slots.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/shapes.h"
-#include "ui_test.h"
+#include "tests/ui/ui_test.h"
 
 #include <QAction>
 #include <QComboBox>

@@ -1,14 +1,14 @@
-#include "ui/actions.h"
-#include "ui/file_grid.h"
-#include "ui/file_list_model.h"
-#include "ui/files_panel.h"
-#include "ui/main_window.h"
-#include "ui/preferences_dialog.h"
-#include "ui/settings.h"
+#include "ui/actions/actions.h"
+#include "ui/files/file_grid.h"
+#include "ui/files/file_list_model.h"
+#include "ui/files/file_browser.h"
+#include "ui/window/main_window.h"
+#include "ui/preferences/preferences_dialog.h"
+#include "ui/settings/settings.h"
 
-#include "core/mesh_io.h"
-#include "core/starter_models.h"
-#include "ui_test.h"
+#include "core/io/mesh_io.h"
+#include "core/operations/primitives.h"
+#include "tests/ui/ui_test.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -467,4 +467,4 @@ private Q_SLOTS:
 };
 
 UI_TEST_MAIN(TestFilesPanel)
-#include "tst_files_panel.moc"
+#include "tst_file_browser.moc"

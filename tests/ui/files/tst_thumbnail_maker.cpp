@@ -1,8 +1,8 @@
-#include "ui/file_jobs.h"
-#include "ui/thumbnail_maker.h"
+#include "ui/files/file_jobs.h"
+#include "ui/files/thumbnail_maker.h"
 
-#include "core/mesh_io.h"
-#include "core/starter_models.h"
+#include "core/io/mesh_io.h"
+#include "core/operations/primitives.h"
 
 #include <QDir>
 #include <QFile>

@@ -1,8 +1,8 @@
 // The hand of who sits before the VR simulator: each key and each move of the mouse does what the legend says.
-#include "ui/simulator_view.h"
-#include "ui/simulator_window.h"
+#include "ui/headset/simulator_view.h"
+#include "ui/headset/simulator_window.h"
 
-#include "ui_test.h"
+#include "tests/ui/ui_test.h"
 
 #include <QLabel>
 #include <QSignalSpy>

@@ -1,8 +1,8 @@
-#include "ui/actions.h"
-#include "ui/guide_window.h"
-#include "ui/help_text.h"
+#include "ui/actions/actions.h"
+#include "ui/help/guide_window.h"
+#include "ui/help/help_text.h"
 
-#include "ui_test.h"
+#include "tests/ui/ui_test.h"
 
 #include <QAction>
 #include <QDir>

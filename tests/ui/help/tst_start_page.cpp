@@ -1,12 +1,12 @@
-#include "core/model_picture.h"
-#include "core/starter_models.h"
-#include "ui/actions.h"
-#include "ui/lesson_panel.h"
-#include "ui/main_window.h"
-#include "ui/settings.h"
-#include "ui/start_page.h"
+#include "core/drawing/model_thumbnail.h"
+#include "core/operations/primitives.h"
+#include "ui/actions/actions.h"
+#include "ui/lesson/lesson_panel.h"
+#include "ui/window/main_window.h"
+#include "ui/settings/settings.h"
+#include "ui/help/start_page.h"
 
-#include "ui_test.h"
+#include "tests/ui/ui_test.h"
 
 #include <QAction>
 #include <QCheckBox>

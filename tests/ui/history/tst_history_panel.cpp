@@ -1,7 +1,7 @@
-#include "ui/history_panel.h"
-#include "ui/settings.h"
+#include "ui/history/history_panel.h"
+#include "ui/settings/settings.h"
 
-#include "ui_test.h"
+#include "tests/ui/ui_test.h"
 
 #include <QLabel>
 #include <QLocale>

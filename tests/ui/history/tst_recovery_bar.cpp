@@ -1,4 +1,4 @@
-#include "ui/recovery_bar.h"
+#include "ui/history/recovery_bar.h"
 
 #include "tests/ui/ui_test.h"
 

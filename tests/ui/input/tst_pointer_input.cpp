@@ -1,4 +1,4 @@
-#include "ui/pointer_input.h"
+#include "ui/input/pointer_input.h"
 
 #include <QSignalSpy>
 #include <QTest>

@@ -1,6 +1,6 @@
-#include "ui/model_dialogs.h"
+#include "ui/model/model_dialogs.h"
 
-#include "ui_test.h"
+#include "tests/ui/ui_test.h"
 
 #include <QComboBox>
 #include <QDialog>

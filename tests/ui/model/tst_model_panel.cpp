@@ -1,6 +1,6 @@
-#include "ui/model_panel.h"
+#include "ui/model/model_panel.h"
 
-#include "ui_test.h"
+#include "tests/ui/ui_test.h"
 
 #include <QLabel>
 #include <QLocale>

@@ -1,4 +1,4 @@
-#include "ui/unit_bar.h"
+#include "ui/model/unit_bar.h"
 
 #include "tests/ui/ui_test.h"
 

@@ -1,8 +1,8 @@
-#include "ui/actions.h"
-#include "ui/pen_curve.h"
-#include "ui/preferences_dialog.h"
+#include "ui/actions/actions.h"
+#include "ui/preferences/pressure_curve.h"
+#include "ui/preferences/preferences_dialog.h"
 
-#include "ui_test.h"
+#include "tests/ui/ui_test.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -1,6 +1,6 @@
-#include "ui/pen_curve.h"
+#include "ui/preferences/pressure_curve.h"
 
-#include "ui_test.h"
+#include "tests/ui/ui_test.h"
 
 #include <QSignalSpy>
 
@@ -52,4 +52,4 @@ private Q_SLOTS:
 };
 
 UI_TEST_MAIN(TestPenCurve)
-#include "tst_pen_curve.moc"
+#include "tst_pressure_curve.moc"

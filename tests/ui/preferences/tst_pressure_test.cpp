@@ -1,6 +1,6 @@
-#include "ui/pen_test.h"
+#include "ui/preferences/pressure_test.h"
 
-#include "ui_test.h"
+#include "tests/ui/ui_test.h"
 
 #include <QTabletEvent>
 
@@ -69,4 +69,4 @@ private Q_SLOTS:
 };
 
 UI_TEST_MAIN(TestPenTest)
-#include "tst_pen_test.moc"
+#include "tst_pressure_test.moc"

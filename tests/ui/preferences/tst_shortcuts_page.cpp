@@ -1,9 +1,9 @@
-#include "ui/actions.h"
-#include "ui/command_list.h"
-#include "ui/key_edit.h"
-#include "ui/keys_page.h"
+#include "ui/actions/actions.h"
+#include "ui/actions/command_list.h"
+#include "ui/widgets/shortcut_edit.h"
+#include "ui/preferences/shortcuts_page.h"
 
-#include "ui_test.h"
+#include "tests/ui/ui_test.h"
 
 #include <QComboBox>
 #include <QLabel>
@@ -210,4 +210,4 @@ private Q_SLOTS:
 };
 
 UI_TEST_MAIN(TestKeysPage)
-#include "tst_keys_page.moc"
+#include "tst_shortcuts_page.moc"

@@ -1,12 +1,12 @@
 // What is found in words, what it looks like on the model, and the printers.
 
-#include "ui/print_findings.h"
-#include "ui/print_legend.h"
-#include "ui/settings.h"
+#include "ui/print/print_findings.h"
+#include "ui/print/print_legend.h"
+#include "ui/settings/settings.h"
 
 #include "tests/support/clay.h"
 #include "tests/support/shapes.h"
-#include "ui_test.h"
+#include "tests/ui/ui_test.h"
 
 #include <QSettings>
 

@@ -1,9 +1,9 @@
-#include "sphere_model.h"
-#include "ui_test.h"
+#include "tests/ui/sphere_model.h"
+#include "tests/ui/ui_test.h"
 
-#include "ui/main_window.h"
-#include "ui/reference_image.h"
-#include "ui/settings.h"
+#include "ui/window/main_window.h"
+#include "ui/scene/reference_image.h"
+#include "ui/settings/settings.h"
 
 #include <QAction>
 #include <QCheckBox>

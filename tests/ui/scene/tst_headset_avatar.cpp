@@ -1,7 +1,7 @@
-#include "sphere_model.h"
-#include "ui_test.h"
+#include "tests/ui/sphere_model.h"
+#include "tests/ui/ui_test.h"
 
-#include "ui/head_following.h"
+#include "ui/viewport/head_tracking.h"
 
 #include <QOpenGLExtraFunctions>
 #include <QSignalSpy>
@@ -414,4 +414,4 @@ void TestWearer::lookChanges_areTold()
 }
 
 UI_TEST_MAIN(TestWearer)
-#include "tst_wearer.moc"
+#include "tst_headset_avatar.moc"

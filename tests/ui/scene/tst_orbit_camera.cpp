@@ -1,4 +1,4 @@
-#include "ui/orbit_camera.h"
+#include "ui/scene/orbit_camera.h"
 
 #include <QTest>
 

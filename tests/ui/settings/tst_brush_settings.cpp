@@ -1,7 +1,7 @@
-#include "ui/brush_settings.h"
+#include "ui/settings/brush_settings.h"
 
-#include "core/alpha.h"
-#include "core/lattice.h"
+#include "core/sculpt/deform/alpha.h"
+#include "core/geometry/lattice.h"
 
 #include <QSignalSpy>
 #include <QTest>

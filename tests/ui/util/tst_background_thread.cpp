@@ -1,4 +1,4 @@
-#include "ui/side_thread.h"
+#include "ui/util/background_thread.h"
 
 #include <QTest>
 
@@ -86,4 +86,4 @@ void TestSideThread::dropsWhatHasNotBegun()
 }
 
 QTEST_GUILESS_MAIN(TestSideThread)
-#include "tst_side_thread.moc"
+#include "tst_background_thread.moc"

@@ -1,6 +1,6 @@
-#include "ui/messages.h"
+#include "ui/util/error_messages.h"
 
-#include "core/mesh_check.h"
+#include "core/analysis/mesh_check.h"
 
 #include <QSet>
 #include <QTest>
@@ -130,4 +130,4 @@ private Q_SLOTS:
 };
 
 QTEST_APPLESS_MAIN(TestMessages)
-#include "tst_messages.moc"
+#include "tst_error_messages.moc"

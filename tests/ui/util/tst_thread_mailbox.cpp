@@ -1,4 +1,4 @@
-#include "ui/mailbox.h"
+#include "ui/util/thread_mailbox.h"
 
 #include <QEventLoop>
 #include <QTest>
@@ -106,4 +106,4 @@ void TestMailbox::dropsWhatWaitsWhenItGoes()
 }
 
 QTEST_GUILESS_MAIN(TestMailbox)
-#include "tst_mailbox.moc"
+#include "tst_thread_mailbox.moc"

@@ -1,4 +1,4 @@
-#include "ui/key_hand.h"
+#include "ui/viewport/keyboard_cursor.h"
 
 #include <QKeyEvent>
 #include <QTest>
@@ -178,4 +178,4 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestKeyHand)
-#include "tst_key_hand.moc"
+#include "tst_keyboard_cursor.moc"

@@ -1,8 +1,8 @@
-#include "ui/scale_bar.h"
+#include "ui/viewport/scale_bar.h"
 
-#include "ui/orbit_camera.h"
+#include "ui/scene/orbit_camera.h"
 
-#include "ui_test.h"
+#include "tests/ui/ui_test.h"
 
 #include <cmath>
 

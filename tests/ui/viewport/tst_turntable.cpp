@@ -1,4 +1,4 @@
-#include "ui/turntable_motor.h"
+#include "ui/viewport/turntable.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -62,4 +62,4 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestTurntable)
-#include "tst_turntable_motor.moc"
+#include "tst_turntable.moc"

@@ -1,5 +1,5 @@
-#include "sphere_model.h"
-#include "ui_test.h"
+#include "tests/ui/sphere_model.h"
+#include "tests/ui/ui_test.h"
 
 #include <QPointingDevice>
 #include <QSignalSpy>

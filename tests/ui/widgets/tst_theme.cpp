@@ -1,6 +1,6 @@
-#include "ui/theme.h"
+#include "ui/widgets/theme.h"
 
-#include "ui_test.h"
+#include "tests/ui/ui_test.h"
 
 #include <QCheckBox>
 #include <QDBusConnection>

@@ -1,12 +1,12 @@
-#include "ui/actions.h"
-#include "ui/color_wheel.h"
-#include "ui/command_list.h"
-#include "ui/falloff_curve.h"
-#include "ui/main_window.h"
-#include "ui/model_formats.h"
-#include "ui/settings.h"
+#include "ui/actions/actions.h"
+#include "ui/brush/color_wheel.h"
+#include "ui/actions/command_list.h"
+#include "ui/brush/falloff_curve.h"
+#include "ui/window/main_window.h"
+#include "ui/util/format_filters.h"
+#include "ui/settings/settings.h"
 
-#include "ui_test.h"
+#include "tests/ui/ui_test.h"
 
 #include <QAbstractButton>
 #include <QAction>

@@ -1,4 +1,4 @@
-#include "vr/frame_costs.h"
+#include "vr/frame/frame_timing.h"
 
 #include <QTest>
 
@@ -138,4 +138,4 @@ void TestFrameCosts::sleepCostsNothing()
 }
 
 QTEST_GUILESS_MAIN(TestFrameCosts)
-#include "tst_frame_costs.moc"
+#include "tst_frame_timing.moc"

@@ -1,6 +1,6 @@
 // What a frame brings to a client and takes from it. Against the scripted runtime, with Khronos' validation layer between.
-#include "scripted_headset.h"
-#include "vr_test.h"
+#include "tests/vr/simulator/scripted_headset.h"
+#include "tests/vr/vr_test.h"
 
 #include <QJsonArray>
 

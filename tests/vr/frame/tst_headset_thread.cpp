@@ -1,9 +1,9 @@
 // Visits to the headset: how they begin, go on, and end, and that another may follow. Against the scripted runtime, with Khronos'
 // validation layer between.
-#include "scripted_headset.h"
-#include "vr_test.h"
+#include "tests/vr/simulator/scripted_headset.h"
+#include "tests/vr/vr_test.h"
 
-#include "vr/openxr_runtime.h"
+#include "vr/openxr/openxr_runtime.h"
 
 #include <QDir>
 #include <QElapsedTimer>

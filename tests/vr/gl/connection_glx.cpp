@@ -1,4 +1,4 @@
-#include "connection_glx.h"
+#include "tests/vr/gl/connection_glx.h"
 
 #include <QGuiApplication>
 

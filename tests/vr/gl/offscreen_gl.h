@@ -1,7 +1,7 @@
 #pragma once
 
-#include "vr/eye.h"
-#include "vr/pose.h"
+#include "vr/gl/eye_image.h"
+#include "vr/util/pose.h"
 
 #include <QGuiApplication>
 #include <QImage>

@@ -1,10 +1,10 @@
 // Runs once more where OpenGL comes by EGL.
-#include "connection_glx.h"
-#include "scripted_headset.h"
-#include "vr_test.h"
+#include "tests/vr/gl/connection_glx.h"
+#include "tests/vr/simulator/scripted_headset.h"
+#include "tests/vr/vr_test.h"
 
-#include "vr/gl_binding.h"
-#include "vr/gl_context.h"
+#include "vr/gl/gl_binding.h"
+#include "vr/gl/gl_context.h"
 
 class TestGlBinding : public QObject
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "vr/hand_commands.h"
+#include "vr/input/wand_commands.h"
 
 #include <QString>
 

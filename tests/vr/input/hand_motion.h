@@ -1,6 +1,6 @@
 #pragma once
 
-#include "vr/wand_state.h"
+#include "vr/openxr/wand_state.h"
 
 #include <algorithm>
 #include <vector>

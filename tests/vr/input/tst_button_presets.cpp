@@ -1,5 +1,5 @@
-#include "vr/hands.h"
-#include "vr/presets.h"
+#include "vr/input/wand_mapping.h"
+#include "vr/input/button_presets.h"
 
 #include <QCoreApplication>
 #include <QTest>
@@ -223,4 +223,4 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestPresets)
-#include "tst_presets.moc"
+#include "tst_button_presets.moc"

@@ -1,6 +1,6 @@
-#include "vr/haptics.h"
+#include "vr/input/haptics.h"
 
-#include "hand_motion.h"
+#include "tests/vr/input/hand_motion.h"
 
 #include <QTest>
 

@@ -1,4 +1,4 @@
-#include "vr/room.h"
+#include "vr/input/model_placement.h"
 
 #include <QTest>
 
@@ -276,4 +276,4 @@ private Q_SLOTS:
 };
 
 QTEST_GUILESS_MAIN(TestRoom)
-#include "tst_room.moc"
+#include "tst_model_placement.moc"

@@ -1,6 +1,6 @@
-#include "vr/wand_gestures.h"
+#include "vr/input/wand_gestures.h"
 
-#include "hand_motion.h"
+#include "tests/vr/input/hand_motion.h"
 
 #include <QTest>
 

@@ -1,9 +1,9 @@
-#include "vr/hands.h"
+#include "vr/input/wand_mapping.h"
 
-#include "deed_words.h"
-#include "hand_motion.h"
+#include "tests/vr/input/command_names.h"
+#include "tests/vr/input/hand_motion.h"
 
-#include "vr/room.h"
+#include "vr/input/model_placement.h"
 
 #include <QTest>
 
@@ -956,4 +956,4 @@ void TestHands::atRandomNothingIsLeftOpen()
 }
 
 QTEST_GUILESS_MAIN(TestHands)
-#include "tst_hands.moc"
+#include "tst_wand_mapping.moc"

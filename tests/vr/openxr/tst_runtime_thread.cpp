@@ -1,4 +1,4 @@
-#include "vr/runtime_thread.h"
+#include "vr/openxr/runtime_thread.h"
 
 #include <QSignalSpy>
 #include <QTest>

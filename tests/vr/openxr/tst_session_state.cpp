@@ -1,4 +1,4 @@
-#include "vr/session_steps.h"
+#include "vr/openxr/session_state.h"
 
 #include <QTest>
 
@@ -140,4 +140,4 @@ void TestSessionSteps::onlyTheFocusedHaveInput()
 }
 
 QTEST_GUILESS_MAIN(TestSessionSteps)
-#include "tst_session_steps.moc"
+#include "tst_session_state.moc"

@@ -1,5 +1,5 @@
 // Every suggestion is legal for its wand, by the tables of section 6.4 of the OpenXR specification.
-#include "vr/xr_bindings.h"
+#include "vr/openxr/xr_bindings.h"
 
 #include <QMap>
 #include <QSet>

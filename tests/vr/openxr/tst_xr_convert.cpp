@@ -1,4 +1,4 @@
-#include "vr/xr_convert.h"
+#include "vr/openxr/xr_convert.h"
 
 #include <QTest>
 

@@ -1,4 +1,4 @@
-#include "vr/xr_result.h"
+#include "vr/openxr/xr_result.h"
 
 #include <QTest>
 

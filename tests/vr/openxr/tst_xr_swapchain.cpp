@@ -1,4 +1,4 @@
-#include "vr/xr_swapchain.h"
+#include "vr/openxr/xr_swapchain.h"
 
 #include <QTest>
 

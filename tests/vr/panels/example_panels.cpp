@@ -1,4 +1,4 @@
-#include "example_panels.h"
+#include "tests/vr/panels/example_panels.h"
 
 #include <QFile>
 #include <QHash>

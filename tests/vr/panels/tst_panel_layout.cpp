@@ -1,6 +1,6 @@
 #include "vr/panels/panel_layout.h"
 
-#include "example_panels.h"
+#include "tests/vr/panels/example_panels.h"
 #include "vr/panels/panel_theme.h"
 
 #include <QTest>

@@ -1,6 +1,6 @@
 #include "vr/panels/panel_painter.h"
 
-#include "example_panels.h"
+#include "tests/vr/panels/example_panels.h"
 #include "vr/panels/panel_icons.h"
 
 #include <QDir>

@@ -1,5 +1,5 @@
-#include "vr/panel_wall.h"
-#include "vr/room.h"
+#include "vr/panels/panel_manager.h"
+#include "vr/input/model_placement.h"
 
 #include <QTest>
 
@@ -308,4 +308,4 @@ void TestPanelPlace::aRay_meetsThePointItAimsAt()
 }
 
 QTEST_GUILESS_MAIN(TestPanelPlace)
-#include "tst_panel_place.moc"
+#include "tst_panel_placement.moc"

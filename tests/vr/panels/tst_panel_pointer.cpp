@@ -1,7 +1,7 @@
 #include "vr/panels/panel_pointer.h"
 
 #include "vr/panels/panel_content.h"
-#include "vr/wand_gestures.h"
+#include "vr/input/wand_gestures.h"
 
 #include <QTest>
 

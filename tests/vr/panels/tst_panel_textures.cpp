@@ -1,4 +1,4 @@
-#include "vr/panels/panel_pictures.h"
+#include "vr/panels/panel_textures.h"
 
 #include <QTest>
 #include <QThread>
@@ -110,4 +110,4 @@ void TestPanelPictures::itMayEndAnyTime()
 }
 
 QTEST_MAIN(TestPanelPictures)
-#include "tst_panel_pictures.moc"
+#include "tst_panel_textures.moc"

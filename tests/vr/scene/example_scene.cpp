@@ -1,4 +1,4 @@
-#include "example_scene.h"
+#include "tests/vr/scene/example_scene.h"
 
 #include <QPainter>
 #include <QPainterPath>

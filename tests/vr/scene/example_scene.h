@@ -1,6 +1,6 @@
 #pragma once
 
-#include "vr/scene_state.h"
+#include "vr/scene/scene_state.h"
 
 #include <QImage>
 

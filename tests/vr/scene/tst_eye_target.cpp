@@ -1,7 +1,7 @@
-#include "offscreen_gl.h"
+#include "tests/vr/gl/offscreen_gl.h"
 
-#include "vr/eye_target.h"
-#include "vr/gl_program.h"
+#include "vr/scene/eye_target.h"
+#include "vr/gl/gl_program.h"
 
 #include <algorithm>
 #include <set>

@@ -1,14 +1,14 @@
-#include "counted_allocations.h"
-#include "example_scene.h"
-#include "offscreen_gl.h"
+#include "tests/vr/scene/counted_allocations.h"
+#include "tests/vr/scene/example_scene.h"
+#include "tests/vr/gl/offscreen_gl.h"
 #include "tests/support/mesh_asserts.h"
 #include "tests/support/stroke_fuzzer.h"
 #include "tests/ui/sphere_model.h"
 
-#include "vr/label_layout.h"
-#include "vr/light.h"
-#include "vr/picture_texture.h"
-#include "vr/scene.h"
+#include "vr/scene/label_layout.h"
+#include "vr/scene/light.h"
+#include "vr/gl/texture.h"
+#include "vr/scene/scene.h"
 
 namespace
 {

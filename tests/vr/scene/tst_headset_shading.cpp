@@ -1,11 +1,11 @@
 // The same clay, drawn for the desktop and for an eye of the headset that looks from the same place.
-#include "offscreen_gl.h"
+#include "tests/vr/gl/offscreen_gl.h"
 #include "tests/ui/sphere_model.h"
 
-#include "ui/clay_painter.h"
-#include "vr/scene.h"
+#include "ui/scene/mesh_renderer.h"
+#include "vr/scene/scene.h"
 
-#include "core/symmetry_pane.h"
+#include "core/stroke/symmetry_plane.h"
 
 #include <QOpenGLFunctions_3_3_Core>
 #include <QOpenGLVersionFunctionsFactory>

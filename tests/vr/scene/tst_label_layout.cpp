@@ -1,5 +1,5 @@
 #include "tests/support/stroke_fuzzer.h"
-#include "vr/label_layout.h"
+#include "vr/scene/label_layout.h"
 
 #include <QTest>
 

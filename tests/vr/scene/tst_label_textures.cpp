@@ -1,6 +1,6 @@
-#include "offscreen_gl.h"
+#include "tests/vr/gl/offscreen_gl.h"
 
-#include "vr/label_pictures.h"
+#include "vr/scene/label_textures.h"
 
 using vr::LabelPictures;
 
@@ -90,4 +90,4 @@ void TestLabelPictures::whatIsNotNeeded_goes()
 }
 
 VR_TEST_MAIN(TestLabelPictures)
-#include "tst_label_pictures.moc"
+#include "tst_label_textures.moc"

@@ -1,5 +1,5 @@
 #include "tests/support/stroke_fuzzer.h"
-#include "vr/clay_stream.h"
+#include "vr/scene/mesh_stream.h"
 
 #include <QTest>
 
@@ -256,4 +256,4 @@ void TestClayStream::spansAreKept()
 }
 
 QTEST_GUILESS_MAIN(TestClayStream)
-#include "tst_clay_stream.moc"
+#include "tst_mesh_stream.moc"

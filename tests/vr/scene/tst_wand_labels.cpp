@@ -1,7 +1,7 @@
-#include "vr/wand_labels.h"
+#include "vr/scene/wand_labels.h"
 
-#include "counted_allocations.h"
-#include "hand_motion.h"
+#include "tests/vr/scene/counted_allocations.h"
+#include "tests/vr/input/hand_motion.h"
 
 #include <QTest>
 

@@ -1,6 +1,6 @@
-#include "core/mesh_check.h"
-#include "core/mesh_io/welder.h"
-#include "vr/wand_shape.h"
+#include "core/analysis/mesh_check.h"
+#include "core/io/mesh/vertex_welder.h"
+#include "vr/scene/wand_model.h"
 
 #include <QTest>
 
@@ -161,4 +161,4 @@ void TestWandShape::trigger_turnsIntoTheBody()
 }
 
 QTEST_GUILESS_MAIN(TestWandShape)
-#include "tst_wand_shape.moc"
+#include "tst_wand_model.moc"

@@ -1,8 +1,8 @@
-#include "vr/brush_state.h"
+#include "vr/sculpt/brush_state.h"
 
-#include "hand_motion.h"
+#include "tests/vr/input/hand_motion.h"
 
-#include "core/stroke_path.h"
+#include "core/stroke/stroke_path.h"
 
 #include <QTest>
 

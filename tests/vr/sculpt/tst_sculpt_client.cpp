@@ -1,5 +1,5 @@
 // What the client in the headset does with the document when frames stop: without a runtime, and without a picture.
-#include "vr/sculpt_client.h"
+#include "vr/sculpt/sculpt_client.h"
 
 #include <QTest>
 

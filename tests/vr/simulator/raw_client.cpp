@@ -1,4 +1,4 @@
-#include "raw_client.h"
+#include "tests/vr/simulator/raw_client.h"
 
 #include <QGuiApplication>
 #include <QOpenGLFunctions>

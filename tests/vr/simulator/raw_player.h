@@ -1,6 +1,6 @@
 #pragma once
 
-#include "raw_client.h"
+#include "tests/vr/simulator/raw_client.h"
 
 #include <cstring>
 #include <string>

@@ -1,4 +1,4 @@
-#include "scripted_headset.h"
+#include "tests/vr/simulator/scripted_headset.h"
 
 #include <QColor>
 #include <QFile>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "scripted_runtime.h"
+#include "tests/vr/simulator/scripted_runtime.h"
 
-#include "vr/headset_thread.h"
+#include "vr/frame/headset_thread.h"
 
 #include <QImage>
 #include <QOpenGLContext>

@@ -1,6 +1,6 @@
-#include "scripted_runtime.h"
+#include "tests/vr/simulator/scripted_runtime.h"
 
-#include "vr/simulator/control.h"
+#include "vr/simulator/control_api.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>

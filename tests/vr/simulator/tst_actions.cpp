@@ -1,7 +1,7 @@
 // What a client hears of buttons, and what the wands feel of it.
-#include "raw_player.h"
-#include "scripted_runtime.h"
-#include "vr_test.h"
+#include "tests/vr/simulator/raw_player.h"
+#include "tests/vr/simulator/scripted_runtime.h"
+#include "tests/vr/vr_test.h"
 
 #include <QJsonArray>
 
@@ -344,4 +344,4 @@ void TestScriptedActions::refusesWrongUse()
 }
 
 VR_TEST_MAIN(TestScriptedActions)
-#include "tst_scripted_actions.moc"
+#include "tst_actions.moc"

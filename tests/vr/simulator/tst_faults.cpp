@@ -1,7 +1,7 @@
 // Each fault that a script can put in a client's way, once.
-#include "raw_client.h"
-#include "scripted_runtime.h"
-#include "vr_test.h"
+#include "tests/vr/simulator/raw_client.h"
+#include "tests/vr/simulator/scripted_runtime.h"
+#include "tests/vr/vr_test.h"
 
 #include <QElapsedTimer>
 
@@ -269,4 +269,4 @@ void TestScriptedFaults::freezes()
 }
 
 VR_TEST_MAIN(TestScriptedFaults)
-#include "tst_scripted_faults.moc"
+#include "tst_faults.moc"

@@ -1,7 +1,7 @@
 // The tool that other tests lean on: it keeps the specification's rules, does what its script says, and sees what a client does wrong.
-#include "raw_client.h"
-#include "scripted_runtime.h"
-#include "vr_test.h"
+#include "tests/vr/simulator/raw_client.h"
+#include "tests/vr/simulator/scripted_runtime.h"
+#include "tests/vr/vr_test.h"
 
 #include <QFile>
 #include <QImage>
@@ -432,4 +432,4 @@ void TestScriptedRuntime::refusesBadScripts()
 }
 
 VR_TEST_MAIN(TestScriptedRuntime)
-#include "tst_scripted_runtime.moc"
+#include "tst_runtime.moc"

@@ -1,7 +1,7 @@
 // Where a client finds head, eyes and wands, and when it does not.
-#include "raw_player.h"
-#include "scripted_runtime.h"
-#include "vr_test.h"
+#include "tests/vr/simulator/raw_player.h"
+#include "tests/vr/simulator/scripted_runtime.h"
+#include "tests/vr/vr_test.h"
 
 #include <QJsonArray>
 #include <QtMath>
@@ -171,4 +171,4 @@ void TestScriptedSpaces::hasNoStage()
 }
 
 VR_TEST_MAIN(TestScriptedSpaces)
-#include "tst_scripted_spaces.moc"
+#include "tst_spaces.moc"
