@@ -307,7 +307,7 @@ int nameColumns(const QList<std::filesystem::path>& files)
     return std::min(columns, most);
 }
 
-std::optional<CheckOptions> parseOptions(const QStringList& arguments)
+std::optional<CheckOptions> parseCheckOptions(const QStringList& arguments)
 {
     QCommandLineParser parser;
     addOptions(parser);
@@ -331,7 +331,7 @@ std::optional<CheckOptions> parseOptions(const QStringList& arguments)
 
 ExitStatus checkCommand(const QStringList& arguments)
 {
-    const std::optional<CheckOptions> options = parseOptions(arguments);
+    const std::optional<CheckOptions> options = parseCheckOptions(arguments);
     if (!options)
         return Done;
     ExitStatus status = options->models.status;

@@ -32,7 +32,7 @@ struct LessonOptions
     std::optional<std::size_t> step; ///< from 0
 };
 
-std::optional<LessonOptions> parseOptions(const QStringList& arguments)
+std::optional<LessonOptions> parseLessonOptions(const QStringList& arguments)
 {
     QCommandLineParser parser;
     parser.setApplicationDescription(LessonCommandWords::tr("Plays a lesson to its end and says whether each step meets its checkpoint. "
@@ -163,7 +163,7 @@ ExitStatus judgeModel(const core::Lesson& lesson, core::LessonStage& stage, cons
 
 ExitStatus lessonCommand(const QStringList& arguments)
 {
-    const std::optional<LessonOptions> options = parseOptions(arguments);
+    const std::optional<LessonOptions> options = parseLessonOptions(arguments);
     if (!options)
         return Done;
     if (!options->out.isEmpty())

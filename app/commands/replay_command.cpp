@@ -67,7 +67,7 @@ int everyNamed(const QString& word)
     return every;
 }
 
-std::optional<ReplayOptions> parseOptions(const QStringList& arguments)
+std::optional<ReplayOptions> parseReplayOptions(const QStringList& arguments)
 {
     QCommandLineParser parser;
     parser.setApplicationDescription(ReplayWords::tr("Plays recorded strokes on a model, or on the paper's sphere."));
@@ -280,7 +280,7 @@ void run(const ReplayOptions& options, Entries& entries)
 
 ExitStatus replayCommand(const QStringList& arguments)
 {
-    const std::optional<ReplayOptions> options = parseOptions(arguments);
+    const std::optional<ReplayOptions> options = parseReplayOptions(arguments);
     if (!options)
         return Done;
     requireDifferentFiles(*options);

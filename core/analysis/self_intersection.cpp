@@ -14,7 +14,7 @@ namespace core
 {
 namespace
 {
-constexpr std::size_t facesPerChunk = 1 << 12;
+constexpr std::size_t facesPerPairChunk = 1 << 12;
 constexpr std::size_t blocksPerChunk = 4;
 
 class PairSearch
@@ -51,7 +51,7 @@ public:
     std::vector<CornerTriangle<Predicates>> inOrder(std::span<const typename Predicates::Point> points) const
     {
         std::vector<CornerTriangle<Predicates>> result(m_faces.size());
-        forEachChunk(m_faces.size(), facesPerChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+        forEachChunk(m_faces.size(), facesPerPairChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 const Triangle& t = m_triangles[faceAt(static_cast<Slot>(i))];
                 result[i] = {t, {points[t[0]], points[t[1]], points[t[2]]}};
@@ -76,7 +76,7 @@ std::vector<Slot> facesThatAre(bool degenerate, std::span<const typename Predica
                                std::span<const Triangle> triangles)
 {
     return joinChunks<std::vector<Slot>>(
-        triangles.size(), facesPerChunk, [&](std::size_t begin, std::size_t end, std::vector<Slot>& faces) {
+        triangles.size(), facesPerPairChunk, [&](std::size_t begin, std::size_t end, std::vector<Slot>& faces) {
             for (std::size_t f = begin; f < end; ++f) {
                 const auto& [a, b, c] = triangles[f];
                 if (Predicates::collinear(points[a], points[b], points[c]) == degenerate)

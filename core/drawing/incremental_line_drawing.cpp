@@ -7,7 +7,7 @@ namespace core
 {
 namespace
 {
-constexpr double roomAround = 0.125; ///< of the longest side, so that strokes may go beyond the model's box
+constexpr double boxMargin = 0.125; ///< of the longest side, so that strokes may go beyond the model's box
 constexpr double leastOfRoom = 0.5;    ///< that a model fills
 constexpr std::size_t mostChanged = 4; ///< beyond every fourth face it is quicker to look at all
 
@@ -82,7 +82,7 @@ std::optional<LineDrawing> LineDrawer::draw(bool shaded, const std::stop_token& 
     if (box.isEmpty())
         return LineDrawing();
     if (!m_room.contains(box) || box.sizes().maxCoeff() < leastOfRoom * m_room.sizes().maxCoeff()) {
-        const Vec3 around = Vec3::Constant(roomAround * box.sizes().maxCoeff());
+        const Vec3 around = Vec3::Constant(boxMargin * box.sizes().maxCoeff());
         m_room = Box(box.min() - around, box.max() + around);
         m_images.reset();
     }

@@ -15,7 +15,7 @@ namespace
 {
 constexpr int samples = 3;     ///< a pixel's, each way
 constexpr int viewSamples = 2; ///< the same, of pictures that may be large
-constexpr double roomAround = 1.05;
+constexpr double marginFactor = 1.05;
 constexpr int border = 2;  ///< samples left free at each side, beside those of the depth image itself
 constexpr std::size_t elementsAStep = 1 << 13;
 
@@ -239,7 +239,7 @@ PictureView viewOf(const Box& box, int width, int height)
     for (int corner = 0; corner < 8; ++corner)
         seen.extend(Vec3(view.axes * (box.corner(static_cast<Box::CornerType>(corner)) - view.target)));
     const double aspect = static_cast<double>(width) / height;
-    view.extent = std::max(seen.sizes().y(), seen.sizes().x() / aspect) * roomAround;
+    view.extent = std::max(seen.sizes().y(), seen.sizes().x() / aspect) * marginFactor;
     return view;
 }
 } // namespace core

@@ -18,7 +18,7 @@ namespace core
 namespace
 {
 /// "All but in the plane", in terms of the shortest edge around the vertex.
-constexpr double settledPerEdge = 0.1;
+constexpr double settledHeightPerEdge = 0.1;
 /// Lattice units by which the plane is raised where a cut is not sound.
 constexpr int raisings[] = {0, 1, 17};
 constexpr double afterCapping = 0.4; ///< share of the time
@@ -54,7 +54,7 @@ double BaseCutter::shortestEdge(Slot v) const
 void BaseCutter::settle()
 {
     for (Slot v = 0; v < m_mesh.slots().vertices; ++v) {
-        if (!m_mesh.isVertex(v) || height(v) == 0 || std::abs(static_cast<double>(height(v))) > settledPerEdge * shortestEdge(v))
+        if (!m_mesh.isVertex(v) || height(v) == 0 || std::abs(static_cast<double>(height(v))) > settledHeightPerEdge * shortestEdge(v))
             continue;
         Vec3f p = m_mesh.point(v);
         p.y() = m_level;

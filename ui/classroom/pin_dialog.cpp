@@ -17,7 +17,7 @@ namespace ui
 {
 namespace
 {
-constexpr int textWidth = 320;
+constexpr int pinTextWidth = 320;
 constexpr int freeTries = 3;
 constexpr int firstRest = 5, longestRest = 300; ///< seconds
 constexpr int mostDoublings = 6;                ///< which the longest rest ends
@@ -31,13 +31,13 @@ public:
     PinDialog(PinGate* gate, const QString& why, QWidget* parent) : QDialog(parent), m_gate(gate), m_pin(new QLineEdit)
     {
         QVBoxLayout* column = beginDialog(this, "pinDialog", tr("Teacher's PIN"));
-        column->addWidget(dialogText(why, textWidth));
+        column->addWidget(dialogText(why, pinTextWidth));
         m_pin->setObjectName(QStringLiteral("pin"));
         m_pin->setAccessibleName(tr("Teacher's PIN"));
         m_pin->setPlaceholderText(tr("Teacher's PIN"));
         m_pin->setEchoMode(QLineEdit::Password);
         m_pin->setMaxLength(mostPinLength);
-        m_word = dialogText({}, textWidth);
+        m_word = dialogText({}, pinTextWidth);
         m_word->setObjectName(QStringLiteral("pinWord"));
         column->addWidget(m_pin);
         column->addWidget(m_word);

@@ -129,7 +129,7 @@ Coordinates addCoordinates(CommandDialog* dialog)
             dialog->addNumber("z", ModelDialogs::tr("Z, to the front"), millimetreField(0))};
 }
 
-QString count(double n)
+QString formatted(double n)
 {
     const double digit = std::pow(10, std::max(0.0, std::floor(std::log10(std::max(n, 1.0))) - 1));
     return QLocale().toString(static_cast<qulonglong>(std::round(n / digit) * digit));
@@ -227,7 +227,7 @@ void askForRemesh(QWidget* parent, const ModelFacts& facts, const CommandAnswer&
     outcome->setObjectName(QStringLiteral("outcome"));
     const auto show = [outcome, facts](double mm) {
         outcome->setText(ModelDialogs::tr("Edges from %1 to %2 mm; about %3 triangles, now there are %4.")
-                             .arg(length(mm / 2), length(mm), count(core::uniformFaces(facts.area, mm)),
+                             .arg(length(mm / 2), length(mm), formatted(core::uniformFaces(facts.area, mm)),
                                   QLocale().toString(static_cast<qulonglong>(facts.faces))));
     };
     QObject::connect(longest, &QDoubleSpinBox::valueChanged, outcome, show);

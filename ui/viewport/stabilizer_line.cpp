@@ -6,7 +6,7 @@ namespace ui
 {
 namespace
 {
-constexpr int margin = 4; ///< pixels
+constexpr int ringMargin = 4; ///< pixels
 } // namespace
 
 StringLine::StringLine(QWidget* parent) : QWidget(parent)
@@ -23,7 +23,7 @@ void StringLine::span(const QLineF& line)
         return;
     m_line = line;
     const QRectF around = QRectF(line.p1(), line.p2()).normalized();
-    setGeometry(around.toAlignedRect().adjusted(-margin, -margin, margin, margin));
+    setGeometry(around.toAlignedRect().adjusted(-ringMargin, -ringMargin, ringMargin, ringMargin));
     update();
 }
 

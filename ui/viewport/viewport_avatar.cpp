@@ -9,12 +9,12 @@ namespace ui
 namespace
 {
 constexpr std::chrono::milliseconds followInterval(16); ///< a frame
-constexpr double leastStep = 1e-5;                      ///< radians, and of the distance: less is not seen
+constexpr double leastTurn = 1e-5;                      ///< radians, and of the distance: less is not seen
 
 bool differ(const OrbitCamera::Pose& a, const OrbitCamera::Pose& b)
 {
-    return (a.target - b.target).norm() + std::abs(a.distance - b.distance) > leastStep * a.distance ||
-           std::abs(a.yaw - b.yaw) > leastStep || std::abs(a.pitch - b.pitch) > leastStep;
+    return (a.target - b.target).norm() + std::abs(a.distance - b.distance) > leastTurn * a.distance ||
+           std::abs(a.yaw - b.yaw) > leastTurn || std::abs(a.pitch - b.pitch) > leastTurn;
 }
 } // namespace
 

@@ -31,7 +31,7 @@ constexpr double trainPeriod = 0.05;  ///< seconds from one pulse of the texture
 constexpr double trainShare = 0.3;    ///< of the time that its pulses fill
 constexpr double longestPulse = 0.1;  ///< seconds, of the texture
 constexpr double leastTexture = 0.2;  ///< of its amplitude, under the lightest pressure
-constexpr double roundOff = 1e-9;     ///< of sums of frames
+constexpr double frameRoundOff = 1e-9;     ///< of sums of frames
 constexpr int holdTicks = 4;          ///< while a hold's ring fills; the last when it is full
 
 Feel feelOf(Sensation what)
@@ -47,7 +47,7 @@ bool begins(bool happens, double& from, double time)
 
 double tickOf(double hold)
 {
-    return std::floor(hold * holdTicks + roundOff);
+    return std::floor(hold * holdTicks + frameRoundOff);
 }
 } // namespace
 
@@ -110,7 +110,7 @@ std::optional<HapticPulse> Haptics::texture(Side side, const HandFeeling& feelin
         return std::nullopt;
     }
     const double since = hand.trainAt ? time - *hand.trainAt : trainPeriod;
-    if (since < trainPeriod - roundOff || time < hand.quietUntil)
+    if (since < trainPeriod - frameRoundOff || time < hand.quietUntil)
         return std::nullopt;
     hand.trainAt = time;
     const Feel feel = feelOf(Sensation::Texture);

@@ -10,8 +10,8 @@ namespace vr
 {
 namespace
 {
-constexpr double widest = 700; ///< of its text
-constexpr int mostLines = 6;
+constexpr double noticeWidth = 700; ///< of its text
+constexpr int noticeLines = 6;
 constexpr double noticeDistance = 0.5;             ///< metres: before the clay, which must not hide it; it passes
 constexpr double fadeIn = 0.15, fadeOut = 0.6;     ///< seconds
 constexpr double toBeSeen = 1, leastReading = 1.5; ///< seconds: eyes are elsewhere when it comes
@@ -28,10 +28,10 @@ double readingTime(const QString& text)
 PanelLayout Notice::layout() const
 {
     const FittedText shown =
-        fitted(text, widest, {.height = theme::bodyHeight, .leastHeight = theme::leastHeight, .lines = mostLines});
+        fitted(text, noticeWidth, {.height = theme::bodyHeight, .leastHeight = theme::leastHeight, .lines = noticeLines});
     PanelBuilder builder(PanelKind::Notice, std::ceil(shown.width) + 2 * theme::margin, noticeDistance);
     const double height = shown.lineSpacing() * static_cast<double>(shown.lines.size());
-    builder.add(builder.nextRow(height), TextLook{.text = text, .alignment = Qt::AlignCenter, .lines = mostLines});
+    builder.add(builder.nextRow(height), TextLook{.text = text, .alignment = Qt::AlignCenter, .lines = noticeLines});
     return builder.finished();
 }
 

@@ -8,7 +8,7 @@ namespace
 {
 constexpr double toolWidth = 1060, toolNameWidth = 210, toolHeight = 124, buttonHeight = 84, groupGap = 8, toolTitleWidth = 300;
 constexpr double symmetryWidth = 270, radialWidth = 170;
-constexpr double filesWidth = 250, recentreWidth = 280;
+constexpr double filesButtonWidth = 250, recentreWidth = 280;
 constexpr double toolDistance = 0.5; ///< metres; a hand that holds something up to be read
 constexpr std::array<std::size_t, 4> toolsInRow{4, 4, 4, 4};
 
@@ -73,7 +73,7 @@ void ToolPanel::addTools(PanelBuilder& builder) const
 /// Where this panel leads to, and what else concerns all that is seen.
 void ToolPanel::addDoors(PanelBuilder& builder) const
 {
-    const std::vector<QRectF> upper = cells(builder.nextRow(buttonHeight), {filesWidth, 0, recentreWidth});
+    const std::vector<QRectF> upper = cells(builder.nextRow(buttonHeight), {filesButtonWidth, 0, recentreWidth});
     builder.add(upper[0], {{.text = tr("Files"), .icon = QStringLiteral("files"), .isChosen = showsFiles},
                            ShowPanel{PanelKind::Files, !showsFiles}});
     builder.add(upper[1], {{.text = tr("Settings"), .icon = QStringLiteral("preferences"), .isChosen = showsSettings},

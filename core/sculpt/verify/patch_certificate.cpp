@@ -11,7 +11,7 @@ namespace
 {
 using Vector = IntegerDirection;
 constexpr double largestComponent = 1023;
-constexpr std::size_t facesPerChunk = 1024;
+constexpr std::size_t certifiedPerChunk = 1024;
 
 // Bounds: lattice differences are at most 2^24, a cross product's component 2^49, times 2^10 and three terms: below 2^61.
 
@@ -129,7 +129,7 @@ bool certifyPatch(std::span<const PatchFace> faces, std::vector<BoundaryEdge>& b
 bool arePositive(std::span<const PatchFace> faces, const IntegerDirection& direction)
 {
     std::atomic<bool> positive = true;
-    forEachChunk(faces.size(), facesPerChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
+    forEachChunk(faces.size(), certifiedPerChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
         for (const PatchFace& f : faces.subspan(begin, end - begin)) {
             if (projectedOrientation(direction, f.points[0], f.points[1], f.points[2]) <= 0) {
                 positive = false;
