@@ -20,7 +20,7 @@ namespace app
 {
 namespace
 {
-constexpr qint64 mostBytes = 64 << 10;
+constexpr qint64 maxBytes = 64 << 10;
 
 struct Entry
 {
@@ -39,9 +39,9 @@ QString bytesToText(const QString& path)
     if (!file.open(QIODevice::ReadOnly))
         fail(ClassFile::tr("%1 cannot be read (%2).").arg(QDir::toNativeSeparators(path), file.errorString()));
     QStringDecoder decoder(QStringDecoder::Utf8);
-    const QByteArray bytes = file.read(mostBytes + 1);
+    const QByteArray bytes = file.read(maxBytes + 1);
     const QString text = decoder(bytes);
-    if (bytes.size() > mostBytes || decoder.hasError() || text.contains(QChar::Null))
+    if (bytes.size() > maxBytes || decoder.hasError() || text.contains(QChar::Null))
         fail(ClassFile::tr("%1 is no class file: it is no text in UTF-8, or too long.").arg(QDir::toNativeSeparators(path)));
     return text;
 }

@@ -12,7 +12,7 @@ namespace app
 {
 namespace
 {
-constexpr int rounds = 100'000, mostRounds = 10'000'000;
+constexpr int rounds = 100'000, maxRounds = 10'000'000;
 constexpr int keyBytes = 32, saltWords = 4;
 const QLatin1StringView method{"pbkdf2-sha256"};
 
@@ -32,7 +32,7 @@ PinRecord parse(const QString& text)
     const auto bytes = [](const QString& hex) { return QByteArray::fromHex(hex.toLatin1()); };
     const PinRecord record{count, bytes(parts[2]), bytes(parts[3])};
     const bool isHex = QString::fromLatin1(record.salt.toHex()) == parts[2] && QString::fromLatin1(record.key.toHex()) == parts[3];
-    const bool isWhole = isNumber && count > 0 && count <= mostRounds && !record.salt.isEmpty() && record.key.size() == keyBytes;
+    const bool isWhole = isNumber && count > 0 && count <= maxRounds && !record.salt.isEmpty() && record.key.size() == keyBytes;
     return isHex && isWhole ? record : PinRecord();
 }
 

@@ -193,10 +193,10 @@ void ClassroomMode::resume()
         return;
     Ended ended = *m_ended;
     ended.turn.isResumed = true;
-    const auto make = [archive = archive(), ended](const core::JobWatch& watch) {
+    const auto make = [archive = archive(), ended](const core::JobControl& control) {
         LoadedModel model;
-        for (int attempt = 0; attempt < 2 && !model.sculptor && !watch.stopped(); ++attempt) // between look and reading it may be delivered
-            model = ModelLoader::load(archive.whereIs(ended.folder, ended.turn.id) + QStringLiteral("/model.glb"), {}, watch);
+        for (int attempt = 0; attempt < 2 && !model.sculptor && !control.isCancelled(); ++attempt) // between look and reading it may be delivered
+            model = ModelLoader::load(archive.whereIs(ended.folder, ended.turn.id) + QStringLiteral("/model.glb"), {}, control);
         model.path.clear();
         model.name = ended.turn.pupil;
         return model;
@@ -253,7 +253,7 @@ void ClassroomMode::keepThen(const ClassTurn& turn, std::function<void()> then)
     const auto keep = [archive = archive(), turn, before = m_recordBefore, ended, problem](const Document::Present& present) {
         const QDateTime end = turn.ended.isValid() ? turn.ended : QDateTime::currentDateTime();
         ended->record = joined(before, present.deeds);
-        const KeptWork kept = archive.keep({turn.id, turn.pupil, turn.begun, end, present.step, present.mesh, present.hash, present.notes, ended->record});
+        const KeptWork kept = archive.keep({turn.id, turn.pupil, turn.begun, end, present.step, present.mesh, present.hash, present.metadata, ended->record});
         ended->folder = kept.folder;
         *problem = kept.problem;
         return kept.problem.isEmpty();

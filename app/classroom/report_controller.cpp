@@ -16,14 +16,14 @@ namespace app
 {
 namespace
 {
-ReportOutcome outcomeOf(const ReportOrder& order, const core::JobWatch& watch)
+ReportOutcome outcomeOf(const ReportOrder& order, const core::JobControl& control)
 {
     try {
-        ReportMaker::run(order, watch);
+        ReportMaker::run(order, control);
         return {{}, true};
     } catch (const core::FileError& error) {
         return {ui::Messages::sentence(error), false};
-    } catch (const core::ReadingStopped&) {
+    } catch (const core::ReadingCancelled&) {
         return {};
     }
 }
@@ -37,8 +37,8 @@ void ReportDesk::write(const QString& folder, const QString& path)
         return Q_EMIT refused(ui::Messages::notAReport(path));
     if (m_work->isBusy()) // it began while the dialogs were open
         return Q_EMIT noticed(tr("The class report has to wait until this is done; ask for it again then."));
-    const core::JobWatch watch = m_work->beginStoppable(tr("Looking at the models in %1").arg(QFileInfo(folder).fileName()));
-    auto work = [order = ReportOrder{toPath(folder), toPath(path)}, watch] { return outcomeOf(order, watch); };
+    const core::JobControl control = m_work->beginStoppable(tr("Looking at the models in %1").arg(QFileInfo(folder).fileName()));
+    auto work = [order = ReportOrder{toPath(folder), toPath(path)}, control] { return outcomeOf(order, control); };
     m_work->run(work, [self = QPointer(this), path](const ReportOutcome& outcome) {
         if (self)
             self->finish(path, outcome);

@@ -24,27 +24,27 @@ QString folderName(const std::filesystem::path& folder)
 }
 } // namespace
 
-void ReportMaker::run(const ReportOrder& order, const core::JobWatch& watch)
+void ReportMaker::run(const ReportOrder& order, const core::JobControl& control)
 {
     core::AtomicFile file(order.file); // where nothing can be written, nothing is looked at
     const QList<std::filesystem::path> models = ui::modelsIn(order.folder);
     ui::ClassReport report{folderName(order.folder), QDate::currentDate(), {}};
     for (const std::filesystem::path& model : models) {
-        report.rows << rowOf(model, order.unit, watch);
-        watch.reached(static_cast<double>(report.rows.size()) / static_cast<double>(models.size()));
+        report.rows << rowOf(model, order.unit, control);
+        control.reportProgress(static_cast<double>(report.rows.size()) / static_cast<double>(models.size()));
     }
     ui::writeReport(file, report);
-    if (watch.stopped())
-        throw core::ReadingStopped();
+    if (control.isCancelled())
+        throw core::ReadingCancelled();
     file.commit();
 }
 
 /// In its sentence a file is called by its name alone: that is what the row is called, too.
-ui::ReportRow ReportMaker::rowOf(const std::filesystem::path& file, double unit, const core::JobWatch& watch)
+ui::ReportRow ReportMaker::rowOf(const std::filesystem::path& file, double unit, const core::JobControl& control)
 {
     ui::ReportRow row{file, {}, {}, {}, {}};
     try {
-        lookAt(row, unit, watch);
+        lookAt(row, unit, control);
     } catch (core::FileError& error) {
         error.path = error.path.filename();
         row.problem = ui::Messages::sentence(error);
@@ -55,18 +55,18 @@ ui::ReportRow ReportMaker::rowOf(const std::filesystem::path& file, double unit,
     return row;
 }
 
-void ReportMaker::lookAt(ui::ReportRow& row, double unit, const core::JobWatch& watch)
+void ReportMaker::lookAt(ui::ReportRow& row, double unit, const core::JobControl& control)
 {
-    core::TriangleMesh mesh = core::readMesh(row.file, {.stop = watch.stop});
-    if (unit != 1 && !core::scale(mesh, unit)) {
+    core::TriangleMesh mesh = core::readMesh(row.file, {.stop = control.stop});
+    if (unit != 1 && !core::scaleMesh(mesh, unit)) {
         row.problem = ui::Messages::tooLarge(ui::shownName(row.file.filename()));
         return;
     }
-    const std::optional<core::ModelPicture> picture = core::drawPicture(mesh, picturePixels, watch.stop);
-    row.report = core::checkMesh(mesh, {watch.stop, {}});
-    if (!picture || watch.stopped())
-        throw core::ReadingStopped();
+    const std::optional<core::ModelThumbnail> picture = core::drawThumbnail(mesh, picturePixels, control.stop);
+    row.report = core::checkMesh(mesh, {control.stop, {}});
+    if (!picture || control.isCancelled())
+        throw core::ReadingCancelled();
     row.picture = ui::toImage(*picture);
-    row.work = core::readNotes(row.file).work;
+    row.work = core::readMetadata(row.file).work;
 }
 } // namespace app

@@ -22,11 +22,11 @@ class ReportMaker
 
 public:
     /// A model that cannot be read has its row, too. Throws core::FileError if the folder cannot be read or the report not be written, and
-    /// core::ReadingStopped if it was stopped: then nothing is written.
-    static void run(const ReportOrder& order, const core::JobWatch& watch = {});
+    /// core::ReadingCancelled if it was stopped: then nothing is written.
+    static void run(const ReportOrder& order, const core::JobControl& control = {});
 
 private:
-    static ui::ReportRow rowOf(const std::filesystem::path& file, double unit, const core::JobWatch& watch);
-    static void lookAt(ui::ReportRow& row, double unit, const core::JobWatch& watch);
+    static ui::ReportRow rowOf(const std::filesystem::path& file, double unit, const core::JobControl& control);
+    static void lookAt(ui::ReportRow& row, double unit, const core::JobControl& control);
 };
 } // namespace app

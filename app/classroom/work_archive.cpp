@@ -50,7 +50,7 @@ QByteArray readFile(const QString& path)
 
 QByteArray pictureOf(const core::TriangleMesh& mesh)
 {
-    const auto picture = core::drawPicture(mesh, pictureSize, {});
+    const auto picture = core::drawThumbnail(mesh, pictureSize, {});
     QByteArray png;
     if (!picture || picture->rgba.empty())
         return png;
@@ -84,7 +84,7 @@ QByteArray turnOf(const TurnWork& work)
 
 void writeWork(const QString& folder, const TurnWork& work)
 {
-    core::writeMesh(toPath(folder + QStringLiteral("/model.glb")), *work.mesh, {.notes = work.notes});
+    core::writeMesh(toPath(folder + QStringLiteral("/model.glb")), *work.mesh, {.metadata = work.metadata});
     writeFile(folder + QStringLiteral("/picture.png"), pictureOf(*work.mesh));
     if (work.record)
         writeFile(folder + QStringLiteral("/record.json"), recordOf(*work.record));

@@ -24,7 +24,7 @@ struct TurnWork
     int steps = 0; ///< that are done
     std::shared_ptr<const core::TriangleMesh> mesh;
     quint64 meshHash = 0;
-    core::DocumentNotes notes;
+    core::DocumentMetadata metadata;
     TurnRecord record; ///< step by step, without what was undone
 };
 

@@ -23,7 +23,7 @@ namespace
 using core::PrintBed; // lupdate would lose its place at a function that returns a core::PrintBed
 using Json = nlohmann::ordered_json;
 
-constexpr double leastLength = 1e-6; ///< mm, of what is typed
+constexpr double minLength = 1e-6; ///< mm, of what is typed
 
 class CheckWords
 {
@@ -72,10 +72,10 @@ void addPrint(Json& json, const CheckOptions& options, const Checked& checked)
 {
     const core::PrintReport& print = *checked.print;
     const auto share = [&](double area) { return print.area > 0 ? area / print.area : 0; };
-    json["wall_limit_mm"] = options.print->leastWall;
-    json["min_wall_rays_mm"] = orNull(print.leastByRays);
-    json["min_wall_balls_mm"] = orNull(print.leastByBalls);
-    json["thin_share"] = print.leastByBalls ? Json(share(print.thin.area)) : Json(nullptr);
+    json["wall_limit_mm"] = options.print->minWall;
+    json["min_wall_rays_mm"] = orNull(print.minByRays);
+    json["min_wall_balls_mm"] = orNull(print.minByBalls);
+    json["thin_share"] = print.minByBalls ? Json(share(print.thin.area)) : Json(nullptr);
     json["overhang_share"] = share(print.overhangs.area);
     json["base_area_mm2"] = print.baseArea;
     json["fits_bed"] = options.hasBed ? Json(print.fit != core::BedFit::Not) : Json(nullptr);
@@ -231,11 +231,11 @@ Checked check(const CheckOptions& options, const std::filesystem::path& file)
     core::TriangleMesh mesh = core::readMesh(file);
     if (options.unit != 1)
         CommandUnit::scale(ui::shownName(file), mesh, options.unit);
-    Checked checked{{}, {}, core::readNotes(file).work};
+    Checked checked{{}, {}, core::readMetadata(file).work};
     if (options.print) {
         const core::PrintMeasures measures = core::measureForPrint(std::move(mesh));
         checked.report = measures.report;
-        checked.print = core::judgeForPrint(measures, *options.print);
+        checked.print = core::checkForPrint(measures, *options.print);
     } else {
         checked.report = core::checkMesh(mesh);
     }
@@ -253,17 +253,17 @@ double numberOf(const QString& text, double least, double most, const QString& p
 
 PrintBed bedOf(const QString& text)
 {
-    constexpr double mostSide = 1e5;
+    constexpr double maxSide = 1e5;
     const QString problem = CheckWords::tr("check: --bed needs three lengths in mm, as in 250,210,220, and not %1.");
     const QStringList sides = text.split(QLatin1Char(','));
     if (sides.size() != 3)
         CommandLine::fail(problem.arg(text));
-    return {numberOf(sides[0], leastLength, mostSide, problem), numberOf(sides[1], leastLength, mostSide, problem), numberOf(sides[2], leastLength, mostSide, problem)};
+    return {numberOf(sides[0], minLength, maxSide, problem), numberOf(sides[1], minLength, maxSide, problem), numberOf(sides[2], minLength, maxSide, problem)};
 }
 
 std::optional<core::PrintLimits> printLimits(const QCommandLineParser& parser)
 {
-    constexpr double mostNozzle = core::PrintLimits::mostWall / core::PrintLimits::linesAWall;
+    constexpr double mostNozzle = core::PrintLimits::maxWall / core::PrintLimits::linesPerWall;
     const QString nozzle = parser.value(QStringLiteral("nozzle")), bed = parser.value(QStringLiteral("bed")),
                   overhang = parser.value(QStringLiteral("overhang"));
     if (!parser.isSet(QStringLiteral("print"))) {
@@ -273,8 +273,8 @@ std::optional<core::PrintLimits> printLimits(const QCommandLineParser& parser)
     }
     core::PrintLimits limits;
     if (parser.isSet(QStringLiteral("nozzle")))
-        limits.leastWall = core::PrintLimits::linesAWall
-                           * numberOf(nozzle, leastLength, mostNozzle, CheckWords::tr("check: --nozzle %1 is no width in mm up to 5."));
+        limits.minWall = core::PrintLimits::linesPerWall
+                           * numberOf(nozzle, minLength, mostNozzle, CheckWords::tr("check: --nozzle %1 is no width in mm up to 5."));
     if (parser.isSet(QStringLiteral("overhang")))
         limits.overhang = numberOf(overhang, 0, 90,
                                    CheckWords::tr("check: --overhang %1 is no angle from 0 to 90 degrees."));

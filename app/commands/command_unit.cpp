@@ -27,7 +27,7 @@ QString CommandUnit::words()
 
 void CommandUnit::scale(const QString& file, core::TriangleMesh& mesh, double factor)
 {
-    if (!core::scale(mesh, factor))
+    if (!core::scaleMesh(mesh, factor))
         CommandLine::fail(ui::Messages::tooLarge(file));
 }
 } // namespace app

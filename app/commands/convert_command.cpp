@@ -33,7 +33,7 @@ struct ConvertOptions
     std::optional<double> size; ///< of OUT's longest side, mm
     std::optional<UpAxis> up; ///< of IN
     std::size_t triangles = 0; ///< OUT has at most so many; 0: all
-    std::optional<core::LegaliseOptions> legalise;
+    std::optional<core::RepairOptions> legalise;
 };
 
 double sizeFrom(const QString& word)
@@ -122,11 +122,11 @@ void requireSound(const QString& file, const core::TriangleMesh& mesh)
 }
 
 /// What was done is the answer. A model that is in order stays as it is.
-void makeSound(const QString& file, core::TriangleMesh& mesh, const core::LegaliseOptions& options)
+void makeSound(const QString& file, core::TriangleMesh& mesh, const core::RepairOptions& options)
 {
     if (core::checkMesh(mesh).printReady())
         return;
-    core::Legalised legalised = core::legalise(mesh, options);
+    core::RepairResult legalised = core::repairMesh(mesh, options);
     if (!legalised.mesh)
         throw CommandFailure{ui::MendingWords::refusal(file, legalised), AnswerIsNo};
     mesh = std::move(*legalised.mesh);

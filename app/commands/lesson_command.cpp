@@ -121,23 +121,23 @@ void draw(const core::TriangleMesh& mesh, const QString& path)
         CommandLine::fail(LessonCommandWords::tr("%1: this picture cannot be written.").arg(path));
 }
 
-ExitStatus play(const core::Lesson& lesson, core::LessonStage& stage, const LessonOptions& options)
+ExitStatus play(const core::Lesson& lesson, core::LessonPlayback& playback, const LessonOptions& options)
 {
     CommandLine::print(QStringLiteral("%1\n").arg(inLanguage(lesson.title, options)));
     bool isMet = true;
     for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
-        stage.goTo(i);
-        stage.finish();
-        const core::TriangleMesh mesh = core::extractMesh(stage.mesh());
-        const core::Checkpoint& checkpoint = stage.step().checkpoint;
-        printHead(stage.step(), i, options);
-        const core::TriangleMesh target = checkpoint.target ? stage.target() : core::TriangleMesh();
-        isMet = print(core::judge(checkpoint, mesh, checkpoint.target ? &target : nullptr)) && isMet;
+        playback.goTo(i);
+        playback.finish();
+        const core::TriangleMesh mesh = core::extractMesh(playback.mesh());
+        const core::Checkpoint& checkpoint = playback.step().checkpoint;
+        printHead(playback.step(), i, options);
+        const core::TriangleMesh target = checkpoint.target ? playback.target() : core::TriangleMesh();
+        isMet = print(core::evaluate(checkpoint, mesh, checkpoint.target ? &target : nullptr)) && isMet;
         if (!options.pictures.isEmpty())
             draw(mesh, QDir(options.pictures).filePath(QStringLiteral("step-%1.png").arg(i + 1)));
     }
     if (!options.out.isEmpty())
-        core::writeMesh(toPath(options.out), core::extractMesh(stage.mesh()));
+        core::writeMesh(toPath(options.out), core::extractMesh(playback.mesh()));
     if (isMet && !options.pack.isEmpty())
         core::writeLesson(toPath(options.pack), lesson);
     if (!options.unpack.isEmpty())
@@ -145,7 +145,7 @@ ExitStatus play(const core::Lesson& lesson, core::LessonStage& stage, const Less
     return isMet ? Done : AnswerIsNo;
 }
 
-ExitStatus judgeModel(const core::Lesson& lesson, core::LessonStage& stage, const LessonOptions& options)
+ExitStatus judgeModel(const core::Lesson& lesson, core::LessonPlayback& playback, const LessonOptions& options)
 {
     const std::size_t step = options.step.value_or(lesson.steps.size() - 1);
     if (step >= lesson.steps.size())
@@ -153,11 +153,11 @@ ExitStatus judgeModel(const core::Lesson& lesson, core::LessonStage& stage, cons
     if (lesson.steps[step].checkpoint.asksNothing())
         CommandLine::fail(LessonCommandWords::tr("lesson: step %1 has no checkpoint.").arg(step + 1));
     const core::TriangleMesh model = core::readMesh(toPath(options.model));
-    stage.goTo(step);
-    printHead(stage.step(), step, options);
-    const bool hasTarget = stage.step().checkpoint.target.has_value();
-    const core::TriangleMesh target = hasTarget ? stage.target() : core::TriangleMesh();
-    return print(core::judge(stage.step().checkpoint, model, hasTarget ? &target : nullptr)) ? Done : AnswerIsNo;
+    playback.goTo(step);
+    printHead(playback.step(), step, options);
+    const bool hasTarget = playback.step().checkpoint.target.has_value();
+    const core::TriangleMesh target = hasTarget ? playback.target() : core::TriangleMesh();
+    return print(core::evaluate(playback.step().checkpoint, model, hasTarget ? &target : nullptr)) ? Done : AnswerIsNo;
 }
 } // namespace
 
@@ -174,8 +174,8 @@ ExitStatus lessonCommand(const QStringList& arguments)
             return Done;
         }
         const auto lesson = std::make_shared<const core::Lesson>(readLesson(options->lesson));
-        core::LessonStage stage(lesson, toPath(options->lesson));
-        return options->model.isEmpty() ? play(*lesson, stage, *options) : judgeModel(*lesson, stage, *options);
+        core::LessonPlayback playback(lesson, toPath(options->lesson));
+        return options->model.isEmpty() ? play(*lesson, playback, *options) : judgeModel(*lesson, playback, *options);
     } catch (const core::LessonError& error) {
         CommandLine::fail(LessonWords::sentence(error));
     } catch (const core::FileError& error) {

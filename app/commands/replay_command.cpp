@@ -39,7 +39,7 @@ class ReplayWords
 /// The engine has no way around its own verification yet: None keeps its word about --out, and costs what Local does.
 enum class Verify { Local, Full, None };
 
-struct ReplayOptions
+struct RecoveryOptions
 {
     QString strokes, in, out, stats;
     QString frames; ///< a folder; empty: no pictures
@@ -67,7 +67,7 @@ int everyNamed(const QString& word)
     return every;
 }
 
-std::optional<ReplayOptions> parseReplayOptions(const QStringList& arguments)
+std::optional<RecoveryOptions> parseReplayOptions(const QStringList& arguments)
 {
     QCommandLineParser parser;
     parser.setApplicationDescription(ReplayWords::tr("Plays recorded strokes on a model, or on the paper's sphere."));
@@ -82,7 +82,7 @@ std::optional<ReplayOptions> parseReplayOptions(const QStringList& arguments)
                         QStringLiteral("local|full|none"), QStringLiteral("local")}});
     if (!CommandLine::parse(parser, QStringLiteral("replay"), arguments))
         return std::nullopt;
-    ReplayOptions options{parser.value(QStringLiteral("strokes")), parser.value(QStringLiteral("in")),
+    RecoveryOptions options{parser.value(QStringLiteral("strokes")), parser.value(QStringLiteral("in")),
                           parser.value(QStringLiteral("out")), parser.value(QStringLiteral("stats")),
                           parser.value(QStringLiteral("frames")), everyNamed(parser.value(QStringLiteral("every"))),
                           verifyNamed(parser.value(QStringLiteral("verify")))};
@@ -98,7 +98,7 @@ std::optional<ReplayOptions> parseReplayOptions(const QStringList& arguments)
 }
 
 /// A slip that would cost the strokes or the model.
-void requireDifferentFiles(const ReplayOptions& options)
+void requireDifferentFiles(const RecoveryOptions& options)
 {
     const std::pair<QString, QString> files[] = {{QStringLiteral("--strokes"), options.strokes},
                                                  {QStringLiteral("--in"), options.in},
@@ -188,7 +188,7 @@ void requireDone(const core::ModelChange& change, const core::FileCommand& entry
 /// As the Model menu does it.
 core::MeshDelta play(core::Sculptor& sculptor, const core::FileCommand& entry, std::size_t index)
 {
-    core::ModelChange change = core::tryOn(sculptor.mesh(), entry.command);
+    core::ModelChange change = core::applyToCopy(sculptor.mesh(), entry.command);
     requireDone(change, entry, index);
     sculptor.swap(change.delta);
     return std::move(change.delta);
@@ -200,7 +200,7 @@ struct Replayed
     std::vector<core::MeshDelta> changes; ///< of what changed anything, back to before; only for frames
 };
 
-Replayed play(core::Sculptor& sculptor, const Entries& entries, const ReplayOptions& options)
+Replayed play(core::Sculptor& sculptor, const Entries& entries, const RecoveryOptions& options)
 {
     Replayed replayed;
     std::vector<ReplayedDab>& dabs = replayed.dabs;
@@ -233,7 +233,7 @@ Replayed play(core::Sculptor& sculptor, const Entries& entries, const ReplayOpti
 }
 
 /// As large as the model is at its start or at its end, so that all is in one view.
-void writeFrames(const ReplayOptions& options, const core::Mesh& mesh, std::vector<core::MeshDelta>& changes, const core::Box& box)
+void writeFrames(const RecoveryOptions& options, const core::Mesh& mesh, std::vector<core::MeshDelta>& changes, const core::Box& box)
 {
     const ModelPast past{ModelTrial::copyOf(mesh), 0, static_cast<int>(changes.size()),
                          [&changes](int index) { return std::optional(std::move(changes[static_cast<std::size_t>(index)])); }};
@@ -242,7 +242,7 @@ void writeFrames(const ReplayOptions& options, const core::Mesh& mesh, std::vect
         CommandLine::fail(outcome.problem);
 }
 
-void run(const ReplayOptions& options, Entries& entries)
+void run(const RecoveryOptions& options, Entries& entries)
 {
     readInserted(entries, options.strokes);
     readShapes(entries, options.strokes);
@@ -280,7 +280,7 @@ void run(const ReplayOptions& options, Entries& entries)
 
 ExitStatus replayCommand(const QStringList& arguments)
 {
-    const std::optional<ReplayOptions> options = parseReplayOptions(arguments);
+    const std::optional<RecoveryOptions> options = parseReplayOptions(arguments);
     if (!options)
         return Done;
     requireDifferentFiles(*options);

@@ -34,10 +34,10 @@ Json toJson(const ReplayedDab& dab)
             {"contact", report.contact},
             {"wall", report.wall},
             {"capped", report.capped},
-            {"longest_edge", quality([](const core::MeshQuality& q) { return q.longestEdge; })},
-            {"conforming_share", quality([](const core::MeshQuality& q) { return q.conformingShare; })},
+            {"longest_edge", quality([](const core::SelectionQuality& q) { return q.longestEdge; })},
+            {"conforming_share", quality([](const core::SelectionQuality& q) { return q.conformingShare; })},
             {"smallest_angle_deg",
-             quality([](const core::MeshQuality& q) { return std::asin(std::min(q.smallestAngleSine, 1.0)) * 180 / std::numbers::pi; })},
+             quality([](const core::SelectionQuality& q) { return std::asin(std::min(q.smallestAngleSine, 1.0)) * 180 / std::numbers::pi; })},
             {"outcome", std::string(core::name(report.outcome))}};
 }
 

@@ -13,7 +13,7 @@ struct ReplayedDab
 {
     core::DabReport report;
     double cpuMs = 0; ///< CPU time of the mesh thread
-    std::optional<core::MeshQuality> quality;
+    std::optional<core::SelectionQuality> quality;
 };
 
 /// Writes one JSON object; not committed. `mesh`: the sculptor's, as it is at the end. Throws core::FileError.

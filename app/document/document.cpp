@@ -49,7 +49,7 @@ void Document::setMayDiscard(MayDiscard mayDiscard)
     m_mayDiscard = std::move(mayDiscard);
 }
 
-void Document::setCompleteNotes(std::function<void(core::DocumentNotes&)> complete)
+void Document::setCompleteNotes(std::function<void(core::DocumentMetadata&)> complete)
 {
     m_completeNotes = std::move(complete);
 }
@@ -89,11 +89,11 @@ void Document::startChange(core::ModelCommand command, const ui::Insertion& inse
     if (auto* const reset = std::get_if<core::Reset>(&command))
         reset->start = m_start;
     m_isChanging = true;
-    const core::JobWatch watch = m_work.beginStoppable(ModelWords::doing(command));
-    m_worker->post([this, command = std::move(command), insertion, watch](core::Sculptor& sculptor) {
+    const core::JobControl control = m_work.beginStoppable(ModelWords::doing(command));
+    m_worker->post([this, command = std::move(command), insertion, control](core::Sculptor& sculptor) {
         auto copy = ModelTrial::copyOf(sculptor.mesh());
-        auto work = [this, copy = std::move(copy), command, insertion, watch]() mutable {
-            return ModelTrial::run(copy, command, insertion, [this](const QString& what) { m_work.rename(what); }, watch);
+        auto work = [this, copy = std::move(copy), command, insertion, control]() mutable {
+            return ModelTrial::run(copy, command, insertion, [this](const QString& what) { m_work.rename(what); }, control);
         };
         m_work.run(std::move(work), [this, command, insertion](ModelOutcome outcome) { finishChange(command, insertion, std::move(outcome)); });
     });
@@ -273,12 +273,12 @@ void Document::takeReport(const StrokeReport& report)
                 countWork();
             Q_EMIT stepped(*report.deed);
         }
-        const bool isSeen = report.shortfall == core::Shortfall::Stuck && report.delta; // other dabs did something
+        const bool isSeen = report.shortfall == core::Shortfall::Blocked && report.delta; // other dabs did something
         if (report.shortfall != core::Shortfall::None && !isSeen)
             Q_EMIT noticed(ui::Messages::shortfall(report.shortfall));
         else if (report.asymmetric)
             Q_EMIT noticed(ui::Messages::asymmetric());
-        else if (report.apart)
+        else if (report.sequential)
             Q_EMIT noticed(ui::Messages::apart());
         takeFacts(report.facts);
         describeToJournal();
@@ -290,9 +290,9 @@ void Document::takeReport(const StrokeReport& report)
 
 void Document::countWork()
 {
-    core::WorkDone work = m_facts.notes.work.value_or(core::WorkDone());
+    core::WorkDone work = m_facts.metadata.work.value_or(core::WorkDone());
     m_clock.count(work, steadyNs());
-    m_facts.notes.work = work;
+    m_facts.metadata.work = work;
 }
 
 void Document::takeFacts(const MeshFacts& facts)

@@ -6,7 +6,7 @@
 #include "app/worker/sculpt_worker.h"
 #include "app/document/work_timer.h"
 
-#include "core/operations/primitives.h"
+#include "core/operations/starter_models.h"
 #include "core/io/stroke/stroke_file.h"
 #include "ui/model/insert_request.h"
 #include "ui/settings/model_info.h"
@@ -55,7 +55,7 @@ public:
     using MayDiscard = std::function<bool(const std::function<void()>& goOn)>;
     void setMayDiscard(MayDiscard mayDiscard);
     /// Asked when a file is about to be written: adds what others than the document know.
-    void setCompleteNotes(std::function<void(core::DocumentNotes&)> complete);
+    void setCompleteNotes(std::function<void(core::DocumentMetadata&)> complete);
     bool mayDiscard(const std::function<void()>& goOn) const;
 
     /// What is opened from now on is recorded there, as it changes. The shelf must outlive the document.
@@ -88,7 +88,7 @@ public:
     {
         std::shared_ptr<const core::TriangleMesh> mesh;
         quint64 hash = 0;
-        core::DocumentNotes notes;
+        core::DocumentMetadata metadata;
         int step = 0;
         std::optional<std::vector<core::FileEntry>> deeds; ///< what was done to the model since it was opened; nothing: it is not known
     };
@@ -113,14 +113,14 @@ public:
 
     /// `look` sees the states of the model from the first that is kept to the present, in a thread of its own, `done` comes when it has; nobody
     /// sculpts meanwhile, and the model stays as it is. stop() is told to `look`. False: something else is going on, and nothing is done.
-    using LookBack = std::function<void(const ModelPast& past, const core::JobWatch& watch)>;
+    using LookBack = std::function<void(const ModelPast& past, const core::JobControl& control)>;
     bool lookBack(const QString& what, LookBack look, std::function<void()> done);
 
     const QUndoStack& undoStack() const { return m_stack; }
     HistoryStore& history() { return m_history; }
 
     /// Makes a model that may be sculpted, or says why not; in a thread of its own.
-    using Make = std::function<LoadedModel(const core::JobWatch& watch)>;
+    using Make = std::function<LoadedModel(const core::JobControl& control)>;
     struct Made
     {
         QString what; ///< is going on meanwhile
@@ -137,7 +137,7 @@ public Q_SLOTS:
     /// The same, but nobody is asked: changes were let go already.
     void openLosingChanges(const QString& path);
     /// The same, but a model that is not in order is legalised; it has no file then.
-    void openMended(const QString& path, const core::LegaliseOptions& options);
+    void openMended(const QString& path, const core::RepairOptions& options);
     /// The paper's sphere.
     void openSphere();
     void openStarter(core::Starter starter);
@@ -241,20 +241,20 @@ private:
     void whenRecorded(std::function<void()> tell);
     void takeConfirmation();
     void tellOutcome(const core::ModelCommand& command, const ui::Insertion& insertion, const ModelOutcome& outcome);
-    using Write = std::function<SavedFile(const core::TriangleMesh& mesh, const core::DocumentNotes& notes)>;
-    core::DocumentNotes notesNow() const;
+    using Write = std::function<SavedFile(const core::TriangleMesh& mesh, const core::DocumentMetadata& metadata)>;
+    core::DocumentMetadata notesNow() const;
     void saveBy(const QString& name, const Write& write);
     void finishSaving(int index, const SavedFile& saved);
     void startHandingOver(const std::function<bool(const Present& present)>& keep, const std::function<void(bool isKept)>& done);
     void finishHandingOver(int index, bool isKept, const std::function<void(bool isKept)>& done);
     void setSaved(int index);
-    void startExport(const ExportOrder& order, const core::JobWatch& watch);
+    void startExport(const ExportOrder& order, const core::JobControl& control);
     void finishExport(const QString& path, const ExportOutcome& outcome);
     void finishBrush(const KeptBrush& kept);
     void takeSaved(const QString& path, int index);
     void moveTo(int index);
     void comeTo(int index);
-    void startLookingBack(const LookBack& look, const std::function<void()>& done, const core::JobWatch& watch);
+    void startLookingBack(const LookBack& look, const std::function<void()>& done, const core::JobControl& control);
     void takeAgain(const StrokeReport& report);
     void request(std::function<void()> run);
     void strokeRequest(std::function<void()> run);
@@ -274,7 +274,7 @@ private:
     std::shared_ptr<const core::Snapshot> m_start; ///< what Reset goes back to
     std::shared_ptr<const void> m_mark;
     MayDiscard m_mayDiscard;
-    std::function<void(core::DocumentNotes&)> m_completeNotes;
+    std::function<void(core::DocumentMetadata&)> m_completeNotes;
     JournalShelf* m_shelf = nullptr;
     std::shared_ptr<core::Journal> m_journal; ///< null: nothing is recorded
     std::shared_ptr<core::RecoveredDocument> m_recovered; ///< of the model that is being installed

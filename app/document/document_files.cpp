@@ -27,7 +27,7 @@ Document::Choice Document::choiceOf(const QString& path, LongWork& work)
 {
     const auto tell = [&work](const QString& next) { work.rename(next); };
     return {tr("Opening %1").arg(QFileInfo(path).fileName()),
-            [path, tell](const core::JobWatch& watch) { return ModelLoader::load(path, tell, watch); }};
+            [path, tell](const core::JobControl& control) { return ModelLoader::load(path, tell, control); }};
 }
 
 void Document::open(const QString& path)
@@ -42,29 +42,29 @@ void Document::openLosingChanges(const QString& path)
     openFrom(choice);
 }
 
-void Document::openMended(const QString& path, const core::LegaliseOptions& options)
+void Document::openMended(const QString& path, const core::RepairOptions& options)
 {
     const QString name = QFileInfo(path).fileName();
     const auto tell = [this](const QString& next) { m_work.rename(next); };
     openFrom({tr("Opening %1").arg(name),
-              [path, options, tell](const core::JobWatch& watch) { return ModelLoader::loadMended(path, options, tell, watch); }});
+              [path, options, tell](const core::JobControl& control) { return ModelLoader::loadMended(path, options, tell, control); }});
 }
 
 void Document::openSphere()
 {
-    openFrom({tr("Preparing the clay"), [](const core::JobWatch&) { return ModelLoader::sphere(clayRadius); }});
+    openFrom({tr("Preparing the clay"), [](const core::JobControl&) { return ModelLoader::sphere(clayRadius); }});
 }
 
 void Document::openStarter(core::Starter starter)
 {
-    openFrom({tr("Preparing the clay"), [starter](const core::JobWatch&) { return ModelLoader::starter(starter); }});
+    openFrom({tr("Preparing the clay"), [starter](const core::JobControl&) { return ModelLoader::starter(starter); }});
 }
 
 void Document::openMade(const Made& made)
 {
     openFrom({made.what,
-              [make = made.make, mark = made.mark](const core::JobWatch& watch) {
-                  LoadedModel model = make(watch);
+              [make = made.make, mark = made.mark](const core::JobControl& control) {
+                  LoadedModel model = make(control);
                   model.mark = mark;
                   return model;
               },
@@ -103,26 +103,26 @@ void Document::openWaiting()
 void Document::load(const QString& what, const Make& make)
 {
     m_isLoading = m_letGo = true;
-    const core::JobWatch watch = m_work.beginStoppable(what);
-    const auto finish = [this, watch](const std::shared_ptr<LoadedModel>& model) {
+    const core::JobControl control = m_work.beginStoppable(what);
+    const auto finish = [this, control](const std::shared_ptr<LoadedModel>& model) {
         m_work.keep();
-        if (!watch.stopped() && model->sculptor)
+        if (!control.isCancelled() && model->sculptor)
             return request([this, model] { install(model); });
         if (m_shelf)
             m_shelf->discard(model->journal);
         m_isLoading = false;
         m_letGo = m_letGo && m_next;
         m_work.end();
-        if (!watch.stopped() && model->isMendable)
+        if (!control.isCancelled() && model->isMendable)
             Q_EMIT mendable(model->path, model->problem);
-        else if (!watch.stopped())
+        else if (!control.isCancelled())
             Q_EMIT refused(model->problem);
         if (m_facts.faces == 0 && !m_next) // never without a model
             openSphere();
     };
-    auto work = [make, watch, shelf = m_shelf] {
-        auto model = std::make_shared<LoadedModel>(make(watch));
-        if (shelf && model->sculptor && !model->recovered && !watch.stopped())
+    auto work = [make, control, shelf = m_shelf] {
+        auto model = std::make_shared<LoadedModel>(make(control));
+        if (shelf && model->sculptor && !model->recovered && !control.isCancelled())
             model->journal = shelf->begin(*model);
         return model;
     };
@@ -140,7 +140,7 @@ void Document::install(std::shared_ptr<LoadedModel> model)
     m_mark = model->mark;
     m_facts.name = model->name;
     m_facts.path = model->path;
-    m_facts.notes = model->notes;
+    m_facts.metadata = model->metadata;
     m_clock = {};
     m_facts.unitGuess = model->unitGuess;
     m_start = std::exchange(model->start, nullptr);
@@ -166,7 +166,7 @@ void Document::takeModel(const MeshFacts& facts)
 
 void Document::setPalette(std::vector<core::Rgb> palette)
 {
-    m_facts.notes.palette = std::move(palette);
+    m_facts.metadata.palette = std::move(palette);
     describeToJournal();
 }
 
@@ -192,26 +192,26 @@ void Document::loseFile()
     tellState();
 }
 
-core::DocumentNotes Document::notesNow() const
+core::DocumentMetadata Document::notesNow() const
 {
-    core::DocumentNotes notes = m_facts.notes;
+    core::DocumentMetadata metadata = m_facts.metadata;
     if (m_completeNotes)
-        m_completeNotes(notes);
-    return notes;
+        m_completeNotes(metadata);
+    return metadata;
 }
 
 void Document::save(const QString& path)
 {
     const int kept = ui::Settings().preferences().keepsVersions ? ui::keptVersions : 0;
-    saveBy(QFileInfo(path).fileName(), [path, kept](const core::TriangleMesh& mesh, const core::DocumentNotes& notes) {
-        return ModelSaving::save(path, mesh, notes, kept);
+    saveBy(QFileInfo(path).fileName(), [path, kept](const core::TriangleMesh& mesh, const core::DocumentMetadata& metadata) {
+        return ModelSaving::save(path, mesh, metadata, kept);
     });
 }
 
 void Document::saveNumbered(const QString& path)
 {
-    saveBy(m_facts.name, [path](const core::TriangleMesh& mesh, const core::DocumentNotes& notes) {
-        return ModelSaving::saveNumbered(path, mesh, notes);
+    saveBy(m_facts.name, [path](const core::TriangleMesh& mesh, const core::DocumentMetadata& metadata) {
+        return ModelSaving::saveNumbered(path, mesh, metadata);
     });
 }
 
@@ -221,10 +221,10 @@ void Document::saveBy(const QString& name, const Write& write)
         return;
     m_work.begin(tr("Saving %1").arg(name));
     request([this, write] {
-        m_worker->post([this, write, notes = notesNow(), index = m_stack.index()](core::Sculptor& sculptor) mutable {
-            notes.frame = sculptor.mesh().frame();
+        m_worker->post([this, write, metadata = notesNow(), index = m_stack.index()](core::Sculptor& sculptor) mutable {
+            metadata.frame = sculptor.mesh().frame();
             auto mesh = std::make_shared<core::TriangleMesh>(core::extractMesh(sculptor.mesh()));
-            auto work = [write, notes, mesh = std::move(mesh)] { return write(*mesh, notes); };
+            auto work = [write, metadata, mesh = std::move(mesh)] { return write(*mesh, metadata); };
             m_work.run(std::move(work), [this, index](const SavedFile& saved) { finishSaving(index, saved); });
         });
     });
@@ -246,16 +246,16 @@ void Document::exportTo(const QString& path, quint64 mostTriangles, bool slices)
 {
     if (m_work.isBusy())
         return;
-    const core::JobWatch watch = m_work.beginStoppable(tr("Exporting %1").arg(QFileInfo(path).fileName()));
-    request([this, path, mostTriangles, slices, watch] { startExport({path, mostTriangles, slices, notesNow()}, watch); });
+    const core::JobControl control = m_work.beginStoppable(tr("Exporting %1").arg(QFileInfo(path).fileName()));
+    request([this, path, mostTriangles, slices, control] { startExport({path, mostTriangles, slices, notesNow()}, control); });
 }
 
-void Document::startExport(const ExportOrder& order, const core::JobWatch& watch)
+void Document::startExport(const ExportOrder& order, const core::JobControl& control)
 {
-    m_worker->post([this, order = order, watch](core::Sculptor& sculptor) mutable {
+    m_worker->post([this, order = order, control](core::Sculptor& sculptor) mutable {
         order.mesh = ModelTrial::copyOf(sculptor.mesh());
-        order.notes.frame = sculptor.mesh().frame();
-        auto work = [this, order, watch] { return ModelExport::run(order, [this](const QString& what) { m_work.rename(what); }, watch); };
+        order.metadata.frame = sculptor.mesh().frame();
+        auto work = [this, order, control] { return ModelExport::run(order, [this](const QString& what) { m_work.rename(what); }, control); };
         m_work.run(std::move(work), [this, path = order.path](const ExportOutcome& outcome) { finishExport(path, outcome); });
     });
 }
@@ -276,10 +276,10 @@ void Document::keepAsBrush()
 {
     if (m_work.isBusy())
         return;
-    const core::JobWatch watch = m_work.beginStoppable(tr("Making a brush of %1").arg(m_facts.name));
-    request([this, watch] {
-        m_worker->post([this, watch, name = m_facts.name](core::Sculptor& sculptor) {
-            auto work = [copy = ModelTrial::copyOf(sculptor.mesh()), name, watch] { return BrushKeeper::keep(copy, name, watch); };
+    const core::JobControl control = m_work.beginStoppable(tr("Making a brush of %1").arg(m_facts.name));
+    request([this, control] {
+        m_worker->post([this, control, name = m_facts.name](core::Sculptor& sculptor) {
+            auto work = [copy = ModelTrial::copyOf(sculptor.mesh()), name, control] { return BrushKeeper::keep(copy, name, control); };
             m_work.run(std::move(work), [this](const KeptBrush& kept) { finishBrush(kept); });
         });
     });
@@ -334,7 +334,7 @@ void Document::startHandingOver(const std::function<bool(const Present& present)
     m_worker->post([this, keep, done, present = Present{nullptr, 0, notesNow(), m_stack.index(), deedsNow()}](core::Sculptor& sculptor) mutable {
         present.mesh = std::make_shared<core::TriangleMesh>(core::extractMesh(sculptor.mesh()));
         present.hash = sculptor.mesh().meshHash();
-        present.notes.frame = sculptor.mesh().frame();
+        present.metadata.frame = sculptor.mesh().frame();
         m_work.run([keep, present] { return keep(present); }, [this, done, index = present.step](bool isKept) { finishHandingOver(index, isKept, done); });
     });
 }

@@ -19,21 +19,21 @@ bool Document::lookBack(const QString& what, LookBack look, std::function<void()
 {
     if (m_work.isBusy())
         return false;
-    const core::JobWatch watch = m_work.beginStoppable(what);
-    request([this, look = std::move(look), done = std::move(done), watch] { startLookingBack(look, done, watch); });
+    const core::JobControl control = m_work.beginStoppable(what);
+    request([this, look = std::move(look), done = std::move(done), control] { startLookingBack(look, done, control); });
     return true;
 }
 
-void Document::startLookingBack(const LookBack& look, const std::function<void()>& done, const core::JobWatch& watch)
+void Document::startLookingBack(const LookBack& look, const std::function<void()>& done, const core::JobControl& control)
 {
     if (!m_worker->hold()) // another hand was faster
-        return request([this, look, done, watch] { startLookingBack(look, done, watch); });
+        return request([this, look, done, control] { startLookingBack(look, done, control); });
     m_isChanging = true; // what is asked for waits
     ModelPast past{nullptr, m_history.firstIndex(), m_stack.index(), {}};
     std::vector<std::shared_ptr<StoredDelta>> changes;
     for (int i = past.first; i < past.present; ++i)
         changes.push_back(m_history.at(i));
-    past.change = [worker = m_worker, changes, first = past.first, stop = watch.stop](int index) -> std::optional<core::MeshDelta> {
+    past.change = [worker = m_worker, changes, first = past.first, stop = control.stop](int index) -> std::optional<core::MeshDelta> {
         auto answer = std::make_shared<std::promise<std::optional<core::MeshDelta>>>();
         auto copied = answer->get_future();
         const auto change = changes.at(static_cast<std::size_t>(index - first));
@@ -43,10 +43,10 @@ void Document::startLookingBack(const LookBack& look, const std::function<void()
                 return std::nullopt;
         return copied.get();
     };
-    m_worker->post([this, look, done, watch, past](core::Sculptor& sculptor) mutable {
+    m_worker->post([this, look, done, control, past](core::Sculptor& sculptor) mutable {
         past.mesh = ModelTrial::copyOf(sculptor.mesh());
-        auto work = [look, past, watch] {
-            look(past, watch);
+        auto work = [look, past, control] {
+            look(past, control);
             return 0;
         };
         m_work.run(std::move(work), [this, done](int) {

@@ -22,7 +22,7 @@ void Document::keepJournals(JournalShelf* shelf)
 
 void Document::recover(quint64 offer, const QString& name)
 {
-    openFrom({tr("Recovering %1").arg(name), [shelf = m_shelf, offer](const core::JobWatch& watch) { return shelf->recover(offer, watch); }});
+    openFrom({tr("Recovering %1").arg(name), [shelf = m_shelf, offer](const core::JobControl& control) { return shelf->recover(offer, control); }});
 }
 
 /// With its journal, which may be none. That of the model before goes when nobody writes to it any more.
@@ -78,7 +78,7 @@ void Document::recordLate(const std::shared_ptr<core::JournalFolder>& folder)
             return recordLate(folder);
         const core::BaseRecord base{forJournal(), historyNow()};
         const core::StartRecord start{m_start, base.document};
-        m_journal = m_shelf->beginLate(folder, base.history.present);
+        m_journal = m_shelf->beginDeferred(folder, base.history.present);
         m_history.setJournal(m_journal);
         m_worker->setJournal(m_journal);
         m_worker->post([journal = m_journal, start, base](core::Sculptor& sculptor) {

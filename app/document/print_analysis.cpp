@@ -64,11 +64,11 @@ void PrintInquiry::answer()
 
 PrintInquiry::Answer PrintInquiry::judge(const Measured& measured, const Wishes& wishes)
 {
-    Answer answer{core::judgeForPrint(measured.measures, wishes.limits), {}};
+    Answer answer{core::checkForPrint(measured.measures, wishes.limits), {}};
     if (!wishes.picture)
         return answer;
     const bool isThickness = *wishes.picture == core::PrintPicture::Thickness;
-    const ui::PrintScale scale{*wishes.picture, isThickness ? wishes.limits.leastWall : wishes.limits.overhang};
+    const ui::PrintScale scale{*wishes.picture, isThickness ? wishes.limits.minWall : wishes.limits.overhang};
     answer.shades = ui::shadesOf(measured.slots, core::pictureOf(measured.measures, *wishes.picture), scale);
     return answer;
 }

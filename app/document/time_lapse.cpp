@@ -29,7 +29,7 @@ int framesBetween(int first, int last, int every)
     return (last - first + every - 1) / every + 1;
 }
 
-QByteArray pngOf(const core::ModelPicture& picture)
+QByteArray pngOf(const core::ModelThumbnail& picture)
 {
     QImage frame(picture.width, picture.height, QImage::Format_RGB888);
     auto pixel = picture.rgba.begin();
@@ -72,7 +72,7 @@ QString TimeLapse::obstacle(const QString& folder, const QStringList& frames)
     return {};
 }
 
-TimeLapseOutcome TimeLapse::run(const TimeLapseOrder& order, const ModelPast& past, const core::JobWatch& watch)
+TimeLapseOutcome TimeLapse::run(const TimeLapseOrder& order, const ModelPast& past, const core::JobControl& control)
 {
     const QStringList names = frameNames(past.first, past.present, order.every);
     QStringList written;
@@ -88,9 +88,9 @@ TimeLapseOutcome TimeLapse::run(const TimeLapseOrder& order, const ModelPast& pa
     if (!past.mesh)
         return {noMemory, 0};
     try {
-        for (int state = past.present; !watch.stopped(); --state) {
+        for (int state = past.present; !control.isCancelled(); --state) {
             if (state == past.present || (state - past.first) % order.every == 0) {
-                const auto picture = core::drawPicture(core::extractMesh(*past.mesh), order.view, watch.stop);
+                const auto picture = core::drawThumbnail(core::extractMesh(*past.mesh), order.view, control.stop);
                 if (!picture)
                     break;
                 const QString path = QDir(order.folder).filePath(names[framesBetween(past.first, state, order.every) - 1]);
@@ -98,12 +98,12 @@ TimeLapseOutcome TimeLapse::run(const TimeLapseOrder& order, const ModelPast& pa
                     return without(obstacle(order.folder, {QFileInfo(path).fileName()}));
                 write(path, pngOf(*picture));
                 written << path;
-                watch.reached(static_cast<double>(written.size()) / static_cast<double>(names.size()));
+                control.reportProgress(static_cast<double>(written.size()) / static_cast<double>(names.size()));
             }
             if (state == past.first)
                 return {{}, static_cast<int>(written.size())};
             auto change = past.change(state - 1);
-            if (!change && !watch.stopped())
+            if (!change && !control.isCancelled())
                 return without(tr("The earlier steps of the model cannot be read any more, so there is no time-lapse of them."));
             if (change)
                 past.mesh->swap(*change);

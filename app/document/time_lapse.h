@@ -15,7 +15,7 @@ struct TimeLapseOrder
 {
     QString folder; ///< that is there
     int every = 1;  ///< steps from one picture to the next; the last state is always among them
-    core::PictureView view;
+    core::ThumbnailView view;
 };
 
 /// What became of it: no frames and no problem if it was stopped.
@@ -37,6 +37,6 @@ public:
     /// One sentence if the frames cannot be written there: there is no such folder, or one of them is there already. Else empty.
     static QString obstacle(const QString& folder, const QStringList& frames);
     /// Uses the past's mesh up.
-    static TimeLapseOutcome run(const TimeLapseOrder& order, const ModelPast& past, const core::JobWatch& watch);
+    static TimeLapseOutcome run(const TimeLapseOrder& order, const ModelPast& past, const core::JobControl& control);
 };
 } // namespace app

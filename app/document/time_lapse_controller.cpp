@@ -19,9 +19,9 @@ namespace app
 namespace
 {
 /// All that the window shows of the model is in the picture.
-core::PictureView viewOf(const ui::OrbitCamera& camera, const ui::TimeLapseChoice& choice)
+core::ThumbnailView viewOf(const ui::OrbitCamera& camera, const ui::TimeLapseChoice& choice)
 {
-    core::PictureView view;
+    core::ThumbnailView view;
     view.axes << camera.right().transpose(), camera.up().transpose(), -camera.viewDirection().transpose();
     view.target = camera.target();
     view.distance = camera.projection() == ui::OrbitCamera::Projection::Perspective ? camera.distance() : 0;
@@ -52,7 +52,7 @@ void TimeLapseDesk::write(const ui::TimeLapseChoice& choice, const QString& fold
         return;
     const TimeLapseOrder order{folder, choice.every, viewOf(m_window->viewport()->camera(), choice)};
     const auto outcome = std::make_shared<TimeLapseOutcome>();
-    const auto look = [order, outcome](const ModelPast& past, const core::JobWatch& watch) { *outcome = TimeLapse::run(order, past, watch); };
+    const auto look = [order, outcome](const ModelPast& past, const core::JobControl& control) { *outcome = TimeLapse::run(order, past, control); };
     if (!m_document->lookBack(tr("Drawing the time-lapse"), look, [this, folder, outcome] { finish(folder, *outcome); }))
         m_window->showNotice(tr("The time-lapse has to wait until this is done; ask for it again then."));
 }

@@ -98,7 +98,7 @@ private:
     void obey(const vr::RestoreModel&);
     void obey(const vr::SaveModel&);
     void obey(const vr::OpenModel& wish);
-    void obey(const core::ChangeMask& change);
+    void obey(const core::MaskOperation& change);
 
     Document* m_document;
     SculptWorker* m_worker;

@@ -119,7 +119,7 @@ void HeadsetDesk::obey(const vr::RestoreModel&)
     m_document->apply(core::Reset());
 }
 
-void HeadsetDesk::obey(const core::ChangeMask& change)
+void HeadsetDesk::obey(const core::MaskOperation& change)
 {
     if (m_document->isBusy())
         return refuse(tr("The mask was not changed: other work on the model is not done yet."));

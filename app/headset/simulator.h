@@ -21,7 +21,7 @@ public:
     /// asked for. `program`: the folder of the program. Throws CommandFailure where it is missing or cannot be loaded.
     static std::unique_ptr<Simulator> open(const QString& program = QCoreApplication::applicationDirPath());
 
-    /// How head and wands are from the next frame on, in the words of vr/simulator/control.h.
+    /// How head and wands are from the next frame on, in the words of vr/simulator/control_api.h.
     void obey(const QJsonObject& step);
     /// What the eye saw in the newest frame since this was last asked, which asks for the next; null: nothing new.
     QImage picture();

@@ -104,12 +104,12 @@ core::ReadResult read(const std::string& program, const std::filesystem::path& p
     const ForeignLimits limits(std::filesystem::file_size(path));
     ChildOrder order{{program, foreignWord, std::filesystem::absolute(path).string()}};
     order.time = std::chrono::seconds(2 * limits.seconds);
-    order.mostBytes = sizeof(ForeignHead) + sizeof foreignEnd + limits.points * (sizeof(core::Vec3f) + sizeof(core::Rgb)) +
+    order.maxBytes = sizeof(ForeignHead) + sizeof foreignEnd + limits.points * (sizeof(core::Vec3f) + sizeof(core::Rgb)) +
                       limits.triangles * sizeof(core::Triangle);
     order.stop = stop;
     const ChildAnswer answer = runChild(order);
     switch (answer.end) {
-    case ChildAnswer::End::Stopped: throw core::ReadingStopped();
+    case ChildAnswer::End::Stopped: throw core::ReadingCancelled();
     case ChildAnswer::End::TooSlow: throw errorOf(FileErrorKind::ReaderTooSlow, path, limits.seconds);
     case ChildAnswer::End::Died:
     case ChildAnswer::End::NotStarted: throw errorOf(FileErrorKind::ReaderDied, path);
@@ -119,7 +119,7 @@ core::ReadResult read(const std::string& program, const std::filesystem::path& p
 }
 } // namespace
 
-core::ForeignReader foreignReaderBy(std::string program)
+core::ExternalReader foreignReaderBy(std::string program)
 {
     return {{endings.begin(), endings.end()}, [program = std::move(program)](const std::filesystem::path& path, const std::stop_token& stop) {
                 return read(program, path, stop);
@@ -128,6 +128,6 @@ core::ForeignReader foreignReaderBy(std::string program)
 
 void installForeignReader()
 {
-    core::setForeignReader(foreignReaderBy(ownProgram()));
+    core::setExternalReader(foreignReaderBy(ownProgram()));
 }
 } // namespace app

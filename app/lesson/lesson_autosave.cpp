@@ -18,13 +18,13 @@ constexpr char standIn[] = "\u2026", standInLanguage[] = "en";
 
 core::LessonDraft filled(core::LessonDraft draft)
 {
-    using Lack = core::LessonDraft::Lack;
+    using Required = core::LessonDraft::Required;
     while (const auto missing = draft.missing()) {
         switch (missing->what) {
-        case Lack::Title: draft.setTitle(standInLanguage, standIn); break;
-        case Lack::Steps: draft.addStep(); break;
-        case Lack::StepTitle: draft.setStepTitle(missing->step, standInLanguage, standIn); break;
-        case Lack::StepText: draft.setStepText(missing->step, standInLanguage, standIn); break;
+        case Required::Title: draft.setTitle(standInLanguage, standIn); break;
+        case Required::Steps: draft.addStep(); break;
+        case Required::StepTitle: draft.setStepTitle(missing->step, standInLanguage, standIn); break;
+        case Required::StepText: draft.setStepText(missing->step, standInLanguage, standIn); break;
         }
     }
     return draft;

@@ -60,15 +60,15 @@ LessonInquiry::Answer LessonInquiry::judge(const ModelCopy& copy, const Place& p
     const core::Checkpoint& checkpoint = place.lesson->steps[place.step].checkpoint;
     core::TriangleMesh target;
     if (checkpoint.target) {
-        core::LessonStage stage(place.lesson, place.path);
+        core::LessonPlayback playback(place.lesson, place.path);
         try {
-            stage.goTo(place.step);
-            target = stage.target();
+            playback.goTo(place.step);
+            target = playback.target();
         } catch (const core::LessonError&) { // of a step that cannot be played: who plays it is told
             return {};
         }
     }
-    Answer answer{core::judge(checkpoint, copy.mesh, checkpoint.target ? &target : nullptr, {stop, {}}), {}};
+    Answer answer{core::evaluate(checkpoint, copy.mesh, checkpoint.target ? &target : nullptr, {stop, {}}), {}};
     if (answer.verdict.target && !stop.stop_requested())
         answer.shades = shadesOf(copy.slots, *answer.verdict.target);
     return answer;

@@ -104,7 +104,7 @@ void LessonDesk::take(std::shared_ptr<const core::Lesson> lesson, const std::fil
 {
     m_coming = lesson;
     m_comingPath = path;
-    const auto make = [model = LessonModel{lesson, path}](const core::JobWatch& watch) { return model.load(watch); };
+    const auto make = [model = LessonModel{lesson, path}](const core::JobControl& control) { return model.load(control); };
     m_document->openMade({tr("Opening %1").arg(inOurLanguage(lesson->title)), make, lesson});
 }
 

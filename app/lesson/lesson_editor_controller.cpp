@@ -55,7 +55,7 @@ std::vector<core::FactBounds> factsOf(const core::TriangleMesh& mesh)
     for (const Fact fact : {Fact::Genus, Fact::Components, Fact::Height, Fact::PrintReady})
         all.facts.push_back({fact});
     std::vector<core::FactBounds> facts;
-    for (const core::FactVerdict& verdict : core::judge(all, mesh, nullptr).facts) {
+    for (const core::FactVerdict& verdict : core::evaluate(all, mesh, nullptr).facts) {
         const double value = verdict.measured.value_or(0);
         if (verdict.asked.fact == Fact::Height)
             facts.push_back({Fact::Height, std::floor(value)});
@@ -140,7 +140,7 @@ void LessonEditorDesk::startFromModel()
     const auto keep = [bytes, problem](const Document::Present& present) {
         try {
             *bytes = lessonStartOf(*present.mesh);
-            if (bytes->size() > core::LessonLimits::mostBytes)
+            if (bytes->size() > core::LessonLimits::maxBytes)
                 *problem = tr("The model is too large for a lesson.");
         } catch (const core::FileError& error) {
             *problem = ui::Messages::sentence(error);
@@ -222,8 +222,8 @@ void LessonEditorDesk::openEnd(bool losesChanges, bool isUnsaved)
 {
     m_coming = std::make_shared<const core::Lesson>(m_draft.complete({}));
     const LessonModel model{m_coming, toPath(m_path), m_draft.steps()};
-    const auto make = [model, isUnsaved](const core::JobWatch& watch) {
-        LoadedModel loaded = model.load(watch);
+    const auto make = [model, isUnsaved](const core::JobControl& control) {
+        LoadedModel loaded = model.load(control);
         loaded.isUnsaved = isUnsaved;
         return loaded;
     };
@@ -292,8 +292,8 @@ void LessonEditorDesk::attempt(const QString& path, const core::LessonDraft& dra
     LongWork* work = m_document->longWork();
     if (work->isBusy())
         return m_window ? m_window->showNotice(tr("Not yet: other work on the model is not done.")) : void();
-    const core::JobWatch watch = work->beginStoppable(tr("Playing the lesson to its end"));
-    work->run([draft, path, hash, watch] { return LessonSaving::attempt(draft, toPath(path), hash, watch); },
+    const core::JobControl control = work->beginStoppable(tr("Playing the lesson to its end"));
+    work->run([draft, path, hash, control] { return LessonSaving::attempt(draft, toPath(path), hash, control); },
               [this, path, revision = draft.revision()](const TriedLesson& tried) { takeAttempt(path, tried, revision); });
 }
 

@@ -4,7 +4,7 @@
 #include "app/lesson/lesson_recorder.h"
 #include "app/lesson/lesson_saving.h"
 
-#include "core/operations/primitives.h"
+#include "core/operations/starter_models.h"
 #include "ui/lesson/lesson_editor.h"
 #include "ui/util/background_thread.h"
 

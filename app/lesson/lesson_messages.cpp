@@ -68,12 +68,12 @@ QString LessonWords::json(const core::LessonError& error)
     case Kind::WrongType: return tr("\"%1\" is of the wrong type, or holds nothing that a lesson can use").arg(key);
     case Kind::UnknownValue: return tr("unknown value, %1").arg(key);
     case Kind::OutOfRange:
-        return tr("\"%1\" is out of range, %2 to %3").arg(key, QString::number(error.least, 'g', 6), QString::number(error.most, 'g', 6));
+        return tr("\"%1\" is out of range, %2 to %3").arg(key, QString::number(error.min, 'g', 6), QString::number(error.max, 'g', 6));
     case Kind::NoWords: return tr("\"%1\" has no words in some language").arg(key);
-    case Kind::TooLong: return tr("\"%1\" is too long: at most %2 of text are read").arg(key, bytes(error.most));
+    case Kind::TooLong: return tr("\"%1\" is too long: at most %2 of text are read").arg(key, bytes(error.max));
     case Kind::TooMany:
-        return key.isEmpty() ? tr("it holds too many files: at most %1 are read").arg(QLocale().toString(error.most, 'f', 0))
-                             : tr("\"%1\" has too many entries: at most %2 are read").arg(key, QLocale().toString(error.most, 'f', 0));
+        return key.isEmpty() ? tr("it holds too many files: at most %1 are read").arg(QLocale().toString(error.max, 'f', 0))
+                             : tr("\"%1\" has too many entries: at most %2 are read").arg(key, QLocale().toString(error.max, 'f', 0));
     case Kind::BadName: return tr("it names a file outside of its folder, or by no plain name: %1").arg(key);
     default: return {};
     }
@@ -85,10 +85,10 @@ QString LessonWords::files(const core::LessonError& error)
     switch (error.kind) {
     case Kind::NoLesson: return tr("there is no lesson.json in it: a lesson is a folder or a zip with that file");
     case Kind::MissingFile: return tr("this file is named, but not there");
-    case Kind::TooLarge: return tr("this is too large for a lesson: at most %1 are read").arg(bytes(error.most));
+    case Kind::TooLarge: return tr("this is too large for a lesson: at most %1 are read").arg(bytes(error.max));
     case Kind::NotAPicture: return tr("this is no PNG or JPEG picture");
     case Kind::Unsound:
-        return error.report.printReady() ? ui::Messages::tooFine(QString::fromStdString(error.file), static_cast<quint64>(error.most))
+        return error.report.printReady() ? ui::Messages::tooFine(QString::fromStdString(error.file), static_cast<quint64>(error.max))
                                          : ui::Messages::refusal(QString::fromStdString(error.file), error.report);
     case Kind::Strokes: return error.strokes ? StrokeWords::reason(*error.strokes) : QString();
     case Kind::NamesFiles: return tr("the strokes of a lesson cannot need other images or models");
@@ -126,13 +126,13 @@ QString LessonWords::figure(core::Fact fact, double value)
 
 QString LessonWords::asked(const core::FactBounds& bounds)
 {
-    const QString least = figure(bounds.fact, bounds.least);
-    if (bounds.least == bounds.most)
+    const QString least = figure(bounds.fact, bounds.min);
+    if (bounds.min == bounds.max)
         return tr("%1: %2", "a fact: its value").arg(name(bounds.fact), least);
-    if (bounds.most == core::FactBounds::unbounded)
+    if (bounds.max == core::FactBounds::unbounded)
         return tr("%1: at least %2").arg(name(bounds.fact), least);
-    const QString most = figure(bounds.fact, bounds.most);
-    return bounds.least > 0 ? tr("%1: %2 to %3").arg(name(bounds.fact), least, most) : tr("%1: at most %2").arg(name(bounds.fact), most);
+    const QString most = figure(bounds.fact, bounds.max);
+    return bounds.min > 0 ? tr("%1: %2 to %3").arg(name(bounds.fact), least, most) : tr("%1: at most %2").arg(name(bounds.fact), most);
 }
 
 QString LessonWords::asked(const core::CheckpointTarget& target)
@@ -147,6 +147,6 @@ QString LessonWords::found(const core::FactVerdict& verdict)
 
 QString LessonWords::found(const core::TargetVerdict& verdict)
 {
-    return tr("%1 mm apart, at most %2 mm").arg(millimetres(verdict.apart), millimetres(verdict.largest));
+    return tr("%1 mm apart, at most %2 mm").arg(millimetres(verdict.nearDistance), millimetres(verdict.largest));
 }
 } // namespace app

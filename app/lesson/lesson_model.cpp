@@ -31,32 +31,32 @@ QString modelName(const core::Lesson& lesson)
 }
 
 /// The first steps, stroke by stroke, so that it can be stopped between them.
-void play(core::LessonStage& stage, std::size_t steps, const core::JobWatch& watch)
+void play(core::LessonPlayback& playback, std::size_t steps, const core::JobControl& control)
 {
     std::size_t all = 0, done = 0;
     for (std::size_t i = 0; i < steps; ++i)
-        all += stage.lesson().steps[i].strokes.size();
+        all += playback.lesson().steps[i].strokes.size();
     for (std::size_t i = 0; i < steps; ++i) {
-        stage.goTo(i);
-        for (; stage.done() < stage.step().strokes.size() && !watch.stopped(); ++done) {
-            watch.reached(static_cast<double>(done) / static_cast<double>(all));
-            stage.playNext();
+        playback.goTo(i);
+        for (; playback.done() < playback.step().strokes.size() && !control.isCancelled(); ++done) {
+            control.reportProgress(static_cast<double>(done) / static_cast<double>(all));
+            playback.playNext();
         }
     }
 }
 } // namespace
 
-LoadedModel LessonModel::load(const core::JobWatch& watch) const
+LoadedModel LessonModel::load(const core::JobControl& control) const
 {
     LoadedModel loaded;
     loaded.name = modelName(*lesson);
-    loaded.notes.work.emplace(); // nobody did anything yet
+    loaded.metadata.work.emplace(); // nobody did anything yet
     try {
-        core::LessonStage stage(lesson, path);
-        play(stage, steps, watch);
-        if (watch.stopped())
+        core::LessonPlayback playback(lesson, path);
+        play(playback, steps, control);
+        if (control.isCancelled())
             return loaded;
-        core::LessonStage::Left left = std::move(stage).leave();
+        core::LessonPlayback::Released left = std::move(playback).release();
         loaded.sculptor = std::move(left.sculptor);
         loaded.start = std::move(left.start);
     } catch (const core::LessonError& error) {

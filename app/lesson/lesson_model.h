@@ -6,14 +6,14 @@
 
 namespace app
 {
-/// A lesson's model for the window, to the bit what core::LessonStage has: what its first `steps` steps leave, or its start. Like ModelLoader.
+/// A lesson's model for the window, to the bit what core::LessonPlayback has: what its first `steps` steps leave, or its start. Like ModelLoader.
 struct LessonModel
 {
     std::shared_ptr<const core::Lesson> lesson;
     std::filesystem::path path; ///< of the lesson, for errors
     std::size_t steps = 0;
 
-    LoadedModel load(const core::JobWatch& watch) const;
+    LoadedModel load(const core::JobControl& control) const;
 };
 
 /// What the file holds that a lesson begins with, if it begins with this model: to be named lessonStart. Throws FileError.

@@ -42,7 +42,7 @@ core::Lesson readAsWritten(const core::Lesson& lesson, const std::filesystem::pa
 
 QImage lessonPicture(const core::TriangleMesh& mesh)
 {
-    const core::ModelPicture picture = core::drawPicture(mesh, pictureSide, {}).value();
+    const core::ModelThumbnail picture = core::drawThumbnail(mesh, pictureSide, {}).value();
     return QImage(picture.rgba.data()->data(), picture.width, picture.height, QImage::Format_RGBA8888_Premultiplied).copy();
 }
 
@@ -52,15 +52,15 @@ QString LessonSaving::missing(const core::LessonDraft& draft)
     if (!missing)
         return {};
     switch (missing->what) {
-    case core::LessonDraft::Lack::Title: return tr("The lesson has no title yet.");
-    case core::LessonDraft::Lack::Steps: return tr("The lesson has no steps yet.");
-    case core::LessonDraft::Lack::StepTitle: return tr("Step %1 has no title yet.").arg(missing->step + 1);
-    case core::LessonDraft::Lack::StepText: return tr("Step %1 has no text yet.").arg(missing->step + 1);
+    case core::LessonDraft::Required::Title: return tr("The lesson has no title yet.");
+    case core::LessonDraft::Required::Steps: return tr("The lesson has no steps yet.");
+    case core::LessonDraft::Required::StepTitle: return tr("Step %1 has no title yet.").arg(missing->step + 1);
+    case core::LessonDraft::Required::StepText: return tr("Step %1 has no text yet.").arg(missing->step + 1);
     }
     return {};
 }
 
-QStringList LessonSaving::remarksOn(const core::LessonStep& step, std::size_t index, const core::StepTrial& trial)
+QStringList LessonSaving::remarksOn(const core::LessonStep& step, std::size_t index, const core::StepCheck& trial)
 {
     QStringList remarks;
     for (const std::size_t stroke : trial.idle)
@@ -92,22 +92,22 @@ QString LessonSaving::lineOf(const core::Stroke& stroke)
 }
 
 TriedLesson LessonSaving::attempt(const core::LessonDraft& draft, const std::filesystem::path& path, const std::optional<std::uint64_t>& hash,
-                                  const core::JobWatch& watch)
+                                  const core::JobControl& control)
 {
     TriedLesson tried;
     try {
-        core::LessonStage stage(std::make_shared<const core::Lesson>(readAsWritten(draft.complete({}), path)), path);
+        core::LessonPlayback playback(std::make_shared<const core::Lesson>(readAsWritten(draft.complete({}), path)), path);
         std::vector<std::string> pictures(draft.steps());
         const auto draw = [&](std::size_t step, const core::TriangleMesh& mesh) {
             if (draft.makesPicture(step))
                 pictures[step] = pngOf(lessonPicture(mesh));
         };
-        const std::vector<core::StepTrial> trials = core::tryLesson(stage, draw, watch.part(0, afterPlaying));
-        if (watch.stopped())
+        const std::vector<core::StepCheck> trials = core::checkLesson(playback, draw, control.part(0, afterPlaying));
+        if (control.isCancelled())
             return {};
         for (std::size_t i = 0; i < trials.size(); ++i)
             tried.remarks << remarksOn(draft.step(i), i, trials[i]);
-        if (hash && stage.mesh().meshHash() != *hash)
+        if (hash && playback.mesh().meshHash() != *hash)
             tried.remarks << tr("Played again, the lesson does not end with the model in the window.");
         auto lesson = std::make_shared<const core::Lesson>(draft.complete(pictures));
         readAsWritten(*lesson, path); // all together is not too large

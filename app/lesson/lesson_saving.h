@@ -13,7 +13,7 @@
 
 namespace core
 {
-struct StepTrial;
+struct StepCheck;
 }
 
 namespace app
@@ -39,7 +39,7 @@ public:
     static QString missing(const core::LessonDraft& draft);
     /// By the strict reader, on the very bytes that are to be written, and played. `hash`: of the model that its strokes are to leave; nothing: any.
     static TriedLesson attempt(const core::LessonDraft& draft, const std::filesystem::path& path, const std::optional<std::uint64_t>& hash,
-                               const core::JobWatch& watch);
+                               const core::JobControl& control);
     /// Empty, or what is wrong; then nothing has changed on disk.
     static QString write(const core::Lesson& lesson, const std::filesystem::path& path);
 
@@ -49,6 +49,6 @@ public:
     static QString lineOf(const core::Stroke& stroke);
 
 private:
-    static QStringList remarksOn(const core::LessonStep& step, std::size_t index, const core::StepTrial& trial);
+    static QStringList remarksOn(const core::LessonStep& step, std::size_t index, const core::StepCheck& trial);
 };
 } // namespace app

@@ -16,10 +16,10 @@ namespace app
 {
 namespace
 {
-core::TriangleMesh fewEnough(core::Mesh& copy, const core::JobWatch& watch)
+core::TriangleMesh fewEnough(core::Mesh& copy, const core::JobControl& control)
 {
-    const std::size_t most = core::BrushModel::mostFaces;
-    return copy.live().faces > most ? core::decimate(std::move(copy), most, watch).mesh : core::extractMesh(copy);
+    const std::size_t most = core::BrushModel::maxFaces;
+    return copy.live().faces > most ? core::decimate(std::move(copy), most, control).mesh : core::extractMesh(copy);
 }
 } // namespace
 
@@ -28,13 +28,13 @@ QString BrushKeeper::folder()
     return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/brushes");
 }
 
-KeptBrush BrushKeeper::keep(const std::shared_ptr<core::Mesh>& copy, const QString& name, const core::JobWatch& watch)
+KeptBrush BrushKeeper::keep(const std::shared_ptr<core::Mesh>& copy, const QString& name, const core::JobControl& control)
 {
     try {
         if (!copy)
             throw std::bad_alloc();
-        const core::TriangleMesh mesh = fewEnough(*copy, watch);
-        if (watch.stopped())
+        const core::TriangleMesh mesh = fewEnough(*copy, control);
+        if (control.isCancelled())
             return {};
         const auto brush = ui::brushModelOf(mesh, name);
         if (!brush.what)

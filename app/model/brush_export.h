@@ -28,6 +28,6 @@ public:
     static QString folder();
     /// A GLB of that name, in a folder that is called as its fingerprint: another model of that name takes no file's place. A model with more
     /// triangles than a brush may have has fewer there. Uses the copy up; null: there was not enough memory for one.
-    static KeptBrush keep(const std::shared_ptr<core::Mesh>& copy, const QString& name, const core::JobWatch& watch);
+    static KeptBrush keep(const std::shared_ptr<core::Mesh>& copy, const QString& name, const core::JobControl& control);
 };
 } // namespace app

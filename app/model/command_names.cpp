@@ -63,9 +63,9 @@ ModelWords::Words ModelWords::wordsOf(const core::Fill&)
     return {tr("Fill", "undo step"), tr("Colouring the model")};
 }
 
-ModelWords::Words ModelWords::wordsOf(const core::ChangeMask& change)
+ModelWords::Words ModelWords::wordsOf(const core::MaskOperation& change)
 {
-    using How = core::ChangeMask::How;
+    using How = core::MaskOperation::Kind;
     const QString doing = tr("Changing the mask");
     switch (change.how) {
     case How::Invert: return {tr("Invert Mask", "undo step"), doing};
@@ -108,7 +108,7 @@ ModelWords::Words ModelWords::wordsOf(const core::FlattenBase&)
 
 QString ModelWords::nothing(const core::ModelCommand& command)
 {
-    if (std::holds_alternative<core::ChangeMask>(command))
+    if (std::holds_alternative<core::MaskOperation>(command))
         return tr("The mask is like that already.");
     return std::holds_alternative<core::RemeshUniformly>(command) ? tr("The mesh is as uniform as that already.")
                                                                   : tr("The model is like that already.");

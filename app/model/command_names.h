@@ -36,7 +36,7 @@ private:
     static Words wordsOf(const core::Recentre&);
     static Words wordsOf(const core::Insert&);
     static Words wordsOf(const core::Fill&);
-    static Words wordsOf(const core::ChangeMask& change);
+    static Words wordsOf(const core::MaskOperation& change);
     static Words wordsOf(const core::RemeshUniformly&);
     static Words wordsOf(const core::Symmetrize&);
     static Words wordsOf(const core::Reset&);

@@ -29,26 +29,26 @@ std::shared_ptr<core::Mesh> ModelTrial::copyOf(const core::Mesh& mesh)
 }
 
 ModelOutcome ModelTrial::run(const std::shared_ptr<core::Mesh>& copy, core::ModelCommand& command, const ui::Insertion& insertion, const Tell& tell,
-                             const core::JobWatch& watch)
+                             const core::JobControl& control)
 {
     ModelOutcome outcome;
-    core::JobWatch trial = watch;
+    core::JobControl trial = control;
     try {
         if (!copy)
             throw std::bad_alloc();
         if (auto* insert = std::get_if<core::Insert>(&command)) {
             const double share = insertion.mend ? afterTrialMending : afterTrialReading;
-            read(outcome, *insert, insertion, tell, watch.part(0, share));
-            trial = watch.part(share, 1);
+            read(outcome, *insert, insertion, tell, control.part(0, share));
+            trial = control.part(share, 1);
         }
-        if (!outcome.problem.isEmpty() || watch.stopped())
+        if (!outcome.problem.isEmpty() || control.isCancelled())
             return outcome;
-        outcome.change = core::tryOn(std::move(*copy), command, trial);
+        outcome.change = core::applyToCopy(std::move(*copy), command, trial);
         outcome.problem = ModelWords::refusal(outcome.change, insertion.path);
         if (outcome.change.changes && outcome.change.report.volume)
             outcome.notice = QStringList({outcome.notice, ModelLoader::insertedUnitNotice(insertion, *outcome.change.report.volume)}).join(u' ').trimmed();
         outcome.isMendable = outcome.change.refusal == core::ModelRefusal::Unsound;
-    } catch (const core::ReadingStopped&) {
+    } catch (const core::ReadingCancelled&) {
     } catch (const core::FileError& error) {
         outcome.problem = ui::Messages::sentence(error);
     } catch (const std::bad_alloc&) {
@@ -58,19 +58,19 @@ ModelOutcome ModelTrial::run(const std::shared_ptr<core::Mesh>& copy, core::Mode
 }
 
 /// Mended or not, it comes as its file has it: a model that lay far from the origin goes back there.
-void ModelTrial::read(ModelOutcome& outcome, core::Insert& command, const ui::Insertion& insertion, const Tell& tell, const core::JobWatch& watch)
+void ModelTrial::read(ModelOutcome& outcome, core::Insert& command, const ui::Insertion& insertion, const Tell& tell, const core::JobControl& control)
 {
-    auto [mesh, remarks] = core::readModel(toPath(insertion.path), {.stop = watch.stop});
+    auto [mesh, remarks] = core::readModel(toPath(insertion.path), {.stop = control.stop});
     const QString name = QFileInfo(insertion.path).fileName();
     outcome.notice = ui::Messages::remarks(name, remarks);
-    if (!core::scale(mesh, insertion.unit)) {
+    if (!core::scaleMesh(mesh, insertion.unit)) {
         outcome.problem = ui::Messages::tooLarge(insertion.path);
         return;
     }
     if (insertion.mend) {
-        const auto doing = [&](core::LegaliseStep step) { tell(ui::MendingWords::doing(name, step)); };
-        core::Legalised legalised = core::legalise(mesh, *insertion.mend, watch, doing);
-        if (!legalised.mesh && !watch.stopped())
+        const auto doing = [&](core::RepairStep step) { tell(ui::MendingWords::doing(name, step)); };
+        core::RepairResult legalised = core::repairMesh(mesh, *insertion.mend, control, doing);
+        if (!legalised.mesh && !control.isCancelled())
             outcome.problem = ui::MendingWords::refusal(insertion.path, legalised);
         if (!legalised.mesh)
             return;

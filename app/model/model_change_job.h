@@ -34,9 +34,9 @@ public:
     using Tell = std::function<void(const QString& what)>;
     /// Uses the copy up. What is to be inserted is read first.
     static ModelOutcome run(const std::shared_ptr<core::Mesh>& copy, core::ModelCommand& command, const ui::Insertion& insertion, const Tell& tell,
-                            const core::JobWatch& watch);
+                            const core::JobControl& control);
 
 private:
-    static void read(ModelOutcome& outcome, core::Insert& command, const ui::Insertion& insertion, const Tell& tell, const core::JobWatch& watch);
+    static void read(ModelOutcome& outcome, core::Insert& command, const ui::Insertion& insertion, const Tell& tell, const core::JobControl& control);
 };
 } // namespace app

@@ -22,49 +22,49 @@ namespace
 constexpr double afterDecimating = 0.85, afterWriting = 0.2;
 } // namespace
 
-ExportOutcome ModelExport::run(ExportOrder order, const Tell& tell, const core::JobWatch& watch)
+ExportOutcome ModelExport::run(ExportOrder order, const Tell& tell, const core::JobControl& control)
 {
     const bool decimates = order.mostTriangles > 0 && order.mesh && order.mesh->live().faces > order.mostTriangles;
     try {
         if (!order.mesh)
             throw std::bad_alloc();
         if (!decimates)
-            return write(order, core::extractMesh(*order.mesh), tell, watch);
+            return write(order, core::extractMesh(*order.mesh), tell, control);
         tell(tr("Reducing the triangles"));
-        const core::Decimated few = core::decimate(std::move(*order.mesh), order.mostTriangles, watch.part(0, afterDecimating));
-        if (watch.stopped())
+        const core::Decimated few = core::decimate(std::move(*order.mesh), order.mostTriangles, control.part(0, afterDecimating));
+        if (control.isCancelled())
             return {};
-        order.notes = {}; // they are of the whole model
-        return write(order, few.mesh, tell, watch.part(afterDecimating, 1));
-    } catch (const core::ReadingStopped&) {
+        order.metadata = {}; // they are of the whole model
+        return write(order, few.mesh, tell, control.part(afterDecimating, 1));
+    } catch (const core::ReadingCancelled&) {
         return {{}, tr("%1 was written; it was not read back.").arg(QDir::toNativeSeparators(order.path))};
     } catch (const std::bad_alloc&) {
         return {tr("%1: there is not enough memory to write this model.").arg(order.path), {}};
     }
 }
 
-ExportOutcome ModelExport::write(const ExportOrder& order, const core::TriangleMesh& mesh, const Tell& tell, const core::JobWatch& watch)
+ExportOutcome ModelExport::write(const ExportOrder& order, const core::TriangleMesh& mesh, const Tell& tell, const core::JobControl& control)
 {
     tell(tr("Exporting %1").arg(QFileInfo(order.path).fileName()));
-    const QString problem = ModelLoader::save(order.path, mesh, order.notes);
+    const QString problem = ModelLoader::save(order.path, mesh, order.metadata);
     if (!problem.isEmpty())
         return {problem, {}};
-    watch.reached(afterWriting);
+    control.reportProgress(afterWriting);
     tell(tr("Reading %1 back").arg(QFileInfo(order.path).fileName()));
-    ExportOutcome outcome = judge(order, mesh, watch.part(afterWriting, 1));
+    ExportOutcome outcome = judge(order, mesh, control.part(afterWriting, 1));
     if (!order.slices || outcome.verdict.isEmpty())
         return outcome;
     tell(tr("Slicing %1").arg(QFileInfo(order.path).fileName()));
-    outcome.verdict += u' ' + SlicerTrial::run(order.path, watch);
+    outcome.verdict += u' ' + SlicerTrial::run(order.path, control);
     return outcome;
 }
 
-ExportOutcome ModelExport::judge(const ExportOrder& order, const core::TriangleMesh& mesh, const core::JobWatch& watch)
+ExportOutcome ModelExport::judge(const ExportOrder& order, const core::TriangleMesh& mesh, const core::JobControl& control)
 {
     try {
-        const core::ExportVerdict verdict = core::checkExport(toPath(order.path), mesh, watch);
-        if (watch.stopped())
-            throw core::ReadingStopped();
+        const core::ExportVerdict verdict = core::checkExport(toPath(order.path), mesh, control);
+        if (control.isCancelled())
+            throw core::ReadingCancelled();
         if (!verdict.sameCorners || !verdict.sameColors)
             return {tr("%1 was written, but it does not hold what was written. The disk may be failing, or another program changes the file.")
                         .arg(QDir::toNativeSeparators(order.path)), {}};

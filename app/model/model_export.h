@@ -18,7 +18,7 @@ struct ExportOrder
     QString path;                            ///< the ending says the format
     quint64 mostTriangles = 0;               ///< 0: all
     bool slices = false;                     ///< an installed slicer tries the file then
-    core::DocumentNotes notes = {};          ///< of the mesh; a file with fewer triangles has none
+    core::DocumentMetadata metadata = {};          ///< of the mesh; a file with fewer triangles has none
     std::shared_ptr<core::Mesh> mesh = {};   ///< a copy; null: there was not enough memory
 };
 
@@ -39,11 +39,11 @@ public:
     using Tell = std::function<void(const QString& what)>;
 
     /// Uses the copy up. Who stops it in time has no file.
-    static ExportOutcome run(ExportOrder order, const Tell& tell, const core::JobWatch& watch);
+    static ExportOutcome run(ExportOrder order, const Tell& tell, const core::JobControl& control);
 
 private:
-    static ExportOutcome write(const ExportOrder& order, const core::TriangleMesh& mesh, const Tell& tell, const core::JobWatch& watch);
-    static ExportOutcome judge(const ExportOrder& order, const core::TriangleMesh& mesh, const core::JobWatch& watch);
+    static ExportOutcome write(const ExportOrder& order, const core::TriangleMesh& mesh, const Tell& tell, const core::JobControl& control);
+    static ExportOutcome judge(const ExportOrder& order, const core::TriangleMesh& mesh, const core::JobControl& control);
     static QString word(const ExportOrder& order, const core::MeshReport& report, bool losesColors);
 };
 } // namespace app

@@ -29,17 +29,17 @@ std::filesystem::path toPath(const QString& path)
     return std::filesystem::path(path.toStdU16String());
 }
 
-LoadedModel ModelLoader::load(const QString& path, const Tell& tell, const core::JobWatch& watch)
+LoadedModel ModelLoader::load(const QString& path, const Tell& tell, const core::JobControl& control)
 {
-    return read(path, tell, watch, [](LoadedModel& loaded, const core::TriangleMesh& mesh, const core::JobWatch& part) {
+    return read(path, tell, control, [](LoadedModel& loaded, const core::TriangleMesh& mesh, const core::JobControl& part) {
         build(loaded, mesh, false, part);
         loaded.isMendable = !loaded.problem.isEmpty();
     });
 }
 
-LoadedModel ModelLoader::loadMended(const QString& path, const core::LegaliseOptions& options, const Tell& tell, const core::JobWatch& watch)
+LoadedModel ModelLoader::loadMended(const QString& path, const core::RepairOptions& options, const Tell& tell, const core::JobControl& control)
 {
-    return read(path, tell, watch, [&](LoadedModel& loaded, core::TriangleMesh& mesh, const core::JobWatch& part) {
+    return read(path, tell, control, [&](LoadedModel& loaded, core::TriangleMesh& mesh, const core::JobControl& part) {
         if (!mend(loaded, mesh, options, tell, part.part(0, afterMending)))
             return;
         if (tell)
@@ -48,14 +48,14 @@ LoadedModel ModelLoader::loadMended(const QString& path, const core::LegaliseOpt
     });
 }
 
-bool ModelLoader::mend(LoadedModel& loaded, core::TriangleMesh& mesh, const core::LegaliseOptions& options, const Tell& tell, const core::JobWatch& watch)
+bool ModelLoader::mend(LoadedModel& loaded, core::TriangleMesh& mesh, const core::RepairOptions& options, const Tell& tell, const core::JobControl& control)
 {
-    core::LegaliseTell doing;
+    core::RepairStepCallback doing;
     if (tell)
-        doing = [&](core::LegaliseStep step) { tell(ui::MendingWords::doing(loaded.name, step)); };
-    core::Legalised legalised = core::legalise(mesh, options, watch, doing);
+        doing = [&](core::RepairStep step) { tell(ui::MendingWords::doing(loaded.name, step)); };
+    core::RepairResult legalised = core::repairMesh(mesh, options, control, doing);
     if (!legalised.mesh) {
-        if (!watch.stopped())
+        if (!control.isCancelled())
             loaded.problem = ui::MendingWords::refusal(loaded.path, legalised);
         return false;
     }
@@ -67,26 +67,26 @@ bool ModelLoader::mend(LoadedModel& loaded, core::TriangleMesh& mesh, const core
 
 LoadedModel ModelLoader::loadInPlace(const QString& path)
 {
-    return read(path, {}, {}, [](LoadedModel& loaded, const core::TriangleMesh& mesh, const core::JobWatch& watch) {
-        build(loaded, mesh, true, watch);
+    return read(path, {}, {}, [](LoadedModel& loaded, const core::TriangleMesh& mesh, const core::JobControl& control) {
+        build(loaded, mesh, true, control);
     });
 }
 
-LoadedModel ModelLoader::read(const QString& path, const Tell& tell, const core::JobWatch& watch, const Take& take)
+LoadedModel ModelLoader::read(const QString& path, const Tell& tell, const core::JobControl& control, const Take& take)
 {
     LoadedModel loaded;
     loaded.path = path;
     loaded.name = QFileInfo(path).fileName();
     try {
-        auto [mesh, remarks] = core::readModel(toPath(path), {.stop = watch.stop});
-        loaded.notes = core::readNotes(toPath(path));
+        auto [mesh, remarks] = core::readModel(toPath(path), {.stop = control.stop});
+        loaded.metadata = core::readMetadata(toPath(path));
         if (tell)
             tell(tr("Checking %1").arg(loaded.name));
-        watch.reached(afterReading);
-        take(loaded, mesh, watch.part(afterReading, 1));
+        control.reportProgress(afterReading);
+        take(loaded, mesh, control.part(afterReading, 1));
         if (loaded.sculptor)
             loaded.notice = QStringList({ui::Messages::remarks(loaded.name, remarks), loaded.notice}).join(QLatin1Char(' ')).trimmed();
-    } catch (const core::ReadingStopped&) {
+    } catch (const core::ReadingCancelled&) {
         return {};
     } catch (const core::FileError& error) {
         loaded.problem = ui::Messages::sentence(error);
@@ -96,10 +96,10 @@ LoadedModel ModelLoader::read(const QString& path, const Tell& tell, const core:
     return loaded;
 }
 
-void ModelLoader::build(LoadedModel& loaded, const core::TriangleMesh& mesh, bool inPlace, const core::JobWatch& watch)
+void ModelLoader::build(LoadedModel& loaded, const core::TriangleMesh& mesh, bool inPlace, const core::JobControl& control)
 {
-    core::BuildResult result = core::buildMesh(mesh, !inPlace, watch, loaded.notes.frame);
-    if (watch.stopped())
+    core::BuildResult result = core::buildMesh(mesh, !inPlace, control, loaded.metadata.frame);
+    if (control.isCancelled())
         return;
     if (!result.mesh && !result.report.printReady())
         loaded.problem = ui::Messages::refusal(loaded.path, result.report);
@@ -109,7 +109,7 @@ void ModelLoader::build(LoadedModel& loaded, const core::TriangleMesh& mesh, boo
         loaded.problem = tr("%1: the model lies too far from the origin for its size to be sculpted where it is.").arg(loaded.path);
     else
         take(loaded, std::move(result.mesh));
-    if (loaded.sculptor && !result.moved.isZero(0) && core::liesFar(boxOf(mesh)))
+    if (loaded.sculptor && !result.moved.isZero(0) && core::isFarFromOrigin(boxOf(mesh)))
         loaded.notice = tr("%1 lay far from the origin and was moved there.").arg(loaded.name);
     if (loaded.sculptor && !inPlace && !holdsUnit(loaded.name))
         loaded.unitGuess = core::guessedUnit(*result.report.volume, result.report.size.maxCoeff());
@@ -141,7 +141,7 @@ LoadedModel ModelLoader::sphere(double radius)
 {
     LoadedModel loaded;
     loaded.name = tr("Ball of clay");
-    loaded.notes.work.emplace(); // nobody did anything yet
+    loaded.metadata.work.emplace(); // nobody did anything yet
     build(loaded, core::icosphere(paperSubdivisions, radius), true, {});
     return loaded;
 }
@@ -150,7 +150,7 @@ LoadedModel ModelLoader::starter(core::Starter starter)
 {
     LoadedModel loaded;
     loaded.name = name(starter);
-    loaded.notes.work.emplace(); // nobody did anything yet
+    loaded.metadata.work.emplace(); // nobody did anything yet
     build(loaded, core::starterModel(starter), true, {});
     return loaded;
 }
@@ -182,11 +182,11 @@ bool ModelLoader::holdsColors(const QString& path)
     return format && core::holdsColors(*format);
 }
 
-QString ModelLoader::save(const QString& path, const core::TriangleMesh& mesh, const core::DocumentNotes& notes, int keptVersions)
+QString ModelLoader::save(const QString& path, const core::TriangleMesh& mesh, const core::DocumentMetadata& metadata, int keptVersions)
 {
     try {
-        core::KeptVersion before(toPath(path), keptVersions);
-        core::writeMesh(toPath(path), mesh, {.notes = notes});
+        core::NumberedBackup before(toPath(path), keptVersions);
+        core::writeMesh(toPath(path), mesh, {.metadata = metadata});
         before.commit();
     } catch (const core::FileError& error) {
         return ui::Messages::sentence(error);

@@ -7,7 +7,7 @@
 #include "core/operations/model_command.h"
 #include "core/analysis/print_check.h"
 #include "core/sculpt/sculptor.h"
-#include "core/operations/primitives.h"
+#include "core/operations/starter_models.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -40,7 +40,7 @@ struct LoadedModel
     core::UnitDoubt unitGuess = core::UnitDoubt::None; ///< of a model whose file has none
     QString name;
     QString path; ///< empty: from no file
-    core::DocumentNotes notes; ///< that the file keeps beside it
+    core::DocumentMetadata metadata; ///< that the file keeps beside it
     std::shared_ptr<core::Journal> journal; ///< that was begun for it; may be null
     std::shared_ptr<core::RecoveredDocument> recovered; ///< of a model out of such a journal: its history; the mesh is the sculptor's
     quint64 offer = 0;                                  ///< that it was
@@ -58,17 +58,17 @@ public:
 
     /// Reads, judges and builds for the window: the model's centre is put at the origin.
     /// Who stops it gets neither a model nor a problem.
-    static LoadedModel load(const QString& path, const Tell& tell = {}, const core::JobWatch& watch = {});
+    static LoadedModel load(const QString& path, const Tell& tell = {}, const core::JobControl& control = {});
     /// The same, but a model that is not in order is legalised; then it has no path.
-    static LoadedModel loadMended(const QString& path, const core::LegaliseOptions& options, const Tell& tell = {},
-                                  const core::JobWatch& watch = {});
+    static LoadedModel loadMended(const QString& path, const core::RepairOptions& options, const Tell& tell = {},
+                                  const core::JobControl& control = {});
     /// The same for scripts: the model stays where it is, or is refused.
     static LoadedModel loadInPlace(const QString& path);
     /// The paper's sphere, 2562 vertices.
     static LoadedModel sphere(double radius);
     static LoadedModel starter(core::Starter starter);
-    /// Empty, or what is wrong; then no file has changed. `keptVersions`: so many of what the file held before stay (core/kept_version.h).
-    static QString save(const QString& path, const core::TriangleMesh& mesh, const core::DocumentNotes& notes, int keptVersions = 0);
+    /// Empty, or what is wrong; then no file has changed. `keptVersions`: so many of what the file held before stay (core/util/numbered_backup.h).
+    static QString save(const QString& path, const core::TriangleMesh& mesh, const core::DocumentMetadata& metadata, int keptVersions = 0);
 
     /// Whether a file of that name would.
     static bool holdsColors(const QString& path);
@@ -79,10 +79,10 @@ public:
 private:
     static void take(LoadedModel& loaded, std::unique_ptr<core::Mesh> mesh);
     static QString name(core::Starter starter);
-    using Take = std::function<void(LoadedModel& loaded, core::TriangleMesh& mesh, const core::JobWatch& watch)>;
-    static LoadedModel read(const QString& path, const Tell& tell, const core::JobWatch& watch, const Take& take);
-    static bool mend(LoadedModel& loaded, core::TriangleMesh& mesh, const core::LegaliseOptions& options, const Tell& tell, const core::JobWatch& watch);
-    static void build(LoadedModel& loaded, const core::TriangleMesh& mesh, bool inPlace, const core::JobWatch& watch);
+    using Take = std::function<void(LoadedModel& loaded, core::TriangleMesh& mesh, const core::JobControl& control)>;
+    static LoadedModel read(const QString& path, const Tell& tell, const core::JobControl& control, const Take& take);
+    static bool mend(LoadedModel& loaded, core::TriangleMesh& mesh, const core::RepairOptions& options, const Tell& tell, const core::JobControl& control);
+    static void build(LoadedModel& loaded, const core::TriangleMesh& mesh, bool inPlace, const core::JobControl& control);
 };
 
 std::filesystem::path toPath(const QString& path);

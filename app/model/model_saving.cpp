@@ -19,10 +19,10 @@ QString ended(const QString& path, const QString& ending)
 }
 } // namespace
 
-SavedFile ModelSaving::save(const QString& path, const core::TriangleMesh& mesh, const core::DocumentNotes& notes,
+SavedFile ModelSaving::save(const QString& path, const core::TriangleMesh& mesh, const core::DocumentMetadata& metadata,
                             int keptVersions)
 {
-    SavedFile saved{path, ModelLoader::save(path, mesh, notes, keptVersions), {}};
+    SavedFile saved{path, ModelLoader::save(path, mesh, metadata, keptVersions), {}};
     if (saved.problem.isEmpty() && !mesh.colors.empty() && !ModelLoader::holdsColors(path))
         saved.notice = tr("%1 was written without the colours, which its format does not hold; GLB does.")
                            .arg(QFileInfo(path).fileName());
@@ -31,9 +31,9 @@ SavedFile ModelSaving::save(const QString& path, const core::TriangleMesh& mesh,
 
 /// The number is looked for just before: another program may be counting in that folder.
 SavedFile ModelSaving::saveNumbered(const QString& path, const core::TriangleMesh& mesh,
-                                    const core::DocumentNotes& notes)
+                                    const core::DocumentMetadata& metadata)
 {
-    SavedFile saved = save(ui::FileJobs::numberedCopyOf(ended(path, QStringLiteral("glb"))), mesh, notes);
+    SavedFile saved = save(ui::FileJobs::numberedCopyOf(ended(path, QStringLiteral("glb"))), mesh, metadata);
     if (!saved.problem.isEmpty())
         return saved;
     const QString print = ended(saved.path, QStringLiteral("stl"));

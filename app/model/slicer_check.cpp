@@ -21,7 +21,7 @@ QString lastLineOf(const QByteArray& text)
 }
 } // namespace
 
-QString SlicerTrial::run(const QString& model, const core::JobWatch& watch)
+QString SlicerTrial::run(const QString& model, const core::JobControl& control)
 {
     const QTemporaryDir folder;
     const QString gcode = folder.filePath(QStringLiteral("trial.gcode"));
@@ -34,11 +34,11 @@ QString SlicerTrial::run(const QString& model, const core::JobWatch& watch)
     slicer.start(ui::installedSlicer(), {QStringLiteral("--export-gcode"), QStringLiteral("--output"), gcode, model});
     QElapsedTimer time;
     time.start();
-    while (!slicer.waitForFinished(askSlicerEveryMs) && slicer.state() != QProcess::NotRunning && !watch.stopped() && !time.hasExpired(patienceMs)) {}
+    while (!slicer.waitForFinished(askSlicerEveryMs) && slicer.state() != QProcess::NotRunning && !control.isCancelled() && !time.hasExpired(patienceMs)) {}
     if (slicer.state() != QProcess::NotRunning) {
         slicer.kill();
         slicer.waitForFinished();
-        return watch.stopped() ? tr("PrusaSlicer was stopped.") : tr("PrusaSlicer took longer than three minutes and was stopped.");
+        return control.isCancelled() ? tr("PrusaSlicer was stopped.") : tr("PrusaSlicer took longer than three minutes and was stopped.");
     }
     if (slicer.exitStatus() != QProcess::NormalExit || slicer.exitCode() != 0 || !QFile::exists(gcode))
         return tr("PrusaSlicer does not slice it: %1").arg(lastLineOf(slicer.readAll()));

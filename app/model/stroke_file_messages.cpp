@@ -48,7 +48,7 @@ QString StrokeWords::reason(const core::StrokeFileError& error)
                                            : tr("this file cannot be read (%1)").arg(qt_error_string(error.systemError));
     case Kind::TooLarge:
         return tr("this file is too large for a stroke file: at most %1 are read")
-            .arg(QLocale().formattedDataSize(static_cast<qint64>(error.most.value_or(0))));
+            .arg(QLocale().formattedDataSize(static_cast<qint64>(error.max.value_or(0))));
     case Kind::Syntax: return tr("this is not JSON");
     case Kind::DuplicateKey: return tr("\"%1\" stands there twice").arg(key);
     case Kind::NotStrokes: return tr("this is no stroke file of version 1 (%1)").arg(key.isEmpty() ? tr("no object") : key);
@@ -58,10 +58,10 @@ QString StrokeWords::reason(const core::StrokeFileError& error)
     case Kind::UnknownValue: return tr("unknown value, %1").arg(key);
     case Kind::NotANumber: return tr("\"%1\" is not a finite number").arg(key);
     case Kind::OutOfRange:
-        if (error.least && error.most && error.orZero)
-            return tr("\"%1\" is out of range, 0 or %2 to %3").arg(key, number(*error.least), number(*error.most));
-        if (error.least && error.most)
-            return tr("\"%1\" is out of range, %2 to %3").arg(key, number(*error.least), number(*error.most));
+        if (error.min && error.max && error.orZero)
+            return tr("\"%1\" is out of range, 0 or %2 to %3").arg(key, number(*error.min), number(*error.max));
+        if (error.min && error.max)
+            return tr("\"%1\" is out of range, %2 to %3").arg(key, number(*error.min), number(*error.max));
         return tr("\"%1\" is out of range").arg(key);
     }
     return {};

@@ -12,7 +12,7 @@ struct ChildOrder
 {
     std::vector<std::string> command; ///< the program's path first
     std::chrono::seconds time{0};     ///< by the clock; then it is killed
-    std::uint64_t mostBytes = 0;      ///< of its answer; with more it is killed
+    std::uint64_t maxBytes = 0;      ///< of its answer; with more it is killed
     std::stop_token stop = {};        ///< then it is killed, within some 20 ms
 };
 

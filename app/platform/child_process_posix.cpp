@@ -57,7 +57,7 @@ End collect(int input, const ChildOrder& order, Clock::time_point deadline, std:
             continue;
         if (got <= 0)
             return got == 0 ? End::Exited : End::Died;
-        if (bytes.size() + static_cast<std::size_t>(got) > order.mostBytes)
+        if (bytes.size() + static_cast<std::size_t>(got) > order.maxBytes)
             return End::Died;
         bytes.append(piece.data(), static_cast<std::size_t>(got));
     }

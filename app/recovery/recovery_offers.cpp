@@ -56,7 +56,7 @@ JournalShelf::Found JournalShelf::foundIn(const std::filesystem::path& root)
     for (auto& folder : core::JournalFolder::abandoned(root)) {
         std::optional<core::RecoveredDocument> document;
         try {
-            document = core::replayJournal(folder->path(), {.mesh = false});
+            document = core::recoverJournal(folder->path(), {.mesh = false});
         } catch (const std::bad_alloc&) {
             continue; // it stays
         }
@@ -97,7 +97,7 @@ void JournalShelf::offerNext()
     Q_EMIT offered(next);
 }
 
-LoadedModel JournalShelf::recover(quint64 offer, const core::JobWatch& watch)
+LoadedModel JournalShelf::recover(quint64 offer, const core::JobControl& control)
 {
     std::filesystem::path folder;
     LoadedModel model;
@@ -110,10 +110,10 @@ LoadedModel JournalShelf::recover(quint64 offer, const core::JobWatch& watch)
         }
     }
     try {
-        if (auto document = core::replayJournal(folder, {.stop = watch.stop})) {
+        if (auto document = core::recoverJournal(folder, {.stop = control.stop})) {
             model.name = QString::fromStdString(document->document.name);
             model.path = QString::fromStdString(document->document.path);
-            model.notes = document->document.notes;
+            model.metadata = document->document.metadata;
             model.start = document->start;
             if (document->isDamaged)
                 model.notice = tr("Some of what was kept of %1 is damaged: its last steps may be missing. It is in %2.").arg(model.name, text(damagedRoot(m_root)));
@@ -138,7 +138,7 @@ std::shared_ptr<core::Journal> JournalShelf::goOn(quint64 offer, const core::Rec
         offerNext();
         return nullptr;
     }
-    auto journal = core::Journal::goOn(std::move(left.folder), document, news(), m_limits);
+    auto journal = core::Journal::resume(std::move(left.folder), document, news(), m_limits);
     {
         const std::lock_guard lock(m_mutex);
         m_open.push_back(journal);

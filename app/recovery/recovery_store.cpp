@@ -85,7 +85,7 @@ void JournalShelf::atExit()
     const std::lock_guard lock(s_present->m_mutex);
     for (const auto& journal : s_present->m_open) {
         journal->flush();
-        const auto document = core::replayJournal(journal->folder(), {.mesh = false});
+        const auto document = core::recoverJournal(journal->folder(), {.mesh = false});
         if (document && document->isUnsaved())
             say(tr("The program ended from outside; the changes to %1 are kept, and offered at the next start.")
                     .arg(QString::fromStdString(document->document.name)));
@@ -97,7 +97,7 @@ void JournalShelf::atExit()
 std::shared_ptr<core::Journal> JournalShelf::begin(const LoadedModel& model)
 {
     try {
-        const core::StartRecord start{model.start, {text(model.name), text(model.path), model.notes, model.isUnsaved || !model.mended.isEmpty()}};
+        const core::StartRecord start{model.start, {text(model.name), text(model.path), model.metadata, model.isUnsaved || !model.mended.isEmpty()}};
         auto journal = core::Journal::begin(m_root, start, news(), m_limits);
         const std::lock_guard lock(m_mutex);
         m_open.push_back(journal);
@@ -110,7 +110,7 @@ std::shared_ptr<core::Journal> JournalShelf::begin(const LoadedModel& model)
     return nullptr;
 }
 
-core::JournalNews JournalShelf::news()
+core::JournalCallbacks JournalShelf::news()
 {
     return {.broken = [this](const core::FileError& error) { m_mail.post([this, error] { tellFailure(error); }); },
             .late = [this](double ms) { m_mail.post([this, ms] { tellLate(ms); }); },
@@ -155,9 +155,9 @@ void JournalShelf::findRoom(quint64 faces)
                 });
 }
 
-std::shared_ptr<core::Journal> JournalShelf::beginLate(const std::shared_ptr<core::JournalFolder>& folder, quint32 present)
+std::shared_ptr<core::Journal> JournalShelf::beginDeferred(const std::shared_ptr<core::JournalFolder>& folder, quint32 present)
 {
-    auto journal = core::Journal::beginLate(folder, present, news(), m_limits);
+    auto journal = core::Journal::beginDeferred(folder, present, news(), m_limits);
     if (const auto before = std::exchange(m_journal, journal))
         m_superseded.push_back(before);
     const std::lock_guard lock(m_mutex);

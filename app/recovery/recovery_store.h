@@ -28,7 +28,7 @@ struct RecoveryOffer
 /// journals of its documents go: the program has ended as the person wished. If it ends by exit() instead, because the display is
 /// gone, they stay, and stderr says so. One at a time.
 ///
-/// Where nothing can be recorded, this is said once, and tried again from time to time: mayRecord(), findRoom(), roomFound(), beginLate().
+/// Where nothing can be recorded, this is said once, and tried again from time to time: mayRecord(), findRoom(), roomFound(), beginDeferred().
 class JournalShelf : public QObject
 {
     Q_OBJECT
@@ -53,12 +53,12 @@ public:
     /// For the present of a model with so many faces; roomFound(), or mayRecord() after a while.
     void findRoom(quint64 faces);
     /// In the place of the one that is present, which goes once this has begun.
-    std::shared_ptr<core::Journal> beginLate(const std::shared_ptr<core::JournalFolder>& folder, quint32 present);
+    std::shared_ptr<core::Journal> beginDeferred(const std::shared_ptr<core::JournalFolder>& folder, quint32 present);
 
     /// Looks for what was left; offered() comes when something is found.
     void look();
     /// A model with its history. Any thread; takes reading and applying all. Without a sculptor if that is impossible, or it was stopped.
-    LoadedModel recover(quint64 offer, const core::JobWatch& watch);
+    LoadedModel recover(quint64 offer, const core::JobControl& control);
     /// The document is open again; the offer is gone. Null if its journal is damaged: then that is put aside once there is another.
     std::shared_ptr<core::Journal> goOn(quint64 offer, const core::RecoveredDocument& document);
     /// It is not wanted: it is removed, and never offered again.
@@ -89,7 +89,7 @@ private:
     static std::filesystem::path damagedRoot(const std::filesystem::path& root);
     static Found foundIn(const std::filesystem::path& root);
     static QString putAside(core::JournalFolder& folder, const QString& name, const std::filesystem::path& root);
-    core::JournalNews news();
+    core::JournalCallbacks news();
     void tellFailure(const core::FileError& error);
     void tellLate(double ms);
     void tellWorks();

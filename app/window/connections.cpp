@@ -54,13 +54,13 @@ void wireDocument(ui::MainWindow& window, Document& document)
     QObject::connect(&document, &Document::refused, &window, &MainWindow::showProblem);
     QObject::connect(&document, &Document::noticed, &window, &MainWindow::showNotice);
     QObject::connect(&document, &Document::mendable, &window, [&window, &document](const QString& path, const QString& problem) {
-        ui::askToMend(&window, ui::MendFor::Opening, problem, [&document, path](const core::LegaliseOptions& options) { document.openMended(path, options); });
+        ui::askToMend(&window, ui::MendFor::Opening, problem, [&document, path](const core::RepairOptions& options) { document.openMended(path, options); });
     });
     QObject::connect(&document, &Document::mended, &window, [&window](const QString& name, const QStringList& steps) {
         ui::showMended(&window, ui::MendFor::Opening, name, steps);
     });
     QObject::connect(&document, &Document::insertionMendable, &window, [&window, &document](ui::Insertion insertion, const QString& problem) {
-        ui::askToMend(&window, ui::MendFor::Insertion, problem, [&document, insertion](const core::LegaliseOptions& options) mutable {
+        ui::askToMend(&window, ui::MendFor::Insertion, problem, [&document, insertion](const core::RepairOptions& options) mutable {
             insertion.mend = options;
             document.insert(insertion);
         });
@@ -174,18 +174,18 @@ void wirePalette(ui::MainWindow& window, Document& document)
     const auto keep = [panel, &document] { document.setPalette({panel->swatches().begin(), panel->swatches().end()}); };
     QObject::connect(panel, &ColorPanel::swatchesChanged, &document, keep);
     QObject::connect(&document, &Document::opened, panel, [panel, keep](const ui::ModelFacts& facts) {
-        if (facts.notes.palette.empty())
+        if (facts.metadata.palette.empty())
             keep();
         else
-            panel->setSwatches({facts.notes.palette.begin(), facts.notes.palette.end()});
+            panel->setSwatches({facts.metadata.palette.begin(), facts.metadata.palette.end()});
     });
 }
 
 /// View and brush go with the document, too.
 void wireNotes(ui::MainWindow& window, Document& document)
 {
-    document.setCompleteNotes([&window](core::DocumentNotes& notes) { ui::addNotes(window, notes); });
-    QObject::connect(&document, &Document::opened, &window, [&window](const ui::ModelFacts& facts) { ui::takeNotes(window, facts.notes); });
+    document.setCompleteNotes([&window](core::DocumentMetadata& metadata) { ui::addMetadata(window, metadata); });
+    QObject::connect(&document, &Document::opened, &window, [&window](const ui::ModelFacts& facts) { ui::takeNotes(window, facts.metadata); });
 }
 
 void wireModelPanel(ui::MainWindow& window, Document& document, SculptWorker& worker)

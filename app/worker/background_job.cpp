@@ -16,7 +16,7 @@ void LongWork::begin(const QString& what)
     Q_EMIT busy(what);
 }
 
-core::JobWatch LongWork::beginStoppable(const QString& what)
+core::JobControl LongWork::beginStoppable(const QString& what)
 {
     begin(what);
     Q_EMIT stoppable(true);

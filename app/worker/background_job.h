@@ -23,7 +23,7 @@ public:
 
     void begin(const QString& what);
     /// What stop() ends; it hears of both by the watch.
-    core::JobWatch beginStoppable(const QString& what);
+    core::JobControl beginStoppable(const QString& what);
     /// It is called otherwise now. Any thread.
     void rename(const QString& what);
     /// Once it is as good as done: stop() has no effect any more.

@@ -19,7 +19,7 @@ namespace
 using namespace std::chrono_literals;
 
 constexpr auto rest = 250ms; ///< without a change: the fine drawing is made
-constexpr std::size_t mostEdges = 300'000, mostInterimEdges = 40'000;
+constexpr std::size_t maxEdges = 300'000, mostInterimEdges = 40'000;
 constexpr int finePixels = 2048, shadedPixels = 1024, interimPixels = 640; ///< along the longest side
 
 double msSince(std::int64_t start)
@@ -152,7 +152,7 @@ void DrawingWorker::draw()
     if (patch || turn.hasNews)
         show(m_drawer->draw(turn.shaded, turn.stop), false);
     else
-        show(core::drawLines(m_drawer->model(), {turn.shaded ? shadedPixels : finePixels, turn.shaded, mostEdges}, turn.stopFine), true);
+        show(core::drawLines(m_drawer->model(), {turn.shaded ? shadedPixels : finePixels, turn.shaded, maxEdges}, turn.stopFine), true);
 }
 
 DrawingWorker::Turn DrawingWorker::takeTurn()

@@ -87,7 +87,7 @@ private:
     std::shared_ptr<Desk> m_desk = std::make_shared<Desk>();
 
     // The drawing thread's own.
-    std::optional<core::LineDrawer> m_drawer; ///< while somebody looks
+    std::optional<core::IncrementalLineDrawing> m_drawer; ///< while somebody looks
     std::shared_ptr<PatchInbox> m_inbox;      ///< whose patches it is made of
     bool m_isFine = true;                     ///< the last drawing was, or there is none to be made finer
     std::int64_t m_changedNs = 0;             ///< of the oldest change by a stroke that no drawing shows yet

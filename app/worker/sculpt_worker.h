@@ -44,7 +44,7 @@ struct StrokeReport
     bool added = false;      ///< a sphere, or the brush's model
     bool hasModel = false;   ///< the brush
     bool asymmetric = false; ///< mirrored where the model is not symmetric: some dabs were done as two
-    bool apart = false;      ///< radial where the model is not its own image by the turn, or over the axis: some dabs were done one after the other
+    bool sequential = false;      ///< radial where the model is not its own image by the turn, or over the axis: some dabs were done one after the other
     bool isAgain = false;    ///< of redoStroke()
     MeshFacts facts;
 

@@ -22,7 +22,7 @@ bool isInHand(const std::optional<core::StrokeSettings>& brush)
 
 bool mayAdd(const core::StrokeSettings& settings)
 {
-    return settings.add && core::addsSolids(settings.tool) && isInHand(settings);
+    return settings.add && core::canAddSolid(settings.tool) && isInHand(settings);
 }
 
 std::uint64_t meetingsOf(const core::Sculptor& sculptor)
@@ -129,7 +129,7 @@ core::Shortfall SculptWorker::apply(const core::StrokeSample& sample)
         shortfall = std::max(shortfall, core::shortfallOf(dab));
         m_report.added = m_report.added || dab.outcome == core::DabOutcome::Added;
         m_report.asymmetric = m_report.asymmetric || dab.asymmetric;
-        m_report.apart = m_report.apart || dab.apart;
+        m_report.sequential = m_report.sequential || dab.sequential;
     }
     m_report.shortfall = std::max(m_report.shortfall, shortfall);
     return shortfall;

@@ -29,7 +29,7 @@ QString StrokeStep::textOf(core::Tool tool)
     case core::Tool::Pinch: return tr("Pinch", "undo step");
     case core::Tool::Crease: return tr("Crease", "undo step");
     case core::Tool::Grab: return tr("Grab", "undo step");
-    case core::Tool::Snake: return tr("Snake Hook", "undo step");
+    case core::Tool::SnakeHook: return tr("Snake Hook", "undo step");
     case core::Tool::Twist: return tr("Twist", "undo step");
     case core::Tool::Stamp: return tr("Stamp", "undo step");
     case core::Tool::Paint: return tr("Paint", "undo step");
@@ -71,6 +71,6 @@ core::JournalStep StrokeStep::forJournal(const QString& text, const StepMarks& m
 
 StepWords StrokeStep::fromJournal(const core::JournalStep& step)
 {
-    return {QString::fromStdString(step.text), {QString::fromStdString(step.icon), step.dabs, step.fusions, step.deed}};
+    return {QString::fromStdString(step.text), {QString::fromStdString(step.icon), step.dabs, step.fusions, step.entry}};
 }
 } // namespace app

@@ -109,7 +109,7 @@ std::vector<LatticePoint> latticeImage(const TriangleMesh& mesh, const Box& box)
 }
 } // namespace
 
-MeshReport checkMesh(const TriangleMesh& mesh, const JobWatch& watch)
+MeshReport checkMesh(const TriangleMesh& mesh, const JobControl& control)
 {
     MeshReport report;
     report.faces = mesh.triangles.size();
@@ -120,28 +120,28 @@ MeshReport checkMesh(const TriangleMesh& mesh, const JobWatch& watch)
     report.degenerateFaces.count = degenerate.size();
     degenerate.resize(std::min(degenerate.size(), Finding::maxFirst));
     report.degenerateFaces.firstFaces = std::move(degenerate);
-    watch.reached(afterDegenerate);
+    control.reportProgress(afterDegenerate);
     addTopology(report, mesh);
-    watch.reached(afterTopology);
+    control.reportProgress(afterTopology);
     addMeasures(report, mesh, box);
     const bool hasArea = report.degenerateFaces.count == 0; // everywhere; without any there may be no lattice
     const std::vector<LatticePoint> image = hasArea ? latticeImage(mesh, box) : std::vector<LatticePoint>();
     bool staysValid = image.empty() || degenerateFaces<LatticePredicates>(image, mesh.triangles).empty();
     if (staysValid && !image.empty()) {
-        SurfaceAndImage both = selfIntersections(mesh.points, image, mesh.triangles, Finding::maxFirst, watch.stop);
+        SurfaceAndImage both = selfIntersections(mesh.points, image, mesh.triangles, Finding::maxFirst, control.stop);
         report.intersections = std::move(both.surface);
         staysValid = !both.imageMeets;
     } else {
-        report.intersections = selfIntersections<FloatPredicates>(mesh.points, mesh.triangles, Finding::maxFirst, watch.stop);
+        report.intersections = selfIntersections<FloatPredicates>(mesh.points, mesh.triangles, Finding::maxFirst, control.stop);
     }
-    watch.reached(afterIntersections);
-    if (watch.stopped() || !hasArea || report.intersections.count != 0)
+    control.reportProgress(afterIntersections);
+    if (control.isCancelled() || !hasArea || report.intersections.count != 0)
         return report;
 
     if (report.closed && report.manifold && report.oriented)
         report.boundsSolid = boundsSolid(mesh.points, mesh.triangles);
     report.latticeOk = staysValid && (image.empty() || !report.printReady() || boundsSolid(image, mesh.triangles));
-    watch.reached(1);
+    control.reportProgress(1);
     return report;
 }
 } // namespace core

@@ -46,7 +46,7 @@ struct MeshReport
     bool printReady() const { return boundsSolid.value_or(false); }
 };
 
-/// Judges the mesh's float32 coordinates exactly, not snapped. Indices in range, points finite. All cores; the result does
-/// not depend on their number. Who asked it to stop must not use the result. About 1 s a million faces on two.
-MeshReport checkMesh(const TriangleMesh& mesh, const JobWatch& watch = {});
+/// Checks the mesh's float32 coordinates exactly, not snapped. Indices in range, points finite. All cores; the result does
+/// not depend on their number. If it is cancelled, the result is not usable. About 1 s a million faces on two.
+MeshReport checkMesh(const TriangleMesh& mesh, const JobControl& control = {});
 } // namespace core

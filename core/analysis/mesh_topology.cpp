@@ -53,7 +53,7 @@ private:
     std::vector<std::size_t> m_corners; ///< 3 x face + corner
 };
 
-using Faces = FirstFew<Slot>;
+using Faces = SmallestK<Slot>;
 
 struct Counts
 {

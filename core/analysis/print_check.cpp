@@ -77,7 +77,7 @@ public:
     template <class Value> PrintFault take(const Sides& sides, Value valueOf)
     {
         PrintFault fault;
-        std::vector<double> least;
+        std::vector<double> min;
         std::vector<Slot> number(m_sets.size(), noSlot);
         for (const auto& [face, badness] : m_faces) {
             Slot& place = number[m_sets.root(m_mesh.triangles[face][0])];
@@ -85,18 +85,18 @@ public:
             if (place == noSlot) {
                 place = static_cast<Slot>(fault.places.size());
                 fault.places.emplace_back();
-                least.push_back(std::numeric_limits<double>::infinity());
+                min.push_back(std::numeric_limits<double>::infinity());
             }
             fault.places[place].area += side.area();
             fault.area += side.area();
-            if (badness < least[place]) {
-                least[place] = badness;
+            if (badness < min[place]) {
+                min[place] = badness;
                 fault.places[place].face = face;
             }
         }
         fault.count = fault.places.size();
         std::ranges::stable_sort(fault.places, std::greater(), &PrintPlace::area);
-        fault.places.resize(std::min(fault.places.size(), PrintFault::mostPlaces));
+        fault.places.resize(std::min(fault.places.size(), PrintFault::maxPlaces));
         for (PrintPlace& place : fault.places) {
             const Side side = sides[place.face];
             place.point = side.centre;
@@ -118,14 +118,14 @@ private:
     std::vector<Bad> m_faces;
 };
 
-PrintFault thinPlaces(const PrintMeasures& measures, const Sides& sides, double leastWall)
+PrintFault thinPlaces(const PrintMeasures& measures, const Sides& sides, double minWall)
 {
     if (!measures.walls)
         return {};
     const std::vector<float>& thickness = measures.walls->byBalls;
     Places places(measures.mesh);
     for (Slot f = 0; f < thickness.size(); ++f)
-        if (static_cast<double>(thickness[f]) < leastWall)
+        if (static_cast<double>(thickness[f]) < minWall)
             places.add(f, static_cast<double>(thickness[f]));
     return places.take(sides, [&](Slot f) { return static_cast<double>(thickness[f]); });
 }
@@ -142,10 +142,10 @@ PrintFault overhangPlaces(const TriangleMesh& mesh, const Sides& sides, double l
     return places.take(sides, [&](Slot f) { return leaningOf(sides[f]); });
 }
 
-std::optional<double> leastOf(const std::vector<float>& values)
+std::optional<double> minOf(const std::vector<float>& values)
 {
-    const auto least = std::ranges::min_element(values);
-    return least != values.end() && std::isfinite(*least) ? std::optional(static_cast<double>(*least)) : std::nullopt;
+    const auto min = std::ranges::min_element(values);
+    return min != values.end() && std::isfinite(*min) ? std::optional(static_cast<double>(*min)) : std::nullopt;
 }
 
 BedFit fitOf(const Vec3& size, const PrintBed& bed)
@@ -158,25 +158,25 @@ BedFit fitOf(const Vec3& size, const PrintBed& bed)
 }
 } // namespace
 
-PrintMeasures measureForPrint(TriangleMesh mesh, const JobWatch& watch)
+PrintMeasures measureForPrint(TriangleMesh mesh, const JobControl& control)
 {
     PrintMeasures measures{std::move(mesh), {}, {}};
-    measures.report = checkMesh(measures.mesh, watch.part(0, afterCheck));
-    if (measures.report.printReady() && !watch.stopped())
-        measures.walls = wallThickness(measures.mesh, PrintLimits::largestBall, watch.part(afterCheck, 1));
+    measures.report = checkMesh(measures.mesh, control.part(0, afterCheck));
+    if (measures.report.printReady() && !control.isCancelled())
+        measures.walls = wallThickness(measures.mesh, PrintLimits::largestBall, control.part(afterCheck, 1));
     return measures;
 }
 
-PrintReport judgeForPrint(const PrintMeasures& measures, const PrintLimits& limits)
+PrintReport checkForPrint(const PrintMeasures& measures, const PrintLimits& limits)
 {
     PrintReport report;
     const Sides sides(measures.mesh);
     report.area = measures.report.area;
     if (measures.walls) {
-        report.leastByRays = leastOf(measures.walls->byRays);
-        report.leastByBalls = leastOf(measures.walls->byBalls);
+        report.minByRays = minOf(measures.walls->byRays);
+        report.minByBalls = minOf(measures.walls->byBalls);
     }
-    report.thin = thinPlaces(measures, sides, limits.leastWall);
+    report.thin = thinPlaces(measures, sides, limits.minWall);
     report.overhangs = overhangPlaces(measures.mesh, sides, limits.overhang);
     for (Slot f = 0; f < measures.mesh.triangles.size(); ++f) {
         const Side side = sides[f];

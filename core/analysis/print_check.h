@@ -15,16 +15,16 @@ struct PrintBed
 
 struct PrintLimits
 {
-    static constexpr double defaultNozzle = 0.4, linesAWall = 2;
-    static constexpr double mostWall = 10; ///< mm, that may be asked for
+    static constexpr double defaultNozzle = 0.4, linesPerWall = 2;
+    static constexpr double maxWall = 10; ///< mm, that may be asked for
     /// mm; thicker walls are measured by rays alone.
-    static constexpr double largestBall = mostWall;
+    static constexpr double largestBall = maxWall;
     /// mm above the lowest point that count as the bed: less than any first layer is high.
     static constexpr double bedTolerance = 0.01;
     /// Below these volumes, in mm^3, slicers take a model for one in inches, and in metres (PrusaSlicer's).
     static constexpr double inchVolume = 8, metreVolume = 0.001;
 
-    double leastWall = linesAWall * defaultNozzle; ///< mm, at most mostWall
+    double minWall = linesPerWall * defaultNozzle; ///< mm, at most maxWall
     double overhang = 45;                          ///< degrees that a face may lean out, from the vertical; 0 to 90
     PrintBed bed;
 };
@@ -37,7 +37,7 @@ struct PrintMeasures
     std::optional<WallThickness> walls; ///< missing unless it bounds a solid
 };
 /// Costs: checkMesh() and wallThickness().
-PrintMeasures measureForPrint(TriangleMesh mesh, const JobWatch& watch = {});
+PrintMeasures measureForPrint(TriangleMesh mesh, const JobControl& control = {});
 
 /// Faces that hang together and have the same fault.
 struct PrintPlace
@@ -49,10 +49,10 @@ struct PrintPlace
     double area = 0;   ///< of all of them, mm^2
 };
 
-/// Places by area, the largest first, no more than mostPlaces; the sums are of all.
+/// Places by area, the largest first, no more than maxPlaces; the sums are of all.
 struct PrintFault
 {
-    static constexpr std::size_t mostPlaces = 20;
+    static constexpr std::size_t maxPlaces = 20;
 
     std::vector<PrintPlace> places;
     std::size_t count = 0; ///< of places
@@ -64,14 +64,14 @@ enum class BedFit { AsItStands, Turned, Not }; ///< Turned: by a quarter about t
 struct PrintReport
 {
     double area = 0;                                    ///< mm^2, of the whole surface
-    std::optional<double> leastByRays, leastByBalls;    ///< mm; missing where thickness was not measured or nothing is opposite
+    std::optional<double> minByRays, minByBalls;    ///< mm; missing where thickness was not measured or nothing is opposite
     PrintFault thin;                                    ///< thinner than the limit, by either method
     PrintFault overhangs;                               ///< lean out more than the limit; those on the bed do not count
     double baseArea = 0;                                ///< mm^2 of flat surface on the bed, looking down
     BedFit fit = BedFit::AsItStands;
 };
 /// Of a model that stands on its lowest point. Cost: O(faces).
-PrintReport judgeForPrint(const PrintMeasures& measures, const PrintLimits& limits);
+PrintReport checkForPrint(const PrintMeasures& measures, const PrintLimits& limits);
 
 /// What a slicer would take a model of that volume for. By PrusaSlicer's thresholds, which others have, too.
 enum class UnitDoubt { None, Inches, Metres };

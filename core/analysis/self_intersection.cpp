@@ -31,7 +31,7 @@ public:
     /// meet(i, j) for the faces at two positions whose boxes meet.
     template <typename Meet> IntersectionReport find(std::size_t keep, const std::stop_token& stop, Meet meet) const
     {
-        using Pairs = FirstFew<FacePair>;
+        using Pairs = SmallestK<FacePair>;
         std::vector<Pairs> found(chunksOf(m_tree.blocks(), blocksPerChunk), Pairs(keep));
         forEachChunk(m_tree.blocks(), blocksPerChunk, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
             for (std::size_t block = begin; block < end && !stop.stop_requested(); ++block)
@@ -92,7 +92,7 @@ IntersectionReport selfIntersections(std::span<const typename Predicates::Point>
 {
     const PairSearch search(points, triangles, facesThatAre<Predicates>(false, points, triangles));
     const auto ordered = search.inOrder<Predicates>(points);
-    return search.find(keep, stop, [&](Slot i, Slot j) { return trianglesMeet(ordered[i], ordered[j]); });
+    return search.find(keep, stop, [&](Slot i, Slot j) { return trianglesIntersect(ordered[i], ordered[j]); });
 }
 
 SurfaceAndImage selfIntersections(std::span<const Vec3f> points, std::span<const LatticePoint> image, std::span<const Triangle> triangles,
@@ -105,9 +105,9 @@ SurfaceAndImage selfIntersections(std::span<const Vec3f> points, std::span<const
     const auto orderedImage = search.inOrder<LatticePredicates>(image);
     std::atomic<bool> imageMeets = false;
     IntersectionReport report = search.find(keep, stop, [&](Slot i, Slot j) {
-        if (!imageMeets.load(std::memory_order_relaxed) && trianglesMeet(orderedImage[i], orderedImage[j]))
+        if (!imageMeets.load(std::memory_order_relaxed) && trianglesIntersect(orderedImage[i], orderedImage[j]))
             imageMeets = true;
-        return trianglesMeet(ordered[i], ordered[j]);
+        return trianglesIntersect(ordered[i], ordered[j]);
     });
     return {std::move(report), imageMeets};
 }

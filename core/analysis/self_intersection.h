@@ -23,7 +23,7 @@ struct IntersectionReport
 };
 
 /// Exact; touching is meeting. Faces that are degenerate take no part. All cores, memory bounded whatever the count; the
-/// result does not depend on the number of cores. Who asked it to stop must not use the result. Instantiated for both sets
+/// result does not depend on the number of cores. If it is cancelled, the result is not usable. Instantiated for both sets
 /// of predicates.
 template <typename Predicates>
 IntersectionReport selfIntersections(std::span<const typename Predicates::Point> points,

@@ -4,7 +4,7 @@
 
 namespace core
 {
-void ShellProbe::addFace(const Points& points)
+void ShellOrientation::addFace(const Points& points)
 {
     using Vector = Eigen::Matrix<std::int64_t, 3, 1>;
     // |coordinate| <= 2^23: a component of the cross product is at most 2^47, the dot product 2^72.
@@ -18,13 +18,13 @@ void ShellProbe::addFace(const Points& points)
     }
 }
 
-LatticeBox ShellProbe::column() const
+LatticeBox ShellOrientation::column() const
 {
     return {m_origin, {m_origin.x(), m_origin.y(), Lattice::limit}};
 }
 
 /// The ray goes up (+z) from the origin, which is thought moved by (e, e^2, 0) for a tiny e > 0, so that it meets no edge.
-void ShellProbe::castAt(const Points& points)
+void ShellOrientation::castAt(const Points& points)
 {
     bool inside = false;
     for (int i = 0; i < 3; ++i) {

@@ -6,14 +6,14 @@ namespace core
 {
 /// Does a closed, embedded shell face the right way at its depth: outwards (positive volume) inside an even number of other
 /// shells, inwards inside an odd number? Exact: integer volume, and the parity of the faces above one of its vertices.
-class ShellProbe
+class ShellOrientation
 {
 public:
     using Points = std::array<LatticePoint, 3>;
 
-    ShellProbe() = default;
+    ShellOrientation() = default;
     /// Of a point instead of a shell: then isInside() is the question.
-    explicit ShellProbe(const LatticePoint& origin) : m_origin(origin) {}
+    explicit ShellOrientation(const LatticePoint& origin) : m_origin(origin) {}
 
     /// A face of the shell itself.
     void addFace(const Points& points);
@@ -22,7 +22,7 @@ public:
     /// A face of another shell; it does not touch this one.
     void castAt(const Points& points);
     bool isInside() const { return m_odd; }
-    bool facesRightly() const { return (m_sixVolumes > 0) == !m_odd; }
+    bool isCorrectlyOriented() const { return (m_sixVolumes > 0) == !m_odd; }
 
 private:
     __extension__ using Int128 = __int128;

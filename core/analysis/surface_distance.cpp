@@ -195,14 +195,14 @@ std::vector<std::size_t> samplesUpTo(const TriangleMesh& mesh)
     return samples;
 }
 
-Sums measureInside(const TriangleMesh& mesh, const Parts& parts, const Nearest& nearest, const JobWatch& watch)
+Sums measureInside(const TriangleMesh& mesh, const Parts& parts, const Nearest& nearest, const JobControl& control)
 {
     const std::vector<std::size_t> samples = samplesUpTo(mesh);
     std::vector<Sums> sums(chunksOf(samples.size(), perChunk));
-    forEachWatchedChunk(samples.size(), perChunk, watch, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+    forEachChunkWithProgress(samples.size(), perChunk, control, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
         Measuring measuring(nearest);
         Sums& here = sums[chunk];
-        for (std::size_t f = begin; f < end && !watch.stopped(); ++f) {
+        for (std::size_t f = begin; f < end && !control.isCancelled(); ++f) {
             const std::size_t first = f == 0 ? 0 : samples[f - 1];
             here.count += samples[f] - first;
             if (first == samples[f] || parts.hasFace(mesh, static_cast<Slot>(f)))
@@ -222,16 +222,16 @@ Sums measureInside(const TriangleMesh& mesh, const Parts& parts, const Nearest& 
 }
 
 /// Of the corners that the other surface does not have as they are, and `known`.
-double farthestCorner(const TriangleMesh& mesh, const Parts& parts, const Nearest& nearest, double known, const JobWatch& watch)
+double farthestCorner(const TriangleMesh& mesh, const Parts& parts, const Nearest& nearest, double known, const JobControl& control)
 {
     std::vector<bool> isUsed(mesh.points.size(), false);
     for (const Triangle& t : mesh.triangles)
         for (const Slot v : t)
             isUsed[v] = true;
     std::atomic<double> largest = known;
-    forEachWatchedChunk(mesh.points.size(), perChunk, watch, [&](std::size_t, std::size_t begin, std::size_t end) {
+    forEachChunkWithProgress(mesh.points.size(), perChunk, control, [&](std::size_t, std::size_t begin, std::size_t end) {
         Measuring measuring(nearest);
-        for (std::size_t v = begin; v < end && !watch.stopped(); ++v) {
+        for (std::size_t v = begin; v < end && !control.isCancelled(); ++v) {
             if (!isUsed[v] || parts.hasPoint(mesh.points[v]))
                 continue;
             double soFar = largest.load(std::memory_order_relaxed);
@@ -247,24 +247,24 @@ double farthestCorner(const TriangleMesh& mesh, const Parts& parts, const Neares
 }
 } // namespace
 
-SurfaceDistance distanceFrom(const TriangleMesh& a, const TriangleMesh& b, const JobWatch& watch)
+SurfaceDistance distanceFrom(const TriangleMesh& a, const TriangleMesh& b, const JobControl& control)
 {
     constexpr double afterPreparing = 0.1, afterInside = 0.8; // shares of the time
     const Parts parts(b);
     const Nearest nearest(b);
-    watch.reached(afterPreparing);
-    const Sums inside = measureInside(a, parts, nearest, watch.part(afterPreparing, afterInside));
-    const double largest = farthestCorner(a, parts, nearest, inside.largest, watch.part(afterInside, 1));
+    control.reportProgress(afterPreparing);
+    const Sums inside = measureInside(a, parts, nearest, control.part(afterPreparing, afterInside));
+    const double largest = farthestCorner(a, parts, nearest, inside.largest, control.part(afterInside, 1));
     return {largest, inside.count > 0 ? inside.sum / static_cast<double>(inside.count) : 0};
 }
 
-std::vector<float> distancesTo(const TriangleMesh& surface, std::span<const Vec3f> points, const JobWatch& watch)
+std::vector<float> distancesTo(const TriangleMesh& surface, std::span<const Vec3f> points, const JobControl& control)
 {
     const Nearest nearest(surface);
     std::vector<float> distances(points.size());
-    forEachWatchedChunk(points.size(), perChunk, watch, [&](std::size_t, std::size_t begin, std::size_t end) {
+    forEachChunkWithProgress(points.size(), perChunk, control, [&](std::size_t, std::size_t begin, std::size_t end) {
         Measuring measuring(nearest);
-        for (std::size_t v = begin; v < end && !watch.stopped(); ++v)
+        for (std::size_t v = begin; v < end && !control.isCancelled(); ++v)
             distances[v] = static_cast<float>(measuring(points[v].cast<double>()));
     });
     return distances;

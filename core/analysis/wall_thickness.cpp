@@ -21,13 +21,13 @@ namespace
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Faces are opposite if the cosine between their normals is less: they look 120 degrees away from each other.
-constexpr double mostCosine = -0.5;
+constexpr double maxCosine = -0.5;
 /// The rays around the normal: 30 degrees from it, their tangent.
 constexpr double coneTangent = 0.57735026918962576;
 /// A ball is as good as empty if what lies in it is so near to its surface, in radii. Much less, and a ball in round matter, whose
 /// whole surface it all but touches, would look at all faces there are.
 constexpr double shallow = 0.1;
-constexpr int mostShrinkings = 24;
+constexpr int maxShrinkings = 24;
 
 constexpr std::size_t facesAtOnce = 256, facesPerPart = 1 << 14;
 
@@ -94,7 +94,7 @@ private:
     }
     bool areOpposite(const Wall& a, const Wall& b) const
     {
-        return static_cast<double>(a.normal.dot(b.normal)) < mostCosine;
+        return static_cast<double>(a.normal.dot(b.normal)) < maxCosine;
     }
 
     /// The first face that the ray leaves the matter by. Slab test by Kay and Kajiya 1986, triangles after Möller and Trumbore 1997.
@@ -172,7 +172,7 @@ private:
         const Wall& wall = m_walls[position];
         const Vec3 p = centreOf(wall), inward = -wall.normal.cast<double>();
         double diameter = std::min(m_largestBall, found < infinity ? found : depthBehind(position, p, inward));
-        for (int i = 0; i < mostShrinkings; ++i) {
+        for (int i = 0; i < maxShrinkings; ++i) {
             const double radius = diameter / 2;
             const std::optional<Vec3> q = nearestOpposite(wall, p + radius * inward, (1 - shallow) * radius);
             if (!q || !isInSight(position, p, *q))
@@ -195,17 +195,17 @@ private:
             return (box.min.cast<double>() - c).max(c - box.max.cast<double>()).max(0.0).matrix().squaredNorm();
         };
         std::optional<Vec3> nearest;
-        double least = radius * radius;
-        m_tree.forEachNear(reach, least, [&](Slot position) {
+        double min = radius * radius;
+        m_tree.forEachNear(reach, min, [&](Slot position) {
             if (!areOpposite(wall, m_walls[position]))
-                return least;
+                return min;
             const Vec3 q = nearestInTriangle(centre, cornersOf(position));
             const double distance = (q - centre).squaredNorm();
-            if (distance < least) {
-                least = distance;
+            if (distance < min) {
+                min = distance;
                 nearest = q;
             }
-            return least;
+            return min;
         });
         return nearest;
     }
@@ -223,20 +223,20 @@ private:
 } // namespace
 
 /// A part at a time: others get the cores in between.
-WallThickness wallThickness(const TriangleMesh& mesh, double largestBall, const JobWatch& watch)
+WallThickness wallThickness(const TriangleMesh& mesh, double largestBall, const JobControl& control)
 {
     WallThickness result;
     const std::size_t faces = mesh.triangles.size();
     result.byRays.resize(faces);
     result.byBalls.resize(faces);
     const Walls walls(mesh, largestBall);
-    for (std::size_t first = 0; first < faces && !watch.stopped(); first += facesPerPart) {
+    for (std::size_t first = 0; first < faces && !control.isCancelled(); first += facesPerPart) {
         const std::size_t count = std::min(facesPerPart, faces - first);
         forEachChunk(count, facesAtOnce, [&](std::size_t, std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
                 walls.measure(static_cast<Slot>(first + i), result);
         });
-        watch.reached(static_cast<double>(first + count) / static_cast<double>(faces));
+        control.reportProgress(static_cast<double>(first + count) / static_cast<double>(faces));
     }
     return result;
 }

@@ -17,7 +17,7 @@ struct WallThickness
 };
 
 /// The model bounds a solid. Balls are sought among those not larger than `largestBall`; where none is found, what the rays found
-/// stands for it. All cores; the result does not depend on their number. Time and space: see fettle_bench; 150 bytes a face. Who asked it to
-/// stop must not use the result.
-WallThickness wallThickness(const TriangleMesh& mesh, double largestBall, const JobWatch& watch = {});
+/// stands for it. All cores; the result does not depend on their number. Time and space: see fettle_bench; 150 bytes a face. If it is cancelled,
+/// the result is not usable.
+WallThickness wallThickness(const TriangleMesh& mesh, double largestBall, const JobControl& control = {});
 } // namespace core

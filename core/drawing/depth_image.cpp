@@ -8,7 +8,7 @@ namespace core
 namespace
 {
 constexpr int margin = 2; ///< pixels
-constexpr Slot facesAStep = facesABlock << 6; ///< between two looks at `stop`
+constexpr Slot facesPerStep = facesPerBlock << 6; ///< between two looks at `stop`
 constexpr int tilePixels = 16;
 
 float crossOf(const Vec2f& a, const Vec2f& b)
@@ -41,7 +41,7 @@ DepthImage::DepthImage(DrawnSide side, const Eigen::AlignedBox2f& box, float pix
     : m_side(side)
     , m_corner(box.min() - Vec2f::Constant(margin * pixel))
     , m_pixel(pixel)
-    , m_pixelsAMm(1 / pixel)
+    , m_pixelsPerMm(1 / pixel)
     , m_width(static_cast<int>(std::ceil(box.sizes().x() / pixel)) + 2 * margin + 1)
     , m_height(static_cast<int>(std::ceil(box.sizes().y() / pixel)) + 2 * margin + 1)
     , m_tilesAcross(m_width / tilePixels + 1)
@@ -55,7 +55,7 @@ DepthImage::DepthImage(DrawnSide side, const Eigen::AlignedBox2f& box, float pix
 Vec3f DepthImage::toGrid(const Vec3f& point) const
 {
     const Vec3f p = onPaper(m_side, point);
-    return {(p.x() - m_corner.x()) * m_pixelsAMm, (p.y() - m_corner.y()) * m_pixelsAMm, p.z()};
+    return {(p.x() - m_corner.x()) * m_pixelsPerMm, (p.y() - m_corner.y()) * m_pixelsPerMm, p.z()};
 }
 
 /// Those within the grid.
@@ -115,11 +115,11 @@ bool DepthImage::draw(const DrawArrays& model, std::span<const std::uint8_t> fac
         m_face[index(x, y)] = noSlot;
     });
     const auto faces = static_cast<Slot>(facing.size());
-    for (Slot first = 0; first < faces; first += facesABlock) {
-        if (first % facesAStep == 0 && stop.stop_requested())
+    for (Slot first = 0; first < faces; first += facesPerBlock) {
+        if (first % facesPerStep == 0 && stop.stop_requested())
             return false;
-        if (blocks.empty() || isStale(blocks[first / facesABlock]))
-            drawFaces(model, facing, first, std::min(faces, first + facesABlock));
+        if (blocks.empty() || isStale(blocks[first / facesPerBlock]))
+            drawFaces(model, facing, first, std::min(faces, first + facesPerBlock));
     }
     settle(Depths);
     return true;

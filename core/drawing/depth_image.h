@@ -6,7 +6,7 @@
 
 namespace core
 {
-inline constexpr Slot facesABlock = 512;
+inline constexpr Slot facesPerBlock = 512;
 
 /// The model from one side on a grid of pixels: how near the nearest face is, and which it is. Tiles of pixels can expire; only
 /// those are drawn, at first all of them.
@@ -19,8 +19,8 @@ public:
     /// What stands where this face is, is to be drawn anew. Cost: the tiles under its box.
     void expire(const DrawArrays& model, Slot face);
 
-    /// Draws the faces that look to the eye into the expired tiles, as far as they lie on the grid; false if it was stopped. `facing`: as DrawingScan has it.
-    /// `blocks`: around each `facesABlock` faces, so that others need not be looked at; or none.
+    /// Draws the faces that look to the eye into the expired tiles, as far as they lie on the grid; false if it was stopped. `facing`: as FeatureScan has it.
+    /// `blocks`: around each `facesPerBlock` faces, so that others need not be looked at; or none.
     bool draw(const DrawArrays& model, std::span<const std::uint8_t> facing, std::span<const Box> blocks, const std::stop_token& stop);
 
     /// In pixels from the grid's corner at the bottom left, and mm towards the eye.
@@ -62,7 +62,7 @@ private:
 
     DrawnSide m_side;
     Vec2f m_corner; ///< bottom left, mm
-    float m_pixel, m_pixelsAMm;
+    float m_pixel, m_pixelsPerMm;
     int m_width, m_height;
     int m_tilesAcross;
     std::vector<float> m_depth; ///< rows from the bottom

@@ -14,7 +14,7 @@ namespace core
 {
 namespace
 {
-constexpr std::size_t blocksAStep = 64; ///< between two looks at `stop`
+constexpr std::size_t blocksPerStep = 64; ///< between two looks at `stop`
 constexpr std::uint8_t sidesMask = 7, awayShift = 3, sharpBit = 1 << 6;
 constexpr double sharpCosine = halfCreaseCosine + 0.012; ///< vertex normals are rounded to 1/127
 
@@ -28,19 +28,19 @@ bool isSharp(const DrawVertex& vertex, const Vec3f& normal, float length2)
 {
     const Vec3f mean(vertex.normal[0], vertex.normal[1], vertex.normal[2]);
     const float along = mean.dot(normal);
-    constexpr auto least = static_cast<float>(sharpCosine * sharpCosine);
-    return along <= 0 || along * along < least * length2 * mean.squaredNorm();
+    constexpr auto min = static_cast<float>(sharpCosine * sharpCosine);
+    return along <= 0 || along * along < min * length2 * mean.squaredNorm();
 }
 
 constexpr std::size_t blocksOf(std::size_t faces)
 {
-    return (faces + facesABlock - 1) / facesABlock;
+    return (faces + facesPerBlock - 1) / facesPerBlock;
 }
 
 /// The faces of a block that live.
 template <class Work> void eachFace(const DrawArrays& model, std::size_t block, Work work)
 {
-    const std::size_t first = block * facesABlock, end = std::min(model.faces.size(), first + facesABlock);
+    const std::size_t first = block * facesPerBlock, end = std::min(model.faces.size(), first + facesPerBlock);
     for (std::size_t f = first; f < end; ++f)
         if (const auto slot = static_cast<Slot>(f); !model.isFree(slot))
             work(slot);
@@ -51,7 +51,7 @@ template <class Work> bool eachBlock(std::size_t blocks, const std::stop_token& 
 {
     const auto run = [&](std::size_t half, std::size_t first, std::size_t end) {
         for (std::size_t block = first; block < end; ++block) {
-            if (block % blocksAStep == 0 && stop.stop_requested())
+            if (block % blocksPerStep == 0 && stop.stop_requested())
                 return false;
             work(half, block);
         }
@@ -77,7 +77,7 @@ Vec3 drawnNormal(const DrawArrays& model, Slot face)
     return (model.vertices[t[1]].position.cast<double>() - a).cross(model.vertices[t[2]].position.cast<double>() - a);
 }
 
-bool DrawingScan::scan(const DrawArrays& model, const std::stop_token& stop)
+bool FeatureScan::scan(const DrawArrays& model, const std::stop_token& stop)
 {
     m_facing.assign(model.faces.size(), 0);
     m_blocks.assign(blocksOf(model.faces.size()), Box());
@@ -95,7 +95,7 @@ bool DrawingScan::scan(const DrawArrays& model, const std::stop_token& stop)
     m_hasCreases = true;
     if (!collect(model, stop))
         return false;
-    if (m_halfEdges.size() / 2 > m_mostEdges) {
+    if (m_halfEdges.size() / 2 > m_maxEdges) {
         m_hasCreases = false;
         if (!collect(model, stop))
             return false;
@@ -104,7 +104,7 @@ bool DrawingScan::scan(const DrawArrays& model, const std::stop_token& stop)
     return true;
 }
 
-bool DrawingScan::rescan(const DrawArrays& model, const DrawnChange& change)
+bool FeatureScan::rescan(const DrawArrays& model, const DrawnChange& change)
 {
     m_facing.resize(model.faces.size());
     m_marks.resize(model.vertices.size());
@@ -112,8 +112,8 @@ bool DrawingScan::rescan(const DrawArrays& model, const DrawnChange& change)
     m_corners.resize(m_blocks.size());
     m_volumes.resize(m_blocks.size());
     for (std::size_t i = 0; i < change.faces.size(); ++i)
-        if (i == 0 || change.faces[i] / facesABlock != change.faces[i - 1] / facesABlock)
-            measure(model, change.faces[i] / facesABlock);
+        if (i == 0 || change.faces[i] / facesPerBlock != change.faces[i - 1] / facesPerBlock)
+            measure(model, change.faces[i] / facesPerBlock);
     for (const Slot v : change.vertices)
         m_marks[v] = 0;
     for (const Slot f : change.around)
@@ -125,13 +125,13 @@ bool DrawingScan::rescan(const DrawArrays& model, const DrawnChange& change)
         addHalfEdges(model.faces[f], f, m_halfEdges);
     std::sort(m_halfEdges.begin() + old, m_halfEdges.end());
     std::inplace_merge(m_halfEdges.begin(), m_halfEdges.begin() + old, m_halfEdges.end());
-    if (m_hasCreases && m_halfEdges.size() / 2 > m_mostEdges)
+    if (m_hasCreases && m_halfEdges.size() / 2 > m_maxEdges)
         return false;
     pair(model);
     return true;
 }
 
-std::vector<Slot> DrawingScan::facesAt(std::span<const Slot> vertices, const DrawArrays& model) const
+std::vector<Slot> FeatureScan::facesAt(std::span<const Slot> vertices, const DrawArrays& model) const
 {
     std::vector<bool> isOne(vertices.empty() ? 0 : std::max<std::size_t>(model.vertices.size(), vertices.back() + std::size_t(1)), false);
     for (const Slot v : vertices)
@@ -151,9 +151,9 @@ std::vector<Slot> DrawingScan::facesAt(std::span<const Slot> vertices, const Dra
 }
 
 /// Of one block: which way its faces look, their corners, box and volume.
-void DrawingScan::measure(const DrawArrays& model, std::size_t block)
+void FeatureScan::measure(const DrawArrays& model, std::size_t block)
 {
-    const std::size_t first = block * facesABlock, end = std::min(model.faces.size(), first + facesABlock);
+    const std::size_t first = block * facesPerBlock, end = std::min(model.faces.size(), first + facesPerBlock);
     std::fill(m_facing.begin() + static_cast<std::ptrdiff_t>(first), m_facing.begin() + static_cast<std::ptrdiff_t>(end), std::uint8_t(0));
     Box box;
     double volume = 0;
@@ -172,7 +172,7 @@ void DrawingScan::measure(const DrawArrays& model, std::size_t block)
     m_volumes[block] = volume;
 }
 
-void DrawingScan::mark(const DrawArrays& model, Slot f, Marks& marks) const
+void FeatureScan::mark(const DrawArrays& model, Slot f, Marks& marks) const
 {
     const std::uint8_t facing = m_facing[f];
     const auto sides = static_cast<std::uint8_t>(facing | (~facing & sidesMask) << awayShift);
@@ -182,13 +182,13 @@ void DrawingScan::mark(const DrawArrays& model, Slot f, Marks& marks) const
         marks[v] = static_cast<std::uint8_t>(marks[v] | sides | (isSharp(model.vertices[v], normal, length2) ? sharpBit : 0));
 }
 
-bool DrawingScan::mayBeLine(Slot a, Slot b) const
+bool FeatureScan::mayBeLine(Slot a, Slot b) const
 {
     const auto both = static_cast<std::uint8_t>(m_marks[a] & m_marks[b]);
     return (both & both >> awayShift & sidesMask) != 0 || (m_hasCreases && (both & sharpBit) != 0);
 }
 
-void DrawingScan::addHalfEdges(const Triangle& t, Slot f, std::vector<HalfEdge>& to) const
+void FeatureScan::addHalfEdges(const Triangle& t, Slot f, std::vector<HalfEdge>& to) const
 {
     for (std::size_t i = 0; i < 3; ++i)
         if (const Slot a = t[i], b = t[(i + 1) % 3]; mayBeLine(a, b))
@@ -196,23 +196,23 @@ void DrawingScan::addHalfEdges(const Triangle& t, Slot f, std::vector<HalfEdge>&
 }
 
 /// No longer than it takes to see that they are too many.
-bool DrawingScan::collect(const DrawArrays& model, const std::stop_token& stop)
+bool FeatureScan::collect(const DrawArrays& model, const std::stop_token& stop)
 {
     std::array<std::vector<HalfEdge>, 2> found;
     const auto look = [&](std::size_t half, std::size_t block) {
-        if (!m_hasCreases || found[half].size() / 2 <= m_mostEdges)
+        if (!m_hasCreases || found[half].size() / 2 <= m_maxEdges)
             eachFace(model, block, [&](Slot f) { addHalfEdges(model.faces[f], f, found[half]); });
     };
     if (!eachBlock(m_blocks.size(), stop, look))
         return false;
     m_halfEdges = std::move(found[0]);
     m_halfEdges.insert(m_halfEdges.end(), found[1].begin(), found[1].end());
-    if (!m_hasCreases || m_halfEdges.size() / 2 <= m_mostEdges)
+    if (!m_hasCreases || m_halfEdges.size() / 2 <= m_maxEdges)
         std::ranges::sort(m_halfEdges);
     return true;
 }
 
-void DrawingScan::pair(const DrawArrays& model)
+void FeatureScan::pair(const DrawArrays& model)
 {
     m_edges.clear();
     for (std::size_t i = 0; i + 1 < m_halfEdges.size(); ++i) {
@@ -227,7 +227,7 @@ void DrawingScan::pair(const DrawArrays& model)
     }
 }
 
-Box DrawingScan::box() const
+Box FeatureScan::box() const
 {
     Box box;
     for (const Box& block : m_blocks)
@@ -235,7 +235,7 @@ Box DrawingScan::box() const
     return box;
 }
 
-double DrawingScan::volume() const
+double FeatureScan::volume() const
 {
     return std::accumulate(m_volumes.begin(), m_volumes.end(), 0.0) / 6;
 }

@@ -7,7 +7,7 @@
 namespace core
 {
 /// An edge that may be a line of a drawing.
-struct DrawingEdge
+struct FeatureEdge
 {
     Slot a, b; ///< vertices
     std::array<Slot, 2> faces;
@@ -30,11 +30,11 @@ struct DrawnChange
 };
 
 /// The model as drawings see it. One thread.
-class DrawingScan
+class FeatureScan
 {
 public:
-    /// Beyond `mostEdges` edges in question creases are left out.
-    explicit DrawingScan(std::size_t mostEdges) : m_mostEdges(mostEdges) {}
+    /// Beyond `maxEdges` edges in question creases are left out.
+    explicit FeatureScan(std::size_t maxEdges) : m_maxEdges(maxEdges) {}
 
     /// Looks at every face, on two threads. False if it was stopped; then it counts for nothing.
     /// The signs of facing() are exact for vertices on the lattice.
@@ -45,8 +45,8 @@ public:
     bool rescan(const DrawArrays& model, const DrawnChange& change);
 
     std::span<const std::uint8_t> facing() const { return m_facing; } ///< by face slot; bit by DrawnSide: it looks to the eye. 0 of a free face
-    std::span<const DrawingEdge> edges() const { return m_edges; }    ///< by their vertices
-    std::span<const Box> blocks() const { return m_blocks; }          ///< around each `facesABlock` faces
+    std::span<const FeatureEdge> edges() const { return m_edges; }    ///< by their vertices
+    std::span<const Box> blocks() const { return m_blocks; }          ///< around each `facesPerBlock` faces
     Box box() const;
     double volume() const;
     /// The faces that have had one of the vertices since the last scan; both ascend. Cost: the blocks that may have some.
@@ -69,8 +69,8 @@ private:
     std::vector<std::pair<Slot, Slot>> m_corners; ///< of the blocks: the first and the last
     std::vector<double> m_volumes;                ///< of the blocks, times 6
     std::vector<HalfEdge> m_halfEdges; ///< that may be of lines, ascending
-    std::vector<DrawingEdge> m_edges;
-    std::size_t m_mostEdges;
+    std::vector<FeatureEdge> m_edges;
+    std::size_t m_maxEdges;
     bool m_hasCreases = true;
 };
 

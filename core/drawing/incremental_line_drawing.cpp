@@ -8,8 +8,8 @@ namespace core
 namespace
 {
 constexpr double boxMargin = 0.125; ///< of the longest side, so that strokes may go beyond the model's box
-constexpr double leastOfRoom = 0.5;    ///< that a model fills
-constexpr std::size_t mostChanged = 4; ///< beyond every fourth face it is quicker to look at all
+constexpr double minRoomShare = 0.5;    ///< that a model fills
+constexpr std::size_t maxChanged = 4; ///< beyond every fourth face it is quicker to look at all
 
 std::vector<Slot> slotsOf(const std::vector<SlotSpan>& spans)
 {
@@ -41,13 +41,13 @@ std::vector<Slot> cornersOf(std::span<const Slot> faces, const DrawArrays& model
 }
 } // namespace
 
-void LineDrawer::apply(const MeshPatch& patch)
+void IncrementalLineDrawing::apply(const MeshPatch& patch)
 {
     m_isNew = m_isNew || patch.whole || patch.faceSlots < m_model.faces.size() || patch.vertexSlots < m_model.vertices.size();
     DrawnChange change;
     if (!m_isNew)
         change.faces = united(slotsOf(patch.faceSpans), m_scan.facesAt(slotsOf(patch.vertexSpans), m_model));
-    m_isNew = m_isNew || change.faces.size() > patch.faceSlots / mostChanged;
+    m_isNew = m_isNew || change.faces.size() > patch.faceSlots / maxChanged;
     if (m_isNew)
         return m_model.apply(patch);
     const std::vector<Slot> before = cornersOf(change.faces, m_model);
@@ -61,7 +61,7 @@ void LineDrawer::apply(const MeshPatch& patch)
 }
 
 /// Where a side sees one of the faces.
-void LineDrawer::expire(std::span<const Slot> faces)
+void IncrementalLineDrawing::expire(std::span<const Slot> faces)
 {
     for (const Slot f : faces)
         if (const std::uint8_t facing = m_images && f < m_model.faces.size() ? m_scan.facing()[f] : 0; facing != 0)
@@ -70,7 +70,7 @@ void LineDrawer::expire(std::span<const Slot> faces)
                     (*m_images)[static_cast<std::size_t>(side)].expire(m_model, f);
 }
 
-std::optional<LineDrawing> LineDrawer::draw(bool shaded, const std::stop_token& stop)
+std::optional<LineDrawing> IncrementalLineDrawing::draw(bool shaded, const std::stop_token& stop)
 {
     if (m_isNew) {
         if (!m_scan.scan(m_model, stop))
@@ -81,7 +81,7 @@ std::optional<LineDrawing> LineDrawer::draw(bool shaded, const std::stop_token& 
     const Box box = m_scan.box();
     if (box.isEmpty())
         return LineDrawing();
-    if (!m_room.contains(box) || box.sizes().maxCoeff() < leastOfRoom * m_room.sizes().maxCoeff()) {
+    if (!m_room.contains(box) || box.sizes().maxCoeff() < minRoomShare * m_room.sizes().maxCoeff()) {
         const Vec3 around = Vec3::Constant(boxMargin * box.sizes().maxCoeff());
         m_room = Box(box.min() - around, box.max() + around);
         m_images.reset();

@@ -16,7 +16,7 @@ Vec3f onPaper(DrawnSide side, const Vec3f& point)
 
 std::optional<LineDrawing> drawLines(const DrawArrays& model, const DrawingDetail& detail, const std::stop_token& stop)
 {
-    DrawingScan scan(detail.mostEdges);
+    FeatureScan scan(detail.maxEdges);
     if (!scan.scan(model, stop))
         return std::nullopt;
     const Box box = scan.box();

@@ -54,7 +54,7 @@ struct DrawingDetail
 {
     int pixels = 2048; ///< along the model's longest side: what hides what is decided on this grid
     bool shaded = false;
-    std::size_t mostEdges = std::size_t(-1); ///< beyond so many edges in question creases are left out
+    std::size_t maxEdges = std::size_t(-1); ///< beyond so many edges in question creases are left out
 };
 
 /// Two faces that turn by more than 40 degrees meet in a crease.
@@ -63,6 +63,6 @@ inline constexpr double creaseCosine = 0.7660444431189780, halfCreaseCosine = 0.
 /// Nothing if it was stopped. Each line's points are exact; what is hidden is decided by a depth image per side.
 /// Deterministic; each side has a thread of its own, the worker pool is left to the strokes. Cost: a few passes over the faces
 /// (at a million vertices some 50 ms and, a side, 25 ms with 512 pixels, 60 ms with 2048), the rest grows with the lines drawn.
-/// Who draws a model again and again while it changes takes a LineDrawer.
+/// To draw a model again and again while it changes, use an IncrementalLineDrawing.
 std::optional<LineDrawing> drawLines(const DrawArrays& model, const DrawingDetail& detail, const std::stop_token& stop);
 } // namespace core

@@ -17,7 +17,7 @@ constexpr int samples = 3;     ///< a pixel's, each way
 constexpr int viewSamples = 2; ///< the same, of pictures that may be large
 constexpr double marginFactor = 1.05;
 constexpr int border = 2;  ///< samples left free at each side, beside those of the depth image itself
-constexpr std::size_t elementsAStep = 1 << 13;
+constexpr std::size_t elementsPerStep = 1 << 13;
 
 constexpr Rgb clay{194, 150, 126}; ///< as the window shows it
 constexpr float ambient = 0.36F, keyLight = 0.60F, fillLight = 0.16F;
@@ -34,7 +34,7 @@ Eigen::Matrix3d turn()
 }
 
 /// From the document to the picture: lengths so that float32 holds them well.
-struct PicturePlace
+struct ThumbnailPoint
 {
     Eigen::Matrix3d turn; ///< and scale
     Vec3 target;          ///< in the picture's middle
@@ -43,12 +43,12 @@ struct PicturePlace
 
 constexpr double nearest = 0.01; ///< of the eye's distance from the target: what is nearer is not seen
 
-class PicturePainter
+class ThumbnailRenderer
 {
 public:
-    PicturePainter(const TriangleMesh& mesh, int fineness, const std::stop_token& stop) : m_mesh(mesh), m_samples(fineness), m_stop(stop) {}
+    ThumbnailRenderer(const TriangleMesh& mesh, int fineness, const std::stop_token& stop) : m_mesh(mesh), m_samples(fineness), m_stop(stop) {}
 
-    std::optional<ModelPicture> paint(int pixels)
+    std::optional<ModelThumbnail> paint(int pixels)
     {
         const Box box = boxOfFaces();
         const double size = box.isEmpty() ? 0 : box.sizes().maxCoeff();
@@ -56,31 +56,31 @@ public:
             return std::nullopt;
         const float extent = m_box.isEmpty() ? 0 : m_box.sizes().maxCoeff();
         if (!(extent > 0))
-            return emptyPicture(pixels, pixels);
+            return emptyThumbnail(pixels, pixels);
         const int room = m_samples * pixels - 2 * border - 5; // what the depth image puts around the box
-        return draw(m_box, extent / static_cast<float>(room), emptyPicture(pixels, pixels));
+        return draw(m_box, extent / static_cast<float>(room), emptyThumbnail(pixels, pixels));
     }
 
     /// In lengths of the picture's height.
-    std::optional<ModelPicture> paint(const PictureView& view)
+    std::optional<ModelThumbnail> paint(const ThumbnailView& view)
     {
         if (!place({view.axes / view.extent, view.target, view.distance / view.extent}) || !faceTheEye())
             return std::nullopt;
         const Vec2f corner(0.5F * static_cast<float>(view.width) / static_cast<float>(view.height), 0.5F);
-        return draw({-corner, corner}, 1 / static_cast<float>(m_samples * view.height), emptyPicture(view.width, view.height));
+        return draw({-corner, corner}, 1 / static_cast<float>(m_samples * view.height), emptyThumbnail(view.width, view.height));
     }
 
 private:
     using Sum = std::array<std::uint16_t, 4>;
 
-    static ModelPicture emptyPicture(int width, int height)
+    static ModelThumbnail emptyThumbnail(int width, int height)
     {
-        ModelPicture picture{width, height, {}};
+        ModelThumbnail picture{width, height, {}};
         picture.rgba.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
         return picture;
     }
 
-    bool stopsAt(std::size_t i) const { return i % elementsAStep == 0 && m_stop.stop_requested(); }
+    bool stopsAt(std::size_t i) const { return i % elementsPerStep == 0 && m_stop.stop_requested(); }
 
     Box boxOfFaces() const
     {
@@ -91,7 +91,7 @@ private:
         return box;
     }
 
-    std::optional<ModelPicture> draw(const Eigen::AlignedBox2f& box, float pixel, ModelPicture picture) const
+    std::optional<ModelThumbnail> draw(const Eigen::AlignedBox2f& box, float pixel, ModelThumbnail picture) const
     {
         DepthImage image(DrawnSide::Front, box, pixel);
         if (!image.draw(m_model, std::vector<std::uint8_t>(m_model.faces.size(), 1), {}, m_stop) || !light(image, picture))
@@ -99,7 +99,7 @@ private:
         return picture;
     }
 
-    bool place(const PicturePlace& where)
+    bool place(const ThumbnailPoint& where)
     {
         m_model.vertices.reserve(m_mesh.points.size());
         m_shape.reserve(m_mesh.points.size());
@@ -181,7 +181,7 @@ private:
     }
 
     /// The image stands in the picture's middle, and may be a little larger; its rows go up, the picture's down.
-    bool light(const DepthImage& image, ModelPicture& picture) const
+    bool light(const DepthImage& image, ModelThumbnail& picture) const
     {
         std::vector<Sum> sums(picture.rgba.size());
         const int width = m_samples * picture.width, height = m_samples * picture.height;
@@ -222,19 +222,19 @@ private:
 };
 } // namespace
 
-std::optional<ModelPicture> drawPicture(const TriangleMesh& mesh, int pixels, const std::stop_token& stop)
+std::optional<ModelThumbnail> drawThumbnail(const TriangleMesh& mesh, int pixels, const std::stop_token& stop)
 {
-    return PicturePainter(mesh, samples, stop).paint(pixels);
+    return ThumbnailRenderer(mesh, samples, stop).paint(pixels);
 }
 
-std::optional<ModelPicture> drawPicture(const TriangleMesh& mesh, const PictureView& view, const std::stop_token& stop)
+std::optional<ModelThumbnail> drawThumbnail(const TriangleMesh& mesh, const ThumbnailView& view, const std::stop_token& stop)
 {
-    return PicturePainter(mesh, viewSamples, stop).paint(view);
+    return ThumbnailRenderer(mesh, viewSamples, stop).paint(view);
 }
 
-PictureView viewOf(const Box& box, int width, int height)
+ThumbnailView viewOf(const Box& box, int width, int height)
 {
-    PictureView view{turn(), box.center(), 0, 0, width, height};
+    ThumbnailView view{turn(), box.center(), 0, 0, width, height};
     Box seen;
     for (int corner = 0; corner < 8; ++corner)
         seen.extend(Vec3(view.axes * (box.corner(static_cast<Box::CornerType>(corner)) - view.target)));

@@ -8,14 +8,14 @@
 namespace core
 {
 /// A picture of a model; nothing behind it.
-struct ModelPicture
+struct ModelThumbnail
 {
     int width = 0, height = 0; ///< pixels
     std::vector<std::array<std::uint8_t, 4>> rgba; ///< sRGB, alpha multiplied in; rows from the top
 };
 
 /// From where the model is seen, and how large the picture is.
-struct PictureView
+struct ThumbnailView
 {
     Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); ///< rows of unit length: to the right, up, to the eye
     Vec3 target = Vec3::Zero();                         ///< in the picture's middle
@@ -28,12 +28,12 @@ struct PictureView
 /// Any triangles will do: open, crossing, turned to either side. A model without extent leaves the picture empty. Nothing if it was
 /// stopped. Deterministic; any thread. Cost: three passes over the faces, and nine samples a pixel (256 pixels: some 30 ms, a
 /// million vertices: 150 ms more).
-std::optional<ModelPicture> drawPicture(const TriangleMesh& mesh, int pixels, const std::stop_token& stop);
+std::optional<ModelThumbnail> drawThumbnail(const TriangleMesh& mesh, int pixels, const std::stop_token& stop);
 
 /// The same, seen as `view` says; what does not fit is cut off at the borders, and faces that reach behind the eye are left out. Four samples a
 /// pixel (1920 x 1080: some 300 ms).
-std::optional<ModelPicture> drawPicture(const TriangleMesh& mesh, const PictureView& view, const std::stop_token& stop);
+std::optional<ModelThumbnail> drawThumbnail(const TriangleMesh& mesh, const ThumbnailView& view, const std::stop_token& stop);
 
-/// As drawPicture() of a square looks, at something of that box.
-PictureView viewOf(const Box& box, int width, int height);
+/// As drawThumbnail() of a square looks, at something of that box.
+ThumbnailView viewOf(const Box& box, int width, int height);
 } // namespace core

@@ -10,7 +10,7 @@ namespace
 {
 constexpr float slack = 1.5F;      ///< pixels: how much nearer the depth image may be by its rounding
 constexpr float steepest = 6;      ///< mm a mm: faces that are seen at a steeper angle are taken for this
-constexpr int mostPieces = 1 << 14; ///< of an edge
+constexpr int maxPieces = 1 << 14; ///< of an edge
 constexpr Slot noEnd = noSlot;
 
 /// A piece of an edge that can be seen, and the vertices at its ends; noEnd where it is cut.
@@ -29,13 +29,13 @@ public:
     {
     }
 
-    void addPieces(const DrawingEdge& edge, std::vector<Piece>& pieces) const
+    void addPieces(const FeatureEdge& edge, std::vector<Piece>& pieces) const
     {
         const Vec3f &start = m_model.vertices[edge.a].position, &end = m_model.vertices[edge.b].position;
         const Vec3f a = m_depths.toGrid(start), b = m_depths.toGrid(end);
         const Vec2f from = onPaper(m_side, start).head<2>(), to = onPaper(m_side, end).head<2>();
         const Vec2f slope = slopeOf(edge);
-        const int count = std::clamp(static_cast<int>(std::ceil((b - a).head<2>().norm())), 1, mostPieces);
+        const int count = std::clamp(static_cast<int>(std::ceil((b - a).head<2>().norm())), 1, maxPieces);
         const auto share = [count](int i) { return static_cast<float>(i) / static_cast<float>(count); };
         for (int i = 0; i < count; ++i) {
             const int first = i;
@@ -49,7 +49,7 @@ public:
 
 private:
     /// How the face at the edge that looks to the eye goes on beyond it: mm towards the eye a pixel.
-    Vec2f slopeOf(const DrawingEdge& edge) const
+    Vec2f slopeOf(const FeatureEdge& edge) const
     {
         const int bit = 1 << static_cast<int>(m_side);
         Vec2f steeper = Vec2f::Zero();
@@ -144,7 +144,7 @@ Eigen::AlignedBox2f boxOnPaper(DrawnSide side, const Box& box)
     return result;
 }
 
-std::optional<DrawnView> viewOf(const DrawArrays& model, const DrawingScan& scan, DrawnSide side, DepthImage& depths, bool isShaded,
+std::optional<DrawnView> viewOf(const DrawArrays& model, const FeatureScan& scan, DrawnSide side, DepthImage& depths, bool isShaded,
                                 const std::stop_token& stop)
 {
     if (!depths.draw(model, scan.facing(), scan.blocks(), stop))
@@ -154,7 +154,7 @@ std::optional<DrawnView> viewOf(const DrawArrays& model, const DrawingScan& scan
     const Sight sight(model, depths, side, scan.facing());
     const int bit = 1 << static_cast<int>(side);
     std::vector<Piece> outlines, creases;
-    for (const DrawingEdge& edge : scan.edges()) {
+    for (const FeatureEdge& edge : scan.edges()) {
         if (stop.stop_requested())
             return std::nullopt;
         const bool isTowardsEye = ((scan.facing()[edge.faces[0]] | scan.facing()[edge.faces[1]]) & bit) != 0;
@@ -177,7 +177,7 @@ DepthImages depthImagesOf(const Box& box, float pixel)
     return {image(DrawnSide::Front), image(DrawnSide::Right), image(DrawnSide::Top)};
 }
 
-std::optional<LineDrawing> drawingOf(const DrawArrays& model, const DrawingScan& scan, DepthImages& images, bool shaded, const std::stop_token& stop)
+std::optional<LineDrawing> drawingOf(const DrawArrays& model, const FeatureScan& scan, DepthImages& images, bool shaded, const std::stop_token& stop)
 {
     LineDrawing drawing;
     drawing.box = scan.box();

@@ -13,5 +13,5 @@ DepthImages depthImagesOf(const Box& box, float pixel);
 
 /// Brings the images up to date and draws the model's lines, each side on a thread of its own. Nothing if it was stopped.
 /// Cost: the images' expired tiles, the edges of the scan.
-std::optional<LineDrawing> drawingOf(const DrawArrays& model, const DrawingScan& scan, DepthImages& images, bool shaded, const std::stop_token& stop);
+std::optional<LineDrawing> drawingOf(const DrawArrays& model, const FeatureScan& scan, DepthImages& images, bool shaded, const std::stop_token& stop);
 } // namespace core

@@ -9,7 +9,7 @@ namespace
 {
 constexpr double farthestInSizes = 4;
 /// An import leaves room for eight times the model; a lattice is kept down to twice, and up to 32 times.
-constexpr int mostStepsOff = 2;
+constexpr int maxStepsOff = 2;
 
 double largestCoordinate(const Box& box)
 {
@@ -27,7 +27,7 @@ LatticePoint LatticePlacement::toLattice(const Vec3f& p) const
     return result;
 }
 
-bool liesFar(const Box& box)
+bool isFarFromOrigin(const Box& box)
 {
     return std::sqrt(box.center().squaredNorm()) > farthestInSizes * box.sizes().maxCoeff();
 }
@@ -35,7 +35,7 @@ bool liesFar(const Box& box)
 LatticePlacement placeOnLattice(const Box& box, bool centre)
 {
     const Vec3 middle = box.center();
-    if (!centre && !liesFar(box))
+    if (!centre && !isFarFromOrigin(box))
         return {Lattice::forExtent(largestCoordinate(box))};
     const Lattice lattice = Lattice::forExtent(box.sizes().maxCoeff() / 2);
     return {lattice, -Vec3(lattice.snap(middle.x()), lattice.snap(middle.y()), lattice.snap(middle.z()))};
@@ -44,6 +44,6 @@ LatticePlacement placeOnLattice(const Box& box, bool centre)
 Lattice latticeFor(const Box& box, const Lattice& present)
 {
     const Lattice best = Lattice::forExtent(largestCoordinate(box));
-    return std::abs(best.exponent() - present.exponent()) <= mostStepsOff ? present : best;
+    return std::abs(best.exponent() - present.exponent()) <= maxStepsOff ? present : best;
 }
 } // namespace core

@@ -15,7 +15,7 @@ struct LatticePlacement
 };
 
 /// The box's centre is farther from the origin than four times its longest side.
-bool liesFar(const Box& box);
+bool isFarFromOrigin(const Box& box);
 
 /// The finest lattice for a model with this bounding box (not a single point). A model that lies far from the origin is
 /// moved there: the lattice would be too coarse for it. With `centre` any model.

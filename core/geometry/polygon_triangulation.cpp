@@ -203,7 +203,7 @@ private:
 };
 } // namespace
 
-std::optional<std::vector<Triangle>> fillPolygon(std::span<const FlatPoint> points, std::vector<std::vector<Slot>> loops)
+std::optional<std::vector<Triangle>> triangulatePolygon(std::span<const FlatPoint> points, std::vector<std::vector<Slot>> loops)
 {
     return Filler(points).fill(std::move(loops));
 }

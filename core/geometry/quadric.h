@@ -46,12 +46,12 @@ public:
     double weight() const { return m_weight; }
     /// Not below 0.
     double at(const Point& p) const { return std::max(0.0, p.dot(square() * p) + 2 * m_b.dot(p) + m_c); }
-    /// Where it is least; as near to `wish` as `pull` says where it is flat: a share of the planes' weight.
-    Point least(const Point& wish, double pull) const
+    /// Where it is least; as near to `target` as `pull` says where it is flat: a share of the planes' weight.
+    Point minimizer(const Point& target, double pull) const
     {
         const double w = pull * m_weight;
         const Square a = square() + w * Square::Identity();
-        return a.ldlt().solve(w * wish - m_b);
+        return a.ldlt().solve(w * target - m_b);
     }
 
 private:

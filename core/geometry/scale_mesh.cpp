@@ -2,7 +2,7 @@
 
 namespace core
 {
-bool scale(TriangleMesh& mesh, double factor)
+bool scaleMesh(TriangleMesh& mesh, double factor)
 {
     bool areNumbers = true;
     for (Vec3f& point : mesh.points) {

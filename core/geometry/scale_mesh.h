@@ -5,5 +5,5 @@
 namespace core
 {
 /// Makes the model so many times as large about the origin; each coordinate is rounded once. False: some are no numbers any more.
-bool scale(TriangleMesh& mesh, double factor);
+bool scaleMesh(TriangleMesh& mesh, double factor);
 } // namespace core

@@ -45,7 +45,7 @@ AlignedPair<Predicates> align(const CornerTriangle<Predicates>& s, const CornerT
 }
 
 /// s and t share the edge of their first two corners.
-template <typename Predicates> bool meetBesideEdge(const Points<Predicates>& s, const Points<Predicates>& t)
+template <typename Predicates> bool intersectBesideEdge(const Points<Predicates>& s, const Points<Predicates>& t)
 {
     const typename Predicates::Plane plane(s[0], s[1], s[2]);
     if (plane.side(t[2]) != 0)
@@ -55,7 +55,7 @@ template <typename Predicates> bool meetBesideEdge(const Points<Predicates>& s, 
 }
 
 /// Coplanar triangles that share their first corner: do their angles there have a ray in common?
-template <typename Predicates> bool anglesMeet(Points<Predicates> s, Points<Predicates> t, int axis)
+template <typename Predicates> bool anglesOverlap(Points<Predicates> s, Points<Predicates> t, int axis)
 {
     for (Points<Predicates>* corners : {&s, &t})
         if (Predicates::orient2d((*corners)[0], (*corners)[1], (*corners)[2], axis) < 0)
@@ -68,7 +68,7 @@ template <typename Predicates> bool anglesMeet(Points<Predicates> s, Points<Pred
 
 /// s and t share their first corner v: s = vpq, t = vrs. An edge, crossing the plane of the other triangle, meets that
 /// triangle if the edge's line passes all its sides in one sense. Of those six orientations four are known from the planes.
-template <typename Predicates> bool meetBesideCorner(const Points<Predicates>& s, const Points<Predicates>& t)
+template <typename Predicates> bool intersectBesideCorner(const Points<Predicates>& s, const Points<Predicates>& t)
 {
     const typename Predicates::Plane tPlane(t[0], t[1], t[2]);
     const int p = tPlane.side(s[1]), q = tPlane.side(s[2]);
@@ -76,7 +76,7 @@ template <typename Predicates> bool meetBesideCorner(const Points<Predicates>& s
         return false;
     const typename Predicates::Plane sPlane(s[0], s[1], s[2]);
     if (p == 0 && q == 0)
-        return anglesMeet<Predicates>(s, t, sPlane.projectionAxis());
+        return anglesOverlap<Predicates>(s, t, sPlane.projectionAxis());
     const int r = sPlane.side(t[1]), u = sPlane.side(t[2]);
     if (r * u > 0)
         return false;
@@ -100,7 +100,7 @@ template <typename Predicates> bool edgeSeparates(const Points<Predicates>& s, c
     return false;
 }
 
-template <typename Predicates> bool coplanarMeet(Points<Predicates> s, Points<Predicates> t, int axis)
+template <typename Predicates> bool coplanarIntersect(Points<Predicates> s, Points<Predicates> t, int axis)
 {
     for (Points<Predicates>* corners : {&s, &t})
         if (Predicates::orient2d((*corners)[0], (*corners)[1], (*corners)[2], axis) < 0)
@@ -144,7 +144,7 @@ bool allStrictlyOneSide(const std::array<int, 3>& sides)
 }
 
 /// The triangles share no corner.
-template <typename Predicates> bool meetApart(const Points<Predicates>& s, const Points<Predicates>& t)
+template <typename Predicates> bool intersectApart(const Points<Predicates>& s, const Points<Predicates>& t)
 {
     const typename Predicates::Plane tPlane(t[0], t[1], t[2]);
     const std::array<int, 3> sSides = sidesOf<Predicates>(tPlane, s);
@@ -152,7 +152,7 @@ template <typename Predicates> bool meetApart(const Points<Predicates>& s, const
         return false;
     const typename Predicates::Plane sPlane(s[0], s[1], s[2]);
     if (sSides == std::array{0, 0, 0})
-        return coplanarMeet<Predicates>(s, t, sPlane.projectionAxis());
+        return coplanarIntersect<Predicates>(s, t, sPlane.projectionAxis());
     const std::array<int, 3> tSides = sidesOf<Predicates>(sPlane, t);
     if (allStrictlyOneSide(tSides))
         return false;
@@ -170,23 +170,23 @@ template <typename Predicates> bool meetApart(const Points<Predicates>& s, const
 } // namespace
 
 template <typename Predicates>
-bool trianglesMeet(const CornerTriangle<Predicates>& s, const CornerTriangle<Predicates>& t)
+bool trianglesIntersect(const CornerTriangle<Predicates>& s, const CornerTriangle<Predicates>& t)
 {
     assert(!Predicates::collinear(s.points[0], s.points[1], s.points[2]));
     assert(!Predicates::collinear(t.points[0], t.points[1], t.points[2]));
     const AlignedPair<Predicates> pair = align(s, t);
     switch (pair.shared) {
     case 0:
-        return meetApart<Predicates>(pair.s, pair.t);
+        return intersectApart<Predicates>(pair.s, pair.t);
     case 1:
-        return meetBesideCorner<Predicates>(pair.s, pair.t);
+        return intersectBesideCorner<Predicates>(pair.s, pair.t);
     case 2:
-        return meetBesideEdge<Predicates>(pair.s, pair.t);
+        return intersectBesideEdge<Predicates>(pair.s, pair.t);
     default:
         return true;
     }
 }
 
-template bool trianglesMeet(const CornerTriangle<LatticePredicates>&, const CornerTriangle<LatticePredicates>&);
-template bool trianglesMeet(const CornerTriangle<FloatPredicates>&, const CornerTriangle<FloatPredicates>&);
+template bool trianglesIntersect(const CornerTriangle<LatticePredicates>&, const CornerTriangle<LatticePredicates>&);
+template bool trianglesIntersect(const CornerTriangle<FloatPredicates>&, const CornerTriangle<FloatPredicates>&);
 } // namespace core

@@ -15,8 +15,8 @@ template <typename Predicates> struct CornerTriangle
 /// two triangles of the same three ids. Exact. Neither triangle may be degenerate (collinear). Boxes are not compared.
 /// Instantiated for LatticePredicates (10 to 50 ns) and FloatPredicates.
 template <typename Predicates>
-bool trianglesMeet(const CornerTriangle<Predicates>& s, const CornerTriangle<Predicates>& t);
+bool trianglesIntersect(const CornerTriangle<Predicates>& s, const CornerTriangle<Predicates>& t);
 
-extern template bool trianglesMeet(const CornerTriangle<LatticePredicates>&, const CornerTriangle<LatticePredicates>&);
-extern template bool trianglesMeet(const CornerTriangle<FloatPredicates>&, const CornerTriangle<FloatPredicates>&);
+extern template bool trianglesIntersect(const CornerTriangle<LatticePredicates>&, const CornerTriangle<LatticePredicates>&);
+extern template bool trianglesIntersect(const CornerTriangle<FloatPredicates>&, const CornerTriangle<FloatPredicates>&);
 } // namespace core

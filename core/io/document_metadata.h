@@ -18,7 +18,7 @@ struct SavedView
     bool orthographic = false;
 };
 
-/// What hands did to a model at the desk and in the headset, as far as it was counted (app/work_clock.h says how).
+/// What hands did to a model at the desk and in the headset, as far as it was counted (app/document/work_timer.h says how).
 struct WorkDone
 {
     std::uint64_t strokes = 0; ///< finished ones that changed something, also those that were undone later
@@ -28,7 +28,7 @@ struct WorkDone
 };
 
 /// What a file keeps of a document beside its surface.
-struct DocumentNotes
+struct DocumentMetadata
 {
     std::vector<Rgb> palette;          ///< colours at hand, at most 64; none: empty
     std::optional<MeshFrame> frame;    ///< that the surface had

@@ -17,16 +17,16 @@ template <class Same> bool alike(const TriangleMesh& a, const TriangleMesh& b, S
 }
 } // namespace
 
-ExportVerdict checkExport(const std::filesystem::path& path, const TriangleMesh& written, const JobWatch& watch)
+ExportVerdict checkExport(const std::filesystem::path& path, const TriangleMesh& written, const JobControl& control)
 {
-    const TriangleMesh read = readMesh(path, {.stop = watch.stop});
+    const TriangleMesh read = readMesh(path, {.stop = control.stop});
     ExportVerdict verdict;
     verdict.sameCorners = alike(read, written, [&](Slot a, Slot b) { return read.points[a] == written.points[b]; });
     const auto format = meshFormatOf(path);
     const bool hasColors = !written.colors.empty() && format && holdsColors(*format);
     verdict.sameColors = !hasColors || (!read.colors.empty() &&
                                         alike(read, written, [&](Slot a, Slot b) { return read.colors[a] == written.colors[b]; }));
-    verdict.report = checkMesh(read, watch);
+    verdict.report = checkMesh(read, control);
     return verdict;
 }
 } // namespace core

@@ -4,19 +4,19 @@ namespace core
 {
 namespace
 {
-ForeignReader& theReader()
+ExternalReader& theReader()
 {
-    static ForeignReader reader;
+    static ExternalReader reader;
     return reader;
 }
 } // namespace
 
-void setForeignReader(ForeignReader reader)
+void setExternalReader(ExternalReader reader)
 {
     theReader() = std::move(reader);
 }
 
-const ForeignReader& foreignReader()
+const ExternalReader& externalReader()
 {
     return theReader();
 }

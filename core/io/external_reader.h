@@ -7,15 +7,15 @@
 namespace core
 {
 /// Reads formats that core does not know; it is made where there is more than core.
-struct ForeignReader
+struct ExternalReader
 {
     std::vector<std::string_view> endings; ///< lower case, without dot, the best known first; none of ours
-    /// Throws FileError and ReadingStopped. What it gives has indices in range and finite points, in millimetres as far as the file says what
+    /// Throws FileError and ReadingCancelled. What it gives has indices in range and finite points, in millimetres as far as the file says what
     /// it is in, with Y up as far as it says what is up.
     std::function<ReadResult(const std::filesystem::path& path, const std::stop_token& stop)> read;
 };
 
 /// From now on readModel() reads those, too. Not while any thread reads: the program's start is the place.
-void setForeignReader(ForeignReader reader);
-const ForeignReader& foreignReader();
+void setExternalReader(ExternalReader reader);
+const ExternalReader& externalReader();
 } // namespace core

@@ -23,13 +23,13 @@ namespace core
 {
 namespace
 {
-using namespace mesh_io;
+using namespace io;
 
 constexpr std::array<std::string_view, 7> endings{"stl", "obj", "ply", "off", "glb", "3mf", "gltf"};
 constexpr std::size_t written = 6;
 constexpr std::uint64_t maxFileSize = std::uint64_t(1) << 31;
 
-/// "glb" of "vase.glb", and of "vase.glb~1", an earlier version of it (kept_version.h).
+/// "glb" of "vase.glb", and of "vase.glb~1", an earlier version of it (numbered_backup.h).
 std::string endingOf(const std::filesystem::path& path)
 {
     std::string ending = path.extension().string();
@@ -103,16 +103,16 @@ void refuseSize(const std::filesystem::path& path, std::uint64_t size)
 
 void refuseOtherContent(const FileBytes& start, std::uint64_t size, MeshFormat format)
 {
-    const std::string_view looks = looksLike(start.bytes, size);
-    if (looks == endings[static_cast<std::size_t>(format)] || (format == MeshFormat::ThreeMf && looks == "zip"))
+    const std::string_view detected = detectFormat(start.bytes, size);
+    if (detected == endings[static_cast<std::size_t>(format)] || (format == MeshFormat::ThreeMf && detected == "zip"))
         return;
-    const bool undecided = looks.empty() || looks == "text";
+    const bool undecided = detected.empty() || detected == "text";
     const bool couldBe = format == MeshFormat::Obj    ? undecided && start.bytes.find('\0') == std::string_view::npos
-                         : format == MeshFormat::Gltf ? looks == "text"
-                         : format == MeshFormat::Stl  ? looks.empty()
+                         : format == MeshFormat::Gltf ? detected == "text"
+                         : format == MeshFormat::Stl  ? detected.empty()
                                                      : false;
     if (!couldBe)
-        throw errorAtByte(FileErrorKind::NotWhatItsEndingSays, start, start.bytes.data(), looks);
+        throw errorAtByte(FileErrorKind::NotWhatItsEndingSays, start, start.bytes.data(), detected);
 }
 
 void refuseStlSize(const FileBytes& start, std::uint64_t size)
@@ -140,7 +140,7 @@ LargeBuffer<char> allOf(const InputFile& input, const std::filesystem::path& pat
     LargeBuffer<char> bytes(size);
     forEachChunk(size, atOnce, [&](std::size_t, std::size_t begin, std::size_t end) {
         if (stop.stop_requested())
-            throw ReadingStopped();
+            throw ReadingCancelled();
         if (const std::size_t got = input.read(begin, bytes.part(begin, end)); got < end - begin)
             throw errorAtByte(FileErrorKind::CutOff, {path, {bytes.data(), size}}, bytes.data() + begin + got); // it became shorter just now
     });
@@ -167,9 +167,9 @@ ReadResult parse(const FileBytes& file, MeshFormat format)
     return {};
 }
 
-bool isForeign(const std::filesystem::path& path)
+bool isExternal(const std::filesystem::path& path)
 {
-    return std::ranges::find(foreignReader().endings, endingOf(path)) != foreignReader().endings.end();
+    return std::ranges::find(externalReader().endings, endingOf(path)) != externalReader().endings.end();
 }
 
 float negated(float x)
@@ -208,10 +208,10 @@ void settle(ReadResult& result, const FileBytes& file, MeshFormat format, UpAxis
         fromZUp(result.mesh.points);
 }
 
-ReadResult readForeign(const std::filesystem::path& path, std::uint64_t size, const ReadOptions& options)
+ReadResult readExternal(const std::filesystem::path& path, std::uint64_t size, const ReadOptions& options)
 {
     refuseSize(path, size);
-    ReadResult result = foreignReader().read(path, options.stop);
+    ReadResult result = externalReader().read(path, options.stop);
     weld(result.mesh, options.stop);
     if (result.mesh.triangles.empty())
         throw FileError(FileErrorKind::NoFaces, path);
@@ -234,7 +234,7 @@ std::span<const std::string_view> writtenEndings()
 std::vector<std::string_view> readEndings()
 {
     std::vector<std::string_view> all(endings.begin(), endings.end());
-    all.insert(all.end(), foreignReader().endings.begin(), foreignReader().endings.end());
+    all.insert(all.end(), externalReader().endings.begin(), externalReader().endings.end());
     return all;
 }
 
@@ -265,8 +265,8 @@ UpAxis usualUp(MeshFormat format)
 ReadResult readModel(const std::filesystem::path& path, const ReadOptions& options)
 {
     const std::uint64_t size = requireFileSize(path);
-    if (isForeign(path))
-        return readForeign(path, size, options);
+    if (isExternal(path))
+        return readExternal(path, size, options);
     const MeshFormat format = requireFormat(path);
     refuseSize(path, size);
     const InputFile input(path);
@@ -297,24 +297,24 @@ TriangleMesh parseMesh(const std::filesystem::path& name, std::string_view bytes
     return std::move(result.mesh);
 }
 
-DocumentNotes readNotes(const std::filesystem::path& path)
+DocumentMetadata readMetadata(const std::filesystem::path& path)
 {
     const auto format = meshFormatOf(path);
     if (!format || !holdsColors(*format))
         return {};
     std::ifstream stream(path, std::ios::binary);
     if (format == MeshFormat::Glb)
-        return readGlbNotes(stream);
+        return readGlbMetadata(stream);
     std::array<char, startSize> start;
     stream.read(start.data(), start.size());
-    DocumentNotes notes;
-    notes.palette = paletteIn({start.data(), static_cast<std::size_t>(stream.gcount())});
-    return notes;
+    DocumentMetadata metadata;
+    metadata.palette = paletteIn({start.data(), static_cast<std::size_t>(stream.gcount())});
+    return metadata;
 }
 
 void writeMesh(const std::filesystem::path& path, const TriangleMesh& mesh, const WriteOptions& options)
 {
-    if ((isForeign(path) || meshFormatOf(path)) && !isWritten(path))
+    if ((isExternal(path) || meshFormatOf(path)) && !isWritten(path))
         throw errorOfEnding(FileErrorKind::NotWritten, path);
     const MeshFormat format = requireFormat(path);
     if (options.up.value_or(usualUp(format)) == UpAxis::Z) {
@@ -330,19 +330,19 @@ void writeMesh(const std::filesystem::path& path, const TriangleMesh& mesh, cons
         writeStl(out, mesh, options.ascii);
         break;
     case MeshFormat::Obj:
-        writeObj(out, mesh, options.notes.palette);
+        writeObj(out, mesh, options.metadata.palette);
         break;
     case MeshFormat::Ply:
         writePly(out, mesh, options);
         break;
     case MeshFormat::Off:
-        writeOff(out, mesh, options.notes.palette);
+        writeOff(out, mesh, options.metadata.palette);
         break;
     case MeshFormat::Glb:
-        writeGlb(out, mesh, options.notes);
+        writeGlb(out, mesh, options.metadata);
         break;
     case MeshFormat::ThreeMf:
-        writeThreeMf(out, mesh, options.notes.palette);
+        writeThreeMf(out, mesh, options.metadata.palette);
         break;
     case MeshFormat::Gltf:
         break; // refused above
@@ -350,7 +350,7 @@ void writeMesh(const std::filesystem::path& path, const TriangleMesh& mesh, cons
     out.commit();
 }
 
-namespace mesh_io
+namespace io
 {
 FileError errorWithToken(FileErrorKind kind, const FileBytes& file, std::string_view token)
 {
@@ -384,12 +384,12 @@ FileError errorAtByte(FileErrorKind kind, const FileBytes& file, const char* at,
     return error;
 }
 
-FileError tooMany(std::string_view what, std::size_t most, FileError error)
+FileError tooMany(std::string_view what, std::size_t max, FileError error)
 {
     error.kind = FileErrorKind::TooManyElements;
     error.token = what;
-    error.expected = most;
+    error.expected = max;
     return error;
 }
-} // namespace mesh_io
+} // namespace io
 } // namespace core

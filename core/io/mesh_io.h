@@ -18,7 +18,7 @@ enum class MeshFormat { Stl, Obj, Ply, Off, Glb, ThreeMf, Gltf };
 std::span<const std::string_view> meshEndings();
 /// Of those that are written.
 std::span<const std::string_view> writtenEndings();
-/// Of all that are read: ours, then those of the foreign reader (foreign_reader.h).
+/// Of all that are read: ours, then those of the external reader (external_reader.h).
 std::vector<std::string_view> readEndings();
 /// By the ending, in either case.
 std::optional<MeshFormat> meshFormatOf(const std::filesystem::path& path);
@@ -35,7 +35,7 @@ bool holdsColors(MeshFormat format);
 struct ReadOptions
 {
     std::optional<UpAxis> up = {}; ///< of the file; missing: usualUp
-    std::stop_token stop = {};     ///< then ReadingStopped is thrown, within some 20 ms
+    std::stop_token stop = {};     ///< then ReadingCancelled is thrown, within some 20 ms
 };
 
 /// What a file holds and a sculpted model does not.
@@ -55,7 +55,7 @@ struct ReadResult
 };
 
 /// What was read is not wanted any more.
-struct ReadingStopped
+struct ReadingCancelled
 {};
 
 struct WriteOptions
@@ -64,7 +64,7 @@ struct WriteOptions
     bool ascii = false;       ///< STL and PLY as text. OBJ and OFF are text always, GLB and 3MF never.
     /// Kept beside the surface, where the format can: all of it by GLB, in an extension that others pass over; the palette by
     /// PLY, OBJ, OFF and 3MF, in a comment.
-    DocumentNotes notes = {};
+    DocumentMetadata metadata = {};
 };
 
 /// Throws FileError. What it returns has at least one face, indices in range and finite points, nothing more: faces may be
@@ -77,12 +77,12 @@ ReadResult readModel(const std::filesystem::path& path, const ReadOptions& optio
 TriangleMesh readMesh(const std::filesystem::path& path, const ReadOptions& options = {});
 
 /// readMesh() of a file that is in memory already; `name` says its format, and is told in errors. What names other files is refused, and so is
-/// what only the foreign reader reads.
+/// what only the external reader reads.
 TriangleMesh parseMesh(const std::filesystem::path& name, std::string_view bytes);
 
 /// What writeMesh() was given as notes, as far as the format keeps them. What is not as we write it is left out; so is all of a
 /// file that cannot be read. Never throws FileError.
-DocumentNotes readNotes(const std::filesystem::path& path);
+DocumentMetadata readMetadata(const std::filesystem::path& path);
 
 /// Throws FileError; then the path holds what it held before. Read again, points and colours come back bit for bit (STL: no
 /// colours, no unused vertices, no -0; 3MF: no colours of unused vertices).

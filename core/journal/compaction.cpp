@@ -13,7 +13,7 @@ namespace core
 bool compactJournal(const std::filesystem::path& folder, unsigned segment, const std::stop_token& stop)
 {
     try {
-        const auto document = replayJournal(folder, {.endSegment = segment, .stop = stop});
+        const auto document = recoverJournal(folder, {.endSegment = segment, .stop = stop});
         const std::string bytes = contentOf(segmentFile(folder, segment));
         std::string_view rest = bytes;
         const auto next = unpack(rest);

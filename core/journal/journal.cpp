@@ -8,13 +8,13 @@
 
 namespace core
 {
-Journal::Journal(std::shared_ptr<JournalFolder> folder, JournalWriter::Place place, JournalNews news, JournalLimits limits, std::uint32_t present)
+Journal::Journal(std::shared_ptr<JournalFolder> folder, JournalWriter::Place place, JournalCallbacks callbacks, JournalLimits limits, std::uint32_t present)
     : m_folder(std::move(folder)), m_present(present),
-      m_writer(std::make_unique<JournalWriter>(m_folder->path(), place, std::move(news), limits))
+      m_writer(std::make_unique<JournalWriter>(m_folder->path(), place, std::move(callbacks), limits))
 {
 }
 
-std::shared_ptr<Journal> Journal::begin(const std::filesystem::path& root, const StartRecord& start, JournalNews news, JournalLimits limits)
+std::shared_ptr<Journal> Journal::begin(const std::filesystem::path& root, const StartRecord& start, JournalCallbacks callbacks, JournalLimits limits)
 {
     auto folder = JournalFolder::make(root);
     try {
@@ -23,19 +23,19 @@ std::shared_ptr<Journal> Journal::begin(const std::filesystem::path& root, const
         folder->remove();
         throw;
     }
-    return std::shared_ptr<Journal>(new Journal(std::move(folder), {}, std::move(news), limits, 0));
+    return std::shared_ptr<Journal>(new Journal(std::move(folder), {}, std::move(callbacks), limits, 0));
 }
 
-std::shared_ptr<Journal> Journal::goOn(std::unique_ptr<JournalFolder> folder, const RecoveredDocument& document, JournalNews news,
+std::shared_ptr<Journal> Journal::resume(std::unique_ptr<JournalFolder> folder, const RecoveredDocument& document, JournalCallbacks callbacks,
                                        JournalLimits limits)
 {
     const JournalWriter::Place place{document.nextRecord, document.nextSegment};
-    return std::shared_ptr<Journal>(new Journal(std::move(folder), place, std::move(news), limits, document.history.present));
+    return std::shared_ptr<Journal>(new Journal(std::move(folder), place, std::move(callbacks), limits, document.history.present));
 }
 
-std::shared_ptr<Journal> Journal::beginLate(std::shared_ptr<JournalFolder> folder, std::uint32_t present, JournalNews news, JournalLimits limits)
+std::shared_ptr<Journal> Journal::beginDeferred(std::shared_ptr<JournalFolder> folder, std::uint32_t present, JournalCallbacks callbacks, JournalLimits limits)
 {
-    return std::shared_ptr<Journal>(new Journal(std::move(folder), {.waits = true}, std::move(news), limits, present));
+    return std::shared_ptr<Journal>(new Journal(std::move(folder), {.waits = true}, std::move(callbacks), limits, present));
 }
 
 void Journal::beginWith(std::shared_ptr<const Mesh> mesh, StartRecord start, BaseRecord base)

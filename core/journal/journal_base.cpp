@@ -10,7 +10,7 @@ namespace core
 {
 namespace
 {
-constexpr Slot slotsAPart = 1 << 16; ///< about 5 MB
+constexpr Slot slotsPerPart = 1 << 16; ///< about 5 MB
 } // namespace
 
 void writeBase(const std::filesystem::path& file, const Mesh& mesh, const BaseRecord& base, std::uint64_t number)
@@ -18,8 +18,8 @@ void writeBase(const std::filesystem::path& file, const Mesh& mesh, const BaseRe
     AtomicFile out(file);
     const SlotCounts counts = mesh.slots();
     const Slot end = std::max({counts.vertices, counts.edges, counts.faces});
-    for (Slot first = 0; first < end; first += slotsAPart) {
-        out.write(pack(PartRecord{imageOf(mesh, first, first + slotsAPart)}, 0));
+    for (Slot first = 0; first < end; first += slotsPerPart) {
+        out.write(pack(PartRecord{imageOf(mesh, first, first + slotsPerPart)}, 0));
         out.sync();
     }
     out.write(pack(base, number));

@@ -121,7 +121,7 @@ void JournalFolder::remove()
     fs::remove_all(hiddenPath(), ignored);
 }
 
-fs::path JournalFolder::setAside(const fs::path& root, std::size_t most)
+fs::path JournalFolder::setAside(const fs::path& root, std::size_t max)
 {
     std::error_code problem;
     fs::create_directories(root, problem);
@@ -135,7 +135,7 @@ fs::path JournalFolder::setAside(const fs::path& root, std::size_t most)
     for (const auto& entry : fs::directory_iterator(root, problem))
         kept.emplace_back(entry.last_write_time(problem), entry.path());
     std::ranges::sort(kept, std::greater());
-    for (std::size_t i = most; i < kept.size(); ++i)
+    for (std::size_t i = max; i < kept.size(); ++i)
         fs::remove_all(kept[i].second, problem);
     return path;
 }

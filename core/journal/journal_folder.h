@@ -29,7 +29,7 @@ public:
     /// With all that is in it.
     void remove();
     /// It goes to another root, where so many stay: the oldest go. Its new path; empty if that is impossible, and it stays where it is.
-    std::filesystem::path setAside(const std::filesystem::path& root, std::size_t most);
+    std::filesystem::path setAside(const std::filesystem::path& root, std::size_t max);
 
 private:
     JournalFolder(std::filesystem::path path, std::unique_ptr<FolderLock> lock) : m_path(std::move(path)), m_lock(std::move(lock)) {}

@@ -120,13 +120,13 @@ std::shared_ptr<const FileEntry> takeEntry(ByteReader& in)
 void put(ByteWriter& out, const JournalStep& step)
 {
     out.put(std::string_view(step.text)), out.put(std::string_view(step.icon)), out.put(step.dabs), out.put(step.fusions);
-    putEntry(out, step.deed.get());
+    putEntry(out, step.entry.get());
 }
 
 void take(ByteReader& in, JournalStep& step)
 {
     step.text = in.takeText(), step.icon = in.takeText(), step.dabs = in.take<std::uint64_t>(), step.fusions = in.take<std::uint64_t>();
-    step.deed = takeEntry(in);
+    step.entry = takeEntry(in);
 }
 
 template <class T> void putPlain(ByteWriter& out, const std::vector<T>& values)
@@ -159,41 +159,41 @@ void take(ByteReader& in, SavedView& view)
 /// Bits: which of the notes there are.
 constexpr std::uint8_t viewBit = 1, workBit = 2;
 
-void put(ByteWriter& out, const DocumentNotes& notes)
+void put(ByteWriter& out, const DocumentMetadata& metadata)
 {
-    const int parts = (notes.view ? viewBit : 0) | (notes.work ? workBit : 0);
-    putPlain(out, notes.palette), out.put(static_cast<std::uint8_t>(parts)), put(out, notes.view.value_or(SavedView()));
-    const FileEntry brush = Stroke{notes.brush.value_or(StrokeSettings()), {}, {}, {}};
-    putEntry(out, notes.brush ? &brush : nullptr);
-    if (notes.work)
-        out.put(notes.work->strokes), out.put(notes.work->seconds);
+    const int parts = (metadata.view ? viewBit : 0) | (metadata.work ? workBit : 0);
+    putPlain(out, metadata.palette), out.put(static_cast<std::uint8_t>(parts)), put(out, metadata.view.value_or(SavedView()));
+    const FileEntry brush = Stroke{metadata.brush.value_or(StrokeSettings()), {}, {}, {}};
+    putEntry(out, metadata.brush ? &brush : nullptr);
+    if (metadata.work)
+        out.put(metadata.work->strokes), out.put(metadata.work->seconds);
 }
 
-void take(ByteReader& in, DocumentNotes& notes)
+void take(ByteReader& in, DocumentMetadata& metadata)
 {
-    takePlain(in, notes.palette);
+    takePlain(in, metadata.palette);
     const auto parts = in.take<std::uint8_t>();
-    take(in, notes.view.emplace());
+    take(in, metadata.view.emplace());
     if ((parts & viewBit) == 0)
-        notes.view.reset();
+        metadata.view.reset();
     const auto brush = takeEntry(in);
     if (const auto* stroke = std::get_if<Stroke>(brush.get()))
-        notes.brush = stroke->settings;
+        metadata.brush = stroke->settings;
     if ((parts & workBit) != 0)
-        notes.work = WorkDone{in.take<std::uint64_t>(), in.take<double>()};
+        metadata.work = WorkDone{in.take<std::uint64_t>(), in.take<double>()};
 }
 
 // --- contents, a pair for each kind --------------------------------------------------------------------------------------------
 
 void put(ByteWriter& out, const JournalDocument& document)
 {
-    out.put(std::string_view(document.name)), out.put(std::string_view(document.path)), put(out, document.notes);
+    out.put(std::string_view(document.name)), out.put(std::string_view(document.path)), put(out, document.metadata);
     out.put(document.changedBeyondHistory);
 }
 
 void take(ByteReader& in, JournalDocument& document)
 {
-    document.name = in.takeText(), document.path = in.takeText(), take(in, document.notes);
+    document.name = in.takeText(), document.path = in.takeText(), take(in, document.metadata);
     document.changedBeyondHistory = in.take<std::uint8_t>() != 0;
 }
 

@@ -18,7 +18,7 @@ struct JournalStep
 {
     std::string text, icon;
     std::uint64_t dabs = 0, fusions = 0;
-    std::shared_ptr<const FileEntry> deed = {}; ///< as a stroke file would have it: what is in files of its own is not there; null: not known
+    std::shared_ptr<const FileEntry> entry = {}; ///< as a stroke file would have it: what is in files of its own is not there; null: not known
 
     /// By what would be written of them.
     friend bool operator==(const JournalStep& a, const JournalStep& b);
@@ -28,7 +28,7 @@ struct JournalStep
 struct JournalDocument
 {
     std::string name, path; ///< UTF-8; no path: it comes from no file
-    DocumentNotes notes;            ///< without the frame, which is the mesh's
+    DocumentMetadata metadata;            ///< without the frame, which is the mesh's
     bool changedBeyondHistory = false; ///< it is unsaved, whatever the history says
 };
 

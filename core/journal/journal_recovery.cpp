@@ -18,10 +18,10 @@ namespace core
 {
 namespace
 {
-class Replay
+class Recovery
 {
 public:
-    explicit Replay(bool withMesh) : m_withMesh(withMesh) {}
+    explicit Recovery(bool withMesh) : m_withMesh(withMesh) {}
 
     bool beginWithStart(std::string_view bytes);
     bool beginWithBase(std::string_view bytes, std::string_view startBytes);
@@ -52,7 +52,7 @@ template <class Record> Record* takeAs(std::optional<NumberedRecord>& found)
     return found ? std::get_if<Record>(&found->record) : nullptr;
 }
 
-bool Replay::beginWithStart(std::string_view bytes)
+bool Recovery::beginWithStart(std::string_view bytes)
 {
     auto found = unpack(bytes);
     auto* record = takeAs<StartRecord>(found);
@@ -67,7 +67,7 @@ bool Replay::beginWithStart(std::string_view bytes)
 }
 
 /// The parts replace all that the start has; if that is lost they do without it.
-bool Replay::beginWithBase(std::string_view bytes, std::string_view startBytes)
+bool Recovery::beginWithBase(std::string_view bytes, std::string_view startBytes)
 {
     if (!beginWithStart(startBytes)) {
         noteDamage();
@@ -94,7 +94,7 @@ bool Replay::beginWithBase(std::string_view bytes, std::string_view startBytes)
     return true;
 }
 
-bool Replay::readOn(std::string_view& bytes, const std::stop_token& stop)
+bool Recovery::readOn(std::string_view& bytes, const std::stop_token& stop)
 {
     while (!stop.stop_requested()) {
         std::string_view rest = bytes;
@@ -108,7 +108,7 @@ bool Replay::readOn(std::string_view& bytes, const std::stop_token& stop)
 }
 
 /// The mesh stays what it was if the image leads elsewhere than it says.
-bool Replay::swapIn(MeshDelta& image)
+bool Recovery::swapIn(MeshDelta& image)
 {
     if (!m_withMesh)
         return true;
@@ -124,7 +124,7 @@ bool Replay::swapIn(MeshDelta& image)
 }
 
 /// What the records say of the history counts; where it does not follow from what was before, nothing before can be gone to.
-void Replay::comeTo(std::uint32_t index, bool follows)
+void Recovery::comeTo(std::uint32_t index, bool follows)
 {
     if (!follows)
         m_found.deltas.assign(m_found.deltas.size(), nullptr);
@@ -134,7 +134,7 @@ void Replay::comeTo(std::uint32_t index, bool follows)
     }
 }
 
-bool Replay::apply(ChangeRecord& record)
+bool Recovery::apply(ChangeRecord& record)
 {
     JournalHistory& history = m_found.history;
     if (!swapIn(record.image))
@@ -150,7 +150,7 @@ bool Replay::apply(ChangeRecord& record)
     return true;
 }
 
-bool Replay::apply(SwapRecord& record)
+bool Recovery::apply(SwapRecord& record)
 {
     JournalHistory& history = m_found.history;
     if (!swapIn(record.image))
@@ -162,20 +162,20 @@ bool Replay::apply(SwapRecord& record)
     return true;
 }
 
-bool Replay::apply(SavedRecord& record)
+bool Recovery::apply(SavedRecord& record)
 {
     m_found.history.saved = record.index;
     m_found.document.changedBeyondHistory = false;
     return true;
 }
 
-bool Replay::apply(JournalDocument& record)
+bool Recovery::apply(JournalDocument& record)
 {
     m_found.document = std::move(record);
     return true;
 }
 
-bool Replay::apply(ForgottenRecord&)
+bool Recovery::apply(ForgottenRecord&)
 {
     m_found.history = {};
     m_found.history.isWhole = false;
@@ -184,7 +184,7 @@ bool Replay::apply(ForgottenRecord&)
 }
 
 /// With the newest beginning that is whole; the number of the segment that follows it.
-std::optional<unsigned> begin(Replay& replay, const std::filesystem::path& folder, const JournalFiles& files, const ReplayOptions& options)
+std::optional<unsigned> begin(Recovery& replay, const std::filesystem::path& folder, const JournalFiles& files, const RecoveryOptions& options)
 {
     const std::string startBytes = contentOf(startFile(folder));
     bool isDamaged = false;
@@ -196,7 +196,7 @@ std::optional<unsigned> begin(Replay& replay, const std::filesystem::path& folde
                 replay.noteDamage();
             return base->first;
         }
-        replay = Replay(options.mesh);
+        replay = Recovery(options.mesh);
         isDamaged = true;
     }
     if (!replay.beginWithStart(startBytes))
@@ -207,10 +207,10 @@ std::optional<unsigned> begin(Replay& replay, const std::filesystem::path& folde
 }
 } // namespace
 
-std::optional<RecoveredDocument> replayJournal(const std::filesystem::path& folder, const ReplayOptions& options)
+std::optional<RecoveredDocument> recoverJournal(const std::filesystem::path& folder, const RecoveryOptions& options)
 {
     const JournalFiles files = filesIn(folder);
-    Replay replay(options.mesh);
+    Recovery replay(options.mesh);
     const auto first = begin(replay, folder, files, options);
     if (!first)
         return std::nullopt;

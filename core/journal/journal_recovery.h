@@ -28,7 +28,7 @@ struct RecoveredDocument
     bool isUnsaved() const { return document.changedBeyondHistory || history.saved != history.present; }
 };
 
-struct ReplayOptions
+struct RecoveryOptions
 {
     bool mesh = true;                                            ///< else only the words are read, from records whose checksums are right
     unsigned endSegment = std::numeric_limits<unsigned>::max();  ///< those from it on are left alone
@@ -38,5 +38,5 @@ struct ReplayOptions
 /// Applies what a journal's folder holds, up to the first record that is not as it was written: damage costs what follows it, and
 /// never gives a state that was not. Never runs the engine. Nothing if neither the start nor a base is whole, or it was stopped. Reads only.
 /// Cost: reading, and swapping each record's elements. May throw std::bad_alloc.
-std::optional<RecoveredDocument> replayJournal(const std::filesystem::path& folder, const ReplayOptions& options = {});
+std::optional<RecoveredDocument> recoverJournal(const std::filesystem::path& folder, const RecoveryOptions& options = {});
 } // namespace core

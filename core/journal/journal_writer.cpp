@@ -36,8 +36,8 @@ std::size_t bytesOf(const JournalRecord& record)
 }
 } // namespace
 
-JournalWriter::JournalWriter(std::filesystem::path folder, Place place, JournalNews news, JournalLimits limits)
-    : m_folder(std::move(folder)), m_news(std::move(news)), m_limits(limits), m_waits(place.waits), m_isSyncing(!place.waits),
+JournalWriter::JournalWriter(std::filesystem::path folder, Place place, JournalCallbacks callbacks, JournalLimits limits)
+    : m_folder(std::move(folder)), m_callbacks(std::move(callbacks)), m_limits(limits), m_waits(place.waits), m_isSyncing(!place.waits),
       m_segments(filesIn(m_folder).segments), m_compactAt(limits.logBytes), m_nextRecord(place.nextRecord), m_segment{place.nextSegment, 0, nullptr}
 {
     m_syncer = std::thread([this] { sync(); });
@@ -71,7 +71,7 @@ void JournalWriter::after(std::function<void()> run)
     {
         const std::lock_guard lock(m_mutex);
         if (!m_waits && (!m_entries.empty() || m_isWriting)) {
-            m_entries.push_back({Letter{std::move(run)}});
+            m_entries.push_back({Task{std::move(run)}});
             return;
         }
     }
@@ -149,7 +149,7 @@ bool JournalWriter::isWritten() const
 
 void JournalWriter::write()
 {
-    stepBack(Background::Soon);
+    lowerThreadPriority(ThreadPriority::Batch);
     std::unique_lock lock(m_mutex);
     for (;;) {
         m_wakeWriter.wait(lock, [this] { return m_isEnding || mayWrite(); });
@@ -192,14 +192,14 @@ void JournalWriter::beginFolder(std::function<void()> make)
         const std::lock_guard lock(m_mutex);
         m_waits = false; // from now on nobody is told too early
     }
-    if (!isBroken() && m_news.begun)
-        m_news.begun();
+    if (!isBroken() && m_callbacks.begun)
+        m_callbacks.begun();
 }
 
 void JournalWriter::write(Entry& entry)
 {
-    if (const auto* letter = std::get_if<Letter>(&entry.what))
-        return letter->run();
+    if (const auto* task = std::get_if<Task>(&entry.what))
+        return task->run();
     try {
         put(std::get<JournalRecord>(entry.what), entry.addedNs);
         compactIfLong();
@@ -256,15 +256,15 @@ void JournalWriter::breakOff(const FileError& error)
             return;
     }
     m_settled.notify_all();
-    if (m_news.broken)
-        m_news.broken(error);
+    if (m_callbacks.broken)
+        m_callbacks.broken(error);
 }
 
 // --- the syncing thread ----------------------------------------------------------------------------------------------------------
 
 void JournalWriter::sync()
 {
-    stepBack(Background::Soon);
+    lowerThreadPriority(ThreadPriority::Batch);
     if (m_isSyncing)
         syncStart();
     std::unique_lock lock(m_mutex);
@@ -286,8 +286,8 @@ void JournalWriter::sync()
             breakOff(error);
         }
         const double ms = msSince(oldestNs);
-        if (isTooLate(ms) && m_news.late)
-            m_news.late(ms);
+        if (isTooLate(ms) && m_callbacks.late)
+            m_callbacks.late(ms);
         lock.lock();
         m_stats.worstSyncedMs = std::max(m_stats.worstSyncedMs, ms);
         m_stats.late += ms > m_limits.promisedMs;
@@ -308,11 +308,11 @@ void JournalWriter::syncStart()
 /// The syncing thread's.
 bool JournalWriter::isTooLate(double ms)
 {
-    if (m_isToldLate)
+    if (m_isLateReported)
         return false;
-    m_lateInARow = ms > m_limits.promisedMs ? m_lateInARow + 1 : 0;
-    m_isToldLate = m_lateInARow >= oftenLate || ms > muchTooLate * m_limits.promisedMs;
-    return m_isToldLate;
+    m_consecutiveLate = ms > m_limits.promisedMs ? m_consecutiveLate + 1 : 0;
+    m_isLateReported = m_consecutiveLate >= oftenLate || ms > muchTooLate * m_limits.promisedMs;
+    return m_isLateReported;
 }
 
 // --- the compacting thread -------------------------------------------------------------------------------------------------------
@@ -343,7 +343,7 @@ void JournalWriter::compactIfLong()
 
 void JournalWriter::compact(unsigned segment)
 {
-    stepBack(Background::Later);
+    lowerThreadPriority(ThreadPriority::Idle);
     const bool isDone = compactJournal(m_folder, segment, m_stop.get_token());
     const std::lock_guard lock(m_mutex);
     m_compactAt = m_limits.logBytes;

@@ -24,8 +24,8 @@ struct JournalLimits
     double promisedMs = 200; ///< from a change until it outlives a power cut
 };
 
-/// What a journal tells of itself, from one of its threads.
-struct JournalNews
+/// Callbacks of a journal, called on one of its threads.
+struct JournalCallbacks
 {
     std::function<void(const FileError&)> broken; ///< once: nothing is recorded any more
     std::function<void(double ms)> late; ///< once: the disk does not hold what is promised, so long did it take
@@ -56,7 +56,7 @@ public:
     };
 
     /// Of a folder with a start. Syncs that, too.
-    JournalWriter(std::filesystem::path folder, Place place, JournalNews news, JournalLimits limits = {});
+    JournalWriter(std::filesystem::path folder, Place place, JournalCallbacks callbacks, JournalLimits limits = {});
     /// All that was added is written and synced before.
     ~JournalWriter();
     JournalWriter(const JournalWriter&) = delete;
@@ -77,13 +77,13 @@ public:
     JournalStats stats() const;
 
 private:
-    struct Letter
+    struct Task
     {
         std::function<void()> run;
     };
     struct Entry
     {
-        std::variant<JournalRecord, Letter> what;
+        std::variant<JournalRecord, Task> what;
         std::int64_t addedNs = 0;
         std::size_t bytes = 0;
     };
@@ -110,7 +110,7 @@ private:
     void compact(unsigned segment);
 
     const std::filesystem::path m_folder;
-    const JournalNews m_news;
+    const JournalCallbacks m_callbacks;
     const JournalLimits m_limits;
 
     mutable std::mutex m_mutex; ///< guards all down to the threads, but the writing thread's own
@@ -130,8 +130,8 @@ private:
     std::uint64_t m_nextRecord; ///< the writing thread's own, as the next
     Segment m_segment;
 
-    int m_lateInARow = 0; ///< the syncing thread's own, as the next
-    bool m_isToldLate = false;
+    int m_consecutiveLate = 0; ///< the syncing thread's own, as the next
+    bool m_isLateReported = false;
 
     std::stop_source m_stop;
     std::thread m_compactor, m_syncer, m_writer;

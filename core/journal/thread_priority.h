@@ -3,10 +3,10 @@
 namespace core
 {
 /// How far a thread stays behind those that people wait for, where the system can do that; else nothing happens.
-enum class Background {
-    Soon, ///< its share of a processor, but it takes none from a thread that runs
-    Later  ///< what others leave, and a little more
+enum class ThreadPriority {
+    Batch, ///< its share of a processor, but it takes none from a thread that runs
+    Idle  ///< what others leave, and a little more
 };
 /// Of the calling thread, for good.
-void stepBack(Background background);
+void lowerThreadPriority(ThreadPriority priority);
 } // namespace core

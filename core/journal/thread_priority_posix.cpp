@@ -11,15 +11,15 @@ namespace core
 {
 #ifdef __linux__
 /// A thread that wakes otherwise takes the processor of one that has run long, which is the sculptor's: sched(7).
-void stepBack(Background background)
+void lowerThreadPriority(ThreadPriority priority)
 {
-    constexpr int laterNice = 10; // a tenth of the share of one that is not nice
+    constexpr int idleNice = 10; // a tenth of the share of one that is not nice
     const sched_param none{};
     ::sched_setscheduler(0, SCHED_BATCH, &none);
-    if (background == Background::Later)
-        ::setpriority(PRIO_PROCESS, static_cast<id_t>(::syscall(SYS_gettid)), laterNice);
+    if (priority == ThreadPriority::Idle)
+        ::setpriority(PRIO_PROCESS, static_cast<id_t>(::syscall(SYS_gettid)), idleNice);
 }
 #else
-void stepBack(Background) {}
+void lowerThreadPriority(ThreadPriority) {}
 #endif
 } // namespace core

@@ -56,15 +56,15 @@ double within(double share, const TriangleMesh& mesh, const std::vector<float>& 
     return distances[order.back()];
 }
 
-TargetVerdict judge(const CheckpointTarget& asked, const TriangleMesh& model, const TriangleMesh& target, const JobWatch& watch)
+TargetVerdict evaluate(const CheckpointTarget& asked, const TriangleMesh& model, const TriangleMesh& target, const JobControl& control)
 {
     TargetVerdict verdict;
     verdict.tolerance = asked.tolerance;
-    verdict.distances = distancesTo(target, model.points, watch.part(0, 0.5));
-    const std::vector<float> back = distancesTo(model, target.points, watch.part(0.5, 1));
-    verdict.apart = std::max(within(CheckpointTarget::nearShare, model, verdict.distances), within(CheckpointTarget::nearShare, target, back));
+    verdict.distances = distancesTo(target, model.points, control.part(0, 0.5));
+    const std::vector<float> back = distancesTo(model, target.points, control.part(0.5, 1));
+    verdict.nearDistance = std::max(within(CheckpointTarget::nearShare, model, verdict.distances), within(CheckpointTarget::nearShare, target, back));
     verdict.largest = std::max(std::ranges::max(verdict.distances), std::ranges::max(back));
-    verdict.holds = verdict.apart <= asked.tolerance;
+    verdict.holds = verdict.nearDistance <= asked.tolerance;
     return verdict;
 }
 } // namespace
@@ -74,20 +74,20 @@ bool CheckpointVerdict::isMet() const
     return std::ranges::all_of(facts, &FactVerdict::holds) && (!target || target->holds);
 }
 
-CheckpointVerdict judge(const Checkpoint& checkpoint, const TriangleMesh& model, const TriangleMesh* target, const JobWatch& watch)
+CheckpointVerdict evaluate(const Checkpoint& checkpoint, const TriangleMesh& model, const TriangleMesh* target, const JobControl& control)
 {
     assert(!checkpoint.target || (target && !target->triangles.empty() && !model.triangles.empty()));
     const double afterFacts = checkpoint.facts.empty() ? 0 : checkpoint.target ? 0.5 : 1;
     CheckpointVerdict verdict;
     if (!checkpoint.facts.empty()) {
-        const MeshReport report = checkMesh(model, watch.part(0, afterFacts));
+        const MeshReport report = checkMesh(model, control.part(0, afterFacts));
         for (const FactBounds& asked : checkpoint.facts) {
             const std::optional<double> value = measured(asked.fact, report);
-            verdict.facts.push_back({asked, value, value && *value >= asked.least && *value <= asked.most});
+            verdict.facts.push_back({asked, value, value && *value >= asked.min && *value <= asked.max});
         }
     }
     if (checkpoint.target)
-        verdict.target = judge(*checkpoint.target, model, *target, watch.part(afterFacts, 1));
+        verdict.target = evaluate(*checkpoint.target, model, *target, control.part(afterFacts, 1));
     return verdict;
 }
 } // namespace core

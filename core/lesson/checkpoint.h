@@ -17,7 +17,7 @@ enum class Fact { Genus, Components, Height, Width, Depth, Volume, Faces, PrintR
 struct FactInfo
 {
     std::string_view key; ///< in lesson files
-    double most;          ///< that may be asked for; the least is 0
+    double max;          ///< that may be asked for; the least is 0
     bool isWhole;         ///< a number without fraction
 };
 inline constexpr FactInfo factTable[] = {
@@ -35,8 +35,8 @@ struct FactBounds
     static constexpr double unbounded = std::numeric_limits<double>::infinity();
 
     Fact fact = Fact::Genus;
-    double least = 0;
-    double most = unbounded;
+    double min = 0;
+    double max = unbounded;
 
     friend bool operator==(const FactBounds&, const FactBounds&) = default;
 };
@@ -70,7 +70,7 @@ struct FactVerdict
 struct TargetVerdict
 {
     double tolerance = 0;         ///< mm, as asked
-    double apart = 0;             ///< mm: so near the other surface is nearShare of each of the two
+    double nearDistance = 0;             ///< mm: so near the other surface is nearShare of each of the two
     double largest = 0;           ///< mm: of all corners of both
     std::vector<float> distances; ///< mm, of each point of the model to the target: for a map in colours
     bool holds = false;
@@ -84,8 +84,8 @@ struct CheckpointVerdict
     bool isMet() const;
 };
 
-/// Judges a model (mm, Y up). `target`: the shape, if the checkpoint has a target, with at least one face, like the model. Both lie where they
+/// Evaluates a checkpoint on a model (mm, Y up). `target`: the shape, if the checkpoint has a target, with at least one face, like the model. Both lie where they
 /// lie: nothing is moved onto the other. Distances are measured at the corners. Cost: checkMesh() if there are facts, and with a target 2 to 50 us
-/// a corner of both; all cores, the same on any machine. Who stopped it must not use the result.
-CheckpointVerdict judge(const Checkpoint& checkpoint, const TriangleMesh& model, const TriangleMesh* target, const JobWatch& watch = {});
+/// a corner of both; all cores, the same on any machine. If it is cancelled, the result is not usable.
+CheckpointVerdict evaluate(const Checkpoint& checkpoint, const TriangleMesh& model, const TriangleMesh* target, const JobControl& control = {});
 } // namespace core

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/lesson/checkpoint.h"
-#include "core/operations/primitives.h"
+#include "core/operations/starter_models.h"
 #include "core/io/stroke/stroke_file.h"
 
 #include <map>

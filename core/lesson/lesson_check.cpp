@@ -20,35 +20,35 @@ std::size_t costOf(const Lesson& lesson)
     return cost;
 }
 
-CheckpointVerdict verdictOf(LessonStage& stage, const TriangleMesh& mesh, const JobWatch& watch)
+CheckpointVerdict verdictOf(LessonPlayback& playback, const TriangleMesh& mesh, const JobControl& control)
 {
-    const Checkpoint& checkpoint = stage.step().checkpoint;
-    const TriangleMesh target = checkpoint.target ? stage.target() : TriangleMesh();
-    return judge(checkpoint, mesh, checkpoint.target ? &target : nullptr, {watch.stop, {}});
+    const Checkpoint& checkpoint = playback.step().checkpoint;
+    const TriangleMesh target = checkpoint.target ? playback.target() : TriangleMesh();
+    return evaluate(checkpoint, mesh, checkpoint.target ? &target : nullptr, {control.stop, {}});
 }
 } // namespace
 
-std::vector<StepTrial> tryLesson(LessonStage& stage, const std::function<void(std::size_t step, const TriangleMesh& mesh)>& seen, const JobWatch& watch)
+std::vector<StepCheck> checkLesson(LessonPlayback& playback, const std::function<void(std::size_t step, const TriangleMesh& mesh)>& seen, const JobControl& control)
 {
-    const double all = static_cast<double>(costOf(stage.lesson()));
+    const double all = static_cast<double>(costOf(playback.lesson()));
     std::size_t before = 0;
-    std::vector<StepTrial> trials;
-    for (std::size_t i = 0; i < stage.lesson().steps.size() && !watch.stopped(); ++i) {
-        stage.goTo(i);
-        StepTrial& trial = trials.emplace_back();
-        while (stage.done() < stage.step().strokes.size() && !watch.stopped()) {
-            if (!stage.playNext())
-                trial.idle.push_back(stage.done() - 1);
-            watch.reached(static_cast<double>(before + stage.done()) / all);
+    std::vector<StepCheck> checks;
+    for (std::size_t i = 0; i < playback.lesson().steps.size() && !control.isCancelled(); ++i) {
+        playback.goTo(i);
+        StepCheck& check = checks.emplace_back();
+        while (playback.done() < playback.step().strokes.size() && !control.isCancelled()) {
+            if (!playback.playNext())
+                check.idle.push_back(playback.done() - 1);
+            control.reportProgress(static_cast<double>(before + playback.done()) / all);
         }
-        if (watch.stopped())
+        if (control.isCancelled())
             break;
-        const TriangleMesh mesh = extractMesh(stage.mesh());
-        trial.verdict = verdictOf(stage, mesh, watch);
+        const TriangleMesh mesh = extractMesh(playback.mesh());
+        check.verdict = verdictOf(playback, mesh, control);
         seen(i, mesh);
-        before += costOf(stage.step());
-        watch.reached(static_cast<double>(before) / all);
+        before += costOf(playback.step());
+        control.reportProgress(static_cast<double>(before) / all);
     }
-    return trials;
+    return checks;
 }
 } // namespace core

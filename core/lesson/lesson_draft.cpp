@@ -26,7 +26,7 @@ bool isMadeName(std::string_view name)
 
 bool asksNothing(const FactBounds& bounds)
 {
-    return bounds.least <= 0 && bounds.most == FactBounds::unbounded;
+    return bounds.min <= 0 && bounds.max == FactBounds::unbounded;
 }
 } // namespace
 
@@ -152,14 +152,14 @@ void LessonDraft::cutStroke(std::size_t step, std::size_t stroke)
 std::optional<LessonDraft::Missing> LessonDraft::missing() const
 {
     if (m_lesson.title.words.empty())
-        return Missing{Lack::Title};
+        return Missing{Required::Title};
     if (m_lesson.steps.empty())
-        return Missing{Lack::Steps};
+        return Missing{Required::Steps};
     for (std::size_t i = 0; i < steps(); ++i) {
         if (step(i).title.words.empty())
-            return Missing{Lack::StepTitle, i};
+            return Missing{Required::StepTitle, i};
         if (step(i).text.words.empty())
-            return Missing{Lack::StepText, i};
+            return Missing{Required::StepText, i};
     }
     return {};
 }

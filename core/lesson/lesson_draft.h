@@ -45,10 +45,10 @@ public:
     void cutStroke(std::size_t step, std::size_t stroke);
 
     /// What must be there before it can be written.
-    enum class Lack { Title, Steps, StepTitle, StepText };
+    enum class Required { Title, Steps, StepTitle, StepText };
     struct Missing
     {
-        Lack what;
+        Required what;
         std::size_t step = 0; ///< of StepTitle and StepText
     };
     /// The first of it; nothing: complete() can be written.

@@ -12,7 +12,7 @@ LessonError::LessonError(Kind errorKind, std::filesystem::path lesson)
 
 Lesson readLesson(const LessonFiles& files)
 {
-    return LessonReader(files).read();
+    return LessonJsonReader(files).read();
 }
 
 Lesson readLesson(const std::filesystem::path& path)

@@ -59,7 +59,7 @@ struct LessonError : std::runtime_error
     std::optional<std::size_t> step; ///< counted from 0
     std::string key;                 ///< the key, word or name in question; may be empty
     std::size_t line = 0, byte = 0;  ///< counted from 1; 0: unknown
-    double least = 0, most = 0;
+    double min = 0, max = 0;
     std::uint64_t version = 0;
     std::optional<StrokeFileError> strokes;
     MeshReport report = {};
@@ -68,10 +68,10 @@ struct LessonError : std::runtime_error
 /// So much is taken of a stranger's lesson.
 struct LessonLimits
 {
-    static constexpr std::size_t mostBytes = std::size_t(64) << 20; ///< of all its files; packed and unpacked
-    static constexpr std::size_t mostJsonBytes = std::size_t(1) << 20, mostStrokeBytes = std::size_t(16) << 20,
-                                 mostPictureBytes = std::size_t(4) << 20;
-    static constexpr std::size_t mostSteps = 200, mostPackedFiles = 2000, mostTextBytes = 8000, mostNameBytes = 120;
+    static constexpr std::size_t maxBytes = std::size_t(64) << 20; ///< of all its files; packed and unpacked
+    static constexpr std::size_t maxJsonBytes = std::size_t(1) << 20, maxStrokeBytes = std::size_t(16) << 20,
+                                 maxPictureBytes = std::size_t(4) << 20;
+    static constexpr std::size_t maxSteps = 200, maxPackedFiles = 2000, maxTextBytes = 8000, maxNameBytes = 120;
 };
 
 /// Where the files of a lesson come from. `read`: what the file of that name holds, or nothing if there is none; of one that is larger than
@@ -79,11 +79,11 @@ struct LessonLimits
 struct LessonFiles
 {
     std::filesystem::path path; ///< of the lesson, for errors
-    std::function<std::optional<std::string>(const std::string& name, std::size_t most)> read;
+    std::function<std::optional<std::string>(const std::string& name, std::size_t max)> read;
 };
 
 /// Throws LessonError, and FileError where file, zip or model are bad in themselves. What it returns is whole: each file that is named was
-/// there and was understood. Cost: linear in the files; starting models and targets are judged (checkMesh).
+/// there and was understood. Cost: linear in the files; starting models and targets are checked (checkMesh).
 Lesson readLesson(const LessonFiles& files);
 /// Of a folder or a zip. In the zip the lesson may lie in a folder of its own.
 Lesson readLesson(const std::filesystem::path& path);

@@ -12,8 +12,8 @@ namespace
 {
 constexpr int version = 1;
 constexpr std::string_view formatName = "fettle-lesson";
-constexpr int mostDepth = 6; ///< a bound of a fact of a step: file, steps, step, checkpoint, fact
-constexpr double leastTolerance = 1e-3, mostTolerance = 1e4; ///< mm
+constexpr int maxDepth = 6; ///< a bound of a fact of a step: file, steps, step, checkpoint, fact
+constexpr double minTolerance = 1e-3, maxTolerance = 1e4; ///< mm
 
 /// As "de", "zh_CN", "pt-BR".
 bool isLanguage(std::string_view code)
@@ -31,7 +31,7 @@ bool isPicture(std::string_view bytes)
 }
 } // namespace
 
-LessonError LessonReader::errorHere(Kind kind, std::string key) const
+LessonError LessonJsonReader::errorHere(Kind kind, std::string key) const
 {
     LessonError error(kind, m_files.path);
     error.step = m_step;
@@ -40,23 +40,23 @@ LessonError LessonReader::errorHere(Kind kind, std::string key) const
     return error;
 }
 
-void LessonReader::refuseRange(const std::string& key, double least, double most) const
+void LessonJsonReader::refuseRange(const std::string& key, double min, double max) const
 {
     LessonError error = errorHere(Kind::OutOfRange, key);
-    error.least = least;
-    error.most = most;
+    error.min = min;
+    error.max = max;
     throw error;
 }
 
-Lesson LessonReader::read()
+Lesson LessonJsonReader::read()
 {
-    const std::optional<std::string> text = m_files.read(lessonJsonName, LessonLimits::mostJsonBytes);
+    const std::optional<std::string> text = m_files.read(lessonJsonName, LessonLimits::maxJsonBytes);
     if (!text)
         refuse(Kind::NoLesson);
-    if (text->size() > LessonLimits::mostJsonBytes) {
+    if (text->size() > LessonLimits::maxJsonBytes) {
         LessonError error = errorHere(Kind::TooLarge);
         error.file = lessonJsonName;
-        error.most = LessonLimits::mostJsonBytes;
+        error.max = LessonLimits::maxJsonBytes;
         throw error;
     }
     const Json root = parse(*text);
@@ -69,9 +69,9 @@ Lesson LessonReader::read()
     const Json& steps = required(root, "steps");
     if (!steps.is_array() || steps.empty())
         refuse(Kind::WrongType, "steps");
-    if (steps.size() > LessonLimits::mostSteps) {
+    if (steps.size() > LessonLimits::maxSteps) {
         LessonError error = errorHere(Kind::TooMany, "steps");
-        error.most = LessonLimits::mostSteps;
+        error.max = LessonLimits::maxSteps;
         throw error;
     }
     for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -82,11 +82,11 @@ Lesson LessonReader::read()
 }
 
 /// The library's parser needs no stack for a nest of brackets, but its tree would be as deep; and of two equal keys it takes the last.
-LessonReader::Json LessonReader::parse(const std::string& text) const
+LessonJsonReader::Json LessonJsonReader::parse(const std::string& text) const
 {
     std::vector<std::set<std::string>> keys;
     const auto look = [&](int depth, Json::parse_event_t event, Json& value) {
-        if (depth > mostDepth)
+        if (depth > maxDepth)
             refuse(Kind::TooDeep);
         if (event == Json::parse_event_t::object_start)
             keys.emplace_back();
@@ -109,7 +109,7 @@ LessonReader::Json LessonReader::parse(const std::string& text) const
     }
 }
 
-void LessonReader::requireFormat(const Json& root) const
+void LessonJsonReader::requireFormat(const Json& root) const
 {
     if (!root.is_object() || !root.contains("format") || root["format"] != formatName)
         refuse(Kind::NotALesson);
@@ -124,7 +124,7 @@ void LessonReader::requireFormat(const Json& root) const
         refuseRange("version", version, version);
 }
 
-void LessonReader::knowsOnly(const Json& object, const std::string& key, std::initializer_list<std::string_view> known) const
+void LessonJsonReader::knowsOnly(const Json& object, const std::string& key, std::initializer_list<std::string_view> known) const
 {
     if (!object.is_object())
         refuse(Kind::WrongType, key);
@@ -133,7 +133,7 @@ void LessonReader::knowsOnly(const Json& object, const std::string& key, std::in
             refuse(Kind::UnknownKey, item.key());
 }
 
-const LessonReader::Json& LessonReader::required(const Json& object, const std::string& key) const
+const LessonJsonReader::Json& LessonJsonReader::required(const Json& object, const std::string& key) const
 {
     const auto found = object.find(key);
     if (found == object.end())
@@ -141,24 +141,24 @@ const LessonReader::Json& LessonReader::required(const Json& object, const std::
     return *found;
 }
 
-const std::string& LessonReader::word(const Json& value, const std::string& key) const
+const std::string& LessonJsonReader::word(const Json& value, const std::string& key) const
 {
     if (!value.is_string())
         refuse(Kind::WrongType, key);
     return value.get_ref<const std::string&>();
 }
 
-double LessonReader::number(const Json& value, const std::string& key, double least, double most) const
+double LessonJsonReader::number(const Json& value, const std::string& key, double min, double max) const
 {
     if (!value.is_number())
         refuse(Kind::WrongType, key);
     const double number = value.get<double>();
-    if (!(number >= least && number <= most))
-        refuseRange(key, least, most);
+    if (!(number >= min && number <= max))
+        refuseRange(key, min, max);
     return number;
 }
 
-LessonText LessonReader::text(const Json& value, const std::string& key) const
+LessonText LessonJsonReader::text(const Json& value, const std::string& key) const
 {
     if (!value.is_object())
         refuse(Kind::WrongType, key);
@@ -169,9 +169,9 @@ LessonText LessonReader::text(const Json& value, const std::string& key) const
         const std::string& words = word(item.value(), key);
         if (words.find_first_not_of(" \t\r\n") == std::string::npos)
             refuse(Kind::NoWords, key);
-        if (words.size() > LessonLimits::mostTextBytes) {
+        if (words.size() > LessonLimits::maxTextBytes) {
             LessonError error = errorHere(Kind::TooLong, key);
-            error.most = LessonLimits::mostTextBytes;
+            error.max = LessonLimits::maxTextBytes;
             throw error;
         }
         text.words.emplace(item.key(), words);
@@ -181,7 +181,7 @@ LessonText LessonReader::text(const Json& value, const std::string& key) const
     return text;
 }
 
-std::variant<Starter, std::string> LessonReader::start(const Json& value)
+std::variant<Starter, std::string> LessonJsonReader::start(const Json& value)
 {
     if (value.is_object()) {
         knowsOnly(value, "start", {"file"});
@@ -193,7 +193,7 @@ std::variant<Starter, std::string> LessonReader::start(const Json& value)
     refuse(Kind::UnknownValue, name);
 }
 
-LessonStep LessonReader::step(const Json& object)
+LessonStep LessonJsonReader::step(const Json& object)
 {
     knowsOnly(object, "steps", {"title", "text", "picture", "tools", "strokes", "checkpoint"});
     LessonStep step;
@@ -212,7 +212,7 @@ LessonStep LessonReader::step(const Json& object)
     return step;
 }
 
-std::vector<Tool> LessonReader::tools(const Json& list) const
+std::vector<Tool> LessonJsonReader::tools(const Json& list) const
 {
     if (!list.is_array() || list.empty())
         refuse(Kind::WrongType, "tools");
@@ -226,25 +226,25 @@ std::vector<Tool> LessonReader::tools(const Json& list) const
     return tools;
 }
 
-std::string LessonReader::picture(const Json& value)
+std::string LessonJsonReader::picture(const Json& value)
 {
     const std::string& name = word(value, "picture");
-    std::string bytes = bytesOf(name, "picture", LessonLimits::mostPictureBytes);
+    std::string bytes = bytesOf(name, "picture", LessonLimits::maxPictureBytes);
     if (!isPicture(bytes)) {
         LessonError error = errorHere(Kind::NotAPicture);
         error.file = name;
         throw error;
     }
-    keep(name, std::move(bytes));
+    addFile(name, std::move(bytes));
     return name;
 }
 
-std::vector<FileEntry> LessonReader::strokes(const std::string& name)
+std::vector<FileEntry> LessonJsonReader::strokes(const std::string& name)
 {
     LessonError error = errorHere(Kind::Strokes);
     error.file = name;
     try {
-        std::vector<FileEntry> entries = parseStrokes(bytesOf(name, "strokes", LessonLimits::mostStrokeBytes));
+        std::vector<FileEntry> entries = parseStrokes(bytesOf(name, "strokes", LessonLimits::maxStrokeBytes));
         for (std::size_t i = 0; i < entries.size(); ++i) {
             const auto* const stroke = std::get_if<Stroke>(&entries[i]);
             if (stroke ? stroke->alpha.file.empty() && stroke->model.file.empty() : std::get<FileCommand>(entries[i]).file.empty())
@@ -261,7 +261,7 @@ std::vector<FileEntry> LessonReader::strokes(const std::string& name)
     }
 }
 
-Checkpoint LessonReader::checkpoint(const Json& object)
+Checkpoint LessonJsonReader::checkpoint(const Json& object)
 {
     if (!object.is_object())
         refuse(Kind::WrongType, "checkpoint");
@@ -281,7 +281,7 @@ Checkpoint LessonReader::checkpoint(const Json& object)
     return checkpoint;
 }
 
-FactBounds LessonReader::bounds(Fact fact, const Json& value) const
+FactBounds LessonJsonReader::bounds(Fact fact, const Json& value) const
 {
     const std::string key(info(fact).key);
     if (fact == Fact::PrintReady) {
@@ -290,7 +290,7 @@ FactBounds LessonReader::bounds(Fact fact, const Json& value) const
         return {fact, 1, 1};
     }
     const auto bound = [&](const Json& number) {
-        const double asked = this->number(number, key, 0, info(fact).most);
+        const double asked = this->number(number, key, 0, info(fact).max);
         if (info(fact).isWhole && !number.is_number_unsigned())
             refuse(Kind::WrongType, key);
         return asked;
@@ -300,49 +300,49 @@ FactBounds LessonReader::bounds(Fact fact, const Json& value) const
     knowsOnly(value, key, {"least", "most"});
     FactBounds bounds{fact};
     if (value.contains("least"))
-        bounds.least = bound(value["least"]);
+        bounds.min = bound(value["least"]);
     if (value.contains("most"))
-        bounds.most = bound(value["most"]);
-    if (value.empty() || bounds.least > bounds.most)
+        bounds.max = bound(value["most"]);
+    if (value.empty() || bounds.min > bounds.max)
         refuse(Kind::WrongType, key);
     return bounds;
 }
 
-CheckpointTarget LessonReader::target(const Json& object)
+CheckpointTarget LessonJsonReader::target(const Json& object)
 {
     knowsOnly(object, "target", {"file", "tolerance_mm"});
     CheckpointTarget target;
-    target.tolerance = number(required(object, "tolerance_mm"), "tolerance_mm", leastTolerance, mostTolerance);
+    target.tolerance = number(required(object, "tolerance_mm"), "tolerance_mm", minTolerance, maxTolerance);
     if (object.contains("file"))
         target.file = model(word(object["file"], "file"), "file");
     return target;
 }
 
-std::string LessonReader::model(const std::string& name, const std::string& key)
+std::string LessonJsonReader::model(const std::string& name, const std::string& key)
 {
     LessonError error = errorHere(Kind::Unsound);
     error.file = name;
-    std::string bytes = bytesOf(name, key, LessonLimits::mostBytes);
+    std::string bytes = bytesOf(name, key, LessonLimits::maxBytes);
     error.report = checkMesh(parseMesh(m_files.path / name, bytes));
     if (!error.report.printReady())
         throw error;
-    keep(name, std::move(bytes));
+    addFile(name, std::move(bytes));
     return name;
 }
 
-std::string LessonReader::bytesOf(const std::string& name, const std::string& key, std::size_t most)
+std::string LessonJsonReader::bytesOf(const std::string& name, const std::string& key, std::size_t max)
 {
     if (!isLessonName(name))
         refuse(Kind::BadName, name);
     LessonError error = errorHere(Kind::MissingFile, key);
     error.file = name;
-    most = std::min(most, m_left);
-    std::optional<std::string> bytes = m_files.read(name, most);
+    max = std::min(max, m_left);
+    std::optional<std::string> bytes = m_files.read(name, max);
     if (!bytes)
         throw error;
-    if (bytes->size() > most) {
+    if (bytes->size() > max) {
         error.kind = Kind::TooLarge;
-        error.most = static_cast<double>(most);
+        error.max = static_cast<double>(max);
         throw error;
     }
     m_left -= bytes->size();

@@ -11,10 +11,10 @@
 namespace core
 {
 /// Makes a lesson of lesson.json and the files that it names. Throws at the first thing that does not belong there.
-class LessonReader
+class LessonJsonReader
 {
 public:
-    explicit LessonReader(const LessonFiles& files) : m_files(files) {}
+    explicit LessonJsonReader(const LessonFiles& files) : m_files(files) {}
     Lesson read();
 
 private:
@@ -23,14 +23,14 @@ private:
 
     LessonError errorHere(Kind kind, std::string key = {}) const;
     [[noreturn]] void refuse(Kind kind, std::string key = {}) const { throw errorHere(kind, std::move(key)); }
-    [[noreturn]] void refuseRange(const std::string& key, double least, double most) const;
+    [[noreturn]] void refuseRange(const std::string& key, double min, double max) const;
 
     Json parse(const std::string& text) const;
     void requireFormat(const Json& root) const;
     void knowsOnly(const Json& object, const std::string& key, std::initializer_list<std::string_view> known) const;
     const Json& required(const Json& object, const std::string& key) const;
     const std::string& word(const Json& value, const std::string& key) const;
-    double number(const Json& value, const std::string& key, double least, double most) const;
+    double number(const Json& value, const std::string& key, double min, double max) const;
     LessonText text(const Json& value, const std::string& key) const;
 
     std::variant<Starter, std::string> start(const Json& value);
@@ -43,12 +43,12 @@ private:
     CheckpointTarget target(const Json& object);
     std::string model(const std::string& name, const std::string& key);
 
-    std::string bytesOf(const std::string& name, const std::string& key, std::size_t most);
-    void keep(const std::string& name, std::string bytes) { m_lesson.files.try_emplace(name, std::move(bytes)); }
+    std::string bytesOf(const std::string& name, const std::string& key, std::size_t max);
+    void addFile(const std::string& name, std::string bytes) { m_lesson.files.try_emplace(name, std::move(bytes)); }
 
     const LessonFiles& m_files;
     Lesson m_lesson;
     std::optional<std::size_t> m_step;       ///< in which it is
-    std::size_t m_left = LessonLimits::mostBytes; ///< bytes that the files may still have
+    std::size_t m_left = LessonLimits::maxBytes; ///< bytes that the files may still have
 };
 } // namespace core

@@ -6,7 +6,7 @@
 
 namespace core
 {
-LessonStage::LessonStage(std::shared_ptr<const Lesson> lesson, std::filesystem::path path) : m_lesson(std::move(lesson)), m_path(std::move(path))
+LessonPlayback::LessonPlayback(std::shared_ptr<const Lesson> lesson, std::filesystem::path path) : m_lesson(std::move(lesson)), m_path(std::move(path))
 {
     const auto* const file = std::get_if<std::string>(&m_lesson->start);
     BuildResult built = buildMesh(file ? modelIn(*m_lesson, *file) : starterModel(std::get<Starter>(m_lesson->start)));
@@ -14,14 +14,14 @@ LessonStage::LessonStage(std::shared_ptr<const Lesson> lesson, std::filesystem::
         LessonError error(LessonError::Kind::Unsound, m_path);
         error.file = file ? *file : std::string();
         error.report = built.report;
-        error.most = static_cast<double>(built.unsnappable);
+        error.max = static_cast<double>(built.unsnappable);
         throw error;
     }
     m_start = snapshotOf(*built.mesh);
     m_sculptor = std::make_unique<Sculptor>(std::move(built.mesh));
 }
 
-LessonError LessonStage::errorHere(LessonError::Kind kind, StrokeFileError problem) const
+LessonError LessonPlayback::errorHere(LessonError::Kind kind, StrokeFileError problem) const
 {
     LessonError error(kind, m_path);
     error.file = step().strokesFile;
@@ -31,7 +31,7 @@ LessonError LessonStage::errorHere(LessonError::Kind kind, StrokeFileError probl
     return error;
 }
 
-void LessonStage::begin(const StrokeSettings& settings)
+void LessonPlayback::begin(const StrokeSettings& settings)
 {
     try {
         requireFit(std::get<Stroke>(step().strokes[done()]), mesh().lattice());
@@ -41,18 +41,18 @@ void LessonStage::begin(const StrokeSettings& settings)
     m_sculptor->beginStroke(settings);
 }
 
-void LessonStage::run(ModelCommand command)
+void LessonPlayback::run(ModelCommand command)
 {
     if (auto* const reset = std::get_if<Reset>(&command))
         reset->start = m_start;
-    ModelChange change = tryOn(mesh(), command);
+    ModelChange change = applyToCopy(mesh(), command);
     if (change.refusal != ModelRefusal::None)
         throw errorHere(LessonError::Kind::Refused, StrokeFileError(StrokeFileError::Kind::UnknownValue));
     m_sculptor->swap(change.delta);
     m_done.push_back(std::move(change.delta));
 }
 
-void LessonStage::apply(const LessonCue& cue)
+void LessonPlayback::apply(const LessonCue& cue)
 {
     assert(done() < step().strokes.size());
     if (const auto* const stroke = std::get_if<StrokeBegins>(&cue))
@@ -65,7 +65,7 @@ void LessonStage::apply(const LessonCue& cue)
         m_done.push_back(m_sculptor->endStroke());
 }
 
-bool LessonStage::takeBack()
+bool LessonPlayback::undoLast()
 {
     if (m_sculptor->strokeOpen())
         m_done.push_back(m_sculptor->endStroke());
@@ -76,7 +76,7 @@ bool LessonStage::takeBack()
     return true;
 }
 
-void LessonStage::play(const FileEntry& entry)
+void LessonPlayback::play(const FileEntry& entry)
 {
     if (const auto* const command = std::get_if<FileCommand>(&entry))
         return run(command->command);
@@ -87,28 +87,28 @@ void LessonStage::play(const FileEntry& entry)
     m_done.push_back(m_sculptor->endStroke());
 }
 
-bool LessonStage::playNext()
+bool LessonPlayback::playNext()
 {
     assert(done() < step().strokes.size() && !m_sculptor->strokeOpen());
     play(step().strokes[done()]);
     return !m_done.back().empty();
 }
 
-void LessonStage::finish()
+void LessonPlayback::finish()
 {
     if (m_sculptor->strokeOpen())
-        takeBack();
+        undoLast();
     while (done() < step().strokes.size())
         playNext();
 }
 
-void LessonStage::rewind()
+void LessonPlayback::rewind()
 {
-    while (takeBack()) {
+    while (undoLast()) {
     }
 }
 
-void LessonStage::goTo(std::size_t step)
+void LessonPlayback::goTo(std::size_t step)
 {
     assert(step < m_lesson->steps.size());
     while (m_step < step) {
@@ -124,7 +124,7 @@ void LessonStage::goTo(std::size_t step)
     }
 }
 
-TriangleMesh LessonStage::target()
+TriangleMesh LessonPlayback::target()
 {
     assert(step().checkpoint.target && !m_sculptor->strokeOpen());
     if (const std::string& file = step().checkpoint.target->file; !file.empty())
@@ -133,7 +133,7 @@ TriangleMesh LessonStage::target()
     finish();
     TriangleMesh target = extractMesh(mesh());
     while (done() > before)
-        takeBack();
+        undoLast();
     return target;
 }
 } // namespace core

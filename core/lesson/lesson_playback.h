@@ -9,12 +9,12 @@ namespace core
 {
 /// The teacher's model: what a lesson's strokes make of its start. Every change can be taken back to the bit, so that a step may be seen again, and
 /// it begins alike whenever it is come to. Lives on the mesh thread.
-class LessonStage
+class LessonPlayback
 {
 public:
     /// At the start of the first step. `path`: of the lesson, for errors. Throws FileError, and LessonError::Unsound where the start is none that
     /// can be sculpted. Cost: buildMesh().
-    LessonStage(std::shared_ptr<const Lesson> lesson, std::filesystem::path path);
+    LessonPlayback(std::shared_ptr<const Lesson> lesson, std::filesystem::path path);
 
     const Lesson& lesson() const { return *m_lesson; }
     const Mesh& mesh() const { return m_sculptor->mesh(); }
@@ -28,7 +28,7 @@ public:
     /// was not done.
     void apply(const LessonCue& cue);
     /// What was done last in the step, or is under way. False at the step's start.
-    bool takeBack();
+    bool undoLast();
     /// Does the step's next stroke or command, which there is; nothing is under way. Whether that changed the model.
     bool playNext();
     /// Does the rest of the step; what is under way is done anew.
@@ -42,12 +42,12 @@ public:
     TriangleMesh target();
 
     /// The model as it is, to be sculpted on, and the lesson's start. The last that is asked of the stage.
-    struct Left
+    struct Released
     {
         std::unique_ptr<Sculptor> sculptor;
         std::shared_ptr<const Snapshot> start;
     };
-    Left leave() && { return {std::move(m_sculptor), std::move(m_start)}; }
+    Released release() && { return {std::move(m_sculptor), std::move(m_start)}; }
 
 private:
     void begin(const StrokeSettings& settings);

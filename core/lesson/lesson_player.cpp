@@ -35,7 +35,7 @@ void LessonPlayer::layOut()
     m_moments.clear();
     m_duration = 0;
     for (std::size_t i = 0; i < step().strokes.size(); ++i) {
-        m_duration += lead;
+        m_duration += leadTime;
         if (const auto* const stroke = std::get_if<Stroke>(&step().strokes[i]))
             layOut(*stroke, i);
         else
@@ -50,7 +50,7 @@ void LessonPlayer::layOut(const Stroke& stroke, std::size_t entry)
     m_moments.push_back({m_duration, Kind::Begin, entry, 0});
     for (std::size_t i = 0; i < samples.size(); ++i) {
         if (i > 0)
-            m_duration += hasTimes ? std::min(samples[i].time - samples[i - 1].time, longestWait) : pace;
+            m_duration += hasTimes ? std::min(samples[i].time - samples[i - 1].time, maxPause) : samplePause;
         m_moments.push_back({m_duration, Kind::Sample, entry, i});
     }
     m_moments.push_back({m_duration, Kind::End, entry, 0});
@@ -58,7 +58,7 @@ void LessonPlayer::layOut(const Stroke& stroke, std::size_t entry)
 
 void LessonPlayer::setSpeed(double speed)
 {
-    m_speed = std::clamp(speed, slowest, fastest);
+    m_speed = std::clamp(speed, minSpeed, maxSpeed);
 }
 
 LessonCue LessonPlayer::cueOf(const Moment& moment) const

@@ -30,15 +30,15 @@ struct GhostBrush
 };
 
 /// Plays the teacher's strokes of one step after another: says at each moment where the brush is and what is due. It has no clock and no mesh:
-/// whoever has them tells it of the time that went by, and does on the mesh thread what it hands out (LessonStage, or the window's stroke
+/// whoever has them tells it of the time that went by, and does on the mesh thread what it hands out (LessonPlayback, or the window's stroke
 /// path, where no sample may be dropped). Any one thread.
 class LessonPlayer
 {
 public:
-    static constexpr double slowest = 0.25, fastest = 4;
-    static constexpr double lead = 0.6;         ///< s, from the start, and from one stroke or command to the next
-    static constexpr double pace = 0.05;        ///< s, from sample to sample of a stroke without times
-    static constexpr double longestWait = 1;    ///< s, between two samples: who thought it over need not be watched
+    static constexpr double minSpeed = 0.25, maxSpeed = 4;
+    static constexpr double leadTime = 0.6;         ///< s, from the start, and from one stroke or command to the next
+    static constexpr double samplePause = 0.05;        ///< s, from sample to sample of a stroke without times
+    static constexpr double maxPause = 1;    ///< s, between two samples: who thought it over need not be watched
 
     /// At the start of the first step, paused. The lesson has a step at least.
     explicit LessonPlayer(std::shared_ptr<const Lesson> lesson);

@@ -15,17 +15,17 @@ namespace
 using Kind = LessonError::Kind;
 
 /// Up to `most` + 1 bytes.
-std::string bytesOf(const std::filesystem::path& path, std::size_t most)
+std::string bytesOf(const std::filesystem::path& path, std::size_t max)
 {
     FileError unreadable(FileErrorKind::NotReadable, path);
     errno = 0;
     std::ifstream stream(path, std::ios::binary);
     std::string bytes;
     std::array<char, 1 << 16> piece;
-    while (stream.good() && bytes.size() <= most) {
-        stream.read(piece.data(), static_cast<std::streamsize>(std::min(piece.size(), most + 1 - bytes.size())));
+    while (stream.good() && bytes.size() <= max) {
+        stream.read(piece.data(), static_cast<std::streamsize>(std::min(piece.size(), max + 1 - bytes.size())));
         bytes.append(piece.data(), static_cast<std::size_t>(stream.gcount()));
-        if (bytes.size() > most)
+        if (bytes.size() > max)
             return bytes;
     }
     unreadable.systemError = errno;
@@ -39,7 +39,7 @@ bool isWithin(const std::filesystem::path& folder, const std::filesystem::path& 
     return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
 }
 
-std::optional<std::string> readBelow(const std::filesystem::path& lesson, const std::string& name, std::size_t most)
+std::optional<std::string> readBelow(const std::filesystem::path& lesson, const std::string& name, std::size_t max)
 {
     std::error_code problem;
     const std::filesystem::path folder = std::filesystem::canonical(lesson, problem);
@@ -53,7 +53,7 @@ std::optional<std::string> readBelow(const std::filesystem::path& lesson, const 
     }
     if (!std::filesystem::is_regular_file(path, problem))
         throw FileError(FileErrorKind::NotAFile, lesson / name);
-    return bytesOf(path, most);
+    return bytesOf(path, max);
 }
 
 /// A zip in memory, and which of its folders is the lesson's.
@@ -61,9 +61,9 @@ struct Packed
 {
     Packed(const std::filesystem::path& lesson, std::string all) : path(lesson), bytes(std::move(all)), package(file)
     {
-        if (package.count() > LessonLimits::mostPackedFiles) {
+        if (package.count() > LessonLimits::maxPackedFiles) {
             LessonError error(Kind::TooMany, path);
-            error.most = LessonLimits::mostPackedFiles;
+            error.max = LessonLimits::maxPackedFiles;
             throw error;
         }
         for (const std::string& name : package.names()) {
@@ -77,23 +77,23 @@ struct Packed
             throw LessonError(Kind::NoLesson, path);
     }
 
-    std::optional<std::string> read(const std::string& name, std::size_t most)
+    std::optional<std::string> read(const std::string& name, std::size_t max)
     {
         const std::string part = *folder + name;
         if (!package.has(part))
             return std::nullopt;
         std::string content;
         package.read(part, [&](std::string_view piece) {
-            if (content.size() <= most)
-                content.append(piece.substr(0, most + 1 - content.size()));
+            if (content.size() <= max)
+                content.append(piece.substr(0, max + 1 - content.size()));
         });
         return content;
     }
 
     std::filesystem::path path;
     std::string bytes;
-    mesh_io::FileBytes file{path, bytes};
-    mesh_io::ZipPackage package;
+    io::FileBytes file{path, bytes};
+    io::ZipReader package;
     std::optional<std::string> folder; ///< with "/" at its end; empty: the zip's own
 };
 } // namespace
@@ -101,7 +101,7 @@ struct Packed
 bool isLessonName(std::string_view name)
 {
     const auto isOdd = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f || std::string_view("\\:*?\"<>|").find(c) != std::string_view::npos; };
-    if (name.empty() || name.size() > LessonLimits::mostNameBytes || std::ranges::any_of(name, isOdd))
+    if (name.empty() || name.size() > LessonLimits::maxNameBytes || std::ranges::any_of(name, isOdd))
         return false;
     for (std::string_view rest = name;;) {
         const std::size_t end = std::min(rest.find('/'), rest.size());
@@ -118,22 +118,22 @@ LessonFiles lessonFolder(const std::filesystem::path& path)
 {
     if (!std::filesystem::exists(path / lessonJsonName))
         throw LessonError(Kind::NoLesson, path);
-    return {path, [path](const std::string& name, std::size_t most) { return readBelow(path, name, most); }};
+    return {path, [path](const std::string& name, std::size_t max) { return readBelow(path, name, max); }};
 }
 
 LessonFiles lessonZip(const std::filesystem::path& path)
 {
-    std::string bytes = bytesOf(path, LessonLimits::mostBytes);
+    std::string bytes = bytesOf(path, LessonLimits::maxBytes);
     if (bytes.empty())
         throw FileError(FileErrorKind::Empty, path);
-    if (bytes.size() > LessonLimits::mostBytes) {
+    if (bytes.size() > LessonLimits::maxBytes) {
         LessonError error(Kind::TooLarge, path);
-        error.most = LessonLimits::mostBytes;
+        error.max = LessonLimits::maxBytes;
         throw error;
     }
     if (!bytes.starts_with("PK"))
         throw LessonError(Kind::NoLesson, path);
     const auto packed = std::make_shared<Packed>(path, std::move(bytes));
-    return {path, [packed](const std::string& name, std::size_t most) { return packed->read(name, most); }};
+    return {path, [packed](const std::string& name, std::size_t max) { return packed->read(name, max); }};
 }
 } // namespace core

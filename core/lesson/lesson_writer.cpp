@@ -33,13 +33,13 @@ Json jsonOf(const FactBounds& bounds)
 {
     if (bounds.fact == Fact::PrintReady)
         return true;
-    if (bounds.least == bounds.most)
-        return jsonOf(bounds.least, bounds.fact);
+    if (bounds.min == bounds.max)
+        return jsonOf(bounds.min, bounds.fact);
     Json json = Json::object();
-    if (bounds.least > 0 || bounds.most == FactBounds::unbounded)
-        json["least"] = jsonOf(bounds.least, bounds.fact);
-    if (bounds.most < FactBounds::unbounded)
-        json["most"] = jsonOf(bounds.most, bounds.fact);
+    if (bounds.min > 0 || bounds.max == FactBounds::unbounded)
+        json["least"] = jsonOf(bounds.min, bounds.fact);
+    if (bounds.max < FactBounds::unbounded)
+        json["most"] = jsonOf(bounds.max, bounds.fact);
     return json;
 }
 
@@ -72,9 +72,9 @@ Json jsonOf(const LessonStep& step)
 
 void writeZip(const std::filesystem::path& path, const std::map<std::string, std::string>& files)
 {
-    mesh_io::ZipWriter zip;
+    io::ZipWriter zip;
     for (const auto& [name, bytes] : files)
-        zip.add(name.c_str(), bytes, mesh_io::ZipWriter::Packing::Deflated);
+        zip.add(name.c_str(), bytes, io::ZipWriter::Packing::Deflated);
     AtomicFile out(path);
     zip.writeTo(out);
     out.commit();

@@ -11,7 +11,7 @@ namespace core
 struct Footprint
 {
     /// A brush that holds more is not searched to its end.
-    static constexpr Slot most = 1 << 15;
+    static constexpr Slot maxSlots = 1 << 15;
 
     std::vector<Slot> slots;           ///< one that the dab and images of it select stands as often
     std::vector<std::uint8_t> weights; ///< of each slot b(x) x 255, at least 1

@@ -1,7 +1,7 @@
 // A surface onto its lattice (DESIGN section 3, "The lattice"):
 //   1. snap     each vertex to the nearest lattice point
-//   2. judge    degenerate faces and faces that meet, exactly
-//   3. resnap   a corner of each unsound face to the next lattice point nearby, and judge again, a few times
+//   2. check    degenerate faces and faces that meet, exactly
+//   3. resnap   a corner of each unsound face to the next lattice point nearby, and check again, a few times
 //   4. nesting  the whole must bound a solid
 
 #include "core/mesh/lattice_fit.h"
@@ -60,22 +60,22 @@ std::vector<LatticePoint> snappedTo(const Lattice& lattice, std::span<const Vec3
 }
 
 LatticeFit fitToLattice(const Lattice& lattice, std::span<const Vec3> points, std::span<const Triangle> triangles,
-                        const JobWatch& watch)
+                        const JobControl& control)
 {
     LatticeFit fit;
     fit.points = snappedTo(lattice, points);
     std::vector<std::size_t> choices(points.size(), 0);
-    std::vector<Slot> unsound = unsoundFaces(fit.points, triangles, watch.stop);
-    for (std::size_t round = 0; round < resnapRounds && !unsound.empty() && !watch.stopped(); ++round) {
+    std::vector<Slot> unsound = unsoundFaces(fit.points, triangles, control.stop);
+    for (std::size_t round = 0; round < resnapRounds && !unsound.empty() && !control.isCancelled(); ++round) {
         for (std::size_t i = 0; i < unsound.size(); ++i) {
             const Slot v = triangles[unsound[i]][(i + round) % 3]; // one corner of each face, so that corners part
             fit.points[v] = latticeNeighbour(lattice, points[v], ++choices[v]);
         }
-        unsound = unsoundFaces(fit.points, triangles, watch.stop);
+        unsound = unsoundFaces(fit.points, triangles, control.stop);
     }
     fit.resnapped = static_cast<std::size_t>(std::ranges::count_if(choices, [](std::size_t c) { return c > 0; }));
     fit.unsnappable = unsound.size();
-    if (unsound.empty() && !watch.stopped() && !boundsSolid(fit.points, triangles))
+    if (unsound.empty() && !control.isCancelled() && !boundsSolid(fit.points, triangles))
         fit.unsnappable = triangles.size();
     return fit;
 }

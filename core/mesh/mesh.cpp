@@ -10,7 +10,7 @@ namespace core
 {
 namespace
 {
-constexpr Slot leastReserve = 1u << 18;
+constexpr Slot minReserve = 1u << 18;
 } // namespace
 
 // --- building --------------------------------------------------------------------------------------------------------------
@@ -22,8 +22,8 @@ Mesh::Mesh(const TriangleMesh& mesh, Lattice lattice) : m_frame{lattice}
     const Slot faces = static_cast<Slot>(mesh.triangles.size());
     const SlotCounts counts{vertices, faces / 2 * 3, faces};
     // Address space is free: room for growth is reserved now, so that nothing is reallocated in a stroke.
-    reserve({std::max(leastReserve, 4 * counts.vertices), std::max(3 * leastReserve, 4 * counts.edges),
-             std::max(2 * leastReserve, 4 * counts.faces)});
+    reserve({std::max(minReserve, 4 * counts.vertices), std::max(3 * minReserve, 4 * counts.edges),
+             std::max(2 * minReserve, 4 * counts.faces)});
     resize(counts);
     for (Slot v = 0; v < vertices; ++v) {
         m_vertexSlots.setFree(v, false);
@@ -33,7 +33,7 @@ Mesh::Mesh(const TriangleMesh& mesh, Lattice lattice) : m_frame{lattice}
     }
 
     // Half-edges are paired in the order of faces, so edges lie along the same curve as the faces.
-    OpenHalfedges open;
+    UnpairedHalfedges open;
     open.reserve(counts.edges / 4);
     Slot edges = 0;
     const auto claim = [&](Slot from, Slot to) {

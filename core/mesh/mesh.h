@@ -110,9 +110,9 @@ public:
     /// Puts every vertex elsewhere, on another lattice perhaps: `points`, by slot, lie on it. O(mesh), as the next three.
     void relocate(const Lattice& lattice, std::span<const Vec3f> points);
     /// Every face looks to the other side. Twice is the identity.
-    void turnOver();
+    void reverseOrientation();
     /// Becomes the other mesh slot for slot; what is alike is not touched. No mark may be open.
-    void become(const Mesh& other);
+    void assign(const Mesh& other);
     void setUniformDetail(double length);
 
     // --- the journal ---------------------------------------------------------------------------------------------------
@@ -196,9 +196,9 @@ private:
 
     void resize(const SlotCounts& counts);
     void reserve(const SlotCounts& counts);
-    void becomeVertex(const Mesh& other, Slot v);
-    void becomeEdge(const Mesh& other, Slot e);
-    void becomeFace(const Mesh& other, Slot f);
+    void assignVertex(const Mesh& other, Slot v);
+    void assignEdge(const Mesh& other, Slot e);
+    void assignFace(const Mesh& other, Slot f);
     void swapImage(VertexImage& image);
     void swapImage(EdgeImage& image);
     void swapImage(FaceImage& image);
@@ -212,7 +212,7 @@ private:
     std::vector<std::uint32_t> m_vertexStamp, m_edgeStamp, m_faceStamp;
     std::uint32_t m_epoch = 0;
     std::uint32_t m_strokeEpoch = 0;
-    std::uint32_t m_keptEpoch = 0; ///< a commit forgets images of what was touched since: the stroke's epoch, or that of remember()
+    std::uint32_t m_baseEpoch = 0; ///< a commit forgets images of what was touched since: the stroke's epoch, or that of remember()
     bool m_strokeOpen = false;
     MeshDelta m_journal;
     std::vector<Slot> m_removed; ///< see removedVertices()

@@ -1,7 +1,7 @@
 // From a stranger's triangles to a sculptable mesh:
-//   1. judge      the coordinates as they came, exactly                          mesh_check
+//   1. check      the coordinates as they came, exactly                          mesh_check
 //   2. place      move, choose the lattice                                       lattice_placement
-//   3. fit        snap, and judge again if that moved a point and step 1 did not see this lattice; retry neighbouring
+//   3. fit        snap, and check again if that moved a point and step 1 did not see this lattice; retry neighbouring
 //                 lattice points where faces came to meet                        lattice_fit
 //   4. lay out    along a Morton curve, and link                                 morton_order, mesh
 
@@ -29,7 +29,7 @@ struct Placed
 };
 
 /// On the lattice that it had; nothing if it does not lie there.
-std::optional<Placed> placeAgain(const TriangleMesh& model, const std::optional<MeshFrame>& frame)
+std::optional<Placed> restorePlacement(const TriangleMesh& model, const std::optional<MeshFrame>& frame)
 {
     if (!frame || !std::ranges::all_of(model.points, [&](const Vec3f& p) { return frame->lattice.isOnLattice(p); }))
         return std::nullopt;
@@ -82,32 +82,32 @@ TriangleMesh withoutUnusedVertices(const TriangleMesh& mesh)
     return result;
 }
 
-BuildResult buildMesh(const TriangleMesh& model, bool centre, const JobWatch& watch, const std::optional<MeshFrame>& frame)
+BuildResult buildMesh(const TriangleMesh& model, bool centre, const JobControl& control, const std::optional<MeshFrame>& frame)
 {
     BuildResult result;
-    result.report = checkMesh(model, watch.part(0, afterCheck));
-    if (watch.stopped() || !result.report.printReady())
+    result.report = checkMesh(model, control.part(0, afterCheck));
+    if (control.isCancelled() || !result.report.printReady())
         return result;
     TriangleMesh used = withoutUnusedVertices(model);
-    const std::optional<Placed> again = placeAgain(used, frame);
-    const Placed placed = again ? *again : place(used, centre);
+    const std::optional<Placed> restored = restorePlacement(used, frame);
+    const Placed placed = restored ? *restored : place(used, centre);
     const Lattice& lattice = placed.placement.lattice;
     const bool seen = result.report.latticeOk.value_or(false) && placed.placement.moved == Vec3::Zero();
     LatticeFit fit;
     if (placed.exact || seen)
         fit.points = snappedTo(lattice, placed.points);
     else
-        fit = fitToLattice(lattice, placed.points, used.triangles, watch);
-    watch.reached(afterFit);
+        fit = fitToLattice(lattice, placed.points, used.triangles, control);
+    control.reportProgress(afterFit);
     result.resnapped = fit.resnapped;
     result.unsnappable = fit.unsnappable;
-    if (watch.stopped() || result.unsnappable > 0)
+    if (control.isCancelled() || result.unsnappable > 0)
         return result;
     for (Slot v = 0; v < used.points.size(); ++v)
         used.points[v] = lattice.toPoint(fit.points[v]);
     result.moved = placed.placement.moved;
     result.mesh = std::make_unique<Mesh>(inMortonOrder(used, lattice), lattice);
-    if (again) {
+    if (restored) {
         result.mesh->beginStroke();
         result.mesh->setUniformDetail(frame->uniformDetail);
         result.mesh->endStroke();

@@ -17,12 +17,12 @@ struct BuildResult
     std::size_t unsnappable = 0; ///< faces that are unsound on the lattice whatever was tried: the model was refused for them
 };
 
-/// Makes the model sculptable: judges it exactly, places and snaps it on its lattice, lays its elements out along a Morton
+/// Makes the model sculptable: checks it exactly, places and snaps it on its lattice, lays its elements out along a Morton
 /// curve and builds the links. With `centre` the middle of its box goes to the origin (see placeOnLattice).
-/// Whole-mesh cost, on all cores; who stops it gets no mesh. The file's order does not matter for speed afterwards.
+/// Whole-mesh cost, on all cores; no mesh if it is cancelled. The file's order does not matter for speed afterwards.
 /// `frame`: that the model had before, perhaps. If all of it lies on that lattice it is that again, and stays where it is; so does its
 /// uniform detail.
-BuildResult buildMesh(const TriangleMesh& model, bool centre = false, const JobWatch& watch = {},
+BuildResult buildMesh(const TriangleMesh& model, bool centre = false, const JobControl& control = {},
                       const std::optional<MeshFrame>& frame = {});
 
 TriangleMesh withoutUnusedVertices(const TriangleMesh& mesh);

@@ -16,7 +16,7 @@ void Mesh::relocate(const Lattice& lattice, std::span<const Vec3f> points)
     }
 }
 
-void Mesh::turnOver()
+void Mesh::reverseOrientation()
 {
     for (Slot e = 0; e < m_edgeSlots.size(); ++e) {
         if (!isEdge(e))
@@ -37,22 +37,22 @@ void Mesh::turnOver()
     }
 }
 
-void Mesh::become(const Mesh& other)
+void Mesh::assign(const Mesh& other)
 {
     assert(m_strokeOpen);
     const SlotCounts here = slots(), there = other.slots();
     resize({std::max(here.vertices, there.vertices), std::max(here.edges, there.edges), std::max(here.faces, there.faces)});
     for (Slot f = 0; f < m_faceSlots.size(); ++f)
-        becomeFace(other, f);
+        assignFace(other, f);
     for (Slot e = 0; e < m_edgeSlots.size(); ++e)
-        becomeEdge(other, e);
+        assignEdge(other, e);
     for (Slot v = 0; v < m_vertexSlots.size(); ++v)
-        becomeVertex(other, v);
+        assignVertex(other, v);
     resize(there);
     m_frame = other.m_frame;
 }
 
-void Mesh::becomeVertex(const Mesh& other, Slot v)
+void Mesh::assignVertex(const Mesh& other, Slot v)
 {
     const bool wasThere = isVertex(v);
     if (v >= other.m_vertexSlots.size() || !other.isVertex(v)) {
@@ -69,7 +69,7 @@ void Mesh::becomeVertex(const Mesh& other, Slot v)
     m_kernel.vertex(vertexHandle(v)) = other.m_kernel.vertex(vertexHandle(v));
 }
 
-void Mesh::becomeEdge(const Mesh& other, Slot e)
+void Mesh::assignEdge(const Mesh& other, Slot e)
 {
     const bool wasThere = isEdge(e);
     if (e >= other.m_edgeSlots.size() || !other.isEdge(e)) {
@@ -87,7 +87,7 @@ void Mesh::becomeEdge(const Mesh& other, Slot e)
     m_kernel.edge(edgeHandle(e)) = other.m_kernel.edge(edgeHandle(e));
 }
 
-void Mesh::becomeFace(const Mesh& other, Slot f)
+void Mesh::assignFace(const Mesh& other, Slot f)
 {
     const bool wasThere = isFace(f);
     if (f >= other.m_faceSlots.size() || !other.isFace(f)) {

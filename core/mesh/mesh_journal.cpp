@@ -39,7 +39,7 @@ void Mesh::beginStroke()
 {
     assert(!m_strokeOpen);
     m_strokeOpen = true;
-    m_strokeEpoch = m_keptEpoch = ++m_epoch;
+    m_strokeEpoch = m_baseEpoch = ++m_epoch;
     m_journal = {};
     m_removed.clear();
     m_journal.counts = slots();
@@ -85,7 +85,7 @@ void Mesh::rollback(const Mark& mark)
 void Mesh::commit(const Mark& mark)
 {
     const auto forget = [&](auto& images, std::size_t from) {
-        const auto known = [&](const auto& image) { return image.stamp >= m_keptEpoch; };
+        const auto known = [&](const auto& image) { return image.stamp >= m_baseEpoch; };
         images.erase(std::remove_if(images.begin() + static_cast<std::ptrdiff_t>(from), images.end(), known), images.end());
     };
     forget(m_journal.vertices, mark.vertices);
@@ -96,13 +96,13 @@ void Mesh::commit(const Mark& mark)
 Mesh::Mark Mesh::remember()
 {
     const Mark mark = this->mark();
-    m_keptEpoch = mark.epoch;
+    m_baseEpoch = mark.epoch;
     return mark;
 }
 
 void Mesh::forget(const Mark& mark)
 {
-    m_keptEpoch = m_strokeEpoch;
+    m_baseEpoch = m_strokeEpoch;
     commit(mark);
 }
 

@@ -100,8 +100,8 @@ std::optional<SurfaceHit> nearestPoint(const Mesh& mesh, const FaceOctree& octre
 {
     const double unit = mesh.lattice().unit();
     const double everything = 2 * (point.cwiseAbs() + Vec3::Constant(mesh.lattice().halfVolume())).norm();
-    const double most = std::min(everything, within);
-    double radius = std::min(octree.smallestCell() * unit, most);
+    const double max = std::min(everything, within);
+    double radius = std::min(octree.smallestCell() * unit, max);
     while (true) {
         double nearest2 = std::numeric_limits<double>::infinity();
         Slot face = noSlot;
@@ -117,9 +117,9 @@ std::optional<SurfaceHit> nearestPoint(const Mesh& mesh, const FaceOctree& octre
         });
         if (face != noSlot && nearest2 <= radius * radius)
             return surfaceHit(mesh, face, position, std::sqrt(nearest2));
-        if (!(radius < most))
+        if (!(radius < max))
             return std::nullopt; // nothing there, or no point
-        radius = std::min(2 * radius, most);
+        radius = std::min(2 * radius, max);
     }
 }
 } // namespace core

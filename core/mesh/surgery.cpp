@@ -205,7 +205,7 @@ std::vector<Slot> Mesh::replaceFaces(const Surgery& surgery)
     for (const Surgery::Vertex& v : surgery.vertices)
         created.push_back(newVertex(surgery.near, v.point, {v.color.r, v.color.g, v.color.b, v.mask}));
 
-    OpenHalfedges waiting;
+    UnpairedHalfedges waiting;
     const auto claim = [&](Slot from, Slot to) {
         const auto known = std::ranges::lower_bound(open, Side(from, to), {}, &Open::side);
         if (known != open.end() && known->side == Side(from, to)) {

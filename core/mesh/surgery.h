@@ -10,7 +10,7 @@ namespace core
 class Mesh;
 
 /// An exchange of faces: some go, others come in their place. All that changes topology is one: joining two sheets, cutting
-/// a neck, removing a speck, adding a shell. A plain list, so that it can be judged before half-edges know of it.
+/// a neck, removing a speck, adding a shell. A plain list, so that it can be checked before half-edges know of it.
 struct Surgery
 {
     struct Vertex

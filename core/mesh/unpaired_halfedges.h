@@ -7,25 +7,25 @@
 namespace core
 {
 /// Half-edges that still wait for their face, by their ends.
-class OpenHalfedges
+class UnpairedHalfedges
 {
 public:
     /// The waiting half-edge from -> to, which then waits no more, or noSlot.
     Slot take(Slot from, Slot to)
     {
-        const auto waiting = m_waiting.find(key(from, to));
-        if (waiting == m_waiting.end())
+        const auto found = m_unpaired.find(key(from, to));
+        if (found == m_unpaired.end())
             return noSlot;
-        const Slot h = waiting->second;
-        m_waiting.erase(waiting);
+        const Slot h = found->second;
+        m_unpaired.erase(found);
         return h;
     }
-    void add(Slot from, Slot to, Slot h) { m_waiting.emplace(key(from, to), h); }
-    void reserve(std::size_t count) { m_waiting.reserve(count); }
-    bool empty() const { return m_waiting.empty(); }
+    void add(Slot from, Slot to, Slot h) { m_unpaired.emplace(key(from, to), h); }
+    void reserve(std::size_t count) { m_unpaired.reserve(count); }
+    bool empty() const { return m_unpaired.empty(); }
 
 private:
     static std::uint64_t key(Slot from, Slot to) { return std::uint64_t(from) << 32 | to; }
-    std::unordered_map<std::uint64_t, Slot> m_waiting;
+    std::unordered_map<std::uint64_t, Slot> m_unpaired;
 };
 } // namespace core

@@ -2,7 +2,7 @@
 //   1. quadrics   of each vertex: the planes of its faces, in space or in space and colour together    quadric
 //   2. queue      each edge by its error at the best place for its ends to meet
 //   3. collapse   the first, if it turns no face over and narrows none to a sliver
-//   4. judge      what changed, exactly; a collapse after which faces meet is taken back                judged_mesh
+//   4. verify     what changed, exactly; a collapse after which faces meet is taken back                verified_mesh
 //   5. repeat     until there are few enough triangles, or none can go
 // Source: Garland and Heckbert 1997 and 1998 (quadric.h). MeshLab, Blender, meshoptimizer and OpenMesh's decimater do 1 to 3, none of them
 // does 4. Measured on a wavy ball, 82 thousand to 8 thousand triangles, mean distance: 0.348 mm here, 0.363 mm meshoptimizer 0.18 (fifty
@@ -27,16 +27,16 @@ constexpr double colorReach = 0.1;
 /// Where a surface is flat its vertices stay in the middle, and short edges go first.
 constexpr double pull = 1e-6, perLength = 1e-4;
 /// A face may turn by at most about 75 degrees in one step.
-constexpr double leastTurnCosine = 0.25;
+constexpr double minTurnCosine = 0.25;
 /// Of equilateral triangles 1. A face may come below if it was worse before.
-constexpr double leastShape = 0.02;
-constexpr std::size_t looksEvery = 1024;
+constexpr double minShape = 0.02;
+constexpr std::size_t checkInterval = 1024;
 
 template <int N> class Decimater
 {
 public:
-    Decimater(Mesh& mesh, std::size_t triangles, const JobWatch& watch)
-        : m_mesh(mesh), m_surface(mesh), m_target(triangles), m_watch(watch), m_stamps(mesh.slots().vertices, 0), m_start(mesh.live().faces)
+    Decimater(Mesh& mesh, std::size_t triangles, const JobControl& control)
+        : m_mesh(mesh), m_surface(mesh), m_target(triangles), m_control(control), m_stamps(mesh.slots().vertices, 0), m_start(mesh.live().faces)
     {
         Box box;
         for (Slot v = 0; v < mesh.slots().vertices; ++v)
@@ -75,13 +75,13 @@ private:
     std::size_t collapseQueue();
     bool collapse(const Candidate& candidate);
     bool keepsFaces(Slot v, Slot other, const Vec3& p) const;
-    bool isDone() const { return m_mesh.live().faces <= m_target || m_watch.stopped(); }
+    bool isDone() const { return m_mesh.live().faces <= m_target || m_control.isCancelled(); }
     void tell() const;
 
     Mesh& m_mesh;
-    JudgedMesh m_surface;
+    VerifiedMesh m_surface;
     std::size_t m_target;
-    const JobWatch& m_watch;
+    const JobControl& m_control;
     double m_perColor = 0; ///< mm
     std::vector<Quadric<N>> m_quadrics;
     std::vector<std::uint32_t> m_stamps; ///< by vertex: its changes so far
@@ -128,7 +128,7 @@ template <int N> typename Decimater<N>::Place Decimater<N>::placeFor(Slot v0, Sl
 {
     const Quadric<N> sum = m_quadrics[v0] + m_quadrics[v1];
     const Point p0 = pointOf(v0), p1 = pointOf(v1), middle = (p0 + p1) / 2;
-    Point best = sum.least(middle, pull);
+    Point best = sum.minimizer(middle, pull);
     const double length2 = (p1 - p0).squaredNorm();
     if (!((best - middle).squaredNorm() < length2)) // nearly flat in some direction: not to be trusted there
         best = sum.at(p0) < sum.at(p1) ? p0 : p1;
@@ -158,14 +158,14 @@ template <int N> void Decimater<N>::pushAll()
 template <int N> std::size_t Decimater<N>::collapseQueue()
 {
     std::size_t collapses = 0;
-    for (std::size_t steps = 0; !m_queue.empty() && !(steps % looksEvery == 0 ? isDone() : m_mesh.live().faces <= m_target); ++steps) {
+    for (std::size_t steps = 0; !m_queue.empty() && !(steps % checkInterval == 0 ? isDone() : m_mesh.live().faces <= m_target); ++steps) {
         const Candidate candidate = m_queue.top();
         m_queue.pop();
         if (candidate.stamp0 != m_stamps[candidate.v0] || candidate.stamp1 != m_stamps[candidate.v1] || !collapse(candidate))
             continue;
         ++collapses;
         m_mesh.forEachOutgoing(candidate.v1, [&](Slot h) { push(candidate.v1, m_mesh.to(h)); });
-        if (steps % looksEvery == 0)
+        if (steps % checkInterval == 0)
             tell();
     }
     return collapses;
@@ -181,7 +181,7 @@ template <int N> bool Decimater<N>::collapse(const Candidate& candidate)
     const Vec3 p = place.point.template cast<double>();
     if (!m_mesh.lattice().contains(p) || !keepsFaces(v0, v1, p) || !keepsFaces(v1, v0, p))
         return false;
-    const bool isSound = m_surface.attempt([&, gone = v0, stays = v1] {
+    const bool isSound = m_surface.tryOperation([&, gone = v0, stays = v1] {
         m_mesh.collapse(h, place.point);
         if (m_mesh.color(stays) != place.color)
             m_mesh.setColor(stays, place.color);
@@ -210,8 +210,8 @@ template <int N> bool Decimater<N>::keepsFaces(Slot v, Slot other, const Vec3& p
             const double edges2 = (pa - corner).squaredNorm() + (pb - corner).squaredNorm() + (pb - pa).squaredNorm();
             return 2 * std::sqrt(3.0) * normal.norm() / edges2;
         };
-        const double least = std::min(leastShape, shape(m_mesh.point(v).template cast<double>(), before));
-        keeps = after.dot(before) > leastTurnCosine * after.norm() * before.norm() && shape(p, after) >= least;
+        const double min = std::min(minShape, shape(m_mesh.point(v).template cast<double>(), before));
+        keeps = after.dot(before) > minTurnCosine * after.norm() * before.norm() && shape(p, after) >= min;
     });
     return keeps;
 }
@@ -219,7 +219,7 @@ template <int N> bool Decimater<N>::keepsFaces(Slot v, Slot other, const Vec3& p
 template <int N> void Decimater<N>::tell() const
 {
     const double gone = static_cast<double>(m_start - m_mesh.live().faces);
-    m_watch.reached(gone / static_cast<double>(std::max<std::size_t>(1, m_start - std::min(m_start, m_target))));
+    m_control.reportProgress(gone / static_cast<double>(std::max<std::size_t>(1, m_start - std::min(m_start, m_target))));
 }
 
 bool isColored(const Mesh& mesh)
@@ -231,11 +231,11 @@ bool isColored(const Mesh& mesh)
 }
 } // namespace
 
-Decimated decimate(Mesh mesh, std::size_t triangles, const JobWatch& watch)
+Decimated decimate(Mesh mesh, std::size_t triangles, const JobControl& control)
 {
     mesh.beginStroke();
-    const std::uint64_t refused = isColored(mesh) ? Decimater<6>(mesh, triangles, watch).run() : Decimater<3>(mesh, triangles, watch).run();
-    if (watch.stopped())
+    const std::uint64_t refused = isColored(mesh) ? Decimater<6>(mesh, triangles, control).run() : Decimater<3>(mesh, triangles, control).run();
+    if (control.isCancelled())
         return {};
     return {extractMesh(mesh), refused};
 }

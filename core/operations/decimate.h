@@ -14,6 +14,6 @@ struct Decimated
 
 /// Fewer triangles for the same shape and colours: at most `triangles` of them, if the topology can be had with so few (a shell needs
 /// four; handles and shells all stay). Closed, manifold and free of self-intersections like the mesh that it starts from: each step is
-/// judged exactly. The mesh is used up. Any thread; about 20 s a million triangles, on one core.
-Decimated decimate(Mesh mesh, std::size_t triangles, const JobWatch& watch = {});
+/// checked exactly. The mesh is used up. Any thread; about 20 s a million triangles, on one core.
+Decimated decimate(Mesh mesh, std::size_t triangles, const JobControl& control = {});
 } // namespace core

@@ -2,7 +2,7 @@
 //   1. settle   vertices that are all but in the plane go into it
 //   2. part     edges that cross it are split there: in the plane exactly, and on the lattice
 //   3. cap      faces without a corner above go; the loops that are left are filled            polygon_fill
-//   4. judge    the whole, exactly. If it is not sound, again without the first step, and a little higher
+//   4. check    the whole, exactly. If it is not sound, again without the first step, and a little higher
 
 #include "core/operations/flatten_base.h"
 
@@ -124,7 +124,7 @@ bool BaseCutter::cap()
             v = static_cast<Slot>(points.size()) - 1;
         }
     }
-    const auto filling = loops.empty() ? std::nullopt : fillPolygon(points, std::move(loops));
+    const auto filling = loops.empty() ? std::nullopt : triangulatePolygon(points, std::move(loops));
     if (!filling)
         return false;
     Surgery surgery;
@@ -141,7 +141,7 @@ bool BaseCutter::cap()
 }
 } // namespace
 
-void flattenBase(Mesh& mesh, const FlattenBase& command, ModelChange& change, const JobWatch& watch)
+void flattenBase(Mesh& mesh, const FlattenBase& command, ModelChange& change, const JobControl& control)
 {
     const Box box = boxOf(mesh);
     const double level = mesh.lattice().snap(box.min().y() + command.height);
@@ -157,11 +157,11 @@ void flattenBase(Mesh& mesh, const FlattenBase& command, ModelChange& change, co
                 cutter.settle();
             cutter.part();
             const bool closed = cutter.cap();
-            watch.reached(afterCapping);
-            if (closed && !watch.stopped() && checkMesh(extractMesh(mesh), watch.part(afterCapping, 1)).printReady())
+            control.reportProgress(afterCapping);
+            if (closed && !control.isCancelled() && checkMesh(extractMesh(mesh), control.part(afterCapping, 1)).printReady())
                 return;
             mesh.rollback(mark);
-            if (watch.stopped())
+            if (control.isCancelled())
                 return;
         }
     }

@@ -5,5 +5,5 @@
 namespace core
 {
 /// Edits the mesh, whose stroke is open, or leaves it alone and says why in `change`.
-void flattenBase(Mesh& mesh, const FlattenBase& command, ModelChange& change, const JobWatch& watch);
+void flattenBase(Mesh& mesh, const FlattenBase& command, ModelChange& change, const JobControl& control);
 } // namespace core

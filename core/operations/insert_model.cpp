@@ -1,5 +1,5 @@
 // Another model becomes part of this one, as free topology adds a sphere (paper, section 3.5.1, for any solid):
-//   1. judge     the newcomer by itself: it must bound a solid                               mesh_check
+//   1. check     the newcomer by itself: it must bound a solid                               mesh_check
 //   2. place     beside the present model, where its file has it, or where it was asked for
 //   3. touch     on one lattice for both, no face of one may meet a face of the other        self_intersection
 //   4. fit       both together must be sound there and bound a solid: neither inside the other's matter  lattice_fit
@@ -69,10 +69,10 @@ Both together(const Mesh& mesh, const TriangleMesh& added, const Vec3& offset)
 }
 
 /// Pairs are ascending, and present faces, of which no two meet where they are, come first.
-bool doTouch(const Both& both, const Lattice& lattice, const JobWatch& watch)
+bool doTouch(const Both& both, const Lattice& lattice, const JobControl& control)
 {
     const std::vector<LatticePoint> points = snappedTo(lattice, both.places);
-    const IntersectionReport meeting = selfIntersections<LatticePredicates>(points, both.faces, 1000, watch.stop);
+    const IntersectionReport meeting = selfIntersections<LatticePredicates>(points, both.faces, 1000, control.stop);
     return std::ranges::any_of(meeting.pairs, [&](const FacePair& pair) {
         return pair.first < both.presentFaces && pair.second >= both.presentFaces;
     });
@@ -102,10 +102,10 @@ void write(Mesh& mesh, const Lattice& lattice, const LatticeFit& fit, TriangleMe
 }
 } // namespace
 
-void insertModel(Mesh& mesh, const Insert& command, ModelChange& change, const JobWatch& watch)
+void insertModel(Mesh& mesh, const Insert& command, ModelChange& change, const JobControl& control)
 {
-    change.report = checkMesh(command.model, watch.part(0, afterJudging));
-    if (watch.stopped())
+    change.report = checkMesh(command.model, control.part(0, afterJudging));
+    if (control.isCancelled())
         return;
     if (!change.report.printReady()) {
         change.refusal = ModelRefusal::Unsound;
@@ -126,16 +126,16 @@ void insertModel(Mesh& mesh, const Insert& command, ModelChange& change, const J
         return;
     const Both both = together(mesh, added, offset);
     const Lattice lattice = latticeFor(whole, mesh.lattice());
-    if (doTouch(both, lattice, watch)) {
+    if (doTouch(both, lattice, control)) {
         change.refusal = ModelRefusal::Touching;
         return;
     }
-    watch.reached(afterTouching);
-    const LatticeFit fit = fitToLattice(lattice, both.places, both.faces, watch);
-    watch.reached(afterFitting);
+    control.reportProgress(afterTouching);
+    const LatticeFit fit = fitToLattice(lattice, both.places, both.faces, control);
+    control.reportProgress(afterFitting);
     change.refusal = refusalOfFit(fit, both);
     change.faces = fit.unsnappable;
-    if (change.refusal == ModelRefusal::None && !watch.stopped())
+    if (change.refusal == ModelRefusal::None && !control.isCancelled())
         write(mesh, lattice, fit, added);
 }
 } // namespace core

@@ -5,5 +5,5 @@
 namespace core
 {
 /// Edits the mesh, whose stroke is open, or leaves it alone and says why in `change`.
-void insertModel(Mesh& mesh, const Insert& command, ModelChange& change, const JobWatch& watch);
+void insertModel(Mesh& mesh, const Insert& command, ModelChange& change, const JobControl& control);
 } // namespace core

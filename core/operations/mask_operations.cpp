@@ -129,24 +129,24 @@ Masks wholeParts(const Mesh& mesh)
     return masks;
 }
 
-Masks changed(const Mesh& mesh, const ChangeMask& command)
+Masks changed(const Mesh& mesh, const MaskOperation& command)
 {
     switch (command.how) {
-    case ChangeMask::How::Invert: return each(mesh, [&](Slot v) { return static_cast<std::uint8_t>(whole - mesh.mask(v)); });
-    case ChangeMask::How::Blur: return blurred(mesh);
-    case ChangeMask::How::Sharpen: return each(mesh, [&](Slot v) { return clamped(2.0 * mesh.mask(v) - 127.5); });
-    case ChangeMask::How::Grow: return spread(mesh, [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
-    case ChangeMask::How::Shrink: return spread(mesh, [](std::uint8_t a, std::uint8_t b) { return std::min(a, b); });
-    case ChangeMask::How::Cavity: return hollows(mesh);
-    case ChangeMask::How::Color: return ofColor(mesh, command.color);
-    case ChangeMask::How::Part: return wholeParts(mesh);
-    case ChangeMask::How::Clear: break;
+    case MaskOperation::Kind::Invert: return each(mesh, [&](Slot v) { return static_cast<std::uint8_t>(whole - mesh.mask(v)); });
+    case MaskOperation::Kind::Blur: return blurred(mesh);
+    case MaskOperation::Kind::Sharpen: return each(mesh, [&](Slot v) { return clamped(2.0 * mesh.mask(v) - 127.5); });
+    case MaskOperation::Kind::Grow: return spread(mesh, [](std::uint8_t a, std::uint8_t b) { return std::max(a, b); });
+    case MaskOperation::Kind::Shrink: return spread(mesh, [](std::uint8_t a, std::uint8_t b) { return std::min(a, b); });
+    case MaskOperation::Kind::Cavity: return hollows(mesh);
+    case MaskOperation::Kind::Color: return ofColor(mesh, command.color);
+    case MaskOperation::Kind::Part: return wholeParts(mesh);
+    case MaskOperation::Kind::Clear: break;
     }
     return Masks(mesh.slots().vertices);
 }
 } // namespace
 
-void changeMask(Mesh& mesh, const ChangeMask& command)
+void applyMaskOperation(Mesh& mesh, const MaskOperation& command)
 {
     const Masks masks = changed(mesh, command);
     forEachVertex(mesh, [&](Slot v) {

@@ -6,5 +6,5 @@
 namespace core
 {
 /// Changes the whole model's mask; nothing else of it. Precondition: a stroke is open. O(mesh), steps of a ring at a time.
-void changeMask(Mesh& mesh, const ChangeMask& command);
+void applyMaskOperation(Mesh& mesh, const MaskOperation& command);
 } // namespace core

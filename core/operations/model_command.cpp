@@ -13,33 +13,33 @@ namespace core
 {
 namespace
 {
-template <class Command> void edit(Mesh& mesh, const Command& command, ModelChange& change, const JobWatch& watch)
+template <class Command> void edit(Mesh& mesh, const Command& command, ModelChange& change, const JobControl& control)
 {
-    transform(mesh, command, change, watch);
+    transform(mesh, command, change, control);
 }
 
-void edit(Mesh& mesh, const Insert& command, ModelChange& change, const JobWatch& watch)
+void edit(Mesh& mesh, const Insert& command, ModelChange& change, const JobControl& control)
 {
-    insertModel(mesh, command, change, watch);
+    insertModel(mesh, command, change, control);
 }
 
-void edit(Mesh& mesh, const RemeshUniformly& command, ModelChange& change, const JobWatch& watch)
+void edit(Mesh& mesh, const RemeshUniformly& command, ModelChange& change, const JobControl& control)
 {
-    remeshUniformly(mesh, command, change, watch);
+    remeshUniformly(mesh, command, change, control);
 }
 
-void edit(Mesh& mesh, const Symmetrize& command, ModelChange& change, const JobWatch& watch)
+void edit(Mesh& mesh, const Symmetrize& command, ModelChange& change, const JobControl& control)
 {
-    symmetrize(mesh, command, change, watch);
+    symmetrize(mesh, command, change, control);
 }
 
-void edit(Mesh& mesh, const FlattenBase& command, ModelChange& change, const JobWatch& watch)
+void edit(Mesh& mesh, const FlattenBase& command, ModelChange& change, const JobControl& control)
 {
-    flattenBase(mesh, command, change, watch);
+    flattenBase(mesh, command, change, control);
 }
 
 /// As far as the mask lets it.
-void edit(Mesh& mesh, const Fill& command, ModelChange&, const JobWatch&)
+void edit(Mesh& mesh, const Fill& command, ModelChange&, const JobControl&)
 {
     for (Slot v = 0; v < mesh.slots().vertices; ++v) {
         if (!mesh.isVertex(v))
@@ -50,14 +50,14 @@ void edit(Mesh& mesh, const Fill& command, ModelChange&, const JobWatch&)
     }
 }
 
-void edit(Mesh& mesh, const ChangeMask& command, ModelChange&, const JobWatch&)
+void edit(Mesh& mesh, const MaskOperation& command, ModelChange&, const JobControl&)
 {
-    changeMask(mesh, command);
+    applyMaskOperation(mesh, command);
 }
 
-void edit(Mesh& mesh, const Reset& command, ModelChange&, const JobWatch&)
+void edit(Mesh& mesh, const Reset& command, ModelChange&, const JobControl&)
 {
-    mesh.become(*meshOf(*command.start));
+    mesh.assign(*meshOf(*command.start));
 }
 } // namespace
 
@@ -75,19 +75,19 @@ std::unique_ptr<Mesh> meshOf(const Snapshot& snapshot)
     return mesh;
 }
 
-ModelChange tryOn(Mesh copy, const ModelCommand& command, const JobWatch& watch)
+ModelChange applyToCopy(Mesh copy, const ModelCommand& command, const JobControl& control)
 {
     ModelChange change;
     copy.beginStroke();
-    std::visit([&](const auto& wanted) { edit(copy, wanted, change, watch); }, command);
+    std::visit([&](const auto& wanted) { edit(copy, wanted, change, control); }, command);
     change.delta = copy.endStroke();
-    if (change.refusal != ModelRefusal::None || watch.stopped()) {
+    if (change.refusal != ModelRefusal::None || control.isCancelled()) {
         change.delta = {};
         return change;
     }
     change.changes = !change.delta.empty() || change.delta.frame != copy.frame();
     copy.swap(change.delta);
-    watch.reached(1);
+    control.reportProgress(1);
     return change;
 }
 } // namespace core

@@ -60,12 +60,12 @@ struct Fill
 {
     Rgb color;
 };
-/// See mask_change.cpp. What is hollow, of the colour, or in one piece with what is masked is added to the mask.
-struct ChangeMask
+/// See mask_operations.cpp. What is hollow, of the colour, or in one piece with what is masked is added to the mask.
+struct MaskOperation
 {
-    enum class How { Invert, Clear, Blur, Sharpen, Grow, Shrink, Cavity, Color, Part };
-    How how = How::Invert;
-    Rgb color = {}; ///< of How::Color
+    enum class Kind { Invert, Clear, Blur, Sharpen, Grow, Shrink, Cavity, Color, Part };
+    Kind how = Kind::Invert;
+    Rgb color = {}; ///< of Kind::Color
 };
 /// All edges between d and d_detail = 2 d, as far as the shape and the mask allow.
 struct RemeshUniformly
@@ -90,14 +90,14 @@ struct Snapshot
 /// Of a mesh that was built and not edited since: then it comes back slot for slot.
 std::shared_ptr<const Snapshot> snapshotOf(const Mesh& mesh);
 
-/// The model as it was when it was opened. It was sound then, so it is not judged again.
+/// The model as it was when it was opened. It was sound then, so it is not checked again.
 struct Reset
 {
     std::shared_ptr<const Snapshot> start;
 };
 
 using ModelCommand = std::variant<Move, Rotate, Scale, Mirror, Recentre, Insert, Fill, RemeshUniformly, Symmetrize, Reset,
-                                  PlaceOnBed, FlattenBase, ChangeMask>;
+                                  PlaceOnBed, FlattenBase, MaskOperation>;
 
 /// Why the model was left as it is.
 enum class ModelRefusal {
@@ -126,13 +126,13 @@ struct ModelChange
 
 struct ModelLimits
 {
-    static constexpr double leastExtent = 1e-6, mostExtent = 1e7; ///< of the largest |coordinate|
-    static constexpr std::size_t mostFaces = 20'000'000;          ///< that a remeshing may aim at
+    static constexpr double minExtent = 1e-6, maxExtent = 1e7; ///< of the largest |coordinate|
+    static constexpr std::size_t maxFaces = 20'000'000;          ///< that a remeshing may aim at
 };
 
-/// Tries the command on a copy of the mesh and judges the outcome wholly and exactly. The mesh itself changes when the delta
+/// Tries the command on a copy of the mesh and checks the outcome wholly and exactly. The mesh itself changes when the delta
 /// is swapped in: until then it must stay in the state of which `copy` is a copy. Any thread; whole-mesh cost, on all cores.
-ModelChange tryOn(Mesh copy, const ModelCommand& command, const JobWatch& watch = {});
+ModelChange applyToCopy(Mesh copy, const ModelCommand& command, const JobControl& control = {});
 
 /// Faces that a uniform mesh of that d_detail has on a surface of that area, about.
 double uniformFaces(double area, double detailLength);

@@ -22,11 +22,11 @@ constexpr double farthest = 0.5, sameSheetCosine = 0.5;
 constexpr double usualShare = 0.125;
 /// Edges sharper than about 45 degrees are creases; where more of them meet than in a corner the surface is rough, not sharp.
 constexpr double creaseCosine = 0.7;
-constexpr std::size_t mostCreases = 4;
+constexpr std::size_t maxCreases = 4;
 /// Projections onto the sides of a crease in turn converge; on flat sides the first ones get there.
 constexpr int projections = 3;
 /// In d.
-constexpr double mostRaise = 0.25;
+constexpr double maxRaise = 0.25;
 /// When it is a vertex's turn, half of its neighbours, whose edges lie half as high as they do, wait for theirs: were all at
 /// the height h, a depth of h - h/4 would be seen.
 constexpr double heightPerDepth = 1.25;
@@ -54,7 +54,7 @@ Sectors sectorsAround(const Mesh& mesh, Slot v)
         }
         faces.push_back(after);
     });
-    if (creases.size() < 2 || creases.size() > mostCreases)
+    if (creases.size() < 2 || creases.size() > maxCreases)
         return wholeStar(mesh, v);
     std::vector<Vec3> normals;
     for (std::size_t i = 0; i < creases.size(); ++i) {
@@ -68,7 +68,7 @@ Sectors sectorsAround(const Mesh& mesh, Slot v)
 }
 } // namespace
 
-OriginalSurface::OriginalSurface(const Mesh& mesh) : m_mesh(mesh), m_octree(mesh), m_boxes(mesh.slots().faces)
+ReferenceSurface::ReferenceSurface(const Mesh& mesh) : m_mesh(mesh), m_octree(mesh), m_boxes(mesh.slots().faces)
 {
     for (Slot f = 0; f < m_boxes.size(); ++f) {
         if (m_mesh.isFace(f))
@@ -76,13 +76,13 @@ OriginalSurface::OriginalSurface(const Mesh& mesh) : m_mesh(mesh), m_octree(mesh
     }
 }
 
-std::optional<Vec3> OriginalSurface::nearest(const Vec3& p, const Reach& reach) const
+std::optional<Vec3> ReferenceSurface::nearest(const Vec3& p, const Reach& reach) const
 {
     const std::optional<Vec3> found = nearestWithin(p, {usualShare * reach.distance, reach.way});
     return found ? found : nearestWithin(p, reach);
 }
 
-std::optional<Vec3> OriginalSurface::nearestWithin(const Vec3& p, const Reach& reach) const
+std::optional<Vec3> ReferenceSurface::nearestWithin(const Vec3& p, const Reach& reach) const
 {
     const LatticeBox box = latticeBox(m_mesh.lattice(), {p, reach.distance});
     std::optional<Vec3> best;
@@ -107,7 +107,7 @@ std::optional<Vec3> OriginalSurface::nearestWithin(const Vec3& p, const Reach& r
     return best;
 }
 
-Vec3 OriginalSurface::evenPlace(const Mesh& mesh, const EdgeBounds& bounds, Slot v) const
+Vec3 ReferenceSurface::evenPlace(const Mesh& mesh, const EdgeBounds& bounds, Slot v) const
 {
     const auto [normals, creaseEnds] = sectorsAround(mesh, v);
     const double distance = farthest * bounds.detail;
@@ -125,7 +125,7 @@ Vec3 OriginalSurface::evenPlace(const Mesh& mesh, const EdgeBounds& bounds, Slot
     return p;
 }
 
-Vec3 OriginalSurface::raisedPlace(const Mesh& mesh, const EdgeBounds& bounds, Slot v) const
+Vec3 ReferenceSurface::raisedPlace(const Mesh& mesh, const EdgeBounds& bounds, Slot v) const
 {
     const Vec3 p = mesh.point(v).cast<double>();
     const Sectors sectors = sectorsAround(mesh, v);
@@ -142,7 +142,7 @@ Vec3 OriginalSurface::raisedPlace(const Mesh& mesh, const EdgeBounds& bounds, Sl
             depths += (*original - middle).dot(normal);
         ++edges;
     });
-    const double most = mostRaise * bounds.minimum;
-    return p + std::clamp(heightPerDepth * depths / edges, -most, most) * normal;
+    const double max = maxRaise * bounds.minimum;
+    return p + std::clamp(heightPerDepth * depths / edges, -max, max) * normal;
 }
 } // namespace core

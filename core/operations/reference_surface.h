@@ -8,10 +8,10 @@
 namespace core
 {
 /// The surface as it was before a remeshing, and where the vertices of the new one belong on it. A copy of the mesh.
-class OriginalSurface
+class ReferenceSurface
 {
 public:
-    explicit OriginalSurface(const Mesh& mesh);
+    explicit ReferenceSurface(const Mesh& mesh);
 
     /// Half way towards the mean of v's neighbours and back onto the surface; at a crease of the new mesh along the crease and
     /// onto both of its sides, at a corner onto all. Never on another sheet than v's own.

@@ -2,7 +2,7 @@
 //   1. settle   vertices that lie all but on the plane go onto it, so that no slivers are cut
 //   2. part     edges across the plane get a vertex where they meet it
 //   3. mirror   the faces of the other half go, the images of this half's come     surgery
-//   4. judge    the whole, exactly                                                 mesh_check
+//   4. check    the whole, exactly                                                 mesh_check
 // If that is not sound it is tried once more without step 1.
 
 #include "core/operations/symmetrize.h"
@@ -134,7 +134,7 @@ bool Symmetrizer::mirror()
 }
 } // namespace
 
-void symmetrize(Mesh& mesh, const Symmetrize& command, ModelChange& change, const JobWatch& watch)
+void symmetrize(Mesh& mesh, const Symmetrize& command, ModelChange& change, const JobControl& control)
 {
     assert(command.plane != Symmetry::None);
     if (Symmetrizer(mesh, command).isHalfEmpty()) {
@@ -148,13 +148,13 @@ void symmetrize(Mesh& mesh, const Symmetrize& command, ModelChange& change, cons
             symmetrizer.settle();
         symmetrizer.part();
         const bool closed = symmetrizer.mirror();
-        watch.reached(afterMirroring);
-        const MeshReport report = closed && !watch.stopped() ? checkMesh(extractMesh(mesh), watch.part(afterMirroring, 1)) : MeshReport();
+        control.reportProgress(afterMirroring);
+        const MeshReport report = closed && !control.isCancelled() ? checkMesh(extractMesh(mesh), control.part(afterMirroring, 1)) : MeshReport();
         if (report.printReady())
             return;
         change.faces = report.intersections.count + report.degenerateFaces.count;
         mesh.rollback(mark);
-        if (watch.stopped())
+        if (control.isCancelled())
             return;
     }
     change.refusal = ModelRefusal::HalvesMeet;

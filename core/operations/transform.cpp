@@ -1,7 +1,7 @@
 // The whole model elsewhere (DESIGN section 3, "The lattice"):
 //   1. place     every vertex exactly, in double
 //   2. lattice   the present one if it suits the new box, else another
-//   3. fit       snap, judge the whole exactly, retry neighbouring lattice points          lattice_fit
+//   3. fit       snap, check the whole exactly, retry neighbouring lattice points          lattice_fit
 //   4. write     through the mesh's gate, if it is sound
 
 #include "core/operations/transform.h"
@@ -44,18 +44,18 @@ template <class Map> std::vector<Vec3> mapped(const Mesh& mesh, Map map)
 }
 
 /// Steps 2 to 4.
-void goTo(Mesh& mesh, std::span<const Vec3> places, bool mirrored, ModelChange& change, const JobWatch& watch)
+void goTo(Mesh& mesh, std::span<const Vec3> places, bool mirrored, ModelChange& change, const JobControl& control)
 {
-    watch.reached(afterPlacing);
+    control.reportProgress(afterPlacing);
     const Box box = boxAround(mesh, places);
     change.refusal = refusalOf(box);
     if (change.refusal != ModelRefusal::None)
         return;
     const Lattice lattice = latticeFor(box, mesh.lattice());
-    const LatticeFit fit = fitToLattice(lattice, places, mirrored ? turnedOver(liveFaces(mesh)) : liveFaces(mesh), watch);
-    if (watch.stopped())
+    const LatticeFit fit = fitToLattice(lattice, places, mirrored ? turnedOver(liveFaces(mesh)) : liveFaces(mesh), control);
+    if (control.isCancelled())
         return;
-    watch.reached(afterFit);
+    control.reportProgress(afterFit);
     if (fit.unsnappable > 0) {
         change.refusal = ModelRefusal::FacesMeet;
         change.faces = fit.unsnappable;
@@ -67,7 +67,7 @@ void goTo(Mesh& mesh, std::span<const Vec3> places, bool mirrored, ModelChange& 
         points.push_back(lattice.toPoint(p));
     mesh.relocate(lattice, points);
     if (mirrored)
-        mesh.turnOver();
+        mesh.reverseOrientation();
 }
 } // namespace
 
@@ -100,47 +100,47 @@ Box boxOf(const Mesh& mesh)
 ModelRefusal refusalOf(const Box& box)
 {
     const double extent = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
-    const bool inRange = extent >= ModelLimits::leastExtent && extent <= ModelLimits::mostExtent;
+    const bool inRange = extent >= ModelLimits::minExtent && extent <= ModelLimits::maxExtent;
     return inRange ? ModelRefusal::None : ModelRefusal::TooLarge;
 }
 
-void transform(Mesh& mesh, const Move& command, ModelChange& change, const JobWatch& watch)
+void transform(Mesh& mesh, const Move& command, ModelChange& change, const JobControl& control)
 {
     const auto places = mapped(mesh, [&](const Vec3& p) { return p + command.by; });
-    if (liesFar(boxAround(mesh, places)))
+    if (isFarFromOrigin(boxAround(mesh, places)))
         change.refusal = ModelRefusal::TooFar;
     else
-        goTo(mesh, places, false, change, watch);
+        goTo(mesh, places, false, change, control);
 }
 
-void transform(Mesh& mesh, const Rotate& command, ModelChange& change, const JobWatch& watch)
+void transform(Mesh& mesh, const Rotate& command, ModelChange& change, const JobControl& control)
 {
     const Eigen::Matrix3d matrix = command.rotation.toRotationMatrix();
-    goTo(mesh, mapped(mesh, [&](const Vec3& p) { return Vec3(matrix * p); }), false, change, watch);
+    goTo(mesh, mapped(mesh, [&](const Vec3& p) { return Vec3(matrix * p); }), false, change, control);
 }
 
-void transform(Mesh& mesh, const Scale& command, ModelChange& change, const JobWatch& watch)
+void transform(Mesh& mesh, const Scale& command, ModelChange& change, const JobControl& control)
 {
-    goTo(mesh, mapped(mesh, [&](const Vec3& p) { return Vec3(command.factor * p); }), false, change, watch);
-    if (change.refusal == ModelRefusal::None && !watch.stopped())
+    goTo(mesh, mapped(mesh, [&](const Vec3& p) { return Vec3(command.factor * p); }), false, change, control);
+    if (change.refusal == ModelRefusal::None && !control.isCancelled())
         mesh.setUniformDetail(command.factor * mesh.uniformDetail());
 }
 
-void transform(Mesh& mesh, const Mirror& command, ModelChange& change, const JobWatch& watch)
+void transform(Mesh& mesh, const Mirror& command, ModelChange& change, const JobControl& control)
 {
     Vec3 signs = Vec3::Ones();
     signs[command.axis] = -1;
-    goTo(mesh, mapped(mesh, [&](const Vec3& p) { return Vec3(signs.cwiseProduct(p)); }), true, change, watch);
+    goTo(mesh, mapped(mesh, [&](const Vec3& p) { return Vec3(signs.cwiseProduct(p)); }), true, change, control);
 }
 
-void transform(Mesh& mesh, const PlaceOnBed&, ModelChange& change, const JobWatch& watch)
+void transform(Mesh& mesh, const PlaceOnBed&, ModelChange& change, const JobControl& control)
 {
-    transform(mesh, Move{{0, -boxOf(mesh).min().y(), 0}}, change, watch);
+    transform(mesh, Move{{0, -boxOf(mesh).min().y(), 0}}, change, control);
 }
 
-void transform(Mesh& mesh, const Recentre&, ModelChange& change, const JobWatch& watch)
+void transform(Mesh& mesh, const Recentre&, ModelChange& change, const JobControl& control)
 {
     const Vec3 middle = mesh.lattice().snap(boxOf(mesh).center()).cast<double>();
-    goTo(mesh, mapped(mesh, [&](const Vec3& p) { return p - middle; }), false, change, watch);
+    goTo(mesh, mapped(mesh, [&](const Vec3& p) { return p - middle; }), false, change, control);
 }
 } // namespace core

@@ -16,10 +16,10 @@ Box boxOf(const Mesh& mesh);
 ModelRefusal refusalOf(const Box& box);
 
 /// Each edits the mesh, whose stroke is open, or leaves it alone and says why in `change`.
-void transform(Mesh& mesh, const Move& command, ModelChange& change, const JobWatch& watch);
-void transform(Mesh& mesh, const Rotate& command, ModelChange& change, const JobWatch& watch);
-void transform(Mesh& mesh, const Scale& command, ModelChange& change, const JobWatch& watch);
-void transform(Mesh& mesh, const Mirror& command, ModelChange& change, const JobWatch& watch);
-void transform(Mesh& mesh, const PlaceOnBed& command, ModelChange& change, const JobWatch& watch);
-void transform(Mesh& mesh, const Recentre& command, ModelChange& change, const JobWatch& watch);
+void transform(Mesh& mesh, const Move& command, ModelChange& change, const JobControl& control);
+void transform(Mesh& mesh, const Rotate& command, ModelChange& change, const JobControl& control);
+void transform(Mesh& mesh, const Scale& command, ModelChange& change, const JobControl& control);
+void transform(Mesh& mesh, const Mirror& command, ModelChange& change, const JobControl& control);
+void transform(Mesh& mesh, const PlaceOnBed& command, ModelChange& change, const JobControl& control);
+void transform(Mesh& mesh, const Recentre& command, ModelChange& change, const JobControl& control);
 } // namespace core

@@ -3,10 +3,10 @@
 //   2. optimise  each patch that has an edge out of bounds, letting collapses make some edges too long   remesh
 //   3. even out  its vertices: towards their neighbours' mean, and back onto the surface as it was   original_surface
 //   4. split     what is too long then
-//   5. judge     each patch exactly; what fails is done again, operation by operation                judged_mesh
+//   5. verify    each patch exactly; what fails is done again, operation by operation                verified_mesh
 //   6. repeat    with pieces cut elsewhere, until the mesh is even or gets no more even
 //   7. raise     the vertices a little, so that round shapes keep their volume                       original_surface
-//   8. judge     the whole, exactly                                                                  lattice_fit
+//   8. check     the whole, exactly                                                                  lattice_fit
 
 #include "core/operations/uniform_remesh.h"
 
@@ -26,22 +26,22 @@ namespace
 {
 /// Of a patch when it is done, about; and when it begins.
 constexpr double verticesPerPatch = 1024;
-constexpr std::size_t leastPerPatch = 8;
-constexpr int mostRounds = 48;
+constexpr std::size_t minPerPatch = 8;
+constexpr int maxRounds = 48;
 /// A round that leaves more than this share of the short edges of the round before has made no progress.
-constexpr double leastProgress = 0.98;
+constexpr double minProgress = 0.98;
 /// A collapse may make an edge this much longer than d_detail; its halves, when it is split, are longer than d.
 constexpr double slack = 1.3;
 /// Of equilateral triangles, the edges of a uniform mesh are this long, in d_detail (measured).
 constexpr double typicalEdge = 0.7;
-/// Shares of the time: each round takes this much of what is left; raising, then judging the whole take the rest.
+/// Shares of the time: each round takes this much of what is left; raising, then checking the whole take the rest.
 constexpr double shareOfRound = 0.4, afterRounds = 0.7, afterRaising = 0.9;
 
 class UniformRemesher
 {
 public:
-    UniformRemesher(Mesh& mesh, const EdgeBounds& bounds, const JobWatch& watch)
-        : m_mesh(mesh), m_bounds(bounds), m_watch(watch), m_surface(mesh), m_original(mesh)
+    UniformRemesher(Mesh& mesh, const EdgeBounds& bounds, const JobControl& control)
+        : m_mesh(mesh), m_bounds(bounds), m_control(control), m_surface(mesh), m_original(mesh)
     {
     }
 
@@ -68,9 +68,9 @@ private:
 
     Mesh& m_mesh;
     EdgeBounds m_bounds;
-    const JobWatch& m_watch;
-    JudgedMesh m_surface;
-    OriginalSurface m_original;
+    const JobControl& m_control;
+    VerifiedMesh m_surface;
+    ReferenceSurface m_original;
     Region m_region;
     bool m_onlySplits = false; ///< all but a few long edges is done
     double m_done = 0;
@@ -87,12 +87,12 @@ void UniformRemesher::run()
 void UniformRemesher::evenRounds()
 {
     Evenness before = evennessOf(m_mesh, m_bounds);
-    for (int number = 0; number < mostRounds && !before.isUniform() && !m_watch.stopped(); ++number) {
+    for (int number = 0; number < maxRounds && !before.isUniform() && !m_control.isCancelled(); ++number) {
         m_onlySplits = number > 0 && !before.hasManyShort();
         round(number);
         const Evenness after = evennessOf(m_mesh, m_bounds);
         const bool progress = number == 0 || before.tooLong > 0 ||
-                              static_cast<double>(after.tooShort) < leastProgress * static_cast<double>(before.tooShort);
+                              static_cast<double>(after.tooShort) < minProgress * static_cast<double>(before.tooShort);
         if (after.tooLong == 0 && !progress)
             return;
         before = after;
@@ -116,11 +116,11 @@ std::vector<Slot> UniformRemesher::alongCurve() const
     return order;
 }
 
-/// Smaller where the mesh is to become much finer: a patch is judged, and can be stopped, as a whole.
+/// Smaller where the mesh is to become much finer: a patch is checked, and can be stopped, as a whole.
 std::size_t UniformRemesher::patchSize() const
 {
     const double growth = std::max(1.0, uniformFaces(areaOf(m_mesh), m_bounds.detail) / m_mesh.live().faces);
-    return std::max(leastPerPatch, static_cast<std::size_t>(verticesPerPatch / growth));
+    return std::max(minPerPatch, static_cast<std::size_t>(verticesPerPatch / growth));
 }
 
 void UniformRemesher::round(int number)
@@ -141,13 +141,13 @@ void UniformRemesher::overPatches(const Pass& pass, const Step& step)
     const std::vector<Slot> order = alongCurve();
     const std::size_t perPatch = patchSize();
     for (std::size_t end = perPatch - pass.shift, begin = 0; begin < order.size(); begin = end, end += perPatch) {
-        if (m_watch.stopped())
+        if (m_control.isCancelled())
             return;
         end = std::min(end, order.size());
         fillRegion(std::span(order).subspan(begin, end - begin));
         if (!pass.onlyUneven || isOutOfBounds())
             doSoundly(step);
-        m_watch.reached(m_done + pass.share * static_cast<double>(end) / static_cast<double>(order.size()));
+        m_control.reportProgress(m_done + pass.share * static_cast<double>(end) / static_cast<double>(order.size()));
     }
     m_done += pass.share;
 }
@@ -185,11 +185,11 @@ void UniformRemesher::doSoundly(const Step& step)
     const Region::Saved saved = m_region.save();
     const Mesh::Mark mark = m_mesh.mark();
     step(MeshEditor(m_mesh));
-    if (m_surface.judge(mark))
+    if (m_surface.verify(mark))
         return;
     m_mesh.rollback(mark);
     m_region.restore(saved);
-    step(MeshEditor(m_mesh, [&](const auto& operation) { return m_surface.attempt(operation); }));
+    step(MeshEditor(m_mesh, [&](const auto& operation) { return m_surface.tryOperation(operation); }));
 }
 
 void UniformRemesher::optimiseWith(MeshEditor edit)
@@ -235,19 +235,19 @@ double uniformFaces(double area, double detailLength)
     return area / (std::sqrt(3.0) / 4 * edge * edge);
 }
 
-void remeshUniformly(Mesh& mesh, const RemeshUniformly& command, ModelChange& change, const JobWatch& watch)
+void remeshUniformly(Mesh& mesh, const RemeshUniformly& command, ModelChange& change, const JobControl& control)
 {
     const EdgeBounds bounds = edgeBounds(command.detailLength > 0 ? command.detailLength : mesh.uniformDetail());
     const double faces = uniformFaces(areaOf(mesh), bounds.detail);
-    if (bounds.detail < mesh.lattice().minDetail() || faces > ModelLimits::mostFaces) {
+    if (bounds.detail < mesh.lattice().minDetail() || faces > ModelLimits::maxFaces) {
         change.refusal = ModelRefusal::TooFine;
         change.faces = static_cast<std::size_t>(std::min(faces, 1e15));
         return;
     }
-    UniformRemesher(mesh, bounds, watch).run();
-    if (watch.stopped())
+    UniformRemesher(mesh, bounds, control).run();
+    if (control.isCancelled())
         return;
-    const LatticeFit fit = fitToLattice(mesh.lattice(), placesOf(mesh), liveFaces(mesh), watch);
+    const LatticeFit fit = fitToLattice(mesh.lattice(), placesOf(mesh), liveFaces(mesh), control);
     if (fit.unsnappable > 0 || fit.resnapped > 0) {
         change.refusal = ModelRefusal::FacesMeet;
         change.faces = fit.unsnappable;

@@ -21,5 +21,5 @@ Evenness evennessOf(const Mesh& mesh, const EdgeBounds& bounds);
 double areaOf(const Mesh& mesh);
 
 /// Edits the mesh, whose stroke is open. Stopped or refused, it leaves the mesh half done: the caller takes the stroke back.
-void remeshUniformly(Mesh& mesh, const RemeshUniformly& command, ModelChange& change, const JobWatch& watch);
+void remeshUniformly(Mesh& mesh, const RemeshUniformly& command, ModelChange& change, const JobControl& control);
 } // namespace core

@@ -12,7 +12,7 @@ namespace core
 {
 /// The clay's vertices and triangles in OpenGL, slot by slot as patches give them, for each room that draws clay. No copy is kept on
 /// the CPU. The context that was current at create() must be current at every call. `Gl`: a room's table of OpenGL's functions, of version 3.3 core or more, under their own names.
-template <class Gl> class ClayBuffer
+template <class Gl> class MeshBuffer
 {
 public:
     /// Bytes sent since create(), and how often a whole patch came or a buffer had to grow.
@@ -64,13 +64,13 @@ private:
     Gl* m_gl = nullptr;
     unsigned int m_vertexArray = 0;
     Buffer m_vertices, m_indices;
-    TintBuffer<Gl> m_tint, m_shades;
+    VertexWeightBuffer<Gl> m_tint, m_shades;
     bool m_isShaded = false;
     Slot m_vertexSlots = 0, m_faceSlots = 0;
     Counters m_counters;
 };
 
-template <class Gl> void ClayBuffer<Gl>::create(Gl* gl)
+template <class Gl> void MeshBuffer<Gl>::create(Gl* gl)
 {
     m_gl = gl;
     m_gl->glGenVertexArrays(1, &m_vertexArray);
@@ -78,7 +78,7 @@ template <class Gl> void ClayBuffer<Gl>::create(Gl* gl)
     m_shades.create(gl);
 }
 
-template <class Gl> void ClayBuffer<Gl>::destroy()
+template <class Gl> void MeshBuffer<Gl>::destroy()
 {
     if (!m_gl)
         return;
@@ -90,7 +90,7 @@ template <class Gl> void ClayBuffer<Gl>::destroy()
     *this = {};
 }
 
-template <class Gl> void ClayBuffer<Gl>::apply(const MeshPatch& patch)
+template <class Gl> void MeshBuffer<Gl>::apply(const MeshPatch& patch)
 {
     const std::size_t vertices = patch.vertexSlots * vertexBytes, faces = patch.faceSlots * faceBytes;
     if (patch.whole) {
@@ -114,18 +114,18 @@ template <class Gl> void ClayBuffer<Gl>::apply(const MeshPatch& patch)
     m_faceSlots = patch.faceSlots;
 }
 
-template <class Gl> void ClayBuffer<Gl>::tint(const Footprint* footprint)
+template <class Gl> void MeshBuffer<Gl>::tint(const Footprint* footprint)
 {
     m_tint.show(footprint);
 }
 
-template <class Gl> void ClayBuffer<Gl>::shade(const Footprint* shades)
+template <class Gl> void MeshBuffer<Gl>::shade(const Footprint* shades)
 {
     m_shades.show(shades);
     m_isShaded = shades != nullptr;
 }
 
-template <class Gl> void ClayBuffer<Gl>::draw() const
+template <class Gl> void MeshBuffer<Gl>::draw() const
 {
     if (empty())
         return;
@@ -134,7 +134,7 @@ template <class Gl> void ClayBuffer<Gl>::draw() const
     m_gl->glBindVertexArray(0);
 }
 
-template <class Gl> void ClayBuffer<Gl>::allocate(Buffer& buffer, std::size_t bytes)
+template <class Gl> void MeshBuffer<Gl>::allocate(Buffer& buffer, std::size_t bytes)
 {
     if (!buffer.id)
         m_gl->glGenBuffers(1, &buffer.id);
@@ -143,7 +143,7 @@ template <class Gl> void ClayBuffer<Gl>::allocate(Buffer& buffer, std::size_t by
     buffer.capacity = bytes;
 }
 
-template <class Gl> void ClayBuffer<Gl>::grow(Buffer& buffer, std::size_t usedBytes, std::size_t neededBytes)
+template <class Gl> void MeshBuffer<Gl>::grow(Buffer& buffer, std::size_t usedBytes, std::size_t neededBytes)
 {
     if (neededBytes <= buffer.capacity)
         return;
@@ -160,7 +160,7 @@ template <class Gl> void ClayBuffer<Gl>::grow(Buffer& buffer, std::size_t usedBy
 
 template <class Gl>
 template <class Value>
-void ClayBuffer<Gl>::upload(const Buffer& buffer, const std::vector<SlotSpan>& spans, const std::vector<Value>& values)
+void MeshBuffer<Gl>::upload(const Buffer& buffer, const std::vector<SlotSpan>& spans, const std::vector<Value>& values)
 {
     if (spans.empty())
         return;
@@ -175,7 +175,7 @@ void ClayBuffer<Gl>::upload(const Buffer& buffer, const std::vector<SlotSpan>& s
     }
 }
 
-template <class Gl> void ClayBuffer<Gl>::bindAttributes() const
+template <class Gl> void MeshBuffer<Gl>::bindAttributes() const
 {
     const auto stride = static_cast<int>(vertexBytes);
     const auto offset = [](std::size_t bytes) { return reinterpret_cast<const void*>(bytes); };

@@ -10,8 +10,8 @@
 namespace core
 {
 /// One byte a vertex slot in OpenGL: the weight of a footprint, 0 outside. The context that was current at create() must be current
-/// at every call. `Gl`: as ClayBuffer's.
-template <class Gl> class TintBuffer
+/// at every call. `Gl`: as MeshBuffer's.
+template <class Gl> class VertexWeightBuffer
 {
 public:
     void create(Gl* gl);
@@ -38,32 +38,32 @@ private:
     std::vector<bool> m_touched; ///< pages
 };
 
-template <class Gl> void TintBuffer<Gl>::create(Gl* gl)
+template <class Gl> void VertexWeightBuffer<Gl>::create(Gl* gl)
 {
     m_gl = gl;
     m_gl->glGenBuffers(1, &m_id);
 }
 
-template <class Gl> void TintBuffer<Gl>::destroy()
+template <class Gl> void VertexWeightBuffer<Gl>::destroy()
 {
     m_gl->glDeleteBuffers(1, &m_id);
     *this = {};
 }
 
-template <class Gl> void TintBuffer<Gl>::clear(std::size_t slots)
+template <class Gl> void VertexWeightBuffer<Gl>::clear(std::size_t slots)
 {
     m_tinted.clear();
     m_weights.assign(slots, 0);
     uploadAll();
 }
 
-template <class Gl> void TintBuffer<Gl>::grow(std::size_t slots)
+template <class Gl> void VertexWeightBuffer<Gl>::grow(std::size_t slots)
 {
     m_weights.resize(std::max(slots, m_weights.size()), 0);
     uploadAll();
 }
 
-template <class Gl> void TintBuffer<Gl>::show(const Footprint* footprint)
+template <class Gl> void VertexWeightBuffer<Gl>::show(const Footprint* footprint)
 {
     for (const Slot slot : m_tinted) {
         m_weights[slot] = 0;
@@ -81,7 +81,7 @@ template <class Gl> void TintBuffer<Gl>::show(const Footprint* footprint)
     uploadTouched();
 }
 
-template <class Gl> void TintBuffer<Gl>::uploadAll()
+template <class Gl> void VertexWeightBuffer<Gl>::uploadAll()
 {
     m_touched.assign(m_weights.size() / page + 1, false);
     m_gl->glBindBuffer(gl::copyWriteBuffer, m_id);
@@ -89,7 +89,7 @@ template <class Gl> void TintBuffer<Gl>::uploadAll()
 }
 
 /// Pages that lie side by side go at once.
-template <class Gl> void TintBuffer<Gl>::uploadTouched()
+template <class Gl> void VertexWeightBuffer<Gl>::uploadTouched()
 {
     m_gl->glBindBuffer(gl::copyWriteBuffer, m_id);
     for (auto first = std::ranges::find(m_touched, true); first != m_touched.end();) {

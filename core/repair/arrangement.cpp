@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace core::mending
+namespace core::repair
 {
 namespace
 {
@@ -30,7 +30,7 @@ std::vector<std::vector<Slot>> partners(std::size_t faces, std::span<const FaceP
 class Joiner
 {
 public:
-    explicit Joiner(const Surface& surface) : m_surface(surface)
+    explicit Joiner(const TriangleSoup& surface) : m_surface(surface)
     {
         m_result.points.reserve(surface.points.size());
         for (const LatticePoint& p : surface.points)
@@ -93,14 +93,14 @@ private:
         return {channel(0), channel(1), channel(2)};
     }
 
-    const Surface& m_surface;
+    const TriangleSoup& m_surface;
     ExactPoints m_points;
     std::vector<Slot> m_slots; ///< by index in m_points
     Arrangement m_result;
 };
 } // namespace
 
-Arrangement arrange(const Surface& surface, std::span<const FacePair> pairs, const JobWatch& watch)
+Arrangement arrange(const TriangleSoup& surface, std::span<const FacePair> pairs, const JobControl& control)
 {
     const std::vector<std::vector<Slot>> others = partners(surface.triangles.size(), pairs);
     std::vector<Slot> met;
@@ -110,8 +110,8 @@ Arrangement arrange(const Surface& surface, std::span<const FacePair> pairs, con
 
     constexpr std::size_t facesPerChunk = 16;
     std::vector<FacePieces> cut(met.size());
-    forEachWatchedChunk(met.size(), facesPerChunk, watch, [&](std::size_t, std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end && !watch.stopped(); ++i)
+    forEachChunkWithProgress(met.size(), facesPerChunk, control, [&](std::size_t, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end && !control.isCancelled(); ++i)
             cut[i] = cutFace(surface, met[i], others[met[i]]);
     });
     Joiner joiner(surface);
@@ -124,4 +124,4 @@ Arrangement arrange(const Surface& surface, std::span<const FacePair> pairs, con
         joiner.addPieces(met[i], cut[i]);
     return joiner.take();
 }
-} // namespace core::mending
+} // namespace core::repair

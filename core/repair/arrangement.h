@@ -7,7 +7,7 @@
 
 #include <span>
 
-namespace core::mending
+namespace core::repair
 {
 /// A piece of a face between the lines along which others meet it.
 struct ArrangedFace
@@ -30,6 +30,6 @@ struct Arrangement
 
 /// Exact (after Zhou, Grinspun, Zorin and Jacobson 2016, "Mesh arrangements for solid geometry"). `pairs` are all the pairs of
 /// faces that meet. No two points are equal, no face is degenerate. All cores; cost grows with the square of what meets one
-/// face. Who stopped it must not use the result.
-Arrangement arrange(const Surface& surface, std::span<const FacePair> pairs, const JobWatch& watch = {});
-} // namespace core::mending
+/// face. If it is cancelled, the result is not usable.
+Arrangement arrange(const TriangleSoup& surface, std::span<const FacePair> pairs, const JobControl& control = {});
+} // namespace core::repair

@@ -6,7 +6,7 @@
 
 #include <numeric>
 
-namespace core::mending
+namespace core::repair
 {
 namespace
 {
@@ -15,7 +15,7 @@ bool repeatsCorner(const Triangle& t)
     return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }
 
-std::size_t dropRepeatedCorners(Surface& surface)
+std::size_t dropRepeatedCorners(TriangleSoup& surface)
 {
     return std::erase_if(surface.triangles, repeatsCorner);
 }
@@ -33,7 +33,7 @@ int runOf(const Triangle& t)
     return (t[0] == s[0] && t[1] == s[1]) || (t[1] == s[0] && t[2] == s[1]) || (t[2] == s[0] && t[0] == s[1]) ? 1 : -1;
 }
 
-std::size_t dropDuplicates(Surface& surface, Duplicates duplicates)
+std::size_t dropDuplicates(TriangleSoup& surface, Duplicates duplicates)
 {
     std::vector<Triangle>& triangles = surface.triangles;
     std::vector<std::pair<Triangle, Slot>> byCorners;
@@ -66,7 +66,7 @@ std::size_t dropDuplicates(Surface& surface, Duplicates duplicates)
 }
 
 /// Of corners on a line, the one between the others.
-std::size_t middleCorner(const Surface& surface, const Triangle& t)
+std::size_t middleCorner(const TriangleSoup& surface, const Triangle& t)
 {
     std::array<std::int64_t, 3> acrossFrom; // squared length of the side across from the corner
     for (std::size_t i = 0; i < 3; ++i)
@@ -76,7 +76,7 @@ std::size_t middleCorner(const Surface& surface, const Triangle& t)
 }
 
 /// One round: each face takes part in one exchange at most. Returns how many faces without area were dealt with.
-std::size_t giveMiddlesAway(Surface& surface)
+std::size_t giveMiddlesAway(TriangleSoup& surface)
 {
     std::vector<Triangle>& triangles = surface.triangles;
     std::vector<Slot> flat;
@@ -120,7 +120,7 @@ std::size_t giveMiddlesAway(Surface& surface)
 }
 } // namespace
 
-std::size_t weld(Surface& surface)
+std::size_t weld(TriangleSoup& surface)
 {
     std::vector<Slot> order(surface.points.size());
     std::iota(order.begin(), order.end(), Slot(0));
@@ -143,7 +143,7 @@ std::size_t weld(Surface& surface)
             isUsed[v] = true;
         }
     }
-    Surface result;
+    TriangleSoup result;
     std::vector<Slot> newSlot(order.size(), noSlot);
     for (Slot v = 0; v < order.size(); ++v) {
         if (!isUsed[v])
@@ -161,24 +161,24 @@ std::size_t weld(Surface& surface)
     return static_cast<std::size_t>(std::ranges::count(isMerged, true));
 }
 
-Tidied tidy(Surface& surface, Duplicates duplicates)
+CleanupResult cleanUp(TriangleSoup& surface, Duplicates duplicates)
 {
-    constexpr int mostRounds = 1000; // each ends nearer: middles travel to faces with area
-    Tidied tidied;
-    tidied.degenerate = dropRepeatedCorners(surface);
+    constexpr int maxRounds = 1000; // each ends nearer: middles travel to faces with area
+    CleanupResult cleaned;
+    cleaned.degenerate = dropRepeatedCorners(surface);
     bool isFirst = true;
-    for (int round = 0; round < mostRounds; ++round) {
-        tidied.duplicates += dropDuplicates(surface, duplicates);
+    for (int round = 0; round < maxRounds; ++round) {
+        cleaned.duplicates += dropDuplicates(surface, duplicates);
         const std::size_t flat = giveMiddlesAway(surface);
-        tidied.degenerate += isFirst ? flat : 0;
+        cleaned.degenerate += isFirst ? flat : 0;
         isFirst = false;
         if (flat == 0)
-            return tidied;
+            return cleaned;
         dropRepeatedCorners(surface);
     }
     std::erase_if(surface.triangles, [&](const Triangle& t) {
         return LatticePredicates::collinear(surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]);
     });
-    return tidied;
+    return cleaned;
 }
-} // namespace core::mending
+} // namespace core::repair

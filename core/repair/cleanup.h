@@ -4,17 +4,17 @@
 
 #include <cstddef>
 
-namespace core::mending
+namespace core::repair
 {
 /// Equal points become one, the first of them; points that no face uses go. Returns how many points went because they were equal.
-std::size_t weld(Surface& surface);
+std::size_t weld(TriangleSoup& surface);
 
 enum class Duplicates {
     KeepOne, ///< of faces with the same corners, however they run
     Cancel   ///< faces that run opposite ways take each other away
 };
 
-struct Tidied
+struct CleanupResult
 {
     std::size_t degenerate = 0; ///< faces without area
     std::size_t duplicates = 0; ///< faces that went because of others with the same corners
@@ -22,5 +22,5 @@ struct Tidied
 
 /// Afterwards no face is degenerate and there are no duplicates (with Cancel: none that run opposite ways). The surface stays
 /// where it is: a face whose corners lie on a line gives the middle one to the face across its long side. Points are welded.
-Tidied tidy(Surface& surface, Duplicates duplicates);
-} // namespace core::mending
+CleanupResult cleanUp(TriangleSoup& surface, Duplicates duplicates);
+} // namespace core::repair

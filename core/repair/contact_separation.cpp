@@ -1,8 +1,8 @@
 // 1. halve   each edge of four faces or more gets a vertex in its middle, so that every part of it will have an end of its own
 // 2. pair    faces at such an edge that have solid between them, by their exact order around it
 // 3. split   each vertex into one for each fan of faces that are joined around it
-// 4. part    the copies of each vertex: into their own cones, until nothing meets there, by an exact judgement of the whole
-// 5. drop    a little clay where that does not help
+// 4. part    the copies of each vertex: into their own cones, until nothing meets there, by an exact check of the whole
+// 5. drop    a small solid where that does not help
 
 #include "core/repair/contact_separation.h"
 
@@ -17,11 +17,11 @@
 #include <optional>
 #include <set>
 
-namespace core::mending
+namespace core::repair
 {
 namespace
 {
-std::size_t halveEdges(Surface& surface)
+std::size_t halveEdges(TriangleSoup& surface)
 {
     std::vector<std::pair<std::pair<Slot, Slot>, Slot>> halved;
     forEachEdge(surface.triangles, [&](std::span<const EdgeFace> around) {
@@ -66,7 +66,7 @@ std::size_t halveEdges(Surface& surface)
 class Around
 {
 public:
-    Around(const Surface& surface, const EdgeFace& first) : m_surface(surface), m_first(first) {}
+    Around(const TriangleSoup& surface, const EdgeFace& first) : m_surface(surface), m_first(first) {}
 
     bool operator()(const EdgeFace& a, const EdgeFace& b) const
     {
@@ -92,7 +92,7 @@ private:
         return side > 0 ? 1 : side == 0 ? 2 : 3;
     }
 
-    const Surface& m_surface;
+    const TriangleSoup& m_surface;
     EdgeFace m_first;
 };
 
@@ -100,7 +100,7 @@ private:
 class Fans
 {
 public:
-    explicit Fans(const Surface& surface) : m_surface(surface), m_sets(3 * surface.triangles.size())
+    explicit Fans(const TriangleSoup& surface) : m_surface(surface), m_sets(3 * surface.triangles.size())
     {
         forEachEdge(surface.triangles, [&](std::span<const EdgeFace> around) {
             if (around.size() == 2)
@@ -136,14 +136,14 @@ private:
         return 3 * face + (t[0] == v ? 0 : t[1] == v ? 1 : 2);
     }
 
-    const Surface& m_surface;
+    const TriangleSoup& m_surface;
     DisjointSets m_sets;
 };
 
 /// The copies of one vertex.
 using Copies = std::vector<Slot>;
 
-std::vector<Copies> splitVertices(Surface& surface)
+std::vector<Copies> splitVertices(TriangleSoup& surface)
 {
     Fans fans(surface);
     std::map<Slot, std::vector<Slot>> fansOf; // by vertex; roots, but for the first
@@ -218,7 +218,7 @@ Vec3 wayInto(const Fan& fan)
 class Parting
 {
 public:
-    Parting(Surface& surface, const std::vector<Copies>& split) : m_surface(surface), m_start(surface.points)
+    Parting(TriangleSoup& surface, const std::vector<Copies>& split) : m_surface(surface), m_start(surface.points)
     {
         m_groupOf.assign(surface.points.size(), noSlot);
         for (Slot g = 0; g < split.size(); ++g) {
@@ -236,16 +236,16 @@ public:
     }
 
     /// Those that nothing would help are back where they were.
-    void run(const JobWatch& watch)
+    void run(const JobControl& control)
     {
         for (const Group& group : m_groups)
             move(group);
-        std::vector<Slot> unsound = unsoundFaces(watch.stop);
-        while (!watch.stopped() && moveOtherwise(unsound))
-            unsound = unsoundFaces(watch.stop);
+        std::vector<Slot> unsound = unsoundFaces(control.stop);
+        while (!control.isCancelled() && moveOtherwise(unsound))
+            unsound = unsoundFaces(control.stop);
     }
 
-    /// A drop of clay where copies could not be parted: an octahedron around them, all in one.
+    /// A small solid where copies could not be parted: an octahedron around them, all in one.
     std::size_t addDrops()
     {
         std::size_t drops = 0;
@@ -295,10 +295,10 @@ private:
 
     std::vector<Slot> unsoundFaces(const std::stop_token& stop) const
     {
-        constexpr std::size_t mostPairs = 100'000;
+        constexpr std::size_t maxPairs = 100'000;
         std::vector<Slot> faces = degenerateFaces<LatticePredicates>(m_surface.points, m_surface.triangles);
         for (const FacePair& pair :
-             selfIntersections<LatticePredicates>(m_surface.points, m_surface.triangles, mostPairs, stop).pairs) {
+             selfIntersections<LatticePredicates>(m_surface.points, m_surface.triangles, maxPairs, stop).pairs) {
             faces.push_back(pair.first);
             faces.push_back(pair.second);
         }
@@ -333,22 +333,22 @@ private:
             m_surface.triangles.push_back({first + t[0], first + t[1], first + t[2]});
     }
 
-    Surface& m_surface;
+    TriangleSoup& m_surface;
     std::vector<LatticePoint> m_start;
     std::vector<Slot> m_groupOf; ///< by vertex; noSlot for most
     std::vector<Group> m_groups;
 };
 } // namespace
 
-Separated separate(Surface& surface, const JobWatch& watch)
+SeparationResult separateContacts(TriangleSoup& surface, const JobControl& control)
 {
-    Separated separated;
+    SeparationResult separated;
     separated.edges = halveEdges(surface);
     const std::vector<Copies> split = splitVertices(surface);
     separated.vertices = split.size() - std::min(split.size(), separated.edges); // without the edges' middles
     Parting parting(surface, split);
-    parting.run(watch);
+    parting.run(control);
     separated.joined = parting.addDrops();
     return separated;
 }
-} // namespace core::mending
+} // namespace core::repair

@@ -6,16 +6,16 @@
 
 #include <cstddef>
 
-namespace core::mending
+namespace core::repair
 {
-struct Separated
+struct SeparationResult
 {
     std::size_t edges = 0, vertices = 0; ///< where the solid touched itself
     std::size_t joined = 0;              ///< of both, where that would not help
 };
 
 /// Parts of the solid that touch at edges or vertices only draw back from each other there, by a few lattice units. Where they
-/// cannot, a drop of clay is added to join them, a closed surface of its own: then the whole must be resolved again. The surface
+/// cannot, a small solid is added to join them, a closed surface of its own: then the whole must be resolved again. The surface
 /// bounds a solid but for those touches.
-Separated separate(Surface& surface, const JobWatch& watch = {});
-} // namespace core::mending
+SeparationResult separateContacts(TriangleSoup& surface, const JobControl& control = {});
+} // namespace core::repair

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <unordered_map>
 
-namespace core::mending
+namespace core::repair
 {
 namespace
 {
@@ -23,7 +23,7 @@ constexpr double nearInEdges = 1.0 / 4;
 class Rim
 {
 public:
-    explicit Rim(const Surface& surface) : m_surface(surface)
+    explicit Rim(const TriangleSoup& surface) : m_surface(surface)
     {
         forEachEdge(surface.triangles, [&](std::span<const EdgeFace> around) {
             if (around.size() == 1)
@@ -75,7 +75,7 @@ private:
             m_farthestReach = std::max(m_farthestReach, m_reach[v]);
     }
 
-    const Surface& m_surface;
+    const TriangleSoup& m_surface;
     std::vector<double> m_reach; ///< by vertex; zero where it is not open
     double m_farthestReach = 0;
 };
@@ -144,7 +144,7 @@ private:
     std::vector<std::vector<Slot>> m_members; ///< by root
 };
 
-void joinVertices(Surface& surface, Joined& joined)
+void joinVertices(TriangleSoup& surface, StitchResult& joined)
 {
     const Rim rim(surface);
     if (rim.farthestReach() == 0)
@@ -165,7 +165,7 @@ void joinVertices(Surface& surface, Joined& joined)
 class Splits
 {
 public:
-    Splits(const Surface& surface, Joined& joined) : m_surface(surface), m_rim(surface)
+    Splits(const TriangleSoup& surface, StitchResult& joined) : m_surface(surface), m_rim(surface)
     {
         if (m_rim.farthestReach() == 0)
             return;
@@ -302,12 +302,12 @@ private:
         return !loose.empty();
     }
 
-    const Surface& m_surface;
+    const TriangleSoup& m_surface;
     Rim m_rim;
     std::unordered_map<std::uint64_t, std::vector<Point>> m_points;
 };
 
-void splitEdges(Surface& surface, Joined& joined)
+void splitEdges(TriangleSoup& surface, StitchResult& joined)
 {
     const Splits splits(surface, joined);
     if (splits.isEmpty())
@@ -320,11 +320,11 @@ void splitEdges(Surface& surface, Joined& joined)
 }
 } // namespace
 
-Joined joinSeams(Surface& surface)
+StitchResult stitchCracks(TriangleSoup& surface)
 {
-    Joined joined;
+    StitchResult joined;
     joinVertices(surface, joined);
     splitEdges(surface, joined);
     return joined;
 }
-} // namespace core::mending
+} // namespace core::repair

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-namespace core::mending
+namespace core::repair
 {
 /// A face at an edge.
 struct EdgeFace
@@ -61,4 +61,4 @@ template <typename Visit> void forEachEdge(std::span<const Triangle> triangles, 
         visit(std::span(edges).subspan(begin, end - begin));
     }
 }
-} // namespace core::mending
+} // namespace core::repair

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace core::mending
+namespace core::repair
 {
 namespace
 {
@@ -129,4 +129,4 @@ ExactPoint centroid(const ExactPoint& a, const ExactPoint& b, const ExactPoint& 
         numerator[axis] = a.numerator[axis] * bc + b.numerator[axis] * ca + c.numerator[axis] * ab;
     return {std::move(numerator), 3 * a.denominator * bc};
 }
-} // namespace core::mending
+} // namespace core::repair

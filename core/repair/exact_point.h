@@ -12,7 +12,7 @@
 /// Points where lines and planes through lattice points meet, and exact questions about them. They are rational: kept as
 /// homogeneous integers in lowest terms, so that equal points have equal numbers, with the nearest doubles beside them, which
 /// answer nearly every question (a filter in the manner of Shewchuk 1997).
-namespace core::mending
+namespace core::repair
 {
 using Integer = boost::multiprecision::cpp_int;
 
@@ -68,4 +68,4 @@ ExactPoint lineThroughPlane(const LatticePoint& a, const LatticePoint& b, const 
 ExactPoint linesCrossing(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d,
                          Projection onto);
 ExactPoint centroid(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c);
-} // namespace core::mending
+} // namespace core::repair

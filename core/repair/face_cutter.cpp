@@ -13,14 +13,14 @@
 #include <optional>
 #include <set>
 
-namespace core::mending
+namespace core::repair
 {
 namespace
 {
 using Corners = std::array<LatticePoint, 3>;
 using Plane = LatticePredicates::Plane;
 
-Corners cornersOf(const Surface& surface, Slot face)
+Corners cornersOf(const TriangleSoup& surface, Slot face)
 {
     const Triangle& t = surface.triangles[face];
     return {surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]};
@@ -144,7 +144,7 @@ public:
 class FaceCutter
 {
 public:
-    FaceCutter(const Surface& surface, Slot face)
+    FaceCutter(const TriangleSoup& surface, Slot face)
         : m_surface(surface)
         , m_face(face)
         , m_corners(cornersOf(surface, face))
@@ -262,7 +262,7 @@ private:
             m_result.pieces.push_back(piece);
     }
 
-    const Surface& m_surface;
+    const TriangleSoup& m_surface;
     Slot m_face;
     Corners m_corners;
     Plane m_plane;
@@ -273,8 +273,8 @@ private:
 };
 } // namespace
 
-FacePieces cutFace(const Surface& surface, Slot face, std::span<const Slot> others)
+FacePieces cutFace(const TriangleSoup& surface, Slot face, std::span<const Slot> others)
 {
     return FaceCutter(surface, face).cut(others);
 }
-} // namespace core::mending
+} // namespace core::repair

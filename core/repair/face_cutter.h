@@ -5,7 +5,7 @@
 
 #include <span>
 
-namespace core::mending
+namespace core::repair
 {
 struct FacePiece
 {
@@ -23,5 +23,5 @@ struct FacePieces
 
 /// Exact. `others`: all the faces that meet this one, ascending; all have area. Cost grows
 /// with the square of the lines. Any thread.
-FacePieces cutFace(const Surface& surface, Slot face, std::span<const Slot> others);
-} // namespace core::mending
+FacePieces cutFace(const TriangleSoup& surface, Slot face, std::span<const Slot> others);
+} // namespace core::repair

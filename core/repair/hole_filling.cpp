@@ -8,14 +8,14 @@
 #include <unordered_map>
 #include <unordered_set>
 
-namespace core::mending
+namespace core::repair
 {
 namespace
 {
-constexpr std::size_t mostCorners = 300; ///< of a loop that is filled with the least area: the cube of it is the cost
+constexpr std::size_t maxCorners = 300; ///< of a loop that is filled with the least area: the cube of it is the cost
 
 /// The ways that the faces to come must run: one for each time that an edge is run one way more often than the other.
-std::unordered_multimap<Slot, Slot> openWays(const Surface& surface)
+std::unordered_multimap<Slot, Slot> openWays(const TriangleSoup& surface)
 {
     std::unordered_multimap<Slot, Slot> ways;
     forEachEdge(surface.triangles, [&](std::span<const EdgeFace> around) {
@@ -68,7 +68,7 @@ std::vector<std::vector<Slot>> loopsOf(std::unordered_multimap<Slot, Slot> ways,
 class EdgeSet
 {
 public:
-    EdgeSet(const Surface& surface, const std::vector<std::vector<Slot>>& loops)
+    EdgeSet(const TriangleSoup& surface, const std::vector<std::vector<Slot>>& loops)
     {
         std::vector<bool> isOnLoop(surface.points.size(), false);
         for (const std::vector<Slot>& loop : loops)
@@ -90,7 +90,7 @@ private:
 class LoopFiller
 {
 public:
-    LoopFiller(Surface& surface, const EdgeSet& present, std::vector<Slot> loop)
+    LoopFiller(TriangleSoup& surface, const EdgeSet& present, std::vector<Slot> loop)
         : m_surface(surface)
         , m_present(present)
         , m_loop(std::move(loop))
@@ -124,9 +124,9 @@ private:
 
     void cutCorners()
     {
-        while (m_loop.size() > mostCorners) {
+        while (m_loop.size() > maxCorners) {
             std::size_t best = 0;
-            double least = std::numeric_limits<double>::infinity();
+            double minCost = std::numeric_limits<double>::infinity();
             const std::size_t n = m_loop.size();
             for (std::size_t i = 0; i < n; ++i) {
                 const Slot a = m_loop[(i + n - 1) % n], b = m_loop[i], c = m_loop[(i + 1) % n];
@@ -134,8 +134,8 @@ private:
                 const double cosine = u.dot(v) / (u.norm() * v.norm());
                 const bool isFlat =
                     LatticePredicates::collinear(m_surface.points[a], m_surface.points[b], m_surface.points[c]);
-                if (!isFlat && -cosine < least) {
-                    least = -cosine;
+                if (!isFlat && -cosine < minCost) {
+                    minCost = -cosine;
                     best = i;
                 }
             }
@@ -147,16 +147,16 @@ private:
     void fillWithLeastArea()
     {
         const std::size_t n = m_loop.size();
-        std::vector<double> least(n * n, 0);
+        std::vector<double> minCost(n * n, 0);
         std::vector<std::size_t> apex(n * n, 0);
         for (std::size_t length = 2; length < n; ++length) {
             for (std::size_t i = 0; i + length < n; ++i) {
                 const std::size_t k = i + length;
-                double& best = least[i * n + k] = std::numeric_limits<double>::infinity();
+                double& best = minCost[i * n + k] = std::numeric_limits<double>::infinity();
                 const double chord = costOfChord(i, k);
                 for (std::size_t m = i + 1; m < k; ++m) {
                     const double sum =
-                        least[i * n + m] + least[m * n + k] + chord + cost(m_loop[i], m_loop[m], m_loop[k]);
+                        minCost[i * n + m] + minCost[m * n + k] + chord + cost(m_loop[i], m_loop[m], m_loop[k]);
                     if (sum < best) {
                         best = sum;
                         apex[i * n + k] = m;
@@ -177,12 +177,12 @@ private:
         }
     }
 
-    Surface& m_surface;
+    TriangleSoup& m_surface;
     const EdgeSet& m_present;
     std::vector<Slot> m_loop;
 };
 
-double areaOf(const Surface& surface, std::size_t fromFace)
+double areaOf(const TriangleSoup& surface, std::size_t fromFace)
 {
     double area = 0;
     for (std::size_t f = fromFace; f < surface.triangles.size(); ++f) {
@@ -193,7 +193,7 @@ double areaOf(const Surface& surface, std::size_t fromFace)
     return area;
 }
 
-double extentOf(const Surface& surface, std::span<const Slot> slots)
+double extentOf(const TriangleSoup& surface, std::span<const Slot> slots)
 {
     LatticePoint low = surface.points[slots[0]], high = low;
     for (const Slot v : slots) {
@@ -204,9 +204,9 @@ double extentOf(const Surface& surface, std::span<const Slot> slots)
 }
 } // namespace
 
-Filled fillHoles(Surface& surface, bool largeToo, const JobWatch& watch)
+HoleFillingResult fillHoles(TriangleSoup& surface, bool largeToo, const JobControl& control)
 {
-    Filled filled;
+    HoleFillingResult filled;
     std::vector<Slot> all;
     for (const Triangle& t : surface.triangles)
         all.insert(all.end(), t.begin(), t.end());
@@ -218,7 +218,7 @@ Filled fillHoles(Surface& surface, bool largeToo, const JobWatch& watch)
     const std::size_t before = surface.triangles.size();
     const double area = areaOf(surface, 0);
     for (std::vector<Slot>& loop : loops) {
-        if (watch.stopped())
+        if (control.isCancelled())
             break;
         const bool isLarge = extentOf(surface, loop) > largeHole * extent;
         filled.largeHoles += isLarge;
@@ -230,4 +230,4 @@ Filled fillHoles(Surface& surface, bool largeToo, const JobWatch& watch)
     filled.share = areaOf(surface, before) / area;
     return filled;
 }
-} // namespace core::mending
+} // namespace core::repair

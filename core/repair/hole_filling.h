@@ -6,9 +6,9 @@
 
 #include <cstddef>
 
-namespace core::mending
+namespace core::repair
 {
-struct Filled
+struct HoleFillingResult
 {
     std::size_t holes = 0;
     std::size_t faces = 0;      ///< that were added
@@ -22,5 +22,5 @@ inline constexpr double largeHole = 0.25;
 /// Closes the loops along which the surface ends (edges that faces do not run as often one way as the other) with the least area
 /// (Barequet and Sharir 1995), up to 300 corners; longer loops lose their most pointed corners first. What fills a hole may meet
 /// other faces. The surface is oriented.
-Filled fillHoles(Surface& surface, bool largeToo, const JobWatch& watch = {});
-} // namespace core::mending
+HoleFillingResult fillHoles(TriangleSoup& surface, bool largeToo, const JobControl& control = {});
+} // namespace core::repair

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace core::mending
+namespace core::repair
 {
 namespace
 {
@@ -34,20 +34,20 @@ std::vector<MaskedPlace> maskedPlaces(const TriangleMesh& mesh, const LatticePla
 }
 } // namespace
 
-std::size_t keepMasks(const TriangleMesh& old, const LatticePlacement& placement, TriangleMesh& mended)
+std::size_t transferMasks(const TriangleMesh& old, const LatticePlacement& placement, TriangleMesh& repaired)
 {
     const std::vector<MaskedPlace> places = maskedPlaces(old, placement);
     if (places.empty())
         return 0;
-    mended.masks.assign(mended.points.size(), 0);
+    repaired.masks.assign(repaired.points.size(), 0);
     std::vector<bool> isKept(places.size(), false);
-    for (std::size_t v = 0; v < mended.points.size(); ++v) {
-        const auto found = std::ranges::lower_bound(places, mended.points[v], liesBefore, &MaskedPlace::point);
-        if (found == places.end() || found->point != mended.points[v])
+    for (std::size_t v = 0; v < repaired.points.size(); ++v) {
+        const auto found = std::ranges::lower_bound(places, repaired.points[v], liesBefore, &MaskedPlace::point);
+        if (found == places.end() || found->point != repaired.points[v])
             continue;
-        mended.masks[v] = found->mask;
+        repaired.masks[v] = found->mask;
         isKept[static_cast<std::size_t>(found - places.begin())] = true;
     }
     return static_cast<std::size_t>(std::ranges::count(isKept, false));
 }
-} // namespace core::mending
+} // namespace core::repair

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace core::mending
+namespace core::repair
 {
 namespace
 {
@@ -27,7 +27,7 @@ void turn(Triangle& t)
 class Flood
 {
 public:
-    explicit Flood(Surface& surface) : m_triangles(surface.triangles), m_across(3 * m_triangles.size(), noSlot)
+    explicit Flood(TriangleSoup& surface) : m_triangles(surface.triangles), m_across(3 * m_triangles.size(), noSlot)
     {
         forEachEdge(m_triangles, [&](std::span<const EdgeFace> around) {
             if (around.size() != 2)
@@ -89,10 +89,10 @@ private:
 };
 
 /// Looks along the axes.
-class Lookout
+class VisibilityScan
 {
 public:
-    explicit Lookout(const Surface& surface) : m_surface(surface), m_tree(faceBoxes(surface.points, surface.triangles)) {}
+    explicit VisibilityScan(const TriangleSoup& surface) : m_surface(surface), m_tree(faceBoxes(surface.points, surface.triangles)) {}
 
     /// From the middle of the face: how many of the axes' ways lead out before it, less how many behind. Both are added to `seen`.
     int balance(Slot face, std::size_t& seen) const
@@ -146,12 +146,12 @@ private:
         return way * (weight[0] * p[0][axis] + weight[1] * p[1][axis] + weight[2] * p[2][axis]) / sum > 0;
     }
 
-    const Surface& m_surface;
+    const TriangleSoup& m_surface;
     BoxTree m_tree;
 };
 
 /// Turns the parts that hang on edges of three or more to where they are seen from. True: some were not seen, and went.
-bool lookAtSheets(Surface& surface, const Parts& parts, Oriented& oriented)
+bool orientSheets(TriangleSoup& surface, const Parts& parts, OrientationResult& oriented)
 {
     std::vector<bool> hangs(parts.faces.size(), false);
     bool doAny = false;
@@ -164,7 +164,7 @@ bool lookAtSheets(Surface& surface, const Parts& parts, Oriented& oriented)
     });
     if (!doAny)
         return false;
-    const Lookout lookout(surface);
+    const VisibilityScan scan(surface);
     std::vector<bool> goes(surface.triangles.size(), false);
     std::size_t gone = 0;
     for (std::size_t part = 0; part < parts.faces.size(); ++part) {
@@ -176,7 +176,7 @@ bool lookAtSheets(Surface& surface, const Parts& parts, Oriented& oriented)
         std::size_t seen = 0;
         int balance = 0;
         for (std::size_t i = 0; i < faces.size(); i += step)
-            balance += lookout.balance(faces[i], seen);
+            balance += scan.balance(faces[i], seen);
         for (const Slot f : faces) {
             goes[f] = seen == 0;
             if (balance < 0)
@@ -194,7 +194,7 @@ bool lookAtSheets(Surface& surface, const Parts& parts, Oriented& oriented)
     return gone > 0;
 }
 
-double volumeOf(const Surface& surface, const std::vector<Slot>& faces)
+double volumeOf(const TriangleSoup& surface, const std::vector<Slot>& faces)
 {
     const auto at = [&](Slot v) { return Vec3(surface.points[v].cast<double>()); };
     const Vec3 origin = at(surface.triangles[faces[0]][0]);
@@ -207,20 +207,20 @@ double volumeOf(const Surface& surface, const std::vector<Slot>& faces)
 }
 } // namespace
 
-Oriented orient(Surface& surface)
+OrientationResult orient(TriangleSoup& surface)
 {
-    Oriented oriented;
+    OrientationResult oriented;
     bool again = true;
     while (again) {
         const Parts parts = Flood(surface).run(oriented.turned);
-        again = lookAtSheets(surface, parts, oriented);
+        again = orientSheets(surface, parts, oriented);
     }
     return oriented;
 }
 
-Faced faceOutwards(Surface& surface, bool innerAreCavities)
+OutwardResult orientOutwards(TriangleSoup& surface, bool innerAreCavities)
 {
-    Faced faced;
+    OutwardResult faced;
     std::size_t turned = 0;
     const Parts parts = Flood(surface).run(turned);
     std::vector<Vec3> points;
@@ -249,4 +249,4 @@ Faced faceOutwards(Surface& surface, bool innerAreCavities)
     }
     return faced;
 }
-} // namespace core::mending
+} // namespace core::repair

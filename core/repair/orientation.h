@@ -6,9 +6,9 @@
 
 #include <cstddef>
 
-namespace core::mending
+namespace core::repair
 {
-struct Oriented
+struct OrientationResult
 {
     std::size_t turned = 0;    ///< faces
     std::size_t membranes = 0; ///< faces of sheets between others that nobody sees from outside: they went
@@ -16,9 +16,9 @@ struct Oriented
 
 /// Faces joined by edges of two run the same way as most of them did. Sheets that hang on edges of three or more are turned
 /// to where they are seen from, along the axes; those that are not seen at all go.
-Oriented orient(Surface& surface);
+OrientationResult orient(TriangleSoup& surface);
 
-struct Faced
+struct OutwardResult
 {
     std::size_t turned = 0; ///< parts that faced inwards and lie in no other
     std::size_t inner = 0;  ///< parts that lie inside others and face outwards, and so will be filled; or were turned
@@ -26,5 +26,5 @@ struct Faced
 
 /// Closed parts face outwards; those inside of others keep their way: inwards, they are cavities. With `innerAreCavities` parts
 /// inside of others that face outwards are turned as well.
-Faced faceOutwards(Surface& surface, bool innerAreCavities);
-} // namespace core::mending
+OutwardResult orientOutwards(TriangleSoup& surface, bool innerAreCavities);
+} // namespace core::repair

@@ -6,7 +6,7 @@
 #include <deque>
 #include <optional>
 
-namespace core::mending
+namespace core::repair
 {
 PlanarTriangulation::PlanarTriangulation(const ExactPoints& points, const Triangle& corners, Projection onto)
     : m_points(points)
@@ -250,4 +250,4 @@ std::vector<Triangle> PlanarTriangulation::triangles() const
         result.push_back(cell.corners);
     return result;
 }
-} // namespace core::mending
+} // namespace core::repair

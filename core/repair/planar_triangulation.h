@@ -2,7 +2,7 @@
 
 #include "core/repair/exact_point.h"
 
-namespace core::mending
+namespace core::repair
 {
 /// A triangle with points and segments in it, cut into triangles of which those are corners and edges. Exact. Points are
 /// inserted one by one; segments are forced by flips (Sloan 1993); free edges are then flipped towards Delaunay's.
@@ -64,4 +64,4 @@ private:
     std::vector<Cell> m_cells;
     mutable Index m_last = 0;
 };
-} // namespace core::mending
+} // namespace core::repair

@@ -10,14 +10,14 @@
 namespace core
 {
 /// What to do where more than one outcome is right.
-struct LegaliseOptions
+struct RepairOptions
 {
     bool fillLargeHoles = true;    ///< else a surface with a hole longer than a quarter of it is refused
     bool innerAreCavities = false; ///< a part inside of another that faces outwards: a cavity, else it is filled
 };
 
-/// What was done, in the order of the steps. Counts of what was found and mended.
-struct LegaliseReport
+/// What was done, in the order of the steps. Counts of what was found and repaired.
+struct RepairReport
 {
     std::size_t welded = 0;          ///< vertices that lay where others did, on the lattice
     std::size_t degenerateFaces = 0; ///< without area
@@ -43,23 +43,23 @@ struct LegaliseReport
     double hausdorff() const { return std::max(fromOld.largest, fromNew.largest); }
 };
 
-enum class LegaliseRefusal { None, LargeHoles, EnclosesNothing };
+enum class RepairRefusal { None, LargeHoles, EnclosesNothing };
 
-struct Legalised
+struct RepairResult
 {
     std::optional<TriangleMesh> mesh; ///< print-ready, and on its lattice; missing if refused or stopped
-    LegaliseRefusal refusal = LegaliseRefusal::None;
-    LegaliseReport report;
+    RepairRefusal refusal = RepairRefusal::None;
+    RepairReport report;
 };
 
-enum class LegaliseStep { Tidy, Join, Orient, Fill, Resolve, Remesh, Check, Measure };
+enum class RepairStep { CleanUp, Stitch, Orient, Fill, Resolve, Remesh, Check, Measure };
 /// Is told what begins, on the job's thread; some steps come again.
-using LegaliseTell = std::function<void(LegaliseStep step)>;
+using RepairStepCallback = std::function<void(RepairStep step)>;
 
 /// Makes one closed, manifold, consistently oriented surface without intersections out of whatever triangles there are: the
 /// boundary of the space that they wind around. Away from what was wrong no coordinate changes but by the snap to the lattice
-/// (half a unit), and where cracks close (mending/seams.h). Indices in range, points finite, at least one face. Whole-mesh cost, on
+/// (half a unit), and where cracks close (crack_stitching.h). Indices in range, points finite, at least one face. Whole-mesh cost, on
 /// all cores.
-Legalised legalise(const TriangleMesh& mesh, const LegaliseOptions& options = {}, const JobWatch& watch = {},
-                   const LegaliseTell& tell = {});
+RepairResult repairMesh(const TriangleMesh& mesh, const RepairOptions& options = {}, const JobControl& control = {},
+                   const RepairStepCallback& onStep = {});
 } // namespace core

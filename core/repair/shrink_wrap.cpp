@@ -13,7 +13,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
-namespace core::mending
+namespace core::repair
 {
 namespace
 {
@@ -37,16 +37,16 @@ Node corner(const Node& cube, unsigned i)
 constexpr std::array<std::array<unsigned, 4>, 6> tetrahedra{
     {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7}, {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}}};
 
-class Wrapping
+class ShrinkWrap
 {
 public:
-    Wrapping(const Surface& surface, int cell, const JobWatch& watch)
+    ShrinkWrap(const TriangleSoup& surface, int cell, const JobControl& control)
         : m_original(surface)
         , m_cell(cell)
         , m_points(pointsOf(surface))
         , m_winding(m_points, surface.triangles)
         , m_tree(faceBoxes(surface.points, surface.triangles))
-        , m_watch(watch)
+        , m_control(control)
     {
         LatticePoint low = LatticePoint::Constant(std::numeric_limits<int>::max());
         for (const Triangle& t : surface.triangles)
@@ -55,10 +55,10 @@ public:
         m_origin = low - LatticePoint::Constant(2 * cell);
     }
 
-    Surface run()
+    TriangleSoup run()
     {
         std::vector<Node> front = seeds();
-        while (!front.empty() && !m_watch.stopped()) {
+        while (!front.empty() && !m_control.isCancelled()) {
             ask(front);
             front = next(front);
         }
@@ -69,7 +69,7 @@ public:
     }
 
 private:
-    static std::vector<Vec3> pointsOf(const Surface& surface)
+    static std::vector<Vec3> pointsOf(const TriangleSoup& surface)
     {
         std::vector<Vec3> points;
         points.reserve(surface.points.size());
@@ -116,7 +116,7 @@ private:
         }
         constexpr std::size_t nodesPerChunk = 64;
         forEachChunk(questions.size(), nodesPerChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end && !m_watch.stopped(); ++i)
+            for (std::size_t i = begin; i < end && !m_control.isCancelled(); ++i)
                 *questions[i].second = m_winding.at(place(questions[i].first).cast<double>()) > 0.5;
         });
     }
@@ -230,12 +230,12 @@ private:
         return face == noSlot ? 0.5 : std::clamp(best, nearEnd, 1 - nearEnd);
     }
 
-    const Surface& m_original;
+    const TriangleSoup& m_original;
     int m_cell;
     std::vector<Vec3> m_points;
     WindingNumber m_winding;
     BoxTree m_tree;
-    const JobWatch& m_watch;
+    const JobControl& m_control;
     LatticePoint m_origin;
     std::unordered_set<std::uint64_t> m_seen; ///< cubes
     std::unordered_map<std::uint64_t, bool> m_isInside;
@@ -243,10 +243,10 @@ private:
     using OnEdges = std::array<Slot, 8>; ///< by the corner that the edge leads to from corner 0
     static constexpr OnEdges noVertices{noSlot, noSlot, noSlot, noSlot, noSlot, noSlot, noSlot, noSlot};
     std::unordered_map<std::uint64_t, OnEdges> m_vertices; ///< by lower node
-    Surface m_result;
+    TriangleSoup m_result;
 };
 
-double longestSide(const Surface& surface)
+double longestSide(const TriangleSoup& surface)
 {
     LatticePoint low = LatticePoint::Constant(std::numeric_limits<int>::max()), high = -low;
     for (const Triangle& t : surface.triangles) {
@@ -259,12 +259,12 @@ double longestSide(const Surface& surface)
 }
 } // namespace
 
-Surface wrap(const Surface& surface, int cell, const JobWatch& watch)
+TriangleSoup shrinkWrap(const TriangleSoup& surface, int cell, const JobControl& control)
 {
-    return Wrapping(surface, cell, watch).run();
+    return ShrinkWrap(surface, cell, control).run();
 }
 
-int cellFor(const Surface& surface)
+int cellFor(const TriangleSoup& surface)
 {
     double edges = 0;
     for (const Triangle& t : surface.triangles)
@@ -274,4 +274,4 @@ int cellFor(const Surface& surface)
     constexpr double coarsest = 64, finest = 256;
     return static_cast<int>(std::clamp(mean / 2, side / finest, side / coarsest));
 }
-} // namespace core::mending
+} // namespace core::repair

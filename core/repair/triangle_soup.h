@@ -4,10 +4,10 @@
 
 #include <vector>
 
-namespace core::mending
+namespace core::repair
 {
-/// A stranger's triangles on the lattice, while they are being mended. No promise but indices in range.
-struct Surface
+/// Triangles of any file on the lattice, while they are being repaired. No promise but indices in range.
+struct TriangleSoup
 {
     std::vector<LatticePoint> points;
     std::vector<Rgb> colors; ///< empty, or one per point
@@ -27,4 +27,4 @@ struct Surface
         return static_cast<Slot>(points.size() - 1);
     }
 };
-} // namespace core::mending
+} // namespace core::repair

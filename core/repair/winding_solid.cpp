@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace core::mending
+namespace core::repair
 {
 namespace
 {
@@ -47,7 +47,7 @@ struct Sides
     int before = 0, behind = 0; ///< -1, 0, 1
 };
 
-Sides judge(const Arrangement& arrangement, const WindingNumber& winding, Slot face)
+Sides classify(const Arrangement& arrangement, const WindingNumber& winding, Slot face)
 {
     const auto& [corners, original, jump] = arrangement.faces[face];
     const Vec3 middle =
@@ -59,7 +59,7 @@ Sides judge(const Arrangement& arrangement, const WindingNumber& winding, Slot f
     return {sign(around - 0.5 * jump), sign(around + 0.5 * jump)};
 }
 
-std::vector<Sides> judgeAll(const Surface& original, const Arrangement& arrangement, const JobWatch& watch)
+std::vector<Sides> classifyAll(const TriangleSoup& original, const Arrangement& arrangement, const JobControl& control)
 {
     DisjointSets patches = patchesOf(arrangement);
     const std::size_t count = arrangement.faces.size();
@@ -80,9 +80,9 @@ std::vector<Sides> judgeAll(const Surface& original, const Arrangement& arrangem
     const WindingNumber winding(points, original.triangles);
     std::vector<Sides> sides(count);
     constexpr std::size_t patchesPerChunk = 4;
-    forEachWatchedChunk(roots.size(), patchesPerChunk, watch, [&](std::size_t, std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end && !watch.stopped(); ++i)
-            sides[roots[i]] = judge(arrangement, winding, largest[roots[i]]);
+    forEachChunkWithProgress(roots.size(), patchesPerChunk, control, [&](std::size_t, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end && !control.isCancelled(); ++i)
+            sides[roots[i]] = classify(arrangement, winding, largest[roots[i]]);
     });
     for (Slot f = 0; f < count; ++f)
         sides[f] = sides[patches.root(f)];
@@ -104,15 +104,15 @@ double insideOutShare(const Arrangement& arrangement, const std::vector<Sides>& 
 }
 } // namespace
 
-Solid solidOf(const Surface& original, const Arrangement& arrangement, Inside inside, const JobWatch& watch)
+WindingSolid windingSolidOf(const TriangleSoup& original, const Arrangement& arrangement, Inside inside, const JobControl& control)
 {
-    Solid solid;
-    Surface& surface = solid.surface;
+    WindingSolid solid;
+    TriangleSoup& surface = solid.surface;
     surface.colors = arrangement.colors;
     surface.points.reserve(arrangement.points.size());
     for (const Vec3& p : arrangement.points)
         surface.points.push_back(p.array().round().cast<int>());
-    const std::vector<Sides> sides = judgeAll(original, arrangement, watch);
+    const std::vector<Sides> sides = classifyAll(original, arrangement, control);
     solid.insideOut = insideOutShare(arrangement, sides);
     const auto isSolid = [&](int side) { return side > 0 || (side < 0 && inside == Inside::NonZero); };
     for (Slot f = 0; f < sides.size(); ++f) {
@@ -124,4 +124,4 @@ Solid solidOf(const Surface& original, const Arrangement& arrangement, Inside in
     weld(surface);
     return solid;
 }
-} // namespace core::mending
+} // namespace core::repair

@@ -2,7 +2,7 @@
 
 #include "core/repair/arrangement.h"
 
-namespace core::mending
+namespace core::repair
 {
 /// What counts as solid, by how often the surface winds around it. Where surfaces cross, the space that is inside and the space
 /// that is inside out touch along a line.
@@ -11,13 +11,13 @@ enum class Inside {
     NonZero   ///< more than a half either way
 };
 
-struct Solid
+struct WindingSolid
 {
-    Surface surface;      ///< new points rounded to the lattice; equal ones are one
+    TriangleSoup surface;      ///< new points rounded to the lattice; equal ones are one
     double insideOut = 0; ///< share of the boundary that bounds what is inside out
 };
 
 /// The boundary of all that counts as solid: what is inside of two parts is inside. `original` is the surface that was arranged.
 /// It should be closed; where it is not, the outcome has borders. All cores.
-Solid solidOf(const Surface& original, const Arrangement& arrangement, Inside inside, const JobWatch& watch = {});
-} // namespace core::mending
+WindingSolid windingSolidOf(const TriangleSoup& original, const Arrangement& arrangement, Inside inside, const JobControl& control = {});
+} // namespace core::repair

@@ -24,13 +24,13 @@ double clearanceOf(const Sphere& ball)
 }
 
 /// By ray parity, as the paper has it, and by distance: a large triangle may be near though no vertex is.
-Refusal refusalOf(const JudgedMesh& surface, const Sphere& ball)
+Refusal refusalOf(const VerifiedMesh& surface, const Sphere& ball)
 {
     const Mesh& mesh = surface.mesh();
     const Lattice& lattice = mesh.lattice();
     if (!lattice.contains(ball.center.cwiseAbs() + Vec3::Constant(ball.radius)))
         return Refusal::Wall;
-    ShellProbe probe(lattice.toLattice(lattice.snap(ball.center)));
+    ShellOrientation probe(lattice.toLattice(lattice.snap(ball.center)));
     surface.octree().query(probe.column(), [&](Slot f) {
         const Triangle& t = mesh.corners(f);
         probe.castAt({mesh.latticePoint(t[0]), mesh.latticePoint(t[1]), mesh.latticePoint(t[2])});
@@ -41,12 +41,12 @@ Refusal refusalOf(const JudgedMesh& surface, const Sphere& ball)
     return nearest && nearest->distance < ball.radius + clearanceOf(ball) ? Refusal::TooClose : Refusal::None;
 }
 
-Slot nearestVertex(const JudgedMesh& surface, const Vec3& p)
+Slot nearestVertex(const VerifiedMesh& surface, const Vec3& p)
 {
     return surface.mesh().corners(nearestPoint(surface.mesh(), surface.octree(), p)->face)[0];
 }
 
-void turnOver(TriangleMesh& shell)
+void reverseOrientation(TriangleMesh& shell)
 {
     for (Triangle& t : shell.triangles)
         std::swap(t[1], t[2]);
@@ -62,7 +62,7 @@ TriangleMesh solidAt(const Dab& dab, const BrushModel* model, std::vector<Vec3>&
         places.push_back(dab.position + (model ? Vec3(dab.radius * (p.x() * frame.right + p.y() * frame.normal - p.z() * frame.up)) : p));
     }
     if (model && dab.isMirrored)
-        turnOver(solid);
+        reverseOrientation(solid);
     return solid;
 }
 
@@ -70,12 +70,12 @@ TriangleMesh imageOf(TriangleMesh shell, const MirrorMap& mirror)
 {
     for (Vec3f& p : shell.points)
         p = mirror.imageOf(p);
-    turnOver(shell);
+    reverseOrientation(shell);
     return shell;
 }
 } // namespace
 
-Refusal refusalOf(const JudgedMesh& surface, const std::vector<Vec3>& centers, double radius)
+Refusal refusalOf(const VerifiedMesh& surface, const std::vector<Vec3>& centers, double radius)
 {
     for (const Vec3& center : centers) {
         if (const Refusal refusal = refusalOf(surface, {center, radius}); refusal != Refusal::None)
@@ -88,7 +88,7 @@ Refusal refusalOf(const JudgedMesh& surface, const std::vector<Vec3>& centers, d
     return Refusal::None;
 }
 
-DabReport addSolid(JudgedMesh& surface, const BrushModel* model, const Dab& dab, const MirrorMap* mirror)
+DabReport addSolid(VerifiedMesh& surface, const BrushModel* model, const Dab& dab, const MirrorMap* mirror)
 {
     Mesh& mesh = surface.mesh();
     const Sphere ball = {dab.position, dab.radius};
@@ -107,7 +107,7 @@ DabReport addSolid(JudgedMesh& surface, const BrushModel* model, const Dab& dab,
     const Slot near = nearestVertex(surface, ball.center), nearImage = nearestVertex(surface, image.center);
     const auto add = [&](const std::vector<LatticePoint>& points) {
         std::ranges::transform(points, solid.points.begin(), [&](const LatticePoint& p) { return mesh.lattice().toPoint(p); });
-        return surface.attempt([&] {
+        return surface.tryOperation([&] {
             mesh.replaceFaces(additionOf(solid, near));
             if (paired)
                 mesh.replaceFaces(additionOf(imageOf(solid, *mirror), nearImage));

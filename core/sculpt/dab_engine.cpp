@@ -5,11 +5,11 @@
 // then, for each sub-step no longer than d_move, or for several at once where nothing can meet:
 //     deform     each vertex moves its part of the plan, snapped to the lattice
 //     optimise   the mesh under the brush becomes quasi-uniform where it now is                remesh
-//     verify     exactly, where it changed                                                     judged_mesh
-//     index      octree and draw ranges learn what changed                                     judged_mesh
+//     verify     exactly, where it changed                                                     verified_mesh
+//     index      octree and draw ranges learn what changed                                     verified_mesh
 //     fuse       what the next sub-step would bring into contact joins; thin necks part        fuse
-// It is planned in dab_plan.cpp. What it works on is selected in dab_select.cpp, or is what an earlier dab of the stroke took hold of, in
-// dab_hold.cpp; a sub-step that does not verify is rolled back and goes on in dab_careful.cpp. Of several sectors dab_radial.cpp does one
+// It is planned in step_plan.cpp. What it works on is selected in dab_selection.cpp, or is what an earlier dab of the stroke took hold of, in
+// grab_state.cpp; a sub-step that does not verify is rolled back and goes on in fallback_step.cpp. Of several sectors radial_dabs.cpp does one
 // after the other.
 
 #include "core/sculpt/dab_engine.h"
@@ -24,26 +24,26 @@ namespace core
 namespace
 {
 /// A guard, not a tuning knob: tries to take the steps of a dab, which ends early if it would need more.
-constexpr int mostAttempts = 4 * 4096;
+constexpr int maxAttempts = 4 * 4096;
 /// A dab whose centre is farther from its image's than this, in radii, does not bring the two into contact.
 constexpr double farthestFromImage = 4;
-/// Vertices of a dab that is only a rehearsal: where the mesh is far finer than elsewhere none is made.
-constexpr Slot mostRehearsed = 1024;
+/// Vertices of the warm-up dab at most: where the mesh is far finer than elsewhere there is none.
+constexpr Slot maxWarmUpVertices = 1024;
 
 bool isAtRest(const StrokeSettings& settings, const Dab& dab)
 {
-    return followsHand(settings.tool) && (settings.tool == Tool::Twist ? dab.turn == 0 : dab.motion.isZero());
+    return isDragTool(settings.tool) && (settings.tool == Tool::Twist ? dab.turn == 0 : dab.motion.isZero());
 }
 } // namespace
 
 DabEngine::DabEngine(Mesh& mesh) : m_mesh(mesh), m_surface(mesh), m_mirror(mesh)
 {
-    rehearse();
+    warmUp();
 }
 
 /// A dab that is taken back before it counts. Memory that is touched for the first time costs far more than a dab: so the first
 /// real one costs what all do. At the last vertex: what has room for it has room for all.
-void DabEngine::rehearse()
+void DabEngine::warmUp()
 {
     if (m_mesh.live().vertices == 0)
         return;
@@ -59,11 +59,11 @@ void DabEngine::rehearse()
     m_mesh.beginStroke();
     const Mesh::Mark mark = m_mesh.mark();
     select(m_region, m_candidates, BrushShape::Sphere, {dab.position, dab.radius});
-    if (m_region.size() <= mostRehearsed) {
+    if (m_region.size() <= maxWarmUpVertices) {
         Task task = {settings, dab, {dab.position, dab.radius}, boundsFor(settings, dab.radius)};
         RemeshCounts counts = refineAndPlan(task, plainEditor(), report);
         moveAndOptimise(task, counts, report);
-        m_surface.rehearse(mark);
+        m_surface.warmUp(mark);
     }
     m_mesh.rollback(mark);
     m_mesh.endStroke();
@@ -90,7 +90,7 @@ DabReport DabEngine::apply(const StrokeSettings& settings, const Dab& dab, const
     }
     report.verifyMs = m_surface.verifyMs() - verifiedBefore;
     if (report.touchedFaces == 0)
-        report.touchedFaces = m_surface.mostDirtyFaces();
+        report.touchedFaces = m_surface.maxDirtyFaces();
     return report;
 }
 
@@ -101,30 +101,30 @@ void DabEngine::sculpt(const StrokeSettings& settings, Dab dab, const std::funct
         report = addSolid(m_surface, settings.model.get(), dab, mirror());
         return;
     }
-    if (marks(settings.tool))
+    if (paintsAttribute(settings.tool))
         return mark(settings, dab, report);
-    m_held.clear();
-    m_unfolding.clear();
-    m_fuser.beginDab(mirror(), detailShare(settings));
+    m_limits.clear();
+    m_foldSmoothing.clear();
+    m_fusion.beginDab(mirror(), detailShare(settings));
     m_blocked.clear();
     m_capped = false;
-    dab.axis = m_hold.axis;
+    dab.axis = m_grab.axis;
     Task task = {settings, dab, ballAround(dab), boundsFor(settings, dab.radius)};
     {
         const PhaseTimer timer(report.fuseMs);
-        task.meets = facesMeet(settings, task.ball);
+        task.canFuse = canFacesFuse(settings, task.ball);
     }
-    recallHeldBack(task);
+    recallLimits(task);
     deform(task, between, report);
     m_bounds = task.bounds;
     if (report.asked > 0)
-        report.reached = m_unfolding.shareLeft(m_region, report.reached / report.asked) * report.asked;
+        report.reached = m_foldSmoothing.shareLeft(m_region, report.reached / report.asked) * report.asked;
     report.touchedVertices = touchedVertices();
     if (settings.tool == Tool::Layer && report.asked > 0)
         noteRaised(report.reached / report.asked);
-    if (holdsOn(settings.tool) && !m_region.empty()) {
-        m_hold = {true, m_mirror.isOn(), m_hold.axis, m_hold.detail, m_mesh.removedVertices().size()};
-        noteHeldBack(task, report);
+    if (keepsSelection(settings.tool) && !m_region.empty()) {
+        m_grab = {true, m_mirror.isOn(), m_grab.axis, m_grab.detail, m_mesh.removedVertices().size()};
+        noteLimits(task, report);
     }
 }
 
@@ -133,27 +133,27 @@ void DabEngine::deform(Task& task, const std::function<void()>& between, DabRepo
 {
     report.outcome = DabOutcome::Committed;
     for (int attempt = 0; task.steps == 0 || task.left > 0; ++attempt, m_work += m_region.size()) {
-        const bool tooMuch = attempt >= mostAttempts || isSpent();
-        const Substep result = tooMuch ? Substep::Stuck : substep(task, report);
-        if (result == Substep::Again)
+        const bool tooMuch = attempt >= maxAttempts || isSpent();
+        const Substep result = tooMuch ? Substep::Failed : substep(task, report);
+        if (result == Substep::Retry)
             continue;
         if (result == Substep::Empty) { // from the start, or because all that was under the brush has vanished
             if (report.substeps == 0)
                 report.outcome = DabOutcome::Empty;
             break;
         }
-        if (result == Substep::Stuck || m_capped) {
+        if (result == Substep::Failed || m_capped) {
             report.outcome = DabOutcome::EndedEarly;
             report.capped = tooMuch || m_capped || isSpent();
             break;
         }
         report.substeps += task.substeps();
         task.left -= task.ticks;
-        task.eased = 0;
-        task.ticks = std::min({2 * task.ticks, task.most, task.left});
-        if (result == Substep::Careful) {
-            report.outcome = DabOutcome::Careful;
-            ++task.carefulSubsteps;
+        task.retries = 0;
+        task.ticks = std::min({2 * task.ticks, task.maxTicks, task.left});
+        if (result == Substep::Fallback) {
+            report.outcome = DabOutcome::Fallback;
+            ++task.fallbackSubsteps;
         }
         if (between)
             between();
@@ -162,31 +162,31 @@ void DabEngine::deform(Task& task, const std::function<void()>& between, DabRepo
 
 DabEngine::Substep DabEngine::substep(Task& task, DabReport& report)
 {
-    const bool isHeld = m_held.inUse();
-    if (!isHeld || task.letsGo()) {
-        HeldBack held = std::exchange(m_held, {});
+    const bool isLimited = m_limits.inUse();
+    if (!isLimited || task.shouldRelax()) {
+        MotionLimits limits = std::exchange(m_limits, {});
         const Region::Saved saved = m_region.save();
         const double steps = task.steps;
-        const Substep result = straight(task, report);
-        if (result == Substep::Straight) {
+        const Substep result = direct(task, report);
+        if (result == Substep::Direct) {
             join(task, report);
             separate(task, report);
         }
-        if (result != Substep::Stuck)
+        if (result != Substep::Failed)
             return result;
-        m_held = std::move(held);
+        m_limits = std::move(limits);
         m_region.restore(saved);
         task.steps = steps;
         ++m_totals.rolledBack;
-        if (!isHeld && easeMotion(task, report))
-            return Substep::Again;
+        if (!isLimited && easeMotion(task, report))
+            return Substep::Retry;
     }
-    const Substep result = careful(task, report);
+    const Substep result = fallback(task, report);
     separate(task, report);
     return result;
 }
 
-DabEngine::Substep DabEngine::straight(Task& task, DabReport& report)
+DabEngine::Substep DabEngine::direct(Task& task, DabReport& report)
 {
     const Mesh::Mark mark = m_mesh.mark();
     RemeshCounts counts;
@@ -198,18 +198,18 @@ DabEngine::Substep DabEngine::straight(Task& task, DabReport& report)
     }
     m_badVertices.clear();
     const bool inside = moveAndOptimise(task, counts, report);
-    if (!inside || !m_surface.judge(mark)) {
+    if (!inside || !m_surface.verify(mark)) {
         for (Slot f : inside ? m_surface.badFaces() : std::vector<Slot>())
             m_badVertices.insert(m_badVertices.end(), m_mesh.corners(f).begin(), m_mesh.corners(f).end());
         m_mesh.rollback(mark);
-        return Substep::Stuck;
+        return Substep::Failed;
     }
     count(counts);
     report.reached += task.part() * report.asked;
-    return Substep::Straight;
+    return Substep::Direct;
 }
 
-/// Neither judged nor taken back. False if a vertex would leave the working volume.
+/// Neither verified nor rolled back. False if a vertex would leave the working volume.
 bool DabEngine::moveAndOptimise(const Task& task, RemeshCounts& counts, DabReport& report)
 {
     {
@@ -225,7 +225,7 @@ bool DabEngine::moveAndOptimise(const Task& task, RemeshCounts& counts, DabRepor
 /// What a tool has made sharp stays so.
 RemeshCounts DabEngine::remesh(const Task& task, MeshEditor edit)
 {
-    if (!drawsLine(task.settings.tool) && task.settings.tool != Tool::Stamp)
+    if (!sharpens(task.settings.tool) && task.settings.tool != Tool::Stamp)
         return optimise(edit, m_region, task.bounds);
     return optimiseKeepingShape(edit, m_region, task.bounds, [&](Slot v) { return relaxedAlongSharp(m_mesh, task.bounds, v); });
 }
@@ -237,7 +237,7 @@ bool DabEngine::displace(double part)
     MeshEditor edit = plainEditor();
     bool inside = true;
     m_region.forEach([&](Slot v) {
-        const double share = part * m_held.share(m_region, v);
+        const double share = part * m_limits.share(m_region, v);
         const Vec3f before = m_mesh.point(v);
         const Vec3f after = edit.kept(v, lattice.snap(before.cast<double>() + share * m_region.plan(v)));
         inside = inside && lattice.contains(after.cast<double>());
@@ -248,24 +248,24 @@ bool DabEngine::displace(double part)
 }
 
 /// Whether there is anything for fusion to join. A brush along the surface has only its own sheet for candidates.
-bool DabEngine::facesMeet(const StrokeSettings& settings, const Sphere& ball)
+bool DabEngine::canFacesFuse(const StrokeSettings& settings, const Sphere& ball)
 {
     if (m_mirror.isOn() && (m_mirror.imageOf(ball.center) - ball.center).norm() < farthestFromImage * ball.radius)
         return true; // the image may be all that there is to meet
-    if (settings.brush == BrushShape::Sphere && !m_hold.isOn)
-        return Fuser::mayMeet(m_mesh, m_region, m_candidates);
-    return Fuser::mayMeet(m_mesh, m_region, facesIn(latticeBox(m_mesh.lattice(), ball)));
+    if (settings.brush == BrushShape::Sphere && !m_grab.isOn)
+        return TopologyFusion::mayFuse(m_mesh, m_region, m_candidates);
+    return TopologyFusion::mayFuse(m_mesh, m_region, facesIn(latticeBox(m_mesh.lattice(), ball)));
 }
 
 /// Before the motion of a sub-step that is to come.
 bool DabEngine::join(Task& task, DabReport& report)
 {
-    if (!task.settings.fusion || !task.meets)
+    if (!task.settings.fusion || !task.canFuse)
         return false;
     const PhaseTimer timer(report.fuseMs, m_surface.verifyMs());
-    const FusionCounts counts = m_fuser.join(m_surface, m_region, m_held, task.approach());
+    const FusionCounts counts = m_fusion.join(m_surface, m_region, m_limits, task.fusionInput());
     if (counts.fusions > 0)
-        m_held.clear();
+        m_limits.clear();
     m_totals.fusions += counts.fusions;
     return counts.fusions > 0;
 }
@@ -275,7 +275,7 @@ void DabEngine::separate(Task& task, DabReport& report)
     if (!task.settings.fusion || m_blocked.empty())
         return;
     const PhaseTimer timer(report.fuseMs, m_surface.verifyMs());
-    m_totals.separations += m_fuser.separate(m_surface, m_region, m_blocked, task.bounds).separations;
+    m_totals.separations += m_fusion.separate(m_surface, m_region, m_blocked, task.bounds).separations;
     m_blocked.clear();
 }
 

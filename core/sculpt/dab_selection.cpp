@@ -27,7 +27,7 @@ void DabEngine::runMirrored(const StrokeSettings& settings, const Dab& dab, cons
 {
     m_mirror.setPlane(settings.symmetry);
     const Dab folded = m_mirror.folded(dab.position) == dab.position ? dab : m_mirror.imageOf(dab);
-    const Dab first = m_hold.isMirrored ? folded : dab, image = m_mirror.imageOf(first);
+    const Dab first = m_grab.isMirrored ? folded : dab, image = m_mirror.imageOf(first);
     bool mirrored = false;
     {
         const PhaseTimer timer(report.selectMs);
@@ -41,9 +41,9 @@ void DabEngine::runMirrored(const StrokeSettings& settings, const Dab& dab, cons
     run(settings, first, between, report);
     if (image.position != first.position) {
         DabReport second;
-        swapHolds(settings.tool);
+        swapGrabs(settings.tool);
         run(settings, image, between, second);
-        swapHolds(settings.tool);
+        swapGrabs(settings.tool);
         report += second;
     }
     report.asymmetric = true;
@@ -70,7 +70,7 @@ std::vector<Slot> DabEngine::facesIn(const LatticeBox& box) const
 }
 
 /// The candidate triangles and the region (paper, section 3.1).
-void DabEngine::select(Region& region, std::vector<Slot>& candidates, BrushShape brush, const Sphere& ball, Slot most) const
+void DabEngine::select(Region& region, std::vector<Slot>& candidates, BrushShape brush, const Sphere& ball, Slot max) const
 {
     if (brush == BrushShape::Sphere) {
         selectSphere(region, candidates, m_mesh, m_surface.octree(), ball);
@@ -80,7 +80,7 @@ void DabEngine::select(Region& region, std::vector<Slot>& candidates, BrushShape
     region.clear();
     if (const std::optional<SurfaceHit> hit = nearestPoint(m_mesh, m_surface.octree(), ball.center)) {
         candidates.push_back(hit->face);
-        selectGeodesic(region, candidates, m_mesh, ball, most);
+        selectGeodesic(region, candidates, m_mesh, ball, max);
     }
 }
 
@@ -89,7 +89,7 @@ Footprint DabEngine::footprint(const StrokeSettings& settings, const Vec3& cente
     Footprint footprint;
     std::vector<Slot> candidates;
     const auto add = [&](const Dab& dab) {
-        select(m_footprint, candidates, settings.brush, {dab.position, dab.radius}, Footprint::most);
+        select(m_footprint, candidates, settings.brush, {dab.position, dab.radius}, Footprint::maxSlots);
         const DabWeights weights(m_footprint, m_mesh, settings, dab);
         m_footprint.forEach([&](Slot v) {
             footprint.slots.push_back(v);
@@ -122,7 +122,7 @@ void DabEngine::selectRefined(Region& region, const Sphere& ball)
 
 bool DabEngine::wantsSolid(const StrokeSettings& settings, const Dab& dab) const
 {
-    if (!settings.add || !addsSolids(settings.tool) || settings.brush != BrushShape::Sphere ||
+    if (!settings.add || !canAddSolid(settings.tool) || settings.brush != BrushShape::Sphere ||
         settings.place != Placement::Point || !m_region.empty())
         return false;
     const std::optional<SurfaceHit> nearest = nearestPoint(m_mesh, m_surface.octree(), dab.position);
@@ -153,7 +153,7 @@ void DabEngine::mark(const StrokeSettings& settings, const Dab& dab, DabReport& 
         if (image != v)
             change(image, share);
     });
-    m_surface.commitUnjudged(mark);
+    m_surface.commitUnverified(mark);
     report.touchedVertices = touchedVertices();
     report.outcome = m_region.empty() ? DabOutcome::Empty : DabOutcome::Committed;
 }

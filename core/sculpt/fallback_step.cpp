@@ -1,8 +1,8 @@
 // A sub-step that did not verify and was rolled back is made easier, a few times:
 //   join      what was about to meet
 //   smooth    what has folded up, or else: calm the motion, and halve the step
-// and then taken with care: first the motion alone, vertices that would touch something held back; then each remeshing operation
-// by itself, judged by itself. What cannot be done is left undone.
+// and then done by the fallback step: first the motion alone, limited where it would touch something; then each remeshing operation
+// by itself, verified one by one. What cannot be done is left undone.
 
 #include "core/sculpt/dab_engine.h"
 
@@ -13,10 +13,10 @@ namespace core
 {
 namespace
 {
-/// Rounds of holding back, and after how many of these one more ring of vertices around what is bad is held: what did not end soon is wide.
-constexpr int mostHoldRounds = 64, roundsPerRing = 4;
+/// Rounds of tightening, and after how many of these one more ring of vertices around the bad faces is limited.
+constexpr int maxTightenRounds = 64, roundsPerRing = 4;
 /// Of remeshing at once, before what is left is done operation by operation.
-constexpr int mostSparingRounds = 16;
+constexpr int maxFreezeRounds = 16;
 } // namespace
 
 /// After a sub-step that failed: what was about to meet is joined; failing that, in turns, what has folded up is smoothed, or
@@ -24,29 +24,29 @@ constexpr int mostSparingRounds = 16;
 bool DabEngine::easeMotion(Task& task, DabReport& report)
 {
     if (task.steps == 0 && !refineAtOnce(task, report)) {
-        meet(task);
+        allowFusion(task);
         return false;
     }
     if (shortenStep(task))
         return true;
-    meet(task);
+    allowFusion(task);
     if (join(task, report))
         return true;
-    report.contact = report.contact || m_fuser.isContact(m_surface, m_region, task.approach(), task.settings.fusion, m_badVertices);
-    if (++task.eased > mostEased || ++task.easings > mostEasings)
+    report.contact = report.contact || m_fusion.isContact(m_surface, m_region, task.fusionInput(), task.settings.fusion, m_badVertices);
+    if (++task.retries > maxRetriesPerSubstep || ++task.totalRetries > maxRetriesPerDab)
         return false;
-    if (task.eased % 2 == 1 && m_unfolding.smooth(m_surface, plainEditor(), m_region, m_badVertices, task.eased > 1))
+    if (task.retries % 2 == 1 && m_foldSmoothing.smooth(m_surface, plainEditor(), m_region, m_badVertices, task.retries > 1))
         return true;
-    calmPlan(m_region, m_mesh, m_badVertices);
-    if (task.eased % 2 == 0)
+    smoothPlan(m_region, m_mesh, m_badVertices);
+    if (task.retries % 2 == 0)
         task.ticks = std::max(task.ticks / 2, 1u);
     return true;
 }
 
 /// What was to be kept fine is not any more.
-void DabEngine::meet(Task& task) const
+void DabEngine::allowFusion(Task& task) const
 {
-    task.meets = true;
+    task.canFuse = true;
     task.bounds = boundsFor(task.settings, task.dab.radius);
 }
 
@@ -55,7 +55,7 @@ bool DabEngine::shortenStep(Task& task)
 {
     if (task.ticks <= ticksPerStep)
         return false;
-    task.most = task.ticks = std::max(task.ticks / 2, ticksPerStep);
+    task.maxTicks = task.ticks = std::max(task.ticks / 2, ticksPerStep);
     return true;
 }
 
@@ -65,7 +65,7 @@ bool DabEngine::refineAtOnce(Task& task, DabReport& report)
     const Region::Saved saved = m_region.save();
     const Mesh::Mark mark = m_mesh.mark();
     const RemeshCounts counts = refineAndPlan(task, plainEditor(), report);
-    if (!m_surface.judge(mark)) {
+    if (!m_surface.verify(mark)) {
         m_mesh.rollback(mark);
         m_region.restore(saved);
         task.steps = 0;
@@ -75,38 +75,38 @@ bool DabEngine::refineAtOnce(Task& task, DabReport& report)
     return true;
 }
 
-DabEngine::Substep DabEngine::careful(Task& task, DabReport& report)
+DabEngine::Substep DabEngine::fallback(Task& task, DabReport& report)
 {
     if (task.steps == 0) {
-        count(refineAndPlan(task, judgedEditor(), report));
-        meet(task);
+        count(refineAndPlan(task, verifiedEditor(), report));
+        allowFusion(task);
     }
-    task.most = ticksPerStep; // what is held back stays, and the mesh between that and what moves has to follow
-    task.ticks = std::min(task.most, task.left);
+    task.maxTicks = ticksPerStep; // limited vertices stay, and the mesh between that and what moves has to follow
+    task.ticks = std::min(task.maxTicks, task.left);
     join(task, report);
-    if (heldBackAsBefore(task, report))
-        return Substep::Careful;
-    const bool moved = moveHeldBack(task.part(), report);
+    if (moveWithinLimits(task, report))
+        return Substep::Fallback;
+    const bool moved = tightenAndMove(task.part(), report);
     if (!optimiseAtOnce(task, report)) {
         const PhaseTimer timer(report.optimiseMs, m_surface.verifyMs());
-        count(remesh(task, judgedEditor()));
+        count(remesh(task, verifiedEditor()));
     }
-    return moved ? Substep::Careful : Substep::Stuck;
+    return moved ? Substep::Fallback : Substep::Failed;
 }
 
-/// Motion and operations in one transaction: what an earlier sub-step held back is mostly all that had to be.
-bool DabEngine::heldBackAsBefore(const Task& task, DabReport& report)
+/// Motion and operations in one transaction: the limits of an earlier sub-step are mostly enough.
+bool DabEngine::moveWithinLimits(const Task& task, DabReport& report)
 {
-    if (!m_held.inUse())
+    if (!m_limits.inUse())
         return false;
-    m_held.extend(m_region, m_mesh);
+    m_limits.extend(m_region, m_mesh);
     const double share = shareOfPeak();
     if (share == 0)
         return false;
     const Region::Saved saved = m_region.save();
     const Mesh::Mark mark = m_mesh.mark();
     RemeshCounts counts;
-    if (!moveAndOptimise(task, counts, report) || !m_surface.judge(mark)) {
+    if (!moveAndOptimise(task, counts, report) || !m_surface.verify(mark)) {
         m_mesh.rollback(mark);
         m_region.restore(saved);
         return false;
@@ -116,20 +116,20 @@ bool DabEngine::heldBackAsBefore(const Task& task, DabReport& report)
     return true;
 }
 
-/// All operations in one transaction: what stopped the straight path was most likely the motion, not one of them. Failing that, all but
+/// All operations in one transaction: what stopped the direct step was most likely the motion, not one of them. Failing that, all but
 /// those around faces that went bad. False if these are left, or all.
 bool DabEngine::optimiseAtOnce(Task& task, DabReport& report)
 {
-    m_spared.clear();
-    for (int round = 0; round < mostSparingRounds; ++round) {
+    m_frozen.clear();
+    for (int round = 0; round < maxFreezeRounds; ++round) {
         const Region::Saved saved = m_region.save();
         const Mesh::Mark mark = m_mesh.mark();
         RemeshCounts counts;
         {
             const PhaseTimer timer(report.optimiseMs);
-            counts = remesh(task, MeshEditor(m_mesh, {}, mirror(), &m_spared));
+            counts = remesh(task, MeshEditor(m_mesh, {}, mirror(), &m_frozen));
         }
-        if (m_surface.judge(mark)) {
+        if (m_surface.verify(mark)) {
             count(counts);
             return round == 0;
         }
@@ -138,7 +138,7 @@ bool DabEngine::optimiseAtOnce(Task& task, DabReport& report)
         m_region.restore(saved);
         for (Slot v : around) {
             if (v < m_mesh.slots().vertices && m_mesh.isVertex(v))
-                m_spared.add(v);
+                m_frozen.add(v);
         }
     }
     return false;
@@ -161,13 +161,13 @@ std::vector<Slot> DabEngine::namedAround(std::span<const Slot> faces)
     return named;
 }
 
-/// Moves what can be moved without touching anything. Ends: a round without progress holds something back for good. What a round has changed
+/// Moves every vertex as far as it can go without contact. Terminates: each round succeeds or fixes a vertex for the rest of the dab. What a round has changed
 /// is looked at first, and all only when that is in order.
-bool DabEngine::moveHeldBack(double part, DabReport& report)
+bool DabEngine::tightenAndMove(double part, DabReport& report)
 {
-    m_held.extend(m_region, m_mesh);
-    std::vector<Slot> shortened;
-    for (int round = 0; round < mostHoldRounds; ++round) {
+    m_limits.extend(m_region, m_mesh);
+    std::vector<Slot> tightened;
+    for (int round = 0; round < maxTightenRounds; ++round) {
         const double share = shareOfPeak();
         if (share == 0 || isSpent())
             return false;
@@ -178,9 +178,9 @@ bool DabEngine::moveHeldBack(double part, DabReport& report)
             const PhaseTimer timer(report.deformMs);
             inside = displace(part);
         }
-        if (inside && (round == 0 || m_surface.mayBeSound(withImages(shortened)))) {
-            m_work += carefulMove * m_region.size();
-            if (m_surface.judge(mark)) {
+        if (inside && (round == 0 || m_surface.recheck(withImages(tightened)))) {
+            m_work += fallbackMoveWork * m_region.size();
+            if (m_surface.verify(mark)) {
                 report.reached += share * part * report.asked;
                 return true;
             }
@@ -189,8 +189,8 @@ bool DabEngine::moveHeldBack(double part, DabReport& report)
         report.wall = !inside;
         if (!inside)
             return false;
-        shortened = m_held.shorten(m_region, m_mesh, m_surface.badFaces(), 1 + round / roundsPerRing);
-        if (shortened.empty())
+        tightened = m_limits.tighten(m_region, m_mesh, m_surface.badFaces(), 1 + round / roundsPerRing);
+        if (tightened.empty())
             return false;
     }
     return false;
@@ -207,13 +207,13 @@ std::vector<Slot> DabEngine::withImages(std::vector<Slot> vertices)
     return vertices;
 }
 
-/// Of the longest displacement planned, the share that the motion, held back as it is, reaches. What is no longer there, being
+/// Of the longest displacement planned, the share that the limited motion reaches. What is no longer there, being
 /// joined or collapsed, has no say.
 double DabEngine::shareOfPeak() const
 {
     double planned2 = 0, reached2 = 0;
     m_region.forEach([&](Slot v) {
-        const double plan2 = m_region.plan(v).squaredNorm(), share = m_held.share(m_region, v);
+        const double plan2 = m_region.plan(v).squaredNorm(), share = m_limits.share(m_region, v);
         planned2 = std::max(planned2, plan2);
         reached2 = std::max(reached2, share * share * plan2);
     });
@@ -221,17 +221,17 @@ double DabEngine::shareOfPeak() const
 }
 
 /// Each operation by itself, until the dab has done all the work that it may: what is left is left undone.
-MeshEditor DabEngine::judgedEditor()
+MeshEditor DabEngine::verifiedEditor()
 {
-    const auto attempt = [this](const std::function<void()>& operation) {
+    const auto tryOperation = [this](const std::function<void()>& operation) {
         if (isSpent()) {
             m_capped = true;
             return false;
         }
-        const bool done = m_surface.attempt(operation);
-        m_work += m_surface.facesLookedAt();
+        const bool done = m_surface.tryOperation(operation);
+        m_work += m_surface.facesVisited();
         return done;
     };
-    return MeshEditor(m_mesh, attempt, mirror());
+    return MeshEditor(m_mesh, tryOperation, mirror());
 }
 } // namespace core

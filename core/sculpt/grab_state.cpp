@@ -1,4 +1,4 @@
-// What a stroke keeps from dab to dab: what a tool that holds on has under its brush, and how far Layer has raised each vertex.
+// What a stroke keeps from dab to dab: what a tool that keeps its selection has under its brush, and how far Layer has raised each vertex.
 
 #include "core/sculpt/dab_engine.h"
 
@@ -20,7 +20,7 @@ Vec3 wayOf(const Dab& dab)
 
 void DabEngine::beginStroke()
 {
-    m_hold = m_imageHold = {};
+    m_grab = m_mirroredGrab = {};
     m_imageRegion.clear();
     m_sectors.clear();
     m_raisedVertices.clear();
@@ -30,7 +30,7 @@ void DabEngine::beginStroke()
 /// The hand has not moved: nothing does.
 DabReport DabEngine::rest(const StrokeSettings& settings, const Dab& dab)
 {
-    if (!m_hold.isOn)
+    if (!m_grab.isOn)
         select(m_region, m_candidates, settings.brush, {dab.position, dab.radius});
     DabReport report;
     report.outcome = m_region.empty() ? DabOutcome::Empty : DabOutcome::Committed;
@@ -38,17 +38,17 @@ DabReport DabEngine::rest(const StrokeSettings& settings, const Dab& dab)
     return report;
 }
 
-/// The region is selected, or held.
+/// Selects the region, or keeps the grabbed one.
 void DabEngine::take(const StrokeSettings& settings, const Sphere& ball)
 {
-    if (m_hold.isOn) {
-        joinRim(settings, ball.radius);
-        takeHeld();
+    if (m_grab.isOn) {
+        growSelection(settings, ball.radius);
+        selectGrabbed();
         return;
     }
     select(m_region, m_candidates, settings.brush, ball);
-    if (holdsOn(settings.tool))
-        m_hold = {false, false, meanNormal(m_region, m_mesh), detailPerMeanEdge * meanEdge(m_region)};
+    if (keepsSelection(settings.tool))
+        m_grab = {false, false, meanNormal(m_region, m_mesh), detailPerMeanEdge * meanEdge(m_region)};
 }
 
 /// Of the edges within the region; 0 if it has none.
@@ -68,38 +68,38 @@ double DabEngine::meanEdge(const Region& region) const
 }
 
 /// What is in the hand stays as fine as it was, until it meets something: fine meshes that are pressed together only crumple.
-EdgeBounds DabEngine::boundsInHand(const StrokeSettings& settings, const EdgeBounds& bounds) const
+EdgeBounds DabEngine::grabBounds(const StrokeSettings& settings, const EdgeBounds& bounds) const
 {
-    if (!holdsOn(settings.tool) || settings.topology == Topology::Uniform || !(m_hold.detail > 0))
+    if (!keepsSelection(settings.tool) || settings.topology == Topology::Uniform || !(m_grab.detail > 0))
         return bounds;
-    return edgeBounds(std::clamp(m_hold.detail, m_mesh.lattice().minDetail(), bounds.detail));
+    return edgeBounds(std::clamp(m_grab.detail, m_mesh.lattice().minDetail(), bounds.detail));
 }
 
-/// The same of the half, if the model is symmetric there. What was held as a half and is symmetric no more stays one.
+/// The same of the half, if the model is symmetric there. A half that was grabbed stays a half, symmetric or not.
 bool DabEngine::takeMirrored(const StrokeSettings& settings, const Sphere& ball)
 {
-    const bool isHeld = m_hold.isOn;
-    if (!isHeld)
+    const bool isGrabbed = m_grab.isOn;
+    if (!isGrabbed)
         take(settings, ball);
-    else if (m_hold.isMirrored)
-        joinRim(settings, ball.radius);
-    const bool mirrored = isHeld ? m_hold.isMirrored && takeHeld() : isMirroredIn(settings.brush, ball);
-    if (mirrored) // of what is held some may have been taken across the plane by another dab
+    else if (m_grab.isMirrored)
+        growSelection(settings, ball.radius);
+    const bool mirrored = isGrabbed ? m_grab.isMirrored && selectGrabbed() : isMirroredIn(settings.brush, ball);
+    if (mirrored) // some of the grabbed vertices may have been taken across the plane by another dab
         keepHalf(m_region, m_mirror);
     return mirrored;
 }
 
 /// What the hand has drawn away from joins with no weight: an edge that has one end alone in the region is not split, however long it grows,
 /// and long ones are soon in the way.
-void DabEngine::joinRim(const StrokeSettings& settings, double radius)
+void DabEngine::growSelection(const StrokeSettings& settings, double radius)
 {
     if (settings.falloff == 0) // all that is in the region weighs
         return;
     const EdgeBounds bounds = boundsFor(settings, radius);
-    const double detail = m_hold.held.inUse() ? bounds.detail : boundsInHand(settings, bounds).detail;
+    const double detail = m_grab.limits.inUse() ? bounds.detail : grabBounds(settings, bounds).detail;
     std::vector<Slot> rim;
     m_region.forEach([&](Slot v) {
-        if (m_region.distance(v) >= radius && !(m_hold.isMirrored && m_region.carried(v) < radius))
+        if (m_region.distance(v) >= radius && !(m_grab.isMirrored && m_region.carried(v) < radius))
             return; // has joined like that
         m_mesh.forEachOutgoing(v, [&](Slot h) {
             const Slot other = m_mesh.to(h);
@@ -111,8 +111,8 @@ void DabEngine::joinRim(const StrokeSettings& settings, double radius)
         m_region.add(v, radius, Vec3::Zero(), 2 * radius);
 }
 
-/// The faces around what is held; whether they have images.
-bool DabEngine::takeHeld()
+/// Takes the faces around the grabbed region as candidates. Returns whether they have mirror images.
+bool DabEngine::selectGrabbed()
 {
     SlotSet& faces = m_region.scratch();
     faces.clear();
@@ -123,39 +123,39 @@ bool DabEngine::takeHeld()
 }
 
 /// What stood in the way of what is in the hand still does while that goes on in the same way: it is not found out anew in each dab.
-void DabEngine::recallHeldBack(Task& task)
+void DabEngine::recallLimits(Task& task)
 {
     const Vec3 way = wayOf(task.dab);
-    if (!m_hold.held.inUse() || way.dot(m_hold.way) < sameWay * way.norm() * m_hold.way.norm())
+    if (!m_grab.limits.inUse() || way.dot(m_grab.way) < sameWay * way.norm() * m_grab.way.norm())
         return;
-    m_held = std::move(m_hold.held);
-    task.carefulSubsteps = m_hold.carefulSubsteps;
-    meet(task);
+    m_limits = std::move(m_grab.limits);
+    task.fallbackSubsteps = m_grab.fallbackSubsteps;
+    allowFusion(task);
 }
 
-void DabEngine::noteHeldBack(const Task& task, const DabReport& report)
+void DabEngine::noteLimits(const Task& task, const DabReport& report)
 {
-    if (!m_held.inUse() || !report.isWhole()) // else it has held back too much
+    if (!m_limits.inUse() || !report.isWhole()) // else the limits are too tight
         return;
-    m_hold.way = wayOf(task.dab);
-    m_hold.held = std::move(m_held);
-    m_hold.carefulSubsteps = task.carefulSubsteps;
+    m_grab.way = wayOf(task.dab);
+    m_grab.limits = std::move(m_limits);
+    m_grab.fallbackSubsteps = task.fallbackSubsteps;
 }
 
-/// Of a tool that holds on. What was removed meanwhile, with the other hold, is let go.
-void DabEngine::swapHolds(Tool tool)
+/// For a tool that keeps its selection: swaps in the state of the mirrored dab. Drops vertices that were removed meanwhile.
+void DabEngine::swapGrabs(Tool tool)
 {
-    if (!holdsOn(tool))
+    if (!keepsSelection(tool))
         return;
-    std::swap(m_hold, m_imageHold);
+    std::swap(m_grab, m_mirroredGrab);
     std::swap(m_region, m_imageRegion);
-    letGoOfRemoved(m_hold, m_region);
+    dropRemoved(m_grab, m_region);
 }
 
 /// All that the dab moves.
 Sphere DabEngine::ballAround(const Dab& dab) const
 {
-    if (!m_hold.isOn)
+    if (!m_grab.isOn)
         return {dab.position, dab.radius};
     Box box;
     m_region.forEach([&](Slot v) { box.extend(m_mesh.point(v).cast<double>()); });
@@ -166,13 +166,13 @@ Sphere DabEngine::ballAround(const Dab& dab) const
 void DabEngine::selectBothSides(const Task& task)
 {
     const bool isRay = task.settings.brush == BrushShape::Ray;
-    if (m_hold.isOn)
-        selectWholeHeld(m_whole, m_region, m_mirror, task.dab.radius);
+    if (m_grab.isOn)
+        selectWholeGrabbed(m_whole, m_region, m_mirror, task.dab.radius);
     else if (isRay)
         selectRefined(m_whole, task.ball);
     else
         selectWhole(m_whole, m_region, m_mirror, m_mesh, task.ball);
-    if (m_hold.isOn || (!holdsOn(task.settings.tool) && task.settings.tool != Tool::Layer))
+    if (m_grab.isOn || (!keepsSelection(task.settings.tool) && task.settings.tool != Tool::Layer))
         return;
     m_region.forEach([&](Slot v) {
         const Slot image = m_mirror.imageOf(v);

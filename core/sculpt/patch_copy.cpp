@@ -4,7 +4,7 @@
 //            neighbour
 //   claim    no vertex of what changes there has been changed by this dab already
 //   write    faces are exchanged, vertices moved and coloured as here
-//   judge    as every change is
+//   verify   as every change is
 
 #include "core/sculpt/patch_copy.h"
 
@@ -22,7 +22,7 @@ bool isSameFace(const Triangle& a, const Triangle& b)
 }
 } // namespace
 
-Slot vertexAt(const JudgedMesh& surface, const Vec3f& p)
+Slot vertexAt(const VerifiedMesh& surface, const Vec3f& p)
 {
     const Mesh& mesh = surface.mesh();
     const LatticePoint at = mesh.lattice().toLattice(p);
@@ -36,7 +36,7 @@ Slot vertexAt(const JudgedMesh& surface, const Vec3f& p)
     return found;
 }
 
-void Transplant::learn(const JudgedMesh& surface, const Mesh::Mark& mark, std::vector<Sphere> balls)
+void PatchCopy::learn(const VerifiedMesh& surface, const Mesh::Mark& mark, std::vector<Sphere> balls)
 {
     const Mesh& mesh = surface.mesh();
     m_balls = std::move(balls);
@@ -57,7 +57,7 @@ void Transplant::learn(const JudgedMesh& surface, const Mesh::Mark& mark, std::v
     }
 }
 
-void Transplant::readVertices(const Mesh& mesh, const Mesh::Mark& mark)
+void PatchCopy::readVertices(const Mesh& mesh, const Mesh::Mark& mark)
 {
     m_touched.clear();
     m_states.clear();
@@ -78,7 +78,7 @@ void Transplant::readVertices(const Mesh& mesh, const Mesh::Mark& mark)
     }
 }
 
-void Transplant::readFaces(const Mesh& mesh, const Mesh::Mark& mark)
+void PatchCopy::readFaces(const Mesh& mesh, const Mesh::Mark& mark)
 {
     m_relinked.clear();
     m_unlinked.clear();
@@ -97,7 +97,7 @@ void Transplant::readFaces(const Mesh& mesh, const Mesh::Mark& mark)
 }
 
 /// What went, and what was around what moved; then the ring around it.
-void Transplant::collectPatch(const Mesh& mesh)
+void PatchCopy::collectPatch(const Mesh& mesh)
 {
     m_patch.clear();
     m_vertices.clear();
@@ -114,25 +114,25 @@ void Transplant::collectPatch(const Mesh& mesh)
 }
 
 /// Faces around v that are linked as before.
-void Transplant::addUnlinked(const Mesh& mesh, Slot v)
+void PatchCopy::addUnlinked(const Mesh& mesh, Slot v)
 {
     mesh.forEachOutgoing(v, [&](Slot h) { addUnlinkedFace(mesh, mesh.face(h)); });
 }
 
-void Transplant::addUnlinkedFace(const Mesh& mesh, Slot f)
+void PatchCopy::addUnlinkedFace(const Mesh& mesh, Slot f)
 {
     if (!m_relinked.contains(f) && m_unlinked.add(f))
         addPatchFace(mesh.corners(f));
 }
 
-void Transplant::addPatchFace(const Triangle& corners)
+void PatchCopy::addPatchFace(const Triangle& corners)
 {
     m_patch.push_back(corners);
     for (Slot v : corners)
         m_vertices.add(v);
 }
 
-void Transplant::sortSides()
+void PatchCopy::sortSides()
 {
     m_sides.clear();
     for (std::size_t i = 0; i < m_patch.size(); ++i) {
@@ -143,20 +143,20 @@ void Transplant::sortSides()
     std::ranges::sort(m_sides);
 }
 
-Transplant::State Transplant::before(const Mesh& mesh, Slot v) const
+PatchCopy::State PatchCopy::before(const Mesh& mesh, Slot v) const
 {
     const Slot i = m_touched.find(v);
     return i == noSlot ? State{mesh.point(v), mesh.color(v), mesh.mask(v), true} : m_states[i];
 }
 
-bool Transplant::isImage(const Mesh& mesh, const Turn& turn, Slot image, Slot v) const
+bool PatchCopy::isImage(const Mesh& mesh, const Turn& turn, Slot image, Slot v) const
 {
     const State state = before(mesh, v);
     return mesh.point(image) == turn * state.point && mesh.color(image) == state.color && mesh.mask(image) == state.mask;
 }
 
 /// From each face to its neighbours: then all but the first vertices of a component are found next to an image.
-bool Transplant::matchAt(const JudgedMesh& surface, const Turn& turn)
+bool PatchCopy::matchAt(const VerifiedMesh& surface, const Turn& turn)
 {
     const Mesh& mesh = surface.mesh();
     m_images.assign(m_vertices.size(), noSlot);
@@ -178,7 +178,7 @@ bool Transplant::matchAt(const JudgedMesh& surface, const Turn& turn)
 }
 
 /// What lies where the balls are turned to has come from there.
-bool Transplant::isAllMatched(const JudgedMesh& surface, const Turn& turn) const
+bool PatchCopy::isAllMatched(const VerifiedMesh& surface, const Turn& turn) const
 {
     const Mesh& mesh = surface.mesh();
     return std::ranges::all_of(m_balls, [&](const Sphere& ball) {
@@ -187,7 +187,7 @@ bool Transplant::isAllMatched(const JudgedMesh& surface, const Turn& turn) const
     });
 }
 
-bool Transplant::matchFrom(const Mesh& mesh, const Turn& turn, std::size_t face)
+bool PatchCopy::matchFrom(const Mesh& mesh, const Turn& turn, std::size_t face)
 {
     std::vector<std::size_t> front = {face};
     while (!front.empty()) {
@@ -206,7 +206,7 @@ bool Transplant::matchFrom(const Mesh& mesh, const Turn& turn, std::size_t face)
 }
 
 /// The corners beyond the face's sides.
-bool Transplant::matchAcross(const Mesh& mesh, const Turn& turn, const Triangle& corners, std::vector<std::size_t>& front)
+bool PatchCopy::matchAcross(const Mesh& mesh, const Turn& turn, const Triangle& corners, std::vector<std::size_t>& front)
 {
     for (std::size_t k = 0; k < 3; ++k) {
         const Slot a = corners[(k + 1) % 3], b = corners[k];
@@ -226,7 +226,7 @@ bool Transplant::matchAcross(const Mesh& mesh, const Turn& turn, const Triangle&
     return true;
 }
 
-bool Transplant::claim()
+bool PatchCopy::claim()
 {
     const auto images = std::span(m_images).first(m_ownCount);
     if (std::ranges::any_of(images, [&](Slot v) { return m_claimed.contains(v); }))
@@ -237,7 +237,7 @@ bool Transplant::claim()
 }
 
 /// Vertices that came here come there; all others are there.
-Surgery Transplant::exchange(const Mesh& mesh, const Turn& turn) const
+Surgery PatchCopy::exchange(const Mesh& mesh, const Turn& turn) const
 {
     Surgery surgery;
     surgery.near = m_ownCount > 0 ? m_images[0] : m_come[0][0];
@@ -257,7 +257,7 @@ Surgery Transplant::exchange(const Mesh& mesh, const Turn& turn) const
     return surgery;
 }
 
-void Transplant::write(Mesh& mesh, const Turn& turn)
+void PatchCopy::write(Mesh& mesh, const Turn& turn)
 {
     if (!m_gone.empty() || !m_come.empty()) {
         const Surgery surgery = exchange(mesh, turn);
@@ -280,7 +280,7 @@ void Transplant::write(Mesh& mesh, const Turn& turn)
     }
 }
 
-bool Transplant::match(const JudgedMesh& surface, std::span<const Turn> turns)
+bool PatchCopy::match(const VerifiedMesh& surface, std::span<const Turn> turns)
 {
     m_turns.assign(turns.begin(), turns.end());
     m_places.clear();
@@ -292,7 +292,7 @@ bool Transplant::match(const JudgedMesh& surface, std::span<const Turn> turns)
     return true;
 }
 
-bool Transplant::place(JudgedMesh& surface, std::size_t index)
+bool PatchCopy::place(VerifiedMesh& surface, std::size_t index)
 {
     if (isNothing())
         return true;
@@ -301,14 +301,14 @@ bool Transplant::place(JudgedMesh& surface, std::size_t index)
     m_images.resize(m_vertices.size(), noSlot); // others may have come meanwhile, elsewhere
     Mesh& mesh = surface.mesh();
     if (!isMarking())
-        return surface.attempt([&] { write(mesh, turn); });
+        return surface.tryOperation([&] { write(mesh, turn); });
     const Mesh::Mark mark = mesh.mark();
     write(mesh, turn);
-    surface.commitUnjudged(mark);
+    surface.commitUnverified(mark);
     return true;
 }
 
-Slot Transplant::imageOf(Slot v) const
+Slot PatchCopy::imageOf(Slot v) const
 {
     const Slot i = m_vertices.find(v);
     return i == noSlot ? noSlot : m_images[i];

@@ -7,23 +7,23 @@
 namespace core
 {
 /// The vertex that stands there, on a lattice point, or noSlot. Precondition: the octree is up to date.
-Slot vertexAt(const JudgedMesh& surface, const Vec3f& p);
+Slot vertexAt(const VerifiedMesh& surface, const Vec3f& p);
 
 /// What a dab did in its sector, to be done in another by quarter or half turns: not by working there, but by exchanging the patch that was
 /// there for the turned copy of what came here. A quarter turn takes the lattice to itself; so the two stay each other's image, bit for bit,
 /// if they were. Not thread-safe: remembers a dab.
-class Transplant
+class PatchCopy
 {
 public:
     /// What changed since the mark of Mesh::remember(). Precondition: the octree is up to date. Cost: that, and what lies in the balls.
     /// `balls`: in which the dab chose what to change.
-    void learn(const JudgedMesh& surface, const Mesh::Mark& mark, std::vector<Sphere> balls);
+    void learn(const VerifiedMesh& surface, const Mesh::Mark& mark, std::vector<Sphere> balls);
 
     /// Whether the same can be done where these turns lead: the surface was its own image under each, colours and masks included, for a ring of faces
     /// around what changed and in the balls, and nothing changes in two of the places. Precondition and cost: as before.
-    bool match(const JudgedMesh& surface, std::span<const Turn> turns);
+    bool match(const VerifiedMesh& surface, std::span<const Turn> turns);
     /// Does it where that one of them leads, in one transaction; false if the result does not verify: then nothing has changed. Each once.
-    bool place(JudgedMesh& surface, std::size_t turn);
+    bool place(VerifiedMesh& surface, std::size_t turn);
 
     /// Of a vertex that was there before, or of one that has come, after place(); noSlot of one that is neither part of what changed nor beside
     /// it.
@@ -55,11 +55,11 @@ private:
     void collectPatch(const Mesh& mesh);
     void addUnlinked(const Mesh& mesh, Slot v);
     void addUnlinkedFace(const Mesh& mesh, Slot f);
-    bool isAllMatched(const JudgedMesh& surface, const Turn& turn) const;
+    bool isAllMatched(const VerifiedMesh& surface, const Turn& turn) const;
     void addPatchFace(const Triangle& corners);
     void sortSides();
     State before(const Mesh& mesh, Slot v) const;
-    bool matchAt(const JudgedMesh& surface, const Turn& turn);
+    bool matchAt(const VerifiedMesh& surface, const Turn& turn);
     bool matchFrom(const Mesh& mesh, const Turn& turn, std::size_t face);
     bool matchAcross(const Mesh& mesh, const Turn& turn, const Triangle& corners, std::vector<std::size_t>& front);
     bool isImage(const Mesh& mesh, const Turn& turn, Slot image, Slot v) const;

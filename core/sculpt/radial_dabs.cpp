@@ -1,8 +1,8 @@
 // A dab in several sectors about the Y axis. Those that lie to each other by quarter or half turns are an orbit, whose first dab is done as
 // always, and then
-//   transplanted  to the others: its patch is exchanged there for the turned copy, bit for bit                          transplant
+//   copied        to the others: its patch is exchanged there for the turned copy, bit for bit                          patch_copy
 //   or repeated   where that cannot be: the surface is not its own image there, or the patches meet
-// Orbits are done one after the other. What a tool that holds on has in its hands is kept for each sector by itself.
+// Orbits are done one after the other. Each sector has its own grab.
 
 #include "core/sculpt/dab_engine.h"
 
@@ -23,8 +23,8 @@ struct DabEngine::Orbit
     std::size_t step;
     const std::function<void()>& between;
     bool adds = false; ///< solids
-    Hold hold = {}, imageHold = {}; ///< before the first dab; so the next two
-    std::vector<HeldPlace> held = {}, heldImage = {}; ///< `heldImage`: none, where a half stands for both
+    GrabState grab = {}, mirroredGrab = {}; ///< before the first dab; so the next two
+    std::vector<GrabbedPoint> grabbed = {}, grabbedImage = {}; ///< `grabbedImage`: none, where a half stands for both
 };
 
 void DabEngine::runOnce(const StrokeSettings& settings, const Dab& dab, const std::function<void()>& between, DabReport& report)
@@ -35,7 +35,7 @@ void DabEngine::runOnce(const StrokeSettings& settings, const Dab& dab, const st
         runMirrored(settings, dab, between, report);
 }
 
-/// In a sector of its own hold.
+/// Runs the dab with that sector's grab.
 DabReport DabEngine::runInSector(const Orbit& orbit, std::size_t sector)
 {
     DabReport report;
@@ -70,14 +70,14 @@ void DabEngine::runRadial(const StrokeSettings& settings, const Dab& dab, const 
             report = all;
         else
             report += all;
-        report.apart = exact == dabs.size() && all.apart;
+        report.sequential = exact == dabs.size() && all.sequential;
     }
 }
 
 /// A dab that finds nothing under its brush adds a solid: in all sectors, where the balls around them have room in all.
 bool DabEngine::addsIn(const StrokeSettings& settings, const Dab& dab)
 {
-    if (!settings.add || !addsSolids(settings.tool))
+    if (!settings.add || !canAddSolid(settings.tool))
         return false;
     select(m_region, m_candidates, settings.brush, {dab.position, dab.radius});
     return wantsSolid(settings, dab);
@@ -89,9 +89,9 @@ DabReport DabEngine::runOrbit(Orbit& orbit)
         return runInSector(orbit, orbit.first);
     const Tool tool = orbit.settings.tool;
     swapSector(tool, orbit.first);
-    const bool isHeld = holdsOn(tool) && m_hold.isOn;
-    if (isHeld)
-        noteHeld(orbit);
+    const bool isGrabbed = keepsSelection(tool) && m_grab.isOn;
+    if (isGrabbed)
+        noteGrabbed(orbit);
     swapSector(tool, orbit.first);
     const Mesh::Mark mark = m_mesh.remember();
     DabReport report = runInSector(orbit, orbit.first);
@@ -100,18 +100,18 @@ DabReport DabEngine::runOrbit(Orbit& orbit)
     bool match = false;
     {
         const PhaseTimer timer(report.selectMs);
-        m_transplant.learn(m_surface, mark, isHeld ? std::vector<Sphere>() : ballsOf(orbit));
+        m_patchCopy.learn(m_surface, mark, isGrabbed ? std::vector<Sphere>() : ballsOf(orbit));
         m_mesh.forget(mark);
-        match = canTransplant(orbit, others);
+        match = canCopyPatch(orbit, others);
     }
-    report.apart = others.size() + 1 < orbit.dabs.size() / orbit.step; // the rest do the same, and yet are not exact images
+    report.sequential = others.size() + 1 < orbit.dabs.size() / orbit.step; // the rest do the same, and yet are not exact images
     for (std::size_t i = 0; i < others.size(); ++i) {
-        if (match && transplant(orbit, i, once, report))
+        if (match && copyPatch(orbit, i, once, report))
             continue;
-        match = match && !holdsOn(tool);
-        holdApart(orbit, others[i]);
+        match = match && !keepsSelection(tool);
+        grabSeparately(orbit, others[i]);
         report += runInSector(orbit, others[i]);
-        report.apart = true;
+        report.sequential = true;
     }
     return report;
 }
@@ -144,41 +144,41 @@ std::vector<std::size_t> DabEngine::othersIn(const Orbit& orbit)
 }
 
 /// To all others or to none: what a plane mirrors besides comes in pairs of sectors.
-bool DabEngine::canTransplant(const Orbit& orbit, const std::vector<std::size_t>& others)
+bool DabEngine::canCopyPatch(const Orbit& orbit, const std::vector<std::size_t>& others)
 {
     std::vector<Turn> turns;
     for (std::size_t sector : others) {
-        if (m_sectors[sector].isApart)
+        if (m_sectors[sector].isSeparate)
             return false;
         turns.push_back(turnIn(orbit, sector));
     }
-    return m_transplant.match(m_surface, turns);
+    return m_patchCopy.match(m_surface, turns);
 }
 
-/// What the orbit's first dab did, in one of those that canTransplant() found.
-bool DabEngine::transplant(const Orbit& orbit, std::size_t other, const DabReport& once, DabReport& report)
+/// What the orbit's first dab did, in one of those that canCopyPatch() found.
+bool DabEngine::copyPatch(const Orbit& orbit, std::size_t other, const DabReport& once, DabReport& report)
 {
     {
         const PhaseTimer timer(report.deformMs, m_surface.verifyMs());
-        if (!m_transplant.place(m_surface, other))
+        if (!m_patchCopy.place(m_surface, other))
             return false;
     }
-    letGoOfRemoved(m_hold, m_region);
-    letGoOfRemoved(m_imageHold, m_imageRegion);
-    for (SectorHold& sector : m_sectors) {
-        letGoOfRemoved(sector.hold, sector.region);
-        letGoOfRemoved(sector.imageHold, sector.imageRegion);
+    dropRemoved(m_grab, m_region);
+    dropRemoved(m_mirroredGrab, m_imageRegion);
+    for (SectorGrab& sector : m_sectors) {
+        dropRemoved(sector.grab, sector.region);
+        dropRemoved(sector.mirroredGrab, sector.imageRegion);
     }
     if (orbit.settings.tool == Tool::Layer) {
-        for (Slot v : m_transplant.vertices()) {
-            if (const Slot image = m_transplant.imageOf(v); image != noSlot)
+        for (Slot v : m_patchCopy.vertices()) {
+            if (const Slot image = m_patchCopy.imageOf(v); image != noSlot)
                 noteRaised(image, raised(v));
         }
     }
     DabReport copy = once;
     copy.selectMs = copy.optimiseMs = copy.deformMs = copy.fuseMs = 0;
     report += copy;
-    if (orbit.between && !m_transplant.isNothing())
+    if (orbit.between && !m_patchCopy.isNothing())
         orbit.between();
     return true;
 }
@@ -188,49 +188,49 @@ Turn DabEngine::turnIn(const Orbit& orbit, std::size_t sector)
     return Turn::part(static_cast<int>(sector - orbit.first), static_cast<int>(orbit.dabs.size()));
 }
 
-/// From now on this sector and those after it have what they hold in hands of their own: what the first held before its dab, turned. A dab
+/// From now on this sector and those after it have grabs of their own: the first one's before its dab, turned. A dab
 /// and its mirror image turn against each other.
-void DabEngine::holdApart(const Orbit& orbit, std::size_t from)
+void DabEngine::grabSeparately(const Orbit& orbit, std::size_t from)
 {
-    if (!holdsOn(orbit.settings.tool) || m_sectors[from].isApart)
+    if (!keepsSelection(orbit.settings.tool) || m_sectors[from].isSeparate)
         return;
     for (std::size_t sector = from; sector < orbit.dabs.size(); sector += orbit.step) {
-        SectorHold& own = m_sectors[sector];
-        if (std::exchange(own.isApart, true) || !orbit.hold.isOn)
+        SectorGrab& own = m_sectors[sector];
+        if (std::exchange(own.isSeparate, true) || !orbit.grab.isOn)
             continue;
         const Turn turn = turnIn(orbit, sector), back = {turn.cosine, -turn.sine};
         const std::size_t known = m_mesh.removedVertices().size();
-        if (orbit.hold.isMirrored) {
-            holdHalf(orbit, own, turn);
+        if (orbit.grab.isMirrored) {
+            grabHalf(orbit, own, turn);
             continue;
         }
-        own.hold = {true, false, turn * orbit.hold.axis, orbit.hold.detail, known};
-        own.imageHold = {orbit.imageHold.isOn, false, back * orbit.imageHold.axis, orbit.imageHold.detail, known};
-        takeImages(own.region, orbit.held, turn);
-        takeImages(own.imageRegion, orbit.heldImage, back);
+        own.grab = {true, false, turn * orbit.grab.axis, orbit.grab.detail, known};
+        own.mirroredGrab = {orbit.mirroredGrab.isOn, false, back * orbit.mirroredGrab.axis, orbit.mirroredGrab.detail, known};
+        selectImages(own.region, orbit.grabbed, turn);
+        selectImages(own.imageRegion, orbit.grabbedImage, back);
     }
 }
 
-/// Where a half stood for both sides of the plane, it does so here. A quarter turn takes the plane elsewhere: what was held as a whole is
+/// Where a half stood for both sides of the plane, it does so here. A quarter turn takes the plane elsewhere: a whole that was grabbed is
 /// halved anew.
-void DabEngine::holdHalf(const Orbit& orbit, SectorHold& own, const Turn& turn)
+void DabEngine::grabHalf(const Orbit& orbit, SectorGrab& own, const Turn& turn)
 {
     m_mirror.setPlane(orbit.settings.symmetry);
     const Dab& dab = orbit.dabs[orbit.first];
-    const Vec3 at = turn * dab.position, axis = turn * orbit.hold.axis;
+    const Vec3 at = turn * dab.position, axis = turn * orbit.grab.axis;
     const bool isOver = m_mirror.folded(at) != at; // the half is the image's
-    own.hold = {true, true, isOver ? m_mirror.imageOf(axis) : axis, orbit.hold.detail, m_mesh.removedVertices().size()};
-    own.imageHold = {};
+    own.grab = {true, true, isOver ? m_mirror.imageOf(axis) : axis, orbit.grab.detail, m_mesh.removedVertices().size()};
+    own.mirroredGrab = {};
     own.imageRegion.clear();
-    std::vector<HeldPlace> whole = orbit.held;
-    for (HeldPlace& place : whole)
+    std::vector<GrabbedPoint> whole = orbit.grabbed;
+    for (GrabbedPoint& place : whole)
         place.point = isOver ? m_mirror.imageOf(turn * place.point) : turn * place.point;
     own.region.clear();
-    for (const HeldPlace& place : whole) {
+    for (const GrabbedPoint& place : whole) {
         if (const Slot v = vertexAt(m_surface, place.point); v != noSlot && m_mirror.isInHalf(v))
             own.region.add(v, place.distance, Vec3::Zero(), 2 * dab.radius);
     }
-    for (const HeldPlace& place : whole) {
+    for (const GrabbedPoint& place : whole) {
         if (const Slot v = vertexAt(m_surface, m_mirror.imageOf(place.point)); v != noSlot && own.region.contains(v))
             own.region.setCarried(v, place.distance);
     }
@@ -238,13 +238,13 @@ void DabEngine::holdHalf(const Orbit& orbit, SectorHold& own, const Turn& turn)
 }
 
 /// Before the orbit's first dab, by place: its own, and its mirror image's where no half stands for both.
-void DabEngine::noteHeld(Orbit& orbit)
+void DabEngine::noteGrabbed(Orbit& orbit)
 {
-    orbit.hold = m_hold;
-    orbit.imageHold = m_imageHold;
-    if (!m_hold.isMirrored) {
-        m_region.forEach([&](Slot v) { orbit.held.push_back({m_mesh.point(v), m_region.distance(v)}); });
-        m_imageRegion.forEach([&](Slot v) { orbit.heldImage.push_back({m_mesh.point(v), m_imageRegion.distance(v)}); });
+    orbit.grab = m_grab;
+    orbit.mirroredGrab = m_mirroredGrab;
+    if (!m_grab.isMirrored) {
+        m_region.forEach([&](Slot v) { orbit.grabbed.push_back({m_mesh.point(v), m_region.distance(v)}); });
+        m_imageRegion.forEach([&](Slot v) { orbit.grabbedImage.push_back({m_mesh.point(v), m_imageRegion.distance(v)}); });
         return;
     }
     m_mirror.setPlane(orbit.settings.symmetry);
@@ -252,44 +252,44 @@ void DabEngine::noteHeld(Orbit& orbit)
     const bool isOver = m_mirror.folded(dab.position) != dab.position; // the half is the image's
     m_region.forEach([&](Slot v) {
         const Vec3f point = m_mesh.point(v), image = m_mirror.imageOf(point);
-        orbit.held.push_back({isOver ? image : point, m_region.distance(v)});
+        orbit.grabbed.push_back({isOver ? image : point, m_region.distance(v)});
         if (!m_mirror.isOnPlane(v) && m_region.carried(v) <= dab.radius)
-            orbit.held.push_back({isOver ? point : image, m_region.carried(v)});
+            orbit.grabbed.push_back({isOver ? point : image, m_region.carried(v)});
     });
     if (isOver)
-        orbit.hold.axis = m_mirror.imageOf(orbit.hold.axis);
+        orbit.grab.axis = m_mirror.imageOf(orbit.grab.axis);
     m_mirror.setPlane(Symmetry::None);
 }
 
-void DabEngine::takeImages(Region& region, const std::vector<HeldPlace>& held, const Turn& turn) const
+void DabEngine::selectImages(Region& region, const std::vector<GrabbedPoint>& grabbed, const Turn& turn) const
 {
     region.clear();
-    for (const HeldPlace& place : held) {
+    for (const GrabbedPoint& place : grabbed) {
         if (const Slot v = vertexAt(m_surface, turn * place.point); v != noSlot)
             region.add(v, place.distance);
     }
 }
 
-/// Of a tool that holds on: takes into the hand what it holds in that sector, or puts it back. The first one's is in the hand.
+/// For a tool that keeps its selection: swaps in that sector's grab, or swaps it back. The first sector's is in m_grab.
 void DabEngine::swapSector(Tool tool, std::size_t sector)
 {
-    if (!holdsOn(tool) || sector == 0)
+    if (!keepsSelection(tool) || sector == 0)
         return;
-    SectorHold& other = m_sectors[sector];
-    std::swap(m_hold, other.hold);
-    std::swap(m_imageHold, other.imageHold);
+    SectorGrab& other = m_sectors[sector];
+    std::swap(m_grab, other.grab);
+    std::swap(m_mirroredGrab, other.mirroredGrab);
     std::swap(m_region, other.region);
     std::swap(m_imageRegion, other.imageRegion);
-    letGoOfRemoved(m_hold, m_region);
-    letGoOfRemoved(m_imageHold, m_imageRegion);
+    dropRemoved(m_grab, m_region);
+    dropRemoved(m_mirroredGrab, m_imageRegion);
 }
 
 /// Of what went while others were at work; their slots may be other vertices' by now.
-void DabEngine::letGoOfRemoved(Hold& hold, Region& region) const
+void DabEngine::dropRemoved(GrabState& grab, Region& region) const
 {
     const std::vector<Slot>& removed = m_mesh.removedVertices();
-    for (; hold.known < removed.size(); ++hold.known) {
-        if (const Slot v = removed[hold.known]; region.contains(v))
+    for (; grab.known < removed.size(); ++grab.known) {
+        if (const Slot v = removed[grab.known]; region.contains(v))
             region.remove(v);
     }
 }

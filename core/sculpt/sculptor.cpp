@@ -14,7 +14,7 @@ public:
     DabEngine dabs;
     StrokeSettings settings;
     std::optional<StrokePath> path;
-    std::optional<Hand> hand;
+    std::optional<StrokeAnchor> anchor;
     std::function<void()> betweenSubsteps;
     std::function<void(const DabReport&)> afterDab;
 
@@ -25,8 +25,8 @@ public:
 /// Where a dab's centre comes from (`place`, DESIGN section 4).
 std::optional<Vec3> Sculptor::Engine::centerOf(const Vec3& position, const Vec3& direction) const
 {
-    if (hand->leads())
-        return hand->placeOf(position, direction);
+    if (anchor->isSet())
+        return anchor->placeOf(position, direction);
     std::optional<SurfaceHit> hit;
     switch (settings.brush == BrushShape::Ray ? Placement::Ray : settings.place) {
     case Placement::Point:
@@ -43,9 +43,9 @@ std::optional<Vec3> Sculptor::Engine::centerOf(const Vec3& position, const Vec3&
 
 DabReport Sculptor::Engine::apply(Dab dab)
 {
-    hand->lead(dab);
+    anchor->place(dab);
     const DabReport report = dabs.apply(settings, dab, betweenSubsteps);
-    hand->moved(dab, report);
+    anchor->follow(dab, report);
     return report;
 }
 
@@ -72,7 +72,7 @@ void Sculptor::beginStroke(const StrokeSettings& settings)
 {
     m_engine->settings = settings;
     m_engine->path.emplace(settings);
-    m_engine->hand.emplace(settings);
+    m_engine->anchor.emplace(settings);
     m_engine->dabs.beginStroke();
     m_mesh->beginStroke();
 }
@@ -99,7 +99,7 @@ std::vector<DabReport> Sculptor::addSample(const StrokeSample& sample)
 MeshDelta Sculptor::endStroke()
 {
     m_engine->path.reset();
-    m_engine->hand.reset();
+    m_engine->anchor.reset();
     return m_mesh->endStroke();
 }
 
@@ -119,7 +119,7 @@ std::optional<SurfaceHit> Sculptor::nearest(const Vec3& point, double within) co
     return nearestPoint(*m_mesh, m_engine->dabs.octree(), point, within);
 }
 
-std::optional<MeshQuality> Sculptor::selectionQuality() const
+std::optional<SelectionQuality> Sculptor::selectionQuality() const
 {
     return m_engine->dabs.selectionQuality();
 }

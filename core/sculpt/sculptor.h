@@ -53,7 +53,7 @@ public:
     std::optional<SurfaceHit> nearest(const Vec3& point, double within) const;
 
     /// What the next dab with these settings selects on the mesh as it is, if its centre is there; of the ray brush nothing where it
-    /// would be more than Footprint::most on a side. May be called between sub-steps. Cost: the selection.
+    /// would be more than Footprint::maxSlots on a side. May be called between sub-steps. Cost: the selection.
     Footprint footprint(const StrokeSettings& settings, const Vec3& center);
 
     /// What changed since the last call.
@@ -62,7 +62,7 @@ public:
     MeshPatch wholePatch() const;
 
     /// Of what the last dab selected, as the mesh is now; nothing if that dab remeshes nothing. Cost: O(selection).
-    std::optional<MeshQuality> selectionQuality() const;
+    std::optional<SelectionQuality> selectionQuality() const;
 
     SculptorTotals totals() const;
 

@@ -25,9 +25,9 @@ double smallestAngleSine(const Mesh& mesh, const Triangle& t)
 }
 } // namespace
 
-std::optional<MeshQuality> selectionQuality(const Mesh& mesh, const Region& region, const EdgeBounds& bounds)
+std::optional<SelectionQuality> selectionQuality(const Mesh& mesh, const Region& region, const EdgeBounds& bounds)
 {
-    MeshQuality quality;
+    SelectionQuality quality;
     std::size_t edges = 0, conforming = 0;
     std::vector<double> sines;
     region.forEach([&](Slot v) {

@@ -6,7 +6,7 @@ namespace core
 {
 /// How close a selection is to quasi-uniform (paper, section 3.2), and how well its faces are shaped. Edges count if both
 /// ends are selected, faces if all corners are.
-struct MeshQuality
+struct SelectionQuality
 {
     double longestEdge = 0;       ///< in d_detail; d_detail-tight: at most 1
     double conformingShare = 0;   ///< of the edges, those at least d long
@@ -14,5 +14,5 @@ struct MeshQuality
 };
 
 /// Nothing if no face is selected. Cost: O(selection log selection).
-std::optional<MeshQuality> selectionQuality(const Mesh& mesh, const Region& region, const EdgeBounds& bounds);
+std::optional<SelectionQuality> selectionQuality(const Mesh& mesh, const Region& region, const EdgeBounds& bounds);
 } // namespace core

@@ -15,7 +15,7 @@ namespace
 /// d_move in terms of d: the paper asks for less than d/2 (section 3.3).
 constexpr double movePerMinimum = 0.45;
 /// A guard, not a tuning knob: steps that a plan is cut into. A dab that would need more ends early.
-constexpr double mostSteps = 4096;
+constexpr double maxSteps = 4096;
 /// A line is sharp if the mesh along it is fine, and so is what an alpha or a stamp has in it.
 constexpr double lineDetail = 0.5, alphaDetail = 0.35, stampDetail = 0.28;
 /// What a core takes at a time.
@@ -25,7 +25,7 @@ constexpr std::size_t verticesPerChunk = 512;
 /// do, and seldom meet.
 bool takesLongSteps(Tool tool)
 {
-    return drawsLine(tool) || tool == Tool::Stamp || followsHand(tool);
+    return sharpens(tool) || tool == Tool::Stamp || isDragTool(tool);
 }
 } // namespace
 
@@ -37,7 +37,7 @@ double DabEngine::detailShare(const StrokeSettings& settings)
         return stampDetail;
     if (settings.alpha && usesAlpha(settings.tool))
         return alphaDetail;
-    return drawsLine(settings.tool) ? lineDetail : 1;
+    return sharpens(settings.tool) ? lineDetail : 1;
 }
 
 EdgeBounds DabEngine::boundsFor(const StrokeSettings& settings, double radius) const
@@ -52,7 +52,7 @@ EdgeBounds DabEngine::boundsFor(const StrokeSettings& settings, double radius) c
 RemeshCounts DabEngine::refineAndPlan(Task& task, MeshEditor edit, DabReport& report)
 {
     RemeshCounts counts;
-    if (!m_hold.isOn) {
+    if (!m_grab.isOn) {
         const PhaseTimer timer(report.optimiseMs, m_surface.verifyMs());
         counts = refine(edit, m_region, m_candidates, task.ball, task.bounds);
     }
@@ -64,19 +64,19 @@ RemeshCounts DabEngine::refineAndPlan(Task& task, MeshEditor edit, DabReport& re
     }
     const PhaseTimer timer(report.deformMs, report.fuseMs);
     report.asked = plan(task);
-    if (task.meets && takesLongSteps(task.settings.tool) && !m_held.inUse()) {
+    if (task.canFuse && takesLongSteps(task.settings.tool) && !m_limits.inUse()) {
         const PhaseTimer fuseTimer(report.fuseMs);
-        task.meets = m_fuser.willMeet(m_surface, m_region, boundsInHand(task.settings, task.bounds));
+        task.canFuse = m_fusion.predictContact(m_surface, m_region, grabBounds(task.settings, task.bounds));
     }
-    if (!task.meets)
-        task.bounds = boundsInHand(task.settings, task.bounds);
+    if (!task.canFuse)
+        task.bounds = grabBounds(task.settings, task.bounds);
     task.steps = std::max(1.0, std::ceil(report.asked / (movePerMinimum * task.bounds.minimum)));
-    m_capped = task.steps > mostSteps;
-    task.left = ticksPerStep * static_cast<unsigned>(std::min(task.steps, mostSteps));
-    task.most = ticksPerStep;
-    if (task.steps > 1 && !task.meets)
-        task.most *= std::max(1u, static_cast<unsigned>(task.steps / transactionsFor(task)));
-    task.ticks = std::min(task.most, task.left);
+    m_capped = task.steps > maxSteps;
+    task.left = ticksPerStep * static_cast<unsigned>(std::min(task.steps, maxSteps));
+    task.maxTicks = ticksPerStep;
+    if (task.steps > 1 && !task.canFuse)
+        task.maxTicks *= std::max(1u, static_cast<unsigned>(task.steps / transactionsFor(task)));
+    task.ticks = std::min(task.maxTicks, task.left);
     return counts;
 }
 
@@ -87,8 +87,8 @@ double DabEngine::transactionsFor(const Task& task) const
 {
     if (task.settings.tool == Tool::Stamp)
         return 1;
-    const double most = holdsOn(task.settings.tool) ? task.bounds.detail : movePerMinimum * task.bounds.minimum;
-    return std::max(1.0, std::ceil(longestBetweenNeighbours() / most));
+    const double max = keepsSelection(task.settings.tool) ? task.bounds.detail : movePerMinimum * task.bounds.minimum;
+    return std::max(1.0, std::ceil(longestBetweenNeighbours() / max));
 }
 
 /// The longest of the differences between the plans of neighbours.

@@ -24,7 +24,7 @@ Turn turnBy(double angle)
 
 bool usesMotion(Tool tool)
 {
-    return drawsLine(tool) || tool == Tool::Grab || tool == Tool::Snake;
+    return sharpens(tool) || tool == Tool::Grab || tool == Tool::SnakeHook;
 }
 
 /// What the dab does is turned with its axes.

@@ -13,7 +13,7 @@ bool isIn(double value, Parameter parameter)
 
 bool isNear(const Vec3& v)
 {
-    return (v.array().abs() <= farthestSample).all();
+    return (v.array().abs() <= maxSampleMagnitude).all();
 }
 } // namespace
 
@@ -31,7 +31,7 @@ bool pushes(const StrokeSettings& settings)
     switch (settings.tool) {
     case Tool::Push:
     case Tool::Grab:
-    case Tool::Snake: return true;
+    case Tool::SnakeHook: return true;
     case Tool::Inflate:
     case Tool::Clay:
     case Tool::Layer: return settings.inverted;
@@ -43,12 +43,12 @@ bool pushes(const StrokeSettings& settings)
 bool isUsable(const StrokeSettings& settings, const StrokeSample& sample)
 {
     const bool settingsFit = isIn(settings.detail, Parameter::Detail) && isIn(settings.spacing, Parameter::Spacing) &&
-                             isFalloff(settings.falloff) && settings.radial >= 1 && settings.radial <= mostRadial &&
+                             isFalloff(settings.falloff) && settings.radial >= 1 && settings.radial <= maxRadial &&
                              (settings.detailLength == 0 || isIn(settings.detailLength, Parameter::Radius));
     return settingsFit && isIn(sample.radius.value_or(settings.radius), Parameter::Radius) &&
            isIn(sample.strength.value_or(settings.strength), Parameter::Strength) && sample.pressure >= 0 &&
            sample.pressure <= 1 && isNear(sample.position) && isNear(sample.direction) &&
            std::abs(sample.rotation.squaredNorm() - 1) <= rotationTolerance &&
-           (!sample.up || (isNear(*sample.up) && sample.up->cwiseAbs().maxCoeff() >= leastDirection));
+           (!sample.up || (isNear(*sample.up) && sample.up->cwiseAbs().maxCoeff() >= minDirection));
 }
 } // namespace core

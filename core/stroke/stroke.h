@@ -13,7 +13,7 @@ class Alpha;
 class BrushModel;
 
 /// Of sectors.
-inline constexpr int mostRadial = 32;
+inline constexpr int maxRadial = 32;
 
 /// What stays the same during a stroke. Lengths in the document's unit.
 struct StrokeSettings
@@ -23,7 +23,7 @@ struct StrokeSettings
     Placement place = Placement::Point; ///< of the spherical brush
     Topology topology = Topology::Adaptive;
     Symmetry symmetry = Symmetry::None;
-    int radial = 1; ///< sectors about the document's Y axis in which each dab is done, and mirrored if there is a symmetry; 1 to mostRadial
+    int radial = 1; ///< sectors about the document's Y axis in which each dab is done, and mirrored if there is a symmetry; 1 to maxRadial
     double radius = info(Parameter::Radius).defaultValue;
     double strength = info(Parameter::Strength).defaultValue;
     int falloff = static_cast<int>(info(Parameter::Falloff).defaultValue); ///< n of b(x); 0: no weighting
@@ -71,9 +71,9 @@ struct StrokeSample
 };
 
 /// Positions, directions, times and speeds: squares stay finite, and every lattice ends long before.
-inline constexpr double farthestSample = 1e9;
+inline constexpr double maxSampleMagnitude = 1e9;
 /// The largest coordinate of a direction: what is shorter has none.
-inline constexpr double leastDirection = 1e-9;
+inline constexpr double minDirection = 1e-9;
 /// Of a rotation's squared length from 1.
 inline constexpr double rotationTolerance = 1e-3;
 
@@ -101,7 +101,7 @@ struct Dab
     Vec3 direction = -Vec3::UnitZ();
     double radius = 0;
     double strength = 0; ///< times pressure
-    Vec3 motion = Vec3::Zero();    ///< of the dab centre, or of the hand (followsHand), since the dab before
+    Vec3 motion = Vec3::Zero();    ///< of the dab centre, or of the hand (isDragTool), since the dab before
     double turn = 0;               ///< of Twist: radians, anticlockwise about the axis
     Vec3 axis = Vec3::Zero();      ///< of Twist: of unit length, or zero as long as nothing is held
     Vec3 up = Vec3::UnitY();       ///< the world's, or the hand's, in the model's space; of unit length
@@ -109,7 +109,7 @@ struct Dab
     bool isMirrored = false;       ///< the image of what the hand does
 };
 
-enum class DabOutcome { Committed, Careful, EndedEarly, Empty, Added, Refused };
+enum class DabOutcome { Committed, Fallback, EndedEarly, Empty, Added, Refused };
 
 /// Why a sphere, or the brush's model, was not added. Unfit: on the lattice the model is not sound at that size.
 enum class Refusal { None, Inside, TooClose, Wall, Unfit };
@@ -133,7 +133,7 @@ struct DabReport
 
     /// Of a radial stroke whose sectors can be exact: the model is not its own image under the turn here, its colours included, or the sectors
     /// meet, as over the axis; so they were done one after the other.
-    bool apart = false;
+    bool sequential = false;
 
     /// Whether a hand takes what was reached for all that was asked (DESIGN, section 6).
     bool isWhole() const { return reached >= 0.95 * asked; }
@@ -142,6 +142,6 @@ struct DabReport
 };
 
 /// Why a dab did less than was asked, if it did; of several dabs the last of these is worth telling.
-enum class Shortfall { None, Stuck, Contact, Wall, Capped, Inside, TooClose, NoRoom, Unfit };
+enum class Shortfall { None, Blocked, Contact, Wall, Capped, Inside, TooClose, NoRoom, Unfit };
 Shortfall shortfallOf(const DabReport& dab);
 } // namespace core

@@ -8,9 +8,9 @@ namespace core
 namespace
 {
 /// Twist turns by one radian where the hand moves by the radius, and by no more in a dab: the way there is straight.
-constexpr double mostTurn = 1;
+constexpr double maxTurn = 1;
 /// Of a ray against the plane's normal: else a trembling hand would be kilometres away.
-constexpr double leastAcross = 0.05;
+constexpr double minAcross = 0.05;
 
 bool isByRay(const StrokeSettings& settings)
 {
@@ -18,48 +18,48 @@ bool isByRay(const StrokeSettings& settings)
 }
 } // namespace
 
-std::optional<Vec3> Hand::placeOf(const Vec3& position, const Vec3& direction) const
+std::optional<Vec3> StrokeAnchor::placeOf(const Vec3& position, const Vec3& direction) const
 {
     if (!isByRay(m_settings))
         return position;
-    const Vec3& normal = m_grip->direction;
+    const Vec3& normal = m_anchor->direction;
     const double across = direction.dot(normal);
-    if (!(across > leastAcross * direction.norm() * normal.norm()))
+    if (!(across > minAcross * direction.norm() * normal.norm()))
         return std::nullopt;
-    return position + (m_grip->position - position).dot(normal) / across * direction;
+    return position + (m_anchor->position - position).dot(normal) / across * direction;
 }
 
-void Hand::lead(Dab& dab)
+void StrokeAnchor::place(Dab& dab)
 {
-    if (!m_grip) {
-        m_grip = {dab.position, dab.direction};
+    if (!m_anchor) {
+        m_anchor = {dab.position, dab.direction};
         m_last = m_tip = dab.position;
         return;
     }
     dab.motion = dab.position - std::exchange(m_last, dab.position);
-    if (holdsOn(m_settings.tool))
-        dab.position = m_grip->position;
-    else if (m_settings.tool == Tool::Snake)
+    if (keepsSelection(m_settings.tool))
+        dab.position = m_anchor->position;
+    else if (m_settings.tool == Tool::SnakeHook)
         dab.position = m_tip;
     if (m_settings.tool == Tool::Twist)
         dab.turn = turnBy(dab);
 }
 
 /// Dragging away turns, dragging back turns back. To the right is anticlockwise: right of the first direction, Y being up.
-double Hand::turnBy(const Dab& dab)
+double StrokeAnchor::turnBy(const Dab& dab)
 {
     if (m_pulled.isZero() && !dab.motion.isZero()) {
         m_pulled = dab.motion.normalized();
-        const Vec3 right = m_grip->direction.cross(Vec3::UnitY());
+        const Vec3 right = m_anchor->direction.cross(Vec3::UnitY());
         m_sense = m_pulled.dot(right) < 0 ? -1 : 1;
     }
     const double turn = m_sense * dab.motion.dot(m_pulled) / dab.radius;
-    return std::clamp(m_settings.inverted ? -turn : turn, -mostTurn, mostTurn);
+    return std::clamp(m_settings.inverted ? -turn : turn, -maxTurn, maxTurn);
 }
 
-void Hand::moved(const Dab& dab, const DabReport& report)
+void StrokeAnchor::follow(const Dab& dab, const DabReport& report)
 {
-    if (m_settings.tool == Tool::Snake && report.asked > 0)
+    if (m_settings.tool == Tool::SnakeHook && report.asked > 0)
         m_tip += std::min(report.reached / report.asked, 1.0) * dab.motion;
 }
 } // namespace core

@@ -29,7 +29,7 @@ Stroke changed(Stroke stroke, const BrushChange& brush)
     settings.tool = brush.tool;
     settings.radius = brush.radius;
     settings.strength = brush.strength;
-    settings.add = settings.add && addsSolids(brush.tool);
+    settings.add = settings.add && canAddSolid(brush.tool);
     return stroke;
 }
 } // namespace core

@@ -8,15 +8,15 @@ namespace core
 namespace
 {
 /// Stamps of a stroke stand beside each other: one in another's imprint would go ever deeper.
-constexpr double leastStampSpacing = 2;
+constexpr double minStampSpacing = 2;
 /// Of a hand's direction across its up, squared, in lengths of it: what is less may be rounding.
-constexpr double leastAcross2 = 1e-12;
+constexpr double minAcross2 = 1e-12;
 
 /// Of a way that runs along up there is none: any.
 Vec3 acrossUp(const Vec3& way, const Vec3& up)
 {
     const Vec3 across = way - way.dot(up) * up;
-    return across.squaredNorm() > leastAcross2 * way.squaredNorm() ? Vec3(across.normalized()) : Vec3(up.unitOrthogonal());
+    return across.squaredNorm() > minAcross2 * way.squaredNorm() ? Vec3(across.normalized()) : Vec3(up.unitOrthogonal());
 }
 
 /// Between two samples; everything but rotation and up is linear. Those are the later one's: samples are dense.
@@ -61,7 +61,7 @@ std::optional<StrokePath::Due> StrokePath::next(const CenterOf& centerOf)
     const double step = stepOf(end.dab);
     const double segment = (end.dab.position - *m_center).norm();
     if (!m_dabsLeft)
-        m_dabsLeft = static_cast<int>(std::min(mostTimesLonger * (m_travelled + segment) / step, double(mostDabsPerSample)));
+        m_dabsLeft = static_cast<int>(std::min(maxLengthRatio * (m_travelled + segment) / step, double(maxDabsPerSample)));
     if (m_travelled + segment < step || m_dabsLeft == 0) {
         const double travelled = m_travelled + segment;
         arriveAtTarget(end);
@@ -81,7 +81,7 @@ std::optional<StrokePath::Due> StrokePath::next(const CenterOf& centerOf)
 /// Between dabs.
 double StrokePath::stepOf(const Dab& dab) const
 {
-    return (m_settings.tool == Tool::Stamp ? std::max(m_settings.spacing, leastStampSpacing) : m_settings.spacing) * dab.radius;
+    return (m_settings.tool == Tool::Stamp ? std::max(m_settings.spacing, minStampSpacing) : m_settings.spacing) * dab.radius;
 }
 
 /// Where the straight way to the end leaves the ball around the stamp before: the path itself goes down into what that has pressed in.
@@ -90,7 +90,7 @@ std::optional<StrokePath::Due> StrokePath::nextStamp(const Due& end, const Cente
     const double step = stepOf(end.dab);
     const Vec3 from = *m_center - m_stamped.value_or(*m_center), way = end.dab.position - *m_center;
     if (!m_dabsLeft)
-        m_dabsLeft = static_cast<int>(std::min(1 + mostTimesLonger * way.norm() / step, double(mostDabsPerSample)));
+        m_dabsLeft = static_cast<int>(std::min(1 + maxLengthRatio * way.norm() / step, double(maxDabsPerSample)));
     if ((from + way).norm() < step || m_dabsLeft == 0) {
         arriveAtTarget(end);
         return std::nullopt;

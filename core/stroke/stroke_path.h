@@ -14,10 +14,10 @@ class StrokePath
 public:
     /// More dabs than this between two samples are not placed: the path goes on at the later sample. A jump of kilometres
     /// would ask for more.
-    static constexpr int mostDabsPerSample = 1'000'000;
+    static constexpr int maxDabsPerSample = 1'000'000;
     /// Nor more than this many times the number that the way to the later sample asks for when it arrives: dabs that raise the
     /// surface under the path make it longer, without end if they are stronger than far apart.
-    static constexpr int mostTimesLonger = 2;
+    static constexpr int maxLengthRatio = 2;
 
     /// Where the dab of a sample would stand on the surface as it is now; nothing if it would be empty.
     using CenterOf = std::function<std::optional<Vec3>(const Vec3& position, const Vec3& direction)>;

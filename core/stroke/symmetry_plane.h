@@ -21,14 +21,14 @@ inline Vec3 planeNormal(Symmetry symmetry)
 }
 
 /// How viewers show that plane: a pane through the model, a little larger than it. mm.
-struct SymmetryPane
+struct SymmetryPlane
 {
     Vec3 center;
     Vec3 halfX, halfY; ///< from the centre to the middle of a side; halfX x halfY points along the normal
 };
 
 /// There is a symmetry, and the box is not empty. X lies along the next axis after the normal, Y along the one after that.
-inline SymmetryPane symmetryPane(Symmetry symmetry, const Box& box)
+inline SymmetryPlane symmetryPlane(Symmetry symmetry, const Box& box)
 {
     constexpr double margin = 0.12; // of the model's longest side
     const Vec3 normal = planeNormal(symmetry);

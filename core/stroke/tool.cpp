@@ -110,7 +110,7 @@ int severity(DabOutcome outcome)
     case DabOutcome::Empty: return 0;
     case DabOutcome::Committed: return 1;
     case DabOutcome::Added: return 2;
-    case DabOutcome::Careful: return 3;
+    case DabOutcome::Fallback: return 3;
     case DabOutcome::EndedEarly: return 4;
     case DabOutcome::Refused: return 5;
     }
@@ -157,7 +157,7 @@ Shortfall shortfallOf(const DabReport& dab)
         return Shortfall::Wall;
     if (dab.contact && (dab.outcome == DabOutcome::EndedEarly || !dab.isWhole()))
         return Shortfall::Contact;
-    return dab.outcome == DabOutcome::EndedEarly ? Shortfall::Stuck : Shortfall::None;
+    return dab.outcome == DabOutcome::EndedEarly ? Shortfall::Blocked : Shortfall::None;
 }
 
 double falloff(double x, int n)

@@ -10,35 +10,35 @@ namespace core
 {
 /// What a dab does to the vertices it selects: Pull, Push, Flatten, Smooth and Paint are the paper's (section 3.3, 3.5.3). What the others
 /// do stands at their fields, in deform.cpp.
-enum class Tool { Pull, Push, Inflate, Clay, Layer, Flatten, Scrape, Smooth, Pinch, Crease, Grab, Snake, Twist, Stamp, Paint, Mask };
+enum class Tool { Pull, Push, Inflate, Clay, Layer, Flatten, Scrape, Smooth, Pinch, Crease, Grab, SnakeHook, Twist, Stamp, Paint, Mask };
 
-/// Follows the hand: what counts is how the samples move against each other, and the first dab of a stroke moves nothing.
-constexpr bool followsHand(Tool tool)
+/// Drag tools use the motion from sample to sample; the first dab of a stroke moves nothing.
+constexpr bool isDragTool(Tool tool)
 {
-    return tool == Tool::Grab || tool == Tool::Snake || tool == Tool::Twist;
+    return tool == Tool::Grab || tool == Tool::SnakeHook || tool == Tool::Twist;
 }
-/// Works on what it took hold of at first, wherever that goes; the others select anew with each dab.
-constexpr bool holdsOn(Tool tool)
+/// Keeps the selection of its first dab for the whole stroke; other tools select with each dab.
+constexpr bool keepsSelection(Tool tool)
 {
     return tool == Tool::Grab || tool == Tool::Twist;
 }
 /// Moves nothing and remeshes nothing: colours the surface, or masks it.
-constexpr bool marks(Tool tool)
+constexpr bool paintsAttribute(Tool tool)
 {
     return tool == Tool::Paint || tool == Tool::Mask;
 }
-/// Weights what is under the brush by an alpha, too. What is held on to moves away from under its image, and Stamp has a shape of its own.
+/// Weights what is under the brush by an alpha, too. A kept selection moves away from under the image, and Stamp has a shape of its own.
 constexpr bool usesAlpha(Tool tool)
 {
-    return !holdsOn(tool) && tool != Tool::Stamp;
+    return !keepsSelection(tool) && tool != Tool::Stamp;
 }
 /// Makes edges sharp, on a mesh that is finer for it.
-constexpr bool drawsLine(Tool tool)
+constexpr bool sharpens(Tool tool)
 {
     return tool == Tool::Pinch || tool == Tool::Crease;
 }
 /// Adds a ball, or the brush's model, where StrokeSettings::add wants it.
-constexpr bool addsSolids(Tool tool)
+constexpr bool canAddSolid(Tool tool)
 {
     return tool == Tool::Pull || tool == Tool::Stamp;
 }
@@ -106,10 +106,10 @@ constexpr const ParameterInfo& info(Parameter p)
 {
     return parameterTable[static_cast<int>(p)];
 }
-inline constexpr int leastFalloff = 3; ///< but for 0: the paper asks for n > 2
+inline constexpr int minFalloff = 3; ///< but for 0: the paper asks for n > 2
 constexpr bool isFalloff(int n)
 {
-    return n == 0 || (n >= leastFalloff && n <= 16);
+    return n == 0 || (n >= minFalloff && n <= 16);
 }
 
 /// b(x) = (n-1) x^n - n x^(n-1) + 1 (paper, section 3.3): 1 at x = 0, 0 at x = 1, flat at both ends. n = 0: always 1.

@@ -27,10 +27,10 @@ enum class FileErrorKind {
     OutsideFolder,        ///< token: another file that it names, which is not in its folder
     UnpacksTooLarge,      ///< expected: the most bytes that are unpacked of a file of its size
     TooManyElements,      ///< place, token: what ("vertices", "faces", "corners"), expected: the most that is taken
-    ReaderRefused,        ///< a foreign reader; token: what it says, or empty
-    ReaderDied,           ///< a foreign reader broke off
-    ReaderTooSlow,        ///< a foreign reader was ended; expected: seconds that it had
-    ReaderOutOfMemory,    ///< a foreign reader; expected: bytes that it had
+    ReaderRefused,        ///< an external reader; token: what it says, or empty
+    ReaderDied,           ///< an external reader broke off
+    ReaderTooSlow,        ///< an external reader was ended; expected: seconds that it had
+    ReaderOutOfMemory,    ///< an external reader; expected: bytes that it had
     NoFaces,              ///< vertices perhaps, but nothing to sculpt
     // Writing; nothing has changed on disk
     NotWritten,  ///< a format that is only read; token: the ending

@@ -14,14 +14,14 @@ namespace core
 std::unique_ptr<std::byte, void (*)(void*)> allocateLarge(std::size_t bytes);
 
 /// Asks for large pages there, as far as they fit in and nothing has touched it yet.
-void wishLargePages(void* memory, std::size_t bytes);
+void adviseLargePages(void* memory, std::size_t bytes);
 
 /// As resize(), but what it must allocate is asked for in large pages.
 template <typename Element> void resizeInLargePages(std::vector<Element>& elements, std::size_t size)
 {
     if (size > elements.capacity()) {
         elements.reserve(std::max(size, 2 * elements.size()));
-        wishLargePages(elements.data() + elements.size(), (elements.capacity() - elements.size()) * sizeof(Element));
+        adviseLargePages(elements.data() + elements.size(), (elements.capacity() - elements.size()) * sizeof(Element));
     }
     elements.resize(size);
 }

@@ -19,11 +19,11 @@ std::unique_ptr<std::byte, void (*)(void*)> allocateLarge(std::size_t bytes)
     void* const memory = isLarge ? std::aligned_alloc(pageSize, rounded) : std::malloc(rounded);
     if (!memory)
         throw std::bad_alloc();
-    wishLargePages(memory, rounded);
+    adviseLargePages(memory, rounded);
     return {static_cast<std::byte*>(memory), std::free};
 }
 
-void wishLargePages(void* memory, std::size_t bytes)
+void adviseLargePages(void* memory, std::size_t bytes)
 {
 #ifdef MADV_HUGEPAGE
     void* first = memory;

@@ -12,14 +12,14 @@ namespace
 namespace fs = std::filesystem;
 } // namespace
 
-fs::path KeptVersion::nameOf(const fs::path& file, int version)
+fs::path NumberedBackup::nameOf(const fs::path& file, int version)
 {
     fs::path name = file;
     name += "~" + std::to_string(version);
     return name;
 }
 
-KeptVersion::KeptVersion(const fs::path& file, int versions) : m_versions(versions)
+NumberedBackup::NumberedBackup(const fs::path& file, int versions) : m_versions(versions)
 {
     std::error_code problem;
     m_file = fs::is_symlink(file, problem) ? fs::weakly_canonical(file, problem) : file;
@@ -32,24 +32,24 @@ KeptVersion::KeptVersion(const fs::path& file, int versions) : m_versions(versio
         problem.clear();
         fs::copy_file(m_file, waiting, problem);
     }
-    m_waiting = std::move(waiting);
+    m_pending = std::move(waiting);
     if (problem) {
         std::error_code ignored;
-        fs::remove(m_waiting, ignored);
+        fs::remove(m_pending, ignored);
         checkWritten(problem, m_file);
     }
 }
 
-KeptVersion::~KeptVersion()
+NumberedBackup::~NumberedBackup()
 {
     std::error_code ignored;
-    if (!m_waiting.empty())
-        fs::remove(m_waiting, ignored);
+    if (!m_pending.empty())
+        fs::remove(m_pending, ignored);
 }
 
-void KeptVersion::commit()
+void NumberedBackup::commit()
 {
-    if (m_waiting.empty())
+    if (m_pending.empty())
         return;
     std::error_code problem;
     for (int version = m_versions - 1; version >= 1; --version) {
@@ -57,8 +57,8 @@ void KeptVersion::commit()
         if (problem && problem != std::errc::no_such_file_or_directory)
             checkWritten(problem, nameOf(m_file, version));
     }
-    fs::rename(m_waiting, nameOf(m_file, 1), problem);
+    fs::rename(m_pending, nameOf(m_file, 1), problem);
     checkWritten(problem, nameOf(m_file, 1));
-    m_waiting.clear();
+    m_pending.clear();
 }
 } // namespace core

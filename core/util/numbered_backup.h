@@ -6,14 +6,14 @@ namespace core
 {
 /// What a file holds before it is written anew stays beside it: "vase.glb" as "vase.glb~1", the version before that as "vase.glb~2", and
 /// so on. Until commit() these are what they were; without it they stay so, though the program ends.
-class KeptVersion
+class NumberedBackup
 {
 public:
     /// Of a file that is about to be replaced by AtomicFile; one that is not there is not kept. Throws FileError.
-    KeptVersion(const std::filesystem::path& file, int versions);
-    ~KeptVersion();
-    KeptVersion(const KeptVersion&) = delete;
-    KeptVersion& operator=(const KeptVersion&) = delete;
+    NumberedBackup(const std::filesystem::path& file, int versions);
+    ~NumberedBackup();
+    NumberedBackup(const NumberedBackup&) = delete;
+    NumberedBackup& operator=(const NumberedBackup&) = delete;
 
     /// The file was written. The oldest version goes. Throws FileError.
     void commit();
@@ -22,7 +22,7 @@ public:
 
 private:
     std::filesystem::path m_file;
-    std::filesystem::path m_waiting; ///< empty: there is nothing to keep
+    std::filesystem::path m_pending; ///< empty: there is nothing to keep
     int m_versions;
 };
 } // namespace core

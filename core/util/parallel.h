@@ -19,7 +19,7 @@ inline std::size_t chunksOf(std::size_t count, std::size_t chunkSize)
 }
 
 /// Fewer chunks than this are not worth waking another core for: they are done as one.
-constexpr std::size_t leastChunks = 4;
+constexpr std::size_t minChunks = 4;
 
 /// Calls work(chunk, begin, end) for each chunk of [0, count), on all cores and in any order. Chunks are fixed by index: who
 /// keeps a result for each chunk and joins them in order gets the same on any machine. The first exception is passed on.
@@ -28,7 +28,7 @@ template <typename Work> void forEachChunk(std::size_t count, std::size_t chunkS
     const std::size_t chunks = chunksOf(count, chunkSize);
     if (chunks == 0)
         return;
-    if (chunks < leastChunks)
+    if (chunks < minChunks)
         return work(std::size_t(0), std::size_t(0), count);
     std::atomic<std::size_t> next{0};
     std::exception_ptr failure;

@@ -5,19 +5,19 @@
 
 namespace core
 {
-/// forEachChunk() a part at a time, in the order of the parts: between them the watch hears how far it is, on the calling thread. What is
+/// forEachChunk() a part at a time, in the order of the parts: progress is reported between them, on the calling thread. What is
 /// left when it is stopped is not done.
-template <typename Work> void forEachWatchedChunk(std::size_t count, std::size_t chunkSize, const JobWatch& watch, Work work)
+template <typename Work> void forEachChunkWithProgress(std::size_t count, std::size_t chunkSize, const JobControl& control, Work work)
 {
-    constexpr std::size_t chunksPerPart = 16, mostParts = 256;
-    const std::size_t perPart = std::max(chunksPerPart, chunksOf(chunksOf(count, chunkSize), mostParts));
-    for (std::size_t first = 0; first < count && !watch.stopped(); first += perPart * chunkSize) {
+    constexpr std::size_t chunksPerPart = 16, maxParts = 256;
+    const std::size_t perPart = std::max(chunksPerPart, chunksOf(chunksOf(count, chunkSize), maxParts));
+    for (std::size_t first = 0; first < count && !control.isCancelled(); first += perPart * chunkSize) {
         const std::size_t here = std::min(count - first, perPart * chunkSize);
         forEachChunk(here, chunkSize, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-            if (!watch.stopped())
+            if (!control.isCancelled())
                 work(first / chunkSize + chunk, first + begin, first + end);
         });
-        watch.reached(static_cast<double>(first + here) / static_cast<double>(count));
+        control.reportProgress(static_cast<double>(first + here) / static_cast<double>(count));
     }
 }
 } // namespace core

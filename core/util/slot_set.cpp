@@ -9,7 +9,7 @@ namespace core
 namespace
 {
 /// Fewer are sorted by comparing.
-constexpr std::size_t leastByDigits = 64;
+constexpr std::size_t minForRadixSort = 64;
 constexpr int digitBits = 8, digits = 4;
 constexpr std::size_t digitValues = std::size_t(1) << digitBits;
 
@@ -42,7 +42,7 @@ void sortByDigits(std::vector<Slot>& slots, std::vector<Slot>& other)
 
 void SlotSet::sort()
 {
-    if (m_slots.size() < leastByDigits)
+    if (m_slots.size() < minForRadixSort)
         std::ranges::sort(m_slots);
     else
         sortByDigits(m_slots, m_sorting);

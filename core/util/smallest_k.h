@@ -7,21 +7,21 @@
 namespace core
 {
 /// Counts what is added, and keeps the smallest few, in bounded memory.
-template <typename Item> class FirstFew
+template <typename Item> class SmallestK
 {
 public:
-    explicit FirstFew(std::size_t keep) : m_keep(keep) {}
+    explicit SmallestK(std::size_t capacity) : m_capacity(capacity) {}
 
     void add(const Item& item)
     {
         ++m_count;
-        keep(item);
+        insert(item);
     }
-    void add(const FirstFew& other)
+    void add(const SmallestK& other)
     {
         m_count += other.m_count;
         for (const Item& item : other.m_items)
-            keep(item);
+            insert(item);
     }
 
     std::uint64_t count() const { return m_count; }
@@ -30,23 +30,23 @@ public:
     {
         std::sort(m_items.begin(), m_items.end());
         m_items.erase(std::unique(m_items.begin(), m_items.end()), m_items.end());
-        m_items.resize(std::min(m_items.size(), m_keep));
+        m_items.resize(std::min(m_items.size(), m_capacity));
         return std::move(m_items);
     }
 
 private:
-    void keep(const Item& item)
+    void insert(const Item& item)
     {
-        if (m_keep == 0)
+        if (m_capacity == 0)
             return;
         m_items.push_back(item);
-        if (m_items.size() / 2 < m_keep)
+        if (m_items.size() / 2 < m_capacity)
             return;
-        std::nth_element(m_items.begin(), m_items.begin() + static_cast<std::ptrdiff_t>(m_keep) - 1, m_items.end());
-        m_items.resize(m_keep);
+        std::nth_element(m_items.begin(), m_items.begin() + static_cast<std::ptrdiff_t>(m_capacity) - 1, m_items.end());
+        m_items.resize(m_capacity);
     }
 
-    std::size_t m_keep;
+    std::size_t m_capacity;
     std::uint64_t m_count = 0;
     std::vector<Item> m_items;
 };

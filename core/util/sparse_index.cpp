@@ -8,12 +8,12 @@ namespace core
 namespace
 {
 /// 32 MB: as much as malloc always takes from fresh pages, which cost nothing before they are touched.
-constexpr Slot leastCapacity = 1u << 23;
+constexpr Slot minCapacity = 1u << 23;
 } // namespace
 
 void SparseIndex::grow(Slot slot)
 {
-    const Slot capacity = std::max(leastCapacity, 2 * slot);
+    const Slot capacity = std::max(minCapacity, 2 * slot);
     std::unique_ptr<Slot[], Free> larger(static_cast<Slot*>(std::malloc(capacity * sizeof(Slot))));
     if (!larger)
         throw std::bad_alloc();

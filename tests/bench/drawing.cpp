@@ -35,7 +35,7 @@ void drawingStroke(benchmark::State& state)
     const bool shaded = state.range(0) != 0;
     state.SetLabel(shaded ? "shaded" : "lines");
     core::Sculptor sculptor(bench::opened(bench::geodesicSphere(317)));
-    core::LineDrawer drawer(640, 40'000);
+    core::IncrementalLineDrawing drawer(640, 40'000);
     drawer.apply(sculptor.wholePatch());
     drawer.draw(shaded, {});
     core::StrokeSettings settings;

@@ -11,7 +11,7 @@
 #include "vr/scene/scene.h"
 
 #include "core/sculpt/sculptor.h"
-#include "core/operations/primitives.h"
+#include "core/operations/starter_models.h"
 
 #include <QDir>
 

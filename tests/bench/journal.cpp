@@ -109,7 +109,7 @@ void journal(benchmark::State& state)
             ::usleep(1000);
         state.counters["compactions"] = static_cast<double>(kept->stats().compactions);
         const Clocks beforeReplay = Clocks::now();
-        const auto found = core::replayJournal(kept->folder());
+        const auto found = core::recoverJournal(kept->folder());
         state.counters["recover_ms"] = 1e-3 * Clocks::now().since(beforeReplay).wall;
         if (!found || found->mesh->stateHash() != with.mesh().stateHash())
             state.SkipWithError("another model came back");

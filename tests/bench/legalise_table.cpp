@@ -33,9 +33,9 @@ std::string whatIsWrong(const TriangleMesh& mesh)
 void row(const std::string& name, const TriangleMesh& mesh)
 {
     const auto start = std::chrono::steady_clock::now();
-    const Legalised result = legalise(mesh);
+    const RepairResult result = repairMesh(mesh);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const LegaliseReport& r = result.report;
+    const RepairReport& r = result.report;
     std::printf("| %s | %zu | %s | ", name.c_str(), mesh.triangles.size(), whatIsWrong(mesh).c_str());
     if (!result.mesh) {
         std::printf("refused (%d) | | | | | | %.2f |\n", static_cast<int>(result.refusal), seconds);

@@ -42,7 +42,7 @@ void print(benchmark::State& state)
     for ([[maybe_unused]] auto round : state) {
         const auto start = std::chrono::steady_clock::now();
         if (part == Judging)
-            benchmark::DoNotOptimize(core::judgeForPrint(measures, {}));
+            benchmark::DoNotOptimize(core::checkForPrint(measures, {}));
         else if (part == Picture)
             benchmark::DoNotOptimize(core::pictureOf(measures, core::PrintPicture::Overhang));
         else

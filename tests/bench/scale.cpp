@@ -151,7 +151,7 @@ BENCHMARK(strength)
 void tools(benchmark::State& state)
 {
     const auto tool = static_cast<core::Tool>(state.range(0));
-    const bool drags = core::followsHand(tool);
+    const bool drags = core::isDragTool(tool);
     state.SetLabel(std::string(core::name(tool)));
     for ([[maybe_unused]] auto round : state) {
         Sculptor sculptor(bench::opened(bench::geodesicSphere(64)));
@@ -178,7 +178,7 @@ void drags(benchmark::State& state)
 }
 BENCHMARK(drags)
     ->ArgNames({"tool", "dabs"})
-    ->ArgsProduct({{static_cast<int>(core::Tool::Pull), static_cast<int>(core::Tool::Grab), static_cast<int>(core::Tool::Snake)}, {5, 10, 20, 40}})
+    ->ArgsProduct({{static_cast<int>(core::Tool::Pull), static_cast<int>(core::Tool::Grab), static_cast<int>(core::Tool::SnakeHook)}, {5, 10, 20, 40}})
     ->Iterations(1)
     ->UseManualTime()
     ->Unit(benchmark::kMicrosecond);

@@ -1,4 +1,4 @@
-// One reader, fed with a stranger's bytes: it returns a mesh as core/mesh_io.h promises, or throws a FileError; nothing else.
+// One reader, fed with a stranger's bytes: it returns a mesh as core/io/mesh_io.h promises, or throws a FileError; nothing else.
 #include "core/util/file_error.h"
 #include "core/io/mesh_io.h"
 
@@ -52,7 +52,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
     std::ofstream(folder.file(), std::ios::binary).write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
     try {
         judge(core::readMesh(folder.file()));
-        core::readNotes(folder.file());
+        core::readMetadata(folder.file());
     } catch (const core::FileError&) {
     }
     return 0;

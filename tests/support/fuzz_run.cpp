@@ -27,11 +27,11 @@ using mesh_asserts::sculptable;
 namespace
 {
 /// A run whose mesh has grown past this ends: more would only take longer. So does one that has pushed nearly all of it away.
-constexpr Slot mostFaces = 10'000, leastFaces = 64;
+constexpr Slot maxFaces = 10'000, leastFaces = 64;
 constexpr int dabsPerPairCheck = 8, dabsPerJudge = 100;
 /// One step in so many is a command to the whole model; one in so many takes back the step before.
 constexpr std::uint64_t stepsPerCommand = 40, stepsPerUndo = 8;
-using How = core::ChangeMask::How;
+using How = core::MaskOperation::Kind;
 constexpr std::uint64_t maskChanges = std::uint64_t(How::Part) + 1;
 /// A remeshing aims at this share of the mean edge to its multiple.
 constexpr double finest = 0.8, coarsest = 2;
@@ -80,7 +80,7 @@ std::vector<FuzzStart> fuzzShapes()
 FuzzStart symmetrized(const FuzzStart& start, Symmetry plane)
 {
     Mesh mesh = sculptableCopy(start);
-    core::ModelChange change = tryOn(mesh, core::Symmetrize{plane});
+    core::ModelChange change = applyToCopy(mesh, core::Symmetrize{plane});
     mesh.swap(change.delta);
     return {start.shape, mesh_asserts::surfaceOf(mesh), plane};
 }
@@ -98,13 +98,13 @@ std::optional<FuzzStart> FuzzRun::grown() const
     FuzzStart end = {m_start.shape.starts_with("grown ") ? m_start.shape : "grown " + m_start.shape,
                      mesh_asserts::surfaceOf(mesh), m_start.plane};
     const bool fits = core::Lattice::forExtent(largestCoordinate(end.mesh)).exponent() >= mesh.lattice().exponent();
-    return fits && mesh.live().faces >= leastFaces && mesh.live().faces < mostFaces / 2 ? std::optional(end) : std::nullopt;
+    return fits && mesh.live().faces >= leastFaces && mesh.live().faces < maxFaces / 2 ? std::optional(end) : std::nullopt;
 }
 
 bool FuzzRun::mayGoOn() const
 {
     const Slot faces = m_sculptor.mesh().live().faces;
-    return ok() && faces >= leastFaces && faces < mostFaces;
+    return ok() && faces >= leastFaces && faces < maxFaces;
 }
 
 void FuzzRun::go(std::uint64_t dabs, AtEnd atEnd)
@@ -157,7 +157,7 @@ core::ModelCommand FuzzRun::nextCommand()
 {
     const Mesh& mesh = m_sculptor.mesh();
     if (m_fuzzer.below(2) == 0) // cleared more often than not, else little is left to sculpt
-        return core::ChangeMask{static_cast<How>(m_fuzzer.below(2) == 0 ? m_fuzzer.below(maskChanges) : std::uint64_t(How::Clear)), {}};
+        return core::MaskOperation{static_cast<How>(m_fuzzer.below(2) == 0 ? m_fuzzer.below(maskChanges) : std::uint64_t(How::Clear)), {}};
     if (m_start.plane != Symmetry::None)
         return core::Symmetrize{m_start.plane, m_fuzzer.below(2) == 0 ? core::Half::Positive : core::Half::Negative};
     const auto sized = [&](double from, double to) { return m_fuzzer.uniform(from, to); };
@@ -207,7 +207,7 @@ void FuzzRun::sculpt(Stroke stroke)
 void FuzzRun::command(const core::ModelCommand& command)
 {
     ++m_tally.commands;
-    core::ModelChange change = tryOn(m_sculptor.mesh(), command);
+    core::ModelChange change = applyToCopy(m_sculptor.mesh(), command);
     if (!change.changes)
         return;
     m_sculptor.swap(change.delta);
@@ -314,7 +314,7 @@ void FuzzRun::replay()
                 again.addSample(sample);
             again.endStroke();
         } else {
-            core::ModelChange change = tryOn(again.mesh(), std::get<core::ModelCommand>(m_steps[i]));
+            core::ModelChange change = applyToCopy(again.mesh(), std::get<core::ModelCommand>(m_steps[i]));
             again.swap(change.delta);
         }
         if (again.mesh().stateHash() != m_states[i]) {

@@ -32,12 +32,12 @@ void FuzzTally::add(const StrokeSettings& settings, const DabReport& report, con
 {
     ++dabs;
     committed += report.outcome == DabOutcome::Committed;
-    careful += report.outcome == DabOutcome::Careful;
+    fallback += report.outcome == DabOutcome::Fallback;
     empty += report.outcome == DabOutcome::Empty;
     added += report.outcome == DabOutcome::Added;
     refused += report.outcome == DabOutcome::Refused;
     const bool sculpts = report.outcome != DabOutcome::Empty && report.outcome != DabOutcome::Added &&
-                         report.outcome != DabOutcome::Refused && !marks(settings.tool);
+                         report.outcome != DabOutcome::Refused && !paintsAttribute(settings.tool);
     if (!sculpts)
         return;
     const auto count = [&](Share& share) {
@@ -56,7 +56,7 @@ void FuzzTally::add(const StrokeSettings& settings, const DabReport& report, con
     if (settings.symmetry != core::Symmetry::None)
         count(classes[report.asymmetric ? "mirrored, as two dabs" : "mirrored, exactly"]);
     if (settings.radial > 1)
-        count(classes[report.apart ? "radial, not exactly" : "radial"]);
+        count(classes[report.sequential ? "radial, not exactly" : "radial"]);
 }
 
 void FuzzTally::add(const core::SculptorTotals& totals)
@@ -70,7 +70,7 @@ void FuzzTally::add(const core::SculptorTotals& totals)
 void FuzzTally::print(std::ostream& out) const
 {
     out << "fuzzer: " << dabs << " dabs, " << strokes << " strokes, " << commands << " commands, " << runs << " runs, " << judged
-        << " CGAL checks; " << committed << " committed, " << careful << " careful, " << all.endedEarly << " ended early ("
+        << " CGAL checks; " << committed << " committed, " << fallback << " careful, " << all.endedEarly << " ended early ("
         << percent(all.endedEarly, all.dabs) << " %), " << empty << " empty, " << added << " spheres added, " << refused
         << " refused; of " << all.dabs << " that were to move something " << all.whole << " reached 95 % of what was asked ("
         << all.wholePercent() << " %, " << all.wholeOfLegalPercent() << " % without the " << all.contact

@@ -23,7 +23,7 @@ struct FuzzTally
         double wholeOfLegalPercent() const;
     };
 
-    std::uint64_t dabs = 0, committed = 0, careful = 0, empty = 0, added = 0, refused = 0;
+    std::uint64_t dabs = 0, committed = 0, fallback = 0, empty = 0, added = 0, refused = 0;
     std::uint64_t strokes = 0, commands = 0, runs = 0, judged = 0;
     std::uint64_t fusions = 0, separations = 0;
     std::array<std::uint64_t, 3> tiers{};

@@ -178,7 +178,7 @@ std::vector<Slot> badFaces(const Mesh& mesh)
         for (std::size_t j = i + 1; j < faces.size() && faces[j].min.x() <= s.max.x(); ++j) {
             const Face& t = faces[j];
             const bool apart = t.min.y() > s.max.y() || s.min.y() > t.max.y() || t.min.z() > s.max.z() || s.min.z() > t.max.z();
-            if (!apart && core::trianglesMeet(s.shape, t.shape))
+            if (!apart && core::trianglesIntersect(s.shape, t.shape))
                 bad.insert(bad.end(), {s.slot, t.slot});
         }
     }

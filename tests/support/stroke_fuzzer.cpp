@@ -4,7 +4,7 @@
 
 #include "core/sculpt/deform/alpha.h"
 #include "core/sculpt/deform/brush_model.h"
-#include "core/operations/primitives.h"
+#include "core/operations/starter_models.h"
 
 #include <cmath>
 
@@ -89,13 +89,13 @@ core::Stroke StrokeFuzzer::stroke(const core::Mesh& mesh)
     const std::uint64_t samples = 1 + below(s.spacing == 0 ? 10 : 4);
     Vec3 at = point(start) + uniform(0, 0.3) * s.radius * direction();
     const Vec3 heading = direction(), view = direction();
-    const double longest = core::followsHand(s.tool) && below(4) == 0 ? 3 : 0.6;
+    const double longest = core::isDragTool(s.tool) && below(4) == 0 ? 3 : 0.6;
     for (std::uint64_t i = 0; i < samples; ++i) {
         core::StrokeSample sample;
         sample.time = 0.01 * static_cast<double>(i);
         sample.position = at;
         if (s.place == core::Placement::Ray || s.brush == core::BrushShape::Ray) {
-            const bool staysPut = s.spacing != 0 || core::followsHand(s.tool); // else dabs would fill the way from one view to the next
+            const bool staysPut = s.spacing != 0 || core::isDragTool(s.tool); // else dabs would fill the way from one view to the next
             sample.direction = staysPut ? view : direction();
             sample.position = at - 2 * size * sample.direction;
         }

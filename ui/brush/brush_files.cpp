@@ -70,7 +70,7 @@ QString faultOf(const QString& path, const core::BrushModel::Made& made)
         return BrushFiles::tr("%1 is too small for a brush's shape.").arg(path);
     case Fault::TooManyFaces:
         return BrushFiles::tr("%1 has too many triangles for a brush's shape: at most %2 are taken. Export it with fewer triangles first.")
-            .arg(path, QLocale().toString(static_cast<qulonglong>(core::BrushModel::mostFaces)));
+            .arg(path, QLocale().toString(static_cast<qulonglong>(core::BrushModel::maxFaces)));
     }
     return {};
 }
@@ -95,11 +95,11 @@ BrushFile<core::Alpha> readAlpha(const QString& path)
     if (!reader.canRead() || isDrawing(reader.format()))
         return refused<core::Alpha>(BrushFiles::tr("%1 is not an image that can be read.").arg(path));
     const QSize size = reader.size();
-    if (std::max(size.width(), size.height()) > core::Alpha::mostSide)
+    if (std::max(size.width(), size.height()) > core::Alpha::maxSide)
         return refused<core::Alpha>(BrushFiles::tr("%1 has %2 × %3 pixels: an alpha may have %4 on a side at most.")
-                                        .arg(path).arg(size.width()).arg(size.height()).arg(core::Alpha::mostSide));
+                                        .arg(path).arg(size.width()).arg(size.height()).arg(core::Alpha::maxSide));
     const QImage image = reader.read().convertToFormat(QImage::Format_ARGB32_Premultiplied);
-    if (image.isNull() || std::max(image.width(), image.height()) > core::Alpha::mostSide)
+    if (image.isNull() || std::max(image.width(), image.height()) > core::Alpha::maxSide)
         return refused<core::Alpha>(BrushFiles::tr("%1: this image is damaged.").arg(path));
     std::vector<std::uint8_t> shades = shadesOf(image, [](QRgb pixel) { return qGray(pixel); });
     if (isBlack(shades) && hasHoles(image))

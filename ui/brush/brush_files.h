@@ -16,7 +16,7 @@ template <class What> struct BrushFile
 };
 
 /// An image in grey: bright is much; where it is transparent, nothing; a black shape on transparent ground is taken for white. Of more than
-/// core::Alpha::mostSide pixels a side nothing is decoded; SVG is refused. Any thread.
+/// core::Alpha::maxSide pixels a side nothing is decoded; SVG is refused. Any thread.
 BrushFile<core::Alpha> readAlpha(const QString& path);
 /// Of files that readAlpha takes.
 QStringList alphaEndings();

@@ -142,7 +142,7 @@ public:
         count->setObjectName(QStringLiteral("radial"));
         count->setAccessibleName(BrushPanels::tr("Sectors of the radial symmetry"));
         count->setToolTip(BrushPanels::tr("What you do is done in so many sectors around the upright axis (y), and mirrored in each if Mirror is on."));
-        count->setRange(1, core::mostRadial);
+        count->setRange(1, core::maxRadial);
         count->setSpecialValueText(BrushPanels::tr("Off"));
         count->setKeyboardTracking(false);
         auto* hint = new QLabel(BrushPanels::tr("Alike to the eye with this count; exactly alike with 2 and 4."));

@@ -23,7 +23,7 @@ FalloffCurve::FalloffCurve(BrushSettings* brush, QWidget* parent) : CurveWidget(
 void FalloffCurve::bendTo(double x, double y)
 {
     int nearest = 0;
-    for (int n = core::leastFalloff; n <= mostFalloff; ++n) {
+    for (int n = core::minFalloff; n <= mostFalloff; ++n) {
         if (std::abs(core::falloff(x, n) - y) < std::abs(core::falloff(x, nearest) - y))
             nearest = n;
     }

@@ -3,7 +3,7 @@
 #include "ui/settings/preferences.h"
 
 #include "core/stroke/tool.h"
-#include "core/operations/primitives.h"
+#include "core/operations/starter_models.h"
 
 #include <QList>
 #include <QString>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/operations/primitives.h"
+#include "core/operations/starter_models.h"
 
 #include <QFrame>
 #include <QList>

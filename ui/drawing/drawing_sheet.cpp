@@ -224,8 +224,8 @@ QStringList drawingEndings()
 core::DrawingDetail sheetDetail(bool shaded)
 {
     constexpr int pixels = 3072; // along the longest side
-    constexpr std::size_t mostEdges = 300'000;
-    return {pixels, shaded, mostEdges};
+    constexpr std::size_t maxEdges = 300'000;
+    return {pixels, shaded, maxEdges};
 }
 
 double sheetScale(const DrawingSheet& sheet)

@@ -21,7 +21,7 @@ constexpr qint64 hashedAtOnce = 1 << 20, largestHashed = qint64(1) << 31; ///< a
 constexpr qsizetype mostCachedKeys = 20'000;
 } // namespace
 
-QImage toImage(const core::ModelPicture& picture)
+QImage toImage(const core::ModelThumbnail& picture)
 {
     const QImage rgba(reinterpret_cast<const uchar*>(picture.rgba.data()), picture.width, picture.height, QImage::Format_RGBA8888_Premultiplied);
     return rgba.convertToFormat(QImage::Format_ARGB32_Premultiplied);
@@ -88,7 +88,7 @@ std::optional<Thumbnail> ThumbnailMaker::make(const FileEntry& file, const std::
         if (!key.isEmpty() && FileJobs::entryOf(file.path) == file) // else it is of other bytes
             m_cache.store(key, thumbnail);
         return thumbnail;
-    } catch (const core::ReadingStopped&) {
+    } catch (const core::ReadingCancelled&) {
         return std::nullopt;
     } catch (const core::FileError& error) {
         return Thumbnail{{}, -1, Messages::sentence(error)};
@@ -100,9 +100,9 @@ std::optional<Thumbnail> ThumbnailMaker::make(const FileEntry& file, const std::
 Thumbnail ThumbnailMaker::draw(const FileEntry& file, const std::stop_token& stop)
 {
     const core::TriangleMesh mesh = core::readMesh(file.path.toStdU16String(), {.stop = stop});
-    const std::optional<core::ModelPicture> picture = core::drawPicture(mesh, thumbnailPixels, stop);
+    const std::optional<core::ModelThumbnail> picture = core::drawThumbnail(mesh, thumbnailPixels, stop);
     if (!picture)
-        throw core::ReadingStopped();
+        throw core::ReadingCancelled();
     ++m_drawn;
     return {toImage(*picture), static_cast<qint64>(mesh.points.size()), {}};
 }
@@ -120,7 +120,7 @@ QByteArray ThumbnailMaker::keyOf(const FileEntry& file, const std::stop_token& s
     QByteArray part;
     do {
         if (stop.stop_requested())
-            throw core::ReadingStopped();
+            throw core::ReadingCancelled();
         part = bytes.read(hashedAtOnce);
         hash.addData(part);
     } while (!part.isEmpty());

@@ -16,13 +16,13 @@
 
 namespace core
 {
-struct ModelPicture;
+struct ModelThumbnail;
 }
 
 namespace ui
 {
 /// A copy.
-QImage toImage(const core::ModelPicture& picture);
+QImage toImage(const core::ModelThumbnail& picture);
 
 /// Makes pictures of model files on one thread of its own, which yields to all others; what was drawn before, under whatever name,
 /// comes from a cache. Gui thread; all returns at once.

@@ -158,7 +158,7 @@ core::StrokeSettings PointerInput::strokeFor(Qt::KeyboardModifiers modifiers, bo
     core::StrokeSettings stroke = withKeysHeld(m_brush->stroke(), modifiers, m_habits.held.invert);
     if (eraser != m_brush->isTurnedRound())
         stroke = core::opposite(stroke);
-    if (core::followsHand(stroke.tool))
+    if (core::isDragTool(stroke.tool))
         stroke.spacing = 0;
     return stroke;
 }

@@ -23,7 +23,7 @@ namespace ui
 namespace
 {
 constexpr double mostShown = 1e9; ///< of a fact, as far as it can be typed
-constexpr double mostTolerance = 1000; ///< mm
+constexpr double maxTolerance = 1000; ///< mm
 constexpr int spinWidth = 84, iconSide = 16; ///< pixels
 
 QLabel* sentence(const QString& text)
@@ -129,7 +129,7 @@ void LessonStepEditor::addTools(const Actions& actions)
 void LessonStepEditor::addFact(QGridLayout* grid, core::Fact fact, const QString& words)
 {
     const int decimals = core::info(fact).isWhole ? 0 : 1, row = grid->rowCount();
-    const double most = std::min(core::info(fact).most, mostShown), step = decimals > 0 ? 0.1 : 1;
+    const double most = std::min(core::info(fact).max, mostShown), step = decimals > 0 ? 0.1 : 1;
     const Bounds bounds{fact, spin(0, most, decimals), spin(-step, most, decimals)};
     grid->addWidget(new QLabel(words), row, 0);
     grid->addWidget(bounds.least, row, 1);
@@ -162,7 +162,7 @@ void LessonStepEditor::addCheckpoint()
     addFact(grid, Fact::Depth, tr("Depth, mm"));
     addFact(grid, Fact::Volume, tr("Volume, mm³"));
     addFact(grid, Fact::Faces, tr("Triangles"));
-    m_tolerance = spin(0, mostTolerance, 1);
+    m_tolerance = spin(0, maxTolerance, 1);
     m_tolerance->setObjectName(QStringLiteral("lessonTolerance"));
     m_tolerance->setToolTip(tr("So near the pupil's shape is to come to the one that the teacher's strokes leave."));
     auto* shape = new QLabel(tr("Near the teacher's, mm"));
@@ -277,9 +277,9 @@ void LessonStepEditor::showCheckpoint()
     m_isShowing = true;
     for (const Bounds& bounds : m_facts) {
         const std::optional<core::FactBounds> asked = hasStep() ? m_draft->fact(m_step, bounds.fact) : std::nullopt;
-        const bool hasMost = asked && asked->most < core::FactBounds::unbounded;
-        bounds.least->setValue(asked ? asked->least : 0);
-        bounds.most->setValue(hasMost ? asked->most : bounds.most->minimum());
+        const bool hasMost = asked && asked->max < core::FactBounds::unbounded;
+        bounds.least->setValue(asked ? asked->min : 0);
+        bounds.most->setValue(hasMost ? asked->max : bounds.most->minimum());
     }
     m_printReady->setChecked(hasStep() && m_draft->fact(m_step, core::Fact::PrintReady).has_value());
     m_tolerance->setValue(hasStep() && m_draft->step(m_step).checkpoint.target ? m_draft->step(m_step).checkpoint.target->tolerance : 0);

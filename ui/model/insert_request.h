@@ -16,6 +16,6 @@ struct Insertion
     core::Insert::Place place = core::Insert::Place::Beside;
     core::Vec3 centre = core::Vec3::Zero(); ///< with Place::Centre
     double unit = 1;                        ///< as so many mm the file's unit is taken; above 0
-    std::optional<core::LegaliseOptions> mend = std::nullopt; ///< a model that is not in order is legalised; else it is refused
+    std::optional<core::RepairOptions> mend = std::nullopt; ///< a model that is not in order is legalised; else it is refused
 };
 } // namespace ui

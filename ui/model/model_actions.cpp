@@ -13,7 +13,7 @@ namespace ui
 {
 namespace
 {
-using How = core::ChangeMask::How;
+using How = core::MaskOperation::Kind;
 
 constexpr std::pair<const char*, How> maskActions[] = {{"mask.invert", How::Invert}, {"mask.clear", How::Clear},   {"mask.blur", How::Blur},
                                                        {"mask.sharpen", How::Sharpen}, {"mask.grow", How::Grow},   {"mask.shrink", How::Shrink},
@@ -36,9 +36,9 @@ void connectModel(const Actions& actions, QWidget* window, const std::function<c
     on("model.flattenBase", [=] { askForBase(window, facts(), request); });
     on("model.reset", [=] { request(core::Reset{}); });
     on("model.fill", [=] { request(core::Fill{brush->stroke().color}); });
-    on("mask.color", [=] { request(core::ChangeMask{How::Color, brush->stroke().color}); });
+    on("mask.color", [=] { request(core::MaskOperation{How::Color, brush->stroke().color}); });
     for (const auto& [id, how] : maskActions)
-        on(id, [=, how = how] { request(core::ChangeMask{how}); });
+        on(id, [=, how = how] { request(core::MaskOperation{how}); });
     on("model.remesh", [=] { askForRemesh(window, facts(), request); });
 }
 } // namespace ui

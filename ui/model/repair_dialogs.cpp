@@ -30,11 +30,11 @@ QCheckBox* check(const char* name, const QString& label, bool isChecked)
 }
 } // namespace
 
-void askToMend(QWidget* parent, MendFor use, const QString& problem, const std::function<void(const core::LegaliseOptions& options)>& answer)
+void askToMend(QWidget* parent, MendFor use, const QString& problem, const std::function<void(const core::RepairOptions& options)>& answer)
 {
     auto* dialog = new QDialog(parent);
     QVBoxLayout* column = beginDialog(dialog, "mendDialog", MendingDialogs::tr("Mend the Model"));
-    const core::LegaliseOptions defaults;
+    const core::RepairOptions defaults;
     auto* largeHoles = check("largeHoles", MendingDialogs::tr("Fill large holes, too: longer than a quarter of the model"), defaults.fillLargeHoles);
     auto* cavities = check("cavities", MendingDialogs::tr("Parts inside of others are cavities, not solid"), defaults.innerAreCavities);
     column->addWidget(dialogText(problem, textWidth));

@@ -65,9 +65,9 @@ PrintFinding walls(const core::PrintReport& print, double limit)
 {
     const auto mm = [](const std::optional<double>& length) { return length ? millimetres(*length) : QStringLiteral("–"); };
     PrintFinding finding;
-    finding.tip = PrintWords::tr("Shares are of the surface. The thinnest place: %1 mm by rays, %2 mm by balls that fit inside.").arg(mm(print.leastByRays), mm(print.leastByBalls));
+    finding.tip = PrintWords::tr("Shares are of the surface. The thinnest place: %1 mm by rays, %2 mm by balls that fit inside.").arg(mm(print.minByRays), mm(print.minByBalls));
     if (print.thin.count == 0) {
-        finding.text = print.leastByBalls ? PrintWords::tr("Walls from %1 mm on").arg(mm(print.leastByBalls)) : PrintWords::tr("No thin walls");
+        finding.text = print.minByBalls ? PrintWords::tr("Walls from %1 mm on").arg(mm(print.minByBalls)) : PrintWords::tr("No thin walls");
         return finding;
     }
     finding.verdict = PrintVerdict::Bad;
@@ -110,7 +110,7 @@ QList<PrintFinding> printFindings(const core::MeshReport& mesh, const core::Prin
     if (!printer.isEmpty())
         findings << bed(mesh, print, printer);
     if (mesh.printReady())
-        findings << walls(print, limits.leastWall);
+        findings << walls(print, limits.minWall);
     findings << overhangs(print, limits.overhang) << base(print) << parts(mesh);
     if (const QString doubt = mesh.volume ? Messages::unitDoubt(*mesh.volume) : QString(); !doubt.isEmpty())
         findings << PrintFinding{PrintVerdict::Care, doubt, PrintWords::tr("Scale the model, or choose millimetres in the slicer."), {}, {}};

@@ -32,7 +32,7 @@ namespace ui
 namespace
 {
 constexpr int iconSide = 20, rowIconSide = 16;
-constexpr double leastWall = 0.05, leastOverhang = 0, mostOverhang = 90;
+constexpr double minWall = 0.05, leastOverhang = 0, mostOverhang = 90;
 constexpr int findingRole = Qt::UserRole, placeRole = Qt::UserRole + 1; ///< place: -1 for the finding itself
 
 QString iconOf(PrintVerdict verdict)
@@ -109,7 +109,7 @@ void PrintPanel::addWishes()
     row->setSpacing(gap / 2);
     row->addWidget(m_printer, 1);
     row->addWidget(edit);
-    m_wall = numberBox("print.wall", leastWall, core::PrintLimits::mostWall, 2, tr(" mm"));
+    m_wall = numberBox("print.wall", minWall, core::PrintLimits::maxWall, 2, tr(" mm"));
     m_overhang = numberBox("print.overhang", leastOverhang, mostOverhang, 0, tr("°"));
     m_picture = new QComboBox;
     m_picture->setObjectName(QStringLiteral("print.picture"));
@@ -192,7 +192,7 @@ void PrintPanel::editPrinters()
 core::PrintLimits PrintPanel::limits() const
 {
     core::PrintLimits limits;
-    limits.leastWall = m_wall->value();
+    limits.minWall = m_wall->value();
     limits.overhang = m_overhang->value();
     limits.bed = m_printers[std::max(0, m_printer->currentIndex())].bed;
     return limits;

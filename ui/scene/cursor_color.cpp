@@ -34,7 +34,7 @@ QColor cursorColor(const core::StrokeSettings& stroke)
         return {255, 150, 150};
     case core::Tool::Grab:
         return {150, 240, 226};
-    case core::Tool::Snake:
+    case core::Tool::SnakeHook:
         return {120, 224, 170};
     case core::Tool::Twist:
         return {198, 186, 255};

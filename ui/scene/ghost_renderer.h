@@ -36,7 +36,7 @@ private:
     struct Shape
     {
         std::shared_ptr<const core::DrawArrays> arrays;
-        ClayBuffer buffer;
+        MeshBuffer buffer;
     };
 
     void take(Shape& shape, const std::shared_ptr<const core::DrawArrays>& arrays);

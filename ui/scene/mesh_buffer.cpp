@@ -2,5 +2,5 @@
 
 #include <QOpenGLFunctions_3_3_Core>
 
-template class core::TintBuffer<QOpenGLFunctions_3_3_Core>;
-template class core::ClayBuffer<QOpenGLFunctions_3_3_Core>;
+template class core::VertexWeightBuffer<QOpenGLFunctions_3_3_Core>;
+template class core::MeshBuffer<QOpenGLFunctions_3_3_Core>;

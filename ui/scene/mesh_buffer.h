@@ -4,10 +4,10 @@
 
 class QOpenGLFunctions_3_3_Core;
 
-extern template class core::TintBuffer<QOpenGLFunctions_3_3_Core>;
-extern template class core::ClayBuffer<QOpenGLFunctions_3_3_Core>;
+extern template class core::VertexWeightBuffer<QOpenGLFunctions_3_3_Core>;
+extern template class core::MeshBuffer<QOpenGLFunctions_3_3_Core>;
 
 namespace ui
 {
-using ClayBuffer = core::ClayBuffer<QOpenGLFunctions_3_3_Core>;
+using MeshBuffer = core::MeshBuffer<QOpenGLFunctions_3_3_Core>;
 } // namespace ui

@@ -36,7 +36,7 @@ public:
     bool create(QOpenGLFunctions_3_3_Core* gl);
     void destroy();
 
-    ClayBuffer& clay() { return m_clay; }
+    MeshBuffer& clay() { return m_clay; }
 
     /// A line where the plane through the origin with that unit normal cuts the clay; zero: none.
     void setCut(const core::Vec3& normal) { m_cutNormal = normal; }
@@ -61,6 +61,6 @@ private:
     core::Vec3 m_cutNormal = core::Vec3::Zero();
     QVector4D m_ball, m_ballImage; ///< centre and radius
     float m_ballFalloff = 0, m_sectors = 1;
-    ClayBuffer m_clay;
+    MeshBuffer m_clay;
 };
 } // namespace ui

@@ -256,7 +256,7 @@ SymmetryPlane::SymmetryPlane(Qt3DCore::QNode* parent) : Qt3DCore::QEntity(parent
 
 void SymmetryPlane::place(core::Symmetry symmetry, const core::Box& box)
 {
-    const core::SymmetryPane pane = core::symmetryPane(symmetry, box);
+    const core::SymmetryPlane pane = core::symmetryPlane(symmetry, box);
     const core::Vec3 x = pane.halfX.normalized(), y = pane.halfY.normalized();
     m_transform->setTranslation(toQt(pane.center));
     m_transform->setRotation(QQuaternion::fromAxes(toQt(x), toQt(y), toQt(core::planeNormal(symmetry))));

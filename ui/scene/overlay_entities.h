@@ -52,7 +52,7 @@ private:
     Qt3DRender::QParameter *m_viewport, *m_halfWidth, *m_color;
 };
 
-/// The plane of symmetry: a core::SymmetryPane. Clay hides what lies within.
+/// The plane of symmetry: a core::SymmetryPlane. Clay hides what lies within.
 class SymmetryPlane : public Qt3DCore::QEntity
 {
     Q_OBJECT

@@ -233,7 +233,7 @@ Scene::Mode Scene::mode() const
     return m_state->mode;
 }
 
-ClayBuffer& Scene::clay()
+MeshBuffer& Scene::clay()
 {
     m_state->makeCurrent();
     return m_state->painter.clay();

@@ -47,7 +47,7 @@ public:
     Mode mode() const;
 
     /// Current the scene's context, then use it at once.
-    ClayBuffer& clay();
+    MeshBuffer& clay();
 
     void placeGround(const core::Box& box);
     void placeCursor(const core::SurfaceHit& hit, double radius, const QColor& color);

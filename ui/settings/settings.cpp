@@ -125,7 +125,7 @@ void Settings::setExporting(const ExportChoice& choice)
 PrintChoice Settings::print() const
 {
     const PrintChoice usual;
-    return {m_settings.value(printerKey).toString(), number(m_settings, printWallKey, 0, core::PrintLimits::mostWall, usual.wall),
+    return {m_settings.value(printerKey).toString(), number(m_settings, printWallKey, 0, core::PrintLimits::maxWall, usual.wall),
             number(m_settings, printOverhangKey, 0, 90, usual.overhang), static_cast<int>(number(m_settings, printPictureKey, 0, 2, usual.picture))};
 }
 

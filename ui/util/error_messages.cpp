@@ -123,7 +123,7 @@ QString Messages::shortfall(core::Shortfall shortfall)
 {
     switch (shortfall) {
     case core::Shortfall::None: return {};
-    case core::Shortfall::Stuck: return tr("Nothing happened here: the surface would have met itself.");
+    case core::Shortfall::Blocked: return tr("Nothing happened here: the surface would have met itself.");
     case core::Shortfall::Contact: return tr("The brush stopped where surfaces met that may not join.");
     case core::Shortfall::Wall: return tr("The brush stopped at the wall of the working volume.");
     case core::Shortfall::Capped: return tr("That was too much work for one touch of the brush, which stopped early; stroke again to go on.");

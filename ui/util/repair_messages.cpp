@@ -21,7 +21,7 @@ QString shortMillimetres(double length)
 }
 } // namespace
 
-QStringList MendingWords::steps(const core::LegaliseReport& report)
+QStringList MendingWords::steps(const core::RepairReport& report)
 {
     QStringList steps;
     const auto add = [&steps](std::uint64_t count, const QString& step) {
@@ -48,31 +48,31 @@ QStringList MendingWords::steps(const core::LegaliseReport& report)
     return steps;
 }
 
-QString MendingWords::doing(const QString& file, core::LegaliseStep step)
+QString MendingWords::doing(const QString& file, core::RepairStep step)
 {
     switch (step) {
-    case core::LegaliseStep::Tidy: return tr("Mending %1: points and faces").arg(file);
-    case core::LegaliseStep::Join: return tr("Mending %1: cracks").arg(file);
-    case core::LegaliseStep::Orient: return tr("Mending %1: directions of the faces").arg(file);
-    case core::LegaliseStep::Fill: return tr("Mending %1: holes").arg(file);
-    case core::LegaliseStep::Resolve: return tr("Mending %1: intersections").arg(file);
-    case core::LegaliseStep::Remesh: return tr("Mending %1: a new surface").arg(file);
-    case core::LegaliseStep::Check: return tr("Mending %1: the check").arg(file);
-    case core::LegaliseStep::Measure: return tr("Mending %1: measuring what moved").arg(file);
+    case core::RepairStep::CleanUp: return tr("Mending %1: points and faces").arg(file);
+    case core::RepairStep::Stitch: return tr("Mending %1: cracks").arg(file);
+    case core::RepairStep::Orient: return tr("Mending %1: directions of the faces").arg(file);
+    case core::RepairStep::Fill: return tr("Mending %1: holes").arg(file);
+    case core::RepairStep::Resolve: return tr("Mending %1: intersections").arg(file);
+    case core::RepairStep::Remesh: return tr("Mending %1: a new surface").arg(file);
+    case core::RepairStep::Check: return tr("Mending %1: the check").arg(file);
+    case core::RepairStep::Measure: return tr("Mending %1: measuring what moved").arg(file);
     }
     return {};
 }
 
-QString MendingWords::distance(const core::LegaliseReport& report)
+QString MendingWords::distance(const core::RepairReport& report)
 {
     return tr("The new surface is at most %1 mm (mean %2 mm) from the old one; the old one at most %3 mm (mean %4 mm) from the new.")
         .arg(shortMillimetres(report.fromNew.largest), shortMillimetres(report.fromNew.mean), shortMillimetres(report.fromOld.largest),
              shortMillimetres(report.fromOld.mean));
 }
 
-QString MendingWords::refusal(const QString& file, const core::Legalised& legalised)
+QString MendingWords::refusal(const QString& file, const core::RepairResult& legalised)
 {
-    if (legalised.refusal == core::LegaliseRefusal::LargeHoles)
+    if (legalised.refusal == core::RepairRefusal::LargeHoles)
         return tr("%1 was not mended: it has holes longer than a quarter of it (%2).").arg(file, number(legalised.report.largeHoles));
     return tr("%1 cannot be mended: its faces enclose no space.").arg(file);
 }

@@ -15,12 +15,12 @@ class MendingWords
 
 public:
     /// What was found and mended, step by step, with counts; steps that found nothing are left out.
-    static QStringList steps(const core::LegaliseReport& report);
+    static QStringList steps(const core::RepairReport& report);
     /// What goes on while `file` is legalised.
-    static QString doing(const QString& file, core::LegaliseStep step);
+    static QString doing(const QString& file, core::RepairStep step);
     /// How far the surface moved.
-    static QString distance(const core::LegaliseReport& report);
+    static QString distance(const core::RepairReport& report);
     /// Why there is no mended model.
-    static QString refusal(const QString& file, const core::Legalised& legalised);
+    static QString refusal(const QString& file, const core::RepairResult& legalised);
 };
 } // namespace ui

@@ -55,7 +55,7 @@ bool Viewport::State::applyPatch()
     const std::optional<core::MeshPatch> patch = take();
     if (!patch || patch->empty())
         return false;
-    ClayBuffer& clay = scene->clay();
+    MeshBuffer& clay = scene->clay();
     clay.apply(*patch);
 
     ++stats.patches;

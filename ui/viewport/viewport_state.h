@@ -17,7 +17,7 @@
 namespace ui
 {
 /// For the viewport's own files: viewport.cpp shows, viewport_events.cpp takes what the hand does, viewport_keys.cpp what keys do,
-/// viewport_places.cpp goes where somebody wants to look, viewport_wearer.cpp to where the headset is, and viewport_pointing.cpp shows
+/// viewport_navigation.cpp goes where somebody wants to look, viewport_avatar.cpp to where the headset is, and viewport_pointing.cpp shows
 /// somebody where to look.
 struct Viewport::State
 {

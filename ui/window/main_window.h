@@ -6,7 +6,7 @@
 #include "ui/model/insert_request.h"
 #include "ui/settings/model_info.h"
 
-#include "core/operations/primitives.h"
+#include "core/operations/starter_models.h"
 
 #include <QMainWindow>
 

@@ -8,19 +8,19 @@
 
 namespace ui
 {
-void addNotes(const MainWindow& window, core::DocumentNotes& notes)
+void addMetadata(const MainWindow& window, core::DocumentMetadata& metadata)
 {
-    notes.view = window.viewport()->camera().saved();
-    notes.brush = window.brush()->stroke();
+    metadata.view = window.viewport()->camera().saved();
+    metadata.brush = window.brush()->stroke();
 }
 
-void takeNotes(MainWindow& window, const core::DocumentNotes& notes)
+void takeNotes(MainWindow& window, const core::DocumentMetadata& metadata)
 {
-    if (notes.brush)
-        window.brush()->take(*notes.brush);
-    if (!notes.view)
+    if (metadata.brush)
+        window.brush()->take(*metadata.brush);
+    if (!metadata.view)
         return;
-    window.action(QStringLiteral("view.orthographic"))->setChecked(notes.view->orthographic);
-    window.viewport()->setView(*notes.view);
+    window.action(QStringLiteral("view.orthographic"))->setChecked(metadata.view->orthographic);
+    window.viewport()->setView(*metadata.view);
 }
 } // namespace ui

@@ -9,7 +9,7 @@ class MainWindow;
 // What of the window belongs to the document, and comes back with its file: from where it is looked at, and the brush in the hand with
 // its symmetry. Gui thread.
 
-void addNotes(const MainWindow& window, core::DocumentNotes& notes);
+void addMetadata(const MainWindow& window, core::DocumentMetadata& metadata);
 /// Of a model that the window shows already. What is not noted stays as it is.
-void takeNotes(MainWindow& window, const core::DocumentNotes& notes);
+void takeNotes(MainWindow& window, const core::DocumentMetadata& metadata);
 } // namespace ui

@@ -86,7 +86,7 @@ Eigen::Affine3d Room::matrix() const
 /// A model that has outgrown the bounds is not forced back into them by a touch: it may only come nearer.
 double Room::allowed(double factor) const
 {
-    const double least = std::min(leastSize / m_size, m_scale), most = std::max(mostSize / m_size, m_scale);
+    const double least = std::min(minSize / m_size, m_scale), most = std::max(mostSize / m_size, m_scale);
     return std::clamp(m_scale * factor, least, most);
 }
 

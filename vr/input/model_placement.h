@@ -15,7 +15,7 @@ public:
     static constexpr double comfortableReach = 0.6; ///< from the head to its middle: an arm bent a little
     static constexpr double belowEyes = 0.2;        ///< its middle: one looks down at one's work
     // How large it may be shown; from the size of a nut to that of a house.
-    static constexpr double leastSize = 0.02, mostSize = 20;
+    static constexpr double minSize = 0.02, mostSize = 20;
 
     /// `model`: its box, mm; an empty one counts as that of a ball of 100 mm.
     explicit Room(const core::Box& model = {});

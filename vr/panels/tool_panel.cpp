@@ -44,7 +44,7 @@ QString ToolPanel::nameOf(core::Tool tool)
         return tr("Crease");
     case core::Tool::Grab:
         return tr("Grab");
-    case core::Tool::Snake:
+    case core::Tool::SnakeHook:
         return tr("Snake Hook");
     case core::Tool::Twist:
         return tr("Twist");

@@ -8,7 +8,7 @@ namespace vr
 /// What of a colour a shader adds and mixes.
 inline Eigen::Vector3f lightOf(const core::Rgb& color)
 {
-    using core::mesh_io::lightOf;
+    using core::io::linearFromSrgb;
     return core::Vec3(lightOf(color.r), lightOf(color.g), lightOf(color.b)).cast<float>();
 }
 } // namespace vr

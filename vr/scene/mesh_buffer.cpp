@@ -2,5 +2,5 @@
 
 #include <QOpenGLExtraFunctions>
 
-template class core::TintBuffer<QOpenGLExtraFunctions>;
-template class core::ClayBuffer<QOpenGLExtraFunctions>;
+template class core::VertexWeightBuffer<QOpenGLExtraFunctions>;
+template class core::MeshBuffer<QOpenGLExtraFunctions>;

@@ -4,10 +4,10 @@
 
 class QOpenGLExtraFunctions;
 
-extern template class core::TintBuffer<QOpenGLExtraFunctions>;
-extern template class core::ClayBuffer<QOpenGLExtraFunctions>;
+extern template class core::VertexWeightBuffer<QOpenGLExtraFunctions>;
+extern template class core::MeshBuffer<QOpenGLExtraFunctions>;
 
 namespace vr
 {
-using ClayBuffer = core::ClayBuffer<QOpenGLExtraFunctions>;
+using MeshBuffer = core::MeshBuffer<QOpenGLExtraFunctions>;
 } // namespace vr

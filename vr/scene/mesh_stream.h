@@ -14,7 +14,7 @@ inline constexpr std::size_t sliceBytes = 2'000'000;
 
 /// The clay as it is drawn. A large model comes in slices beside the one before, which is shown until the new one is there whole; what is
 /// sculpted meanwhile follows it, in order. Before the first step(), and for small models, all is there at once.
-/// `Buffer`: as ClayBuffer.
+/// `Buffer`: as MeshBuffer.
 template <class Buffer> class ClayStream
 {
 public:

@@ -85,7 +85,7 @@ struct Scene::State
 {
     QOpenGLExtraFunctions* gl = nullptr;
     DrawClock clock;
-    ClayStream<ClayBuffer> clay;
+    ClayStream<MeshBuffer> clay;
     ClayProgram clayProgram;
     WandPainter wandPainter;
     RoomPainter roomPainter;

@@ -28,7 +28,7 @@ public:
     /// Before the scene goes, and its context.
     void destroy();
 
-    /// Patches of one mesh in order, a whole one first. Cost: as core::ClayBuffer::apply(). But a large model that comes once frames have
+    /// Patches of one mesh in order, a whole one first. Cost: as core::MeshBuffer::apply(). But a large model that comes once frames have
     /// been prepared is sent in slices, one in each prepare(), and the one before is shown until the new one is there whole.
     void apply(core::MeshPatch patch);
     /// What is shown is still the model before.

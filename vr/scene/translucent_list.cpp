@@ -111,7 +111,7 @@ void GlassMaker::addPane()
 {
     if (m_state.symmetry == core::Symmetry::None || m_state.box.isEmpty())
         return;
-    const core::SymmetryPane pane = core::symmetryPane(m_state.symmetry, m_state.box);
+    const core::SymmetryPlane pane = core::symmetryPlane(m_state.symmetry, m_state.box);
     const core::Vec3 center = m_state.model * pane.center;
     const core::Vec3 halfX = m_state.model.linear() * pane.halfX, halfY = m_state.model.linear() * pane.halfY;
     add(center, Pane{rectangle(center, halfX, halfY), paneColor});

@@ -64,7 +64,7 @@ private:
     QOpenGLExtraFunctions* m_gl = nullptr;
     DrawClock* m_clock = nullptr;
     unsigned int m_noVertices = 0;
-    ClayBuffer m_ball; ///< the unit sphere
+    MeshBuffer m_ball; ///< the unit sphere
     ShellProgram m_shell;
     LineProgram m_line;
     RingProgram m_ring;

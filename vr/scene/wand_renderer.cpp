@@ -54,7 +54,7 @@ void WandPainter::create(QOpenGLExtraFunctions* gl, DrawClock* clock)
 
 void WandPainter::destroy()
 {
-    for (ClayBuffer& part : m_parts)
+    for (MeshBuffer& part : m_parts)
         part.destroy();
 }
 

@@ -19,6 +19,6 @@ public:
 
 private:
     DrawClock* m_clock = nullptr;
-    std::array<ClayBuffer, wandPartCount> m_parts;
+    std::array<MeshBuffer, wandPartCount> m_parts;
 };
 } // namespace vr

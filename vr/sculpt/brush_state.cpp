@@ -70,8 +70,8 @@ core::StrokeSettings strokeSettings(const BrushState& brush, const BeginStroke& 
     core::StrokeSettings settings = effective(brush, begin);
     settings.place = core::Placement::Point;
     settings.radius = radiusOn(brush, room);
-    settings.spacing = core::followsHand(settings.tool) ? 0 : wandSpacing;
-    settings.add = core::addsSolids(settings.tool) && settings.brush == core::BrushShape::Sphere && !begin.goesOn;
+    settings.spacing = core::isDragTool(settings.tool) ? 0 : wandSpacing;
+    settings.add = core::canAddSolid(settings.tool) && settings.brush == core::BrushShape::Sphere && !begin.goesOn;
     return settings;
 }
 

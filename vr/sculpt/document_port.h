@@ -104,7 +104,7 @@ struct OpenModel
 };
 
 /// What the gui thread is asked to do; it is done there in this order, and in the order of the strokes before and after it.
-using Wish = std::variant<ChooseBrush, Undo, Redo, SaveModel, RestoreModel, OpenModel, core::ChangeMask, HeadsetChoice, LessonWish>;
+using Wish = std::variant<ChooseBrush, Undo, Redo, SaveModel, RestoreModel, OpenModel, core::MaskOperation, HeadsetChoice, LessonWish>;
 
 /// The document as the headset's thread sees it. All is called on that thread, none waits for another thread, and none allocates
 /// more than what it hands over. Values of millimetres are in the document's space.

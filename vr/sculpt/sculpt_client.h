@@ -13,7 +13,7 @@
 namespace vr
 {
 /// Sculpting in the headset: hands, brush, panels and the scene around the document's model, as one client. The order of a frame is in
-/// frame(); what hands and panels ask for is done in sculpt_client_deeds.cpp, what is seen is put together in sculpt_client_view.cpp.
+/// frame(); what hands and panels ask for is done in sculpt_client_commands.cpp, what is seen is put together in sculpt_client_view.cpp.
 ///
 /// A visit's own: made anew for each, and used on the headset's thread only, but for the constructor.
 class SculptClient : public FrameClient

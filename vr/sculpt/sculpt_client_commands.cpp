@@ -113,9 +113,9 @@ void SculptClient::obey(PanelCommand command)
     case PanelCommand::RestoreModel:
         return m_port->wish(RestoreModel{});
     case PanelCommand::InvertMask:
-        return m_port->wish(core::ChangeMask{core::ChangeMask::How::Invert});
+        return m_port->wish(core::MaskOperation{core::MaskOperation::Kind::Invert});
     case PanelCommand::ClearMask:
-        return m_port->wish(core::ChangeMask{core::ChangeMask::How::Clear});
+        return m_port->wish(core::MaskOperation{core::MaskOperation::Kind::Clear});
     case PanelCommand::SaveModel:
         return m_port->wish(SaveModel{});
     case PanelCommand::Recentre:

@@ -15,6 +15,6 @@ class Runtime;
 using Change = std::function<void(Runtime&, XrTime start)>;
 using Step = std::vector<Change>;
 
-/// Throws std::runtime_error that says what is not understood. The vocabulary is in control.h.
+/// Throws std::runtime_error that says what is not understood. The vocabulary is in control_api.h.
 Step readStep(const nlohmann::json& json);
 } // namespace simulator

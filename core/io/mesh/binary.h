@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <string>
 
-namespace core::mesh_io
+namespace core::io
 {
 /// The number at `at`, which need not be aligned.
 template <typename Number> Number load(const char* at, std::endian order)
@@ -38,4 +38,4 @@ template <typename Number> void store(char*& at, Number number)
 {
     at = std::ranges::copy(littleEndian(number), at).out;
 }
-} // namespace core::mesh_io
+} // namespace core::io

@@ -7,14 +7,14 @@
 #include <string_view>
 
 /// What the readers and writers of the formats share; for mesh_io only.
-namespace core::mesh_io
+namespace core::io
 {
 struct FileBytes
 {
     const std::filesystem::path& path;
     std::string_view bytes;
     std::stop_token stop = {};
-    bool standsAlone = false; ///< nothing lies beside it that it may name
+    bool isStandalone = false; ///< nothing lies beside it that it may name
 };
 
 /// To be asked for each element; looks every so many, which take about a millisecond.
@@ -26,13 +26,13 @@ public:
     /// The element takes as long as so many do.
     void operator()(std::size_t elements = 1)
     {
-        constexpr std::size_t looksEvery = 1 << 12;
+        constexpr std::size_t checkInterval = 1 << 12;
         m_count += elements;
-        if (m_count < looksEvery)
+        if (m_count < checkInterval)
             return;
         m_count = 0;
         if (m_stop.stop_requested())
-            throw ReadingStopped();
+            throw ReadingCancelled();
     }
 
 private:
@@ -51,10 +51,10 @@ inline constexpr std::size_t startSize = 4096;
 FileError errorAtLine(FileErrorKind kind, const FileBytes& file, const char* at, std::string_view token = {});
 FileError errorAtByte(FileErrorKind kind, const FileBytes& file, const char* at, std::string_view token = {});
 FileError errorWithToken(FileErrorKind kind, const FileBytes& file, std::string_view token);
-FileError tooMany(std::string_view what, std::size_t most, FileError error);
+FileError tooMany(std::string_view what, std::size_t max, FileError error);
 
 /// By the first bytes and the size: "stl", "obj", "ply", "off", another format's name ("png", "zip", ...), "text", or empty.
-std::string_view looksLike(std::string_view start, std::uint64_t fileSize);
+std::string_view detectFormat(std::string_view start, std::uint64_t fileSize);
 
 inline constexpr std::size_t stlHeaderSize = 84;
 inline constexpr std::size_t stlTriangleSize = 50;
@@ -76,6 +76,6 @@ void writeStl(AtomicFile& out, const TriangleMesh& mesh, bool ascii);
 void writeObj(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette);
 void writePly(AtomicFile& out, const TriangleMesh& mesh, const WriteOptions& options);
 void writeOff(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette);
-void writeGlb(AtomicFile& out, const TriangleMesh& mesh, const DocumentNotes& notes);
+void writeGlb(AtomicFile& out, const TriangleMesh& mesh, const DocumentMetadata& metadata);
 void writeThreeMf(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette);
-} // namespace core::mesh_io
+} // namespace core::io

@@ -6,7 +6,7 @@
 #include <array>
 #include <bit>
 
-namespace core::mesh_io
+namespace core::io
 {
 namespace
 {
@@ -109,7 +109,7 @@ bool isTextStl(std::string_view start)
     return startsWithWord(text, "solid") && isText(text);
 }
 
-std::string_view looksLike(std::string_view start, std::uint64_t fileSize)
+std::string_view detectFormat(std::string_view start, std::uint64_t fileSize)
 {
     if (isBinaryStl(start, fileSize))
         return "stl";
@@ -122,4 +122,4 @@ std::string_view looksLike(std::string_view start, std::uint64_t fileSize)
         return isObj(start) ? "obj" : isOff(start) ? "off" : "text";
     return {};
 }
-} // namespace core::mesh_io
+} // namespace core::io

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace core::mesh_io
+namespace core::io
 {
 namespace
 {
@@ -19,9 +19,9 @@ using Json = nlohmann::json;
 constexpr const char* extensionName = "FETTLE_document";
 constexpr int version = 1;
 /// Ours are a few thousand bytes long; whoever rewrote the file may have added to them.
-constexpr std::size_t mostJson = 1 << 20;
+constexpr std::size_t maxJson = 1 << 20;
 /// What an import can come to, and more.
-constexpr int mostExponent = 64;
+constexpr int maxExponent = 64;
 constexpr double farthest = 1e9; ///< mm
 
 nlohmann::ordered_json jsonOf(const SavedView& view)
@@ -51,31 +51,31 @@ const Json& valueIn(const Json& object, const char* key)
     return object.is_object() && found != object.end() ? *found : none;
 }
 
-std::optional<double> numberIn(const Json& object, const char* key, double least, double most)
+std::optional<double> numberIn(const Json& object, const char* key, double min, double max)
 {
     const Json& value = valueIn(object, key);
-    if (!value.is_number() || !(value.get<double>() >= least && value.get<double>() <= most))
+    if (!value.is_number() || !(value.get<double>() >= min && value.get<double>() <= max))
         return std::nullopt;
     return value.get<double>();
 }
 
-std::optional<MeshFrame> frameIn(const Json& notes)
+std::optional<MeshFrame> frameIn(const Json& metadata)
 {
-    const auto exponent = numberIn(notes, "lattice", -mostExponent, mostExponent);
+    const auto exponent = numberIn(metadata, "lattice", -maxExponent, maxExponent);
     if (!exponent || *exponent != std::trunc(*exponent))
         return std::nullopt;
     MeshFrame frame{Lattice(static_cast<int>(*exponent))};
-    const auto detail = numberIn(notes, "uniformDetail", frame.lattice.minDetail(), farthest);
+    const auto detail = numberIn(metadata, "uniformDetail", frame.lattice.minDetail(), farthest);
     if (!detail)
         return std::nullopt;
     frame.uniformDetail = *detail;
     return frame;
 }
 
-std::optional<SavedView> viewIn(const Json& notes)
+std::optional<SavedView> viewIn(const Json& metadata)
 {
     constexpr double fullTurn = 6.284;
-    const Json& from = valueIn(notes, "view");
+    const Json& from = valueIn(metadata, "view");
     const Json& target = valueIn(from, "target");
     const auto distance = numberIn(from, "distance", 1 / farthest, farthest);
     const auto yaw = numberIn(from, "yaw", -fullTurn, fullTurn), pitch = numberIn(from, "pitch", -fullTurn, fullTurn);
@@ -97,9 +97,9 @@ bool isFlat(const Json& value)
     return std::ranges::none_of(value, [](const Json& part) { return part.is_structured(); });
 }
 
-std::optional<StrokeSettings> brushIn(const Json& notes)
+std::optional<StrokeSettings> brushIn(const Json& metadata)
 {
-    const Json& brush = valueIn(notes, "brush");
+    const Json& brush = valueIn(metadata, "brush");
     if (!brush.is_object() || brush.contains("command") || !std::ranges::all_of(brush, isFlat))
         return std::nullopt;
     Json stroke = brush;
@@ -112,23 +112,23 @@ std::optional<StrokeSettings> brushIn(const Json& notes)
     }
 }
 
-std::optional<WorkDone> workIn(const Json& notes)
+std::optional<WorkDone> workIn(const Json& metadata)
 {
-    constexpr double mostStrokes = 9e15, longest = 1e10; // what a double counts in ones; 300 years
-    const Json& work = valueIn(notes, "work");
-    const auto strokes = numberIn(work, "strokes", 0, mostStrokes), seconds = numberIn(work, "seconds", 0, longest);
+    constexpr double maxStrokes = 9e15, longest = 1e10; // what a double counts in ones; 300 years
+    const Json& work = valueIn(metadata, "work");
+    const auto strokes = numberIn(work, "strokes", 0, maxStrokes), seconds = numberIn(work, "seconds", 0, longest);
     if (!strokes || *strokes != std::trunc(*strokes) || !seconds)
         return std::nullopt;
     return WorkDone{static_cast<std::uint64_t>(*strokes), *seconds};
 }
 
-std::vector<Rgb> paletteIn(const Json& notes)
+std::vector<Rgb> paletteIn(const Json& metadata)
 {
-    const Json& words = valueIn(notes, "palette");
+    const Json& words = valueIn(metadata, "palette");
     std::vector<Rgb> palette;
     for (const Json& word : words.is_array() ? words : Json::array()) {
         const auto color = word.is_string() ? colorOf(word.get_ref<const std::string&>()) : std::nullopt;
-        if (!color || palette.size() == mostPaletteColors)
+        if (!color || palette.size() == maxPaletteColors)
             return {};
         palette.push_back(*color);
     }
@@ -143,7 +143,7 @@ std::string jsonChunkOf(std::istream& file)
         return {};
     const auto numberAt = [&](std::size_t at) { return load<std::uint32_t>(head.data() + at, std::endian::little); };
     const std::size_t size = numberAt(glbHeadSize);
-    if (numberAt(0) != glbMagic || numberAt(glbHeadSize + 4) != glbJsonChunk || size > mostJson)
+    if (numberAt(0) != glbMagic || numberAt(glbHeadSize + 4) != glbJsonChunk || size > maxJson)
         return {};
     std::string text(size, '\0');
     file.read(text.data(), static_cast<std::streamsize>(size));
@@ -151,28 +151,28 @@ std::string jsonChunkOf(std::istream& file)
 }
 } // namespace
 
-void addNotes(nlohmann::ordered_json& document, const DocumentNotes& notes)
+void addMetadata(nlohmann::ordered_json& document, const DocumentMetadata& metadata)
 {
-    if (!notes.frame && notes.palette.empty() && !notes.view && !notes.brush && !notes.work)
+    if (!metadata.frame && metadata.palette.empty() && !metadata.view && !metadata.brush && !metadata.work)
         return;
     nlohmann::ordered_json json = {{"version", version}, {"unit", "mm"}};
-    if (notes.frame) {
-        json["lattice"] = notes.frame->lattice.exponent();
-        json["uniformDetail"] = notes.frame->uniformDetail;
+    if (metadata.frame) {
+        json["lattice"] = metadata.frame->lattice.exponent();
+        json["uniformDetail"] = metadata.frame->uniformDetail;
     }
-    for (const Rgb& color : notes.palette)
+    for (const Rgb& color : metadata.palette)
         json["palette"].push_back(hexOf(color));
-    if (notes.view)
-        json["view"] = jsonOf(*notes.view);
-    if (notes.brush)
-        json["brush"] = jsonOf(*notes.brush);
-    if (notes.work)
-        json["work"] = {{"strokes", notes.work->strokes}, {"seconds", notes.work->seconds}};
+    if (metadata.view)
+        json["view"] = jsonOf(*metadata.view);
+    if (metadata.brush)
+        json["brush"] = jsonOf(*metadata.brush);
+    if (metadata.work)
+        json["work"] = {{"strokes", metadata.work->strokes}, {"seconds", metadata.work->seconds}};
     document["extensionsUsed"] = nlohmann::ordered_json::array({extensionName});
     document["extensions"] = {{extensionName, std::move(json)}};
 }
 
-DocumentNotes readGlbNotes(std::istream& file)
+DocumentMetadata readGlbMetadata(std::istream& file)
 {
     const std::string text = jsonChunkOf(file);
     if (text.find(extensionName) == std::string::npos)
@@ -183,4 +183,4 @@ DocumentNotes readGlbNotes(std::istream& file)
         return {};
     return {paletteIn(json), frameIn(json), viewIn(json), brushIn(json), workIn(json)};
 }
-} // namespace core::mesh_io
+} // namespace core::io

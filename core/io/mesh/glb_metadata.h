@@ -6,7 +6,7 @@
 
 #include <istream>
 
-namespace core::mesh_io
+namespace core::io
 {
 /// Into a glTF document, as the extension FETTLE_document, which no reader needs:
 ///
@@ -15,8 +15,8 @@ namespace core::mesh_io
 ///      "brush": {...}, "work": {"strokes": 120, "seconds": 845.5}}
 ///
 /// Where there is nothing to note, there is no extension. Coordinates are multiples of 2^-lattice mm; "brush" is a stroke of a stroke file, without samples.
-void addNotes(nlohmann::ordered_json& document, const DocumentNotes& notes);
+void addMetadata(nlohmann::ordered_json& document, const DocumentMetadata& metadata);
 
 /// From the start of a GLB. What is not as we write it is left out.
-DocumentNotes readGlbNotes(std::istream& file);
-} // namespace core::mesh_io
+DocumentMetadata readGlbMetadata(std::istream& file);
+} // namespace core::io

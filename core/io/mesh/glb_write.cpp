@@ -13,7 +13,7 @@
 
 #include <cmath>
 
-namespace core::mesh_io
+namespace core::io
 {
 namespace
 {
@@ -22,13 +22,13 @@ using Json = nlohmann::ordered_json;
 constexpr int floatType = 5126, shortType = 5123, indexType = 5125, vertexTarget = 34962, indexTarget = 34963;
 
 /// GLB's sizes have 32 bits.
-constexpr std::size_t mostBytes = 4'000'000'000;
+constexpr std::size_t maxBytes = 4'000'000'000;
 
 /// Area-weighted, of unit length; glTF takes no others.
 std::vector<Vec3f> normalsOf(const TriangleMesh& mesh)
 {
     std::vector<Vec3f> normals(mesh.points.size());
-    const std::size_t chunkSize = chunksOf(mesh.points.size(), leastChunks); // each core goes through all triangles
+    const std::size_t chunkSize = chunksOf(mesh.points.size(), minChunks); // each core goes through all triangles
     forEachChunk(mesh.points.size(), chunkSize, [&](std::size_t, std::size_t begin, std::size_t end) {
         std::vector<Vec3> sums(end - begin, Vec3::Zero());
         const auto isOwn = [begin, end](Slot corner) { return corner >= begin && corner < end; };
@@ -55,7 +55,7 @@ std::array<std::uint16_t, 256> lights()
 {
     std::array<std::uint16_t, 256> table;
     for (std::size_t seen = 0; seen < table.size(); ++seen)
-        table[seen] = static_cast<std::uint16_t>(std::lround(65535 * lightOf(static_cast<std::uint8_t>(seen))));
+        table[seen] = static_cast<std::uint16_t>(std::lround(65535 * linearFromSrgb(static_cast<std::uint8_t>(seen))));
     return table;
 }
 
@@ -84,7 +84,7 @@ private:
     std::size_t m_bytes = 0;
 };
 
-Json documentOf(const TriangleMesh& mesh, const DocumentNotes& notes, std::size_t& bytes)
+Json documentOf(const TriangleMesh& mesh, const DocumentMetadata& metadata, std::size_t& bytes)
 {
     Layout layout;
     Json attributes;
@@ -111,7 +111,7 @@ Json documentOf(const TriangleMesh& mesh, const DocumentNotes& notes, std::size_
     document["nodes"] = {{{"mesh", 0}, {"scale", {0.001, 0.001, 0.001}}}};
     document["materials"] = {{{"pbrMetallicRoughness", {{"metallicFactor", 0}, {"roughnessFactor", 0.8}}}}};
     document["meshes"] = {{{"primitives", {{{"attributes", attributes}, {"indices", indices}, {"material", 0}}}}}};
-    addNotes(document, notes);
+    addMetadata(document, metadata);
     bytes = layout.bytes();
     layout.moveTo(document);
     return document;
@@ -126,12 +126,12 @@ void writePoints(AtomicFile& out, const std::vector<Vec3f>& points)
 }
 } // namespace
 
-void writeGlb(AtomicFile& out, const TriangleMesh& mesh, const DocumentNotes& notes)
+void writeGlb(AtomicFile& out, const TriangleMesh& mesh, const DocumentMetadata& metadata)
 {
     std::size_t bytes = 0;
-    std::string json = documentOf(mesh, notes, bytes).dump();
+    std::string json = documentOf(mesh, metadata, bytes).dump();
     json.resize((json.size() + 3) / 4 * 4, ' ');
-    if (bytes > mostBytes)
+    if (bytes > maxBytes)
         throw FileError(FileErrorKind::WriteFailed, out.path());
     std::string head;
     append(head, glbMagic);
@@ -156,4 +156,4 @@ void writeGlb(AtomicFile& out, const TriangleMesh& mesh, const DocumentNotes& no
             store(into, static_cast<std::uint32_t>(corner));
     });
 }
-} // namespace core::mesh_io
+} // namespace core::io

@@ -8,7 +8,7 @@
 #include <charconv>
 #include <fstream>
 
-namespace core::mesh_io
+namespace core::io
 {
 namespace
 {
@@ -80,7 +80,7 @@ std::filesystem::path pathBeside(const FileBytes& file, std::string_view uri)
 {
     const FileError outside = errorWithToken(FileErrorKind::OutsideFolder, file, uri);
     const auto text = withoutPercents(uri);
-    if (file.standsAlone || !text || text->empty() || hasScheme(uri) || text->find_first_of(std::string_view("\\\0", 2)) != std::string::npos)
+    if (file.isStandalone || !text || text->empty() || hasScheme(uri) || text->find_first_of(std::string_view("\\\0", 2)) != std::string::npos)
         throw outside;
     const std::filesystem::path relative(std::u8string(text->begin(), text->end()));
     if (relative.has_root_path() || *relative.lexically_normal().begin() == "..")
@@ -109,7 +109,7 @@ std::string readBeside(const FileBytes& file, const std::filesystem::path& path,
     std::string bytes;
     while (bytes.size() < size && stream) {
         if (file.stop.stop_requested())
-            throw ReadingStopped();
+            throw ReadingCancelled();
         const std::size_t before = bytes.size();
         bytes.resize(before + std::min(atOnce, size - before));
         stream.read(bytes.data() + before, static_cast<std::streamsize>(bytes.size() - before));
@@ -141,4 +141,4 @@ std::string gltfBuffer(const FileBytes& file, std::string_view uri, std::uint64_
     }
     return data;
 }
-} // namespace core::mesh_io
+} // namespace core::io

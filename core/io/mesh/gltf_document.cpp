@@ -8,14 +8,14 @@
 #include <cmath>
 #include <limits>
 
-namespace core::mesh_io
+namespace core::io
 {
 namespace
 {
 /// Its parsed form takes up to eighty times that, if it is nothing but brackets. Models' own numbers are not in it, but in its texts.
-constexpr std::size_t mostJson = std::size_t(1) << 23;
+constexpr std::size_t maxJson = std::size_t(1) << 23;
 /// As many bytes as a model's file may have.
-constexpr std::size_t mostBytes = std::size_t(1) << 31;
+constexpr std::size_t maxBytes = std::size_t(1) << 31;
 
 /// Of JSON, what is not inside of texts; each text counts as its two quotes.
 std::size_t sizeBesideTexts(std::string_view json)
@@ -81,7 +81,7 @@ template <typename Number> void convert(const GltfLayout& layout, std::size_t be
 }
 } // namespace
 
-Gltf::Gltf(const FileBytes& file, bool isBinary) : m_file(file), m_bytes(file.bytes.size())
+GltfDocument::GltfDocument(const FileBytes& file, bool isBinary) : m_file(file), m_bytes(file.bytes.size())
 {
     if (isBinary)
         readChunks();
@@ -93,19 +93,19 @@ Gltf::Gltf(const FileBytes& file, bool isBinary) : m_file(file), m_bytes(file.by
     loadBuffers();
 }
 
-void Gltf::refuse(std::string_view what) const
+void GltfDocument::refuse(std::string_view what) const
 {
     FileError error(FileErrorKind::Malformed, m_file.path);
     error.token = what;
     throw error;
 }
 
-void Gltf::refuseCutOff() const
+void GltfDocument::refuseCutOff() const
 {
     throw errorAtByte(FileErrorKind::CutOff, m_file, m_file.bytes.data() + m_file.bytes.size());
 }
 
-void Gltf::readChunks()
+void GltfDocument::readChunks()
 {
     const std::string_view bytes = m_file.bytes;
     if (bytes.size() < glbHeadSize + glbChunkHeadSize)
@@ -129,10 +129,10 @@ void Gltf::readChunks()
     }
 }
 
-void Gltf::parse(std::string_view text)
+void GltfDocument::parse(std::string_view text)
 {
-    if (sizeBesideTexts(text) > mostJson)
-        throw tooMany("JSON", mostJson, errorAtByte({}, m_file, text.data()));
+    if (sizeBesideTexts(text) > maxJson)
+        throw tooMany("JSON", maxJson, errorAtByte({}, m_file, text.data()));
     try {
         m_document = Json::parse(text);
     } catch (const Json::parse_error& error) {
@@ -143,14 +143,14 @@ void Gltf::parse(std::string_view text)
 }
 
 /// What cannot be passed over.
-void Gltf::refuseExtensions() const
+void GltfDocument::refuseExtensions() const
 {
     for (const Json& extension : arrayIn(m_document, "extensionsRequired"))
         if (extension != "KHR_mesh_quantization" && extension != "KHR_materials_unlit" && extension != "KHR_texture_transform")
             refuse(extension.is_string() ? extension.get_ref<const std::string&>() : "extensionsRequired");
 }
 
-void Gltf::loadBuffers()
+void GltfDocument::loadBuffers()
 {
     for (const Json& buffer : arrayIn(m_document, "buffers")) {
         const auto uri = buffer.is_object() ? buffer.find("uri") : buffer.end();
@@ -161,8 +161,8 @@ void Gltf::loadBuffers()
             continue;
         }
         const std::size_t length = sizeIn(buffer, "byteLength", 0);
-        if (length > mostBytes - std::min(m_bytes, mostBytes))
-            throw tooMany("bytes", mostBytes, errorWithToken({}, m_file, {}));
+        if (length > maxBytes - std::min(m_bytes, maxBytes))
+            throw tooMany("bytes", maxBytes, errorWithToken({}, m_file, {}));
         m_loaded.push_back(gltfBuffer(m_file, uri->get_ref<const std::string&>(), length));
         m_buffers.emplace_back(m_loaded.back());
         m_bytes += m_loaded.back().size();
@@ -170,7 +170,7 @@ void Gltf::loadBuffers()
 }
 
 /// Empty if there is none.
-const Gltf::Json& Gltf::arrayIn(const Json& object, const char* key) const
+const GltfDocument::Json& GltfDocument::arrayIn(const Json& object, const char* key) const
 {
     static const Json none = Json::array();
     const auto found = object.find(key);
@@ -181,14 +181,14 @@ const Gltf::Json& Gltf::arrayIn(const Json& object, const char* key) const
     return *found;
 }
 
-std::size_t Gltf::toIndex(const Json& value, const char* what) const
+std::size_t GltfDocument::toIndex(const Json& value, const char* what) const
 {
     if (!value.is_number_integer() || value < 0)
         refuse(what);
     return value.get<std::size_t>();
 }
 
-std::optional<std::size_t> Gltf::indexIn(const Json& object, const char* key) const
+std::optional<std::size_t> GltfDocument::indexIn(const Json& object, const char* key) const
 {
     const auto found = object.find(key);
     if (found == object.end())
@@ -196,7 +196,7 @@ std::optional<std::size_t> Gltf::indexIn(const Json& object, const char* key) co
     return toIndex(*found, key);
 }
 
-const Gltf::Json& Gltf::element(const char* list, std::size_t index) const
+const GltfDocument::Json& GltfDocument::element(const char* list, std::size_t index) const
 {
     const Json& elements = arrayIn(m_document, list);
     if (index >= elements.size() || !elements[index].is_object())
@@ -205,7 +205,7 @@ const Gltf::Json& Gltf::element(const char* list, std::size_t index) const
 }
 
 /// `count` elements of `size` bytes from `offset` on in a buffer view; all of them are in the file.
-GltfLayout Gltf::elementsIn(const Json& at, std::size_t count, std::size_t size, std::size_t ownStride) const
+GltfLayout GltfDocument::elementsIn(const Json& at, std::size_t count, std::size_t size, std::size_t ownStride) const
 {
     const auto index = indexIn(at, "bufferView");
     if (!index)
@@ -225,7 +225,7 @@ GltfLayout Gltf::elementsIn(const Json& at, std::size_t count, std::size_t size,
 }
 
 /// An accessor with so many components, its sparse part aside.
-GltfLayout Gltf::layoutOf(std::size_t accessor, int fewest, int most) const
+GltfLayout GltfDocument::layoutOf(std::size_t accessor, int min, int max) const
 {
     const Json& from = element("accessors", accessor);
     const std::string name = "accessors/" + std::to_string(accessor);
@@ -233,7 +233,7 @@ GltfLayout Gltf::layoutOf(std::size_t accessor, int fewest, int most) const
     const int components = type == from.end() ? 0 : *type == "SCALAR" ? 1 : *type == "VEC3" ? 3 : *type == "VEC4" ? 4 : 0;
     const auto componentType = static_cast<int>(std::min<std::size_t>(sizeIn(from, "componentType", 0), 65535));
     const std::size_t count = sizeIn(from, "count", 0);
-    if (components < fewest || components > most || sizeOf(componentType) == 0 || count == 0 || count > m_bytes)
+    if (components < min || components > max || sizeOf(componentType) == 0 || count == 0 || count > m_bytes)
         refuse(name);
     GltfLayout layout;
     if (from.contains("bufferView"))
@@ -246,7 +246,7 @@ GltfLayout Gltf::layoutOf(std::size_t accessor, int fewest, int most) const
 }
 
 /// What stands at some of an accessor's places instead of its own numbers.
-Gltf::Sparse Gltf::sparseOf(std::size_t accessor, const GltfLayout& layout) const
+GltfDocument::Sparse GltfDocument::sparseOf(std::size_t accessor, const GltfLayout& layout) const
 {
     const Json& from = element("accessors", accessor);
     const auto sparse = from.find("sparse");
@@ -273,14 +273,14 @@ Gltf::Sparse Gltf::sparseOf(std::size_t accessor, const GltfLayout& layout) cons
 }
 
 /// On all cores.
-template <typename Number> LargeBuffer<Number> Gltf::numbersOf(std::size_t accessor, const GltfLayout& layout, const std::stop_token& stop) const
+template <typename Number> LargeBuffer<Number> GltfDocument::numbersOf(std::size_t accessor, const GltfLayout& layout, const std::stop_token& stop) const
 {
     constexpr std::size_t chunkSize = 1 << 15;
     const auto components = static_cast<std::size_t>(layout.components);
     LargeBuffer<Number> numbers(layout.count * components);
     forEachChunk(layout.count, chunkSize, [&](std::size_t, std::size_t begin, std::size_t end) {
         if (stop.stop_requested())
-            throw ReadingStopped();
+            throw ReadingCancelled();
         if (layout.first)
             convert(layout, begin, end, &numbers[begin * components]);
         else
@@ -297,16 +297,16 @@ template <typename Number> LargeBuffer<Number> Gltf::numbersOf(std::size_t acces
     return numbers;
 }
 
-LargeBuffer<float> Gltf::valuesOf(std::size_t accessor, const GltfLayout& layout, const std::stop_token& stop) const
+LargeBuffer<float> GltfDocument::valuesOf(std::size_t accessor, const GltfLayout& layout, const std::stop_token& stop) const
 {
     return numbersOf<float>(accessor, layout, stop);
 }
 
-LargeBuffer<std::uint32_t> Gltf::wholesOf(std::size_t accessor, const std::stop_token& stop) const
+LargeBuffer<std::uint32_t> GltfDocument::wholesOf(std::size_t accessor, const std::stop_token& stop) const
 {
     const GltfLayout layout = layoutOf(accessor, 1, 1);
     if (!isWhole(layout.componentType))
         refuse("accessors/" + std::to_string(accessor));
     return numbersOf<std::uint32_t>(accessor, layout, stop);
 }
-} // namespace core::mesh_io
+} // namespace core::io

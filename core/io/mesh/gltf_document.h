@@ -9,7 +9,7 @@
 #include <deque>
 #include <optional>
 
-namespace core::mesh_io
+namespace core::io
 {
 inline constexpr std::size_t glbHeadSize = 12, glbChunkHeadSize = 8;
 inline constexpr std::uint32_t glbMagic = 0x46546c67, glbVersion = 2, glbJsonChunk = 0x4e4f534a, glbBinaryChunk = 0x004e4942;
@@ -25,12 +25,12 @@ struct GltfLayout
 
 /// A glTF's JSON, parsed by a library, and its buffers: in the GLB, in the JSON, or in files beside it. What is asked for is looked at before anything is read by it: wrong types,
 /// indices and sizes throw FileError with the JSON's word for what is wrong.
-class Gltf
+class GltfDocument
 {
 public:
     using Json = nlohmann::json;
 
-    Gltf(const FileBytes& file, bool isBinary);
+    GltfDocument(const FileBytes& file, bool isBinary);
 
     const Json& document() const { return m_document; }
     /// Of the file and its buffers.
@@ -48,7 +48,7 @@ public:
     const Json& element(const char* list, std::size_t index) const;
 
     /// An accessor with so many components, its sparse part aside.
-    GltfLayout layoutOf(std::size_t accessor, int fewest, int most) const;
+    GltfLayout layoutOf(std::size_t accessor, int min, int max) const;
     /// The accessor's numbers, element after element; normalised ones from -1 or 0 to 1.
     LargeBuffer<float> valuesOf(std::size_t accessor, const GltfLayout& layout, const std::stop_token& stop) const;
     LargeBuffer<std::uint32_t> wholesOf(std::size_t accessor, const std::stop_token& stop) const;
@@ -76,4 +76,4 @@ private:
     std::vector<std::string_view> m_buffers; ///< into the chunk, and what was loaded
     std::size_t m_bytes = 0;
 };
-} // namespace core::mesh_io
+} // namespace core::io

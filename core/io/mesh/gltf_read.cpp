@@ -8,16 +8,16 @@
 
 #include <numeric>
 
-namespace core::mesh_io
+namespace core::io
 {
 namespace
 {
-using Json = Gltf::Json;
+using Json = GltfDocument::Json;
 
-constexpr int mostDepth = 256;
-constexpr std::size_t mostNodes = 1 << 16;
+constexpr int maxDepth = 256;
+constexpr std::size_t maxNodes = 1 << 16;
 /// Vertices and triangles for each byte of the file: a mesh may stand in a scene many times.
-constexpr std::size_t mostCopies = 16, mostFaceCopies = 32;
+constexpr std::size_t maxCopies = 16, maxFaceCopies = 32;
 constexpr double millimetres = 1000;
 constexpr std::size_t chunkSize = 1 << 15;
 
@@ -53,7 +53,7 @@ private:
     void addNode(std::size_t index, const Eigen::Matrix4d& above, int depth)
     {
         m_stopCheck();
-        if (depth > mostDepth || ++m_nodes > mostNodes)
+        if (depth > maxDepth || ++m_nodes > maxNodes)
             m_gltf.refuse("nodes");
         const Json& node = m_gltf.element("nodes", index);
         const Eigen::Matrix4d transform = above * transformOf(node);
@@ -115,8 +115,8 @@ private:
         const auto first = static_cast<Slot>(m_mesh.points.size());
         const LargeBuffer<float> numbers = m_gltf.valuesOf(*positions, m_gltf.layoutOf(*positions, 3, 3), m_file.stop);
         const std::size_t count = numbers.size() / 3;
-        if (const std::size_t most = std::min(maxVertices, mostCopies * m_gltf.bytes()); m_mesh.points.size() + count > most)
-            throw tooMany("vertices", most, errorAtByte({}, m_file, m_file.bytes.data()));
+        if (const std::size_t max = std::min(maxVertices, maxCopies * m_gltf.bytes()); m_mesh.points.size() + count > max)
+            throw tooMany("vertices", max, errorAtByte({}, m_file, m_file.bytes.data()));
         addPoints(numbers, transform);
         if (const auto colors = m_gltf.indexIn(*attributes, "COLOR_0"))
             addColors(first, count, *colors);
@@ -155,7 +155,7 @@ private:
         m_mesh.colors.resize(first + count, Rgb());
         forEachChunk(count, chunkSize, [&](std::size_t, std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
-                const auto seen = [&](std::size_t k) { return seenOf(static_cast<double>(numbers[i * components + k])); };
+                const auto seen = [&](std::size_t k) { return srgbFromLinear(static_cast<double>(numbers[i * components + k])); };
                 m_mesh.colors[first + i] = {seen(0), seen(1), seen(2)};
             }
         });
@@ -196,8 +196,8 @@ private:
     void addTriangles(const LargeBuffer<std::uint32_t>& corners, Mode mode, Slot first, bool isMirrored)
     {
         const std::size_t before = m_mesh.triangles.size(), count = mode == Triangles ? corners.size() / 3 : std::max<std::size_t>(corners.size(), 2) - 2;
-        if (const std::size_t most = std::min(maxFaces, mostFaceCopies * m_gltf.bytes()); before + count > most)
-            throw tooMany("faces", most, errorAtByte({}, m_file, m_file.bytes.data()));
+        if (const std::size_t max = std::min(maxFaces, maxFaceCopies * m_gltf.bytes()); before + count > max)
+            throw tooMany("faces", max, errorAtByte({}, m_file, m_file.bytes.data()));
         resizeInLargePages(m_mesh.triangles, before + count);
         const auto add = [&](std::size_t at, std::size_t a, std::size_t b, std::size_t c) {
             if (isMirrored)
@@ -215,7 +215,7 @@ private:
     }
 
     const FileBytes& m_file;
-    Gltf m_gltf;
+    GltfDocument m_gltf;
     StopCheck m_stopCheck;
     TriangleMesh m_mesh;
     bool m_hasColors = false, m_hasMasks = false, m_hasTargets = false;
@@ -228,4 +228,4 @@ ReadResult readGltf(const FileBytes& file, bool isBinary)
 {
     return GltfReader(file, isBinary).read();
 }
-} // namespace core::mesh_io
+} // namespace core::io

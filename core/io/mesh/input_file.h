@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <span>
 
-namespace core::mesh_io
+namespace core::io
 {
 /// A file opened for reading, the same one throughout, whatever the path becomes meanwhile. Throws FileError. Thread-safe.
 class InputFile
@@ -25,4 +25,4 @@ private:
     const std::filesystem::path& m_path;
     int m_descriptor;
 };
-} // namespace core::mesh_io
+} // namespace core::io

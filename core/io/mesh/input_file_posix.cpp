@@ -4,7 +4,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-namespace core::mesh_io
+namespace core::io
 {
 InputFile::InputFile(const std::filesystem::path& path) : m_path(path), m_descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC))
 {
@@ -39,4 +39,4 @@ void InputFile::fail(int systemError) const
     error.systemError = systemError;
     throw error;
 }
-} // namespace core::mesh_io
+} // namespace core::io

@@ -2,7 +2,7 @@
 
 #include "core/geometry/geometry.h"
 
-namespace core::mesh_io
+namespace core::io
 {
 /// The mean of what was added; of nothing, Rgb().
 struct MeanColor
@@ -23,4 +23,4 @@ struct MeanColor
         return count == 0 ? Rgb() : Rgb{mean(0), mean(1), mean(2)};
     }
 };
-} // namespace core::mesh_io
+} // namespace core::io

@@ -3,7 +3,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace core::mesh_io
+namespace core::io
 {
 namespace
 {
@@ -34,7 +34,7 @@ template <class Number> std::optional<Number> parsed(std::string_view word)
 }
 } // namespace
 
-std::optional<float> floatOf(std::string_view word)
+std::optional<float> parseFloat(std::string_view word)
 {
     const char* const last = word.data() + word.size();
     float value = 0;
@@ -46,14 +46,14 @@ std::optional<float> floatOf(std::string_view word)
     return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-std::optional<double> doubleOf(std::string_view word)
+std::optional<double> parseDouble(std::string_view word)
 {
     const auto value = parsed<double>(word);
     return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
-std::optional<std::int64_t> wholeOf(std::string_view word)
+std::optional<std::int64_t> parseInteger(std::string_view word)
 {
     return parsed<std::int64_t>(word);
 }
-} // namespace core::mesh_io
+} // namespace core::io

@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-namespace core::mesh_io
+namespace core::io
 {
 namespace
 {
@@ -173,4 +173,4 @@ void writeObj(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> pa
     for (const Triangle& t : mesh.triangles)
         text << "f " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
 }
-} // namespace core::mesh_io
+} // namespace core::io

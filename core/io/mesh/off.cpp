@@ -10,12 +10,12 @@
 #include <array>
 #include <cmath>
 
-namespace core::mesh_io
+namespace core::io
 {
 namespace
 {
 /// A vertex takes at least "0 0 0\n" of a file, a face "1 0\n".
-constexpr std::size_t leastVertex = 6, leastFace = 4;
+constexpr std::size_t minVertex = 6, minFace = 4;
 
 using RawColor = std::array<float, 3>;
 constexpr RawColor noColor{-1, -1, -1};
@@ -28,8 +28,8 @@ public:
     TriangleMesh read()
     {
         readKeyword();
-        const std::size_t vertices = readCount("vertices", maxVertices, leastVertex);
-        const std::size_t faces = readCount("faces", maxFaces, leastFace);
+        const std::size_t vertices = readCount("vertices", maxVertices, minVertex);
+        const std::size_t faces = readCount("faces", maxFaces, minFace);
         m_mesh.points.reserve(vertices);
         m_text.word(); // edges; on this line, if at all
         while (m_mesh.points.size() < vertices) {
@@ -77,15 +77,15 @@ private:
         }
     }
 
-    std::size_t readCount(std::string_view what, std::size_t most, std::size_t leastBytes)
+    std::size_t readCount(std::string_view what, std::size_t max, std::size_t minBytes)
     {
         const std::string_view word = nextWord();
         const std::int64_t count = m_text.toInteger(word);
         if (count < 0)
             m_text.fail(FileErrorKind::Malformed, word);
-        if (static_cast<std::uint64_t>(count) > most)
-            throw tooMany(what, most, errorAtLine({}, m_file, word.data()));
-        if (static_cast<std::uint64_t>(count) > m_file.bytes.size() / leastBytes)
+        if (static_cast<std::uint64_t>(count) > max)
+            throw tooMany(what, max, errorAtLine({}, m_file, word.data()));
+        if (static_cast<std::uint64_t>(count) > m_file.bytes.size() / minBytes)
             throw errorAtLine(FileErrorKind::CutOff, m_file, m_file.bytes.data() + m_file.bytes.size());
         return static_cast<std::size_t>(count);
     }
@@ -210,4 +210,4 @@ void writeOff(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> pa
     for (const Triangle& t : mesh.triangles)
         text << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
 }
-} // namespace core::mesh_io
+} // namespace core::io

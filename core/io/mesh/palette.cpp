@@ -2,7 +2,7 @@
 
 #include <charconv>
 
-namespace core::mesh_io
+namespace core::io
 {
 namespace
 {
@@ -48,7 +48,7 @@ std::vector<Rgb> paletteIn(std::string_view start)
         return {};
     std::string_view rest = start.substr(begin, start.find_first_of("\r\n\"", begin) - begin);
     std::vector<Rgb> palette;
-    while (rest.size() > digits && rest.front() == ' ' && palette.size() < mostPaletteColors) {
+    while (rest.size() > digits && rest.front() == ' ' && palette.size() < maxPaletteColors) {
         const auto color = colorOf(rest.substr(1, digits));
         if (!color)
             return {};
@@ -57,4 +57,4 @@ std::vector<Rgb> paletteIn(std::string_view start)
     }
     return rest.empty() ? palette : std::vector<Rgb>();
 }
-} // namespace core::mesh_io
+} // namespace core::io

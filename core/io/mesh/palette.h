@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-namespace core::mesh_io
+namespace core::io
 {
-inline constexpr std::size_t mostPaletteColors = 64;
+inline constexpr std::size_t maxPaletteColors = 64;
 
 /// "c86e50".
 std::string hexOf(const Rgb& color);
@@ -21,4 +21,4 @@ std::optional<Rgb> colorOf(std::string_view word);
 std::string paletteWords(std::span<const Rgb> palette);
 /// Of such a comment in the start of a file; empty if there is none, or it is not as we write it.
 std::vector<Rgb> paletteIn(std::string_view start);
-} // namespace core::mesh_io
+} // namespace core::io

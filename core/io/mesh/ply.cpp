@@ -11,7 +11,7 @@
 #include <atomic>
 #include <cmath>
 
-namespace core::mesh_io
+namespace core::io
 {
 namespace
 {
@@ -113,19 +113,19 @@ private:
     /// Before anything is allocated by a count, the file must be long enough for it.
     void requireRoom(const PlyElement& element) const
     {
-        const std::uint64_t least = element.leastSize(m_header.encoding), left = m_source.bytesLeft() + 1;
-        if (least != 0 && element.count > left / least) { // one byte more: the last line may have no end
+        const std::uint64_t min = element.minSize(m_header.encoding), left = m_source.bytesLeft() + 1;
+        if (min != 0 && element.count > left / min) { // one byte more: the last line may have no end
             FileError error = errorAtByte(FileErrorKind::CutOff, m_file, m_file.bytes.data() + m_file.bytes.size());
-            error.expected = element.count > ~std::uint64_t(0) / least ? ~std::uint64_t(0) : element.count * least;
+            error.expected = element.count > ~std::uint64_t(0) / min ? ~std::uint64_t(0) : element.count * min;
             error.found = left - 1;
             throw error;
         }
     }
 
-    void requireFew(const PlyElement& element, std::string_view what, std::size_t most) const
+    void requireFew(const PlyElement& element, std::string_view what, std::size_t max) const
     {
-        if (element.count > most)
-            throw tooMany(what, most, errorAtLine({}, m_file, element.line));
+        if (element.count > max)
+            throw tooMany(what, max, errorAtLine({}, m_file, element.line));
     }
 
     void readVertices(const PlyElement& element)
@@ -147,7 +147,7 @@ private:
         };
         if constexpr (Source::hasRows) {
             if (std::ranges::none_of(element.properties, [](const PlyProperty& property) { return property.countType.has_value(); })) {
-                const std::uint64_t size = element.leastSize(m_header.encoding);
+                const std::uint64_t size = element.minSize(m_header.encoding);
                 forEachChunk(element.count, rowsPerChunk, [&](std::size_t, std::size_t begin, std::size_t end) {
                     Source rows = m_source;
                     rows.skip(PlyType::Uint8, begin * size);
@@ -309,8 +309,8 @@ private:
 void writeHeader(TextWriter& text, const TriangleMesh& mesh, const WriteOptions& options)
 {
     text << "ply\nformat " << (options.ascii ? "ascii" : "binary_little_endian") << " 1.0\n";
-    if (!options.notes.palette.empty())
-        text << "comment " << paletteWords(options.notes.palette) << '\n';
+    if (!options.metadata.palette.empty())
+        text << "comment " << paletteWords(options.metadata.palette) << '\n';
     text << "element vertex " << mesh.points.size() << "\nproperty float x\nproperty float y\nproperty float z\n";
     if (!mesh.colors.empty())
         text << "property uchar red\nproperty uchar green\nproperty uchar blue\n";
@@ -364,4 +364,4 @@ void writePly(AtomicFile& out, const TriangleMesh& mesh, const WriteOptions& opt
     writeHeader(text, mesh, options);
     options.ascii ? writeText(text, mesh) : writeBinary(out, mesh);
 }
-} // namespace core::mesh_io
+} // namespace core::io

@@ -6,7 +6,7 @@
 #include <array>
 #include <numeric>
 
-namespace core::mesh_io
+namespace core::io
 {
 namespace
 {
@@ -31,14 +31,14 @@ public:
 
     PlyHeader read()
     {
-        bool formatSeen = false;
+        bool detectedFormat = false;
         while (nextLine()) {
             const char* const line = m_text.position();
             const std::string_view keyword = m_text.word();
             if (keyword == "end_header")
                 break;
             if (keyword == "format")
-                formatSeen = readFormat();
+                detectedFormat = readFormat();
             else if (keyword == "element")
                 readElement(line);
             else if (keyword == "property")
@@ -46,7 +46,7 @@ public:
             else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty())
                 m_text.fail(FileErrorKind::Malformed, keyword);
         }
-        if (!formatSeen)
+        if (!detectedFormat)
             m_text.fail(FileErrorKind::Malformed, {});
         m_text.nextLine();
         m_header.body = m_text.position();
@@ -117,7 +117,7 @@ private:
 };
 } // namespace
 
-std::uint64_t PlyElement::leastSize(PlyEncoding encoding) const
+std::uint64_t PlyElement::minSize(PlyEncoding encoding) const
 {
     if (encoding == PlyEncoding::Ascii)
         return 2 * properties.size(); // a digit and a blank each
@@ -137,4 +137,4 @@ PlyHeader readPlyHeader(const FileBytes& file)
 {
     return HeaderReader(file).read();
 }
-} // namespace core::mesh_io
+} // namespace core::io

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace core::mesh_io
+namespace core::io
 {
 enum class PlyEncoding { Ascii, LittleEndian, BigEndian };
 enum class PlyType { Int8, Uint8, Int16, Uint16, Int32, Uint32, Float, Double };
@@ -36,7 +36,7 @@ struct PlyElement
     const char* line = nullptr; ///< where it is announced
 
     /// The fewest bytes that one of it takes.
-    std::uint64_t leastSize(PlyEncoding encoding) const;
+    std::uint64_t minSize(PlyEncoding encoding) const;
 };
 
 struct PlyHeader
@@ -50,4 +50,4 @@ struct PlyHeader
 
 /// Each element's name comes once. Throws FileError.
 PlyHeader readPlyHeader(const FileBytes& file);
-} // namespace core::mesh_io
+} // namespace core::io

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace core::mesh_io
+namespace core::io
 {
 /// The body of a PLY file, value by value. Two sources with one interface.
 class PlyTextSource
@@ -148,4 +148,4 @@ private:
     const char* m_last;
     const char* m_end;
 };
-} // namespace core::mesh_io
+} // namespace core::io

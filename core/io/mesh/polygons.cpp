@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace core::mesh_io
+namespace core::io
 {
 namespace
 {
@@ -118,4 +118,4 @@ std::vector<Triangle> Polygons::triangles(const std::vector<Vec3f>& points, Stop
     }
     return result;
 }
-} // namespace core::mesh_io
+} // namespace core::io

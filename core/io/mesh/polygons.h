@@ -6,7 +6,7 @@
 
 #include <span>
 
-namespace core::mesh_io
+namespace core::io
 {
 /// Ear clipping takes the square of the corners' number at worst.
 inline constexpr std::size_t maxCorners = 4096;
@@ -33,11 +33,11 @@ public:
     std::size_t faces() const { return m_ends.size(); }
     std::size_t corners() const { return m_corners.size(); }
 
-    /// Throws ReadingStopped.
+    /// Throws ReadingCancelled.
     std::vector<Triangle> triangles(const std::vector<Vec3f>& points, StopCheck stopCheck) const;
 
 private:
     std::vector<Slot> m_corners;
     std::vector<Slot> m_ends;
 };
-} // namespace core::mesh_io
+} // namespace core::io

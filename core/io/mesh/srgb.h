@@ -4,19 +4,19 @@
 #include <cmath>
 #include <cstdint>
 
-namespace core::mesh_io
+namespace core::io
 {
 /// IEC 61966-2-1: 8 bits as they are seen, from light from 0 to 1 and back. Light rounded to 16 bits comes back unchanged.
-inline double lightOf(std::uint8_t seen)
+inline double linearFromSrgb(std::uint8_t srgb)
 {
-    const double x = seen / 255.0;
+    const double x = srgb / 255.0;
     return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
 }
 
-inline std::uint8_t seenOf(double light)
+inline std::uint8_t srgbFromLinear(double light)
 {
     const double x = std::clamp(light, 0.0, 1.0);
-    const double seen = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
-    return static_cast<std::uint8_t>(std::lround(255 * seen));
+    const double srgb = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
+    return static_cast<std::uint8_t>(std::lround(255 * srgb));
 }
-} // namespace core::mesh_io
+} // namespace core::io

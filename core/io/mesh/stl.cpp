@@ -12,7 +12,7 @@
 #include <bit>
 #include <cmath>
 
-namespace core::mesh_io
+namespace core::io
 {
 namespace
 {
@@ -26,7 +26,7 @@ const char* cornerAt(const FileBytes& file, std::size_t corner)
 /// The triangles that loose corners make, welded.
 TriangleMesh meshOf(std::size_t triangles, const PointLoader& corners, const std::stop_token& stop)
 {
-    const SamePoints same = samePoints(3 * triangles, corners, stop);
+    const WeldedPoints same = weldPoints(3 * triangles, corners, stop);
     TriangleMesh mesh;
     resizeInLargePages(mesh.points, same.firsts.size());
     forEachChunk(same.firsts.size(), chunkSize, [&](std::size_t, std::size_t begin, std::size_t end) {
@@ -192,4 +192,4 @@ void writeStl(AtomicFile& out, const TriangleMesh& mesh, bool ascii)
 {
     ascii ? writeText(out, mesh) : writeBinary(out, mesh);
 }
-} // namespace core::mesh_io
+} // namespace core::io

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace core::mesh_io
+namespace core::io
 {
 namespace
 {
@@ -12,8 +12,8 @@ constexpr std::uint16_t flag = 1 << 15;
 
 std::uint8_t channel(std::uint16_t word, int shift)
 {
-    constexpr int most = 31;
-    return static_cast<std::uint8_t>(((word >> shift & most) * 255 + most / 2) / most);
+    constexpr int max = 31;
+    return static_cast<std::uint8_t>(((word >> shift & max) * 255 + max / 2) / max);
 }
 
 /// Of the whole model, where Magics wrote it.
@@ -55,4 +55,4 @@ std::vector<Rgb> stlColors(std::string_view header, std::span<const std::uint16_
     std::ranges::transform(means, std::back_inserter(colors), &MeanColor::color);
     return colors;
 }
-} // namespace core::mesh_io
+} // namespace core::io

@@ -2,7 +2,7 @@
 
 #include "core/io/mesh/number_parsing.h"
 
-namespace core::mesh_io
+namespace core::io
 {
 namespace
 {
@@ -73,7 +73,7 @@ float TextScanner::toNumber(std::string_view word) const
 {
     if (word.empty())
         fail(FileErrorKind::Malformed, {});
-    const auto value = floatOf(word);
+    const auto value = parseFloat(word);
     if (!value)
         fail(FileErrorKind::NotANumber, word);
     return *value;
@@ -83,7 +83,7 @@ std::int64_t TextScanner::toInteger(std::string_view word) const
 {
     if (word.empty())
         fail(FileErrorKind::Malformed, {});
-    const auto value = wholeOf(word);
+    const auto value = parseInteger(word);
     if (!value)
         fail(FileErrorKind::NotANumber, word);
     return *value;
@@ -96,4 +96,4 @@ void TextScanner::fail(FileErrorKind kind, std::string_view word) const
     const char* const at = word.empty() ? m_at : word.data();
     throw errorAtLine(atEnd && couldBeCut ? FileErrorKind::CutOff : kind, m_file, at, word);
 }
-} // namespace core::mesh_io
+} // namespace core::io

@@ -2,7 +2,7 @@
 
 #include "core/io/mesh/format.h"
 
-namespace core::mesh_io
+namespace core::io
 {
 /// Words of a text file, line by line. Lines end with \n, \r\n or \r; a backslash at the end of a line continues it.
 /// Errors name the line. An error at the very end of the file is CutOff.
@@ -39,4 +39,4 @@ private:
     const char* m_at;
     const char* m_end;
 };
-} // namespace core::mesh_io
+} // namespace core::io

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <type_traits>
 
-namespace core::mesh_io
+namespace core::io
 {
 /// Text in the C locale. Floating-point numbers have the fewest digits that come back to the same bits.
 class TextWriter
@@ -35,4 +35,4 @@ public:
 private:
     AtomicFile& m_out;
 };
-} // namespace core::mesh_io
+} // namespace core::io

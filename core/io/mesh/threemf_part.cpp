@@ -8,7 +8,7 @@
 #include <array>
 #include <charconv>
 
-namespace core::mesh_io
+namespace core::io
 {
 namespace
 {
@@ -48,7 +48,7 @@ Eigen::Matrix4d transformOf(const XmlAttributes& attributes)
     for (int i = 0; i < 12; ++i) {
         rest.remove_prefix(std::min(rest.find_first_not_of(" \t\r\n"), rest.size()));
         const std::string_view word = rest.substr(0, rest.find_first_of(" \t\r\n"));
-        const auto value = doubleOf(word);
+        const auto value = parseDouble(word);
         if (!value)
             attributes.refuse(FileErrorKind::NotANumber, word);
         transform(i % 3, i / 3) = *value;
@@ -197,4 +197,4 @@ ThreeMfComponent ThreeMfPartReader::componentOf(const XmlAttributes& attributes)
 {
     return {threeMfPath(m_file, attributes.text(pathAttribute)), attributes.whole("objectid"), transformOf(attributes)};
 }
-} // namespace core::mesh_io
+} // namespace core::io

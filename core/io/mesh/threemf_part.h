@@ -7,7 +7,7 @@
 #include <map>
 #include <vector>
 
-namespace core::mesh_io
+namespace core::io
 {
 /// Another object, put somewhere.
 struct ThreeMfComponent
@@ -65,4 +65,4 @@ private:
     std::unique_ptr<Colors> m_colors;
     XmlReader m_xml; ///< last: it calls
 };
-} // namespace core::mesh_io
+} // namespace core::io

@@ -5,17 +5,17 @@
 
 #include <Eigen/LU>
 
-namespace core::mesh_io
+namespace core::io
 {
 namespace
 {
-constexpr int mostDepth = 64;
-constexpr std::size_t mostInstances = 1 << 16, mostParts = 1 << 12;
+constexpr int maxDepth = 64;
+constexpr std::size_t maxInstances = 1 << 16, maxParts = 1 << 12;
 /// Vertices and triangles for each byte of the file: an object may stand in a build many times.
-constexpr std::size_t mostVertexCopies = 16, mostFaceCopies = 32;
+constexpr std::size_t maxVertexCopies = 16, maxFaceCopies = 32;
 
 /// Empty where the package names none.
-std::string modelPathOf(const FileBytes& file, ZipPackage& package)
+std::string modelPathOf(const FileBytes& file, ZipReader& package)
 {
     constexpr std::string_view modelType = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
     std::string path;
@@ -55,8 +55,8 @@ private:
     {
         const auto [found, isNew] = m_parts.try_emplace(path);
         if (isNew) {
-            if (m_parts.size() > mostParts)
-                throw tooMany("parts", mostParts, errorWithToken({}, m_file, {}));
+            if (m_parts.size() > maxParts)
+                throw tooMany("parts", maxParts, errorWithToken({}, m_file, {}));
             ThreeMfPartReader reader(m_file);
             m_package.read(path, [&reader](std::string_view piece) { reader.take(piece); });
             found->second = reader.part();
@@ -68,8 +68,8 @@ private:
     void add(const std::string& from, const ThreeMfComponent& component, const Eigen::Matrix4d& above, int depth)
     {
         m_stopCheck();
-        if (depth > mostDepth || ++m_instances > mostInstances)
-            throw tooMany("components", mostInstances, errorWithToken({}, m_file, {}));
+        if (depth > maxDepth || ++m_instances > maxInstances)
+            throw tooMany("components", maxInstances, errorWithToken({}, m_file, {}));
         const std::string& path = component.part.empty() ? from : component.part;
         const auto& objects = part(path).objects;
         const auto object = objects.find(component.object);
@@ -85,8 +85,8 @@ private:
 
     void addMesh(const TriangleMesh& mesh, const Eigen::Matrix4d& transform)
     {
-        requireRoom("vertices", m_mesh.points.size() + mesh.points.size(), std::min(maxVertices, mostVertexCopies * m_file.bytes.size()));
-        requireRoom("faces", m_mesh.triangles.size() + mesh.triangles.size(), std::min(maxFaces, mostFaceCopies * m_file.bytes.size()));
+        requireRoom("vertices", m_mesh.points.size() + mesh.points.size(), std::min(maxVertices, maxVertexCopies * m_file.bytes.size()));
+        requireRoom("faces", m_mesh.triangles.size() + mesh.triangles.size(), std::min(maxFaces, maxFaceCopies * m_file.bytes.size()));
         const auto first = static_cast<Slot>(m_mesh.points.size());
         m_remarks.objects += mesh.triangles.empty() ? 0 : 1;
         const bool isPlain = transform == Eigen::Matrix4d::Identity();
@@ -112,14 +112,14 @@ private:
         }
     }
 
-    void requireRoom(std::string_view what, std::size_t wanted, std::size_t most) const
+    void requireRoom(std::string_view what, std::size_t wanted, std::size_t max) const
     {
-        if (wanted > most)
-            throw tooMany(what, most, errorWithToken({}, m_file, {}));
+        if (wanted > max)
+            throw tooMany(what, max, errorWithToken({}, m_file, {}));
     }
 
     const FileBytes& m_file;
-    ZipPackage m_package;
+    ZipReader m_package;
     StopCheck m_stopCheck;
     std::map<std::string, ThreeMfPart> m_parts;
     TriangleMesh m_mesh;
@@ -133,4 +133,4 @@ ReadResult readThreeMf(const FileBytes& file)
 {
     return ThreeMfReader(file).read();
 }
-} // namespace core::mesh_io
+} // namespace core::io

@@ -12,7 +12,7 @@
 #include <charconv>
 #include <cstring>
 
-namespace core::mesh_io
+namespace core::io
 {
 namespace
 {
@@ -195,7 +195,7 @@ zip_int64_t answer(void* self, void* data, zip_uint64_t size, zip_source_cmd_t c
 
 void writeThreeMf(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb> palette)
 {
-    // the first part is not packed: readNotes() looks at the file's start
+    // the first part is not packed: readMetadata() looks at the file's start
     std::string types(contentTypes);
     if (!palette.empty())
         types += "<!--\n# " + paletteWords(palette) + "\n-->\n";
@@ -206,4 +206,4 @@ void writeThreeMf(AtomicFile& out, const TriangleMesh& mesh, std::span<const Rgb
     package.add("3D/3dmodel.model", zip_source_function(package.archive(), &answer, &model), ZipWriter::Packing::Deflated);
     package.writeTo(out);
 }
-} // namespace core::mesh_io
+} // namespace core::io

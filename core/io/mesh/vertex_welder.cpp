@@ -1,6 +1,6 @@
 // Points that are one, by hashing, in three passes, each on all cores:
-//   1. file    the points of each chunk into the chunk's many drawers, by hash, in the order of the file
-//   2. search  each drawer in all chunks together, which a core's cache holds: each point takes the index of the first that is like it
+//   1. file    the points of each chunk into the chunk's many buckets, by hash, in the order of the file
+//   2. search  each bucket in all chunks together, which a core's cache holds: each point takes the index of the first that is like it
 //   3. number  the first ones in the order of the file, each by how many bits before its own are set: so few that the cache holds them
 
 #include "core/io/mesh/vertex_welder.h"
@@ -10,12 +10,12 @@
 #include <bit>
 #include <random>
 
-namespace core::mesh_io
+namespace core::io
 {
 namespace
 {
 constexpr std::size_t chunkSize = 1 << 14;
-constexpr std::size_t pointsPerDrawer = 1 << 12, mostDrawers = 512;
+constexpr std::size_t pointsPerBucket = 1 << 12, maxBuckets = 512;
 
 struct Bits
 {
@@ -40,26 +40,26 @@ private:
     static std::uint32_t of(float x) { return std::bit_cast<std::uint32_t>(x + 0.0F); } // adding 0 takes the sign from -0
 };
 
-class PointDrawers
+class PointBuckets
 {
 public:
-    PointDrawers(std::size_t count, const PointLoader& load, const std::stop_token& stop)
+    PointBuckets(std::size_t count, const PointLoader& load, const std::stop_token& stop)
         : m_count(count)
-        , m_drawers(std::bit_ceil(std::clamp<std::size_t>(count / pointsPerDrawer, 1, mostDrawers)))
+        , m_buckets(std::bit_ceil(std::clamp<std::size_t>(count / pointsPerBucket, 1, maxBuckets)))
         , m_load(load)
         , m_stop(stop)
-        , m_drawerOf(count)
+        , m_bucketOf(count)
         , m_filed(count)
         , m_numbers(count)
-        , m_starts(chunksOf(count, chunkSize) * m_drawers + 1, static_cast<Slot>(count))
+        , m_starts(chunksOf(count, chunkSize) * m_buckets + 1, static_cast<Slot>(count))
     {}
 
-    SamePoints find()
+    WeldedPoints find()
     {
         inChunks([this](std::size_t chunk, std::size_t begin, std::size_t end) { file(chunk, begin, end); });
-        forEachChunk(m_drawers, 1, [&](std::size_t, std::size_t begin, std::size_t end) {
-            for (std::size_t drawer = begin; drawer < end; ++drawer)
-                search(drawer);
+        forEachChunk(m_buckets, 1, [&](std::size_t, std::size_t begin, std::size_t end) {
+            for (std::size_t bucket = begin; bucket < end; ++bucket)
+                search(bucket);
         });
         return number();
     }
@@ -77,55 +77,55 @@ private:
         forEachChunk(m_count, chunkSize, [&](std::size_t chunk, std::size_t first, std::size_t last) {
             for (std::size_t begin = first; begin < last; begin += chunkSize, ++chunk) {
                 if (m_stop.stop_requested())
-                    throw ReadingStopped();
+                    throw ReadingCancelled();
                 work(chunk, begin, std::min(last, begin + chunkSize));
             }
         });
     }
 
-    /// Where what a chunk has for a drawer begins; it ends where the next begins.
-    Slot& startOf(std::size_t chunk, std::size_t drawer) { return m_starts[chunk * m_drawers + drawer]; }
+    /// Where what a chunk has for a bucket begins; it ends where the next begins.
+    Slot& startOf(std::size_t chunk, std::size_t bucket) { return m_starts[chunk * m_buckets + bucket]; }
 
-    std::span<const Filed> contentOf(std::size_t chunk, std::size_t drawer)
+    std::span<const Filed> contentOf(std::size_t chunk, std::size_t bucket)
     {
-        return m_filed.part(startOf(chunk, drawer), startOf(chunk, drawer + 1));
+        return m_filed.part(startOf(chunk, bucket), startOf(chunk, bucket + 1));
     }
 
     void file(std::size_t chunk, std::size_t begin, std::size_t end)
     {
         std::array<Vec3f, chunkSize> points;
         m_load(begin, std::span(points).first(end - begin));
-        std::vector<Slot> places(m_drawers);
+        std::vector<Slot> places(m_buckets);
         for (std::size_t i = begin; i < end; ++i) {
-            m_drawerOf[i] = static_cast<std::uint16_t>(Bits(points[i - begin]).hash(m_seed) & (m_drawers - 1));
-            ++places[m_drawerOf[i]];
+            m_bucketOf[i] = static_cast<std::uint16_t>(Bits(points[i - begin]).hash(m_seed) & (m_buckets - 1));
+            ++places[m_bucketOf[i]];
         }
         auto sum = static_cast<Slot>(begin);
-        for (std::size_t drawer = 0; drawer < m_drawers; ++drawer) {
-            startOf(chunk, drawer) = sum;
-            sum += std::exchange(places[drawer], sum);
+        for (std::size_t bucket = 0; bucket < m_buckets; ++bucket) {
+            startOf(chunk, bucket) = sum;
+            sum += std::exchange(places[bucket], sum);
         }
         for (std::size_t i = begin; i < end; ++i)
-            m_filed[places[m_drawerOf[i]]++] = {Bits(points[i - begin]), static_cast<Slot>(i)};
+            m_filed[places[m_bucketOf[i]]++] = {Bits(points[i - begin]), static_cast<Slot>(i)};
     }
 
     /// Open addressing.
-    void search(std::size_t drawer)
+    void search(std::size_t bucket)
     {
         if (m_stop.stop_requested())
-            throw ReadingStopped();
+            throw ReadingCancelled();
         const std::size_t chunks = chunksOf(m_count, chunkSize);
         std::vector<Filed> content;
-        content.reserve(2 * m_count / m_drawers);
+        content.reserve(2 * m_count / m_buckets);
         for (std::size_t chunk = 0; chunk < chunks; ++chunk)
-            content.insert(content.end(), contentOf(chunk, drawer).begin(), contentOf(chunk, drawer).end());
+            content.insert(content.end(), contentOf(chunk, bucket).begin(), contentOf(chunk, bucket).end());
         std::vector<Slot> table(std::bit_ceil(2 * content.size() + 1), noSlot);
         const std::size_t mask = table.size() - 1;
         Slot next = 0;
         for (std::size_t chunk = 0; chunk < chunks; ++chunk)
-            for (Slot place = startOf(chunk, drawer); place < startOf(chunk, drawer + 1); ++place) {
+            for (Slot place = startOf(chunk, bucket); place < startOf(chunk, bucket + 1); ++place) {
                 const Slot i = next++;
-                std::size_t at = (content[i].bits.hash(m_seed) >> std::countr_zero(m_drawers)) & mask;
+                std::size_t at = (content[i].bits.hash(m_seed) >> std::countr_zero(m_buckets)) & mask;
                 while (table[at] != noSlot && content[table[at]].bits != content[i].bits)
                     at = (at + 1) & mask;
                 if (table[at] == noSlot)
@@ -135,14 +135,14 @@ private:
     }
 
     /// m_numbers hold, of each point as it was filed, the first that is like it; then of each point of the file its number.
-    SamePoints number()
+    WeldedPoints number()
     {
         std::vector<FirstOnes> firstOnes(chunksOf(m_count, firstOnesSize));
         inChunks([&](std::size_t chunk, std::size_t begin, std::size_t end) {
             const std::vector<Slot> filed(&m_numbers[begin], &m_numbers[begin] + (end - begin));
-            std::vector<Slot> places(&startOf(chunk, 0), &startOf(chunk, m_drawers));
+            std::vector<Slot> places(&startOf(chunk, 0), &startOf(chunk, m_buckets));
             for (std::size_t i = begin; i < end; ++i) {
-                m_numbers[i] = filed[places[m_drawerOf[i]]++ - begin];
+                m_numbers[i] = filed[places[m_bucketOf[i]]++ - begin];
                 firstOnes[i / firstOnesSize].bits |= std::uint64_t(m_numbers[i] == i) << i % firstOnesSize;
             }
         });
@@ -151,7 +151,7 @@ private:
             ones.before = distinct;
             distinct += static_cast<Slot>(std::popcount(ones.bits));
         }
-        SamePoints same{LargeBuffer<Slot>(0), std::vector<Slot>(distinct)};
+        WeldedPoints same{LargeBuffer<Slot>(0), std::vector<Slot>(distinct)};
         inChunks([&](std::size_t, std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 const Slot first = m_numbers[i];
@@ -176,25 +176,25 @@ private:
 
     const std::uint64_t m_seed = std::random_device()(); ///< nobody can make a file of points that hash alike
     std::size_t m_count;
-    std::size_t m_drawers; ///< a power of two
+    std::size_t m_buckets; ///< a power of two
     const PointLoader& m_load;
     const std::stop_token& m_stop;
-    LargeBuffer<std::uint16_t> m_drawerOf;
+    LargeBuffer<std::uint16_t> m_bucketOf;
     LargeBuffer<Filed> m_filed;
     LargeBuffer<Slot> m_numbers;
     std::vector<Slot> m_starts;
 };
 } // namespace
 
-SamePoints samePoints(std::size_t count, const PointLoader& load, const std::stop_token& stop)
+WeldedPoints weldPoints(std::size_t count, const PointLoader& load, const std::stop_token& stop)
 {
-    return PointDrawers(count, load, stop).find();
+    return PointBuckets(count, load, stop).find();
 }
 
 void weld(TriangleMesh& mesh, const std::stop_token& stop)
 {
     const auto load = [&](std::size_t begin, std::span<Vec3f> into) { std::copy_n(mesh.points.begin() + static_cast<std::ptrdiff_t>(begin), into.size(), into.begin()); };
-    const SamePoints same = samePoints(mesh.points.size(), load, stop);
+    const WeldedPoints same = weldPoints(mesh.points.size(), load, stop);
     if (same.firsts.size() == mesh.points.size())
         return;
     for (std::size_t i = 0; i < same.firsts.size(); ++i) { // no point moves up
@@ -209,4 +209,4 @@ void weld(TriangleMesh& mesh, const std::stop_token& stop)
         for (Slot& corner : triangle)
             corner = same.numbers[corner];
 }
-} // namespace core::mesh_io
+} // namespace core::io

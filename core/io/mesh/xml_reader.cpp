@@ -8,11 +8,11 @@
 #include <limits>
 #include <new>
 
-namespace core::mesh_io
+namespace core::io
 {
 namespace
 {
-constexpr int mostDepth = 64;
+constexpr int maxDepth = 64;
 constexpr std::uint64_t longestTag = 1 << 20;
 constexpr char namespaceEnd = '|';
 } // namespace
@@ -34,7 +34,7 @@ float XmlAttributes::number(std::string_view name) const
     const std::string_view word = text(name);
     if (word.empty())
         refuse(FileErrorKind::Malformed, name);
-    const auto value = floatOf(word);
+    const auto value = parseFloat(word);
     if (!value)
         refuse(FileErrorKind::NotANumber, word);
     return *value;
@@ -45,7 +45,7 @@ std::optional<std::uint32_t> XmlAttributes::wholeIfAny(std::string_view name) co
     const std::string_view word = text(name);
     if (word.empty())
         return std::nullopt;
-    const auto value = wholeOf(word);
+    const auto value = parseInteger(word);
     if (!value || *value < 0 || *value > std::numeric_limits<std::uint32_t>::max())
         refuse(FileErrorKind::NotANumber, word);
     return static_cast<std::uint32_t>(*value);
@@ -71,7 +71,7 @@ struct XmlReader::Callbacks
     {
         auto& reader = *static_cast<XmlReader*>(self);
         reader.guarded([&] {
-            if (++reader.m_depth > mostDepth)
+            if (++reader.m_depth > maxDepth)
                 reader.refuse();
             reader.m_begin(name, XmlAttributes(reader.m_file, pairs));
         });
@@ -135,4 +135,4 @@ void XmlReader::refuse() const
     error.place = {FilePlace::Unit::Line, XML_GetCurrentLineNumber(m_parser.get())};
     throw error;
 }
-} // namespace core::mesh_io
+} // namespace core::io

@@ -9,7 +9,7 @@
 
 struct XML_ParserStruct;
 
-namespace core::mesh_io
+namespace core::io
 {
 /// The attributes of one element; views last as long as its begin() does. Names: "name", or "namespace|name".
 class XmlAttributes
@@ -58,4 +58,4 @@ private:
     std::uint64_t m_given = 0; ///< bytes
     std::exception_ptr m_problem;
 };
-} // namespace core::mesh_io
+} // namespace core::io

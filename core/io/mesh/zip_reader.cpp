@@ -5,15 +5,15 @@
 #include <algorithm>
 #include <array>
 
-namespace core::mesh_io
+namespace core::io
 {
 namespace
 {
-constexpr std::uint64_t mostTimes = 100, alwaysTaken = std::uint64_t(16) << 20, mostUnpacked = std::uint64_t(4) << 30;
+constexpr std::uint64_t maxTimes = 100, alwaysTaken = std::uint64_t(16) << 20, maxUnpacked = std::uint64_t(4) << 30;
 
 std::uint64_t limitFor(std::size_t fileSize)
 {
-    return std::clamp(mostTimes * fileSize, alwaysTaken, mostUnpacked);
+    return std::clamp(maxTimes * fileSize, alwaysTaken, maxUnpacked);
 }
 
 FileError cutOff(const FileBytes& file)
@@ -42,16 +42,16 @@ zip* opened(const FileBytes& file)
 }
 } // namespace
 
-ZipPackage::ZipPackage(const FileBytes& file) : m_file(file), m_zip(opened(file), &zip_discard), m_left(limitFor(file.bytes.size())) {}
+ZipReader::ZipReader(const FileBytes& file) : m_file(file), m_zip(opened(file), &zip_discard), m_left(limitFor(file.bytes.size())) {}
 
-ZipPackage::~ZipPackage() = default;
+ZipReader::~ZipReader() = default;
 
-std::size_t ZipPackage::count() const
+std::size_t ZipReader::count() const
 {
     return static_cast<std::size_t>(std::max<zip_int64_t>(zip_get_num_entries(m_zip.get(), 0), 0));
 }
 
-std::vector<std::string> ZipPackage::names() const
+std::vector<std::string> ZipReader::names() const
 {
     std::vector<std::string> all;
     for (std::size_t i = 0; i < count(); ++i)
@@ -60,12 +60,12 @@ std::vector<std::string> ZipPackage::names() const
     return all;
 }
 
-bool ZipPackage::has(const std::string& part) const
+bool ZipReader::has(const std::string& part) const
 {
     return zip_name_locate(m_zip.get(), part.c_str(), ZIP_FL_NOCASE) >= 0;
 }
 
-void ZipPackage::read(const std::string& part, const Take& take)
+void ZipReader::read(const std::string& part, const Take& take)
 {
     const auto refuse = [&] {
         FileError error(FileErrorKind::Malformed, m_file.path);
@@ -87,7 +87,7 @@ void ZipPackage::read(const std::string& part, const Take& take)
     std::array<char, 1 << 16> piece;
     for (;;) {
         if (m_file.stop.stop_requested())
-            throw ReadingStopped();
+            throw ReadingCancelled();
         const zip_int64_t got = zip_fread(packed.get(), piece.data(), piece.size());
         if (got < 0)
             throw cutOff(m_file);
@@ -99,4 +99,4 @@ void ZipPackage::read(const std::string& part, const Take& take)
             return;
     }
 }
-} // namespace core::mesh_io
+} // namespace core::io

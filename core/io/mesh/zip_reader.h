@@ -9,20 +9,20 @@
 
 struct zip;
 
-namespace core::mesh_io
+namespace core::io
 {
 /// A zip file in memory, unpacked by a library (libzip): its parts by name, in either case. All that is read of it may have a hundred times
 /// the file's size, at least 16 MiB and at most 4 GiB; what announces or has more throws FileError::UnpacksTooLarge. Each part takes 64 KiB of
 /// memory at a time, the directory some six times its own size.
-class ZipPackage
+class ZipReader
 {
 public:
-    explicit ZipPackage(const FileBytes& file);
-    ~ZipPackage();
-    ZipPackage(const ZipPackage&) = delete;
-    ZipPackage& operator=(const ZipPackage&) = delete;
+    explicit ZipReader(const FileBytes& file);
+    ~ZipReader();
+    ZipReader(const ZipReader&) = delete;
+    ZipReader& operator=(const ZipReader&) = delete;
 
-    /// Of its parts. Names are not judged: nobody may take them for paths.
+    /// Of its parts. Names are not checked: nobody may take them for paths.
     std::size_t count() const;
     std::vector<std::string> names() const;
     bool has(const std::string& part) const;
@@ -37,4 +37,4 @@ private:
     std::unique_ptr<zip, void (*)(zip*)> m_zip;
     std::uint64_t m_left; ///< bytes that may still be unpacked
 };
-} // namespace core::mesh_io
+} // namespace core::io

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace core::mesh_io
+namespace core::io
 {
 namespace
 {
@@ -60,4 +60,4 @@ void ZipWriter::writeTo(AtomicFile& out)
     }
     zip_source_close(m_packed.get());
 }
-} // namespace core::mesh_io
+} // namespace core::io

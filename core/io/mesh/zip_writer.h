@@ -8,7 +8,7 @@
 struct zip;
 struct zip_source;
 
-namespace core::mesh_io
+namespace core::io
 {
 /// A zip file that is made in memory by a library (libzip). The same parts give the same bytes: all are of the first day that zip knows.
 class ZipWriter
@@ -34,4 +34,4 @@ private:
     std::unique_ptr<zip_source, void (*)(zip_source*)> m_packed;
     std::unique_ptr<zip, void (*)(zip*)> m_zip;
 };
-} // namespace core::mesh_io
+} // namespace core::io

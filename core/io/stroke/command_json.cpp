@@ -51,7 +51,7 @@ ModelCommand commandOf(CommandName name, const CommandDraft& draft, const Stroke
     case SymmetrizeName: return Symmetrize{draft.plane, draft.keep};
     case PlaceOnBedName: return PlaceOnBed{};
     case FlattenBaseName: return FlattenBase{draft.height};
-    case MaskName: return ChangeMask{draft.how, settings.color};
+    case MaskName: return MaskOperation{draft.how, settings.color};
     case ResetName: break;
     }
     return Reset{};
@@ -59,7 +59,7 @@ ModelCommand commandOf(CommandName name, const CommandDraft& draft, const Stroke
 } // namespace
 
 /// False if the key does not have that word.
-bool StrokeReader::commandWord(const std::string& word)
+bool StrokeJsonReader::commandWord(const std::string& word)
 {
     switch (m_key) {
     case CommandKey:
@@ -80,7 +80,7 @@ bool StrokeReader::commandWord(const std::string& word)
     }
     case HowKey: {
         const std::size_t how = placeIn(maskChangeNames, word, std::identity());
-        m_command.how = static_cast<ChangeMask::How>(how);
+        m_command.how = static_cast<MaskOperation::Kind>(how);
         return how < maskChangeNames.size();
     }
     case ModelKey:
@@ -91,7 +91,7 @@ bool StrokeReader::commandWord(const std::string& word)
 }
 
 /// Known to the format, but not where they stand.
-void StrokeReader::requireNoneOf(KeySet keys)
+void StrokeJsonReader::requireNoneOf(KeySet keys)
 {
     for (std::size_t i = 0; i < strokeKeys.names.size(); ++i) {
         if (m_seen & keys & bit(i))
@@ -100,12 +100,12 @@ void StrokeReader::requireNoneOf(KeySet keys)
 }
 
 /// The keys of a command may come in any order, and before "command": only now is it known which belong to it.
-void StrokeReader::endCommand()
+void StrokeJsonReader::endCommand()
 {
     const std::size_t name = placeIn(commandTable, m_command.name, &CommandKeys::name);
     const CommandKeys& keys = commandTable[name];
     const bool wantsCentre = name == InsertName && m_command.where == Insert::Place::Centre;
-    const bool wantsColor = name == MaskName && m_command.how == ChangeMask::How::Color;
+    const bool wantsColor = name == MaskName && m_command.how == MaskOperation::Kind::Color;
     const KeySet wanted = (wantsCentre ? bit(CentreKey) : 0) | (wantsColor ? bit(ColorKey) : 0);
     const KeySet required = keys.required | wanted, known = bit(CommandKey) | required | (keys.optional & ~(bit(CentreKey) | bit(ColorKey)));
     requireNoneOf(~known);

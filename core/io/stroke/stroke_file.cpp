@@ -24,7 +24,7 @@ StrokeFileError::StrokeFileError(Kind errorKind, std::string keyName)
 
 std::vector<FileEntry> parseStrokes(std::string_view text)
 {
-    StrokeReader reader(text);
+    StrokeJsonReader reader(text);
     nlohmann::json::sax_parse(text.begin(), text.end(), &reader);
     return reader.take();
 }
@@ -32,7 +32,7 @@ std::vector<FileEntry> parseStrokes(std::string_view text)
 std::vector<FileEntry> readStrokes(const std::string& path)
 {
     StrokeFileError tooLarge(StrokeFileError::Kind::TooLarge);
-    tooLarge.most = static_cast<double>(maxFileBytes);
+    tooLarge.max = static_cast<double>(maxFileBytes);
     std::error_code noSize; // of a pipe
     if (const auto size = std::filesystem::file_size(path, noSize); !noSize && size > maxFileBytes)
         throw tooLarge;
@@ -58,25 +58,25 @@ void requireFit(const Stroke& stroke, const Lattice& lattice)
 {
     const double wall = lattice.halfVolume();
     const StrokeSettings& settings = stroke.settings;
-    const double least = radiusFor(lattice.minDetail(), settings.detail);
-    const bool isHand = settings.brush != BrushShape::Ray && settings.place != Placement::Ray;
+    const double min = radiusFor(lattice.minDetail(), settings.detail);
+    const bool isPosition = settings.brush != BrushShape::Ray && settings.place != Placement::Ray;
     const auto refuse = [](const char* key, double from, double to, std::optional<std::size_t> sample) {
         StrokeFileError error(StrokeFileError::Kind::OutOfRange, key);
         error.sample = sample;
-        error.least = from;
-        error.most = to;
+        error.min = from;
+        error.max = to;
         throw error;
     };
-    if (settings.radius < least || settings.radius > wall)
-        refuse("radius", least, wall, std::nullopt);
+    if (settings.radius < min || settings.radius > wall)
+        refuse("radius", min, wall, std::nullopt);
     if (settings.detailLength != 0 && settings.detailLength < lattice.minDetail())
         refuse("detail_length", lattice.minDetail(), wall, std::nullopt);
     for (std::size_t j = 0; j < stroke.samples.size(); ++j) {
         const StrokeSample& sample = stroke.samples[j];
         const double radius = sample.radius.value_or(settings.radius);
-        if (radius < least || radius > wall)
-            refuse("radius", least, wall, j);
-        if (isHand && !lattice.contains(sample.rotation.conjugate() * sample.position))
+        if (radius < min || radius > wall)
+            refuse("radius", min, wall, j);
+        if (isPosition && !lattice.contains(sample.rotation.conjugate() * sample.position))
             refuse("position", -wall, wall, j);
     }
 }

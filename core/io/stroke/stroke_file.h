@@ -63,7 +63,7 @@ struct StrokeFileError : std::runtime_error
     std::optional<std::size_t> sample; ///< counted from 0, in its stroke
     std::size_t line = 0;              ///< counted from 1; 0: unknown
     std::size_t byte = 0;              ///< counted from 1; 0: unknown
-    std::optional<double> least, most; ///< with OutOfRange, where there is a range
+    std::optional<double> min, max; ///< with OutOfRange, where there is a range
     bool orZero = false;               ///< with OutOfRange: 0 is taken, too
     int systemError = 0;               ///< errno, with CannotRead, where it is known
 };
@@ -79,7 +79,7 @@ using FileEntry = std::variant<Stroke, FileCommand>;
 std::vector<FileEntry> parseStrokes(std::string_view text);
 std::vector<FileEntry> readStrokes(const std::string& path);
 
-/// What only the model's lattice can judge: throws StrokeFileError::OutOfRange, with the sample, unless it holds the stroke's brushes, and the
+/// What only the model's lattice can check: throws StrokeFileError::OutOfRange, with the sample, unless it holds the stroke's brushes, and the
 /// hands are within the working volume. Where a ray comes from is free.
 void requireFit(const Stroke& stroke, const Lattice& lattice);
 

@@ -147,10 +147,10 @@ std::string keysOf(const Fill& fill, const std::string&)
     return "\"fill\",\"color\":" + list(fill.color);
 }
 
-std::string keysOf(const ChangeMask& change, const std::string&)
+std::string keysOf(const MaskOperation& change, const std::string&)
 {
     const std::string keys = "\"mask\",\"how\":\"" + std::string(maskChangeNames[static_cast<std::size_t>(change.how)]) + "\"";
-    return change.how == ChangeMask::How::Color ? keys + ",\"color\":" + list(change.color) : keys;
+    return change.how == MaskOperation::Kind::Color ? keys + ",\"color\":" + list(change.color) : keys;
 }
 
 std::string keysOf(const RemeshUniformly& remesh, const std::string&)

@@ -1,9 +1,9 @@
-// The stroke file's structure: which object holds which keys. Its values: stroke_values.cpp.
+// The stroke file's structure: which object holds which keys. Its values: stroke_json_values.cpp.
 #include "core/io/stroke/stroke_json_reader.h"
 
 namespace core
 {
-void StrokeReader::refuse(Kind kind, std::string_view value) const
+void StrokeJsonReader::refuse(Kind kind, std::string_view value) const
 {
     std::string key(keyName());
     if (!value.empty())
@@ -11,16 +11,16 @@ void StrokeReader::refuse(Kind kind, std::string_view value) const
     throw errorHere(kind, std::move(key));
 }
 
-void StrokeReader::refuse(Kind kind, const std::string& key, std::optional<double> least,
-                          std::optional<double> most) const
+void StrokeJsonReader::refuse(Kind kind, const std::string& key, std::optional<double> min,
+                          std::optional<double> max) const
 {
     StrokeFileError error = errorHere(kind, key);
-    error.least = least;
-    error.most = most;
+    error.min = min;
+    error.max = max;
     throw error;
 }
 
-StrokeFileError StrokeReader::errorHere(Kind kind, std::string key) const
+StrokeFileError StrokeJsonReader::errorHere(Kind kind, std::string key) const
 {
     StrokeFileError error(kind, std::move(key));
     if (m_level >= Level::Stroke && !m_entries.empty())
@@ -30,7 +30,7 @@ StrokeFileError StrokeReader::errorHere(Kind kind, std::string key) const
     return error;
 }
 
-std::string_view StrokeReader::keyName() const
+std::string_view StrokeJsonReader::keyName() const
 {
     if (m_key < 0)
         return {};
@@ -46,7 +46,7 @@ std::string_view StrokeReader::keyName() const
     return {};
 }
 
-template <std::size_t N> void StrokeReader::noteKey(const Keys<N>& keys, const std::string& name)
+template <std::size_t N> void StrokeJsonReader::noteKey(const Keys<N>& keys, const std::string& name)
 {
     m_key = keys.indexOf(name);
     if (m_key < 0)
@@ -57,7 +57,7 @@ template <std::size_t N> void StrokeReader::noteKey(const Keys<N>& keys, const s
     m_seen |= bit(static_cast<std::size_t>(m_key));
 }
 
-template <std::size_t N> void StrokeReader::requireKeys(const Keys<N>& keys)
+template <std::size_t N> void StrokeJsonReader::requireKeys(const Keys<N>& keys)
 {
     for (unsigned i = 0; i < keys.required; ++i) {
         m_key = static_cast<int>(i);
@@ -66,7 +66,7 @@ template <std::size_t N> void StrokeReader::requireKeys(const Keys<N>& keys)
     }
 }
 
-bool StrokeReader::key(string_t& name)
+bool StrokeJsonReader::key(string_t& name)
 {
     switch (m_level) {
     case Level::File: noteKey(fileKeys, name); break;
@@ -76,7 +76,7 @@ bool StrokeReader::key(string_t& name)
     return true;
 }
 
-bool StrokeReader::start_object(std::size_t)
+bool StrokeJsonReader::start_object(std::size_t)
 {
     switch (m_level) {
     case Level::Start:
@@ -101,7 +101,7 @@ bool StrokeReader::start_object(std::size_t)
     return true;
 }
 
-bool StrokeReader::end_object()
+bool StrokeJsonReader::end_object()
 {
     switch (m_level) {
     case Level::File:
@@ -130,7 +130,7 @@ bool StrokeReader::end_object()
     return true;
 }
 
-bool StrokeReader::start_array(std::size_t)
+bool StrokeJsonReader::start_array(std::size_t)
 {
     if (m_level == Level::Start)
         refuse(Kind::NotStrokes);
@@ -146,7 +146,7 @@ bool StrokeReader::start_array(std::size_t)
     return true;
 }
 
-bool StrokeReader::end_array()
+bool StrokeJsonReader::end_array()
 {
     if (m_inVector) {
         endVector();
@@ -160,7 +160,7 @@ bool StrokeReader::end_array()
     return true;
 }
 
-bool StrokeReader::parse_error(std::size_t position, const std::string&, const nlohmann::json::exception& error)
+bool StrokeJsonReader::parse_error(std::size_t position, const std::string&, const nlohmann::json::exception& error)
 {
     constexpr int numberOverflow = 406;
     // `position` is the count of bytes read: the one that did not fit is the last of them.

@@ -17,14 +17,14 @@ struct CommandDraft
     Symmetry plane = Symmetry::None;
     Half keep = Half::Positive;
     Insert::Place where = Insert::Place::Beside;
-    ChangeMask::How how = ChangeMask::How::Invert;
+    MaskOperation::Kind how = MaskOperation::Kind::Invert;
 };
 
 /// Takes the parser's events; knows where in the format it stands. Throws at the first that does not belong there.
-class StrokeReader : public nlohmann::json::json_sax_t
+class StrokeJsonReader : public nlohmann::json::json_sax_t
 {
 public:
-    explicit StrokeReader(std::string_view text) : m_text(text) {}
+    explicit StrokeJsonReader(std::string_view text) : m_text(text) {}
     std::vector<FileEntry> take() { return std::move(m_entries); }
 
     bool null() override { refuse(m_level == Level::Start ? Kind::NotStrokes : Kind::WrongType); }
@@ -46,13 +46,13 @@ private:
     enum class Level { Start, File, Strokes, Stroke, Samples, Sample };
 
     [[noreturn]] void refuse(Kind kind, std::string_view value = {}) const;
-    [[noreturn]] void refuse(Kind kind, const std::string& key, std::optional<double> least,
-                             std::optional<double> most) const;
+    [[noreturn]] void refuse(Kind kind, const std::string& key, std::optional<double> min,
+                             std::optional<double> max) const;
     StrokeFileError errorHere(Kind kind, std::string key) const;
     std::string_view keyName() const;
-    double inRange(double value, double least, double most) const;
+    double inRange(double value, double min, double max) const;
     double inRange(double value, Parameter parameter) const;
-    double zeroOrInRange(double value, double least, double most) const;
+    double zeroOrInRange(double value, double min, double max) const;
 
     template <std::size_t N> void noteKey(const Keys<N>& keys, const std::string& name);
     template <std::size_t N> void requireKeys(const Keys<N>& keys);

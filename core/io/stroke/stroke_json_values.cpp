@@ -11,8 +11,8 @@ namespace core
 {
 namespace
 {
-constexpr double leastSpacing = 1e-3;   ///< but for 0: a typing error shall not ask for 10^12 dabs
-constexpr double leastFactor = 1e-6;    ///< of scaling; its inverse is the largest
+constexpr double minSpacing = 1e-3;   ///< but for 0: a typing error shall not ask for 10^12 dabs
+constexpr double minFactor = 1e-6;    ///< of scaling; its inverse is the largest
 
 /// The xz plane (section 3.5.2): what `"symmetry": true` means.
 constexpr Symmetry paperPlane = Symmetry::Y;
@@ -34,31 +34,31 @@ Eigen::Quaterniond turnAboutY(double degrees)
 }
 } // namespace
 
-double StrokeReader::inRange(double value, double least, double most) const
+double StrokeJsonReader::inRange(double value, double min, double max) const
 {
-    if (!(value >= least && value <= most))
-        refuse(Kind::OutOfRange, std::string(keyName()), least, most);
+    if (!(value >= min && value <= max))
+        refuse(Kind::OutOfRange, std::string(keyName()), min, max);
     return value;
 }
 
-double StrokeReader::zeroOrInRange(double value, double least, double most) const
+double StrokeJsonReader::zeroOrInRange(double value, double min, double max) const
 {
-    if (value == 0 || (value >= least && value <= most))
+    if (value == 0 || (value >= min && value <= max))
         return value;
     StrokeFileError error = errorHere(Kind::OutOfRange, std::string(keyName()));
-    error.least = least;
-    error.most = most;
+    error.min = min;
+    error.max = max;
     error.orZero = true;
     throw error;
 }
 
-double StrokeReader::inRange(double value, Parameter parameter) const
+double StrokeJsonReader::inRange(double value, Parameter parameter) const
 {
     return inRange(value, info(parameter).min, info(parameter).max);
 }
 
 /// How many numbers the key's list holds; 0: the key has no list.
-std::size_t StrokeReader::vectorLength() const
+std::size_t StrokeJsonReader::vectorLength() const
 {
     if (m_level == Level::Stroke)
         return m_key == TurnKey ? 4 : m_key == ColorKey || m_key == ByKey || m_key == CentreKey ? 3 : 0;
@@ -67,7 +67,7 @@ std::size_t StrokeReader::vectorLength() const
     return 0;
 }
 
-void StrokeReader::endVector()
+void StrokeJsonReader::endVector()
 {
     m_inVector = false;
     if (m_count != vectorLength())
@@ -76,7 +76,7 @@ void StrokeReader::endVector()
     if (m_level == Level::Stroke)
         return strokeVector(vector);
     StrokeSample& sample = stroke().samples.back();
-    if (m_key == UpKey && vector.cwiseAbs().maxCoeff() < leastDirection)
+    if (m_key == UpKey && vector.cwiseAbs().maxCoeff() < minDirection)
         refuse(Kind::OutOfRange);
     if (m_key == RotationKey)
         sample.rotation = unitRotation();
@@ -86,7 +86,7 @@ void StrokeReader::endVector()
         (m_key == PositionKey ? sample.position : sample.direction) = vector;
 }
 
-void StrokeReader::strokeVector(const Vec3& vector)
+void StrokeJsonReader::strokeVector(const Vec3& vector)
 {
     const auto byte = [](double value) { return static_cast<std::uint8_t>(value); };
     switch (m_key) {
@@ -97,7 +97,7 @@ void StrokeReader::strokeVector(const Vec3& vector)
     }
 }
 
-Eigen::Quaterniond StrokeReader::unitRotation() const
+Eigen::Quaterniond StrokeJsonReader::unitRotation() const
 {
     const Eigen::Quaterniond rotation(m_vector[3], m_vector[0], m_vector[1], m_vector[2]);
     const double length = rotation.squaredNorm();
@@ -106,7 +106,7 @@ Eigen::Quaterniond StrokeReader::unitRotation() const
     return std::abs(length - 1) > 8 * std::numeric_limits<double>::epsilon() ? rotation.normalized() : rotation;
 }
 
-bool StrokeReader::number(double value)
+bool StrokeJsonReader::number(double value)
 {
     if (m_level == Level::Start)
         refuse(Kind::NotStrokes);
@@ -116,7 +116,7 @@ bool StrokeReader::number(double value)
         if (m_count == vectorLength())
             refuse(Kind::WrongType);
         const bool isColor = m_level == Level::Stroke && m_key == ColorKey;
-        m_vector[m_count++] = isColor ? inRange(value, 0, 255) : inRange(value, -farthestSample, farthestSample);
+        m_vector[m_count++] = isColor ? inRange(value, 0, 255) : inRange(value, -maxSampleMagnitude, maxSampleMagnitude);
         if (isColor && value != std::trunc(value))
             refuse(Kind::WrongType);
     } else if (m_level == Level::Sample) {
@@ -131,7 +131,7 @@ bool StrokeReader::number(double value)
     return true;
 }
 
-void StrokeReader::strokeNumber(double value)
+void StrokeJsonReader::strokeNumber(double value)
 {
     StrokeSettings& settings = stroke().settings;
     switch (m_key) {
@@ -139,17 +139,17 @@ void StrokeReader::strokeNumber(double value)
     case StrengthKey: settings.strength = inRange(value, Parameter::Strength); break;
     case DetailKey: settings.detail = inRange(value, Parameter::Detail); break;
     case DetailLengthKey: settings.detailLength = inRange(value, info(Parameter::Radius).min, info(Parameter::Radius).max); break;
-    case HeightKey: m_command.height = inRange(value, ModelLimits::leastExtent, ModelLimits::mostExtent); break;
-    case FactorKey: m_command.factor = inRange(value, leastFactor, 1 / leastFactor); break;
-    case TurntableKey: m_turntable = inRange(value, -farthestSample, farthestSample); break;
-    case SpacingKey: settings.spacing = zeroOrInRange(value, leastSpacing, info(Parameter::Spacing).max); break;
+    case HeightKey: m_command.height = inRange(value, ModelLimits::minExtent, ModelLimits::maxExtent); break;
+    case FactorKey: m_command.factor = inRange(value, minFactor, 1 / minFactor); break;
+    case TurntableKey: m_turntable = inRange(value, -maxSampleMagnitude, maxSampleMagnitude); break;
+    case SpacingKey: settings.spacing = zeroOrInRange(value, minSpacing, info(Parameter::Spacing).max); break;
     case RadialKey:
-        settings.radial = static_cast<int>(inRange(value, 1, mostRadial));
+        settings.radial = static_cast<int>(inRange(value, 1, maxRadial));
         if (value != std::trunc(value))
             refuse(Kind::WrongType);
         break;
     case FalloffKey:
-        zeroOrInRange(value, leastFalloff, info(Parameter::Falloff).max);
+        zeroOrInRange(value, minFalloff, info(Parameter::Falloff).max);
         if (value != std::trunc(value))
             refuse(Kind::WrongType);
         settings.falloff = static_cast<int>(value);
@@ -158,11 +158,11 @@ void StrokeReader::strokeNumber(double value)
     }
 }
 
-void StrokeReader::sampleNumber(double value)
+void StrokeJsonReader::sampleNumber(double value)
 {
     StrokeSample& sample = stroke().samples.back();
     switch (m_key) {
-    case TimeKey: sample.time = inRange(value, -farthestSample, farthestSample); break;
+    case TimeKey: sample.time = inRange(value, -maxSampleMagnitude, maxSampleMagnitude); break;
     case PressureKey: sample.pressure = inRange(value, 0, 1); break;
     case SampleRadiusKey: sample.radius = inRange(value, Parameter::Radius); break;
     case SampleStrengthKey: sample.strength = inRange(value, Parameter::Strength); break;
@@ -170,7 +170,7 @@ void StrokeReader::sampleNumber(double value)
     }
 }
 
-bool StrokeReader::boolean(bool value)
+bool StrokeJsonReader::boolean(bool value)
 {
     if (m_level == Level::Start)
         refuse(Kind::NotStrokes);
@@ -189,7 +189,7 @@ bool StrokeReader::boolean(bool value)
     return true;
 }
 
-bool StrokeReader::string(string_t& value)
+bool StrokeJsonReader::string(string_t& value)
 {
     if (m_level == Level::Start)
         refuse(Kind::NotStrokes);
@@ -202,7 +202,7 @@ bool StrokeReader::string(string_t& value)
     return true;
 }
 
-void StrokeReader::strokeWord(const std::string& word)
+void StrokeJsonReader::strokeWord(const std::string& word)
 {
     StrokeSettings& settings = stroke().settings;
     bool known = true;
@@ -250,7 +250,7 @@ void StrokeReader::strokeWord(const std::string& word)
         refuse(Kind::UnknownValue, "\"" + word + "\"");
 }
 
-void StrokeReader::endStroke()
+void StrokeJsonReader::endStroke()
 {
     for (const auto& [print, what] : {std::pair(AlphaPrintKey, AlphaKey), std::pair(BrushModelPrintKey, BrushModelKey)}) {
         if (!(m_seen & bit(what)))
@@ -265,7 +265,7 @@ void StrokeReader::endStroke()
     }
     for (std::size_t i = 0; i < stroke.samples.size(); ++i) {
         StrokeSample& sample = stroke.samples[i];
-        if (alongRays && sample.direction.cwiseAbs().maxCoeff() < leastDirection) {
+        if (alongRays && sample.direction.cwiseAbs().maxCoeff() < minDirection) {
             StrokeFileError error = errorHere(Kind::OutOfRange, "direction");
             error.sample = i;
             throw error;

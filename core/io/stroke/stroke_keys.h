@@ -49,7 +49,7 @@ inline constexpr Keys<34> strokeKeys{{"tool", "radius", "samples", "brush", "str
 /// Those that no stroke has.
 inline constexpr KeySet commandKeys = bit(strokeKeys.names.size()) - bit(CommandKey);
 
-/// Of HowKey, in the order of ChangeMask::How.
+/// Of HowKey, in the order of MaskOperation::Kind.
 inline constexpr std::array<std::string_view, 9> maskChangeNames{"invert", "clear",  "blur",  "sharpen", "grow",
                                                                  "shrink", "cavity", "color", "part"};
 

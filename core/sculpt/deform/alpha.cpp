@@ -11,7 +11,7 @@ namespace core
 Alpha::Alpha(int width, int height, std::vector<std::uint8_t> pixels, std::string source)
     : m_width(width), m_height(height), m_pixels(std::move(pixels)), m_source(std::move(source))
 {
-    assert(width > 0 && height > 0 && width <= mostSide && height <= mostSide);
+    assert(width > 0 && height > 0 && width <= maxSide && height <= maxSide);
     assert(m_pixels.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
 }
 

@@ -16,7 +16,7 @@ class Alpha
 {
 public:
     /// Of a side, in pixels: a reader refuses more before it decodes.
-    static constexpr int mostSide = 4096;
+    static constexpr int maxSide = 4096;
 
     /// `pixels`: rows from the top, width x height of them. `source`: a name of builtInAlphas(), or the file's path.
     Alpha(int width, int height, std::vector<std::uint8_t> pixels, std::string source);

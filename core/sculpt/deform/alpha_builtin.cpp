@@ -9,7 +9,7 @@ namespace core
 {
 namespace
 {
-constexpr int pixelsASide = 256;
+constexpr int pixelsPerSide = 256;
 
 /// 0 up to `from`, 1 beyond `to`, smooth between.
 double smoothStep(double from, double to, double x)
@@ -177,17 +177,17 @@ constexpr std::array<DrawnAlpha, 8> alphaTable{{{"pores", shadeOfPores}, {"scale
 std::shared_ptr<const Alpha> drawn(const DrawnAlpha& builtIn)
 {
     std::vector<std::uint8_t> pixels;
-    pixels.reserve(std::size_t(pixelsASide) * pixelsASide);
-    for (int row = 0; row < pixelsASide; ++row) {
-        for (int column = 0; column < pixelsASide; ++column) {
+    pixels.reserve(std::size_t(pixelsPerSide) * pixelsPerSide);
+    for (int row = 0; row < pixelsPerSide; ++row) {
+        for (int column = 0; column < pixelsPerSide; ++column) {
             double sum = 0;
             for (const double dy : {0.25, 0.75})
                 for (const double dx : {0.25, 0.75})
-                    sum += builtIn.shade((column + dx) / (0.5 * pixelsASide) - 1, 1 - (row + dy) / (0.5 * pixelsASide));
+                    sum += builtIn.shade((column + dx) / (0.5 * pixelsPerSide) - 1, 1 - (row + dy) / (0.5 * pixelsPerSide));
             pixels.push_back(static_cast<std::uint8_t>(255 * std::clamp(sum / 4, 0.0, 1.0) + 0.5));
         }
     }
-    return std::make_shared<Alpha>(pixelsASide, pixelsASide, std::move(pixels), std::string(builtIn.name));
+    return std::make_shared<Alpha>(pixelsPerSide, pixelsPerSide, std::move(pixels), std::string(builtIn.name));
 }
 } // namespace
 

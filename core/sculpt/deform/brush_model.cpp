@@ -91,13 +91,13 @@ BrushModel::Made BrushModel::of(const TriangleMesh& mesh, std::string source)
 {
     Made made;
     const Vec3 sizes = boxOf(mesh).sizes();
-    if (mesh.triangles.size() > mostFaces)
+    if (mesh.triangles.size() > maxFaces)
         made.fault = Fault::TooManyFaces;
-    else if (!(sizes.maxCoeff() >= leastLength))
+    else if (!(sizes.maxCoeff() >= minLength))
         made.fault = Fault::TooSmall;
     else if (made.report = checkMesh(mesh); !made.report.printReady())
         made.fault = Fault::Unsound;
-    else if (sizes.minCoeff() < leastThickness * sizes.maxCoeff())
+    else if (sizes.minCoeff() < minThickness * sizes.maxCoeff())
         made.fault = Fault::TooFlat;
     else
         made.model = std::shared_ptr<const BrushModel>(new BrushModel(toUnitSize(mesh), std::move(source)));

@@ -18,12 +18,12 @@ public:
     enum class Fault {
         None,
         Unsound,      ///< it does not bound a solid: `report` says why
-        TooFlat,      ///< its box is thinner than `leastThickness` of its length
-        TooSmall,     ///< its box is shorter than `leastLength`
-        TooManyFaces  ///< more than `mostFaces`
+        TooFlat,      ///< its box is thinner than `minThickness` of its length
+        TooSmall,     ///< its box is shorter than `minLength`
+        TooManyFaces  ///< more than `maxFaces`
     };
-    static constexpr std::size_t mostFaces = 250'000;
-    static constexpr double leastThickness = 1e-3, leastLength = 1e-5; ///< mm
+    static constexpr std::size_t maxFaces = 250'000;
+    static constexpr double minThickness = 1e-3, minLength = 1e-5; ///< mm
 
     struct Made
     {
@@ -31,7 +31,7 @@ public:
         Fault fault = Fault::None;
         MeshReport report;
     };
-    /// Judges the model exactly. `source`: the path of its file, or empty. Cost: checkMesh, and a sort.
+    /// Checks the model exactly. `source`: the path of its file, or empty. Cost: checkMesh, and a sort.
     static Made of(const TriangleMesh& mesh, std::string source);
 
     struct Span

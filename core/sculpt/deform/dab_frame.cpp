@@ -7,7 +7,7 @@ namespace core
 namespace
 {
 /// Squared sine of the angle between a way and the normal: below that it does not lie along the plane.
-constexpr double leastUpright2 = 0.01;
+constexpr double minUpright2 = 0.01;
 
 Vec3 alongPlane(const Vec3& v, const Vec3& normal)
 {
@@ -29,9 +29,9 @@ DabFrame frameOn(const Region& region, const Mesh& mesh, const StrokeSettings& s
         return {};
     const Vec3 way = settings.alphaFollows ? alongPlane(dab.motion, normal) : Vec3(Vec3::Zero());
     const Vec3 up = alongPlane(dab.up, normal);
-    if (way.squaredNorm() > leastUpright2 * dab.motion.squaredNorm())
+    if (way.squaredNorm() > minUpright2 * dab.motion.squaredNorm())
         return frameOf(normal, way, dab.isMirrored);
-    return frameOf(normal, up.squaredNorm() > leastUpright2 ? up : alongPlane(dab.ahead, normal), dab.isMirrored);
+    return frameOf(normal, up.squaredNorm() > minUpright2 ? up : alongPlane(dab.ahead, normal), dab.isMirrored);
 }
 
 DabFrame uprightFrame(const Dab& dab)

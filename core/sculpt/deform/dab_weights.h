@@ -24,6 +24,6 @@ private:
     const Dab& m_dab;
     const Alpha* m_alpha; ///< or none
     DabFrame m_frame;
-    std::optional<Stamp> m_stamp;
+    std::optional<StampShape> m_stamp;
 };
 } // namespace core

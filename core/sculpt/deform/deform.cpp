@@ -17,7 +17,7 @@ constexpr double peakPerRadius = 0.1;
 /// Of Inflate, in terms of that: what moves along normals that run together soon folds up.
 constexpr double swellPerPeak = 0.6;
 /// At strength 1 a dab draws what is around a line this share nearer to it, and never all the way.
-constexpr double pinchShare = 0.1, creasePinchShare = 0.25, mostPinched = 0.5;
+constexpr double pinchShare = 0.1, creasePinchShare = 0.25, maxPinched = 0.5;
 /// At strength 1 a dab of Crease cuts so deep, in radii.
 constexpr double creaseDepth = 0.05;
 constexpr std::size_t plannedPerChunk = 256;
@@ -129,7 +129,7 @@ Field smooth(const Dabbed& d)
 /// Along the surface towards the line. Inverted, away from it.
 Field pinch(const Dabbed& d)
 {
-    const double share = d.sign() * std::min(pinchShare * d.dab.strength, mostPinched);
+    const double share = d.sign() * std::min(pinchShare * d.dab.strength, maxPinched);
     return [across = acrossLine(d, meanNormal(d.region, d.mesh)), share](Slot v, double w) -> Vec3 { return -share * w * across(v); };
 }
 
@@ -137,7 +137,7 @@ Field pinch(const Dabbed& d)
 Field crease(const Dabbed& d)
 {
     const Vec3 normal = meanNormal(d.region, d.mesh);
-    const double share = std::min(creasePinchShare * d.dab.strength, mostPinched);
+    const double share = std::min(creasePinchShare * d.dab.strength, maxPinched);
     const double depth = d.sign() * creaseDepth * d.dab.radius * d.dab.strength;
     return [&d, across = acrossLine(d, normal), normal, share, depth](Slot v, double w) -> Vec3 {
         const Vec3 r = across(v);
@@ -168,10 +168,10 @@ double longestEdge(const Mesh& mesh, Slot v)
     return std::sqrt(longest2);
 }
 
-/// See stamp.h.
+/// See stamp_shape.h.
 Field stamp(const Dabbed& d)
 {
-    return [&d, stamp = Stamp(frameOn(d.region, d.mesh, d.settings, d.dab), d.settings, d.dab)](Slot v, double) -> Vec3 {
+    return [&d, stamp = StampShape(frameOn(d.region, d.mesh, d.settings, d.dab), d.settings, d.dab)](Slot v, double) -> Vec3 {
         return stamp.field(d.point(v), 0.5 * longestEdge(d.mesh, v));
     };
 }
@@ -190,7 +190,7 @@ Field fieldOf(const Dabbed& d)
     case Tool::Pinch: return pinch(d);
     case Tool::Crease: return crease(d);
     case Tool::Grab:
-    case Tool::Snake: return follow(d);
+    case Tool::SnakeHook: return follow(d);
     case Tool::Twist: return twist(d);
     case Tool::Stamp: return stamp(d);
     case Tool::Paint:
@@ -234,9 +234,9 @@ double planDeformation(Region& region, const Mesh& mesh, const StrokeSettings& s
     return std::sqrt(*std::ranges::max_element(longest2));
 }
 
-void calmPlan(Region& region, const Mesh& mesh, std::span<const Slot> vertices)
+void smoothPlan(Region& region, const Mesh& mesh, std::span<const Slot> vertices)
 {
-    std::vector<std::pair<Slot, Vec3>> calmed;
+    std::vector<std::pair<Slot, Vec3>> smoothed;
     for (Slot v : withNeighbours(region, mesh, vertices)) {
         const Vec3 plan = region.plan(v);
         Vec3 sum = plan;
@@ -246,9 +246,9 @@ void calmPlan(Region& region, const Mesh& mesh, std::span<const Slot> vertices)
         });
         const double length = sum.norm();
         if (length > 0)
-            calmed.emplace_back(v, plan.norm() / length * sum);
+            smoothed.emplace_back(v, plan.norm() / length * sum);
     }
-    for (const auto& [v, plan] : calmed)
+    for (const auto& [v, plan] : smoothed)
         region.setPlan(v, plan);
 }
 } // namespace core

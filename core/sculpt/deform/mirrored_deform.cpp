@@ -27,7 +27,7 @@ void selectWhole(Region& whole, const Region& half, MirrorMap& mirror, const Mes
     });
 }
 
-void selectWholeHeld(Region& whole, const Region& half, MirrorMap& mirror, double radius)
+void selectWholeGrabbed(Region& whole, const Region& half, MirrorMap& mirror, double radius)
 {
     whole.clear();
     half.forEach([&](Slot v) {

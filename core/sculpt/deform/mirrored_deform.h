@@ -12,8 +12,8 @@ void keepHalf(Region& region, const MirrorMap& mirror);
 /// What a spherical brush selects on both sides of the plane: of a half selected by the ball, and its images.
 void selectWhole(Region& whole, const Region& half, MirrorMap& mirror, const Mesh& mesh, const Sphere& ball);
 
-/// The same of a half that is held on to: an image belongs to it if what its vertex carries, the image's distance, is within the radius.
-void selectWholeHeld(Region& whole, const Region& half, MirrorMap& mirror, double radius);
+/// The same of a grabbed half: an image belongs to it if what its vertex carries, the image's distance, is within the radius.
+void selectWholeGrabbed(Region& whole, const Region& half, MirrorMap& mirror, double radius);
 
 /// Plans the deformation of a half that stands for both. The dab and its image are two dabs of one moment, d1 and d2 with
 /// the weights w1 and w2; where they overlap they are one field,

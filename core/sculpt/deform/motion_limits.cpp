@@ -9,7 +9,7 @@ namespace
 constexpr double shortenedOnce = 0.25;
 } // namespace
 
-void HeldBack::extend(const Region& region, const Mesh& mesh)
+void MotionLimits::extend(const Region& region, const Mesh& mesh)
 {
     const std::vector<Slot>& slots = region.slots();
     const std::size_t known = m_share.size();
@@ -26,7 +26,7 @@ void HeldBack::extend(const Region& region, const Mesh& mesh)
     }
 }
 
-std::vector<Slot> HeldBack::shorten(Region& region, const Mesh& mesh, const std::vector<Slot>& badFaces, int rings)
+std::vector<Slot> MotionLimits::tighten(Region& region, const Mesh& mesh, const std::vector<Slot>& badFaces, int rings)
 {
     std::vector<Slot> around;
     for (Slot f : badFaces)

@@ -6,9 +6,9 @@
 
 namespace core
 {
-/// How far each vertex of a region may go: the share of its plan that it may do before it would touch something. What was
-/// held back once in a dab stays so in its next sub-steps.
-class HeldBack
+/// How far each vertex of a region may go: the share of its plan that it may do before it would touch something. Limits
+/// persist across the sub-steps of a dab.
+class MotionLimits
 {
 public:
     void clear() { m_share.clear(); }
@@ -22,11 +22,11 @@ public:
         return m_share.empty() ? 1 : m_share[region.position(v)];
     }
 
-    /// Vertices that joined the region since are held back as far as their neighbours are.
+    /// Vertices that joined the region since are limited as their neighbours are.
     void extend(const Region& region, const Mesh& mesh);
-    /// Shortens the motion of the region's vertices at the bad faces and in `rings` > 0 rings around them: 1 -> 1/4 -> 0. Those that could be
-    /// held back further.
-    std::vector<Slot> shorten(Region& region, const Mesh& mesh, const std::vector<Slot>& badFaces, int rings);
+    /// Tightens the limits of the region's vertices at the bad faces and in `rings` > 0 rings around them: 1 -> 1/4 -> 0. Returns those whose limit
+    /// changed.
+    std::vector<Slot> tighten(Region& region, const Mesh& mesh, const std::vector<Slot>& badFaces, int rings);
 
 private:
     std::vector<double> m_share; ///< by position in the region; empty: all of it

@@ -18,13 +18,13 @@ std::optional<BrushModel::Span> spanOfBall(const Vec3& p)
 }
 } // namespace
 
-Stamp::Stamp(const DabFrame& frame, const StrokeSettings& settings, const Dab& dab)
+StampShape::StampShape(const DabFrame& frame, const StrokeSettings& settings, const Dab& dab)
     : m_frame(frame), m_model(settings.model.get()), m_center(dab.position), m_radius(dab.radius), m_share(std::min(dab.strength, 1.0)),
       m_raises(settings.inverted)
 {
 }
 
-Vec3 Stamp::field(const Vec3& p, double reach) const
+Vec3 StampShape::field(const Vec3& p, double reach) const
 {
     const auto wayAt = [&](double right, double up) { return way(p + reach * (right * m_frame.right + up * m_frame.up)); };
     const double middle = wayAt(0, 0);
@@ -41,7 +41,7 @@ Vec3 Stamp::field(const Vec3& p, double reach) const
     return m_share * (sum / 16) * m_frame.normal;
 }
 
-double Stamp::way(const Vec3& p) const
+double StampShape::way(const Vec3& p) const
 {
     const Vec3 r = (p - m_center) / m_radius;
     const Vec3 at(r.dot(m_frame.right), r.dot(m_frame.normal), -r.dot(m_frame.up));

@@ -6,10 +6,10 @@ namespace core
 {
 /// The brush's model, or a ball, on the surface: its middle at the dab's centre, its y along the surface's normal, its bounding radius
 /// the brush's. What of the surface lies inside of it sinks to its lower side along the normal, or inverted rises to its upper one.
-class Stamp
+class StampShape
 {
 public:
-    Stamp(const DabFrame& frame, const StrokeSettings& settings, const Dab& dab);
+    StampShape(const DabFrame& frame, const StrokeSettings& settings, const Dab& dab);
 
     /// How far p is to go along the normal; 0 outside.
     double way(const Vec3& p) const;

@@ -2,20 +2,20 @@
 
 namespace core
 {
-/// False if the operation says that it was refused, or if it was judged and taken back.
+/// False if the operation says that it was refused, or if it was verified and rolled back.
 template <class Operation> bool MeshEditor::run(Operation operation)
 {
-    if (!m_attempt)
+    if (!m_tryOperation)
         return operation();
     bool done = false;
-    return m_attempt([&] { done = operation(); }) && done;
+    return m_tryOperation([&] { done = operation(); }) && done;
 }
 
 /// Of the two faces at an edge, a corner.
-bool MeshEditor::isSparedAround(Slot e) const
+bool MeshEditor::isFrozenAround(Slot e) const
 {
-    return m_spared && (isSpared(m_mesh.to(2 * e)) || isSpared(m_mesh.to(2 * e + 1)) || isSpared(m_mesh.to(m_mesh.next(2 * e))) ||
-                        isSpared(m_mesh.to(m_mesh.next(2 * e + 1))));
+    return m_frozen && (isFrozen(m_mesh.to(2 * e)) || isFrozen(m_mesh.to(2 * e + 1)) || isFrozen(m_mesh.to(m_mesh.next(2 * e))) ||
+                        isFrozen(m_mesh.to(m_mesh.next(2 * e + 1))));
 }
 
 Vec3f MeshEditor::middle(Slot e) const
@@ -81,7 +81,7 @@ Slot MeshEditor::collapsing(Slot e) const
 
 bool MeshEditor::collapse(Slot h, const Vec3f& p)
 {
-    if (isSparedAround(h / 2))
+    if (isFrozenAround(h / 2))
         return false;
     return run([&] {
         if (m_mirror)
@@ -112,7 +112,7 @@ bool MeshEditor::collapsePair(Slot h, const Vec3f& p)
 
 bool MeshEditor::flip(Slot e)
 {
-    if (isSparedAround(e))
+    if (isFrozenAround(e))
         return false;
     return run([&] {
         if (m_mirror)
@@ -142,7 +142,7 @@ bool MeshEditor::flipPair(Slot e)
 
 bool MeshEditor::move(Slot v, const Vec3f& p)
 {
-    if (isSpared(v))
+    if (isFrozen(v))
         return false;
     return run([&] {
         if (m_mirror)

@@ -7,20 +7,20 @@
 
 namespace core
 {
-/// Runs one operation; false means that it was judged and taken back.
-using Attempt = std::function<bool(const std::function<void()>& operation)>;
+/// Runs one operation; false means that it was verified and rolled back.
+using TryOperation = std::function<bool(const std::function<void()>& operation)>;
 
-/// How remeshing and deformation write: each operation may be judged, and with a mirror each is done together with its
+/// How remeshing and deformation write: each operation may be verified, and with a mirror each is done together with its
 /// mirror image or not at all. In a mirror only the half where the coordinate is not negative is named, the plane included;
 /// then these hold: a vertex on the plane stays on it and another off it, by at least one lattice unit; an edge on the plane
 /// is never flipped and collapses along it; an edge that ends on the plane collapses onto it.
 class MeshEditor
 {
 public:
-    /// `attempt`: none if operations are not judged. `mirror`: none, or one that is on. `spared`: none, or vertices that have to stay as
+    /// `tryOperation`: none if operations are not verified. `mirror`: none, or one that is on. `frozen`: none, or vertices that have to stay as
     /// they are, and the shape of the faces around them, too: nothing moves, collapses or flips there.
-    explicit MeshEditor(Mesh& mesh, Attempt attempt = {}, MirrorMap* mirror = nullptr, const SlotSet* spared = nullptr)
-        : m_mesh(mesh), m_attempt(std::move(attempt)), m_mirror(mirror), m_spared(spared)
+    explicit MeshEditor(Mesh& mesh, TryOperation tryOperation = {}, MirrorMap* mirror = nullptr, const SlotSet* frozen = nullptr)
+        : m_mesh(mesh), m_tryOperation(std::move(tryOperation)), m_mirror(mirror), m_frozen(frozen)
     {
     }
 
@@ -54,8 +54,8 @@ public:
 
 private:
     template <class Operation> bool run(Operation operation);
-    bool isSpared(Slot v) const { return m_spared && m_spared->contains(v); }
-    bool isSparedAround(Slot e) const;
+    bool isFrozen(Slot v) const { return m_frozen && m_frozen->contains(v); }
+    bool isFrozenAround(Slot e) const;
     Slot splitPair(Slot e);
     void splitEdgesAcross(Slot f);
     Slot splitOnPlane(Slot e);
@@ -64,8 +64,8 @@ private:
     bool movePair(Slot v, const Vec3f& p);
 
     Mesh& m_mesh;
-    Attempt m_attempt;
+    TryOperation m_tryOperation;
     MirrorMap* m_mirror;
-    const SlotSet* m_spared;
+    const SlotSet* m_frozen;
 };
 } // namespace core

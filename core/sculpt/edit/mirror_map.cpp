@@ -160,8 +160,8 @@ bool MirrorMap::learnFace(Slot f, const FaceOctree& octree)
 
 Vec3f MirrorMap::kept(Vec3f p, bool onPlane) const
 {
-    const float least = onPlane ? 0 : static_cast<float>(m_mesh.lattice().unit());
-    p[m_axis] = onPlane ? 0 : std::max(p[m_axis], least);
+    const float min = onPlane ? 0 : static_cast<float>(m_mesh.lattice().unit());
+    p[m_axis] = onPlane ? 0 : std::max(p[m_axis], min);
     return p;
 }
 } // namespace core

@@ -18,13 +18,13 @@ Vec3 withoutReturn(const Vec3& step, const Vec3& way)
 }
 } // namespace
 
-void Unfolding::clear()
+void FoldSmoothing::clear()
 {
     m_vertices.clear();
     m_takenBack.clear();
 }
 
-bool Unfolding::smooth(JudgedMesh& surface, MeshEditor edit, Region& region, std::span<const Slot> vertices, bool mayTakeBack)
+bool FoldSmoothing::smooth(VerifiedMesh& surface, MeshEditor edit, Region& region, std::span<const Slot> vertices, bool mayTakeBack)
 {
     const Mesh& mesh = surface.mesh();
     std::vector<std::pair<Slot, Vec3f>> places;
@@ -40,7 +40,7 @@ bool Unfolding::smooth(JudgedMesh& surface, MeshEditor edit, Region& region, std
     std::vector<Vec3> steps;
     for (const auto& [v, place] : places)
         steps.push_back((place - mesh.point(v)).cast<double>());
-    const bool sound = !places.empty() && surface.attempt([&] {
+    const bool sound = !places.empty() && surface.tryOperation([&] {
         for (const auto& [v, place] : places)
             edit.move(v, place);
     });
@@ -54,7 +54,7 @@ bool Unfolding::smooth(JudgedMesh& surface, MeshEditor edit, Region& region, std
     return sound;
 }
 
-double Unfolding::shareLeft(const Region& region, double done) const
+double FoldSmoothing::shareLeft(const Region& region, double done) const
 {
     if (m_vertices.size() == 0)
         return done;

@@ -8,7 +8,7 @@ namespace core
 {
 /// Local smoothing where the surface has folded up so far that its faces meet (paper, section 3.4), and what that takes back
 /// of a dab's motion.
-class Unfolding
+class FoldSmoothing
 {
 public:
     /// Forgets what was taken back: a new dab begins.
@@ -16,7 +16,7 @@ public:
 
     /// Moves the region's vertices at and around the given ones half way to the mean of their neighbours, as a transaction of
     /// its own. `vertices`: may be gone. `mayTakeBack`: else only across their plans and onwards. False if nothing was moved.
-    bool smooth(JudgedMesh& surface, MeshEditor edit, Region& region, std::span<const Slot> vertices, bool mayTakeBack);
+    bool smooth(VerifiedMesh& surface, MeshEditor edit, Region& region, std::span<const Slot> vertices, bool mayTakeBack);
 
     /// Of the longest displacement planned, the share that is left when this share of the plan has been done. O(1) if nothing
     /// was smoothed, else O(region).

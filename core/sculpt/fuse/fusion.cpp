@@ -1,8 +1,8 @@
 // Topology fusion (paper, section 3.4):
 //   join       vertices that the motion is about to bring into contact lose their stars, the 1-rings are connected
-//     near       pairs that are about to meet                                                       fuse_near.cpp
-//     operate    nearest first, each judged by itself
-//   separate   what can no longer be collapsed, in fuse_separate.cpp
+//     near       pairs that are about to meet                                                       fusion_candidates.cpp
+//     operate    nearest first, each verified by itself
+//   separate   what can no longer be collapsed, in separation.cpp
 
 #include "core/sculpt/fuse/fusion.h"
 
@@ -19,7 +19,7 @@ namespace
 /// No dab begins two tubes nearer to each other than this, in terms of d_detail: the first one's seam is to get there.
 constexpr double tubeDistance = 4;
 /// Rounds of joining in a sub-step: a guard, the last ones join nothing.
-constexpr int mostRounds = 64;
+constexpr int maxRounds = 64;
 
 std::vector<Slot> cornersOf(const Mesh& mesh, const std::vector<Slot>& faces)
 {
@@ -39,17 +39,17 @@ std::vector<Slot> cornersLeft(const Mesh& mesh, std::vector<Slot> vertices, cons
 } // namespace
 
 /// In rounds: a seam grows stitch by stitch over all of a contact before another tube is begun, else a hole stays between.
-FusionCounts Fuser::join(JudgedMesh& surface, Region& region, HeldBack& held, const Approach& approach)
+FusionCounts TopologyFusion::join(VerifiedMesh& surface, Region& region, MotionLimits& limits, const FusionInput& input)
 {
     FusionCounts counts;
-    for (int round = 0; round < mostRounds; ++round) {
-        if (held.inUse())
-            held.extend(region, surface.mesh()); // copies joined the region in the round before
-        gather(surface, region, approach.reach());
-        findNear(surface.mesh(), region, held, approach);
+    for (int round = 0; round < maxRounds; ++round) {
+        if (limits.inUse())
+            limits.extend(region, surface.mesh()); // copies joined the region in the round before
+        gather(surface, region, input.reach());
+        findNear(surface.mesh(), region, limits, input);
         if (m_mirror)
             keepToSeams(surface.mesh());
-        const std::uint64_t joined = joinNear(surface, region, approach.bounds);
+        const std::uint64_t joined = joinNear(surface, region, input.bounds);
         if (joined == 0)
             break;
         counts.fusions += joined;
@@ -57,7 +57,7 @@ FusionCounts Fuser::join(JudgedMesh& surface, Region& region, HeldBack& held, co
     return counts;
 }
 
-std::uint64_t Fuser::joinNear(JudgedMesh& surface, Region& region, const EdgeBounds& bounds)
+std::uint64_t TopologyFusion::joinNear(VerifiedMesh& surface, Region& region, const EdgeBounds& bounds)
 {
     std::ranges::sort(m_near, [](const Near& a, const Near& b) {
         return std::tie(a.isolated, a.distance2, a.p, a.q) < std::tie(b.isolated, b.distance2, b.p, b.q);
@@ -84,7 +84,7 @@ std::uint64_t Fuser::joinNear(JudgedMesh& surface, Region& region, const EdgeBou
 }
 
 /// Evenly, or else by what lies nearest. What is around is done with for this pass.
-bool Fuser::joinPair(JudgedMesh& surface, Region& region, const Near& near, const EdgeBounds& bounds)
+bool TopologyFusion::joinPair(VerifiedMesh& surface, Region& region, const Near& near, const EdgeBounds& bounds)
 {
     const Mesh& mesh = surface.mesh();
     bool hasFailed = false;
@@ -113,14 +113,14 @@ bool Fuser::joinPair(JudgedMesh& surface, Region& region, const Near& near, cons
     return false;
 }
 
-bool Fuser::isBesideTube(const Vec3& middle, double detail) const
+bool TopologyFusion::isBesideTube(const Vec3& middle, double detail) const
 {
     const double beside = tubeDistance * detail;
     return std::ranges::any_of(m_tubes,
                                [&](const Vec3& tube) { return (tube - middle).squaredNorm() < beside * beside; });
 }
 
-std::optional<Surgery> Fuser::joining(const JudgedMesh& surface, const Near& near, Stepping stepping)
+std::optional<Surgery> TopologyFusion::joining(const VerifiedMesh& surface, const Near& near, Stepping stepping)
 {
     const Mesh& mesh = surface.mesh();
     if (!m_mirror)
@@ -136,7 +136,7 @@ std::optional<Surgery> Fuser::joining(const JudgedMesh& surface, const Near& nea
 }
 
 /// With a mirror: together with its image.
-std::optional<Surgery> Fuser::completed(const JudgedMesh& surface, const std::optional<Surgery>& half)
+std::optional<Surgery> TopologyFusion::completed(const VerifiedMesh& surface, const std::optional<Surgery>& half)
 {
     if (!half || !m_mirror)
         return half;
@@ -145,7 +145,7 @@ std::optional<Surgery> Fuser::completed(const JudgedMesh& surface, const std::op
     return withImage(surface.mesh(), *m_mirror, *half);
 }
 
-void Fuser::countFailure(Slot v)
+void TopologyFusion::countFailure(Slot v)
 {
     const Slot i = m_failed.add(v);
     m_failures.resize(m_failed.size());
@@ -153,7 +153,7 @@ void Fuser::countFailure(Slot v)
 }
 
 /// Of what came, with the mirror.
-void Fuser::pairUp(const Mesh& mesh, const std::vector<Slot>& created)
+void TopologyFusion::pairUp(const Mesh& mesh, const std::vector<Slot>& created)
 {
     for (Slot v : created) {
         for (Slot w : created) {
@@ -165,13 +165,13 @@ void Fuser::pairUp(const Mesh& mesh, const std::vector<Slot>& created)
 
 /// Does the surgery if the mask lets it and it is sound, and returns the vertices that came. Those that went leave the region; copies join it
 /// in their original's place.
-std::optional<std::vector<Slot>> Fuser::operate(JudgedMesh& surface, Region& region, const Surgery& surgery)
+std::optional<std::vector<Slot>> TopologyFusion::operate(VerifiedMesh& surface, Region& region, const Surgery& surgery)
 {
     Mesh& mesh = surface.mesh();
     const std::vector<Slot> before = cornersOf(mesh, surgery.removed);
     const bool isMasked = std::ranges::any_of(before, [&](Slot v) { return mesh.isMasked(v); });
     std::vector<Slot> created;
-    if (isMasked || !surface.attempt([&] { created = mesh.replaceFaces(surgery); }))
+    if (isMasked || !surface.tryOperation([&] { created = mesh.replaceFaces(surgery); }))
         return std::nullopt;
     for (std::size_t i = 0; i < created.size(); ++i) {
         const Slot original = surgery.vertices[i].original;

@@ -21,7 +21,7 @@ struct FusionCounts
 };
 
 /// What a sub-step tells fusion about the motion that is to come.
-struct Approach
+struct FusionInput
 {
     bool pushes = false; ///< a wall whose two sides meet gets a hole
     EdgeBounds bounds;
@@ -29,9 +29,9 @@ struct Approach
     double reach() const; ///< surfaces farther apart do not join: d_thickness
 };
 
-/// Topology fusion (paper, section 3.4). Every operation is judged by itself; what is not sound is left undone. Owns scratch
+/// Topology fusion (paper, section 3.4). Every operation is verified by itself; what is not sound is left undone. Owns scratch
 /// memory.
-class Fuser
+class TopologyFusion
 {
 public:
     /// Forgets what could not be joined: a new dab tries again. With a mirror (or none: null) all that follows is done to the
@@ -48,28 +48,28 @@ public:
 
     /// Whether two of the faces may face each other: else there is nothing to join. Cheap, and never wrong when it says no.
     /// `faces`: all around the region.
-    static bool mayMeet(const Mesh& mesh, const Region& region, std::span<const Slot> faces);
+    static bool mayFuse(const Mesh& mesh, const Region& region, std::span<const Slot> faces);
 
     /// Whether the whole plan brings surfaces that are near each other into contact: seldom, even where some face each other. A guess, as
     /// what is far now may come near: no reason not to verify.
-    bool willMeet(const JudgedMesh& surface, const Region& region, const EdgeBounds& bounds);
+    bool predictContact(const VerifiedMesh& surface, const Region& region, const EdgeBounds& bounds);
 
     /// Joins what the motion of the region is about to bring into contact: surfaces that meet from outside become one, a wall
     /// that is pushed through gets a hole.
-    FusionCounts join(JudgedMesh& surface, Region& region, HeldBack& held, const Approach& approach);
+    FusionCounts join(VerifiedMesh& surface, Region& region, MotionLimits& limits, const FusionInput& input);
 
     /// Whether surfaces that join() may not join are about to meet at one of these vertices: without fusion any, with it the two
     /// sides of a wall that is not pushed, and what is masked.
-    bool isContact(const JudgedMesh& surface, const Region& region, const Approach& approach, bool fusion,
+    bool isContact(const VerifiedMesh& surface, const Region& region, const FusionInput& input, bool fusion,
                    const std::vector<Slot>& vertices);
 
     /// Cuts necks that have grown as thin as a triangle, and removes specks smaller than 2 of the brush's d. `blocked`: edges shorter than d
     /// that could not be collapsed.
-    FusionCounts separate(JudgedMesh& surface, Region& region, const std::vector<VertexPair>& blocked, const EdgeBounds& bounds);
+    FusionCounts separate(VerifiedMesh& surface, Region& region, const std::vector<VertexPair>& blocked, const EdgeBounds& bounds);
 
 private:
     /// Joins and cuts at one vertex that may turn out unsound in a dab before it is left alone.
-    static constexpr int mostFailures = 2;
+    static constexpr int maxFailures = 2;
 
     struct Near
     {
@@ -79,25 +79,25 @@ private:
         bool inside; ///< the two sides of a wall
     };
 
-    void gather(const JudgedMesh& surface, const Region& region, double reach);
-    void findNear(const Mesh& mesh, const Region& region, const HeldBack& held, const Approach& approach);
-    bool mayTry(Slot v) const { return !m_failed.contains(v) || m_failures[m_failed.position(v)] < mostFailures; }
+    void gather(const VerifiedMesh& surface, const Region& region, double reach);
+    void findNear(const Mesh& mesh, const Region& region, const MotionLimits& limits, const FusionInput& input);
+    bool mayTry(Slot v) const { return !m_failed.contains(v) || m_failures[m_failed.position(v)] < maxFailures; }
     void countFailure(Slot v);
     void findTurned(const Mesh& mesh, const Region& region);
-    bool willJoin(Slot i, Slot j, const Mesh& mesh, const Region& region, const HeldBack& held, const Approach& approach);
+    bool willJoin(Slot i, Slot j, const Mesh& mesh, const Region& region, const MotionLimits& limits, const FusionInput& input);
     bool isNamed(Slot v, Slot other);
     void keepToSeams(const Mesh& mesh);
-    bool joinPair(JudgedMesh& surface, Region& region, const Near& near, const EdgeBounds& bounds);
-    std::optional<Surgery> joining(const JudgedMesh& surface, const Near& near, Stepping stepping);
-    std::optional<Surgery> completed(const JudgedMesh& surface, const std::optional<Surgery>& half);
-    std::uint64_t joinNear(JudgedMesh& surface, Region& region, const EdgeBounds& bounds);
+    bool joinPair(VerifiedMesh& surface, Region& region, const Near& near, const EdgeBounds& bounds);
+    std::optional<Surgery> joining(const VerifiedMesh& surface, const Near& near, Stepping stepping);
+    std::optional<Surgery> completed(const VerifiedMesh& surface, const std::optional<Surgery>& half);
+    std::uint64_t joinNear(VerifiedMesh& surface, Region& region, const EdgeBounds& bounds);
     bool isBesideTube(const Vec3& middle, double detail) const;
-    std::optional<std::vector<Slot>> operate(JudgedMesh& surface, Region& region, const Surgery& surgery);
+    std::optional<std::vector<Slot>> operate(VerifiedMesh& surface, Region& region, const Surgery& surgery);
     void pairUp(const Mesh& mesh, const std::vector<Slot>& created);
     bool isOnPlane(const Mesh& mesh, const Triangle& cycle) const;
-    bool cut(JudgedMesh& surface, Region& region, const VertexPair& edge, const EdgeBounds& bounds);
-    void removeSpecks(JudgedMesh& surface, Region& region, const std::vector<Slot>& vertices, const EdgeBounds& bounds);
-    bool removeSpeck(JudgedMesh& surface, Region& region, Slot vertex, const EdgeBounds& bounds);
+    bool cut(VerifiedMesh& surface, Region& region, const VertexPair& edge, const EdgeBounds& bounds);
+    void removeSpecks(VerifiedMesh& surface, Region& region, const std::vector<Slot>& vertices, const EdgeBounds& bounds);
+    bool removeSpeck(VerifiedMesh& surface, Region& region, Slot vertex, const EdgeBounds& bounds);
 
     MirrorMap* m_mirror = nullptr;
     double m_detailShare = 1;

@@ -1,4 +1,4 @@
-// The first step of fuse.cpp: what the motion is about to bring into contact.
+// The first step of fusion.cpp: what the motion is about to bring into contact.
 //   gather     the vertices within d_thickness of the region
 //   near       pairs that are no neighbours, face each other, approach each other, and would meet in a sub-step
 // Two filters, as in Ginier's FreeStyle implementations: surfaces that meet from outside join whatever the tool; the two sides
@@ -45,7 +45,7 @@ Vec3 unit(const Vec3& v)
 }
 } // namespace
 
-bool Fuser::mayMeet(const Mesh& mesh, const Region& region, std::span<const Slot> faces)
+bool TopologyFusion::mayFuse(const Mesh& mesh, const Region& region, std::span<const Slot> faces)
 {
     std::vector<Vec3> normals(faces.size()); // exact, and so is their sum: the order of the faces does not matter
     std::vector<Vec3> sums(1 + chunksOf(faces.size(), facesPerChunk), Vec3::Zero());
@@ -63,21 +63,21 @@ bool Fuser::mayMeet(const Mesh& mesh, const Region& region, std::span<const Slot
     });
 }
 
-double Approach::reach() const
+double FusionInput::reach() const
 {
     return thicknessPerDetail * bounds.detail;
 }
 
-bool Fuser::willMeet(const JudgedMesh& surface, const Region& region, const EdgeBounds& bounds)
+bool TopologyFusion::predictContact(const VerifiedMesh& surface, const Region& region, const EdgeBounds& bounds)
 {
-    const Approach whole = {true, bounds, 1};
+    const FusionInput whole = {true, bounds, 1};
     gather(surface, region, whole.reach());
     findNear(surface.mesh(), region, {}, whole);
     return !m_near.empty();
 }
 
 /// The vertices of all faces that come within reach of the region's box.
-void Fuser::gather(const JudgedMesh& surface, const Region& region, double reach)
+void TopologyFusion::gather(const VerifiedMesh& surface, const Region& region, double reach)
 {
     const Mesh& mesh = surface.mesh();
     const Lattice& lattice = mesh.lattice();
@@ -106,13 +106,13 @@ void Fuser::gather(const JudgedMesh& surface, const Region& region, double reach
 }
 
 /// Vertices whose normals lie within one cone do not face each other: one of each pair has another normal.
-void Fuser::findNear(const Mesh& mesh, const Region& region, const HeldBack& held, const Approach& approach)
+void TopologyFusion::findNear(const Mesh& mesh, const Region& region, const MotionLimits& limits, const FusionInput& input)
 {
     m_near.clear();
     findTurned(mesh, region);
     if (m_turned.empty())
         return;
-    const double reach = approach.reach(), reach2 = reach * reach;
+    const double reach = input.reach(), reach2 = reach * reach;
     const ProximityGrid grid(m_points, reach);
     for (Slot turned : m_turned) {
         grid.forEachNear(m_points[turned], [&](Slot near) {
@@ -123,7 +123,7 @@ void Fuser::findNear(const Mesh& mesh, const Region& region, const HeldBack& hel
             const bool fromLower = region.contains(m_vertices.slots()[lower]);
             const Slot i = fromLower ? lower : upper, j = fromLower ? upper : lower;
             const Slot v = m_vertices.slots()[i], other = m_vertices.slots()[j];
-            if (!region.contains(v) || !isNamed(v, other) || !willJoin(i, j, mesh, region, held, approach))
+            if (!region.contains(v) || !isNamed(v, other) || !willJoin(i, j, mesh, region, limits, input))
                 return;
             m_near.push_back({!haveCommonNeighbour(mesh, v, other), distance2, std::min(v, other), std::max(v, other),
                               (m_points[j] - m_points[i]).dot(m_normals[i]) < 0});
@@ -132,7 +132,7 @@ void Fuser::findNear(const Mesh& mesh, const Region& region, const HeldBack& hel
 }
 
 /// Those that do not look the way that the region does on the whole.
-void Fuser::findTurned(const Mesh& mesh, const Region& region)
+void TopologyFusion::findTurned(const Mesh& mesh, const Region& region)
 {
     Vec3 sum = Vec3::Zero();
     for (Slot i = 0; i < m_points.size(); ++i) {
@@ -151,7 +151,7 @@ void Fuser::findTurned(const Mesh& mesh, const Region& region)
     }
 }
 
-bool Fuser::isContact(const JudgedMesh& surface, const Region& region, const Approach& approach, bool fusion,
+bool TopologyFusion::isContact(const VerifiedMesh& surface, const Region& region, const FusionInput& input, bool fusion,
                       const std::vector<Slot>& vertices)
 {
     SlotSet& at = m_done;
@@ -162,19 +162,19 @@ bool Fuser::isContact(const JudgedMesh& surface, const Region& region, const App
         if (const Slot named = m_mirror && !m_mirror->isInHalf(v) ? m_mirror->imageOf(v) : v; named != noSlot)
             at.add(named);
     }
-    Approach pushing = approach;
+    FusionInput pushing = input;
     pushing.pushes = true; // which meets the other side of a wall, too
-    gather(surface, region, approach.reach());
+    gather(surface, region, input.reach());
     findNear(surface.mesh(), region, {}, pushing);
     return std::ranges::any_of(m_near, [&](const Near& near) {
-        const bool mayJoin = fusion && (approach.pushes || !near.inside) && !surface.mesh().isMasked(near.p) && !surface.mesh().isMasked(near.q);
+        const bool mayJoin = fusion && (input.pushes || !near.inside) && !surface.mesh().isMasked(near.p) && !surface.mesh().isMasked(near.q);
         return !mayJoin && (at.contains(near.p) || at.contains(near.q));
     });
 }
 
 /// A patch that meets its own image does so everywhere at once. Where it has reached the plane it grows from there: a new tube
 /// beside that would leave a hole in between.
-void Fuser::keepToSeams(const Mesh& mesh)
+void TopologyFusion::keepToSeams(const Mesh& mesh)
 {
     const auto meetsImage = [&](const Near& near) {
         return !m_mirror->isInHalf(near.p) || !m_mirror->isInHalf(near.q);
@@ -204,13 +204,13 @@ void Fuser::keepToSeams(const Mesh& mesh)
 }
 
 /// In a mirror a vertex of the half may join another of it, or its own image.
-bool Fuser::isNamed(Slot v, Slot other)
+bool TopologyFusion::isNamed(Slot v, Slot other)
 {
     return !m_mirror || m_mirror->isInHalf(other) || m_mirror->imageOf(v) == other;
 }
 
-bool Fuser::willJoin(Slot i, Slot j, const Mesh& mesh, const Region& region, const HeldBack& held,
-                     const Approach& approach)
+bool TopologyFusion::willJoin(Slot i, Slot j, const Mesh& mesh, const Region& region, const MotionLimits& limits,
+                     const FusionInput& input)
 {
     const Slot v = m_vertices.slots()[i], other = m_vertices.slots()[j];
     const Vec3 &n = m_normals[i], &m = m_normals[j];
@@ -219,15 +219,15 @@ bool Fuser::willJoin(Slot i, Slot j, const Mesh& mesh, const Region& region, con
     const Vec3 between = m_points[j] - m_points[i];
     const double ahead = between.dot(n), back = -between.dot(m);
     const bool meetOutside = ahead > 0 && back > 0, meetInside = ahead < 0 && back < 0;
-    if (!meetOutside && !(meetInside && approach.pushes))
+    if (!meetOutside && !(meetInside && input.pushes))
         return false;
     const auto motion = [&](Slot w) -> Vec3 {
-        return region.contains(w) ? Vec3(approach.part * held.share(region, w) * region.plan(w)) : Vec3::Zero();
+        return region.contains(w) ? Vec3(input.part * limits.share(region, w) * region.plan(w)) : Vec3::Zero();
     };
     const bool isImage = m_mirror && !m_mirror->isInHalf(other);
     const Vec3 otherMotion = isImage ? m_mirror->imageOf(motion(v)) : motion(other);
     const Vec3 axis = unit(meetOutside ? n - m : m - n);
     const double gap = between.dot(axis), closing = (motion(v) - otherMotion).dot(axis);
-    return closing > 0 && (closingShare * gap <= closing || gap <= contactPerDetail * approach.bounds.detail);
+    return closing > 0 && (closingShare * gap <= closing || gap <= contactPerDetail * input.bounds.detail);
 }
 } // namespace core

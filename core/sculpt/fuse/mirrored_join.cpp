@@ -37,19 +37,19 @@ Slot projected(const Mesh& mesh, const MirrorMap& mirror, Slot v, Surgery& surge
 }
 
 /// A ring with no vertex on the plane is connected to its projection.
-void zipToPlane(const Mesh& mesh, const MirrorMap& mirror, Ring ring, Surgery& surgery)
+void stripToPlane(const Mesh& mesh, const MirrorMap& mirror, Ring ring, Surgery& surgery)
 {
     Ring onPlane;
     for (Slot r : ring)
         onPlane.push_back(projected(mesh, mirror, r, surgery));
     ring.push_back(ring.front());
     onPlane.push_back(onPlane.front());
-    Zip(ring, onPlane, surgery.faces).open();
+    RingStrip(ring, onPlane, surgery.faces).open();
 }
 
 /// An arc that starts and ends on the plane: its vertices next to the ends need no projection of their own, which might be
 /// where the end is.
-void zipArcToPlane(const Mesh& mesh, const MirrorMap& mirror, const Ring& arc, Surgery& surgery)
+void stripArcToPlane(const Mesh& mesh, const MirrorMap& mirror, const Ring& arc, Surgery& surgery)
 {
     if (arc.size() == 2)
         return; // an edge on the plane, that both stars leave behind
@@ -57,7 +57,7 @@ void zipArcToPlane(const Mesh& mesh, const MirrorMap& mirror, const Ring& arc, S
     for (std::size_t i = 2; i + 2 < arc.size(); ++i)
         onPlane.push_back(projected(mesh, mirror, arc[i], surgery));
     onPlane.push_back(arc.back());
-    Zip(arc, onPlane, surgery.faces).betweenCommonEnds();
+    RingStrip(arc, onPlane, surgery.faces).betweenCommonEnds();
 }
 } // namespace
 
@@ -74,9 +74,9 @@ std::optional<Surgery> joinAcross(const Mesh& mesh, const MirrorMap& mirror, Slo
         surgery.removed.push_back(mesh.face(h));
     });
     if (onPlane.empty())
-        zipToPlane(mesh, mirror, ring, surgery);
+        stripToPlane(mesh, mirror, ring, surgery);
     for (std::size_t i = 0; i < onPlane.size(); ++i)
-        zipArcToPlane(mesh, mirror, arc(ring, onPlane[i], onPlane[(i + 1) % onPlane.size()]), surgery);
+        stripArcToPlane(mesh, mirror, arc(ring, onPlane[i], onPlane[(i + 1) % onPlane.size()]), surgery);
     if (surgery.faces.empty())
         return std::nullopt;
     return surgery;
@@ -92,7 +92,7 @@ std::optional<Surgery> joinOnPlane(const Mesh& mesh, const MirrorMap& mirror, Sl
     const auto common = [&](Slot v) { return v == p || v == q || std::ranges::find(b, v) != b.end(); };
     if (a.size() < 2 || b.size() < 2 || std::ranges::any_of(a, common))
         return std::nullopt;
-    Zip(a, b, surgery.faces).open();
+    RingStrip(a, b, surgery.faces).open();
     return surgery;
 }
 

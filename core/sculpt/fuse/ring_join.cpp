@@ -2,7 +2,7 @@
 // implementations and El Topo's merging, Brochu and Bridson 2009):
 //   1. rings:      of p counter-clockwise, of q clockwise, seen from outside: they then run the same way
 //   2. arcs:       between successive common vertices, or both rings whole, started where they lie nearest
-//   3. zip:        each pair of arcs becomes a strip of triangles, evenly by Bresenham's error diffusion or by what lies nearest
+//   3. strip:        each pair of arcs becomes a strip of triangles, evenly by Bresenham's error diffusion or by what lies nearest
 //   4. umbrellas:  a vertex that is left with several gets a copy for each further one
 
 #include "core/sculpt/fuse/ring_join.h"
@@ -46,11 +46,11 @@ void alignEvenly(const Mesh& mesh, const Ring& a, Ring& b)
         return sum;
     };
     std::size_t best = 0;
-    double least = cost(0);
+    double minCost = cost(0);
     for (std::size_t start = 1; start < b.size(); ++start) {
         const double here = cost(start);
-        if (here < least) {
-            least = here;
+        if (here < minCost) {
+            minCost = here;
             best = start;
         }
     }
@@ -61,12 +61,12 @@ void alignEvenly(const Mesh& mesh, const Ring& a, Ring& b)
 void alignAtNearest(const Mesh& mesh, Ring& a, Ring& b)
 {
     std::size_t bestA = 0, bestB = 0;
-    double least = std::numeric_limits<double>::infinity();
+    double minCost = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < a.size(); ++i) {
         for (std::size_t j = 0; j < b.size(); ++j) {
             const double here = (mesh.point(a[i]).cast<double>() - mesh.point(b[j]).cast<double>()).squaredNorm();
-            if (here < least) {
-                least = here;
+            if (here < minCost) {
+                minCost = here;
                 bestA = i;
                 bestB = j;
             }
@@ -76,9 +76,9 @@ void alignAtNearest(const Mesh& mesh, Ring& a, Ring& b)
     std::ranges::rotate(b, b.begin() + static_cast<std::ptrdiff_t>(bestB));
 }
 
-Zip zipOf(const Mesh& mesh, Stepping stepping, const Ring& a, const Ring& b, std::vector<Triangle>& faces)
+RingStrip makeStrip(const Mesh& mesh, Stepping stepping, const Ring& a, const Ring& b, std::vector<Triangle>& faces)
 {
-    return stepping == Stepping::Nearest ? Zip(a, b, faces, mesh) : Zip(a, b, faces);
+    return stepping == Stepping::Nearest ? RingStrip(a, b, faces, mesh) : RingStrip(a, b, faces);
 }
 
 std::vector<std::size_t> commonPositions(const Ring& ring, const Ring& other)
@@ -92,7 +92,7 @@ std::vector<std::size_t> commonPositions(const Ring& ring, const Ring& other)
 }
 
 /// The strip between two rings with common vertices. False if these do not follow each other in the same order.
-bool zipArcs(const Mesh& mesh, Stepping stepping, const Ring& a, Ring b, std::vector<Triangle>& faces)
+bool stripArcs(const Mesh& mesh, Stepping stepping, const Ring& a, Ring b, std::vector<Triangle>& faces)
 {
     const std::vector<std::size_t> inA = commonPositions(a, b);
     std::ranges::rotate(b, std::ranges::find(b, a[inA[0]]));
@@ -104,12 +104,12 @@ bool zipArcs(const Mesh& mesh, Stepping stepping, const Ring& a, Ring b, std::ve
     for (std::size_t k = 0; k < inA.size(); ++k) {
         const std::size_t next = (k + 1) % inA.size();
         const Ring arcA = arc(a, inA[k], inA[next]), arcB = arc(b, inB[k], inB[next]);
-        zipOf(mesh, stepping, arcA, arcB, faces).betweenCommonEnds();
+        makeStrip(mesh, stepping, arcA, arcB, faces).betweenCommonEnds();
     }
     return true;
 }
 
-void zipWhole(const Mesh& mesh, Stepping stepping, Ring a, Ring b, std::vector<Triangle>& faces)
+void stripWhole(const Mesh& mesh, Stepping stepping, Ring a, Ring b, std::vector<Triangle>& faces)
 {
     if (stepping == Stepping::Nearest)
         alignAtNearest(mesh, a, b);
@@ -117,7 +117,7 @@ void zipWhole(const Mesh& mesh, Stepping stepping, Ring a, Ring b, std::vector<T
         alignEvenly(mesh, a, b);
     a.push_back(a.front());
     b.push_back(b.front());
-    zipOf(mesh, stepping, a, b, faces).open();
+    makeStrip(mesh, stepping, a, b, faces).open();
 }
 
 std::optional<Surgery> ifOk(const Mesh& mesh, Surgery surgery)
@@ -138,8 +138,8 @@ std::optional<Surgery> joinStars(const Mesh& mesh, Slot p, Slot q, Stepping step
     addStar(mesh, p, surgery.removed);
     addStar(mesh, q, surgery.removed);
     if (commonPositions(a, b).empty())
-        zipWhole(mesh, stepping, a, b, surgery.faces);
-    else if (!zipArcs(mesh, stepping, a, b, surgery.faces))
+        stripWhole(mesh, stepping, a, b, surgery.faces);
+    else if (!stripArcs(mesh, stepping, a, b, surgery.faces))
         return std::nullopt;
     if (surgery.faces.empty())
         return std::nullopt; // the two stars were all there was

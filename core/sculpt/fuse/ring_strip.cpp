@@ -12,7 +12,7 @@ Ring arc(const Ring& ring, std::size_t first, std::size_t last)
     }
 }
 
-void Zip::betweenCommonEnds()
+void RingStrip::betweenCommonEnds()
 {
     const std::size_t n = m_a.size() - 1, m = m_b.size() - 1;
     if (n == 1 && m == 1)
@@ -31,7 +31,7 @@ void Zip::betweenCommonEnds()
 }
 
 /// From (i, j) to (n, m). Evenly, the side goes on that has come less far, as a share of its length.
-void Zip::step(std::size_t i, std::size_t j, std::size_t n, std::size_t m)
+void RingStrip::step(std::size_t i, std::size_t j, std::size_t n, std::size_t m)
 {
     const std::size_t i0 = i, j0 = j;
     const auto aGoesOn = [&] { return m_mesh ? isNearer(i, j) : (i + 1 - i0) * (m - j0) <= (j + 1 - j0) * (n - i0); };
@@ -47,7 +47,7 @@ void Zip::step(std::size_t i, std::size_t j, std::size_t n, std::size_t m)
 }
 
 /// a's next vertex to where b is, than b's next to where a is.
-bool Zip::isNearer(std::size_t i, std::size_t j) const
+bool RingStrip::isNearer(std::size_t i, std::size_t j) const
 {
     const auto distance2 = [&](Slot v, Slot w) { return (m_mesh->point(v).cast<double>() - m_mesh->point(w).cast<double>()).squaredNorm(); };
     return distance2(m_a[i + 1], m_b[j]) <= distance2(m_b[j + 1], m_a[i]);

@@ -20,12 +20,12 @@ enum class Stepping {
 
 /// Connects two polylines that run the same way by a strip of triangles. With common ends the first and the last triangle close the
 /// gap there.
-class Zip
+class RingStrip
 {
 public:
-    Zip(const Ring& a, const Ring& b, std::vector<Triangle>& faces) : m_a(a), m_b(b), m_faces(faces) {}
+    RingStrip(const Ring& a, const Ring& b, std::vector<Triangle>& faces) : m_a(a), m_b(b), m_faces(faces) {}
     /// Stepping::Nearest, by where the mesh has the vertices.
-    Zip(const Ring& a, const Ring& b, std::vector<Triangle>& faces, const Mesh& mesh) : m_a(a), m_b(b), m_faces(faces), m_mesh(&mesh) {}
+    RingStrip(const Ring& a, const Ring& b, std::vector<Triangle>& faces, const Mesh& mesh) : m_a(a), m_b(b), m_faces(faces), m_mesh(&mesh) {}
 
     void open() { step(0, 0, m_a.size() - 1, m_b.size() - 1); }
     void betweenCommonEnds();

@@ -1,4 +1,4 @@
-// The last step of fuse.cpp, where an edge that is too short can no longer be collapsed: a neck three edges around is cut, a speck
+// The last step of fusion.cpp, where an edge that is too short can no longer be collapsed: a neck three edges around is cut, a speck
 // is removed.
 
 #include "core/sculpt/fuse/fusion.h"
@@ -18,7 +18,7 @@ constexpr double speckSize = 2, crumbSize = 4;
 constexpr std::size_t speckFaces = 64, fewFaces = 16;
 } // namespace
 
-FusionCounts Fuser::separate(JudgedMesh& surface, Region& region, const std::vector<VertexPair>& blocked,
+FusionCounts TopologyFusion::separate(VerifiedMesh& surface, Region& region, const std::vector<VertexPair>& blocked,
                              const EdgeBounds& bounds)
 {
     FusionCounts counts;
@@ -32,7 +32,7 @@ FusionCounts Fuser::separate(JudgedMesh& surface, Region& region, const std::vec
 }
 
 /// And no face around it reaches across.
-bool Fuser::isOnPlane(const Mesh& mesh, const Triangle& cycle) const
+bool TopologyFusion::isOnPlane(const Mesh& mesh, const Triangle& cycle) const
 {
     bool clear = true;
     for (Slot v : cycle) {
@@ -43,7 +43,7 @@ bool Fuser::isOnPlane(const Mesh& mesh, const Triangle& cycle) const
 }
 
 /// Through the shortest cycle of three edges that holds this one and is no face.
-bool Fuser::cut(JudgedMesh& surface, Region& region, const VertexPair& edge, const EdgeBounds& bounds)
+bool TopologyFusion::cut(VerifiedMesh& surface, Region& region, const VertexPair& edge, const EdgeBounds& bounds)
 {
     const Mesh& mesh = surface.mesh();
     const auto [a, b] = edge;
@@ -82,7 +82,7 @@ bool Fuser::cut(JudgedMesh& surface, Region& region, const VertexPair& edge, con
     return false;
 }
 
-void Fuser::removeSpecks(JudgedMesh& surface, Region& region, const std::vector<Slot>& vertices,
+void TopologyFusion::removeSpecks(VerifiedMesh& surface, Region& region, const std::vector<Slot>& vertices,
                          const EdgeBounds& bounds)
 {
     for (Slot v : vertices) {
@@ -92,7 +92,7 @@ void Fuser::removeSpecks(JudgedMesh& surface, Region& region, const std::vector<
 }
 
 /// The component of a vertex, if it is small and not all there is. (One that holds another is not sound to remove.)
-bool Fuser::removeSpeck(JudgedMesh& surface, Region& region, Slot vertex, const EdgeBounds& bounds)
+bool TopologyFusion::removeSpeck(VerifiedMesh& surface, Region& region, Slot vertex, const EdgeBounds& bounds)
 {
     const Mesh& mesh = surface.mesh();
     Surgery surgery;

@@ -11,7 +11,7 @@ namespace core
 namespace
 {
 /// The smallest angle that a collapse may make, unless there was a smaller one before: 5 degrees; more would block collapses
-/// that mend what surrounds them.
+/// that repair what surrounds them.
 constexpr double collapsedAngleSine = 0.0872;
 /// Where the shape is kept: a place this near to the planes around it, in d, lies on them; one this near will do if there is
 /// none, and so will one whose squared distance is little larger than the least.
@@ -53,8 +53,8 @@ std::size_t Remesher::keepShape(Slot h, Choices& choices) const
     for (Merged& merged : choices)
         merged.error = planeError(m_mesh, h, merged.point.cast<double>()) / m_minimum2;
     std::ranges::stable_sort(choices, {}, [](const Merged& merged) { return merged.error > onPlanes * onPlanes ? merged.error : 0; });
-    const double most = littleLarger * choices[0].error + nearPlanes * nearPlanes;
-    const auto end = std::ranges::find_if(choices, [&](const Merged& merged) { return merged.error > most; });
+    const double max = littleLarger * choices[0].error + nearPlanes * nearPlanes;
+    const auto end = std::ranges::find_if(choices, [&](const Merged& merged) { return merged.error > max; });
     return static_cast<std::size_t>(end - choices.begin());
 }
 

@@ -28,14 +28,14 @@ std::vector<Vec3> unitNormalsAround(const Mesh& mesh, Slot v)
     return normals;
 }
 
-double leastCosine(const std::vector<Vec3>& some, const std::vector<Vec3>& others)
+double minCosine(const std::vector<Vec3>& some, const std::vector<Vec3>& others)
 {
-    double least = 1;
+    double min = 1;
     for (const Vec3& a : some) {
         for (const Vec3& b : others)
-            least = std::min(least, a.dot(b));
+            min = std::min(min, a.dot(b));
     }
-    return least;
+    return min;
 }
 } // namespace
 
@@ -58,7 +58,7 @@ bool foldsUp(const Mesh& mesh, Slot h)
 {
     const std::vector<Vec3> around0 = unitNormalsAround(mesh, mesh.from(h)),
                             around1 = unitNormalsAround(mesh, mesh.to(h));
-    const double together = leastCosine(around0, around1);
-    return together < awayCosine && together < std::min(leastCosine(around0, around0), leastCosine(around1, around1));
+    const double together = minCosine(around0, around1);
+    return together < awayCosine && together < std::min(minCosine(around0, around0), minCosine(around1, around1));
 }
 } // namespace core

@@ -30,8 +30,8 @@ bool Remesher::shouldFlip(Slot e) const
     if (cotangents > -1e-3 || !m_mesh.mayGo(e) || n0.dot(n1) < flatCosine * area0 * area1)
         return false;
     const Vec3 m0 = (a - c).cross(d - c), m1 = (d - c).cross(b - c); // the new faces c,a,d and c,d,b
-    const double least = flatCosine * area0, length2 = (c - d).squaredNorm();
-    return m0.dot(n0) > least * m0.norm() && m1.dot(n0) > least * m1.norm() && length2 >= m_minimum2 &&
+    const double min = flatCosine * area0, length2 = (c - d).squaredNorm();
+    return m0.dot(n0) > min * m0.norm() && m1.dot(n0) > min * m1.norm() && length2 >= m_minimum2 &&
            length2 <= m_detail2 && m_mesh.isFlipOk(e);
 }
 

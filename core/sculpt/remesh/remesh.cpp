@@ -19,9 +19,9 @@ namespace core
 namespace
 {
 /// Operations per sub-step, by the region's vertices and in all: guards against endless work, not a tuning knob.
-constexpr std::uint64_t opsPerVertex = 64, leastOps = 4096, mostOps = 1 << 19;
+constexpr std::uint64_t opsPerVertex = 64, minOps = 4096, maxOps = 1 << 19;
 /// A step may turn a face by at most about 78 degrees (cos > 0.2: notes of El Topo's legality tests, Brochu 2009).
-constexpr double leastTurnCosine = 0.2;
+constexpr double minTurnCosine = 0.2;
 /// The smallest angle that relaxation may make, unless there was a smaller one before: 20 degrees, the least that a dab should
 /// leave.
 constexpr double relaxedAngleSine = 0.342;
@@ -50,7 +50,7 @@ Shape shapeOf(const Vec3& a, const Vec3& b, const Vec3& c)
 Remesher::Remesher(MeshEditor& edit, Region& region, const EdgeBounds& bounds, bool keepsShape)
     : m_edit(edit), m_mesh(edit.mesh()), m_region(region), m_detail2(bounds.detail * bounds.detail),
       m_minimum2(bounds.minimum * bounds.minimum),
-      m_opsLeft(std::min(mostOps, leastOps + opsPerVertex * region.size())), m_changed(region.remeshed()),
+      m_opsLeft(std::min(maxOps, minOps + opsPerVertex * region.size())), m_changed(region.remeshed()),
       m_keepsShape(keepsShape)
 {
     m_changed.clear();
@@ -85,7 +85,7 @@ bool Remesher::staysSound(Slot v, Slot ignored, const Vec3& target, const Limits
         const Shape before = shapeOf(p, pb, pc), after = shapeOf(target, pb, pc);
         const double turn = before.normal.dot(after.normal);
         const double before2 = (p - pb).squaredNorm(), after2 = (target - pb).squaredNorm();
-        if (turn <= 0 || turn * turn <= leastTurnCosine * leastTurnCosine * before.area2 * after.area2 ||
+        if (turn <= 0 || turn * turn <= minTurnCosine * minTurnCosine * before.area2 * after.area2 ||
             after.smallestSine2 < std::min(limits.angleSine * limits.angleSine, limits.keptSliver2 * before.smallestSine2) ||
             after2 > std::max(m_detail2, before2) || after2 < std::min(limits.shortest2, before2))
             sound = false;

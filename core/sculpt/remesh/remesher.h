@@ -16,8 +16,8 @@ struct RemeshEdge
     Slot edge;
 };
 
-/// What the steps of remesh.h's functions share: steps 0 and 1 stand in remesh_split.cpp, 2 in remesh_collapse.cpp, 3 in
-/// remesh_flip.cpp. For these only.
+/// What the steps of remesh.h's functions share: steps 0 and 1 stand in split.cpp, 2 in collapse.cpp, 3 in
+/// flip.cpp. For these only.
 class Remesher
 {
 public:

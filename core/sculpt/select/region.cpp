@@ -70,9 +70,9 @@ std::vector<Slot> withNeighbours(Region& region, const Mesh& mesh, std::span<con
         around.add(v);
         mesh.forEachOutgoing(v, [&](Slot h) { around.add(mesh.to(h)); });
     }
-    std::vector<Slot> held;
-    std::ranges::copy_if(around.slots(), std::back_inserter(held), [&](Slot v) { return region.contains(v); });
-    return held;
+    std::vector<Slot> present;
+    std::ranges::copy_if(around.slots(), std::back_inserter(present), [&](Slot v) { return region.contains(v); });
+    return present;
 }
 
 void selectSphere(Region& region, std::vector<Slot>& candidates, const Mesh& mesh, const FaceOctree& octree,
@@ -115,7 +115,7 @@ Slot faceUnder(const Vec3& center, const std::vector<Slot>& candidates, const Me
 }
 } // namespace
 
-void selectGeodesic(Region& region, std::vector<Slot>& candidates, const Mesh& mesh, const Sphere& ball, Slot most)
+void selectGeodesic(Region& region, std::vector<Slot>& candidates, const Mesh& mesh, const Sphere& ball, Slot max)
 {
     const Slot face = faceUnder(ball.center, candidates, mesh);
     using Reached = std::pair<double, Slot>; // equal distances: the lower slot first
@@ -135,7 +135,7 @@ void selectGeodesic(Region& region, std::vector<Slot>& candidates, const Mesh& m
         front.pop();
         if (done.contains(v))
             continue;
-        if (selected.size() == most) {
+        if (selected.size() == max) {
             selected.clear();
             break;
         }

@@ -35,7 +35,7 @@ public:
     const Vec3& plan(Slot v) const { return m_plan[m_index.position(v)]; }
     void setPlan(Slot v, const Vec3& plan) { m_plan[m_index.position(v)] = plan; }
 
-    /// What a tool has to know of a vertex besides: Layer how far the stroke has raised it, a tool that holds on the distance from the
+    /// What a tool has to know of a vertex besides: Layer how far the stroke has raised it, a tool that keeps its selection the distance from the
     /// image of where it took hold.
     double carried(Slot v) const { return m_carried[m_index.position(v)]; }
     void setCarried(Slot v, double carried) { m_carried[m_index.position(v)] = carried; }
@@ -87,5 +87,5 @@ void selectSphere(Region& region, std::vector<Slot>& candidates, const Mesh& mes
 /// radius, by Dijkstra over the graph of edges inside the ball, from the three corners of the face that holds the point: one
 /// of `candidates`, which then become the faces reached. Ascending by slot. A path along edges is never shorter than the true geodesic, and on even meshes up to 15 % longer.
 /// `most`: of more vertices none is selected, and the search ends there.
-void selectGeodesic(Region& region, std::vector<Slot>& candidates, const Mesh& mesh, const Sphere& ball, Slot most = noSlot);
+void selectGeodesic(Region& region, std::vector<Slot>& candidates, const Mesh& mesh, const Sphere& ball, Slot max = noSlot);
 } // namespace core

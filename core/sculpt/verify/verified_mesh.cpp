@@ -4,13 +4,13 @@
 
 namespace core
 {
-bool JudgedMesh::judge(const Mesh::Mark& mark)
+bool VerifiedMesh::verify(const Mesh::Mark& mark)
 {
     const PhaseTimer timer(m_verifyMs);
     const TouchedSlots touched = m_mesh.touchedSince(mark);
     if (!isSound(touched))
         return false;
-    m_mostDirtyFaces = std::max(m_mostDirtyFaces, static_cast<Slot>(m_verifier.dirtyFaces().size()));
+    m_maxDirtyFaces = std::max(m_maxDirtyFaces, static_cast<Slot>(m_verifier.dirtyFaces().size()));
     m_mesh.commit(mark);
     m_octree.removeDead(m_mesh, touched.faces);
     m_octree.place(m_verifier.dirtyFaces(), m_verifier.dirtyBoxes());
@@ -18,7 +18,7 @@ bool JudgedMesh::judge(const Mesh::Mark& mark)
     return true;
 }
 
-bool JudgedMesh::mayBeSound(std::span<const Slot> vertices)
+bool VerifiedMesh::recheck(std::span<const Slot> vertices)
 {
     const PhaseTimer timer(m_verifyMs);
     if (!m_verification)
@@ -30,7 +30,7 @@ bool JudgedMesh::mayBeSound(std::span<const Slot> vertices)
     return false;
 }
 
-bool JudgedMesh::isSound(const TouchedSlots& touched)
+bool VerifiedMesh::isSound(const TouchedSlots& touched)
 {
     if (!m_verification) {
         m_verifier.collectDirty(m_mesh, touched);
@@ -45,24 +45,24 @@ bool JudgedMesh::isSound(const TouchedSlots& touched)
     return true;
 }
 
-bool JudgedMesh::attempt(const std::function<void()>& operation)
+bool VerifiedMesh::tryOperation(const std::function<void()>& operation)
 {
     const Mesh::Mark mark = m_mesh.mark();
     operation();
-    if (judge(mark))
+    if (verify(mark))
         return true;
     m_mesh.rollback(mark);
     return false;
 }
 
-void JudgedMesh::commitUnjudged(const Mesh::Mark& mark)
+void VerifiedMesh::commitUnverified(const Mesh::Mark& mark)
 {
     const TouchedSlots touched = m_mesh.touchedSince(mark);
     m_mesh.commit(mark);
     m_dirtySlots.add(m_mesh, touched, {});
 }
 
-void JudgedMesh::follow(const MeshDelta& swapped)
+void VerifiedMesh::follow(const MeshDelta& swapped)
 {
     if (swapped.frame.lattice != m_mesh.lattice())
         m_octree = FaceOctree(m_mesh);

@@ -128,11 +128,11 @@ void Verifier::gather(const Mesh& mesh, const FaceOctree& octree, const TouchedS
     for (const TouchedSlots::Place& place : touched.before)
         all.extend(mesh.lattice().toLattice(place.point));
     std::vector<LatticeBox> parts;
-    if (axisApart(dirtyBoxes(), all) == 3) { // nearly always
+    if (separatingAxis(dirtyBoxes(), all) == 3) { // nearly always
         parts.push_back(all);
     } else {
         std::vector<LatticeBox> boxes = boxesOf(mesh, touched); // none, of faces that have come and gone
-        addParts(boxes, parts);
+        addClusters(boxes, parts);
     }
     for (const LatticeBox& part : parts) {
         for (Slot f : facesIn(mesh, octree, part))
@@ -355,7 +355,7 @@ bool Verifier::meetBadly(Slot i, Slot j) const
         if (shared && m_stars.contains(v) && m_starCertified[m_stars.position(v)])
             return false;
     }
-    return trianglesMeet<LatticePredicates>({s.corners, s.points}, {t.corners, t.points});
+    return trianglesIntersect<LatticePredicates>({s.corners, s.points}, {t.corners, t.points});
 }
 
 /// A shell wholly inside a box of the change may have been turned over, swallowed or let out without any two faces meeting now.
@@ -364,7 +364,7 @@ void Verifier::checkNesting(const Mesh& mesh, const FaceOctree& octree)
     for (Slot component = 0; component < m_components.size(); ++component) {
         if (!m_components[component].isClosed)
             continue;
-        ShellProbe probe;
+        ShellOrientation probe;
         for (Slot i = 0; i < m_gathered.size(); ++i) {
             if (m_component[i] == component)
                 probe.addFace(m_shapes[i].points);
@@ -382,7 +382,7 @@ void Verifier::checkNesting(const Mesh& mesh, const FaceOctree& octree)
             if (m_component[i] != component)
                 probe.castAt(m_shapes[i].points);
         }
-        if (probe.facesRightly())
+        if (probe.isCorrectlyOriented())
             continue;
         for (Slot i = 0; i < m_gathered.size(); ++i) {
             if (m_component[i] == component)

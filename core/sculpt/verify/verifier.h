@@ -40,7 +40,7 @@ public:
     /// Their boxes, in their order.
     std::span<const LatticeBox> dirtyBoxes() const { return std::span(m_boxes).first(m_dirtyCount); }
     /// By the last verify() or collectDirty(): those that changed, and all near them.
-    Slot facesLookedAt() const { return static_cast<Slot>(m_gathered.size()); }
+    Slot facesVisited() const { return static_cast<Slot>(m_gathered.size()); }
 
 private:
     void gather(const Mesh& mesh, const FaceOctree& octree, const TouchedSlots& touched);

@@ -71,7 +71,7 @@ private Q_SLOTS:
             const ui::Classroom written{QStringLiteral("a = b # c"),
                                         folder.filePath(QStringLiteral("Ä, b; %20 \"x\"")),
                                         {core::Starter::Torus},
-                                        {core::Tool::Snake},
+                                        {core::Tool::SnakeHook},
                                         turn,
                                         turn / 2,
                                         turn == 0,

@@ -3,7 +3,7 @@
 #include "tests/support/shapes.h"
 
 #include "core/io/mesh_io.h"
-#include "core/operations/primitives.h"
+#include "core/operations/starter_models.h"
 #include "ui/util/number_format.h"
 
 #include <QAction>
@@ -65,7 +65,7 @@ std::string longName()
 core::WriteOptions with(const core::WorkDone& work)
 {
     core::WriteOptions options;
-    options.notes.work = work;
+    options.metadata.work = work;
     return options;
 }
 
@@ -244,12 +244,12 @@ void TestClassReport::stopped_writesNothing()
     const QStringList before = left();
     std::stop_source stop;
     double reached = 0;
-    const core::JobWatch watch{stop.get_token(), [&](double share) {
+    const core::JobControl control{stop.get_token(), [&](double share) {
                                    reached = share;
                                    if (share > 0.3)
                                        stop.request_stop();
                                }};
-    QVERIFY_THROWS_EXCEPTION(core::ReadingStopped, ReportMaker::run({at("class"), at("stopped.html")}, watch));
+    QVERIFY_THROWS_EXCEPTION(core::ReadingCancelled, ReportMaker::run({at("class"), at("stopped.html")}, control));
     QVERIFY(reached > 0.3 && reached < 0.5);
     QCOMPARE(left(), before);
 }

@@ -4,7 +4,7 @@
 #include "tests/support/unwritable_places.h"
 
 #include "core/mesh/mesh_builder.h"
-#include "core/operations/primitives.h"
+#include "core/operations/starter_models.h"
 
 #include <QDir>
 #include <QImage>
@@ -25,7 +25,7 @@ TurnWork workOf(const QString& pupil, core::Starter starter = core::Starter::Tor
     const LoadedModel model = ModelLoader::starter(starter);
     TurnWork work{QString::number(++count), pupil, morning, morning.addSecs(600), 1, nullptr, model.sculptor->mesh().meshHash(), {}, {}};
     work.mesh = std::make_shared<core::TriangleMesh>(core::extractMesh(model.sculptor->mesh()));
-    work.notes.frame = model.sculptor->mesh().frame();
+    work.metadata.frame = model.sculptor->mesh().frame();
     core::Stroke stroke;
     stroke.settings.radius = 12;
     stroke.samples.emplace_back().position = {0, 50, 0};

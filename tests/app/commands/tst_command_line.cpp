@@ -449,7 +449,7 @@ void TestCommandLine::check_tableOfLongNames()
 void TestCommandLine::check_workOfGlbFiles()
 {
     core::WriteOptions noted;
-    noted.notes.work = core::WorkDone{12, 34.6};
+    noted.metadata.work = core::WorkDone{12, 34.6};
     core::writeMesh(at("a.glb").toStdString(), core::icosphere(1, 10), noted);
     core::writeMesh(at("b.glb").toStdString(), core::icosphere(1, 10));
     const QJsonObject known = fettle({QStringLiteral("check"), QStringLiteral("--json"), at("a.glb")}).json();

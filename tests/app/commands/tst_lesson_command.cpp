@@ -1,6 +1,6 @@
 // `fettle lesson` as a teacher's script has it.
 #include "core/io/mesh_io.h"
-#include "core/operations/primitives.h"
+#include "core/operations/starter_models.h"
 
 #include <QDir>
 #include <QFile>

@@ -3,7 +3,7 @@
 #include "core/io/mesh_io.h"
 #include "core/operations/model_command.h"
 #include "core/sculpt/sculptor.h"
-#include "core/operations/primitives.h"
+#include "core/operations/starter_models.h"
 #include "tests/support/solid_asserts.h"
 
 #include <nlohmann/json.hpp>
@@ -137,7 +137,7 @@ void TestReplayCommand::commands_doWhatTheyDoInCore_data()
     row({{"command", "mirror"}, {"plane", "x"}}, core::Mirror{0});
     row({{"command", "recentre"}}, core::Recentre{});
     row({{"command", "fill"}, {"color", {1, 2, 3}}}, core::Fill{{1, 2, 3}});
-    row({{"command", "mask"}, {"how", "cavity"}}, core::ChangeMask{core::ChangeMask::How::Cavity});
+    row({{"command", "mask"}, {"how", "cavity"}}, core::MaskOperation{core::MaskOperation::Kind::Cavity});
     row({{"command", "remesh"}, {"detail_length", 0.2}}, core::RemeshUniformly{0.2});
     row({{"command", "symmetrize"}, {"plane", "x"}, {"keep", "negative"}}, core::Symmetrize{core::Symmetry::X, core::Half::Negative});
     row({{"command", "reset"}}, core::Reset{});
@@ -153,7 +153,7 @@ void TestReplayCommand::commands_doWhatTheyDoInCore()
     if (auto* const reset = std::get_if<core::Reset>(&command))
         reset->start = model.start;
     sculpt(*sculptor);
-    core::ModelChange change = core::tryOn(sculptor->mesh(), command);
+    core::ModelChange change = core::applyToCopy(sculptor->mesh(), command);
     QVERIFY(change.changes);
     sculptor->swap(change.delta);
     sculpt(*sculptor);

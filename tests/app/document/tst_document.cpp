@@ -296,7 +296,7 @@ void TestDocument::work_isCountedAndSaved()
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("a.glb"));
     Session session;
-    const auto strokes = [&session] { return session.document.facts().notes.work.value_or(core::WorkDone{99, 0}).strokes; };
+    const auto strokes = [&session] { return session.document.facts().metadata.work.value_or(core::WorkDone{99, 0}).strokes; };
     QCOMPARE(strokes(), 0U);
     for (int i = 0; i < 3; ++i)
         session.stroke({50, 0, 0});
@@ -304,11 +304,11 @@ void TestDocument::work_isCountedAndSaved()
     session.stroke({500, 0, 0});
     session.wait();
     QCOMPARE(strokes(), 3U);
-    const double seconds = session.document.facts().notes.work->seconds;
+    const double seconds = session.document.facts().metadata.work->seconds;
     QVERIFY(seconds > 0);
     session.document.save(path);
     session.wait();
-    QVERIFY(core::readNotes(path.toStdString()).work == (core::WorkDone{3, seconds}));
+    QVERIFY(core::readMetadata(path.toStdString()).work == (core::WorkDone{3, seconds}));
 
     session.document.openSphere();
     session.wait();
@@ -319,7 +319,7 @@ void TestDocument::work_isCountedAndSaved()
     session.stroke({50, 0, 0});
     session.wait();
     QCOMPARE(strokes(), 4U);
-    QCOMPARE(session.document.facts().notes.work->seconds, seconds); // the time between the sittings is none
+    QCOMPARE(session.document.facts().metadata.work->seconds, seconds); // the time between the sittings is none
 }
 
 void TestDocument::jumps_goThere()

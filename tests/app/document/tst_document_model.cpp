@@ -196,7 +196,7 @@ void TestDocumentModel::brush_ofALargeModelHasFewerTriangles()
     QVERIFY2(kept.problem.isEmpty(), qPrintable(kept.problem));
     const auto brush = ui::readBrushModel(kept.path);
     QVERIFY2(brush.what, qPrintable(brush.problem));
-    QVERIFY(brush.what->surface().triangles.size() <= core::BrushModel::mostFaces);
+    QVERIFY(brush.what->surface().triangles.size() <= core::BrushModel::maxFaces);
     QCOMPARE(QFileInfo(kept.path).fileName(), QStringLiteral("large.glb"));
 }
 

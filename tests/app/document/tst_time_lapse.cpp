@@ -75,11 +75,11 @@ struct Studio
         TimeLapseOrder order{folder, every, core::viewOf({core::Vec3::Constant(-60), core::Vec3::Constant(60)}, 96, 54)};
         const bool began = program.document.lookBack(
             QStringLiteral("Drawing"),
-            [&](const ModelPast& past, core::JobWatch watch) {
+            [&](const ModelPast& past, core::JobControl control) {
                 std::stop_source stop;
                 if (stops)
-                    watch = {stop.get_token(), [&stop](double) { stop.request_stop(); }};
-                outcome = TimeLapse::run(order, past, watch);
+                    control = {stop.get_token(), [&stop](double) { stop.request_stop(); }};
+                outcome = TimeLapse::run(order, past, control);
             },
             [&isDone] { isDone = true; });
         [&] { QTRY_VERIFY_WITH_TIMEOUT(began && isDone, longestWait); }();
@@ -232,7 +232,7 @@ void TestTimeLapse::handsRestMeanwhile()
     std::atomic<bool> mayGoOn = false;
     QVERIFY(s.program.document.lookBack(
         QStringLiteral("Drawing"),
-        [&](const ModelPast&, const core::JobWatch&) {
+        [&](const ModelPast&, const core::JobControl&) {
             while (!mayGoOn)
                 std::this_thread::yield();
         },

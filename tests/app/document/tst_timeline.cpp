@@ -248,7 +248,7 @@ void TestTimeline::edit_isAsIfTheStrokeHadBeenDoneSo()
     const std::uint64_t before = desk.state();
     desk.stroke(stroke);
     QCOMPARE(desk.count(), 2);
-    const quint64 strokes = desk.program.document.facts().notes.work->strokes;
+    const quint64 strokes = desk.program.document.facts().metadata.work->strokes;
     desk.beginEdit();
     if (brush.tool != stroke.settings.tool)
         desk.choose(brush.tool);
@@ -258,7 +258,7 @@ void TestTimeline::edit_isAsIfTheStrokeHadBeenDoneSo()
     const std::uint64_t edited = desk.state();
     QCOMPARE(desk.count(), 2);
     QCOMPARE(desk.index(), 2);
-    QCOMPARE(desk.program.document.facts().notes.work->strokes, strokes); // it was one, and is one
+    QCOMPARE(desk.program.document.facts().metadata.work->strokes, strokes); // it was one, and is one
     desk.program.document.undo();
     QCOMPARE(desk.state(), before);
     desk.program.document.redo();
@@ -468,7 +468,7 @@ void TestTimeline::edit_survivesTheProgram()
     const std::uint64_t was = desk.state();
     const auto recovered = [&] {
         desk.program.document.journal()->drain();
-        return core::replayJournal(desk.program.document.journal()->folder());
+        return core::recoverJournal(desk.program.document.journal()->folder());
     };
     const auto isRight = [&](std::uint64_t now) {
         auto found = recovered();

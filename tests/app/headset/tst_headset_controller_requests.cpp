@@ -292,7 +292,7 @@ void TestHeadsetWishes::open_whileBusy()
     visit.port->wish(vr::OpenModel{at("vase.glb")});
     visit.port->wish(vr::SaveModel());
     visit.port->wish(vr::RestoreModel());
-    visit.port->wish(core::ChangeMask{});
+    visit.port->wish(core::MaskOperation{});
     QVERIFY(visit.program.document.isBusy());
     const QSignalSpy noticed(&visit.desk, &HeadsetDesk::noticed);
     QTRY_COMPARE_WITH_TIMEOUT(noticed.size(), 4, 60'000);
@@ -341,19 +341,19 @@ void TestHeadsetWishes::restore_isUndoable()
 /// Each a step; that there is nothing to clear is told in the headset, too.
 void TestHeadsetWishes::mask_isInvertedAndCleared()
 {
-    using How = core::ChangeMask::How;
+    using How = core::MaskOperation::Kind;
     Visit visit(at("vase.glb"));
     QCOMPARE(visit.masked(), std::size_t(0));
-    visit.wish(core::ChangeMask{How::Invert});
+    visit.wish(core::MaskOperation{How::Invert});
     QCOMPARE(visit.masked(), std::size_t(visit.program.document.facts().vertices));
-    visit.wish(core::ChangeMask{How::Clear});
+    visit.wish(core::MaskOperation{How::Clear});
     QCOMPARE(visit.masked(), std::size_t(0));
     QCOMPARE(visit.program.document.undoStack().count(), 2);
     visit.wish(vr::Undo());
     QCOMPARE(visit.masked(), std::size_t(visit.program.document.facts().vertices));
     visit.wish(vr::Undo());
     const quint64 notices = visit.news().noticeCount;
-    visit.wish(core::ChangeMask{How::Clear});
+    visit.wish(core::MaskOperation{How::Clear});
     QTRY_VERIFY(visit.news().noticeCount > notices && !visit.news().notice.isEmpty());
     QCOMPARE(visit.program.document.undoStack().index(), 0);
 }

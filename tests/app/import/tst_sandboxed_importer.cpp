@@ -93,7 +93,7 @@ private Q_SLOTS:
     {
         QVERIFY(m_dir.isValid());
         app::installForeignReader(); // of this test, which is no such program
-        core::setForeignReader(app::foreignReaderBy(FETTLE_PROGRAM));
+        core::setExternalReader(app::foreignReaderBy(FETTLE_PROGRAM));
     }
 
     void endings_areAssimps();
@@ -149,12 +149,12 @@ private:
 void TestForeignReader::endings_areAssimps()
 {
     const Assimp::Importer importer;
-    for (const std::string_view ending : core::foreignReader().endings) {
+    for (const std::string_view ending : core::externalReader().endings) {
         QVERIFY2(importer.IsExtensionSupported("." + std::string(ending)), ending.data());
         QVERIFY2(!core::meshFormatOf("a." + std::string(ending)), ending.data());
         QVERIFY(!core::isWritten("a." + std::string(ending)));
     }
-    QCOMPARE(core::readEndings().size(), core::meshEndings().size() + core::foreignReader().endings.size());
+    QCOMPARE(core::readEndings().size(), core::meshEndings().size() + core::externalReader().endings.size());
 }
 
 void TestForeignReader::formats_areRead_data()
@@ -261,15 +261,15 @@ void TestForeignReader::whoStops_waitsForNobody()
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
         source.request_stop();
     });
-    QVERIFY_THROWS_EXCEPTION(core::ReadingStopped, reader.read(file(QStringLiteral("a.fbx")), source.get_token()));
+    QVERIFY_THROWS_EXCEPTION(core::ReadingCancelled, reader.read(file(QStringLiteral("a.fbx")), source.get_token()));
 }
 
 void TestForeignReader::slowReaders_areEnded()
 {
-    const app::ChildAnswer answer = app::runChild({.command = {script("echo begun; exec sleep 3600")}, .time = std::chrono::seconds(1), .mostBytes = 100});
+    const app::ChildAnswer answer = app::runChild({.command = {script("echo begun; exec sleep 3600")}, .time = std::chrono::seconds(1), .maxBytes = 100});
     QCOMPARE(static_cast<int>(answer.end), static_cast<int>(app::ChildAnswer::End::TooSlow));
     QCOMPARE(answer.bytes, std::string("begun\n"));
-    const app::ChildAnswer silent = app::runChild({.command = {script("exec >&-; exec sleep 3600")}, .time = std::chrono::seconds(60), .mostBytes = 1});
+    const app::ChildAnswer silent = app::runChild({.command = {script("exec >&-; exec sleep 3600")}, .time = std::chrono::seconds(60), .maxBytes = 1});
     QVERIFY(silent.end != app::ChildAnswer::End::Exited); // it has closed its output, and still does not go
 }
 

@@ -77,12 +77,12 @@ void showStep(Program& program)
 
 std::uint64_t teachersHash(const char* name, std::size_t steps)
 {
-    core::LessonStage stage(std::make_shared<const core::Lesson>(core::readLesson(shelf / name)), shelf);
+    core::LessonPlayback playback(std::make_shared<const core::Lesson>(core::readLesson(shelf / name)), shelf);
     for (std::size_t i = 0; i < steps; ++i) {
-        stage.goTo(i);
-        stage.finish();
+        playback.goTo(i);
+        playback.finish();
     }
-    return stage.mesh().meshHash();
+    return playback.mesh().meshHash();
 }
 } // namespace
 
@@ -183,7 +183,7 @@ private Q_SLOTS:
         lesson.files["start.stl"] = bytes.str();
         lesson.start = "start.stl";
         core::writeLesson(path.toStdString(), lesson);
-        core::LessonStage stage(std::make_shared<const core::Lesson>(core::readLesson(path.toStdString())), path.toStdString());
+        core::LessonPlayback playback(std::make_shared<const core::Lesson>(core::readLesson(path.toStdString())), path.toStdString());
 
         Program program;
         begin(program, QStringLiteral("First clay: a pear"));
@@ -192,10 +192,10 @@ private Q_SLOTS:
         answerQuestion(program, QMessageBox::Discard);
         QTRY_COMPARE_WITH_TIMEOUT(program.document.undoStack().count(), 0, 60'000);
         QTRY_VERIFY_WITH_TIMEOUT(!program.document.isBusy(), 60'000);
-        QCOMPARE(hashOf(program), stage.mesh().meshHash());
-        stage.finish();
+        QCOMPARE(hashOf(program), playback.mesh().meshHash());
+        playback.finish();
         showStep(program);
-        QCOMPARE(hashOf(program), stage.mesh().meshHash());
+        QCOMPARE(hashOf(program), playback.mesh().meshHash());
     }
 
     void startPage_opensALesson()

@@ -140,12 +140,12 @@ QMessageBox* question(Program& program, const char* name)
 
 std::uint64_t playedHash(const QString& path)
 {
-    core::LessonStage stage(std::make_shared<const core::Lesson>(core::readLesson(toPath(path))), toPath(path));
-    stage.goTo(stage.lesson().steps.size() - 1);
-    stage.finish();
-    if (!core::checkMesh(core::extractMesh(stage.mesh())).printReady())
+    core::LessonPlayback playback(std::make_shared<const core::Lesson>(core::readLesson(toPath(path))), toPath(path));
+    playback.goTo(playback.lesson().steps.size() - 1);
+    playback.finish();
+    if (!core::checkMesh(core::extractMesh(playback.mesh())).printReady())
         return 0;
-    return stage.mesh().meshHash();
+    return playback.mesh().meshHash();
 }
 
 void edit(Program& program, const char* lesson)

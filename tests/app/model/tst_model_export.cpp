@@ -150,8 +150,8 @@ void TestModelExport::damagedFile_isFound()
 void TestModelExport::stoppedInTime_writesNothing()
 {
     std::stop_source stop;
-    const core::JobWatch watch{stop.get_token(), [&](double) { stop.request_stop(); }};
-    const ExportOutcome outcome = ModelExport::run({path("stopped.stl"), 200, false, {}, ball(20)}, quiet, watch);
+    const core::JobControl control{stop.get_token(), [&](double) { stop.request_stop(); }};
+    const ExportOutcome outcome = ModelExport::run({path("stopped.stl"), 200, false, {}, ball(20)}, quiet, control);
     QVERIFY(outcome.problem.isEmpty() && outcome.verdict.isEmpty());
     QVERIFY(!QFile::exists(path("stopped.stl")));
 }
@@ -291,11 +291,11 @@ void TestModelExport::fewerTriangles_carryNoNotes()
     program.document.exportTo(m_folder.filePath(name), most);
     QTRY_COMPARE(exported.size(), 1);
     const std::filesystem::path file = m_folder.filePath(name).toStdString();
-    const core::DocumentNotes notes = core::readNotes(file);
-    QCOMPARE(notes.frame.has_value(), carries);
-    QCOMPARE(notes.view.has_value(), carries);
-    QCOMPARE(notes.brush.has_value(), carries);
-    QCOMPARE(!notes.palette.empty(), carries);
+    const core::DocumentMetadata metadata = core::readMetadata(file);
+    QCOMPARE(metadata.frame.has_value(), carries);
+    QCOMPARE(metadata.view.has_value(), carries);
+    QCOMPARE(metadata.brush.has_value(), carries);
+    QCOMPARE(!metadata.palette.empty(), carries);
     QFile bytes(m_folder.filePath(name));
     QVERIFY(bytes.open(QIODevice::ReadOnly));
     const QByteArray all = bytes.readAll();

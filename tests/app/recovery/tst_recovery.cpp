@@ -259,8 +259,8 @@ constexpr Kind kinds[] = {
          s.document.addSphere(settings, sample), s.wait();
      }},
     {"fill", [](Session& s, StrokeFuzzer&) { s.apply(core::Fill{red}); }},
-    {"mask", [](Session& s, StrokeFuzzer&) { s.apply(core::ChangeMask{core::ChangeMask::How::Invert}); }},
-    {"clear the mask", [](Session& s, StrokeFuzzer&) { s.apply(core::ChangeMask{core::ChangeMask::How::Clear}); }},
+    {"mask", [](Session& s, StrokeFuzzer&) { s.apply(core::MaskOperation{core::MaskOperation::Kind::Invert}); }},
+    {"clear the mask", [](Session& s, StrokeFuzzer&) { s.apply(core::MaskOperation{core::MaskOperation::Kind::Clear}); }},
     {"resize", [](Session& s, StrokeFuzzer&) { s.apply(core::Scale{1.3}); }},
     {"move", [](Session& s, StrokeFuzzer&) { s.apply(core::Move{{1, 2, 3}}); }},
     {"recentre", whole<core::Recentre>},
@@ -494,7 +494,7 @@ void TestRecovery::kill_losesNothingThatWasFinished()
         }
         const auto told = static_cast<std::size_t>(lines.size()) - 1;
         QVERIFY(states[told] == stateIn(lines.back()));
-        auto found = core::replayJournal(onlyFolderIn(root));
+        auto found = core::recoverJournal(onlyFolderIn(root));
         QVERIFY2(found && !found->isDamaged, "nothing comes back");
         QVERIFY(core::checkMesh(core::extractMesh(*found->mesh)).printReady());
         const State state = stateOf(*found);
@@ -525,7 +525,7 @@ void TestRecovery::kill_afterEachKindOfChange()
     const bool isModified = lines[last].endsWith(" 1");
     int found = 0; // the model before may be there yet
     for (const auto& folder : fs::directory_iterator(root)) {
-        const auto document = core::replayJournal(folder.path());
+        const auto document = core::recoverJournal(folder.path());
         if (!document || stateOf(*document) != stateIn(lines[last]) || document->isUnsaved() != isModified)
             continue;
         ++found;
@@ -583,7 +583,7 @@ void TestRecovery::recovered_goesOnWithItsHistory()
         last = session.state();
         until([&] { return !session.document.journal()->stats().isCompacting; });
         const fs::path folder = session.document.journal()->folder();
-        const auto again = core::replayJournal(folder);
+        const auto again = core::recoverJournal(folder);
         QVERIFY(again && stateOf(*again) == last);
     }
     QVERIFY(fs::is_empty(root)); // both documents were given up in order
@@ -623,13 +623,13 @@ void TestRecovery::recovered_thatWasSavedIsNotOffered()
         session.wait();
         QVERIFY(!session.document.isModified());
         session.document.journal()->flush();
-        const auto found = core::replayJournal(session.document.journal()->folder());
+        const auto found = core::recoverJournal(session.document.journal()->folder());
         QVERIFY(found && !found->isUnsaved());
         QCOMPARE(QString::fromStdString(found->document.path), file);
         session.document.undo();
         session.wait();
         session.state();
-        const auto later = core::replayJournal(session.document.journal()->folder());
+        const auto later = core::recoverJournal(session.document.journal()->folder());
         QVERIFY(later && later->isUnsaved());
     }
 }
@@ -676,7 +676,7 @@ void TestRecovery::earlierVersions_areKeptIfAskedFor()
 {
     const QTemporaryDir home;
     const QString file = home.filePath(QStringLiteral("ball.ply"));
-    const auto kept = [&](int version) { return core::KeptVersion::nameOf(file.toStdU16String(), version); };
+    const auto kept = [&](int version) { return core::NumberedBackup::nameOf(file.toStdU16String(), version); };
     Session session(newRoot());
     session.openBall();
     for (int i = 0; i < 6; ++i) { // the last four with the wish
@@ -713,7 +713,7 @@ void TestRecovery::another_program_isLeftAlone()
     QCOMPARE(victim.state(), QProcess::Running);
     victim.kill();
     QVERIFY(victim.waitForFinished(longestWait));
-    const auto found = core::replayJournal(onlyFolderIn(root));
+    const auto found = core::recoverJournal(onlyFolderIn(root));
     QVERIFY(found && !found->history.steps.empty());
     // Two that start at once: one of them offers it.
     const auto first = core::JournalFolder::abandoned(root), second = core::JournalFolder::abandoned(root);
@@ -760,7 +760,7 @@ void TestRecovery::damagedInPart_comesBackAndIsKept()
         std::fstream file(core::segmentFile(folder, segment->first), std::ios::in | std::ios::out | std::ios::binary);
         file.seekp(static_cast<std::streamoff>(segment->second / 2)).write("damaged!", 8);
     }
-    const auto partly = core::replayJournal(folder);
+    const auto partly = core::recoverJournal(folder);
     QVERIFY(partly && partly->isDamaged && stateOf(*partly) != left);
     {
         Session session(root);
@@ -779,7 +779,7 @@ void TestRecovery::damagedInPart_comesBackAndIsKept()
         QVERIFY(session.document.journal());
         session.apply(core::Fill{red});
         const State now = session.state();
-        const auto again = core::replayJournal(session.document.journal()->folder());
+        const auto again = core::recoverJournal(session.document.journal()->folder());
         QVERIFY(again && !again->isDamaged && stateOf(*again) == now && again->isUnsaved());
         QCOMPARE(notices.size(), 1);
     }
@@ -816,7 +816,7 @@ void TestRecovery::fullDisk_recordsAgainWhenThereIsRoom()
             session.act(random);
         const State now = session.state();
         until([&] { return !session.document.journal()->stats().isCompacting; }); // what is read comes and goes else
-        const auto found = core::replayJournal(session.document.journal()->folder());
+        const auto found = core::recoverJournal(session.document.journal()->folder());
         QVERIFY(found && stateOf(*found) == now && found->isUnsaved() == session.document.isModified());
         for (int i = 0; i < now.count; ++i)
             QCOMPARE(QString::fromStdString(found->history.steps[static_cast<std::size_t>(i)].text), session.document.undoStack().text(i));
@@ -854,7 +854,7 @@ void TestRecovery::fullDisk_isSaidOnceAndLosesNoWork()
     session.document.goTo(0);
     QVERIFY(session.state().state == states.front().state);
     if (hasBegun) {
-        const auto found = core::replayJournal(session.document.journal()->folder());
+        const auto found = core::recoverJournal(session.document.journal()->folder());
         QVERIFY(found && std::ranges::find(states, found->mesh->stateHash(), &State::state) != states.end());
     }
     session.openBall(); // there is no room for that, either, and it is not said again
@@ -882,7 +882,7 @@ void TestRecovery::closedFolder_isSaidOnceAndAgainWhenItIsOpen()
     fs::permissions(root, fs::perms::owner_all);
     until([&] { return notices.size() == 2; });
     QVERIFY(notices[1][0].toString().contains(QStringLiteral("recorded again")));
-    const auto found = core::replayJournal(session.document.journal()->folder());
+    const auto found = core::recoverJournal(session.document.journal()->folder());
     QVERIFY(found && stateOf(*found) == session.state() && found->mesh->color(0) == red);
 }
 
@@ -908,7 +908,7 @@ void TestRecovery::lostDisplay_keepsTheChanges()
     const fs::path root = newRoot();
     const QByteArray word = killDisplayOf(root, QStringLiteral("changed"));
     QVERIFY2(word.contains("are kept, and offered at the next start"), word.constData());
-    const auto found = core::replayJournal(onlyFolderIn(root));
+    const auto found = core::recoverJournal(onlyFolderIn(root));
     QVERIFY(found && found->isUnsaved());
     QVERIFY(found->mesh->color(0) == red);
 }

@@ -3,7 +3,7 @@
 #include "tests/ui/ui_test.h"
 
 #include "core/io/mesh_io.h"
-#include "core/operations/primitives.h"
+#include "core/operations/starter_models.h"
 #include "ui/drawing/drawing_canvas.h"
 #include "ui/files/file_browser.h"
 #include "ui/help/guide_window.h"
@@ -333,7 +333,7 @@ void TestScreenshots::takeMending(Program& program)
     takeDialog(QStringLiteral("mend"));
     ui::askToMend(&program.window, ui::MendFor::Insertion, problem, [](const auto&) {});
     takeDialog(QStringLiteral("mend-and-insert"));
-    core::LegaliseReport steps;
+    core::RepairReport steps;
     steps.welded = 1234;
     steps.degenerateFaces = steps.duplicateFaces = 56;
     steps.turnedFaces = 345;

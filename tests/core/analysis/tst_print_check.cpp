@@ -1,7 +1,7 @@
 // Will it print: walls, overhangs and bases of solids whose measures are known.
 
 #include "core/analysis/print_check.h"
-#include "core/operations/primitives.h"
+#include "core/operations/starter_models.h"
 #include "core/util/worker_pool.h"
 #include "tests/support/clay.h"
 #include "tests/support/shapes.h"
@@ -114,7 +114,7 @@ TriangleMesh wedge(double degrees)
     return mesh;
 }
 
-double leastOf(const std::vector<float>& values)
+double minOf(const std::vector<float>& values)
 {
     return static_cast<double>(*std::ranges::min_element(values));
 }
@@ -145,7 +145,7 @@ void TestPrintCheck::walls_areAsThickAsTheyWereMade()
     const PrintMeasures measures = measured(mesh);
     QVERIFY(measures.walls);
     for (const std::vector<float>& found : {measures.walls->byRays, measures.walls->byBalls}) {
-        QVERIFY2(std::abs(leastOf(found) / thickness - 1) < tolerance, qPrintable(QString::number(leastOf(found))));
+        QVERIFY2(std::abs(minOf(found) / thickness - 1) < tolerance, qPrintable(QString::number(minOf(found))));
         double all = 0, soThick = 0;
         for (std::size_t f = 0; f < found.size(); ++f) {
             const double area = normalOf(mesh, f).norm();
@@ -154,9 +154,9 @@ void TestPrintCheck::walls_areAsThickAsTheyWereMade()
         }
         QVERIFY2(soThick / all > share - 1e-9, qPrintable(QString::number(soThick / all)));
     }
-    const PrintReport report = core::judgeForPrint(measures, {.leastWall = thickness * (1 + tolerance), .bed = {}});
+    const PrintReport report = core::checkForPrint(measures, {.minWall = thickness * (1 + tolerance), .bed = {}});
     QVERIFY(report.thin.area > share * report.area * (1 - 1e-6));
-    QCOMPARE(core::judgeForPrint(measures, {.leastWall = thickness * (1 - tolerance), .bed = {}}).thin.count, 0u);
+    QCOMPARE(core::checkForPrint(measures, {.minWall = thickness * (1 - tolerance), .bed = {}}).thin.count, 0u);
 }
 
 void TestPrintCheck::edges_ofRightAnglesAreNotThin()
@@ -164,7 +164,7 @@ void TestPrintCheck::edges_ofRightAnglesAreNotThin()
     for (const TriangleMesh& mesh : {shapes::cube(10), turnedAboutZ(shapes::cube(10), 20), shapes::scaled(shapes::tetrahedron(), 10)}) {
         const PrintMeasures measures = measured(mesh);
         QVERIFY(measures.walls);
-        QVERIFY(leastOf(measures.walls->byBalls) > 5);
+        QVERIFY(minOf(measures.walls->byBalls) > 5);
     }
 }
 
@@ -172,8 +172,8 @@ void TestPrintCheck::edges_ofKnivesAre()
 {
     const PrintMeasures measures = measured(wedge(30));
     QVERIFY(measures.walls);
-    QVERIFY(leastOf(measures.walls->byBalls) < 3);
-    QVERIFY(leastOf(measures.walls->byBalls) > 0.5);
+    QVERIFY(minOf(measures.walls->byBalls) < 3);
+    QVERIFY(minOf(measures.walls->byBalls) > 0.5);
 }
 
 void TestPrintCheck::balls_areEmpty_data()
@@ -232,7 +232,7 @@ void TestPrintCheck::thin_placesAreFoundApart()
     TriangleMesh mesh = shapes::moved(shapes::cube(20), {-10, 0, -10});
     mesh = shapes::together(mesh, shapes::moved(clay::slab(10, 0.5, 3), {40, 0, 0}));
     mesh = shapes::together(mesh, shapes::moved(clay::slab(20, 0.7, 3), {80, 0, 0}));
-    const PrintReport report = core::judgeForPrint(measured(mesh), {.leastWall = 0.8, .bed = {}});
+    const PrintReport report = core::checkForPrint(measured(mesh), {.minWall = 0.8, .bed = {}});
     QCOMPARE(report.thin.count, 4u); // two sides of two plates
     QCOMPARE(report.thin.places.size(), 4u);
     for (std::size_t i = 0; i < 4; ++i) {
@@ -243,8 +243,8 @@ void TestPrintCheck::thin_placesAreFoundApart()
         QVERIFY(std::abs(std::abs(place.normal.y()) - 1) < 1e-6);
     }
     QVERIFY(std::abs(report.thin.area - 1000) < 0.1);
-    QVERIFY(report.leastByBalls);
-    QVERIFY(std::abs(*report.leastByBalls - 0.5) < 1e-3);
+    QVERIFY(report.minByBalls);
+    QVERIFY(std::abs(*report.minByBalls - 0.5) < 1e-3);
 }
 
 void TestPrintCheck::overhangs_areThoseThatLeanOut()
@@ -252,7 +252,7 @@ void TestPrintCheck::overhangs_areThoseThatLeanOut()
     // A table: a plate of 20 x 20 on a cube of 4: the ceiling around the cube hangs over.
     const TriangleMesh cube = shapes::moved(shapes::cube(4), {-2, 0, -2});
     const TriangleMesh table = shapes::together(cube, shapes::moved(clay::slab(20, 2, 4), {0, 11, 0}));
-    const PrintReport report = core::judgeForPrint(measured(table), {.bed = {}});
+    const PrintReport report = core::checkForPrint(measured(table), {.bed = {}});
     QCOMPARE(report.overhangs.count, 1u);
     QVERIFY(std::abs(report.overhangs.area - 400) < 1e-3);
     QVERIFY(std::abs(report.overhangs.places[0].worst - 90) < 1e-6);
@@ -265,11 +265,11 @@ void TestPrintCheck::overhangs_ofABall()
     const PrintMeasures ball = measured(core::icosphere(5, 10));
     for (const double limit : {30.0, 45.0, 60.0}) {
         const double angle = (90 - limit) * std::numbers::pi / 180;
-        const PrintReport report = core::judgeForPrint(ball, {.overhang = limit, .bed = {}});
+        const PrintReport report = core::checkForPrint(ball, {.overhang = limit, .bed = {}});
         QVERIFY(std::abs(report.overhangs.area / report.area - (1 - std::cos(angle)) / 2) < 0.01);
         QCOMPARE(report.overhangs.count, 1u);
     }
-    QCOMPARE(core::judgeForPrint(ball, {.overhang = 90, .bed = {}}).overhangs.count, 0u);
+    QCOMPARE(core::checkForPrint(ball, {.overhang = 90, .bed = {}}).overhangs.count, 0u);
 }
 
 void TestPrintCheck::overhangs_ofExactlyTheLimitAreNone()
@@ -280,17 +280,17 @@ void TestPrintCheck::overhangs_ofExactlyTheLimitAreNone()
                             {{0, 2, 1}, {3, 4, 5}, {0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}}};
     const PrintMeasures measures = measured(shapes::reversed(mesh));
     QVERIFY(measures.report.printReady());
-    QCOMPARE(core::judgeForPrint(measures, {.overhang = 45, .bed = {}}).overhangs.area, 0.0);
-    QVERIFY(core::judgeForPrint(measures, {.overhang = 44, .bed = {}}).overhangs.area > 100);
+    QCOMPARE(core::checkForPrint(measures, {.overhang = 45, .bed = {}}).overhangs.area, 0.0);
+    QVERIFY(core::checkForPrint(measures, {.overhang = 44, .bed = {}}).overhangs.area > 100);
 }
 
 void TestPrintCheck::base_isWhatLiesOnTheBed()
 {
-    QCOMPARE(core::judgeForPrint(measured(shapes::cube(8)), {.bed = {}}).baseArea, 64.0);
-    QCOMPARE(core::judgeForPrint(measured(shapes::moved(shapes::cube(8), {0, -96, 0})), {.bed = {}}).baseArea, 64.0);
-    QCOMPARE(core::judgeForPrint(measured(core::icosphere(4, 10)), {.bed = {}}).baseArea, 0.0);
-    QCOMPARE(core::judgeForPrint(measured(turnedAboutZ(shapes::cube(8), 1)), {.bed = {}}).baseArea, 0.0);
-    const double ring = core::judgeForPrint(measured(vase()), {.bed = {}}).baseArea;
+    QCOMPARE(core::checkForPrint(measured(shapes::cube(8)), {.bed = {}}).baseArea, 64.0);
+    QCOMPARE(core::checkForPrint(measured(shapes::moved(shapes::cube(8), {0, -96, 0})), {.bed = {}}).baseArea, 64.0);
+    QCOMPARE(core::checkForPrint(measured(core::icosphere(4, 10)), {.bed = {}}).baseArea, 0.0);
+    QCOMPARE(core::checkForPrint(measured(turnedAboutZ(shapes::cube(8), 1)), {.bed = {}}).baseArea, 0.0);
+    const double ring = core::checkForPrint(measured(vase()), {.bed = {}}).baseArea;
     QVERIFY(std::abs(ring / (400 * std::numbers::pi) - 1) < 0.01);
 }
 
@@ -300,7 +300,7 @@ void TestPrintCheck::bed_holdsWhatFits()
     for (Vec3f& p : box.points)
         p = p.cwiseProduct(Vec3f(100, 50, 20));
     const PrintMeasures measures = measured(box);
-    const auto fit = [&](const core::PrintBed& bed) { return core::judgeForPrint(measures, {.bed = bed}).fit; };
+    const auto fit = [&](const core::PrintBed& bed) { return core::checkForPrint(measures, {.bed = bed}).fit; };
     QVERIFY(fit({100, 20, 50}) == core::BedFit::AsItStands); // Y is up
     QVERIFY(fit({20, 100, 50}) == core::BedFit::Turned);
     QVERIFY(fit({99, 99, 50}) == core::BedFit::Not);
@@ -314,8 +314,8 @@ void TestPrintCheck::broken_modelsHaveNoWalls()
                                      shapes::sphereThroughSphere(), TriangleMesh()}) {
         const PrintMeasures measures = measured(mesh);
         QVERIFY(!measures.walls);
-        const PrintReport report = core::judgeForPrint(measures, {.bed = {300, 300, 300}});
-        QVERIFY(!report.leastByRays && !report.leastByBalls);
+        const PrintReport report = core::checkForPrint(measures, {.bed = {300, 300, 300}});
+        QVERIFY(!report.minByRays && !report.minByBalls);
         QCOMPARE(report.thin.count, 0u);
         QVERIFY(report.fit == core::BedFit::AsItStands);
         QVERIFY(std::ranges::all_of(core::pictureOf(measures, PrintPicture::Thickness), [](float t) { return std::isinf(t); }));

@@ -8,7 +8,7 @@
 
 #include <QTest>
 
-using core::LineDrawer;
+using core::IncrementalLineDrawing;
 using core::LineDrawing;
 
 namespace
@@ -31,7 +31,7 @@ bool isSame(const LineDrawing& one, const LineDrawing& other)
 class Pair
 {
 public:
-    Pair(const core::Sculptor& sculptor, std::size_t mostEdges) : m_following(200, mostEdges), m_anew(200, mostEdges)
+    Pair(const core::Sculptor& sculptor, std::size_t maxEdges) : m_following(200, maxEdges), m_anew(200, maxEdges)
     {
         m_following.apply(sculptor.wholePatch());
     }
@@ -56,7 +56,7 @@ public:
     LineDrawing last;
 
 private:
-    LineDrawer m_following, m_anew;
+    IncrementalLineDrawing m_following, m_anew;
 };
 
 void pull(core::Sculptor& sculptor, const core::Vec3& at, double radius, double strength = 1)
@@ -74,7 +74,7 @@ void pull(core::Sculptor& sculptor, const core::Vec3& at, double radius, double 
 }
 } // namespace
 
-class TestLineDrawer : public QObject
+class TestIncrementalLineDrawing : public QObject
 {
     Q_OBJECT
 
@@ -142,7 +142,7 @@ private Q_SLOTS:
 
     void withoutAModelThereIsNothing()
     {
-        LineDrawer drawer(200, anyEdges);
+        IncrementalLineDrawing drawer(200, anyEdges);
         core::MeshPatch nothing;
         nothing.whole = true;
         drawer.apply(nothing);
@@ -150,5 +150,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestLineDrawer)
+QTEST_APPLESS_MAIN(TestIncrementalLineDrawing)
 #include "tst_incremental_line_drawing.moc"

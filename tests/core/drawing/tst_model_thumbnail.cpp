@@ -12,12 +12,12 @@ namespace
 {
 constexpr int side = 64;
 
-core::ModelPicture pictureOf(const core::TriangleMesh& mesh)
+core::ModelThumbnail pictureOf(const core::TriangleMesh& mesh)
 {
-    return core::drawPicture(mesh, side, {}).value();
+    return core::drawThumbnail(mesh, side, {}).value();
 }
 
-std::size_t inked(const core::ModelPicture& picture)
+std::size_t inked(const core::ModelThumbnail& picture)
 {
     return static_cast<std::size_t>(std::ranges::count_if(picture.rgba, [](const auto& pixel) { return pixel[3] > 0; }));
 }
@@ -25,7 +25,7 @@ std::size_t inked(const core::ModelPicture& picture)
 /// Rows and columns that hold something: from, to.
 struct Extent
 {
-    explicit Extent(const core::ModelPicture& picture)
+    explicit Extent(const core::ModelThumbnail& picture)
     {
         for (int y = 0; y < picture.height; ++y)
             for (int x = 0; x < picture.width; ++x)
@@ -41,7 +41,7 @@ struct Extent
 };
 } // namespace
 
-class TestModelPicture : public QObject
+class TestModelThumbnail : public QObject
 {
     Q_OBJECT
 
@@ -52,7 +52,7 @@ private Q_SLOTS:
             core::TriangleMesh mesh = core::icosphere(3, 1);
             for (core::Vec3f& p : mesh.points)
                 p = p * size + core::Vec3f(size, -3 * size, 7 * size);
-            const core::ModelPicture picture = pictureOf(mesh);
+            const core::ModelThumbnail picture = pictureOf(mesh);
             QCOMPARE(picture.rgba.size(), std::size_t(side * side));
             const Extent extent(picture);
             QVERIFY(extent.right - extent.left >= side - 6 && extent.bottom - extent.top >= side - 6);
@@ -63,7 +63,7 @@ private Q_SLOTS:
 
     void whatIsUpIsBrighterAndUp()
     {
-        const core::ModelPicture picture = pictureOf(core::icosphere(4, 10));
+        const core::ModelThumbnail picture = pictureOf(core::icosphere(4, 10));
         const auto row = [&](int y) { return picture.rgba[static_cast<std::size_t>(y * side + side / 2)]; };
         QVERIFY(row(side / 4)[0] > row(side * 3 / 4)[0]);
         core::TriangleMesh lower = core::icosphere(2, 1);
@@ -116,7 +116,7 @@ private Q_SLOTS:
     {
         std::stop_source stop;
         stop.request_stop();
-        QVERIFY(!core::drawPicture(core::icosphere(3, 10), side, stop.get_token()));
+        QVERIFY(!core::drawThumbnail(core::icosphere(3, 10), side, stop.get_token()));
     }
 
     /// A ball of radius 10 about the target: its outline is the cone's from the eye.
@@ -136,8 +136,8 @@ private Q_SLOTS:
         core::TriangleMesh mesh = core::icosphere(5, 10);
         for (core::Vec3f& p : mesh.points)
             p += core::Vec3f(5, -7, 3);
-        core::PictureView view{Eigen::Matrix3d::Identity(), core::Vec3(5, -7, 3), distance, 40, 160, 120};
-        const core::ModelPicture picture = core::drawPicture(mesh, view, {}).value();
+        core::ThumbnailView view{Eigen::Matrix3d::Identity(), core::Vec3(5, -7, 3), distance, 40, 160, 120};
+        const core::ModelThumbnail picture = core::drawThumbnail(mesh, view, {}).value();
         QCOMPARE(picture.width, 160);
         QCOMPARE(picture.height, 120);
         int left = 160, right = -1, top = 120, bottom = -1;
@@ -152,7 +152,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(left + right + 1 - 160) <= 2 && std::abs(top + bottom + 1 - 120) <= 2);
 
         view.target = core::Vec3(-5, -17, 3); // now it is up and to the right, and reaches over the borders
-        const core::ModelPicture cut = core::drawPicture(mesh, view, {}).value();
+        const core::ModelThumbnail cut = core::drawThumbnail(mesh, view, {}).value();
         const auto alpha = [&cut](int x, int y) { return cut.rgba[static_cast<std::size_t>(y * 160 + x)][3]; };
         QCOMPARE(alpha(110, 30), std::uint8_t(255));
         QCOMPARE(alpha(50, 90), std::uint8_t(0));
@@ -161,8 +161,8 @@ private Q_SLOTS:
     void whatIsBehindTheEyeOrBesideThePictureIsNotSeen()
     {
         const core::TriangleMesh mesh = core::icosphere(4, 10);
-        core::PictureView view{Eigen::Matrix3d::Identity(), core::Vec3(0, 0, -30), 5, 10, 80, 60};
-        const auto inkOf = [&] { return inked(core::drawPicture(mesh, view, {}).value()); };
+        core::ThumbnailView view{Eigen::Matrix3d::Identity(), core::Vec3(0, 0, -30), 5, 10, 80, 60};
+        const auto inkOf = [&] { return inked(core::drawThumbnail(mesh, view, {}).value()); };
         QCOMPARE(inkOf(), std::size_t(0)); // behind
         view.target = {0, 0, -4};
         QCOMPARE(inkOf(), std::size_t(80 * 60)); // around the eye: it sees the inside, and nothing else
@@ -181,10 +181,10 @@ private Q_SLOTS:
                 std::stop_source stop;
                 QVERIFY(!core::readMesh(path, {.stop = stop.get_token()}).triangles.empty());
                 stop.request_stop();
-                QVERIFY_EXCEPTION_THROWN((void)core::readMesh(path, {.stop = stop.get_token()}), core::ReadingStopped);
+                QVERIFY_EXCEPTION_THROWN((void)core::readMesh(path, {.stop = stop.get_token()}), core::ReadingCancelled);
             }
     }
 };
 
-QTEST_APPLESS_MAIN(TestModelPicture)
+QTEST_APPLESS_MAIN(TestModelThumbnail)
 #include "tst_model_thumbnail.moc"

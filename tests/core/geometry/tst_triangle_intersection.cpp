@@ -123,7 +123,7 @@ template <typename Predicates> QByteArray firstDisagreement(const QString& kind,
         const auto [s, t] = randomPair<Predicates>(engine, shared, source);
         const bool expected = judgedMeet(s, t);
         met += expected;
-        if (core::trianglesMeet(s, t) != expected || core::trianglesMeet(t, s) != expected)
+        if (core::trianglesIntersect(s, t) != expected || core::trianglesIntersect(t, s) != expected)
             return describe(s, t);
     }
     qInfo("%d of %d pairs meet", met, count);
@@ -131,7 +131,7 @@ template <typename Predicates> QByteArray firstDisagreement(const QString& kind,
 }
 } // namespace
 
-class TestTrianglePair : public QObject
+class TestTriangleIntersection : public QObject
 {
     Q_OBJECT
 
@@ -144,7 +144,7 @@ private Q_SLOTS:
     void speed();
 };
 
-void TestTrianglePair::agreesWithJudge_data()
+void TestTriangleIntersection::agreesWithJudge_data()
 {
     QTest::addColumn<QString>("kind");
     QTest::addColumn<int>("shared");
@@ -154,7 +154,7 @@ void TestTrianglePair::agreesWithJudge_data()
                 << QString::fromLatin1(kind) << shared;
 }
 
-void TestTrianglePair::agreesWithJudge()
+void TestTriangleIntersection::agreesWithJudge()
 {
     QFETCH(QString, kind);
     QFETCH(int, shared);
@@ -165,26 +165,26 @@ void TestTrianglePair::agreesWithJudge()
     QVERIFY2(wrong.isEmpty(), wrong.constData());
 }
 
-void TestTrianglePair::sameCorners_meet()
+void TestTriangleIntersection::sameCorners_meet()
 {
     const CornerTriangle<LatticePredicates> s{{0, 1, 2}, {core::LatticePoint(0, 0, 0), {1, 0, 0}, {0, 1, 0}}};
     const CornerTriangle<LatticePredicates> t{{2, 1, 0}, {s.points[2], s.points[1], s.points[0]}};
-    QVERIFY(core::trianglesMeet(s, t));
+    QVERIFY(core::trianglesIntersect(s, t));
 }
 
-void TestTrianglePair::foldedOver_meetsOnlyWhenFlatOnItself()
+void TestTriangleIntersection::foldedOver_meetsOnlyWhenFlatOnItself()
 {
     const core::LatticePoint a(0, 0, 0), b(10, 0, 0), c(5, 10, 0);
     const CornerTriangle<LatticePredicates> s{{0, 1, 2}, {a, b, c}};
     const auto beside = [&](const core::LatticePoint& d) {
-        return core::trianglesMeet(s, CornerTriangle<LatticePredicates>{{1, 0, 3}, {b, a, d}});
+        return core::trianglesIntersect(s, CornerTriangle<LatticePredicates>{{1, 0, 3}, {b, a, d}});
     };
     QVERIFY(beside({5, 9, 0}));
     QVERIFY(!beside({5, 9, 1}));
     QVERIFY(!beside({5, -9, 0}));
 }
 
-void TestTrianglePair::doesNotDependOnWinding()
+void TestTriangleIntersection::doesNotDependOnWinding()
 {
     std::mt19937 engine(seed);
     PointSource<LatticePredicates> source("tiny integers", engine);
@@ -192,11 +192,11 @@ void TestTrianglePair::doesNotDependOnWinding()
         const auto [s, t] = randomPair<LatticePredicates>(engine, i % 3, source);
         const CornerTriangle<LatticePredicates> reversed{{s.ids[0], s.ids[2], s.ids[1]},
                                                          {s.points[0], s.points[2], s.points[1]}};
-        QCOMPARE(core::trianglesMeet(reversed, t), core::trianglesMeet(s, t));
+        QCOMPARE(core::trianglesIntersect(reversed, t), core::trianglesIntersect(s, t));
     }
 }
 
-void TestTrianglePair::speed()
+void TestTriangleIntersection::speed()
 {
     const auto measure = []<typename Predicates>(const char* name, int shared, Predicates) {
         constexpr int count = 2000, rounds = 200;
@@ -210,7 +210,7 @@ void TestTrianglePair::speed()
         int met = 0;
         for (int round = 0; round < rounds; ++round)
             for (const auto& [s, t] : pairs)
-                met += core::trianglesMeet(s, t);
+                met += core::trianglesIntersect(s, t);
         qInfo("%s, %d shared: %.1f ns a pair, %.0f %% meet", name, shared,
               static_cast<double>(timer.nsecsElapsed()) / (count * rounds), 100.0 * met / (count * rounds));
     };
@@ -220,5 +220,5 @@ void TestTrianglePair::speed()
     }
 }
 
-QTEST_APPLESS_MAIN(TestTrianglePair)
+QTEST_APPLESS_MAIN(TestTriangleIntersection)
 #include "tst_triangle_intersection.moc"

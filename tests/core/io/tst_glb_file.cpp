@@ -18,7 +18,7 @@
 #include <random>
 #include <sstream>
 
-using core::DocumentNotes;
+using core::DocumentMetadata;
 using core::Rgb;
 using core::Slot;
 using core::TriangleMesh;
@@ -43,12 +43,12 @@ TriangleMesh painted()
     return mesh;
 }
 
-DocumentNotes someNotes()
+DocumentMetadata someNotes()
 {
-    DocumentNotes notes;
-    notes.palette = {{0, 0, 0}, {255, 254, 253}, {1, 160, 18}};
-    notes.frame = core::MeshFrame{core::Lattice(14), 0.7};
-    notes.view = core::SavedView{{1.0 / 3, -2e-5, 77}, 123.456, -1.25, 0.1, true};
+    DocumentMetadata metadata;
+    metadata.palette = {{0, 0, 0}, {255, 254, 253}, {1, 160, 18}};
+    metadata.frame = core::MeshFrame{core::Lattice(14), 0.7};
+    metadata.view = core::SavedView{{1.0 / 3, -2e-5, 77}, 123.456, -1.25, 0.1, true};
     core::StrokeSettings brush;
     brush.tool = core::Tool::Flatten;
     brush.brush = core::BrushShape::Ray;
@@ -61,9 +61,9 @@ DocumentNotes someNotes()
     brush.spacing = 0.25;
     brush.fusion = false;
     brush.color = {1, 2, 3};
-    notes.brush = brush;
-    notes.work = core::WorkDone{1234, 5678.25};
-    return notes;
+    metadata.brush = brush;
+    metadata.work = core::WorkDone{1234, 5678.25};
+    return metadata;
 }
 
 std::string bytesOf(const std::filesystem::path& path)
@@ -248,39 +248,39 @@ private Q_SLOTS:
 
 private:
     std::filesystem::path file(const char* name) const { return m_folder.filePath(QString::fromLatin1(name)).toStdString(); }
-    DocumentNotes notesAfter(const std::function<void(Json& notes)>& change) const;
+    DocumentMetadata notesAfter(const std::function<void(Json& metadata)>& change) const;
 
     QTemporaryDir m_folder;
 };
 
 void TestGlbFile::notes_comeBackUnchanged()
 {
-    const DocumentNotes notes = someNotes();
-    core::writeMesh(file("a.glb"), painted(), {.notes = notes});
-    const DocumentNotes read = core::readNotes(file("a.glb"));
-    QVERIFY(read.palette == notes.palette);
-    QVERIFY(read.frame == notes.frame);
-    QVERIFY(read.view && read.view->target == notes.view->target && read.view->distance == notes.view->distance);
-    QVERIFY(read.view->yaw == notes.view->yaw && read.view->pitch == notes.view->pitch && read.view->orthographic);
-    QVERIFY(read.brush && read.brush->tool == notes.brush->tool && read.brush->brush == notes.brush->brush);
-    QVERIFY(read.brush->topology == notes.brush->topology && read.brush->symmetry == notes.brush->symmetry);
-    QVERIFY(read.brush->radius == notes.brush->radius && read.brush->strength == notes.brush->strength);
-    QVERIFY(read.brush->falloff == notes.brush->falloff && read.brush->detail == notes.brush->detail);
-    QVERIFY(read.brush->spacing == notes.brush->spacing && read.brush->fusion == notes.brush->fusion && read.brush->color == notes.brush->color);
-    QVERIFY(read.work == notes.work);
+    const DocumentMetadata metadata = someNotes();
+    core::writeMesh(file("a.glb"), painted(), {.metadata = metadata});
+    const DocumentMetadata read = core::readMetadata(file("a.glb"));
+    QVERIFY(read.palette == metadata.palette);
+    QVERIFY(read.frame == metadata.frame);
+    QVERIFY(read.view && read.view->target == metadata.view->target && read.view->distance == metadata.view->distance);
+    QVERIFY(read.view->yaw == metadata.view->yaw && read.view->pitch == metadata.view->pitch && read.view->orthographic);
+    QVERIFY(read.brush && read.brush->tool == metadata.brush->tool && read.brush->brush == metadata.brush->brush);
+    QVERIFY(read.brush->topology == metadata.brush->topology && read.brush->symmetry == metadata.brush->symmetry);
+    QVERIFY(read.brush->radius == metadata.brush->radius && read.brush->strength == metadata.brush->strength);
+    QVERIFY(read.brush->falloff == metadata.brush->falloff && read.brush->detail == metadata.brush->detail);
+    QVERIFY(read.brush->spacing == metadata.brush->spacing && read.brush->fusion == metadata.brush->fusion && read.brush->color == metadata.brush->color);
+    QVERIFY(read.work == metadata.work);
 
     core::writeMesh(file("a.glb"), painted());
-    const DocumentNotes none = core::readNotes(file("a.glb"));
+    const DocumentMetadata none = core::readMetadata(file("a.glb"));
     QVERIFY(none.palette.empty() && !none.frame && !none.view && !none.brush && !none.work);
 }
 
-DocumentNotes TestGlbFile::notesAfter(const std::function<void(Json&)>& change) const
+DocumentMetadata TestGlbFile::notesAfter(const std::function<void(Json&)>& change) const
 {
-    core::writeMesh(file("a.glb"), painted(), {.notes = someNotes()});
+    core::writeMesh(file("a.glb"), painted(), {.metadata = someNotes()});
     Glb glb = takenApart(bytesOf(file("a.glb")));
     change(glb.json["extensions"]["FETTLE_document"]);
     std::ofstream(file("b.glb"), std::ios::binary) << putTogether(glb);
-    return core::readNotes(file("b.glb"));
+    return core::readMetadata(file("b.glb"));
 }
 
 void TestGlbFile::notes_thatAreNotAsWeWriteThemAreLeftOut_data()
@@ -328,12 +328,12 @@ void TestGlbFile::notes_thatAreNotAsWeWriteThemAreLeftOut()
     QFETCH(QString, path);
     QFETCH(QString, value);
     QFETCH(QString, left);
-    const DocumentNotes notes = notesAfter([&](Json& json) { json[Json::json_pointer(path.toStdString())] = Json::parse(value.toStdString()); });
-    QCOMPARE(!notes.palette.empty(), left.contains(u'p'));
-    QCOMPARE(notes.frame.has_value(), left.contains(u'f'));
-    QCOMPARE(notes.view.has_value(), left.contains(u'v'));
-    QCOMPARE(notes.brush.has_value(), left.contains(u'b'));
-    QCOMPARE(notes.work.has_value(), left.contains(u'w'));
+    const DocumentMetadata metadata = notesAfter([&](Json& json) { json[Json::json_pointer(path.toStdString())] = Json::parse(value.toStdString()); });
+    QCOMPARE(!metadata.palette.empty(), left.contains(u'p'));
+    QCOMPARE(metadata.frame.has_value(), left.contains(u'f'));
+    QCOMPARE(metadata.view.has_value(), left.contains(u'v'));
+    QCOMPARE(metadata.brush.has_value(), left.contains(u'b'));
+    QCOMPARE(metadata.work.has_value(), left.contains(u'w'));
 }
 
 /// A document's surface, which nobody would import like that: not in the middle, on another lattice than its size asks for.
@@ -342,8 +342,8 @@ void TestGlbFile::latticeAndBits_comeBackUnchanged()
     const core::MeshFrame frame = *someNotes().frame;
     const core::BuildResult first = core::buildMesh(painted(), false, {}, frame);
     QVERIFY(first.mesh && first.mesh->frame() == frame);
-    core::writeMesh(file("a.glb"), core::extractMesh(*first.mesh), {.notes = {.palette = {}, .frame = first.mesh->frame(), .view = {}, .brush = {}, .work = {}}});
-    const core::BuildResult again = core::buildMesh(core::readMesh(file("a.glb")), true, {}, core::readNotes(file("a.glb")).frame);
+    core::writeMesh(file("a.glb"), core::extractMesh(*first.mesh), {.metadata = {.palette = {}, .frame = first.mesh->frame(), .view = {}, .brush = {}, .work = {}}});
+    const core::BuildResult again = core::buildMesh(core::readMesh(file("a.glb")), true, {}, core::readMetadata(file("a.glb")).frame);
     QVERIFY(again.mesh && again.moved == core::Vec3::Zero());
     QVERIFY(again.mesh->frame() == frame);
     QCOMPARE(again.mesh->meshHash(), first.mesh->meshHash());
@@ -388,7 +388,7 @@ void TestGlbFile::structure_keepsTheSpecification()
 {
     QFETCH(TriangleMesh, mesh);
     QFETCH(bool, noted);
-    core::writeMesh(file("a.glb"), mesh, {.notes = noted ? someNotes() : DocumentNotes()});
+    core::writeMesh(file("a.glb"), mesh, {.metadata = noted ? someNotes() : DocumentMetadata()});
     const std::string bytes = bytesOf(file("a.glb"));
     const Rules rules(bytes);
     QVERIFY2(rules.broken().empty(), rules.broken().c_str());
@@ -401,7 +401,7 @@ void TestGlbFile::structure_keepsTheSpecification()
 void TestGlbFile::tinygltf_readsTheSame()
 {
     const TriangleMesh mesh = painted();
-    core::writeMesh(file("a.glb"), mesh, {.notes = someNotes()});
+    core::writeMesh(file("a.glb"), mesh, {.metadata = someNotes()});
     tinygltf::Model model;
     std::string error, warning;
     QVERIFY(tinygltf::TinyGLTF().LoadBinaryFromFile(&model, &error, &warning, file("a.glb").string()));
@@ -423,7 +423,7 @@ void TestGlbFile::tinygltf_readsTheSame()
 void TestGlbFile::assimp_readsTheSame()
 {
     const TriangleMesh mesh = painted();
-    core::writeMesh(file("a.glb"), mesh, {.notes = someNotes()});
+    core::writeMesh(file("a.glb"), mesh, {.metadata = someNotes()});
     Assimp::Importer importer;
     const aiScene* scene = importer.ReadFile(file("a.glb").string(), aiProcess_PreTransformVertices);
     QVERIFY2(scene, importer.GetErrorString());

@@ -50,7 +50,7 @@ QByteArray inside()
 }
 } // namespace
 
-class TestGltf : public QObject
+class TestGltfDocument : public QObject
 {
     Q_OBJECT
 
@@ -116,7 +116,7 @@ private:
     QTemporaryDir m_dir;
 };
 
-void TestGltf::textures_areRemarked()
+void TestGltfDocument::textures_areRemarked()
 {
     QVERIFY(!readAll(gltf(inside())).remarks.textures);
     QVERIFY(readAll(gltf(inside(), 72, R"(,"textures":[{"source":0}],"images":[{"uri":"../../nothing.png"}])")).remarks.textures);
@@ -124,14 +124,14 @@ void TestGltf::textures_areRemarked()
 }
 
 /// The limit on JSON is for what is parsed to more than itself.
-void TestGltf::manyTextsAreNoStructure()
+void TestGltfDocument::manyTextsAreNoStructure()
 {
     QVERIFY(isTetrahedron(read(gltf(inside(), 72, R"(,"extras":")" + QByteArray(20'000'000, 'x') + '"'))));
     const auto error = errorOf(gltf(inside(), 72, R"(,"extras":)" + QByteArray(5'000'000, '[') + QByteArray(5'000'000, ']')));
     QVERIFY(error && error->kind == Kind::TooManyElements);
 }
 
-void TestGltf::whatIsElsewhere_isNotRead_data()
+void TestGltfDocument::whatIsElsewhere_isNotRead_data()
 {
     QTest::addColumn<QByteArray>("uri");
     for (const char* uri : {"../outside.bin", "%2e%2e/outside.bin", "..%2Foutside.bin", "parts/../../outside.bin", "/etc/passwd", "%2Fetc%2Fpasswd",
@@ -139,7 +139,7 @@ void TestGltf::whatIsElsewhere_isNotRead_data()
         QTest::newRow(uri) << QByteArray(uri);
 }
 
-void TestGltf::whatIsElsewhere_isNotRead()
+void TestGltfDocument::whatIsElsewhere_isNotRead()
 {
     QFETCH(QByteArray, uri);
     const auto error = errorOf(gltf(uri));
@@ -148,7 +148,7 @@ void TestGltf::whatIsElsewhere_isNotRead()
     QVERIFY(error->path == model());
 }
 
-void TestGltf::links_areFollowedBeforeTheyAreTrusted()
+void TestGltfDocument::links_areFollowedBeforeTheyAreTrusted()
 {
     const auto home = model().parent_path();
     std::filesystem::create_symlink("a.bin", home / "within.bin");
@@ -161,7 +161,7 @@ void TestGltf::links_areFollowedBeforeTheyAreTrusted()
     }
 }
 
-void TestGltf::badBuffers_areRefused_data()
+void TestGltfDocument::badBuffers_areRefused_data()
 {
     QTest::addColumn<QByteArray>("bytes");
     QTest::addColumn<Kind>("kind");
@@ -179,7 +179,7 @@ void TestGltf::badBuffers_areRefused_data()
     QTest::newRow("another format") << QByteArray("ply\nformat ascii 1.0\n") << Kind::NotWhatItsEndingSays;
 }
 
-void TestGltf::badBuffers_areRefused()
+void TestGltfDocument::badBuffers_areRefused()
 {
     QFETCH(QByteArray, bytes);
     QFETCH(Kind, kind);
@@ -188,7 +188,7 @@ void TestGltf::badBuffers_areRefused()
     QCOMPARE(static_cast<int>(error->kind), static_cast<int>(kind));
 }
 
-void TestGltf::mutatedFiles_neverGetThrough()
+void TestGltfDocument::mutatedFiles_neverGetThrough()
 {
     const QByteArray good = gltf(inside());
     const QList<QByteArray> words{"-1", "0", "4294967295", "1e99", "\"", "{", "}", "[", "]", ",", "null", "true", "uri", "a.bin", "../", "%", "\\u0000"};
@@ -215,7 +215,7 @@ void TestGltf::mutatedFiles_neverGetThrough()
     qInfo("%d of 3000 refused, seed %u", refused, seed);
 }
 
-void TestGltf::gltf_isNotWritten()
+void TestGltfDocument::gltf_isNotWritten()
 {
     QVERIFY(!core::isWritten(model()));
     try {
@@ -226,5 +226,5 @@ void TestGltf::gltf_isNotWritten()
     }
 }
 
-QTEST_APPLESS_MAIN(TestGltf)
+QTEST_APPLESS_MAIN(TestGltfDocument)
 #include "tst_gltf_document.moc"

@@ -262,7 +262,7 @@ private Q_SLOTS:
         core::writeMesh(path("stopped.stl"), largeModel());
         std::stop_source source;
         source.request_stop();
-        QVERIFY_EXCEPTION_THROWN(core::readMesh(path("stopped.stl"), {.stop = source.get_token()}), core::ReadingStopped);
+        QVERIFY_EXCEPTION_THROWN(core::readMesh(path("stopped.stl"), {.stop = source.get_token()}), core::ReadingCancelled);
     }
 };
 

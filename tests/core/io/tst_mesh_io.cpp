@@ -79,7 +79,7 @@ bool sameCorners(const TriangleMesh& a, const TriangleMesh& b)
 
 std::vector<Rgb> readPalette(const std::filesystem::path& path)
 {
-    return core::readNotes(path).palette;
+    return core::readMetadata(path).palette;
 }
 
 bool isSound(const TriangleMesh& mesh)
@@ -388,13 +388,13 @@ void TestMeshIo::palette_isKeptBesideTheModel()
     const TriangleMesh ball = core::icosphere(2, 10);
     for (const char* name : {"a.ply", "a.obj", "a.off", "a.glb", "a.3mf"})
         for (const bool ascii : {false, true}) {
-            core::writeMesh(file(name), ball, {.ascii = ascii, .notes = {.palette = palette, .frame = {}, .view = {}, .brush = {}, .work = {}}});
+            core::writeMesh(file(name), ball, {.ascii = ascii, .metadata = {.palette = palette, .frame = {}, .view = {}, .brush = {}, .work = {}}});
             QVERIFY2(readPalette(file(name)) == palette, name);
             QVERIFY2(core::readMesh(file(name)).points == ball.points, name);
             core::writeMesh(file(name), ball, {.ascii = ascii});
             QVERIFY2(readPalette(file(name)).empty(), name);
         }
-    core::writeMesh(file("a.stl"), ball, {.notes = {.palette = palette, .frame = {}, .view = {}, .brush = {}, .work = {}}});
+    core::writeMesh(file("a.stl"), ball, {.metadata = {.palette = palette, .frame = {}, .view = {}, .brush = {}, .work = {}}});
     QVERIFY(readPalette(file("a.stl")).empty());
     QVERIFY(readPalette(file("none.ply")).empty());
 }
@@ -624,7 +624,7 @@ void TestMeshIo::remarks_tellWhatIsLeftOut()
     QVERIFY(remarksOf("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n") == core::ReadRemarks());
     QCOMPARE(remarksOf("a.glb", smallGlb()).objects, std::size_t(2));
     core::WriteOptions options;
-    options.notes.palette = {{1, 2, 3}};
+    options.metadata.palette = {{1, 2, 3}};
     for (const std::string_view ending : core::writtenEndings()) { // our own hold nothing else
         const auto path = file("own." + std::string(ending));
         core::writeMesh(path, shapes::cube(1), options);

@@ -447,8 +447,8 @@ void TestStrokeFile::refusal_namesStrokeAndSample()
     QVERIFY(error && error->kind == Kind::OutOfRange);
     QCOMPARE(error->stroke.value(), std::size_t(2));
     QCOMPARE(error->sample.value(), std::size_t(1));
-    QCOMPARE(error->least.value(), 0.0);
-    QCOMPARE(error->most.value(), 1.0);
+    QCOMPARE(error->min.value(), 0.0);
+    QCOMPARE(error->max.value(), 1.0);
 
     const auto late = errorOf(R"({"format":"fettle-strokes","version":1,"strokes":[)" + good
                               + R"({"samples":[{"position":[0,0,1],"direction":[1,0,0]},{"position":[0,0,1],"direction":[0,0,0]}],
@@ -547,7 +547,7 @@ void TestStrokeFile::commands_roundTrip()
     QVERIFY(std::get<Insert>(commandAt(7).command).place == Insert::Place::Centre);
     QVERIFY(std::get<Symmetrize>(commandAt(12).command).keep == Half::Negative);
     QCOMPARE(std::get<core::FlattenBase>(commandAt(14).command).height, 0.5);
-    QCOMPARE(std::get<core::ChangeMask>(commandAt(15).command).how, core::ChangeMask::How::Shrink);
+    QCOMPARE(std::get<core::MaskOperation>(commandAt(15).command).how, core::MaskOperation::Kind::Shrink);
 
     const auto swapped = parseStrokes(R"({"format":"fettle-strokes","version":1,"strokes":[{"by":[1,0,0],"command":"move"}]})");
     QVERIFY(std::get<Move>(std::get<FileCommand>(swapped.at(0)).command).by == Vec3(1, 0, 0));

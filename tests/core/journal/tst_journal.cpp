@@ -45,15 +45,15 @@ public:
         auto mesh = std::move(buildMesh(model).mesh);
         const auto start = snapshotOf(*mesh);
         m_sculptor = std::make_unique<Sculptor>(std::move(mesh));
-        DocumentNotes notes;
-        notes.palette = {{1, 2, 3}};
-        m_journal = Journal::begin(root, {start, {"clay", "", notes, false}}, {}, limits);
+        DocumentMetadata metadata;
+        metadata.palette = {{1, 2, 3}};
+        m_journal = Journal::begin(root, {start, {"clay", "", metadata, false}}, {}, limits);
         note();
     }
     /// Goes on with what was recovered.
     Session(std::unique_ptr<JournalFolder> folder, RecoveredDocument document, std::uint64_t seed) : m_random(seed)
     {
-        m_journal = Journal::goOn(std::move(folder), document, {});
+        m_journal = Journal::resume(std::move(folder), document, {});
         m_sculptor = std::make_unique<Sculptor>(std::move(document.mesh));
         m_deltas = document.deltas;
         m_history = document.history;
@@ -207,24 +207,24 @@ void TestJournal::recovery_givesTheStateAndTheHistory()
     for (int i = 0; i < 60; ++i)
         session.act();
     session.journal().drain();
-    const auto found = replayJournal(session.journal().folder());
+    const auto found = recoverJournal(session.journal().folder());
     QVERIFY(found);
     QVERIFY(stateOf(*found) == session.now());
     QCOMPARE(found->document.name, std::string("clay"));
-    QVERIFY(found->document.notes.palette == std::vector<Rgb>({{1, 2, 3}}));
+    QVERIFY(found->document.metadata.palette == std::vector<Rgb>({{1, 2, 3}}));
     QVERIFY(*found->start->surface.points.data() == Vec3f(snapshotOf(*meshOf(*found->start))->surface.points[0]));
-    core::DocumentNotes notes;
-    notes.view = SavedView{{1, 2, 3}, 4, 0.5, 0.25, true};
-    notes.brush.emplace().radius = 7;
-    notes.work = core::WorkDone{12, 345.5};
-    session.journal().describe({"clay two", "/a/path", notes, true});
+    core::DocumentMetadata metadata;
+    metadata.view = SavedView{{1, 2, 3}, 4, 0.5, 0.25, true};
+    metadata.brush.emplace().radius = 7;
+    metadata.work = core::WorkDone{12, 345.5};
+    session.journal().describe({"clay two", "/a/path", metadata, true});
     session.journal().drain();
-    const auto later = replayJournal(session.journal().folder());
+    const auto later = recoverJournal(session.journal().folder());
     QVERIFY(later && stateOf(*later) == session.now() && later->isUnsaved());
     QCOMPARE(later->document.path, std::string("/a/path"));
-    QVERIFY(later->document.notes.view && later->document.notes.view->target == Vec3(1, 2, 3) && later->document.notes.view->orthographic);
-    QVERIFY(later->document.notes.brush && later->document.notes.brush->radius == 7);
-    QVERIFY(later->document.notes.work == notes.work && !found->document.notes.work);
+    QVERIFY(later->document.metadata.view && later->document.metadata.view->target == Vec3(1, 2, 3) && later->document.metadata.view->orthographic);
+    QVERIFY(later->document.metadata.brush && later->document.metadata.brush->radius == 7);
+    QVERIFY(later->document.metadata.work == metadata.work && !found->document.metadata.work);
 }
 
 void TestJournal::words_areReadWithoutTheMesh()
@@ -233,9 +233,9 @@ void TestJournal::words_areReadWithoutTheMesh()
     for (int i = 0; i < 20; ++i)
         session.act();
     session.journal().drain();
-    const auto found = replayJournal(session.journal().folder());
+    const auto found = recoverJournal(session.journal().folder());
     QVERIFY(found);
-    const auto words = replayJournal(session.journal().folder(), {.mesh = false});
+    const auto words = recoverJournal(session.journal().folder(), {.mesh = false});
     QVERIFY(words && !words->mesh && words->history == found->history && words->isUnsaved() == found->isUnsaved());
 }
 
@@ -248,7 +248,7 @@ void TestJournal::recovery_goesOnAsIfNothingHadBeen()
     session.journal().drain();
     const auto copy = JournalFolder::make(m_home.path().toStdString());
     fs::copy(session.journal().folder(), copy->path(), fs::copy_options::recursive | fs::copy_options::skip_existing);
-    auto document = replayJournal(copy->path());
+    auto document = recoverJournal(copy->path());
     QVERIFY(document);
     const fs::path folder = copy->path();
     Session later(std::make_unique<JournalFolder>(std::move(*copy)), std::move(*document), 77);
@@ -269,7 +269,7 @@ void TestJournal::recovery_goesOnAsIfNothingHadBeen()
         QCOMPARE(later.mesh().stateHash(), session.mesh().stateHash());
     }
     later.journal().drain();
-    const auto again = replayJournal(folder);
+    const auto again = recoverJournal(folder);
     QVERIFY(again && stateOf(*again).state == session.mesh().stateHash());
     QCOMPARE(again->history.present, session.now().history.present);
 }
@@ -294,7 +294,7 @@ void TestJournal::truncation_atEveryByteLosesWhatFollowsOnly()
     for (std::size_t bytes = whole.size(); bytes <= whole.size(); --bytes) {
         fs::resize_file(segmentFile(folder, 0), bytes);
         record -= bytes < ends[record];
-        const auto found = replayJournal(folder);
+        const auto found = recoverJournal(folder);
         QVERIFY2(found && stateOf(*found) == session.states[record], qPrintable(QString::number(bytes)));
         QVERIFY(!found->isDamaged); // a power cut does that
     }
@@ -310,11 +310,11 @@ void TestJournal::truncatedBeginning_givesNothing()
     const fs::path folder = copyOf(session.journal().folder());
     for (std::size_t bytes = whole.size(); bytes-- > 0;) {
         fs::resize_file(startFile(folder), bytes);
-        QVERIFY(!replayJournal(folder));
+        QVERIFY(!recoverJournal(folder));
     }
     fs::remove(startFile(folder));
-    QVERIFY(!replayJournal(folder));
-    QVERIFY(!replayJournal(folder / "nowhere"));
+    QVERIFY(!recoverJournal(folder));
+    QVERIFY(!recoverJournal(folder / "nowhere"));
 }
 
 void TestJournal::flippedBytes_neverGiveAnotherState()
@@ -336,7 +336,7 @@ void TestJournal::flippedBytes_neverGiveAnotherState()
             first = std::min(first, spoilt[at] == whole[at] ? first : at);
         }
         write(segmentFile(folder, 0), spoilt);
-        const auto found = replayJournal(folder);
+        const auto found = recoverJournal(folder);
         const auto record = static_cast<std::size_t>(std::upper_bound(ends.begin(), ends.end(), first) - ends.begin()) - 1;
         const bool isWhole = first == whole.size();
         QVERIFY(found && stateOf(*found) == session.states[isWhole ? ends.size() - 1 : record]);
@@ -367,7 +367,7 @@ void TestJournal::unsyncedPages_costWhatWasNotSynced()
                 std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(at), std::min(bytes.size() - at, page - at % page), '\0');
         const fs::path copy = copyOf(folder);
         write(segmentFile(copy, 0), bytes);
-        const auto found = replayJournal(copy);
+        const auto found = recoverJournal(copy);
         QVERIFY(found);
         const auto match = std::find(session.states.begin() + static_cast<std::ptrdiff_t>(states) - 1, session.states.end(), stateOf(*found));
         QVERIFY2(match != session.states.end(), "older than what was synced, or a state that never was");
@@ -388,7 +388,7 @@ void TestJournal::compaction_keepsTheDocumentWithinItsBound()
         session.journal().flush();
         while (session.journal().stats().isCompacting)
             std::this_thread::yield();
-        const auto found = replayJournal(folder);
+        const auto found = recoverJournal(folder);
         QVERIFY(found && stateOf(*found) == session.now());
         for (std::size_t i = found->history.present; i > 0 && found->deltas[i - 1]; --i)
             found->mesh->swap(*found->deltas[i - 1]), ++reached;
@@ -416,13 +416,13 @@ void TestJournal::tornBase_isNoBase()
     const unsigned last = filesIn(complete).segments.rbegin()->first;
     QVERIFY(last > 2 && compactJournal(compacted, last / 2));
     QCOMPARE(filesIn(compacted).segments.begin()->first, last / 2);
-    const auto found = replayJournal(compacted);
+    const auto found = recoverJournal(compacted);
     QVERIFY(found && stateOf(*found) == session.now());
     const std::string base = contentOf(baseFile(compacted, last / 2));
     StrokeFuzzer random(11);
     for (int i = 0; i < 300; ++i) { // as if it had come torn, beside what it stands for
         write(baseFile(complete, last / 2), std::string_view(base).substr(0, random.below(base.size())));
-        const auto without = replayJournal(complete);
+        const auto without = recoverJournal(complete);
         QVERIFY(without && stateOf(*without) == session.now());
     }
     QVERIFY(!compactJournal(complete, last + 5)); // there is no such segment
@@ -439,11 +439,11 @@ void TestJournal::lostStart_isDoneWithoutIfThereIsABase()
     const fs::path folder = copyOf(session.journal().folder());
     const unsigned middle = filesIn(folder).segments.rbegin()->first / 2;
     QVERIFY(middle > 0 && compactJournal(folder, middle));
-    QVERIFY(!replayJournal(folder)->isDamaged);
+    QVERIFY(!recoverJournal(folder)->isDamaged);
     fs::resize_file(startFile(folder), fs::file_size(startFile(folder)) / 2);
     const State before = session.now();
     for (const bool mesh : {true, false}) {
-        auto found = replayJournal(folder, {.mesh = mesh});
+        auto found = recoverJournal(folder, {.mesh = mesh});
         QVERIFY(found && found->isDamaged && found->history == before.history);
         if (!mesh)
             continue;
@@ -460,7 +460,7 @@ void TestJournal::lostStart_isDoneWithoutIfThereIsABase()
         QCOMPARE(sculptor.mesh().stateHash(), session.mesh().stateHash());
     }
     fs::resize_file(baseFile(folder, middle), 1000);
-    QVERIFY(!replayJournal(folder));
+    QVERIFY(!recoverJournal(folder));
 }
 
 void TestJournal::damage_isToldFromATornEnd()
@@ -472,20 +472,20 @@ void TestJournal::damage_isToldFromATornEnd()
     session.journal().drain();
     const fs::path complete = copyOf(session.journal().folder());
     const unsigned last = filesIn(complete).segments.rbegin()->first;
-    QVERIFY(last > 4 && !replayJournal(complete)->isDamaged);
+    QVERIFY(last > 4 && !recoverJournal(complete)->isDamaged);
     for (unsigned number = 0; number < last; ++number) { // any but the last: what follows it is lost
         const fs::path folder = copyOf(complete);
         std::string bytes = contentOf(segmentFile(folder, number));
         bytes[bytes.size() / 2] = static_cast<char>(~bytes[bytes.size() / 2]);
         write(segmentFile(folder, number), bytes);
-        const auto found = replayJournal(folder);
+        const auto found = recoverJournal(folder);
         QVERIFY(found && found->isDamaged && found->history.present <= session.now().history.steps.size());
         fs::remove(segmentFile(folder, number));
-        QVERIFY(replayJournal(folder)->isDamaged);
+        QVERIFY(recoverJournal(folder)->isDamaged);
     }
     QVERIFY(compactJournal(complete, last / 2));
     fs::resize_file(baseFile(complete, last / 2), 1000); // what was before it is gone
-    const auto found = replayJournal(complete);
+    const auto found = recoverJournal(complete);
     QVERIFY(found && found->isDamaged && found->history.steps.empty() && stateOf(*found) == session.states.front());
 }
 
@@ -498,12 +498,12 @@ void TestJournal::lateBeginning_holdsWhatWasAndWhatCame()
     for (int i = 0; i < 20; ++i)
         session.act();
     std::atomic<bool> hasBegun = false;
-    JournalNews news;
-    news.begun = [&] { hasBegun = true; };
+    JournalCallbacks callbacks;
+    callbacks.begun = [&] { hasBegun = true; };
     const std::shared_ptr<JournalFolder> folder = JournalFolder::makeHidden(root / "second");
     const State before = session.now();
     const auto mesh = std::make_shared<Mesh>(session.mesh());
-    const auto journal = Journal::beginLate(folder, before.history.present, news);
+    const auto journal = Journal::beginDeferred(folder, before.history.present, callbacks);
     session.alsoTell(journal);
     for (int i = 0; i < 10; ++i)
         session.act();
@@ -517,9 +517,9 @@ void TestJournal::lateBeginning_holdsWhatWasAndWhatCame()
         session.act();
     journal->flush();
     QVERIFY(hasBegun);
-    const auto found = replayJournal(journal->folder());
+    const auto found = recoverJournal(journal->folder());
     QVERIFY(found && !found->isDamaged && stateOf(*found) == session.now());
-    const Session later(JournalFolder::make(root / "third"), std::move(*replayJournal(journal->folder())), 1); // it can be gone on with
+    const Session later(JournalFolder::make(root / "third"), std::move(*recoverJournal(journal->folder())), 1); // it can be gone on with
     QVERIFY(later.now() == session.now());
 }
 
@@ -529,15 +529,15 @@ void TestJournal::lateBeginning_withoutMemoryIsBroken()
     const fs::path root = home.path().toStdString();
     int broken = 0;
     {
-        JournalNews news;
-        news.broken = [&](const FileError&) { ++broken; };
-        news.begun = [&] { broken += 100; };
-        const auto journal = Journal::beginLate(JournalFolder::makeHidden(root), 0, news);
+        JournalCallbacks callbacks;
+        callbacks.broken = [&](const FileError&) { ++broken; };
+        callbacks.begun = [&] { broken += 100; };
+        const auto journal = Journal::beginDeferred(JournalFolder::makeHidden(root), 0, callbacks);
         journal->saved(0);
         journal->beginWith(nullptr, {}, {});
         journal->flush();
         QVERIFY(journal->isBroken());
-        const auto unused = Journal::beginLate(JournalFolder::makeHidden(root), 0, news); // given up before
+        const auto unused = Journal::beginDeferred(JournalFolder::makeHidden(root), 0, callbacks); // given up before
         unused->saved(0);
     }
     QCOMPARE(broken, 1);
@@ -548,13 +548,13 @@ void TestJournal::slowDisk_isToldOnce()
 {
     for (const double promised : {0.0, 1e9}) {
         std::atomic<int> told = 0;
-        JournalNews news;
-        news.late = [&](double ms) { told += ms > 0 ? 1 : 100; };
+        JournalCallbacks callbacks;
+        callbacks.late = [&](double ms) { told += ms > 0 ? 1 : 100; };
         JournalLimits limits;
         limits.promisedMs = promised;
         const fs::path root = m_home.path().toStdString();
         const auto mesh = buildMesh(icosphere(1, 20)).mesh;
-        const auto journal = Journal::begin(root, {snapshotOf(*mesh), {}}, news, limits);
+        const auto journal = Journal::begin(root, {snapshotOf(*mesh), {}}, callbacks, limits);
         for (int i = 0; i < 10; ++i) {
             journal->saved(0);
             journal->flush();
@@ -575,7 +575,7 @@ void TestJournal::largeChange_isNotTooMuchByItself()
         session.journal().drain();
     }
     QVERIFY(!session.journal().isBroken());
-    const auto found = replayJournal(session.journal().folder());
+    const auto found = recoverJournal(session.journal().folder());
     QVERIFY(found && stateOf(*found) == session.now());
 }
 
@@ -592,7 +592,7 @@ void TestJournal::samples_areKept()
             strokes.push_back(stroke);
     }
     session.journal().drain();
-    const auto found = replayJournal(session.journal().folder(), {.mesh = false});
+    const auto found = recoverJournal(session.journal().folder(), {.mesh = false});
     QVERIFY(found && found->history.isWhole);
     const std::vector<JournalStep>& kept = found->history.steps;
     QCOMPARE(kept.size(), strokes.size());

@@ -19,22 +19,22 @@ std::shared_ptr<const Lesson> lessonNamed(const char* name)
 }
 
 /// All of a step by the player, so many seconds at a time.
-void playByTime(LessonPlayer& player, LessonStage& stage, double seconds)
+void playByTime(LessonPlayer& player, LessonPlayback& playback, double seconds)
 {
     for (player.play(); player.isPlaying();)
         for (const LessonCue& cue : player.advance(seconds))
-            stage.apply(cue);
+            playback.apply(cue);
 }
 
-std::uint64_t hashAfter(LessonStage& stage)
+std::uint64_t hashAfter(LessonPlayback& playback)
 {
-    stage.goTo(stage.lesson().steps.size() - 1);
-    stage.finish();
-    return stage.mesh().meshHash();
+    playback.goTo(playback.lesson().steps.size() - 1);
+    playback.finish();
+    return playback.mesh().meshHash();
 }
 } // namespace
 
-class TestLessons : public QObject
+class TestBundledLessons : public QObject
 {
     Q_OBJECT
 
@@ -43,20 +43,20 @@ private Q_SLOTS:
     void each_meetsItsCheckpoints()
     {
         QFETCH(QByteArray, name);
-        LessonStage stage(lessonNamed(name.constData()), shelf);
-        for (std::size_t i = 0; i < stage.lesson().steps.size(); ++i) {
-            stage.goTo(i);
-            const TriangleMesh before = extractMesh(stage.mesh());
-            stage.finish();
-            VERIFY_VALID(stage.mesh());
-            const TriangleMesh after = extractMesh(stage.mesh());
-            const Checkpoint& checkpoint = stage.step().checkpoint;
+        LessonPlayback playback(lessonNamed(name.constData()), shelf);
+        for (std::size_t i = 0; i < playback.lesson().steps.size(); ++i) {
+            playback.goTo(i);
+            const TriangleMesh before = extractMesh(playback.mesh());
+            playback.finish();
+            VERIFY_VALID(playback.mesh());
+            const TriangleMesh after = extractMesh(playback.mesh());
+            const Checkpoint& checkpoint = playback.step().checkpoint;
             QVERIFY(!checkpoint.asksNothing());
-            const TriangleMesh target = checkpoint.target ? stage.target() : TriangleMesh();
-            const auto isMetBy = [&](const TriangleMesh& model) { return judge(checkpoint, model, checkpoint.target ? &target : nullptr).isMet(); };
+            const TriangleMesh target = checkpoint.target ? playback.target() : TriangleMesh();
+            const auto isMetBy = [&](const TriangleMesh& model) { return evaluate(checkpoint, model, checkpoint.target ? &target : nullptr).isMet(); };
             QVERIFY2(isMetBy(after), std::to_string(i).c_str());
             const bool isJudgedByFacts = !checkpoint.target || checkpoint.facts.size() > 1;
-            if (isJudgedByFacts && i + 1 < stage.lesson().steps.size()) // it asks for something that was not there
+            if (isJudgedByFacts && i + 1 < playback.lesson().steps.size()) // it asks for something that was not there
                 QVERIFY2(!isMetBy(before), std::to_string(i).c_str());
         }
     }
@@ -87,14 +87,14 @@ private Q_SLOTS:
     {
         QFETCH(QByteArray, name);
         const auto lesson = lessonNamed(name.constData());
-        LessonStage first(lesson, shelf), second(lesson, shelf), third(lesson, shelf);
+        LessonPlayback first(lesson, shelf), second(lesson, shelf), third(lesson, shelf);
         const std::uint64_t hash = hashAfter(first);
         QCOMPARE(hashAfter(second), hash);
         LessonPlayer player(lesson);
         for (std::size_t i = 0; i < lesson->steps.size(); ++i) {
             player.setStep(i);
             third.goTo(i);
-            player.setSpeed(i % 2 == 0 ? LessonPlayer::slowest : LessonPlayer::fastest);
+            player.setSpeed(i % 2 == 0 ? LessonPlayer::minSpeed : LessonPlayer::maxSpeed);
             playByTime(player, third, 0.07 + 0.1 * static_cast<double>(i));
         }
         QCOMPARE(third.mesh().meshHash(), hash);
@@ -106,41 +106,41 @@ private Q_SLOTS:
     void oneByOne_leadsToTheSameModel()
     {
         const auto lesson = lessonNamed("creature");
-        LessonStage stage(lesson, shelf);
+        LessonPlayback playback(lesson, shelf);
         LessonPlayer player(lesson);
-        std::vector<std::uint64_t> hashes = {stage.mesh().meshHash()};
+        std::vector<std::uint64_t> hashes = {playback.mesh().meshHash()};
         while (!player.isAtEnd()) {
             player.playOne();
             for (int ticks = 0; player.isPlaying(); ++ticks) {
                 QVERIFY(ticks < 10'000);
                 for (const LessonCue& cue : player.advance(0.1))
-                    stage.apply(cue);
+                    playback.apply(cue);
             }
-            QVERIFY(!stage.sculptor().strokeOpen());
-            QCOMPARE(stage.done(), hashes.size());
-            hashes.push_back(stage.mesh().meshHash());
+            QVERIFY(!playback.sculptor().strokeOpen());
+            QCOMPARE(playback.done(), hashes.size());
+            hashes.push_back(playback.mesh().meshHash());
         }
         QCOMPARE(hashes.size(), lesson->steps[0].strokes.size() + 1);
         player.playOne();
         QVERIFY(!player.isPlaying());
         for (std::size_t i = hashes.size() - 1; i > 0; --i) {
-            QVERIFY(stage.takeBack());
-            QCOMPARE(stage.mesh().meshHash(), hashes[i - 1]);
+            QVERIFY(playback.undoLast());
+            QCOMPARE(playback.mesh().meshHash(), hashes[i - 1]);
         }
-        QVERIFY(!stage.takeBack());
+        QVERIFY(!playback.undoLast());
         player.setStep(0);
         player.play();
-        for (const LessonCue& cue : player.advance(LessonPlayer::lead + 0.2))
-            stage.apply(cue);
-        QVERIFY(stage.sculptor().strokeOpen());
+        for (const LessonCue& cue : player.advance(LessonPlayer::leadTime + 0.2))
+            playback.apply(cue);
+        QVERIFY(playback.sculptor().strokeOpen());
         QVERIFY(player.ghost()->isPressed);
         player.pause();
         QVERIFY(player.advance(5).empty());
-        QVERIFY(stage.takeBack());
-        QCOMPARE(stage.mesh().meshHash(), hashes[0]);
+        QVERIFY(playback.undoLast());
+        QCOMPARE(playback.mesh().meshHash(), hashes[0]);
         player.setStep(0);
-        playByTime(player, stage, 0.5);
-        QCOMPARE(stage.mesh().meshHash(), hashes.back());
+        playByTime(player, playback, 0.5);
+        QCOMPARE(playback.mesh().meshHash(), hashes.back());
     }
 
     /// Twice the speed, half the time; and never faster or slower than there is.
@@ -157,9 +157,9 @@ private Q_SLOTS:
             QVERIFY(std::abs(seconds - player.duration() / speed) < 0.02);
         }
         player.setSpeed(99);
-        QCOMPARE(player.speed(), LessonPlayer::fastest);
+        QCOMPARE(player.speed(), LessonPlayer::maxSpeed);
         player.setSpeed(0);
-        QCOMPARE(player.speed(), LessonPlayer::slowest);
+        QCOMPARE(player.speed(), LessonPlayer::minSpeed);
     }
 
     /// From where the last stroke ended to where the next begins, without a leap, and pressed only in strokes.
@@ -205,18 +205,18 @@ private Q_SLOTS:
                 cues += player.advance(0.1).size();
             return cues == times.size() + 2 ? player.duration() : -1;
         };
-        QCOMPARE(durationOf({}), LessonPlayer::lead);
-        QCOMPARE(durationOf({5, 5, 5}), LessonPlayer::lead + 2 * LessonPlayer::pace);
-        QCOMPARE(durationOf({5, 3, 9}), LessonPlayer::lead + 2 * LessonPlayer::pace);
-        QCOMPARE(durationOf({0, 0.5, 1e9}), LessonPlayer::lead + 0.5 + LessonPlayer::longestWait);
+        QCOMPARE(durationOf({}), LessonPlayer::leadTime);
+        QCOMPARE(durationOf({5, 5, 5}), LessonPlayer::leadTime + 2 * LessonPlayer::samplePause);
+        QCOMPARE(durationOf({5, 3, 9}), LessonPlayer::leadTime + 2 * LessonPlayer::samplePause);
+        QCOMPARE(durationOf({0, 0.5, 1e9}), LessonPlayer::leadTime + 0.5 + LessonPlayer::maxPause);
     }
 
     void pupilsCopy_isTheirOwn()
     {
-        LessonStage stage(lessonNamed("first-clay"), shelf);
-        stage.goTo(1);
-        const std::uint64_t before = stage.mesh().meshHash();
-        Sculptor pupil(std::make_unique<Mesh>(stage.mesh()));
+        LessonPlayback playback(lessonNamed("first-clay"), shelf);
+        playback.goTo(1);
+        const std::uint64_t before = playback.mesh().meshHash();
+        Sculptor pupil(std::make_unique<Mesh>(playback.mesh()));
         QCOMPARE(pupil.mesh().meshHash(), before);
         StrokeSample sample;
         sample.position = {50, 0, 0};
@@ -224,11 +224,11 @@ private Q_SLOTS:
         pupil.addSample(sample);
         pupil.endStroke();
         QVERIFY(pupil.mesh().meshHash() != before);
-        QCOMPARE(stage.mesh().meshHash(), before);
-        const TriangleMesh target = stage.target();
-        QCOMPARE(stage.mesh().meshHash(), before);
-        QVERIFY(judge(stage.step().checkpoint, target, &target).isMet());
-        const CheckpointVerdict verdict = judge(stage.step().checkpoint, extractMesh(pupil.mesh()), &target);
+        QCOMPARE(playback.mesh().meshHash(), before);
+        const TriangleMesh target = playback.target();
+        QCOMPARE(playback.mesh().meshHash(), before);
+        QVERIFY(evaluate(playback.step().checkpoint, target, &target).isMet());
+        const CheckpointVerdict verdict = evaluate(playback.step().checkpoint, extractMesh(pupil.mesh()), &target);
         QVERIFY(!verdict.isMet());
         QVERIFY(verdict.target->largest > 5);
     }
@@ -241,13 +241,13 @@ private Q_SLOTS:
             lesson.steps.resize(2);
             lesson.steps[1].strokesFile = "a.json";
             lesson.steps[1].strokes = {entry};
-            LessonStage stage(std::make_shared<const Lesson>(lesson), "a");
-            const std::uint64_t before = stage.mesh().meshHash();
-            stage.goTo(1);
+            LessonPlayback playback(std::make_shared<const Lesson>(lesson), "a");
+            const std::uint64_t before = playback.mesh().meshHash();
+            playback.goTo(1);
             try {
-                stage.finish();
+                playback.finish();
             } catch (const LessonError& error) {
-                return stage.mesh().meshHash() == before ? std::optional(error) : std::nullopt;
+                return playback.mesh().meshHash() == before ? std::optional(error) : std::nullopt;
             }
             return std::nullopt;
         };
@@ -276,5 +276,5 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(TestLessons)
+QTEST_APPLESS_MAIN(TestBundledLessons)
 #include "tst_bundled_lessons.moc"

@@ -1,6 +1,6 @@
 #include "core/lesson/checkpoint.h"
 #include "core/analysis/mesh_check.h"
-#include "core/operations/primitives.h"
+#include "core/operations/starter_models.h"
 
 #include <QTest>
 
@@ -22,12 +22,12 @@ TriangleMesh moved(TriangleMesh mesh, const Vec3f& by)
 
 FactVerdict verdictOf(const FactBounds& asked, const TriangleMesh& mesh)
 {
-    return judge({{asked}, {}}, mesh, nullptr).facts.at(0);
+    return evaluate({{asked}, {}}, mesh, nullptr).facts.at(0);
 }
 
 TargetVerdict verdictOf(double tolerance, const TriangleMesh& model, const TriangleMesh& target)
 {
-    return judge({{}, CheckpointTarget{"", tolerance}}, model, &target).target.value();
+    return evaluate({{}, CheckpointTarget{"", tolerance}}, model, &target).target.value();
 }
 } // namespace
 
@@ -74,7 +74,7 @@ private Q_SLOTS:
         const TriangleMesh ball = starterModel(Starter::Ball);
         const TargetVerdict verdict = verdictOf(0.001, ball, ball);
         QVERIFY(verdict.holds);
-        QCOMPARE(verdict.apart, 0.0);
+        QCOMPARE(verdict.nearDistance, 0.0);
         QCOMPARE(verdict.largest, 0.0);
         QCOMPARE(verdict.distances.size(), ball.points.size());
     }
@@ -85,7 +85,7 @@ private Q_SLOTS:
         const TriangleMesh small = icosphere(5, radius), large = icosphere(5, radius + 3);
         const TargetVerdict verdict = verdictOf(2.9, large, small);
         QVERIFY(!verdict.holds);
-        QVERIFY(std::abs(verdict.apart - 3) < 0.05 && std::abs(verdict.largest - 3) < 0.05);
+        QVERIFY(std::abs(verdict.nearDistance - 3) < 0.05 && std::abs(verdict.largest - 3) < 0.05);
         for (const float distance : verdict.distances)
             QVERIFY(std::abs(distance - 3) < 0.05);
         QVERIFY(verdictOf(3.1, large, small).holds);
@@ -119,11 +119,11 @@ private Q_SLOTS:
     {
         const TriangleMesh ball = icosphere(4, radius);
         const Checkpoint both{{{Fact::Genus, 0, 0}}, CheckpointTarget{"", 1}};
-        QVERIFY(judge(both, ball, &ball).isMet());
+        QVERIFY(evaluate(both, ball, &ball).isMet());
         const TriangleMesh far = moved(ball, {9, 0, 0});
-        QVERIFY(!judge(both, far, &ball).isMet());
-        QVERIFY(!judge({{{Fact::Genus, 1, 1}}, CheckpointTarget{"", 1}}, ball, &ball).isMet());
-        QVERIFY(judge({}, ball, nullptr).isMet());
+        QVERIFY(!evaluate(both, far, &ball).isMet());
+        QVERIFY(!evaluate({{{Fact::Genus, 1, 1}}, CheckpointTarget{"", 1}}, ball, &ball).isMet());
+        QVERIFY(evaluate({}, ball, nullptr).isMet());
     }
 };
 

@@ -33,7 +33,7 @@ Lesson readBack(const Lesson& lesson)
 /// The model that each step leaves.
 struct Played
 {
-    std::vector<StepTrial> trials;
+    std::vector<StepCheck> checks;
     std::vector<std::size_t> seen;
     std::uint64_t hash = 0;
     std::string unsoundness;
@@ -42,16 +42,16 @@ struct Played
 Played play(const Lesson& lesson)
 {
     Played played;
-    LessonStage stage(std::make_shared<const Lesson>(lesson), "lesson");
-    played.trials = tryLesson(stage, [&](std::size_t step, const TriangleMesh&) { played.seen.push_back(step); });
-    played.unsoundness = mesh_asserts::unsoundness(stage.mesh());
-    played.hash = stage.mesh().meshHash();
+    LessonPlayback playback(std::make_shared<const Lesson>(lesson), "lesson");
+    played.checks = checkLesson(playback, [&](std::size_t step, const TriangleMesh&) { played.seen.push_back(step); });
+    played.unsoundness = mesh_asserts::unsoundness(playback.mesh());
+    played.hash = playback.mesh().meshHash();
     return played;
 }
 
 bool isMet(const Played& played)
 {
-    return played.unsoundness.empty() && std::ranges::all_of(played.trials, [](const StepTrial& trial) { return trial.idle.empty() && trial.verdict.isMet(); });
+    return played.unsoundness.empty() && std::ranges::all_of(played.checks, [](const StepCheck& check) { return check.idle.empty() && check.verdict.isMet(); });
 }
 } // namespace
 
@@ -127,8 +127,8 @@ private Q_SLOTS:
         QVERIFY(back.steps[0].strokesFile.empty());
         const Played played = play(back);
         QVERIFY(played.unsoundness.empty());
-        QCOMPARE(played.trials.size(), draft.steps());
-        QVERIFY(!played.trials[0].verdict.isMet());
+        QCOMPARE(played.checks.size(), draft.steps());
+        QVERIFY(!played.checks[0].verdict.isMet());
     }
 
     /// A stroke in the air, far from what is left, is counted where it stands.
@@ -144,24 +144,24 @@ private Q_SLOTS:
         inTheAir.samples[0].position = Vec3(0, 200, 0);
         draft.addStroke(0, inTheAir);
         const Played played = play(readBack(draft.complete({})));
-        QCOMPARE(played.trials[0].idle, std::vector{draft.step(0).strokes.size() - 1});
-        QVERIFY(played.trials[1].idle.empty());
+        QCOMPARE(played.checks[0].idle, std::vector{draft.step(0).strokes.size() - 1});
+        QVERIFY(played.checks[1].idle.empty());
         QVERIFY(std::holds_alternative<Stroke>(draft.takeLastStroke(0)));
-        QVERIFY(play(draft.complete({})).trials[0].idle.empty());
+        QVERIFY(play(draft.complete({})).checks[0].idle.empty());
     }
 
     void removedAndNewSteps_areCompletedBeforeTheyAreWritten()
     {
         LessonDraft draft;
-        QCOMPARE(draft.missing()->what, LessonDraft::Lack::Title);
+        QCOMPARE(draft.missing()->what, LessonDraft::Required::Title);
         draft.setTitle("de", "Leer");
-        QCOMPARE(draft.missing()->what, LessonDraft::Lack::Steps);
+        QCOMPARE(draft.missing()->what, LessonDraft::Required::Steps);
         draft.addStep();
         draft.addStep();
         draft.setStepTitle(0, "de", "Eins");
-        QCOMPARE(draft.missing()->what, LessonDraft::Lack::StepText);
+        QCOMPARE(draft.missing()->what, LessonDraft::Required::StepText);
         draft.setStepText(0, "de", "Tun.");
-        QCOMPARE(draft.missing()->what, LessonDraft::Lack::StepTitle);
+        QCOMPARE(draft.missing()->what, LessonDraft::Required::StepTitle);
         QCOMPARE(draft.missing()->step, std::size_t(1));
         draft.removeStep(1);
         QVERIFY(!draft.missing());
@@ -218,16 +218,16 @@ private Q_SLOTS:
 
     void stopped_endsSoon()
     {
-        LessonStage stage(std::make_shared<const Lesson>(draftOf("mug").lesson()), "mug");
+        LessonPlayback playback(std::make_shared<const Lesson>(draftOf("mug").lesson()), "mug");
         std::stop_source stop;
         std::vector<double> shares;
-        const auto trials = tryLesson(stage, [](std::size_t, const TriangleMesh&) {}, {stop.get_token(), [&](double share) {
+        const auto checks = checkLesson(playback, [](std::size_t, const TriangleMesh&) {}, {stop.get_token(), [&](double share) {
                                                                                              shares.push_back(share);
                                                                                              stop.request_stop();
                                                                                          }});
         QCOMPARE(shares.size(), std::size_t(1));
-        QCOMPARE(trials.size(), std::size_t(1));
-        VERIFY_VALID(stage.mesh());
+        QCOMPARE(checks.size(), std::size_t(1));
+        VERIFY_VALID(playback.mesh());
     }
 };
 

@@ -1,7 +1,7 @@
 // Lessons as files: what comes back, and what is refused.
 #include "core/lesson/lesson_file.h"
 #include "core/io/mesh_io.h"
-#include "core/operations/primitives.h"
+#include "core/operations/starter_models.h"
 
 #include <nlohmann/json.hpp>
 
@@ -344,7 +344,7 @@ private Q_SLOTS:
         pack(path / "b.zip", {{"readme.txt", "no"}});
         QCOMPARE(errorOf([&] { readLesson(path / "b.zip"); })->kind, Kind::NoLesson);
         Content many = contentOf(least());
-        for (std::size_t i = 0; i <= LessonLimits::mostPackedFiles; ++i)
+        for (std::size_t i = 0; i <= LessonLimits::maxPackedFiles; ++i)
             many["f" + std::to_string(i)] = "";
         pack(path / "c.zip", many);
         QCOMPARE(errorOf([&] { readLesson(path / "c.zip"); })->kind, Kind::TooMany);
@@ -435,12 +435,12 @@ void TestLessonFile::refuses_data()
     row("no start", Kind::MissingKey, [](Json& lesson) { lesson.erase("start"); });
     row("no steps", Kind::WrongType, [](Json& lesson) { lesson["steps"] = Json::array(); });
     row("a step that is none", Kind::WrongType, [](Json& lesson) { lesson["steps"][0] = 5; });
-    row("steps without end", Kind::TooMany, [](Json& lesson) { lesson["steps"] = Json(LessonLimits::mostSteps + 1, lesson["steps"][0]); });
+    row("steps without end", Kind::TooMany, [](Json& lesson) { lesson["steps"] = Json(LessonLimits::maxSteps + 1, lesson["steps"][0]); });
     row("no language", Kind::NoWords, [](Json& lesson) { lesson["title"] = Json::object(); });
     row("no words", Kind::NoWords, [](Json& lesson) { lesson["title"]["de"] = "  "; });
     row("odd language", Kind::UnknownKey, [](Json& lesson) { lesson["title"]["../de"] = "a"; });
     row("a number for words", Kind::WrongType, [](Json& lesson) { lesson["title"]["de"] = 5; });
-    row("a book", Kind::TooLong, [](Json& lesson) { lesson["title"]["de"] = std::string(LessonLimits::mostTextBytes + 1, 'a'); });
+    row("a book", Kind::TooLong, [](Json& lesson) { lesson["title"]["de"] = std::string(LessonLimits::maxTextBytes + 1, 'a'); });
     row("unknown starter", Kind::UnknownValue, [](Json& lesson) { lesson["start"] = "cow"; });
     row("start without file", Kind::MissingKey, [](Json& lesson) { lesson["start"] = Json::object(); });
     step("unknown key in a step", Kind::UnknownKey, "sound", "a.mp3");

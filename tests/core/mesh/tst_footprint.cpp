@@ -153,7 +153,7 @@ void TestFootprint::ofTooManyVertices_isEmpty()
 {
     Sculptor sculptor(sculptable(clay::slab(1, 0.05, 200)));
     const Vec3 center = sculptor.hit({{0.01, 5, 0.02}, -Vec3::UnitY()})->position;
-    QVERIFY(sculptor.mesh().live().vertices > Footprint::most);
+    QVERIFY(sculptor.mesh().live().vertices > Footprint::maxSlots);
     QVERIFY(sculptor.footprint(dye(9), center).slots.empty());
     QVERIFY(!sculptor.footprint(dye(0.2), center).slots.empty());
 }

@@ -52,7 +52,7 @@ TriangleMesh coloured(TriangleMesh mesh)
 }
 } // namespace
 
-class TestMeshBuild : public QObject
+class TestMeshBuilder : public QObject
 {
     Q_OBJECT
 
@@ -72,7 +72,7 @@ private Q_SLOTS:
     void extractMesh_roundTrips();
 };
 
-void TestMeshBuild::soundModels_areBuilt_data()
+void TestMeshBuilder::soundModels_areBuilt_data()
 {
     QTest::addColumn<TriangleMesh>("shape");
     QTest::newRow("tetrahedron") << shapes::tetrahedron();
@@ -86,7 +86,7 @@ void TestMeshBuild::soundModels_areBuilt_data()
     QTest::newRow("huge") << core::icosphere(2, 1e6);
 }
 
-void TestMeshBuild::soundModels_areBuilt()
+void TestMeshBuilder::soundModels_areBuilt()
 {
     QFETCH(TriangleMesh, shape);
     const BuildResult result = buildMesh(shape);
@@ -98,7 +98,7 @@ void TestMeshBuild::soundModels_areBuilt()
     QVERIFY(result.moved == Vec3::Zero());
 }
 
-void TestMeshBuild::fileOrder_doesNotMatter()
+void TestMeshBuilder::fileOrder_doesNotMatter()
 {
     StrokeFuzzer random(20240812);
     for (const TriangleMesh& shape : {coloured(core::icosphere(3, 50)), clay::bowl(), shapes::nestedSpheres(true)}) {
@@ -108,7 +108,7 @@ void TestMeshBuild::fileOrder_doesNotMatter()
     }
 }
 
-void TestMeshBuild::neighboursInSpace_areNeighboursInMemory()
+void TestMeshBuilder::neighboursInSpace_areNeighboursInMemory()
 {
     StrokeFuzzer random(20240812);
     const auto mesh = buildMesh(shuffled(core::icosphere(5, 50), random)).mesh;
@@ -119,7 +119,7 @@ void TestMeshBuild::neighboursInSpace_areNeighboursInMemory()
     QVERIFY2(mean < mesh->slots().vertices / 20.0, qPrintable(QString::number(mean))); // a third in random order
 }
 
-void TestMeshBuild::farModel_isMovedToTheOrigin()
+void TestMeshBuilder::farModel_isMovedToTheOrigin()
 {
     const TriangleMesh far = shapes::moved(core::icosphere(3, 1), {1000, -3000, 500});
     const BuildResult result = buildMesh(far);
@@ -132,19 +132,19 @@ void TestMeshBuild::farModel_isMovedToTheOrigin()
     VERIFY_VALID(*result.mesh);
 }
 
-void TestMeshBuild::nearModel_staysWhereItIs()
+void TestMeshBuilder::nearModel_staysWhereItIs()
 {
     const BuildResult result = buildMesh(shapes::moved(core::icosphere(3, 1), {3, -3, 2}));
     QVERIFY(result.mesh && result.moved == Vec3::Zero());
 }
 
-void TestMeshBuild::centre_movesTheBoxesMiddleToTheOrigin()
+void TestMeshBuilder::centre_movesTheBoxesMiddleToTheOrigin()
 {
     const BuildResult result = buildMesh(shapes::moved(core::icosphere(3, 1), {3, -3, 2}), true);
     QVERIFY(result.mesh && (result.moved - Vec3(-3, 3, -2)).norm() < 1e-3);
 }
 
-void TestMeshBuild::points_areSnappedToTheNearestLatticePoint()
+void TestMeshBuilder::points_areSnappedToTheNearestLatticePoint()
 {
     const TriangleMesh shape = shapes::noisy(core::icosphere(3, 50), 0.2f, 3);
     const BuildResult result = buildMesh(shape);
@@ -162,14 +162,14 @@ void TestMeshBuild::points_areSnappedToTheNearestLatticePoint()
     QVERIFY(expected == built);
 }
 
-void TestMeshBuild::pointsOnTheLattice_areKeptBitForBit()
+void TestMeshBuilder::pointsOnTheLattice_areKeptBitForBit()
 {
     const TriangleMesh once = extractMesh(*buildMesh(shapes::noisy(core::icosphere(3, 50), 0.2f, 3)).mesh);
     const TriangleMesh twice = extractMesh(*buildMesh(once).mesh);
     QVERIFY(once.points == twice.points && once.triangles == twice.triangles);
 }
 
-void TestMeshBuild::unusedVertices_areLeftOut()
+void TestMeshBuilder::unusedVertices_areLeftOut()
 {
     TriangleMesh shape = shapes::cube(2);
     shape.points.insert(shape.points.begin(), Vec3f(900, 0, 0));
@@ -182,7 +182,7 @@ void TestMeshBuild::unusedVertices_areLeftOut()
     QCOMPARE(result.mesh->stateHash(), plain.mesh->stateHash());
 }
 
-void TestMeshBuild::brokenModels_areRefused_data()
+void TestMeshBuilder::brokenModels_areRefused_data()
 {
     QTest::addColumn<TriangleMesh>("shape");
     QTest::newRow("open") << shapes::openCone(6);
@@ -198,14 +198,14 @@ void TestMeshBuild::brokenModels_areRefused_data()
     QTest::newRow("degenerate") << degenerate;
 }
 
-void TestMeshBuild::brokenModels_areRefused()
+void TestMeshBuilder::brokenModels_areRefused()
 {
     QFETCH(TriangleMesh, shape);
     const BuildResult result = buildMesh(shape);
     QVERIFY(!result.mesh && !result.report.printReady());
 }
 
-void TestMeshBuild::extractMesh_roundTrips()
+void TestMeshBuilder::extractMesh_roundTrips()
 {
     for (const TriangleMesh& shape : {coloured(core::icosphere(2, 50)), clay::bowl()}) {
         const auto mesh = buildMesh(shape).mesh;
@@ -224,5 +224,5 @@ void TestMeshBuild::extractMesh_roundTrips()
     }
 }
 
-QTEST_APPLESS_MAIN(TestMeshBuild)
+QTEST_APPLESS_MAIN(TestMeshBuilder)
 #include "tst_mesh_builder.moc"

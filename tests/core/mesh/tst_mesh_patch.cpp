@@ -175,7 +175,7 @@ void TestMeshPatch::undoOfAnInsertion_isSeen()
     Sculptor sculptor(sculptable(core::icosphere(2, 1)));
     Viewer viewer = viewerOf(sculptor.wholePatch());
     const core::Insert insertion{shapes::moved(core::icosphere(1, 1), {5, 0, 0}), core::Insert::Place::AsItIs};
-    core::ModelChange change = core::tryOn(sculptor.mesh(), insertion);
+    core::ModelChange change = core::applyToCopy(sculptor.mesh(), insertion);
     QVERIFY(change.changes);
     for (int i = 0; i < 4; ++i) { // in, out, in, out
         sculptor.swap(change.delta);

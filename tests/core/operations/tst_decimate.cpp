@@ -4,7 +4,7 @@
 
 #include "core/operations/decimate.h"
 #include "core/mesh/mesh_builder.h"
-#include "core/operations/primitives.h"
+#include "core/operations/starter_models.h"
 
 #include <QTest>
 
@@ -198,12 +198,12 @@ void TestDecimate::stopped_givesNothing()
 {
     std::stop_source stop;
     double last = 0;
-    core::JobWatch watch{stop.get_token(), [&](double share) {
+    core::JobControl control{stop.get_token(), [&](double share) {
         QVERIFY(share >= last && share <= 1);
         last = share;
         stop.request_stop();
     }};
-    QVERIFY(core::decimate(built(wavyBall()), 500, watch).mesh.triangles.empty());
+    QVERIFY(core::decimate(built(wavyBall()), 500, control).mesh.triangles.empty());
     QVERIFY(last > 0 && last < 1);
 }
 

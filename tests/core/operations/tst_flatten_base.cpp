@@ -150,7 +150,7 @@ void TestFlattenBase::polygons_areFilled()
             area += twiceArea({0, 0}, loop[i], loop[(i + 1) % loop.size()]);
         }
     }
-    const auto filling = core::fillPolygon(points, indices);
+    const auto filling = core::triangulatePolygon(points, indices);
     QVERIFY(filling);
     for (const Triangle& t : *filling) {
         const std::int64_t part = twiceArea(points[t[0]], points[t[1]], points[t[2]]);
@@ -172,10 +172,10 @@ void TestFlattenBase::polygons_areFilled()
 void TestFlattenBase::polygons_thatAreNone()
 {
     const std::vector<FlatPoint> points{{0, 0}, {8, 8}, {8, 0}, {0, 8}, {4, 4}, {16, 16}};
-    QVERIFY(!core::fillPolygon(points, {{0, 2, 1, 3, 4, 5}})); // runs back into itself
-    QVERIFY(!core::fillPolygon(points, {{0, 4, 1}}));          // flat
-    QVERIFY(!core::fillPolygon(points, {{0, 1, 2}}));          // a hole in nothing
-    QVERIFY(!core::fillPolygon(points, {{0, 2}}));
+    QVERIFY(!core::triangulatePolygon(points, {{0, 2, 1, 3, 4, 5}})); // runs back into itself
+    QVERIFY(!core::triangulatePolygon(points, {{0, 4, 1}}));          // flat
+    QVERIFY(!core::triangulatePolygon(points, {{0, 1, 2}}));          // a hole in nothing
+    QVERIFY(!core::triangulatePolygon(points, {{0, 2}}));
 }
 
 void TestFlattenBase::base_isFlat_data()
@@ -199,14 +199,14 @@ void TestFlattenBase::base_isFlat()
     const auto mesh = sculptable(shape);
     const std::uint64_t before = mesh->stateHash();
     const double bottom = lowest(*mesh), height = highest(*mesh) - bottom, top = highest(*mesh);
-    ModelChange change = tryOn(*mesh, FlattenBase{share * height});
+    ModelChange change = applyToCopy(*mesh, FlattenBase{share * height});
     QCOMPARE(static_cast<int>(change.refusal), static_cast<int>(ModelRefusal::None));
     QVERIFY(change.changes);
     mesh->swap(change.delta);
     VERIFY_VALID(*mesh);
     QVERIFY(std::abs(lowest(*mesh) - bottom - share * height) < 40 * mesh->lattice().unit());
     QCOMPARE(highest(*mesh), top);
-    const core::PrintReport print = core::judgeForPrint({core::extractMesh(*mesh), {}, {}}, {.bed = {}});
+    const core::PrintReport print = core::checkForPrint({core::extractMesh(*mesh), {}, {}}, {.bed = {}});
     QVERIFY(print.baseArea > 0);
     const std::uint64_t after = mesh->stateHash();
     mesh->swap(change.delta);
@@ -219,12 +219,12 @@ void TestFlattenBase::base_isFlat()
 void TestFlattenBase::base_keepsWhatLiesAbove()
 {
     const auto mesh = sculptable(core::icosphere(5, 10));
-    ModelChange change = tryOn(*mesh, FlattenBase{5});
+    ModelChange change = applyToCopy(*mesh, FlattenBase{5});
     mesh->swap(change.delta);
     const core::MeshReport report = core::checkMesh(core::extractMesh(*mesh));
     const double pi = 3.14159265358979, ball = 4.0 / 3 * pi * 1000, cap = pi * 25 * (30 - 5) / 3;
     QVERIFY(std::abs(*report.volume / (ball - cap) - 1) < 0.005);
-    const core::PrintReport print = core::judgeForPrint({core::extractMesh(*mesh), report, {}}, {.bed = {}});
+    const core::PrintReport print = core::checkForPrint({core::extractMesh(*mesh), report, {}}, {.bed = {}});
     QVERIFY(std::abs(print.baseArea / (pi * 75) - 1) < 0.01);
 }
 
@@ -232,7 +232,7 @@ void TestFlattenBase::base_ofTheWrongHeightIsRefused()
 {
     const auto mesh = sculptable(core::icosphere(3, 10));
     for (const double height : {-1.0, 0.0, 20.0, 25.0, 1e9}) {
-        const ModelChange change = tryOn(*mesh, FlattenBase{height});
+        const ModelChange change = applyToCopy(*mesh, FlattenBase{height});
         QCOMPARE(static_cast<int>(change.refusal), static_cast<int>(ModelRefusal::NoBase));
         QVERIFY(!change.changes);
     }
@@ -254,7 +254,7 @@ void TestFlattenBase::base_ofRandomModels()
             continue;
         const auto mesh = sculptable(shape);
         const std::uint64_t before = mesh->stateHash();
-        ModelChange change = tryOn(*mesh, FlattenBase{share(engine) * (highest(*mesh) - lowest(*mesh))});
+        ModelChange change = applyToCopy(*mesh, FlattenBase{share(engine) * (highest(*mesh) - lowest(*mesh))});
         if (change.refusal != ModelRefusal::None)
             continue;
         ++done;
@@ -271,7 +271,7 @@ void TestFlattenBase::stopped_changesNothing()
     const auto mesh = sculptable(core::icosphere(4, 10));
     std::stop_source source;
     source.request_stop();
-    const ModelChange change = tryOn(*mesh, FlattenBase{5}, {source.get_token(), {}});
+    const ModelChange change = applyToCopy(*mesh, FlattenBase{5}, {source.get_token(), {}});
     QVERIFY(!change.changes && change.refusal == ModelRefusal::None);
 }
 
@@ -289,7 +289,7 @@ void TestFlattenBase::bed_isAtZero()
     QFETCH(const TriangleMesh, shape);
     const auto mesh = sculptable(shape), original = sculptable(shape);
     const double by = lowest(*mesh);
-    ModelChange change = tryOn(*mesh, PlaceOnBed{});
+    ModelChange change = applyToCopy(*mesh, PlaceOnBed{});
     QVERIFY(change.changes);
     mesh->swap(change.delta);
     QCOMPARE(lowest(*mesh), 0.0);
@@ -303,9 +303,9 @@ void TestFlattenBase::bed_isAtZero()
 void TestFlattenBase::bed_twiceIsOnce()
 {
     const auto mesh = sculptable(core::icosphere(3, 10));
-    ModelChange change = tryOn(*mesh, PlaceOnBed{});
+    ModelChange change = applyToCopy(*mesh, PlaceOnBed{});
     mesh->swap(change.delta);
-    QVERIFY(!tryOn(*mesh, PlaceOnBed{}).changes);
+    QVERIFY(!applyToCopy(*mesh, PlaceOnBed{}).changes);
 }
 
 QTEST_GUILESS_MAIN(TestFlattenBase)

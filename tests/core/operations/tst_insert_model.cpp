@@ -12,11 +12,11 @@ namespace
 {
 ModelChange tried(const TriangleMesh& present, const Insert& command)
 {
-    return tryOn(*buildMesh(present).mesh, command);
+    return applyToCopy(*buildMesh(present).mesh, command);
 }
 } // namespace
 
-class TestModelInsert : public QObject
+class TestInsertModel : public QObject
 {
     Q_OBJECT
 
@@ -37,10 +37,10 @@ private Q_SLOTS:
     void stopped_changesNothing();
 };
 
-void TestModelInsert::besides_standsClearOnTheSameFloor()
+void TestInsertModel::besides_standsClearOnTheSameFloor()
 {
     const auto mesh = buildMesh(icosphere(3, 50)).mesh;
-    ModelChange change = tryOn(*mesh, Insert{shapes::moved(icosphere(2, 10), {500, 500, 500})});
+    ModelChange change = applyToCopy(*mesh, Insert{shapes::moved(icosphere(2, 10), {500, 500, 500})});
     QVERIFY(change.changes);
     mesh->swap(change.delta);
     VERIFY_VALID(*mesh);
@@ -50,23 +50,23 @@ void TestModelInsert::besides_standsClearOnTheSameFloor()
     QVERIFY(report.size.y() < 100.1);
 }
 
-void TestModelInsert::coloursComeAlong()
+void TestInsertModel::coloursComeAlong()
 {
     const auto mesh = buildMesh(icosphere(2, 50)).mesh;
     TriangleMesh red = icosphere(1, 10);
     red.colors.assign(red.points.size(), {255, 0, 0});
-    ModelChange change = tryOn(*mesh, Insert{red});
+    ModelChange change = applyToCopy(*mesh, Insert{red});
     mesh->swap(change.delta);
     const TriangleMesh both = extractMesh(*mesh);
     QCOMPARE(std::size_t(std::ranges::count(both.colors, Rgb{255, 0, 0})), red.points.size());
     QCOMPARE(std::size_t(std::ranges::count(both.colors, Rgb())), both.points.size() - red.points.size());
 }
 
-void TestModelInsert::undo_restoresTheState()
+void TestInsertModel::undo_restoresTheState()
 {
     const auto mesh = buildMesh(clay::bowl()).mesh;
     const std::uint64_t before = mesh->stateHash();
-    ModelChange change = tryOn(*mesh, Insert{clay::twoFingers(0.1)});
+    ModelChange change = applyToCopy(*mesh, Insert{clay::twoFingers(0.1)});
     mesh->swap(change.delta);
     const std::uint64_t after = mesh->stateHash();
     VERIFY_VALID(*mesh);
@@ -76,27 +76,27 @@ void TestModelInsert::undo_restoresTheState()
     QCOMPARE(mesh->stateHash(), after);
 }
 
-void TestModelInsert::intoAVoid_isTaken()
+void TestInsertModel::intoAVoid_isTaken()
 {
     const auto mesh = buildMesh(shapes::nestedSpheres(true)).mesh;
-    ModelChange change = tryOn(*mesh, Insert{shapes::scaled(icosphere(2, 1), 0.1f), Insert::Place::Centre});
+    ModelChange change = applyToCopy(*mesh, Insert{shapes::scaled(icosphere(2, 1), 0.1f), Insert::Place::Centre});
     QVERIFY(change.refusal == ModelRefusal::None && change.changes);
     mesh->swap(change.delta);
     VERIFY_VALID(*mesh);
 }
 
-void TestModelInsert::into_theMatterIsRefused()
+void TestInsertModel::into_theMatterIsRefused()
 {
     QVERIFY(tried(icosphere(3, 50), {icosphere(2, 10), Insert::Place::AsItIs}).refusal == ModelRefusal::Inside);
     QVERIFY(tried(icosphere(3, 50), {icosphere(2, 10), Insert::Place::Centre, {20, 0, 0}}).refusal == ModelRefusal::Inside);
 }
 
-void TestModelInsert::around_thePresentModelIsRefused()
+void TestInsertModel::around_thePresentModelIsRefused()
 {
     QVERIFY(tried(icosphere(2, 10), {icosphere(3, 50), Insert::Place::AsItIs}).refusal == ModelRefusal::Inside);
 }
 
-void TestModelInsert::touching_isRefused_data()
+void TestInsertModel::touching_isRefused_data()
 {
     QTest::addColumn<Vec3f>("at");
     QTest::newRow("face on face") << Vec3f(20, 0, 0);
@@ -105,7 +105,7 @@ void TestModelInsert::touching_isRefused_data()
     QTest::newRow("corner on corner") << Vec3f(20, 20, 20);
 }
 
-void TestModelInsert::touching_isRefused()
+void TestInsertModel::touching_isRefused()
 {
     QFETCH(Vec3f, at);
     const TriangleMesh cube = shapes::cube(20);
@@ -114,12 +114,12 @@ void TestModelInsert::touching_isRefused()
     QVERIFY(tried(cube, {shapes::moved(cube, 1.001f * at), Insert::Place::AsItIs}).changes);
 }
 
-void TestModelInsert::overlapping_isRefused()
+void TestInsertModel::overlapping_isRefused()
 {
     QVERIFY(tried(icosphere(3, 50), {icosphere(2, 20), Insert::Place::Centre, {50, 0, 0}}).refusal == ModelRefusal::Touching);
 }
 
-void TestModelInsert::unsoundModel_isRefusedWithItsReport()
+void TestInsertModel::unsoundModel_isRefusedWithItsReport()
 {
     const ModelChange change = tried(icosphere(3, 50), {shapes::openCone(12)});
     QVERIFY(change.refusal == ModelRefusal::Unsound);
@@ -128,17 +128,17 @@ void TestModelInsert::unsoundModel_isRefusedWithItsReport()
     QVERIFY(tried(icosphere(3, 50), {TriangleMesh()}).refusal == ModelRefusal::Unsound);
 }
 
-void TestModelInsert::tooFar_isRefused()
+void TestInsertModel::tooFar_isRefused()
 {
     QVERIFY(tried(icosphere(3, 50), {icosphere(2, 10), Insert::Place::Centre, {0, 450, 0}}).refusal == ModelRefusal::TooFar);
     QVERIFY(tried(icosphere(3, 50), {icosphere(2, 10), Insert::Place::Centre, {0, 350, 0}}).changes);
 }
 
-void TestModelInsert::largeModel_makesTheLatticeCoarser()
+void TestInsertModel::largeModel_makesTheLatticeCoarser()
 {
     const auto mesh = buildMesh(icosphere(3, 50)).mesh;
     const Lattice before = mesh->lattice();
-    ModelChange change = tryOn(*mesh, Insert{icosphere(3, 5000)});
+    ModelChange change = applyToCopy(*mesh, Insert{icosphere(3, 5000)});
     QVERIFY(change.changes);
     mesh->swap(change.delta);
     QVERIFY(mesh->lattice().exponent() < before.exponent());
@@ -147,28 +147,28 @@ void TestModelInsert::largeModel_makesTheLatticeCoarser()
     QVERIFY(mesh->lattice() == before);
 }
 
-void TestModelInsert::tinyModel_isRefusedWithTheNumberOfItsFaces()
+void TestInsertModel::tinyModel_isRefusedWithTheNumberOfItsFaces()
 {
     const auto mesh = buildMesh(icosphere(3, 50)).mesh;
-    const ModelChange change = tryOn(*mesh, Insert{icosphere(1, mesh->lattice().unit() / 4)});
+    const ModelChange change = applyToCopy(*mesh, Insert{icosphere(1, mesh->lattice().unit() / 4)});
     QVERIFY(change.refusal == ModelRefusal::FacesMeet);
     QVERIFY(change.faces > 0);
 }
 
-void TestModelInsert::stopped_changesNothing()
+void TestInsertModel::stopped_changesNothing()
 {
     for (int stopAt = 1; stopAt <= 3; ++stopAt) {
         std::stop_source source;
         int calls = 0;
-        const JobWatch watch{source.get_token(), [&](double) {
+        const JobControl control{source.get_token(), [&](double) {
                                  if (++calls == stopAt)
                                      source.request_stop();
                              }};
         const auto mesh = buildMesh(icosphere(3, 50)).mesh;
-        const ModelChange change = tryOn(*mesh, Insert{icosphere(3, 20)}, watch);
+        const ModelChange change = applyToCopy(*mesh, Insert{icosphere(3, 20)}, control);
         QVERIFY(!change.changes && change.delta.empty());
     }
 }
 
-QTEST_APPLESS_MAIN(TestModelInsert)
+QTEST_APPLESS_MAIN(TestInsertModel)
 #include "tst_insert_model.moc"

@@ -16,7 +16,7 @@
 #include <cmath>
 #include <set>
 
-using core::ChangeMask;
+using core::MaskOperation;
 using core::DabReport;
 using core::Mesh;
 using core::Rgb;
@@ -31,7 +31,7 @@ Q_DECLARE_METATYPE(core::Tool)
 namespace
 {
 constexpr double ballRadius = 50, pi = 3.14159265358979323846;
-using How = ChangeMask::How;
+using How = MaskOperation::Kind;
 
 std::unique_ptr<Sculptor> ball(int subdivisions = 5)
 {
@@ -70,7 +70,7 @@ void maskAt(Sculptor& sculptor, const Vec3& at, double radius)
 
 void change(Sculptor& sculptor, const core::ModelCommand& command)
 {
-    core::ModelChange change = tryOn(sculptor.mesh(), command);
+    core::ModelChange change = applyToCopy(sculptor.mesh(), command);
     sculptor.swap(change.delta);
 }
 
@@ -213,7 +213,7 @@ void TestMask::masked_stays_data()
     QTest::addColumn<bool>("inverted");
     for (std::size_t i = 0; i < core::toolNames().size(); ++i) {
         const auto tool = static_cast<Tool>(i);
-        if (core::marks(tool))
+        if (core::paintsAttribute(tool))
             continue;
         QTest::addRow("%s", core::toolNames()[i].data()) << tool << false;
         if (core::hasInverse(tool))
@@ -250,7 +250,7 @@ void TestMask::masked_staysWhenTheModelIsRemeshed()
     maskAt(*sculptor, onBall(0), 20);
     const std::set<std::set<Point>> faces = maskedFaces(sculptor->mesh());
     for (const double detail : {4.0, 12.0}) {
-        core::ModelChange change = tryOn(sculptor->mesh(), core::RemeshUniformly{detail});
+        core::ModelChange change = applyToCopy(sculptor->mesh(), core::RemeshUniformly{detail});
         QVERIFY(change.changes);
         sculptor->swap(change.delta);
         QVERIFY(std::ranges::includes(maskedFaces(sculptor->mesh()), faces));
@@ -299,7 +299,7 @@ void TestMask::masked_doesNotFuse()
         forEachVertex(sculptor.mesh(), [&](Slot v) { box.extend(sculptor.mesh().point(v).cast<double>()); });
         if (masked) {
             maskAt(sculptor, {box.max().x(), 0, 0}, 0.2);
-            change(sculptor, ChangeMask{How::Part});
+            change(sculptor, MaskOperation{How::Part});
         }
         const std::set<std::set<Point>> faces = maskedFaces(sculptor.mesh());
         const std::vector<Vec3> path(20, Vec3(box.center().x() - 0.05, 0, 0));
@@ -431,13 +431,13 @@ void TestMask::inverted_twiceIsNothing()
     const auto sculptor = ball(4);
     stroke(*sculptor, settingsOf(Tool::Mask, 25), {onBall(0)});
     const std::vector<int> before = masks(sculptor->mesh());
-    change(*sculptor, ChangeMask{How::Invert});
+    change(*sculptor, MaskOperation{How::Invert});
     const std::vector<int> inverted = masks(sculptor->mesh());
     for (std::size_t i = 0; i < before.size(); ++i)
         QCOMPARE(inverted[i], 255 - before[i]);
-    change(*sculptor, ChangeMask{How::Invert});
+    change(*sculptor, MaskOperation{How::Invert});
     QCOMPARE(masks(sculptor->mesh()), before);
-    change(*sculptor, ChangeMask{How::Clear});
+    change(*sculptor, MaskOperation{How::Clear});
     QCOMPARE(std::ranges::max(masks(sculptor->mesh())), 0);
 }
 
@@ -448,13 +448,13 @@ void TestMask::blurred_isSofterAndSharpenedHarder()
     const auto between = [&] { return std::ranges::count_if(masks(sculptor->mesh()), [](int mask) { return mask > 0 && mask < 255; }); };
     QCOMPARE(between(), 0);
     const std::size_t masked = maskedCount(sculptor->mesh());
-    change(*sculptor, ChangeMask{How::Blur});
+    change(*sculptor, MaskOperation{How::Blur});
     const auto soft = between();
     QVERIFY(soft > 20);
     const auto off = [&] { return std::abs(double(maskedCount(sculptor->mesh())) - double(masked)); };
     QVERIFY2(off() < 0.3 * double(masked), "it neither grows nor shrinks");
     for (int i = 0; i < 4; ++i)
-        change(*sculptor, ChangeMask{How::Sharpen});
+        change(*sculptor, MaskOperation{How::Sharpen});
     QVERIFY(between() < soft / 2);
     QVERIFY(off() < 0.3 * double(masked));
 }
@@ -464,12 +464,12 @@ void TestMask::grown_holdsAndShrunkIsHeld()
     const auto sculptor = ball(4);
     maskAt(*sculptor, onBall(0), 20);
     const std::set<Point> before = maskedPoints(sculptor->mesh());
-    change(*sculptor, ChangeMask{How::Grow});
+    change(*sculptor, MaskOperation{How::Grow});
     const std::set<Point> grown = maskedPoints(sculptor->mesh());
     QVERIFY(grown.size() > before.size() && std::ranges::includes(grown, before));
-    change(*sculptor, ChangeMask{How::Shrink});
+    change(*sculptor, MaskOperation{How::Shrink});
     QVERIFY(std::ranges::includes(maskedPoints(sculptor->mesh()), before));
-    change(*sculptor, ChangeMask{How::Shrink});
+    change(*sculptor, MaskOperation{How::Shrink});
     const std::set<Point> shrunk = maskedPoints(sculptor->mesh());
     QVERIFY(shrunk.size() < before.size() && std::ranges::includes(before, shrunk));
 }
@@ -479,7 +479,7 @@ void TestMask::cavity_isWhatIsHollow()
     const auto sculptor = ball();
     for (int i = 0; i < 5; ++i)
         stroke(*sculptor, settingsOf(Tool::Push, 12), {onBall(0)});
-    change(*sculptor, ChangeMask{How::Cavity});
+    change(*sculptor, MaskOperation{How::Cavity});
     const Mesh& mesh = sculptor->mesh();
     QVERIFY(maskedCount(mesh) > 10);
     forEachVertex(mesh, [&](Slot v) {
@@ -494,7 +494,7 @@ void TestMask::color_isWhatIsOfIt()
     StrokeSettings paint = settingsOf(Tool::Paint, 25, 0);
     paint.color = {200, 30, 30};
     stroke(*sculptor, paint, {onBall(0)});
-    change(*sculptor, ChangeMask{How::Color, {205, 28, 35}});
+    change(*sculptor, MaskOperation{How::Color, {205, 28, 35}});
     const Mesh& mesh = sculptor->mesh();
     forEachVertex(mesh, [&](Slot v) { QCOMPARE(int(mesh.mask(v)), mesh.color(v) == paint.color ? 255 : 0); });
     QVERIFY(maskedCount(mesh) > 10);
@@ -506,7 +506,7 @@ void TestMask::part_isAllOfIt()
     core::Box box;
     forEachVertex(sculptor.mesh(), [&](Slot v) { box.extend(sculptor.mesh().point(v).cast<double>()); });
     maskAt(sculptor, {box.max().x(), 0, 0}, 0.2);
-    change(sculptor, ChangeMask{How::Part});
+    change(sculptor, MaskOperation{How::Part});
     const Mesh& mesh = sculptor.mesh();
     forEachVertex(mesh, [&](Slot v) { QCOMPARE(int(mesh.mask(v)), mesh.point(v).x() > box.center().x() ? 255 : 0); });
 }

@@ -100,7 +100,7 @@ void TestSymmetrize::half_andItsImage()
     QFETCH(Half, keep);
     const auto mesh = sculptable(shape);
     const std::uint64_t before = mesh->stateHash();
-    ModelChange change = tryOn(*mesh, core::Symmetrize{plane, keep});
+    ModelChange change = applyToCopy(*mesh, core::Symmetrize{plane, keep});
     QCOMPARE(static_cast<int>(change.refusal), static_cast<int>(ModelRefusal::None));
     QVERIFY(change.changes);
     QCOMPARE(mesh->stateHash(), before);
@@ -117,7 +117,7 @@ void TestSymmetrize::half_andItsImage()
 void TestSymmetrize::keptHalf_keepsItsVertices()
 {
     const auto mesh = sculptable(lopsided()), original = sculptable(lopsided());
-    ModelChange change = tryOn(*mesh, core::Symmetrize{Symmetry::X, Half::Positive});
+    ModelChange change = applyToCopy(*mesh, core::Symmetrize{Symmetry::X, Half::Positive});
     mesh->swap(change.delta);
     for (Slot v = 0; v < original->slots().vertices; ++v) {
         if (original->point(v).x() > 0.05f)
@@ -129,7 +129,7 @@ void TestSymmetrize::otherHalf_goes()
 {
     for (const Half keep : {Half::Positive, Half::Negative}) {
         const auto mesh = sculptable(lopsided()); // reaches to 1.5 at x > 0, to 1 at x < 0
-        ModelChange change = tryOn(*mesh, core::Symmetrize{Symmetry::X, keep});
+        ModelChange change = applyToCopy(*mesh, core::Symmetrize{Symmetry::X, keep});
         mesh->swap(change.delta);
         const double expected = keep == Half::Positive ? 1.5 : 1;
         QVERIFY(std::abs(reach(*mesh, Vec3::UnitX()) - expected) < 0.02);
@@ -144,7 +144,7 @@ void TestSymmetrize::symmetricModel_keepsItsShape()
     std::uint64_t hash = 0;
     for (int i = 0; i < 2; ++i) { // the first time edges across the plane are parted, too
         hash = mesh->meshHash();
-        ModelChange change = tryOn(*mesh, core::Symmetrize{Symmetry::Y, Half::Negative});
+        ModelChange change = applyToCopy(*mesh, core::Symmetrize{Symmetry::Y, Half::Negative});
         QVERIFY(change.refusal == ModelRefusal::None);
         mesh->swap(change.delta);
     }
@@ -154,9 +154,9 @@ void TestSymmetrize::symmetricModel_keepsItsShape()
 void TestSymmetrize::plane_throughNothing_isRefused()
 {
     const auto mesh = sculptable(shapes::moved(core::icosphere(2, 1), {3, 0, 0}));
-    const ModelChange change = tryOn(*mesh, core::Symmetrize{Symmetry::X, Half::Negative});
+    const ModelChange change = applyToCopy(*mesh, core::Symmetrize{Symmetry::X, Half::Negative});
     QVERIFY(change.refusal == ModelRefusal::EmptyHalf && !change.changes && change.delta.empty());
-    QVERIFY(tryOn(*mesh, core::Symmetrize{Symmetry::X, Half::Positive}).changes); // two spheres then
+    QVERIFY(applyToCopy(*mesh, core::Symmetrize{Symmetry::X, Half::Positive}).changes); // two spheres then
 }
 
 void TestSymmetrize::touchingHalves_areRefused()
@@ -166,18 +166,18 @@ void TestSymmetrize::touchingHalves_areRefused()
     octahedron.triangles = {{0, 4, 2}, {0, 3, 4}, {0, 5, 3}, {0, 2, 5}, {1, 2, 4}, {1, 4, 3}, {1, 3, 5}, {1, 5, 2}};
     const auto mesh = sculptable(octahedron);
     VERIFY_VALID(*mesh);
-    const ModelChange change = tryOn(*mesh, core::Symmetrize{Symmetry::X, Half::Positive});
+    const ModelChange change = applyToCopy(*mesh, core::Symmetrize{Symmetry::X, Half::Positive});
     QVERIFY(change.refusal == ModelRefusal::HalvesMeet && !change.changes && change.delta.empty());
 }
 
 void TestSymmetrize::parts_onTheOtherSide_go()
 {
     const auto mesh = sculptable(shapes::together(core::icosphere(3, 1), shapes::moved(core::icosphere(2, 0.3), {-2, 0, 0})));
-    ModelChange change = tryOn(*mesh, core::Symmetrize{Symmetry::X, Half::Positive});
+    ModelChange change = applyToCopy(*mesh, core::Symmetrize{Symmetry::X, Half::Positive});
     mesh->swap(change.delta);
     QCOMPARE(mesh_asserts::eulerNumber(*mesh), 2);
     mesh->swap(change.delta);
-    change = tryOn(*mesh, core::Symmetrize{Symmetry::X, Half::Negative});
+    change = applyToCopy(*mesh, core::Symmetrize{Symmetry::X, Half::Negative});
     mesh->swap(change.delta);
     QCOMPARE(mesh_asserts::eulerNumber(*mesh), 6);
     VERIFY_SYMMETRIC(*mesh, Symmetry::X);
@@ -188,7 +188,7 @@ void TestSymmetrize::stopped_changesNothing()
     const auto mesh = sculptable(lopsided());
     std::stop_source stop;
     stop.request_stop();
-    const ModelChange change = tryOn(*mesh, core::Symmetrize{Symmetry::X, Half::Positive}, {stop.get_token(), {}});
+    const ModelChange change = applyToCopy(*mesh, core::Symmetrize{Symmetry::X, Half::Positive}, {stop.get_token(), {}});
     QVERIFY(!change.changes && change.delta.empty());
 }
 

@@ -33,7 +33,7 @@ std::unique_ptr<Mesh> sculpted(const TriangleMesh& shape, std::uint64_t seed)
 /// Whether anything changed.
 bool apply(Mesh& mesh, const ModelCommand& command)
 {
-    ModelChange change = tryOn(mesh, command);
+    ModelChange change = applyToCopy(mesh, command);
     if (change.changes)
         mesh.swap(change.delta);
     return change.changes;
@@ -66,7 +66,7 @@ bool near(double a, double b, double share)
 Q_DECLARE_METATYPE(core::ModelCommand)
 
 /// Move, Rotate, Scale, Mirror, Recentre and Fill, on models with a past.
-class TestModelTransform : public QObject
+class TestTransform : public QObject
 {
     Q_OBJECT
 
@@ -94,7 +94,7 @@ private Q_SLOTS:
     void strokesAndCommands_areUndoneAndRedoneBitForBit();
 };
 
-void TestModelTransform::everyCommand_keepsTheModelSound_data()
+void TestTransform::everyCommand_keepsTheModelSound_data()
 {
     QTest::addColumn<TriangleMesh>("shape");
     QTest::newRow("ball") << icosphere(3, 50);
@@ -105,7 +105,7 @@ void TestModelTransform::everyCommand_keepsTheModelSound_data()
     QTest::newRow("thin slab") << clay::slab(2, 0.001, 8);
 }
 
-void TestModelTransform::everyCommand_keepsTheModelSound()
+void TestTransform::everyCommand_keepsTheModelSound()
 {
     QFETCH(TriangleMesh, shape);
     const auto mesh = sculpted(shape, 7);
@@ -116,7 +116,7 @@ void TestModelTransform::everyCommand_keepsTheModelSound()
                                      Fill{{10, 20, 30}}};
     for (const ModelCommand& command : commands) {
         const std::uint64_t before = mesh->stateHash();
-        ModelChange change = tryOn(*mesh, command);
+        ModelChange change = applyToCopy(*mesh, command);
         QVERIFY(change.refusal == ModelRefusal::None && change.changes);
         QCOMPARE(mesh->stateHash(), before); // the copy was worked on
         mesh->swap(change.delta);
@@ -130,7 +130,7 @@ void TestModelTransform::everyCommand_keepsTheModelSound()
     }
 }
 
-void TestModelTransform::copies_areCopies()
+void TestTransform::copies_areCopies()
 {
     const auto mesh = sculpted(clay::bowl(), 3);
     const Mesh copy(*mesh);
@@ -138,7 +138,7 @@ void TestModelTransform::copies_areCopies()
     VERIFY_LINKED(copy);
 }
 
-void TestModelTransform::move_goesThereAndBack()
+void TestTransform::move_goesThereAndBack()
 {
     const auto mesh = sculpted(icosphere(3, 50), 11);
     const std::uint64_t before = mesh->stateHash();
@@ -152,7 +152,7 @@ void TestModelTransform::move_goesThereAndBack()
     }
 }
 
-void TestModelTransform::rotate_fourQuartersAreNone()
+void TestTransform::rotate_fourQuartersAreNone()
 {
     const auto mesh = sculpted(clay::bowl(), 5);
     for (const Vec3& axis : {Vec3::UnitX().eval(), Vec3::UnitY().eval(), Vec3::UnitZ().eval()}) {
@@ -163,7 +163,7 @@ void TestModelTransform::rotate_fourQuartersAreNone()
     }
 }
 
-void TestModelTransform::rotate_keepsTheVolume()
+void TestTransform::rotate_keepsTheVolume()
 {
     const auto mesh = sculpted(clay::bowl(), 5);
     const double before = volumeOf(*mesh);
@@ -171,7 +171,7 @@ void TestModelTransform::rotate_keepsTheVolume()
     QVERIFY(near(volumeOf(*mesh), before, 1e-5));
 }
 
-void TestModelTransform::scale_scalesVolumeAndDetail()
+void TestTransform::scale_scalesVolumeAndDetail()
 {
     for (const double factor : {0.5, 2.0, 3.7, 1e-3, 1e3}) {
         const auto mesh = sculpted(icosphere(3, 50), 21);
@@ -182,7 +182,7 @@ void TestModelTransform::scale_scalesVolumeAndDetail()
     }
 }
 
-void TestModelTransform::scale_changesTheLatticeWhenItMust()
+void TestTransform::scale_changesTheLatticeWhenItMust()
 {
     const auto mesh = sculpted(icosphere(3, 50), 21);
     const Lattice before = mesh->lattice();
@@ -196,7 +196,7 @@ void TestModelTransform::scale_changesTheLatticeWhenItMust()
     VERIFY_VALID(*mesh);
 }
 
-void TestModelTransform::mirror_twiceIsNothing()
+void TestTransform::mirror_twiceIsNothing()
 {
     const auto mesh = sculpted(clay::twoFingers(0.01), 8);
     const std::uint64_t before = mesh->stateHash();
@@ -208,7 +208,7 @@ void TestModelTransform::mirror_twiceIsNothing()
     }
 }
 
-void TestModelTransform::mirror_isTheMirrorImage()
+void TestTransform::mirror_isTheMirrorImage()
 {
     const auto mesh = sculpted(clay::bowl(), 8);
     const TriangleMesh before = extractMesh(*mesh);
@@ -221,7 +221,7 @@ void TestModelTransform::mirror_isTheMirrorImage()
     QVERIFY(near(volumeOf(*mesh), volume, 1e-12)); // so it still faces outwards
 }
 
-void TestModelTransform::recentre_putsTheMiddleAtTheOrigin()
+void TestTransform::recentre_putsTheMiddleAtTheOrigin()
 {
     const auto mesh = sculpted(shapes::moved(icosphere(3, 50), {40, -70, 20}), 8);
     const Vec3 size = boxOf(*mesh).sizes();
@@ -231,7 +231,7 @@ void TestModelTransform::recentre_putsTheMiddleAtTheOrigin()
     QVERIFY(!apply(*mesh, Recentre{}));
 }
 
-void TestModelTransform::fill_setsEveryColour()
+void TestTransform::fill_setsEveryColour()
 {
     const auto mesh = sculpted(icosphere(3, 50), 8);
     const TriangleMesh before = extractMesh(*mesh);
@@ -243,55 +243,55 @@ void TestModelTransform::fill_setsEveryColour()
     QVERIFY(after.points == before.points && after.triangles == before.triangles);
 }
 
-void TestModelTransform::nothing_isNoChange()
+void TestTransform::nothing_isNoChange()
 {
     const auto mesh = buildMesh(icosphere(3, 50)).mesh;
     for (const ModelCommand& command : {ModelCommand(Move{}), ModelCommand(Rotate{}), ModelCommand(Scale{1}), ModelCommand(Fill{})}) {
-        const ModelChange change = tryOn(*mesh, command);
+        const ModelChange change = applyToCopy(*mesh, command);
         QVERIFY(!change.changes && change.delta.empty());
         QVERIFY(change.refusal == ModelRefusal::None);
     }
 }
 
-void TestModelTransform::tooFar_isRefused()
+void TestTransform::tooFar_isRefused()
 {
     const auto mesh = buildMesh(icosphere(3, 50)).mesh;
-    const ModelChange change = tryOn(*mesh, Move{{0, 500, 0}});
+    const ModelChange change = applyToCopy(*mesh, Move{{0, 500, 0}});
     QVERIFY(change.refusal == ModelRefusal::TooFar && !change.changes);
     QVERIFY(apply(*mesh, Move{{0, 390, 0}})); // outside half of the working volume: another lattice
     VERIFY_VALID(*mesh);
     QVERIFY(mesh->lattice().halfVolume() > 2 * 440);
 }
 
-void TestModelTransform::tooLargeOrSmall_isRefused()
+void TestTransform::tooLargeOrSmall_isRefused()
 {
     const auto mesh = buildMesh(icosphere(3, 50)).mesh;
-    QVERIFY(tryOn(*mesh, Scale{1e8}).refusal == ModelRefusal::TooLarge);
-    QVERIFY(tryOn(*mesh, Scale{1e-9}).refusal == ModelRefusal::TooLarge);
+    QVERIFY(applyToCopy(*mesh, Scale{1e8}).refusal == ModelRefusal::TooLarge);
+    QVERIFY(applyToCopy(*mesh, Scale{1e-9}).refusal == ModelRefusal::TooLarge);
 }
 
 /// A slab two lattice units thick cannot become thinner than one.
-void TestModelTransform::facesThatMeet_areRefusedWithTheirNumber()
+void TestTransform::facesThatMeet_areRefusedWithTheirNumber()
 {
     const Lattice lattice(16);
     const auto mesh = mesh_asserts::sculptable(clay::slab(60, 2 * lattice.unit(), 8), lattice);
     VERIFY_VALID(*mesh);
     const std::uint64_t before = mesh->stateHash();
-    const ModelChange change = tryOn(*mesh, Scale{0.3});
+    const ModelChange change = applyToCopy(*mesh, Scale{0.3});
     QVERIFY(change.refusal == ModelRefusal::FacesMeet && !change.changes && change.delta.empty());
     QVERIFY(change.faces > 0);
     QCOMPARE(mesh->stateHash(), before);
 }
 
 /// Thin enough that a turn brings faces together on the lattice, thick enough that it can be helped.
-void TestModelTransform::facesThatMeet_goToNeighbouringLatticePoints()
+void TestTransform::facesThatMeet_goToNeighbouringLatticePoints()
 {
     const Lattice lattice(16);
     int done = 0;
     for (int degrees = 5; degrees < 90; degrees += 10) {
         const auto mesh = mesh_asserts::sculptable(clay::slab(60, 4 * lattice.unit(), 8), lattice);
         const std::uint64_t before = mesh->stateHash();
-        const ModelChange change = tryOn(*mesh, Rotate{turn(degrees, Vec3(2, 1, 3).normalized())});
+        const ModelChange change = applyToCopy(*mesh, Rotate{turn(degrees, Vec3(2, 1, 3).normalized())});
         QVERIFY(change.changes == (change.refusal == ModelRefusal::None));
         if (change.changes) {
             MeshDelta delta = change.delta;
@@ -306,12 +306,12 @@ void TestModelTransform::facesThatMeet_goToNeighbouringLatticePoints()
 }
 
 /// Slot for slot; and what was not sculpted is not in the change.
-void TestModelTransform::reset_bringsTheStartBack()
+void TestTransform::reset_bringsTheStartBack()
 {
     Sculptor sculptor(buildMesh(icosphere(5, 50)).mesh);
     const auto start = snapshotOf(sculptor.mesh());
     const std::uint64_t before = sculptor.mesh().stateHash();
-    QVERIFY(!tryOn(sculptor.mesh(), Reset{start}).changes);
+    QVERIFY(!applyToCopy(sculptor.mesh(), Reset{start}).changes);
     StrokeSettings settings;
     settings.radius = 8;
     sculptor.beginStroke(settings);
@@ -319,7 +319,7 @@ void TestModelTransform::reset_bringsTheStartBack()
     sample.position = {50, 0, 0};
     sculptor.addSample(sample);
     const MeshDelta stroke = sculptor.endStroke();
-    ModelChange change = tryOn(sculptor.mesh(), Reset{start});
+    ModelChange change = applyToCopy(sculptor.mesh(), Reset{start});
     QVERIFY(change.changes);
     QVERIFY(change.delta.vertices.size() <= stroke.vertices.size() && change.delta.faces.size() <= stroke.faces.size());
     sculptor.swap(change.delta);
@@ -328,21 +328,21 @@ void TestModelTransform::reset_bringsTheStartBack()
     VERIFY_VALID(sculptor.mesh());
 }
 
-void TestModelTransform::stopped_changesNothing()
+void TestTransform::stopped_changesNothing()
 {
     const auto mesh = sculpted(icosphere(4, 50), 2);
     std::stop_source source;
     int calls = 0;
-    const JobWatch watch{source.get_token(), [&](double) {
+    const JobControl control{source.get_token(), [&](double) {
                              ++calls;
                              source.request_stop();
                          }};
-    const ModelChange change = tryOn(*mesh, Rotate{turn(20, Vec3::UnitX())}, watch);
+    const ModelChange change = applyToCopy(*mesh, Rotate{turn(20, Vec3::UnitX())}, control);
     QCOMPARE(calls, 1);
     QVERIFY(!change.changes && change.delta.empty() && change.refusal == ModelRefusal::None);
 }
 
-void TestModelTransform::strokesAndCommands_areUndoneAndRedoneBitForBit_data()
+void TestTransform::strokesAndCommands_areUndoneAndRedoneBitForBit_data()
 {
     QTest::addColumn<TriangleMesh>("shape");
     QTest::addColumn<std::uint64_t>("seed");
@@ -353,7 +353,7 @@ void TestModelTransform::strokesAndCommands_areUndoneAndRedoneBitForBit_data()
     }
 }
 
-void TestModelTransform::strokesAndCommands_areUndoneAndRedoneBitForBit()
+void TestTransform::strokesAndCommands_areUndoneAndRedoneBitForBit()
 {
     QFETCH(TriangleMesh, shape);
     QFETCH(std::uint64_t, seed);
@@ -387,7 +387,7 @@ void TestModelTransform::strokesAndCommands_areUndoneAndRedoneBitForBit()
                 sculptor.addSample(sample);
             delta = sculptor.endStroke();
         } else {
-            ModelChange change = tryOn(sculptor.mesh(), next);
+            ModelChange change = applyToCopy(sculptor.mesh(), next);
             if (!change.changes)
                 continue;
             sculptor.swap(change.delta);
@@ -413,5 +413,5 @@ void TestModelTransform::strokesAndCommands_areUndoneAndRedoneBitForBit()
     VERIFY_VALID(sculptor.mesh());
 }
 
-QTEST_APPLESS_MAIN(TestModelTransform)
+QTEST_APPLESS_MAIN(TestTransform)
 #include "tst_transform.moc"

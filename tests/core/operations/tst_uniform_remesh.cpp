@@ -23,7 +23,7 @@ Remeshed remeshed(const TriangleMesh& shape, double timesDetail)
 {
     Remeshed result{buildMesh(shape).mesh, {}, 0};
     result.detail = timesDetail * result.mesh->uniformDetail();
-    result.change = tryOn(*result.mesh, RemeshUniformly{result.detail});
+    result.change = applyToCopy(*result.mesh, RemeshUniformly{result.detail});
     if (result.change.changes)
         result.mesh->swap(result.change.delta);
     return result;
@@ -236,8 +236,8 @@ void TestUniformRemesh::remeshedAgainAndAgain_keepsTheVolume()
 void TestUniformRemesh::defaultLength_isFourThirdsOfTheMeanEdge()
 {
     const auto mesh = buildMesh(shapes::torus()).mesh;
-    const ModelChange unnamed = tryOn(*mesh, RemeshUniformly{});
-    const ModelChange named = tryOn(*mesh, RemeshUniformly{mesh->uniformDetail()});
+    const ModelChange unnamed = applyToCopy(*mesh, RemeshUniformly{});
+    const ModelChange named = applyToCopy(*mesh, RemeshUniformly{mesh->uniformDetail()});
     QVERIFY(unnamed.changes);
     QCOMPARE(unnamed.delta.meshHash, named.delta.meshHash);
 }
@@ -247,7 +247,7 @@ void TestUniformRemesh::undo_restoresTheState()
     for (const double times : {0.5, 2.0}) {
         const auto mesh = buildMesh(clay::bowl()).mesh;
         const std::uint64_t before = mesh->stateHash();
-        ModelChange change = tryOn(*mesh, RemeshUniformly{times * mesh->uniformDetail()});
+        ModelChange change = applyToCopy(*mesh, RemeshUniformly{times * mesh->uniformDetail()});
         QVERIFY(change.changes);
         mesh->swap(change.delta);
         const std::uint64_t after = mesh->stateHash();
@@ -280,23 +280,23 @@ void TestUniformRemesh::coloursAreCarriedThrough()
 void TestUniformRemesh::evenMesh_isLeftAlone()
 {
     const auto mesh = buildMesh(icosphere(4, 50)).mesh;
-    QVERIFY(!tryOn(*mesh, RemeshUniformly{}).changes);
+    QVERIFY(!applyToCopy(*mesh, RemeshUniformly{}).changes);
 }
 
 void TestUniformRemesh::sameMesh_givesTheSame()
 {
     const auto mesh = buildMesh(clay::twoFingers(0.01)).mesh;
     const RemeshUniformly command{0.7 * mesh->uniformDetail()};
-    QCOMPARE(tryOn(*mesh, command).delta.meshHash, tryOn(*mesh, command).delta.meshHash);
+    QCOMPARE(applyToCopy(*mesh, command).delta.meshHash, applyToCopy(*mesh, command).delta.meshHash);
 }
 
 void TestUniformRemesh::tooFine_isRefused()
 {
     const auto mesh = buildMesh(icosphere(3, 50)).mesh;
-    const ModelChange many = tryOn(*mesh, RemeshUniformly{0.05});
+    const ModelChange many = applyToCopy(*mesh, RemeshUniformly{0.05});
     QVERIFY(many.refusal == ModelRefusal::TooFine && !many.changes);
-    QVERIFY(many.faces > ModelLimits::mostFaces);
-    QVERIFY(tryOn(*mesh, RemeshUniformly{mesh->lattice().minDetail() / 2}).refusal == ModelRefusal::TooFine);
+    QVERIFY(many.faces > ModelLimits::maxFaces);
+    QVERIFY(applyToCopy(*mesh, RemeshUniformly{mesh->lattice().minDetail() / 2}).refusal == ModelRefusal::TooFine);
 }
 
 void TestUniformRemesh::stopped_changesNothing()
@@ -306,13 +306,13 @@ void TestUniformRemesh::stopped_changesNothing()
         std::stop_source source;
         int calls = 0;
         double last = 0;
-        const JobWatch watch{source.get_token(), [&](double share) {
+        const JobControl control{source.get_token(), [&](double share) {
                                  QVERIFY(share >= last && share <= 1);
                                  last = share;
                                  if (++calls == stopAt)
                                      source.request_stop();
                              }};
-        const ModelChange change = tryOn(*mesh, RemeshUniformly{0.5 * mesh->uniformDetail()}, watch);
+        const ModelChange change = applyToCopy(*mesh, RemeshUniformly{0.5 * mesh->uniformDetail()}, control);
         QCOMPARE(calls, stopAt); // stops at once
         QVERIFY(!change.changes && change.delta.empty());
     }

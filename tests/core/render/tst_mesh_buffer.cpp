@@ -71,7 +71,7 @@ private:
     std::size_t m_vertexArrays = 0;
 };
 
-using Buffer = core::ClayBuffer<MemoryGl>;
+using Buffer = core::MeshBuffer<MemoryGl>;
 
 template <class Value> bool startsWith(const MemoryGl::Bytes& bytes, const std::vector<Value>& values)
 {
@@ -95,7 +95,7 @@ core::Footprint footprint(std::vector<core::Slot> slots, std::uint8_t weight)
 }
 } // namespace
 
-class TestClayBuffer : public QObject
+class TestMeshBuffer : public QObject
 {
     Q_OBJECT
 
@@ -116,7 +116,7 @@ private:
 };
 
 /// A stroke that refines until the buffers must grow, and its undo, which shortens them.
-void TestClayBuffer::patches_makeWhatTheyMakeInMemory()
+void TestMeshBuffer::patches_makeWhatTheyMakeInMemory()
 {
     core::Sculptor sculptor(mesh_asserts::sculptable(core::icosphere(2, 1)));
     core::DrawArrays arrays;
@@ -153,7 +153,7 @@ void TestClayBuffer::patches_makeWhatTheyMakeInMemory()
 }
 
 /// Where there is no footprint all weights are 0; slots that are not there, and a new mesh, are no trouble.
-void TestClayBuffer::footprint_isMarkedAndTakenAway()
+void TestMeshBuffer::footprint_isMarkedAndTakenAway()
 {
     const core::MeshPatch whole = core::Sculptor(mesh_asserts::sculptable(core::icosphere(4, 1))).wholePatch();
     m_buffer.apply(whole);
@@ -179,7 +179,7 @@ void TestClayBuffer::footprint_isMarkedAndTakenAway()
     QCOMPARE(marks(), Marks());
 }
 
-void TestClayBuffer::destroy_leavesNothing()
+void TestMeshBuffer::destroy_leavesNothing()
 {
     m_buffer.apply(core::Sculptor(mesh_asserts::sculptable(core::icosphere(2, 1))).wholePatch());
     QVERIFY(m_gl.owned() > 0);
@@ -188,5 +188,5 @@ void TestClayBuffer::destroy_leavesNothing()
     m_buffer.destroy(); // and once more
 }
 
-QTEST_GUILESS_MAIN(TestClayBuffer)
+QTEST_GUILESS_MAIN(TestMeshBuffer)
 #include "tst_mesh_buffer.moc"

@@ -82,7 +82,7 @@ TriangleMesh strangeModel(unsigned seed)
 }
 } // namespace
 
-class TestLegalise : public QObject
+class TestRepair : public QObject
 {
     Q_OBJECT
 
@@ -110,7 +110,7 @@ private Q_SLOTS:
     void strangeModels_becomeSolidsOrAreRefused();
 };
 
-void TestLegalise::badModels_becomeSolids_data()
+void TestRepair::badModels_becomeSolids_data()
 {
     QTest::addColumn<QString>("name");
     for (const BadModel& bad : badModels())
@@ -118,12 +118,12 @@ void TestLegalise::badModels_becomeSolids_data()
             QTest::newRow(bad.name.c_str()) << QString::fromStdString(bad.name);
 }
 
-void TestLegalise::badModels_becomeSolids()
+void TestRepair::badModels_becomeSolids()
 {
     QFETCH(QString, name);
     const TriangleMesh& bad = badModel(name).mesh;
     QVERIFY(!checkMesh(bad).printReady());
-    const Legalised result = legalise(bad);
+    const RepairResult result = repairMesh(bad);
     QVERIFY(result.mesh);
     const auto verdict = judgedByCgal(*result.mesh);
     QVERIFY(verdict && verdict->allWell());
@@ -133,18 +133,18 @@ void TestLegalise::badModels_becomeSolids()
     QVERIFY(result.report.fromOld.largest <= result.report.hausdorff());
 }
 
-void TestLegalise::soundModel_keepsItsPoints()
+void TestRepair::soundModel_keepsItsPoints()
 {
     const TriangleMesh onLattice = extractMesh(*buildMesh(shapes::torus({40, 15, 40, 20})).mesh);
-    const Legalised result = legalise(onLattice);
+    const RepairResult result = repairMesh(onLattice);
     QVERIFY(result.mesh);
     QCOMPARE(hashOf(*result.mesh), hashOf(onLattice));
     QCOMPARE(result.report.hausdorff(), 0.0);
 }
 
-void TestLegalise::unions_haveTheVolumeOfTheUnion()
+void TestRepair::unions_haveTheVolumeOfTheUnion()
 {
-    const auto volume = [](const char* name) { return volumeOf(*legalise(badModel(QLatin1String(name)).mesh).mesh); };
+    const auto volume = [](const char* name) { return volumeOf(*repairMesh(badModel(QLatin1String(name)).mesh).mesh); };
     QVERIFY(std::abs(volume("coplanar overlap") - (2 * 64000 - 20 * 30 * 40)) < 1);
     QVERIFY(std::abs(volume("stacked cubes") - 2 * 64000) < 1);
     QVERIFY(std::abs(volume("crossing cubes") - (2 * 64000 - 20 * 20 * 20)) < 1);
@@ -154,41 +154,41 @@ void TestLegalise::unions_haveTheVolumeOfTheUnion()
         QVERIFY2(std::abs(volume(name) - whole) < 1, name);
 }
 
-void TestLegalise::holes_areClosedAndNothingElseMoves()
+void TestRepair::holes_areClosedAndNothingElseMoves()
 {
-    const Legalised result = legalise(badModel(QStringLiteral("holes")).mesh);
+    const RepairResult result = repairMesh(badModel(QStringLiteral("holes")).mesh);
     QCOMPARE(result.report.holes, std::size_t(2));
     QCOMPARE(result.report.largeHoles, std::size_t(0));
     QVERIFY(result.report.fromOld.largest < 1e-4);
     QVERIFY(result.report.fromNew.largest < 12);
 }
 
-void TestLegalise::largeHoles_areRefusedIfAsked()
+void TestRepair::largeHoles_areRefusedIfAsked()
 {
-    const Legalised result = legalise(badModel(QStringLiteral("open bowl")).mesh, {.fillLargeHoles = false});
+    const RepairResult result = repairMesh(badModel(QStringLiteral("open bowl")).mesh, {.fillLargeHoles = false});
     QVERIFY(!result.mesh);
-    QVERIFY(result.refusal == LegaliseRefusal::LargeHoles);
+    QVERIFY(result.refusal == RepairRefusal::LargeHoles);
     QCOMPARE(result.report.largeHoles, std::size_t(1));
-    QVERIFY(legalise(badModel(QStringLiteral("holes")).mesh, {.fillLargeHoles = false}).mesh);
+    QVERIFY(repairMesh(badModel(QStringLiteral("holes")).mesh, {.fillLargeHoles = false}).mesh);
 }
 
-void TestLegalise::innerParts_areFilledOrCavities()
+void TestRepair::innerParts_areFilledOrCavities()
 {
     const TriangleMesh& bad = badModel(QStringLiteral("inner shells")).mesh;
-    const Legalised filled = legalise(bad), hollow = legalise(bad, {.innerAreCavities = true});
+    const RepairResult filled = repairMesh(bad), hollow = repairMesh(bad, {.innerAreCavities = true});
     QCOMPARE(filled.report.innerParts, std::size_t(2));
     QCOMPARE(checkMesh(*filled.mesh).components, std::size_t(1));
     QCOMPARE(checkMesh(*hollow.mesh).components, std::size_t(3));
     const double inner = volumeOf(icosphere(3, 20)) + volumeOf(icosphere(2, 5));
     QVERIFY(std::abs(volumeOf(*filled.mesh) - volumeOf(*hollow.mesh) - inner) < 1);
     const TriangleMesh right = shapes::scaled(shapes::nestedSpheres(true), 20); // a cavity stays one
-    QVERIFY(std::abs(volumeOf(*legalise(right).mesh) - volumeOf(right)) < 1);
+    QVERIFY(std::abs(volumeOf(*repairMesh(right).mesh) - volumeOf(right)) < 1);
 }
 
-void TestLegalise::touchingParts_partByMicrometres()
+void TestRepair::touchingParts_partByMicrometres()
 {
     for (const char* name : {"non-manifold edge", "non-manifold vertex", "bow tie", "touching cubes"}) {
-        const Legalised result = legalise(badModel(QLatin1String(name)).mesh);
+        const RepairResult result = repairMesh(badModel(QLatin1String(name)).mesh);
         QVERIFY2(result.mesh, name);
         QVERIFY2(result.report.touchingEdges + result.report.touchingVertices > 0, name);
         QVERIFY2(result.report.hausdorff() < 0.01, name);
@@ -196,9 +196,9 @@ void TestLegalise::touchingParts_partByMicrometres()
     }
 }
 
-void TestLegalise::soup_isMadeAnewNearby()
+void TestRepair::soup_isMadeAnewNearby()
 {
-    const Legalised result = legalise(badModel(QStringLiteral("soup")).mesh);
+    const RepairResult result = repairMesh(badModel(QStringLiteral("soup")).mesh);
     QVERIFY(result.report.remeshedAt);
     QCOMPARE(result.report.joined, std::size_t(0)); // what happens to come near is no crack
     QVERIFY(result.report.hausdorff() < 2 * *result.report.remeshedAt);
@@ -206,7 +206,7 @@ void TestLegalise::soup_isMadeAnewNearby()
     QCOMPARE(checkMesh(*result.mesh).genus, std::optional<std::int64_t>(0));
 }
 
-void TestLegalise::cracks_areJoinedAndNothingElseMoves_data()
+void TestRepair::cracks_areJoinedAndNothingElseMoves_data()
 {
     QTest::addColumn<QString>("name");
     QTest::addColumn<double>("farthest");
@@ -216,13 +216,13 @@ void TestLegalise::cracks_areJoinedAndNothingElseMoves_data()
     QTest::newRow("T junctions") << u"T junctions"_s << 0.02 << qulonglong(0);
 }
 
-void TestLegalise::cracks_areJoinedAndNothingElseMoves()
+void TestRepair::cracks_areJoinedAndNothingElseMoves()
 {
     QFETCH(QString, name);
     QFETCH(double, farthest);
     QFETCH(qulonglong, vertices);
     const TriangleMesh& cracked = badModel(name).mesh;
-    const Legalised result = legalise(cracked);
+    const RepairResult result = repairMesh(cracked);
     QVERIFY(result.mesh);
     QVERIFY(result.report.joined > 0);
     QVERIFY(result.report.joinedWithin > 0.001 && result.report.joinedWithin <= farthest);
@@ -234,39 +234,39 @@ void TestLegalise::cracks_areJoinedAndNothingElseMoves()
     QCOMPARE(report.genus, std::optional<std::int64_t>(0));
     if (vertices > 0)
         QCOMPARE(result.mesh->points.size(), std::size_t(vertices));
-    QVERIFY(!legalise(cracked, {.fillLargeHoles = false}).report.largeHoles); // there was none
+    QVERIFY(!repairMesh(cracked, {.fillLargeHoles = false}).report.largeHoles); // there was none
 }
 
 /// Rims farther from each other than what counts as a crack, and points inside the surface, stay where they are.
-void TestLegalise::distantRims_areNotJoined()
+void TestRepair::distantRims_areNotJoined()
 {
     TriangleMesh upper = icosphere(3, 50), lower = upper;
     std::erase_if(upper.triangles, [&](const Triangle& t) { return lower.points[t[0]].y() <= 0; });
     std::erase_if(lower.triangles, [&](const Triangle& t) { return lower.points[t[0]].y() > 0; });
-    const Legalised apart = legalise(shapes::together(upper, shapes::moved(lower, {0, -1, 0})));
+    const RepairResult apart = repairMesh(shapes::together(upper, shapes::moved(lower, {0, -1, 0})));
     QCOMPARE(apart.report.joined, std::size_t(0));
     QVERIFY(apart.report.holes > 0);
     const TriangleMesh balls = shapes::together(icosphere(3, 50), shapes::moved(icosphere(3, 50), {100.001f, 0, 0}));
-    const Legalised near = legalise(balls);
+    const RepairResult near = repairMesh(balls);
     QCOMPARE(near.report.joined, std::size_t(0));
     QCOMPARE(checkMesh(*near.mesh).components, std::size_t(2));
 }
 
 /// Rounding made more and more faces of this one meet, for twenty minutes.
-void TestLegalise::tangle_comesToAnEnd()
+void TestRepair::tangle_comesToAnEnd()
 {
-    const Legalised result = legalise(strangeModel(93));
+    const RepairResult result = repairMesh(strangeModel(93));
     QVERIFY(result.mesh);
     const auto verdict = judgedByCgal(*result.mesh);
     QVERIFY(verdict && verdict->allWell());
 }
 
-void TestLegalise::colors_stay()
+void TestRepair::colors_stay()
 {
     TriangleMesh bad = badModel(QStringLiteral("crossing shells")).mesh;
     for (const Vec3f& p : bad.points)
         bad.colors.push_back(p.x() < 20 ? Rgb{200, 0, 0} : Rgb{0, 0, 200});
-    const TriangleMesh mesh = *legalise(bad).mesh;
+    const TriangleMesh mesh = *repairMesh(bad).mesh;
     QCOMPARE(mesh.colors.size(), mesh.points.size());
     for (std::size_t v = 0; v < mesh.points.size(); ++v) {
         if (mesh.points[v].x() < 10)
@@ -277,7 +277,7 @@ void TestLegalise::colors_stay()
 }
 
 /// Each point of a ball with a hole and doubles keeps its own.
-void TestLegalise::masks_stayWherePointsDo()
+void TestRepair::masks_stayWherePointsDo()
 {
     TriangleMesh bad = icosphere(3, 50);
     bad.triangles.pop_back();
@@ -285,7 +285,7 @@ void TestLegalise::masks_stayWherePointsDo()
         bad.masks.push_back(p.x() > 10 ? static_cast<std::uint8_t>(p.x() * 5) : std::uint8_t(0));
     bad = shapes::together(bad, bad);
     bad.masks.resize(bad.points.size(), 1);
-    const Legalised result = legalise(bad);
+    const RepairResult result = repairMesh(bad);
     QVERIFY(result.mesh && result.report.welded > 0);
     QCOMPARE(result.report.unmasked, std::size_t(0));
     const TriangleMesh& mesh = *result.mesh;
@@ -296,55 +296,55 @@ void TestLegalise::masks_stayWherePointsDo()
     }
 }
 
-void TestLegalise::masks_thatGoAreCounted()
+void TestRepair::masks_thatGoAreCounted()
 {
     TriangleMesh bad = badModel(QStringLiteral("soup")).mesh;
     bad.masks.assign(bad.points.size(), 255);
-    const Legalised result = legalise(bad);
+    const RepairResult result = repairMesh(bad);
     QVERIFY(result.mesh && result.report.remeshedAt);
     QVERIFY(result.report.unmasked > bad.points.size() / 2 && result.report.unmasked <= bad.points.size());
     bad.masks.clear();
-    QVERIFY(legalise(bad).mesh->masks.empty());
+    QVERIFY(repairMesh(bad).mesh->masks.empty());
 }
 
-void TestLegalise::nothingEnclosed_isRefused()
+void TestRepair::nothingEnclosed_isRefused()
 {
     const TriangleMesh point{{{1, 1, 1}}, {}, {{0, 0, 0}}};
     const TriangleMesh sheet{{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}}, {}, {{0, 1, 2}}};
     for (const TriangleMesh& mesh : {point, sheet, badModel(QStringLiteral("three faces at an edge")).mesh}) {
-        const Legalised result = legalise(mesh);
+        const RepairResult result = repairMesh(mesh);
         QVERIFY(!result.mesh);
-        QVERIFY(result.refusal == LegaliseRefusal::EnclosesNothing);
+        QVERIFY(result.refusal == RepairRefusal::EnclosesNothing);
     }
 }
 
-void TestLegalise::farModel_isMovedAndSaid()
+void TestRepair::farModel_isMovedAndSaid()
 {
-    const Legalised result = legalise(shapes::moved(badModel(QStringLiteral("crossing cubes")).mesh, {4000, 0, 0}));
+    const RepairResult result = repairMesh(shapes::moved(badModel(QStringLiteral("crossing cubes")).mesh, {4000, 0, 0}));
     QVERIFY(result.mesh);
     QVERIFY(result.report.moved.x() < -3900);
     QVERIFY(result.report.fromNew.largest < 0.01);
 }
 
-void TestLegalise::threads_doNotChangeTheOutcome()
+void TestRepair::threads_doNotChangeTheOutcome()
 {
     for (const char* name : {"winding torus knot", "soup"}) {
         std::vector<std::uint64_t> hashes;
         for (const std::size_t threads : {std::size_t(1), std::size_t(4)}) {
             WorkerPool::shared().setThreads(threads);
-            hashes.push_back(hashOf(*legalise(badModel(QLatin1String(name)).mesh).mesh));
+            hashes.push_back(hashOf(*repairMesh(badModel(QLatin1String(name)).mesh).mesh));
         }
         WorkerPool::shared().setThreads(0);
         QCOMPARE(hashes[0], hashes[1]);
     }
 }
 
-void TestLegalise::stopped_hasNoMesh()
+void TestRepair::stopped_hasNoMesh()
 {
     std::stop_source stop;
     double last = 0;
-    const Legalised result =
-        legalise(badModel(QStringLiteral("winding torus knot")).mesh, {}, {stop.get_token(), [&](double share) {
+    const RepairResult result =
+        repairMesh(badModel(QStringLiteral("winding torus knot")).mesh, {}, {stop.get_token(), [&](double share) {
                                                                                QVERIFY(share >= last);
                                                                                last = share;
                                                                                if (share > 0.1)
@@ -354,15 +354,15 @@ void TestLegalise::stopped_hasNoMesh()
     QVERIFY(!result.mesh);
 }
 
-void TestLegalise::strangeModels_becomeSolidsOrAreRefused()
+void TestRepair::strangeModels_becomeSolidsOrAreRefused()
 {
     const auto first = static_cast<unsigned>(numberFromEnvironment("FETTLE_SEED", 1));
     const auto count = static_cast<unsigned>(numberFromEnvironment("FETTLE_MODELS", qEnvironmentVariableIsSet("FETTLE_SOAK") ? 20'000 : 40));
     for (unsigned seed = first; seed < first + count; ++seed) {
         const TriangleMesh mesh = strangeModel(seed);
-        const Legalised result = legalise(mesh);
+        const RepairResult result = repairMesh(mesh);
         if (!result.mesh) {
-            QVERIFY2(result.refusal == LegaliseRefusal::EnclosesNothing, qPrintable(QString::number(seed)));
+            QVERIFY2(result.refusal == RepairRefusal::EnclosesNothing, qPrintable(QString::number(seed)));
             QVERIFY2(seed % 4 == 0, qPrintable(QString::number(seed))); // the others enclose something
             continue;
         }
@@ -372,5 +372,5 @@ void TestLegalise::strangeModels_becomeSolidsOrAreRefused()
     }
 }
 
-QTEST_APPLESS_MAIN(TestLegalise)
+QTEST_APPLESS_MAIN(TestRepair)
 #include "tst_repair.moc"

@@ -43,7 +43,7 @@ std::vector<DabReport> strokeAround(Sculptor& sculptor, const StrokeSettings& se
 } // namespace
 
 /// What a dab does where the surface folds up.
-class TestUnfolding : public QObject
+class TestFoldSmoothing : public QObject
 {
     Q_OBJECT
 
@@ -53,7 +53,7 @@ private Q_SLOTS:
     void motionStoppedAtContact_isNotCalledReached();
 };
 
-void TestUnfolding::strongStrokes_reachWhatIsAsked_data()
+void TestFoldSmoothing::strongStrokes_reachWhatIsAsked_data()
 {
     QTest::addColumn<int>("tool");
     QTest::addColumn<double>("radius");
@@ -67,7 +67,7 @@ void TestUnfolding::strongStrokes_reachWhatIsAsked_data()
 
 /// Creases form where the flanks of a bulge, or of a pit, move towards each other: they must close, not jam, and not be riddled
 /// with holes.
-void TestUnfolding::strongStrokes_reachWhatIsAsked()
+void TestFoldSmoothing::strongStrokes_reachWhatIsAsked()
 {
     QFETCH(int, tool);
     QFETCH(double, radius);
@@ -83,7 +83,7 @@ void TestUnfolding::strongStrokes_reachWhatIsAsked()
 }
 
 /// Without fusion a bulge grows towards a plate until it touches it. What smoothing takes back there was not reached.
-void TestUnfolding::motionStoppedAtContact_isNotCalledReached()
+void TestFoldSmoothing::motionStoppedAtContact_isNotCalledReached()
 {
     const double gap = 0.2;
     const core::TriangleMesh plates =
@@ -110,5 +110,5 @@ void TestUnfolding::motionStoppedAtContact_isNotCalledReached()
     QVERIFY2(reached <= 2 * gap, qPrintable(QString::number(reached)));
 }
 
-QTEST_APPLESS_MAIN(TestUnfolding)
+QTEST_APPLESS_MAIN(TestFoldSmoothing)
 #include "tst_fold_smoothing.moc"

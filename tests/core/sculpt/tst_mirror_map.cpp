@@ -34,7 +34,7 @@ Q_DECLARE_METATYPE(core::TriangleMesh)
 
 namespace
 {
-constexpr Slot leastFaces = 12, mostFaces = 10'000; ///< a run whose mesh is smaller or larger ends
+constexpr Slot leastFaces = 12, maxFaces = 10'000; ///< a run whose mesh is smaller or larger ends
 
 #if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 constexpr std::uint64_t usualDabs = 60;
@@ -45,19 +45,19 @@ constexpr std::uint64_t usualDabs = 15; // 5 to 30 times slower
 core::TriangleMesh symmetrized(const core::TriangleMesh& shape, Symmetry plane)
 {
     const auto mesh = sculptable(shape);
-    core::ModelChange change = tryOn(*mesh, core::Symmetrize{plane});
+    core::ModelChange change = applyToCopy(*mesh, core::Symmetrize{plane});
     mesh->swap(change.delta);
     return mesh_asserts::surfaceOf(*mesh);
 }
 
 struct Tally
 {
-    std::uint64_t dabs = 0, careful = 0, endedEarly = 0, empty = 0, whole = 0, fusions = 0, separations = 0;
+    std::uint64_t dabs = 0, fallback = 0, endedEarly = 0, empty = 0, whole = 0, fusions = 0, separations = 0;
 
     void add(const DabReport& report)
     {
         ++dabs;
-        careful += report.outcome == DabOutcome::Careful;
+        fallback += report.outcome == DabOutcome::Fallback;
         endedEarly += report.outcome == DabOutcome::EndedEarly;
         empty += report.outcome == DabOutcome::Empty;
         whole += report.outcome != DabOutcome::Empty && report.reached >= 0.95 * report.asked;
@@ -65,7 +65,7 @@ struct Tally
 
     void print() const
     {
-        std::cout << dabs << " dabs: " << careful << " careful, " << endedEarly << " ended early, " << empty << " empty, "
+        std::cout << dabs << " dabs: " << fallback << " careful, " << endedEarly << " ended early, " << empty << " empty, "
                   << whole << " reached 95 % of what was asked; " << fusions << " fusions, " << separations << " separations"
                   << std::endl;
     }
@@ -85,7 +85,7 @@ public:
         checkSymmetry();
         const std::uint64_t start = m_sculptor.mesh().stateHash(), end = tally.dabs + dabs;
         const auto faces = [&] { return m_sculptor.mesh().live().faces; };
-        while (tally.dabs < end && faces() >= leastFaces && faces() < mostFaces && m_problem.empty()) {
+        while (tally.dabs < end && faces() >= leastFaces && faces() < maxFaces && m_problem.empty()) {
             sculpt(tally);
             if (m_fuzzer.below(8) == 0) {
                 m_sculptor.swap(m_history.back());

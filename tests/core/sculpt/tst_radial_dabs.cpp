@@ -148,7 +148,7 @@ void addTools()
 }
 } // namespace
 
-class TestRadial : public QObject
+class TestRadialDabs : public QObject
 {
     Q_OBJECT
 
@@ -181,13 +181,13 @@ private Q_SLOTS:
     void unusableCount_isAnEmptyDab();
 };
 
-void TestRadial::turns_areExactByQuarters()
+void TestRadialDabs::turns_areExactByQuarters()
 {
     const Vec3 p(3, 5, 7);
     QCOMPARE(inSector(1, 4, p), Vec3(7, 5, -3));
     QCOMPARE(inSector(1, 2, p), Vec3(-3, 5, -7));
     QCOMPARE(inSector(6, 8, p), Vec3(-7, 5, 3));
-    for (int n = 1; n <= core::mostRadial; ++n) {
+    for (int n = 1; n <= core::maxRadial; ++n) {
         for (int k = 0; k < n; ++k) {
             const Turn turn = Turn::part(k, n);
             QVERIFY(std::abs(turn.cosine - std::cos(2 * pi * k / n)) < 4e-15 && std::abs(turn.sine - std::sin(2 * pi * k / n)) < 4e-15);
@@ -196,7 +196,7 @@ void TestRadial::turns_areExactByQuarters()
 }
 
 /// Also: undone it is as before, and done again it has the same bits.
-void TestRadial::exact()
+void TestRadialDabs::exact()
 {
     QFETCH(Tool, tool);
     QFETCH(int, radial);
@@ -207,7 +207,7 @@ void TestRadial::exact()
     const StrokeSettings settings = settingsOf(tool, radial, plane);
     core::MeshDelta delta;
     for (const DabReport& report : stroke(*sculptor, settings, path(), &delta))
-        QVERIFY(!report.apart && !report.asymmetric && report.outcome != DabOutcome::Empty);
+        QVERIFY(!report.sequential && !report.asymmetric && report.outcome != DabOutcome::Empty);
     QVERIFY(!delta.empty());
     QCOMPARE(mirror_asserts::turnedAsymmetry(sculptor->mesh(), radial), std::string());
     if (plane != Symmetry::None)
@@ -221,35 +221,35 @@ void TestRadial::exact()
 }
 
 /// One stroke after the other, each across what was done before.
-void TestRadial::exactTwofold_onTheStarterBall()
+void TestRadialDabs::exactTwofold_onTheStarterBall()
 {
     Sculptor sculptor(mesh_asserts::sculptable(core::icosphere(5, ballRadius)));
     QCOMPARE(mirror_asserts::turnedAsymmetry(sculptor.mesh(), 2), std::string());
     for (std::size_t tool = 0; tool < core::toolNames().size(); ++tool) {
         for (const DabReport& report : stroke(sculptor, settingsOf(static_cast<Tool>(tool), 2), path()))
-            QVERIFY(!report.apart);
+            QVERIFY(!report.sequential);
         QCOMPARE(mirror_asserts::turnedAsymmetry(sculptor.mesh(), 2), std::string());
     }
     QVERIFY(isSound(sculptor));
 }
 
-void TestRadial::sixfold_isExactByHalfTurns()
+void TestRadialDabs::sixfold_isExactByHalfTurns()
 {
     const auto sculptor = ball();
     for (const DabReport& report : stroke(*sculptor, settingsOf(Tool::Crease, 6), path()))
-        QVERIFY(!report.apart); // it is no promise with this count
+        QVERIFY(!report.sequential); // it is no promise with this count
     QCOMPARE(mirror_asserts::turnedAsymmetry(sculptor->mesh(), 2), std::string());
     QVERIFY(isSound(*sculptor));
 }
 
-void TestRadial::everySector_getsItsDab_data()
+void TestRadialDabs::everySector_getsItsDab_data()
 {
     QTest::addColumn<int>("radial");
     for (const int radial : {2, 3, 4, 5, 6, 7, 12})
         QTest::addRow("%d", radial) << radial;
 }
 
-void TestRadial::everySector_getsItsDab()
+void TestRadialDabs::everySector_getsItsDab()
 {
     QFETCH(int, radial);
     const auto sculptor = ball();
@@ -265,7 +265,7 @@ void TestRadial::everySector_getsItsDab()
     QVERIFY(isSound(*sculptor));
 }
 
-void TestRadial::everyTool_staysSound_data()
+void TestRadialDabs::everyTool_staysSound_data()
 {
     QTest::addColumn<Tool>("tool");
     for (std::size_t i = 0; i < core::toolNames().size(); ++i)
@@ -273,7 +273,7 @@ void TestRadial::everyTool_staysSound_data()
 }
 
 /// Five sectors, which overlap near the pole.
-void TestRadial::everyTool_staysSound()
+void TestRadialDabs::everyTool_staysSound()
 {
     QFETCH(Tool, tool);
     const auto sculptor = ball();
@@ -286,7 +286,7 @@ void TestRadial::everyTool_staysSound()
     QVERIFY(isSound(*sculptor));
 }
 
-void TestRadial::withAPlane_eachSectorIsMirrored()
+void TestRadialDabs::withAPlane_eachSectorIsMirrored()
 {
     const auto sculptor = ball();
     const Vec3 at = onBall(12, 10);
@@ -303,12 +303,12 @@ void TestRadial::withAPlane_eachSectorIsMirrored()
     QVERIFY(isSound(*sculptor));
 }
 
-void TestRadial::onTheAxis_isOneDab_data()
+void TestRadialDabs::onTheAxis_isOneDab_data()
 {
     everySector_getsItsDab_data();
 }
 
-void TestRadial::onTheAxis_isOneDab()
+void TestRadialDabs::onTheAxis_isOneDab()
 {
     QFETCH(int, radial);
     const auto once = ball(), often = ball(), beside = ball();
@@ -316,18 +316,18 @@ void TestRadial::onTheAxis_isOneDab()
     stroke(*once, settingsOf(Tool::Pull, 1), {pole});
     const std::vector<DabReport> reports = stroke(*often, settingsOf(Tool::Pull, radial), {pole});
     QCOMPARE(often->mesh().stateHash(), once->mesh().stateHash());
-    QCOMPARE(reports.at(0).apart, radial == 2 || radial == 4); // no promise, but with these
+    QCOMPARE(reports.at(0).sequential, radial == 2 || radial == 4); // no promise, but with these
     stroke(*beside, settingsOf(Tool::Pull, radial), {pole + Vec3(0.02, 0, 0.01)}); // nor is it another a little beside
     QVERIFY(std::abs(heightAt(beside->mesh(), pole) - heightAt(once->mesh(), pole)) < 0.1);
     QVERIFY(isSound(*often) && isSound(*beside));
 }
 
-void TestRadial::besideTheAxis_staysSound_data()
+void TestRadialDabs::besideTheAxis_staysSound_data()
 {
     addTools();
 }
 
-void TestRadial::besideTheAxis_staysSound()
+void TestRadialDabs::besideTheAxis_staysSound()
 {
     QFETCH(Tool, tool);
     QFETCH(int, radial);
@@ -338,12 +338,12 @@ void TestRadial::besideTheAxis_staysSound()
     QVERIFY(isSound(*sculptor));
 }
 
-void TestRadial::noisyModel_isDoneOneAfterTheOther()
+void TestRadialDabs::noisyModel_isDoneOneAfterTheOther()
 {
     Sculptor sculptor(mesh_asserts::sculptable(shapes::noisy(octasphere(5), 0.05f, 3)));
     const Vec3 at = onBall(20, 10);
     for (const DabReport& report : stroke(sculptor, settingsOf(Tool::Pull, 4), {at, at, at}))
-        QVERIFY(report.apart && report.outcome == DabOutcome::Committed);
+        QVERIFY(report.sequential && report.outcome == DabOutcome::Committed);
     const double first = heightAt(sculptor.mesh(), at) - ballRadius;
     QVERIFY(first > 1.5);
     for (int k = 1; k < 4; ++k)
@@ -352,7 +352,7 @@ void TestRadial::noisyModel_isDoneOneAfterTheOther()
 }
 
 /// What one sector has been painted with does not come to the others.
-void TestRadial::paintedModel_keepsItsColours()
+void TestRadialDabs::paintedModel_keepsItsColours()
 {
     const auto sculptor = ball();
     StrokeSettings red = settingsOf(Tool::Paint, 1);
@@ -376,17 +376,17 @@ void TestRadial::paintedModel_keepsItsColours()
     };
     QCOMPARE(reds(), 1);
     for (const DabReport& report : stroke(*sculptor, settingsOf(Tool::Inflate, 4), path()))
-        QVERIFY(report.apart);
+        QVERIFY(report.sequential);
     QCOMPARE(reds(), 1);
     QVERIFY(isSound(*sculptor));
 }
 
-void TestRadial::heldClay_isHeldInEachSector_data()
+void TestRadialDabs::heldClay_isHeldInEachSector_data()
 {
     QTest::addColumn<Tool>("tool");
     QTest::addColumn<Symmetry>("plane");
     QTest::addColumn<bool>("meets");
-    for (const Tool tool : {Tool::Grab, Tool::Snake}) {
+    for (const Tool tool : {Tool::Grab, Tool::SnakeHook}) {
         for (const Symmetry plane : {Symmetry::None, Symmetry::X}) {
             for (const bool meets : {false, true}) {
                 if (tool == Tool::Grab || !meets)
@@ -398,7 +398,7 @@ void TestRadial::heldClay_isHeldInEachSector_data()
 
 /// Drawn outwards; in one sector perhaps against a ball that stands there, from where on each sector goes on by itself: what each holds comes
 /// along as far but that one, and with a plane its image, which stops when it does.
-void TestRadial::heldClay_isHeldInEachSector()
+void TestRadialDabs::heldClay_isHeldInEachSector()
 {
     QFETCH(Tool, tool);
     QFETCH(Symmetry, plane);
@@ -416,8 +416,8 @@ void TestRadial::heldClay_isHeldInEachSector()
     for (int i = 0; i < 12; ++i)
         way.push_back((1 + 0.04 * i) * at);
     const std::vector<DabReport> reports = stroke(*sculptor, settings, way);
-    QVERIFY(!reports[1].apart && !reports[2].apart);
-    QCOMPARE(reports[11].apart, meets);
+    QVERIFY(!reports[1].sequential && !reports[2].sequential);
+    QCOMPARE(reports[11].sequential, meets);
     const double first = heightAt(sculptor->mesh(), at) - ballRadius;
     QVERIFY(first > 0.8 * 22);
     const Vec3 stop = inSector(1, 4, at);
@@ -432,7 +432,7 @@ void TestRadial::heldClay_isHeldInEachSector()
     QVERIFY(isSound(*sculptor));
 }
 
-void TestRadial::heldHalf_staysOne_data()
+void TestRadialDabs::heldHalf_staysOne_data()
 {
     QTest::addColumn<Symmetry>("plane");
     QTest::addColumn<int>("sectors");
@@ -443,7 +443,7 @@ void TestRadial::heldHalf_staysOne_data()
 }
 
 /// Balls stand before another sector, alike on both sides of the plane: it goes on by itself there, and yet as exactly on both sides.
-void TestRadial::heldHalf_staysOne()
+void TestRadialDabs::heldHalf_staysOne()
 {
     QFETCH(Symmetry, plane);
     QFETCH(int, sectors);
@@ -460,7 +460,7 @@ void TestRadial::heldHalf_staysOne()
     for (int i = 0; i < 12; ++i)
         way.push_back((1 + 0.04 * i) * at);
     const std::vector<DabReport> reports = stroke(*sculptor, settings, way);
-    QVERIFY(!reports[1].apart && reports[11].apart);
+    QVERIFY(!reports[1].sequential && reports[11].sequential);
     for (const DabReport& report : reports)
         QVERIFY(!report.asymmetric);
     VERIFY_SYMMETRIC(sculptor->mesh(), plane);
@@ -468,7 +468,7 @@ void TestRadial::heldHalf_staysOne()
     QVERIFY(isSound(*sculptor));
 }
 
-void TestRadial::spheres_areAddedInEachSector()
+void TestRadialDabs::spheres_areAddedInEachSector()
 {
     for (const int radial : {3, 4}) {
         const auto sculptor = ball(3);
@@ -486,7 +486,7 @@ void TestRadial::spheres_areAddedInEachSector()
     }
 }
 
-void TestRadial::hook_seesSoundMeshes()
+void TestRadialDabs::hook_seesSoundMeshes()
 {
     const auto sculptor = ball(4);
     int calls = 0;
@@ -506,7 +506,7 @@ void TestRadial::hook_seesSoundMeshes()
 }
 
 /// hash(A, undo, B) = hash(B): what the sectors held or raised is no more.
-void TestRadial::undone()
+void TestRadialDabs::undone()
 {
     QFETCH(Tool, tool);
     QFETCH(int, radial);
@@ -522,7 +522,7 @@ void TestRadial::undone()
     QCOMPARE(used->mesh().stateHash(), fresh->mesh().stateHash());
 }
 
-void TestRadial::footprint_hasAllSectors()
+void TestRadialDabs::footprint_hasAllSectors()
 {
     const auto sculptor = ball(4);
     const std::size_t one = sculptor->footprint(settingsOf(Tool::Pull, 1), onBall(20, 10)).slots.size();
@@ -531,14 +531,14 @@ void TestRadial::footprint_hasAllSectors()
     QCOMPARE(sculptor->footprint(settingsOf(Tool::Pull, 4, Symmetry::X), onBall(20, 10)).slots.size(), 8 * one);
 }
 
-void TestRadial::unusableCount_isAnEmptyDab()
+void TestRadialDabs::unusableCount_isAnEmptyDab()
 {
     const auto sculptor = ball(3);
     const std::uint64_t before = sculptor->mesh().stateHash();
-    for (const int radial : {0, -1, core::mostRadial + 1})
+    for (const int radial : {0, -1, core::maxRadial + 1})
         QVERIFY(stroke(*sculptor, settingsOf(Tool::Pull, radial), {onBall(20, 10)}).at(0).outcome == DabOutcome::Empty);
     QCOMPARE(sculptor->mesh().stateHash(), before);
 }
 
-QTEST_GUILESS_MAIN(TestRadial)
+QTEST_GUILESS_MAIN(TestRadialDabs)
 #include "tst_radial_dabs.moc"

@@ -247,18 +247,18 @@ void TestRemesh::optimise_leavesTheRestAlone()
 void TestRemesh::sparedVertices_stayAsTheyAre()
 {
     Subject s(noisyBall(), brush);
-    core::SlotSet spared;
+    core::SlotSet frozen;
     std::vector<core::Vec3f> before;
     s.region.forEach([&](Slot v) {
         if (s.mesh->point(v).x() > 0.1f) {
-            spared.add(v);
+            frozen.add(v);
             before.push_back(s.mesh->point(v));
         }
     });
-    MeshEditor edit(*s.mesh, {}, nullptr, &spared);
+    MeshEditor edit(*s.mesh, {}, nullptr, &frozen);
     QVERIFY(optimise(edit, s.region, {0.2, 0.1}).collapses > 0);
     for (std::size_t i = 0; i < before.size(); ++i)
-        QVERIFY(s.mesh->isVertex(spared.slots()[i]) && s.mesh->point(spared.slots()[i]) == before[i]);
+        QVERIFY(s.mesh->isVertex(frozen.slots()[i]) && s.mesh->point(frozen.slots()[i]) == before[i]);
 }
 
 void TestRemesh::again_isNearlyIdle()

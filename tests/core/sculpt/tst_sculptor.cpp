@@ -336,7 +336,7 @@ void TestSculptor::surfaceAtContact_withoutFusion_followsAPullAway()
     const auto above = sculptor.hit({{0.03, 1, 0.02}, {0, -1, 0}});
     QVERIFY(above);
     const DabReport away = dabOnce(sculptor, {.tool = Tool::Pull, .position = above->position, .radius = 0.4, .fusion = false});
-    QVERIFY(away.outcome == DabOutcome::Committed || away.outcome == DabOutcome::Careful);
+    QVERIFY(away.outcome == DabOutcome::Committed || away.outcome == DabOutcome::Fallback);
     QVERIFY(away.reached >= 0.95 * away.asked && !away.contact);
     const auto after = sculptor.hit({{0.03, 1, 0.02}, {0, -1, 0}});
     QVERIFY(after && after->position.y() > above->position.y() + 0.02); // 0.04 at the peak
@@ -635,19 +635,19 @@ void TestSculptor::peersStroke_commitsOnTheStraightPath()
     settings.radius = 0.25;
     settings.strength = 0.2;
     sculptor.beginStroke(settings);
-    int straight = 0;
+    int direct = 0;
     constexpr int dabs = 200;
     for (int i = 0; i < dabs; ++i) {
         const double angle = 0.126 * settings.radius * i;
         core::StrokeSample sample;
         sample.position = {std::cos(angle), 0, std::sin(angle)};
         for (const DabReport& report : sculptor.addSample(sample))
-            straight += report.outcome == DabOutcome::Committed && report.reached >= 0.999 * report.asked;
+            direct += report.outcome == DabOutcome::Committed && report.reached >= 0.999 * report.asked;
         QVERIFY(sculptor.indexIsConsistent());
     }
     sculptor.endStroke();
     VERIFY_VALID(sculptor.mesh());
-    QVERIFY2(straight >= 0.99 * dabs, qPrintable(QString::number(straight)));
+    QVERIFY2(direct >= 0.99 * dabs, qPrintable(QString::number(direct)));
 }
 
 void TestSculptor::reports_tellWhatTheDabDid()

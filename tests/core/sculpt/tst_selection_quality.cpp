@@ -37,7 +37,7 @@ bool always(const Vec3&)
 }
 } // namespace
 
-class TestMeshQuality : public QObject
+class TestSelectionQuality : public QObject
 {
     Q_OBJECT
 
@@ -50,7 +50,7 @@ private Q_SLOTS:
     void sculptor_measuresWhatTheLastDabSelected();
 };
 
-void TestMeshQuality::tetrahedron_isMeasuredByHand()
+void TestSelectionQuality::tetrahedron_isMeasuredByHand()
 {
     core::TriangleMesh mesh; // regular, edges of 2 sqrt 2
     mesh.points = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
@@ -65,7 +65,7 @@ void TestMeshQuality::tetrahedron_isMeasuredByHand()
 }
 
 /// A cube of 12 edges of 2 and 6 diagonals.
-void TestMeshQuality::shareCountsTheLongEdges()
+void TestSelectionQuality::shareCountsTheLongEdges()
 {
     const auto mesh = sculptable(shapes::cube(2));
     const Region region = regionOf(*mesh, always);
@@ -77,7 +77,7 @@ void TestMeshQuality::shareCountsTheLongEdges()
     QVERIFY(near(selectionQuality(*mesh, region, {1, 1})->smallestAngleSine, std::sqrt(0.5))); // 45 degrees
 }
 
-void TestMeshQuality::onlyWhatIsSelectedCounts()
+void TestSelectionQuality::onlyWhatIsSelectedCounts()
 {
     const auto mesh = sculptable(clay::slab(8, 1, 8)); // squares of side 1, cut once
     const auto quality = selectionQuality(*mesh, regionOf(*mesh, [](const Vec3& p) { return p.y() > 0 && p.norm() < 2.5; }), {1, 1});
@@ -87,7 +87,7 @@ void TestMeshQuality::onlyWhatIsSelectedCounts()
     QVERIFY(!edge); // a row of vertices has edges and no face
 }
 
-void TestMeshQuality::onePercentOfTheFacesIsExcused()
+void TestSelectionQuality::onePercentOfTheFacesIsExcused()
 {
     core::TriangleMesh mesh = clay::slab(20, 1, 20);
     for (core::Vec3f& p : mesh.points) { // the faces around one vertex of each side become slivers: 12 of 1760
@@ -101,13 +101,13 @@ void TestMeshQuality::onePercentOfTheFacesIsExcused()
     QVERIFY(selectionQuality(*built, few, {1, 1})->smallestAngleSine < 0.1);
 }
 
-void TestMeshQuality::nothingSelected_hasNoQuality()
+void TestSelectionQuality::nothingSelected_hasNoQuality()
 {
     const auto mesh = sculptable(shapes::cube(2));
     QVERIFY(!selectionQuality(*mesh, Region(), {1, 1}));
 }
 
-void TestMeshQuality::sculptor_measuresWhatTheLastDabSelected()
+void TestSelectionQuality::sculptor_measuresWhatTheLastDabSelected()
 {
     core::Sculptor sculptor(sculptable(core::icosphere(4, 1)));
     QVERIFY(!sculptor.selectionQuality());
@@ -136,5 +136,5 @@ void TestMeshQuality::sculptor_measuresWhatTheLastDabSelected()
     VERIFY_LINKED(sculptor.mesh());
 }
 
-QTEST_APPLESS_MAIN(TestMeshQuality)
+QTEST_APPLESS_MAIN(TestSelectionQuality)
 #include "tst_selection_quality.moc"

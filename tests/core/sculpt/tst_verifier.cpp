@@ -122,7 +122,7 @@ std::vector<Slot> collinearFaces(const Mesh& mesh)
 
 bool meet(const PatchFace& s, const PatchFace& t)
 {
-    return core::trianglesMeet<LatticePredicates>({s.corners, s.points}, {t.corners, t.points});
+    return core::trianglesIntersect<LatticePredicates>({s.corners, s.points}, {t.corners, t.points});
 }
 
 /// Whether faces are degenerate or meet: what a certificate must rule out.
@@ -220,7 +220,7 @@ void moveCap(Mesh& mesh, double reach, double by)
 }
 } // namespace
 
-class TestVerify : public QObject
+class TestVerifier : public QObject
 {
     Q_OBJECT
 
@@ -243,7 +243,7 @@ private Q_SLOTS:
     void brokenLink_isBad();
 };
 
-void TestVerify::randomChanges_agreeWithAllPairsAndCgal_data()
+void TestVerifier::randomChanges_agreeWithAllPairsAndCgal_data()
 {
     QTest::addColumn<TriangleMesh>("shape");
     QTest::addColumn<int>("exponent");
@@ -258,7 +258,7 @@ void TestVerify::randomChanges_agreeWithAllPairsAndCgal_data()
                                                     shapes::moved(core::icosphere(1, 1), {1.02f, 0, 0})) << 20;
 }
 
-void TestVerify::randomChanges_agreeWithAllPairsAndCgal()
+void TestVerifier::randomChanges_agreeWithAllPairsAndCgal()
 {
     QFETCH(TriangleMesh, shape);
     QFETCH(int, exponent);
@@ -307,7 +307,7 @@ void TestVerify::randomChanges_agreeWithAllPairsAndCgal()
 }
 
 /// Of a motion that was not sound some vertices go back a part of their way: what the short look finds at them is what the whole one finds.
-void TestVerify::recheck_findsWhatIsBadThere()
+void TestVerifier::recheck_findsWhatIsBadThere()
 {
     StrokeFuzzer random(seed);
     int looked = 0, found = 0;
@@ -349,7 +349,7 @@ void TestVerify::recheck_findsWhatIsBadThere()
     QVERIFY2(found > 50 && found < 300, qPrintable(QString::number(found)));
 }
 
-void TestVerify::certifiedPatch_neverMeetsItself_data()
+void TestVerifier::certifiedPatch_neverMeetsItself_data()
 {
     QTest::addColumn<int>("step");
     QTest::addColumn<int>("noise");
@@ -359,7 +359,7 @@ void TestVerify::certifiedPatch_neverMeetsItself_data()
     QTest::newRow("largest") << 1'600'000 << 900'000;
 }
 
-void TestVerify::certifiedPatch_neverMeetsItself()
+void TestVerifier::certifiedPatch_neverMeetsItself()
 {
     QFETCH(int, step);
     QFETCH(int, noise);
@@ -384,7 +384,7 @@ void TestVerify::certifiedPatch_neverMeetsItself()
     QVERIFY(certified > 1000);
 }
 
-void TestVerify::certifiedStar_neverMeetsItself()
+void TestVerifier::certifiedStar_neverMeetsItself()
 {
     for (int range : {2, 4, 1000, Lattice::limit}) {
         StrokeFuzzer random(seed);
@@ -422,14 +422,14 @@ void TestVerify::certifiedStar_neverMeetsItself()
     }
 }
 
-void TestVerify::nothingTouched_isSound()
+void TestVerifier::nothingTouched_isSound()
 {
     Subject subject(sculptable(core::icosphere(2, 1)));
     QVERIFY(subject.verify(subject.mesh->mark()).ok());
     QVERIFY(subject.verifier.dirtyFaces().empty());
 }
 
-void TestVerify::invertedTetrahedron_isBad()
+void TestVerifier::invertedTetrahedron_isBad()
 {
     Subject subject(sculptable(shapes::tetrahedron()));
     const Mesh::Mark mark = subject.mesh->mark();
@@ -437,7 +437,7 @@ void TestVerify::invertedTetrahedron_isBad()
     QCOMPARE(subject.verify(mark).badFaces, (std::vector<Slot>{0, 1, 2, 3}));
 }
 
-void TestVerify::shellSwallowedWhole_isBad()
+void TestVerifier::shellSwallowedWhole_isBad()
 {
     Subject subject(sculptable(ballAndSpeck({0, 1.1f, 0}, 0.03f, false)));
     VERIFY_VALID(*subject.mesh);
@@ -449,7 +449,7 @@ void TestVerify::shellSwallowedWhole_isBad()
 }
 
 /// The bottom of a dent rises past a speck that floats in it: the speck lies below every face that moved.
-void TestVerify::shellSweptOverFromBelow_isBad()
+void TestVerifier::shellSweptOverFromBelow_isBad()
 {
     Subject subject(sculptable(ballAndSpeck({0, 0.6f, 0}, 0.02f, true)));
     Mesh& mesh = *subject.mesh;
@@ -480,7 +480,7 @@ void TestVerify::shellSweptOverFromBelow_isBad()
     QVERIFY(!dented.verify(mark).ok());
 }
 
-void TestVerify::cavityLetOut_isBad()
+void TestVerifier::cavityLetOut_isBad()
 {
     Subject subject(sculptable(ballAndSpeck({0, 0.8f, 0}, 0.03f, true)));
     VERIFY_VALID(*subject.mesh);
@@ -492,7 +492,7 @@ void TestVerify::cavityLetOut_isBad()
 }
 
 /// As before, with the cavity so near the pole that it lies above every face that moved, where they are now.
-void TestVerify::cavityLetOutBehindThePush_isBad()
+void TestVerifier::cavityLetOutBehindThePush_isBad()
 {
     Subject subject(sculptable(ballAndSpeck({0, 0.96f, 0}, 0.01f, true)));
     VERIFY_VALID(*subject.mesh);
@@ -504,7 +504,7 @@ void TestVerify::cavityLetOutBehindThePush_isBad()
 }
 
 /// A spike goes whose tip is far from all that there is afterwards.
-void TestVerify::cavityLetOutOfASpike_isBad()
+void TestVerifier::cavityLetOutOfASpike_isBad()
 {
     TriangleMesh spiked = core::icosphere(3, 1);
     const auto top = std::ranges::max_element(spiked.points, {}, [](const Vec3f& p) { return p.y(); });
@@ -523,7 +523,7 @@ void TestVerify::cavityLetOutOfASpike_isBad()
     QVERIFY(!subject.verify(mark).ok());
 }
 
-void TestVerify::nestedShellTurnedOver_isBad()
+void TestVerifier::nestedShellTurnedOver_isBad()
 {
     const auto outer = static_cast<Slot>(core::icosphere(2, 3).points.size());
     Subject subject(sculptable(shapes::nestedSpheres(true)));
@@ -539,7 +539,7 @@ void TestVerify::nestedShellTurnedOver_isBad()
 
 /// Only the gate can write links, and it writes them rightly; so the damage comes in by a delta.
 /// As on both sides of a plane of symmetry: what lies between is not looked at, and the most that is asked of each is its own certificate.
-void TestVerify::changesApart_areCertifiedApart()
+void TestVerifier::changesApart_areCertifiedApart()
 {
     Subject subject(sculptable(core::icosphere(4, 1)));
     Mesh& mesh = *subject.mesh;
@@ -556,7 +556,7 @@ void TestVerify::changesApart_areCertifiedApart()
     QVERIFY(result.tier == core::VerifyTier::Patch);
 }
 
-void TestVerify::brokenLink_isBad()
+void TestVerifier::brokenLink_isBad()
 {
     Subject subject(sculptable(core::icosphere(1, 1)));
     Mesh& mesh = *subject.mesh;
@@ -573,5 +573,5 @@ void TestVerify::brokenLink_isBad()
     QVERIFY(!subject.verifier.verify(mesh, subject.octree, touched).ok());
 }
 
-QTEST_APPLESS_MAIN(TestVerify)
+QTEST_APPLESS_MAIN(TestVerifier)
 #include "tst_verifier.moc"

@@ -187,7 +187,7 @@ void TestStrokePath::longJump_ends()
 {
     StrokePath path(spaced(0.05, 0.01));
     dabsOf(path, at({0, 0, 0}));
-    QCOMPARE(dabsOf(path, at({1e7, 0, 0})).size(), std::size_t(StrokePath::mostDabsPerSample)); // 10 km
+    QCOMPARE(dabsOf(path, at({1e7, 0, 0})).size(), std::size_t(StrokePath::maxDabsPerSample)); // 10 km
     const auto dabs = dabsOf(path, at({1e7 + 0.01, 0, 0})); // goes on where the sample was
     QVERIFY(dabs.size() > 10 && dabs.size() < 30);
     QVERIFY(dabs.front().position.x() >= 1e7 - 1e-3);
@@ -207,7 +207,7 @@ void TestStrokePath::surfaceThatRises_ends()
     };
     QCOMPARE(dabsTo({0, 0, 0}), 1);
     const int dabs = dabsTo({10, 0, 0}); // 112 would do when the sample comes, for the first dab has raised its end
-    QVERIFY(dabs >= 100 && dabs <= StrokePath::mostTimesLonger * 112);
+    QVERIFY(dabs >= 100 && dabs <= StrokePath::maxLengthRatio * 112);
 }
 
 QTEST_APPLESS_MAIN(TestStrokePath)

@@ -7,7 +7,7 @@
 
 using namespace core;
 
-class TestBrush : public QObject
+class TestTool : public QObject
 {
     Q_OBJECT
 
@@ -21,27 +21,27 @@ private Q_SLOTS:
     void parameters_haveTheirDefaultsInRange();
 };
 
-void TestBrush::falloff_isThePapersCurve()
+void TestTool::falloff_isThePapersCurve()
 {
     // b(x) = (n-1) x^n - n x^(n-1) + 1, by hand for n = 4: 3 x^4 - 4 x^3 + 1
     QCOMPARE(falloff(0.5, 4), 3.0 / 16 - 4.0 / 8 + 1);
     QCOMPARE(falloff(0.25, 3), 2.0 / 64 - 3.0 / 16 + 1);
 }
 
-void TestBrush::falloff_isOneWithoutWeighting()
+void TestTool::falloff_isOneWithoutWeighting()
 {
     for (const double x : {0.0, 0.3, 1.0})
         QCOMPARE(falloff(x, 0), 1.0);
 }
 
-void TestBrush::falloff_fallsFromOneToZero_data()
+void TestTool::falloff_fallsFromOneToZero_data()
 {
     QTest::addColumn<int>("n");
     for (int n = 3; n <= 16; ++n)
         QTest::newRow(qPrintable(QString::number(n))) << n;
 }
 
-void TestBrush::falloff_fallsFromOneToZero()
+void TestTool::falloff_fallsFromOneToZero()
 {
     QFETCH(int, n);
     QVERIFY(isFalloff(n));
@@ -57,7 +57,7 @@ void TestBrush::falloff_fallsFromOneToZero()
     QVERIFY(falloff(1 - 1e-4, n) < 2e-6);
 }
 
-void TestBrush::edgeBounds_keepThePapersRelation()
+void TestTool::edgeBounds_keepThePapersRelation()
 {
     for (const double radius : {1e-6, 0.02, 0.25, 10.0, 1e6}) {
         const EdgeBounds bounds = edgeBounds(radius, 1);
@@ -68,7 +68,7 @@ void TestBrush::edgeBounds_keepThePapersRelation()
     }
 }
 
-void TestBrush::names_comeBack()
+void TestTool::names_comeBack()
 {
     for (const std::string_view word : toolNames()) {
         QVERIFY(toolNamed(word));
@@ -81,16 +81,16 @@ void TestBrush::names_comeBack()
     for (const Placement placement : {Placement::Point, Placement::Nearest, Placement::Ray})
         QVERIFY(placementNamed(name(placement)) == placement);
     QVERIFY(name(DabOutcome::Committed) == "committed");
-    QVERIFY(name(DabOutcome::Careful) == "careful");
+    QVERIFY(name(DabOutcome::Fallback) == "careful");
     QVERIFY(name(DabOutcome::EndedEarly) == "ended_early");
     QVERIFY(name(DabOutcome::Empty) == "empty");
 }
 
-void TestBrush::parameters_haveTheirDefaultsInRange()
+void TestTool::parameters_haveTheirDefaultsInRange()
 {
     for (const ParameterInfo& row : parameterTable)
         QVERIFY(row.min <= row.defaultValue && row.defaultValue <= row.max);
 }
 
-QTEST_APPLESS_MAIN(TestBrush)
+QTEST_APPLESS_MAIN(TestTool)
 #include "tst_tool.moc"

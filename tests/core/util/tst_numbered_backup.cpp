@@ -20,7 +20,7 @@ std::string read(const fs::path& file)
 
 void save(const fs::path& file, std::string_view text, int versions = 3)
 {
-    KeptVersion before(file, versions);
+    NumberedBackup before(file, versions);
     AtomicFile out(file);
     out.write(text);
     out.commit();
@@ -28,7 +28,7 @@ void save(const fs::path& file, std::string_view text, int versions = 3)
 }
 } // namespace
 
-class TestKeptVersion : public QObject
+class TestNumberedBackup : public QObject
 {
     Q_OBJECT
 
@@ -50,7 +50,7 @@ private:
     }
 };
 
-void TestKeptVersion::lastThree_stayBesideTheFile()
+void TestNumberedBackup::lastThree_stayBesideTheFile()
 {
     const QTemporaryDir home;
     const fs::path file = fs::path(home.path().toStdString()) / "vase.glb";
@@ -58,12 +58,12 @@ void TestKeptVersion::lastThree_stayBesideTheFile()
         save(file, "version " + std::to_string(i));
         QCOMPARE(read(file), "version " + std::to_string(i));
         for (int back = 1; back <= 3; ++back)
-            QCOMPARE(read(KeptVersion::nameOf(file, back)), back < i ? "version " + std::to_string(i - back) : std::string());
+            QCOMPARE(read(NumberedBackup::nameOf(file, back)), back < i ? "version " + std::to_string(i - back) : std::string());
     }
     QVERIFY(names(home) == std::vector<std::string>({"vase.glb", "vase.glb~1", "vase.glb~2", "vase.glb~3"}));
 }
 
-void TestKeptVersion::without_nothingStays()
+void TestNumberedBackup::without_nothingStays()
 {
     const QTemporaryDir home;
     const fs::path file = fs::path(home.path().toStdString()) / "vase.glb";
@@ -73,23 +73,23 @@ void TestKeptVersion::without_nothingStays()
 }
 
 /// The rotation waits until the file is there.
-void TestKeptVersion::savingThatFails_changesNothing()
+void TestNumberedBackup::savingThatFails_changesNothing()
 {
     const QTemporaryDir home;
     const fs::path file = fs::path(home.path().toStdString()) / "vase.glb";
     for (const char* text : {"one", "two", "three"})
         save(file, text);
     {
-        KeptVersion before(file, 3);
+        NumberedBackup before(file, 3);
         AtomicFile out(file);
         out.write("half");
     }
     QCOMPARE(read(file), std::string("three"));
-    QCOMPARE(read(KeptVersion::nameOf(file, 1)), std::string("two"));
+    QCOMPARE(read(NumberedBackup::nameOf(file, 1)), std::string("two"));
     QVERIFY(names(home) == std::vector<std::string>({"vase.glb", "vase.glb~1", "vase.glb~2"}));
 }
 
-void TestKeptVersion::links_areFollowed()
+void TestNumberedBackup::links_areFollowed()
 {
     const QTemporaryDir home;
     const fs::path file = fs::path(home.path().toStdString()) / "vase.glb", link = fs::path(home.path().toStdString()) / "link.glb";
@@ -98,20 +98,20 @@ void TestKeptVersion::links_areFollowed()
     save(link, "two");
     QVERIFY(fs::is_symlink(link));
     QCOMPARE(read(file), std::string("two"));
-    QCOMPARE(read(KeptVersion::nameOf(file, 1)), std::string("one"));
+    QCOMPARE(read(NumberedBackup::nameOf(file, 1)), std::string("one"));
 }
 
-void TestKeptVersion::keptModels_areReadByTheirFormat()
+void TestNumberedBackup::keptModels_areReadByTheirFormat()
 {
     const QTemporaryDir home;
     const fs::path file = fs::path(home.path().toStdString()) / "ball.ply";
     writeMesh(file, icosphere(1, 10));
-    KeptVersion before(file, 3);
+    NumberedBackup before(file, 3);
     writeMesh(file, icosphere(2, 10));
     before.commit();
-    QCOMPARE(readMesh(KeptVersion::nameOf(file, 1)).points.size(), icosphere(1, 10).points.size());
+    QCOMPARE(readMesh(NumberedBackup::nameOf(file, 1)).points.size(), icosphere(1, 10).points.size());
     QVERIFY(!meshFormatOf("ball.ply~") && !meshFormatOf("ball~1") && meshFormatOf("ball.ply~12") == MeshFormat::Ply);
 }
 
-QTEST_APPLESS_MAIN(TestKeptVersion)
+QTEST_APPLESS_MAIN(TestNumberedBackup)
 #include "tst_numbered_backup.moc"

@@ -58,7 +58,7 @@ void TestParallel::chunks_coverTheRangeOnce()
 void TestParallel::fewChunks_areDoneAtOnce()
 {
     int calls = 0;
-    core::forEachChunk(10 * core::leastChunks - 10, 10, [&](std::size_t, std::size_t, std::size_t) { ++calls; });
+    core::forEachChunk(10 * core::minChunks - 10, 10, [&](std::size_t, std::size_t, std::size_t) { ++calls; });
     QCOMPARE(calls, 1);
 }
 

@@ -18,11 +18,11 @@
 
 namespace
 {
-ui::SharedDrawing drawingOf(const core::TriangleMesh& mesh, bool isInterim = false, std::size_t mostEdges = 1000)
+ui::SharedDrawing drawingOf(const core::TriangleMesh& mesh, bool isInterim = false, std::size_t maxEdges = 1000)
 {
     core::DrawArrays model;
     model.apply(core::wholePatchOf(*mesh_asserts::sculptable(mesh)));
-    auto drawing = std::make_shared<core::LineDrawing>(core::drawLines(model, {512, true, mostEdges}, {}).value());
+    auto drawing = std::make_shared<core::LineDrawing>(core::drawLines(model, {512, true, maxEdges}, {}).value());
     drawing->isInterim = isInterim;
     return drawing;
 }

@@ -7,7 +7,7 @@
 #include "ui/settings/settings.h"
 
 #include "core/io/mesh_io.h"
-#include "core/operations/primitives.h"
+#include "core/operations/starter_models.h"
 #include "tests/ui/ui_test.h"
 
 #include <QAction>

@@ -2,7 +2,7 @@
 #include "ui/files/thumbnail_maker.h"
 
 #include "core/io/mesh_io.h"
-#include "core/operations/primitives.h"
+#include "core/operations/starter_models.h"
 
 #include <QDir>
 #include <QFile>

@@ -1,5 +1,5 @@
 #include "core/drawing/model_thumbnail.h"
-#include "core/operations/primitives.h"
+#include "core/operations/starter_models.h"
 #include "ui/actions/actions.h"
 #include "ui/lesson/lesson_panel.h"
 #include "ui/window/main_window.h"
@@ -31,7 +31,7 @@ constexpr int pictureSide = 144; ///< twice what is shown, for fine screens
 
 QImage pictureOf(core::Starter starter)
 {
-    const core::ModelPicture picture = core::drawPicture(core::starterModel(starter), pictureSide, {}).value();
+    const core::ModelThumbnail picture = core::drawThumbnail(core::starterModel(starter), pictureSide, {}).value();
     const auto* bytes = picture.rgba.front().data();
     return QImage(bytes, picture.width, picture.height, QImage::Format_RGBA8888_Premultiplied).convertToFormat(QImage::Format_RGBA8888);
 }

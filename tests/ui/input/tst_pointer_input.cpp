@@ -615,7 +615,7 @@ private Q_SLOTS:
             r.brush.setTool(static_cast<Tool>(i));
             r.rest({400, 300}, somewhere);
             r.send(Kind::Press, {400, 300});
-            QCOMPARE(r.settings.spacing, core::followsHand(r.settings.tool) ? 0.0 : r.brush.stroke().spacing);
+            QCOMPARE(r.settings.spacing, core::isDragTool(r.settings.tool) ? 0.0 : r.brush.stroke().spacing);
             QCOMPARE(r.input.stroke().tool, r.settings.tool);
         }
         Recorder smoothing;

@@ -21,7 +21,7 @@ namespace
 QList<ui::PrintFinding> findingsOf(const core::TriangleMesh& mesh, const core::PrintLimits& limits, const QString& printer)
 {
     const core::PrintMeasures measures = core::measureForPrint(mesh);
-    return ui::printFindings(measures.report, core::judgeForPrint(measures, limits), limits, printer);
+    return ui::printFindings(measures.report, core::checkForPrint(measures, limits), limits, printer);
 }
 
 PrintVerdict worstOf(const QList<ui::PrintFinding>& findings)

@@ -451,7 +451,7 @@ private Q_SLOTS:
 
     void theMaskIsChangedFromTheMenu()
     {
-        using How = core::ChangeMask::How;
+        using How = core::MaskOperation::Kind;
         MainWindow window;
         QSignalSpy asked(&window, &MainWindow::commandRequested);
         window.brush()->set(&core::StrokeSettings::color, core::Rgb{10, 20, 30});
@@ -460,7 +460,7 @@ private Q_SLOTS:
                                                        {"mask.cavity", How::Cavity}, {"mask.color", How::Color}, {"mask.part", How::Part}};
         for (const auto& [id, how] : actions) {
             act(window, id)->trigger();
-            const auto change = std::get<core::ChangeMask>(asked.takeLast()[0].value<core::ModelCommand>());
+            const auto change = std::get<core::MaskOperation>(asked.takeLast()[0].value<core::ModelCommand>());
             QCOMPARE(change.how, how);
             QVERIFY(how != How::Color || change.color == (core::Rgb{10, 20, 30}));
         }
@@ -478,7 +478,7 @@ private Q_SLOTS:
         QSignalSpy asked(&window, &MainWindow::commandRequested);
         QTest::keyClick(&window, Qt::Key_M, Qt::AltModifier);
         QCOMPARE(asked.count(), 1);
-        QCOMPARE(std::get<core::ChangeMask>(asked[0][0].value<core::ModelCommand>()).how, core::ChangeMask::How::Clear);
+        QCOMPARE(std::get<core::MaskOperation>(asked[0][0].value<core::ModelCommand>()).how, core::MaskOperation::Kind::Clear);
     }
 
     void aColourIsPickedFromTheModel()

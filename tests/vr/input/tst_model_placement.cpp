@@ -61,7 +61,7 @@ double shownSize(const Room& room, const core::Box& box = someBox)
 bool isSound(const Room& room)
 {
     const double size = shownSize(room);
-    return std::abs(room.rotation().norm() - 1) < 1e-12 && size >= Room::leastSize * (1 - tolerance) &&
+    return std::abs(room.rotation().norm() - 1) < 1e-12 && size >= Room::minSize * (1 - tolerance) &&
            size <= Room::mostSize * (1 + tolerance) && room.toRoom(someBox.center()).allFinite();
 }
 } // namespace
@@ -171,7 +171,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(shownSize(room) - Room::mostSize) < tolerance);
         QVERIFY(areClose(room.middle(), middle));
         room.scale(1e-9);
-        QVERIFY(std::abs(shownSize(room) - Room::leastSize) < tolerance);
+        QVERIFY(std::abs(shownSize(room) - Room::minSize) < tolerance);
         QVERIFY(areClose(room.middle(), middle));
     }
 

@@ -251,7 +251,7 @@ public:
     {
         m_frame.time += 0.2 * share() * share();
         for (std::size_t i = 0; i < vr::sideCount; ++i) {
-            turnOver(m_frame.pointsAtPanel[i], 0.02);
+            reverseOrientation(m_frame.pointsAtPanel[i], 0.02);
             change(m_frame.wands[i]);
         }
         return m_frame;
@@ -259,17 +259,17 @@ public:
 
 private:
     double share() { return std::uniform_real_distribution<double>(0, 1)(m_random); }
-    void turnOver(bool& what, double often) { what = share() < often ? !what : what; }
+    void reverseOrientation(bool& what, double often) { what = share() < often ? !what : what; }
 
     void change(WandState& wand)
     {
-        turnOver(wand.isActive, wand.isActive ? 0.003 : 0.3);
-        turnOver(wand.isTracked, wand.isTracked ? 0.01 : 0.3);
-        turnOver(wand.side, 0.03);
-        turnOver(wand.menu, 0.03);
-        turnOver(wand.padTouched, 0.05);
-        turnOver(wand.padPressed, 0.05);
-        turnOver(wand.isStick, 0.001);
+        reverseOrientation(wand.isActive, wand.isActive ? 0.003 : 0.3);
+        reverseOrientation(wand.isTracked, wand.isTracked ? 0.01 : 0.3);
+        reverseOrientation(wand.side, 0.03);
+        reverseOrientation(wand.menu, 0.03);
+        reverseOrientation(wand.padTouched, 0.05);
+        reverseOrientation(wand.padPressed, 0.05);
+        reverseOrientation(wand.isStick, 0.001);
         if (share() < 0.05)
             wand.trigger = share();
         if (share() < 0.3)
@@ -937,7 +937,7 @@ void TestHands::atRandomNothingIsLeftOpen()
             }
             apply(command.deed, room);
             const double shown = room.lengthToRoom(100);
-            QVERIFY2(shown >= vr::Room::leastSize * (1 - 1e-9) && shown <= vr::Room::mostSize * (1 + 1e-9), where);
+            QVERIFY2(shown >= vr::Room::minSize * (1 - 1e-9) && shown <= vr::Room::mostSize * (1 + 1e-9), where);
             QVERIFY2(std::abs(room.rotation().norm() - 1) < 1e-12, where);
         }
         const WandState& drawing = frame.wands[indexOf(sculpting)];

@@ -329,7 +329,7 @@ void TestHeadsetScene::images_ofLightAndOfSrgbShowTheSame()
             const QRgb seen = srgb.pixel(x, y);
             const int colors[] = {qRed(seen), qGreen(seen), qBlue(seen)};
             for (int channel = 0; channel < 3; ++channel)
-                most = std::max(most, std::abs(colors[channel] - core::mesh_io::seenOf(static_cast<double>(value[channel]))));
+                most = std::max(most, std::abs(colors[channel] - core::io::srgbFromLinear(static_cast<double>(value[channel]))));
             QVERIFY(std::abs(value[3] - 1) < 0.01F); // what is seen through leaves the image whole
             QCOMPARE(qAlpha(seen), 255);
         }
@@ -466,7 +466,7 @@ void TestHeadsetScene::panels_areBlendedByTheirAlpha()
         return picture(state);
     };
     const QPointF middle = pixelOf(at, view);
-    const auto light = [](int seen) { return core::mesh_io::lightOf(static_cast<std::uint8_t>(seen)); };
+    const auto light = [](int seen) { return core::io::linearFromSrgb(static_cast<std::uint8_t>(seen)); };
     const struct
     {
         QColor color;
@@ -476,8 +476,8 @@ void TestHeadsetScene::panels_areBlendedByTheirAlpha()
         const QImage with = shown(c.color, c.opacity);
         const double alpha = c.color.alphaF() * static_cast<double>(c.opacity);
         const QColor seen = colorAt(with, middle), behind = colorAt(without, middle);
-        QVERIFY(std::abs(seen.red() - core::mesh_io::seenOf(alpha * light(c.color.red()) + (1 - alpha) * light(behind.red()))) <= 3);
-        QVERIFY(std::abs(seen.green() - core::mesh_io::seenOf(alpha * light(c.color.green()) + (1 - alpha) * light(behind.green()))) <= 3);
+        QVERIFY(std::abs(seen.red() - core::io::srgbFromLinear(alpha * light(c.color.red()) + (1 - alpha) * light(behind.red()))) <= 3);
+        QVERIFY(std::abs(seen.green() - core::io::srgbFromLinear(alpha * light(c.color.green()) + (1 - alpha) * light(behind.green()))) <= 3);
         // And nothing beside it.
         QCOMPARE(colorAt(with, pixelOf(at + core::Vec3(0.22, 0, 0), view)), colorAt(without, pixelOf(at + core::Vec3(0.22, 0, 0), view)));
         QCOMPARE(colorAt(with, pixelOf(at + core::Vec3(0, 0.17, 0), view)), colorAt(without, pixelOf(at + core::Vec3(0, 0.17, 0), view)));

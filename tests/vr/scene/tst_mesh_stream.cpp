@@ -8,7 +8,7 @@ using core::Slot;
 
 namespace
 {
-/// What ClayBuffer has in OpenGL.
+/// What MeshBuffer has in OpenGL.
 struct MemoryBuffer
 {
     struct Counters
@@ -18,7 +18,7 @@ struct MemoryBuffer
 
     std::vector<core::DrawVertex> vertices;
     std::vector<core::Triangle> faces;
-    std::size_t mostBytes = 0; ///< in one patch
+    std::size_t maxBytes = 0; ///< in one patch
     Counters sent;
 
     void create(int*) {}
@@ -35,7 +35,7 @@ struct MemoryBuffer
         faces.resize(patch.faceSlots);
         put(patch.vertexSpans, patch.vertices, vertices);
         put(patch.faceSpans, patch.faces, faces);
-        mostBytes = std::max(mostBytes, vr::bytesOf(patch));
+        maxBytes = std::max(maxBytes, vr::bytesOf(patch));
         sent.bytes += vr::bytesOf(patch);
     }
 
@@ -251,7 +251,7 @@ void TestClayStream::spansAreKept()
         for (vr::PatchSlices slices(whole); !slices.atEnd();)
             sliced.apply(slices.next(bytes));
         QVERIFY(sliced.shows(direct));
-        QVERIFY(sliced.mostBytes <= bytes);
+        QVERIFY(sliced.maxBytes <= bytes);
     }
 }
 

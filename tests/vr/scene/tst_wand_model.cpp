@@ -15,7 +15,7 @@ core::TriangleMesh welded(const core::DrawArrays& arrays)
     for (const core::DrawVertex& vertex : arrays.vertices)
         mesh.points.push_back(vertex.position);
     mesh.triangles = arrays.faces;
-    core::mesh_io::weld(mesh, {});
+    core::io::weld(mesh, {});
     return mesh;
 }
 

@@ -156,7 +156,7 @@ private Q_SLOTS:
             QCOMPARE(vr::strokeSettings(brush, {}, someRoom()).tool, tool);
             QCOMPARE(vr::strokeSettings(brush, {true}, someRoom()).tool, Tool::Smooth);
             QVERIFY(!vr::strokeSettings(brush, {}, someRoom()).inverted);
-            QCOMPARE(vr::strokeSettings(brush, {}, someRoom()).spacing, core::followsHand(tool) ? 0 : vr::wandSpacing);
+            QCOMPARE(vr::strokeSettings(brush, {}, someRoom()).spacing, core::isDragTool(tool) ? 0 : vr::wandSpacing);
             QCOMPARE(vr::strokeSettings(brush, {true}, someRoom()).spacing, vr::wandSpacing);
             brush.isInverse = true;
             const Tool inverse = tool == Tool::Pull ? Tool::Push : tool == Tool::Push ? Tool::Pull : tool;

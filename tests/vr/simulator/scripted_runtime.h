@@ -6,7 +6,7 @@
 #include <QStringList>
 
 /// The OpenXR runtime of vr/simulator, in the process of the test: the loader takes it from now on, and the test steers it.
-/// The words are in vr/simulator/control.h; a word that is not understood ends the test. Any thread.
+/// The words are in vr/simulator/control_api.h; a word that is not understood ends the test. Any thread.
 class ScriptedRuntime
 {
 public:

@@ -1,7 +1,7 @@
 // Models to begin with. Each is a grid, closed on itself, or the icosphere pushed in and out along its rays.
 // Arithmetic is + - x / sqrt only: the same bits everywhere.
 
-#include "core/operations/primitives.h"
+#include "core/operations/starter_models.h"
 
 #include <algorithm>
 #include <cmath>

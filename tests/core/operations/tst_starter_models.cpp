@@ -1,5 +1,5 @@
 #include "core/mesh/mesh_builder.h"
-#include "core/operations/primitives.h"
+#include "core/operations/starter_models.h"
 
 #include <QTest>
 
