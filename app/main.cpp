@@ -229,7 +229,7 @@ int runWindow(int argc, char* argv[])
         app::CommandLine::printError(error.sentence);
         return app::BadInput;
     }
-    if (vr::RuntimeThread::hasLeftWork()) { // it still draws with what Qt and OpenXR keep, should the headset's program wake just now
+    if (vr::RuntimeThread::hasAbandonedWork()) { // it still draws with what Qt and OpenXR keep, should the headset's program wake just now
         std::fflush(nullptr);
         std::_Exit(status);
     }

@@ -20,7 +20,7 @@ namespace app
 {
 namespace
 {
-constexpr double clayRadius = 50; ///< mm
+constexpr double startRadius = 50; ///< mm
 } // namespace
 
 Document::Choice Document::choiceOf(const QString& path, LongWork& work)
@@ -52,7 +52,7 @@ void Document::openMended(const QString& path, const core::RepairOptions& option
 
 void Document::openSphere()
 {
-    openFrom({tr("Preparing the clay"), [](const core::JobControl&) { return ModelLoader::sphere(clayRadius); }});
+    openFrom({tr("Preparing the clay"), [](const core::JobControl&) { return ModelLoader::sphere(startRadius); }});
 }
 
 void Document::openStarter(core::Starter starter)

@@ -21,14 +21,14 @@ const std::shared_ptr<const core::DrawArrays>& wholeWand()
     static const std::shared_ptr<const core::DrawArrays> wand = [] {
         core::DrawArrays whole;
         for (std::size_t i = 0; i < vr::wandPartCount; ++i)
-            append(whole, vr::shapeOf(static_cast<vr::WandPart>(i)));
+            append(whole, vr::wandPartModel(static_cast<vr::WandPart>(i)));
         return std::make_shared<const core::DrawArrays>(std::move(whole));
     }();
     return wand;
 }
 } // namespace
 
-ui::Wearer wearerOf(const vr::Presence& presence)
+ui::Wearer wearerOf(const vr::AvatarState& presence)
 {
     const Eigen::Affine3d toModel = presence.model.inverse();
     const double metre = toModel.linear().col(0).norm();

@@ -15,17 +15,17 @@ void wireHeadsetHands(ui::MainWindow& window, Headset* headset)
     QAction* oneHand = window.action(QStringLiteral("vr.oneHand"));
     QAction* leftHanded = window.action(QStringLiteral("vr.leftHanded"));
     const auto show = [=] {
-        const vr::HandsChoice hands = HeadsetSettings().choice().hands;
-        oneHand->setChecked(hands.preset == vr::Preset::OneHand);
+        const vr::WandSettings hands = HeadsetSettings().choice().wands;
+        oneHand->setChecked(hands.preset == vr::ButtonPreset::OneHand);
         leftHanded->setChecked(hands.sculpting == vr::Side::Left);
         for (QAction* action : {oneHand, leftHanded})
             action->setEnabled(!headset->isIn());
     };
     const auto choose = [=] {
-        vr::HeadsetChoice choice = HeadsetSettings().choice();
-        if (oneHand->isChecked() != (choice.hands.preset == vr::Preset::OneHand))
-            choice.hands.preset = oneHand->isChecked() ? vr::Preset::OneHand : vr::HandsChoice().preset;
-        choice.hands.sculpting = leftHanded->isChecked() ? vr::Side::Left : vr::Side::Right;
+        vr::HeadsetSettings choice = HeadsetSettings().choice();
+        if (oneHand->isChecked() != (choice.wands.preset == vr::ButtonPreset::OneHand))
+            choice.wands.preset = oneHand->isChecked() ? vr::ButtonPreset::OneHand : vr::WandSettings().preset;
+        choice.wands.sculpting = leftHanded->isChecked() ? vr::Side::Left : vr::Side::Right;
         HeadsetSettings().setChoice(choice);
     };
     QObject::connect(oneHand, &QAction::triggered, headset, choose);

@@ -20,7 +20,7 @@ Headset::Headset(const HeadsetDesk::Program& program, MakeClient makeClient, QOb
 void Headset::enter()
 {
     if (isStuck())
-        Q_EMIT reported(vr::HeadsetReport::ended(vr::HeadsetEnd::Stuck));
+        Q_EMIT reported(vr::HeadsetReport::ended(vr::HeadsetEnd::StillNotResponding));
     else if (!isIn())
         m_thread.enter(m_makeClient(m_desk.open(), HeadsetSettings().choice()));
 }

@@ -17,7 +17,7 @@ class Headset : public QObject
 public:
     /// Who shows the document to a person in the headset, and lets them sculpt.
     using MakeClient = std::function<std::shared_ptr<vr::FrameClient>(const std::shared_ptr<vr::DocumentPort>& port,
-                                                                      const vr::HeadsetChoice& choice)>;
+                                                                      const vr::HeadsetSettings& choice)>;
 
     /// See HeadsetDesk.
     Headset(const HeadsetDesk::Program& program, MakeClient makeClient, QObject* parent = nullptr);
@@ -31,7 +31,7 @@ public:
     void point(const std::optional<core::SurfaceHit>& place) { m_desk.point(place); }
     void setTakenOver(bool isTakenOver) { m_desk.setTakenOver(isTakenOver); }
     /// A visit has begun, and was neither ended nor given up.
-    bool isIn() const { return m_thread.isIn(); }
+    bool isIn() const { return m_thread.isActive(); }
     /// One was given up, and hinders others.
     bool isStuck() const { return m_thread.isStuck(); }
 
@@ -41,7 +41,7 @@ Q_SIGNALS:
     void leaving();
     /// As HeadsetDesk's.
     void noticed(const QString& sentence);
-    void seen(const std::optional<vr::Presence>& presence);
+    void seen(const std::optional<vr::AvatarState>& presence);
 
 private:
     void take(const vr::HeadsetReport& report);

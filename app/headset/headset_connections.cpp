@@ -18,7 +18,7 @@ namespace app
 {
 namespace
 {
-std::shared_ptr<vr::FrameClient> makeClient(const std::shared_ptr<vr::DocumentPort>& port, const vr::HeadsetChoice& choice)
+std::shared_ptr<vr::FrameClient> makeClient(const std::shared_ptr<vr::DocumentPort>& port, const vr::HeadsetSettings& choice)
 {
     return std::make_shared<vr::SculptClient>(port, choice);
 }
@@ -41,7 +41,7 @@ void wireVisits(ui::MainWindow& window, Headset* headset)
         if (report.isEnded() && !report.text.isEmpty())
             window.showNotice(report.text);
     });
-    QObject::connect(headset, &Headset::seen, window.viewport(), [&window](const std::optional<vr::Presence>& presence) {
+    QObject::connect(headset, &Headset::seen, window.viewport(), [&window](const std::optional<vr::AvatarState>& presence) {
         window.viewport()->showWearer(presence ? std::optional(wearerOf(*presence)) : std::nullopt);
     });
 }
@@ -52,7 +52,7 @@ void wirePartner(ui::MainWindow& window, Headset* headset)
     QObject::connect(window.viewport(), &ui::Viewport::pointed, headset, &Headset::point);
     QObject::connect(window.action(QStringLiteral("vr.takeOver")), &QAction::toggled, headset, &Headset::setTakenOver);
     auto* bar = window.findChild<ui::PartnerBar*>();
-    QObject::connect(headset, &Headset::seen, bar, [bar](const std::optional<vr::Presence>& presence) {
+    QObject::connect(headset, &Headset::seen, bar, [bar](const std::optional<vr::AvatarState>& presence) {
         bar->setWearer(presence ? std::optional(wearerOf(*presence)) : std::nullopt);
     });
 }
@@ -73,7 +73,7 @@ Headset* wireHeadset(ui::MainWindow& window, Document& document, SculptWorker& w
     auto* inquiry = new HeadsetInquiry(&window);
     QObject::connect(window.action(QStringLiteral("vr.status")), &QAction::triggered, inquiry, [&window, headset, inquiry] {
         if (headset->isStuck())
-            window.showNotice(vr::HeadsetReport::ended(vr::HeadsetEnd::Stuck).text);
+            window.showNotice(vr::HeadsetReport::ended(vr::HeadsetEnd::StillNotResponding).text);
         else
             inquiry->ask();
     });

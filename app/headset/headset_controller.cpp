@@ -149,13 +149,13 @@ void HeadsetDesk::tell()
     if (!m_port)
         return;
     takeRadius();
-    vr::DocumentNews news = m_news;
+    vr::DocumentUpdate news = m_news;
     const ui::Viewport& viewport = *m_window->viewport();
     news.box = m_document->facts().box;
     news.shading = viewport.shading();
     news.isFlat = viewport.look().flat;
     news.smooths = m_window->brush()->isOffered(core::Tool::Smooth);
-    news.isCalm = viewport.isCalm();
+    news.reducesMotion = viewport.isCalm();
     news.canUndo = m_document->canUndo();
     news.canRedo = m_document->canRedo();
     m_undoText = m_document->undoText();

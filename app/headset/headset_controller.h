@@ -57,14 +57,14 @@ Q_SIGNALS:
     /// One sentence about what a wish came to, for those at the window.
     void noticed(const QString& sentence);
     /// Where the person is; nothing: gone.
-    void seen(const std::optional<vr::Presence>& presence);
+    void seen(const std::optional<vr::AvatarState>& presence);
 
 private:
     /// A wish that has to wait for its turn among the document's changes.
     struct Turn
     {
         std::shared_ptr<HeadsetPort> port;
-        vr::Wish wish;
+        vr::DocumentRequest wish;
         bool isForbidden = false; ///< the window has taken over
     };
 
@@ -82,7 +82,7 @@ private:
     void tellChoice();
     void tellHistory(const QString& sentence);
     void takeLesson();
-    bool isForbidden(const vr::Wish& wish) const;
+    bool isForbidden(const vr::DocumentRequest& wish) const;
     void forbid();
 
     void takeMail();
@@ -91,8 +91,8 @@ private:
     void refuse(const QString& sentence);
     void refuseTool();
     void obey(const vr::ChooseBrush& wish);
-    void obey(const vr::HeadsetChoice& choice);
-    void obey(vr::LessonWish wish);
+    void obey(const vr::HeadsetSettings& choice);
+    void obey(vr::LessonRequest wish);
     void obey(const vr::Undo&);
     void obey(const vr::Redo&);
     void obey(const vr::RestoreModel&);
@@ -105,7 +105,7 @@ private:
     ui::MainWindow* m_window;
     ui::ColorPanel* m_colors;
     std::shared_ptr<HeadsetPort> m_port; ///< of the visit; null: there is none
-    vr::DocumentNews m_news;             ///< what of it is not to be found elsewhere
+    vr::DocumentUpdate m_news;             ///< what of it is not to be found elsewhere
     bool m_isChoosing = false;           ///< the headset's brush
     QPointer<ui::LessonPanel> m_lessons;
     bool m_isTakenOver = false;

@@ -23,7 +23,7 @@ namespace
 {
 constexpr std::chrono::milliseconds choiceSettles(500); ///< a slider is told when it rests
 constexpr double sameShare = 1e-9;
-static_assert(static_cast<int>(vr::LessonWish::Next) == static_cast<int>(ui::LessonButton::Next));
+static_assert(static_cast<int>(vr::LessonRequest::Next) == static_cast<int>(ui::LessonButton::Next));
 
 vr::LessonPanel lessonOf(const ui::LessonShown& shown)
 {
@@ -119,9 +119,9 @@ void HeadsetDesk::setTakenOver(bool isTakenOver)
 }
 
 /// What changes the model, or the brush that both have.
-bool HeadsetDesk::isForbidden(const vr::Wish& wish) const
+bool HeadsetDesk::isForbidden(const vr::DocumentRequest& wish) const
 {
-    return m_isTakenOver && !std::holds_alternative<vr::HeadsetChoice>(wish) && !std::holds_alternative<vr::SaveModel>(wish);
+    return m_isTakenOver && !std::holds_alternative<vr::HeadsetSettings>(wish) && !std::holds_alternative<vr::SaveModel>(wish);
 }
 
 /// The brush is told back, too.
@@ -143,7 +143,7 @@ void HeadsetDesk::takeLesson()
     tellSoon();
 }
 
-void HeadsetDesk::obey(vr::LessonWish wish)
+void HeadsetDesk::obey(vr::LessonRequest wish)
 {
     if (m_lessons)
         m_lessons->press(static_cast<ui::LessonButton>(wish));

@@ -22,7 +22,7 @@ void HeadsetDesk::takeMail()
     if (!m_port)
         return;
     HeadsetMail mail = m_port->takeMail();
-    for (vr::Wish& wish : mail.wishes) {
+    for (vr::DocumentRequest& wish : mail.wishes) {
         const bool isRefused = isForbidden(wish);
         if (HeadsetPort::holdsStrokes(wish))
             m_turns.push_back({m_port, std::move(wish), isRefused});
@@ -97,7 +97,7 @@ void HeadsetDesk::refuseTool()
     ++m_news.brushChange;
 }
 
-void HeadsetDesk::obey(const vr::HeadsetChoice& choice)
+void HeadsetDesk::obey(const vr::HeadsetSettings& choice)
 {
     HeadsetSettings().setChoice(choice);
 }
@@ -142,7 +142,7 @@ void HeadsetDesk::obey(const vr::OpenModel& wish)
         return refuse(tr("%1 was not opened: a class has its own models to begin with.").arg(name));
     if (m_document->isBusy())
         return refuse(tr("%1 was not opened: other work on the model is not done yet.").arg(name));
-    if (wish.losesChanges)
+    if (wish.discardsChanges)
         return m_document->openLosingChanges(wish.path);
     if (m_document->isModified())
         return refuse(tr("%1 was not opened: the present model has changes that no file holds.").arg(name));

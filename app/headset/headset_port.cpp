@@ -37,9 +37,9 @@ void HeadsetPort::end()
     postHeld();
 }
 
-void HeadsetPort::tell(vr::DocumentNews news)
+void HeadsetPort::tell(vr::DocumentUpdate news)
 {
-    std::optional<vr::DocumentNews> next = std::move(news);
+    std::optional<vr::DocumentUpdate> next = std::move(news);
     const std::lock_guard lock(m_mutex);
     std::swap(m_news, next); // an outdated one is freed after the lock
 }
@@ -58,10 +58,10 @@ void HeadsetPort::wishDone()
     postHeld();
 }
 
-bool HeadsetPort::holdsStrokes(const vr::Wish& wish)
+bool HeadsetPort::holdsStrokes(const vr::DocumentRequest& wish)
 {
-    return !std::holds_alternative<vr::ChooseBrush>(wish) && !std::holds_alternative<vr::HeadsetChoice>(wish) &&
-           !std::holds_alternative<vr::LessonWish>(wish);
+    return !std::holds_alternative<vr::ChooseBrush>(wish) && !std::holds_alternative<vr::HeadsetSettings>(wish) &&
+           !std::holds_alternative<vr::LessonRequest>(wish);
 }
 
 void HeadsetPort::setRefusing(bool refuses)
@@ -87,13 +87,13 @@ std::optional<core::MeshPatch> HeadsetPort::takePatch()
     return m_inbox->take();
 }
 
-std::optional<vr::DocumentNews> HeadsetPort::takeNews()
+std::optional<vr::DocumentUpdate> HeadsetPort::takeUpdate()
 {
     const std::lock_guard lock(m_mutex);
     return std::exchange(m_news, std::nullopt);
 }
 
-void HeadsetPort::ask(const vr::SurfaceQuestion& question)
+void HeadsetPort::querySurface(const vr::SurfaceQuery& question)
 {
     const bool isOfRay =
         question.brush.brush == core::BrushShape::Ray; // which meets the surface alike without its brush
@@ -104,20 +104,20 @@ void HeadsetPort::ask(const vr::SurfaceQuestion& question)
                   isOfRay && !question.wantsFootprint ? std::nullopt : std::optional(question.brush));
 }
 
-void HeadsetPort::keepAnswer(vr::SurfaceAnswer answer)
+void HeadsetPort::keepAnswer(vr::SurfaceQueryResult answer)
 {
-    std::optional<vr::SurfaceAnswer> next = std::move(answer);
+    std::optional<vr::SurfaceQueryResult> next = std::move(answer);
     const std::lock_guard lock(m_mutex);
     std::swap(m_answer, next);
 }
 
-std::optional<vr::SurfaceAnswer> HeadsetPort::takeAnswer()
+std::optional<vr::SurfaceQueryResult> HeadsetPort::takeQueryResult()
 {
     const std::lock_guard lock(m_mutex);
     return std::exchange(m_answer, std::nullopt);
 }
 
-void HeadsetPort::wish(const vr::Wish& wish)
+void HeadsetPort::request(const vr::DocumentRequest& wish)
 {
     bool isNew = false;
     {
@@ -131,7 +131,7 @@ void HeadsetPort::wish(const vr::Wish& wish)
     ring(isNew);
 }
 
-void HeadsetPort::show(const vr::Presence& presence)
+void HeadsetPort::show(const vr::AvatarState& presence)
 {
     bool isNew = false;
     {

@@ -17,8 +17,8 @@ namespace app
 /// What a visit to the headset has left for the gui thread since it was last taken.
 struct HeadsetMail
 {
-    std::deque<vr::Wish> wishes;
-    std::optional<vr::Presence> presence; ///< the newest
+    std::deque<vr::DocumentRequest> wishes;
+    std::optional<vr::AvatarState> presence; ///< the newest
     bool wasRefused = false;              ///< a stroke, because somebody at the window has taken over
 };
 
@@ -40,11 +40,11 @@ public:
     /// A stroke that is open ends. What is held goes to the worker when its wish is done. Whatever the headset's thread calls from now
     /// on, as that of a visit that was given up may, comes to nothing.
     void end();
-    void tell(vr::DocumentNews news);
+    void tell(vr::DocumentUpdate news);
     HeadsetMail takeMail();
     /// One more of the wishes that hold strokes (holdsStrokes).
     void wishDone();
-    static bool holdsStrokes(const vr::Wish& wish);
+    static bool holdsStrokes(const vr::DocumentRequest& wish);
     /// While another model is on its way: no stroke begins.
     void setRefusing(bool refuses);
     /// While somebody at the window has taken over: no stroke begins, and an open one ends as it is. What was drawn before is done all the same.
@@ -53,15 +53,15 @@ public:
     // The headset's thread.
 
     std::optional<core::MeshPatch> takePatch() override;
-    std::optional<vr::DocumentNews> takeNews() override;
+    std::optional<vr::DocumentUpdate> takeUpdate() override;
     bool beginStroke(const core::StrokeSettings& settings) override;
     void addSample(const core::StrokeSample& sample) override;
     void endStroke() override;
     vr::StrokeEffect takeEffect() override;
-    void ask(const vr::SurfaceQuestion& question) override;
-    std::optional<vr::SurfaceAnswer> takeAnswer() override;
-    void wish(const vr::Wish& wish) override;
-    void show(const vr::Presence& presence) override;
+    void querySurface(const vr::SurfaceQuery& question) override;
+    std::optional<vr::SurfaceQueryResult> takeQueryResult() override;
+    void request(const vr::DocumentRequest& wish) override;
+    void show(const vr::AvatarState& presence) override;
 
 Q_SIGNALS:
     /// Once until the mail is taken, on the headset's thread: connect it queued.
@@ -79,7 +79,7 @@ private:
     };
 
     void ring(bool isNew);
-    void keepAnswer(vr::SurfaceAnswer answer);
+    void keepAnswer(vr::SurfaceQueryResult answer);
     void keepEffect(quint64 fusions, core::Shortfall shortfall);
     void endOpenStroke();
     void postHeld();
@@ -91,8 +91,8 @@ private:
     QMetaObject::Connection m_answers, m_samples;
 
     std::mutex m_mutex; ///< of the rest
-    std::optional<vr::DocumentNews> m_news;
-    std::optional<vr::SurfaceAnswer> m_answer;
+    std::optional<vr::DocumentUpdate> m_news;
+    std::optional<vr::SurfaceQueryResult> m_answer;
     vr::StrokeEffect m_effect;
     HeadsetMail m_mail;
     bool m_hasRung = false;

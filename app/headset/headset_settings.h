@@ -11,8 +11,8 @@ namespace app
 class HeadsetSettings
 {
 public:
-    vr::HeadsetChoice choice() const;
-    void setChoice(const vr::HeadsetChoice& choice);
+    vr::HeadsetSettings choice() const;
+    void setChoice(const vr::HeadsetSettings& choice);
 
 private:
     QSettings m_settings;

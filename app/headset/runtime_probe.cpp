@@ -7,7 +7,7 @@ namespace app
 HeadsetInquiry::HeadsetInquiry(QObject* parent) : QObject(parent)
 {
     m_patience.setSingleShot(true);
-    m_patience.setInterval(vr::RuntimeThread::patience);
+    m_patience.setInterval(vr::RuntimeThread::responseTimeout);
     connect(&m_patience, &QTimer::timeout, this, &HeadsetInquiry::tellOfSilence);
     connect(&m_aside, &vr::RuntimeThread::ended, this, [this] {
         m_patience.stop();

@@ -31,14 +31,14 @@ struct Renderer
     vr::Scene scene;
     vr::EyeTarget target;
     TestImage image;
-    vr::PictureTexture panel;
+    vr::Texture panel;
 
     explicit Renderer(QSize pixels) : image(offscreen.gl(), pixels)
     {
         scene.create(offscreen.gl());
         target.create(offscreen.gl());
         panel.create(offscreen.gl());
-        panel.show(example::panelPicture());
+        panel.upload(example::panelPicture());
     }
 
     void draw(const vr::SceneState& state, double sideways, const Tangents& tangents)
@@ -130,7 +130,7 @@ public:
     Phase& operator=(const Phase&) = delete;
 
 private:
-    double now() const { return vr::threadMilliseconds() - m_renderer.scene.drawCallMs() - m_renderer.target.drawCallMs(); }
+    double now() const { return vr::threadCpuMilliseconds() - m_renderer.scene.drawCallMs() - m_renderer.target.drawCallMs(); }
 
     const Renderer& m_renderer;
     Samples& m_into;
@@ -179,7 +179,7 @@ void measure(Renderer& renderer, core::Slot cuts)
         if (i == warmUp) {
             for (Samples* samples : {&apply, &prepare, &draw, &whole})
                 samples->values.clear();
-            bytes = renderer.scene.clayBytes();
+            bytes = renderer.scene.meshBytes();
             calls = renderer.scene.drawCalls();
         }
         const Phase all(renderer, whole);
@@ -197,7 +197,7 @@ void measure(Renderer& renderer, core::Slot cuts)
     }
     std::printf("%9llu vertices: apply %.3f (p99 %.3f)  prepare %.3f (%.3f)  both eyes %.3f (%.3f)  frame %.3f (%.3f)   %.0f kB a frame, %lu draw calls\n",
                 static_cast<unsigned long long>(10 * cuts * cuts + 2), apply.at(0.5), apply.at(0.99), prepare.at(0.5), prepare.at(0.99),
-                draw.at(0.5), draw.at(0.99), whole.at(0.5), whole.at(0.99), static_cast<double>(renderer.scene.clayBytes() - bytes) / frames / 1000,
+                draw.at(0.5), draw.at(0.99), whole.at(0.5), whole.at(0.99), static_cast<double>(renderer.scene.meshBytes() - bytes) / frames / 1000,
                 (renderer.scene.drawCalls() - calls) / frames);
     std::fflush(stdout);
 }

@@ -56,11 +56,11 @@ QByteArray script()
            steps + "]}";
 }
 
-void print(const char* name, const std::vector<vr::FrameCost>& costs,
-           const std::function<double(const vr::FrameCost&)>& of)
+void print(const char* name, const std::vector<vr::FrameTiming>& costs,
+           const std::function<double(const vr::FrameTiming&)>& of)
 {
     std::vector<double> values;
-    for (const vr::FrameCost& cost : costs)
+    for (const vr::FrameTiming& cost : costs)
         values.push_back(of(cost));
     std::printf("  %-9s %6.3f (%6.3f)", name, at(values, 0.5), at(values, 0.99));
 }
@@ -91,25 +91,25 @@ void measure(core::Slot cuts)
     const int before = ended();
     app::HeadsetDesk desk({&program.document, &program.worker, &program.window});
     vr::HeadsetThread thread;
-    thread.enter(std::make_shared<vr::SculptClient>(desk.open(), vr::HeadsetChoice()));
+    thread.enter(std::make_shared<vr::SculptClient>(desk.open(), vr::HeadsetSettings()));
     waitFor([&] { return ended() - before >= frames; });
-    const std::vector<vr::FrameCost> all = thread.costs().last();
+    const std::vector<vr::FrameTiming> all = thread.timings().recent();
     const auto first = std::min<std::ptrdiff_t>(restFrames, std::ssize(all)),
                last = std::min<std::ptrdiff_t>(frames, std::ssize(all));
-    const std::vector<vr::FrameCost> costs(all.begin() + first, all.begin() + last);
+    const std::vector<vr::FrameTiming> costs(all.begin() + first, all.begin() + last);
     std::printf("%8llu vertices", static_cast<unsigned long long>(program.document.facts().vertices));
     constexpr const char* names[] = {"events", "wait", "input", "client", "images", "draw", "submit"};
     for (std::size_t i = 0; i < vr::framePhaseCount; ++i)
-        print(names[i], costs, [i](const vr::FrameCost& cost) {
+        print(names[i], costs, [i](const vr::FrameTiming& cost) {
             const auto phase = static_cast<vr::FramePhase>(i);
             return cost.of(phase) - (phase == vr::FramePhase::Draw ? cost.drawCallMs : 0);
         });
-    print("all", costs, [](const vr::FrameCost& cost) { return cost.ownMs(); });
-    print("draw calls", costs, [](const vr::FrameCost& cost) { return cost.drawCallMs; });
+    print("all", costs, [](const vr::FrameTiming& cost) { return cost.ownMs(); });
+    print("draw calls", costs, [](const vr::FrameTiming& cost) { return cost.drawCallMs; });
     std::printf("  %llu strokes\n", static_cast<unsigned long long>(program.worker.strokesBegun()));
     std::fflush(stdout);
     thread.leave();
-    waitFor([&] { return !thread.isIn(); });
+    waitFor([&] { return !thread.isActive(); });
     desk.close();
 }
 } // namespace

@@ -44,33 +44,33 @@ void setShading(QOpenGLShaderProgram& to, const core::Shading& shading)
 }
 } // namespace
 
-ClayPainter::ClayPainter() = default;
-ClayPainter::~ClayPainter() = default;
+MeshRenderer::MeshRenderer() = default;
+MeshRenderer::~MeshRenderer() = default;
 
-bool ClayPainter::create(QOpenGLFunctions_3_3_Core* gl)
+bool MeshRenderer::create(QOpenGLFunctions_3_3_Core* gl)
 {
     m_gl = gl;
-    m_clayProgram = program({"clay.vert", "clay.frag"});
+    m_meshProgram = program({"clay.vert", "clay.frag"});
     m_wireProgram = program({"clay.vert", "wire.geom", "wire.frag"});
     m_backdropProgram = program({"background.vert", "background.frag"});
     m_gl->glGenVertexArrays(1, &m_noVertices);
-    m_clay.create(gl);
-    return m_clayProgram && m_wireProgram && m_backdropProgram;
+    m_mesh.create(gl);
+    return m_meshProgram && m_wireProgram && m_backdropProgram;
 }
 
-void ClayPainter::destroy()
+void MeshRenderer::destroy()
 {
     if (!m_gl)
         return;
-    m_clay.destroy();
-    m_clayProgram.reset();
+    m_mesh.destroy();
+    m_meshProgram.reset();
     m_wireProgram.reset();
     m_backdropProgram.reset();
     m_gl->glDeleteVertexArrays(1, &m_noVertices);
     m_gl = nullptr;
 }
 
-void ClayPainter::setTintedBall(const core::Sphere& ball, int falloff, const core::Vec3& mirror)
+void MeshRenderer::setTintedBall(const core::Sphere& ball, int falloff, const core::Vec3& mirror)
 {
     const auto packed = [](const core::Vec3& center, double radius) { return QVector4D(toQt(center), static_cast<float>(radius)); };
     m_ball = packed(ball.center, ball.radius);
@@ -78,7 +78,7 @@ void ClayPainter::setTintedBall(const core::Sphere& ball, int falloff, const cor
     m_ballFalloff = static_cast<float>(falloff);
 }
 
-void ClayPainter::draw(const OrbitCamera& camera, const ClayPicture& picture)
+void MeshRenderer::draw(const OrbitCamera& camera, const MeshView& picture)
 {
     m_gl->glDisable(GL_BLEND);
     m_gl->glDisable(GL_SCISSOR_TEST);
@@ -91,13 +91,13 @@ void ClayPainter::draw(const OrbitCamera& camera, const ClayPicture& picture)
     m_gl->glEnable(GL_CULL_FACE);
     m_gl->glCullFace(GL_BACK);
     m_gl->glFrontFace(GL_CCW);
-    drawClay(camera, picture);
+    drawMesh(camera, picture);
     if (picture.wireframe)
         drawWires(camera, picture);
     m_gl->glDisable(GL_CULL_FACE);
 }
 
-void ClayPainter::drawBackdrop(const Backdrop& backdrop)
+void MeshRenderer::drawBackdrop(const Backdrop& backdrop)
 {
     m_gl->glDisable(GL_DEPTH_TEST);
     m_backdropProgram->bind();
@@ -110,29 +110,29 @@ void ClayPainter::drawBackdrop(const Backdrop& backdrop)
     m_backdropProgram->release();
 }
 
-void ClayPainter::drawClay(const OrbitCamera& camera, const ClayPicture& picture)
+void MeshRenderer::drawMesh(const OrbitCamera& camera, const MeshView& picture)
 {
     m_gl->glDepthFunc(GL_LESS);
-    m_clayProgram->bind();
-    setCamera(*m_clayProgram, camera);
-    m_clayProgram->setUniformValue("up", toQt(core::Vec3(camera.viewMatrix().col(1).head<3>())));
-    m_clayProgram->setUniformValue("lights", QMatrix3x3());
-    setShading(*m_clayProgram, picture.shading);
-    m_clayProgram->setUniformValue("flatShading", picture.flat);
-    m_clayProgram->setUniformValue("encodeSrgb", 1.0F);
-    m_clayProgram->setUniformValue("cutNormal", toQt(m_cutNormal));
-    m_clayProgram->setUniformValue("cut", m_cutNormal.isZero() ? 0.0F : 1.0F);
-    m_clayProgram->setUniformValue("ball", m_ball);
-    m_clayProgram->setUniformValue("ballImage", m_ballImage);
-    m_clayProgram->setUniformValue("shaded", m_clay.isShaded() ? 1.0F : 0.0F);
-    m_clayProgram->setUniformValue("ballFalloff", m_ballFalloff);
-    m_clayProgram->setUniformValue("sectors", m_sectors);
-    m_clay.draw();
-    m_clayProgram->release();
+    m_meshProgram->bind();
+    setCamera(*m_meshProgram, camera);
+    m_meshProgram->setUniformValue("up", toQt(core::Vec3(camera.viewMatrix().col(1).head<3>())));
+    m_meshProgram->setUniformValue("lights", QMatrix3x3());
+    setShading(*m_meshProgram, picture.shading);
+    m_meshProgram->setUniformValue("flatShading", picture.flat);
+    m_meshProgram->setUniformValue("encodeSrgb", 1.0F);
+    m_meshProgram->setUniformValue("cutNormal", toQt(m_cutNormal));
+    m_meshProgram->setUniformValue("cut", m_cutNormal.isZero() ? 0.0F : 1.0F);
+    m_meshProgram->setUniformValue("ball", m_ball);
+    m_meshProgram->setUniformValue("ballImage", m_ballImage);
+    m_meshProgram->setUniformValue("shaded", m_mesh.isShaded() ? 1.0F : 0.0F);
+    m_meshProgram->setUniformValue("ballFalloff", m_ballFalloff);
+    m_meshProgram->setUniformValue("sectors", m_sectors);
+    m_mesh.draw();
+    m_meshProgram->release();
 }
 
 /// The triangles once more, all but their sides transparent, a little nearer to the eye than the clay.
-void ClayPainter::drawWires(const OrbitCamera& camera, const ClayPicture& picture)
+void MeshRenderer::drawWires(const OrbitCamera& camera, const MeshView& picture)
 {
     m_gl->glDepthFunc(GL_LEQUAL);
     m_gl->glDepthMask(GL_FALSE);
@@ -144,7 +144,7 @@ void ClayPainter::drawWires(const OrbitCamera& camera, const ClayPicture& pictur
     setCamera(*m_wireProgram, camera);
     m_wireProgram->setUniformValue("viewport", QSizeF(picture.pixels));
     m_wireProgram->setUniformValue("halfWidth", static_cast<float>(wireHalfWidth * picture.pixelRatio));
-    m_clay.draw();
+    m_mesh.draw();
     m_wireProgram->release();
     m_gl->glDisable(GL_POLYGON_OFFSET_FILL);
     m_gl->glDisable(GL_BLEND);

@@ -14,7 +14,7 @@ class QOpenGLShaderProgram;
 namespace ui
 {
 /// What to draw, beside the clay itself.
-struct ClayPicture
+struct MeshView
 {
     Backdrop backdrop;
     core::Shading shading;
@@ -26,17 +26,17 @@ struct ClayPicture
 
 /// Draws backdrop and clay with OpenGL 3.3 core into the framebuffer that is bound. The context that was current at
 /// create() must be current at every call.
-class ClayPainter
+class MeshRenderer
 {
 public:
-    ClayPainter();
-    ~ClayPainter();
+    MeshRenderer();
+    ~MeshRenderer();
 
     /// False if a shader does not compile; the log is in the debug output.
     bool create(QOpenGLFunctions_3_3_Core* gl);
     void destroy();
 
-    MeshBuffer& clay() { return m_clay; }
+    MeshBuffer& meshBuffer() { return m_mesh; }
 
     /// A line where the plane through the origin with that unit normal cuts the clay; zero: none.
     void setCut(const core::Vec3& normal) { m_cutNormal = normal; }
@@ -48,19 +48,19 @@ public:
     void setSectors(int sectors) { m_sectors = static_cast<float>(sectors); }
 
     /// Clears depth; leaves depth test, culling and blending as OpenGL starts with.
-    void draw(const OrbitCamera& camera, const ClayPicture& picture);
+    void draw(const OrbitCamera& camera, const MeshView& picture);
 
 private:
     void drawBackdrop(const Backdrop& backdrop);
-    void drawClay(const OrbitCamera& camera, const ClayPicture& picture);
-    void drawWires(const OrbitCamera& camera, const ClayPicture& picture);
+    void drawMesh(const OrbitCamera& camera, const MeshView& picture);
+    void drawWires(const OrbitCamera& camera, const MeshView& picture);
 
     QOpenGLFunctions_3_3_Core* m_gl = nullptr;
-    std::unique_ptr<QOpenGLShaderProgram> m_clayProgram, m_wireProgram, m_backdropProgram;
+    std::unique_ptr<QOpenGLShaderProgram> m_meshProgram, m_wireProgram, m_backdropProgram;
     unsigned int m_noVertices = 0;
     core::Vec3 m_cutNormal = core::Vec3::Zero();
     QVector4D m_ball, m_ballImage; ///< centre and radius
     float m_ballFalloff = 0, m_sectors = 1;
-    MeshBuffer m_clay;
+    MeshBuffer m_mesh;
 };
 } // namespace ui

@@ -51,13 +51,13 @@ struct Scene::State
     QOpenGLContext* context = nullptr; ///< the one that clay and target live in
     QOpenGLFunctions_3_3_Core* gl = nullptr;
     RenderTarget target;
-    ClayPainter painter;
+    MeshRenderer painter;
     ReferencePainter referencePainter;
     PlacedReference reference;
     GhostPainter ghosts;
     std::unique_ptr<QOpenGLShaderProgram> layerProgram;
     unsigned int noVertices = 0;
-    ClayPicture picture;
+    MeshView picture;
     std::shared_ptr<const core::Footprint> footprint; ///< that is tinted
     std::shared_ptr<const core::Footprint> shades;
     bool hasModel = false, wantsGround = true;
@@ -233,10 +233,10 @@ Scene::Mode Scene::mode() const
     return m_state->mode;
 }
 
-MeshBuffer& Scene::clay()
+MeshBuffer& Scene::meshBuffer()
 {
     m_state->makeCurrent();
-    return m_state->painter.clay();
+    return m_state->painter.meshBuffer();
 }
 
 void Scene::placeGround(const core::Box& box)
@@ -271,7 +271,7 @@ void Scene::tint(const std::shared_ptr<const core::Footprint>& footprint)
     if (footprint == m_state->footprint)
         return;
     m_state->footprint = footprint;
-    clay().tint(footprint.get());
+    meshBuffer().tint(footprint.get());
 }
 
 void Scene::shade(const std::shared_ptr<const core::Footprint>& shades)
@@ -279,7 +279,7 @@ void Scene::shade(const std::shared_ptr<const core::Footprint>& shades)
     if (shades == m_state->shades)
         return;
     m_state->shades = shades;
-    clay().shade(shades.get());
+    meshBuffer().shade(shades.get());
 }
 
 void Scene::showMark(const core::Vec3& point, const core::Vec3& normal, double radius)

@@ -16,7 +16,7 @@
 
 namespace ui
 {
-/// Everything that is drawn, in one image: clay and backdrop by ClayPainter, ground and brush cursor by Qt3D, which
+/// Everything that is drawn, in one image: clay and backdrop by MeshRenderer, ground and brush cursor by Qt3D, which
 /// renders on demand and on this thread into our own framebuffer, so that both share one depth buffer.
 ///
 /// That rests on Qt3D drawing into whatever framebuffer is bound when its context is current already; it is tested at
@@ -47,7 +47,7 @@ public:
     Mode mode() const;
 
     /// Current the scene's context, then use it at once.
-    MeshBuffer& clay();
+    MeshBuffer& meshBuffer();
 
     void placeGround(const core::Box& box);
     void placeCursor(const core::SurfaceHit& hit, double radius, const QColor& color);

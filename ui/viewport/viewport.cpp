@@ -55,12 +55,12 @@ bool Viewport::State::applyPatch()
     const std::optional<core::MeshPatch> patch = take();
     if (!patch || patch->empty())
         return false;
-    MeshBuffer& clay = scene->clay();
-    clay.apply(*patch);
+    MeshBuffer& meshBuffer = scene->meshBuffer();
+    meshBuffer.apply(*patch);
 
     ++stats.patches;
-    stats.uploadedBytes = clay.counters().bytes;
-    stats.wholeUploads = clay.counters().wholeUploads;
+    stats.uploadedBytes = meshBuffer.counters().bytes;
+    stats.wholeUploads = meshBuffer.counters().wholeUploads;
     stats.patchMs = milliseconds(timer);
     if (patch->sampledNs != 0) {
         stats.latencyMs = static_cast<double>(steadyNow() - patch->sampledNs) * 1e-6;

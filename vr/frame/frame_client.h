@@ -22,7 +22,7 @@ struct FrameInput
     std::int64_t displayNs = 0; ///< the runtime's clock: for differences
     bool hasFocus = false;      ///< else people are in the runtime's menu or elsewhere, and wands are at rest
     bool roomMoved = false; ///< room space is another than in the frame before: what was held there, or drawn, is over
-    const FrameCosts& costs;
+    const FrameTimings& timings;
 
     double seconds() const { return static_cast<double>(displayNs) * 1e-9; }
 };
@@ -48,9 +48,9 @@ public:
     /// Of a frame that will be seen, for each eye in turn; eye 0 is the left, or the only one. The image is to be filled; the view has no
     /// framebuffer yet. OpenGL's state is anybody's.
     virtual void draw(std::size_t eye, const EyeImage& image, const EyeView& view) = 0;
-    /// No frames come for a while, perhaps none at all: what goes on ends. The last frame need not have shown why.
-    virtual void rest() = 0;
-    /// CPU time of this thread within calls that draw, ever, in milliseconds: see FrameCost.
+    /// The session does not run: no frames come for a while, perhaps none at all. Ends what is in progress. The last frame need not have shown why.
+    virtual void idle() = 0;
+    /// CPU time of this thread within calls that draw, ever, in milliseconds: see FrameTiming.
     virtual double drawCallMs() const = 0;
     /// Once for each create(), whatever it said.
     virtual void destroy() = 0;

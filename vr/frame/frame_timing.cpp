@@ -5,42 +5,42 @@
 
 namespace vr
 {
-void FrameCosts::add(const FrameCost& cost)
+void FrameTimings::add(const FrameTiming& timing)
 {
-    m_waiting.push_back(cost);
+    m_pending.push_back(timing);
     const std::unique_lock lock(m_mutex, std::try_to_lock);
     if (!lock)
         return;
-    for (const FrameCost& one : m_waiting) {
+    for (const FrameTiming& one : m_pending) {
         m_ring[m_frames++ % capacity] = one;
-        m_lost += one.lost;
+        m_dropped += one.dropped;
     }
-    m_waiting.clear();
+    m_pending.clear();
 }
 
-std::vector<FrameCost> FrameCosts::last() const
+std::vector<FrameTiming> FrameTimings::recent() const
 {
-    std::vector<FrameCost> costs;
-    costs.reserve(capacity);
+    std::vector<FrameTiming> timings;
+    timings.reserve(capacity);
     const std::lock_guard lock(m_mutex);
     for (std::uint64_t i = m_frames < capacity ? 0 : m_frames - capacity; i < m_frames; ++i)
-        costs.push_back(m_ring[i % capacity]);
-    return costs;
+        timings.push_back(m_ring[i % capacity]);
+    return timings;
 }
 
-std::uint64_t FrameCosts::frames() const
+std::uint64_t FrameTimings::frames() const
 {
     const std::lock_guard lock(m_mutex);
     return m_frames;
 }
 
-std::uint64_t FrameCosts::lostFrames() const
+std::uint64_t FrameTimings::droppedFrames() const
 {
     const std::lock_guard lock(m_mutex);
-    return m_lost;
+    return m_dropped;
 }
 
-std::uint32_t LostFrames::count(std::int64_t displayNs, std::int64_t periodNs, bool isShown)
+std::uint32_t DroppedFrameCounter::count(std::int64_t displayNs, std::int64_t periodNs, bool isShown)
 {
     const std::int64_t before = std::exchange(m_before, isShown ? displayNs : 0);
     if (!isShown || before == 0 || periodNs <= 0)
@@ -49,9 +49,9 @@ std::uint32_t LostFrames::count(std::int64_t displayNs, std::int64_t periodNs, b
     return periods > 1 ? static_cast<std::uint32_t>(periods - 1) : 0;
 }
 
-void PhaseClock::ends(FramePhase phase)
+void PhaseTimer::endPhase(FramePhase phase)
 {
-    const double now = threadMilliseconds();
-    m_cost.cpuMs[static_cast<std::size_t>(phase)] += now - std::exchange(m_lastMs, now);
+    const double now = threadCpuMilliseconds();
+    m_timing.cpuMs[static_cast<std::size_t>(phase)] += now - std::exchange(m_lastMs, now);
 }
 } // namespace vr

@@ -23,13 +23,13 @@ enum class FramePhase {
 };
 inline constexpr std::size_t framePhaseCount = 7;
 
-struct FrameCost
+struct FrameTiming
 {
     std::array<double, framePhaseCount> cpuMs{}; ///< of this thread, by FramePhase
     double drawCallMs = 0; ///< of Draw, within calls that draw: without a graphics card those make the picture themselves
     double workMs = 0;                           ///< wall time from the wait's end to the frame's
     double periodMs = 0;                         ///< from this frame to the next, as the runtime plans it
-    std::uint32_t lost = 0;                      ///< frames that should have been shown before this one, and were not
+    std::uint32_t dropped = 0;                      ///< frames that should have been shown before this one, and were not
     bool isShown = false;
 
     double of(FramePhase phase) const { return cpuMs[static_cast<std::size_t>(phase)]; }
@@ -38,31 +38,31 @@ struct FrameCost
 };
 
 /// What the last frames cost. Written by the headset's thread, which never waits for those that read.
-class FrameCosts
+class FrameTimings
 {
 public:
     static constexpr std::size_t capacity = 512;
 
-    void add(const FrameCost& cost);
+    void add(const FrameTiming& timing);
 
     /// The oldest first. Any thread.
-    std::vector<FrameCost> last() const;
+    std::vector<FrameTiming> recent() const;
     std::uint64_t frames() const;
-    std::uint64_t lostFrames() const;
+    std::uint64_t droppedFrames() const;
 
 private:
     mutable std::mutex m_mutex; ///< of the next three
-    std::array<FrameCost, capacity> m_ring;
+    std::array<FrameTiming, capacity> m_ring;
     std::uint64_t m_frames = 0;
-    std::uint64_t m_lost = 0;
-    std::vector<FrameCost> m_waiting; ///< the writer's own: what it could not put in while somebody read
+    std::uint64_t m_dropped = 0;
+    std::vector<FrameTiming> m_pending; ///< the writer's own: what it could not put in while somebody read
 };
 
 /// Counts the frames that a headset should have shown and did not: the times at which frames are seen skip periods.
-class LostFrames
+class DroppedFrameCounter
 {
 public:
-    /// Lost before this frame. Only between two frames that are both shown: others may come as they like.
+    /// Returns the frames dropped before this one. Only between two frames that are both shown: others may come as they like.
     std::uint32_t count(std::int64_t displayNs, std::int64_t periodNs, bool isShown);
 
 private:
@@ -70,17 +70,17 @@ private:
 };
 
 /// What each phase of a frame has of the processor. To be used on one thread.
-class PhaseClock
+class PhaseTimer
 {
 public:
-    /// All since the last call was this phase; into cost(). A phase may come more than once.
-    void ends(FramePhase phase);
-    FrameCost& cost() { return m_cost; }
+    /// All since the last call was this phase; into timing(). A phase may come more than once.
+    void endPhase(FramePhase phase);
+    FrameTiming& timing() { return m_timing; }
     /// The next frame begins here.
-    void startOver() { *this = {}; }
+    void reset() { *this = {}; }
 
 private:
-    FrameCost m_cost;
-    double m_lastMs = threadMilliseconds();
+    FrameTiming m_timing;
+    double m_lastMs = threadCpuMilliseconds();
 };
 } // namespace vr

@@ -1,4 +1,4 @@
-// In turns: what the runtime tells -> what we want -> a frame, or a rest while there are none.
+// In a loop: poll the runtime's events, handle a stop request, then render a frame, or idle while no frames are wanted.
 // A frame: wait, begin, wands and head and eyes at the time at which it will be seen, the client, each eye, end.
 #include "vr/frame/headset_loop.h"
 
@@ -10,32 +10,32 @@ namespace
 {
 using namespace std::chrono_literals;
 
-constexpr auto restTime = 50ms;
-/// Sessions pass through stages on their way to others: people are told of those that last so long.
-constexpr auto passingTime = 500ms;
-/// A runtime that was asked to end the session and does not is not waited for any longer.
-constexpr auto patience = 3s;
+constexpr auto idleTime = 50ms;
+/// A session state is reported only if it lasts at least this long; shorter ones are transitions.
+constexpr auto transitionTime = 500ms;
+/// The time that the runtime has to end the session after it was asked to.
+constexpr auto exitTimeout = 3s;
 } // namespace
 
-void LeaveBell::ring()
+void StopSource::requestStop()
 {
     {
         const std::lock_guard lock(m_mutex);
-        m_hasRung = true;
+        m_stopRequested = true;
     }
     m_wake.notify_all();
 }
 
-bool LeaveBell::hasRung() const
+bool StopSource::stopRequested() const
 {
     const std::lock_guard lock(m_mutex);
-    return m_hasRung;
+    return m_stopRequested;
 }
 
-void LeaveBell::wait(std::chrono::milliseconds time)
+void StopSource::wait(std::chrono::milliseconds time)
 {
     std::unique_lock lock(m_mutex);
-    m_wake.wait_for(lock, time, [this] { return m_hasRung; });
+    m_wake.wait_for(lock, time, [this] { return m_stopRequested; });
 }
 
 HeadsetLoop::HeadsetLoop(const Parts& parts)
@@ -43,8 +43,8 @@ HeadsetLoop::HeadsetLoop(const Parts& parts)
     , m_session(parts.instance, parts.binding)
     , m_actions(parts.instance, m_session.handle())
     , m_spaces(m_session.handle())
-    , m_eyes(m_session)
-    , m_drawnMs(parts.client.drawCallMs())
+    , m_views(m_session)
+    , m_drawCallMs(parts.client.drawCallMs())
 {
     for (const QString& refused : m_actions.refusedProfiles())
         qInfo("The OpenXR runtime does not know wands of the kind %s", qPrintable(refused));
@@ -59,172 +59,172 @@ HeadsetLoop::~HeadsetLoop()
 HeadsetEnd HeadsetLoop::run()
 {
     for (;;) {
-        if (const auto end = takeEvents())
+        if (const auto end = pollEvents())
             return *end;
-        if (const auto end = leaveIfWanted())
+        if (const auto end = exitIfRequested())
             return *end;
-        tellStage();
-        m_clock.ends(FramePhase::Events);
-        if (m_standing.isRunning)
-            makeFrame();
+        reportStage();
+        m_clock.endPhase(FramePhase::Events);
+        if (m_status.isRunning)
+            renderFrame();
         else
-            rest();
+            idle();
     }
 }
 
-std::optional<HeadsetEnd> HeadsetLoop::takeEvents()
+std::optional<HeadsetEnd> HeadsetLoop::pollEvents()
 {
     while (const auto event = m_parts.instance.nextEvent())
-        if (const auto end = take(*event))
+        if (const auto end = handleEvent(*event))
             return end;
     return {};
 }
 
-std::optional<HeadsetEnd> HeadsetLoop::take(const XrEvent& event)
+std::optional<HeadsetEnd> HeadsetLoop::handleEvent(const XrEvent& event)
 {
     switch (event.type()) {
-    case XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED: return take(event.as<XrEventDataSessionStateChanged>());
-    case XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING: return HeadsetEnd::RuntimeDied;
+    case XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED: return handleEvent(event.as<XrEventDataSessionStateChanged>());
+    case XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING: return HeadsetEnd::RuntimeLost;
     case XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING:
-        m_spaces.noteChange(event.as<XrEventDataReferenceSpaceChangePending>());
+        m_spaces.notePendingChange(event.as<XrEventDataReferenceSpaceChangePending>());
         return {};
-    case XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED: m_areKindsOld = true; return {};
+    case XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED: m_areProfilesStale = true; return {};
     default: return {};
     }
 }
 
-std::optional<HeadsetEnd> HeadsetLoop::take(const XrEventDataSessionStateChanged& event)
+std::optional<HeadsetEnd> HeadsetLoop::handleEvent(const XrEventDataSessionStateChanged& event)
 {
     if (event.session != m_session.handle())
         return {};
-    const SessionStep step = nextStep(m_standing, event.state);
-    const bool hadInput = m_standing.hasInput();
+    const SessionStep step = nextStep(m_status, event.state);
+    const bool hadInput = m_status.hasInput();
     if (step == SessionStep::Begin)
         m_session.begin();
     if (step == SessionStep::End) {
         m_session.end();
-        m_parts.client.rest();
+        m_parts.client.idle();
     }
-    m_standing = afterStep(m_standing, event.state);
-    m_areKindsOld = m_areKindsOld || (m_standing.hasInput() && !hadInput);
-    if (step == SessionStep::Leave)
-        return m_standing.isLeaving ? HeadsetEnd::Left : HeadsetEnd::SentAway;
+    m_status = afterStep(m_status, event.state);
+    m_areProfilesStale = m_areProfilesStale || (m_status.hasInput() && !hadInput);
+    if (step == SessionStep::Exit)
+        return m_status.isExiting ? HeadsetEnd::Left : HeadsetEnd::EndedByRuntime;
     if (step == SessionStep::Lost)
         return HeadsetEnd::SessionLost;
     return {};
 }
 
 /// A session that runs is asked to end, and goes on until the runtime ends it; one that does not is over at once.
-std::optional<HeadsetEnd> HeadsetLoop::leaveIfWanted()
+std::optional<HeadsetEnd> HeadsetLoop::exitIfRequested()
 {
-    if (m_standing.isLeaving)
-        return Clock::now() < m_patience ? std::nullopt : std::optional(HeadsetEnd::Left);
-    if (!m_wantsToLeave && !m_parts.bell.hasRung())
+    if (m_status.isExiting)
+        return Clock::now() < m_exitDeadline ? std::nullopt : std::optional(HeadsetEnd::Left);
+    if (!m_exitRequested && !m_parts.stop.stopRequested())
         return {};
-    if (!m_standing.isRunning)
+    if (!m_status.isRunning)
         return HeadsetEnd::Left;
     m_session.requestExit();
-    m_standing.isLeaving = true;
-    m_patience = Clock::now() + patience;
+    m_status.isExiting = true;
+    m_exitDeadline = Clock::now() + exitTimeout;
     return {};
 }
 
 HeadsetStage HeadsetLoop::stage() const
 {
-    if (m_standing.hasInput())
+    if (m_status.hasInput())
         return HeadsetStage::Running;
-    if (m_standing.isVisible())
+    if (m_status.isVisible())
         return HeadsetStage::Visible;
-    if (m_standing.isRunning)
+    if (m_status.isRunning)
         return HeadsetStage::Hidden;
     return m_stage == HeadsetStage::Starting ? HeadsetStage::Starting : HeadsetStage::TakenOff;
 }
 
-void HeadsetLoop::tellStage()
+void HeadsetLoop::reportStage()
 {
     const auto now = Clock::now();
     if (const HeadsetStage seen = stage(); std::exchange(m_seenStage, seen) != seen)
         m_seenSince = now;
-    const bool isPassing = m_seenStage != HeadsetStage::Running && now - m_seenSince < passingTime;
-    if (m_seenStage == m_stage || m_standing.isLeaving || isPassing)
+    const bool isTransition = m_seenStage != HeadsetStage::Running && now - m_seenSince < transitionTime;
+    if (m_seenStage == m_stage || m_status.isExiting || isTransition)
         return;
     m_stage = m_seenStage;
-    m_parts.tell(m_stage);
+    m_parts.onStage(m_stage);
 }
 
-void HeadsetLoop::rest()
+void HeadsetLoop::idle()
 {
-    if (m_standing.isLeaving)
-        std::this_thread::sleep_for(restTime); // the bell has rung
+    if (m_status.isExiting)
+        std::this_thread::sleep_for(idleTime); // a stop is requested already
     else
-        m_parts.bell.wait(restTime);
-    m_lost = {};
-    m_clock.startOver();
+        m_parts.stop.wait(idleTime);
+    m_dropped = {};
+    m_clock.reset();
 }
 
-void HeadsetLoop::makeFrame()
+void HeadsetLoop::renderFrame()
 {
     const FrameTime time = m_session.waitFrame();
     const auto begun = Clock::now();
-    m_clock.ends(FramePhase::Wait);
+    m_clock.endPhase(FramePhase::Wait);
     Frame frame(m_session, time);
     const FrameInput input = readInput(time);
-    const bool isShown = m_eyes.locate(m_spaces.room(), time.display) && time.shouldRender;
+    const bool isShown = m_views.locate(m_spaces.room(), time.display) && time.shouldRender;
     m_parts.gl.makeCurrent();
-    m_clock.ends(FramePhase::Input);
-    obey(m_parts.client.frame(input));
-    m_clock.ends(FramePhase::Client);
+    m_clock.endPhase(FramePhase::Input);
+    handle(m_parts.client.frame(input));
+    m_clock.endPhase(FramePhase::Client);
     if (isShown)
-        drawEyes();
-    frame.show(m_spaces.room(), m_eyes.pictures());
-    m_clock.ends(FramePhase::Submit);
+        drawViews();
+    frame.show(m_spaces.room(), m_views.pictures());
+    m_clock.endPhase(FramePhase::Submit);
     count(time, begun, isShown);
 }
 
 FrameInput HeadsetLoop::readInput(const FrameTime& time)
 {
     const bool roomMoved = m_spaces.advance(time.display);
-    const bool hasFocus = m_standing.hasInput();
+    const bool hasFocus = m_status.hasInput();
     const Wands wands = m_actions.read(m_spaces.room(), time.display, hasFocus);
-    if (hasFocus && std::exchange(m_areKindsOld, false))
-        m_actions.refreshKinds();
+    if (hasFocus && std::exchange(m_areProfilesStale, false))
+        m_actions.refreshProfiles();
     m_head = m_spaces.head(time.display);
-    return {wands, m_head, time.display, hasFocus, roomMoved, m_parts.costs};
+    return {wands, m_head, time.display, hasFocus, roomMoved, m_parts.timings};
 }
 
-void HeadsetLoop::obey(const FrameOutput& output)
+void HeadsetLoop::handle(const FrameOutput& output)
 {
-    if (m_standing.hasInput())
+    if (m_status.hasInput())
         for (const HapticPulse& pulse : output.pulses)
             m_actions.pulse(pulse);
     if (output.recentre && m_head)
         m_spaces.recentre(*m_head);
-    m_wantsToLeave = m_wantsToLeave || output.leave;
+    m_exitRequested = m_exitRequested || output.leave;
 }
 
-void HeadsetLoop::drawEyes()
+void HeadsetLoop::drawViews()
 {
-    for (std::size_t eye = 0; eye < m_eyes.count(); ++eye) {
-        m_eyes.draw(eye, [&](const EyeImage& image, const EyeView& view) {
+    for (std::size_t eye = 0; eye < m_views.count(); ++eye) {
+        m_views.draw(eye, [&](const EyeImage& image, const EyeView& view) {
             m_parts.gl.makeCurrent();
-            m_clock.ends(FramePhase::Images);
+            m_clock.endPhase(FramePhase::Images);
             m_parts.client.draw(eye, image, view);
-            m_clock.ends(FramePhase::Draw);
+            m_clock.endPhase(FramePhase::Draw);
         });
-        m_clock.ends(FramePhase::Images);
+        m_clock.endPhase(FramePhase::Images);
     }
 }
 
 void HeadsetLoop::count(const FrameTime& time, Clock::time_point begun, bool isShown)
 {
-    FrameCost& cost = m_clock.cost();
+    FrameTiming& timing = m_clock.timing();
     const double drawn = m_parts.client.drawCallMs();
-    cost.drawCallMs = drawn - std::exchange(m_drawnMs, drawn);
-    cost.workMs = std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
-    cost.periodMs = static_cast<double>(time.period) / 1e6;
-    cost.lost = m_lost.count(time.display, time.period, isShown);
-    cost.isShown = isShown;
-    m_parts.costs.add(cost);
-    m_clock.startOver();
+    timing.drawCallMs = drawn - std::exchange(m_drawCallMs, drawn);
+    timing.workMs = std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
+    timing.periodMs = static_cast<double>(time.period) / 1e6;
+    timing.dropped = m_dropped.count(time.display, time.period, isShown);
+    timing.isShown = isShown;
+    m_parts.timings.add(timing);
+    m_clock.reset();
 }
 } // namespace vr

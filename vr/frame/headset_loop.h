@@ -16,18 +16,18 @@
 
 namespace vr
 {
-/// Rings when the visit is to end. Any thread.
-class LeaveBell
+/// Asks a visit to end, as std::stop_source, with a wait that has a timeout. Any thread.
+class StopSource
 {
 public:
-    void ring();
-    bool hasRung() const;
-    /// Until it rings, or that time is over.
+    void requestStop();
+    bool stopRequested() const;
+    /// Returns when a stop is requested or the time is over.
     void wait(std::chrono::milliseconds time);
 
 private:
     mutable std::mutex m_mutex; ///< of the next
-    bool m_hasRung = false;
+    bool m_stopRequested = false;
     std::condition_variable m_wake;
 };
 
@@ -40,11 +40,11 @@ public:
     {
         const Instance& instance; ///< Ready
         const GlBinding& binding;
-        GlContext& gl; ///< taken
+        GlContext& gl; ///< claimed
         FrameClient& client;
-        FrameCosts& costs;
-        LeaveBell& bell;
-        std::function<void(HeadsetStage)> tell; ///< of each change
+        FrameTimings& timings;
+        StopSource& stop;
+        std::function<void(HeadsetStage)> onStage; ///< of each change
     };
 
     explicit HeadsetLoop(const Parts& parts);
@@ -57,34 +57,34 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
 
-    std::optional<HeadsetEnd> takeEvents();
-    std::optional<HeadsetEnd> take(const XrEvent& event);
-    std::optional<HeadsetEnd> take(const XrEventDataSessionStateChanged& event);
-    std::optional<HeadsetEnd> leaveIfWanted();
+    std::optional<HeadsetEnd> pollEvents();
+    std::optional<HeadsetEnd> handleEvent(const XrEvent& event);
+    std::optional<HeadsetEnd> handleEvent(const XrEventDataSessionStateChanged& event);
+    std::optional<HeadsetEnd> exitIfRequested();
     HeadsetStage stage() const;
-    void tellStage();
-    void rest();
-    void makeFrame();
+    void reportStage();
+    void idle();
+    void renderFrame();
     FrameInput readInput(const FrameTime& time);
-    void obey(const FrameOutput& output);
-    void drawEyes();
+    void handle(const FrameOutput& output);
+    void drawViews();
     void count(const FrameTime& time, Clock::time_point begun, bool isShown);
 
     Parts m_parts;
     Session m_session;
     Actions m_actions;
     Spaces m_spaces;
-    Eyes m_eyes;
-    SessionStanding m_standing;
+    Views m_views;
+    SessionStatus m_status;
     HeadsetStage m_stage = HeadsetStage::Starting; ///< the last that was told
     HeadsetStage m_seenStage = HeadsetStage::Starting;
     Clock::time_point m_seenSince;
-    Clock::time_point m_patience; ///< the end of it, once we are leaving
-    bool m_wantsToLeave = false;  ///< the client
-    bool m_areKindsOld = false;
+    Clock::time_point m_exitDeadline; ///< set once the exit is requested
+    bool m_exitRequested = false;  ///< the client
+    bool m_areProfilesStale = false;
     std::optional<Pose> m_head;
-    PhaseClock m_clock;
-    double m_drawnMs; ///< as the client said after the last frame
-    LostFrames m_lost;
+    PhaseTimer m_clock;
+    double m_drawCallMs; ///< as the client said after the last frame
+    DroppedFrameCounter m_dropped;
 };
 } // namespace vr

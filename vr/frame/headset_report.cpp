@@ -26,21 +26,21 @@ QString HeadsetReport::textOf(HeadsetEnd end, const QString& detail)
 {
     switch (end) {
     case HeadsetEnd::Left: return tr("Left VR.");
-    case HeadsetEnd::SentAway: return tr("VR was ended in the headset's own program.");
-    case HeadsetEnd::NotThere: return detail;
+    case HeadsetEnd::EndedByRuntime: return tr("VR was ended in the headset's own program.");
+    case HeadsetEnd::Unavailable: return detail;
     case HeadsetEnd::NoBinding:
         //: %1: a window system, such as wayland
         return tr("The headset's program takes no pictures from windows of the kind “%1”. Start Fettle with QT_QPA_PLATFORM=xcb and "
                   "QT_XCB_GL_INTEGRATION=xcb_glx, then enter VR again.")
             .arg(detail);
-    case HeadsetEnd::NoPicture: return tr("VR cannot be drawn with this OpenGL.");
-    case HeadsetEnd::RuntimeDied:
+    case HeadsetEnd::CannotRender: return tr("VR cannot be drawn with this OpenGL.");
+    case HeadsetEnd::RuntimeLost:
         return tr("The headset's program has stopped. The model is as it was; when the program runs again, enter VR again.");
     case HeadsetEnd::SessionLost:
         return tr("The headset is gone. The model is as it was; plug the headset in, then enter VR again.");
-    case HeadsetEnd::NoAnswer:
+    case HeadsetEnd::NotResponding:
         return tr("The headset's program does not answer. The model is as it was; start that program anew, then enter VR again.");
-    case HeadsetEnd::Stuck:
+    case HeadsetEnd::StillNotResponding:
         return tr("The headset's program still does not answer, and VR cannot be entered. Start that program anew; if that does not help, "
                   "save the model and start Fettle anew.");
     case HeadsetEnd::Failed:

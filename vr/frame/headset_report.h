@@ -18,14 +18,14 @@ enum class HeadsetStage {
 /// Why it ended.
 enum class HeadsetEnd {
     Left,        ///< we wanted it
-    SentAway,    ///< the runtime wanted it
-    NotThere,    ///< no runtime or no headset
+    EndedByRuntime,    ///< the runtime wanted it
+    Unavailable,    ///< no runtime or no headset
     NoBinding,   ///< the window's OpenGL is of a kind that the runtime does not take
-    NoPicture,   ///< the room cannot be drawn here
-    RuntimeDied, ///< or it restarts
+    CannotRender,   ///< the room cannot be drawn here
+    RuntimeLost, ///< or it restarts
     SessionLost, ///< as when the headset is unplugged
-    NoAnswer,    ///< we wanted it, and the runtime did not answer in time
-    Stuck,       ///< the same, at an earlier visit: this one could not begin
+    NotResponding,    ///< we wanted it, and the runtime did not answer in time
+    StillNotResponding,       ///< the same, at an earlier visit: this one could not begin
     Failed
 };
 
@@ -39,7 +39,7 @@ public:
     QString text;                      ///< a sentence or two for people
 
     static HeadsetReport of(HeadsetStage stage, const QString& headset);
-    /// `detail`: the whole text of NotThere; a platform's name with NoBinding; the call that failed with Failed.
+    /// `detail`: the whole text of Unavailable; a platform's name with NoBinding; the call that failed with Failed.
     static HeadsetReport ended(HeadsetEnd end, const QString& detail = {});
 
     bool isEnded() const { return stage == HeadsetStage::Ended; }

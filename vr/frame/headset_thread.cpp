@@ -14,14 +14,14 @@ HeadsetEnd endOf(XrResult result)
 {
     switch (result) {
     case XR_ERROR_INSTANCE_LOST:
-    case XR_ERROR_RUNTIME_UNAVAILABLE: return HeadsetEnd::RuntimeDied;
+    case XR_ERROR_RUNTIME_UNAVAILABLE: return HeadsetEnd::RuntimeLost;
     case XR_ERROR_SESSION_LOST:
     case XR_ERROR_FORM_FACTOR_UNAVAILABLE: return HeadsetEnd::SessionLost;
     default: return HeadsetEnd::Failed;
     }
 }
 
-/// Takes leave of the client whatever happens.
+/// Destroys the client in every case.
 class CreatedClient
 {
 public:
@@ -45,27 +45,27 @@ private:
 
 struct HeadsetThread::Visit
 {
-    using Tell = std::function<void(const HeadsetReport& report)>;
+    using OnReport = std::function<void(const HeadsetReport& report)>;
 
     explicit Visit(std::shared_ptr<FrameClient> who) : client(std::move(who)) {}
 
     // The visit's thread.
-    HeadsetReport run(const Tell& tell);
-    HeadsetReport runWith(const Tell& tell);
+    HeadsetReport run(const OnReport& onReport);
+    HeadsetReport runWith(const OnReport& onReport);
 
     std::shared_ptr<FrameClient> client;
-    std::shared_ptr<FrameCosts> costs = std::make_shared<FrameCosts>();
+    std::shared_ptr<FrameTimings> timings = std::make_shared<FrameTimings>();
     QString windowSystem = QGuiApplication::platformName();
     GlContext gl;
-    LeaveBell bell;
+    StopSource stop;
     HeadsetReport last; ///< once the thread has ended
 };
 
-HeadsetReport HeadsetThread::Visit::run(const Tell& tell)
+HeadsetReport HeadsetThread::Visit::run(const OnReport& onReport)
 {
-    tell(HeadsetReport::of(HeadsetStage::Starting, {}));
+    onReport(HeadsetReport::of(HeadsetStage::Starting, {}));
     try {
-        return runWith(tell);
+        return runWith(onReport);
     } catch (const XrError& error) {
         return HeadsetReport::ended(endOf(error.result()), error.text());
     } catch (const std::exception& error) {
@@ -74,38 +74,38 @@ HeadsetReport HeadsetThread::Visit::run(const Tell& tell)
 }
 
 /// Instance, context, client, session; they end in the opposite order.
-HeadsetReport HeadsetThread::Visit::runWith(const Tell& tell)
+HeadsetReport HeadsetThread::Visit::runWith(const OnReport& onReport)
 {
     const Instance instance;
     if (instance.status().state != HeadsetStatus::State::Ready)
-        return HeadsetReport::ended(HeadsetEnd::NotThere, OpenXrRuntime::textOf(instance.status()));
-    if (bell.hasRung())
+        return HeadsetReport::ended(HeadsetEnd::Unavailable, OpenXrRuntime::textOf(instance.status()));
+    if (stop.stopRequested())
         return HeadsetReport::ended(HeadsetEnd::Left);
-    const auto binding = gl.take() ? currentGlBinding() : nullptr;
+    const auto binding = gl.claim() ? currentGlBinding() : nullptr;
     if (!binding || !instance.has(binding->extension()))
         return HeadsetReport::ended(HeadsetEnd::NoBinding, windowSystem);
     const CreatedClient created(*client, gl);
     if (!created.isCreated())
-        return HeadsetReport::ended(HeadsetEnd::NoPicture);
-    const auto tellStage = [&](HeadsetStage stage) { tell(HeadsetReport::of(stage, instance.status().headset)); };
-    HeadsetLoop loop({instance, *binding, gl, *client, *costs, bell, tellStage});
+        return HeadsetReport::ended(HeadsetEnd::CannotRender);
+    const auto reportStage = [&](HeadsetStage stage) { onReport(HeadsetReport::of(stage, instance.status().headset)); };
+    HeadsetLoop loop({instance, *binding, gl, *client, *timings, stop, reportStage});
     return HeadsetReport::ended(loop.run());
 }
 
-HeadsetThread::HeadsetThread(std::chrono::milliseconds patience, QObject* parent)
+HeadsetThread::HeadsetThread(std::chrono::milliseconds exitTimeout, QObject* parent)
     : QObject(parent)
-    , m_costs(std::make_shared<FrameCosts>())
+    , m_timings(std::make_shared<FrameTimings>())
 {
-    m_patience.setSingleShot(true);
-    m_patience.setInterval(patience);
-    connect(&m_patience, &QTimer::timeout, this, &HeadsetThread::giveUp);
+    m_exitTimer.setSingleShot(true);
+    m_exitTimer.setInterval(exitTimeout);
+    connect(&m_exitTimer, &QTimer::timeout, this, &HeadsetThread::abandon);
     connect(&m_thread, &RuntimeThread::ended, this, &HeadsetThread::finish);
 }
 
 HeadsetThread::~HeadsetThread()
 {
     leave();
-    m_thread.waitForEnd(m_patience.remainingTimeAsDuration());
+    m_thread.waitForEnd(m_exitTimer.remainingTimeAsDuration());
 }
 
 bool HeadsetThread::enter(std::shared_ptr<FrameClient> client)
@@ -113,12 +113,12 @@ bool HeadsetThread::enter(std::shared_ptr<FrameClient> client)
     if (m_visit)
         return false;
     m_visit = std::make_shared<Visit>(std::move(client));
-    m_costs = m_visit->costs;
+    m_timings = m_visit->timings;
     m_isLeaving = false;
-    m_isGivenUp = false;
+    m_isAbandoned = false;
     m_thread.start([this, visit = m_visit](const RuntimeThread::Post& post) {
-        const auto tell = [&](const HeadsetReport& report) { post([this, report] { take(report); }); }; // only letters know us
-        visit->last = visit->run(tell);
+        const auto onReport = [&](const HeadsetReport& report) { post([this, report] { handleReport(report); }); }; // only tasks on the gui thread use `this`
+        visit->last = visit->run(onReport);
         visit->gl.destroy();
     });
     return true;
@@ -128,30 +128,30 @@ void HeadsetThread::leave()
 {
     if (!m_visit || std::exchange(m_isLeaving, true))
         return;
-    m_visit->bell.ring();
-    m_patience.start();
+    m_visit->stop.requestStop();
+    m_exitTimer.start();
 }
 
-void HeadsetThread::take(const HeadsetReport& report)
+void HeadsetThread::handleReport(const HeadsetReport& report)
 {
     if (!m_isLeaving)
         Q_EMIT reported(report);
 }
 
-void HeadsetThread::giveUp()
+void HeadsetThread::abandon()
 {
-    if (m_thread.waitForEnd({})) // the letter is on its way
+    if (m_thread.waitForEnd({})) // finish() is queued already
         return;
-    m_isGivenUp = true;
-    Q_EMIT reported(HeadsetReport::ended(HeadsetEnd::NoAnswer));
+    m_isAbandoned = true;
+    Q_EMIT reported(HeadsetReport::ended(HeadsetEnd::NotResponding));
 }
 
 void HeadsetThread::finish()
 {
-    m_patience.stop();
+    m_exitTimer.stop();
     const HeadsetReport last = m_visit->last;
     m_visit.reset();
-    if (!m_isGivenUp)
+    if (!m_isAbandoned)
         Q_EMIT reported(last);
 }
 } // namespace vr

@@ -18,5 +18,5 @@ public:
 
 /// Like the context that is current on this thread, sharing nothing with it; null where the window system has no such connections, or
 /// gives none.
-std::unique_ptr<GlConnection> ownConnection();
+std::unique_ptr<GlConnection> separateConnection();
 } // namespace vr

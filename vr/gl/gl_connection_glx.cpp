@@ -53,7 +53,7 @@ GLXContext coreContext(Display* display, GLXFBConfig config)
 }
 } // namespace
 
-std::unique_ptr<GlConnection> ownConnection()
+std::unique_ptr<GlConnection> separateConnection()
 {
     Display* theirs = glXGetCurrentDisplay();
     if (!theirs)

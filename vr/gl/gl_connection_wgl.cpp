@@ -3,7 +3,7 @@
 namespace vr
 {
 /// WGL has no connections.
-std::unique_ptr<GlConnection> ownConnection()
+std::unique_ptr<GlConnection> separateConnection()
 {
     return nullptr;
 }

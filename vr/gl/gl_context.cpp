@@ -34,7 +34,7 @@ GlContext::GlContext() : m_surface(new QOffscreenSurface), m_context(std::make_u
 
 GlContext::~GlContext() = default;
 
-void GlContext::DeleteWhereItIsAtHome::operator()(QOffscreenSurface* surface) const
+void GlContext::DeleteOnGuiThread::operator()(QOffscreenSurface* surface) const
 {
     if (surface->thread() == QThread::currentThread())
         delete surface;
@@ -48,21 +48,21 @@ bool GlContext::isGoodEnough() const
            m_context->format().version() >= std::pair(3, 3);
 }
 
-bool GlContext::take()
+bool GlContext::claim()
 {
     m_context->moveToThread(QThread::currentThread());
     if (!isGoodEnough() || !m_context->makeCurrent(m_surface.get()))
         return false;
-    m_own = ownConnection();
-    if (m_own && !m_own->makeCurrent())
-        m_own.reset();
-    return m_own || m_context->makeCurrent(m_surface.get());
+    m_connection = separateConnection();
+    if (m_connection && !m_connection->makeCurrent())
+        m_connection.reset();
+    return m_connection || m_context->makeCurrent(m_surface.get());
 }
 
 void GlContext::makeCurrent()
 {
-    if (m_own)
-        m_own->makeCurrent();
+    if (m_connection)
+        m_connection->makeCurrent();
     else
         m_context->makeCurrent(m_surface.get());
 }
@@ -75,7 +75,7 @@ void GlContext::finish()
 
 void GlContext::destroy()
 {
-    m_own.reset();
+    m_connection.reset();
     if (QOpenGLContext::currentContext() == m_context.get())
         m_context->doneCurrent();
     m_context.reset();

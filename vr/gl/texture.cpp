@@ -11,7 +11,7 @@ namespace vr
 namespace
 {
 // Of GL_EXT_texture_filter_anisotropic.
-constexpr unsigned int anisotropyName = 0x84FE, mostAnisotropyName = 0x84FF;
+constexpr unsigned int anisotropyName = 0x84FE, maxAnisotropyName = 0x84FF;
 constexpr float wantedAnisotropy = 8; ///< panels are seen aslant
 constexpr float sharper = -0.4F;      ///< levels of detail: text keeps its edges, and is still below what shimmers
 
@@ -24,13 +24,13 @@ void setFilters(QOpenGLExtraFunctions* gl)
     gl->glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_LOD_BIAS, sharper);
     if (!QOpenGLContext::currentContext()->hasExtension("GL_EXT_texture_filter_anisotropic"))
         return;
-    float most = 1;
-    gl->glGetFloatv(mostAnisotropyName, &most);
-    gl->glTexParameterf(GL_TEXTURE_2D, anisotropyName, std::min(most, wantedAnisotropy));
+    float maxAnisotropy = 1;
+    gl->glGetFloatv(maxAnisotropyName, &maxAnisotropy);
+    gl->glTexParameterf(GL_TEXTURE_2D, anisotropyName, std::min(maxAnisotropy, wantedAnisotropy));
 }
 } // namespace
 
-void PictureTexture::create(QOpenGLExtraFunctions* gl)
+void Texture::create(QOpenGLExtraFunctions* gl)
 {
     m_gl = gl;
     m_gl->glGenTextures(1, &m_id);
@@ -39,14 +39,14 @@ void PictureTexture::create(QOpenGLExtraFunctions* gl)
     m_gl->glBindTexture(GL_TEXTURE_2D, 0);
 }
 
-void PictureTexture::destroy()
+void Texture::destroy()
 {
     if (m_gl)
         m_gl->glDeleteTextures(1, &m_id);
     *this = {};
 }
 
-void PictureTexture::show(const QImage& picture)
+void Texture::upload(const QImage& picture)
 {
     const QImage bytes = picture.convertToFormat(QImage::Format_RGBA8888_Premultiplied);
     const int width = bytes.width(), height = bytes.height();

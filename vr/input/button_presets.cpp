@@ -110,23 +110,23 @@ constexpr bool isClear(std::span<const PresetRow> table)
 static_assert(isClear(paper) && isClear(studio) && isClear(oneHand));
 } // namespace
 
-std::span<const PresetRow> rows(Preset preset)
+std::span<const PresetRow> presetRows(ButtonPreset preset)
 {
     switch (preset) {
-    case Preset::Paper:
+    case ButtonPreset::Paper:
         return paper;
-    case Preset::Studio:
+    case ButtonPreset::Studio:
         return studio;
-    case Preset::OneHand:
+    case ButtonPreset::OneHand:
         return oneHand;
     }
     return {};
 }
 
-std::optional<WandFunction> functionOf(Preset preset, const WandControl& control)
+std::optional<WandFunction> functionOf(ButtonPreset preset, const WandControl& control)
 {
     assert(control.mode != Any);
-    for (const PresetRow& row : rows(preset))
+    for (const PresetRow& row : presetRows(preset))
         if (answers(row, control))
             return row.function;
     return std::nullopt;

@@ -9,7 +9,7 @@ namespace vr
 {
 /// Paper: as in section 4.1 of Zhu & Yang 2024, but that save and restore are held. Studio: as other programs of the field have it.
 /// OneHand: the sculpting hand does all, and no panel goes with a hand; a second wand may lie on a table.
-enum class Preset { Paper, Studio, OneHand };
+enum class ButtonPreset { Paper, Studio, OneHand };
 
 /// In the paper the right hand sculpts.
 enum class HandRole { Sculpting, Support };
@@ -65,7 +65,7 @@ enum class WandFunction {
     SetChannel
 };
 
-/// One row a function of a button. Hands obey these rows, and labels at the buttons are written from them. A button of no row
+/// One row a function of a button. WandMapping follows these rows, and labels at the buttons are written from them. A button of no row
 /// does nothing.
 struct PresetRow
 {
@@ -76,7 +76,7 @@ struct PresetRow
     const char* label; ///< a word or two, untranslated
 };
 
-std::span<const PresetRow> rows(Preset preset);
+std::span<const PresetRow> presetRows(ButtonPreset preset);
 
 struct WandControl
 {
@@ -85,7 +85,7 @@ struct WandControl
     Gesture gesture;
 };
 /// Nothing if it does nothing.
-std::optional<WandFunction> functionOf(Preset preset, const WandControl& control);
+std::optional<WandFunction> functionOf(ButtonPreset preset, const WandControl& control);
 
 /// In the program's language.
 QString labelOf(const PresetRow& row);

@@ -9,14 +9,14 @@ namespace vr
 namespace
 {
 /// At full level and strength.
-struct Feel
+struct PulseShape
 {
     double amplitude, frequency, seconds;
 };
 
 // Chosen to be told apart: what is touched is light and high, what fails is long and low. By Sensation; the texture's length is
 // another's matter.
-constexpr std::array<Feel, sensationCount> feels{{
+constexpr std::array<PulseShape, sensationCount> pulseShapes{{
     {0.35, 180, 0.02}, // Contact
     {0.45, 120, 0},    // Texture
     {1.0, 90, 0.06},   // Fusion
@@ -29,14 +29,14 @@ constexpr double contactPause = 0.15; ///< seconds; a brush that grazes a surfac
 constexpr double eventPause = 0.25;   ///< seconds without it, and it happens anew
 constexpr double trainPeriod = 0.05;  ///< seconds from one pulse of the texture to the next
 constexpr double trainShare = 0.3;    ///< of the time that its pulses fill
-constexpr double longestPulse = 0.1;  ///< seconds, of the texture
-constexpr double leastTexture = 0.2;  ///< of its amplitude, under the lightest pressure
+constexpr double maxPulse = 0.1;  ///< seconds, of the texture
+constexpr double minTexture = 0.2;  ///< of its amplitude, under the lightest pressure
 constexpr double frameRoundOff = 1e-9;     ///< of sums of frames
 constexpr int holdTicks = 4;          ///< while a hold's ring fills; the last when it is full
 
-Feel feelOf(Sensation what)
+PulseShape pulseShapeOf(Sensation what)
 {
-    return feels[static_cast<std::size_t>(what)];
+    return pulseShapes[static_cast<std::size_t>(what)];
 }
 
 /// Of what has not happened since `from`.
@@ -51,49 +51,49 @@ double tickOf(double hold)
 }
 } // namespace
 
-std::vector<HapticPulse> Haptics::step(double time, const std::array<HandFeeling, sideCount>& hands)
+std::vector<HapticPulse> Haptics::step(double time, const std::array<HapticInput, sideCount>& hands)
 {
     std::vector<HapticPulse> pulses;
     for (const Side side : {Side::Left, Side::Right}) {
-        const HandFeeling& feeling = hands[static_cast<std::size_t>(side)];
-        std::optional<HapticPulse> pulse = event(side, feeling, time);
+        const HapticInput& input = hands[static_cast<std::size_t>(side)];
+        std::optional<HapticPulse> pulse = event(side, input, time);
         if (!pulse)
-            pulse = texture(side, feeling, time);
+            pulse = texture(side, input, time);
         if (pulse)
             pulses.push_back(*pulse);
     }
     return pulses;
 }
 
-std::optional<HapticPulse> Haptics::event(Side side, const HandFeeling& feeling, double time)
+std::optional<HapticPulse> Haptics::event(Side side, const HapticInput& input, double time)
 {
     Hand& hand = at(side);
-    const std::optional<Event> event = eventOf(hand, feeling, time);
+    const std::optional<Event> event = eventOf(hand, input, time);
     if (!event || levelOf(event->what) <= 0)
         return std::nullopt;
-    const Feel feel = feelOf(event->what);
+    const PulseShape feel = pulseShapeOf(event->what);
     hand.quietUntil = time + feel.seconds;
     return HapticPulse{side, feel.amplitude * event->strength * levelOf(event->what), feel.frequency, feel.seconds};
 }
 
 /// What matters most. Contacts and holds go on being followed under it.
-std::optional<Haptics::Event> Haptics::eventOf(Hand& hand, const HandFeeling& feeling, double time)
+std::optional<Haptics::Event> Haptics::eventOf(Hand& hand, const HapticInput& input, double time)
 {
-    const bool touched = std::exchange(hand.touched, feeling.touches);
-    const bool isContact = feeling.touches && !touched && time >= hand.contactFrom;
+    const bool touched = std::exchange(hand.touched, input.touches);
+    const bool isContact = input.touches && !touched && time >= hand.contactFrom;
     if (isContact)
         hand.contactFrom = time + contactPause;
-    const double tick = tickOf(feeling.hold);
-    const bool isTick = tick > tickOf(std::exchange(hand.hold, feeling.hold));
-    const bool isRefusal = begins(feeling.refused, hand.refusalFrom, time);
-    const bool isFusion = begins(feeling.fused, hand.fusionFrom, time);
+    const double tick = tickOf(input.hold);
+    const bool isTick = tick > tickOf(std::exchange(hand.hold, input.hold));
+    const bool isRefusal = begins(input.refused, hand.refusalFrom, time);
+    const bool isFusion = begins(input.fused, hand.fusionFrom, time);
     if (isRefusal)
         return Event{Sensation::Refusal, 1};
     if (isFusion)
         return Event{Sensation::Fusion, 1};
     if (isTick)
         return Event{Sensation::Hold, tick / holdTicks};
-    if (feeling.stepped)
+    if (input.stepped)
         return Event{Sensation::MenuStep, 1};
     if (isContact)
         return Event{Sensation::Contact, 1};
@@ -101,11 +101,11 @@ std::optional<Haptics::Event> Haptics::eventOf(Hand& hand, const HandFeeling& fe
 }
 
 /// A pulse lasts for its share of the time since the one before; so the train feels the same however the frames fall.
-std::optional<HapticPulse> Haptics::texture(Side side, const HandFeeling& feeling, double time)
+std::optional<HapticPulse> Haptics::texture(Side side, const HapticInput& input, double time)
 {
     Hand& hand = at(side);
     const double level = levelOf(Sensation::Texture);
-    if (!feeling.touches || feeling.pressure <= 0 || level <= 0) {
+    if (!input.touches || input.pressure <= 0 || level <= 0) {
         hand.trainAt.reset();
         return std::nullopt;
     }
@@ -113,9 +113,9 @@ std::optional<HapticPulse> Haptics::texture(Side side, const HandFeeling& feelin
     if (since < trainPeriod - frameRoundOff || time < hand.quietUntil)
         return std::nullopt;
     hand.trainAt = time;
-    const Feel feel = feelOf(Sensation::Texture);
-    const double strength = leastTexture + (1 - leastTexture) * feeling.pressure;
+    const PulseShape feel = pulseShapeOf(Sensation::Texture);
+    const double strength = minTexture + (1 - minTexture) * input.pressure;
     return HapticPulse{side, feel.amplitude * strength * level, feel.frequency,
-                       std::min(trainShare * since, longestPulse)};
+                       std::min(trainShare * since, maxPulse)};
 }
 } // namespace vr

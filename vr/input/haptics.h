@@ -20,7 +20,7 @@ struct HapticLevels
 };
 
 /// What happened to one hand in a frame.
-struct HandFeeling
+struct HapticInput
 {
     bool touches = false; ///< its brush meets the surface
     double pressure = 0;  ///< of the stroke that it draws, 0 to 1; 0: it draws none
@@ -41,7 +41,7 @@ public:
     void setLevels(const HapticLevels& levels) { m_levels = levels; }
 
     /// `time` in seconds; `hands` by Side.
-    std::vector<HapticPulse> step(double time, const std::array<HandFeeling, sideCount>& hands);
+    std::vector<HapticPulse> step(double time, const std::array<HapticInput, sideCount>& hands);
 
 private:
     struct Hand
@@ -62,9 +62,9 @@ private:
 
     Hand& at(Side side) { return m_hands[static_cast<std::size_t>(side)]; }
     double levelOf(Sensation what) const { return m_levels.of[static_cast<std::size_t>(what)]; }
-    static std::optional<Event> eventOf(Hand& hand, const HandFeeling& feeling, double time);
-    std::optional<HapticPulse> event(Side side, const HandFeeling& feeling, double time);
-    std::optional<HapticPulse> texture(Side side, const HandFeeling& feeling, double time);
+    static std::optional<Event> eventOf(Hand& hand, const HapticInput& input, double time);
+    std::optional<HapticPulse> event(Side side, const HapticInput& input, double time);
+    std::optional<HapticPulse> texture(Side side, const HapticInput& input, double time);
 
     HapticLevels m_levels;
     std::array<Hand, sideCount> m_hands;

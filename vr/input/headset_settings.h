@@ -5,16 +5,16 @@
 
 namespace vr
 {
-/// What a person has chosen about the headset: kept from visit to visit.
-struct HeadsetChoice
+/// The user's settings for the headset, kept from visit to visit.
+struct HeadsetSettings
 {
-    HandsChoice hands;
-    double raised = 0; ///< metres that the model is placed higher, at most SettingsPanel::mostRaised up or down
-    double turnsBy = turnSpeed; ///< degrees a second
+    WandSettings wands;
+    double heightOffset = 0; ///< metres that the model is placed higher, at most SettingsPanel::maxHeightOffset up or down
+    double turnRate = turnSpeed; ///< degrees a second
     bool showsFloor = true;
     bool showsPerformance = false;
-    HapticLevels feel;
+    HapticLevels hapticLevels;
 
-    bool operator==(const HeadsetChoice&) const = default;
+    bool operator==(const HeadsetSettings&) const = default;
 };
 } // namespace vr

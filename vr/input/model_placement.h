@@ -7,7 +7,7 @@ namespace vr
 /// Where the model stands in the room: a similarity from document space (mm) to room space (m). It is a way to look at the model and
 /// changes no millimetre of it; a brush of one length in the room is smaller on a model that is shown larger. Nothing here but
 /// place() and what hands do changes it: a model that grows, or a new object, never moves what is seen.
-class Room
+class ModelPlacement
 {
 public:
     // Where a person finds a model, in metres.
@@ -15,16 +15,16 @@ public:
     static constexpr double comfortableReach = 0.6; ///< from the head to its middle: an arm bent a little
     static constexpr double belowEyes = 0.2;        ///< its middle: one looks down at one's work
     // How large it may be shown; from the size of a nut to that of a house.
-    static constexpr double minSize = 0.02, mostSize = 20;
+    static constexpr double minSize = 0.02, maxSize = 20;
 
     /// `model`: its box, mm; an empty one counts as that of a ball of 100 mm.
-    explicit Room(const core::Box& model = {});
+    explicit ModelPlacement(const core::Box& model = {});
     /// Its box has changed: from now on it turns and grows about another middle, and has other bounds. What is seen stays.
     void setModel(const core::Box& model);
 
     /// In front of a head, upright, its front (+Z) turned to it, at a comfortable size. A head standing or seated, anywhere in the
-    /// room, looking anywhere. `raised`: metres higher, for people who want it so.
-    void place(const Pose& head, double raised = 0);
+    /// room, looking anywhere. `heightOffset`: metres higher, if the user wants it so.
+    void place(const Pose& head, double heightOffset = 0);
 
     /// About the room's vertical through the model's middle; radians, anticlockwise seen from above. Clockwise, which the paper has
     /// at the left of the pad, the side that faces the person goes to the left.
@@ -60,7 +60,7 @@ public:
     double lengthToModel(double metres) const { return metres / m_scale; }
 
 private:
-    double allowed(double factor) const;
+    double clampedScale(double factor) const;
     void scaleAbout(const core::Vec3& point, double factor);
     void rotateAbout(const core::Vec3& point, const Eigen::Quaterniond& rotation);
 

@@ -37,7 +37,7 @@ Position middleOf(Sector sector)
 std::optional<Sector> sectorAt(const Position& position, const std::optional<Sector>& before)
 {
     const double radius = position.norm();
-    if (radius < (before ? padCentreKept : padCentre))
+    if (radius < (before ? padCentreHysteresis : padCentre))
         return std::nullopt;
     const double reach = std::cos((45 + sectorOverlap) * std::numbers::pi / 180);
     return before && position.dot(middleOf(*before)) >= radius * reach ? before : sectorOf(position);
@@ -46,15 +46,15 @@ std::optional<Sector> sectorAt(const Position& position, const std::optional<Sec
 /// Radii a second.
 double rateOf(const WandState& wand)
 {
-    const double beyond = std::max(0.0, std::abs(wand.pad.y()) - stickRest) / (1 - stickRest);
+    const double beyond = std::max(0.0, std::abs(wand.pad.y()) - stickDeadZone) / (1 - stickDeadZone);
     return std::copysign(stickSlide * beyond, wand.pad.y());
 }
 } // namespace
 
-PadGestures PadReader::read(const WandState& wand, double seconds)
+TrackpadGestures TrackpadReader::read(const WandState& wand, double seconds)
 {
     const bool wasDown = m_isDown;
-    PadGestures gestures;
+    TrackpadGestures gestures;
     wand.isStick ? readStick(wand, seconds, gestures) : readPad(wand, seconds, gestures);
     if (!m_isDown)
         m_press.reset();
@@ -65,45 +65,45 @@ PadGestures PadReader::read(const WandState& wand, double seconds)
     return gestures;
 }
 
-void PadReader::disregard()
+void TrackpadReader::ignoreUntilReleased()
 {
     m_isIgnored = true;
-    m_isDown = m_wasZero = m_mustRest = false;
+    m_isDown = m_wasZero = m_mustCentre = false;
     m_press.reset();
     m_over.reset();
     m_slidTo.reset();
     m_stickRate.reset();
 }
 
-void PadReader::readPad(const WandState& wand, double seconds, PadGestures& gestures)
+void TrackpadReader::readPad(const WandState& wand, double seconds, TrackpadGestures& gestures)
 {
     m_isIgnored = m_isIgnored && wand.padPressed;
     m_isDown = wand.padPressed && !m_isIgnored;
     const bool isTouched = wand.padTouched || wand.padPressed;
-    const bool isRead = isTouched && isReading(wand.pad);
+    const bool isSample = isTouched && isValidSample(wand.pad);
     if (!isTouched) {
         m_over.reset();
         m_wasZero = false;
-    } else if (isRead) {
+    } else if (isSample) {
         m_over = sectorAt(wand.pad, m_over);
     }
     if (wand.padPressed)
-        gestures.slide = slideBack();
+        gestures.slide = undoSlide();
     else if (!isTouched)
         m_slidTo.reset();
-    else if (isRead)
+    else if (isSample)
         gestures.slide = slideTo(wand.pad, seconds);
 }
 
 /// Some runtimes say 0, 0 for a frame when the thumb comes or goes.
-bool PadReader::isReading(const Position& position)
+bool TrackpadReader::isValidSample(const Position& position)
 {
     const bool isZero = position == Position::Zero();
     const bool wasZero = std::exchange(m_wasZero, isZero);
     return !isZero || wasZero;
 }
 
-Position PadReader::slideTo(const Position& position, double seconds)
+Position TrackpadReader::slideTo(const Position& position, double seconds)
 {
     if (!m_slidTo) {
         m_slidTo = position;
@@ -127,20 +127,20 @@ Position PadReader::slideTo(const Position& position, double seconds)
     return slid;
 }
 
-Position PadReader::slideBack()
+Position TrackpadReader::undoSlide()
 {
-    const bool wasOnItsWay = m_slidTo && m_slideAxis && m_slideAge <= slideToPress;
+    const bool wasOnItsWay = m_slidTo && m_slideAxis && m_slideAge <= maxSlideBeforePress;
     m_slidTo.reset();
     return wasOnItsWay ? Position(-m_slid) : Position(Position::Zero());
 }
 
-void PadReader::readStick(const WandState& wand, double seconds, PadGestures& gestures)
+void TrackpadReader::readStick(const WandState& wand, double seconds, TrackpadGestures& gestures)
 {
     const double pushed = wand.pad.norm();
-    const bool isResting = !wand.padPressed && pushed < stickRelease;
-    m_isIgnored = m_isIgnored && !isResting;
-    m_mustRest = wand.padPressed || (m_mustRest && !isResting);
-    m_isDown = !m_isIgnored && !m_mustRest && pushed >= (m_isDown ? stickRelease : stickPress);
+    const bool isCentred = !wand.padPressed && pushed < stickRelease;
+    m_isIgnored = m_isIgnored && !isCentred;
+    m_mustCentre = wand.padPressed || (m_mustCentre && !isCentred);
+    m_isDown = !m_isIgnored && !m_mustCentre && pushed >= (m_isDown ? stickRelease : stickPress);
     if (!m_isDown)
         m_over.reset();
     else if (!m_over)
@@ -149,7 +149,7 @@ void PadReader::readStick(const WandState& wand, double seconds, PadGestures& ge
 }
 
 /// The mean rate of this frame and the one before, so that few frames slide as far as many.
-double PadReader::stickSlid(const WandState& wand, double seconds)
+double TrackpadReader::stickSlid(const WandState& wand, double seconds)
 {
     if (!wand.padPressed || m_isIgnored) {
         m_stickRate.reset();

@@ -12,7 +12,7 @@ namespace vr
 struct BeginStroke
 {
     bool smooths = false; ///< whatever the tool is
-    bool goesOn = false;  ///< the trigger was not pulled anew: the stroke before it ended because the tool became another
+    bool continues = false;  ///< the trigger was not pulled again: the stroke before it ended because the tool changed
 };
 
 /// Room space.
@@ -87,7 +87,7 @@ struct MoveModel
 /// The model goes with both hands, as if it were tied to them.
 struct StretchModel
 {
-    Room::Span from, to;
+    ModelPlacement::Span from, to;
 };
 
 struct OpenToolMenu
@@ -113,16 +113,16 @@ struct ReleasePanel
 struct Refuse
 {};
 
-using Deed = std::variant<BeginStroke, StrokePoint, EndStroke, Undo, Redo, SaveModel, RestoreModel, ToggleTopology,
+using WandAction = std::variant<BeginStroke, StrokePoint, EndStroke, Undo, Redo, SaveModel, RestoreModel, ToggleTopology,
                           ToggleBrushShape, ToggleSymmetry, ToggleInverse, StepTool, ScaleRadius, SelectChannel,
                           ChangeChannel, TurnModel, ScaleModel, MoveModel, StretchModel, OpenToolMenu, OpenColorPanel,
                           PressPanel, ReleasePanel, Refuse>;
 
 /// What a hand wants done, and by which gesture: its label may fade.
-struct HandCommand
+struct WandCommand
 {
     Side side = Side::Right; ///< of what two hands do together, the sculpting one
     Gesture gesture = Gesture::Trigger;
-    Deed deed;
+    WandAction action;
 };
 } // namespace vr

@@ -20,14 +20,14 @@ WandState unseen(const WandState& wand)
 
 double pressureOf(double trigger)
 {
-    return std::clamp((trigger - triggerRelease) / (1 - triggerRelease), leastPressure, 1.0);
+    return std::clamp((trigger - triggerRelease) / (1 - triggerRelease), minPressure, 1.0);
 }
 } // namespace
 
 double FrameClock::step(double time)
 {
     const double before = std::exchange(m_time, time).value_or(time);
-    return std::clamp(time - before, 0.0, longestFrame);
+    return std::clamp(time - before, 0.0, maxFrameSeconds);
 }
 
 ButtonGestures ButtonReader::read(bool isDown, double seconds)
@@ -56,7 +56,7 @@ ButtonGestures ButtonReader::read(bool isDown, double seconds)
     return gestures;
 }
 
-void ButtonReader::disregard()
+void ButtonReader::ignoreUntilReleased()
 {
     m_isIgnored = true;
     m_held.reset();
@@ -65,15 +65,15 @@ void ButtonReader::disregard()
 WandGestures GestureReader::read(const WandState& wand, double seconds)
 {
     if (!wand.isActive)
-        disregard();
+        ignoreUntilReleased();
     const WandState state = wand.isActive ? wand : unseen(wand);
     m_triggerIsDown = state.trigger >= (m_triggerIsDown ? triggerRelease : triggerPress);
     WandGestures gestures;
     gestures.trigger = m_trigger.read(m_triggerIsDown, seconds);
     if (gestures.trigger.isDown) {
         gestures.pressure = pressureOf(state.trigger);
-        m_menu.disregardHold();
-        m_side.disregardHold();
+        m_menu.cancelHold();
+        m_side.cancelHold();
     }
     gestures.menu = m_menu.read(state.menu, seconds);
     gestures.side = m_side.read(state.side, seconds);
@@ -81,16 +81,16 @@ WandGestures GestureReader::read(const WandState& wand, double seconds)
     return gestures;
 }
 
-void GestureReader::disregard()
+void GestureReader::ignoreUntilReleased()
 {
-    m_trigger.disregard();
-    disregardButtons();
+    m_trigger.ignoreUntilReleased();
+    ignoreButtonsUntilReleased();
 }
 
-void GestureReader::disregardButtons()
+void GestureReader::ignoreButtonsUntilReleased()
 {
-    m_menu.disregard();
-    m_side.disregard();
-    m_pad.disregard();
+    m_menu.ignoreUntilReleased();
+    m_side.ignoreUntilReleased();
+    m_pad.ignoreUntilReleased();
 }
 } // namespace vr

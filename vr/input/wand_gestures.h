@@ -6,10 +6,10 @@ namespace vr
 {
 // Shares of the trigger's way. A Vive wand clicks at about 0.8, which is late.
 inline constexpr double triggerPress = 0.55, triggerRelease = 0.45;
-inline constexpr double leastPressure = 0.05; ///< of a trigger that is down: a stroke does something
+inline constexpr double minPressure = 0.05; ///< of a trigger that is down: a stroke does something
 inline constexpr double holdSeconds = 0.8;    ///< for what must not happen by accident
 /// Seconds. No frame counts as longer: what is held after a stall was perhaps let go meanwhile. Longer than a frame at 5 Hz.
-inline constexpr double longestFrame = 0.25;
+inline constexpr double maxFrameSeconds = 0.25;
 
 /// A button in one frame.
 struct ButtonGestures
@@ -26,15 +26,15 @@ struct ButtonGestures
 struct WandGestures
 {
     ButtonGestures trigger, menu, side; ///< the trigger is not held for long, whatever its hold says
-    double pressure = 0;                ///< of the trigger: leastPressure to 1 while it is down, else 0
-    PadGestures pad;
+    double pressure = 0;                ///< of the trigger: minPressure to 1 while it is down, else 0
+    TrackpadGestures pad;
 };
 
 /// How long a frame counts.
 class FrameClock
 {
 public:
-    /// `time` in seconds. 0 to longestFrame; 0 for the first frame, and where time goes back.
+    /// `time` in seconds. 0 to maxFrameSeconds; 0 for the first frame, and where time goes back.
     double step(double time);
 
 private:
@@ -46,10 +46,10 @@ class ButtonReader
 {
 public:
     ButtonGestures read(bool isDown, double seconds);
-    /// As PadReader::disregard().
-    void disregard();
+    /// As TrackpadReader::ignoreUntilReleased().
+    void ignoreUntilReleased();
     /// The press that goes on is neither held for long nor a tap.
-    void disregardHold() { m_held.reset(); }
+    void cancelHold() { m_held.reset(); }
 
 private:
     bool m_isIgnored = false;
@@ -66,13 +66,13 @@ public:
     /// `seconds`: since the frame before, by a FrameClock.
     WandGestures read(const WandState& wand, double seconds);
     /// What goes on ends, and what is pressed does nothing until it has been let go.
-    void disregard();
-    /// The same, but for the trigger.
-    void disregardButtons();
+    void ignoreUntilReleased();
+    /// As ignoreUntilReleased(), for all buttons except the trigger.
+    void ignoreButtonsUntilReleased();
 
 private:
     bool m_triggerIsDown = false;
     ButtonReader m_trigger, m_menu, m_side;
-    PadReader m_pad;
+    TrackpadReader m_pad;
 };
 } // namespace vr

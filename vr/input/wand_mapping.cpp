@@ -36,7 +36,7 @@ Gesture gestureOf(Sector sector)
 }
 
 /// What a press does at once and once.
-std::optional<Deed> deedOf(WandFunction function)
+std::optional<WandAction> actionOf(WandFunction function)
 {
     switch (function) {
     case WandFunction::Undo:
@@ -77,57 +77,57 @@ Pose tipOf(const WandState& wand)
     return {wand.aim.rotation, wand.grip.position + tipReach * wand.aim.forward()};
 }
 
-std::vector<HandCommand> Hands::choose(const HandsChoice& choice)
+std::vector<WandCommand> WandMapping::setSettings(const WandSettings& settings)
 {
-    std::vector<HandCommand> ended = letGo();
-    m_choice = choice;
+    std::vector<WandCommand> ended = releaseAll();
+    m_settings = settings;
     return ended;
 }
 
-std::vector<HandCommand> Hands::step(const HandsFrame& frame)
+std::vector<WandCommand> WandMapping::step(const InputFrame& frame)
 {
     const double seconds = m_clock.step(frame.time);
     for (const Side side : order())
         at(side).gestures = at(side).reader.read(frame.wands[indexOf(side)], seconds);
     endFinishedStroke(frame);
     for (const Side side : order())
-        takeTrigger(side, frame);
+        updateTrigger(side, frame);
     for (const Side side : order())
-        draws(side) ? at(side).reader.disregardButtons() : takeButtons(side, seconds);
-    takeGrabs(frame);
-    takeStroke(frame);
+        isDrawing(side) ? at(side).reader.ignoreButtonsUntilReleased() : updateButtons(side, seconds);
+    updateGrabs(frame);
+    updateStroke(frame);
     return std::exchange(m_commands, {});
 }
 
-std::vector<HandCommand> Hands::letGo()
+std::vector<WandCommand> WandMapping::releaseAll()
 {
     endStroke();
     for (const Side side : order()) {
         Hand& hand = at(side);
         if (hand.trigger == TriggerUse::Panel)
-            want(side, Gesture::Trigger, ReleasePanel{false});
-        hand.reader.disregard();
+            addCommand(side, Gesture::Trigger, ReleasePanel{false});
+        hand.reader.ignoreUntilReleased();
         hand.gestures = {};
         hand.trigger = TriggerUse::None;
     }
     return std::exchange(m_commands, {});
 }
 
-HandRole Hands::roleOf(Side side) const
+HandRole WandMapping::roleOf(Side side) const
 {
-    return side == m_choice.sculpting ? HandRole::Sculpting : HandRole::Support;
+    return side == m_settings.sculpting ? HandRole::Sculpting : HandRole::Support;
 }
 
-HandMode Hands::modeOf(Side side) const
+HandMode WandMapping::modeOf(Side side) const
 {
     if (roleOf(side) == HandRole::Support)
         return m_toolMenuOpen ? HandMode::ToolMenu : HandMode::Plain;
     if (m_colorPanelOpen)
         return HandMode::ColorPanel;
-    return m_toolMenuOpen && m_choice.preset == Preset::OneHand ? HandMode::ToolMenu : HandMode::Plain;
+    return m_toolMenuOpen && m_settings.preset == ButtonPreset::OneHand ? HandMode::ToolMenu : HandMode::Plain;
 }
 
-std::optional<Hands::Hold> Hands::hold(Side side) const
+std::optional<WandMapping::Hold> WandMapping::hold(Side side) const
 {
     const WandGestures& gestures = at(side).gestures;
     if (gestures.side.hold > 0 && functionOf(side, Gesture::SqueezeHold))
@@ -138,72 +138,72 @@ std::optional<Hands::Hold> Hands::hold(Side side) const
 }
 
 /// By their roles, not by left and right: swapped hands do the same in the same order.
-std::array<Side, sideCount> Hands::order() const
+std::array<Side, sideCount> WandMapping::order() const
 {
-    return {m_choice.sculpting, other(m_choice.sculpting)};
+    return {m_settings.sculpting, other(m_settings.sculpting)};
 }
 
-std::optional<WandFunction> Hands::functionOf(Side side, Gesture gesture) const
+std::optional<WandFunction> WandMapping::functionOf(Side side, Gesture gesture) const
 {
-    return vr::functionOf(m_choice.preset, {roleOf(side), modeOf(side), gesture});
+    return vr::functionOf(m_settings.preset, {roleOf(side), modeOf(side), gesture});
 }
 
-void Hands::want(Side side, Gesture gesture, const Deed& deed)
+void WandMapping::addCommand(Side side, Gesture gesture, const WandAction& action)
 {
-    m_commands.push_back({side, gesture, deed});
+    m_commands.push_back({side, gesture, action});
 }
 
-void Hands::endStroke()
+void WandMapping::endStroke()
 {
     if (m_stroke && m_stroke->isBegun)
-        want(m_stroke->side, Gesture::Trigger, EndStroke{});
+        addCommand(m_stroke->side, Gesture::Trigger, EndStroke{});
     m_stroke.reset();
 }
 
 /// Its trigger was let go, or its wand was not seen for long.
-void Hands::endFinishedStroke(const HandsFrame& frame)
+void WandMapping::endFinishedStroke(const InputFrame& frame)
 {
     if (!m_stroke)
         return;
     if (frame.wands[indexOf(m_stroke->side)].isTracked)
         m_stroke->seenAt = frame.time;
-    const bool isLost = frame.time - m_stroke->seenAt > longestBlink;
+    const bool isLost = frame.time - m_stroke->seenAt > maxTrackingGap;
     if (isLost || !at(m_stroke->side).gestures.trigger.isDown)
         endStroke();
 }
 
-void Hands::takeTrigger(Side side, const HandsFrame& frame)
+void WandMapping::updateTrigger(Side side, const InputFrame& frame)
 {
     Hand& hand = at(side);
     if (hand.gestures.trigger.wentUp && hand.trigger == TriggerUse::Panel)
-        want(side, Gesture::Trigger, ReleasePanel{frame.wands[indexOf(side)].isActive});
+        addCommand(side, Gesture::Trigger, ReleasePanel{frame.wands[indexOf(side)].isActive});
     if (!hand.gestures.trigger.isDown)
         hand.trigger = TriggerUse::None;
     if (hand.gestures.trigger.wentDown)
-        pull(side, frame);
+        pressTrigger(side, frame);
 }
 
-void Hands::pull(Side side, const HandsFrame& frame)
+void WandMapping::pressTrigger(Side side, const InputFrame& frame)
 {
-    const bool isPanels = frame.pointsAtPanel[indexOf(side)];
-    at(side).trigger = isPanels ? TriggerUse::Panel : TriggerUse::Function;
-    if (isPanels)
-        return want(side, Gesture::Trigger, PressPanel{});
+    const bool isOnPanel = frame.pointsAtPanel[indexOf(side)];
+    at(side).trigger = isOnPanel ? TriggerUse::Panel : TriggerUse::Function;
+    if (isOnPanel)
+        return addCommand(side, Gesture::Trigger, PressPanel{});
     if (functionOf(side, Gesture::Trigger) != WandFunction::Sculpt)
         return;
     if (frame.wands[indexOf(side)].isTracked && !m_stroke)
         m_stroke = {side, frame.time};
     else
-        want(side, Gesture::Trigger, Refuse{});
+        addCommand(side, Gesture::Trigger, Refuse{});
 }
 
-void Hands::takeButtons(Side side, double seconds)
+void WandMapping::updateButtons(Side side, double seconds)
 {
     const WandGestures& gestures = at(side).gestures;
     if (gestures.pad.pressed)
         press(side, gestureOf(*gestures.pad.pressed));
     else if (gestures.pad.held)
-        keepPressing(side, gestureOf(*gestures.pad.held), seconds);
+        holdButton(side, gestureOf(*gestures.pad.held), seconds);
     if (gestures.pad.slide != Eigen::Vector2d::Zero()) {
         slide(side, Gesture::Slide, gestures.pad.slide.sum());
         slide(side, Gesture::SlideUpDown, gestures.pad.slide.y());
@@ -218,69 +218,69 @@ void Hands::takeButtons(Side side, double seconds)
         press(side, Gesture::SqueezeHold);
 }
 
-void Hands::press(Side side, Gesture gesture)
+void WandMapping::press(Side side, Gesture gesture)
 {
     const std::optional<WandFunction> function = functionOf(side, gesture);
     if (!function)
         return;
     if (m_stroke && waitsForStroke(*function))
-        return want(side, gesture, Refuse{});
-    if (const std::optional<Deed> deed = deedOf(*function))
-        return want(side, gesture, *deed);
+        return addCommand(side, gesture, Refuse{});
+    if (const std::optional<WandAction> action = actionOf(*function))
+        return addCommand(side, gesture, *action);
     if (*function == WandFunction::ToggleToolMenu) {
         m_toolMenuOpen = !m_toolMenuOpen;
-        want(side, gesture, OpenToolMenu{m_toolMenuOpen});
+        addCommand(side, gesture, OpenToolMenu{m_toolMenuOpen});
     } else if (*function == WandFunction::ToggleColorPanel) {
         m_colorPanelOpen = !m_colorPanelOpen;
-        want(side, gesture, OpenColorPanel{m_colorPanelOpen});
+        addCommand(side, gesture, OpenColorPanel{m_colorPanelOpen});
     } else if (*function == WandFunction::PreviousChannel || *function == WandFunction::NextChannel) {
         const int by = *function == WandFunction::NextChannel ? 1 : channelCount - 1;
         m_channel = (m_channel + by) % channelCount;
-        want(side, gesture, SelectChannel{m_channel});
+        addCommand(side, gesture, SelectChannel{m_channel});
     }
 }
 
-void Hands::keepPressing(Side side, Gesture gesture, double seconds)
+void WandMapping::holdButton(Side side, Gesture gesture, double seconds)
 {
     const std::optional<WandFunction> function = functionOf(side, gesture);
     const double angle = turnSpeed * std::numbers::pi / 180 * seconds;
     if (function == WandFunction::TurnClockwise)
-        want(side, gesture, TurnModel{-angle});
+        addCommand(side, gesture, TurnModel{-angle});
     else if (function == WandFunction::TurnAnticlockwise)
-        want(side, gesture, TurnModel{angle});
+        addCommand(side, gesture, TurnModel{angle});
 }
 
-void Hands::slide(Side side, Gesture gesture, double by)
+void WandMapping::slide(Side side, Gesture gesture, double by)
 {
     const std::optional<WandFunction> function = functionOf(side, gesture);
     if (!function || by == 0)
         return;
     if (*function == WandFunction::ScaleModel)
-        want(side, gesture, ScaleModel{std::exp2(by / slideDoubles)});
+        addCommand(side, gesture, ScaleModel{std::exp2(by / slidePerDoubling)});
     else if (*function == WandFunction::SetRadius)
-        want(side, gesture, ScaleRadius{std::exp2(by / slideDoubles)});
+        addCommand(side, gesture, ScaleRadius{std::exp2(by / slidePerDoubling)});
     else if (*function == WandFunction::SetChannel)
         changeChannel(side, gesture, by);
 }
 
 /// What is less than one of 255 is kept for the next frame.
-void Hands::changeChannel(Side side, Gesture gesture, double by)
+void WandMapping::changeChannel(Side side, Gesture gesture, double by)
 {
-    m_channelRest += by * channelSlide;
-    const int whole = static_cast<int>(m_channelRest);
-    m_channelRest -= whole;
+    m_channelRemainder += by * channelSlide;
+    const int whole = static_cast<int>(m_channelRemainder);
+    m_channelRemainder -= whole;
     if (whole != 0)
-        want(side, gesture, ChangeChannel{m_channel, whole});
+        addCommand(side, gesture, ChangeChannel{m_channel, whole});
 }
 
-bool Hands::usesTrigger(Side side, WandFunction function) const
+bool WandMapping::usesTrigger(Side side, WandFunction function) const
 {
     return at(side).trigger == TriggerUse::Function && functionOf(side, Gesture::Trigger) == function;
 }
 
-bool Hands::grabs(Side side) const
+bool WandMapping::isGrabbing(Side side) const
 {
-    if (draws(side))
+    if (isDrawing(side))
         return false;
     const bool squeezes =
         at(side).gestures.side.isDown && functionOf(side, Gesture::Squeeze) == WandFunction::MoveModel;
@@ -288,13 +288,13 @@ bool Hands::grabs(Side side) const
 }
 
 /// By the way that each grip went since the frame before, if it was there and grabbed already.
-void Hands::takeGrabs(const HandsFrame& frame)
+void WandMapping::updateGrabs(const InputFrame& frame)
 {
     std::array<std::optional<Pose>, sideCount> from, to;
     const std::array<Side, sideCount> sides = order();
     for (std::size_t i = 0; i < sideCount; ++i) {
         const WandState& wand = frame.wands[indexOf(sides[i])];
-        if (grabs(sides[i]) && wand.isTracked)
+        if (isGrabbing(sides[i]) && wand.isTracked)
             to[i] = wand.grip;
         from[i] = std::exchange(at(sides[i]).grip, to[i]);
     }
@@ -303,14 +303,14 @@ void Hands::takeGrabs(const HandsFrame& frame)
     };
     const bool both = to[0] && to[1];
     if (both && from[0] && from[1])
-        return want(sides[0], gestureAt(sides[0]),
+        return addCommand(sides[0], gestureAt(sides[0]),
                     StretchModel{{from[0]->position, from[1]->position}, {to[0]->position, to[1]->position}});
     for (std::size_t i = 0; i < sideCount && !both; ++i)
         if (from[i] && to[i])
-            want(sides[i], gestureAt(sides[i]), MoveModel{*from[i], *to[i]});
+            addCommand(sides[i], gestureAt(sides[i]), MoveModel{*from[i], *to[i]});
 }
 
-void Hands::takeStroke(const HandsFrame& frame)
+void WandMapping::updateStroke(const InputFrame& frame)
 {
     if (!m_stroke)
         return;
@@ -320,14 +320,14 @@ void Hands::takeStroke(const HandsFrame& frame)
         return;
     const bool smooths = usesTrigger(other(side), WandFunction::Smooth);
     if (m_stroke->isBegun && smooths != m_stroke->smooths) {
-        want(side, Gesture::Trigger, EndStroke{});
+        addCommand(side, Gesture::Trigger, EndStroke{});
         m_stroke->isBegun = false;
-        m_stroke->goesOn = true;
+        m_stroke->continues = true;
     }
     if (!m_stroke->isBegun)
-        want(side, Gesture::Trigger, BeginStroke{smooths, m_stroke->goesOn});
+        addCommand(side, Gesture::Trigger, BeginStroke{smooths, m_stroke->continues});
     m_stroke->isBegun = true;
     m_stroke->smooths = smooths;
-    want(side, Gesture::Trigger, StrokePoint{frame.time, tipOf(wand), at(side).gestures.pressure});
+    addCommand(side, Gesture::Trigger, StrokePoint{frame.time, tipOf(wand), at(side).gestures.pressure});
 }
 } // namespace vr

@@ -12,27 +12,27 @@ namespace vr
 Pose tipOf(const WandState& wand);
 
 inline constexpr double turnSpeed = 60;     ///< degrees a second, as the desktop's turntable
-inline constexpr double longestBlink = 0.1; ///< seconds; a wand unseen for longer ends its stroke
-inline constexpr double slideDoubles = 1;   ///< radii of the pad that double the model's size, or the brush's
+inline constexpr double maxTrackingGap = 0.1; ///< seconds; a wand unseen for longer ends its stroke
+inline constexpr double slidePerDoubling = 1;   ///< radii of the pad that double the model's size, or the brush's
 /// Of a colour channel, for a radius of the pad: its whole height is half the channel's range, which leaves a thumb its finest steps.
 inline constexpr double channelSlide = 255.0 / 4;
 
-struct HandsFrame
+struct InputFrame
 {
     double time = 0; ///< seconds; of the predicted display
     Wands wands;
     std::array<bool, sideCount> pointsAtPanel{}; ///< by Side
 };
 
-struct HandsChoice
+struct WandSettings
 {
-    Preset preset = Preset::Paper;
+    ButtonPreset preset = ButtonPreset::Paper;
     Side sculpting = Side::Right;
 
-    bool operator==(const HandsChoice&) const = default;
+    bool operator==(const WandSettings&) const = default;
 };
 
-/// What two hands want done, frame by frame. Pure: any thread, no clock but the frames' own.
+/// Maps the gestures of both wands to commands, frame by frame. Pure: any thread, no clock but the frames' own.
 ///
 /// A trigger that is pulled while its wand points at a panel is the panel's until it is let go. Else it begins a stroke, at the wand's
 /// tip in that same frame, if its hand sculpts; one stroke is open at a time. While a hand draws, nothing else of it counts:
@@ -40,18 +40,18 @@ struct HandsChoice
 /// hand does to the view comes, in a frame's list, before the stroke's point.
 ///
 /// Points come as the frames fall: to stand the dabs evenly along their path is core's (StrokeSettings::spacing).
-class Hands
+class WandMapping
 {
 public:
-    explicit Hands(const HandsChoice& choice = {}) : m_choice(choice) {}
+    explicit WandMapping(const WandSettings& settings = {}) : m_settings(settings) {}
 
-    const HandsChoice& choice() const { return m_choice; }
-    /// What goes on ends, as by letGo().
-    std::vector<HandCommand> choose(const HandsChoice& choice);
+    const WandSettings& settings() const { return m_settings; }
+    /// What goes on ends, as by releaseAll().
+    std::vector<WandCommand> setSettings(const WandSettings& settings);
 
-    std::vector<HandCommand> step(const HandsFrame& frame);
+    std::vector<WandCommand> step(const InputFrame& frame);
     /// Ends what goes on; what is pressed does nothing until it has been let go. Panels stay as they are.
-    std::vector<HandCommand> letGo();
+    std::vector<WandCommand> releaseAll();
 
     HandRole roleOf(Side side) const;
     /// Plain: its panel is closed.
@@ -59,7 +59,7 @@ public:
     /// 0 red, 1 green, 2 blue.
     int channel() const { return m_channel; }
     void selectChannel(int channel) { m_channel = channel; }
-    bool draws(Side side) const { return m_stroke && m_stroke->side == side; }
+    bool isDrawing(Side side) const { return m_stroke && m_stroke->side == side; }
     /// In the last frame.
     const WandGestures& gestures(Side side) const { return at(side).gestures; }
 
@@ -89,36 +89,36 @@ private:
         double seenAt; ///< the wand, last
         bool isBegun = false;
         bool smooths = false;
-        bool goesOn = false;
+        bool continues = false;
     };
 
     Hand& at(Side side) { return m_hands[static_cast<std::size_t>(side)]; }
     const Hand& at(Side side) const { return m_hands[static_cast<std::size_t>(side)]; }
     std::array<Side, sideCount> order() const;
     std::optional<WandFunction> functionOf(Side side, Gesture gesture) const;
-    void want(Side side, Gesture gesture, const Deed& deed);
+    void addCommand(Side side, Gesture gesture, const WandAction& action);
 
     void endStroke();
-    void endFinishedStroke(const HandsFrame& frame);
-    void takeTrigger(Side side, const HandsFrame& frame);
-    void pull(Side side, const HandsFrame& frame);
-    void takeButtons(Side side, double seconds);
+    void endFinishedStroke(const InputFrame& frame);
+    void updateTrigger(Side side, const InputFrame& frame);
+    void pressTrigger(Side side, const InputFrame& frame);
+    void updateButtons(Side side, double seconds);
     void press(Side side, Gesture gesture);
-    void keepPressing(Side side, Gesture gesture, double seconds);
+    void holdButton(Side side, Gesture gesture, double seconds);
     void slide(Side side, Gesture gesture, double by);
     void changeChannel(Side side, Gesture gesture, double by);
     bool usesTrigger(Side side, WandFunction function) const;
-    bool grabs(Side side) const;
-    void takeGrabs(const HandsFrame& frame);
-    void takeStroke(const HandsFrame& frame);
+    bool isGrabbing(Side side) const;
+    void updateGrabs(const InputFrame& frame);
+    void updateStroke(const InputFrame& frame);
 
-    HandsChoice m_choice;
+    WandSettings m_settings;
     FrameClock m_clock;
     std::array<Hand, sideCount> m_hands;
     bool m_toolMenuOpen = false, m_colorPanelOpen = false;
     int m_channel = 0;
-    double m_channelRest = 0; ///< slid, but less than one
+    double m_channelRemainder = 0; ///< slid, but less than one
     std::optional<OpenStroke> m_stroke;
-    std::vector<HandCommand> m_commands; ///< of the frame
+    std::vector<WandCommand> m_commands; ///< of the frame
 };
 } // namespace vr

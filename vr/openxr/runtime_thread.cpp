@@ -7,7 +7,7 @@ namespace vr
 {
 namespace
 {
-std::atomic<bool> leftWork = false;
+std::atomic<bool> abandonedWork = false;
 } // namespace
 
 RuntimeThread::~RuntimeThread()
@@ -15,59 +15,59 @@ RuntimeThread::~RuntimeThread()
     if (!isWorking())
         return;
     {
-        const std::lock_guard lock(m_letters->mutex);
-        m_letters->reader = nullptr;
-        m_letters->waiting.clear();
+        const std::lock_guard lock(m_tasks->mutex);
+        m_tasks->receiver = nullptr;
+        m_tasks->pending.clear();
     }
     if (waitForEnd({})) {
         m_thread.join();
     } else {
-        leftWork = true;
+        abandonedWork = true;
         m_thread.detach();
     }
 }
 
 void RuntimeThread::start(Work work)
 {
-    m_letters = std::make_shared<Letters>();
-    m_letters->reader = this;
+    m_tasks = std::make_shared<TaskQueue>();
+    m_tasks->receiver = this;
     std::promise<void> end;
     m_end = end.get_future();
-    m_thread = std::thread([this, letters = m_letters, end = std::move(end), work = std::move(work)]() mutable {
-        work([&letters](Letter letter) { post(*letters, std::move(letter)); });
+    m_thread = std::thread([this, tasks = m_tasks, end = std::move(end), work = std::move(work)]() mutable {
+        work([&tasks](Task task) { post(*tasks, std::move(task)); });
         work = nullptr;
-        post(*letters, [this] { finish(); }); // is opened only while we are there
+        post(*tasks, [this] { finish(); }); // runs only while this object exists
         end.set_value();
     });
 }
 
-bool RuntimeThread::waitForEnd(std::chrono::milliseconds longest) const
+bool RuntimeThread::waitForEnd(std::chrono::milliseconds timeout) const
 {
-    return !isWorking() || m_end.wait_for(longest) == std::future_status::ready;
+    return !isWorking() || m_end.wait_for(timeout) == std::future_status::ready;
 }
 
-bool RuntimeThread::hasLeftWork()
+bool RuntimeThread::hasAbandonedWork()
 {
-    return leftWork;
+    return abandonedWork;
 }
 
-void RuntimeThread::post(Letters& letters, Letter letter)
+void RuntimeThread::post(TaskQueue& tasks, Task task)
 {
-    const std::lock_guard lock(letters.mutex);
-    if (!letters.reader)
+    const std::lock_guard lock(tasks.mutex);
+    if (!tasks.receiver)
         return;
-    letters.waiting.push_back(std::move(letter));
-    QMetaObject::invokeMethod(letters.reader, "open", Qt::QueuedConnection); // by name: a functor would lie in Qt's queue
+    tasks.pending.push_back(std::move(task));
+    QMetaObject::invokeMethod(tasks.receiver, "open", Qt::QueuedConnection); // by name: a functor would lie in Qt's queue
 }
 
-/// One, for each has rung.
+/// Runs one task: every post() queues one call.
 void RuntimeThread::open()
 {
-    std::unique_lock lock(m_letters->mutex);
-    const Letter letter = std::move(m_letters->waiting.front());
-    m_letters->waiting.pop_front();
+    std::unique_lock lock(m_tasks->mutex);
+    const Task task = std::move(m_tasks->pending.front());
+    m_tasks->pending.pop_front();
     lock.unlock();
-    letter();
+    task();
 }
 
 /// The thread has nothing more to do.

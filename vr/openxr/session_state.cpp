@@ -2,30 +2,30 @@
 
 namespace vr
 {
-SessionStep nextStep(const SessionStanding& standing, XrSessionState told)
+SessionStep nextStep(const SessionStatus& status, XrSessionState state)
 {
-    switch (told) {
+    switch (state) {
     case XR_SESSION_STATE_IDLE:
-        return standing.isLeaving && !standing.isRunning ? SessionStep::Leave : SessionStep::KeepOn;
+        return status.isExiting && !status.isRunning ? SessionStep::Exit : SessionStep::Continue;
     case XR_SESSION_STATE_READY:
-        if (standing.isRunning)
-            return SessionStep::KeepOn;
-        return standing.isLeaving ? SessionStep::Leave : SessionStep::Begin;
-    case XR_SESSION_STATE_STOPPING: return standing.isRunning ? SessionStep::End : SessionStep::KeepOn;
-    case XR_SESSION_STATE_EXITING: return SessionStep::Leave;
+        if (status.isRunning)
+            return SessionStep::Continue;
+        return status.isExiting ? SessionStep::Exit : SessionStep::Begin;
+    case XR_SESSION_STATE_STOPPING: return status.isRunning ? SessionStep::End : SessionStep::Continue;
+    case XR_SESSION_STATE_EXITING: return SessionStep::Exit;
     case XR_SESSION_STATE_LOSS_PENDING: return SessionStep::Lost;
-    default: return SessionStep::KeepOn;
+    default: return SessionStep::Continue;
     }
 }
 
-SessionStanding afterStep(SessionStanding standing, XrSessionState told)
+SessionStatus afterStep(SessionStatus status, XrSessionState state)
 {
-    const SessionStep step = nextStep(standing, told);
-    standing.state = told;
+    const SessionStep step = nextStep(status, state);
+    status.state = state;
     if (step == SessionStep::Begin)
-        standing.isRunning = true;
+        status.isRunning = true;
     if (step == SessionStep::End)
-        standing.isRunning = false;
-    return standing;
+        status.isRunning = false;
+    return status;
 }
 } // namespace vr

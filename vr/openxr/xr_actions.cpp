@@ -19,7 +19,7 @@ XrDuration nanoseconds(double seconds)
     return seconds > 0 ? static_cast<XrDuration>(std::llround(seconds * 1e9)) : XR_MIN_HAPTIC_DURATION;
 }
 
-bool isOfSticks(const std::string& profile)
+bool hasThumbstick(const std::string& profile)
 {
     return std::ranges::any_of(wandProfiles(),
                                [&](const WandProfile& one) { return one.isStick && profile == one.path; });
@@ -155,14 +155,14 @@ void Actions::readPoses(std::size_t side, XrSpace room, XrTime time)
     wand.isTracked = hasGrip && hasAim;
 }
 
-XrActionStateGetInfo Actions::asking(Control control, std::size_t side) const
+XrActionStateGetInfo Actions::stateGetInfo(Control control, std::size_t side) const
 {
     return {XR_TYPE_ACTION_STATE_GET_INFO, nullptr, action(control), m_hands[side].path};
 }
 
 bool Actions::isPressed(Control control, std::size_t side) const
 {
-    const XrActionStateGetInfo info = asking(control, side);
+    const XrActionStateGetInfo info = stateGetInfo(control, side);
     XrActionStateBoolean state{};
     state.type = XR_TYPE_ACTION_STATE_BOOLEAN;
     check(xrGetActionStateBoolean(m_session, &info, &state), "xrGetActionStateBoolean");
@@ -172,16 +172,16 @@ bool Actions::isPressed(Control control, std::size_t side) const
 void Actions::readButtons(std::size_t side)
 {
     WandState& wand = m_wands[side];
-    const XrActionStateGetInfo aboutTrigger = asking(Control::Trigger, side), aboutPad = asking(Control::Pad, side);
+    const XrActionStateGetInfo triggerInfo = stateGetInfo(Control::Trigger, side), padInfo = stateGetInfo(Control::Pad, side);
     XrActionStateFloat trigger{};
     trigger.type = XR_TYPE_ACTION_STATE_FLOAT;
-    check(xrGetActionStateFloat(m_session, &aboutTrigger, &trigger), "xrGetActionStateFloat");
+    check(xrGetActionStateFloat(m_session, &triggerInfo, &trigger), "xrGetActionStateFloat");
     wand.isActive = trigger.isActive;
     if (!wand.isActive)
         return;
     XrActionStateVector2f pad{};
     pad.type = XR_TYPE_ACTION_STATE_VECTOR2F;
-    check(xrGetActionStateVector2f(m_session, &aboutPad, &pad), "xrGetActionStateVector2f");
+    check(xrGetActionStateVector2f(m_session, &padInfo, &pad), "xrGetActionStateVector2f");
     wand.trigger = trigger.currentState;
     if (pad.isActive)
         wand.pad = {pad.currentState.x, pad.currentState.y};
@@ -203,13 +203,13 @@ void Actions::pulse(const HapticPulse& pulse)
     check(xrApplyHapticFeedback(m_session, &info, reinterpret_cast<const XrHapticBaseHeader*>(&vibration)), "xrApplyHapticFeedback");
 }
 
-void Actions::refreshKinds()
+void Actions::refreshProfiles()
 {
     for (Hand& hand : m_hands) {
         XrInteractionProfileState state{};
         state.type = XR_TYPE_INTERACTION_PROFILE_STATE;
         check(xrGetCurrentInteractionProfile(m_session, hand.path, &state), "xrGetCurrentInteractionProfile");
-        hand.isStick = isOfSticks(m_instance.text(state.interactionProfile));
+        hand.isStick = hasThumbstick(m_instance.text(state.interactionProfile));
     }
 }
 } // namespace vr

@@ -25,7 +25,7 @@ public:
     void pulse(const HapticPulse& pulse);
 
     /// To be called when the runtime says that a wand is of another kind, and once when the focus is new.
-    void refreshKinds();
+    void refreshProfiles();
 
     /// Kinds of wands that the runtime does not take, with its result's name.
     const QStringList& refusedProfiles() const { return m_refused; }
@@ -46,7 +46,7 @@ private:
     bool sync();
     void readPoses(std::size_t side, XrSpace room, XrTime time);
     void readButtons(std::size_t side);
-    XrActionStateGetInfo asking(Control control, std::size_t side) const;
+    XrActionStateGetInfo stateGetInfo(Control control, std::size_t side) const;
     bool isPressed(Control control, std::size_t side) const;
     XrAction action(Control control) const { return m_actions[static_cast<std::size_t>(control)].get(); }
 

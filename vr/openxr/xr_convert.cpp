@@ -26,7 +26,7 @@ XrPosef toXr(const Pose& pose)
     return {{q.x(), q.y(), q.z(), q.w()}, {p.x(), p.y(), p.z()}};
 }
 
-bool isPlace(const XrVector3f& place)
+bool isFinitePosition(const XrVector3f& place)
 {
     return std::isfinite(place.x) && std::isfinite(place.y) && std::isfinite(place.z);
 }
@@ -41,7 +41,7 @@ bool isRotation(const XrQuaternionf& rotation)
 bool isValid(const XrSpaceLocation& location)
 {
     return hasAll(location.locationFlags, XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT) &&
-           isPlace(location.pose.position) && isRotation(location.pose.orientation);
+           isFinitePosition(location.pose.position) && isRotation(location.pose.orientation);
 }
 
 bool isTracked(const XrSpaceLocation& location)

@@ -11,7 +11,7 @@ Pose fromXr(const XrPosef& pose);
 XrPosef toXr(const Pose& pose);
 
 /// They are numbers, and a rotation is one: a runtime that calls something else known would spoil all that is done with it, once for all.
-bool isPlace(const XrVector3f& place);
+bool isFinitePosition(const XrVector3f& place);
 bool isRotation(const XrQuaternionf& rotation);
 
 /// Both parts of a pose are known; else what they say means nothing.

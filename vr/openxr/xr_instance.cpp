@@ -20,7 +20,7 @@ template <std::size_t N> QString textOf(const char (&name)[N])
 
 std::vector<const char*> offeredExtensions()
 {
-    const auto offered = listed("xrEnumerateInstanceExtensionProperties", XrExtensionProperties{XR_TYPE_EXTENSION_PROPERTIES, nullptr, {}, 0},
+    const auto offered = enumerate("xrEnumerateInstanceExtensionProperties", XrExtensionProperties{XR_TYPE_EXTENSION_PROPERTIES, nullptr, {}, 0},
                                 [](auto capacity, auto* count, auto* items) {
                                     return xrEnumerateInstanceExtensionProperties(nullptr, capacity, count, items);
                                 });
@@ -62,9 +62,9 @@ Instance::Instance() : Instance(std::unique_lock(onlyInstance)) {}
 
 Instance::Instance(std::try_to_lock_t) : Instance(std::unique_lock(onlyInstance, std::try_to_lock)) {}
 
-Instance::Instance(std::unique_lock<std::mutex> only) : m_only(std::move(only))
+Instance::Instance(std::unique_lock<std::mutex> lock) : m_lock(std::move(lock))
 {
-    if (!m_only) {
+    if (!m_lock) {
         m_status.state = HeadsetStatus::State::InUse;
         return;
     }
@@ -113,7 +113,7 @@ std::string Instance::text(XrPath path) const
 {
     if (path == XR_NULL_PATH)
         return {};
-    const auto letters = listed("xrPathToString", char{}, [&](auto capacity, auto* count, auto* items) {
+    const auto letters = enumerate("xrPathToString", char{}, [&](auto capacity, auto* count, auto* items) {
         return xrPathToString(handle(), path, capacity, count, items);
     });
     return std::string(letters.data(), strnlen(letters.data(), letters.size()));

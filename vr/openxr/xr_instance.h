@@ -60,11 +60,11 @@ public:
     }
 
 private:
-    explicit Instance(std::unique_lock<std::mutex> only);
+    explicit Instance(std::unique_lock<std::mutex> lock);
     void create();
     void findHeadset();
 
-    std::unique_lock<std::mutex> m_only;
+    std::unique_lock<std::mutex> m_lock;
     HeadsetStatus m_status;
     std::vector<const char*> m_extensions;
     InstanceHandle m_handle;

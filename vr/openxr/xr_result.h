@@ -32,7 +32,7 @@ private:
 XrResult check(XrResult result, const char* call);
 
 /// What a function of the two-call idiom lists; ask(capacity, count, items). `blank` has type and next filled in. Throws XrError.
-template <class Item, class Ask> std::vector<Item> listed(const char* call, const Item& blank, Ask ask)
+template <class Item, class Ask> std::vector<Item> enumerate(const char* call, const Item& blank, Ask ask)
 {
     for (;;) {
         std::uint32_t count = 0;

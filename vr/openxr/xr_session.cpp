@@ -13,7 +13,7 @@ namespace
 XrViewConfigurationType viewConfigurationOf(const Instance& instance)
 {
     const auto offered =
-        listed("xrEnumerateViewConfigurations", XrViewConfigurationType{}, [&](auto capacity, auto* count, auto* items) {
+        enumerate("xrEnumerateViewConfigurations", XrViewConfigurationType{}, [&](auto capacity, auto* count, auto* items) {
             return xrEnumerateViewConfigurations(instance.handle(), instance.system(), capacity, count, items);
         });
     for (const auto type : {XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_MONO})
@@ -26,7 +26,7 @@ XrViewConfigurationType viewConfigurationOf(const Instance& instance)
 XrEnvironmentBlendMode blendModeOf(const Instance& instance, XrViewConfigurationType type)
 {
     const auto offered =
-        listed("xrEnumerateEnvironmentBlendModes", XrEnvironmentBlendMode{}, [&](auto capacity, auto* count, auto* items) {
+        enumerate("xrEnumerateEnvironmentBlendModes", XrEnvironmentBlendMode{}, [&](auto capacity, auto* count, auto* items) {
             return xrEnumerateEnvironmentBlendModes(instance.handle(), instance.system(), type, capacity, count, items);
         });
     const bool hasOpaque = std::find(offered.begin(), offered.end(), XR_ENVIRONMENT_BLEND_MODE_OPAQUE) != offered.end();
@@ -37,7 +37,7 @@ std::vector<ImageSize> imageSizesOf(const Instance& instance, XrViewConfiguratio
 {
     XrViewConfigurationView blank{};
     blank.type = XR_TYPE_VIEW_CONFIGURATION_VIEW;
-    const auto views = listed("xrEnumerateViewConfigurationViews", blank, [&](auto capacity, auto* count, auto* items) {
+    const auto views = enumerate("xrEnumerateViewConfigurationViews", blank, [&](auto capacity, auto* count, auto* items) {
         return xrEnumerateViewConfigurationViews(instance.handle(), instance.system(), type, capacity, count, items);
     });
     std::vector<ImageSize> sizes;
@@ -47,7 +47,7 @@ std::vector<ImageSize> imageSizesOf(const Instance& instance, XrViewConfiguratio
 }
 
 /// OpenXR wants to be asked before a session is made; what it answers is for people who choose a driver.
-void askRequirements(const Instance& instance)
+void queryRequirements(const Instance& instance)
 {
     XrGraphicsRequirementsOpenGLKHR requirements{};
     requirements.type = XR_TYPE_GRAPHICS_REQUIREMENTS_OPENGL_KHR;
@@ -58,7 +58,7 @@ void askRequirements(const Instance& instance)
 
 SessionHandle makeSession(const Instance& instance, const GlBinding& binding)
 {
-    askRequirements(instance);
+    queryRequirements(instance);
     const XrSessionCreateInfo info{XR_TYPE_SESSION_CREATE_INFO, binding.next(), 0, instance.system()};
     XrSession made = XR_NULL_HANDLE;
     check(xrCreateSession(instance.handle(), &info, &made), "xrCreateSession");
@@ -67,7 +67,7 @@ SessionHandle makeSession(const Instance& instance, const GlBinding& binding)
 
 ImageFormat imageFormatOf(XrSession session)
 {
-    const auto offered = listed("xrEnumerateSwapchainFormats", std::int64_t{}, [&](auto capacity, auto* count, auto* items) {
+    const auto offered = enumerate("xrEnumerateSwapchainFormats", std::int64_t{}, [&](auto capacity, auto* count, auto* items) {
         return xrEnumerateSwapchainFormats(session, capacity, count, items);
     });
     if (const auto best = bestFormat(offered))

@@ -21,9 +21,9 @@ SpaceHandle makeSpace(XrSession session, XrReferenceSpaceType type, const Pose& 
     return SpaceHandle(made);
 }
 
-XrReferenceSpaceType typeOfRoom(XrSession session)
+XrReferenceSpaceType roomSpaceType(XrSession session)
 {
-    const auto offered = listed("xrEnumerateReferenceSpaces", XrReferenceSpaceType{}, [&](auto capacity, auto* count, auto* items) {
+    const auto offered = enumerate("xrEnumerateReferenceSpaces", XrReferenceSpaceType{}, [&](auto capacity, auto* count, auto* items) {
         return xrEnumerateReferenceSpaces(session, capacity, count, items);
     });
     const bool hasStage = std::find(offered.begin(), offered.end(), XR_REFERENCE_SPACE_TYPE_STAGE) != offered.end();
@@ -42,7 +42,7 @@ Pose firstBase(XrReferenceSpaceType type)
 
 Spaces::Spaces(XrSession session)
     : m_session(session)
-    , m_type(typeOfRoom(session))
+    , m_type(roomSpaceType(session))
     , m_base(firstBase(m_type))
     , m_room(makeSpace(session, m_type, m_base))
     , m_view(makeSpace(session, XR_REFERENCE_SPACE_TYPE_VIEW, {}))
@@ -63,7 +63,7 @@ std::optional<Pose> Spaces::head(XrTime time)
     return m_head;
 }
 
-void Spaces::noteChange(const XrEventDataReferenceSpaceChangePending& event)
+void Spaces::notePendingChange(const XrEventDataReferenceSpaceChangePending& event)
 {
     if (event.session == m_session && event.referenceSpaceType == m_type)
         m_changes.push_back(event.changeTime);

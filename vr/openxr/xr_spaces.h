@@ -20,7 +20,7 @@ public:
     std::optional<Pose> head(XrTime time);
 
     /// A person who recentres in the runtime's own menu is to stand where that says: from the event's time on our own recentring is void.
-    void noteChange(const XrEventDataReferenceSpaceChangePending& event);
+    void notePendingChange(const XrEventDataReferenceSpaceChangePending& event);
     /// To be called with each frame's time; whether room space is another from this frame on.
     bool advance(XrTime time);
 

@@ -46,7 +46,7 @@ Swapchain::Swapchain(XrSession session, const ImageFormat& format, const ImageSi
     : m_size(size), m_handle(makeSwapchain(session, format, size))
 {
     const auto images =
-        listed("xrEnumerateSwapchainImages", XrSwapchainImageOpenGLKHR{XR_TYPE_SWAPCHAIN_IMAGE_OPENGL_KHR, nullptr, 0},
+        enumerate("xrEnumerateSwapchainImages", XrSwapchainImageOpenGLKHR{XR_TYPE_SWAPCHAIN_IMAGE_OPENGL_KHR, nullptr, 0},
                [&](auto capacity, auto* count, auto* items) {
                    return xrEnumerateSwapchainImages(handle(), capacity, count, reinterpret_cast<XrSwapchainImageBaseHeader*>(items));
                });

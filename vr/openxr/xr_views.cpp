@@ -41,7 +41,7 @@ private:
 };
 } // namespace
 
-Eyes::Eyes(const Session& session)
+Views::Views(const Session& session)
     : m_session(session.handle())
     , m_viewConfiguration(session.viewConfiguration())
     , m_format(session.imageFormat())
@@ -51,7 +51,7 @@ Eyes::Eyes(const Session& session)
         m_swapchains.emplace_back(m_session, session.imageFormat(), size);
 }
 
-bool Eyes::locate(XrSpace room, XrTime time)
+bool Views::locate(XrSpace room, XrTime time)
 {
     m_pictures.clear();
     const XrViewLocateInfo info{XR_TYPE_VIEW_LOCATE_INFO, nullptr, m_viewConfiguration, time, room};
@@ -61,7 +61,7 @@ bool Eyes::locate(XrSpace room, XrTime time)
     std::uint32_t located = 0;
     check(xrLocateViews(m_session, &info, &state, static_cast<std::uint32_t>(views.size()), &located, views.data()), "xrLocateViews");
     const bool hasPlace = (state.viewStateFlags & XR_VIEW_STATE_POSITION_VALID_BIT) != 0 &&
-                          std::ranges::all_of(views, [](const XrView& view) { return isPlace(view.pose.position); });
+                          std::ranges::all_of(views, [](const XrView& view) { return isFinitePosition(view.pose.position); });
     const bool hasTurn = (state.viewStateFlags & XR_VIEW_STATE_ORIENTATION_VALID_BIT) != 0 &&
                          std::ranges::all_of(views, [](const XrView& view) { return isRotation(view.pose.orientation); });
     if (located != count() || !hasTurn)
@@ -75,7 +75,7 @@ bool Eyes::locate(XrSpace room, XrTime time)
     return m_isKnown;
 }
 
-void Eyes::draw(std::size_t eye, const std::function<void(const EyeImage&, const EyeView&)>& draw)
+void Views::draw(std::size_t eye, const std::function<void(const EyeImage&, const EyeView&)>& draw)
 {
     Swapchain& swapchain = m_swapchains[eye];
     Acquired image(swapchain);
@@ -89,7 +89,7 @@ void Eyes::draw(std::size_t eye, const std::function<void(const EyeImage&, const
                           {swapchain.handle(), {{0, 0}, {size.width, size.height}}, 0}});
 }
 
-EyeView Eyes::viewOf(std::size_t eye) const
+EyeView Views::viewOf(std::size_t eye) const
 {
     const Pose pose = fromXr(m_views[eye].pose).inverse();
     EyeView view;

@@ -8,10 +8,10 @@
 namespace vr
 {
 /// What each eye is shown: one, or two, left before right. Members throw XrError; the session's context is current.
-class Eyes
+class Views
 {
 public:
-    explicit Eyes(const Session& session);
+    explicit Views(const Session& session);
 
     std::size_t count() const { return m_swapchains.size(); }
 

@@ -40,11 +40,11 @@ PanelLayout ColorPanel::layout() const
         builder.add(
             {places[1],
              SliderLook{
-                 .most = 255, .step = 1, .first = with(color, i, 0), .last = with(color, i, 255), .isChosen = isChosen},
+                 .max = 255, .step = 1, .first = with(color, i, 0), .last = with(color, i, 255), .isChosen = isChosen},
              Slide{sliders[i], static_cast<double>(value)}});
         builder.add(places[2], TextLook{QString::number(value), TextRole::Number, Qt::AlignRight | Qt::AlignVCenter});
     }
-    const auto count = std::min<qsizetype>(swatches.size(), mostSwatches);
+    const auto count = std::min<qsizetype>(swatches.size(), maxSwatches);
     std::vector<QRectF> places;
     for (qsizetype i = 0; i < count; ++i) {
         const auto column = static_cast<std::size_t>(i % swatchColumns);

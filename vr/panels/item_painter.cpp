@@ -33,20 +33,20 @@ TextStyle styleOfText(const TextLook& look, double room)
 {
     if (look.role == TextRole::Title)
         return {.height = theme::titleHeight,
-                .leastHeight = theme::titleHeight * 0.75,
+                .minHeight = theme::titleHeight * 0.75,
                 .lines = look.lines,
-                .room = room,
+                .maxBlockHeight = room,
                 .weight = QFont::DemiBold};
-    return {.height = theme::bodyHeight, .leastHeight = theme::leastHeight, .lines = look.lines, .room = room};
+    return {.height = theme::bodyHeight, .minHeight = theme::minHeight, .lines = look.lines, .maxBlockHeight = room};
 }
 
-class PartPainter
+class ItemPainter
 {
 public:
-    PartPainter(QPainter& painter, const PanelPart& part, const PartState& state)
+    ItemPainter(QPainter& painter, const PanelItem& item, const ItemState& state)
         : m_painter(painter)
-        , m_area(part.area)
-        , m_part(part)
+        , m_area(item.area)
+        , m_item(item)
         , m_state(state)
     {}
 
@@ -72,26 +72,26 @@ private:
 
     QPainter& m_painter;
     const QRectF m_area;
-    const PanelPart& m_part;
-    const PartState m_state;
+    const PanelItem& m_item;
+    const ItemState m_state;
 };
 
-void PartPainter::operator()(const TextLook& look) const
+void ItemPainter::operator()(const TextLook& look) const
 {
     paintLines(fitted(look.text, m_area.width(), styleOfText(look, m_area.height())), m_area, look.alignment,
                colorOf(look.role));
 }
 
-TextStyle PartPainter::styleOf(const ButtonLook& look, int lines) const
+TextStyle ItemPainter::styleOf(const ButtonLook& look, int lines) const
 {
     return {.height = theme::bodyHeight,
-            .leastHeight = theme::leastHeight,
+            .minHeight = theme::minHeight,
             .lines = lines,
-            .room = m_area.height(),
+            .maxBlockHeight = m_area.height(),
             .weight = look.isChosen ? QFont::DemiBold : QFont::Medium};
 }
 
-void PartPainter::operator()(const ButtonLook& look) const
+void ItemPainter::operator()(const ButtonLook& look) const
 {
     paintGround(look.isChosen, look.isFlat);
     if (look.isUpright)
@@ -101,7 +101,7 @@ void PartPainter::operator()(const ButtonLook& look) const
 }
 
 /// The text below the icon.
-void PartPainter::paintUpright(const ButtonLook& look) const
+void ItemPainter::paintUpright(const ButtonLook& look) const
 {
     const QRectF inside = m_area.adjusted(padding / 3, padding, -padding / 3, -padding);
     const QRectF icon(inside.center().x() - uprightIcon / 2, inside.top(), uprightIcon, uprightIcon);
@@ -112,7 +112,7 @@ void PartPainter::paintUpright(const ButtonLook& look) const
 }
 
 /// The icon with its ring, and the text at its right; both in the middle.
-void PartPainter::paintAside(const ButtonLook& look) const
+void ItemPainter::paintAside(const ButtonLook& look) const
 {
     const QRectF inside = box(m_area, padding);
     const double icon = look.icon.isEmpty() ? 0 : theme::iconHeight, ring = m_state.mustHold ? ringGap + ringWidth : 0;
@@ -127,7 +127,7 @@ void PartPainter::paintAside(const ButtonLook& look) const
     paintLines(text, {left + beside, inside.top(), text.width, inside.height()}, Qt::AlignHCenter, theme::text);
 }
 
-void PartPainter::operator()(const SwitchLook& look) const
+void ItemPainter::operator()(const SwitchLook& look) const
 {
     if (m_state.isHovered)
         paintGround(false, true);
@@ -145,10 +145,10 @@ void PartPainter::operator()(const SwitchLook& look) const
     paintLines(fitted(look.text, rest.width(), styleOfText({}, rest.height())), rest, Qt::AlignLeft, theme::text);
 }
 
-void PartPainter::operator()(const SliderLook& look) const
+void ItemPainter::operator()(const SliderLook& look) const
 {
     const QLineF track = sliderTrack(m_area);
-    const double share = sliderShare(look, std::get<Slide>(*m_part.action).value);
+    const double share = sliderShare(look, std::get<Slide>(*m_item.action).value);
     paintBar(look, track, share);
     const QPointF middle = track.pointAt(share);
     const double width = m_state.isPressed ? theme::knobWidth - 4 : theme::knobWidth;
@@ -160,7 +160,7 @@ void PartPainter::operator()(const SliderLook& look) const
         paintOutline(m_state.isHovered ? theme::accent : theme::chosen);
 }
 
-void PartPainter::operator()(const SwatchLook& look) const
+void ItemPainter::operator()(const SwatchLook& look) const
 {
     const double inset = (look.isChosen ? 10 : theme::outline) + (m_state.isPressed ? 6 : 0);
     m_painter.setPen(QPen(theme::rim, theme::outline));
@@ -175,7 +175,7 @@ void PartPainter::operator()(const SwatchLook& look) const
         paintOutline();
 }
 
-void PartPainter::operator()(const TileLook& look) const
+void ItemPainter::operator()(const TileLook& look) const
 {
     paintGround(look.isChosen, false);
     const QRectF inside = box(m_area, 10),
@@ -190,21 +190,21 @@ void PartPainter::operator()(const TileLook& look) const
         m_painter.drawImage(target, look.picture.scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
     }
     const TextStyle style{.height = theme::bodyHeight,
-                          .leastHeight = theme::leastHeight,
+                          .minHeight = theme::minHeight,
                           .cut = Qt::ElideMiddle,
                           .weight = QFont::Medium};
     paintLines(fitted(look.name, inside.width(), style), {inside.left(), place.bottom(), inside.width(), nameHeight},
                Qt::AlignCenter, theme::text);
 }
 
-void PartPainter::operator()(const WellLook&) const
+void ItemPainter::operator()(const WellLook&) const
 {
     m_painter.setPen(Qt::NoPen);
     m_painter.setBrush(theme::well);
     m_painter.drawRoundedRect(m_area, theme::itemCorner + 4, theme::itemCorner + 4);
 }
 
-void PartPainter::paintGround(bool isChosen, bool isFlat) const
+void ItemPainter::paintGround(bool isChosen, bool isFlat) const
 {
     const bool isSeen = isChosen || !isFlat || m_state.isHovered;
     if (!isSeen)
@@ -219,7 +219,7 @@ void PartPainter::paintGround(bool isChosen, bool isFlat) const
         paintOutline();
 }
 
-void PartPainter::paintOutline(const QColor& color) const
+void ItemPainter::paintOutline(const QColor& color) const
 {
     m_painter.setPen(QPen(color, theme::outline));
     m_painter.setBrush(Qt::NoBrush);
@@ -227,7 +227,7 @@ void PartPainter::paintOutline(const QColor& color) const
 }
 
 /// Each line's capitals stand in the middle of its share of the height.
-void PartPainter::paintLines(const FittedText& text, const QRectF& area, Qt::Alignment alignment,
+void ItemPainter::paintLines(const FittedText& text, const QRectF& area, Qt::Alignment alignment,
                              const QColor& color) const
 {
     const QFontMetricsF metrics(text.font);
@@ -245,14 +245,14 @@ void PartPainter::paintLines(const FittedText& text, const QRectF& area, Qt::Ali
     }
 }
 
-void PartPainter::paintIcon(const QString& name, const QRectF& area) const
+void ItemPainter::paintIcon(const QString& name, const QRectF& area) const
 {
     const double pixels = m_painter.transform().mapRect(area).width();
     m_painter.drawImage(area, iconPicture(name, theme::text, static_cast<int>(std::lround(pixels))));
 }
 
 /// It fills clockwise from the top.
-void PartPainter::paintRing(const QRectF& icon) const
+void ItemPainter::paintRing(const QRectF& icon) const
 {
     const QRectF ring = box(icon, -ringGap);
     m_painter.setBrush(Qt::NoBrush);
@@ -262,7 +262,7 @@ void PartPainter::paintRing(const QRectF& icon) const
     m_painter.drawArc(ring, fullCircle / 4, -static_cast<int>(std::lround(m_state.held * fullCircle)));
 }
 
-void PartPainter::paintBar(const SliderLook& look, const QLineF& track, double share) const
+void ItemPainter::paintBar(const SliderLook& look, const QLineF& track, double share) const
 {
     const double height = look.first.isValid() ? colorBarHeight : barHeight;
     const QRectF bar =
@@ -284,7 +284,7 @@ void PartPainter::paintBar(const SliderLook& look, const QLineF& track, double s
     const double from = track.pointAt(sliderShare(look, look.origin)).x(), to = track.pointAt(share).x();
     QPainterPath filled, whole;
     whole.addRoundedRect(bar, round, round);
-    const bool fromEnd = look.origin <= look.least;
+    const bool fromEnd = look.origin <= look.min;
     filled.addRect(QRectF(QPointF(fromEnd ? bar.left() : std::min(from, to), bar.top()),
                           QPointF(std::max(from, to), bar.bottom())));
     m_painter.setBrush(theme::chosen);
@@ -294,12 +294,12 @@ void PartPainter::paintBar(const SliderLook& look, const QLineF& track, double s
 }
 } // namespace
 
-void paintPart(QPainter& painter, const PanelPart& part, const PartState& state)
+void paintItem(QPainter& painter, const PanelItem& item, const ItemState& state)
 {
     painter.save();
-    painter.setClipRect(part.area);
+    painter.setClipRect(item.area);
     painter.setOpacity(state.isEnabled ? 1 : theme::dimmed);
-    std::visit(PartPainter(painter, part, state), part.look);
+    std::visit(ItemPainter(painter, item, state), item.look);
     painter.restore();
 }
 } // namespace vr

@@ -6,7 +6,7 @@ class QPainter;
 
 namespace vr
 {
-struct PartState
+struct ItemState
 {
     bool isEnabled = true;
     bool isHovered = false;
@@ -15,6 +15,6 @@ struct PartState
     double held = 0; ///< of the time that it must be held, 0 to 1
 };
 
-/// Within the part's area. The painter's unit is the dmm.
-void paintPart(QPainter& painter, const PanelPart& part, const PartState& state);
+/// Within the item's area. The painter's unit is the dmm.
+void paintItem(QPainter& painter, const PanelItem& item, const ItemState& state);
 } // namespace vr

@@ -13,12 +13,12 @@ namespace
 constexpr double lessonWidth = 940, wayHeight = 92, leafWidth = 84, countWidth = 120, markSign = 52, noteHeight = 44;
 constexpr double lessonDistance = 0.6; ///< metres: at arm's length
 constexpr double wrapShare = 0.95; ///< of the width: painted in dots, letters are a little wider or narrower than here
-constexpr int linesPerPage = 7, mostMarks = 4;
+constexpr int linesPerPage = 7, maxMarks = 4;
 
 /// In lines of one size, which all pages have.
 FittedText wrappedText(const QString& text, double width)
 {
-    return fitted(text, width, {.height = theme::bodyHeight, .leastHeight = theme::bodyHeight, .lines = 10'000});
+    return fitted(text, width, {.height = theme::bodyHeight, .minHeight = theme::bodyHeight, .lines = 10'000});
 }
 
 int pageCountOf(const FittedText& text)
@@ -30,7 +30,7 @@ int pageCountOf(const FittedText& text)
 void LessonPanel::addTitle(PanelBuilder& builder) const
 {
     const FittedText shown = fitted(title, builder.innerWidth(),
-                                    {.height = theme::titleHeight, .leastHeight = theme::titleHeight, .lines = 3, .weight = QFont::DemiBold});
+                                    {.height = theme::titleHeight, .minHeight = theme::titleHeight, .lines = 3, .weight = QFont::DemiBold});
     builder.add(builder.nextRow(shown.lineSpacing() * static_cast<double>(shown.lines.size())),
                 TextLook{.text = title, .role = TextRole::Title, .lines = static_cast<int>(shown.lines.size())});
     //: %1: a lesson's name; %2 of %3: its step
@@ -59,11 +59,11 @@ void LessonPanel::addText(PanelBuilder& builder) const
 /// A sign and the text's weight: colour alone says nothing.
 void LessonPanel::addMarks(PanelBuilder& builder) const
 {
-    for (qsizetype i = 0; i < std::min<qsizetype>(marks.size(), mostMarks); ++i) {
+    for (qsizetype i = 0; i < std::min<qsizetype>(marks.size(), maxMarks); ++i) {
         const LessonMark& mark = marks[i];
         const FittedText shown =
             fitted(mark.text, builder.innerWidth() - markSign - theme::gap,
-                   {.height = theme::bodyHeight, .leastHeight = theme::leastHeight, .lines = 2});
+                   {.height = theme::bodyHeight, .minHeight = theme::minHeight, .lines = 2});
         const std::vector<QRectF> places =
             cells(builder.nextRow(shown.lineSpacing() * static_cast<double>(shown.lines.size())), {markSign, 0});
         builder.add(places[0], TextLook{.text = mark.holds ? QStringLiteral("✓") : QStringLiteral("○"), .alignment = Qt::AlignCenter});
@@ -75,10 +75,10 @@ void LessonPanel::addMarks(PanelBuilder& builder) const
 void LessonPanel::addButtons(PanelBuilder& builder) const
 {
     const std::vector<QRectF> places = evenCells(builder.nextRow(wayHeight), 4);
-    builder.add(places[0], {{.text = isPlaying ? tr("Pause") : tr("Show Me")}, LessonWish::Play, canPlay});
-    builder.add(places[1], {{.text = tr("Try It")}, LessonWish::TryIt});
-    builder.add(places[2], {{.text = tr("Back")}, LessonWish::Back, step > 0});
-    builder.add(places[3], {{.text = tr("Next")}, LessonWish::Next, step + 1 < steps});
+    builder.add(places[0], {{.text = isPlaying ? tr("Pause") : tr("Show Me")}, LessonRequest::Play, canPlay});
+    builder.add(places[1], {{.text = tr("Try It")}, LessonRequest::TryIt});
+    builder.add(places[2], {{.text = tr("Back")}, LessonRequest::Back, step > 0});
+    builder.add(places[3], {{.text = tr("Next")}, LessonRequest::Next, step + 1 < steps});
 }
 
 PanelLayout LessonPanel::layout() const

@@ -14,7 +14,7 @@ constexpr double noticeWidth = 700; ///< of its text
 constexpr int noticeLines = 6;
 constexpr double noticeDistance = 0.5;             ///< metres: before the clay, which must not hide it; it passes
 constexpr double fadeIn = 0.15, fadeOut = 0.6;     ///< seconds
-constexpr double toBeSeen = 1, leastReading = 1.5; ///< seconds: eyes are elsewhere when it comes
+constexpr double toBeSeen = 1, minReadingTime = 1.5; ///< seconds: eyes are elsewhere when it comes
 constexpr double perLetter = 0.06,
                  perHanLetter = 0.2; ///< seconds of a slow reader; the latter stands for a word or half of one
 
@@ -25,19 +25,19 @@ double readingTime(const QString& text)
 }
 } // namespace
 
-PanelLayout Notice::layout() const
+PanelLayout NoticePanel::layout() const
 {
     const FittedText shown =
-        fitted(text, noticeWidth, {.height = theme::bodyHeight, .leastHeight = theme::leastHeight, .lines = noticeLines});
+        fitted(text, noticeWidth, {.height = theme::bodyHeight, .minHeight = theme::minHeight, .lines = noticeLines});
     PanelBuilder builder(PanelKind::Notice, std::ceil(shown.width) + 2 * theme::margin, noticeDistance);
     const double height = shown.lineSpacing() * static_cast<double>(shown.lines.size());
     builder.add(builder.nextRow(height), TextLook{.text = text, .alignment = Qt::AlignCenter, .lines = noticeLines});
     return builder.finished();
 }
 
-double noticeOpacity(const Notice& notice, double age)
+double noticeOpacity(const NoticePanel& notice, double age)
 {
-    const double stays = toBeSeen + std::max(leastReading, readingTime(notice.text));
+    const double stays = toBeSeen + std::max(minReadingTime, readingTime(notice.text));
     return std::clamp(std::min(age / fadeIn, (fadeIn + stays + fadeOut - age) / fadeOut), 0.0, 1.0);
 }
 } // namespace vr

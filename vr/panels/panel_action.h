@@ -14,9 +14,9 @@ namespace vr
 enum class PanelKind { Tools, Color, Files, Settings, Performance, Notice, Lesson };
 inline constexpr std::size_t panelKindCount = 7;
 
-enum class SettingsPage { General, Feel };
+enum class SettingsPage { General, Haptics };
 
-/// Wishes that need no more words.
+/// Commands without parameters.
 enum class PanelCommand {
     Undo,
     Redo,
@@ -72,8 +72,8 @@ struct ShowLessonPage
     bool operator==(const ShowLessonPage&) const = default;
 };
 
-/// What a pupil may want of a lesson.
-enum class LessonWish {
+/// What a pupil can request of a lesson.
+enum class LessonRequest {
     Play,  ///< or pause
     TryIt, ///< what was done in the step is taken back
     Back,
@@ -90,7 +90,7 @@ struct ChooseFile
 struct OpenFile
 {
     QString path;
-    bool losesChanges = false; ///< the item said so, and must be held
+    bool discardsChanges = false; ///< the item said so, and must be held
     bool operator==(const OpenFile&) const = default;
 };
 
@@ -136,9 +136,9 @@ struct Slide
 };
 
 /// What a person wants by an item of a panel.
-using PanelAction = std::variant<PanelCommand, core::Tool, core::BrushShape, core::Topology, Preset, SettingsPage,
+using PanelAction = std::variant<PanelCommand, core::Tool, core::BrushShape, core::Topology, ButtonPreset, SettingsPage,
                                  ShowPanel, ChooseSymmetry, ChooseRadial, ChooseChannel, ChooseColor, ShowPage, ChooseFile, OpenFile,
-                                 ChooseHand, ShowPerformance, ShowFloor, Slide, ShowLessonPage, LessonWish>;
+                                 ChooseHand, ShowPerformance, ShowFloor, Slide, ShowLessonPage, LessonRequest>;
 
 /// Whether one item wants both: sliders want one thing after the other.
 inline bool isSameItem(const PanelAction& a, const PanelAction& b)

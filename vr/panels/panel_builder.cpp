@@ -40,7 +40,7 @@ QRectF PanelBuilder::nextRow(double height)
 
 void PanelBuilder::add(const QRectF& area, const PanelButton& button)
 {
-    m_layout.parts.push_back({area, button.look, button.action, button.isEnabled, button.mustHold});
+    m_layout.items.push_back({area, button.look, button.action, button.isEnabled, button.mustHold});
 }
 
 void PanelBuilder::addTitle(const PanelTitle& title, const std::vector<PanelButton>& buttons)

@@ -52,10 +52,10 @@ public:
     void skip(double height) { m_y += height; }
     double innerWidth() const;
 
-    void add(const QRectF& area, const TextLook& look) { m_layout.parts.push_back({area, look, {}, true, false}); }
-    void add(const QRectF& area, const WellLook& look) { m_layout.parts.push_back({area, look, {}, true, false}); }
+    void add(const QRectF& area, const TextLook& look) { m_layout.items.push_back({area, look, {}, true, false}); }
+    void add(const QRectF& area, const WellLook& look) { m_layout.items.push_back({area, look, {}, true, false}); }
     void add(const QRectF& area, const PanelButton& button);
-    void add(const PanelPart& part) { m_layout.parts.push_back(part); }
+    void add(const PanelItem& item) { m_layout.items.push_back(item); }
 
     /// A note at its right, and after that buttons with icons.
     void addTitle(const PanelTitle& title, const std::vector<PanelButton>& buttons = {});

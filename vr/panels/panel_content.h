@@ -40,7 +40,7 @@ private:
     void addTools(PanelBuilder& builder) const;
     void addSymmetry(PanelBuilder& builder) const;
     void addMask(PanelBuilder& builder) const;
-    void addDoors(PanelBuilder& builder) const;
+    void addPanelButtons(PanelBuilder& builder) const;
 };
 
 /// The paint colour by its channels, as in the paper's section 4.1, or from a swatch.
@@ -49,11 +49,11 @@ struct ColorPanel
     Q_DECLARE_TR_FUNCTIONS(vr::ColorPanel)
 
 public:
-    static constexpr int mostSwatches = 12;
+    static constexpr int maxSwatches = 12;
 
     core::Rgb color;
     int channel = 0;           ///< that the thumb sets: 0 red, 1 green, 2 blue
-    QList<core::Rgb> swatches; ///< the first mostSwatches are shown
+    QList<core::Rgb> swatches; ///< the first maxSwatches are shown
 
     bool operator==(const ColorPanel&) const = default;
     PanelLayout layout() const;
@@ -108,25 +108,25 @@ struct SettingsPanel
     Q_DECLARE_TR_FUNCTIONS(vr::SettingsPanel)
 
 public:
-    static constexpr double mostRaised = 0.4;                    ///< metres up or down
-    static constexpr double slowestTurn = 15, fastestTurn = 180; ///< degrees a second
+    static constexpr double maxHeightOffset = 0.4;                    ///< metres up or down
+    static constexpr double minTurnRate = 15, maxTurnRate = 180; ///< degrees a second
 
     SettingsPage page = SettingsPage::General;
-    HeadsetChoice choice;
+    HeadsetSettings settings;
 
-    static SettingsPanel of(const HeadsetChoice& choice, SettingsPage page) { return {page, choice}; }
+    static SettingsPanel of(const HeadsetSettings& settings, SettingsPage page) { return {page, settings}; }
 
     bool operator==(const SettingsPanel&) const = default;
     PanelLayout layout() const;
-    /// What an item makes of the choice. Values come within their ranges; what is no setting leaves the choice as it is.
-    static HeadsetChoice after(HeadsetChoice choice, const PanelAction& action);
+    /// Returns the settings after `action`. Values are clamped to their ranges; an action that is no setting changes nothing.
+    static HeadsetSettings after(HeadsetSettings settings, const PanelAction& action);
 
 private:
     static QString nameOf(Sensation sensation);
-    static void slide(HeadsetChoice& choice, const Slide& slide);
+    static void slide(HeadsetSettings& settings, const Slide& slide);
     void addGeneral(PanelBuilder& builder) const;
     void addModel(PanelBuilder& builder) const;
-    void addFeel(PanelBuilder& builder) const;
+    void addHaptics(PanelBuilder& builder) const;
 };
 
 /// Numbers, from time to time.
@@ -142,8 +142,8 @@ public:
     int framesPerSecond = 0; ///< that were shown
     std::uint64_t dropped = 0;
 
-    /// Of the last second. `costs`: the oldest first. Takes some microseconds; numbers that are to be read change a few times a second.
-    static PerformancePanel of(const std::vector<FrameCost>& costs, std::uint64_t lostFrames);
+    /// Of the last second. `timings`: the oldest first. Takes some microseconds; numbers that are to be read change a few times a second.
+    static PerformancePanel of(const std::vector<FrameTiming>& timings, std::uint64_t droppedFrames);
 
     bool operator==(const PerformancePanel&) const = default;
     PanelLayout layout() const;
@@ -186,18 +186,18 @@ private:
 };
 
 /// One sentence.
-struct Notice
+struct NoticePanel
 {
     QString text;
 
-    bool operator==(const Notice&) const = default;
+    bool operator==(const NoticePanel&) const = default;
     PanelLayout layout() const;
 };
 /// Of a notice that was shown so many seconds ago: 0 before and after its time, which is long enough to read it.
-double noticeOpacity(const Notice& notice, double age);
+double noticeOpacity(const NoticePanel& notice, double age);
 
 using PanelContent =
-    std::variant<ToolPanel, ColorPanel, FilesPanel, SettingsPanel, PerformancePanel, Notice, LessonPanel>; ///< by PanelKind
+    std::variant<ToolPanel, ColorPanel, FilesPanel, SettingsPanel, PerformancePanel, NoticePanel, LessonPanel>; ///< by PanelKind
 
 PanelKind kindOf(const PanelContent& content);
 PanelLayout layoutOf(const PanelContent& content);

@@ -24,25 +24,25 @@ bool PanelLayout::contains(const Eigen::Vector2d& point) const
     return QRectF(QPointF(), size).contains(toPanel(point));
 }
 
-const PanelPart* PanelLayout::partAt(const Eigen::Vector2d& point) const
+const PanelItem* PanelLayout::itemAt(const Eigen::Vector2d& point) const
 {
     const QPointF at = toPanel(point);
-    const auto part =
-        std::ranges::find_if(parts, [&](const PanelPart& p) { return p.answers() && p.area.contains(at); });
-    return part == parts.end() ? nullptr : &*part;
+    const auto item =
+        std::ranges::find_if(items, [&](const PanelItem& p) { return p.isInteractive() && p.area.contains(at); });
+    return item == items.end() ? nullptr : &*item;
 }
 
-const PanelPart* PanelLayout::partFor(const PanelAction& action) const
+const PanelItem* PanelLayout::itemFor(const PanelAction& action) const
 {
-    const auto part =
-        std::ranges::find_if(parts, [&](const PanelPart& p) { return p.answers() && isSameItem(*p.action, action); });
-    return part == parts.end() ? nullptr : &*part;
+    const auto item =
+        std::ranges::find_if(items, [&](const PanelItem& p) { return p.isInteractive() && isSameItem(*p.action, action); });
+    return item == items.end() ? nullptr : &*item;
 }
 
 std::optional<PanelAction> PanelLayout::hit(const Eigen::Vector2d& point) const
 {
-    const PanelPart* part = partAt(point);
-    return part ? std::optional(actionAt(*part, toPanel(point))) : std::nullopt;
+    const PanelItem* item = itemAt(point);
+    return item ? std::optional(actionAt(*item, toPanel(point))) : std::nullopt;
 }
 
 QLineF sliderTrack(const QRectF& area)
@@ -53,19 +53,19 @@ QLineF sliderTrack(const QRectF& area)
 
 double sliderShare(const SliderLook& look, double value)
 {
-    return std::clamp((value - look.least) / (look.most - look.least), 0.0, 1.0);
+    return std::clamp((value - look.min) / (look.max - look.min), 0.0, 1.0);
 }
 
-PanelAction actionAt(const PanelPart& part, const QPointF& point)
+PanelAction actionAt(const PanelItem& item, const QPointF& point)
 {
-    assert(part.answers());
-    const auto* look = std::get_if<SliderLook>(&part.look);
+    assert(item.isInteractive());
+    const auto* look = std::get_if<SliderLook>(&item.look);
     if (!look)
-        return *part.action;
-    const QLineF track = sliderTrack(part.area);
+        return *item.action;
+    const QLineF track = sliderTrack(item.area);
     const double share = std::clamp((point.x() - track.x1()) / track.dx(), 0.0, 1.0);
-    const double steps = std::round(share * (look->most - look->least) / look->step);
-    const double value = std::min(look->least + steps * look->step, look->most);
-    return Slide{std::get<Slide>(*part.action).slider, value};
+    const double steps = std::round(share * (look->max - look->min) / look->step);
+    const double value = std::min(look->min + steps * look->step, look->max);
+    return Slide{std::get<Slide>(*item.action).slider, value};
 }
 } // namespace vr

@@ -46,7 +46,7 @@ struct SwitchLook
 
 struct SliderLook
 {
-    double least = 0, most = 1, step = 0.01;
+    double min = 0, max = 1, step = 0.01;
     double origin = 0;      ///< the bar grows from there
     QColor first{}, last{}; ///< what the ends stand for; invalid: a plain bar
     bool isChosen = false;
@@ -67,23 +67,23 @@ struct TileLook
     bool isChosen = false;
 };
 
-/// The ground of several parts.
+/// The background of several items.
 struct WellLook
 {};
 
-using PartLook = std::variant<TextLook, ButtonLook, SwitchLook, SliderLook, SwatchLook, TileLook, WellLook>;
+using ItemLook = std::variant<TextLook, ButtonLook, SwitchLook, SliderLook, SwatchLook, TileLook, WellLook>;
 
-/// Its look stays within its area. A part that acts overlaps no other such part.
-struct PanelPart
+/// Its look stays within its area. An item that acts overlaps no other such item.
+struct PanelItem
 {
     QRectF area;
-    PartLook look;
+    ItemLook look;
     std::optional<PanelAction> action{}; ///< a slider's: its value
     bool isEnabled = true;
     bool mustHold = false; ///< acts when it has been pressed for holdSeconds
 
     bool isSlider() const { return std::holds_alternative<SliderLook>(look); }
-    bool answers() const { return action && isEnabled; }
+    bool isInteractive() const { return action && isEnabled; }
 };
 
 /// What is where on a panel, for painting and pointing both.
@@ -92,7 +92,7 @@ struct PanelLayout
     PanelKind kind = PanelKind::Notice;
     QSizeF size;                  ///< dmm
     double distance = 0.6;        ///< metres from which it is to be read
-    std::vector<PanelPart> parts; ///< what comes later lies above
+    std::vector<PanelItem> items; ///< what comes later lies above
 
     /// Width and height in the room.
     Eigen::Vector2d metres() const;
@@ -100,9 +100,9 @@ struct PanelLayout
     QPointF toPanel(const Eigen::Vector2d& point) const;
     bool contains(const Eigen::Vector2d& point) const;
 
-    /// Null: nothing there that would answer.
-    const PanelPart* partAt(const Eigen::Vector2d& point) const;
-    const PanelPart* partFor(const PanelAction& action) const;
+    /// Null if no interactive item is there.
+    const PanelItem* itemAt(const Eigen::Vector2d& point) const;
+    const PanelItem* itemFor(const PanelAction& action) const;
     /// What a press there wants.
     std::optional<PanelAction> hit(const Eigen::Vector2d& point) const;
 };
@@ -110,6 +110,6 @@ struct PanelLayout
 /// Where the middle of a slider's knob can be, from its least value to its most.
 QLineF sliderTrack(const QRectF& area);
 double sliderShare(const SliderLook& look, double value);
-/// Of a part that answers; of a slider by the point's x, whose value stays in its range.
-PanelAction actionAt(const PanelPart& part, const QPointF& point);
+/// Precondition: the item is interactive. A slider's value follows the point's x and stays in its range.
+PanelAction actionAt(const PanelItem& item, const QPointF& point);
 } // namespace vr

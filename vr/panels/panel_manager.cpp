@@ -8,14 +8,14 @@ namespace
 {
 constexpr double degree = std::numbers::pi / 180;
 
-/// To the left of where the person looks; the model stands in the middle.
-struct Stand
+/// Relative to where the user looks; the model is in the middle.
+struct DefaultPosition
 {
     double aside; ///< radians
     double below; ///< metres
 };
 
-Stand standOf(PanelKind kind)
+DefaultPosition defaultPositionOf(PanelKind kind)
 {
     switch (kind) {
     case PanelKind::Tools: // of one hand: out of the way of Files and Settings
@@ -35,19 +35,19 @@ Stand standOf(PanelKind kind)
 }
 } // namespace
 
-void PanelWall::create(QOpenGLExtraFunctions* gl)
+void PanelManager::create(QOpenGLExtraFunctions* gl)
 {
     for (Place& place : m_places)
         place.picture.create(gl);
 }
 
-void PanelWall::destroy()
+void PanelManager::destroy()
 {
     for (Place& place : m_places)
         place.picture.destroy();
 }
 
-void PanelWall::open(PanelKind kind, bool isOpen)
+void PanelManager::open(PanelKind kind, bool isOpen)
 {
     Place& place = at(kind);
     if (isOpen && !place.isOpen)
@@ -55,29 +55,29 @@ void PanelWall::open(PanelKind kind, bool isOpen)
     place.isOpen = isOpen;
 }
 
-void PanelWall::forgetPlaces()
+void PanelManager::resetPlacement()
 {
     for (Place& place : m_places)
         place.pose.reset();
 }
 
-void PanelWall::show(const PanelContent& content, float opacity)
+void PanelManager::show(const PanelContent& content, float opacity)
 {
     const PanelKind kind = kindOf(content);
     at(kind).opacity = opacity;
     PanelTouches touches;
     for (std::size_t i = 0; i < sideCount; ++i)
         touches[i] = m_pointers[i].touch(kind);
-    m_pictures.show(content, touches);
+    m_images.show(content, touches);
 }
 
 /// One in a frame: a picture is a megabyte or two to upload.
-void PanelWall::takePicture()
+void PanelManager::takePicture()
 {
     for (std::size_t i = 0; i < panelKindCount; ++i) {
         const std::size_t index = (m_turn + i) % panelKindCount;
-        if (std::optional<PanelPicture> picture = m_pictures.take(static_cast<PanelKind>(index))) {
-            m_places[index].picture.show(picture->image);
+        if (std::optional<PanelImage> picture = m_images.take(static_cast<PanelKind>(index))) {
+            m_places[index].picture.upload(picture->image);
             m_places[index].placed.layout = std::move(picture->layout);
             m_turn = index + 1;
             return;
@@ -85,7 +85,7 @@ void PanelWall::takePicture()
     }
 }
 
-std::optional<Side> PanelWall::carrier(PanelKind kind) const
+std::optional<Side> PanelManager::carrier(PanelKind kind) const
 {
     if (m_isOneHanded)
         return std::nullopt;
@@ -95,30 +95,30 @@ std::optional<Side> PanelWall::carrier(PanelKind kind) const
                                       : std::nullopt;
 }
 
-Pose PanelWall::placeOnOpening(PanelKind kind, const Sight& sight, const PanelLayout& layout)
+Pose PanelManager::placeOnOpening(PanelKind kind, const Sight& sight, const PanelLayout& layout)
 {
-    const Stand stand = standOf(kind);
-    AheadPlace ahead{layout.metres(), layout.distance, stand.aside,
-                     stand.below,     sight.clay,      stand.aside < 0 ? -1.0 : 1.0};
+    const DefaultPosition position = defaultPositionOf(kind);
+    AheadPanelPlacement ahead{layout.metres(), layout.distance, position.aside,
+                     position.below,     sight.model,      position.aside < 0 ? -1.0 : 1.0};
     if (kind == PanelKind::Notice)
         ahead.clear.reset();
     return placeAhead(sight.head, ahead);
 }
 
-Pose PanelWall::placeOf(PanelKind kind, const Sight& sight) const
+Pose PanelManager::placeOf(PanelKind kind, const Sight& sight) const
 {
     const Place& place = at(kind);
     if (const std::optional<Side> side = carrier(kind)) {
         const Eigen::Vector2d size = place.placed.layout->metres();
         const std::optional<Pose>& grip = sight.grips[static_cast<std::size_t>(*side)];
-        return grip ? placeAtHand(*grip, sight.head, {size, sight.clay, *side == Side::Left ? 1.0 : -1.0})
+        return grip ? placeAtHand(*grip, sight.head, {size, sight.model, *side == Side::Left ? 1.0 : -1.0})
                     : place.pose.value_or(placeAhead(sight.head, {.size = size, .clear = {}}));
     }
     return place.pose && !isOutOfReach(*place.pose, sight.head) ? *place.pose
                                                                 : placeOnOpening(kind, sight, *place.placed.layout);
 }
 
-void PanelWall::place(const Sight& sight)
+void PanelManager::place(const Sight& sight)
 {
     m_sculpting = sight.sculpting;
     m_isOneHanded = sight.isOneHanded;
@@ -132,12 +132,12 @@ void PanelWall::place(const Sight& sight)
     }
 }
 
-bool PanelWall::isThere(const Place& place)
+bool PanelManager::isThere(const Place& place)
 {
     return place.isOpen && place.opacity > 0 && place.placed.layout;
 }
 
-std::optional<PanelAction> PanelWall::aim(Side side, const std::optional<core::Ray>& ray, double time)
+std::optional<PanelAction> PanelManager::aim(Side side, const std::optional<core::Ray>& ray, double time)
 {
     m_targets.clear();
     for (std::size_t i = 0; i < panelKindCount; ++i) {
@@ -148,7 +148,7 @@ std::optional<PanelAction> PanelWall::aim(Side side, const std::optional<core::R
     return pointer(side).aim(ray, time, m_targets);
 }
 
-void PanelWall::list(std::vector<Panel>& panels) const
+void PanelManager::list(std::vector<Panel>& panels) const
 {
     panels.clear();
     for (const Place& place : m_places)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "vr/panels/panel_textures.h"
+#include "vr/panels/panel_images.h"
 #include "vr/panels/panel_pointer.h"
 #include "vr/gl/texture.h"
 #include "vr/scene/scene_state.h"
@@ -8,8 +8,8 @@
 namespace vr
 {
 /// The panels of a visit: which are open, where they stand, what is seen of them, and what two wands do at them. The headset's thread;
-/// panels are painted on another (PanelPictures), and appear when they are.
-class PanelWall
+/// panels are painted on another (PanelImages), and appear when they are.
+class PanelManager
 {
 public:
     /// The context that was current at create() must be current at show(), list() and destroy().
@@ -19,8 +19,8 @@ public:
     /// A panel that opens is placed anew where the person looks, unless it goes with a hand.
     void open(PanelKind kind, bool isOpen = true);
     bool isOpen(PanelKind kind) const { return at(kind).isOpen; }
-    /// The room is another: all are placed anew.
-    void forgetPlaces();
+    /// Room space has changed: all are placed again.
+    void resetPlacement();
 
     /// For each open panel, each frame. `opacity`: 0 to 1; one of 0 is not there.
     void show(const PanelContent& content, float opacity = 1);
@@ -31,7 +31,7 @@ public:
         Pose head;
         std::array<std::optional<Pose>, sideCount> grips; ///< by Side; none: the hand is not seen
         Side sculpting = Side::Right;                     ///< has the colours, the other the tools
-        core::Sphere clay;                                ///< which panels keep out of
+        core::Sphere model;                                ///< which panels keep out of
         bool isOneHanded = false;                         ///< no panel goes with a hand
     };
     void place(const Sight& sight);
@@ -55,7 +55,7 @@ private:
         bool isOpen = false;
         std::optional<Pose> pose;
         PlacedPanel placed; ///< its layout is null until it was painted
-        PictureTexture picture;
+        Texture picture;
         float opacity = 1;
     };
 
@@ -68,7 +68,7 @@ private:
     Pose placeOf(PanelKind kind, const Sight& sight) const;
     void takePicture();
 
-    PanelPictures m_pictures;
+    PanelImages m_images;
     std::array<Place, panelKindCount> m_places;     ///< by PanelKind
     std::array<PanelPointer, sideCount> m_pointers; ///< by Side
     std::vector<PlacedPanel> m_targets;             ///< of aim()

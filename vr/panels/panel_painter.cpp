@@ -12,11 +12,11 @@ namespace vr
 {
 namespace
 {
-PartState stateOf(const PanelPart& part, const PanelTouches& touches)
+ItemState stateOf(const PanelItem& item, const PanelTouches& touches)
 {
-    PartState state{.isEnabled = part.isEnabled, .mustHold = part.mustHold};
+    ItemState state{.isEnabled = item.isEnabled, .mustHold = item.mustHold};
     for (const std::optional<PanelTouch>& touch : touches) {
-        if (!touch || !part.answers() || !isSameItem(*part.action, touch->item))
+        if (!touch || !item.isInteractive() || !isSameItem(*item.action, touch->item))
             continue;
         state.isHovered = true;
         state.isPressed = state.isPressed || touch->isPressed;
@@ -44,8 +44,8 @@ QImage paint(const PanelLayout& layout, const PanelTouches& touches, double pixe
     painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing | QPainter::SmoothPixmapTransform);
     painter.scale(picture.width() / layout.size.width(), picture.height() / layout.size.height());
     paintGround(painter, layout.size);
-    for (const PanelPart& part : layout.parts)
-        paintPart(painter, part, stateOf(part, touches));
+    for (const PanelItem& item : layout.items)
+        paintItem(painter, item, stateOf(item, touches));
     return picture;
 }
 } // namespace vr

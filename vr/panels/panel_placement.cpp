@@ -15,8 +15,8 @@ constexpr double handClear = 0.06; ///< metres of air between the wand and its l
 constexpr double farthestAtHand =
     0.65; ///< metres from the eyes: letters are large enough there, however low the hand hangs
 constexpr double farthestReach = 1.3; ///< metres
-constexpr double asideStep = 5 * std::numbers::pi / 180, mostAside = 110 * std::numbers::pi / 180;
-constexpr double mostAsideOfHand = 60 * std::numbers::pi / 180;
+constexpr double asideStep = 5 * std::numbers::pi / 180, maxAside = 110 * std::numbers::pi / 180;
+constexpr double maxAsideOfHand = 60 * std::numbers::pi / 180;
 constexpr int halvings = 16; ///< of that: a fiftieth of a millimetre at arm's length
 constexpr double nothing = 1e-9;
 
@@ -44,7 +44,7 @@ Vec3 heading(const Pose& head)
     return flat.norm() < nothing ? Vec3(-Vec3::UnitZ()) : flat.normalized();
 }
 
-Pose ahead(const Pose& head, const AheadPlace& place, double aside)
+Pose ahead(const Pose& head, const AheadPanelPlacement& place, double aside)
 {
     const Eigen::AngleAxisd turn(aside, Vec3::UnitY());
     const Vec3 direction = turn * heading(head);
@@ -74,11 +74,11 @@ bool isClear(const Pose& panel, const Pose& head, const Eigen::Vector2d& size, c
 }
 
 /// The least turn between the two that it takes; 0 where none does.
-template <class IsEnough> double leastTurn(double most, const IsEnough& isEnough)
+template <class IsEnough> double minTurn(double max, const IsEnough& isEnough)
 {
-    if (isEnough(0) || !isEnough(most))
+    if (isEnough(0) || !isEnough(max))
         return 0;
-    double less = 0, enough = most;
+    double less = 0, enough = max;
     for (int i = 0; i < halvings; ++i) {
         const double middle = (less + enough) / 2;
         (isEnough(middle) ? enough : less) = middle;
@@ -87,27 +87,27 @@ template <class IsEnough> double leastTurn(double most, const IsEnough& isEnough
 }
 } // namespace
 
-Pose placeAtHand(const Pose& grip, const Pose& head, const HandPlace& place)
+Pose placeAtHand(const Pose& grip, const Pose& head, const HandPanelPlacement& place)
 {
     const Vec3 foot = grip * Vec3(0, 0, -handReach);
     const Vec3 up = facing(foot, head).rotation * Vec3::UnitY();
     const Vec3 middle = foot + (handClear + place.size.y() / 2) * up, way = middle - head.position;
     const Vec3 toPanel = std::min(1.0, farthestAtHand / way.norm()) * way;
     const auto turned = [&](double aside) {
-        return facing(head.position + Eigen::AngleAxisd(place.turnsTo * aside, Vec3::UnitY()) * toPanel, head);
+        return facing(head.position + Eigen::AngleAxisd(place.asideSign * aside, Vec3::UnitY()) * toPanel, head);
     };
     if (!place.clear)
         return turned(0);
-    return turned(leastTurn(mostAsideOfHand,
+    return turned(minTurn(maxAsideOfHand,
                             [&](double aside) { return isClear(turned(aside), head, place.size, *place.clear); }));
 }
 
-Pose placeAhead(const Pose& head, const AheadPlace& place)
+Pose placeAhead(const Pose& head, const AheadPanelPlacement& place)
 {
     if (!place.clear)
         return ahead(head, place, place.aside);
-    for (double more = 0; more <= mostAside; more += asideStep)
-        if (const Pose pose = ahead(head, place, place.aside + place.turnsTo * more);
+    for (double more = 0; more <= maxAside; more += asideStep)
+        if (const Pose pose = ahead(head, place, place.aside + place.asideSign * more);
             isClear(pose, head, place.size, *place.clear))
             return pose;
     return ahead(head, place, place.aside);
@@ -118,7 +118,7 @@ bool isOutOfReach(const Pose& panel, const Pose& head)
     return (panel.position - head.position).norm() > farthestReach;
 }
 
-std::optional<PlanePoint> meet(const core::Ray& ray, const Pose& panel)
+std::optional<PlanePoint> intersect(const core::Ray& ray, const Pose& panel)
 {
     const Pose toPanel = panel.inverse();
     const Vec3 from = toPanel * ray.origin, direction = toPanel.rotation * ray.direction.normalized();

@@ -10,19 +10,19 @@ namespace vr
 {
 // Where panels stand in the room. A panel's pose is that of its middle: +X to its right, +Y up, +Z towards who reads it. All pure.
 
-struct HandPlace
+struct HandPanelPlacement
 {
     Eigen::Vector2d size{0.5, 0.4}; ///< metres
     /// Of the room: it goes aside until it is out of that, and out of what that hides. Where that is too far it stays at the hand.
     std::optional<core::Sphere> clear{};
-    double turnsTo = 1; ///< 1: aside is to the left, -1: to the right
+    double asideSign = 1; ///< 1: aside is to the left, -1: to the right
 };
 
 /// Above a hand and before it, facing the head; it goes with the hand. Of a hand that hangs low it comes nearer to the eyes, where it can be
 /// read.
-Pose placeAtHand(const Pose& grip, const Pose& head, const HandPlace& place);
+Pose placeAtHand(const Pose& grip, const Pose& head, const HandPanelPlacement& place);
 
-struct AheadPlace
+struct AheadPanelPlacement
 {
     Eigen::Vector2d size{0.5, 0.4}; ///< metres
     double distance = 0.6;          ///< metres from the head to its middle
@@ -30,11 +30,11 @@ struct AheadPlace
     double below = 0.05;            ///< metres, its middle below the eyes
     /// Of the room: it keeps out of that, and out of what that hides, by standing farther aside.
     std::optional<core::Sphere> clear{};
-    double turnsTo = 1; ///< 1: aside is to the left, -1: to the right
+    double asideSign = 1; ///< 1: aside is to the left, -1: to the right
 };
 
 /// Upright, ahead of the head or aside, turned to it about the vertical. It is placed once, and does not follow the head.
-Pose placeAhead(const Pose& head, const AheadPlace& place);
+Pose placeAhead(const Pose& head, const AheadPanelPlacement& place);
 
 /// Whether somebody has walked away from a panel that was placed ahead: it may be placed anew.
 bool isOutOfReach(const Pose& panel, const Pose& head);
@@ -46,5 +46,5 @@ struct PlanePoint
     double distance;    ///< metres along the ray
 };
 /// Nothing if it comes from behind, or leads away.
-std::optional<PlanePoint> meet(const core::Ray& ray, const Pose& panel);
+std::optional<PlanePoint> intersect(const core::Ray& ray, const Pose& panel);
 } // namespace vr

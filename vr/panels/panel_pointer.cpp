@@ -15,15 +15,15 @@ bool isThere(PanelKind kind, std::span<const PlacedPanel> panels)
 }
 } // namespace
 
-PanelPointer::PressKind PanelPointer::kindOf(const PanelPart& part)
+PanelPointer::PressKind PanelPointer::kindOf(const PanelItem& item)
 {
-    return part.isSlider() ? PressKind::Slide : part.mustHold ? PressKind::Hold : PressKind::Click;
+    return item.isSlider() ? PressKind::Slide : item.mustHold ? PressKind::Hold : PressKind::Click;
 }
 
 void PanelPointer::find(const core::Ray& ray, std::span<const PlacedPanel> panels)
 {
     for (const PlacedPanel& panel : panels) {
-        const std::optional<PlanePoint> point = meet(ray, panel.pose);
+        const std::optional<PlanePoint> point = intersect(ray, panel.pose);
         const bool counts =
             point && (m_press ? panel.layout->kind == m_press->panel : panel.layout->contains(point->at));
         if (counts && (!m_place || point->distance < m_place->point.distance))
@@ -47,15 +47,15 @@ std::optional<PanelAction> PanelPointer::aim(const std::optional<core::Ray>& ray
     return keepPressing();
 }
 
-const PanelPart* PanelPointer::partUnder() const
+const PanelItem* PanelPointer::itemUnder() const
 {
-    return m_place ? m_place->panel.layout->partAt(m_place->point.at) : nullptr;
+    return m_place ? m_place->panel.layout->itemAt(m_place->point.at) : nullptr;
 }
 
 bool PanelPointer::isOnPressed() const
 {
-    const PanelPart* part = partUnder();
-    return part && isSameItem(*part->action, m_press->item);
+    const PanelItem* item = itemUnder();
+    return item && isSameItem(*item->action, m_press->item);
 }
 
 double PanelPointer::held() const
@@ -65,10 +65,10 @@ double PanelPointer::held() const
 
 std::optional<PanelAction> PanelPointer::slide()
 {
-    const PanelPart* part = m_place ? m_place->panel.layout->partFor(m_press->item) : nullptr;
-    if (!part || !part->isSlider())
+    const PanelItem* item = m_place ? m_place->panel.layout->itemFor(m_press->item) : nullptr;
+    if (!item || !item->isSlider())
         return std::nullopt;
-    const PanelAction wanted = actionAt(*part, m_place->panel.layout->toPanel(m_place->point.at));
+    const PanelAction wanted = actionAt(*item, m_place->panel.layout->toPanel(m_place->point.at));
     if (wanted == m_press->item)
         return std::nullopt;
     m_press->item = wanted;
@@ -88,10 +88,10 @@ std::optional<PanelAction> PanelPointer::keepPressing()
 
 std::optional<PanelAction> PanelPointer::press()
 {
-    const PanelPart* part = partUnder();
-    if (!part)
+    const PanelItem* item = itemUnder();
+    if (!item)
         return std::nullopt;
-    m_press = Press{kindOf(*part), m_place->panel.layout->kind, *part->action, m_time};
+    m_press = Press{kindOf(*item), m_place->panel.layout->kind, *item->action, m_time};
     return m_press->kind == PressKind::Slide ? slide() : std::nullopt;
 }
 
@@ -117,7 +117,7 @@ std::optional<PanelTouch> PanelPointer::touch(PanelKind kind) const
 {
     if (m_press)
         return m_press->panel == kind ? pressedTouch() : std::nullopt;
-    const PanelPart* part = partUnder();
-    return part && m_place->panel.layout->kind == kind ? std::optional(PanelTouch{*part->action}) : std::nullopt;
+    const PanelItem* item = itemUnder();
+    return item && m_place->panel.layout->kind == kind ? std::optional(PanelTouch{*item->action}) : std::nullopt;
 }
 } // namespace vr

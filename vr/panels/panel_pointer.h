@@ -62,9 +62,9 @@ private:
         bool isOver = false; ///< what must be held has acted, or was left
     };
 
-    static PressKind kindOf(const PanelPart& part);
+    static PressKind kindOf(const PanelItem& item);
     void find(const core::Ray& ray, std::span<const PlacedPanel> panels);
-    const PanelPart* partUnder() const;
+    const PanelItem* itemUnder() const;
     bool isOnPressed() const;
     double held() const;
     std::optional<PanelAction> keepPressing();

@@ -6,7 +6,7 @@
 namespace vr::theme
 {
 // 3.45 degrees, and half of that for the smallest text: notes of the field on what is read without effort in a headset.
-inline constexpr double titleHeight = 60.3, bodyHeight = 34, leastHeight = 30.2;
+inline constexpr double titleHeight = 60.3, bodyHeight = 34, minHeight = 30.2;
 inline constexpr double lineSpacing = 1.22; ///< of a text's height
 
 inline constexpr double margin = 32, gap = 14, corner = 28, itemCorner = 14, outline = 3;
@@ -17,5 +17,5 @@ inline constexpr double iconHeight = 46;
 inline const QColor ground(25, 27, 31, 244), rim(255, 255, 255, 44), well(15, 16, 19), field(48, 52, 59),
     fieldHovered(66, 72, 82), fieldPressed(36, 39, 45), chosen(45, 113, 176), chosenHovered(58, 131, 198),
     chosenPressed(37, 94, 148), text(232, 235, 239), faint(158, 166, 177), accent(122, 184, 240);
-inline constexpr double dimmed = 0.36; ///< opacity of what does not answer
+inline constexpr double dimmed = 0.36; ///< opacity of disabled items
 } // namespace vr::theme

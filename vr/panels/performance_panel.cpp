@@ -24,30 +24,30 @@ struct Line
 
 struct Recent
 {
-    std::vector<FrameCost> shown;
+    std::vector<FrameTiming> shown;
     double ms = 0; ///< from the first frame's begin to the last one's end, as the runtime planned them
 };
 
-/// A frame that was lost took its time, too.
-Recent recent(const std::vector<FrameCost>& costs)
+/// A dropped frame took its time, too.
+Recent recent(const std::vector<FrameTiming>& timings)
 {
     Recent found;
-    for (const FrameCost& cost : std::views::reverse(costs)) {
+    for (const FrameTiming& timing : std::views::reverse(timings)) {
         if (found.ms >= lastMs)
             break;
-        found.ms += cost.periodMs * (1.0 + cost.lost);
-        if (cost.isShown)
-            found.shown.push_back(cost);
+        found.ms += timing.periodMs * (1.0 + timing.dropped);
+        if (timing.isShown)
+            found.shown.push_back(timing);
     }
     return found;
 }
 
 /// 0: of none.
-template <typename Value> double median(const std::vector<FrameCost>& costs, const Value& valueOf)
+template <typename Value> double median(const std::vector<FrameTiming>& timings, const Value& valueOf)
 {
     std::vector<double> values;
-    for (const FrameCost& cost : costs)
-        values.push_back(valueOf(cost));
+    for (const FrameTiming& timing : timings)
+        values.push_back(valueOf(timing));
     if (values.empty())
         return 0;
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -56,19 +56,19 @@ template <typename Value> double median(const std::vector<FrameCost>& costs, con
 }
 } // namespace
 
-PerformancePanel PerformancePanel::of(const std::vector<FrameCost>& costs, std::uint64_t lostFrames)
+PerformancePanel PerformancePanel::of(const std::vector<FrameTiming>& timings, std::uint64_t droppedFrames)
 {
-    const auto [shown, ms] = recent(costs);
+    const auto [shown, ms] = recent(timings);
     PerformancePanel panel;
     for (std::size_t i = 0; i < framePhaseCount; ++i) {
         const bool draws = static_cast<FramePhase>(i) == FramePhase::Draw;
         panel.cpuMs[i] =
-            median(shown, [&](const FrameCost& cost) { return cost.cpuMs[i] - (draws ? cost.drawCallMs : 0); });
+            median(shown, [&](const FrameTiming& timing) { return timing.cpuMs[i] - (draws ? timing.drawCallMs : 0); });
     }
-    panel.totalMs = median(shown, [](const FrameCost& cost) { return cost.ownMs(); });
-    panel.drawCallMs = median(shown, [](const FrameCost& cost) { return cost.drawCallMs; });
+    panel.totalMs = median(shown, [](const FrameTiming& timing) { return timing.ownMs(); });
+    panel.drawCallMs = median(shown, [](const FrameTiming& timing) { return timing.drawCallMs; });
     panel.framesPerSecond = ms > 0 ? static_cast<int>(std::lround(static_cast<double>(shown.size()) * 1000 / ms)) : 0;
-    panel.dropped = lostFrames;
+    panel.dropped = droppedFrames;
     return panel;
 }
 

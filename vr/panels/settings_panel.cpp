@@ -14,9 +14,9 @@ constexpr double settingsDistance = 0.6; ///< metres: at arm's length
 constexpr double raiseStep = 0.02, turnStep = 5, levelStep = 0.05;
 
 /// Within its range; what is no number is its least.
-double within(double value, double least, double most)
+double within(double value, double min, double max)
 {
-    return value >= least ? std::min(value, most) : least;
+    return value >= min ? std::min(value, max) : min;
 }
 
 constexpr PanelSlider sliderOf(std::size_t sensation)
@@ -27,30 +27,30 @@ static_assert(sliderOf(static_cast<std::size_t>(Sensation::Contact)) == PanelSli
 static_assert(sliderOf(static_cast<std::size_t>(Sensation::Hold)) == PanelSlider::Hold);
 } // namespace
 
-HeadsetChoice SettingsPanel::after(HeadsetChoice choice, const PanelAction& action)
+HeadsetSettings SettingsPanel::after(HeadsetSettings settings, const PanelAction& action)
 {
-    if (const auto* preset = std::get_if<Preset>(&action))
-        choice.hands.preset = *preset;
+    if (const auto* preset = std::get_if<ButtonPreset>(&action))
+        settings.wands.preset = *preset;
     else if (const auto* hand = std::get_if<ChooseHand>(&action))
-        choice.hands.sculpting = hand->sculpting;
+        settings.wands.sculpting = hand->sculpting;
     else if (const auto* ground = std::get_if<ShowFloor>(&action))
-        choice.showsFloor = ground->isShown;
+        settings.showsFloor = ground->isShown;
     else if (const auto* numbers = std::get_if<ShowPerformance>(&action))
-        choice.showsPerformance = numbers->isShown;
+        settings.showsPerformance = numbers->isShown;
     else if (const auto* moved = std::get_if<Slide>(&action))
-        slide(choice, *moved);
-    return choice;
+        slide(settings, *moved);
+    return settings;
 }
 
-void SettingsPanel::slide(HeadsetChoice& choice, const Slide& slide)
+void SettingsPanel::slide(HeadsetSettings& settings, const Slide& slide)
 {
     if (slide.slider == PanelSlider::Height)
-        choice.raised = within(slide.value, -mostRaised, mostRaised);
+        settings.heightOffset = within(slide.value, -maxHeightOffset, maxHeightOffset);
     else if (slide.slider == PanelSlider::TurnSpeed)
-        choice.turnsBy = within(slide.value, slowestTurn, fastestTurn);
+        settings.turnRate = within(slide.value, minTurnRate, maxTurnRate);
     for (std::size_t i = 0; i < sensationCount; ++i)
         if (slide.slider == sliderOf(i))
-            choice.feel.of[i] = within(slide.value, 0, 1);
+            settings.hapticLevels.of[i] = within(slide.value, 0, 1);
 }
 
 QString SettingsPanel::nameOf(Sensation sensation)
@@ -74,45 +74,45 @@ QString SettingsPanel::nameOf(Sensation sensation)
 
 void SettingsPanel::addGeneral(PanelBuilder& builder) const
 {
-    const auto [preset, sculpting] = choice.hands;
+    const auto [preset, sculpting] = settings.wands;
     builder.addChoice(tr("Buttons"), settingsNameWidth,
-                      {{tr("Paper"), {}, Preset::Paper, preset == Preset::Paper},
-                       {tr("Studio"), {}, Preset::Studio, preset == Preset::Studio},
-                       {tr("One hand"), {}, Preset::OneHand, preset == Preset::OneHand}});
+                      {{tr("Paper"), {}, ButtonPreset::Paper, preset == ButtonPreset::Paper},
+                       {tr("Studio"), {}, ButtonPreset::Studio, preset == ButtonPreset::Studio},
+                       {tr("One hand"), {}, ButtonPreset::OneHand, preset == ButtonPreset::OneHand}});
     builder.addChoice(tr("Sculpting hand"), settingsNameWidth,
                       {{tr("Left"), {}, ChooseHand{Side::Left}, sculpting == Side::Left},
                        {tr("Right"), {}, ChooseHand{Side::Right}, sculpting == Side::Right}});
     addModel(builder);
     const auto onOff = [](bool isOn) { return SwitchLook{isOn ? tr("On") : tr("Off"), isOn}; };
-    builder.addSwitch(tr("Floor grid"), settingsNameWidth, onOff(choice.showsFloor), ShowFloor{!choice.showsFloor});
-    builder.addSwitch(tr("Performance"), settingsNameWidth, onOff(choice.showsPerformance),
-                      ShowPerformance{!choice.showsPerformance});
+    builder.addSwitch(tr("Floor grid"), settingsNameWidth, onOff(settings.showsFloor), ShowFloor{!settings.showsFloor});
+    builder.addSwitch(tr("Performance"), settingsNameWidth, onOff(settings.showsPerformance),
+                      ShowPerformance{!settings.showsPerformance});
 }
 
 void SettingsPanel::addModel(PanelBuilder& builder) const
 {
-    const int centimetres = static_cast<int>(std::lround(choice.raised * 100));
+    const int centimetres = static_cast<int>(std::lround(settings.heightOffset * 100));
     //: %1: a number, perhaps with a sign
     const QString height =
         tr("%1 cm").arg(QString::number(centimetres).prepend(centimetres > 0 ? QStringLiteral("+") : QString()));
     builder.addSlider({tr("Raise model"),
                        height,
-                       SliderLook{.least = -mostRaised, .most = mostRaised, .step = raiseStep},
-                       {PanelSlider::Height, choice.raised}},
+                       SliderLook{.min = -maxHeightOffset, .max = maxHeightOffset, .step = raiseStep},
+                       {PanelSlider::Height, settings.heightOffset}},
                       settingsNameWidth);
     //: %1: degrees a second
-    const QString speed = tr("%1°/s").arg(std::lround(choice.turnsBy));
+    const QString speed = tr("%1°/s").arg(std::lround(settings.turnRate));
     builder.addSlider({tr("Turning speed"),
                        speed,
-                       SliderLook{.least = slowestTurn, .most = fastestTurn, .step = turnStep, .origin = slowestTurn},
-                       {PanelSlider::TurnSpeed, choice.turnsBy}},
+                       SliderLook{.min = minTurnRate, .max = maxTurnRate, .step = turnStep, .origin = minTurnRate},
+                       {PanelSlider::TurnSpeed, settings.turnRate}},
                       settingsNameWidth);
 }
 
-void SettingsPanel::addFeel(PanelBuilder& builder) const
+void SettingsPanel::addHaptics(PanelBuilder& builder) const
 {
     for (std::size_t i = 0; i < sensationCount; ++i) {
-        const double level = choice.feel.of[i];
+        const double level = settings.hapticLevels.of[i];
         const QString value = tr("%1 %").arg(std::lround(level * 100));
         builder.addSlider(
             {nameOf(static_cast<Sensation>(i)), value, SliderLook{.step = levelStep}, {sliderOf(i), level}}, settingsNameWidth);
@@ -126,12 +126,12 @@ PanelLayout SettingsPanel::layout() const
                                          ShowPanel{PanelKind::Settings, false}}});
     builder.addChoice({}, 0,
                       {{tr("General"), {}, SettingsPage::General, page == SettingsPage::General},
-                       {tr("Vibration"), {}, SettingsPage::Feel, page == SettingsPage::Feel}});
+                       {tr("Vibration"), {}, SettingsPage::Haptics, page == SettingsPage::Haptics}});
     builder.skip(theme::gap);
     if (page == SettingsPage::General)
         addGeneral(builder);
     else
-        addFeel(builder);
+        addHaptics(builder);
     return builder.finished();
 }
 } // namespace vr

@@ -46,10 +46,10 @@ double spacingOf(const QFont& font)
 }
 
 /// One always is.
-std::size_t mostLines(const QFont& font, const TextStyle& style)
+std::size_t maxLines(const QFont& font, const TextStyle& style)
 {
     return static_cast<std::size_t>(
-        std::clamp(static_cast<int>(style.room / spacingOf(font) + rounding), 1, style.lines));
+        std::clamp(static_cast<int>(style.maxBlockHeight / spacingOf(font) + rounding), 1, style.lines));
 }
 
 double widest(const std::vector<QString>& lines, const QFont& font)
@@ -65,9 +65,9 @@ double widest(const std::vector<QString>& lines, const QFont& font)
 std::vector<QString> cut(const std::vector<QString>& lines, const QFont& font, double width, const TextStyle& style)
 {
     const QFontMetricsF metrics(font);
-    const std::size_t most = mostLines(font, style);
-    std::vector<QString> kept(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(std::min(most, lines.size())));
-    for (std::size_t i = most; i < lines.size(); ++i)
+    const std::size_t max = maxLines(font, style);
+    std::vector<QString> kept(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(std::min(max, lines.size())));
+    for (std::size_t i = max; i < lines.size(); ++i)
         kept.back() += lines[i];
     for (QString& line : kept)
         line = metrics.elidedText(line.trimmed(), style.cut, width);
@@ -82,11 +82,11 @@ double FittedText::lineSpacing() const
 
 FittedText fitted(const QString& text, double width, const TextStyle& style)
 {
-    for (double height = style.height;; height = std::max(height - 1, style.leastHeight)) {
+    for (double height = style.height;; height = std::max(height - 1, style.minHeight)) {
         const QFont font = fontOf(height, style.weight);
         std::vector<QString> lines = wrapped(text, font, width);
-        const bool isWhole = lines.size() <= mostLines(font, style) && widest(lines, font) <= width;
-        if (!isWhole && height > style.leastHeight)
+        const bool isWhole = lines.size() <= maxLines(font, style) && widest(lines, font) <= width;
+        if (!isWhole && height > style.minHeight)
             continue;
         lines = isWhole ? lines : cut(lines, font, width, style);
         for (QString& line : lines)

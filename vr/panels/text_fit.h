@@ -11,9 +11,9 @@ namespace vr
 struct TextStyle
 {
     double height = 40;
-    double leastHeight = 36; ///< it shrinks so far before it is cut
+    double minHeight = 36; ///< it shrinks so far before it is cut
     int lines = 1;           ///< at most
-    double room = 1e6;       ///< the height that they may take
+    double maxBlockHeight = 1e6;       ///< the height that they may take
     Qt::TextElideMode cut = Qt::ElideRight;
     QFont::Weight weight = QFont::Normal;
 };

@@ -71,7 +71,7 @@ void ToolPanel::addTools(PanelBuilder& builder) const
 }
 
 /// Where this panel leads to, and what else concerns all that is seen.
-void ToolPanel::addDoors(PanelBuilder& builder) const
+void ToolPanel::addPanelButtons(PanelBuilder& builder) const
 {
     const std::vector<QRectF> upper = cells(builder.nextRow(buttonHeight), {filesButtonWidth, 0, recentreWidth});
     builder.add(upper[0], {{.text = tr("Files"), .icon = QStringLiteral("files"), .isChosen = showsFiles},
@@ -125,7 +125,7 @@ PanelLayout ToolPanel::layout() const
     addSymmetry(builder);
     addMask(builder);
     builder.skip(groupGap);
-    addDoors(builder);
+    addPanelButtons(builder);
     return builder.finished();
 }
 } // namespace vr

@@ -32,9 +32,9 @@ unsigned int EyeTarget::framebufferFor(const EyeImage& image)
     const EyeImage wanted{0, image.format, image.width, image.height};
     if (wanted != m_made) {
         m_made = wanted;
-        GLint most = 0;
-        m_gl->glGetIntegerv(GL_MAX_SAMPLES, &most);
-        m_samples = std::min(m_wanted, static_cast<int>(most));
+        GLint maxSamples = 0;
+        m_gl->glGetIntegerv(GL_MAX_SAMPLES, &maxSamples);
+        m_samples = std::min(m_wanted, static_cast<int>(maxSamples));
         while (!(m_isComplete = allocate(image, m_samples)) && m_samples > 0)
             m_samples /= 2;
     }

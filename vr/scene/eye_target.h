@@ -30,7 +30,7 @@ private:
     bool allocate(const EyeImage& image, int samples);
 
     QOpenGLExtraFunctions* m_gl = nullptr;
-    DrawClock m_clock;
+    DrawCallTimer m_clock;
     int m_wanted = 0, m_samples = 0;
     EyeImage m_made; ///< its format and size are those of the buffers
     bool m_isComplete = false;

@@ -5,7 +5,7 @@
 namespace vr
 {
 /// What shaders must know of one eye in one frame. Room space is in metres.
-struct EyeFrame
+struct EyeUniforms
 {
     Eigen::Matrix4f view, projection; ///< room to eye space, and on to clip space
     Eigen::Matrix4f clip;             ///< room to clip space

@@ -12,7 +12,7 @@ namespace
 {
 // Pixels. In the room a plate is about a third as many pixels high on the screen, so that its smaller copies are what is seen.
 constexpr int plateHeight = 64, textHeight = 40, margin = 20, longestText = 680;
-constexpr qsizetype mostKept = 64;
+constexpr qsizetype maxKept = 64;
 
 const QColor plateColor(20, 22, 26, 236), borderColor(255, 255, 255, 34), textColor(236, 239, 244);
 
@@ -43,28 +43,28 @@ QImage paint(const QString& text)
 }
 } // namespace
 
-void LabelPictures::create(QOpenGLExtraFunctions* gl)
+void LabelTextures::create(QOpenGLExtraFunctions* gl)
 {
     m_gl = gl;
     paint(QStringLiteral("ABCabc"));
 }
 
-void LabelPictures::destroy()
+void LabelTextures::destroy()
 {
     for (Entry& entry : m_entries)
         entry.picture.destroy();
     *this = {};
 }
 
-void LabelPictures::startFrame()
+void LabelTextures::startFrame()
 {
     m_mayPaint = true;
     ++m_frame;
-    if (m_entries.size() > mostKept)
+    if (m_entries.size() > maxKept)
         dropUnused();
 }
 
-std::optional<LabelPicture> LabelPictures::find(const QString& text)
+std::optional<LabelTexture> LabelTextures::find(const QString& text)
 {
     auto entry = m_entries.find(text);
     if (entry == m_entries.end()) {
@@ -73,15 +73,15 @@ std::optional<LabelPicture> LabelPictures::find(const QString& text)
         m_mayPaint = false;
         entry = m_entries.insert(text, {});
         entry->picture.create(m_gl);
-        entry->picture.show(paint(text));
+        entry->picture.upload(paint(text));
     }
     entry->usedIn = m_frame;
     const QSize size = entry->picture.size();
-    return LabelPicture{entry->picture.id(), static_cast<double>(size.width()) / size.height()};
+    return LabelTexture{entry->picture.id(), static_cast<double>(size.width()) / size.height()};
 }
 
 /// All that the last frame did not need.
-void LabelPictures::dropUnused()
+void LabelTextures::dropUnused()
 {
     for (auto entry = m_entries.begin(); entry != m_entries.end();) {
         if (entry->usedIn + 1 >= m_frame) {

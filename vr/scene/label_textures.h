@@ -10,7 +10,7 @@
 namespace vr
 {
 /// A texture, good until the next startFrame(), and how much wider than high it is.
-struct LabelPicture
+struct LabelTexture
 {
     unsigned int texture = 0;
     double aspect = 1;
@@ -18,7 +18,7 @@ struct LabelPicture
 
 /// Short texts on small dark plates, painted when they are first needed and kept while they are. Costs a fraction of a millisecond for a
 /// new text, one in a frame, and no more than a look-up for the others.
-class LabelPictures
+class LabelTextures
 {
 public:
     /// Loads the font, too, which takes its time.
@@ -28,12 +28,12 @@ public:
     /// To be called once a frame, before any find().
     void startFrame();
     /// Nothing: not painted yet; some frame later it is.
-    std::optional<LabelPicture> find(const QString& text);
+    std::optional<LabelTexture> find(const QString& text);
 
 private:
     struct Entry
     {
-        PictureTexture picture;
+        Texture picture;
         unsigned long usedIn = 0; ///< the last frame that needed it
     };
     void dropUnused();

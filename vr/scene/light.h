@@ -6,9 +6,9 @@
 namespace vr
 {
 /// What of a colour a shader adds and mixes.
-inline Eigen::Vector3f lightOf(const core::Rgb& color)
+inline Eigen::Vector3f linearFromSrgb(const core::Rgb& color)
 {
     using core::io::linearFromSrgb;
-    return core::Vec3(lightOf(color.r), lightOf(color.g), lightOf(color.b)).cast<float>();
+    return core::Vec3(linearFromSrgb(color.r), linearFromSrgb(color.g), linearFromSrgb(color.b)).cast<float>();
 }
 } // namespace vr

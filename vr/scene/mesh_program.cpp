@@ -2,7 +2,7 @@
 
 namespace vr
 {
-void ClayProgram::useFor(const EyeFrame& eye) const
+void MeshProgram::useFor(const EyeUniforms& eye) const
 {
     use();
     projection.set(eye.projection);
@@ -17,7 +17,7 @@ void ClayProgram::useFor(const EyeFrame& eye) const
     sectors.set(1.0F);
 }
 
-void ClayProgram::shade(const core::Shading& shading) const
+void MeshProgram::shade(const core::Shading& shading) const
 {
     tint.set(shading.tint);
     wrap.set(shading.wrap);

@@ -7,16 +7,16 @@
 
 namespace vr
 {
-/// Shades clay, and wands, as the desktop shades clay.
-class ClayProgram : public Program
+/// Shades the mesh and the wands as the desktop shades its mesh.
+class MeshProgram : public Program
 {
 public:
     bool create(QOpenGLExtraFunctions* gl) { return Program::create(gl, "clay.vert", "clay.frag"); }
 
     /// Puts it in use for an eye. Without cut, footprint and faults, each vertex in its own shade.
-    void useFor(const EyeFrame& eye) const;
+    void useFor(const EyeUniforms& eye) const;
     /// From the vertices' own space to the room.
-    void place(const EyeFrame& eye, const Eigen::Matrix4f& toRoom) const { view.set(Eigen::Matrix4f(eye.view * toRoom)); }
+    void place(const EyeUniforms& eye, const Eigen::Matrix4f& toRoom) const { view.set(Eigen::Matrix4f(eye.view * toRoom)); }
     void shade(const core::Shading& shading) const;
 
     Uniform flatShading{this, "flatShading"};

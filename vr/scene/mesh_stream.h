@@ -12,10 +12,10 @@ namespace vr
 /// A large model that comes during a visit is sent so much a frame, or its frames would be late.
 inline constexpr std::size_t sliceBytes = 2'000'000;
 
-/// The clay as it is drawn. A large model comes in slices beside the one before, which is shown until the new one is there whole; what is
+/// The mesh as it is drawn. A large model comes in slices beside the one before, which is shown until the new one is there whole; what is
 /// sculpted meanwhile follows it, in order. Before the first step(), and for small models, all is there at once.
 /// `Buffer`: as MeshBuffer.
-template <class Buffer> class ClayStream
+template <class Buffer> class MeshStream
 {
 public:
     template <class Gl> void create(Gl* gl)
@@ -46,43 +46,43 @@ private:
     Buffer& coming() { return m_buffers[1 - m_shown]; }
     void applyWhole(core::MeshPatch&& patch);
     void finish();
-    void giveBack();
+    void clearHidden();
 
     std::array<Buffer, 2> m_buffers;
     std::size_t m_shown = 0;
     std::optional<PatchSlices> m_slices;           ///< of the model that is coming
-    std::optional<core::MeshPatch> m_later;        ///< of it, too, and newer
-    bool m_hasStepped = false, m_keepsOld = false; ///< the other buffer still has a model that nobody will see
+    std::optional<core::MeshPatch> m_pending;        ///< of it, too, and newer
+    bool m_hasStepped = false, m_hasOldModel = false; ///< the other buffer still has a model that nobody will see
     std::uint64_t m_wholeUploads = 0;
 };
 
-template <class Buffer> void ClayStream<Buffer>::apply(core::MeshPatch patch)
+template <class Buffer> void MeshStream<Buffer>::apply(core::MeshPatch patch)
 {
     if (patch.whole)
         applyWhole(std::move(patch));
     else if (!isLoading())
         shown().apply(patch);
-    else if (m_later)
-        m_later->merge(std::move(patch));
+    else if (m_pending)
+        m_pending->merge(std::move(patch));
     else
-        m_later = std::move(patch);
+        m_pending = std::move(patch);
 }
 
-template <class Buffer> void ClayStream<Buffer>::step()
+template <class Buffer> void MeshStream<Buffer>::step()
 {
     m_hasStepped = true;
     if (m_slices && !m_slices->atEnd())
         coming().apply(m_slices->next(sliceBytes));
     else if (m_slices)
         finish();
-    else if (std::exchange(m_keepsOld, false))
-        giveBack();
+    else if (std::exchange(m_hasOldModel, false))
+        clearHidden();
 }
 
-template <class Buffer> void ClayStream<Buffer>::applyWhole(core::MeshPatch&& patch)
+template <class Buffer> void MeshStream<Buffer>::applyWhole(core::MeshPatch&& patch)
 {
-    m_keepsOld = m_keepsOld || isLoading();
-    m_later.reset();
+    m_hasOldModel = m_hasOldModel || isLoading();
+    m_pending.reset();
     m_slices.reset();
     if (m_hasStepped && bytesOf(patch) > sliceBytes) {
         m_slices.emplace(std::move(patch));
@@ -92,18 +92,18 @@ template <class Buffer> void ClayStream<Buffer>::applyWhole(core::MeshPatch&& pa
     ++m_wholeUploads;
 }
 
-template <class Buffer> void ClayStream<Buffer>::finish()
+template <class Buffer> void MeshStream<Buffer>::finish()
 {
     m_slices.reset();
-    if (m_later)
-        coming().apply(*m_later);
-    m_later.reset();
+    if (m_pending)
+        coming().apply(*m_pending);
+    m_pending.reset();
     m_shown = 1 - m_shown;
-    m_keepsOld = true;
+    m_hasOldModel = true;
     ++m_wholeUploads;
 }
 
-template <class Buffer> void ClayStream<Buffer>::giveBack()
+template <class Buffer> void MeshStream<Buffer>::clearHidden()
 {
     core::MeshPatch nothing;
     nothing.whole = true;

@@ -34,11 +34,11 @@ const core::MeshPatch& PatchSlices::next(std::size_t bytes)
     return m_slice;
 }
 
-template <class Value> void PatchSlices::cut(Cut& at, std::size_t most, Values<Value> from, Values<Value> to)
+template <class Value> void PatchSlices::cut(Cut& at, std::size_t max, Values<Value> from, Values<Value> to)
 {
     to.spans.clear();
     to.values.clear();
-    const std::size_t count = std::min(at.left, most);
+    const std::size_t count = std::min(at.left, max);
     if (count == 0)
         return;
     const auto first = from.values.begin() + static_cast<std::ptrdiff_t>(at.value);

@@ -30,7 +30,7 @@ private:
         std::vector<core::SlotSpan>& spans;
         std::vector<Value>& values;
     };
-    template <class Value> static void cut(Cut& at, std::size_t most, Values<Value> from, Values<Value> to);
+    template <class Value> static void cut(Cut& at, std::size_t max, Values<Value> from, Values<Value> to);
 
     core::MeshPatch m_patch, m_slice;
     Cut m_vertices, m_faces;

@@ -13,7 +13,7 @@ constexpr float lineAlpha = 0.16F;
 constexpr float cell = 0.1F, reach = 5; ///< metres; each tenth line is a stronger one
 } // namespace
 
-bool RoomPainter::create(QOpenGLExtraFunctions* gl, DrawClock* clock)
+bool RoomRenderer::create(QOpenGLExtraFunctions* gl, DrawCallTimer* clock)
 {
     m_gl = gl;
     m_clock = clock;
@@ -22,7 +22,7 @@ bool RoomPainter::create(QOpenGLExtraFunctions* gl, DrawClock* clock)
     return m_floor.create(gl, "rectangle.vert", "ground.frag") && dome;
 }
 
-void RoomPainter::destroy()
+void RoomRenderer::destroy()
 {
     if (!m_gl)
         return;
@@ -32,7 +32,7 @@ void RoomPainter::destroy()
     m_gl = nullptr;
 }
 
-void RoomPainter::drawDome(const EyeFrame& eye)
+void RoomRenderer::drawDome(const EyeUniforms& eye)
 {
     m_dome.use();
     m_dome.view.set(eye.view);
@@ -45,7 +45,7 @@ void RoomPainter::drawDome(const EyeFrame& eye)
     m_gl->glBindVertexArray(0);
 }
 
-void RoomPainter::drawFloor(const EyeFrame& eye, const FloorShade& shade)
+void RoomRenderer::drawFloor(const EyeUniforms& eye, const FloorShade& shade)
 {
     m_floor.use();
     m_floor.clip.set(eye.clip);

@@ -15,16 +15,16 @@ struct FloorShade
 };
 
 /// The room around the model. The context that was current at create() must be current at every call.
-class RoomPainter
+class RoomRenderer
 {
 public:
-    bool create(QOpenGLExtraFunctions* gl, DrawClock* clock);
+    bool create(QOpenGLExtraFunctions* gl, DrawCallTimer* clock);
     void destroy();
 
     /// Behind all that was drawn.
-    void drawDome(const EyeFrame& eye);
+    void drawDome(const EyeUniforms& eye);
     /// A grid at y = 0 about the middle of the room. Blends.
-    void drawFloor(const EyeFrame& eye, const FloorShade& shade);
+    void drawFloor(const EyeUniforms& eye, const FloorShade& shade);
 
 private:
     struct DomeProgram : Program
@@ -41,7 +41,7 @@ private:
     };
 
     QOpenGLExtraFunctions* m_gl = nullptr;
-    DrawClock* m_clock = nullptr;
+    DrawCallTimer* m_clock = nullptr;
     unsigned int m_noVertices = 0;
     DomeProgram m_dome;
     FloorProgram m_floor;

@@ -1,4 +1,4 @@
-// First what hides (clay, wands), then the dome behind it, then what is seen through: floor, panels, and the rest from far to near.
+// First what is opaque (mesh, wands), then the dome behind it, then what is translucent: floor, panels, and the rest from far to near.
 #include "vr/scene/scene.h"
 
 #include "vr/scene/mesh_buffer.h"
@@ -19,8 +19,8 @@
 
 namespace vr
 {
-/// What of the state the clay's shader takes.
-struct ClayLook
+/// The part of the state that the mesh's shader takes.
+struct MeshAppearance
 {
     Eigen::Matrix4f toRoom = Eigen::Matrix4f::Identity();
     core::Shading shading;
@@ -32,13 +32,13 @@ struct ClayLook
 
 namespace
 {
-constexpr double leastLevel = 0.2;   ///< of the head's sideways axis, to be taken as level
+constexpr double minLevel = 0.2;   ///< of the head's sideways axis, to be taken as level
 constexpr double shadeReach = 0.9;   ///< metres: what hangs higher hardly shades the floor
 constexpr float strongestShade = 0.5F;
 
-ClayLook clayLook(const SceneState& state)
+MeshAppearance meshAppearance(const SceneState& state)
 {
-    ClayLook look;
+    MeshAppearance look;
     look.toRoom = state.model.matrix().cast<float>();
     look.shading = state.shading;
     look.isFlat = state.isFlat;
@@ -61,7 +61,7 @@ Eigen::Matrix3f lightAxes(const SceneState& state)
 {
     Pose head = state.head;
     const core::Vec3 sideways = head.rotation * core::Vec3::UnitX(), level(sideways.x(), 0, sideways.z());
-    if (level.norm() > leastLevel)
+    if (level.norm() > minLevel)
         head.rotation = Eigen::AngleAxisd(std::atan2(-level.z(), level.x()), core::Vec3::UnitY());
     const core::Vec3 middle = state.box.isEmpty() ? state.model.translation() : core::Vec3(state.model * state.box.center());
     return axesFacing(head, middle).cast<float>();
@@ -84,70 +84,70 @@ FloorShade floorShade(const SceneState& state)
 struct Scene::State
 {
     QOpenGLExtraFunctions* gl = nullptr;
-    DrawClock clock;
-    ClayStream<MeshBuffer> clay;
-    ClayProgram clayProgram;
-    WandPainter wandPainter;
-    RoomPainter roomPainter;
-    GlassPainter glassPainter;
-    LabelPictures labels;
+    DrawCallTimer clock;
+    MeshStream<MeshBuffer> mesh;
+    MeshProgram meshProgram;
+    WandRenderer wandRenderer;
+    RoomRenderer roomRenderer;
+    TranslucentRenderer translucentRenderer;
+    LabelTextures labels;
 
     // Of the frame.
-    ClayLook look;
+    MeshAppearance look;
     Eigen::Matrix3f lights = Eigen::Matrix3f::Identity();
     FloorShade shade;
     bool hasFloor = true;
     std::array<ShownWand, sideCount> wands;
-    GlassLists glass;
+    TranslucentList translucent;
 
-    EyeFrame frameOf(const EyeView& eye) const;
-    void drawOpaque(const EyeFrame& eye);
-    void drawGlass(const EyeFrame& eye);
+    EyeUniforms uniformsOf(const EyeView& eye) const;
+    void drawOpaque(const EyeUniforms& eye);
+    void drawTranslucent(const EyeUniforms& eye);
 };
 
-EyeFrame Scene::State::frameOf(const EyeView& eye) const
+EyeUniforms Scene::State::uniformsOf(const EyeView& eye) const
 {
-    EyeFrame frame;
-    frame.view = eye.view.matrix();
-    frame.projection = eye.projection;
-    frame.clip = eye.projection * frame.view;
-    frame.eye = eye.view.inverse().translation();
-    frame.up = eye.view.linear().col(1);
-    frame.lights = eye.view.linear() * lights;
-    frame.pixel = 2 / (eye.projection(1, 1) * static_cast<float>(eye.height));
-    return frame;
+    EyeUniforms uniforms;
+    uniforms.view = eye.view.matrix();
+    uniforms.projection = eye.projection;
+    uniforms.clip = eye.projection * uniforms.view;
+    uniforms.eye = eye.view.inverse().translation();
+    uniforms.up = eye.view.linear().col(1);
+    uniforms.lights = eye.view.linear() * lights;
+    uniforms.pixel = 2 / (eye.projection(1, 1) * static_cast<float>(eye.height));
+    return uniforms;
 }
 
-void Scene::State::drawOpaque(const EyeFrame& eye)
+void Scene::State::drawOpaque(const EyeUniforms& eye)
 {
     gl->glDisable(GL_BLEND);
     gl->glEnable(GL_CULL_FACE);
-    clayProgram.useFor(eye);
+    meshProgram.useFor(eye);
     for (const ShownWand& wand : wands)
-        wandPainter.draw(eye, clayProgram, wand);
-    clayProgram.flatShading.set(look.isFlat ? 1 : 0);
-    clayProgram.cut.set(look.cutNormal.isZero() ? 0.0F : 1.0F);
-    clayProgram.cutNormal.set(look.cutNormal);
-    clayProgram.ball.set(look.ball);
-    clayProgram.ballImage.set(look.ballImage);
-    clayProgram.ballFalloff.set(look.ballFalloff);
-    clayProgram.sectors.set(look.sectors);
-    clayProgram.place(eye, look.toRoom);
-    clayProgram.shade(look.shading);
-    clock.run([&] { clay.shown().draw(); });
+        wandRenderer.draw(eye, meshProgram, wand);
+    meshProgram.flatShading.set(look.isFlat ? 1 : 0);
+    meshProgram.cut.set(look.cutNormal.isZero() ? 0.0F : 1.0F);
+    meshProgram.cutNormal.set(look.cutNormal);
+    meshProgram.ball.set(look.ball);
+    meshProgram.ballImage.set(look.ballImage);
+    meshProgram.ballFalloff.set(look.ballFalloff);
+    meshProgram.sectors.set(look.sectors);
+    meshProgram.place(eye, look.toRoom);
+    meshProgram.shade(look.shading);
+    clock.run([&] { mesh.shown().draw(); });
     gl->glDisable(GL_CULL_FACE);
-    roomPainter.drawDome(eye);
+    roomRenderer.drawDome(eye);
 }
 
-void Scene::State::drawGlass(const EyeFrame& eye)
+void Scene::State::drawTranslucent(const EyeUniforms& eye)
 {
     gl->glEnable(GL_BLEND);
     gl->glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     gl->glDepthMask(GL_FALSE);
     if (hasFloor)
-        roomPainter.drawFloor(eye, shade);
-    glassPainter.draw(eye, glass.panels, GlassPainter::Hides::Yes);
-    glassPainter.draw(eye, glass.others, GlassPainter::Hides::No);
+        roomRenderer.drawFloor(eye, shade);
+    translucentRenderer.draw(eye, translucent.panels, TranslucentRenderer::DepthWrite::On);
+    translucentRenderer.draw(eye, translucent.others, TranslucentRenderer::DepthWrite::Off);
     gl->glDepthMask(GL_TRUE);
     gl->glDisable(GL_BLEND);
 }
@@ -160,59 +160,59 @@ bool Scene::create(QOpenGLExtraFunctions* gl)
 {
     State& s = *m_state;
     s.gl = gl;
-    s.clay.create(gl);
-    s.wandPainter.create(gl, &s.clock);
+    s.mesh.create(gl);
+    s.wandRenderer.create(gl, &s.clock);
     s.labels.create(gl);
-    const bool clay = s.clayProgram.create(gl);
-    const bool room = s.roomPainter.create(gl, &s.clock);
-    const bool glass = s.glassPainter.create(gl, &s.clock);
-    return clay && room && glass;
+    const bool mesh = s.meshProgram.create(gl);
+    const bool room = s.roomRenderer.create(gl, &s.clock);
+    const bool translucent = s.translucentRenderer.create(gl, &s.clock);
+    return mesh && room && translucent;
 }
 
 void Scene::destroy()
 {
     State& s = *m_state;
-    s.clay.destroy();
-    s.clayProgram.destroy();
-    s.wandPainter.destroy();
-    s.roomPainter.destroy();
-    s.glassPainter.destroy();
+    s.mesh.destroy();
+    s.meshProgram.destroy();
+    s.wandRenderer.destroy();
+    s.roomRenderer.destroy();
+    s.translucentRenderer.destroy();
     s.labels.destroy();
 }
 
 void Scene::apply(core::MeshPatch patch)
 {
-    m_state->clay.apply(std::move(patch));
+    m_state->mesh.apply(std::move(patch));
 }
 
 bool Scene::isLoading() const
 {
-    return m_state->clay.isLoading();
+    return m_state->mesh.isLoading();
 }
 
 void Scene::tint(const core::Footprint* footprint)
 {
-    m_state->clay.shown().tint(isLoading() ? nullptr : footprint);
+    m_state->mesh.shown().tint(isLoading() ? nullptr : footprint);
 }
 
 void Scene::prepare(const SceneState& state)
 {
     assert(state.model.linear().determinant() > 0);
     State& s = *m_state;
-    s.clay.step();
-    s.look = clayLook(state);
+    s.mesh.step();
+    s.look = meshAppearance(state);
     s.lights = lightAxes(state);
     s.shade = floorShade(state);
     s.hasFloor = state.hasFloor;
     s.wands = state.wands;
     s.labels.startFrame();
-    listGlass(state, s.labels, s.glass);
+    buildTranslucentList(state, s.labels, s.translucent);
 }
 
 void Scene::draw(const EyeView& eye)
 {
     State& s = *m_state;
-    const EyeFrame frame = s.frameOf(eye);
+    const EyeUniforms uniforms = s.uniformsOf(eye);
     s.gl->glBindFramebuffer(GL_FRAMEBUFFER, eye.framebuffer);
     s.gl->glViewport(0, 0, eye.width, eye.height);
     s.gl->glEnable(GL_FRAMEBUFFER_SRGB); // does nothing to an image of linear light
@@ -226,18 +226,18 @@ void Scene::draw(const EyeView& eye)
     s.gl->glClearDepthf(1);
     s.gl->glClearColor(0, 0, 0, 1);
     s.clock.run([&] { s.gl->glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT); });
-    s.drawOpaque(frame);
-    s.drawGlass(frame);
+    s.drawOpaque(uniforms);
+    s.drawTranslucent(uniforms);
 }
 
-std::uint64_t Scene::clayBytes() const
+std::uint64_t Scene::meshBytes() const
 {
-    return m_state->clay.bytes();
+    return m_state->mesh.bytes();
 }
 
 std::uint64_t Scene::wholeUploads() const
 {
-    return m_state->clay.wholeUploads();
+    return m_state->mesh.wholeUploads();
 }
 
 double Scene::drawCallMs() const

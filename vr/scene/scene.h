@@ -12,7 +12,7 @@ class QOpenGLExtraFunctions;
 
 namespace vr
 {
-/// Draws what a headset shows: the clay with the desktop's shader, and around it room, wands, brush, plane of symmetry and panels. Its own
+/// Draws what a headset shows: the mesh with the desktop's shader, and around it room, wands, brush, plane of symmetry and panels. Its own
 /// little renderer: OpenGL 3.3 core or more, without Qt3D. Writes linear light; an sRGB image encodes it.
 ///
 /// On the thread of its context, which must be current at every call. Per frame: apply() if there is a patch, prepare() once, draw()
@@ -42,7 +42,7 @@ public:
     /// Into the eye's framebuffer, all of it.
     void draw(const EyeView& eye);
 
-    std::uint64_t clayBytes() const; ///< uploaded since create()
+    std::uint64_t meshBytes() const; ///< uploaded since create()
     std::uint64_t wholeUploads() const;
     /// CPU time within draw calls since create(), milliseconds: without a graphics card they shade the picture themselves.
     double drawCallMs() const;

@@ -41,7 +41,7 @@ struct BallBrush
 {
     core::Vec3 center = core::Vec3::Zero();
     double radius = 0.03;
-    int falloff = 4; ///< n of b(x): what it would take of the clay is tinted
+    int falloff = 4; ///< n of b(x): what it would change of the mesh is tinted
 };
 
 /// The ray brush. Metres of the room.
@@ -53,7 +53,7 @@ struct RayBrush
         double radius;            ///< of the footprint
     };
     core::Ray ray;
-    std::optional<Hit> hit; ///< of the ray and the clay
+    std::optional<Hit> hit; ///< of the ray and the mesh
 };
 
 /// From a wand to a panel.
@@ -63,7 +63,7 @@ struct Laser
 };
 
 /// Where somebody beside the headset points.
-struct PointLight
+struct Spotlight
 {
     core::Vec3 center = core::Vec3::Zero(), normal = core::Vec3::UnitY(); ///< of the surface; the normal has length 1
     double pulse = 0;                                                     ///< 0 to 1, over and over: how far its wave has come
@@ -74,16 +74,16 @@ struct Panel
 {
     Pose pose;                       ///< of its middle: +X to its right, +Y up, +Z towards who reads it
     Eigen::Vector2d size{0.4, 0.3};  ///< metres
-    unsigned int picture = 0;        ///< a PictureTexture's id
+    unsigned int picture = 0;        ///< a Texture's id
     float opacity = 1;
 };
 
-/// All that a frame shows but the clay itself. Room space where nothing else is said.
+/// All that a frame shows except the mesh itself. Room space where nothing else is said.
 struct SceneState
 {
     Pose head;                                                        ///< midway between the eyes
     Eigen::Affine3d model = Eigen::Affine3d(Eigen::UniformScaling(1e-3)); ///< document to room: evenly scaled, turned and moved, never mirrored
-    core::Box box;                                                    ///< of the clay, mm; empty: no clay
+    core::Box box;                                                    ///< of the model, mm; empty: no model
     core::Shading shading;
     bool isFlat = false; ///< each triangle in one shade
     core::Symmetry symmetry = core::Symmetry::None;
@@ -91,7 +91,7 @@ struct SceneState
     std::variant<std::monostate, BallBrush, RayBrush> brush;
     core::Rgb brushColor{235, 240, 248};
     std::array<ShownWand, sideCount> wands; ///< by Side
-    std::optional<PointLight> light;
+    std::optional<Spotlight> spotlight;
     std::optional<core::Sphere> teacher; ///< a brush that nobody in the headset holds
     std::vector<Panel> panels;
     std::array<std::optional<Laser>, sideCount> lasers; ///< by Side

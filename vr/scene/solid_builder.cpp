@@ -12,7 +12,7 @@ namespace
 constexpr double smoothCosine = 0.77; ///< faces that meet at less than 40 degrees are one surface
 constexpr int around = 32, rings = 16;
 
-core::Vec3 middleOf(const Solid::Loop& loop)
+core::Vec3 middleOf(const SolidBuilder::Loop& loop)
 {
     return std::accumulate(loop.begin(), loop.end(), core::Vec3(0, 0, 0)) / static_cast<double>(loop.size());
 }
@@ -24,10 +24,10 @@ std::array<std::int8_t, 4> packed(const core::Vec3& normal)
 }
 
 /// The loop drawn towards its middle by that much.
-Solid::Loop inset(const Solid::Loop& loop, double by)
+SolidBuilder::Loop inset(const SolidBuilder::Loop& loop, double by)
 {
     const core::Vec3 middle = middleOf(loop);
-    Solid::Loop result;
+    SolidBuilder::Loop result;
     for (const core::Vec3& point : loop) {
         const core::Vec3 away = point - middle;
         result.push_back(middle + away * std::max(0.0, 1 - by / away.norm()));
@@ -35,7 +35,7 @@ Solid::Loop inset(const Solid::Loop& loop, double by)
     return result;
 }
 
-Solid::Loop atHeight(Solid::Loop loop, double height)
+SolidBuilder::Loop atHeight(SolidBuilder::Loop loop, double height)
 {
     for (core::Vec3& point : loop)
         point.y() = height;
@@ -43,19 +43,19 @@ Solid::Loop atHeight(Solid::Loop loop, double height)
 }
 } // namespace
 
-core::Slot Solid::put(const core::Vec3& point)
+core::Slot SolidBuilder::addPoint(const core::Vec3& point)
 {
     m_points.push_back(point);
     return static_cast<core::Slot>(m_points.size() - 1);
 }
 
-void Solid::loft(const std::vector<Loop>& loops)
+void SolidBuilder::loft(const std::vector<Loop>& loops)
 {
     const auto count = static_cast<core::Slot>(loops.front().size());
     const auto first = static_cast<core::Slot>(m_points.size());
     for (const Loop& loop : loops)
         m_points.insert(m_points.end(), loop.begin(), loop.end());
-    const core::Slot start = put(middleOf(loops.front())), end = put(middleOf(loops.back()));
+    const core::Slot start = addPoint(middleOf(loops.front())), end = addPoint(middleOf(loops.back()));
     const auto last = first + static_cast<core::Slot>(loops.size() - 1) * count;
     for (core::Slot i = 0; i < count; ++i) {
         const core::Slot next = (i + 1) % count;
@@ -68,7 +68,7 @@ void Solid::loft(const std::vector<Loop>& loops)
     }
 }
 
-void Solid::add(const Solid& other)
+void SolidBuilder::add(const SolidBuilder& other)
 {
     const auto first = static_cast<core::Slot>(m_points.size());
     m_points.insert(m_points.end(), other.m_points.begin(), other.m_points.end());
@@ -76,7 +76,7 @@ void Solid::add(const Solid& other)
         m_faces.push_back({first + face[0], first + face[1], first + face[2]});
 }
 
-core::DrawArrays Solid::drawArrays() const
+core::DrawArrays SolidBuilder::drawArrays() const
 {
     std::vector<core::Vec3> areas;
     std::vector<std::vector<std::size_t>> facesAt(m_points.size());
@@ -102,12 +102,12 @@ core::DrawArrays Solid::drawArrays() const
     return arrays;
 }
 
-Solid ellipsoid(const core::Vec3& middle, const core::Vec3& half)
+SolidBuilder ellipsoid(const core::Vec3& middle, const core::Vec3& half)
 {
-    std::vector<Solid::Loop> loops;
+    std::vector<SolidBuilder::Loop> loops;
     for (int ring = 1; ring < rings; ++ring) {
         const double polar = std::numbers::pi * ring / rings;
-        Solid::Loop loop;
+        SolidBuilder::Loop loop;
         for (int i = 0; i < around; ++i) {
             const double turn = 2 * std::numbers::pi * i / around;
             const core::Vec3 unit(std::sin(polar) * std::cos(turn), std::sin(polar) * std::sin(turn), std::cos(polar));
@@ -115,14 +115,14 @@ Solid ellipsoid(const core::Vec3& middle, const core::Vec3& half)
         }
         loops.push_back(loop);
     }
-    Solid solid;
+    SolidBuilder solid;
     solid.loft(loops);
     return solid;
 }
 
-Solid plate(const Solid::Loop& outline, const PlateHeights& heights)
+SolidBuilder plate(const SolidBuilder::Loop& outline, const PlateHeights& heights)
 {
-    Solid solid;
+    SolidBuilder solid;
     solid.loft({atHeight(inset(outline, heights.bevel), heights.top), atHeight(outline, heights.top - heights.bevel),
                 atHeight(outline, heights.bottom)});
     return solid;

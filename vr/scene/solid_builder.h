@@ -6,8 +6,8 @@
 
 namespace vr
 {
-/// A body of triangles in the making, in metres. Counter-clockwise seen from outside.
-class Solid
+/// Builds a closed triangle mesh, in metres. Counter-clockwise seen from outside.
+class SolidBuilder
 {
 public:
     using Loop = std::vector<core::Vec3>;
@@ -16,20 +16,20 @@ public:
     /// closed by fans to their middles.
     void loft(const std::vector<Loop>& loops);
 
-    void add(const Solid& other);
+    void add(const SolidBuilder& other);
 
     /// Smooth, but for edges sharper than about 40 degrees. White: the shading's tint gives the colour.
     core::DrawArrays drawArrays() const;
 
 private:
-    core::Slot put(const core::Vec3& point);
+    core::Slot addPoint(const core::Vec3& point);
 
     std::vector<core::Vec3> m_points;
     std::vector<core::Triangle> m_faces;
 };
 
 /// Half axes of an ellipsoid along x, y and z.
-Solid ellipsoid(const core::Vec3& middle, const core::Vec3& half);
+SolidBuilder ellipsoid(const core::Vec3& middle, const core::Vec3& half);
 
 /// A plate with a bevelled upper edge over an outline in x and z, which is counter-clockwise seen from above and all of it seen from its middle. Upward is
 /// +y; `bottom` and `top` are heights.
@@ -37,5 +37,5 @@ struct PlateHeights
 {
     double bottom = 0, top = 0, bevel = 0;
 };
-Solid plate(const Solid::Loop& outline, const PlateHeights& heights);
+SolidBuilder plate(const SolidBuilder::Loop& outline, const PlateHeights& heights);
 } // namespace vr

@@ -12,9 +12,9 @@ namespace vr
 {
 namespace
 {
-const Eigen::Vector3f paneColor(0.15F, 0.33F, 0.66F), accentColor(0.22F, 0.56F, 1.0F), paleColor(0.85F, 0.88F, 0.92F);
+const Eigen::Vector3f planeColor(0.15F, 0.33F, 0.66F), accentColor(0.22F, 0.56F, 1.0F), paleColor(0.85F, 0.88F, 0.92F);
 const Eigen::Vector3f holdColor(1.0F, 0.48F, 0.10F);
-const Eigen::Vector3f lightColor(0.30F, 1.0F, 0.06F); ///< nothing else has it
+const Eigen::Vector3f spotlightColor(0.30F, 1.0F, 0.06F); ///< nothing else has it
 
 constexpr float thin = 0.0011F, thinner = 0.0008F; ///< widths of lines, metres
 constexpr float mirrored = 0.45F;                  ///< how strong a brush's mirror image is
@@ -24,8 +24,8 @@ constexpr double holdRadius = 0.026, holdLift = 0.030;
 constexpr float holdHole = 0.80F, footprintHole = 0.97F;
 const core::Vec3 holdPlace(0, 0, 0.012); ///< between the side buttons
 // The light where somebody points: metres.
-constexpr double lightRadius = 0.007, leastWave = 0.012, widestWave = 0.036, beamHeight = 0.35;
-constexpr float beamWidth = 0.003F, waveHole = 0.78F, throughClay = 0.45F;
+constexpr double spotlightRadius = 0.007, minWave = 0.012, maxWave = 0.036, beamHeight = 0.35;
+constexpr float beamWidth = 0.003F, waveHole = 0.78F, hiddenOpacity = 0.45F;
 
 Eigen::Vector3f toFloat(const core::Vec3& v)
 {
@@ -44,25 +44,25 @@ Rectangle acrossTo(const core::Vec3& center, const core::Vec3& normal, double ra
     return rectangle(center, radius * x, radius * normal.cross(x));
 }
 
-class GlassMaker
+class TranslucentListBuilder
 {
 public:
-    GlassMaker(const SceneState& state, LabelPictures& labels, GlassLists& lists) : m_state(state), m_labels(labels), m_lists(lists) {}
+    TranslucentListBuilder(const SceneState& state, LabelTextures& labels, TranslucentList& list) : m_state(state), m_labels(labels), m_list(list) {}
 
-    void addPane();
+    void addPlane();
     void addBrush(std::monostate) {}
     void addBrush(const BallBrush& brush);
     void addBrush(const RayBrush& brush);
     void addWand(const ShownWand& wand);
     void addLaser(const Laser& laser);
-    void addLight(const PointLight& light);
+    void addSpotlight(const Spotlight& spotlight);
     void addTeacher(const core::Sphere& brush);
     void addPanel(const Panel& panel);
 
 private:
     template <class Shape> void add(const core::Vec3& middle, const Shape& shape)
     {
-        m_lists.others.push_back({static_cast<float>((middle - m_state.head.position).norm()), shape});
+        m_list.others.push_back({static_cast<float>((middle - m_state.head.position).norm()), shape});
     }
     void addLine(const core::Vec3& from, const core::Vec3& to, const Line& look);
     void addDot(const core::Vec3& at, double radius, const Eigen::Vector3f& color);
@@ -73,11 +73,11 @@ private:
     template <class Visit> void forEachImage(Visit visit) const;
 
     const SceneState& m_state;
-    LabelPictures& m_labels;
-    GlassLists& m_lists;
+    LabelTextures& m_labels;
+    TranslucentList& m_list;
 };
 
-void GlassMaker::addLine(const core::Vec3& from, const core::Vec3& to, const Line& look)
+void TranslucentListBuilder::addLine(const core::Vec3& from, const core::Vec3& to, const Line& look)
 {
     Line line = look;
     line.from = toFloat(from);
@@ -86,14 +86,14 @@ void GlassMaker::addLine(const core::Vec3& from, const core::Vec3& to, const Lin
 }
 
 /// It faces the head.
-void GlassMaker::addDot(const core::Vec3& at, double radius, const Eigen::Vector3f& color)
+void TranslucentListBuilder::addDot(const core::Vec3& at, double radius, const Eigen::Vector3f& color)
 {
     const Eigen::Matrix3d axes = axesFacing(m_state.head, at);
     const core::Vec3 before = at + dotRadius / 2 * axes.col(2);
     add(before, Ring{.place = rectangle(before, radius * axes.col(0), radius * axes.col(1)), .color = color});
 }
 
-template <class Visit> void GlassMaker::forEachImage(Visit visit) const
+template <class Visit> void TranslucentListBuilder::forEachImage(Visit visit) const
 {
     const core::Vec3 normal = core::planeNormal(m_state.symmetry);
     const Eigen::Matrix3d reflection = Eigen::Matrix3d::Identity() - 2 * normal * normal.transpose();
@@ -107,19 +107,19 @@ template <class Visit> void GlassMaker::forEachImage(Visit visit) const
     }
 }
 
-void GlassMaker::addPane()
+void TranslucentListBuilder::addPlane()
 {
     if (m_state.symmetry == core::Symmetry::None || m_state.box.isEmpty())
         return;
-    const core::SymmetryPlane pane = core::symmetryPlane(m_state.symmetry, m_state.box);
-    const core::Vec3 center = m_state.model * pane.center;
-    const core::Vec3 halfX = m_state.model.linear() * pane.halfX, halfY = m_state.model.linear() * pane.halfY;
-    add(center, Pane{rectangle(center, halfX, halfY), paneColor});
+    const core::SymmetryPlane plane = core::symmetryPlane(m_state.symmetry, m_state.box);
+    const core::Vec3 center = m_state.model * plane.center;
+    const core::Vec3 halfX = m_state.model.linear() * plane.halfX, halfY = m_state.model.linear() * plane.halfY;
+    add(center, Plane{rectangle(center, halfX, halfY), planeColor});
 }
 
-void GlassMaker::addBrush(const BallBrush& brush)
+void TranslucentListBuilder::addBrush(const BallBrush& brush)
 {
-    const Eigen::Vector3f color = lightOf(m_state.brushColor);
+    const Eigen::Vector3f color = linearFromSrgb(m_state.brushColor);
     const auto radius = static_cast<float>(brush.radius);
     add(brush.center, Shell{toFloat(brush.center), radius, color});
     forEachImage([&](const Eigen::Affine3d& image) {
@@ -127,9 +127,9 @@ void GlassMaker::addBrush(const BallBrush& brush)
     });
 }
 
-void GlassMaker::addBrush(const RayBrush& brush)
+void TranslucentListBuilder::addBrush(const RayBrush& brush)
 {
-    const Eigen::Vector3f color = lightOf(m_state.brushColor);
+    const Eigen::Vector3f color = linearFromSrgb(m_state.brushColor);
     const core::Vec3 from = brush.ray.origin;
     const core::Vec3 to = brush.hit ? brush.hit->point : core::Vec3(from + rayReach * brush.ray.direction.normalized());
     addLine(from, to, {.width = thin, .color = color, .alphas = {0.25F, brush.hit ? 0.9F : 0.0F}});
@@ -142,17 +142,17 @@ void GlassMaker::addBrush(const RayBrush& brush)
     });
 }
 
-void GlassMaker::addFootprint(const RayBrush::Hit& hit, float strength)
+void TranslucentListBuilder::addFootprint(const RayBrush::Hit& hit, float strength)
 {
     const core::Vec3 center = hit.point + offSurface * hit.normal;
     add(center, Ring{.place = acrossTo(center, hit.normal, hit.radius),
                      .hole = footprintHole,
-                     .color = lightOf(m_state.brushColor),
+                     .color = linearFromSrgb(m_state.brushColor),
                      .alpha = strength,
                      .hiddenAlpha = 0.25F * strength});
 }
 
-void GlassMaker::addWand(const ShownWand& wand)
+void TranslucentListBuilder::addWand(const ShownWand& wand)
 {
     if (!wand.isShown)
         return;
@@ -165,7 +165,7 @@ void GlassMaker::addWand(const ShownWand& wand)
     addLabels(wand);
 }
 
-void GlassMaker::addHold(const ShownWand& wand)
+void TranslucentListBuilder::addHold(const ShownWand& wand)
 {
     if (wand.hold <= 0)
         return;
@@ -185,7 +185,7 @@ void GlassMaker::addHold(const ShownWand& wand)
     add(center + offSurface * axes.col(2), ring);
 }
 
-void GlassMaker::addLabels(const ShownWand& wand)
+void TranslucentListBuilder::addLabels(const ShownWand& wand)
 {
     LabelAspects aspects;
     std::array<unsigned int, wandSpotCount> textures{};
@@ -208,75 +208,75 @@ void GlassMaker::addLabels(const ShownWand& wand)
     }
 }
 
-void GlassMaker::addLaser(const Laser& laser)
+void TranslucentListBuilder::addLaser(const Laser& laser)
 {
     addLine(laser.from, laser.to, {.width = thin, .color = accentColor, .alphas = {0.15F, 0.9F}});
     addDot(laser.to, dotRadius, accentColor);
 }
 
 /// A glowing bead, a wave that spreads on the surface, and a beam from above: it is found by its shape, too, and through the clay.
-void GlassMaker::addLight(const PointLight& light)
+void TranslucentListBuilder::addSpotlight(const Spotlight& spotlight)
 {
-    const core::Vec3 at = light.center + offSurface * light.normal;
+    const core::Vec3 at = spotlight.center + offSurface * spotlight.normal;
     const Eigen::Matrix3d axes = axesFacing(m_state.head, at);
     const auto bead = [&](double radius, const Eigen::Vector3f& color, float alpha) { // the smaller before the larger
-        const core::Vec3 before = at + (lightRadius - radius / 4) * axes.col(2);
+        const core::Vec3 before = at + (spotlightRadius - radius / 4) * axes.col(2);
         add(before, Ring{.place = rectangle(before, radius * axes.col(0), radius * axes.col(1)),
                          .color = color,
                          .alpha = alpha,
-                         .hiddenAlpha = throughClay * alpha});
+                         .hiddenAlpha = hiddenOpacity * alpha});
     };
-    const double wave = leastWave + (widestWave - leastWave) * light.pulse;
-    const auto strength = static_cast<float>(1 - light.pulse);
-    add(at, Ring{.place = acrossTo(at, light.normal, wave),
+    const double wave = minWave + (maxWave - minWave) * spotlight.pulse;
+    const auto strength = static_cast<float>(1 - spotlight.pulse);
+    add(at, Ring{.place = acrossTo(at, spotlight.normal, wave),
                  .hole = waveHole,
-                 .color = lightColor,
+                 .color = spotlightColor,
                  .alpha = strength,
-                 .hiddenAlpha = throughClay * strength});
-    addLine(at + beamHeight * core::Vec3::UnitY(), at, {.width = beamWidth, .color = lightColor, .alphas = {0.0F, 0.9F}});
-    bead(2 * lightRadius, lightColor, 0.35F);
-    bead(lightRadius, lightColor, 1);
-    bead(0.45 * lightRadius, Eigen::Vector3f::Ones(), 1);
+                 .hiddenAlpha = hiddenOpacity * strength});
+    addLine(at + beamHeight * core::Vec3::UnitY(), at, {.width = beamWidth, .color = spotlightColor, .alphas = {0.0F, 0.9F}});
+    bead(2 * spotlightRadius, spotlightColor, 0.35F);
+    bead(spotlightRadius, spotlightColor, 1);
+    bead(0.45 * spotlightRadius, Eigen::Vector3f::Ones(), 1);
 }
 
-void GlassMaker::addTeacher(const core::Sphere& brush)
+void TranslucentListBuilder::addTeacher(const core::Sphere& brush)
 {
     add(brush.center, Shell{toFloat(brush.center), static_cast<float>(brush.radius), accentColor});
 }
 
-void GlassMaker::addPanel(const Panel& panel)
+void TranslucentListBuilder::addPanel(const Panel& panel)
 {
     const core::Vec3 center = panel.pose.position;
     const core::Vec3 halfX = panel.pose.rotation * core::Vec3(panel.size.x() / 2, 0, 0);
     const core::Vec3 halfY = panel.pose.rotation * core::Vec3(0, panel.size.y() / 2, 0);
-    m_lists.panels.push_back({static_cast<float>((center - m_state.head.position).norm()),
+    m_list.panels.push_back({static_cast<float>((center - m_state.head.position).norm()),
                               Picture{rectangle(center, halfX, halfY), panel.picture, panel.opacity}});
 }
 
-void sortByDistance(std::vector<Glass>& list)
+void sortByDistance(std::vector<TranslucentShape>& list)
 {
-    std::ranges::sort(list, std::greater(), &Glass::distance);
+    std::ranges::sort(list, std::greater(), &TranslucentShape::distance);
 }
 } // namespace
 
-void listGlass(const SceneState& state, LabelPictures& labels, GlassLists& into)
+void buildTranslucentList(const SceneState& state, LabelTextures& labels, TranslucentList& into)
 {
     into.panels.clear();
     into.others.clear();
-    GlassMaker maker(state, labels, into);
-    maker.addPane();
-    std::visit([&](const auto& brush) { maker.addBrush(brush); }, state.brush);
+    TranslucentListBuilder builder(state, labels, into);
+    builder.addPlane();
+    std::visit([&](const auto& brush) { builder.addBrush(brush); }, state.brush);
     for (const ShownWand& wand : state.wands)
-        maker.addWand(wand);
+        builder.addWand(wand);
     for (const std::optional<Laser>& laser : state.lasers)
         if (laser)
-            maker.addLaser(*laser);
+            builder.addLaser(*laser);
     if (state.teacher)
-        maker.addTeacher(*state.teacher);
-    if (state.light)
-        maker.addLight(*state.light);
+        builder.addTeacher(*state.teacher);
+    if (state.spotlight)
+        builder.addSpotlight(*state.spotlight);
     for (const Panel& panel : state.panels)
-        maker.addPanel(panel);
+        builder.addPanel(panel);
     sortByDistance(into.panels);
     sortByDistance(into.others);
 }

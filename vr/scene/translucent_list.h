@@ -8,13 +8,13 @@
 
 namespace vr
 {
-/// All that a frame shows that is seen through, the farthest first.
-struct GlassLists
+/// All translucent shapes of a frame, the farthest first.
+struct TranslucentList
 {
-    std::vector<Glass> panels; ///< pictures; they hide what is behind them
-    std::vector<Glass> others;
+    std::vector<TranslucentShape> panels; ///< pictures; they hide what is behind them
+    std::vector<TranslucentShape> others;
 };
 
 /// In place of what the lists held. No allocation once they have been as long.
-void listGlass(const SceneState& state, LabelPictures& labels, GlassLists& into);
+void buildTranslucentList(const SceneState& state, LabelTextures& labels, TranslucentList& into);
 } // namespace vr

@@ -12,7 +12,7 @@ namespace
 constexpr int ballSubdivisions = 4;
 constexpr float farSide = 0.45F; ///< of a shell, seen through the near one
 constexpr float hiddenShell = 0.16F;
-constexpr float paneBorder = 1.2F; ///< pixels
+constexpr float planeBorder = 1.2F; ///< pixels
 
 core::DrawArrays unitBall()
 {
@@ -25,14 +25,14 @@ core::DrawArrays unitBall()
 }
 } // namespace
 
-void GlassPainter::RectangleProgram::place(const Rectangle& at) const
+void TranslucentRenderer::RectangleProgram::place(const Rectangle& at) const
 {
     center.set(at.center);
     halfX.set(at.halfX);
     halfY.set(at.halfY);
 }
 
-bool GlassPainter::create(QOpenGLExtraFunctions* gl, DrawClock* clock)
+bool TranslucentRenderer::create(QOpenGLExtraFunctions* gl, DrawCallTimer* clock)
 {
     m_gl = gl;
     m_clock = clock;
@@ -42,32 +42,32 @@ bool GlassPainter::create(QOpenGLExtraFunctions* gl, DrawClock* clock)
     const bool shell = m_shell.create(gl, "shell.vert", "shell.frag");
     const bool line = m_line.create(gl, "line.vert", "line.frag");
     const bool ring = m_ring.create(gl, "rectangle.vert", "ring.frag");
-    const bool pane = m_pane.create(gl, "rectangle.vert", "plane.frag");
+    const bool plane = m_plane.create(gl, "rectangle.vert", "plane.frag");
     const bool picture = m_picture.create(gl, "rectangle.vert", "picture.frag");
-    return shell && line && ring && pane && picture;
+    return shell && line && ring && plane && picture;
 }
 
-void GlassPainter::destroy()
+void TranslucentRenderer::destroy()
 {
     if (!m_gl)
         return;
-    for (Program* program : std::initializer_list<Program*>{&m_shell, &m_line, &m_ring, &m_pane, &m_picture})
+    for (Program* program : std::initializer_list<Program*>{&m_shell, &m_line, &m_ring, &m_plane, &m_picture})
         program->destroy();
     m_ball.destroy();
     m_gl->glDeleteVertexArrays(1, &m_noVertices);
     m_gl = nullptr;
 }
 
-void GlassPainter::draw(const EyeFrame& eye, std::span<const Glass> sorted, Hides hides)
+void TranslucentRenderer::draw(const EyeUniforms& eye, std::span<const TranslucentShape> sorted, DepthWrite depthWrite)
 {
-    m_gl->glDepthMask(hides == Hides::Yes ? GL_TRUE : GL_FALSE);
+    m_gl->glDepthMask(depthWrite == DepthWrite::On ? GL_TRUE : GL_FALSE);
     setEye(eye);
-    for (const Glass& glass : sorted)
-        std::visit([&](const auto& shape) { draw(shape); }, glass.shape);
+    for (const TranslucentShape& item : sorted)
+        std::visit([&](const auto& shape) { draw(shape); }, item.shape);
     m_gl->glBindVertexArray(0);
 }
 
-void GlassPainter::setEye(const EyeFrame& eye)
+void TranslucentRenderer::setEye(const EyeUniforms& eye)
 {
     m_shell.use();
     m_shell.view.set(eye.view);
@@ -78,14 +78,14 @@ void GlassPainter::setEye(const EyeFrame& eye)
     m_line.pixel.set(eye.pixel);
     m_ring.use();
     m_ring.clip.set(eye.clip);
-    m_pane.use();
-    m_pane.clip.set(eye.clip);
-    m_pane.border.set(paneBorder);
+    m_plane.use();
+    m_plane.clip.set(eye.clip);
+    m_plane.border.set(planeBorder);
     m_picture.use();
     m_picture.clip.set(eye.clip);
 }
 
-void GlassPainter::draw(const Shell& shell)
+void TranslucentRenderer::draw(const Shell& shell)
 {
     m_shell.use();
     m_shell.center.set(shell.center);
@@ -105,7 +105,7 @@ void GlassPainter::draw(const Shell& shell)
     m_gl->glDisable(GL_CULL_FACE);
 }
 
-void GlassPainter::draw(const Line& line)
+void TranslucentRenderer::draw(const Line& line)
 {
     m_line.use();
     m_line.from.set(line.from);
@@ -116,7 +116,7 @@ void GlassPainter::draw(const Line& line)
     drawStrip();
 }
 
-void GlassPainter::draw(const Ring& ring)
+void TranslucentRenderer::draw(const Ring& ring)
 {
     m_ring.use();
     m_ring.place(ring.place);
@@ -133,15 +133,15 @@ void GlassPainter::draw(const Ring& ring)
     drawStrip();
 }
 
-void GlassPainter::draw(const Pane& pane)
+void TranslucentRenderer::draw(const Plane& plane)
 {
-    m_pane.use();
-    m_pane.place(pane.place);
-    m_pane.color.set(pane.color);
+    m_plane.use();
+    m_plane.place(plane.place);
+    m_plane.color.set(plane.color);
     drawStrip();
 }
 
-void GlassPainter::draw(const Picture& picture)
+void TranslucentRenderer::draw(const Picture& picture)
 {
     m_picture.use();
     m_picture.place(picture.place);
@@ -153,12 +153,12 @@ void GlassPainter::draw(const Picture& picture)
     m_gl->glBindTexture(GL_TEXTURE_2D, 0);
 }
 
-void GlassPainter::drawShell()
+void TranslucentRenderer::drawShell()
 {
     m_clock->run([&] { m_ball.draw(); });
 }
 
-void GlassPainter::drawStrip()
+void TranslucentRenderer::drawStrip()
 {
     m_gl->glBindVertexArray(m_noVertices);
     m_clock->run([&] { m_gl->glDrawArrays(GL_TRIANGLE_STRIP, 0, 4); });

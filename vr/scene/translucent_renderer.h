@@ -10,18 +10,18 @@
 
 namespace vr
 {
-/// Draws what is seen through, after all that is not. The context that was current at create() must be current at every call.
-class GlassPainter
+/// Draws translucent shapes, after all opaque ones. The context that was current at create() must be current at every call.
+class TranslucentRenderer
 {
 public:
     /// False if a shader does not compile.
-    bool create(QOpenGLExtraFunctions* gl, DrawClock* clock);
+    bool create(QOpenGLExtraFunctions* gl, DrawCallTimer* clock);
     void destroy();
 
-    /// Panels hide what is drawn later behind them; else depth is left alone.
-    enum class Hides { No, Yes };
+    /// Panels write depth, so that they hide what is drawn later behind them.
+    enum class DepthWrite { Off, On };
     /// The farthest first. Blends over what is there.
-    void draw(const EyeFrame& eye, std::span<const Glass> sorted, Hides hides);
+    void draw(const EyeUniforms& eye, std::span<const TranslucentShape> sorted, DepthWrite depthWrite);
 
 private:
     struct ShellProgram : Program
@@ -43,7 +43,7 @@ private:
     {
         Uniform inner{this, "inner"}, sweep{this, "sweep"}, color{this, "color"}, alpha{this, "alpha"};
     };
-    struct PaneProgram : RectangleProgram
+    struct PlaneProgram : RectangleProgram
     {
         Uniform color{this, "color"}, border{this, "border"};
     };
@@ -55,20 +55,20 @@ private:
     void draw(const Shell& shell);
     void draw(const Line& line);
     void draw(const Ring& ring);
-    void draw(const Pane& pane);
+    void draw(const Plane& plane);
     void draw(const Picture& picture);
     void drawShell();
     void drawStrip();
-    void setEye(const EyeFrame& eye);
+    void setEye(const EyeUniforms& eye);
 
     QOpenGLExtraFunctions* m_gl = nullptr;
-    DrawClock* m_clock = nullptr;
+    DrawCallTimer* m_clock = nullptr;
     unsigned int m_noVertices = 0;
     MeshBuffer m_ball; ///< the unit sphere
     ShellProgram m_shell;
     LineProgram m_line;
     RingProgram m_ring;
-    PaneProgram m_pane;
+    PlaneProgram m_plane;
     PictureProgram m_picture;
 };
 } // namespace vr

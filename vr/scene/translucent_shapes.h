@@ -6,9 +6,9 @@
 
 namespace vr
 {
-// What is seen through, in room space; colours are linear light.
+// Translucent shapes in room space; colours are linear light.
 
-/// A ball of thin glass. Where clay hides it, it is drawn faintly.
+/// A translucent sphere surface. Where the mesh hides it, it is drawn faintly.
 struct Shell
 {
     Eigen::Vector3f center = Eigen::Vector3f::Zero();
@@ -42,7 +42,7 @@ struct Ring
     float hiddenAlpha = 0; ///< where something hides it
 };
 
-struct Pane
+struct Plane
 {
     Rectangle place;
     Eigen::Vector3f color = Eigen::Vector3f::Zero();
@@ -55,9 +55,9 @@ struct Picture
     float opacity = 1;
 };
 
-struct Glass
+struct TranslucentShape
 {
     float distance = 0; ///< from the head; the farthest is drawn first
-    std::variant<Shell, Line, Ring, Pane, Picture> shape;
+    std::variant<Shell, Line, Ring, Plane, Picture> shape;
 };
 } // namespace vr

@@ -49,22 +49,22 @@ bool isIn(const PresetRow& row, HandMode mode)
 }
 
 /// The trigger is the panel's then, and what is refused was not done.
-bool isOfRow(const Deed& deed)
+bool isOfRow(const WandAction& action)
 {
-    return !std::holds_alternative<PressPanel>(deed) && !std::holds_alternative<ReleasePanel>(deed) &&
-           !std::holds_alternative<Refuse>(deed);
+    return !std::holds_alternative<PressPanel>(action) && !std::holds_alternative<ReleasePanel>(action) &&
+           !std::holds_alternative<Refuse>(action);
 }
 
-bool opensPanel(const Deed& deed)
+bool opensPanel(const WandAction& action)
 {
-    return std::holds_alternative<OpenToolMenu>(deed) || std::holds_alternative<OpenColorPanel>(deed);
+    return std::holds_alternative<OpenToolMenu>(action) || std::holds_alternative<OpenColorPanel>(action);
 }
 
 /// Whether the other hand has done its part in it, by the same gesture.
-bool isOfBothHands(const Deed& deed)
+bool isOfBothHands(const WandAction& action)
 {
-    const auto* stroke = std::get_if<BeginStroke>(&deed);
-    return std::holds_alternative<StretchModel>(deed) || (stroke && stroke->smooths);
+    const auto* stroke = std::get_if<BeginStroke>(&action);
+    return std::holds_alternative<StretchModel>(action) || (stroke && stroke->smooths);
 }
 
 constexpr double degrees = 180 / std::numbers::pi;
@@ -98,17 +98,17 @@ float approached(float opacity, bool isWanted, double seconds)
 }
 } // namespace
 
-void WandLabels::step(const HandsFrame& frame, const Pose& head, const Hands& hands,
-                      std::span<const HandCommand> commands)
+void WandLabels::step(const InputFrame& frame, const Pose& head, const WandMapping& hands,
+                      std::span<const WandCommand> commands)
 {
     const double seconds = m_clock.step(frame.time);
-    if (m_choice != hands.choice())
+    if (m_settings != hands.settings())
         write(hands);
     note(hands, commands);
     m_behind = behind(frame, head);
     for (const Side side : sides) {
         const WandState& wand = frame.wands[static_cast<std::size_t>(side)];
-        const bool canBeLookedAt = wand.isTracked && !hands.draws(side);
+        const bool canBeLookedAt = wand.isTracked && !hands.isDrawing(side);
         const bool isLookedAt = at(side).look(canBeLookedAt ? angleTo(wand, head) : unseenAngle, seconds);
         if (frame.pointsAtPanel[static_cast<std::size_t>(side)] || m_behind == side)
             hide(at(side), seconds);
@@ -126,12 +126,12 @@ std::array<WandLabel, wandSpotCount> WandLabels::labels(Side side) const
     return result;
 }
 
-void WandLabels::write(const Hands& hands)
+void WandLabels::write(const WandMapping& hands)
 {
-    m_choice = hands.choice();
+    m_settings = hands.settings();
     m_used = 0;
     m_hands = {};
-    const std::span<const PresetRow> table = rows(m_choice->preset);
+    const std::span<const PresetRow> table = presetRows(m_settings->preset);
     assert(table.size() <= 32);
     const auto fill = [&](Lines& lines, HandRole role, HandMode mode) {
         for (std::size_t row = 0; row < table.size(); ++row) {
@@ -151,24 +151,24 @@ void WandLabels::write(const Hands& hands)
 }
 
 /// What came before a panel opened, or closed, in the same frame is of the mode before.
-void WandLabels::note(const Hands& hands, std::span<const HandCommand> commands)
+void WandLabels::note(const WandMapping& hands, std::span<const WandCommand> commands)
 {
-    for (const HandCommand& command : commands) {
-        if (!isOfRow(command.deed))
+    for (const WandCommand& command : commands) {
+        if (!isOfRow(command.action))
             continue;
         for (const Side side : sides)
-            if (side == command.side || isOfBothHands(command.deed))
+            if (side == command.side || isOfBothHands(command.action))
                 use(hands, side, command.gesture);
-        if (opensPanel(command.deed))
+        if (opensPanel(command.action))
             setMode(at(command.side), hands.modeOf(command.side));
     }
     for (const Side side : sides)
         setMode(at(side), hands.modeOf(side));
 }
 
-void WandLabels::use(const Hands& hands, Side side, Gesture gesture)
+void WandLabels::use(const WandMapping& hands, Side side, Gesture gesture)
 {
-    const std::span<const PresetRow> table = rows(m_choice->preset);
+    const std::span<const PresetRow> table = presetRows(m_settings->preset);
     for (std::size_t row = 0; row < table.size(); ++row)
         if (table[row].hand == hands.roleOf(side) && table[row].gesture == gesture && isIn(table[row], at(side).mode))
             m_used |= bitOf(row);
@@ -189,16 +189,16 @@ bool WandLabels::Hand::isSeen() const
 }
 
 /// The farther of two wands that are close to each other, if the nearer has labels.
-std::optional<Side> WandLabels::behind(const HandsFrame& frame, const Pose& head) const
+std::optional<Side> WandLabels::behind(const InputFrame& frame, const Pose& head) const
 {
     const auto& [left, right] = frame.wands;
     if (!left.isTracked || !right.isTracked)
         return std::nullopt;
     const Bearing a = bearingOf(left, head), b = bearingOf(right, head);
-    const double slack = m_behind ? labelRoomSlack : 0;
-    if (std::abs(a.aside - b.aside) > labelRoomAside + slack || std::abs(a.above - b.above) > labelRoomAbove + slack)
+    const double slack = m_behind ? labelGapSlack : 0;
+    if (std::abs(a.aside - b.aside) > minLabelGapAside + slack || std::abs(a.above - b.above) > minLabelGapAbove + slack)
         return std::nullopt;
-    const double metres = !m_behind ? 0 : *m_behind == Side::Left ? labelRoomSlackMetres : -labelRoomSlackMetres;
+    const double metres = !m_behind ? 0 : *m_behind == Side::Left ? labelGapSlackMetres : -labelGapSlackMetres;
     const bool isLeftFarther = a.distance + metres > b.distance;
     if (!at(isLeftFarther ? Side::Right : Side::Left).isSeen())
         return std::nullopt;

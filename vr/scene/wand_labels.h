@@ -14,9 +14,9 @@ inline constexpr double labelLookSeconds = 0.5; ///< a wand has to be looked at 
 /// Between where the head looks and the wand: labels come back below the first, and go again above the second.
 inline constexpr double labelLookAngle = 12, labelLookAwayAngle = 16;
 /// Between two wands as the head sees them: farther apart, beside each other or above, the labels of both have room.
-inline constexpr double labelRoomAside = 30, labelRoomAbove = 14;
+inline constexpr double minLabelGapAside = 30, minLabelGapAbove = 14;
 /// So much farther apart they have to be when there was none, so that hands may tremble; metres are of their distances from the head.
-inline constexpr double labelRoomSlack = 3, labelRoomSlackMetres = 0.03;
+inline constexpr double labelGapSlack = 3, labelGapSlackMetres = 0.03;
 
 /// What the labels at both wands' buttons say, and how well they are seen: the rows of the preset. A label is there until what it
 /// tells of was done once, all of it where a button has two functions; then it comes back while the wand is looked at. A wand that draws
@@ -27,8 +27,8 @@ inline constexpr double labelRoomSlack = 3, labelRoomSlackMetres = 0.03;
 class WandLabels
 {
 public:
-    /// Of each frame, after Hands::step(): `hands` as it is then, and the commands that it gave.
-    void step(const HandsFrame& frame, const Pose& head, const Hands& hands, std::span<const HandCommand> commands);
+    /// Of each frame, after WandMapping::step(): `hands` as it is then, and the commands that it gave.
+    void step(const InputFrame& frame, const Pose& head, const WandMapping& hands, std::span<const WandCommand> commands);
 
     /// By WandSpot.
     std::array<WandLabel, wandSpotCount> labels(Side side) const;
@@ -55,19 +55,19 @@ private:
         const Lines& lines() const { return mode == HandMode::Plain ? closed : open; }
     };
 
-    void write(const Hands& hands);
-    void note(const Hands& hands, std::span<const HandCommand> commands);
-    void use(const Hands& hands, Side side, Gesture gesture);
+    void write(const WandMapping& hands);
+    void note(const WandMapping& hands, std::span<const WandCommand> commands);
+    void use(const WandMapping& hands, Side side, Gesture gesture);
     void setMode(Hand& hand, HandMode mode);
     void fade(Hand& hand, bool isLookedAt, double seconds);
     static void hide(Hand& hand, double seconds);
-    std::optional<Side> behind(const HandsFrame& frame, const Pose& head) const;
+    std::optional<Side> behind(const InputFrame& frame, const Pose& head) const;
 
     Hand& at(Side side) { return m_hands[static_cast<std::size_t>(side)]; }
     const Hand& at(Side side) const { return m_hands[static_cast<std::size_t>(side)]; }
 
     FrameClock m_clock;
-    std::optional<HandsChoice> m_choice; ///< that the lines are of
+    std::optional<WandSettings> m_settings; ///< that the lines are of
     std::array<Hand, sideCount> m_hands; ///< by Side
     std::uint32_t m_used = 0;            ///< rows
     std::optional<Side> m_behind;        ///< whose labels there is no room for

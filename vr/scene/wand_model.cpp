@@ -54,10 +54,10 @@ Section sectionAt(std::size_t i, double t)
     return {value(&Section::z), value(&Section::halfWidth), value(&Section::top), value(&Section::bottom)};
 }
 
-Solid::Loop loopOf(const Section& section)
+SolidBuilder::Loop loopOf(const Section& section)
 {
     const auto power = [](double x) { return std::copysign(std::pow(std::abs(x), 2 / squareness), x); };
-    Solid::Loop loop;
+    SolidBuilder::Loop loop;
     for (int i = 0; i < sidesAround; ++i) {
         const double turn = 2 * pi * i / sidesAround, up = power(std::sin(turn));
         loop.emplace_back(section.halfWidth * power(std::cos(turn)), up > 0 ? up * section.top : -up * section.bottom, section.z);
@@ -65,14 +65,14 @@ Solid::Loop loopOf(const Section& section)
     return loop;
 }
 
-Solid body()
+SolidBuilder body()
 {
-    std::vector<Solid::Loop> loops;
+    std::vector<SolidBuilder::Loop> loops;
     for (std::size_t i = 0; i + 1 < std::size(sections); ++i)
         for (int step = 0; step < stepsBetween; ++step)
             loops.push_back(loopOf(sectionAt(i, static_cast<double>(step) / stepsBetween)));
     loops.push_back(loopOf(sections[std::size(sections) - 1]));
-    Solid solid;
+    SolidBuilder solid;
     solid.loft(loops);
     return solid;
 }
@@ -84,14 +84,14 @@ core::Vec3 onPad(double radius, double turn)
 }
 
 /// A quarter of the pad but for the middle, a gap on each side.
-Solid padSide(double turn)
+SolidBuilder padSide(double turn)
 {
     constexpr int steps = 14;
     const auto arc = [&](double radius, int step) {
         const double half = pi / 4 - padGap / radius;
         return onPad(radius, turn + half * (2.0 * step / steps - 1));
     };
-    Solid::Loop outline;
+    SolidBuilder::Loop outline;
     for (int step = 0; step <= steps; ++step)
         outline.push_back(arc(padRadius, step));
     for (int step = steps; step >= 0; --step)
@@ -99,24 +99,24 @@ Solid padSide(double turn)
     return plate(outline, {padBottom, padTop, 0.0005});
 }
 
-Solid::Loop circle(const core::Vec3& middle, double radius)
+SolidBuilder::Loop circle(const core::Vec3& middle, double radius)
 {
     constexpr int steps = 32;
-    Solid::Loop outline;
+    SolidBuilder::Loop outline;
     for (int i = 0; i < steps; ++i)
         outline.push_back(middle + radius * core::Vec3(std::sin(2 * pi * i / steps), 0, std::cos(2 * pi * i / steps)));
     return outline;
 }
 
-Solid sideButtons()
+SolidBuilder sideButtons()
 {
-    Solid both = ellipsoid({0.0158, -0.0010, sideZ}, {0.0030, 0.0046, 0.0135});
+    SolidBuilder both = ellipsoid({0.0158, -0.0010, sideZ}, {0.0030, 0.0046, 0.0135});
     both.add(ellipsoid({-0.0158, -0.0010, sideZ}, {0.0030, 0.0046, 0.0135}));
     return both;
 }
 } // namespace
 
-core::DrawArrays shapeOf(WandPart part)
+core::DrawArrays wandPartModel(WandPart part)
 {
     switch (part) {
     case WandPart::Body: return body().drawArrays();

@@ -16,7 +16,7 @@ inline constexpr std::size_t wandSpotCount = 8;
 // the hand to the tip, +Y towards the thumb, where the pad is.
 
 /// At rest.
-core::DrawArrays shapeOf(WandPart part);
+core::DrawArrays wandPartModel(WandPart part);
 
 /// On the button's surface.
 core::Vec3 placeOf(WandSpot spot);

@@ -18,7 +18,7 @@ core::Shading beadLook(const std::optional<core::Rgb>& color)
     if (!color)
         return buttonLook;
     core::Shading look = litLook;
-    look.tint = glow * lightOf(*color);
+    look.tint = glow * linearFromSrgb(*color);
     return look;
 }
 
@@ -43,22 +43,22 @@ core::Shading lookOf(WandPart part, const ShownWand& wand)
 }
 } // namespace
 
-void WandPainter::create(QOpenGLExtraFunctions* gl, DrawClock* clock)
+void WandRenderer::create(QOpenGLExtraFunctions* gl, DrawCallTimer* clock)
 {
     m_clock = clock;
     for (std::size_t part = 0; part < wandPartCount; ++part) {
         m_parts[part].create(gl);
-        m_parts[part].apply(core::wholePatchOf(shapeOf(static_cast<WandPart>(part))));
+        m_parts[part].apply(core::wholePatchOf(wandPartModel(static_cast<WandPart>(part))));
     }
 }
 
-void WandPainter::destroy()
+void WandRenderer::destroy()
 {
     for (MeshBuffer& part : m_parts)
         part.destroy();
 }
 
-void WandPainter::draw(const EyeFrame& eye, const ClayProgram& program, const ShownWand& wand)
+void WandRenderer::draw(const EyeUniforms& eye, const MeshProgram& program, const ShownWand& wand)
 {
     if (!wand.isShown)
         return;

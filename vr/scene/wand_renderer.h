@@ -7,18 +7,18 @@
 
 namespace vr
 {
-/// Draws wands, shaded as clay is. The context that was current at create() must be current at every call.
-class WandPainter
+/// Draws wands, shaded as the mesh is. The context that was current at create() must be current at every call.
+class WandRenderer
 {
 public:
-    void create(QOpenGLExtraFunctions* gl, DrawClock* clock);
+    void create(QOpenGLExtraFunctions* gl, DrawCallTimer* clock);
     void destroy();
 
     /// `program` is in use for that eye.
-    void draw(const EyeFrame& eye, const ClayProgram& program, const ShownWand& wand);
+    void draw(const EyeUniforms& eye, const MeshProgram& program, const ShownWand& wand);
 
 private:
-    DrawClock* m_clock = nullptr;
+    DrawCallTimer* m_clock = nullptr;
     std::array<MeshBuffer, wandPartCount> m_parts;
 };
 } // namespace vr

@@ -34,14 +34,14 @@ core::StrokeSettings effective(const BrushState& brush, const BeginStroke& begin
     return brush.isInverse ? core::opposite(settings) : settings;
 }
 
-double radiusOn(const BrushState& brush, const Room& room)
+double radiusOn(const BrushState& brush, const ModelPlacement& placement)
 {
     const core::ParameterInfo& range = core::info(core::Parameter::Radius);
-    return std::clamp(room.lengthToModel(brush.radius), range.min, range.max);
+    return std::clamp(placement.lengthToModel(brush.radius), range.min, range.max);
 }
 } // namespace
 
-BrushState changed(BrushState brush, const Deed& deed)
+BrushState changed(BrushState brush, const WandAction& action)
 {
     using core::BrushShape, core::Symmetry, core::Topology;
     core::StrokeSettings& stroke = brush.stroke;
@@ -56,34 +56,34 @@ BrushState changed(BrushState brush, const Deed& deed)
         },
         [&](ToggleSymmetry) { stroke.symmetry = stroke.symmetry == Symmetry::None ? brush.plane : Symmetry::None; },
         [&](const ScaleRadius& scale) {
-            brush.radius = std::clamp(brush.radius * scale.factor, leastRadius, mostRadius);
+            brush.radius = std::clamp(brush.radius * scale.factor, minRadius, maxRadius);
         },
         [&](const ChangeChannel& step) { stroke.color = changedColor(stroke.color, step); },
         [](const auto&) {},
     };
-    std::visit(change, deed);
+    std::visit(change, action);
     return brush;
 }
 
-core::StrokeSettings strokeSettings(const BrushState& brush, const BeginStroke& begin, const Room& room)
+core::StrokeSettings strokeSettings(const BrushState& brush, const BeginStroke& begin, const ModelPlacement& placement)
 {
     core::StrokeSettings settings = effective(brush, begin);
     settings.place = core::Placement::Point;
-    settings.radius = radiusOn(brush, room);
+    settings.radius = radiusOn(brush, placement);
     settings.spacing = core::isDragTool(settings.tool) ? 0 : wandSpacing;
-    settings.add = core::canAddSolid(settings.tool) && settings.brush == core::BrushShape::Sphere && !begin.goesOn;
+    settings.add = core::canAddSolid(settings.tool) && settings.brush == core::BrushShape::Sphere && !begin.continues;
     return settings;
 }
 
-core::StrokeSample strokeSample(const BrushState& brush, const StrokePoint& point, const Room& room)
+core::StrokeSample strokeSample(const BrushState& brush, const StrokePoint& point, const ModelPlacement& placement)
 {
     core::StrokeSample sample;
     sample.time = point.time;
-    sample.position = room.toModel(point.tip.position);
-    sample.direction = room.directionToModel(point.tip.forward());
+    sample.position = placement.toModel(point.tip.position);
+    sample.direction = placement.directionToModel(point.tip.forward());
     sample.pressure = point.pressure;
-    sample.radius = radiusOn(brush, room);
-    sample.up = room.directionToModel(point.tip.rotation * core::Vec3::UnitY());
+    sample.radius = radiusOn(brush, placement);
+    sample.up = placement.directionToModel(point.tip.rotation * core::Vec3::UnitY());
     return sample;
 }
 } // namespace vr

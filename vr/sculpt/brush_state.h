@@ -7,7 +7,7 @@
 namespace vr
 {
 // Of the brush, in the room; metres. A hand that trembles cannot use a smaller one, and a larger one hides the model.
-inline constexpr double leastRadius = 0.002, mostRadius = 0.25, defaultRadius = 0.03;
+inline constexpr double minRadius = 0.002, maxRadius = 0.25, defaultRadius = 0.03;
 /// StrokeSettings::spacing of what wands draw, but for tools that follow the hand. A dab of full strength raises the surface by a tenth
 /// of the radius: so far apart, it keeps up with the wand that pulls it.
 inline constexpr double wandSpacing = 0.1;
@@ -23,11 +23,11 @@ struct BrushState
 
 /// What it is after a hand did that. Tools come round after the last, channels and the radius stop at the ends of their
 /// ranges; what is none of the brush's business leaves it as it is.
-BrushState changed(BrushState brush, const Deed& deed);
+BrushState changed(BrushState brush, const WandAction& action);
 
 /// Of a stroke that begins now. Where a ball that pulls begins in empty space, it adds a ball to the model; a stroke that only goes on adds none.
-core::StrokeSettings strokeSettings(const BrushState& brush, const BeginStroke& begin, const Room& room);
+core::StrokeSettings strokeSettings(const BrushState& brush, const BeginStroke& begin, const ModelPlacement& placement);
 /// In the document's space, where the model's orientation in the room is taken off already. It has its own radius: the model may
 /// be scaled while it is sculpted; and alphas and stamps turn with the wand.
-core::StrokeSample strokeSample(const BrushState& brush, const StrokePoint& point, const Room& room);
+core::StrokeSample strokeSample(const BrushState& brush, const StrokePoint& point, const ModelPlacement& placement);
 } // namespace vr

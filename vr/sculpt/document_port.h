@@ -28,18 +28,18 @@ struct PointedPlace
 };
 
 /// What the headset knows of the document and of the window beside it. The newest replaces those before it.
-struct DocumentNews
+struct DocumentUpdate
 {
     quint64 model = 0; ///< counts the models that were opened: another one is placed before the head
     core::Box box;     ///< mm
     core::Shading shading;
     bool isFlat = false; ///< each triangle in one shade
     /// Tool, shape, topology, symmetry, colour, falloff, strength, detail and fusion as the window has them. `brushChange` counts the
-    /// window's own changes: what the headset wished for is told back without one.
+    /// window's own changes: what the headset requested is reported back without one.
     core::StrokeSettings brush;
     quint64 brushChange = 0;
     bool smooths = true;  ///< Smooth is offered: by a trigger, too, whatever the tool is
-    bool isCalm = false;  ///< nothing moves that nobody moves
+    bool reducesMotion = false;  ///< nothing moves that nobody moves
     /// The brush's radius is the headset's own, in metres of the room. Another number: the person at the window chose brush.radius for it, mm.
     quint64 radiusChange = 0;
     core::Symmetry plane = core::Symmetry::Y; ///< of symmetry when it is switched on
@@ -51,23 +51,23 @@ struct DocumentNews
     QList<FileTile> files;
     QString saved;           ///< the name that the last save of this visit gave, for people
     QString notice;          ///< a sentence that is to be read in the headset, too
-    quint64 noticeCount = 0; ///< another number: it is told anew
+    quint64 noticeCount = 0; ///< another number: it is shown again
     std::optional<PointedPlace> pointed;  ///< where the person at the window points
     std::optional<LessonPanel> lesson;    ///< that is open in the window; its page is the headset's own
     std::optional<core::Sphere> teacher;  ///< the brush of the lesson's teacher, mm
 };
 
 /// Where a brush of these settings meets the surface: a ray brush along the ray, a spherical one at its origin.
-struct SurfaceQuestion
+struct SurfaceQuery
 {
     core::Ray ray;
     core::StrokeSettings brush;
     bool wantsFootprint = true; ///< of a ray brush; it is the costly part
 };
 
-/// To ask(): where the brush meets the surface. `hit`: of a ray brush where the ray meets it; of a spherical one the surface's
+/// Answer to querySurface(): where the brush meets the surface. `hit`: of a ray brush where the ray meets it; of a spherical one the surface's
 /// nearest point, if that is within the radius.
-struct SurfaceAnswer
+struct SurfaceQueryResult
 {
     std::optional<core::SurfaceHit> hit;
     std::shared_ptr<const core::Footprint> footprint; ///< of a ray brush that hits
@@ -81,7 +81,7 @@ struct StrokeEffect
 };
 
 /// Where the person is, for those at the window. Room space.
-struct Presence
+struct AvatarState
 {
     std::optional<Pose> head;
     std::array<std::optional<Pose>, sideCount> hands;    ///< grips, by Side
@@ -90,21 +90,21 @@ struct Presence
     Eigen::Affine3d model = Eigen::Affine3d::Identity(); ///< document to room
 };
 
-/// The brush that the window shall have, too: what DocumentNews::brush says, but for falloff, strength, detail and fusion.
+/// The brush that the window shall have, too: what DocumentUpdate::brush says, but for falloff, strength, detail and fusion.
 struct ChooseBrush
 {
     core::StrokeSettings brush;
 };
 
-/// Another model; `losesChanges`: the person held the button that says so.
+/// Another model; `discardsChanges`: the person held the button that says so.
 struct OpenModel
 {
     QString path;
-    bool losesChanges = false;
+    bool discardsChanges = false;
 };
 
 /// What the gui thread is asked to do; it is done there in this order, and in the order of the strokes before and after it.
-using Wish = std::variant<ChooseBrush, Undo, Redo, SaveModel, RestoreModel, OpenModel, core::MaskOperation, HeadsetChoice, LessonWish>;
+using DocumentRequest = std::variant<ChooseBrush, Undo, Redo, SaveModel, RestoreModel, OpenModel, core::MaskOperation, HeadsetSettings, LessonRequest>;
 
 /// The document as the headset's thread sees it. All is called on that thread, none waits for another thread, and none allocates
 /// more than what it hands over. Values of millimetres are in the document's space.
@@ -115,7 +115,7 @@ public:
 
     /// The newest that was not taken yet. The first of a visit is whole.
     virtual std::optional<core::MeshPatch> takePatch() = 0;
-    virtual std::optional<DocumentNews> takeNews() = 0;
+    virtual std::optional<DocumentUpdate> takeUpdate() = 0;
 
     /// False: somebody else draws, or the model is being changed as a whole; then the stroke does not begin, and the other two do
     /// nothing.
@@ -125,10 +125,10 @@ public:
     virtual StrokeEffect takeEffect() = 0;
 
     /// The newest counts.
-    virtual void ask(const SurfaceQuestion& question) = 0;
-    virtual std::optional<SurfaceAnswer> takeAnswer() = 0;
+    virtual void querySurface(const SurfaceQuery& query) = 0;
+    virtual std::optional<SurfaceQueryResult> takeQueryResult() = 0;
 
-    virtual void wish(const Wish& wish) = 0;
-    virtual void show(const Presence& presence) = 0;
+    virtual void request(const DocumentRequest& request) = 0;
+    virtual void show(const AvatarState& avatar) = 0;
 };
 } // namespace vr

@@ -13,18 +13,18 @@ bool isSameStep(const std::optional<LessonPanel>& a, const std::optional<LessonP
 }
 
 /// What panels ahead do not hide: a ball about the model's middle.
-core::Sphere clayOf(const Room& room, const core::Box& box)
+core::Sphere modelSphere(const ModelPlacement& placement, const core::Box& box)
 {
-    return {room.middle(), box.isEmpty() ? 0 : room.lengthToRoom(box.sizes().maxCoeff()) / 2};
+    return {placement.middle(), box.isEmpty() ? 0 : placement.lengthToRoom(box.sizes().maxCoeff()) / 2};
 }
 } // namespace
 
-SculptClient::SculptClient(std::shared_ptr<DocumentPort> port, const HeadsetChoice& choice)
+SculptClient::SculptClient(std::shared_ptr<DocumentPort> port, const HeadsetSettings& settings)
     : m_port(std::move(port))
-    , m_choice(choice)
-    , m_hands(choice.hands)
+    , m_settings(settings)
+    , m_mapping(settings.wands)
     , m_brush(m_port.get())
-    , m_haptics(choice.feel)
+    , m_haptics(settings.hapticLevels)
 {}
 
 SculptClient::~SculptClient() = default;
@@ -33,15 +33,15 @@ bool SculptClient::create(QOpenGLContext& context)
 {
     QOpenGLExtraFunctions* gl = context.extraFunctions();
     m_target.create(gl);
-    m_wall.create(gl);
+    m_panels.create(gl);
     return m_scene.create(gl);
 }
 
 void SculptClient::destroy()
 {
-    obey(m_hands.letGo());
+    handle(m_mapping.releaseAll());
     m_scene.destroy();
-    m_wall.destroy();
+    m_panels.destroy();
     m_target.destroy();
 }
 
@@ -50,46 +50,46 @@ void SculptClient::destroy()
 FrameOutput SculptClient::frame(const FrameInput& input)
 {
     m_output = {};
-    m_feelings = {};
-    takeNews();
+    m_hapticInputs = {};
+    takeUpdate();
     takePatch();
-    moveRoom(input);
+    handleRoomChange(input);
     place(input);
     aimAtPanels(input);
-    const HandsFrame frame = handsFrame(input);
-    const std::vector<HandCommand> commands = m_hands.step(frame);
-    obey(commands);
-    m_brush.look(m_room);
-    feelEffects();
-    m_labels.step(frame, m_head, m_hands, commands);
+    const InputFrame frame = inputFrame(input);
+    const std::vector<WandCommand> commands = m_mapping.step(frame);
+    handle(commands);
+    m_brush.querySurface(m_placement);
+    updateHaptics();
+    m_labels.step(frame, m_head, m_mapping, commands);
     showPanels(input);
-    see(input);
-    tellPresence(input);
-    m_output.pulses = m_haptics.step(input.seconds(), m_feelings);
+    updateScene(input);
+    publishAvatar(input);
+    m_output.pulses = m_haptics.step(input.seconds(), m_hapticInputs);
     return m_output;
 }
 
 /// Another model is placed before the person; one that has only grown stays where it is. The hand feels what the window chose for it.
-void SculptClient::takeNews()
+void SculptClient::takeUpdate()
 {
-    std::optional<DocumentNews> news = m_port->takeNews();
-    if (!news)
+    std::optional<DocumentUpdate> update = m_port->takeUpdate();
+    if (!update)
         return;
-    const bool isAnother = news->model != m_news.model;
-    const bool isFirst = m_news.brushChange == 0;
-    const bool isChosen = news->brushChange != m_news.brushChange || news->radiusChange != m_news.radiusChange;
-    feeling(m_choice.hands.sculpting).stepped = isChosen && !isFirst;
-    if (!isSameStep(news->lesson, m_news.lesson))
+    const bool isAnother = update->model != m_update.model;
+    const bool isFirst = m_update.brushChange == 0;
+    const bool isChosen = update->brushChange != m_update.brushChange || update->radiusChange != m_update.radiusChange;
+    hapticInput(m_settings.wands.sculpting).stepped = isChosen && !isFirst;
+    if (!isSameStep(update->lesson, m_update.lesson))
         m_lessonPage = 0;
-    m_news = *std::move(news);
-    m_room.setModel(m_news.box);
-    m_brush.take(m_news, m_room);
+    m_update = *std::move(update);
+    m_placement.setModel(m_update.box);
+    m_brush.take(m_update, m_placement);
     m_isPlaced = m_isPlaced && !isAnother;
-    m_files.folder = m_news.folder;
-    m_files.files = m_news.files;
-    m_files.hasUnsavedChanges = m_news.isModified;
-    m_files.isBusy = m_news.isBusy;
-    m_files.saved = m_news.saved;
+    m_files.folder = m_update.folder;
+    m_files.files = m_update.files;
+    m_files.hasUnsavedChanges = m_update.isModified;
+    m_files.isBusy = m_update.isBusy;
+    m_files.saved = m_update.saved;
 }
 
 void SculptClient::takePatch()
@@ -98,14 +98,14 @@ void SculptClient::takePatch()
         m_scene.apply(*std::move(patch));
 }
 
-void SculptClient::moveRoom(const FrameInput& input)
+void SculptClient::handleRoomChange(const FrameInput& input)
 {
     if (input.head)
         m_head = *input.head;
     if (!input.roomMoved)
         return;
-    obey(m_hands.letGo());
-    m_wall.forgetPlaces();
+    handle(m_mapping.releaseAll());
+    m_panels.resetPlacement();
     m_isPlaced = false;
 }
 
@@ -113,19 +113,19 @@ void SculptClient::moveRoom(const FrameInput& input)
 void SculptClient::place(const FrameInput& input)
 {
     if (!m_isPlaced && input.head && !m_scene.isLoading()) {
-        m_room.place(m_head, m_choice.raised);
+        m_placement.place(m_head, m_settings.heightOffset);
         m_isPlaced = true;
     }
-    PanelWall::Sight sight{m_head, {}, m_choice.hands.sculpting, clayOf(m_room, m_news.box), m_choice.hands.preset == Preset::OneHand};
+    PanelManager::Sight sight{m_head, {}, m_settings.wands.sculpting, modelSphere(m_placement, m_update.box), m_settings.wands.preset == ButtonPreset::OneHand};
     for (std::size_t i = 0; i < sideCount; ++i)
         if (input.wands[i].isTracked)
             sight.grips[i] = input.wands[i].grip;
-    m_wall.place(sight);
+    m_panels.place(sight);
 }
 
 void SculptClient::aimAtPanels(const FrameInput& input)
 {
-    const WandState& sculpting = input.wands[static_cast<std::size_t>(m_choice.hands.sculpting)];
+    const WandState& sculpting = input.wands[static_cast<std::size_t>(m_settings.wands.sculpting)];
     m_tip = sculpting.isTracked ? std::optional(tipOf(sculpting)) : std::nullopt;
     m_brush.aim(m_tip);
     for (const Side side : {Side::Left, Side::Right}) {
@@ -133,45 +133,45 @@ void SculptClient::aimAtPanels(const FrameInput& input)
         const Pose tip = tipOf(wand);
         const std::optional<core::Ray> ray =
             wand.isTracked ? std::optional(core::Ray{tip.position, tip.forward()}) : std::nullopt;
-        if (const std::optional<PanelAction> action = m_wall.aim(side, ray, input.seconds()))
-            obey(side, *action);
+        if (const std::optional<PanelAction> action = m_panels.aim(side, ray, input.seconds()))
+            handle(side, *action);
     }
 }
 
-/// A brush that is in the clay sculpts, whatever stands behind it; so does a ray that meets the clay before it meets a panel.
+/// A brush that is in the model sculpts, whatever is behind it; so does a ray that meets the model before a panel.
 bool SculptClient::pointsAtPanel(Side side) const
 {
-    const std::optional<PanelPointer::Spot>& spot = m_wall.spot(side);
-    if (!spot || m_hands.draws(side))
+    const std::optional<PanelPointer::Spot>& spot = m_panels.spot(side);
+    if (!spot || m_mapping.isDrawing(side))
         return false;
-    if (side != m_choice.hands.sculpting || !m_tip)
+    if (side != m_settings.wands.sculpting || !m_tip)
         return true;
-    const std::optional<double> reach = m_brush.reach(m_room);
-    return !m_brush.touches(m_room) && !(reach && *reach < (spot->point - m_tip->position).norm());
+    const std::optional<double> reach = m_brush.reach(m_placement);
+    return !m_brush.touches(m_placement) && !(reach && *reach < (spot->point - m_tip->position).norm());
 }
 
-HandsFrame SculptClient::handsFrame(const FrameInput& input) const
+InputFrame SculptClient::inputFrame(const FrameInput& input) const
 {
     return {input.seconds(), input.wands, {pointsAtPanel(Side::Left), pointsAtPanel(Side::Right)}};
 }
 
-void SculptClient::feelEffects()
+void SculptClient::updateHaptics()
 {
-    const Side side = m_choice.hands.sculpting;
+    const Side side = m_settings.wands.sculpting;
     const StrokeEffect effect = m_port->takeEffect();
-    feeling(side).touches = m_brush.touches(m_room);
-    feeling(side).pressure = m_brush.touches(m_room) ? m_brush.pressure() : 0;
-    feeling(side).fused = feeling(side).fused || effect.fusions > 0;
-    feeling(side).refused = feeling(side).refused || effect.refusals > 0;
+    hapticInput(side).touches = m_brush.touches(m_placement);
+    hapticInput(side).pressure = m_brush.touches(m_placement) ? m_brush.pressure() : 0;
+    hapticInput(side).fused = hapticInput(side).fused || effect.fusions > 0;
+    hapticInput(side).refused = hapticInput(side).refused || effect.refusals > 0;
     for (const Side each : {Side::Left, Side::Right})
-        if (const std::optional<Hands::Hold> hold = m_hands.hold(each))
-            feeling(each).hold = hold->progress;
+        if (const std::optional<WandMapping::Hold> hold = m_mapping.hold(each))
+            hapticInput(each).hold = hold->progress;
 }
 
 /// Nobody at the window waits for the end of a stroke whose hand is gone, or looks at whom the wands lay before.
-void SculptClient::rest()
+void SculptClient::idle()
 {
-    obey(m_hands.letGo());
+    handle(m_mapping.releaseAll());
     m_port->show({});
 }
 

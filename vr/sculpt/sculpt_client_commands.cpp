@@ -7,16 +7,16 @@ namespace vr
 {
 namespace
 {
-template <class... Kinds> bool isOneOf(const Deed& deed)
+template <class... Kinds> bool isOneOf(const WandAction& action)
 {
-    return (std::holds_alternative<Kinds>(deed) || ...);
+    return (std::holds_alternative<Kinds>(action) || ...);
 }
 
 /// Something chosen, switched or ordered: the hand feels a tick.
-bool isStep(const Deed& deed)
+bool isStep(const WandAction& action)
 {
-    return isOneOf<StepTool, SelectChannel, ToggleTopology, ToggleBrushShape, ToggleSymmetry, ToggleInverse>(deed) ||
-           isOneOf<OpenToolMenu, OpenColorPanel, Undo, Redo, SaveModel, RestoreModel>(deed);
+    return isOneOf<StepTool, SelectChannel, ToggleTopology, ToggleBrushShape, ToggleSymmetry, ToggleInverse>(action) ||
+           isOneOf<OpenToolMenu, OpenColorPanel, Undo, Redo, SaveModel, RestoreModel>(action);
 }
 
 core::Rgb slid(core::Rgb color, const Slide& slide)
@@ -28,68 +28,68 @@ core::Rgb slid(core::Rgb color, const Slide& slide)
 }
 } // namespace
 
-void SculptClient::obey(const std::vector<HandCommand>& commands)
+void SculptClient::handle(const std::vector<WandCommand>& commands)
 {
-    for (const HandCommand& command : commands)
-        obey(command);
+    for (const WandCommand& command : commands)
+        handle(command);
 }
 
-void SculptClient::obey(const HandCommand& command)
+void SculptClient::handle(const WandCommand& command)
 {
     const Side side = command.side;
-    const auto refuse = [&] { feeling(side).refused = true; };
+    const auto refuse = [&] { hapticInput(side).refused = true; };
     const auto act = [&](const std::optional<PanelAction>& action) {
         if (action)
-            obey(side, *action);
+            handle(side, *action);
     };
-    const Overloaded obeyed{
-        [&](const BeginStroke& begin) { m_brush.begin(begin, m_room) ? void() : refuse(); },
-        [&](const StrokePoint& point) { m_brush.draw(point, m_room); },
+    const Overloaded handler{
+        [&](const BeginStroke& begin) { m_brush.begin(begin, m_placement) ? void() : refuse(); },
+        [&](const StrokePoint& point) { m_brush.draw(point, m_placement); },
         [&](const EndStroke&) { m_brush.end(); },
         [&](const Refuse&) { refuse(); },
-        [&](const TurnModel& turn) { m_room.turn(turn.angle * m_choice.turnsBy / turnSpeed); },
-        [&](const ScaleModel& scale) { m_room.scale(scale.factor); },
-        [&](const MoveModel& move) { m_room.move(move.from, move.to); },
-        [&](const StretchModel& stretch) { m_room.stretch(stretch.from, stretch.to); },
-        [&](const OpenToolMenu& menu) { m_wall.open(PanelKind::Tools, menu.isOpen); },
-        [&](const OpenColorPanel& panel) { m_wall.open(PanelKind::Color, panel.isOpen); },
-        [&](const PressPanel&) { act(m_wall.press(side)); },
-        [&](const ReleasePanel& release) { act(m_wall.release(side, release.isClick)); },
-        [&](const Undo& undo) { m_port->wish(undo); },
-        [&](const Redo& redo) { m_port->wish(redo); },
-        [&](const SaveModel& save) { m_port->wish(save); },
-        [&](const RestoreModel& restore) { m_port->wish(restore); },
+        [&](const TurnModel& turn) { m_placement.turn(turn.angle * m_settings.turnRate / turnSpeed); },
+        [&](const ScaleModel& scale) { m_placement.scale(scale.factor); },
+        [&](const MoveModel& move) { m_placement.move(move.from, move.to); },
+        [&](const StretchModel& stretch) { m_placement.stretch(stretch.from, stretch.to); },
+        [&](const OpenToolMenu& menu) { m_panels.open(PanelKind::Tools, menu.isOpen); },
+        [&](const OpenColorPanel& panel) { m_panels.open(PanelKind::Color, panel.isOpen); },
+        [&](const PressPanel&) { act(m_panels.press(side)); },
+        [&](const ReleasePanel& release) { act(m_panels.release(side, release.isClick)); },
+        [&](const Undo& undo) { m_port->request(undo); },
+        [&](const Redo& redo) { m_port->request(redo); },
+        [&](const SaveModel& save) { m_port->request(save); },
+        [&](const RestoreModel& restore) { m_port->request(restore); },
         [&](const auto& ofBrush) { m_brush.change(changed(m_brush.state(), ofBrush)); },
     };
-    feeling(side).stepped = feeling(side).stepped || isStep(command.deed);
-    std::visit(obeyed, command.deed);
+    hapticInput(side).stepped = hapticInput(side).stepped || isStep(command.action);
+    std::visit(handler, command.action);
 }
 
-void SculptClient::obey(Side side, const PanelAction& action)
+void SculptClient::handle(Side side, const PanelAction& action)
 {
-    const Overloaded obeyed{
-        [&](PanelCommand command) { obey(command); },
-        [&](const ShowPanel& panel) { m_wall.open(panel.kind, panel.isShown); },
+    const Overloaded handler{
+        [&](PanelCommand command) { handle(command); },
+        [&](const ShowPanel& panel) { m_panels.open(panel.kind, panel.isShown); },
         [&](SettingsPage page) { m_page = page; },
         [&](const ShowLessonPage& shown) { m_lessonPage = shown.page; },
-        [&](LessonWish wish) { m_port->wish(wish); },
-        [&](const ChooseChannel& channel) { m_hands.selectChannel(channel.channel); },
+        [&](LessonRequest request) { m_port->request(request); },
+        [&](const ChooseChannel& channel) { m_mapping.selectChannel(channel.channel); },
         // Of the item that was pressed: what is painted may be older than the changes.
-        [&](const OpenFile& file) { m_port->wish(OpenModel{file.path, file.losesChanges}); },
+        [&](const OpenFile& file) { m_port->request(OpenModel{file.path, file.discardsChanges}); },
         [](const auto&) {},
     };
-    feeling(side).stepped = true;
-    std::visit(obeyed, action);
-    obeyBrush(action);
+    hapticInput(side).stepped = true;
+    std::visit(handler, action);
+    handleBrush(action);
     m_files = m_files.after(action);
-    choose(SettingsPanel::after(m_choice, action));
+    applySettings(SettingsPanel::after(m_settings, action));
 }
 
-void SculptClient::obeyBrush(const PanelAction& action)
+void SculptClient::handleBrush(const PanelAction& action)
 {
     BrushState brush = m_brush.state();
     core::StrokeSettings& stroke = brush.stroke;
-    const Overloaded obeyed{
+    const Overloaded handler{
         [&](core::Tool tool) { stroke.tool = tool; },
         [&](core::BrushShape shape) { stroke.brush = shape; },
         [&](core::Topology topology) { stroke.topology = topology; },
@@ -99,25 +99,25 @@ void SculptClient::obeyBrush(const PanelAction& action)
         [&](const Slide& slide) { stroke.color = slid(stroke.color, slide); },
         [](const auto&) {},
     };
-    std::visit(obeyed, action);
+    std::visit(handler, action);
     m_brush.change(brush);
 }
 
-void SculptClient::obey(PanelCommand command)
+void SculptClient::handle(PanelCommand command)
 {
     switch (command) {
     case PanelCommand::Undo:
-        return m_port->wish(Undo{});
+        return m_port->request(Undo{});
     case PanelCommand::Redo:
-        return m_port->wish(Redo{});
+        return m_port->request(Redo{});
     case PanelCommand::RestoreModel:
-        return m_port->wish(RestoreModel{});
+        return m_port->request(RestoreModel{});
     case PanelCommand::InvertMask:
-        return m_port->wish(core::MaskOperation{core::MaskOperation::Kind::Invert});
+        return m_port->request(core::MaskOperation{core::MaskOperation::Kind::Invert});
     case PanelCommand::ClearMask:
-        return m_port->wish(core::MaskOperation{core::MaskOperation::Kind::Clear});
+        return m_port->request(core::MaskOperation{core::MaskOperation::Kind::Clear});
     case PanelCommand::SaveModel:
-        return m_port->wish(SaveModel{});
+        return m_port->request(SaveModel{});
     case PanelCommand::Recentre:
         m_output.recentre = true;
         return;
@@ -127,16 +127,16 @@ void SculptClient::obey(PanelCommand command)
     }
 }
 
-void SculptClient::choose(const HeadsetChoice& choice)
+void SculptClient::applySettings(const HeadsetSettings& settings)
 {
-    if (choice == m_choice)
+    if (settings == m_settings)
         return;
-    const HeadsetChoice before = std::exchange(m_choice, choice);
-    if (choice.hands != before.hands)
-        obey(m_hands.choose(choice.hands));
-    if (choice.raised != before.raised)
-        m_room.move({}, {Eigen::Quaterniond::Identity(), core::Vec3(0, choice.raised - before.raised, 0)});
-    m_haptics.setLevels(choice.feel);
-    m_port->wish(choice);
+    const HeadsetSettings before = std::exchange(m_settings, settings);
+    if (settings.wands != before.wands)
+        handle(m_mapping.setSettings(settings.wands));
+    if (settings.heightOffset != before.heightOffset)
+        m_placement.move({}, {Eigen::Quaterniond::Identity(), core::Vec3(0, settings.heightOffset - before.heightOffset, 0)});
+    m_haptics.setLevels(settings.hapticLevels);
+    m_port->request(settings);
 }
 } // namespace vr

@@ -15,93 +15,93 @@ bool isSameChoice(const core::StrokeSettings& a, const core::StrokeSettings& b)
 }
 } // namespace
 
-void BrushHand::take(const DocumentNews& news, const Room& room)
+void WandBrush::take(const DocumentUpdate& update, const ModelPlacement& placement)
 {
-    m_state.plane = news.plane;
-    m_smooths = news.smooths;
-    if (std::exchange(m_seenRadius, news.radiusChange) != news.radiusChange)
-        m_state.radius = std::clamp(room.lengthToRoom(news.brush.radius), leastRadius, mostRadius);
-    if (news.brushChange == m_seenChange)
+    m_state.plane = update.plane;
+    m_smooths = update.smooths;
+    if (std::exchange(m_seenRadius, update.radiusChange) != update.radiusChange)
+        m_state.radius = std::clamp(placement.lengthToRoom(update.brush.radius), minRadius, maxRadius);
+    if (update.brushChange == m_seenChange)
         return;
-    m_seenChange = news.brushChange;
-    m_state.stroke = news.brush;
+    m_seenChange = update.brushChange;
+    m_state.stroke = update.brush;
 }
 
-void BrushHand::change(const BrushState& state)
+void WandBrush::change(const BrushState& state)
 {
-    const bool isNews = !isSameChoice(state.stroke, m_state.stroke);
+    const bool isChanged = !isSameChoice(state.stroke, m_state.stroke);
     m_state = state;
-    if (isNews)
-        m_port->wish(ChooseBrush{state.stroke});
+    if (isChanged)
+        m_port->request(ChooseBrush{state.stroke});
 }
 
-bool BrushHand::begin(BeginStroke begin, const Room& room)
+bool WandBrush::begin(BeginStroke begin, const ModelPlacement& placement)
 {
     begin.smooths = begin.smooths && m_smooths;
-    m_draws = m_port->beginStroke(strokeSettings(m_state, begin, room));
-    return m_draws;
+    m_isDrawing = m_port->beginStroke(strokeSettings(m_state, begin, placement));
+    return m_isDrawing;
 }
 
-void BrushHand::draw(const StrokePoint& point, const Room& room)
+void WandBrush::draw(const StrokePoint& point, const ModelPlacement& placement)
 {
-    if (!m_draws)
+    if (!m_isDrawing)
         return;
     m_pressure = point.pressure;
-    core::StrokeSample sample = strokeSample(m_state, point, room);
+    core::StrokeSample sample = strokeSample(m_state, point, placement);
     if (!m_firstTime)
         m_firstTime = point.time;
     sample.time -= *m_firstTime;
     m_port->addSample(sample);
 }
 
-void BrushHand::end()
+void WandBrush::end()
 {
-    if (m_draws)
+    if (m_isDrawing)
         m_port->endStroke();
-    m_draws = false;
+    m_isDrawing = false;
     m_pressure = 0;
 }
 
 /// A ray's footprint is not asked for within a stroke: what it would take is being taken.
-void BrushHand::look(const Room& room)
+void WandBrush::querySurface(const ModelPlacement& placement)
 {
-    if (std::optional<SurfaceAnswer> answer = m_port->takeAnswer())
-        m_answer = *std::move(answer);
+    if (std::optional<SurfaceQueryResult> result = m_port->takeQueryResult())
+        m_queryResult = *std::move(result);
     if (!m_tip)
-        m_answer = {};
+        m_queryResult = {};
     else
-        m_port->ask(
-            {{room.toModel(m_tip->position), room.directionToModel(m_tip->forward())}, settings(room), !m_draws});
+        m_port->querySurface(
+            {{placement.toModel(m_tip->position), placement.directionToModel(m_tip->forward())}, settings(placement), !m_isDrawing});
 }
 
 /// A stroke may be ahead of what is answered.
-bool BrushHand::touches(const Room& room) const
+bool WandBrush::touches(const ModelPlacement& placement) const
 {
-    if (!m_answer.hit || !m_tip)
+    if (!m_queryResult.hit || !m_tip)
         return false;
-    const double distance = (room.toRoom(m_answer.hit->position) - m_tip->position).norm();
-    return m_draws || (!isRay() && distance <= m_state.radius);
+    const double distance = (placement.toRoom(m_queryResult.hit->position) - m_tip->position).norm();
+    return m_isDrawing || (!isRay() && distance <= m_state.radius);
 }
 
-std::optional<double> BrushHand::reach(const Room& room) const
+std::optional<double> WandBrush::reach(const ModelPlacement& placement) const
 {
-    if (!isRay() || !m_answer.hit || !m_tip)
+    if (!isRay() || !m_queryResult.hit || !m_tip)
         return std::nullopt;
-    const core::Vec3 way = room.toRoom(m_answer.hit->position) - m_tip->position;
+    const core::Vec3 way = placement.toRoom(m_queryResult.hit->position) - m_tip->position;
     const double along = way.dot(m_tip->forward());
     const bool isOnRay = (way - along * m_tip->forward()).norm() <= m_state.radius;
     return along > 0 && isOnRay ? std::optional(along) : std::nullopt;
 }
 
-std::variant<std::monostate, BallBrush, RayBrush> BrushHand::shown(const Room& room) const
+std::variant<std::monostate, BallBrush, RayBrush> WandBrush::shown(const ModelPlacement& placement) const
 {
     if (!m_tip)
         return {};
     if (!isRay())
         return BallBrush{m_tip->position, m_state.radius, m_state.stroke.falloff};
     RayBrush ray{{m_tip->position, m_tip->forward()}, {}};
-    if (m_answer.hit)
-        ray.hit = RayBrush::Hit{room.toRoom(m_answer.hit->position), room.directionToRoom(m_answer.hit->normal),
+    if (m_queryResult.hit)
+        ray.hit = RayBrush::Hit{placement.toRoom(m_queryResult.hit->position), placement.directionToRoom(m_queryResult.hit->normal),
                                 m_state.radius};
     return ray;
 }

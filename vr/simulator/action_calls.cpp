@@ -49,7 +49,7 @@ std::vector<XrPath> checkedSubactions(const Paths& paths, const XrActionCreateIn
 {
     std::vector<XrPath> subactions;
     for (std::uint32_t i = 0; i < info.countSubactionPaths; ++i) {
-        const XrPath path = (&given(info.subactionPaths))[i];
+        const XrPath path = (&validated(info.subactionPaths))[i];
         const bool isUser = std::find(userPaths.begin(), userPaths.end(), paths.text(path)) != userPaths.end();
         const bool isNew = std::find(subactions.begin(), subactions.end(), path) == subactions.end();
         require(isUser && isNew, XR_ERROR_PATH_UNSUPPORTED, "a subaction path is twice there, or no top level user path");
@@ -96,8 +96,8 @@ void requireSubaction(const Paths& paths, const Action& action, XrPath subaction
 XrResult createActionSet(Call& call, XrInstance handle, const XrActionSetCreateInfo* info, XrActionSet* out)
 {
     Instance& instance = call.get<Instance>(handle);
-    given(info, XR_TYPE_ACTION_SET_CREATE_INFO);
-    given(out);
+    validated(info, XR_TYPE_ACTION_SET_CREATE_INFO);
+    validated(out);
     const Names names{bounded(info->actionSetName), bounded(info->localizedActionSetName)};
     checkNames(names);
     checkUnique(names, call.runtime.handles.childrenOf<ActionSet>(instance));
@@ -120,8 +120,8 @@ XrResult createAction(Call& call, XrActionSet handle, const XrActionCreateInfo* 
 {
     auto& set = call.get<ActionSet>(handle);
     const auto& instance = static_cast<const Instance&>(*set.parent);
-    given(info, XR_TYPE_ACTION_CREATE_INFO);
-    given(out);
+    validated(info, XR_TYPE_ACTION_CREATE_INFO);
+    validated(out);
     require(!set.isAttached, XR_ERROR_ACTIONSETS_ALREADY_ATTACHED, "the action set is attached");
     const Names names{bounded(info->actionName), bounded(info->localizedActionName)};
     checkNames(names);
@@ -146,14 +146,14 @@ XrResult destroyAction(Call& call, XrAction handle)
 XrResult suggestInteractionProfileBindings(Call& call, XrInstance handle, const XrInteractionProfileSuggestedBinding* suggestion)
 {
     Instance& instance = call.get<Instance>(handle);
-    given(suggestion, XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING);
+    validated(suggestion, XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING);
     const std::string& path = instance.paths.text(suggestion->interactionProfile);
     const Profile* profile = profileAt(path);
     require(profile, XR_ERROR_PATH_UNSUPPORTED, "no such interaction profile here");
     require(suggestion->countSuggestedBindings > 0, XR_ERROR_VALIDATION_FAILURE, "no bindings");
     std::vector<SuggestedBinding> bindings;
     for (std::uint32_t i = 0; i < suggestion->countSuggestedBindings; ++i)
-        bindings.push_back(checkedBinding(call, instance, *profile, (&given(suggestion->suggestedBindings))[i]));
+        bindings.push_back(checkedBinding(call, instance, *profile, (&validated(suggestion->suggestedBindings))[i]));
     instance.suggestions[path] = std::move(bindings);
     call.line.update({{"profile", path}, {"bindings", suggestion->countSuggestedBindings}});
     return XR_SUCCESS;

@@ -4,7 +4,7 @@
 
 namespace simulator
 {
-struct ActionQuestion
+struct ActionQuery
 {
     XrAction action = XR_NULL_HANDLE;
     XrPath subaction = XR_NULL_PATH;
@@ -12,5 +12,5 @@ struct ActionQuestion
 };
 
 /// Fails unless it is attached to the session, of that type, and has that subaction path.
-const Action& attachedAction(Call& call, const Session& session, const ActionQuestion& question);
+const Action& attachedAction(Call& call, const Session& session, const ActionQuery& query);
 } // namespace simulator

@@ -2,7 +2,7 @@
 
 namespace simulator
 {
-void Call::wantContext(const Session& session)
+void Call::checkContext(const Session& session)
 {
     if (!session.gl()->isClientCurrent())
         warn("the session's OpenGL context is not current on the calling thread");

@@ -25,7 +25,7 @@ public:
     void error(const std::string& text) { runtime.log.error(std::string(name) + ": " + text, where()); }
     void warn(const std::string& text) { runtime.log.warning(std::string(name) + ": " + text, where()); }
     /// Warns unless the client's context is current here: it may not be elsewhere, and some runtimes rely on it.
-    void wantContext(const Session& session);
+    void checkContext(const Session& session);
 
     nlohmann::json where() const;
     /// One that the call concerns and that is about to be lost.

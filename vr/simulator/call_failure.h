@@ -10,7 +10,7 @@
 namespace simulator
 {
 /// Thrown to end the call that is being answered.
-struct Failure
+struct CallFailure
 {
     XrResult result;
     const char* reason; ///< for the log
@@ -19,58 +19,58 @@ struct Failure
 inline void require(bool condition, XrResult otherwise, const char* reason)
 {
     if (!condition)
-        throw Failure{otherwise, reason};
+        throw CallFailure{otherwise, reason};
 }
 
-template <class T> T& given(T* pointer)
+template <class T> T& validated(T* pointer)
 {
     require(pointer, XR_ERROR_VALIDATION_FAILURE, "a pointer is null");
     return *pointer;
 }
 
 /// Of a structure that says its own type.
-template <class T> T& given(T* pointer, XrStructureType type)
+template <class T> T& validated(T* pointer, XrStructureType type)
 {
-    require(given(pointer).type == type, XR_ERROR_VALIDATION_FAILURE, "a structure's type is not set, or another's");
+    require(validated(pointer).type == type, XR_ERROR_VALIDATION_FAILURE, "a structure's type is not set, or another's");
     return *pointer;
 }
 
 /// What the client offers for the answer of a call in the two-call idiom.
-template <class T> struct Room
+template <class T> struct OutputArray
 {
     std::uint32_t capacity;
     std::uint32_t* count;
     T* items;
 };
 
-/// `put(T& to, item)` for each item, if there is room.
-template <class T, class Items, class Put> void answer(Room<T> room, const Items& items, Put put)
+/// `put(T& to, item)` for each item, if they fit.
+template <class T, class Items, class Put> void writeItems(OutputArray<T> output, const Items& items, Put put)
 {
-    given(room.count) = static_cast<std::uint32_t>(std::size(items));
-    if (room.capacity == 0)
+    validated(output.count) = static_cast<std::uint32_t>(std::size(items));
+    if (output.capacity == 0)
         return;
-    given(room.items);
-    require(room.capacity >= *room.count, XR_ERROR_SIZE_INSUFFICIENT, "the array is too small");
-    T* to = room.items;
+    validated(output.items);
+    require(output.capacity >= *output.count, XR_ERROR_SIZE_INSUFFICIENT, "the array is too small");
+    T* to = output.items;
     for (const auto& item : items)
         put(*to++, item);
 }
 
-template <class T, class Items> void answer(Room<T> room, const Items& items)
+template <class T, class Items> void writeItems(OutputArray<T> output, const Items& items)
 {
-    answer(room, items, [](T& to, const T& item) { to = item; });
+    writeItems(output, items, [](T& to, const T& item) { to = item; });
 }
 
 /// With its terminating zero.
-inline void answerText(Room<char> room, std::string_view text)
+inline void writeText(OutputArray<char> output, std::string_view text)
 {
-    given(room.count) = static_cast<std::uint32_t>(text.size() + 1);
-    if (room.capacity == 0)
+    validated(output.count) = static_cast<std::uint32_t>(text.size() + 1);
+    if (output.capacity == 0)
         return;
-    given(room.items);
-    require(room.capacity >= *room.count, XR_ERROR_SIZE_INSUFFICIENT, "the buffer is too small");
-    std::memcpy(room.items, text.data(), text.size());
-    room.items[text.size()] = 0;
+    validated(output.items);
+    require(output.capacity >= *output.count, XR_ERROR_SIZE_INSUFFICIENT, "the buffer is too small");
+    std::memcpy(output.items, text.data(), text.size());
+    output.items[text.size()] = 0;
 }
 
 template <std::size_t N> void copyText(char (&to)[N], std::string_view text)

@@ -18,7 +18,7 @@ const char* kept(std::string text)
     return lastText.c_str();
 }
 
-template <class Work> const char* complaintOf(Work work)
+template <class Work> const char* errorOf(Work work)
 {
     try {
         Runtime& runtime = Runtime::get();
@@ -41,12 +41,12 @@ bool isAtRest(const Runtime& runtime)
 extern "C" {
 __attribute__((visibility("default"))) const char* fettle_xr_load(const char* script)
 {
-    return complaintOf([script](Runtime& runtime) { runtime.load(script); });
+    return errorOf([script](Runtime& runtime) { runtime.load(script); });
 }
 
 __attribute__((visibility("default"))) const char* fettle_xr_do(const char* step)
 {
-    return complaintOf([step](Runtime& runtime) { runtime.apply(simulator::readStep(nlohmann::json::parse(step))); });
+    return errorOf([step](Runtime& runtime) { runtime.apply(simulator::readStep(nlohmann::json::parse(step))); });
 }
 
 __attribute__((visibility("default"))) int fettle_xr_frames(int count, int milliseconds)

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 /// How the runtime is steered: by a script that the environment names, or in the client's process through the functions below, found by
-/// dlsym() in the library, by a test or by a hand at a desk. All speak JSON with one vocabulary.
+/// dlsym() in the library, by a test or by the simulator's window. All speak JSON with one vocabulary.
 ///
 ///     FETTLE_XR_SCRIPT    a file with a script; none: a headset that lies still
 ///     FETTLE_XR_LOG       a file that is written, an object a line: {"call", "result", "session", "frame", ...},

@@ -1,5 +1,5 @@
 // The doors: the loader asks xrNegotiateLoaderRuntimeInterface() for getInstanceProcAddr(), and that for all else. Each function of
-// OpenXR is an Entry: it takes the mutex, waits while it is frozen, lets a scripted answer or the function of calls.h answer, and writes
+// OpenXR is an Entry: it takes the mutex, waits while it is frozen, lets a scripted result or the function of calls.h answer, and writes
 // what was asked.
 #include "vr/simulator/calls.h"
 #include "vr/simulator/enum_names.h"
@@ -33,11 +33,11 @@ bool isClientsFault(XrResult result)
     }
 }
 
-std::optional<XrResult> scriptedAnswer(Call& call)
+std::optional<XrResult> takeScriptedResult(Call& call)
 {
-    auto& answers = call.runtime.world.answers;
-    const auto found = answers.find(call.name);
-    if (found == answers.end() || found->second.times == 0)
+    auto& scriptedResults = call.runtime.world.scriptedResults;
+    const auto found = scriptedResults.find(call.name);
+    if (found == scriptedResults.end() || found->second.times == 0)
         return {};
     --found->second.times;
     call.line["scripted"] = true;
@@ -46,12 +46,12 @@ std::optional<XrResult> scriptedAnswer(Call& call)
 
 template <class Implementation> XrResult answered(Call& call, Implementation implementation)
 {
-    if (const auto answer = scriptedAnswer(call))
-        return *answer;
+    if (const auto result = takeScriptedResult(call))
+        return *result;
     try {
         const XrResult result = implementation();
         return result == XR_SUCCESS && call.isLossPending() ? XR_SESSION_LOSS_PENDING : result;
-    } catch (const Failure& failure) {
+    } catch (const CallFailure& failure) {
         call.line["reason"] = failure.reason;
         if (isClientsFault(failure.result))
             call.error(nameOf(failure.result) + ", " + failure.reason);
@@ -198,15 +198,15 @@ PFN_xrVoidFunction functionFor(XrInstance instance, std::string_view name)
 XrResult XRAPI_CALL getInstanceProcAddr(XrInstance instance, const char* name, PFN_xrVoidFunction* function)
 {
     try {
-        given(function) = nullptr;
-        *function = functionFor(instance, &given(name));
+        validated(function) = nullptr;
+        *function = functionFor(instance, &validated(name));
         return *function ? XR_SUCCESS : XR_ERROR_FUNCTION_UNSUPPORTED;
-    } catch (const Failure& failure) {
+    } catch (const CallFailure& failure) {
         return failure.result;
     }
 }
 
-bool speaksOurs(const LoaderInfo* loader, const RuntimeRequest* request)
+bool isCompatible(const LoaderInfo* loader, const RuntimeRequest* request)
 {
     return loader && request && loader->type == LoaderStructure::LoaderInfo && request->type == LoaderStructure::RuntimeRequest
            && loader->size == sizeof(LoaderInfo) && request->size == sizeof(RuntimeRequest)
@@ -220,7 +220,7 @@ extern "C" __attribute__((visibility("default"))) XrResult xrNegotiateLoaderRunt
                                                                                            simulator::RuntimeRequest* request)
 {
     using namespace simulator;
-    if (!speaksOurs(loader, request))
+    if (!isCompatible(loader, request))
         return XR_ERROR_INITIALIZATION_FAILED;
     try {
         Runtime& runtime = Runtime::get();

@@ -40,7 +40,7 @@ void waitUntilAllowed(Call& call, Session& session)
 }
 
 /// When the next frame's interval begins. Those of a live display follow each other by the clock: a frame that misses its own is late.
-Clock::time_point nextStart(World& world, const Session& session)
+Clock::time_point nextStart(SimulatedWorld& world, const Session& session)
 {
     const XrDuration period = world.period();
     const bool isPaced = world.pace == Pace::Real || world.pace == Pace::Live;
@@ -64,7 +64,7 @@ void waitForDisplay(Call& call, Session& session)
 /// The display time moves by one period, and by as many more as the frame is late.
 Frame nextFrame(Runtime& runtime, Session& session)
 {
-    World& world = runtime.world;
+    SimulatedWorld& world = runtime.world;
     const XrDuration period = world.period();
     const XrDuration missed = (world.late + period - 1) / period;
     world.now += period * (1 + missed);
@@ -74,7 +74,7 @@ Frame nextFrame(Runtime& runtime, Session& session)
 
 void applyScript(Runtime& runtime, const Session& session)
 {
-    if (const Step* step = runtime.script.at({session.index, session.nextFrame}))
+    if (const ScriptStep* step = runtime.script.at({session.index, session.nextFrame}))
         runtime.apply(*step);
     runtime.loseIfDue();
 }
@@ -85,8 +85,8 @@ XrResult waitFrame(Call& call, XrSession handle, const XrFrameWaitInfo* info, Xr
     Session& session = call.get<Session>(handle);
     Runtime& runtime = call.runtime;
     if (info)
-        given(info, XR_TYPE_FRAME_WAIT_INFO);
-    given(state, XR_TYPE_FRAME_STATE);
+        validated(info, XR_TYPE_FRAME_WAIT_INFO);
+    validated(state, XR_TYPE_FRAME_STATE);
     requireRunning(session);
     waitUntilBegun(call, session);
     applyScript(runtime, session);
@@ -106,9 +106,9 @@ XrResult beginFrame(Call& call, XrSession handle, const XrFrameBeginInfo* info)
 {
     Session& session = call.get<Session>(handle);
     if (info)
-        given(info, XR_TYPE_FRAME_BEGIN_INFO);
+        validated(info, XR_TYPE_FRAME_BEGIN_INFO);
     requireRunning(session);
-    call.wantContext(session);
+    call.checkContext(session);
     require(session.waited.has_value(), XR_ERROR_CALL_ORDER_INVALID, "no frame was waited for");
     const bool discards = session.begun.has_value();
     if (discards)
@@ -122,9 +122,9 @@ XrResult endFrame(Call& call, XrSession handle, const XrFrameEndInfo* info)
 {
     Session& session = call.get<Session>(handle);
     Runtime& runtime = call.runtime;
-    given(info, XR_TYPE_FRAME_END_INFO);
+    validated(info, XR_TYPE_FRAME_END_INFO);
     requireRunning(session);
-    call.wantContext(session);
+    call.checkContext(session);
     require(session.begun.has_value(), XR_ERROR_CALL_ORDER_INVALID, "no frame was begun");
     const Frame frame = *session.begun;
     const Layers layers = checkedLayers(call, session, *info);
@@ -139,7 +139,7 @@ XrResult endFrame(Call& call, XrSession handle, const XrFrameEndInfo* info)
                        {"layers", layers.description}});
     session.begun.reset();
     ++runtime.framesEnded;
-    session.rise();
+    session.raiseState();
     runtime.changed.notify_all();
     return XR_SUCCESS;
 }

@@ -46,9 +46,9 @@ nlohmann::json described(Call& call, Hand hand, const XrHapticVibration* pulse)
 XrResult applyHapticFeedback(Call& call, XrSession handle, const XrHapticActionInfo* info, const XrHapticBaseHeader* feedback)
 {
     const Session& session = call.get<Session>(handle);
-    given(info, XR_TYPE_HAPTIC_ACTION_INFO);
+    validated(info, XR_TYPE_HAPTIC_ACTION_INFO);
     const Action& action = hapticAction(call, session, *info);
-    given(feedback);
+    validated(feedback);
     require(feedback->type == XR_TYPE_HAPTIC_VIBRATION, XR_ERROR_VALIDATION_FAILURE, "no such haptic feedback");
     const auto& pulse = reinterpret_cast<const XrHapticVibration&>(*feedback);
     checkPulse(call, pulse);
@@ -62,7 +62,7 @@ XrResult applyHapticFeedback(Call& call, XrSession handle, const XrHapticActionI
 XrResult stopHapticFeedback(Call& call, XrSession handle, const XrHapticActionInfo* info)
 {
     const Session& session = call.get<Session>(handle);
-    given(info, XR_TYPE_HAPTIC_ACTION_INFO);
+    validated(info, XR_TYPE_HAPTIC_ACTION_INFO);
     const Action& action = hapticAction(call, session, *info);
     if (!session.isFocused())
         return XR_SESSION_NOT_FOCUSED;

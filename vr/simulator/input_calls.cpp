@@ -17,8 +17,8 @@ template <class State> ActionState readState(Call& call, XrSession handle, const
     constexpr bool isBool = std::is_same_v<State, XrActionStateBoolean>, isFloat = std::is_same_v<State, XrActionStateFloat>;
     constexpr bool isVector = std::is_same_v<State, XrActionStateVector2f>;
     const Session& session = call.get<Session>(handle);
-    given(info, XR_TYPE_ACTION_STATE_GET_INFO);
-    given(state, isBool     ? XR_TYPE_ACTION_STATE_BOOLEAN
+    validated(info, XR_TYPE_ACTION_STATE_GET_INFO);
+    validated(state, isBool     ? XR_TYPE_ACTION_STATE_BOOLEAN
                  : isFloat  ? XR_TYPE_ACTION_STATE_FLOAT
                  : isVector ? XR_TYPE_ACTION_STATE_VECTOR2F
                             : XR_TYPE_ACTION_STATE_POSE);
@@ -57,7 +57,7 @@ std::vector<ActiveSet> checkedSets(Call& call, const Session& session, const XrA
 {
     std::vector<ActiveSet> active;
     for (std::uint32_t i = 0; i < info.countActiveActionSets; ++i)
-        active.push_back(checkedSet(call, session, (&given(info.activeActionSets))[i]));
+        active.push_back(checkedSet(call, session, (&validated(info.activeActionSets))[i]));
     return active;
 }
 
@@ -98,24 +98,24 @@ std::string localizedName(const Session& session, const Source& source, XrInputS
 }
 } // namespace
 
-const Action& attachedAction(Call& call, const Session& session, const ActionQuestion& question)
+const Action& attachedAction(Call& call, const Session& session, const ActionQuery& query)
 {
-    const auto& action = call.get<Action>(question.action);
+    const auto& action = call.get<Action>(query.action);
     require(session.input.has(action), XR_ERROR_ACTIONSET_NOT_ATTACHED, "the action's set is not attached");
-    require(action.type == question.type, XR_ERROR_ACTION_TYPE_MISMATCH, "the action is of another type");
-    requireSubaction(session.instance().paths, action, question.subaction);
+    require(action.type == query.type, XR_ERROR_ACTION_TYPE_MISMATCH, "the action is of another type");
+    requireSubaction(session.instance().paths, action, query.subaction);
     return action;
 }
 
 XrResult attachSessionActionSets(Call& call, XrSession handle, const XrSessionActionSetsAttachInfo* info)
 {
     Session& session = call.get<Session>(handle);
-    given(info, XR_TYPE_SESSION_ACTION_SETS_ATTACH_INFO);
+    validated(info, XR_TYPE_SESSION_ACTION_SETS_ATTACH_INFO);
     require(info->countActionSets > 0, XR_ERROR_VALIDATION_FAILURE, "no action sets");
     require(!session.input.isAttached(), XR_ERROR_ACTIONSETS_ALREADY_ATTACHED, "action sets are attached once");
     std::vector<std::shared_ptr<ActionSet>> sets;
     for (std::uint32_t i = 0; i < info->countActionSets; ++i)
-        sets.push_back(call.runtime.handles.get<ActionSet>((&given(info->actionSets))[i]));
+        sets.push_back(call.runtime.handles.get<ActionSet>((&validated(info->actionSets))[i]));
     session.input.attach(std::move(sets));
     return XR_SUCCESS;
 }
@@ -123,7 +123,7 @@ XrResult attachSessionActionSets(Call& call, XrSession handle, const XrSessionAc
 XrResult getCurrentInteractionProfile(Call& call, XrSession handle, XrPath userPathNumber, XrInteractionProfileState* state)
 {
     Session& session = call.get<Session>(handle);
-    given(state, XR_TYPE_INTERACTION_PROFILE_STATE);
+    validated(state, XR_TYPE_INTERACTION_PROFILE_STATE);
     requireAttached(session);
     Paths& paths = session.instance().paths;
     const std::string path = paths.text(userPathNumber);
@@ -140,11 +140,11 @@ XrResult getCurrentInteractionProfile(Call& call, XrSession handle, XrPath userP
 XrResult syncActions(Call& call, XrSession handle, const XrActionsSyncInfo* info)
 {
     Session& session = call.get<Session>(handle);
-    const World& world = call.runtime.world;
-    given(info, XR_TYPE_ACTIONS_SYNC_INFO);
+    const SimulatedWorld& world = call.runtime.world;
+    validated(info, XR_TYPE_ACTIONS_SYNC_INFO);
     const std::vector<ActiveSet> active = checkedSets(call, session, *info);
     if (!session.isFocused()) {
-        session.input.rest();
+        session.input.deactivate();
         return XR_SESSION_NOT_FOCUSED;
     }
     if (session.input.chooseProfiles(world, session.instance().suggestions))
@@ -184,7 +184,7 @@ XrResult enumerateBoundSourcesForAction(Call& call, XrSession handle, const XrBo
                                         std::uint32_t capacity, std::uint32_t* count, XrPath* sources)
 {
     Session& session = call.get<Session>(handle);
-    given(info, XR_TYPE_BOUND_SOURCES_FOR_ACTION_ENUMERATE_INFO);
+    validated(info, XR_TYPE_BOUND_SOURCES_FOR_ACTION_ENUMERATE_INFO);
     const auto& action = call.get<Action>(info->action);
     require(session.input.has(action), XR_ERROR_ACTIONSET_NOT_ATTACHED, "the action's set is not attached");
     std::vector<XrPath> found;
@@ -192,7 +192,7 @@ XrResult enumerateBoundSourcesForAction(Call& call, XrSession handle, const XrBo
         if (binding.action.get() == &action)
             found.push_back(session.instance().paths.number(binding.source.path));
     }
-    answer(Room<XrPath>{capacity, count, sources}, found);
+    writeItems(OutputArray<XrPath>{capacity, count, sources}, found);
     return XR_SUCCESS;
 }
 
@@ -203,13 +203,13 @@ XrResult getInputSourceLocalizedName(Call& call, XrSession handle, const XrInput
                                                       | XR_INPUT_SOURCE_LOCALIZED_NAME_INTERACTION_PROFILE_BIT
                                                       | XR_INPUT_SOURCE_LOCALIZED_NAME_COMPONENT_BIT;
     const Session& session = call.get<Session>(handle);
-    given(info, XR_TYPE_INPUT_SOURCE_LOCALIZED_NAME_GET_INFO);
+    validated(info, XR_TYPE_INPUT_SOURCE_LOCALIZED_NAME_GET_INFO);
     requireAttached(session);
     const bool isKnown = info->whichComponents != 0 && (info->whichComponents & ~known) == 0;
     require(isKnown, XR_ERROR_VALIDATION_FAILURE, "no part of the name, or an unknown one");
     const auto* binding = bindingAt(session, session.instance().paths.text(info->sourcePath));
     require(binding, XR_ERROR_PATH_UNSUPPORTED, "not a source that something is bound to");
-    answerText({capacity, count, buffer}, localizedName(session, binding->source, info->whichComponents));
+    writeText({capacity, count, buffer}, localizedName(session, binding->source, info->whichComponents));
     return XR_SUCCESS;
 }
 } // namespace simulator

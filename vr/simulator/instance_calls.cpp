@@ -8,24 +8,24 @@ namespace
 {
 constexpr const char* openGlExtension = XR_KHR_OPENGL_ENABLE_EXTENSION_NAME;
 
-std::vector<std::string> offeredExtensions(const World& world)
+std::vector<std::string> offeredExtensions(const SimulatedWorld& world)
 {
     return world.hasOpenGl ? std::vector<std::string>{openGlExtension} : std::vector<std::string>{};
 }
 
-void checkExtensions(const XrInstanceCreateInfo& info, const World& world)
+void checkExtensions(const XrInstanceCreateInfo& info, const SimulatedWorld& world)
 {
     const std::vector<std::string> offered = offeredExtensions(world);
     for (std::uint32_t i = 0; i < info.enabledExtensionCount; ++i) {
-        const char* name = (&given(info.enabledExtensionNames))[i];
-        const bool isOffered = std::find(offered.begin(), offered.end(), &given(name)) != offered.end();
+        const char* name = (&validated(info.enabledExtensionNames))[i];
+        const bool isOffered = std::find(offered.begin(), offered.end(), &validated(name)) != offered.end();
         require(isOffered, XR_ERROR_EXTENSION_NOT_PRESENT, "an extension is not offered");
     }
 }
 
 void copyName(char* to, const std::string& name, std::size_t size)
 {
-    const std::size_t length = name.copy(&given(to), size - 1);
+    const std::size_t length = name.copy(&validated(to), size - 1);
     to[length] = 0;
 }
 } // namespace
@@ -51,9 +51,9 @@ XrResult enumerateInstanceExtensionProperties(Call& call, const char* layer, std
                                               XrExtensionProperties* properties)
 {
     require(!layer, XR_ERROR_API_LAYER_NOT_PRESENT, "the runtime has no layers");
-    answer(Room<XrExtensionProperties>{capacity, count, properties}, offeredExtensions(call.runtime.world),
+    writeItems(OutputArray<XrExtensionProperties>{capacity, count, properties}, offeredExtensions(call.runtime.world),
            [](XrExtensionProperties& to, const std::string& name) {
-               given(&to, XR_TYPE_EXTENSION_PROPERTIES);
+               validated(&to, XR_TYPE_EXTENSION_PROPERTIES);
                copyText(to.extensionName, name);
                to.extensionVersion = XR_KHR_opengl_enable_SPEC_VERSION;
            });
@@ -62,8 +62,8 @@ XrResult enumerateInstanceExtensionProperties(Call& call, const char* layer, std
 
 XrResult createInstance(Call& call, const XrInstanceCreateInfo* info, XrInstance* instance)
 {
-    given(info, XR_TYPE_INSTANCE_CREATE_INFO);
-    given(instance);
+    validated(info, XR_TYPE_INSTANCE_CREATE_INFO);
+    validated(instance);
     Runtime& runtime = call.runtime;
     require(runtime.world.hasRuntime, XR_ERROR_RUNTIME_UNAVAILABLE, "so the script says");
     require(info->createFlags == 0, XR_ERROR_VALIDATION_FAILURE, "there are no flags");
@@ -94,7 +94,7 @@ XrResult destroyInstance(Call& call, XrInstance handle)
 XrResult getInstanceProperties(Call& call, XrInstance handle, XrInstanceProperties* properties)
 {
     call.get<Instance>(handle);
-    given(properties, XR_TYPE_INSTANCE_PROPERTIES);
+    validated(properties, XR_TYPE_INSTANCE_PROPERTIES);
     properties->runtimeVersion = XR_MAKE_VERSION(1, 0, 0);
     copyText(properties->runtimeName, "Fettle's simulator");
     return XR_SUCCESS;
@@ -103,7 +103,7 @@ XrResult getInstanceProperties(Call& call, XrInstance handle, XrInstanceProperti
 XrResult pollEvent(Call& call, XrInstance handle, XrEventDataBuffer* buffer)
 {
     Instance& instance = call.get<Instance>(handle);
-    given(buffer, XR_TYPE_EVENT_DATA_BUFFER);
+    validated(buffer, XR_TYPE_EVENT_DATA_BUFFER);
     const auto event = instance.events.take();
     if (!event)
         return XR_EVENT_UNAVAILABLE;
@@ -131,13 +131,13 @@ XrResult structureTypeToString(Call& call, XrInstance handle, XrStructureType ty
 XrResult stringToPath(Call& call, XrInstance handle, const char* text, XrPath* path)
 {
     Instance& instance = call.get<Instance>(handle);
-    given(path) = instance.paths.number(&given(text));
+    validated(path) = instance.paths.number(&validated(text));
     return XR_SUCCESS;
 }
 
 XrResult pathToString(Call& call, XrInstance handle, XrPath path, std::uint32_t capacity, std::uint32_t* count, char* buffer)
 {
-    answerText({capacity, count, buffer}, call.get<Instance>(handle).paths.text(path));
+    writeText({capacity, count, buffer}, call.get<Instance>(handle).paths.text(path));
     return XR_SUCCESS;
 }
 } // namespace simulator

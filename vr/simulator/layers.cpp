@@ -69,8 +69,8 @@ json projection(Call& call, const Session& session, const XrCompositionLayerProj
     json views = json::array();
     const bool isFirst = std::all_of(layers.shown.begin(), layers.shown.end(), [](const auto& it) { return it.isQuad; });
     for (std::uint32_t eye = 0; eye < layer.viewCount; ++eye) {
-        const XrCompositionLayerProjectionView& view = (&given(layer.views))[eye];
-        given(&view, XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW);
+        const XrCompositionLayerProjectionView& view = (&validated(layer.views))[eye];
+        validated(&view, XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW);
         fromXr(view.pose);
         checkFov(view.fov);
         const TexturePart part = checkedPart(call, view.subImage);
@@ -109,11 +109,11 @@ json checkedLayer(Call& call, const Session& session, const XrCompositionLayerBa
     case XR_TYPE_COMPOSITION_LAYER_PROJECTION:
         return projection(call, session, reinterpret_cast<const XrCompositionLayerProjection&>(*header), layers);
     case XR_TYPE_COMPOSITION_LAYER_QUAD: return quad(call, reinterpret_cast<const XrCompositionLayerQuad&>(*header), layers);
-    default: throw Failure{XR_ERROR_LAYER_INVALID, "a layer of a kind that is not offered"};
+    default: throw CallFailure{XR_ERROR_LAYER_INVALID, "a layer of a kind that is not offered"};
     }
 }
 
-bool isWanted(World& world, std::int64_t frame)
+bool isWanted(SimulatedWorld& world, std::int64_t frame)
 {
     const bool isListed = world.keptFrames.erase(frame) > 0;
     return isListed || (world.keepEvery > 0 && frame % world.keepEvery == 0);
@@ -125,10 +125,10 @@ Layers checkedLayers(Call& call, const Session& session, const XrFrameEndInfo& i
     require(info.displayTime > 0, XR_ERROR_TIME_INVALID, "the display time is not positive");
     require(info.environmentBlendMode == XR_ENVIRONMENT_BLEND_MODE_OPAQUE, XR_ERROR_ENVIRONMENT_BLEND_MODE_UNSUPPORTED,
             "only the opaque blend mode is offered");
-    require(info.layerCount <= mostLayers, XR_ERROR_LAYER_LIMIT_EXCEEDED, "too many layers");
+    require(info.layerCount <= maxLayers, XR_ERROR_LAYER_LIMIT_EXCEEDED, "too many layers");
     Layers layers;
     for (std::uint32_t i = 0; i < info.layerCount; ++i)
-        layers.description.push_back(checkedLayer(call, session, (&given(info.layers))[i], layers));
+        layers.description.push_back(checkedLayer(call, session, (&validated(info.layers))[i], layers));
     return layers;
 }
 

@@ -28,7 +28,7 @@ inline Eigen::Quaterniond between(const Eigen::Quaterniond& a, const Eigen::Quat
 template <class T> class Track
 {
 public:
-    struct Leg
+    struct Segment
     {
         XrTime start = 0;
         XrDuration duration = 0; ///< 0: it is there at once
@@ -37,29 +37,29 @@ public:
         bool isUnderway(XrTime time) const { return time >= start && time < start + duration; }
     };
 
-    explicit Track(const T& value) : m_legs{Leg{0, 0, value, value}} {}
+    explicit Track(const T& value) : m_segments{Segment{0, 0, value, value}} {}
 
-    /// From `start` on; a leg that is underway ends there, and those to come are given up. What was long before is forgotten.
-    void go(const T& to, XrTime start, XrDuration duration)
+    /// From `start` on; a segment that is underway ends there, and those to come are given up. What was long before is forgotten.
+    void moveTo(const T& to, XrTime start, XrDuration duration)
     {
-        while (m_legs.size() > 1 && m_legs[1].start < start - memory)
-            m_legs.erase(m_legs.begin());
-        while (m_legs.size() > 1 && m_legs.back().start > start)
-            m_legs.pop_back();
-        m_legs.push_back({start, duration, at(start), to});
+        while (m_segments.size() > 1 && m_segments[1].start < start - memory)
+            m_segments.erase(m_segments.begin());
+        while (m_segments.size() > 1 && m_segments.back().start > start)
+            m_segments.pop_back();
+        m_segments.push_back({start, duration, at(start), to});
     }
 
-    /// The one that tells the value at that time, which may not be forgotten.
-    const Leg& leg(XrTime time) const
+    /// The segment of that time, which must not be forgotten yet.
+    const Segment& segment(XrTime time) const
     {
-        const auto after = std::upper_bound(m_legs.begin() + 1, m_legs.end(), time,
-                                            [](XrTime t, const Leg& leg) { return t < leg.start; });
+        const auto after = std::upper_bound(m_segments.begin() + 1, m_segments.end(), time,
+                                            [](XrTime t, const Segment& segment) { return t < segment.start; });
         return *(after - 1);
     }
 
     T at(XrTime time) const
     {
-        const Leg& now = leg(time);
+        const Segment& now = segment(time);
         if (!now.isUnderway(time))
             return now.to;
         return between(now.from, now.to, static_cast<double>(time - now.start) / static_cast<double>(now.duration));
@@ -68,7 +68,7 @@ public:
 private:
     static constexpr XrDuration memory = 2'000'000'000; ///< longer than clients ask back
 
-    std::vector<Leg> m_legs; ///< by start, the first from ever
+    std::vector<Segment> m_segments; ///< by start, the first from ever
 };
 
 /// A pose that moves: its position evenly along a line, its rotation evenly about an axis.
@@ -82,21 +82,21 @@ struct Motion
     /// Metres a second.
     core::Vec3 velocity(XrTime time) const
     {
-        const auto& leg = position.leg(time);
-        return leg.isUnderway(time) ? core::Vec3((leg.to - leg.from) / seconds(leg.duration)) : core::Vec3::Zero();
+        const auto& segment = position.segment(time);
+        return segment.isUnderway(time) ? core::Vec3((segment.to - segment.from) / seconds(segment.duration)) : core::Vec3::Zero();
     }
 
     /// Radians a second, about an axis of the room.
     core::Vec3 turning(XrTime time) const
     {
-        const auto& leg = rotation.leg(time);
-        if (!leg.isUnderway(time))
+        const auto& segment = rotation.segment(time);
+        if (!segment.isUnderway(time))
             return core::Vec3::Zero();
-        Eigen::Quaterniond way = leg.to * leg.from.conjugate();
+        Eigen::Quaterniond way = segment.to * segment.from.conjugate();
         if (way.w() < 0)
             way.coeffs() = -way.coeffs();
         const Eigen::AngleAxisd turn(way);
-        return turn.axis() * turn.angle() / seconds(leg.duration);
+        return turn.axis() * turn.angle() / seconds(segment.duration);
     }
 
     static double seconds(XrDuration duration) { return static_cast<double>(duration) * 1e-9; }

@@ -52,13 +52,13 @@ void Runtime::loadOnce()
     load(path && *path ? contents(path) : "{}");
 }
 
-void Runtime::apply(const Step& step)
+void Runtime::apply(const ScriptStep& step)
 {
     const XrTime start = world.next();
     for (const Change& change : step)
         change(*this, start);
     if (session)
-        session->settle();
+        session->updateState();
     changed.notify_all();
 }
 
@@ -73,8 +73,8 @@ void Runtime::recentre(const Recentring& recentring)
     Motion& origin = isStage ? world.stage : world.local;
     const XrTime time = world.next() + recentring.after * world.period();
     const vr::Pose inPrevious = origin.at(time).inverse() * recentring.origin;
-    origin.position.go(recentring.origin.position, time, 0);
-    origin.rotation.go(recentring.origin.rotation, time, 0);
+    origin.position.moveTo(recentring.origin.position, time, 0);
+    origin.rotation.moveTo(recentring.origin.rotation, time, 0);
     if (!session)
         return;
     instance->events.push(XrEventDataReferenceSpaceChangePending{XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING, nullptr,
@@ -86,7 +86,7 @@ void Runtime::loseSession(std::int64_t afterFrames)
 {
     if (!session)
         return;
-    session->tellOfLoss();
+    session->announceLoss();
     session->lostAt = nextFrame() + afterFrames;
     loseIfDue();
 }

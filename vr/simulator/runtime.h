@@ -34,7 +34,7 @@ public:
     void load(const std::string& script);
     /// With the script that the environment names, unless one was loaded.
     void loadOnce();
-    void apply(const Step& step);
+    void apply(const ScriptStep& step);
 
     /// The number that the session's next frame will have; 0 without a session.
     std::int64_t nextFrame() const;
@@ -49,7 +49,7 @@ public:
 
     std::mutex mutex;
     std::condition_variable changed; ///< anything that somebody may wait for
-    World world;
+    SimulatedWorld world;
     Script script;
     CallLog log;
     Handles handles;

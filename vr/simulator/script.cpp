@@ -45,7 +45,7 @@ Script Script::parse(const std::string& text)
     return script;
 }
 
-const Step* Script::at(const Moment& moment) const
+const ScriptStep* Script::at(const Moment& moment) const
 {
     const auto found = m_steps.find(moment);
     return found == m_steps.end() ? nullptr : &found->second;

@@ -23,12 +23,12 @@ public:
     /// Throws std::exception that says what is not understood.
     static Script parse(const std::string& json);
 
-    const Step& start() const { return m_start; }
+    const ScriptStep& start() const { return m_start; }
     /// Null: nothing happens then.
-    const Step* at(const Moment& moment) const;
+    const ScriptStep* at(const Moment& moment) const;
 
 private:
-    Step m_start;
-    std::map<Moment, Step> m_steps;
+    ScriptStep m_start;
+    std::map<Moment, ScriptStep> m_steps;
 };
 } // namespace simulator

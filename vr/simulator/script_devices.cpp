@@ -9,17 +9,17 @@ namespace
 {
 using nlohmann::json;
 
-using HeadOrHand = std::function<Motion&(World&)>;
+using HeadOrHand = std::function<Motion&(SimulatedWorld&)>;
 
 Change motionChange(const std::string& key, const json& value, Over over, const HeadOrHand& of)
 {
     if (key == "position") {
         return [of, over, to = readVector(value)](Runtime& runtime, XrTime start) {
-            of(runtime.world).position.go(to, start, over * runtime.world.period());
+            of(runtime.world).position.moveTo(to, start, over * runtime.world.period());
         };
     }
     return [of, over, to = readRotation(key, value)](Runtime& runtime, XrTime start) {
-        of(runtime.world).rotation.go(to, start, over * runtime.world.period());
+        of(runtime.world).rotation.moveTo(to, start, over * runtime.world.period());
     };
 }
 
@@ -28,7 +28,7 @@ bool isMotion(const std::string& key)
     return key == "position" || key == "rotation" || key == "yaw_pitch_roll";
 }
 
-Change all(Step changes)
+Change all(ScriptStep changes)
 {
     return [changes = std::move(changes)](Runtime& runtime, XrTime start) {
         for (const Change& change : changes)
@@ -60,7 +60,7 @@ Change inputChange(const std::string& key, const json& value, Over over, Hand ha
             for (std::size_t i = 0; i < to.size(); ++i) {
                 runtime.world.wands[static_cast<std::size_t>(hand)]
                     .inputs[static_cast<std::size_t>(named.first) + i]
-                    .go(to[i], start, over * runtime.world.period());
+                    .moveTo(to[i], start, over * runtime.world.period());
             }
         };
     }
@@ -70,10 +70,10 @@ Change inputChange(const std::string& key, const json& value, Over over, Hand ha
 
 Change headChange(const nlohmann::json& value, Over over)
 {
-    Step changes;
+    ScriptStep changes;
     for (const auto& [key, part] : members(value)) {
         if (isMotion(key)) {
-            changes.push_back(motionChange(key, part, over, [](World& world) -> Motion& { return world.head.motion; }));
+            changes.push_back(motionChange(key, part, over, [](SimulatedWorld& world) -> Motion& { return world.head.motion; }));
         } else if (key == "tracked") {
             changes.push_back([tracking = readTracking(part)](Runtime& runtime, XrTime) { runtime.world.head.tracking = tracking; });
         } else {
@@ -86,10 +86,10 @@ Change headChange(const nlohmann::json& value, Over over)
 Change wandChange(const nlohmann::json& value, Over over, Hand hand)
 {
     const auto at = static_cast<std::size_t>(hand);
-    Step changes;
+    ScriptStep changes;
     for (const auto& [key, part] : members(value)) {
         if (isMotion(key))
-            changes.push_back(motionChange(key, part, over, [at](World& world) -> Motion& { return world.wands[at].grip; }));
+            changes.push_back(motionChange(key, part, over, [at](SimulatedWorld& world) -> Motion& { return world.wands[at].grip; }));
         else if (key == "tracked")
             changes.push_back([at, tracking = readTracking(part)](Runtime& runtime, XrTime) { runtime.world.wands[at].tracking = tracking; });
         else if (key == "on")

@@ -149,22 +149,22 @@ Change keepEveryChange(const json& value, Over)
 Change failChange(const json& value, Over)
 {
     std::string call;
-    ScriptedAnswer answer;
+    ScriptedResult scripted;
     for (const auto& [key, part] : members(value)) {
         if (key == "call") {
             call = readText(part);
         } else if (key == "times") {
-            answer.times = static_cast<int>(readCount(part));
+            scripted.times = static_cast<int>(readCount(part));
         } else if (key == "result") {
             const auto result = resultNamed(readText(part));
             if (!result)
                 throw std::runtime_error(readText(part) + " is no XrResult");
-            answer.result = *result;
+            scripted.result = *result;
         } else {
             notUnderstood(key);
         }
     }
-    return [call, answer](Runtime& runtime, XrTime) { runtime.world.answers[call] = answer; };
+    return [call, scripted](Runtime& runtime, XrTime) { runtime.world.scriptedResults[call] = scripted; };
 }
 
 Change freezeChange(const json& value, Over)
@@ -194,14 +194,14 @@ Change wakeChange(const json& value, Over)
 const std::map<std::string_view, Reader>& vocabulary()
 {
     static const std::map<std::string_view, Reader> readers{
-        {"runtime", flag<&World::hasRuntime>},
-        {"headset", flag<&World::hasHeadset>},
-        {"opengl", flag<&World::hasOpenGl>},
-        {"stage", flag<&World::hasStage>},
-        {"worn", flag<&World::isWorn>},
-        {"visible", flag<&World::isVisible>},
-        {"focus", flag<&World::hasFocus>},
-        {"should_render", flag<&World::shouldRender>},
+        {"runtime", flag<&SimulatedWorld::hasRuntime>},
+        {"headset", flag<&SimulatedWorld::hasHeadset>},
+        {"opengl", flag<&SimulatedWorld::hasOpenGl>},
+        {"stage", flag<&SimulatedWorld::hasStage>},
+        {"worn", flag<&SimulatedWorld::isWorn>},
+        {"visible", flag<&SimulatedWorld::isVisible>},
+        {"focus", flag<&SimulatedWorld::hasFocus>},
+        {"should_render", flag<&SimulatedWorld::shouldRender>},
         {"head", headChange},
         {"left", [](const json& value, Over over) { return wandChange(value, over, Hand::Left); }},
         {"right", [](const json& value, Over over) { return wandChange(value, over, Hand::Right); }},
@@ -221,7 +221,7 @@ const std::map<std::string_view, Reader>& vocabulary()
         {"exit", exitChange},
         {"keep", keepChange},
         {"keep_every", keepEveryChange},
-        {"watch_drawing", flag<&World::watchesDrawing>},
+        {"watch_drawing", flag<&SimulatedWorld::watchesDrawing>},
         {"fail", failChange},
         {"freeze", freezeChange},
         {"wake_at_exit", wakeChange},
@@ -230,10 +230,10 @@ const std::map<std::string_view, Reader>& vocabulary()
 }
 } // namespace
 
-Step readStep(const json& step)
+ScriptStep readStep(const json& step)
 {
     const Over over = step.is_object() && step.contains("over") ? readCount(step["over"]) : 0;
-    Step changes;
+    ScriptStep changes;
     for (const auto& [key, value] : members(step)) {
         if (key == "over")
             continue;

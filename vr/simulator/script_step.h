@@ -13,8 +13,8 @@ class Runtime;
 
 /// What a script changes at one moment. Movements begin at `start`.
 using Change = std::function<void(Runtime&, XrTime start)>;
-using Step = std::vector<Change>;
+using ScriptStep = std::vector<Change>;
 
 /// Throws std::runtime_error that says what is not understood. The vocabulary is in control_api.h.
-Step readStep(const nlohmann::json& json);
+ScriptStep readStep(const nlohmann::json& json);
 } // namespace simulator

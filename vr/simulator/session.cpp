@@ -23,7 +23,7 @@ void Session::enter(XrSessionState state)
 void Session::open()
 {
     enter(XR_SESSION_STATE_IDLE);
-    settle();
+    updateState();
 }
 
 void Session::begin(XrViewConfigurationType views)
@@ -32,28 +32,28 @@ void Session::begin(XrViewConfigurationType views)
     m_views = views;
     waited.reset();
     begun.reset();
-    settle();
+    updateState();
 }
 
 void Session::end()
 {
     m_isRunning = false;
     enter(XR_SESSION_STATE_IDLE);
-    settle();
+    updateState();
 }
 
 void Session::requestExit()
 {
-    m_exits = true;
-    settle();
+    m_exitRequested = true;
+    updateState();
 }
 
 bool Session::mustStop() const
 {
-    return m_exits || !m_runtime.world.isWorn;
+    return m_exitRequested || !m_runtime.world.isWorn;
 }
 
-XrSessionState Session::highest() const
+XrSessionState Session::highestState() const
 {
     if (mustStop() || !m_runtime.world.isVisible)
         return XR_SESSION_STATE_SYNCHRONIZED;
@@ -61,15 +61,15 @@ XrSessionState Session::highest() const
 }
 
 // The enumerators from READY to FOCUSED are neighbours.
-void Session::settle()
+void Session::updateState()
 {
-    if (m_state == XR_SESSION_STATE_IDLE && m_exits)
+    if (m_state == XR_SESSION_STATE_IDLE && m_exitRequested)
         enter(XR_SESSION_STATE_EXITING);
     else if (m_state == XR_SESSION_STATE_IDLE && m_runtime.world.isWorn)
         enter(XR_SESSION_STATE_READY);
     if (!m_isRunning || m_state > XR_SESSION_STATE_FOCUSED)
         return;
-    while (m_state > highest())
+    while (m_state > highestState())
         enter(static_cast<XrSessionState>(m_state - 1));
     if (!mustStop())
         return;
@@ -78,9 +78,9 @@ void Session::settle()
     enter(XR_SESSION_STATE_STOPPING);
 }
 
-void Session::rise()
+void Session::raiseState()
 {
-    if (m_isRunning && m_state < highest())
+    if (m_isRunning && m_state < highestState())
         enter(static_cast<XrSessionState>(m_state + 1));
 }
 } // namespace simulator

@@ -33,11 +33,11 @@ public:
     void begin(XrViewConfigurationType views);
     void end();
     void requestExit();
-    /// Down to what the world still grants, or ready again.
-    void settle();
-    /// One state up, if the world grants it.
-    void rise();
-    void tellOfLoss() { enter(XR_SESSION_STATE_LOSS_PENDING); }
+    /// Lowers the state to the highest that the world allows, or makes the session ready again.
+    void updateState();
+    /// Raises the state by one, if the world allows it.
+    void raiseState();
+    void announceLoss() { enter(XR_SESSION_STATE_LOSS_PENDING); }
 
     const std::shared_ptr<ShareContext>& gl() const { return m_gl; }
     XrViewConfigurationType views() const { return m_views; }
@@ -53,14 +53,14 @@ public:
 private:
     void enter(XrSessionState state);
     bool mustStop() const;
-    XrSessionState highest() const;
+    XrSessionState highestState() const;
 
     Runtime& m_runtime;
     std::shared_ptr<ShareContext> m_gl;
     XrSessionState m_state = XR_SESSION_STATE_UNKNOWN;
     XrViewConfigurationType m_views = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
     bool m_isRunning = false;
-    bool m_exits = false;
+    bool m_exitRequested = false;
 };
 
 inline void requireRunning(const Session& session)

@@ -10,7 +10,7 @@ std::shared_ptr<ShareContext> shareWith(const ShareContext::Client& client)
     try {
         return std::make_shared<ShareContext>(client);
     } catch (const std::runtime_error&) {
-        throw Failure{XR_ERROR_GRAPHICS_DEVICE_INVALID, "no OpenGL context can be shared with the binding's"};
+        throw CallFailure{XR_ERROR_GRAPHICS_DEVICE_INVALID, "no OpenGL context can be shared with the binding's"};
     }
 }
 } // namespace
@@ -19,8 +19,8 @@ XrResult createSession(Call& call, XrInstance handle, const XrSessionCreateInfo*
 {
     Instance& instance = call.get<Instance>(handle);
     Runtime& runtime = call.runtime;
-    given(info, XR_TYPE_SESSION_CREATE_INFO);
-    given(out);
+    validated(info, XR_TYPE_SESSION_CREATE_INFO);
+    validated(out);
     require(info->createFlags == 0, XR_ERROR_VALIDATION_FAILURE, "there are no flags");
     requireSystem(info->systemId);
     const auto client = ShareContext::find(info->next);
@@ -31,7 +31,7 @@ XrResult createSession(Call& call, XrInstance handle, const XrSessionCreateInfo*
     auto session = std::make_shared<Session>(runtime, shareWith(*client));
     *out = runtime.handles.add<XrSession>(session, &instance);
     runtime.session = session;
-    call.wantContext(*session);
+    call.checkContext(*session);
     session->open();
     return XR_SUCCESS;
 }
@@ -40,7 +40,7 @@ XrResult destroySession(Call& call, XrSession handle)
 {
     Runtime& runtime = call.runtime;
     const auto session = runtime.handles.find<Session>(handle);
-    call.wantContext(*session);
+    call.checkContext(*session);
     session->instance().events.drop(handle);
     runtime.session.reset();
     runtime.handles.destroy(*session);
@@ -52,7 +52,7 @@ XrResult destroySession(Call& call, XrSession handle)
 XrResult beginSession(Call& call, XrSession handle, const XrSessionBeginInfo* info)
 {
     Session& session = call.get<Session>(handle);
-    given(info, XR_TYPE_SESSION_BEGIN_INFO);
+    validated(info, XR_TYPE_SESSION_BEGIN_INFO);
     require(!session.isRunning(), XR_ERROR_SESSION_RUNNING, "it runs already");
     requireViews(call.runtime.world, info->primaryViewConfigurationType);
     require(session.state() == XR_SESSION_STATE_READY, XR_ERROR_SESSION_NOT_READY, "the session is not ready");

@@ -17,7 +17,7 @@ const ActionSet& setOf(const Action& action)
     return static_cast<const ActionSet&>(*action.parent);
 }
 
-bool isHeard(const SessionInput::Binding& binding, const World& world, const std::vector<ActiveSet>& active)
+bool isHeard(const SessionInput::Binding& binding, const SimulatedWorld& world, const std::vector<ActiveSet>& active)
 {
     const auto hand = static_cast<std::size_t>(binding.source.hand);
     return world.wands[hand].isOn && std::any_of(active.begin(), active.end(), [&](const ActiveSet& it) {
@@ -43,7 +43,7 @@ double reading(const Wand& wand, const Source& source, XrActionType type, XrTime
 }
 
 /// The source that moves most counts, the first pose.
-void combine(ActionState& state, const SessionInput::Binding& binding, const World& world)
+void combine(ActionState& state, const SessionInput::Binding& binding, const SimulatedWorld& world)
 {
     const Source& source = binding.source;
     const Wand& wand = world.wands[static_cast<std::size_t>(source.hand)];
@@ -84,7 +84,7 @@ void SessionInput::attach(std::vector<std::shared_ptr<ActionSet>> sets)
         set->isAttached = true;
 }
 
-bool SessionInput::chooseProfiles(const World& world, const Suggestions& suggestions)
+bool SessionInput::chooseProfiles(const SimulatedWorld& world, const Suggestions& suggestions)
 {
     std::array<const Profile*, hands.size()> chosen{};
     const auto suggested = suggestions.find(world.profile);
@@ -103,7 +103,7 @@ bool SessionInput::chooseProfiles(const World& world, const Suggestions& suggest
     return true;
 }
 
-std::vector<const SessionInput::Binding*> SessionInput::heard(const World& world, const std::vector<ActiveSet>& active) const
+std::vector<const SessionInput::Binding*> SessionInput::activeBindings(const SimulatedWorld& world, const std::vector<ActiveSet>& active) const
 {
     std::vector<const Binding*> candidates, found;
     for (const Binding& binding : m_bindings) {
@@ -119,10 +119,10 @@ std::vector<const SessionInput::Binding*> SessionInput::heard(const World& world
     return found;
 }
 
-void SessionInput::sync(const World& world, const Paths& paths, const std::vector<ActiveSet>& active)
+void SessionInput::sync(const SimulatedWorld& world, const Paths& paths, const std::vector<ActiveSet>& active)
 {
     const std::map<Key, ActionState> before = std::exchange(m_states, {});
-    for (const Binding* binding : heard(world, active)) {
+    for (const Binding* binding : activeBindings(world, active)) {
         const Action& action = *binding->action;
         combine(m_states[{&action, XR_NULL_PATH}], *binding, world);
         const XrPath hand = paths.known(userPath(binding->source.hand));

@@ -45,13 +45,13 @@ public:
     void attach(std::vector<std::shared_ptr<ActionSet>> sets);
 
     /// Which profile each hand has now, if the client knows it. True: it is another than before.
-    bool chooseProfiles(const World& world, const Suggestions& suggestions);
+    bool chooseProfiles(const SimulatedWorld& world, const Suggestions& suggestions);
     const Profile* profile(Hand hand) const { return m_profiles[static_cast<std::size_t>(hand)]; }
     const std::vector<Binding>& bindings() const { return m_bindings; }
 
-    void sync(const World& world, const Paths& paths, const std::vector<ActiveSet>& active);
+    void sync(const SimulatedWorld& world, const Paths& paths, const std::vector<ActiveSet>& active);
     /// All is inactive.
-    void rest() { m_states.clear(); }
+    void deactivate() { m_states.clear(); }
     ActionState state(const Action& action, XrPath subaction) const;
     std::optional<Source> poseSource(const Action& action, XrPath subaction) const { return state(action, subaction).pose; }
 
@@ -63,7 +63,7 @@ private:
         friend auto operator<=>(const Key&, const Key&) = default;
     };
 
-    std::vector<const Binding*> heard(const World& world, const std::vector<ActiveSet>& active) const;
+    std::vector<const Binding*> activeBindings(const SimulatedWorld& world, const std::vector<ActiveSet>& active) const;
 
     std::vector<std::shared_ptr<ActionSet>> m_sets;
     std::array<const Profile*, hands.size()> m_profiles{};

@@ -14,7 +14,7 @@ Motion still(const core::Vec3& position)
 }
 } // namespace
 
-World::World()
+SimulatedWorld::SimulatedWorld()
 {
     constexpr double tilt = -0.6; // radians: a wand held at ease points a little downwards
     aim = {Eigen::Quaterniond(Eigen::AngleAxisd(tilt, core::Vec3::UnitX())), core::Vec3(0, -0.01, -0.05)};

@@ -50,16 +50,16 @@ struct Wand
 };
 
 /// Answers a call in the runtime's stead, that many times.
-struct ScriptedAnswer
+struct ScriptedResult
 {
     XrResult result = XR_SUCCESS;
     int times = 1;
 };
 
 /// All that a script steers. Poses are in the room: metres, Y up, the floor at y = 0.
-struct World
+struct SimulatedWorld
 {
-    World();
+    SimulatedWorld();
 
     XrDuration period() const { return static_cast<XrDuration>(1e9 / headset.hertz + 0.5); }
     /// The display time of the next frame, if it is not late.
@@ -82,7 +82,7 @@ struct World
     Motion stage, local; ///< origins
     std::optional<XrExtent2Df> bounds = XrExtent2Df{3, 2};
 
-    std::map<std::string, ScriptedAnswer> answers; ///< by call
+    std::map<std::string, ScriptedResult> scriptedResults; ///< by call
     std::string frozen;                            ///< the call that does not return
     std::set<std::int64_t> keptFrames; ///< whose pictures are kept
     int keepEvery = 0;

@@ -8,7 +8,7 @@ namespace simulator
 {
 namespace
 {
-std::vector<XrReferenceSpaceType> offeredSpaces(const World& world)
+std::vector<XrReferenceSpaceType> offeredSpaces(const SimulatedWorld& world)
 {
     std::vector<XrReferenceSpaceType> spaces{XR_REFERENCE_SPACE_TYPE_VIEW, XR_REFERENCE_SPACE_TYPE_LOCAL};
     if (world.hasStage)
@@ -16,7 +16,7 @@ std::vector<XrReferenceSpaceType> offeredSpaces(const World& world)
     return spaces;
 }
 
-void requireSpace(const World& world, XrReferenceSpaceType type)
+void requireSpace(const SimulatedWorld& world, XrReferenceSpaceType type)
 {
     const auto offered = offeredSpaces(world);
     require(std::find(offered.begin(), offered.end(), type) != offered.end(), XR_ERROR_REFERENCE_SPACE_UNSUPPORTED,
@@ -29,7 +29,7 @@ void requireTime(XrTime time)
 }
 
 /// Into an XrSpaceVelocity in the chain, if there is one.
-void tellVelocity(void* chain, const Located& located)
+void tellVelocity(void* chain, const SpaceLocation& located)
 {
     for (auto* it = static_cast<XrBaseOutStructure*>(chain); it; it = it->next) {
         if (it->type != XR_TYPE_SPACE_VELOCITY)
@@ -50,15 +50,15 @@ XrResult enumerateReferenceSpaces(Call& call, XrSession handle, std::uint32_t ca
                                   XrReferenceSpaceType* spaces)
 {
     call.get<Session>(handle);
-    answer(Room<XrReferenceSpaceType>{capacity, count, spaces}, offeredSpaces(call.runtime.world));
+    writeItems(OutputArray<XrReferenceSpaceType>{capacity, count, spaces}, offeredSpaces(call.runtime.world));
     return XR_SUCCESS;
 }
 
 XrResult createReferenceSpace(Call& call, XrSession handle, const XrReferenceSpaceCreateInfo* info, XrSpace* out)
 {
     Session& session = call.get<Session>(handle);
-    given(info, XR_TYPE_REFERENCE_SPACE_CREATE_INFO);
-    given(out);
+    validated(info, XR_TYPE_REFERENCE_SPACE_CREATE_INFO);
+    validated(out);
     requireSpace(call.runtime.world, info->referenceSpaceType);
     const auto space = std::make_shared<Space>(info->referenceSpaceType, fromXr(info->poseInReferenceSpace));
     *out = call.runtime.handles.add<XrSpace>(space, &session);
@@ -69,8 +69,8 @@ XrResult createReferenceSpace(Call& call, XrSession handle, const XrReferenceSpa
 XrResult getReferenceSpaceBoundsRect(Call& call, XrSession handle, XrReferenceSpaceType type, XrExtent2Df* bounds)
 {
     call.get<Session>(handle);
-    given(bounds) = {};
-    const World& world = call.runtime.world;
+    validated(bounds) = {};
+    const SimulatedWorld& world = call.runtime.world;
     requireSpace(world, type);
     if (type != XR_REFERENCE_SPACE_TYPE_STAGE || !world.bounds)
         return XR_SPACE_BOUNDS_UNAVAILABLE;
@@ -81,8 +81,8 @@ XrResult getReferenceSpaceBoundsRect(Call& call, XrSession handle, XrReferenceSp
 XrResult createActionSpace(Call& call, XrSession handle, const XrActionSpaceCreateInfo* info, XrSpace* out)
 {
     Session& session = call.get<Session>(handle);
-    given(info, XR_TYPE_ACTION_SPACE_CREATE_INFO);
-    given(out);
+    validated(info, XR_TYPE_ACTION_SPACE_CREATE_INFO);
+    validated(out);
     call.get<Action>(info->action);
     const auto action = call.runtime.handles.get<Action>(info->action);
     require(action->type == XR_ACTION_TYPE_POSE_INPUT, XR_ERROR_ACTION_TYPE_MISMATCH, "not a pose action");
@@ -96,10 +96,10 @@ XrResult locateSpace(Call& call, XrSpace handle, XrSpace baseHandle, XrTime time
 {
     const auto& space = call.get<Space>(handle);
     const auto& base = call.get<Space>(baseHandle);
-    given(location, XR_TYPE_SPACE_LOCATION);
+    validated(location, XR_TYPE_SPACE_LOCATION);
     requireTime(time);
-    const World& world = call.runtime.world;
-    const Located located = space.at(world, time).seenFrom(base.at(world, time));
+    const SimulatedWorld& world = call.runtime.world;
+    const SpaceLocation located = space.at(world, time).seenFrom(base.at(world, time));
     location->locationFlags = located.flags();
     location->pose = poseOrNone(located);
     tellVelocity(location->next, located);
@@ -116,17 +116,17 @@ XrResult locateViews(Call& call, XrSession handle, const XrViewLocateInfo* info,
                      std::uint32_t* count, XrView* views)
 {
     call.get<Session>(handle);
-    given(info, XR_TYPE_VIEW_LOCATE_INFO);
-    given(state, XR_TYPE_VIEW_STATE);
+    validated(info, XR_TYPE_VIEW_LOCATE_INFO);
+    validated(state, XR_TYPE_VIEW_STATE);
     const auto& space = call.get<Space>(info->space);
-    const World& world = call.runtime.world;
+    const SimulatedWorld& world = call.runtime.world;
     requireViews(world, info->viewConfigurationType);
     requireTime(info->displayTime);
     std::vector<std::uint32_t> eyes(viewCount(info->viewConfigurationType));
     std::iota(eyes.begin(), eyes.end(), 0U);
-    answer(Room<XrView>{capacity, count, views}, eyes, [&](XrView& to, std::uint32_t eye) {
-        const Located located = locateView(world, {space, info->viewConfigurationType, eye, info->displayTime});
-        given(&to, XR_TYPE_VIEW).pose = poseOrNone(located);
+    writeItems(OutputArray<XrView>{capacity, count, views}, eyes, [&](XrView& to, std::uint32_t eye) {
+        const SpaceLocation located = locateView(world, {space, info->viewConfigurationType, eye, info->displayTime});
+        validated(&to, XR_TYPE_VIEW).pose = poseOrNone(located);
         to.fov = fovOf(world.headset, info->viewConfigurationType, eye);
         state->viewStateFlags = located.flags();
     });

@@ -12,12 +12,12 @@ static_assert(XR_SPACE_LOCATION_ORIENTATION_VALID_BIT == XR_VIEW_STATE_ORIENTATI
               && XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT == XR_VIEW_STATE_ORIENTATION_TRACKED_BIT
               && XR_SPACE_LOCATION_POSITION_TRACKED_BIT == XR_VIEW_STATE_POSITION_TRACKED_BIT);
 
-Located moving(const Motion& motion, Tracking tracking, XrTime time)
+SpaceLocation moving(const Motion& motion, Tracking tracking, XrTime time)
 {
     return {motion.at(time), tracking, motion.velocity(time), motion.turning(time)};
 }
 
-Located originAt(const World& world, XrReferenceSpaceType type, XrTime time)
+SpaceLocation originAt(const SimulatedWorld& world, XrReferenceSpaceType type, XrTime time)
 {
     switch (type) {
     case XR_REFERENCE_SPACE_TYPE_VIEW: return moving(world.head.motion, world.head.tracking, time);
@@ -26,32 +26,32 @@ Located originAt(const World& world, XrReferenceSpaceType type, XrTime time)
     }
 }
 
-Located wandAt(const World& world, const Source& source, XrTime time)
+SpaceLocation wandAt(const SimulatedWorld& world, const Source& source, XrTime time)
 {
     const Wand& wand = world.wands[static_cast<std::size_t>(source.hand)];
-    const Located grip = moving(wand.grip, wand.isOn ? wand.tracking : Tracking::None, time);
+    const SpaceLocation grip = moving(wand.grip, wand.isOn ? wand.tracking : Tracking::None, time);
     return source.kind == Source::Kind::Aim ? grip.with(world.aim) : grip;
 }
 
-Located nowhere()
+SpaceLocation nowhere()
 {
     return {{}, Tracking::None};
 }
 } // namespace
 
-Located Located::with(const vr::Pose& own) const
+SpaceLocation SpaceLocation::with(const vr::Pose& own) const
 {
-    Located point = *this;
+    SpaceLocation point = *this;
     point.pose = pose * own;
     point.velocity += turning.cross(pose.rotation * own.position);
     return point;
 }
 
-Located Located::seenFrom(const Located& base) const
+SpaceLocation SpaceLocation::seenFrom(const SpaceLocation& base) const
 {
     const vr::Pose inverse = base.pose.inverse();
     const core::Vec3 arm = pose.position - base.pose.position;
-    Located seen;
+    SpaceLocation seen;
     seen.pose = inverse * pose;
     seen.tracking = std::max(tracking, base.tracking);
     seen.velocity = inverse.rotation * (velocity - base.velocity - base.turning.cross(arm));
@@ -59,7 +59,7 @@ Located Located::seenFrom(const Located& base) const
     return seen;
 }
 
-XrFlags64 Located::flags() const
+XrFlags64 SpaceLocation::flags() const
 {
     constexpr XrFlags64 rotation = XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT;
     switch (tracking) {
@@ -71,7 +71,7 @@ XrFlags64 Located::flags() const
     return 0;
 }
 
-Located Space::at(const World& world, XrTime time) const
+SpaceLocation Space::at(const SimulatedWorld& world, XrTime time) const
 {
     if (const auto* type = std::get_if<XrReferenceSpaceType>(&m_origin))
         return originAt(world, *type, time).with(m_offset);
@@ -93,14 +93,14 @@ std::string nameOf(const Space& space)
     }
 }
 
-Located locateView(const World& world, const ViewQuestion& question)
+SpaceLocation locateView(const SimulatedWorld& world, const ViewQuery& query)
 {
-    Located eye = moving(world.head.motion, world.head.tracking, question.time);
-    if (question.views == XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO) {
-        const double side = question.eye == 0 ? -0.5 : 0.5;
+    SpaceLocation eye = moving(world.head.motion, world.head.tracking, query.time);
+    if (query.views == XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO) {
+        const double side = query.eye == 0 ? -0.5 : 0.5;
         eye = eye.with({Eigen::Quaterniond::Identity(), core::Vec3(side * world.headset.eyeDistance, 0, 0)});
     }
-    return eye.seenFrom(question.space.at(world, question.time));
+    return eye.seenFrom(query.space.at(world, query.time));
 }
 
 XrFovf fovOf(const Headset& headset, XrViewConfigurationType views, std::uint32_t eye)
@@ -113,7 +113,7 @@ XrFovf fovOf(const Headset& headset, XrViewConfigurationType views, std::uint32_
     return fov;
 }
 
-XrPosef poseOrNone(const Located& located)
+XrPosef poseOrNone(const SpaceLocation& located)
 {
     XrPosef pose = located.isValid() ? toXr(located.pose) : XrPosef{};
     if (!located.hasPosition())

@@ -10,7 +10,7 @@ namespace simulator
 class Action;
 
 /// Where something is, in the room or in a space.
-struct Located
+struct SpaceLocation
 {
     vr::Pose pose;
     Tracking tracking = Tracking::Full;
@@ -20,9 +20,9 @@ struct Located
     bool isValid() const { return tracking != Tracking::None; }
     bool hasPosition() const { return tracking < Tracking::NoPosition; }
     /// A point that is fixed to it.
-    Located with(const vr::Pose& own) const;
+    SpaceLocation with(const vr::Pose& own) const;
     /// As seen from there, which may move itself.
-    Located seenFrom(const Located& base) const;
+    SpaceLocation seenFrom(const SpaceLocation& base) const;
     /// The bits of XrSpaceLocationFlags, which are those of XrViewStateFlags.
     XrFlags64 flags() const;
 };
@@ -41,7 +41,7 @@ public:
     Space(Origin origin, const vr::Pose& offset) : m_origin(std::move(origin)), m_offset(offset) {}
 
     /// In the room.
-    Located at(const World& world, XrTime time) const;
+    SpaceLocation at(const SimulatedWorld& world, XrTime time) const;
     const Origin& origin() const { return m_origin; }
 
 private:
@@ -51,7 +51,7 @@ private:
 
 std::string nameOf(const Space& space);
 
-struct ViewQuestion
+struct ViewQuery
 {
     const Space& space;
     XrViewConfigurationType views;
@@ -60,9 +60,9 @@ struct ViewQuestion
 };
 
 /// In that space.
-Located locateView(const World& world, const ViewQuestion& question);
+SpaceLocation locateView(const SimulatedWorld& world, const ViewQuery& query);
 XrFovf fovOf(const Headset& headset, XrViewConfigurationType views, std::uint32_t eye);
 
 /// The pose as far as it is valid; else one that nobody can mistake for one.
-XrPosef poseOrNone(const Located& located);
+XrPosef poseOrNone(const SpaceLocation& located);
 } // namespace simulator

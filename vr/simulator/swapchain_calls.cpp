@@ -38,16 +38,16 @@ Session& sessionOf(const Swapchain& swapchain)
 XrResult enumerateSwapchainFormats(Call& call, XrSession handle, std::uint32_t capacity, std::uint32_t* count, std::int64_t* formats)
 {
     call.get<Session>(handle);
-    answer(Room<std::int64_t>{capacity, count, formats}, ShareContext::formats());
+    writeItems(OutputArray<std::int64_t>{capacity, count, formats}, ShareContext::formats());
     return XR_SUCCESS;
 }
 
 XrResult createSwapchain(Call& call, XrSession handle, const XrSwapchainCreateInfo* info, XrSwapchain* out)
 {
     Session& session = call.get<Session>(handle);
-    given(info, XR_TYPE_SWAPCHAIN_CREATE_INFO);
-    given(out);
-    call.wantContext(session);
+    validated(info, XR_TYPE_SWAPCHAIN_CREATE_INFO);
+    validated(out);
+    call.checkContext(session);
     const TextureForm form = checkedForm(*info);
     const bool isStatic = (info->createFlags & XR_SWAPCHAIN_CREATE_STATIC_IMAGE_BIT) != 0;
     *out = call.runtime.handles.add<XrSwapchain>(std::make_shared<Swapchain>(session.gl(), form, isStatic), &session);
@@ -58,7 +58,7 @@ XrResult createSwapchain(Call& call, XrSession handle, const XrSwapchainCreateIn
 XrResult destroySwapchain(Call& call, XrSwapchain handle)
 {
     const auto swapchain = call.runtime.handles.find<Swapchain>(handle);
-    call.wantContext(sessionOf(*swapchain));
+    call.checkContext(sessionOf(*swapchain));
     if (!swapchain->isDrawn())
         call.error("its images are still drawn on");
     call.runtime.handles.destroy(*swapchain);
@@ -69,9 +69,9 @@ XrResult enumerateSwapchainImages(Call& call, XrSwapchain handle, std::uint32_t 
                                   XrSwapchainImageBaseHeader* images)
 {
     const auto& swapchain = call.get<Swapchain>(handle);
-    call.wantContext(sessionOf(swapchain));
-    answer(Room<XrSwapchainImageOpenGLKHR>{capacity, count, reinterpret_cast<XrSwapchainImageOpenGLKHR*>(images)}, swapchain.textures(),
-           [](XrSwapchainImageOpenGLKHR& to, unsigned int texture) { given(&to, XR_TYPE_SWAPCHAIN_IMAGE_OPENGL_KHR).image = texture; });
+    call.checkContext(sessionOf(swapchain));
+    writeItems(OutputArray<XrSwapchainImageOpenGLKHR>{capacity, count, reinterpret_cast<XrSwapchainImageOpenGLKHR*>(images)}, swapchain.textures(),
+           [](XrSwapchainImageOpenGLKHR& to, unsigned int texture) { validated(&to, XR_TYPE_SWAPCHAIN_IMAGE_OPENGL_KHR).image = texture; });
     return XR_SUCCESS;
 }
 
@@ -79,9 +79,9 @@ XrResult acquireSwapchainImage(Call& call, XrSwapchain handle, const XrSwapchain
 {
     auto& swapchain = call.get<Swapchain>(handle);
     if (info)
-        given(info, XR_TYPE_SWAPCHAIN_IMAGE_ACQUIRE_INFO);
-    call.wantContext(sessionOf(swapchain));
-    given(index) = static_cast<std::uint32_t>(swapchain.acquire());
+        validated(info, XR_TYPE_SWAPCHAIN_IMAGE_ACQUIRE_INFO);
+    call.checkContext(sessionOf(swapchain));
+    validated(index) = static_cast<std::uint32_t>(swapchain.acquire());
     call.line["image"] = *index;
     return XR_SUCCESS;
 }
@@ -89,8 +89,8 @@ XrResult acquireSwapchainImage(Call& call, XrSwapchain handle, const XrSwapchain
 XrResult waitSwapchainImage(Call& call, XrSwapchain handle, const XrSwapchainImageWaitInfo* info)
 {
     auto& swapchain = call.get<Swapchain>(handle);
-    given(info, XR_TYPE_SWAPCHAIN_IMAGE_WAIT_INFO);
-    call.wantContext(sessionOf(swapchain));
+    validated(info, XR_TYPE_SWAPCHAIN_IMAGE_WAIT_INFO);
+    call.checkContext(sessionOf(swapchain));
     swapchain.wait();
     return XR_SUCCESS;
 }
@@ -99,8 +99,8 @@ XrResult releaseSwapchainImage(Call& call, XrSwapchain handle, const XrSwapchain
 {
     auto& swapchain = call.get<Swapchain>(handle);
     if (info)
-        given(info, XR_TYPE_SWAPCHAIN_IMAGE_RELEASE_INFO);
-    call.wantContext(sessionOf(swapchain));
+        validated(info, XR_TYPE_SWAPCHAIN_IMAGE_RELEASE_INFO);
+    call.checkContext(sessionOf(swapchain));
     swapchain.release();
     if (call.runtime.world.watchesDrawing)
         swapchain.markDrawing();

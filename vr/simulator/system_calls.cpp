@@ -5,9 +5,9 @@ namespace simulator
 {
 namespace
 {
-constexpr XrSystemId theSystem = 1;
+constexpr XrSystemId systemId = 1;
 
-std::vector<XrViewConfigurationType> offeredViews(const World& world)
+std::vector<XrViewConfigurationType> offeredViews(const SimulatedWorld& world)
 {
     switch (world.headset.views) {
     case Views::Stereo: return {XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO};
@@ -20,10 +20,10 @@ std::vector<XrViewConfigurationType> offeredViews(const World& world)
 
 void requireSystem(XrSystemId system)
 {
-    require(system == theSystem, XR_ERROR_SYSTEM_INVALID, "no such system");
+    require(system == systemId, XR_ERROR_SYSTEM_INVALID, "no such system");
 }
 
-void requireViews(const World& world, XrViewConfigurationType views)
+void requireViews(const SimulatedWorld& world, XrViewConfigurationType views)
 {
     const auto offered = offeredViews(world);
     require(std::find(offered.begin(), offered.end(), views) != offered.end(), XR_ERROR_VIEW_CONFIGURATION_TYPE_UNSUPPORTED,
@@ -38,23 +38,23 @@ std::uint32_t viewCount(XrViewConfigurationType views)
 XrResult getSystem(Call& call, XrInstance handle, const XrSystemGetInfo* info, XrSystemId* system)
 {
     call.get<Instance>(handle);
-    given(info, XR_TYPE_SYSTEM_GET_INFO);
-    given(system);
+    validated(info, XR_TYPE_SYSTEM_GET_INFO);
+    validated(system);
     require(info->formFactor == XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY, XR_ERROR_FORM_FACTOR_UNSUPPORTED, "only a headset");
     require(call.runtime.world.hasHeadset, XR_ERROR_FORM_FACTOR_UNAVAILABLE, "so the script says");
-    *system = theSystem;
+    *system = systemId;
     return XR_SUCCESS;
 }
 
 XrResult getSystemProperties(Call& call, XrInstance handle, XrSystemId system, XrSystemProperties* properties)
 {
     call.get<Instance>(handle);
-    given(properties, XR_TYPE_SYSTEM_PROPERTIES);
+    validated(properties, XR_TYPE_SYSTEM_PROPERTIES);
     requireSystem(system);
     properties->systemId = system;
     properties->vendorId = 0;
     copyText(properties->systemName, "Simulated Vive");
-    properties->graphicsProperties = {largestImage, largestImage, mostLayers};
+    properties->graphicsProperties = {largestImage, largestImage, maxLayers};
     properties->trackingProperties = {XR_TRUE, XR_TRUE};
     return XR_SUCCESS;
 }
@@ -65,7 +65,7 @@ XrResult enumerateEnvironmentBlendModes(Call& call, XrInstance handle, XrSystemI
     call.get<Instance>(handle);
     requireSystem(system);
     requireViews(call.runtime.world, views);
-    answer(Room<XrEnvironmentBlendMode>{capacity, count, modes}, std::array{XR_ENVIRONMENT_BLEND_MODE_OPAQUE});
+    writeItems(OutputArray<XrEnvironmentBlendMode>{capacity, count, modes}, std::array{XR_ENVIRONMENT_BLEND_MODE_OPAQUE});
     return XR_SUCCESS;
 }
 
@@ -74,7 +74,7 @@ XrResult enumerateViewConfigurations(Call& call, XrInstance handle, XrSystemId s
 {
     call.get<Instance>(handle);
     requireSystem(system);
-    answer(Room<XrViewConfigurationType>{capacity, count, types}, offeredViews(call.runtime.world));
+    writeItems(OutputArray<XrViewConfigurationType>{capacity, count, types}, offeredViews(call.runtime.world));
     return XR_SUCCESS;
 }
 
@@ -82,7 +82,7 @@ XrResult getViewConfigurationProperties(Call& call, XrInstance handle, XrSystemI
                                         XrViewConfigurationProperties* properties)
 {
     call.get<Instance>(handle);
-    given(properties, XR_TYPE_VIEW_CONFIGURATION_PROPERTIES);
+    validated(properties, XR_TYPE_VIEW_CONFIGURATION_PROPERTIES);
     requireSystem(system);
     requireViews(call.runtime.world, views);
     properties->viewConfigurationType = views;
@@ -100,9 +100,9 @@ XrResult enumerateViewConfigurationViews(Call& call, XrInstance handle, XrSystem
     XrViewConfigurationView view{XR_TYPE_VIEW_CONFIGURATION_VIEW, nullptr, 0, largestImage, 0, largestImage, 1, 1};
     view.recommendedImageRectWidth = static_cast<std::uint32_t>(headset.width);
     view.recommendedImageRectHeight = static_cast<std::uint32_t>(headset.height);
-    answer(Room<XrViewConfigurationView>{capacity, count, out}, std::vector(viewCount(views), view),
+    writeItems(OutputArray<XrViewConfigurationView>{capacity, count, out}, std::vector(viewCount(views), view),
            [](XrViewConfigurationView& to, XrViewConfigurationView from) {
-               given(&to, XR_TYPE_VIEW_CONFIGURATION_VIEW);
+               validated(&to, XR_TYPE_VIEW_CONFIGURATION_VIEW);
                from.next = to.next;
                to = from;
            });
@@ -113,7 +113,7 @@ XrResult enumerateViewConfigurationViews(Call& call, XrInstance handle, XrSystem
 XrResult getOpenGlRequirements(Call& call, XrInstance handle, XrSystemId system, XrGraphicsRequirementsOpenGLKHR* requirements)
 {
     Instance& instance = call.get<Instance>(handle);
-    given(requirements, XR_TYPE_GRAPHICS_REQUIREMENTS_OPENGL_KHR);
+    validated(requirements, XR_TYPE_GRAPHICS_REQUIREMENTS_OPENGL_KHR);
     requireSystem(system);
     requirements->minApiVersionSupported = XR_MAKE_VERSION(3, 3, 0);
     requirements->maxApiVersionSupported = XR_MAKE_VERSION(4, 6, 0);

@@ -3,17 +3,17 @@
 namespace vr
 {
 /// The CPU time that this thread has used, in milliseconds. Costs a fraction of a microsecond.
-double threadMilliseconds();
+double threadCpuMilliseconds();
 
 /// Adds up the CPU time of calls into OpenGL that draw: a driver without a graphics card shades pictures within them.
-class DrawClock
+class DrawCallTimer
 {
 public:
     template <class Draw> void run(const Draw& draw)
     {
-        const double start = threadMilliseconds();
+        const double start = threadCpuMilliseconds();
         draw();
-        m_milliseconds += threadMilliseconds() - start;
+        m_milliseconds += threadCpuMilliseconds() - start;
         ++m_calls;
     }
 

@@ -4,7 +4,7 @@
 
 namespace vr
 {
-double threadMilliseconds()
+double threadCpuMilliseconds()
 {
     timespec time{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);

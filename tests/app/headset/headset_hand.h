@@ -29,7 +29,7 @@ public:
         load(pixels);
         auto* entrance = program.window.findChild<Headset*>();
         QObject::connect(entrance, &Headset::seen, entrance,
-                         [this](const std::optional<vr::Presence>& presence) { m_seen = presence.value_or(m_seen); });
+                         [this](const std::optional<vr::AvatarState>& presence) { m_seen = presence.value_or(m_seen); });
     }
     ~HeadsetHand() { m_headset.step("{'pace': 'fast'}"); } // a test that has failed comes to an end, too
 
@@ -76,7 +76,7 @@ public:
     bool isIn() const { return m_headset.report()["is_running"].toBool(); }
 
     /// What those at the window were told last.
-    const vr::Presence& seen() const { return m_seen; }
+    const vr::AvatarState& seen() const { return m_seen; }
 
     /// What the mesh thread says, once it has done what came before.
     template <class Ask> auto ask(const Ask& what)
@@ -166,12 +166,12 @@ public:
     /// The model was placed before the person anew.
     void lookAgain()
     {
-        m_room = vr::Room(m_program.document.facts().box);
+        m_room = vr::ModelPlacement(m_program.document.facts().box);
         m_room.place(head);
     }
     /// A place of the document where the person sees it, as long as hands have not moved the model.
     core::Vec3 place(const core::Vec3& point) const { return m_room.toRoom(point); }
-    const vr::Room& room() const { return m_room; }
+    const vr::ModelPlacement& room() const { return m_room; }
     void hover(const core::Vec3& point)
     {
         put(vr::Side::Right, place(point));
@@ -210,14 +210,14 @@ public:
         if (layout.kind == vr::PanelKind::Tools || layout.kind == vr::PanelKind::Color)
             return vr::placeAtHand(m_grips[static_cast<std::size_t>(carrier)], at,
                                    {layout.metres(), clay, carrier == vr::Side::Left ? 1.0 : -1.0});
-        const auto place = vr::PanelWall::placeOnOpening(layout.kind, {at, {}, sculpting(), clay}, layout);
+        const auto place = vr::PanelManager::placeOnOpening(layout.kind, {at, {}, sculpting(), clay}, layout);
         return m_ahead.emplace(layout.kind, place).first->second;
     }
     void forgetPanels() { m_ahead.clear(); }
     /// The middle of an item, or of what a slider is to be set to. Room space.
     core::Vec3 placeOf(const vr::PanelLayout& layout, const vr::PanelAction& item)
     {
-        const vr::PanelPart* part = layout.partFor(item);
+        const vr::PanelItem* part = layout.itemFor(item);
         if (!part)
             return core::Vec3::Zero();
         QPointF point = part->area.center();
@@ -278,7 +278,7 @@ private:
     static constexpr double reach = 0.1; ///< metres from which a wand points at a panel
 
     int framesEnded() const { return m_headset.report()["frames_ended"].toInt(); }
-    static vr::Side sculpting() { return HeadsetSettings().choice().hands.sculpting; }
+    static vr::Side sculpting() { return HeadsetSettings().choice().wands.sculpting; }
     static vr::Side other(vr::Side side) { return side == vr::Side::Left ? vr::Side::Right : vr::Side::Left; }
     static QString nameOf(vr::Side side)
     {
@@ -306,8 +306,8 @@ private:
     ScriptedHeadset m_headset;
     std::array<vr::Pose, vr::sideCount> m_grips; ///< by Side
     std::map<vr::PanelKind, vr::Pose> m_ahead;   ///< panels
-    vr::Room m_room;
-    vr::Presence m_seen;
+    vr::ModelPlacement m_room;
+    vr::AvatarState m_seen;
     bool m_isStalled = false;
     int m_framesBefore = 0; ///< the visit
 };

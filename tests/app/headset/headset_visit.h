@@ -16,7 +16,7 @@ namespace app
 struct Desk
 {
     /// `pixels`: of an eye.
-    explicit Desk(const vr::HeadsetChoice& choice = {}, const QSize& pixels = HeadsetHand::few) : hand(program, pixels)
+    explicit Desk(const vr::HeadsetSettings& choice = {}, const QSize& pixels = HeadsetHand::few) : hand(program, pixels)
     {
         QSettings().clear();
         HeadsetSettings().setChoice(choice);
@@ -60,7 +60,7 @@ private:
 /// The same, and a person in the headset before the ball.
 struct Visit : Desk
 {
-    explicit Visit(const vr::HeadsetChoice& choice = {}, const QSize& pixels = HeadsetHand::few) : Desk(choice, pixels)
+    explicit Visit(const vr::HeadsetSettings& choice = {}, const QSize& pixels = HeadsetHand::few) : Desk(choice, pixels)
     {
         hand.enter();
     }
@@ -74,7 +74,7 @@ struct Visit : Desk
 /// The same, and nobody at the window: it is not painted, which is half of what a frame costs.
 struct Alone : Visit
 {
-    explicit Alone(const vr::HeadsetChoice& choice = {}, const QSize& pixels = HeadsetHand::few) : Visit(choice, pixels)
+    explicit Alone(const vr::HeadsetSettings& choice = {}, const QSize& pixels = HeadsetHand::few) : Visit(choice, pixels)
     {
         program.window.viewport()->setUpdatesEnabled(false);
     }
@@ -99,9 +99,9 @@ struct Look
 };
 
 /// The pulses of a run that feel like that.
-inline int pulsesOf(HeadsetHand& hand, vr::Side side, const vr::HandFeeling& feeling)
+inline int pulsesOf(HeadsetHand& hand, vr::Side side, const vr::HapticInput& feeling)
 {
-    std::array<vr::HandFeeling, vr::sideCount> hands;
+    std::array<vr::HapticInput, vr::sideCount> hands;
     hands[0] = feeling;
     const double frequency = vr::Haptics().step(1, hands).at(0).frequency;
     int count = 0;

@@ -47,9 +47,9 @@ struct Visit
         QCoreApplication::processEvents();
     }
 
-    void wish(const vr::Wish& wish)
+    void request(const vr::DocumentRequest& wish)
     {
-        port->wish(wish);
+        port->request(wish);
         QCoreApplication::processEvents();
         wait();
     }
@@ -92,10 +92,10 @@ struct Visit
         return answer.value_or(0);
     }
 
-    vr::DocumentNews news()
+    vr::DocumentUpdate news()
     {
         QCoreApplication::processEvents();
-        if (auto next = port->takeNews())
+        if (auto next = port->takeUpdate())
             last = *next;
         return last;
     }
@@ -103,7 +103,7 @@ struct Visit
     Program program;
     HeadsetDesk desk{{&program.document, &program.worker, &program.window}};
     std::shared_ptr<HeadsetPort> port;
-    vr::DocumentNews last;
+    vr::DocumentUpdate last;
 };
 } // namespace
 
@@ -154,7 +154,7 @@ void TestHeadsetWishes::init()
 void TestHeadsetWishes::news_areWholeAtFirst()
 {
     Visit visit(at("vase.glb"));
-    const auto news = visit.port->takeNews();
+    const auto news = visit.port->takeUpdate();
     QVERIFY(news);
     QVERIFY(news->box.sizes().isApprox(core::Vec3(100, 100, 100), 0.02));
     QVERIFY(news->shading == ui::shadingOf(visit.program.window.viewport()->look().material));
@@ -171,7 +171,7 @@ void TestHeadsetWishes::save_writesANumberedPair()
     Visit visit(at("vase.glb"));
     const QByteArray first = bytesOf(at("vase.glb"));
     visit.stroke({50, 0, 0});
-    visit.wish(vr::SaveModel());
+    visit.request(vr::SaveModel());
     QTRY_VERIFY_WITH_TIMEOUT(!visit.program.document.isModified(), 60'000);
     QCOMPARE(visit.program.document.path(), at("vase-001.glb"));
     QCOMPARE(visit.news().saved, QStringLiteral("vase-001.glb"));
@@ -184,7 +184,7 @@ void TestHeadsetWishes::save_writesANumberedPair()
 
     core::writeMesh(at("vase-007.stl").toStdString(), core::icosphere(1, 50));
     const QByteArray others = bytesOf(at("vase-007.stl")), second = bytesOf(at("vase-001.glb"));
-    visit.wish(vr::SaveModel());
+    visit.request(vr::SaveModel());
     QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.path(), at("vase-008.glb"), 60'000);
     QVERIFY(QFile::exists(at("vase-008.stl")));
     QCOMPARE(bytesOf(at("vase-007.stl")), others);
@@ -195,7 +195,7 @@ void TestHeadsetWishes::save_ofAModelWithoutAFile()
 {
     ui::Settings().setLastFolder(m_folder->path());
     Visit visit({});
-    visit.wish(vr::SaveModel());
+    visit.request(vr::SaveModel());
     QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.path(), m_folder->filePath(visit.news().saved), 60'000);
     QVERIFY(visit.news().saved.endsWith(QStringLiteral("-001.glb")));
     QCOMPARE(QDir(m_folder->path()).entryList({QStringLiteral("*-001.*")}).size(), 2);
@@ -211,7 +211,7 @@ void TestHeadsetWishes::save_whereNothingFits()
     Visit visit({});
     visit.stroke({50, 0, 0});
     const QSignalSpy refused(&visit.program.document, &Document::refused);
-    visit.wish(vr::SaveModel());
+    visit.request(vr::SaveModel());
     QTRY_COMPARE_WITH_TIMEOUT(refused.size(), 1, 60'000);
     QCOMPARE(visit.news().notice, refused[0][0].toString());
     QVERIFY(visit.news().notice.contains(QStringLiteral("-001.glb")) && visit.news().saved.isEmpty());
@@ -227,7 +227,7 @@ void TestHeadsetWishes::save_whereOnlyTheFirstFits()
     ui::Settings().setLastFolder(QString::fromStdString(disk->folder().string()));
     Visit visit({});
     visit.stroke({50, 0, 0});
-    visit.wish(vr::SaveModel());
+    visit.request(vr::SaveModel());
     QTRY_VERIFY_WITH_TIMEOUT(!visit.program.document.isModified(), 60'000);
     const QStringList files = QFileInfo(visit.program.document.path()).dir().entryList(QDir::Files | QDir::Hidden);
     QCOMPARE(files, QStringList{visit.news().saved});
@@ -241,12 +241,12 @@ void TestHeadsetWishes::open_lettingChangesGo()
     Visit visit(at("vase.glb"));
     const quint64 model = visit.news().model;
     visit.stroke({50, 0, 0});
-    visit.wish(vr::OpenModel{at("cup.stl"), true});
+    visit.request(vr::OpenModel{at("cup.stl"), true});
     QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.path(), at("cup.stl"), 60'000);
     QVERIFY(!visit.program.document.isModified());
     QVERIFY(visit.news().model > model);
     QVERIFY(visit.news().box.sizes().isApprox(core::Vec3(40, 40, 40), 0.1));
-    visit.wish(vr::OpenModel{at("vase.glb")}); // there is nothing to lose
+    visit.request(vr::OpenModel{at("vase.glb")}); // there is nothing to lose
     QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.path(), at("vase.glb"), 60'000);
     visit.stroke({50, 0, 0});
 }
@@ -261,7 +261,7 @@ void TestHeadsetWishes::open_wouldLoseChanges()
     sample.position = {50, 0, 0};
     visit.port->addSample(sample);
     visit.port->endStroke();
-    visit.wish(vr::OpenModel{at("cup.stl")}); // right after the stroke
+    visit.request(vr::OpenModel{at("cup.stl")}); // right after the stroke
     QTRY_COMPARE_WITH_TIMEOUT(noticed.size(), 1, 60'000);
     QVERIFY(visit.news().notice.contains(QStringLiteral("cup.stl")));
     QCOMPARE(visit.program.document.path(), at("vase.glb"));
@@ -278,7 +278,7 @@ void TestHeadsetWishes::open_ofAModelThatNeedsMending()
     open.close();
     Visit visit(at("vase.glb"));
     const QSignalSpy mendable(&visit.program.document, &Document::mendable);
-    visit.wish(vr::OpenModel{at("open.obj")});
+    visit.request(vr::OpenModel{at("open.obj")});
     QTRY_COMPARE_WITH_TIMEOUT(mendable.size(), 1, 60'000);
     QVERIFY(visit.news().notice.startsWith(mendable[0][1].toString()));
     QCOMPARE(visit.program.document.path(), at("vase.glb"));
@@ -289,10 +289,10 @@ void TestHeadsetWishes::open_whileBusy()
 {
     Visit visit(at("vase.glb"));
     visit.program.document.exportTo(at("vase.stl"));
-    visit.port->wish(vr::OpenModel{at("vase.glb")});
-    visit.port->wish(vr::SaveModel());
-    visit.port->wish(vr::RestoreModel());
-    visit.port->wish(core::MaskOperation{});
+    visit.port->request(vr::OpenModel{at("vase.glb")});
+    visit.port->request(vr::SaveModel());
+    visit.port->request(vr::RestoreModel());
+    visit.port->request(core::MaskOperation{});
     QVERIFY(visit.program.document.isBusy());
     const QSignalSpy noticed(&visit.desk, &HeadsetDesk::noticed);
     QTRY_COMPARE_WITH_TIMEOUT(noticed.size(), 4, 60'000);
@@ -308,7 +308,7 @@ void TestHeadsetWishes::class_hasItsToolsAndNoFiles()
     const std::uint64_t hash = visit.hash();
     const QStringList files = QDir(m_folder->path()).entryList(QDir::Files);
     visit.program.window.setClassroom({QStringLiteral("5b"), m_folder->path(), {core::Starter::Ball}, {core::Tool::Clay, core::Tool::Pull}});
-    const std::pair<vr::Wish, const char*> wishes[] = {{vr::SaveModel(), "Next Pupil"}, {vr::OpenModel{at("vase.glb"), true}, "vase.glb was not opened"}};
+    const std::pair<vr::DocumentRequest, const char*> wishes[] = {{vr::SaveModel(), "Next Pupil"}, {vr::OpenModel{at("vase.glb"), true}, "vase.glb was not opened"}};
     for (const auto& [wish, word] : wishes) {
         visit.wish(wish);
         QVERIFY2(visit.news().notice.contains(QLatin1StringView(word)), qPrintable(visit.news().notice));
@@ -331,10 +331,10 @@ void TestHeadsetWishes::restore_isUndoable()
     const std::uint64_t before = visit.hash();
     visit.stroke({50, 0, 0});
     const std::uint64_t changed = visit.hash();
-    visit.wish(vr::RestoreModel());
+    visit.request(vr::RestoreModel());
     QTRY_COMPARE_WITH_TIMEOUT(visit.program.document.undoStack().count(), 2, 60'000);
     QCOMPARE(visit.hash(), before);
-    visit.wish(vr::Undo());
+    visit.request(vr::Undo());
     QCOMPARE(visit.hash(), changed);
 }
 
@@ -349,9 +349,9 @@ void TestHeadsetWishes::mask_isInvertedAndCleared()
     visit.wish(core::MaskOperation{How::Clear});
     QCOMPARE(visit.masked(), std::size_t(0));
     QCOMPARE(visit.program.document.undoStack().count(), 2);
-    visit.wish(vr::Undo());
+    visit.request(vr::Undo());
     QCOMPARE(visit.masked(), std::size_t(visit.program.document.facts().vertices));
-    visit.wish(vr::Undo());
+    visit.request(vr::Undo());
     const quint64 notices = visit.news().noticeCount;
     visit.wish(core::MaskOperation{How::Clear});
     QTRY_VERIFY(visit.news().noticeCount > notices && !visit.news().notice.isEmpty());
@@ -366,13 +366,13 @@ void TestHeadsetWishes::undoAndRedo_fromBothSides()
     const std::uint64_t one = visit.hash();
     visit.stroke({0, 50, 0});
     const std::uint64_t two = visit.hash();
-    visit.wish(vr::Undo());
+    visit.request(vr::Undo());
     QCOMPARE(visit.hash(), one);
     visit.program.window.action(QStringLiteral("edit.undo"))->trigger();
     visit.wait();
     QCOMPARE(visit.hash(), before);
     QVERIFY(visit.news().canRedo && !visit.news().canUndo);
-    visit.wish(vr::Redo());
+    visit.request(vr::Redo());
     visit.program.window.action(QStringLiteral("edit.redo"))->trigger();
     visit.wait();
     QCOMPARE(visit.hash(), two);
@@ -399,7 +399,7 @@ void TestHeadsetWishes::brush_fromTheHeadset()
     QVERIFY(brush.stroke().symmetry == core::Symmetry::Y && (brush.stroke().color == core::Rgb{1, 2, 3}));
     QVERIFY(brush.stroke().strength == before.strength && brush.stroke().radius == before.radius &&
             brush.stroke().place == before.place);
-    const vr::DocumentNews news = visit.news();
+    const vr::DocumentUpdate news = visit.news();
     QCOMPARE(news.brushChange, changes);
     QCOMPARE(news.brush.tool, core::Tool::Paint);
 }
@@ -413,7 +413,7 @@ void TestHeadsetWishes::brush_fromTheWindow()
     QCOMPARE(visit.news().brushChange, changes);
     brush.setTool(core::Tool::Smooth);
     brush.set(&core::StrokeSettings::symmetry, core::Symmetry::Z);
-    const vr::DocumentNews news = visit.news();
+    const vr::DocumentUpdate news = visit.news();
     QVERIFY(news.brushChange > changes);
     QCOMPARE(news.brush.tool, core::Tool::Smooth);
     QCOMPARE(news.plane, core::Symmetry::Z);
@@ -436,16 +436,16 @@ void TestHeadsetWishes::look_fromTheWindow()
 void TestHeadsetWishes::choice_isKept()
 {
     Visit visit(at("vase.glb"));
-    QVERIFY(HeadsetSettings().choice() == vr::HeadsetChoice());
-    vr::HeadsetChoice choice{{vr::Preset::Studio, vr::Side::Left}, -0.25, 60, false, true, {}};
-    choice.feel.of = {0, 0.25, 0.5, 0.75, 1, 0.1};
+    QVERIFY(HeadsetSettings().choice() == vr::HeadsetSettings());
+    vr::HeadsetSettings choice{{vr::ButtonPreset::Studio, vr::Side::Left}, -0.25, 60, false, true, {}};
+    choice.hapticLevels.of = {0, 0.25, 0.5, 0.75, 1, 0.1};
     visit.wish(choice);
     QTRY_VERIFY_WITH_TIMEOUT(HeadsetSettings().choice() == choice, 60'000);
     QSettings().setValue(QStringLiteral("headset/raised"), QStringLiteral("a lot"));
     QSettings().setValue(QStringLiteral("headset/preset"), QStringLiteral("another"));
-    QCOMPARE(HeadsetSettings().choice().raised, 0.0);
-    QCOMPARE(HeadsetSettings().choice().hands.preset, vr::Preset::Paper);
-    QCOMPARE(HeadsetSettings().choice().hands.sculpting, vr::Side::Left);
+    QCOMPARE(HeadsetSettings().choice().heightOffset, 0.0);
+    QCOMPARE(HeadsetSettings().choice().wands.preset, vr::ButtonPreset::Paper);
+    QCOMPARE(HeadsetSettings().choice().wands.sculpting, vr::Side::Left);
 }
 
 void TestHeadsetWishes::files_comeWithPictures()
@@ -465,7 +465,7 @@ void TestHeadsetWishes::files_comeWithPictures()
     QTRY_COMPARE_WITH_TIMEOUT(visit.news().files.size(), 3, 60'000);
     QTRY_VERIFY_WITH_TIMEOUT(!tile("vase.glb").picture.isNull() && !tile("cup.stl").picture.isNull(), 60'000);
     QTRY_VERIFY_WITH_TIMEOUT(tile("broken.ply").isBroken, 60'000);
-    visit.wish(vr::SaveModel());
+    visit.request(vr::SaveModel());
     QTRY_COMPARE_WITH_TIMEOUT(visit.news().files.size(), 5, 60'000);
     QFile::remove(at("cup.stl"));
     QTRY_COMPARE_WITH_TIMEOUT(visit.news().files.size(), 4, 60'000);
@@ -474,10 +474,10 @@ void TestHeadsetWishes::files_comeWithPictures()
 void TestHeadsetWishes::presence_isSeen()
 {
     Visit visit(at("vase.glb"));
-    QList<std::optional<vr::Presence>> all;
+    QList<std::optional<vr::AvatarState>> all;
     connect(&visit.desk, &HeadsetDesk::seen, this,
-            [&](const std::optional<vr::Presence>& presence) { all << presence; });
-    vr::Presence presence;
+            [&](const std::optional<vr::AvatarState>& presence) { all << presence; });
+    vr::AvatarState presence;
     for (int i = 1; i <= 50; ++i) {
         presence.model.translation().x() = i;
         visit.port->show(presence);
@@ -494,7 +494,7 @@ void TestHeadsetWishes::close_doesWhatWasWished()
 {
     Visit visit(at("vase.glb"));
     visit.stroke({50, 0, 0});
-    visit.port->wish(vr::Undo());
+    visit.port->request(vr::Undo());
     core::StrokeSettings settings;
     settings.radius = 12;
     QVERIFY(visit.port->beginStroke(settings));
@@ -525,7 +525,7 @@ void TestHeadsetWishes::headset_thatIsNotThereSaysSo()
         visit.program.window.action(QStringLiteral("vr.enter"))->trigger();
         QVERIFY(headset->isIn());
         QTRY_VERIFY_WITH_TIMEOUT(!reports.isEmpty() && reports.last().isEnded(), 60'000);
-        QVERIFY(!headset->isIn() && reports.last().end == vr::HeadsetEnd::NotThere);
+        QVERIFY(!headset->isIn() && reports.last().end == vr::HeadsetEnd::Unavailable);
         QCOMPARE(notice(visit.program), reports.last().text);
     }
     headset->enter();

@@ -30,10 +30,10 @@ vr::ToolPanel tools()
 /// With the tool panel open, which is held up beside the model, and painted.
 struct AtTools : Alone
 {
-    explicit AtTools(const vr::HeadsetChoice& choice = {}, const QSize& pixels = HeadsetHand::few)
+    explicit AtTools(const vr::HeadsetSettings& choice = {}, const QSize& pixels = HeadsetHand::few)
         : Alone(choice, pixels)
     {
-        const Side support = choice.hands.sculpting == Side::Right ? Side::Left : Side::Right;
+        const Side support = choice.wands.sculpting == Side::Right ? Side::Left : Side::Right;
         hand.put(support, {support == Side::Left ? -0.35 : 0.35, 1.25, -0.3});
         hand.press(support, "menu");
         for (const core::Tool tool : {core::Tool::Flatten, core::Tool::Pull})
@@ -50,7 +50,7 @@ struct AtTools : Alone
         hand.click(tools(), vr::ShowPanel{kind, true});
         hand.press(Side::Left, "menu");
     }
-    vr::HeadsetChoice choice() const { return HeadsetSettings().choice(); }
+    vr::HeadsetSettings choice() const { return HeadsetSettings().choice(); }
 
     /// What the person sees who turns to that place of the room, and back.
     Look lookAt(const Vec3& place)
@@ -407,9 +407,9 @@ void TestHeadsetPanels::settings_general()
     const auto panel = [&] { return vr::SettingsPanel::of(v.choice(), vr::SettingsPage::General); };
     const Vec3 before = v.model().translation();
     QVERIFY(v.hand.choose(panel(), vr::Slide{PanelSlider::Height, 0.2},
-                          [&] { return std::abs(v.choice().raised - 0.2) < 0.021; }));
-    QVERIFY((v.model().translation() - before - Vec3(0, v.choice().raised, 0)).norm() < 1e-3);
-    QVERIFY(v.hand.choose(panel(), vr::Slide{PanelSlider::TurnSpeed, 180}, [&] { return v.choice().turnsBy == 180; }));
+                          [&] { return std::abs(v.choice().heightOffset - 0.2) < 0.021; }));
+    QVERIFY((v.model().translation() - before - Vec3(0, v.choice().heightOffset, 0)).norm() < 1e-3);
+    QVERIFY(v.hand.choose(panel(), vr::Slide{PanelSlider::TurnSpeed, 180}, [&] { return v.choice().turnRate == 180; }));
     const auto floor = [&] {
         v.putWandsAside();
         return v.lookAt({1.4, 0, -1.4}).between({1.2, 0, -1.6}, {1.6, 0, -1.2});
@@ -417,8 +417,8 @@ void TestHeadsetPanels::settings_general()
     const QImage grid = floor();
     QVERIFY(v.hand.choose(panel(), vr::ShowFloor{false}, [&] { return !v.choice().showsFloor; }));
     QVERIFY(floor() != grid);
-    QVERIFY(v.hand.choose(panel(), vr::Preset::Studio, [&] { return v.choice().hands.preset == vr::Preset::Studio; }));
-    QVERIFY(v.hand.choose(panel(), vr::Preset::Paper, [&] { return v.choice().hands.preset == vr::Preset::Paper; }));
+    QVERIFY(v.hand.choose(panel(), vr::ButtonPreset::Studio, [&] { return v.choice().wands.preset == vr::ButtonPreset::Studio; }));
+    QVERIFY(v.hand.choose(panel(), vr::ButtonPreset::Paper, [&] { return v.choice().wands.preset == vr::ButtonPreset::Paper; }));
     v.hand.click(panel(), vr::ShowPanel{PanelKind::Settings, false});
     const auto yaw = [&] {
         return std::atan2(-v.model().linear()(2, 0), v.model().linear()(0, 0)) * 180 / std::numbers::pi;
@@ -431,7 +431,7 @@ void TestHeadsetPanels::settings_general()
     v.hand.leave();
     v.hand.enter(); // it is kept
     v.hand.settle();
-    QVERIFY(std::abs((v.model().translation() - before).y() - v.choice().raised) < 1e-3);
+    QVERIFY(std::abs((v.model().translation() - before).y() - v.choice().heightOffset) < 1e-3);
     QCOMPARE(v.hand.headset().complaints(), QString());
 }
 
@@ -440,7 +440,7 @@ void TestHeadsetPanels::settings_swapHands()
     AtTools v;
     v.open(PanelKind::Settings);
     const auto panel = vr::SettingsPanel::of(v.choice(), vr::SettingsPage::General);
-    QVERIFY(v.hand.choose(panel, vr::ChooseHand{Side::Left}, [&] { return v.choice().hands.sculpting == Side::Left; }));
+    QVERIFY(v.hand.choose(panel, vr::ChooseHand{Side::Left}, [&] { return v.choice().wands.sculpting == Side::Left; }));
     v.hand.put(Side::Right, {0.5, 1.1, -0.2});
     v.hand.put(Side::Left, v.hand.place({0, 49, 0}));
     v.hand.frame();
@@ -472,13 +472,13 @@ void TestHeadsetPanels::settings_vibration()
     v.open(PanelKind::Settings);
     const auto page = [&](vr::SettingsPage shown) { return vr::SettingsPanel::of(v.choice(), shown); };
     v.hand.waitForPanels();
-    v.hand.click(page(vr::SettingsPage::General), vr::SettingsPage::Feel);
+    v.hand.click(page(vr::SettingsPage::General), vr::SettingsPage::Haptics);
     for (std::size_t i = 0; i < vr::sensationCount; ++i) {
         const auto slider = static_cast<PanelSlider>(static_cast<std::size_t>(PanelSlider::Contact) + i);
-        QVERIFY(v.hand.choose(page(vr::SettingsPage::Feel), vr::Slide{slider, 0},
-                              [&] { return v.choice().feel.of[i] == 0; }));
+        QVERIFY(v.hand.choose(page(vr::SettingsPage::Haptics), vr::Slide{slider, 0},
+                              [&] { return v.choice().hapticLevels.of[i] == 0; }));
     }
-    v.hand.click(page(vr::SettingsPage::Feel), vr::ShowPanel{PanelKind::Settings, false});
+    v.hand.click(page(vr::SettingsPage::Haptics), vr::ShowPanel{PanelKind::Settings, false});
     const qsizetype before = v.hand.headset().report()["haptics"].toArray().size();
     QVERIFY(before > 0);
     v.pull();
@@ -497,8 +497,8 @@ void TestHeadsetPanels::settings_performance()
     v.hand.setSlow(true); // the numbers change twice a second
     const auto panel = [&] { return vr::SettingsPanel::of(v.choice(), vr::SettingsPage::General); };
     const vr::PanelLayout layout = layoutOf(vr::PerformancePanel());
-    const QRectF lost = layout.parts.back().area;
-    const auto* number = std::get_if<vr::TextLook>(&layout.parts.back().look);
+    const QRectF lost = layout.items.back().area;
+    const auto* number = std::get_if<vr::TextLook>(&layout.items.back().look);
     QVERIFY(number && number->text == QStringLiteral("0"));
     const QImage before = v.areaOf(layout, lost);
     QVERIFY(v.hand.choose(panel(), vr::ShowPerformance{true}, [&] { return v.choice().showsPerformance; }));

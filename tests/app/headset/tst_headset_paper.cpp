@@ -279,8 +279,8 @@ void TestHeadsetPaper::rightSideHeld_restoresAndThatCanBeUndone()
 
 void TestHeadsetPaper::handsMaySwap()
 {
-    vr::HeadsetChoice choice;
-    choice.hands.sculpting = Side::Left;
+    vr::HeadsetSettings choice;
+    choice.wands.sculpting = Side::Left;
     Alone v(choice);
     v.hand.put(Side::Left, v.hand.place({0, 49.5, 0}));
     v.hand.frame();

@@ -96,16 +96,16 @@ struct Pair : Visit
     std::optional<core::SurfaceHit> place; ///< that was pointed at last
 };
 
-vr::HandFeeling tick()
+vr::HapticInput tick()
 {
-    vr::HandFeeling feeling;
+    vr::HapticInput feeling;
     feeling.stepped = true;
     return feeling;
 }
 
-vr::HandFeeling refusal()
+vr::HapticInput refusal()
 {
-    vr::HandFeeling feeling;
+    vr::HapticInput feeling;
     feeling.refused = true;
     return feeling;
 }
@@ -117,10 +117,10 @@ struct Listener
     {
         port = headsetDesk.open();
     }
-    vr::DocumentNews news()
+    vr::DocumentUpdate news()
     {
         QCoreApplication::processEvents();
-        if (auto next = port->takeNews())
+        if (auto next = port->takeUpdate())
             last = *next;
         return last;
     }
@@ -128,7 +128,7 @@ struct Listener
     Desk desk;
     HeadsetDesk headsetDesk{{&desk.program.document, &desk.program.worker, &desk.program.window}};
     std::shared_ptr<HeadsetPort> port;
-    vr::DocumentNews last;
+    vr::DocumentUpdate last;
 };
 } // namespace
 
@@ -312,7 +312,7 @@ void TestHeadsetPartner::choices_areTold()
     core::StrokeSettings paint = listener.last.brush;
     paint.tool = core::Tool::Paint;
     const quint64 notices = listener.last.noticeCount;
-    listener.port->wish(vr::ChooseBrush{paint});
+    listener.port->request(vr::ChooseBrush{paint});
     QTRY_COMPARE_WITH_TIMEOUT(listener.news().brush.tool, core::Tool::Paint, 60'000);
     QTest::qWait(700);
     QCOMPARE(listener.news().noticeCount, notices); // nobody is told what they did themselves
@@ -381,7 +381,7 @@ void TestHeadsetPartner::takingOver_isTold()
     const quint64 brush = listener.last.brushChange;
     core::StrokeSettings paint = listener.last.brush;
     paint.tool = core::Tool::Paint;
-    listener.port->wish(vr::ChooseBrush{paint});
+    listener.port->request(vr::ChooseBrush{paint});
     QTRY_VERIFY(listener.news().brushChange > brush); // it is told back what there is
     QVERIFY(listener.last.brush.tool != core::Tool::Paint);
     listener.headsetDesk.setTakenOver(false);
@@ -502,9 +502,9 @@ void TestHeadsetPartner::lesson_isOnAPanel()
     };
     QTRY_VERIFY_WITH_TIMEOUT(!panel->shown()->marks.isEmpty(), 60'000);
     v.keep("lesson");
-    QVERIFY(v.hand.choose(content(), vr::LessonWish::Next, [&] { return panel->shown()->page.step == 1; }));
-    QVERIFY(v.hand.choose(content(), vr::LessonWish::Back, [&] { return panel->shown()->page.step == 0; }));
-    QVERIFY(v.hand.choose(content(), vr::LessonWish::Play, [&] { return panel->shown()->isPlaying; }));
+    QVERIFY(v.hand.choose(content(), vr::LessonRequest::Next, [&] { return panel->shown()->page.step == 1; }));
+    QVERIFY(v.hand.choose(content(), vr::LessonRequest::Back, [&] { return panel->shown()->page.step == 0; }));
+    QVERIFY(v.hand.choose(content(), vr::LessonRequest::Play, [&] { return panel->shown()->isPlaying; }));
     const auto frameUntil = [&](const auto& isSo) {
         for (int i = 0; i < 2000 && !isSo(); ++i) {
             v.hand.frame();
@@ -520,7 +520,7 @@ void TestHeadsetPartner::lesson_isOnAPanel()
     v.hand.settle();
     QVERIFY(v.changes() > 0);
     v.keep("lesson-shown");
-    QVERIFY(v.hand.choose(content(), vr::LessonWish::TryIt, [&] { return v.changes() == 0; }));
+    QVERIFY(v.hand.choose(content(), vr::LessonRequest::TryIt, [&] { return v.changes() == 0; }));
     QVERIFY(v.isSound());
     panel->left();
     v.hand.settle();

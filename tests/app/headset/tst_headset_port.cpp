@@ -84,7 +84,7 @@ struct Visit
     /// What the gui thread does: all that was wished for, in order.
     void obey()
     {
-        for (const vr::Wish& wish : port->takeMail().wishes)
+        for (const vr::DocumentRequest& wish : port->takeMail().wishes)
             turns.push_back(wish);
         obeyNext();
     }
@@ -92,7 +92,7 @@ struct Visit
     {
         if (turns.empty() || std::exchange(isObeying, true))
             return;
-        const vr::Wish wish = turns.front();
+        const vr::DocumentRequest wish = turns.front();
         turns.pop_front();
         if (std::holds_alternative<vr::Undo>(wish))
             document.undo();
@@ -108,7 +108,7 @@ struct Visit
     SculptWorker worker;
     Document document{&worker};
     std::shared_ptr<HeadsetPort> port = std::make_shared<HeadsetPort>(&worker);
-    std::deque<vr::Wish> turns;
+    std::deque<vr::DocumentRequest> turns;
     bool isObeying = false;
 };
 
@@ -169,7 +169,7 @@ void TestHeadsetPort::strokesAfterAnUndo_comeAfterIt()
 
     QVERIFY(other.stroke(right));
     QTRY_COMPARE_WITH_TIMEOUT(other.document.undoStack().count(), 1, 60'000);
-    other.port->wish(vr::Undo());
+    other.port->request(vr::Undo());
     QVERIFY(other.stroke(top)); // nobody has undone yet
     QVERIFY(other.port->takeEffect().refusals == 0);
     QCOMPARE(other.worker.strokesBegun(), quint64(1));
@@ -189,9 +189,9 @@ void TestHeadsetPort::strokesBetweenWishes_comeBetweenThem()
     const std::uint64_t expected = one.stateHash();
 
     QVERIFY(other.stroke(right));
-    other.port->wish(vr::Undo());
+    other.port->request(vr::Undo());
     QVERIFY(other.stroke(top));
-    other.port->wish(vr::Undo());
+    other.port->request(vr::Undo());
     QVERIFY(other.stroke(front));
     QCOMPARE(other.worker.strokesBegun(), quint64(1));
     other.obey();
@@ -208,7 +208,7 @@ void TestHeadsetPort::strokesAfterARestore_comeAfterIt()
     one.wait();
     const quint64 expected = one.document.facts().faces;
     QVERIFY(other.stroke(right));
-    other.port->wish(vr::RestoreModel());
+    other.port->request(vr::RestoreModel());
     QVERIFY(other.stroke(top));
     other.obey();
     QTRY_COMPARE_WITH_TIMEOUT(other.document.undoStack().count(), 3, 60'000);
@@ -226,7 +226,7 @@ void TestHeadsetPort::strokesAfterARestore_comeAfterIt()
 void TestHeadsetPort::heldStroke_goesOnWhereItWas()
 {
     Visit visit;
-    visit.port->wish(vr::Undo());
+    visit.port->request(vr::Undo());
     QVERIFY(visit.port->beginStroke(brush()));
     visit.port->addSample(sampleAt(right));
     visit.obey();
@@ -243,7 +243,7 @@ void TestHeadsetPort::heldStroke_goesOnWhereItWas()
 void TestHeadsetPort::heldStroke_isThinned()
 {
     Visit visit;
-    visit.port->wish(vr::Undo());
+    visit.port->request(vr::Undo());
     QVERIFY(visit.port->beginStroke(brush(core::Tool::Smooth)));
     for (int i = 0; i <= 1000; ++i)
         visit.port->addSample(sampleAt({50, 0.01 * i, 0}));
@@ -258,8 +258,8 @@ void TestHeadsetPort::heldStroke_isThinned()
 void TestHeadsetPort::brushWishes_holdNoStroke()
 {
     Visit visit;
-    visit.port->wish(vr::ChooseBrush());
-    visit.port->wish(vr::HeadsetChoice());
+    visit.port->request(vr::ChooseBrush());
+    visit.port->request(vr::HeadsetSettings());
     QVERIFY(visit.stroke(right));
     QCOMPARE(visit.worker.strokesBegun(), quint64(1));
     visit.wait();
@@ -298,7 +298,7 @@ void TestHeadsetPort::desktop_isRefusedWhileTheHeadsetDraws()
 void TestHeadsetPort::heldStroke_isRefusedWhileTheDesktopDraws()
 {
     Visit visit;
-    visit.port->wish(vr::Undo());
+    visit.port->request(vr::Undo());
     QVERIFY(visit.stroke(right));
     visit.worker.beginStroke(Source::Desktop, brush());
     visit.port->wishDone();
@@ -350,16 +350,16 @@ void TestHeadsetPort::answers_ofARay()
     Visit visit;
     core::StrokeSettings ray = brush();
     ray.brush = core::BrushShape::Ray;
-    const auto answer = [&](const vr::SurfaceQuestion& question) {
-        visit.port->ask(question);
+    const auto answer = [&](const vr::SurfaceQuery& question) {
+        visit.port->querySurface(question);
         visit.meshRests();
-        return visit.port->takeAnswer();
+        return visit.port->takeQueryResult();
     };
     const core::Ray at{{0, 0, 200}, {0, 0, -1}};
     const auto hit = answer({at, ray});
     QVERIFY(hit && hit->hit && hit->footprint && !hit->footprint->slots.empty());
     QVERIFY((hit->hit->position - front).norm() < 1);
-    QVERIFY(!visit.port->takeAnswer());
+    QVERIFY(!visit.port->takeQueryResult());
     const auto plain = answer({at, ray, false});
     QVERIFY(plain && plain->hit && !plain->footprint);
     QCOMPARE(plain->hit->face, hit->hit->face);
@@ -371,9 +371,9 @@ void TestHeadsetPort::answers_ofABall()
 {
     Visit visit;
     const auto answer = [&](const core::Vec3& origin) {
-        visit.port->ask({{origin, {1, 0, 0}}, brush()});
+        visit.port->querySurface({{origin, {1, 0, 0}}, brush()});
         visit.meshRests();
-        return visit.port->takeAnswer();
+        return visit.port->takeQueryResult();
     };
     const auto outside = answer({0, 0, 60});
     QVERIFY(outside && outside->hit && !outside->footprint);
@@ -422,7 +422,7 @@ void TestHeadsetPort::end_keepsWhatIsHeld()
 {
     Visit visit;
     QVERIFY(visit.stroke(top));
-    visit.port->wish(vr::Undo());
+    visit.port->request(vr::Undo());
     QVERIFY(visit.stroke(right));
     QVERIFY(visit.port->beginStroke(brush()));
     visit.port->addSample(sampleAt(front));
@@ -449,15 +449,15 @@ void TestHeadsetPort::end_isTheHeadsetsEnd()
     visit.port->endStroke();
     QVERIFY(!visit.stroke(top));
     QVERIFY(!visit.worker.strokeOpen());
-    visit.port->wish(vr::Undo());
+    visit.port->request(vr::Undo());
     QVERIFY(!visit.stroke(top));
     visit.port->show({});
-    visit.port->ask({{{0, 0, 200}, {0, 0, -1}}, brush()});
+    visit.port->querySurface({{{0, 0, 200}, {0, 0, -1}}, brush()});
     visit.obey();
     visit.wait();
     QCOMPARE(rings.size(), 0);
     QCOMPARE(refusals.size(), 0);
-    QVERIFY(!visit.port->takeAnswer());
+    QVERIFY(!visit.port->takeQueryResult());
     QCOMPARE(visit.worker.strokesBegun(), quint64(1));
     QCOMPARE(visit.document.undoStack().count(), 1);
     QCOMPARE(visit.stateHash(), hash);
@@ -481,11 +481,11 @@ void TestHeadsetPort::end_isBeforeTheWorkers()
         port->addSample(sampleAt(right));
         port->endStroke();
         port->beginStroke(brush());
-        port->ask({{{0, 0, 200}, {0, 0, -1}}, brush()});
-        port->wish(vr::Undo());
+        port->querySurface({{{0, 0, 200}, {0, 0, -1}}, brush()});
+        port->request(vr::Undo());
         port->show({});
         port->takePatch();
-        port->takeNews();
+        port->takeUpdate();
         port->takeEffect();
     });
     headset.join();
@@ -518,26 +518,26 @@ void TestHeadsetPort::anotherModel_comesWhole()
 void TestHeadsetPort::news_latestWins()
 {
     Visit visit;
-    QVERIFY(!visit.port->takeNews());
-    vr::DocumentNews news;
+    QVERIFY(!visit.port->takeUpdate());
+    vr::DocumentUpdate news;
     for (quint64 i = 1; i <= 3; ++i) {
         news.model = i;
         visit.port->tell(news);
     }
-    QCOMPARE(visit.port->takeNews()->model, quint64(3));
-    QVERIFY(!visit.port->takeNews());
+    QCOMPARE(visit.port->takeUpdate()->model, quint64(3));
+    QVERIFY(!visit.port->takeUpdate());
 }
 
 void TestHeadsetPort::mail_ringsOnce()
 {
     Visit visit;
     QSignalSpy rings(visit.port.get(), &HeadsetPort::mailCame);
-    vr::Presence presence;
+    vr::AvatarState presence;
     for (int i = 1; i <= 100; ++i) {
         presence.model.translation().x() = i;
         visit.port->show(presence);
     }
-    visit.port->wish(vr::ChooseBrush());
+    visit.port->request(vr::ChooseBrush());
     QCOMPARE(rings.size(), 1);
     const HeadsetMail mail = visit.port->takeMail();
     QCOMPARE(mail.wishes.size(), std::size_t(1));
@@ -554,7 +554,7 @@ void TestHeadsetPort::port_outlivesItsVisit()
     for (int i = 0; i < 200; ++i) {
         auto port = std::make_shared<HeadsetPort>(&visit.worker);
         port->begin();
-        port->ask({{{0, 0, 200}, {0, 0, -1}}, brush()});
+        port->querySurface({{{0, 0, 200}, {0, 0, -1}}, brush()});
         port->beginStroke(brush(core::Tool::Smooth));
         port->addSample(sampleAt(right));
         port->end();
@@ -572,11 +572,11 @@ void TestHeadsetPort::twoThreads_getAlong()
     std::thread headset([&] {
         for (int i = 0; i < 60; ++i) {
             if (i % 5 == 4)
-                visit.port->wish(vr::Undo());
+                visit.port->request(vr::Undo());
             const double angle = 0.1 * i;
             begun += visit.stroke({50 * std::cos(angle), 50 * std::sin(angle), 0}, static_cast<core::Tool>(i % 4));
-            visit.port->ask({{{0, 0, 200}, {0, 0, -1}}, brush()});
-            visit.port->takeAnswer();
+            visit.port->querySurface({{{0, 0, 200}, {0, 0, -1}}, brush()});
+            visit.port->takeQueryResult();
             visit.port->takePatch();
             visit.port->show({});
             std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -10,10 +10,10 @@ using vr::Side;
 
 namespace
 {
-vr::HeadsetChoice studio()
+vr::HeadsetSettings studio()
 {
-    vr::HeadsetChoice choice;
-    choice.hands.preset = vr::Preset::Studio;
+    vr::HeadsetSettings choice;
+    choice.wands.preset = vr::ButtonPreset::Studio;
     return choice;
 }
 

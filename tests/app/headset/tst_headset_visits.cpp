@@ -74,7 +74,7 @@ bool says(Desk& desk, const QString& words)
     return QTest::qWaitFor(isSaid, 60'000);
 }
 
-const vr::HandFeeling refusal{.refused = true}, contact{.touches = true}, fusion{.fused = true};
+const vr::HapticInput refusal{.refused = true}, contact{.touches = true}, fusion{.fused = true};
 } // namespace
 
 class TestHeadsetVisits : public QObject

@@ -31,7 +31,7 @@ constexpr int longEnough = 120'000; ///< milliseconds; frames are drawn in softw
 /// The program with a ball of 100 mm, started with --vr-simulator.
 struct Desk
 {
-    explicit Desk(const vr::HeadsetChoice& choice = {})
+    explicit Desk(const vr::HeadsetSettings& choice = {})
     {
         QSettings().clear();
         HeadsetSettings().setChoice(choice);
@@ -41,7 +41,7 @@ struct Desk
         view = window->view();
         openFile(program, m_folder.filePath(QStringLiteral("clay.glb")), {640, 480});
         auto* headset = program.window.findChild<Headset*>();
-        QObject::connect(headset, &Headset::seen, headset, [this](const std::optional<vr::Presence>& presence) { seen = presence.value_or(seen); });
+        QObject::connect(headset, &Headset::seen, headset, [this](const std::optional<vr::AvatarState>& presence) { seen = presence.value_or(seen); });
     }
 
     void enter()
@@ -74,7 +74,7 @@ struct Desk
         return Eigen::Vector2d(own.x() / ui::SimulatedPerson::sideTangent, own.y() / ui::SimulatedPerson::upTangent) / -own.z();
     }
     /// Over the middle of the model's front, the tip a little inside.
-    void touchClay()
+    void touchModel()
     {
         const Vec3 front = seen.model * Vec3(0, 0, 48);
         move(placeOf(front));
@@ -89,7 +89,7 @@ struct Desk
     /// With the left button, to the side.
     void stroke()
     {
-        touchClay();
+        touchModel();
         const Eigen::Vector2d from = placeOf(view->person().tip(view->person().hand()).translation());
         sendMouse(view, QEvent::MouseButtonPress, view->placeOf(from).toPoint(), Qt::LeftButton);
         for (int i = 1; i <= 8; ++i) {
@@ -121,14 +121,14 @@ struct Desk
     Program program;
     ui::SimulatorWindow* window = nullptr;
     ui::SimulatorView* view = nullptr;
-    vr::Presence seen;
+    vr::AvatarState seen;
 
 private:
     QTemporaryDir m_folder;
 };
 
 /// Of the picture's middle.
-int clayPixels(const QImage& picture)
+int modelPixels(const QImage& picture)
 {
     int count = 0;
     for (int y = picture.height() / 3; y < 2 * picture.height() / 3; y += 4)
@@ -160,7 +160,7 @@ void TestSimulator::visit_fromTheFirstFrameToTheNextVisit()
     QVERIFY(!desk.window->isVisible());
     const std::uint64_t before = desk.hash();
     desk.enter();
-    QVERIFY(clayPixels(desk.view->picture()) > 1000);
+    QVERIFY(modelPixels(desk.view->picture()) > 1000);
 
     desk.stroke();
     QCOMPARE(desk.changes(), 1);
@@ -217,8 +217,8 @@ void TestSimulator::hand_thatRestsMovesTheModel()
 /// In the preset Studio squeezing grabs: one hand moves the model, both stretch it.
 void TestSimulator::bothHands_stretchTheModel()
 {
-    vr::HeadsetChoice choice;
-    choice.hands.preset = vr::Preset::Studio;
+    vr::HeadsetSettings choice;
+    choice.wands.preset = vr::ButtonPreset::Studio;
     Desk desk(choice);
     desk.enter();
     const auto scale = [&desk] { return desk.seen.model.linear().col(0).norm(); };

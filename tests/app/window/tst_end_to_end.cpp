@@ -153,20 +153,20 @@ void TestEndToEnd::sculptedByKeysAlone()
 /// They are kept; one hand given up is the usual two again.
 void TestEndToEnd::handsOfTheNextVisit_areChosenInTheMenu()
 {
-    const auto hands = [] { return HeadsetSettings().choice().hands; };
+    const auto hands = [] { return HeadsetSettings().choice().wands; };
     const QStringList ids{QStringLiteral("vr.oneHand"), QStringLiteral("vr.leftHanded")};
     {
         Program program;
         for (const QString& id : ids)
             program.window.action(id)->trigger();
     }
-    QCOMPARE(hands(), (vr::HandsChoice{vr::Preset::OneHand, vr::Side::Left}));
+    QCOMPARE(hands(), (vr::WandSettings{vr::ButtonPreset::OneHand, vr::Side::Left}));
     Program program;
     for (const QString& id : ids) {
         QVERIFY(program.window.action(id)->isChecked());
         program.window.action(id)->trigger();
     }
-    QCOMPARE(hands(), vr::HandsChoice());
+    QCOMPARE(hands(), vr::WandSettings());
 }
 
 void TestEndToEnd::refusedFileLeavesTheModel()

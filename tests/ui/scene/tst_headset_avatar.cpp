@@ -196,7 +196,7 @@ void TestWearer::layers_showThem()
     const OrbitCamera camera = cameraOnBall();
     for (const auto mode : {ui::Scene::Mode::InQt3dContext, ui::Scene::Mode::Layered}) {
         ui::Scene scene(mode);
-        scene.clay().apply(model.whole());
+        scene.meshBuffer().apply(model.whole());
         const auto picture = [&] {
             const ui::Scene::Image image = scene.render(camera, size, 1);
             auto* gl = QOpenGLContext::currentContext()->extraFunctions();

@@ -79,7 +79,7 @@ private Q_SLOTS:
         scene.placeGround(model.box());
 
         const QImage without = read(scene.render(camera, size, 1));
-        scene.clay().apply(model.whole());
+        scene.meshBuffer().apply(model.whole());
         const QImage with = read(scene.render(camera, size, 1));
         const QColor clay = with.pixelColor(size.width() / 2, size.height() / 2);
         QVERIFY(clay.red() > clay.blue() + 20); // warm
@@ -102,7 +102,7 @@ private Q_SLOTS:
         const SphereModel model;
         const ui::OrbitCamera camera = cameraOn(model);
         Scene scene;
-        scene.clay().apply(model.whole());
+        scene.meshBuffer().apply(model.whole());
         const QImage bare = read(scene.render(camera, size, 1));
         const auto change = [&](const core::Vec3& at) {
             scene.placeCursor({at, -camera.viewDirection(), 0, 0}, 10, Qt::white);
@@ -137,7 +137,7 @@ private Q_SLOTS:
         ui::OrbitCamera camera = cameraOn(model);
         Scene scene(layered ? Scene::Mode::Layered : Scene::Mode::InQt3dContext);
         scene.setLook({}, dark);
-        scene.clay().apply(model.whole());
+        scene.meshBuffer().apply(model.whole());
         const auto picture = [&] { return read(scene.render(camera, size, 1)); };
         const auto changes = [&](const QImage& a, const QImage& b, int x) { return a.pixel(x, 90) != b.pixel(x, 90); };
 
@@ -168,7 +168,7 @@ private Q_SLOTS:
         camera.turnTo(ui::OrbitCamera::Side::Top);
         Scene scene(layered ? Scene::Mode::Layered : Scene::Mode::InQt3dContext);
         scene.setLook({}, dark);
-        scene.clay().apply(model.whole());
+        scene.meshBuffer().apply(model.whole());
         const auto picture = [&] { return read(scene.render(camera, size, 1)); };
         const QImage without = picture();
         scene.showSectors(4, core::Symmetry::None, model.box());
@@ -195,7 +195,7 @@ private Q_SLOTS:
         const SphereModel model;
         const ui::OrbitCamera camera = cameraOn(model);
         Scene scene;
-        scene.clay().apply(model.whole());
+        scene.meshBuffer().apply(model.whole());
         QSet<QRgb> clays, corners;
         for (const auto& row : ui::materials) {
             scene.setLook({.material = row.value}, false);
@@ -223,7 +223,7 @@ private Q_SLOTS:
             vertex.color = {40, 80, 220, 255};
         const ui::OrbitCamera camera = cameraOn(model);
         Scene scene;
-        scene.clay().apply(patch);
+        scene.meshBuffer().apply(patch);
         scene.setLook({.material = ui::Material::Paint}, false);
         const QColor seen = read(scene.render(camera, size, 1)).pixelColor(size.width() / 2, size.height() / 2);
         QVERIFY(std::abs(seen.hsvHue() - QColor(40, 80, 220).hsvHue()) < 15);
@@ -236,7 +236,7 @@ private Q_SLOTS:
         ui::OrbitCamera camera = cameraOn(model);
         camera.zoom(0.45, {120, 90});
         Scene scene;
-        scene.clay().apply(model.whole());
+        scene.meshBuffer().apply(model.whole());
         const auto steepest = [&](bool flat) {
             scene.setLook({.flat = flat}, false);
             const QImage picture = read(scene.render(camera, size, 1));
@@ -256,7 +256,7 @@ private Q_SLOTS:
         ui::OrbitCamera camera = cameraOn(model);
         camera.zoom(0.45, {120, 90});
         Scene scene;
-        scene.clay().apply(model.whole());
+        scene.meshBuffer().apply(model.whole());
         const QImage bare = read(scene.render(camera, size, 1));
         scene.setLook({.wireframe = true}, false);
         const QImage wired = read(scene.render(camera, size, 1));
@@ -297,7 +297,7 @@ private Q_SLOTS:
         ui::OrbitCamera camera = cameraOn(model);
         camera.turnTo(ui::OrbitCamera::Side::Front);
         Scene scene(layered ? Scene::Mode::Layered : Scene::Mode::InQt3dContext);
-        scene.clay().apply(model.whole());
+        scene.meshBuffer().apply(model.whole());
         core::StrokeSettings brush;
         brush.radius = 15;
         const auto at = [&](double x) { return core::Vec3(x, 0, std::sqrt(2500 - x * x)); };
@@ -352,7 +352,7 @@ private Q_SLOTS:
         const SphereModel model, small(50, 2);
         const ui::OrbitCamera camera = cameraOn(model);
         Scene scene;
-        scene.clay().apply(small.whole());
+        scene.meshBuffer().apply(small.whole());
         const QImage bare = read(scene.render(camera, size, 1));
         const auto all = [](core::Slot slots) {
             core::Footprint made;
@@ -361,9 +361,9 @@ private Q_SLOTS:
             made.weights.assign(slots, 255);
             return std::make_shared<const core::Footprint>(made);
         };
-        scene.clay().apply(model.whole());
+        scene.meshBuffer().apply(model.whole());
         scene.tint(all(model.vertices()));
-        scene.clay().apply(small.whole());
+        scene.meshBuffer().apply(small.whole());
         QCOMPARE(differing(bare, read(scene.render(camera, size, 1))), 0);
         scene.tint(all(model.vertices()));
         QVERIFY(differing(bare, read(scene.render(camera, size, 1))) > 1000);
@@ -391,7 +391,7 @@ private Q_SLOTS:
         ui::OrbitCamera camera = cameraOn(model);
         for (const auto mode : {Scene::Mode::InQt3dContext, Scene::Mode::Layered}) {
             Scene scene(mode);
-            scene.clay().apply(model.whole());
+            scene.meshBuffer().apply(model.whole());
             scene.placeCursor(*model.hit(camera.ray({120, 90})), 15, Qt::white);
             const QImage before = read(scene.render(camera, size, 1));
             const Scene::Image other = scene.render(camera, size * 2, 2);

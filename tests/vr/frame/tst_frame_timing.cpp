@@ -6,31 +6,31 @@
 #include <chrono>
 #include <thread>
 
-using vr::FrameCost;
-using vr::FrameCosts;
+using vr::FrameTiming;
+using vr::FrameTimings;
 using vr::FramePhase;
 
 namespace
 {
 constexpr std::int64_t period = 11'111'111; ///< 90 Hz
 
-FrameCost numbered(std::uint64_t number)
+FrameTiming numbered(std::uint64_t number)
 {
-    FrameCost cost;
-    cost.workMs = static_cast<double>(number);
-    cost.lost = number % 3 == 0 ? 2 : 0;
-    return cost;
+    FrameTiming timing;
+    timing.workMs = static_cast<double>(number);
+    timing.dropped = number % 3 == 0 ? 2 : 0;
+    return timing;
 }
 
 /// Until this thread has had that much of a core.
 void work(double ms)
 {
-    for (const double start = vr::threadMilliseconds(); vr::threadMilliseconds() - start < ms;) {
+    for (const double start = vr::threadCpuMilliseconds(); vr::threadCpuMilliseconds() - start < ms;) {
     }
 }
 } // namespace
 
-class TestFrameCosts : public QObject
+class TestFrameTiming : public QObject
 {
     Q_OBJECT
 
@@ -43,29 +43,29 @@ private Q_SLOTS:
     void sleepCostsNothing();
 };
 
-void TestFrameCosts::theLastAreKept()
+void TestFrameTiming::theLastAreKept()
 {
-    FrameCosts costs;
-    QVERIFY(costs.last().empty());
-    const std::uint64_t count = FrameCosts::capacity + 100;
+    FrameTimings timings;
+    QVERIFY(timings.recent().empty());
+    const std::uint64_t count = FrameTimings::capacity + 100;
     for (std::uint64_t i = 0; i < count; ++i)
-        costs.add(numbered(i));
-    const auto last = costs.last();
-    QCOMPARE(last.size(), FrameCosts::capacity);
+        timings.add(numbered(i));
+    const auto last = timings.recent();
+    QCOMPARE(last.size(), FrameTimings::capacity);
     for (std::size_t i = 0; i < last.size(); ++i)
         QCOMPARE(last[i].workMs, static_cast<double>(100 + i));
-    QCOMPARE(costs.frames(), count);
-    QCOMPARE(costs.lostFrames(), 2 * ((count + 2) / 3));
+    QCOMPARE(timings.frames(), count);
+    QCOMPARE(timings.droppedFrames(), 2 * ((count + 2) / 3));
 }
 
 /// The writer never waits, so what it cannot put in at once it puts in with the next; the one after the reader's end brings all.
-void TestFrameCosts::nothingIsMissedWhileSomebodyReads()
+void TestFrameTiming::nothingIsMissedWhileSomebodyReads()
 {
-    FrameCosts costs;
+    FrameTimings timings;
     std::atomic<bool> isOver = false;
     std::thread reader([&] {
         while (!isOver) {
-            const auto last = costs.last();
+            const auto last = timings.recent();
             for (std::size_t i = 1; i < last.size(); ++i)
                 if (last[i].workMs != last[i - 1].workMs + 1)
                     qFatal("out of order");
@@ -73,17 +73,17 @@ void TestFrameCosts::nothingIsMissedWhileSomebodyReads()
     });
     constexpr std::uint64_t count = 20'000;
     for (std::uint64_t i = 0; i < count; ++i)
-        costs.add(numbered(i));
+        timings.add(numbered(i));
     isOver = true;
     reader.join();
-    costs.add(numbered(count));
-    QCOMPARE(costs.frames(), count + 1);
-    QCOMPARE(costs.last().back().workMs, static_cast<double>(count));
+    timings.add(numbered(count));
+    QCOMPARE(timings.frames(), count + 1);
+    QCOMPARE(timings.recent().back().workMs, static_cast<double>(count));
 }
 
-void TestFrameCosts::skippedPeriodsAreLost()
+void TestFrameTiming::skippedPeriodsAreLost()
 {
-    vr::LostFrames lost;
+    vr::DroppedFrameCounter lost;
     std::int64_t now = 5'000'000'000;
     QCOMPARE(lost.count(now, period, true), 0U);
     QCOMPARE(lost.count(now += period, period, true), 0U);
@@ -94,9 +94,9 @@ void TestFrameCosts::skippedPeriodsAreLost()
     QCOMPARE(lost.count(now + period, 0, true), 0U); // a runtime that does not know its period
 }
 
-void TestFrameCosts::framesThatAreNotShownAreNotLost()
+void TestFrameTiming::framesThatAreNotShownAreNotLost()
 {
-    vr::LostFrames lost;
+    vr::DroppedFrameCounter lost;
     std::int64_t now = 5'000'000'000;
     QCOMPARE(lost.count(now, period, true), 0U);
     QCOMPARE(lost.count(now += 7 * period, period, false), 0U);
@@ -104,38 +104,38 @@ void TestFrameCosts::framesThatAreNotShownAreNotLost()
     QCOMPARE(lost.count(now += 3 * period, period, true), 2U);
 }
 
-void TestFrameCosts::phasesAddUp()
+void TestFrameTiming::phasesAddUp()
 {
-    const double start = vr::threadMilliseconds();
-    vr::PhaseClock clock;
+    const double start = vr::threadCpuMilliseconds();
+    vr::PhaseTimer clock;
     work(2);
-    clock.ends(FramePhase::Input);
+    clock.endPhase(FramePhase::Input);
     work(4);
-    clock.ends(FramePhase::Draw);
+    clock.endPhase(FramePhase::Draw);
     work(2);
-    clock.ends(FramePhase::Input);
-    const double all = vr::threadMilliseconds() - start;
-    FrameCost cost = clock.cost();
-    QVERIFY(cost.of(FramePhase::Input) >= 4);
-    QVERIFY(cost.of(FramePhase::Draw) >= 4);
-    QVERIFY(cost.of(FramePhase::Input) + cost.of(FramePhase::Draw) <= all);
-    QCOMPARE(cost.of(FramePhase::Wait), 0.0);
-    cost.drawCallMs = 3;
-    QVERIFY(cost.ownMs() >= 5 && cost.ownMs() <= all - 3);
+    clock.endPhase(FramePhase::Input);
+    const double all = vr::threadCpuMilliseconds() - start;
+    FrameTiming timing = clock.timing();
+    QVERIFY(timing.of(FramePhase::Input) >= 4);
+    QVERIFY(timing.of(FramePhase::Draw) >= 4);
+    QVERIFY(timing.of(FramePhase::Input) + timing.of(FramePhase::Draw) <= all);
+    QCOMPARE(timing.of(FramePhase::Wait), 0.0);
+    timing.drawCallMs = 3;
+    QVERIFY(timing.ownMs() >= 5 && timing.ownMs() <= all - 3);
 
-    clock.startOver();
-    QCOMPARE(clock.cost().of(FramePhase::Input), 0.0);
+    clock.reset();
+    QCOMPARE(clock.timing().of(FramePhase::Input), 0.0);
 }
 
-void TestFrameCosts::sleepCostsNothing()
+void TestFrameTiming::sleepCostsNothing()
 {
-    const double start = vr::threadMilliseconds();
-    vr::PhaseClock clock;
+    const double start = vr::threadCpuMilliseconds();
+    vr::PhaseTimer clock;
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    clock.ends(FramePhase::Wait);
-    QVERIFY(clock.cost().of(FramePhase::Wait) <= vr::threadMilliseconds() - start);
-    QVERIFY(clock.cost().of(FramePhase::Wait) < 25);
+    clock.endPhase(FramePhase::Wait);
+    QVERIFY(clock.timing().of(FramePhase::Wait) <= vr::threadCpuMilliseconds() - start);
+    QVERIFY(clock.timing().of(FramePhase::Wait) < 25);
 }
 
-QTEST_GUILESS_MAIN(TestFrameCosts)
+QTEST_GUILESS_MAIN(TestFrameTiming)
 #include "tst_frame_timing.moc"

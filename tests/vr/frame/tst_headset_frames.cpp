@@ -102,7 +102,7 @@ void TestHeadsetFrames::picturesArrive()
     for (const char* name : {"left", "right"}) {
         const QImage picture = m_headset->picture(0, frame, name);
         QCOMPARE(picture.size(), QSize(1080, 1200));
-        const QColor written = NotingClient::linear(eye++);
+        const QColor written = RecordingClient::linear(eye++);
         for (const QPoint at : {QPoint(0, 0), QPoint(540, 600), QPoint(1079, 1199)}) {
             const QColor seen = picture.pixelColor(at);
             QVERIFY(std::abs(seen.red() - encoded(written.redF())) <= 1);
@@ -400,10 +400,10 @@ void TestHeadsetFrames::lateFramesAreCounted()
     Visitor visitor(*m_headset);
     enter(visitor);
     QVERIFY(m_headset->frames(5));
-    QCOMPARE(visitor.thread.costs().lostFrames(), quint64(0));
+    QCOMPARE(visitor.thread.timings().droppedFrames(), quint64(0));
     m_headset->step("{'late_ms': 40}"); // less than four periods of 11.1 ms: the display takes it at the fourth
     QVERIFY(m_headset->frames(5));
-    QCOMPARE(visitor.thread.costs().lostFrames(), quint64(4));
+    QCOMPARE(visitor.thread.timings().droppedFrames(), quint64(4));
     leave(visitor);
 }
 
@@ -414,20 +414,20 @@ void TestHeadsetFrames::phasesAreMeasured()
     enter(visitor);
     QVERIFY(m_headset->frames(20));
     leave(visitor);
-    const auto costs = visitor.thread.costs().last();
-    QCOMPARE(costs.size(), static_cast<std::size_t>(visitor.client->frames));
+    const auto timings = visitor.thread.timings().recent();
+    QCOMPARE(timings.size(), static_cast<std::size_t>(visitor.client->frames));
     int shown = 0;
-    for (const vr::FrameCost& cost : costs) {
+    for (const vr::FrameTiming& timing : timings) {
         double work = 0;
         for (const auto phase : {vr::FramePhase::Input, vr::FramePhase::Client, vr::FramePhase::Images, vr::FramePhase::Draw,
                                  vr::FramePhase::Submit})
-            work += cost.of(phase);
-        QVERIFY(cost.of(vr::FramePhase::Input) > 0 && cost.of(vr::FramePhase::Submit) > 0);
-        QVERIFY(work < cost.workMs + 0.5);
-        QCOMPARE(cost.of(vr::FramePhase::Draw) > 0, cost.isShown);
-        QCOMPARE(cost.drawCallMs > 0, cost.isShown);
-        QVERIFY(cost.drawCallMs <= cost.of(vr::FramePhase::Draw));
-        shown += cost.isShown ? 1 : 0;
+            work += timing.of(phase);
+        QVERIFY(timing.of(vr::FramePhase::Input) > 0 && timing.of(vr::FramePhase::Submit) > 0);
+        QVERIFY(work < timing.workMs + 0.5);
+        QCOMPARE(timing.of(vr::FramePhase::Draw) > 0, timing.isShown);
+        QCOMPARE(timing.drawCallMs > 0, timing.isShown);
+        QVERIFY(timing.drawCallMs <= timing.of(vr::FramePhase::Draw));
+        shown += timing.isShown ? 1 : 0;
     }
     QVERIFY(shown >= 20);
     QCOMPARE(2 * shown, visitor.client->draws.load());

@@ -141,7 +141,7 @@ void TestHeadsetThread::entersAndLeaves()
 {
     Visitor visitor(*m_headset);
     QVERIFY(visitor.enter());
-    QVERIFY(visitor.thread.isIn());
+    QVERIFY(visitor.thread.isActive());
     QVERIFY(visitor.waitFor(HeadsetStage::Running));
     QVERIFY(m_headset->frames(10));
     QVERIFY(visitor.leave());
@@ -153,13 +153,13 @@ void TestHeadsetThread::entersAndLeaves()
     }
     QCOMPARE(stages, (QList{HeadsetStage::Starting, HeadsetStage::Running, HeadsetStage::Ended}));
     QCOMPARE(visitor.reports.last().end, HeadsetEnd::Left);
-    QVERIFY(!visitor.thread.isIn());
+    QVERIFY(!visitor.thread.isActive());
     QCOMPARE(visitor.client->creates, 1);
     QCOMPARE(visitor.client->destroys, 1);
     QCOMPARE(visitor.client->glErrors, 0);
     QVERIFY(visitor.client->thread != std::this_thread::get_id());
     QVERIFY(visitor.client->draws > 0);
-    QCOMPARE(visitor.thread.costs().frames(), quint64(visitor.client->frames));
+    QCOMPARE(visitor.thread.timings().frames(), quint64(visitor.client->frames));
     QCOMPARE(m_headset->report()["sessions"].toInt(), 1);
     QCOMPARE(m_headset->report()["is_running"].toBool(), false);
 }
@@ -205,7 +205,7 @@ void TestHeadsetThread::entersFromTheLastReport()
 
 void TestHeadsetThread::leavesWhenItGoes()
 {
-    const auto client = std::make_shared<NotingClient>();
+    const auto client = std::make_shared<RecordingClient>();
     {
         Visitor visitor(*m_headset);
         visitor.client = client;
@@ -222,7 +222,7 @@ void TestHeadsetThread::leavesBeforeItIsIn()
     QVERIFY(visitor.enter());
     QVERIFY(visitor.leave());
     QCOMPARE(visitor.reports.last().end, HeadsetEnd::Left);
-    QCOMPARE(visitor.reports.size(), 1); // that it starts is no news any more
+    QCOMPARE(visitor.reports.size(), 1); // the start is not reported any more
     QCOMPARE(visitor.client->creates, visitor.client->destroys);
 }
 
@@ -266,7 +266,7 @@ void TestHeadsetThread::whatIsNotThereIsAnAnswer()
     Visitor visitor(*m_headset);
     QVERIFY(visitor.enter());
     QVERIFY(visitor.waitForEnd());
-    QCOMPARE(visitor.reports.last().end, HeadsetEnd::NotThere);
+    QCOMPARE(visitor.reports.last().end, HeadsetEnd::Unavailable);
     QVERIFY2(visitor.reports.last().text.contains(reason), qPrintable(visitor.reports.last().text));
     QCOMPARE(visitor.reports.last().text, vr::OpenXrRuntime::probe().text);
     QCOMPARE(visitor.client->creates, 0);
@@ -282,16 +282,16 @@ void TestHeadsetThread::faults_data()
     QTest::addColumn<HeadsetEnd>("end");
     QTest::newRow("the session is lost at once") << "'lose_session': 0" << HeadsetEnd::SessionLost;
     QTest::newRow("the session will be lost") << "'lose_session': 20" << HeadsetEnd::SessionLost;
-    QTest::newRow("the runtime dies at once") << "'lose_instance': 0" << HeadsetEnd::RuntimeDied;
-    QTest::newRow("the runtime will die") << "'lose_instance': 20" << HeadsetEnd::RuntimeDied;
-    QTest::newRow("the runtime ends it") << "'exit': true" << HeadsetEnd::SentAway;
+    QTest::newRow("the runtime dies at once") << "'lose_instance': 0" << HeadsetEnd::RuntimeLost;
+    QTest::newRow("the runtime will die") << "'lose_instance': 20" << HeadsetEnd::RuntimeLost;
+    QTest::newRow("the runtime ends it") << "'exit': true" << HeadsetEnd::EndedByRuntime;
     for (const char* call : {"xrWaitFrame", "xrBeginFrame", "xrSyncActions", "xrLocateViews", "xrAcquireSwapchainImage", "xrEndFrame",
                              "xrPollEvent"}) {
         const auto failing = [call](const char* result) {
             return QStringLiteral("'fail': {'call': '%1', 'result': '%2'}").arg(call, result);
         };
         QTest::addRow("the session is lost in %s", call) << failing("XR_ERROR_SESSION_LOST") << HeadsetEnd::SessionLost;
-        QTest::addRow("the runtime dies in %s", call) << failing("XR_ERROR_INSTANCE_LOST") << HeadsetEnd::RuntimeDied;
+        QTest::addRow("the runtime dies in %s", call) << failing("XR_ERROR_INSTANCE_LOST") << HeadsetEnd::RuntimeLost;
     }
 }
 
@@ -347,7 +347,7 @@ void TestHeadsetThread::aClientThatCannotDraw()
     visitor.client->canDraw = false;
     QVERIFY(visitor.enter());
     QVERIFY(visitor.waitForEnd());
-    QCOMPARE(visitor.reports.last().end, HeadsetEnd::NoPicture);
+    QCOMPARE(visitor.reports.last().end, HeadsetEnd::CannotRender);
     QCOMPARE(visitor.client->destroys, 1);
     QCOMPARE(m_headset->report()["sessions"].toInt(), 0);
 }
@@ -370,9 +370,9 @@ void TestHeadsetThread::aRuntimeThatTakesItsTime()
     Visitor visitor(*m_headset);
     QVERIFY(visitor.enterAndRun());
     visitor.thread.leave();
-    QTRY_COMPARE_WITH_TIMEOUT(visitor.client->rests, 1, 60'000);
+    QTRY_COMPARE_WITH_TIMEOUT(visitor.client->idleCalls, 1, 60'000);
     QVERIFY(asksSeldom(*m_headset, 300));
-    QVERIFY(visitor.thread.isIn());
+    QVERIFY(visitor.thread.isActive());
     m_headset->step("{'lose_session': 0}");
     QVERIFY(visitor.waitForEnd());
 }
@@ -415,10 +415,10 @@ void TestHeadsetThread::aFrozenRuntimeIsGivenUp()
     QVERIFY(!visitor.thread.isStuck());
     visitor.thread.leave();
     QVERIFY(visitor.waitForEnd());
-    QCOMPARE(visitor.reports.last().end, HeadsetEnd::NoAnswer);
+    QCOMPARE(visitor.reports.last().end, HeadsetEnd::NotResponding);
     QVERIFY2(visitor.reports.last().text.contains("does not answer"), qPrintable(visitor.reports.last().text));
     QTRY_VERIFY_WITH_TIMEOUT(isFrozen(), 60'000);
-    QVERIFY(!visitor.thread.isIn() && visitor.thread.isStuck());
+    QVERIFY(!visitor.thread.isActive() && visitor.thread.isStuck());
     QVERIFY(!visitor.thread.enter(visitor.client));
     QCOMPARE(vr::OpenXrRuntime::probe().state, vr::HeadsetStatus::State::InUse);
     const auto told = visitor.reports.size();
@@ -426,7 +426,7 @@ void TestHeadsetThread::aFrozenRuntimeIsGivenUp()
     m_headset->step(qPrintable(wakes));
     QTRY_VERIFY_WITH_TIMEOUT(!visitor.thread.isStuck(), 60'000);
     QCOMPARE(visitor.reports.size(), told);
-    QVERIFY(!visitor.thread.isIn());
+    QVERIFY(!visitor.thread.isActive());
     QCOMPARE(visitor.client->creates, visitor.client->destroys);
     QVERIFY(visitor.client->context.isNull());
     const Held after;
@@ -438,22 +438,22 @@ void TestHeadsetThread::aFrozenRuntimeIsGivenUp()
     QVERIFY(visitor.enterAndRun());
     m_headset->step("{'exit': true}");
     QVERIFY(visitor.waitForEnd());
-    QCOMPARE(visitor.reports.last().end, HeadsetEnd::SentAway);
+    QCOMPARE(visitor.reports.last().end, HeadsetEnd::EndedByRuntime);
 }
 
 /// Who has entered is gone before the runtime wakes. What the visit still holds goes then.
 void TestHeadsetThread::aFrozenRuntimeIsLeftBehind()
 {
     const Held before = heldAfterAVisit();
-    const auto client = std::make_shared<NotingClient>();
+    const auto client = std::make_shared<RecordingClient>();
     auto thread = std::make_unique<vr::HeadsetThread>(littlePatience);
     QVERIFY(thread->enter(client));
     QTRY_VERIFY_WITH_TIMEOUT(client->frames > 3, 60'000);
     m_headset->step("{'freeze': 'xrWaitFrame'}");
     QTRY_VERIFY_WITH_TIMEOUT(isFrozen(), 60'000);
-    QVERIFY(!vr::RuntimeThread::hasLeftWork());
+    QVERIFY(!vr::RuntimeThread::hasAbandonedWork());
     thread.reset();
-    QVERIFY(vr::RuntimeThread::hasLeftWork());
+    QVERIFY(vr::RuntimeThread::hasAbandonedWork());
     QVERIFY(isFrozen());
     QCOMPARE(client->destroys, 0);
 
@@ -480,7 +480,7 @@ void TestHeadsetThread::aRuntimeThatAnswersLateIsWaitedFor()
     const auto told = visitor.reports.size();
     visitor.thread.leave();
     QTest::qWait(500);
-    QVERIFY(visitor.thread.isIn() && !visitor.thread.isStuck());
+    QVERIFY(visitor.thread.isActive() && !visitor.thread.isStuck());
     QCOMPARE(visitor.reports.size(), told);
     m_headset->step("{'freeze': ''}");
     QVERIFY(visitor.waitForEnd());
@@ -558,7 +558,7 @@ void TestHeadsetThread::isTakenOffAndPutOnAgain()
     const int frames = visitor.client->frames;
     QVERIFY(asksSeldom(*m_headset, 500));
     QCOMPARE(visitor.client->frames, frames);
-    QCOMPARE(visitor.client->rests, 1);
+    QCOMPARE(visitor.client->idleCalls, 1);
 
     m_headset->step("{'worn': true}");
     QVERIFY(visitor.waitFor(HeadsetStage::Running));

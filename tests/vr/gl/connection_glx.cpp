@@ -4,7 +4,7 @@
 
 #include <GL/glx.h>
 
-bool drawsOverQtsConnection()
+bool usesQtsConnection()
 {
     const auto* x11 = qGuiApp->nativeInterface<QNativeInterface::QX11Application>();
     return x11 && glXGetCurrentDisplay() == x11->display();

@@ -1,4 +1,4 @@
 #pragma once
 
 /// Whether what is current on this thread draws over the connection to the X server that Qt has.
-bool drawsOverQtsConnection();
+bool usesQtsConnection();

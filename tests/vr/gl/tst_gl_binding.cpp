@@ -25,11 +25,11 @@ void TestGlBinding::withoutAContextThereIsNone()
 void TestGlBinding::theCurrentContextIsTold()
 {
     vr::GlContext gl;
-    if (!gl.take())
+    if (!gl.claim())
         QSKIP("no OpenGL 3.3 here");
     const auto binding = vr::currentGlBinding();
     QVERIFY(binding && binding->next());
-    QVERIFY(!drawsOverQtsConnection());
+    QVERIFY(!usesQtsConnection());
     QCOMPARE(QString(binding->extension()), QString(glxProblem().isEmpty() ? "XR_KHR_opengl_enable" : "XR_MNDX_egl_enable"));
     gl.destroy();
     QVERIFY(!vr::currentGlBinding());

@@ -4,8 +4,8 @@
 
 #include <QString>
 
-/// A word for each deed, with what of it a test can name: signs rather than amounts.
-struct DeedWords
+/// A name for each action, with what a test can name of it: signs rather than amounts.
+struct CommandNames
 {
     static QString sign(double value)
     {
@@ -57,7 +57,7 @@ struct DeedWords
     QString operator()(const vr::Refuse&) const { return QStringLiteral("refuse"); }
 };
 
-inline QString wordOf(const vr::HandCommand& command)
+inline QString commandName(const vr::WandCommand& command)
 {
-    return std::visit(DeedWords(), command.deed);
+    return std::visit(CommandNames(), command.action);
 }

@@ -13,13 +13,13 @@
 using vr::Gesture;
 using vr::HandMode;
 using vr::HandRole;
-using vr::Preset;
+using vr::ButtonPreset;
 using vr::PresetRow;
 using vr::WandFunction;
 
 namespace
 {
-constexpr Preset presets[] = {Preset::Paper, Preset::Studio, Preset::OneHand};
+constexpr ButtonPreset presets[] = {ButtonPreset::Paper, ButtonPreset::Studio, ButtonPreset::OneHand};
 
 /// What one gesture of a hand does, with its panel closed and with it open.
 struct Place
@@ -130,7 +130,7 @@ bool isHeld(Gesture gesture)
 }
 
 /// Says of each text which context it was asked in.
-class ContextTeller : public QTranslator
+class ContextCollector : public QTranslator
 {
 public:
     using QTranslator::QTranslator;
@@ -142,23 +142,23 @@ public:
 };
 } // namespace
 
-class TestPresets : public QObject
+class TestButtonPresets : public QObject
 {
     Q_OBJECT
 
 private Q_SLOTS:
     void eachFunctionIsWhereItBelongs_data()
     {
-        QTest::addColumn<Preset>("preset");
+        QTest::addColumn<ButtonPreset>("preset");
         QTest::addColumn<std::vector<Place>>("places");
-        QTest::newRow("Paper") << Preset::Paper << std::vector<Place>(std::begin(paper), std::end(paper));
-        QTest::newRow("Studio") << Preset::Studio << std::vector<Place>(std::begin(studio), std::end(studio));
-        QTest::newRow("OneHand") << Preset::OneHand << std::vector<Place>(std::begin(oneHand), std::end(oneHand));
+        QTest::newRow("Paper") << ButtonPreset::Paper << std::vector<Place>(std::begin(paper), std::end(paper));
+        QTest::newRow("Studio") << ButtonPreset::Studio << std::vector<Place>(std::begin(studio), std::end(studio));
+        QTest::newRow("OneHand") << ButtonPreset::OneHand << std::vector<Place>(std::begin(oneHand), std::end(oneHand));
     }
 
     void eachFunctionIsWhereItBelongs()
     {
-        QFETCH(Preset, preset);
+        QFETCH(ButtonPreset, preset);
         QFETCH(std::vector<Place>, places);
         QCOMPARE(places.size(), std::size_t(2 * (int(Gesture::SqueezeHold) + 1)));
         for (const Place& place : places) {
@@ -170,21 +170,21 @@ private Q_SLOTS:
     /// With the tools before it, one hand steps through them and scales the model.
     void oneHandHasTheToolMenuToo()
     {
-        const auto withTools = [](Gesture gesture) { return vr::functionOf(Preset::OneHand, {dominant, HandMode::ToolMenu, gesture}); };
+        const auto withTools = [](Gesture gesture) { return vr::functionOf(ButtonPreset::OneHand, {dominant, HandMode::ToolMenu, gesture}); };
         QCOMPARE(withTools(Gesture::PadLeft), F::PreviousTool);
         QCOMPARE(withTools(Gesture::PadRight), F::NextTool);
         QCOMPARE(withTools(Gesture::SlideUpDown), F::ScaleModel);
         QCOMPARE(withTools(Gesture::MenuTap), F::ToggleToolMenu);
         QCOMPARE(withTools(Gesture::Trigger), F::Sculpt);
-        vr::Hands hands({Preset::OneHand, vr::Side::Right});
+        vr::WandMapping hands({ButtonPreset::OneHand, vr::Side::Right});
         QVERIFY(hands.modeOf(vr::Side::Right) == HandMode::Plain && hands.modeOf(vr::Side::Left) == HandMode::Plain);
     }
 
     /// What writes files, and what throws away the most, is never done by one press.
     void savingAndRestoringAreHeld()
     {
-        for (const Preset preset : presets)
-            for (const PresetRow& row : vr::rows(preset))
+        for (const ButtonPreset preset : presets)
+            for (const PresetRow& row : vr::presetRows(preset))
                 if (row.function == F::SaveModel || row.function == F::RestoreModel)
                     QVERIFY(isHeld(row.gesture));
     }
@@ -192,17 +192,17 @@ private Q_SLOTS:
     /// Each hand's panel is its own; one hand has both.
     void rowsAreOfTheHandsOwnModes()
     {
-        for (const Preset preset : presets)
-            for (const PresetRow& row : vr::rows(preset))
+        for (const ButtonPreset preset : presets)
+            for (const PresetRow& row : vr::presetRows(preset))
                 QVERIFY(row.mode == HandMode::Any || row.mode == HandMode::Plain || row.mode == openMode(row.hand) ||
-                        (preset == Preset::OneHand && row.hand == HandRole::Sculpting));
+                        (preset == ButtonPreset::OneHand && row.hand == HandRole::Sculpting));
     }
 
     void labelsAreShortAndTheSameForTheSame()
     {
         std::map<WandFunction, std::set<QString>> labels;
-        for (const Preset preset : presets)
-            for (const PresetRow& row : vr::rows(preset)) {
+        for (const ButtonPreset preset : presets)
+            for (const PresetRow& row : vr::presetRows(preset)) {
                 const QString label = vr::labelOf(row);
                 QVERIFY(!label.isEmpty() && label.size() <= 20 && label.split(u' ').size() <= 3);
                 QCOMPARE(label.startsWith(QStringLiteral("Hold: ")), isHeld(row.gesture));
@@ -214,13 +214,13 @@ private Q_SLOTS:
 
     void labelsAreTranslated()
     {
-        ContextTeller teller;
+        ContextCollector teller;
         QVERIFY(QCoreApplication::installTranslator(&teller));
-        const QString label = vr::labelOf(vr::rows(Preset::Paper)[0]);
+        const QString label = vr::labelOf(vr::presetRows(ButtonPreset::Paper)[0]);
         QCOMPARE(label, QStringLiteral("vr::Presets: Turn clockwise"));
         QCoreApplication::removeTranslator(&teller);
     }
 };
 
-QTEST_GUILESS_MAIN(TestPresets)
+QTEST_GUILESS_MAIN(TestButtonPresets)
 #include "tst_button_presets.moc"

@@ -8,7 +8,7 @@
 #include <random>
 #include <set>
 
-using vr::HandFeeling;
+using vr::HapticInput;
 using vr::HapticLevels;
 using vr::HapticPulse;
 using vr::Haptics;
@@ -17,7 +17,7 @@ using vr::Side;
 
 namespace
 {
-using Feelings = std::array<HandFeeling, vr::sideCount>;
+using Feelings = std::array<HapticInput, vr::sideCount>;
 
 struct TimedPulse
 {
@@ -25,33 +25,33 @@ struct TimedPulse
     HapticPulse pulse;
 };
 
-std::vector<TimedPulse> feel(Haptics haptics, const std::function<HandFeeling(double)>& right, double seconds,
+std::vector<TimedPulse> feel(Haptics haptics, const std::function<HapticInput(double)>& right, double seconds,
                              double rate)
 {
     std::vector<TimedPulse> all;
     for (const double time : frameTimes(seconds, rate))
-        for (const HapticPulse& pulse : haptics.step(time, {HandFeeling(), right(time)}))
+        for (const HapticPulse& pulse : haptics.step(time, {HapticInput(), right(time)}))
             all.push_back({time, pulse});
     return all;
 }
 
-HandFeeling sculpting(double pressure)
+HapticInput sculpting(double pressure)
 {
-    HandFeeling feeling;
+    HapticInput feeling;
     feeling.touches = true;
     feeling.pressure = pressure;
     return feeling;
 }
 
-HandFeeling nothing()
+HapticInput nothing()
 {
     return {};
 }
 
 /// One frame of a kind, to a hand that felt nothing before.
-HandFeeling one(Sensation what)
+HapticInput one(Sensation what)
 {
-    HandFeeling feeling;
+    HapticInput feeling;
     feeling.touches = what == Sensation::Contact || what == Sensation::Texture;
     feeling.pressure = what == Sensation::Texture ? 1 : 0;
     feeling.fused = what == Sensation::Fusion;
@@ -66,9 +66,9 @@ std::vector<HapticPulse> pulsesOf(Sensation what, const HapticLevels& levels = {
 {
     Haptics haptics(levels);
     std::vector<HapticPulse> pulses;
-    haptics.step(1, {HandFeeling(), HandFeeling()});
+    haptics.step(1, {HapticInput(), HapticInput()});
     for (const double time : {2.0, 3.0})
-        for (const HapticPulse& pulse : haptics.step(time, {HandFeeling(), one(what)}))
+        for (const HapticPulse& pulse : haptics.step(time, {HapticInput(), one(what)}))
             pulses.push_back(pulse);
     return pulses;
 }
@@ -107,7 +107,7 @@ private Q_SLOTS:
         QVERIFY(feel(
                     Haptics(), [](double) { return nothing(); }, 5, 90)
                     .empty());
-        HandFeeling hovering;
+        HapticInput hovering;
         hovering.pressure = 1; // a stroke in the air
         QVERIFY(feel(
                     Haptics(), [&](double) { return hovering; }, 5, 90)
@@ -179,7 +179,7 @@ private Q_SLOTS:
         const auto pulses = feel(
             Haptics(),
             [](double time) {
-                return isWithin(time, 1, 2) ? sculpting(1) : HandFeeling{false, 1, false, false, false, 0};
+                return isWithin(time, 1, 2) ? sculpting(1) : HapticInput{false, 1, false, false, false, 0};
             },
             3, 90);
         QVERIFY(!pulses.empty());
@@ -189,10 +189,10 @@ private Q_SLOTS:
 
     void aContactIsFeltOnceAndDoesNotRattle()
     {
-        const auto hovering = [](double) { return HandFeeling{true, 0, false, false, false, 0}; };
+        const auto hovering = [](double) { return HapticInput{true, 0, false, false, false, 0}; };
         QCOMPARE(feel(Haptics(), hovering, 2, 90).size(), std::size_t(1));
         int frame = 0;
-        const auto grazing = [&](double) { return HandFeeling{frame++ % 2 == 0, 0, false, false, false, 0}; };
+        const auto grazing = [&](double) { return HapticInput{frame++ % 2 == 0, 0, false, false, false, 0}; };
         const std::size_t felt = feel(Haptics(), grazing, 3, 90).size();
         QVERIFY(felt > 10 && felt <= 21);
     }
@@ -203,7 +203,7 @@ private Q_SLOTS:
         for (const double rate : frameRates) {
             bool isDue = true;
             const auto fusing = [&](double time) {
-                HandFeeling feeling = sculpting(1);
+                HapticInput feeling = sculpting(1);
                 feeling.fused = time >= 1 && std::exchange(isDue, time < 1);
                 return feeling;
             };
@@ -224,7 +224,7 @@ private Q_SLOTS:
     {
         for (const double rate : frameRates) {
             const auto holding = [](double time) {
-                return HandFeeling{false, 0, false, false, false, time < 2 ? std::min(time / 0.8, 1.0) : 0};
+                return HapticInput{false, 0, false, false, false, time < 2 ? std::min(time / 0.8, 1.0) : 0};
             };
             const auto pulses = feel(Haptics(), holding, 3, rate);
             QCOMPARE(pulses.size(), std::size_t(4));
@@ -241,7 +241,7 @@ private Q_SLOTS:
             for (const double rate : {20.0, 90.0}) {
                 const auto pushing = [&](double time) {
                     const bool happens = time < 2 || time > 3;
-                    return HandFeeling{.fused = happens && what == Sensation::Fusion,
+                    return HapticInput{.fused = happens && what == Sensation::Fusion,
                                        .refused = happens && what == Sensation::Refusal};
                 };
                 QCOMPARE(feel(Haptics(), pushing, 4, rate).size(), std::size_t(2));
@@ -250,7 +250,7 @@ private Q_SLOTS:
 
     void whatFailsIsFeltAboveAll()
     {
-        HandFeeling everything{true, 1, true, true, true, 1};
+        HapticInput everything{true, 1, true, true, true, 1};
         const auto pulses = Haptics().step(1, {everything, everything});
         QCOMPARE(pulses.size(), vr::sideCount);
         QVERIFY(pulses[0].side != pulses[1].side);
@@ -264,7 +264,7 @@ private Q_SLOTS:
         std::mt19937 random(seed);
         std::uniform_real_distribution<double> share(0, 1);
         const auto any = [&] {
-            HandFeeling feeling;
+            HapticInput feeling;
             feeling.touches = share(random) < 0.7;
             feeling.pressure = share(random) < 0.7 ? share(random) : 0;
             feeling.fused = share(random) < 0.02;
@@ -279,8 +279,8 @@ private Q_SLOTS:
             time += 0.05 * share(random);
             const Feelings feelings{any(), any()};
             const auto pulses = both.step(time, feelings);
-            auto alone = left.step(time, {feelings[0], HandFeeling()});
-            for (const HapticPulse& pulse : right.step(time, {HandFeeling(), feelings[1]}))
+            auto alone = left.step(time, {feelings[0], HapticInput()});
+            for (const HapticPulse& pulse : right.step(time, {HapticInput(), feelings[1]}))
                 alone.push_back(pulse);
             bool isSame = pulses.size() == alone.size();
             for (std::size_t k = 0; isSame && k < pulses.size(); ++k)

@@ -171,11 +171,11 @@ private Q_SLOTS:
         double before = 1;
         for (int percent = 99; percent >= 45; --percent) {
             const double pressure = reader.read(pulling(percent / 100.0), frame).pressure;
-            QVERIFY(pressure >= vr::leastPressure && pressure <= before);
-            QVERIFY(pressure < before || pressure == vr::leastPressure);
+            QVERIFY(pressure >= vr::minPressure && pressure <= before);
+            QVERIFY(pressure < before || pressure == vr::minPressure);
             before = pressure;
         }
-        QCOMPARE(before, vr::leastPressure);
+        QCOMPARE(before, vr::minPressure);
     }
 
     void aPressIsOfTheSectorUnderTheThumb()
@@ -303,7 +303,7 @@ private Q_SLOTS:
                     3, rate);
                 QVERIFY(tally.presses == (std::map<Sector, int>{{Sector::Right, 1}}));
                 const double last = std::floor((1 + seconds) * rate - 1e-9) / rate; // the last frame before the press
-                const double slid = seconds < vr::slideToPress ? 0 : way.at(last).x() - 0.1 - vr::slideThreshold;
+                const double slid = seconds < vr::maxSlideBeforePress ? 0 : way.at(last).x() - 0.1 - vr::slideThreshold;
                 QVERIFY((tally.slide - Vector2d(slid, 0)).norm() < 1e-9);
             }
     }
@@ -411,7 +411,7 @@ private Q_SLOTS:
                 sum += gestures.pad.slide.y();
                 before = time;
             }
-            const double ramp = (1 - vr::stickRest) / 2; // second 1 to 2, on average
+            const double ramp = (1 - vr::stickDeadZone) / 2; // second 1 to 2, on average
             QVERIFY(std::abs(sum - vr::stickSlide * (ramp + 1)) < 0.25 / rate);
 
             QVERIFY(!reader.read(pushing({0, 1}), 1 / rate).pad.pressed); // unclicked, but still pushed

@@ -16,19 +16,19 @@
 using core::Vec3;
 using Eigen::Vector2d;
 using vr::Gesture;
-using vr::HandCommand;
+using vr::WandCommand;
 using vr::HandRole;
-using vr::Hands;
-using vr::HandsFrame;
+using vr::WandMapping;
+using vr::InputFrame;
 using vr::Pose;
-using vr::Preset;
+using vr::ButtonPreset;
 using vr::Side;
 using vr::WandFunction;
 using vr::WandState;
 
 namespace
 {
-constexpr Preset presets[] = {Preset::Paper, Preset::Studio, Preset::OneHand};
+constexpr ButtonPreset presets[] = {ButtonPreset::Paper, ButtonPreset::Studio, ButtonPreset::OneHand};
 constexpr Side sides[] = {Side::Left, Side::Right};
 constexpr HandRole roles[] = {HandRole::Sculpting, HandRole::Support};
 constexpr unsigned seed = 20261122;
@@ -44,20 +44,20 @@ Side opposite(Side side)
     return side == Side::Left ? Side::Right : Side::Left;
 }
 
-QStringList words(const std::vector<HandCommand>& commands)
+QStringList words(const std::vector<WandCommand>& commands)
 {
     QStringList all;
-    for (const HandCommand& command : commands)
-        all << wordOf(command);
+    for (const WandCommand& command : commands)
+        all << commandName(command);
     return all;
 }
 
-template <class T> std::vector<T> all(const std::vector<HandCommand>& commands)
+template <class T> std::vector<T> all(const std::vector<WandCommand>& commands)
 {
     std::vector<T> found;
-    for (const HandCommand& command : commands)
-        if (const T* deed = std::get_if<T>(&command.deed))
-            found.push_back(*deed);
+    for (const WandCommand& command : commands)
+        if (const T* action = std::get_if<T>(&command.action))
+            found.push_back(*action);
     return found;
 }
 
@@ -65,15 +65,15 @@ template <class T> std::vector<T> all(const std::vector<HandCommand>& commands)
 class Player
 {
 public:
-    explicit Player(const vr::HandsChoice& choice = {}) : m_hands(choice)
+    explicit Player(const vr::WandSettings& choice = {}) : m_hands(choice)
     {
         for (const Side side : sides)
             rest(side);
         play(frame);
     }
 
-    Hands& hands() { return m_hands; }
-    Side sculpting() const { return m_hands.choice().sculpting; }
+    WandMapping& hands() { return m_hands; }
+    Side sculpting() const { return m_hands.settings().sculpting; }
     Side support() const { return opposite(sculpting()); }
 
     WandState& wand(Side side) { return m_frame.wands[indexOf(side)]; }
@@ -94,36 +94,36 @@ public:
     void pointAtPanel(Side side, bool points) { m_frame.pointsAtPanel[indexOf(side)] = points; }
 
     /// One frame.
-    std::vector<HandCommand> step()
+    std::vector<WandCommand> step()
     {
         m_frame.time += frame;
         return m_hands.step(m_frame);
     }
 
     /// The wands stay as they are.
-    std::vector<HandCommand> play(double seconds)
+    std::vector<WandCommand> play(double seconds)
     {
-        std::vector<HandCommand> commands;
+        std::vector<WandCommand> commands;
         for (double time = 0; time < seconds - 1e-9; time += frame)
-            for (const HandCommand& command : step())
+            for (const WandCommand& command : step())
                 commands.push_back(command);
         return commands;
     }
 
     /// Holds the button for so long, and lets go.
-    std::vector<HandCommand> press(Side side, const WandState& pressed, double seconds = 0.2)
+    std::vector<WandCommand> press(Side side, const WandState& pressed, double seconds = 0.2)
     {
         set(side, pressed);
-        std::vector<HandCommand> commands = play(seconds);
+        std::vector<WandCommand> commands = play(seconds);
         rest(side);
-        for (const HandCommand& command : play(2 * frame))
+        for (const WandCommand& command : play(2 * frame))
             commands.push_back(command);
         return commands;
     }
 
 private:
-    Hands m_hands;
-    HandsFrame m_frame;
+    WandMapping m_hands;
+    InputFrame m_frame;
 };
 
 /// What a hand can do with its wand, and which gestures that is.
@@ -154,12 +154,12 @@ const Move moves[] = {
 };
 
 /// While the hand itself moves.
-std::vector<HandCommand> play(Player& player, Side side, const Move& move)
+std::vector<WandCommand> play(Player& player, Side side, const Move& move)
 {
-    std::vector<HandCommand> commands;
+    std::vector<WandCommand> commands;
     const auto step = [&] {
         player.move(side, {0.001, 0, 0});
-        for (const HandCommand& command : player.step())
+        for (const WandCommand& command : player.step())
             commands.push_back(command);
     };
     const int frames = static_cast<int>(std::lround(move.holdFor / frame));
@@ -176,7 +176,7 @@ std::vector<HandCommand> play(Player& player, Side side, const Move& move)
 }
 
 /// The words that a function is told in, by that move.
-std::set<QString> wordsOf(WandFunction function, const Move& move, bool isOpen)
+std::set<QString> commandNames(WandFunction function, const Move& move, bool isOpen)
 {
     const QString sign = (move.to.pad - move.from.pad).sum() > 0 ? QStringLiteral("+") : QStringLiteral("-");
     switch (function) {
@@ -213,9 +213,9 @@ std::set<QString> wordsOf(WandFunction function, const Move& move, bool isOpen)
     case WandFunction::ToggleInverse:
         return {QStringLiteral("inverse")};
     case WandFunction::ToggleToolMenu:
-        return {QStringLiteral("tool menu") + DeedWords::isOn(!isOpen)};
+        return {QStringLiteral("tool menu") + CommandNames::isOn(!isOpen)};
     case WandFunction::ToggleColorPanel:
-        return {QStringLiteral("color panel") + DeedWords::isOn(!isOpen)};
+        return {QStringLiteral("color panel") + CommandNames::isOn(!isOpen)};
     case WandFunction::PreviousTool:
         return {QStringLiteral("tool -1")};
     case WandFunction::NextTool:
@@ -247,7 +247,7 @@ void openPanel(Player& player, Side side)
 class RandomWands
 {
 public:
-    HandsFrame next()
+    InputFrame next()
     {
         m_frame.time += 0.2 * share() * share();
         for (std::size_t i = 0; i < vr::sideCount; ++i) {
@@ -280,19 +280,19 @@ private:
     }
 
     std::mt19937 m_random{seed};
-    HandsFrame m_frame;
+    InputFrame m_frame;
 };
 
-void apply(const vr::Deed& deed, vr::Room& room)
+void apply(const vr::WandAction& action, vr::ModelPlacement& placement)
 {
-    if (const auto* turn = std::get_if<vr::TurnModel>(&deed))
-        room.turn(turn->angle);
-    else if (const auto* scale = std::get_if<vr::ScaleModel>(&deed))
-        room.scale(scale->factor);
-    else if (const auto* move = std::get_if<vr::MoveModel>(&deed))
-        room.move(move->from, move->to);
-    else if (const auto* stretch = std::get_if<vr::StretchModel>(&deed))
-        room.stretch(stretch->from, stretch->to);
+    if (const auto* turn = std::get_if<vr::TurnModel>(&action))
+        placement.turn(turn->angle);
+    else if (const auto* scale = std::get_if<vr::ScaleModel>(&action))
+        placement.scale(scale->factor);
+    else if (const auto* move = std::get_if<vr::MoveModel>(&action))
+        placement.move(move->from, move->to);
+    else if (const auto* stretch = std::get_if<vr::StretchModel>(&action))
+        placement.stretch(stretch->from, stretch->to);
 }
 
 /// Counts, and sums of what slides.
@@ -302,18 +302,18 @@ struct Outcome
     double scaled = 0, radius = 0, turned = 0;
     int color = 0;
 
-    void add(const HandCommand& command)
+    void add(const WandCommand& command)
     {
-        if (const auto* scale = std::get_if<vr::ScaleModel>(&command.deed))
+        if (const auto* scale = std::get_if<vr::ScaleModel>(&command.action))
             scaled += std::log2(scale->factor);
-        else if (const auto* sized = std::get_if<vr::ScaleRadius>(&command.deed))
+        else if (const auto* sized = std::get_if<vr::ScaleRadius>(&command.action))
             radius += std::log2(sized->factor);
-        else if (const auto* turn = std::get_if<vr::TurnModel>(&command.deed))
+        else if (const auto* turn = std::get_if<vr::TurnModel>(&command.action))
             turned += turn->angle;
-        else if (const auto* change = std::get_if<vr::ChangeChannel>(&command.deed))
+        else if (const auto* change = std::get_if<vr::ChangeChannel>(&command.action))
             color += change->by;
-        else if (isOnce(wordOf(command)))
-            ++once[wordOf(command)];
+        else if (isOnce(commandName(command)))
+            ++once[commandName(command)];
     }
 };
 
@@ -347,7 +347,7 @@ vr::Wands paperSession(double time)
 }
 } // namespace
 
-class TestHands : public QObject
+class TestWandMapping : public QObject
 {
     Q_OBJECT
 
@@ -379,19 +379,19 @@ private Q_SLOTS:
     void atRandomNothingIsLeftOpen();
 };
 
-void TestHands::everyRowDoesItsFunctionAndNothingElseDoesAnything_data()
+void TestWandMapping::everyRowDoesItsFunctionAndNothingElseDoesAnything_data()
 {
-    QTest::addColumn<Preset>("preset");
+    QTest::addColumn<ButtonPreset>("preset");
     QTest::addColumn<Side>("sculpting");
-    QTest::newRow("Paper") << Preset::Paper << Side::Right;
-    QTest::newRow("Paper, left-handed") << Preset::Paper << Side::Left;
-    QTest::newRow("Studio") << Preset::Studio << Side::Right;
-    QTest::newRow("Studio, left-handed") << Preset::Studio << Side::Left;
+    QTest::newRow("Paper") << ButtonPreset::Paper << Side::Right;
+    QTest::newRow("Paper, left-handed") << ButtonPreset::Paper << Side::Left;
+    QTest::newRow("Studio") << ButtonPreset::Studio << Side::Right;
+    QTest::newRow("Studio, left-handed") << ButtonPreset::Studio << Side::Left;
 }
 
-void TestHands::everyRowDoesItsFunctionAndNothingElseDoesAnything()
+void TestWandMapping::everyRowDoesItsFunctionAndNothingElseDoesAnything()
 {
-    QFETCH(Preset, preset);
+    QFETCH(ButtonPreset, preset);
     QFETCH(Side, sculpting);
     std::set<std::pair<WandFunction, Gesture>> done;
     for (const HandRole role : roles)
@@ -405,13 +405,13 @@ void TestHands::everyRowDoesItsFunctionAndNothingElseDoesAnything()
                 std::set<Gesture> gestures;
                 for (const Gesture gesture : move.gestures)
                     if (const auto function = vr::functionOf(preset, {role, player.hands().modeOf(side), gesture})) {
-                        expected.merge(wordsOf(*function, move, isOpen));
+                        expected.merge(commandNames(*function, move, isOpen));
                         gestures.insert(gesture);
                         done.insert({*function, gesture});
                     }
                 std::map<QString, int> found;
-                for (const HandCommand& command : play(player, side, move)) {
-                    ++found[wordOf(command)];
+                for (const WandCommand& command : play(player, side, move)) {
+                    ++found[commandName(command)];
                     QCOMPARE(command.side, side);
                     QVERIFY(gestures.contains(command.gesture));
                 }
@@ -422,12 +422,12 @@ void TestHands::everyRowDoesItsFunctionAndNothingElseDoesAnything()
                 }
                 QVERIFY2(said == expected, move.name);
             }
-    for (const vr::PresetRow& row : vr::rows(preset))
+    for (const vr::PresetRow& row : vr::presetRows(preset))
         QVERIFY(done.contains({row.function, row.gesture}));
 }
 
 /// Before the palm, the way the wand points, whatever the origin of its aim.
-void TestHands::theBrushIsAtTheWandsTip()
+void TestWandMapping::theBrushIsAtTheWandsTip()
 {
     WandState wand = restingWand();
     wand.grip = {Eigen::Quaterniond(Eigen::AngleAxisd(1, Vec3::UnitX())), Vec3(0.3, 1.2, -0.4)};
@@ -445,13 +445,13 @@ void TestHands::theBrushIsAtTheWandsTip()
     QCOMPARE(points[0].pressure, 1.0);
 }
 
-void TestHands::aStrokeIsFromThePullToTheRelease()
+void TestWandMapping::aStrokeIsFromThePullToTheRelease()
 {
     Player player;
     for (int stroke = 0; stroke < 3; ++stroke) {
         player.wand(Side::Right).trigger = 0.8;
         QCOMPARE(words(player.step()), QStringList({QStringLiteral("begin smooth no"), QStringLiteral("point")}));
-        QVERIFY(player.hands().draws(Side::Right));
+        QVERIFY(player.hands().isDrawing(Side::Right));
         for (const double trigger : {0.6, 0.5, 0.46, 1.0}) {
             player.wand(Side::Right).trigger = trigger;
             player.move(Side::Right, {0.01, 0, 0});
@@ -462,13 +462,13 @@ void TestHands::aStrokeIsFromThePullToTheRelease()
         }
         player.wand(Side::Right).trigger = 0.4;
         QCOMPARE(words(player.step()), QStringList(QStringLiteral("end")));
-        QVERIFY(player.step().empty() && !player.hands().draws(Side::Right));
+        QVERIFY(player.step().empty() && !player.hands().isDrawing(Side::Right));
     }
 }
 
-void TestHands::aPressThatBeganOnAPanelNeverSculpts()
+void TestWandMapping::aPressThatBeganOnAPanelNeverSculpts()
 {
-    for (const Preset preset : presets)
+    for (const ButtonPreset preset : presets)
         for (const Side side : sides) {
             Player player({preset, Side::Right});
             player.pointAtPanel(side, true);
@@ -491,7 +491,7 @@ void TestHands::aPressThatBeganOnAPanelNeverSculpts()
         }
 }
 
-void TestHands::aStrokeGoesOnOverAPanel()
+void TestWandMapping::aStrokeGoesOnOverAPanel()
 {
     Player player;
     player.wand(Side::Right).trigger = 1;
@@ -503,9 +503,9 @@ void TestHands::aStrokeGoesOnOverAPanel()
 }
 
 /// Who squeezes a wand to sculpt presses the rest of it, before, meanwhile and until after.
-void TestHands::aHandThatDrawsDoesNothingElse()
+void TestWandMapping::aHandThatDrawsDoesNothingElse()
 {
-    for (const Preset preset : presets)
+    for (const ButtonPreset preset : presets)
         for (const Move& move : moves)
             for (const bool isBefore : {false, true}) {
                 Player player({preset, Side::Right});
@@ -532,7 +532,7 @@ void TestHands::aHandThatDrawsDoesNothingElse()
 }
 
 /// And what they do is told before the point: the stroke is where the model is by then.
-void TestHands::theOtherHandMayTurnMoveAndScaleMeanwhile()
+void TestWandMapping::theOtherHandMayTurnMoveAndScaleMeanwhile()
 {
     for (const WandState& other : {pressing({-0.8, 0}), pulling(1), touching({0, 0.2})}) {
         Player player;
@@ -550,7 +550,7 @@ void TestHands::theOtherHandMayTurnMoveAndScaleMeanwhile()
     }
 }
 
-void TestHands::theDocumentWaitsForTheStroke()
+void TestWandMapping::theDocumentWaitsForTheStroke()
 {
     Player paper;
     paper.wand(Side::Right).trigger = 1;
@@ -562,7 +562,7 @@ void TestHands::theDocumentWaitsForTheStroke()
     paper.step();
     QCOMPARE(words(paper.press(Side::Left, squeezing(), 1)), QStringList(QStringLiteral("save")));
 
-    Player studio({Preset::Studio, Side::Right});
+    Player studio({ButtonPreset::Studio, Side::Right});
     studio.wand(Side::Right).trigger = 1;
     studio.step();
     for (const double x : {-0.8, 0.8}) {
@@ -572,7 +572,7 @@ void TestHands::theDocumentWaitsForTheStroke()
     }
 }
 
-void TestHands::aLostWandEndsItsStroke()
+void TestWandMapping::aLostWandEndsItsStroke()
 {
     Player player;
     player.wand(Side::Right).trigger = 1;
@@ -592,7 +592,7 @@ void TestHands::aLostWandEndsItsStroke()
 }
 
 /// It leaves a gap in the points, which core's path bridges.
-void TestHands::aBlinkIsNoLoss()
+void TestWandMapping::aBlinkIsNoLoss()
 {
     Player player;
     player.wand(Side::Right).trigger = 1;
@@ -603,7 +603,7 @@ void TestHands::aBlinkIsNoLoss()
     QCOMPARE(words(player.play(2 * frame)), QStringList({QStringLiteral("point"), QStringLiteral("point")}));
 }
 
-void TestHands::whoIsNotSeenCannotBegin()
+void TestWandMapping::whoIsNotSeenCannotBegin()
 {
     Player player;
     player.wand(Side::Right).isTracked = false;
@@ -613,11 +613,11 @@ void TestHands::whoIsNotSeenCannotBegin()
     QVERIFY(player.play(1).empty());
 }
 
-void TestHands::theOtherTriggerSmooths()
+void TestWandMapping::theOtherTriggerSmooths()
 {
     const QString begin = QStringLiteral("begin smooth no"), smooth = QStringLiteral("begin smooth yes"),
                   point = QStringLiteral("point"), end = QStringLiteral("end");
-    Player player({Preset::Studio, Side::Right});
+    Player player({ButtonPreset::Studio, Side::Right});
     player.wand(Side::Left).trigger = 1;
     QVERIFY(player.play(0.2).empty());
     player.wand(Side::Right).trigger = 1;
@@ -633,54 +633,54 @@ void TestHands::theOtherTriggerSmooths()
 }
 
 /// The same as one step from where the hand took hold to where it let go; a hand that is not seen for a while takes hold anew.
-void TestHands::oneHandCarriesTheModel()
+void TestWandMapping::oneHandCarriesTheModel()
 {
     const struct
     {
-        Preset preset = Preset::Paper;
+        ButtonPreset preset = ButtonPreset::Paper;
         WandState grabbing;
-    } ways[] = {{Preset::Paper, pulling(1)}, {Preset::Studio, squeezing()}};
+    } ways[] = {{ButtonPreset::Paper, pulling(1)}, {ButtonPreset::Studio, squeezing()}};
     for (const auto& way : ways) {
         Player player({way.preset, Side::Right});
-        vr::Room room;
-        room.place({Eigen::Quaterniond::Identity(), Vec3(0, 1.7, 0)});
-        vr::Room expected = room;
+        vr::ModelPlacement placement;
+        placement.place({Eigen::Quaterniond::Identity(), Vec3(0, 1.7, 0)});
+        vr::ModelPlacement expected = placement;
         const auto carry = [&](int frames) {
             for (int i = 0; i < frames; ++i) {
                 player.move(Side::Left, {0.003, 0.001, -0.002});
                 player.wand(Side::Left).grip.rotation = Eigen::AngleAxisd(0.02 * i, Vec3(1, 2, 0).normalized());
-                for (const HandCommand& command : player.step())
-                    apply(command.deed, room);
+                for (const WandCommand& command : player.step())
+                    apply(command.action, placement);
             }
         };
         carry(5);
-        QCOMPARE(room.middle(), expected.middle());
+        QCOMPARE(placement.middle(), expected.middle());
         player.set(Side::Left, way.grabbing);
         player.step();
         const Pose from = player.wand(Side::Left).grip;
         carry(40);
         expected.move(from, player.wand(Side::Left).grip);
-        QVERIFY((room.middle() - expected.middle()).norm() < 1e-9 &&
-                room.rotation().angularDistance(expected.rotation()) < 1e-9);
+        QVERIFY((placement.middle() - expected.middle()).norm() < 1e-9 &&
+                placement.rotation().angularDistance(expected.rotation()) < 1e-9);
 
         player.wand(Side::Left).isTracked = false;
         carry(40);
         player.wand(Side::Left).isTracked = true;
-        for (const HandCommand& command : player.step())
-            apply(command.deed, room);
-        QVERIFY((room.middle() - expected.middle()).norm() < 1e-9);
+        for (const WandCommand& command : player.step())
+            apply(command.action, placement);
+        QVERIFY((placement.middle() - expected.middle()).norm() < 1e-9);
         player.rest(Side::Left);
         carry(5);
-        QVERIFY((room.middle() - expected.middle()).norm() < 1e-9);
+        QVERIFY((placement.middle() - expected.middle()).norm() < 1e-9);
     }
 }
 
 /// The second hand that comes, and the first that goes, make nothing jump.
-void TestHands::twoHandsStretchTheModel()
+void TestWandMapping::twoHandsStretchTheModel()
 {
-    Player player({Preset::Studio, Side::Right});
-    vr::Room room;
-    room.place({Eigen::Quaterniond::Identity(), Vec3(0, 1.7, 0)});
+    Player player({ButtonPreset::Studio, Side::Right});
+    vr::ModelPlacement placement;
+    placement.place({Eigen::Quaterniond::Identity(), Vec3(0, 1.7, 0)});
     player.move(Side::Left, {-0.2, 1.4, -0.5});
     player.move(Side::Right, {0.2, 1.4, -0.5});
     player.step();
@@ -691,8 +691,8 @@ void TestHands::twoHandsStretchTheModel()
             player.move(Side::Right, 0.1 * right);
             const auto commands = player.step();
             said << words(commands);
-            for (const HandCommand& command : commands)
-                apply(command.deed, room);
+            for (const WandCommand& command : commands)
+                apply(command.action, placement);
         }
         said.removeDuplicates();
         return said;
@@ -701,22 +701,22 @@ void TestHands::twoHandsStretchTheModel()
     QCOMPARE(carry({0.1, 0, 0}, {0, 0.1, 0}), QStringList(QStringLiteral("move")));
     player.set(Side::Right, squeezing());
     QCOMPARE(carry({0, 0, 0}, {0, 0, 0}), QStringList(QStringLiteral("stretch")));
-    const Vec3 atLeft = room.toModel(player.wand(Side::Left).grip.position),
-               atRight = room.toModel(player.wand(Side::Right).grip.position);
-    const double before = room.metresPerMm();
+    const Vec3 atLeft = placement.toModel(player.wand(Side::Left).grip.position),
+               atRight = placement.toModel(player.wand(Side::Right).grip.position);
+    const double before = placement.metresPerMm();
     QCOMPARE(carry({-0.1, 0.05, 0}, {0.1, 0, 0.1}), QStringList(QStringLiteral("stretch")));
-    QVERIFY(room.metresPerMm() > 1.2 * before);
-    QVERIFY((room.toRoom(atLeft) - player.wand(Side::Left).grip.position).norm() < 1e-9);
-    QVERIFY((room.toRoom(atRight) - player.wand(Side::Right).grip.position).norm() < 1e-9);
+    QVERIFY(placement.metresPerMm() > 1.2 * before);
+    QVERIFY((placement.toRoom(atLeft) - player.wand(Side::Left).grip.position).norm() < 1e-9);
+    QVERIFY((placement.toRoom(atRight) - player.wand(Side::Right).grip.position).norm() < 1e-9);
     player.rest(Side::Left);
     QCOMPARE(carry({0.3, 0, 0}, {0, 0.1, 0}), QStringList(QStringLiteral("move")));
-    QVERIFY((room.toRoom(atRight) - player.wand(Side::Right).grip.position).norm() < 1e-9);
+    QVERIFY((placement.toRoom(atRight) - player.wand(Side::Right).grip.position).norm() < 1e-9);
 }
 
 /// With that hand: the other may hold it meanwhile. Squeezed before or after, the side button counts again when it was let go.
-void TestHands::whoSculptsLetsGoOfTheModel()
+void TestWandMapping::whoSculptsLetsGoOfTheModel()
 {
-    Player player({Preset::Studio, Side::Right});
+    Player player({ButtonPreset::Studio, Side::Right});
     player.set(Side::Right, squeezing());
     player.step();
     player.move(Side::Right, {0.1, 0, 0});
@@ -735,12 +735,12 @@ void TestHands::whoSculptsLetsGoOfTheModel()
     QVERIFY(player.play(0.5).empty());
 }
 
-void TestHands::aRingShowsWhatIsHeld()
+void TestWandMapping::aRingShowsWhatIsHeld()
 {
-    for (const Preset preset : presets)
+    for (const ButtonPreset preset : presets)
         for (const Side side : sides) {
             Player player({preset, Side::Right});
-            const bool isPaper = preset == Preset::Paper, isSculpting = side == Side::Right;
+            const bool isPaper = preset == ButtonPreset::Paper, isSculpting = side == Side::Right;
             for (const bool squeezes : {true, false}) {
                 player.set(side, squeezes ? squeezing() : pressingMenu());
                 const bool isHold = squeezes ? isPaper : !isPaper && isSculpting;
@@ -763,7 +763,7 @@ void TestHands::aRingShowsWhatIsHeld()
         }
 }
 
-void TestHands::channelsComeRoundAndOpenAndCloseWithThePanel()
+void TestWandMapping::channelsComeRoundAndOpenAndCloseWithThePanel()
 {
     Player player;
     openPanel(player, Side::Right);
@@ -780,7 +780,7 @@ void TestHands::channelsComeRoundAndOpenAndCloseWithThePanel()
 }
 
 /// And the finest step is one.
-void TestHands::thePadsHeightIsHalfAChannel()
+void TestWandMapping::thePadsHeightIsHalfAChannel()
 {
     Player player;
     openPanel(player, Side::Right);
@@ -796,17 +796,17 @@ void TestHands::thePadsHeightIsHalfAChannel()
     QCOMPARE(least, 1);
 }
 
-void TestHands::whatGoesOnEndsWhenHandsAreChosenAnew()
+void TestWandMapping::whatGoesOnEndsWhenHandsAreChosenAnew()
 {
     Player player;
     player.wand(Side::Right).trigger = 1;
     player.pointAtPanel(Side::Left, true);
     player.wand(Side::Left).trigger = 1;
     player.step();
-    QStringList ended = words(player.hands().choose({Preset::Studio, Side::Left}));
+    QStringList ended = words(player.hands().setSettings({ButtonPreset::Studio, Side::Left}));
     ended.sort();
     QCOMPARE(ended, QStringList({QStringLiteral("end"), QStringLiteral("release panel no")}));
-    QVERIFY(player.hands().letGo().empty());
+    QVERIFY(player.hands().releaseAll().empty());
     QVERIFY(player.play(0.5).empty());
     player.rest(Side::Right);
     player.rest(Side::Left);
@@ -817,9 +817,9 @@ void TestHands::whatGoesOnEndsWhenHandsAreChosenAnew()
 }
 
 /// Nobody let go of what was pressed when everything was ended.
-void TestHands::whatIsPressedMeanwhileMustBeLetGo()
+void TestWandMapping::whatIsPressedMeanwhileMustBeLetGo()
 {
-    for (const Preset preset : presets)
+    for (const ButtonPreset preset : presets)
         for (const Side side : sides)
             for (const Move& move : moves) {
                 if (move.from.padTouched && !move.from.padPressed)
@@ -827,7 +827,7 @@ void TestHands::whatIsPressedMeanwhileMustBeLetGo()
                 Player player({preset, Side::Right});
                 player.set(side, move.from);
                 player.step();
-                player.hands().letGo();
+                player.hands().releaseAll();
                 QVERIFY2(player.play(2).empty(), move.name);
                 player.rest(side);
                 player.play(0.1);
@@ -839,13 +839,13 @@ void TestHands::whatIsPressedMeanwhileMustBeLetGo()
             }
 }
 
-void TestHands::swappedHandsDoTheSame()
+void TestWandMapping::swappedHandsDoTheSame()
 {
-    for (const Preset preset : presets) {
-        Hands rightHanded({preset, Side::Right}), leftHanded({preset, Side::Left});
+    for (const ButtonPreset preset : presets) {
+        WandMapping rightHanded({preset, Side::Right}), leftHanded({preset, Side::Left});
         RandomWands wands;
         for (int i = 0; i < 20000; ++i) {
-            HandsFrame frame = wands.next();
+            InputFrame frame = wands.next();
             const auto ones = rightHanded.step(frame);
             std::swap(frame.wands[0], frame.wands[1]);
             std::swap(frame.pointsAtPanel[0], frame.pointsAtPanel[1]);
@@ -858,7 +858,7 @@ void TestHands::swappedHandsDoTheSame()
     }
 }
 
-void TestHands::frameRatesDoTheSame()
+void TestWandMapping::frameRatesDoTheSame()
 {
     const std::map<QString, int> once{
         {QStringLiteral("begin smooth no"), 1}, {QStringLiteral("end"), 1},       {QStringLiteral("tool menu yes"), 1},
@@ -866,13 +866,13 @@ void TestHands::frameRatesDoTheSame()
         {QStringLiteral("color panel yes"), 1}, {QStringLiteral("channel 1"), 1},
     };
     for (const double rate : frameRates) {
-        Hands hands;
+        WandMapping hands;
         Outcome outcome;
         for (const double time : frameTimes(14, rate)) {
-            HandsFrame frame;
+            InputFrame frame;
             frame.time = time;
             frame.wands = paperSession(time);
-            for (const HandCommand& command : hands.step(frame))
+            for (const WandCommand& command : hands.step(frame))
                 outcome.add(command);
         }
         QVERIFY(outcome.once == once);
@@ -884,34 +884,34 @@ void TestHands::frameRatesDoTheSame()
     }
 }
 
-void TestHands::atRandomNothingIsLeftOpen_data()
+void TestWandMapping::atRandomNothingIsLeftOpen_data()
 {
     everyRowDoesItsFunctionAndNothingElseDoesAnything_data();
 }
 
-void TestHands::atRandomNothingIsLeftOpen()
+void TestWandMapping::atRandomNothingIsLeftOpen()
 {
-    QFETCH(Preset, preset);
+    QFETCH(ButtonPreset, preset);
     QFETCH(Side, sculpting);
-    Hands hands({preset, sculpting});
+    WandMapping hands({preset, sculpting});
     RandomWands wands;
     const core::Box box(Vec3(-50, -50, -50), Vec3(50, 50, 50));
-    vr::Room room(box);
+    vr::ModelPlacement placement(box);
     bool isOpen = false;
     std::array<bool, vr::sideCount> onPanel{};
     std::array<double, vr::sideCount> squeezed{};
     std::map<QString, int> told;
     double before = 0;
     for (int i = 0; i < 100000; ++i) {
-        const HandsFrame frame = wands.next();
+        const InputFrame frame = wands.next();
         for (const Side side : sides) {
             const WandState& wand = frame.wands[indexOf(side)];
             squeezed[indexOf(side)] = wand.side && wand.isActive ? squeezed[indexOf(side)] + frame.time - before : 0;
         }
         before = frame.time;
         const QByteArray where = QStringLiteral("seed %1, frame %2").arg(seed).arg(i).toUtf8();
-        for (const HandCommand& command : hands.step(frame)) {
-            const QString word = wordOf(command);
+        for (const WandCommand& command : hands.step(frame)) {
+            const QString word = commandName(command);
             bool& panel = onPanel[indexOf(command.side)];
             ++told[word];
             if (word.startsWith(QStringLiteral("begin"))) {
@@ -919,7 +919,7 @@ void TestHands::atRandomNothingIsLeftOpen()
                 isOpen = true;
             } else if (word == QStringLiteral("point")) {
                 QVERIFY2(isOpen && !panel, where);
-                const double pressure = std::get<vr::StrokePoint>(command.deed).pressure;
+                const double pressure = std::get<vr::StrokePoint>(command.action).pressure;
                 QVERIFY2(pressure > 0 && pressure <= 1, where);
             } else if (word == QStringLiteral("end")) {
                 QVERIFY2(isOpen, where);
@@ -935,13 +935,13 @@ void TestHands::atRandomNothingIsLeftOpen()
             } else if (word == QStringLiteral("undo") || word == QStringLiteral("redo")) {
                 QVERIFY2(!isOpen, where);
             }
-            apply(command.deed, room);
-            const double shown = room.lengthToRoom(100);
-            QVERIFY2(shown >= vr::Room::minSize * (1 - 1e-9) && shown <= vr::Room::mostSize * (1 + 1e-9), where);
-            QVERIFY2(std::abs(room.rotation().norm() - 1) < 1e-12, where);
+            apply(command.action, placement);
+            const double shown = placement.lengthToRoom(100);
+            QVERIFY2(shown >= vr::ModelPlacement::minSize * (1 - 1e-9) && shown <= vr::ModelPlacement::maxSize * (1 + 1e-9), where);
+            QVERIFY2(std::abs(placement.rotation().norm() - 1) < 1e-12, where);
         }
         const WandState& drawing = frame.wands[indexOf(sculpting)];
-        QVERIFY2(isOpen == hands.draws(sculpting), where);
+        QVERIFY2(isOpen == hands.isDrawing(sculpting), where);
         QVERIFY2(!isOpen || (drawing.isActive && drawing.trigger >= vr::triggerRelease), where);
         for (const Side side : sides) {
             const WandState& wand = frame.wands[indexOf(side)];
@@ -951,9 +951,9 @@ void TestHands::atRandomNothingIsLeftOpen()
     for (const char* word : {"begin smooth no", "point", "end", "undo", "redo", "press panel", "release panel yes",
                              "release panel no", "move", "refuse"})
         QVERIFY2(told[QLatin1String(word)] > 20, word);
-    hands.letGo();
-    QVERIFY(hands.letGo().empty());
+    hands.releaseAll();
+    QVERIFY(hands.releaseAll().empty());
 }
 
-QTEST_GUILESS_MAIN(TestHands)
+QTEST_GUILESS_MAIN(TestWandMapping)
 #include "tst_wand_mapping.moc"

@@ -12,7 +12,7 @@ class TestRuntimeThread : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    void letters_areOpenedHereInOrder();
+    void tasks_runHereInOrder();
     void ended_comesWhenAllIsGone();
     void ended_mayBeginOtherWork();
     void waitForEnd_doesNotWaitForEver();
@@ -20,7 +20,7 @@ private Q_SLOTS:
     void work_isLeftBehind();
 };
 
-void TestRuntimeThread::letters_areOpenedHereInOrder()
+void TestRuntimeThread::tasks_runHereInOrder()
 {
     RuntimeThread thread;
     QSignalSpy ended(&thread, &RuntimeThread::ended);
@@ -94,10 +94,10 @@ void TestRuntimeThread::finishedWork_isNotLeft()
         QVERIFY(thread.waitForEnd(std::chrono::minutes(1)));
     }
     QCoreApplication::processEvents();
-    QVERIFY(!RuntimeThread::hasLeftWork());
+    QVERIFY(!RuntimeThread::hasAbandonedWork());
 }
 
-/// It goes on, and its letters are for nobody.
+/// It goes on, and its tasks are dropped.
 void TestRuntimeThread::work_isLeftBehind()
 {
     struct Shared
@@ -116,7 +116,7 @@ void TestRuntimeThread::work_isLeftBehind()
         });
         QVERIFY(!thread.waitForEnd(std::chrono::milliseconds(10)));
     }
-    QVERIFY(RuntimeThread::hasLeftWork());
+    QVERIFY(RuntimeThread::hasAbandonedWork());
     QVERIFY(!shared->isDone);
     shared->gate.set_value();
     QTRY_COMPARE_WITH_TIMEOUT(shared.use_count(), 1L, 60'000);

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-using vr::SessionStanding;
+using vr::SessionStatus;
 using vr::SessionStep;
 
 namespace
@@ -23,13 +23,13 @@ const XrSessionState states[] = {
 const std::vector<XrSessionState> running{XR_SESSION_STATE_READY, XR_SESSION_STATE_SYNCHRONIZED, XR_SESSION_STATE_VISIBLE,
                                           XR_SESSION_STATE_FOCUSED};
 
-std::vector<SessionStanding> standings()
+std::vector<SessionStatus> statuses()
 {
-    std::vector<SessionStanding> all;
+    std::vector<SessionStatus> all;
     for (const XrSessionState state : states)
         for (const bool isRunning : {false, true})
-            for (const bool isLeaving : {false, true})
-                all.push_back({state, isRunning, isLeaving});
+            for (const bool isExiting : {false, true})
+                all.push_back({state, isRunning, isExiting});
     return all;
 }
 
@@ -49,7 +49,7 @@ std::vector<XrSessionState> successors(XrSessionState state)
 }
 } // namespace
 
-class TestSessionSteps : public QObject
+class TestSessionState : public QObject
 {
     Q_OBJECT
 
@@ -61,83 +61,83 @@ private Q_SLOTS:
     void onlyTheFocusedHaveInput();
 };
 
-void TestSessionSteps::stepsAreAllowedAsThingsStand()
+void TestSessionState::stepsAreAllowedAsThingsStand()
 {
-    for (const SessionStanding& standing : standings()) {
+    for (const SessionStatus& status : statuses()) {
         for (const XrSessionState told : states) {
-            const SessionStep step = nextStep(standing, told);
-            QCOMPARE(step == SessionStep::Begin, told == XR_SESSION_STATE_READY && !standing.isRunning && !standing.isLeaving);
-            QCOMPARE(step == SessionStep::End, told == XR_SESSION_STATE_STOPPING && standing.isRunning);
+            const SessionStep step = nextStep(status, told);
+            QCOMPARE(step == SessionStep::Begin, told == XR_SESSION_STATE_READY && !status.isRunning && !status.isExiting);
+            QCOMPARE(step == SessionStep::End, told == XR_SESSION_STATE_STOPPING && status.isRunning);
             QCOMPARE(step == SessionStep::Lost, told == XR_SESSION_STATE_LOSS_PENDING);
             if (told == XR_SESSION_STATE_EXITING)
-                QCOMPARE(step, SessionStep::Leave);
-            else if (step == SessionStep::Leave)
-                QVERIFY(standing.isLeaving && !standing.isRunning);
+                QCOMPARE(step, SessionStep::Exit);
+            else if (step == SessionStep::Exit)
+                QVERIFY(status.isExiting && !status.isRunning);
         }
     }
 }
 
-void TestSessionSteps::whatWasToldIsRemembered()
+void TestSessionState::whatWasToldIsRemembered()
 {
-    for (const SessionStanding& standing : standings()) {
+    for (const SessionStatus& status : statuses()) {
         for (const XrSessionState told : states) {
-            const SessionStanding after = afterStep(standing, told);
-            const SessionStep step = nextStep(standing, told);
+            const SessionStatus after = afterStep(status, told);
+            const SessionStep step = nextStep(status, told);
             QCOMPARE(after.state, told);
-            QCOMPARE(after.isLeaving, standing.isLeaving);
-            QCOMPARE(after.isRunning, step == SessionStep::Begin || (standing.isRunning && step != SessionStep::End));
+            QCOMPARE(after.isExiting, status.isExiting);
+            QCOMPARE(after.isRunning, step == SessionStep::Begin || (status.isRunning && step != SessionStep::End));
         }
     }
 }
 
 /// Random lives that a runtime may give a session: it is begun and ended in turns, is run in exactly those states that have frames, and is
 /// left at its end and not before.
-void TestSessionSteps::aLifeAsInTheSpecification()
+void TestSessionState::aLifeAsInTheSpecification()
 {
     std::mt19937 random(6);
     int lives = 0;
     for (; lives < 1000; ++lives) {
-        SessionStanding standing;
-        for (auto next = successors(standing.state); !next.empty(); next = successors(standing.state)) {
+        SessionStatus status;
+        for (auto next = successors(status.state); !next.empty(); next = successors(status.state)) {
             const XrSessionState told = next[random() % next.size()];
-            const SessionStep step = nextStep(standing, told);
-            QCOMPARE(step == SessionStep::Leave, told == XR_SESSION_STATE_EXITING);
-            standing = afterStep(standing, told);
-            QCOMPARE(standing.isRunning, std::find(running.begin(), running.end(), told) != running.end());
+            const SessionStep step = nextStep(status, told);
+            QCOMPARE(step == SessionStep::Exit, told == XR_SESSION_STATE_EXITING);
+            status = afterStep(status, told);
+            QCOMPARE(status.isRunning, std::find(running.begin(), running.end(), told) != running.end());
         }
-        QCOMPARE(standing.state, XR_SESSION_STATE_EXITING);
+        QCOMPARE(status.state, XR_SESSION_STATE_EXITING);
     }
 }
 
 /// From everywhere in such a life, once we have asked to leave, the runtime's way out is short, and we do not begin again on it.
-void TestSessionSteps::leavingComesToAnEnd()
+void TestSessionState::leavingComesToAnEnd()
 {
     const std::vector<XrSessionState> wayOut{XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_SYNCHRONIZED, XR_SESSION_STATE_STOPPING,
                                              XR_SESSION_STATE_IDLE, XR_SESSION_STATE_EXITING};
     for (const XrSessionState from : running) {
-        SessionStanding standing{from, true, true};
+        SessionStatus status{from, true, true};
         bool hasLeft = false;
         int ends = 0;
         for (const XrSessionState told : wayOut) {
-            const SessionStep step = nextStep(standing, told);
+            const SessionStep step = nextStep(status, told);
             QVERIFY(step != SessionStep::Begin);
             ends += step == SessionStep::End ? 1 : 0;
-            hasLeft = hasLeft || step == SessionStep::Leave;
-            standing = afterStep(standing, told);
+            hasLeft = hasLeft || step == SessionStep::Exit;
+            status = afterStep(status, told);
         }
         QCOMPARE(ends, 1);
         QVERIFY(hasLeft);
     }
 }
 
-void TestSessionSteps::onlyTheFocusedHaveInput()
+void TestSessionState::onlyTheFocusedHaveInput()
 {
-    for (const SessionStanding& standing : standings()) {
-        QCOMPARE(standing.hasInput(), standing.isRunning && standing.state == XR_SESSION_STATE_FOCUSED);
-        QCOMPARE(standing.isVisible(),
-                 standing.isRunning && (standing.state == XR_SESSION_STATE_FOCUSED || standing.state == XR_SESSION_STATE_VISIBLE));
+    for (const SessionStatus& status : statuses()) {
+        QCOMPARE(status.hasInput(), status.isRunning && status.state == XR_SESSION_STATE_FOCUSED);
+        QCOMPARE(status.isVisible(),
+                 status.isRunning && (status.state == XR_SESSION_STATE_FOCUSED || status.state == XR_SESSION_STATE_VISIBLE));
     }
 }
 
-QTEST_GUILESS_MAIN(TestSessionSteps)
+QTEST_GUILESS_MAIN(TestSessionState)
 #include "tst_session_state.moc"

@@ -31,7 +31,7 @@ private Q_SLOTS:
     void listsMayGrowMeanwhile()
     {
         std::uint32_t offered = 2;
-        const auto items = vr::listed("xrEnumerateThings", 0, [&](std::uint32_t capacity, std::uint32_t* count, int* to) {
+        const auto items = vr::enumerate("xrEnumerateThings", 0, [&](std::uint32_t capacity, std::uint32_t* count, int* to) {
             *count = offered;
             if (capacity == 0)
                 return XR_SUCCESS;
@@ -49,7 +49,7 @@ private Q_SLOTS:
     void emptyListsAreNotAskedForTwice()
     {
         int asked = 0;
-        const auto items = vr::listed("xrEnumerateThings", 0, [&](std::uint32_t, std::uint32_t* count, int*) {
+        const auto items = vr::enumerate("xrEnumerateThings", 0, [&](std::uint32_t, std::uint32_t* count, int*) {
             ++asked;
             *count = 0;
             return XR_SUCCESS;

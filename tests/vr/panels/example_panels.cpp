@@ -155,25 +155,25 @@ std::vector<ExamplePanel> lessonPanels()
 }
 } // namespace
 
-OtherWords::OtherWords(std::unique_ptr<QTranslator> translator) : m_translator(std::move(translator))
+TestTranslation::TestTranslation(std::unique_ptr<QTranslator> translator) : m_translator(std::move(translator))
 {
     QCoreApplication::installTranslator(m_translator.get());
 }
 
-OtherWords::~OtherWords()
+TestTranslation::~TestTranslation()
 {
     if (m_translator)
         QCoreApplication::removeTranslator(m_translator.get());
 }
 
-OtherWords OtherWords::longer()
+TestTranslation TestTranslation::longer()
 {
-    return OtherWords(std::make_unique<Lengthener>());
+    return TestTranslation(std::make_unique<Lengthener>());
 }
 
-OtherWords OtherWords::ofLanguage(const QString& language)
+TestTranslation TestTranslation::ofLanguage(const QString& language)
 {
-    return OtherWords(
+    return TestTranslation(
         std::make_unique<Catalogue>(QStringLiteral(FETTLE_SOURCE_DIR "/translations/fettle_%1.ts").arg(language)));
 }
 
@@ -182,23 +182,23 @@ std::vector<ExamplePanel> examplePanels()
     std::vector<ExamplePanel> all = toolPanels();
     for (const auto& more : {colorPanels(), filesPanels()})
         all.insert(all.end(), more.begin(), more.end());
-    const vr::HeadsetChoice changed{.hands = {},
-                                    .raised = 0.12,
-                                    .turnsBy = 150,
+    const vr::HeadsetSettings changed{.wands = {},
+                                    .heightOffset = 0.12,
+                                    .turnRate = 150,
                                     .showsFloor = false,
                                     .showsPerformance = true,
-                                    .feel = {{1, 0.8, 0.5, 0.3, 0.05, 0}}};
+                                    .hapticLevels = {{1, 0.8, 0.5, 0.3, 0.05, 0}}};
     all.push_back({"settings", vr::SettingsPanel()});
     all.push_back({"settings-changed", vr::SettingsPanel::of(changed, vr::SettingsPage::General)});
-    all.push_back({"settings-feel", vr::SettingsPanel::of(changed, vr::SettingsPage::Feel)});
+    all.push_back({"settings-feel", vr::SettingsPanel::of(changed, vr::SettingsPage::Haptics)});
     all.push_back({"performance", vr::PerformancePanel{{0.02, 0.11, 0.08, 0.31, 0.12, 0.54, 0.2}, 1.38, 0.42, 90, 3}});
-    all.push_back({"notice", vr::Notice{QStringLiteral("Saved as horn-4.")}});
+    all.push_back({"notice", vr::NoticePanel{QStringLiteral("Saved as horn-4.")}});
     all.push_back({"notice-of-two-lines",
-                   vr::Notice{QStringLiteral(
+                   vr::NoticePanel{QStringLiteral(
                        "The ball would be too close to the model: move away from it, or make the brush smaller.")}});
     all.push_back(
         {"notice-of-many-lines",
-         vr::Notice{QStringLiteral(
+         vr::NoticePanel{QStringLiteral(
              "“teapot with a long and winding name.stl” cannot be opened: 12 triangles meet others, 3 edges belong to "
              "more than two "
              "triangles, and two shells lie within each other. Open it at the desktop, where it can be mended.")}});

@@ -7,19 +7,19 @@
 
 class QTranslator;
 
-/// What the program says, in another way than in English, while this lives.
-class OtherWords
+/// Installs a translation while it exists.
+class TestTranslation
 {
 public:
     /// Longer by two fifths, as a translation may be.
-    static OtherWords longer();
+    static TestTranslation longer();
     /// Of translations/fettle_<language>.ts.
-    static OtherWords ofLanguage(const QString& language);
-    OtherWords(OtherWords&&) = default;
-    ~OtherWords();
+    static TestTranslation ofLanguage(const QString& language);
+    TestTranslation(TestTranslation&&) = default;
+    ~TestTranslation();
 
 private:
-    explicit OtherWords(std::unique_ptr<QTranslator> translator);
+    explicit TestTranslation(std::unique_ptr<QTranslator> translator);
 
     std::unique_ptr<QTranslator> m_translator;
 };

@@ -13,7 +13,7 @@
 using vr::PanelAction;
 using vr::PanelCommand;
 using vr::PanelLayout;
-using vr::PanelPart;
+using vr::PanelItem;
 
 namespace
 {
@@ -36,9 +36,9 @@ std::vector<PanelAction> offered()
 {
     std::vector<PanelAction> all;
     for (const ExamplePanel& example : examplePanels())
-        for (const PanelPart& part : vr::layoutOf(example.content).parts)
-            if (part.answers())
-                all.push_back(*part.action);
+        for (const PanelItem& item : vr::layoutOf(example.content).items)
+            if (item.isInteractive())
+                all.push_back(*item.action);
     return all;
 }
 
@@ -56,19 +56,19 @@ std::vector<PanelAction> wanted()
                                  core::BrushShape::Ray,
                                  core::Topology::Adaptive,
                                  core::Topology::Uniform,
-                                 vr::Preset::Paper,
-                                 vr::Preset::Studio,
+                                 vr::ButtonPreset::Paper,
+                                 vr::ButtonPreset::Studio,
                                  vr::SettingsPage::General,
-                                 vr::SettingsPage::Feel,
+                                 vr::SettingsPage::Haptics,
                                  vr::ChooseHand{vr::Side::Left},
                                  vr::ChooseHand{vr::Side::Right},
                                  vr::ShowPage{0},
                                  vr::ShowPage{1},
                                  vr::ShowLessonPage{0},
-                                 vr::LessonWish::Play,
-                                 vr::LessonWish::TryIt,
-                                 vr::LessonWish::Back,
-                                 vr::LessonWish::Next};
+                                 vr::LessonRequest::Play,
+                                 vr::LessonRequest::TryIt,
+                                 vr::LessonRequest::Back,
+                                 vr::LessonRequest::Next};
     for (std::size_t i = 0; i < core::toolNames().size(); ++i)
         all.push_back(static_cast<core::Tool>(i));
     for (const auto kind : {vr::PanelKind::Files, vr::PanelKind::Settings})
@@ -140,18 +140,18 @@ void TestPanelLayout::aPart_isHitAllOverAndNowhereElse()
     std::size_t hits = 0;
     for (int i = 0; i < 20'000; ++i) {
         const QPointF point(x(random), y(random));
-        const auto part = std::ranges::find_if(
-            layout.parts, [&](const PanelPart& p) { return p.answers() && p.area.contains(point); });
+        const auto item = std::ranges::find_if(
+            layout.items, [&](const PanelItem& p) { return p.isInteractive() && p.area.contains(point); });
         const std::optional<PanelAction> hit = layout.hit(inRoom(layout, point));
-        QCOMPARE(hit.has_value(), part != layout.parts.end());
+        QCOMPARE(hit.has_value(), item != layout.items.end());
         if (!hit)
             continue;
         ++hits;
-        QVERIFY(vr::isSameItem(*hit, *part->action));
+        QVERIFY(vr::isSameItem(*hit, *item->action));
         QVERIFY(layout.contains(inRoom(layout, point)));
-        QCOMPARE(layout.partAt(inRoom(layout, point)), &*part);
+        QCOMPARE(layout.itemAt(inRoom(layout, point)), &*item);
     }
-    const bool acts = std::ranges::any_of(layout.parts, [](const PanelPart& part) { return part.answers(); });
+    const bool acts = std::ranges::any_of(layout.items, [](const PanelItem& item) { return item.isInteractive(); });
     QCOMPARE(hits > 0, acts);
 }
 
@@ -160,14 +160,14 @@ void TestPanelLayout::parts_keepApartAndWithinThePanel()
     QFETCH(int, index);
     const PanelLayout layout = exampleLayout(index);
     const QRectF inside = QRectF(QPointF(), layout.size).adjusted(20, 20, -20, -20);
-    for (std::size_t i = 0; i < layout.parts.size(); ++i) {
-        const PanelPart& part = layout.parts[i];
-        QVERIFY(inside.contains(part.area));
-        if (part.action)
-            QVERIFY(part.area.width() >= 60 && part.area.height() >= 60); // 3.4 degrees: a hand that trembles meets it
-        for (std::size_t j = 0; j < i && !std::holds_alternative<vr::WellLook>(part.look); ++j)
-            QVERIFY(std::holds_alternative<vr::WellLook>(layout.parts[j].look) ||
-                    !overlap(part.area, layout.parts[j].area));
+    for (std::size_t i = 0; i < layout.items.size(); ++i) {
+        const PanelItem& item = layout.items[i];
+        QVERIFY(inside.contains(item.area));
+        if (item.action)
+            QVERIFY(item.area.width() >= 60 && item.area.height() >= 60); // 3.4 degrees: a hand that trembles meets it
+        for (std::size_t j = 0; j < i && !std::holds_alternative<vr::WellLook>(item.look); ++j)
+            QVERIFY(std::holds_alternative<vr::WellLook>(layout.items[j].look) ||
+                    !overlap(item.area, layout.items[j].area));
     }
 }
 
@@ -184,7 +184,7 @@ void TestPanelLayout::everythingCanBeWanted()
 void TestPanelLayout::whatCannotBe_isNotHit()
 {
     vr::ToolPanel panel;
-    const auto isHit = [&](const PanelAction& action) { return panel.layout().partFor(action) != nullptr; };
+    const auto isHit = [&](const PanelAction& action) { return panel.layout().itemFor(action) != nullptr; };
     QVERIFY(!isHit(PanelCommand::Undo) && !isHit(PanelCommand::Redo));
     panel.canUndo = true;
     QVERIFY(isHit(PanelCommand::Undo) && !isHit(PanelCommand::Redo));
@@ -193,41 +193,41 @@ void TestPanelLayout::whatCannotBe_isNotHit()
 
     vr::FilesPanel files;
     files.files << vr::FileTile{QStringLiteral("a"), QStringLiteral("a"), {}, true};
-    QVERIFY(!files.layout().partFor(vr::ChooseFile{QStringLiteral("a")}));
-    QVERIFY(!files.layout().partFor(vr::OpenFile{}));
+    QVERIFY(!files.layout().itemFor(vr::ChooseFile{QStringLiteral("a")}));
+    QVERIFY(!files.layout().itemFor(vr::OpenFile{}));
     for (const char* path : {"a", "b"}) { // broken, and gone
         files.chosen = QString::fromLatin1(path);
-        QVERIFY(!files.layout().partFor(vr::OpenFile{files.chosen}));
+        QVERIFY(!files.layout().itemFor(vr::OpenFile{files.chosen}));
     }
     files.files.first().isBroken = false;
     files.chosen = QStringLiteral("a");
-    QVERIFY(files.layout().partFor(vr::OpenFile{files.chosen}));
+    QVERIFY(files.layout().itemFor(vr::OpenFile{files.chosen}));
     files.isBusy = true;
-    QVERIFY(!files.layout().partFor(PanelCommand::SaveModel) && !files.layout().partFor(vr::OpenFile{files.chosen}));
+    QVERIFY(!files.layout().itemFor(PanelCommand::SaveModel) && !files.layout().itemFor(vr::OpenFile{files.chosen}));
 }
 
 /// From end to end, in steps, and beyond the ends the ends; and a value's own place means that value.
 void TestPanelLayout::aSlider_takesTheValueUnderThePoint()
 {
     QFETCH(int, index);
-    for (const PanelPart& part : exampleLayout(index).parts) {
-        if (!part.isSlider())
+    for (const PanelItem& item : exampleLayout(index).items) {
+        if (!item.isSlider())
             continue;
-        const auto& look = std::get<vr::SliderLook>(part.look);
+        const auto& look = std::get<vr::SliderLook>(item.look);
         const auto valueAt = [&](double x) {
-            return std::get<vr::Slide>(vr::actionAt(part, {x, part.area.center().y()})).value;
+            return std::get<vr::Slide>(vr::actionAt(item, {x, item.area.center().y()})).value;
         };
-        double before = look.least;
-        for (double x = part.area.left() - 40; x < part.area.right() + 40; x += 0.7) {
-            const double value = valueAt(x), steps = (value - look.least) / look.step;
-            QVERIFY(value >= before && value <= look.most);
+        double before = look.min;
+        for (double x = item.area.left() - 40; x < item.area.right() + 40; x += 0.7) {
+            const double value = valueAt(x), steps = (value - look.min) / look.step;
+            QVERIFY(value >= before && value <= look.max);
             QVERIFY(std::abs(steps - std::round(steps)) < 1e-6);
             before = value;
         }
-        QCOMPARE(valueAt(part.area.left()), look.least);
-        QCOMPARE(valueAt(part.area.right()), look.most);
-        for (double value = look.least; value <= look.most; value += look.step)
-            QVERIFY(std::abs(valueAt(vr::sliderTrack(part.area).pointAt(vr::sliderShare(look, value)).x()) - value) <
+        QCOMPARE(valueAt(item.area.left()), look.min);
+        QCOMPARE(valueAt(item.area.right()), look.max);
+        for (double value = look.min; value <= look.max; value += look.step)
+            QVERIFY(std::abs(valueAt(vr::sliderTrack(item.area).pointAt(vr::sliderShare(look, value)).x()) - value) <
                     look.step / 100);
     }
 }
@@ -243,7 +243,7 @@ void TestPanelLayout::aPanel_isAsLargeAsItLooks()
     QVERIFY((layout.toPanel(half) - QPointF(layout.size.width(), 0)).manhattanLength() < 1e-9);
     QVERIFY(layout.contains(0.99 * half) && !layout.contains(1.01 * half));
     const auto degreesAt = [](double dmm) { return 2 * std::atan(dmm / 2000) * 180 / std::numbers::pi; };
-    QVERIFY(degreesAt(vr::theme::titleHeight) > 3.45 && degreesAt(vr::theme::leastHeight) > 3.45 / 2);
+    QVERIFY(degreesAt(vr::theme::titleHeight) > 3.45 && degreesAt(vr::theme::minHeight) > 3.45 / 2);
 }
 
 void TestPanelLayout::everyFile_isOnOnePage()
@@ -254,9 +254,9 @@ void TestPanelLayout::everyFile_isOnOnePage()
             panel.files << vr::FileTile{QString::number(i), QString::number(i), {}, false};
         QStringList seen;
         for (panel.page = 0; panel.page < panel.pageCount(); ++panel.page)
-            for (const PanelPart& part : panel.layout().parts)
-                if (part.action && std::holds_alternative<vr::ChooseFile>(*part.action))
-                    seen << std::get<vr::ChooseFile>(*part.action).path;
+            for (const PanelItem& item : panel.layout().items)
+                if (item.action && std::holds_alternative<vr::ChooseFile>(*item.action))
+                    seen << std::get<vr::ChooseFile>(*item.action).path;
         QCOMPARE(seen.size(), count);
         for (int i = 0; i < count; ++i)
             QCOMPARE(seen[i], QString::number(i));
@@ -269,7 +269,7 @@ void TestPanelLayout::aPageThatIsNot_isTheNearest()
     QCOMPARE(panel.pageCount(), 2);
     const auto shown = [](vr::FilesPanel files, int page) {
         files.page = page;
-        return files.layout().partFor(vr::ChooseFile{files.files[8].path}) != nullptr;
+        return files.layout().itemFor(vr::ChooseFile{files.files[8].path}) != nullptr;
     };
     QVERIFY(shown(panel, 1) && shown(panel, 7));
     QVERIFY(!shown(panel, 0) && !shown(panel, -3));
@@ -288,18 +288,18 @@ void TestPanelLayout::openingUnsaved_mustBeHeld()
     vr::FilesPanel panel = std::get<vr::FilesPanel>(examplePanels()[4].content);
     for (const bool loses : {true, false}) {
         panel.hasUnsavedChanges = loses;
-        const PanelPart* open = panel.layout().partFor(vr::OpenFile{panel.chosen, loses});
+        const PanelItem* open = panel.layout().itemFor(vr::OpenFile{panel.chosen, loses});
         QVERIFY(open && open->mustHold == loses);
-        QVERIFY(!panel.layout().partFor(vr::OpenFile{panel.chosen, !loses}));
+        QVERIFY(!panel.layout().itemFor(vr::OpenFile{panel.chosen, !loses}));
     }
-    QVERIFY(vr::ToolPanel().layout().partFor(PanelCommand::RestoreModel)->mustHold);
+    QVERIFY(vr::ToolPanel().layout().itemFor(PanelCommand::RestoreModel)->mustHold);
 }
 
 void TestPanelLayout::aNotice_isReadBeforeItFades()
 {
-    const vr::Notice brief{QStringLiteral("Saved.")}, wordy{QString(120, QLatin1Char('a'))},
+    const vr::NoticePanel brief{QStringLiteral("Saved.")}, wordy{QString(120, QLatin1Char('a'))},
         chinese{QString(40, QChar(0x6a21))};
-    const auto readable = [](const vr::Notice& notice) {
+    const auto readable = [](const vr::NoticePanel& notice) {
         double seconds = 0;
         for (double age = -1; age < 30; age += 0.01) {
             const double opacity = vr::noticeOpacity(notice, age);

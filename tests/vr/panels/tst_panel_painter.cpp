@@ -15,7 +15,7 @@
 Q_DECLARE_METATYPE(vr::PanelContent)
 
 using vr::PanelLayout;
-using vr::PanelPart;
+using vr::PanelItem;
 using vr::PanelTouch;
 using vr::PanelTouches;
 
@@ -49,30 +49,30 @@ QRect pixels(const QRectF& area)
         .toAlignedRect();
 }
 
-QString textOf(const PanelPart& part)
+QString textOf(const PanelItem& item)
 {
-    if (const auto* text = std::get_if<vr::TextLook>(&part.look))
+    if (const auto* text = std::get_if<vr::TextLook>(&item.look))
         return text->text;
-    if (const auto* button = std::get_if<vr::ButtonLook>(&part.look))
+    if (const auto* button = std::get_if<vr::ButtonLook>(&item.look))
         return button->text;
-    const auto* onOff = std::get_if<vr::SwitchLook>(&part.look);
+    const auto* onOff = std::get_if<vr::SwitchLook>(&item.look);
     return onOff ? onOff->text : QString();
 }
 
 QStringList iconsOf(const PanelLayout& layout)
 {
     QStringList names;
-    for (const PanelPart& part : layout.parts) {
-        if (const auto* button = std::get_if<vr::ButtonLook>(&part.look); button && !button->icon.isEmpty())
+    for (const PanelItem& item : layout.items) {
+        if (const auto* button = std::get_if<vr::ButtonLook>(&item.look); button && !button->icon.isEmpty())
             names << button->icon;
-        if (const auto* tile = std::get_if<vr::TileLook>(&part.look))
+        if (const auto* tile = std::get_if<vr::TileLook>(&item.look))
             names << tile->icon;
     }
     return names;
 }
 
 /// What is appended to a text that is cut is not seen.
-bool isWhole(const PanelLayout& layout, std::size_t part, const QImage& painted)
+bool isWhole(const PanelLayout& layout, std::size_t item, const QImage& painted)
 {
     PanelLayout more = layout;
     std::visit(
@@ -80,7 +80,7 @@ bool isWhole(const PanelLayout& layout, std::size_t part, const QImage& painted)
             if constexpr (requires { look.text; })
                 look.text += QStringLiteral("WWW");
         },
-        more.parts[part].look);
+        more.items[item].look);
     return !difference(painted, vr::paint(more)).isNull();
 }
 
@@ -89,9 +89,9 @@ PanelLayout exampleLayout(int index)
     return vr::layoutOf(examplePanels()[static_cast<std::size_t>(index)].content);
 }
 
-PanelTouches touching(const PanelPart& part, bool isPressed, double held = 0)
+PanelTouches touching(const PanelItem& item, bool isPressed, double held = 0)
 {
-    return {PanelTouch{*part.action, isPressed, held}, std::nullopt};
+    return {PanelTouch{*item.action, isPressed, held}, std::nullopt};
 }
 } // namespace
 
@@ -141,16 +141,16 @@ void TestPanelPainter::whatIsPointedAt_isLitWhereItIsHit()
     const PanelLayout layout = exampleLayout(index);
     const QImage plain = vr::paint(layout);
     QVERIFY(difference(plain, vr::paint(layout)).isNull());
-    for (const PanelPart& part : layout.parts) {
-        if (!part.answers())
+    for (const PanelItem& item : layout.items) {
+        if (!item.isInteractive())
             continue;
-        const QImage lit = vr::paint(layout, touching(part, false)), pressed = vr::paint(layout, touching(part, true));
-        const QRect area = pixels(part.area), changed = difference(plain, lit);
+        const QImage lit = vr::paint(layout, touching(item, false)), pressed = vr::paint(layout, touching(item, true));
+        const QRect area = pixels(item.area), changed = difference(plain, lit);
         QVERIFY(area.contains(changed));
         QVERIFY(changed.width() >= area.width() - 8 && changed.height() >= area.height() - 8);
         QVERIFY(area.contains(difference(plain, pressed)));
         QVERIFY(!difference(lit, pressed).isNull());
-        QVERIFY(difference(lit, vr::paint(layout, {std::nullopt, PanelTouch{*part.action, false, 0}})).isNull());
+        QVERIFY(difference(lit, vr::paint(layout, {std::nullopt, PanelTouch{*item.action, false, 0}})).isNull());
     }
 }
 
@@ -165,7 +165,7 @@ void TestPanelPainter::whatDoesNotAnswer_isNotLit()
 void TestPanelPainter::aHold_fillsItsRing()
 {
     const PanelLayout layout = vr::ToolPanel().layout();
-    const PanelPart& restore = *layout.partFor(vr::PanelCommand::RestoreModel);
+    const PanelItem& restore = *layout.itemFor(vr::PanelCommand::RestoreModel);
     QImage before = vr::paint(layout, touching(restore, true, 0));
     for (const double held : {0.25, 0.5, 0.75, 1.0}) {
         const QImage now = vr::paint(layout, touching(restore, true, held));
@@ -181,8 +181,8 @@ void TestPanelPainter::texts_keepWithinTheirParts()
     QFETCH(int, index);
     const PanelLayout layout = exampleLayout(index);
     const QImage plain = vr::paint(layout);
-    for (std::size_t i = 0; i < layout.parts.size(); ++i) {
-        if (textOf(layout.parts[i]).isEmpty())
+    for (std::size_t i = 0; i < layout.items.size(); ++i) {
+        if (textOf(layout.items[i]).isEmpty())
             continue;
         for (const QString& text : {QStringLiteral("Åg"), QStringLiteral("Ågjp ") + QString(60, QLatin1Char('W')),
                                     QStringLiteral("jÅg gÅp ").repeated(12)}) {
@@ -192,11 +192,11 @@ void TestPanelPainter::texts_keepWithinTheirParts()
                     if constexpr (requires { look.text; })
                         look.text = text;
                 },
-                other.parts[i].look);
-            const QRect area = pixels(layout.parts[i].area), changed = difference(plain, vr::paint(other));
-            QVERIFY2(area.contains(changed), qPrintable(textOf(layout.parts[i])));
+                other.items[i].look);
+            const QRect area = pixels(layout.items[i].area), changed = difference(plain, vr::paint(other));
+            QVERIFY2(area.contains(changed), qPrintable(textOf(layout.items[i])));
             QVERIFY2(changed.top() > area.top() && changed.bottom() < area.bottom(),
-                     qPrintable(textOf(layout.parts[i]) + QLatin1Char('|') + text));
+                     qPrintable(textOf(layout.items[i]) + QLatin1Char('|') + text));
         }
     }
 }
@@ -218,14 +218,14 @@ void TestPanelPainter::noTranslation_isCut()
 {
     QFETCH(QString, language);
     const std::vector<ExamplePanel> examples = examplePanels();
-    std::optional<OtherWords> words;
+    std::optional<TestTranslation> words;
     if (!language.isEmpty())
-        words.emplace(OtherWords::ofLanguage(language));
+        words.emplace(TestTranslation::ofLanguage(language));
     for (const ExamplePanel& example : examples) {
         const PanelLayout layout = vr::layoutOf(example.content);
         const QImage plain = vr::paint(layout);
-        for (std::size_t i = 0; i < layout.parts.size(); ++i)
-            QVERIFY2(textOf(layout.parts[i]).isEmpty() || isWhole(layout, i, plain), qPrintable(textOf(layout.parts[i])));
+        for (std::size_t i = 0; i < layout.items.size(); ++i)
+            QVERIFY2(textOf(layout.items[i]).isEmpty() || isWhole(layout, i, plain), qPrintable(textOf(layout.items[i])));
     }
 }
 
@@ -233,17 +233,17 @@ void TestPanelPainter::noTranslation_isCut()
 void TestPanelPainter::aChosenTool_isNotCut()
 {
     QFETCH(QString, language);
-    std::optional<OtherWords> words;
+    std::optional<TestTranslation> words;
     if (!language.isEmpty())
-        words.emplace(OtherWords::ofLanguage(language));
+        words.emplace(TestTranslation::ofLanguage(language));
     for (std::size_t tool = 0; tool < core::toolNames().size(); ++tool) {
         vr::ToolPanel panel;
         panel.tool = static_cast<core::Tool>(tool);
         const PanelLayout layout = panel.layout();
-        const auto part = std::ranges::find_if(layout.parts, [&](const PanelPart& p) { return p.action && vr::isSameItem(*p.action, panel.tool); });
-        QVERIFY(part != layout.parts.end());
-        const auto index = static_cast<std::size_t>(part - layout.parts.begin());
-        QVERIFY2(isWhole(layout, index, vr::paint(layout)), qPrintable(textOf(*part)));
+        const auto item = std::ranges::find_if(layout.items, [&](const PanelItem& p) { return p.action && vr::isSameItem(*p.action, panel.tool); });
+        QVERIFY(item != layout.items.end());
+        const auto index = static_cast<std::size_t>(item - layout.items.begin());
+        QVERIFY2(isWhole(layout, index, vr::paint(layout)), qPrintable(textOf(*item)));
     }
 }
 
@@ -307,20 +307,20 @@ void TestPanelPainter::aValue_isSeen_data()
     row("saved", 5, [](vr::FilesPanel& panel) { panel.saved += QLatin1Char('x'); });
     row("picture", 4, [](vr::FilesPanel& panel) { panel.files[4].picture = panel.files[0].picture; });
     row("name", 4, [](vr::FilesPanel& panel) { panel.files[4].name = QStringLiteral("other"); });
-    row("preset", 8, [](vr::SettingsPanel& panel) { panel.choice.hands.preset = vr::Preset::Studio; });
-    row("hand", 8, [](vr::SettingsPanel& panel) { panel.choice.hands.sculpting = vr::Side::Left; });
-    row("height", 8, [](vr::SettingsPanel& panel) { panel.choice.raised = -0.2; });
-    row("turning", 8, [](vr::SettingsPanel& panel) { panel.choice.turnsBy = 90; });
-    row("floor", 8, [](vr::SettingsPanel& panel) { panel.choice.showsFloor = false; });
-    row("numbers", 8, [](vr::SettingsPanel& panel) { panel.choice.showsPerformance = true; });
-    row("vibration", 8, [](vr::SettingsPanel& panel) { panel.page = vr::SettingsPage::Feel; });
-    row("level", 10, [](vr::SettingsPanel& panel) { panel.choice.feel.of[2] = 0.55; });
+    row("preset", 8, [](vr::SettingsPanel& panel) { panel.settings.wands.preset = vr::ButtonPreset::Studio; });
+    row("hand", 8, [](vr::SettingsPanel& panel) { panel.settings.wands.sculpting = vr::Side::Left; });
+    row("height", 8, [](vr::SettingsPanel& panel) { panel.settings.heightOffset = -0.2; });
+    row("turning", 8, [](vr::SettingsPanel& panel) { panel.settings.turnRate = 90; });
+    row("floor", 8, [](vr::SettingsPanel& panel) { panel.settings.showsFloor = false; });
+    row("numbers", 8, [](vr::SettingsPanel& panel) { panel.settings.showsPerformance = true; });
+    row("vibration", 8, [](vr::SettingsPanel& panel) { panel.page = vr::SettingsPage::Haptics; });
+    row("level", 10, [](vr::SettingsPanel& panel) { panel.settings.hapticLevels.of[2] = 0.55; });
     row("frames", 11, [](vr::PerformancePanel& panel) { panel.framesPerSecond = 45; });
     row("phase", 11, [](vr::PerformancePanel& panel) { panel.cpuMs[3] = 1.5; });
     row("total", 11, [](vr::PerformancePanel& panel) { panel.totalMs = 2; });
     row("draw calls", 11, [](vr::PerformancePanel& panel) { panel.drawCallMs = 2; });
     row("dropped", 11, [](vr::PerformancePanel& panel) { panel.dropped = 12; });
-    row("notice", 12, [](vr::Notice& notice) { notice.text = QStringLiteral("Opened."); });
+    row("notice", 12, [](vr::NoticePanel& notice) { notice.text = QStringLiteral("Opened."); });
 }
 
 /// Equal values have equal pictures, and others have others.
@@ -374,17 +374,17 @@ void TestPanelPainter::pictures_ofThemAll()
     const QString name = QString::fromLatin1(QTest::currentDataTag());
     const QDir folder(QStringLiteral("panels/") + name);
     QVERIFY(folder.mkpath(QStringLiteral(".")));
-    std::optional<OtherWords> words;
+    std::optional<TestTranslation> words;
     if (!language.isEmpty())
-        words.emplace(OtherWords::ofLanguage(language));
+        words.emplace(TestTranslation::ofLanguage(language));
     else if (name == QStringLiteral("longer"))
-        words.emplace(OtherWords::longer());
+        words.emplace(TestTranslation::longer());
     for (const ExamplePanel& example : examplePanels()) {
         const PanelLayout layout = vr::layoutOf(example.content);
         std::vector<vr::PanelAction> items;
-        for (const PanelPart& part : layout.parts)
-            if (part.answers())
-                items.push_back(*part.action);
+        for (const PanelItem& item : layout.items)
+            if (item.isInteractive())
+                items.push_back(*item.action);
         PanelTouches touches;
         if (items.size() > 4)
             touches = {PanelTouch{items[items.size() / 2], false, 0}, PanelTouch{items.back(), true, 0.6}};

@@ -9,7 +9,7 @@
 #include <random>
 
 using core::Vec3;
-using vr::AheadPlace;
+using vr::AheadPanelPlacement;
 using vr::Pose;
 
 namespace
@@ -45,7 +45,7 @@ bool isRotation(const Pose& pose)
 void forManyPeople(const std::function<void(const Pose& head, const Pose& grip)>& look)
 {
     std::mt19937 random(5);
-    const auto between = [&](double least, double most) { return std::uniform_real_distribution(least, most)(random); };
+    const auto between = [&](double min, double max) { return std::uniform_real_distribution(min, max)(random); };
     for (int i = 0; i < 2000; ++i) {
         const Pose eyes = head({between(-2, 2), between(0.6, 2), between(-2, 2)},
                                {between(-180, 180), between(-89, 89), between(-60, 60)});
@@ -55,7 +55,7 @@ void forManyPeople(const std::function<void(const Pose& head, const Pose& grip)>
 }
 } // namespace
 
-class TestPanelPlace : public QObject
+class TestPanelPlacement : public QObject
 {
     Q_OBJECT
 
@@ -79,7 +79,7 @@ private Q_SLOTS:
     void aRay_meetsThePointItAimsAt();
 };
 
-void TestPanelPlace::atAHand_itFacesTheHead()
+void TestPanelPlacement::atAHand_itFacesTheHead()
 {
     forManyPeople([](const Pose& eyes, const Pose& grip) {
         const Pose panel = vr::placeAtHand(grip, eyes, {size});
@@ -90,7 +90,7 @@ void TestPanelPlace::atAHand_itFacesTheHead()
 }
 
 /// A head that is not tilted to a shoulder, and looks at the panel, sees its lines level.
-void TestPanelPlace::atAHand_itIsUprightToTheEyes()
+void TestPanelPlacement::atAHand_itIsUprightToTheEyes()
 {
     for (double yaw = -180; yaw < 180; yaw += 15)
         for (double pitch = -80; pitch < 60; pitch += 10) {
@@ -103,7 +103,7 @@ void TestPanelPlace::atAHand_itIsUprightToTheEyes()
         }
 }
 
-void TestPanelPlace::atAHand_itStandsAboveTheWand()
+void TestPanelPlacement::atAHand_itStandsAboveTheWand()
 {
     for (const double height : {0.9, 1.1, 1.3}) {
         const Pose eyes = head({0, 1.6, 0}, {0, -30, 0}), grip{Eigen::Quaterniond::Identity(), {-0.2, height, -0.35}};
@@ -116,7 +116,7 @@ void TestPanelPlace::atAHand_itStandsAboveTheWand()
 }
 
 /// Hands and heads tremble: by millimetres, and so does the panel.
-void TestPanelPlace::atAHand_itMovesNoFartherThanTheHandsDo()
+void TestPanelPlacement::atAHand_itMovesNoFartherThanTheHandsDo()
 {
     std::mt19937 random(9);
     std::normal_distribution<double> tremor(0, 0.001);
@@ -132,7 +132,7 @@ void TestPanelPlace::atAHand_itMovesNoFartherThanTheHandsDo()
     }
 }
 
-void TestPanelPlace::atAHand_itKeepsClearOfTheModel_data()
+void TestPanelPlacement::atAHand_itKeepsClearOfTheModel_data()
 {
     QTest::addColumn<double>("turnsTo");
     QTest::newRow("left") << 1.0;
@@ -140,7 +140,7 @@ void TestPanelPlace::atAHand_itKeepsClearOfTheModel_data()
 }
 
 /// Wherever the hand goes beside the model or before it, and without leaps.
-void TestPanelPlace::atAHand_itKeepsClearOfTheModel()
+void TestPanelPlacement::atAHand_itKeepsClearOfTheModel()
 {
     QFETCH(double, turnsTo);
     constexpr double step = 0.005;
@@ -167,7 +167,7 @@ void TestPanelPlace::atAHand_itKeepsClearOfTheModel()
 }
 
 /// One that is as large as a house hides it anywhere.
-void TestPanelPlace::atAHand_inTheModelItStaysThere()
+void TestPanelPlacement::atAHand_inTheModelItStaysThere()
 {
     forManyPeople([](const Pose& eyes, const Pose& grip) {
         const Pose plain = vr::placeAtHand(grip, eyes, {size});
@@ -176,10 +176,10 @@ void TestPanelPlace::atAHand_inTheModelItStaysThere()
     });
 }
 
-void TestPanelPlace::ahead_itIsUprightAtArmsLength()
+void TestPanelPlacement::ahead_itIsUprightAtArmsLength()
 {
     forManyPeople([](const Pose& eyes, const Pose&) {
-        const AheadPlace place{.aside = 0.3};
+        const AheadPanelPlacement place{.aside = 0.3};
         const Pose panel = vr::placeAhead(eyes, place);
         QVERIFY(isRotation(panel));
         QVERIFY((panel.rotation * Vec3::UnitY() - Vec3::UnitY()).norm() < 1e-9);
@@ -191,14 +191,14 @@ void TestPanelPlace::ahead_itIsUprightAtArmsLength()
     });
 }
 
-void TestPanelPlace::ahead_itIsWhereTheHeadTurnsTo_data()
+void TestPanelPlacement::ahead_itIsWhereTheHeadTurnsTo_data()
 {
     QTest::addColumn<double>("pitch");
     for (const double pitch : {-88.0, -60.0, 0.0, 60.0, 88.0})
         QTest::newRow(qPrintable(QString::number(pitch))) << pitch;
 }
 
-void TestPanelPlace::ahead_itIsWhereTheHeadTurnsTo()
+void TestPanelPlacement::ahead_itIsWhereTheHeadTurnsTo()
 {
     QFETCH(double, pitch);
     for (double yaw = -180; yaw < 180; yaw += 20) {
@@ -210,7 +210,7 @@ void TestPanelPlace::ahead_itIsWhereTheHeadTurnsTo()
     }
 }
 
-void TestPanelPlace::ahead_itKeepsClearOfTheModel_data()
+void TestPanelPlacement::ahead_itKeepsClearOfTheModel_data()
 {
     QTest::addColumn<double>("yaw");
     QTest::addColumn<double>("turnsTo");
@@ -220,16 +220,16 @@ void TestPanelPlace::ahead_itKeepsClearOfTheModel_data()
 }
 
 /// Of a model as people find it. It neither stands in it nor behind it.
-void TestPanelPlace::ahead_itKeepsClearOfTheModel()
+void TestPanelPlacement::ahead_itKeepsClearOfTheModel()
 {
     QFETCH(double, yaw);
     QFETCH(double, turnsTo);
     const Eigen::Vector2d large(0.59, 0.49);
-    vr::Room room;
-    room.place(head({0, 1.6, 0}, {}));
-    const core::Sphere model{room.middle(), vr::Room::comfortableSize / 2};
+    vr::ModelPlacement placement;
+    placement.place(head({0, 1.6, 0}, {}));
+    const core::Sphere model{placement.middle(), vr::ModelPlacement::comfortableSize / 2};
     const Pose eyes = head({0, 1.6, 0}, {yaw, -20, 0});
-    const Pose panel = vr::placeAhead(eyes, {.size = large, .clear = model, .turnsTo = turnsTo});
+    const Pose panel = vr::placeAhead(eyes, {.size = large, .clear = model, .asideSign = turnsTo});
     for (double x = -0.5; x <= 0.5; x += 0.1)
         for (double y = -0.5; y <= 0.5; y += 0.1)
             for (double t = 0; t <= 1; t += 0.02) {
@@ -240,7 +240,7 @@ void TestPanelPlace::ahead_itKeepsClearOfTheModel()
     QVERIFY(aside.dot(eyes.rotation * Vec3::UnitX()) * turnsTo <= 1e-9);
 }
 
-void TestPanelPlace::ahead_whereNothingIsClear_itIsAhead()
+void TestPanelPlacement::ahead_whereNothingIsClear_itIsAhead()
 {
     const Pose eyes = head({0, 1.6, 0}, {});
     const core::Sphere around{{0, 1.6, 0}, 3};
@@ -250,17 +250,17 @@ void TestPanelPlace::ahead_whereNothingIsClear_itIsAhead()
 }
 
 /// Files, settings and performance, all open, with the model of usual size between them.
-void TestPanelPlace::ahead_noneHidesAnother()
+void TestPanelPlacement::ahead_noneHidesAnother()
 {
-    vr::PanelWall::Sight sight{head({0, 1.6, 0}, {30, -15, 0}), {}, vr::Side::Right, {}};
-    vr::Room room;
-    room.place(sight.head);
-    sight.clay = {room.middle(), vr::Room::comfortableSize / 2};
+    vr::PanelManager::Sight sight{head({0, 1.6, 0}, {30, -15, 0}), {}, vr::Side::Right, {}};
+    vr::ModelPlacement placement;
+    placement.place(sight.head);
+    sight.model = {placement.middle(), vr::ModelPlacement::comfortableSize / 2};
     std::vector<vr::PlacedPanel> panels;
     for (const vr::PanelContent& content : {vr::PanelContent(vr::FilesPanel()), vr::PanelContent(vr::SettingsPanel()),
                                             vr::PanelContent(vr::PerformancePanel())}) {
         const auto layout = std::make_shared<const vr::PanelLayout>(vr::layoutOf(content));
-        panels.push_back({vr::PanelWall::placeOnOpening(layout->kind, sight, *layout), layout});
+        panels.push_back({vr::PanelManager::placeOnOpening(layout->kind, sight, *layout), layout});
     }
     for (const vr::PlacedPanel& seen : panels)
         for (const vr::PlacedPanel& other : panels)
@@ -268,12 +268,12 @@ void TestPanelPlace::ahead_noneHidesAnother()
                 for (double v = -0.5; v <= 0.5; v += 0.125) {
                     const Eigen::Vector2d size = seen.layout->metres();
                     const Vec3 way = seen.pose * Vec3(u * size.x(), v * size.y(), 0) - sight.head.position;
-                    const auto point = vr::meet({sight.head.position, way}, other.pose);
+                    const auto point = vr::intersect({sight.head.position, way}, other.pose);
                     QVERIFY(!point || !other.layout->contains(point->at));
                 }
 }
 
-void TestPanelPlace::somebodyWalksAway()
+void TestPanelPlacement::somebodyWalksAway()
 {
     const Pose panel = vr::placeAhead(head({0, 1.6, 0}, {}), {});
     for (double yaw = -180; yaw < 180; yaw += 30)
@@ -281,31 +281,31 @@ void TestPanelPlace::somebodyWalksAway()
     QVERIFY(vr::isOutOfReach(panel, head({0, 1.6, 1.5}, {})));
 }
 
-void TestPanelPlace::aRay_meetsItFromTheFrontOnly()
+void TestPanelPlacement::aRay_meetsItFromTheFrontOnly()
 {
     const Pose panel = vr::placeAhead(head({0, 1.6, 0}, {20, 0, 0}), {});
     const Vec3 normal = normalOf(panel);
-    QVERIFY(vr::meet({panel.position + normal, -normal}, panel));
-    QVERIFY(!vr::meet({panel.position + normal, normal}, panel));
-    QVERIFY(!vr::meet({panel.position - normal, normal}, panel));
-    QVERIFY(!vr::meet({panel.position - normal, -normal}, panel));
-    QVERIFY(!vr::meet({panel.position + normal, panel.rotation * Vec3::UnitX()}, panel));
+    QVERIFY(vr::intersect({panel.position + normal, -normal}, panel));
+    QVERIFY(!vr::intersect({panel.position + normal, normal}, panel));
+    QVERIFY(!vr::intersect({panel.position - normal, normal}, panel));
+    QVERIFY(!vr::intersect({panel.position - normal, -normal}, panel));
+    QVERIFY(!vr::intersect({panel.position + normal, panel.rotation * Vec3::UnitX()}, panel));
 }
 
-void TestPanelPlace::aRay_meetsThePointItAimsAt()
+void TestPanelPlacement::aRay_meetsThePointItAimsAt()
 {
     std::mt19937 random(11);
-    const auto between = [&](double least, double most) { return std::uniform_real_distribution(least, most)(random); };
+    const auto between = [&](double min, double max) { return std::uniform_real_distribution(min, max)(random); };
     forManyPeople([&](const Pose& eyes, const Pose& grip) {
         const Pose panel = vr::placeAtHand(grip, eyes, {size});
         const Eigen::Vector2d at(between(-0.3, 0.3), between(-0.3, 0.3));
         const Vec3 target = panel * Vec3(at.x(), at.y(), 0),
                    from = panel * Vec3(between(-1, 1), between(-1, 1), between(0.05, 1));
-        const auto point = vr::meet({from, (target - from) * between(0.1, 9)}, panel);
+        const auto point = vr::intersect({from, (target - from) * between(0.1, 9)}, panel);
         QVERIFY(point && (point->at - at).norm() < 1e-9);
         QVERIFY(std::abs(point->distance - (target - from).norm()) < 1e-9);
     });
 }
 
-QTEST_GUILESS_MAIN(TestPanelPlace)
+QTEST_GUILESS_MAIN(TestPanelPlacement)
 #include "tst_panel_placement.moc"

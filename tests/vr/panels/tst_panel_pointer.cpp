@@ -11,7 +11,7 @@
 using core::Vec3;
 using vr::PanelAction;
 using vr::PanelCommand;
-using vr::PanelPart;
+using vr::PanelItem;
 using vr::PlacedPanel;
 
 namespace
@@ -31,9 +31,9 @@ public:
     std::optional<PanelAction> at(std::size_t panel, const PanelAction& item, const QPointF& share = {0.5, 0.5})
     {
         const vr::PanelLayout& layout = *m_panels[panel].layout;
-        const PanelPart* part = layout.partFor(item);
+        const PanelItem* panelItem = layout.itemFor(item);
         const QPointF point =
-            part->area.topLeft() + QPointF(share.x() * part->area.width(), share.y() * part->area.height());
+            panelItem->area.topLeft() + QPointF(share.x() * panelItem->area.width(), share.y() * panelItem->area.height());
         const Vec3 offset =
             Vec3(point.x() - layout.size.width() / 2, layout.size.height() / 2 - point.y(), 0) * layout.distance / 1000;
         return to(m_panels[panel].pose.position + offset);
@@ -45,8 +45,8 @@ public:
     std::optional<PanelAction> wait(double seconds)
     {
         std::optional<PanelAction> wanted;
-        for (; seconds > 0; seconds -= vr::longestFrame)
-            if (const std::optional<PanelAction> action = stall(std::min(seconds, vr::longestFrame)))
+        for (; seconds > 0; seconds -= vr::maxFrameSeconds)
+            if (const std::optional<PanelAction> action = stall(std::min(seconds, vr::maxFrameSeconds)))
                 wanted = action;
         return wanted;
     }

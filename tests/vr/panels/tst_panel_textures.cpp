@@ -1,21 +1,21 @@
-#include "vr/panels/panel_textures.h"
+#include "vr/panels/panel_images.h"
 
 #include <QTest>
 #include <QThread>
 
 using vr::PanelKind;
-using vr::PanelPicture;
-using vr::PanelPictures;
+using vr::PanelImage;
+using vr::PanelImages;
 using vr::ToolPanel;
 
 namespace
 {
 /// As frames ask: until it is there.
-PanelPicture awaited(PanelPictures& pictures, const vr::PanelContent& content, const vr::PanelTouches& touches = {})
+PanelImage awaited(PanelImages& pictures, const vr::PanelContent& content, const vr::PanelTouches& touches = {})
 {
     for (;;) {
         pictures.show(content, touches);
-        if (const std::optional<PanelPicture> picture = pictures.take(vr::kindOf(content)))
+        if (const std::optional<PanelImage> picture = pictures.take(vr::kindOf(content)))
             return *picture;
         QThread::msleep(1);
     }
@@ -29,7 +29,7 @@ ToolPanel with(core::Tool tool)
 }
 } // namespace
 
-class TestPanelPictures : public QObject
+class TestPanelImages : public QObject
 {
     Q_OBJECT
 
@@ -45,37 +45,37 @@ private Q_SLOTS:
     void itMayEndAnyTime();
 };
 
-void TestPanelPictures::aPicture_isWhatPaintMakes()
+void TestPanelImages::aPicture_isWhatPaintMakes()
 {
-    PanelPictures pictures;
+    PanelImages pictures;
     const vr::PanelContent content = with(core::Tool::Smooth);
-    const PanelPicture picture = awaited(pictures, content);
+    const PanelImage picture = awaited(pictures, content);
     QVERIFY(picture.image == vr::paint(vr::layoutOf(content)));
     QVERIFY(picture.layout->kind == PanelKind::Tools && picture.layout->size == vr::layoutOf(content).size);
 }
 
-void TestPanelPictures::whatIsUnchanged_isNotPaintedAgain()
+void TestPanelImages::whatIsUnchanged_isNotPaintedAgain()
 {
-    PanelPictures pictures;
+    PanelImages pictures;
     awaited(pictures, ToolPanel());
     for (int i = 0; i < 5; ++i)
         pictures.show(ToolPanel());
-    awaited(pictures, vr::Notice{QStringLiteral("painted after all that was asked before")});
+    awaited(pictures, vr::NoticePanel{QStringLiteral("painted after all that was asked before")});
     QVERIFY(!pictures.take(PanelKind::Tools));
 }
 
-void TestPanelPictures::onlyThatPanel_isPainted()
+void TestPanelImages::onlyThatPanel_isPainted()
 {
-    PanelPictures pictures;
+    PanelImages pictures;
     awaited(pictures, ToolPanel());
     awaited(pictures, vr::ColorPanel());
     awaited(pictures, with(core::Tool::Paint));
     QVERIFY(!pictures.take(PanelKind::Color));
 }
 
-void TestPanelPictures::aTouch_isANewPicture()
+void TestPanelImages::aTouch_isANewPicture()
 {
-    PanelPictures pictures;
+    PanelImages pictures;
     const QImage plain = awaited(pictures, ToolPanel()).image;
     const vr::PanelTouches touches{vr::PanelTouch{core::Tool::Paint, false, 0}, std::nullopt};
     const QImage lit = awaited(pictures, ToolPanel(), touches).image;
@@ -84,9 +84,9 @@ void TestPanelPictures::aTouch_isANewPicture()
 }
 
 /// However fast it changes.
-void TestPanelPictures::theNewest_comesLast()
+void TestPanelImages::theNewest_comesLast()
 {
-    PanelPictures pictures;
+    PanelImages pictures;
     ToolPanel last;
     last.isSymmetric = true;
     const QImage wanted = vr::paint(last.layout());
@@ -100,14 +100,14 @@ void TestPanelPictures::theNewest_comesLast()
     QVERIFY(!pictures.take(PanelKind::Tools));
 }
 
-void TestPanelPictures::itMayEndAnyTime()
+void TestPanelImages::itMayEndAnyTime()
 {
     for (int i = 0; i < 30; ++i) {
-        PanelPictures pictures;
+        PanelImages pictures;
         pictures.show(with(static_cast<core::Tool>(i % 5)));
         QThread::usleep(static_cast<unsigned long>(i) * 300);
     }
 }
 
-QTEST_MAIN(TestPanelPictures)
+QTEST_MAIN(TestPanelImages)
 #include "tst_panel_textures.moc"

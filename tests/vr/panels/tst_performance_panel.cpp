@@ -4,7 +4,7 @@
 
 #include <numeric>
 
-using vr::FrameCost;
+using vr::FrameTiming;
 using vr::FramePhase;
 using vr::PerformancePanel;
 
@@ -13,16 +13,16 @@ namespace
 constexpr double period90 = 1000.0 / 90;
 
 /// A phase takes its number in tenths of a millisecond, and Draw draws half a millisecond more.
-FrameCost cost(double factor = 1)
+FrameTiming timing(double factor = 1)
 {
-    FrameCost made{.drawCallMs = 0.5 * factor, .periodMs = period90, .isShown = true};
+    FrameTiming made{.drawCallMs = 0.5 * factor, .periodMs = period90, .isShown = true};
     for (std::size_t i = 0; i < vr::framePhaseCount; ++i)
         made.cpuMs[i] = 0.1 * static_cast<double>(i + 1) * factor;
     made.cpuMs[static_cast<std::size_t>(FramePhase::Draw)] += made.drawCallMs;
     return made;
 }
 
-std::vector<FrameCost> many(std::size_t count, const FrameCost& each = cost())
+std::vector<FrameTiming> many(std::size_t count, const FrameTiming& each = timing())
 {
     return std::vector(count, each);
 }
@@ -52,7 +52,7 @@ private Q_SLOTS:
 void TestPerformancePanel::withoutFrames_allIsNothing()
 {
     QVERIFY(PerformancePanel::of({}, 0) == PerformancePanel());
-    FrameCost hidden = cost();
+    FrameTiming hidden = timing();
     hidden.isShown = false;
     QVERIFY(PerformancePanel::of(many(300, hidden), 0) == PerformancePanel());
 }
@@ -69,29 +69,29 @@ void TestPerformancePanel::drawCalls_areTheirOwn()
 
 void TestPerformancePanel::aHitch_isNoMedian()
 {
-    std::vector<FrameCost> costs = many(90);
+    std::vector<FrameTiming> timings = many(90);
     for (const std::size_t i : {3UL, 40UL, 41UL, 42UL, 89UL})
-        costs[i] = cost(100);
-    QVERIFY(PerformancePanel::of(costs, 0) == PerformancePanel::of(many(90), 0));
+        timings[i] = timing(100);
+    QVERIFY(PerformancePanel::of(timings, 0) == PerformancePanel::of(many(90), 0));
 }
 
 void TestPerformancePanel::onlyTheLastSecond_counts()
 {
-    std::vector<FrameCost> costs = many(300, cost(7));
-    const std::vector<FrameCost> last = many(91);
-    costs.insert(costs.end(), last.begin(), last.end());
-    QVERIFY(PerformancePanel::of(costs, 0) == PerformancePanel::of(last, 0));
+    std::vector<FrameTiming> timings = many(300, timing(7));
+    const std::vector<FrameTiming> last = many(91);
+    timings.insert(timings.end(), last.begin(), last.end());
+    QVERIFY(PerformancePanel::of(timings, 0) == PerformancePanel::of(last, 0));
 }
 
 void TestPerformancePanel::framesThatAreNotShown_costNothingHere()
 {
-    FrameCost hidden = cost(9);
+    FrameTiming hidden = timing(9);
     hidden.isShown = false;
-    std::vector<FrameCost> costs;
+    std::vector<FrameTiming> timings;
     for (int i = 0; i < 60; ++i)
-        costs.insert(costs.end(), {cost(), hidden});
-    const PerformancePanel panel = PerformancePanel::of(costs, 0);
-    QVERIFY(isNear(panel.totalMs, cost().ownMs()));
+        timings.insert(timings.end(), {timing(), hidden});
+    const PerformancePanel panel = PerformancePanel::of(timings, 0);
+    QVERIFY(isNear(panel.totalMs, timing().ownMs()));
     QCOMPARE(panel.framesPerSecond, 45);
 }
 
@@ -109,8 +109,8 @@ void TestPerformancePanel::framesThatAreLost_takeTime()
 {
     QFETCH(unsigned, lost);
     QFETCH(int, framesPerSecond);
-    FrameCost each = cost();
-    each.lost = lost;
+    FrameTiming each = timing();
+    each.dropped = lost;
     QCOMPARE(PerformancePanel::of(many(200, each), 0).framesPerSecond, framesPerSecond);
 }
 

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-using vr::HeadsetChoice;
+using vr::HeadsetSettings;
 using vr::PanelAction;
 using vr::PanelSlider;
 using vr::SettingsPage;
@@ -14,32 +14,32 @@ using vr::Slide;
 namespace
 {
 /// All that the page's items offer for that choice; sliders both their ends.
-std::vector<PanelAction> offers(const HeadsetChoice& choice, SettingsPage page)
+std::vector<PanelAction> offers(const HeadsetSettings& choice, SettingsPage page)
 {
     std::vector<PanelAction> all;
     const vr::PanelLayout layout = SettingsPanel::of(choice, page).layout();
-    for (const vr::PanelPart& part : layout.parts) {
-        if (!part.answers())
+    for (const vr::PanelItem& item : layout.items) {
+        if (!item.isInteractive())
             continue;
-        all.push_back(vr::actionAt(part, part.area.topLeft()));
-        if (part.isSlider())
-            all.push_back(vr::actionAt(part, part.area.bottomRight()));
+        all.push_back(vr::actionAt(item, item.area.topLeft()));
+        if (item.isSlider())
+            all.push_back(vr::actionAt(item, item.area.bottomRight()));
     }
     return all;
 }
 
-HeadsetChoice after(const PanelAction& action)
+HeadsetSettings after(const PanelAction& action)
 {
-    return SettingsPanel::after(HeadsetChoice(), action);
+    return SettingsPanel::after(HeadsetSettings(), action);
 }
 
-double valueOf(const HeadsetChoice& choice, PanelSlider slider)
+double valueOf(const HeadsetSettings& choice, PanelSlider slider)
 {
     if (slider == PanelSlider::Height)
-        return choice.raised;
+        return choice.heightOffset;
     if (slider == PanelSlider::TurnSpeed)
-        return choice.turnsBy;
-    return choice.feel.of[static_cast<std::size_t>(slider) - static_cast<std::size_t>(PanelSlider::Contact)];
+        return choice.turnRate;
+    return choice.hapticLevels.of[static_cast<std::size_t>(slider) - static_cast<std::size_t>(PanelSlider::Contact)];
 }
 
 constexpr std::array sliders{PanelSlider::Height, PanelSlider::TurnSpeed, PanelSlider::Contact,  PanelSlider::Texture,
@@ -62,20 +62,20 @@ private Q_SLOTS:
 
 void TestSettingsPanel::itHoldsTheChoice()
 {
-    const HeadsetChoice choice{
-        .hands = {vr::Preset::Studio, vr::Side::Left}, .raised = -0.1, .turnsBy = 35, .showsFloor = false, .feel = {}};
-    const SettingsPanel panel = SettingsPanel::of(choice, SettingsPage::Feel);
-    QVERIFY(panel.choice == choice && panel.page == SettingsPage::Feel);
+    const HeadsetSettings choice{
+        .wands = {vr::ButtonPreset::Studio, vr::Side::Left}, .heightOffset = -0.1, .turnRate = 35, .showsFloor = false, .hapticLevels = {}};
+    const SettingsPanel panel = SettingsPanel::of(choice, SettingsPage::Haptics);
+    QVERIFY(panel.settings == choice && panel.page == SettingsPage::Haptics);
 }
 
 void TestSettingsPanel::anItem_changesWhatItSays()
 {
-    HeadsetChoice studio, left, bare, numbers;
-    studio.hands.preset = vr::Preset::Studio;
-    left.hands.sculpting = vr::Side::Left;
+    HeadsetSettings studio, left, bare, numbers;
+    studio.wands.preset = vr::ButtonPreset::Studio;
+    left.wands.sculpting = vr::Side::Left;
     bare.showsFloor = false;
     numbers.showsPerformance = true;
-    QVERIFY(after(vr::Preset::Studio) == studio);
+    QVERIFY(after(vr::ButtonPreset::Studio) == studio);
     QVERIFY(after(vr::ChooseHand{vr::Side::Left}) == left);
     QVERIFY(after(vr::ShowFloor{false}) == bare);
     QVERIFY(after(vr::ShowPerformance{true}) == numbers);
@@ -85,23 +85,23 @@ void TestSettingsPanel::aSlider_changesItsValueOnly()
 {
     for (const PanelSlider moved : sliders) {
         const double wanted = moved == PanelSlider::TurnSpeed ? 45 : 0.25;
-        const HeadsetChoice choice = after(Slide{moved, wanted});
+        const HeadsetSettings choice = after(Slide{moved, wanted});
         for (const PanelSlider slider : sliders)
             QCOMPARE(valueOf(choice, slider), slider == moved ? wanted : valueOf({}, slider));
-        QVERIFY(choice.hands == HeadsetChoice().hands && choice.showsFloor && !choice.showsPerformance);
+        QVERIFY(choice.wands == HeadsetSettings().hands && choice.showsFloor && !choice.showsPerformance);
     }
 }
 
 void TestSettingsPanel::aValue_staysInItsRange()
 {
-    const double most = std::numeric_limits<double>::infinity();
+    const double max = std::numeric_limits<double>::infinity();
     for (const PanelSlider slider : sliders) {
         const bool isHeight = slider == PanelSlider::Height, isTurn = slider == PanelSlider::TurnSpeed;
-        const double low = isHeight ? -SettingsPanel::mostRaised : isTurn ? SettingsPanel::slowestTurn : 0;
-        const double high = isHeight ? SettingsPanel::mostRaised : isTurn ? SettingsPanel::fastestTurn : 1;
-        for (const double wild : {-1000.0, -most, std::numeric_limits<double>::quiet_NaN()})
+        const double low = isHeight ? -SettingsPanel::maxHeightOffset : isTurn ? SettingsPanel::minTurnRate : 0;
+        const double high = isHeight ? SettingsPanel::maxHeightOffset : isTurn ? SettingsPanel::maxTurnRate : 1;
+        for (const double wild : {-1000.0, -max, std::numeric_limits<double>::quiet_NaN()})
             QCOMPARE(valueOf(after(Slide{slider, wild}), slider), low);
-        for (const double wild : {1000.0, most})
+        for (const double wild : {1000.0, max})
             QCOMPARE(valueOf(after(Slide{slider, wild}), slider), high);
     }
 }
@@ -109,48 +109,48 @@ void TestSettingsPanel::aValue_staysInItsRange()
 void TestSettingsPanel::whatIsNoSetting_changesNothing()
 {
     const PanelAction others[] = {vr::PanelCommand::LeaveVr, core::Tool::Paint,          core::BrushShape::Ray,
-                                  core::Topology::Uniform,   SettingsPage::Feel,         vr::ShowPanel{},
+                                  core::Topology::Uniform,   SettingsPage::Haptics,         vr::ShowPanel{},
                                   vr::ShowPage{2},           vr::ChooseChannel{2},       vr::ChooseColor{{1, 2, 3}},
                                   vr::ChooseSymmetry{},      vr::ChooseRadial{6},       Slide{PanelSlider::Red, 7}, vr::OpenFile{},
                                   vr::ChooseFile{}};
     for (const PanelAction& action : others)
-        QVERIFY(after(action) == HeadsetChoice());
+        QVERIFY(after(action) == HeadsetSettings());
 }
 
 /// By what the pages offer.
 void TestSettingsPanel::everySetting_canBeReached()
 {
     const auto canBecome = [](const auto& isSo) {
-        for (const SettingsPage page : {SettingsPage::General, SettingsPage::Feel})
+        for (const SettingsPage page : {SettingsPage::General, SettingsPage::Haptics})
             for (const PanelAction& action : offers({}, page))
                 if (isSo(after(action)))
                     return true;
         return false;
     };
-    for (const vr::Preset preset : {vr::Preset::Studio, vr::Preset::OneHand})
-        QVERIFY(canBecome([&](const HeadsetChoice& c) { return c.hands.preset == preset; }));
-    QVERIFY(canBecome([](const HeadsetChoice& c) { return c.hands.sculpting == vr::Side::Left; }));
-    QVERIFY(canBecome([](const HeadsetChoice& c) { return !c.showsFloor; }));
-    QVERIFY(canBecome([](const HeadsetChoice& c) { return c.showsPerformance; }));
-    for (const double raised : {-SettingsPanel::mostRaised, SettingsPanel::mostRaised})
-        QVERIFY(canBecome([&](const HeadsetChoice& c) { return c.raised == raised; }));
-    for (const double speed : {SettingsPanel::slowestTurn, SettingsPanel::fastestTurn})
-        QVERIFY(canBecome([&](const HeadsetChoice& c) { return c.turnsBy == speed; }));
+    for (const vr::ButtonPreset preset : {vr::ButtonPreset::Studio, vr::ButtonPreset::OneHand})
+        QVERIFY(canBecome([&](const HeadsetSettings& c) { return c.hands.preset == preset; }));
+    QVERIFY(canBecome([](const HeadsetSettings& c) { return c.hands.sculpting == vr::Side::Left; }));
+    QVERIFY(canBecome([](const HeadsetSettings& c) { return !c.showsFloor; }));
+    QVERIFY(canBecome([](const HeadsetSettings& c) { return c.showsPerformance; }));
+    for (const double heightOffset : {-SettingsPanel::maxHeightOffset, SettingsPanel::maxHeightOffset})
+        QVERIFY(canBecome([&](const HeadsetSettings& c) { return c.heightOffset == heightOffset; }));
+    for (const double speed : {SettingsPanel::minTurnRate, SettingsPanel::maxTurnRate})
+        QVERIFY(canBecome([&](const HeadsetSettings& c) { return c.turnRate == speed; }));
     for (std::size_t i = 0; i < vr::sensationCount; ++i)
-        QVERIFY(canBecome([&](const HeadsetChoice& c) { return c.feel.of[i] == 0; }));
+        QVERIFY(canBecome([&](const HeadsetSettings& c) { return c.hapticLevels.of[i] == 0; }));
 }
 
 void TestSettingsPanel::whatWasChosen_isShownAsChosen()
 {
     for (const PanelAction& action : offers({}, SettingsPage::General)) {
         const vr::PanelLayout layout = SettingsPanel::of(after(action), SettingsPage::General).layout();
-        const vr::PanelPart* part = layout.partFor(action);
-        if (std::holds_alternative<vr::Preset>(action) || std::holds_alternative<vr::ChooseHand>(action))
-            QVERIFY(std::get<vr::ButtonLook>(part->look).isChosen);
+        const vr::PanelItem* item = layout.itemFor(action);
+        if (std::holds_alternative<vr::ButtonPreset>(action) || std::holds_alternative<vr::ChooseHand>(action))
+            QVERIFY(std::get<vr::ButtonLook>(item->look).isChosen);
         if (const auto* slide = std::get_if<Slide>(&action))
-            QCOMPARE(std::get<Slide>(*part->action).value, slide->value);
+            QCOMPARE(std::get<Slide>(*item->action).value, slide->value);
         if (const auto* ground = std::get_if<vr::ShowFloor>(&action)) // its item wants the other from now on
-            QVERIFY(!part && layout.partFor(vr::ShowFloor{!ground->isShown}));
+            QVERIFY(!item && layout.itemFor(vr::ShowFloor{!ground->isShown}));
     }
 }
 

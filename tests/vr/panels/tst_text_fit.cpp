@@ -63,11 +63,11 @@ void TestTextFit::whatFits_isWholeAndLarge()
 
 void TestTextFit::whatIsALittleTooWide_shrinks()
 {
-    const TextStyle style{.height = 40, .leastHeight = 30, .lines = 3};
+    const TextStyle style{.height = 40, .minHeight = 30, .lines = 3};
     const FittedText text = fitted(sentence, 0.9 * widthOf(sentence, style), style);
     QCOMPARE(joined(text), sentence);
     QVERIFY(text.lines.size() > 1 || text.font.pixelSize() < 40);
-    const TextStyle one{.height = 40, .leastHeight = 30};
+    const TextStyle one{.height = 40, .minHeight = 30};
     const FittedText shrunk = fitted(sentence, 0.9 * widthOf(sentence, one), one);
     QCOMPARE(shrunk.lines, std::vector{sentence});
     QVERIFY(shrunk.font.pixelSize() < 40 && shrunk.font.pixelSize() >= 34);
@@ -80,7 +80,7 @@ void TestTextFit::whatIsMuchTooWide_takesMoreLines()
     QCOMPARE(text.lines.size(), std::size_t(3));
     QCOMPARE(joined(text), sentence);
     TextStyle low = style;
-    low.room = 2.5 * text.lineSpacing();
+    low.maxBlockHeight = 2.5 * text.lineSpacing();
     QCOMPARE(fitted(sentence, 0.45 * widthOf(sentence, style), low).lines.size(), std::size_t(2));
 }
 
@@ -99,7 +99,7 @@ void TestTextFit::whatDoesNotFit_isCut()
 void TestTextFit::itNeverLeavesItsRoom()
 {
     std::mt19937 random(3);
-    const auto number = [&](int least, int most) { return std::uniform_int_distribution(least, most)(random); };
+    const auto number = [&](int min, int max) { return std::uniform_int_distribution(min, max)(random); };
     for (int i = 0; i < 500; ++i) {
         QString text;
         for (int letters = number(0, 60); letters > 0; --letters)
@@ -107,15 +107,15 @@ void TestTextFit::itNeverLeavesItsRoom()
                     : number(0, 9) == 0 ? QChar(0x4e00 + number(0, 500))
                                         : QChar('a' + number(0, 25));
         const TextStyle style{.height = static_cast<double>(number(20, 60)),
-                              .leastHeight = 20,
+                              .minHeight = 20,
                               .lines = number(1, 4),
-                              .room = static_cast<double>(number(30, 300))};
+                              .maxBlockHeight = static_cast<double>(number(30, 300))};
         const double width = number(60, 900);
         const FittedText fit = fitted(text, width, style);
         QVERIFY(widest(fit) <= width && fit.width == widest(fit));
         QVERIFY(fit.lines.size() <= static_cast<std::size_t>(style.lines));
-        QVERIFY(fit.lines.size() <= 1 || static_cast<double>(fit.lines.size()) * fit.lineSpacing() <= style.room);
-        QVERIFY(fit.font.pixelSize() <= style.height && fit.font.pixelSize() >= style.leastHeight);
+        QVERIFY(fit.lines.size() <= 1 || static_cast<double>(fit.lines.size()) * fit.lineSpacing() <= style.maxBlockHeight);
+        QVERIFY(fit.font.pixelSize() <= style.height && fit.font.pixelSize() >= style.minHeight);
     }
 }
 

@@ -98,7 +98,7 @@ private:
     std::unique_ptr<OffscreenGl> m_offscreen;
     std::unique_ptr<TestImage> m_image;
     vr::Scene m_scene;
-    std::vector<vr::PictureTexture> m_textures;
+    std::vector<vr::Texture> m_textures;
 };
 
 void TestHeadsetScene::initTestCase()
@@ -117,7 +117,7 @@ void TestHeadsetScene::init()
 void TestHeadsetScene::cleanup()
 {
     m_scene.destroy();
-    for (vr::PictureTexture& made : m_textures)
+    for (vr::Texture& made : m_textures)
         made.destroy();
     m_textures.clear();
     QCOMPARE(m_offscreen->error(), 0U);
@@ -146,7 +146,7 @@ SceneState TestHeadsetScene::bare()
 unsigned int TestHeadsetScene::texture(const QColor& color)
 {
     m_textures.emplace_back().create(m_offscreen->gl());
-    m_textures.back().show(plain(color));
+    m_textures.back().upload(plain(color));
     return m_textures.back().id();
 }
 
@@ -363,7 +363,7 @@ void TestHeadsetScene::noClay_isNoTrouble()
     QCOMPARE(differing(before, picture(state)), 0);
 }
 
-/// Glass that is black can only darken, so what is lighter is tinted; in the mirror image, too.
+/// A black translucent shape can only darken, so what is lighter is tinted; in the mirror image, too.
 void TestHeadsetScene::brush_tintsWhatItWouldTake()
 {
     m_scene.apply(SphereModel(200, 5).whole());

@@ -53,7 +53,7 @@ private Q_SLOTS:
     void headsTurn_changesNoShade();
 
 private:
-    QImage desktop(const ui::ClayPicture& picture);
+    QImage desktop(const ui::MeshView& picture);
     /// The model shrunk to metres and put somewhere in the room, turned; the head where the desktop's camera is.
     vr::SceneState state(const core::Shading& shading) const;
     /// With the camera's field of view.
@@ -61,7 +61,7 @@ private:
     QImage headset(const vr::SceneState& state, const vr::EyeView& view, const TestImage& image);
 
     std::unique_ptr<OffscreenGl> m_offscreen;
-    ui::ClayPainter m_painter;
+    ui::MeshRenderer m_painter;
     vr::Scene m_scene;
     ui::OrbitCamera m_camera;
     SphereModel m_model;
@@ -79,7 +79,7 @@ void TestHeadsetShading::initTestCase()
     for (std::size_t i = 0; i < patch.vertices.size(); ++i) // painted on one side
         if (patch.vertices[i].position.x() > 20)
             patch.vertices[i].color = {40, 90, 230, 255};
-    m_painter.clay().apply(patch);
+    m_painter.meshBuffer().apply(patch);
     m_scene.apply(patch);
     m_camera.setViewport(size.width(), size.height());
     m_camera.frame(m_model.box());
@@ -95,7 +95,7 @@ void TestHeadsetShading::initTestCase()
         }
 }
 
-QImage TestHeadsetShading::desktop(const ui::ClayPicture& picture)
+QImage TestHeadsetShading::desktop(const ui::MeshView& picture)
 {
     const TestImage image(m_offscreen->gl(), size, GL_RGBA8);
     m_offscreen->gl()->glDisable(GL_FRAMEBUFFER_SRGB);
@@ -157,7 +157,7 @@ void TestHeadsetShading::clay_looksAsOnTheDesktop()
     vr::SceneState shown = state(shading);
     shown.isFlat = flat;
     shown.symmetry = symmetry;
-    shown.box.setEmpty(); // no pane before the clay
+    shown.box.setEmpty(); // no plane in front of the mesh
     const TestImage image(m_offscreen->gl(), size);
     const Difference found = difference(onDesktop, headset(shown, eye(shown.head, image), image), m_mask);
     QVERIFY(found.compared > 5000);

@@ -2,9 +2,9 @@
 
 #include "vr/scene/label_textures.h"
 
-using vr::LabelPictures;
+using vr::LabelTextures;
 
-class TestLabelPictures : public QObject
+class TestLabelTextures : public QObject
 {
     Q_OBJECT
 
@@ -36,10 +36,10 @@ private:
 
     std::unique_ptr<OffscreenGl> m_offscreen;
     QOpenGLExtraFunctions* m_gl = nullptr;
-    LabelPictures m_labels;
+    LabelTextures m_labels;
 };
 
-void TestLabelPictures::oneIsPaintedAFrame()
+void TestLabelTextures::oneIsPaintedAFrame()
 {
     const QStringList texts{QStringLiteral("Undo"), QStringLiteral("Redo"), QStringLiteral("Save")};
     for (int frame = 1; frame < 6; ++frame) {
@@ -55,7 +55,7 @@ void TestLabelPictures::oneIsPaintedAFrame()
     QVERIFY(textureOf(texts[1]) != undo);
 }
 
-void TestLabelPictures::longerTexts_areWiderUpToALimit()
+void TestLabelTextures::longerTexts_areWiderUpToALimit()
 {
     const auto aspect = [&](const QString& text) {
         m_labels.startFrame();
@@ -67,7 +67,7 @@ void TestLabelPictures::longerTexts_areWiderUpToALimit()
     QVERIFY(aspect(endless) < 12);
 }
 
-void TestLabelPictures::whatIsNotNeeded_goes()
+void TestLabelTextures::whatIsNotNeeded_goes()
 {
     const QString kept = QStringLiteral("kept");
     const unsigned int first = textureOf(kept);
@@ -89,5 +89,5 @@ void TestLabelPictures::whatIsNotNeeded_goes()
     QCOMPARE(textures(), 0);
 }
 
-VR_TEST_MAIN(TestLabelPictures)
+VR_TEST_MAIN(TestLabelTextures)
 #include "tst_label_textures.moc"

@@ -58,7 +58,7 @@ struct MemoryBuffer
     }
 };
 
-using Stream = vr::ClayStream<MemoryBuffer>;
+using Stream = vr::MeshStream<MemoryBuffer>;
 
 core::DrawVertex vertex(StrokeFuzzer& random)
 {
@@ -143,7 +143,7 @@ void finish(Stream& stream)
 }
 } // namespace
 
-class TestClayStream : public QObject
+class TestMeshStream : public QObject
 {
     Q_OBJECT
 
@@ -156,7 +156,7 @@ private Q_SLOTS:
 };
 
 /// What is shown is always a mesh that was: the newest, or while one loads, the last before it.
-void TestClayStream::anySequence_endsAsIfAppliedDirectly()
+void TestMeshStream::anySequence_endsAsIfAppliedDirectly()
 {
     StrokeFuzzer random(20261122);
     for (int run = 0; run < 12; ++run) {
@@ -184,7 +184,7 @@ void TestClayStream::anySequence_endsAsIfAppliedDirectly()
     }
 }
 
-void TestClayStream::beforeTheFirstFrame_allIsThereAtOnce()
+void TestMeshStream::beforeTheFirstFrame_allIsThereAtOnce()
 {
     StrokeFuzzer random(1);
     Stream stream;
@@ -197,7 +197,7 @@ void TestClayStream::beforeTheFirstFrame_allIsThereAtOnce()
     QCOMPARE(stream.wholeUploads(), 1U);
 }
 
-void TestClayStream::smallModels_areThereAtOnce()
+void TestMeshStream::smallModels_areThereAtOnce()
 {
     StrokeFuzzer random(2);
     Stream stream;
@@ -217,7 +217,7 @@ void TestClayStream::smallModels_areThereAtOnce()
     QCOMPARE(stream.wholeUploads(), 2U);
 }
 
-void TestClayStream::largeModels_comeInSlices()
+void TestMeshStream::largeModels_comeInSlices()
 {
     StrokeFuzzer random(3);
     Stream stream;
@@ -238,7 +238,7 @@ void TestClayStream::largeModels_comeInSlices()
 }
 
 /// A whole patch may have more than one span, and end within a slice.
-void TestClayStream::spansAreKept()
+void TestMeshStream::spansAreKept()
 {
     StrokeFuzzer random(4);
     MeshPatch whole = patch(random, 150'000, 300'000, true);
@@ -255,5 +255,5 @@ void TestClayStream::spansAreKept()
     }
 }
 
-QTEST_GUILESS_MAIN(TestClayStream)
+QTEST_GUILESS_MAIN(TestMeshStream)
 #include "tst_mesh_stream.moc"

@@ -9,7 +9,7 @@
 
 using vr::Gesture;
 using vr::HandRole;
-using vr::Preset;
+using vr::ButtonPreset;
 using vr::Side;
 using vr::WandSpot;
 
@@ -24,7 +24,7 @@ const Eigen::Vector2d padLeft(-0.8, 0), padTop(0, 0.8), padMiddle(0, 0);
 class Player
 {
 public:
-    explicit Player(const vr::HandsChoice& choice = {}, double rate = 90) : m_hands(choice), m_period(1 / rate)
+    explicit Player(const vr::WandSettings& choice = {}, double rate = 90) : m_hands(choice), m_period(1 / rate)
     {
         m_head.position = {0, 1.6, 0};
         for (const Side side : sides)
@@ -37,7 +37,7 @@ public:
         m_frame.wands[static_cast<std::size_t>(side)] = wand;
     }
     vr::WandState& wand(Side side) { return m_frame.wands[static_cast<std::size_t>(side)]; }
-    vr::Hands& hands() { return m_hands; }
+    vr::WandMapping& hands() { return m_hands; }
     void pointAtPanel(Side side, bool points = true) { m_frame.pointsAtPanel[static_cast<std::size_t>(side)] = points; }
 
     /// So many degrees aside of the wand's buttons.
@@ -81,9 +81,9 @@ public:
     double period() const { return m_period; }
 
 private:
-    vr::Hands m_hands;
+    vr::WandMapping m_hands;
     vr::WandLabels m_labels;
-    vr::HandsFrame m_frame;
+    vr::InputFrame m_frame;
     vr::Pose m_head;
     double m_period;
 };
@@ -150,7 +150,7 @@ void TestWandLabels::labels_sayWhatButtonsDo()
 
 void TestWandLabels::labels_ofOneSpotShareALine()
 {
-    Player player({Preset::Studio, Side::Right});
+    Player player({ButtonPreset::Studio, Side::Right});
     player.play(appears);
     QCOMPARE(player.text(Side::Right, WandSpot::Menu), QStringLiteral("Colour \u00B7 Hold: invert"));
     QCOMPARE(player.text(Side::Left, WandSpot::PadMiddle), QString());
@@ -228,7 +228,7 @@ void TestWandLabels::useInOneMode_isNoUseInTheOther()
 
 void TestWandLabels::sharedLine_staysUntilAllOfItIsUsed()
 {
-    Player player({Preset::Studio, Side::Right});
+    Player player({ButtonPreset::Studio, Side::Right});
     player.doOnce(Side::Right, pressingMenu());
     player.play(goes);
     QCOMPARE(player.opacity(Side::Right, WandSpot::Menu), 1.0F);
@@ -239,7 +239,7 @@ void TestWandLabels::sharedLine_staysUntilAllOfItIsUsed()
 
 void TestWandLabels::whatTwoHandsDo_isUsedByBoth()
 {
-    Player player({Preset::Studio, Side::Right});
+    Player player({ButtonPreset::Studio, Side::Right});
     player.play(appears);
     for (const Side side : sides)
         player.set(side, squeezing());
@@ -318,7 +318,7 @@ void TestWandLabels::fartherOfTwoCloseWands_hasNoLabels()
 void TestWandLabels::refusedPresses_areNoUse()
 {
     Player player;
-    player.hands().choose({Preset::Studio, Side::Right});
+    player.hands().setSettings({ButtonPreset::Studio, Side::Right});
     player.play(appears);
     player.set(Side::Right, pulling(1));
     player.play(0.1);
@@ -401,12 +401,12 @@ void TestWandLabels::otherChoice_hasNewLabels()
     player.doOnce(Side::Right, pulling(1));
     player.play(goes);
     QCOMPARE(player.opacity(Side::Right, WandSpot::Trigger), 0.0F);
-    player.hands().choose({Preset::Paper, Side::Left});
+    player.hands().setSettings({ButtonPreset::Paper, Side::Left});
     player.play(appears);
     QCOMPARE(player.text(Side::Left, WandSpot::Trigger), QStringLiteral("Sculpt"));
     QCOMPARE(player.text(Side::Right, WandSpot::Trigger), QStringLiteral("Move model"));
     QVERIFY(player.allAre(1));
-    player.hands().choose({Preset::Studio, Side::Left});
+    player.hands().setSettings({ButtonPreset::Studio, Side::Left});
     player.play(appears);
     QCOMPARE(player.text(Side::Right, WandSpot::Trigger), QStringLiteral("Smooth"));
     QVERIFY(player.allAre(1));
@@ -429,10 +429,10 @@ void TestWandLabels::fades_areTheSameAtAnyRate()
 
 void TestWandLabels::steps_allocateNothing()
 {
-    vr::Hands hands;
+    vr::WandMapping hands;
     vr::WandLabels labels;
-    vr::HandsFrame frame{.wands = {restingWand(), restingWand()}};
-    const std::vector<vr::HandCommand> commands{{Side::Right, Gesture::PadLeft, vr::Undo{}}, {Side::Left, Gesture::Menu, vr::OpenToolMenu{}}};
+    vr::InputFrame frame{.wands = {restingWand(), restingWand()}};
+    const std::vector<vr::WandCommand> commands{{Side::Right, Gesture::PadLeft, vr::Undo{}}, {Side::Left, Gesture::Menu, vr::OpenToolMenu{}}};
     labels.step(frame, {}, hands, commands);
     const long before = allocations;
     for (int i = 1; i < 200; ++i) {

@@ -29,12 +29,12 @@ core::Box boxOf(const core::TriangleMesh& mesh)
 
 core::Box boxOf(WandPart part)
 {
-    return boxOf(welded(vr::shapeOf(part)));
+    return boxOf(welded(vr::wandPartModel(part)));
 }
 } // namespace
 
 /// The wands' model: each part a sound solid, about as large as the true one, each button where its label says.
-class TestWandShape : public QObject
+class TestWandModel : public QObject
 {
     Q_OBJECT
 
@@ -49,17 +49,17 @@ private Q_SLOTS:
     void trigger_turnsIntoTheBody();
 };
 
-void TestWandShape::parts_areSolids_data()
+void TestWandModel::parts_areSolids_data()
 {
     QTest::addColumn<int>("part");
     for (std::size_t part = 0; part < vr::wandPartCount; ++part)
         QTest::addRow("%zu", part) << static_cast<int>(part);
 }
 
-void TestWandShape::parts_areSolids()
+void TestWandModel::parts_areSolids()
 {
     QFETCH(int, part);
-    const core::DrawArrays arrays = vr::shapeOf(static_cast<WandPart>(part));
+    const core::DrawArrays arrays = vr::wandPartModel(static_cast<WandPart>(part));
     const core::MeshReport report = core::checkMesh(welded(arrays));
     QVERIFY(report.printReady());
     QCOMPARE(report.components, std::size_t(static_cast<WandPart>(part) == WandPart::Side ? 2 : 1));
@@ -75,7 +75,7 @@ void TestWandShape::parts_areSolids()
     }
 }
 
-void TestWandShape::wand_isAsLongAsAVives()
+void TestWandModel::wand_isAsLongAsAVives()
 {
     core::Box all;
     for (std::size_t part = 0; part < vr::wandPartCount; ++part)
@@ -86,7 +86,7 @@ void TestWandShape::wand_isAsLongAsAVives()
     QCOMPARE(all.min().z(), boxOf(WandPart::Tip).min().z());
 }
 
-void TestWandShape::places_lieOnTheirParts_data()
+void TestWandModel::places_lieOnTheirParts_data()
 {
     QTest::addColumn<int>("spot");
     QTest::addColumn<int>("part");
@@ -103,14 +103,14 @@ void TestWandShape::places_lieOnTheirParts_data()
     row("side", WandSpot::Side, WandPart::Side);
 }
 
-void TestWandShape::places_lieOnTheirParts()
+void TestWandModel::places_lieOnTheirParts()
 {
     QFETCH(int, spot);
     QFETCH(int, part);
     const core::Vec3 place = vr::placeOf(static_cast<WandSpot>(spot));
     for (std::size_t other = 0; other < vr::wandPartCount; ++other) {
         double nearest = 1;
-        for (const core::Vec3f& point : welded(vr::shapeOf(static_cast<WandPart>(other))).points)
+        for (const core::Vec3f& point : welded(vr::wandPartModel(static_cast<WandPart>(other))).points)
             nearest = std::min(nearest, (point.cast<double>() - place).norm());
         if (static_cast<int>(other) == part)
             QVERIFY(nearest < 0.006);
@@ -120,9 +120,9 @@ void TestWandShape::places_lieOnTheirParts()
 }
 
 /// Where a button's own place is, no body is.
-void TestWandShape::buttons_standOutOfTheBody()
+void TestWandModel::buttons_standOutOfTheBody()
 {
-    const core::TriangleMesh body = welded(vr::shapeOf(WandPart::Body));
+    const core::TriangleMesh body = welded(vr::wandPartModel(WandPart::Body));
     for (std::size_t spot = 0; spot < vr::wandSpotCount; ++spot) {
         const core::Vec3 place = vr::placeOf(static_cast<WandSpot>(spot));
         double turns = 0; // the solid angle under which the body is seen from there
@@ -135,7 +135,7 @@ void TestWandShape::buttons_standOutOfTheBody()
     }
 }
 
-void TestWandShape::pad_isWhereThumbsAre()
+void TestWandModel::pad_isWhereThumbsAre()
 {
     core::Box pad;
     for (const WandPart part : {WandPart::PadUp, WandPart::PadDown, WandPart::PadLeft, WandPart::PadRight})
@@ -146,7 +146,7 @@ void TestWandShape::pad_isWhereThumbsAre()
     QVERIFY(boxOf(WandPart::PadUp).max().z() < boxOf(WandPart::PadDown).min().z());
 }
 
-void TestWandShape::trigger_turnsIntoTheBody()
+void TestWandModel::trigger_turnsIntoTheBody()
 {
     QVERIFY(vr::triggerTurn(0).isApprox(Eigen::Affine3d::Identity()));
     const core::Box rest = boxOf(WandPart::Trigger);
@@ -160,5 +160,5 @@ void TestWandShape::trigger_turnsIntoTheBody()
     QVERIFY(vr::triggerTurn(7).isApprox(vr::triggerTurn(1)));
 }
 
-QTEST_GUILESS_MAIN(TestWandShape)
+QTEST_GUILESS_MAIN(TestWandModel)
 #include "tst_wand_model.moc"

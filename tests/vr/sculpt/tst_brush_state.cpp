@@ -8,38 +8,38 @@
 
 using core::Vec3;
 using vr::BrushState;
-using vr::Room;
+using vr::ModelPlacement;
 
 namespace
 {
 constexpr double tolerance = 1e-9;
 
-BrushState after(BrushState brush, std::initializer_list<vr::Deed> deeds)
+BrushState after(BrushState brush, std::initializer_list<vr::WandAction> actions)
 {
-    for (const vr::Deed& deed : deeds)
-        brush = vr::changed(brush, deed);
+    for (const vr::WandAction& action : actions)
+        brush = vr::changed(brush, action);
     return brush;
 }
 
-Room someRoom()
+ModelPlacement somePlacement()
 {
-    Room room(core::Box(Vec3(-50, -50, -50), Vec3(50, 50, 50)));
-    room.place({Eigen::Quaterniond(Eigen::AngleAxisd(0.4, Vec3::UnitY())), Vec3(0.3, 1.6, 0.1)});
-    room.scale(1.7);
-    return room;
+    ModelPlacement placement(core::Box(Vec3(-50, -50, -50), Vec3(50, 50, 50)));
+    placement.place({Eigen::Quaterniond(Eigen::AngleAxisd(0.4, Vec3::UnitY())), Vec3(0.3, 1.6, 0.1)});
+    placement.scale(1.7);
+    return placement;
 }
 
 /// The dabs of a wand that goes straight from here to there in two seconds and rests before and after.
-std::vector<Vec3> dabsAt(double rate, const BrushState& brush, const Room& room)
+std::vector<Vec3> dabsAt(double rate, const BrushState& brush, const ModelPlacement& placement)
 {
-    core::StrokePath path(vr::strokeSettings(brush, {}, room));
+    core::StrokePath path(vr::strokeSettings(brush, {}, placement));
     std::vector<Vec3> dabs;
     for (const double time : frameTimes(3, rate)) {
         vr::StrokePoint point;
         point.time = time;
         const double share = std::clamp((time - 0.5) / 2, 0.0, 1.0);
         point.tip.position = Vec3(-0.2, 1.4, -0.5) + share * Vec3(0.4, 0.1, 0.05);
-        path.add(vr::strokeSample(brush, point, room));
+        path.add(vr::strokeSample(brush, point, placement));
         while (const auto due = path.next([](const Vec3& position, const Vec3&) { return std::optional(position); }))
             dabs.push_back(due->dab.position);
     }
@@ -60,7 +60,7 @@ private Q_SLOTS:
         QCOMPARE(brush.stroke.topology, core::Topology::Adaptive);
         QCOMPARE(brush.stroke.symmetry, core::Symmetry::None);
         QCOMPARE(after(brush, {vr::ToggleSymmetry{}}).stroke.symmetry, core::Symmetry::Y);
-        QVERIFY(brush.radius >= vr::leastRadius && brush.radius <= vr::mostRadius);
+        QVERIFY(brush.radius >= vr::minRadius && brush.radius <= vr::maxRadius);
     }
 
     void toolsComeRoundInPaletteOrder()
@@ -96,8 +96,8 @@ private Q_SLOTS:
     {
         const BrushState brush;
         QCOMPARE(after(brush, {vr::ScaleRadius{1.5}}).radius, 1.5 * vr::defaultRadius);
-        QCOMPARE(after(brush, {vr::ScaleRadius{1e9}}).radius, vr::mostRadius);
-        QCOMPARE(after(brush, {vr::ScaleRadius{1e-9}}).radius, vr::leastRadius);
+        QCOMPARE(after(brush, {vr::ScaleRadius{1e9}}).radius, vr::maxRadius);
+        QCOMPARE(after(brush, {vr::ScaleRadius{1e-9}}).radius, vr::minRadius);
     }
 
     void channelsGoFrom0To255()
@@ -128,15 +128,15 @@ private Q_SLOTS:
     void onlyAPullThatBeginsMayAdd()
     {
         BrushState brush;
-        QVERIFY(vr::strokeSettings(brush, {}, someRoom()).add);
-        QVERIFY(!vr::strokeSettings(brush, {.smooths = false, .goesOn = true}, someRoom()).add);
-        QVERIFY(!vr::strokeSettings(brush, {.smooths = true}, someRoom()).add);
+        QVERIFY(vr::strokeSettings(brush, {}, somePlacement()).add);
+        QVERIFY(!vr::strokeSettings(brush, {.smooths = false, .continues = true}, somePlacement()).add);
+        QVERIFY(!vr::strokeSettings(brush, {.smooths = true}, somePlacement()).add);
         brush.isInverse = true;
-        QVERIFY(!vr::strokeSettings(brush, {}, someRoom()).add);
+        QVERIFY(!vr::strokeSettings(brush, {}, somePlacement()).add);
         brush.stroke.tool = core::Tool::Push;
-        QVERIFY(vr::strokeSettings(brush, {}, someRoom()).add);
+        QVERIFY(vr::strokeSettings(brush, {}, somePlacement()).add);
         brush.stroke.brush = core::BrushShape::Ray;
-        QVERIFY(!vr::strokeSettings(brush, {}, someRoom()).add);
+        QVERIFY(!vr::strokeSettings(brush, {}, somePlacement()).add);
     }
 
     void aStrokeIsWhatTheHandMeans()
@@ -146,24 +146,24 @@ private Q_SLOTS:
         brush.stroke.falloff = 6;
         brush.stroke.detail = 0.5;
         brush.stroke.fusion = false;
-        const core::StrokeSettings settings = vr::strokeSettings(brush, {}, someRoom());
+        const core::StrokeSettings settings = vr::strokeSettings(brush, {}, somePlacement());
         QVERIFY(settings.falloff == 6 && settings.detail == 0.5 && !settings.fusion);
         QCOMPARE(settings.place, core::Placement::Point);
         for (std::size_t i = 0; i < core::toolNames().size(); ++i) {
             const auto tool = static_cast<Tool>(i);
             brush.stroke.tool = tool;
             brush.isInverse = false;
-            QCOMPARE(vr::strokeSettings(brush, {}, someRoom()).tool, tool);
-            QCOMPARE(vr::strokeSettings(brush, {true}, someRoom()).tool, Tool::Smooth);
-            QVERIFY(!vr::strokeSettings(brush, {}, someRoom()).inverted);
-            QCOMPARE(vr::strokeSettings(brush, {}, someRoom()).spacing, core::isDragTool(tool) ? 0 : vr::wandSpacing);
-            QCOMPARE(vr::strokeSettings(brush, {true}, someRoom()).spacing, vr::wandSpacing);
+            QCOMPARE(vr::strokeSettings(brush, {}, somePlacement()).tool, tool);
+            QCOMPARE(vr::strokeSettings(brush, {true}, somePlacement()).tool, Tool::Smooth);
+            QVERIFY(!vr::strokeSettings(brush, {}, somePlacement()).inverted);
+            QCOMPARE(vr::strokeSettings(brush, {}, somePlacement()).spacing, core::isDragTool(tool) ? 0 : vr::wandSpacing);
+            QCOMPARE(vr::strokeSettings(brush, {true}, somePlacement()).spacing, vr::wandSpacing);
             brush.isInverse = true;
             const Tool inverse = tool == Tool::Pull ? Tool::Push : tool == Tool::Push ? Tool::Pull : tool;
-            QCOMPARE(vr::strokeSettings(brush, {}, someRoom()).tool, inverse);
-            QCOMPARE(vr::strokeSettings(brush, {}, someRoom()).inverted, core::hasInverse(tool));
-            QCOMPARE(vr::strokeSettings(brush, {true}, someRoom()).tool, Tool::Smooth);
-            QVERIFY(!vr::strokeSettings(brush, {true}, someRoom()).inverted);
+            QCOMPARE(vr::strokeSettings(brush, {}, somePlacement()).tool, inverse);
+            QCOMPARE(vr::strokeSettings(brush, {}, somePlacement()).inverted, core::hasInverse(tool));
+            QCOMPARE(vr::strokeSettings(brush, {true}, somePlacement()).tool, Tool::Smooth);
+            QVERIFY(!vr::strokeSettings(brush, {true}, somePlacement()).inverted);
         }
     }
 
@@ -171,34 +171,34 @@ private Q_SLOTS:
     void samplesAreInTheModelsSpace()
     {
         const BrushState brush;
-        Room room = someRoom();
+        ModelPlacement placement = somePlacement();
         vr::StrokePoint point;
         point.time = 3;
         point.pressure = 0.4;
         point.tip = {Eigen::Quaterniond(Eigen::AngleAxisd(1, Vec3::UnitX())), Vec3(0.1, 1.5, -0.4)};
-        const core::StrokeSample sample = vr::strokeSample(brush, point, room);
-        QVERIFY((room.toRoom(sample.position) - point.tip.position).norm() < tolerance);
-        QVERIFY((room.directionToRoom(sample.direction) - point.tip.forward()).norm() < tolerance);
-        QVERIFY((room.directionToRoom(*sample.up) - point.tip.rotation * Vec3::UnitY()).norm() < tolerance);
+        const core::StrokeSample sample = vr::strokeSample(brush, point, placement);
+        QVERIFY((placement.toRoom(sample.position) - point.tip.position).norm() < tolerance);
+        QVERIFY((placement.directionToRoom(sample.direction) - point.tip.forward()).norm() < tolerance);
+        QVERIFY((placement.directionToRoom(*sample.up) - point.tip.rotation * Vec3::UnitY()).norm() < tolerance);
         QCOMPARE(sample.time, 3.0);
         QCOMPARE(sample.pressure, 0.4);
-        QVERIFY(core::isUsable(vr::strokeSettings(brush, {}, room), sample));
-        QCOMPARE(*sample.radius, vr::strokeSettings(brush, {}, room).radius);
-        QVERIFY(std::abs(room.lengthToRoom(*sample.radius) - brush.radius) < tolerance);
-        room.scale(2);
-        QVERIFY(std::abs(*vr::strokeSample(brush, point, room).radius - *sample.radius / 2) < tolerance);
+        QVERIFY(core::isUsable(vr::strokeSettings(brush, {}, placement), sample));
+        QCOMPARE(*sample.radius, vr::strokeSettings(brush, {}, placement).radius);
+        QVERIFY(std::abs(placement.lengthToRoom(*sample.radius) - brush.radius) < tolerance);
+        placement.scale(2);
+        QVERIFY(std::abs(*vr::strokeSample(brush, point, placement).radius - *sample.radius / 2) < tolerance);
     }
 
     /// However the frames fall.
     void dabsStandEvenly()
     {
         const BrushState brush;
-        const Room room = someRoom();
-        const std::vector<Vec3> fast = dabsAt(144, brush, room);
-        const double step = vr::wandSpacing * vr::strokeSettings(brush, {}, room).radius;
+        const ModelPlacement placement = somePlacement();
+        const std::vector<Vec3> fast = dabsAt(144, brush, placement);
+        const double step = vr::wandSpacing * vr::strokeSettings(brush, {}, placement).radius;
         QVERIFY(fast.size() > 100);
         for (const double rate : frameRates) {
-            const std::vector<Vec3> dabs = dabsAt(rate, brush, room);
+            const std::vector<Vec3> dabs = dabsAt(rate, brush, placement);
             QCOMPARE(dabs.size(), fast.size());
             for (std::size_t i = 0; i < dabs.size(); ++i) {
                 QVERIFY((dabs[i] - fast[i]).norm() < 1e-6 * step);

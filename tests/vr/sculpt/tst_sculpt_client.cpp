@@ -10,11 +10,11 @@ using vr::Side;
 namespace
 {
 /// A document that takes every stroke, and notes what it is told.
-class NotingPort : public vr::DocumentPort
+class RecordingPort : public vr::DocumentPort
 {
 public:
     std::optional<core::MeshPatch> takePatch() override { return {}; }
-    std::optional<vr::DocumentNews> takeNews() override { return {}; }
+    std::optional<vr::DocumentUpdate> takeUpdate() override { return {}; }
     bool beginStroke(const core::StrokeSettings&) override
     {
         ++begun;
@@ -27,14 +27,14 @@ public:
     }
     void endStroke() override { ++ended; }
     vr::StrokeEffect takeEffect() override { return {}; }
-    void ask(const vr::SurfaceQuestion&) override {}
-    std::optional<vr::SurfaceAnswer> takeAnswer() override { return {}; }
-    void wish(const vr::Wish&) override {}
-    void show(const vr::Presence& presence) override { seen = presence; }
+    void querySurface(const vr::SurfaceQuery&) override {}
+    std::optional<vr::SurfaceQueryResult> takeQueryResult() override { return {}; }
+    void request(const vr::DocumentRequest&) override {}
+    void show(const vr::AvatarState& presence) override { seen = presence; }
 
     int begun = 0, samples = 0, ended = 0;
     core::StrokeSample last;
-    vr::Presence seen;
+    vr::AvatarState seen;
 };
 
 /// A person with two wands, frame by frame.
@@ -42,7 +42,7 @@ struct Person
 {
     void frame(double trigger)
     {
-        vr::FrameInput input{{}, vr::Pose{Eigen::Quaterniond::Identity(), {0, 1.6, 0}}, time, true, false, costs};
+        vr::FrameInput input{{}, vr::Pose{Eigen::Quaterniond::Identity(), {0, 1.6, 0}}, time, true, false, timings};
         for (vr::WandState& wand : input.wands)
             wand.isTracked = wand.isActive = true;
         input.wands[static_cast<std::size_t>(Side::Right)].trigger = trigger;
@@ -50,9 +50,9 @@ struct Person
         time += 11'000'000;
     }
 
-    std::shared_ptr<NotingPort> port = std::make_shared<NotingPort>();
+    std::shared_ptr<RecordingPort> port = std::make_shared<RecordingPort>();
     vr::SculptClient client{port, {}};
-    vr::FrameCosts costs;
+    vr::FrameTimings timings;
     std::int64_t time = 1'000'000'000;
 };
 } // namespace
@@ -62,12 +62,12 @@ class TestSculptClient : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    void rest_endsTheStroke();
+    void idle_endsTheStroke();
     void times_areTheVisits();
 };
 
 /// The trigger is pulled all the time: no frame has shown another, and none after does anything before it was let go.
-void TestSculptClient::rest_endsTheStroke()
+void TestSculptClient::idle_endsTheStroke()
 {
     Person person;
     person.frame(0);
@@ -76,7 +76,7 @@ void TestSculptClient::rest_endsTheStroke()
     QCOMPARE(person.port->begun, 1);
     QCOMPARE(person.port->samples, 2);
     QVERIFY(person.port->seen.head && person.port->seen.hands[0]);
-    person.client.rest();
+    person.client.idle();
     QCOMPARE(person.port->ended, 1);
     QVERIFY(!person.port->seen.head && !person.port->seen.hands[0] && !person.port->seen.brush);
 

@@ -19,12 +19,12 @@ QByteArray json(const char* words)
 }
 } // namespace
 
-QColor NotingClient::linear(std::size_t eye)
+QColor RecordingClient::linear(std::size_t eye)
 {
     return eye == 0 ? QColor::fromRgbF(0.5F, 0.1F, 0) : QColor::fromRgbF(0, 0.1F, 0.5F);
 }
 
-bool NotingClient::create(QOpenGLContext& made)
+bool RecordingClient::create(QOpenGLContext& made)
 {
     ++creates;
     context = &made;
@@ -33,7 +33,7 @@ bool NotingClient::create(QOpenGLContext& made)
     return canDraw;
 }
 
-vr::FrameOutput NotingClient::frame(const vr::FrameInput& input)
+vr::FrameOutput RecordingClient::frame(const vr::FrameInput& input)
 {
     ++frames;
     moves += input.roomMoved ? 1 : 0;
@@ -44,7 +44,7 @@ vr::FrameOutput NotingClient::frame(const vr::FrameInput& input)
     return std::exchange(m_answer, {});
 }
 
-void NotingClient::draw(std::size_t eye, const vr::EyeImage& image, const vr::EyeView& view)
+void RecordingClient::draw(std::size_t eye, const vr::EyeImage& image, const vr::EyeView& view)
 {
     ++draws;
     auto* gl = QOpenGLContext::currentContext()->extraFunctions();
@@ -63,7 +63,7 @@ void NotingClient::draw(std::size_t eye, const vr::EyeImage& image, const vr::Ey
     m_views.push_back(view);
 }
 
-void NotingClient::destroy()
+void RecordingClient::destroy()
 {
     ++destroys;
     if (std::this_thread::get_id() != thread || QOpenGLContext::currentContext() != context)
@@ -71,25 +71,25 @@ void NotingClient::destroy()
     QOpenGLContext::currentContext()->functions()->glDeleteFramebuffers(1, &m_framebuffer);
 }
 
-void NotingClient::answer(const vr::FrameOutput& output)
+void RecordingClient::answer(const vr::FrameOutput& output)
 {
     const std::lock_guard lock(m_mutex);
     m_answer = output;
 }
 
-SeenFrame NotingClient::last() const
+SeenFrame RecordingClient::last() const
 {
     const std::lock_guard lock(m_mutex);
     return m_last;
 }
 
-std::vector<vr::EyeImage> NotingClient::images() const
+std::vector<vr::EyeImage> RecordingClient::images() const
 {
     const std::lock_guard lock(m_mutex);
     return m_images;
 }
 
-std::vector<vr::EyeView> NotingClient::views() const
+std::vector<vr::EyeView> RecordingClient::views() const
 {
     const std::lock_guard lock(m_mutex);
     return m_views;
@@ -145,7 +145,7 @@ QImage ScriptedHeadset::picture(int session, int frame, const char* eye) const
     return QImage(m_folder.filePath(QStringLiteral("session%1_frame%2_%3.png").arg(session).arg(frame, 4, 10, QChar('0')).arg(eye)));
 }
 
-Visitor::Visitor(ScriptedHeadset& headset, std::chrono::milliseconds patience) : thread(patience), m_headset(headset)
+Visitor::Visitor(ScriptedHeadset& headset, std::chrono::milliseconds exitTimeout) : thread(exitTimeout), m_headset(headset)
 {
     QObject::connect(&thread, &vr::HeadsetThread::reported, &thread, [this](const vr::HeadsetReport& report) { reports << report; });
 }

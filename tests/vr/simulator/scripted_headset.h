@@ -25,13 +25,13 @@ struct SeenFrame
 };
 
 /// Fills each eye with a colour and notes all that it is told.
-class NotingClient : public vr::FrameClient
+class RecordingClient : public vr::FrameClient
 {
 public:
     bool create(QOpenGLContext& context) override;
     vr::FrameOutput frame(const vr::FrameInput& input) override;
     void draw(std::size_t eye, const vr::EyeImage& image, const vr::EyeView& view) override;
-    void rest() override { ++rests; }
+    void idle() override { ++idleCalls; }
     double drawCallMs() const override { return m_clock.milliseconds(); }
     void destroy() override;
 
@@ -44,7 +44,7 @@ public:
     static QColor linear(std::size_t eye); ///< what it is filled with
 
     std::atomic<bool> canDraw = true;
-    std::atomic<int> creates = 0, destroys = 0, frames = 0, draws = 0, rests = 0, moves = 0, glErrors = 0;
+    std::atomic<int> creates = 0, destroys = 0, frames = 0, draws = 0, idleCalls = 0, moves = 0, glErrors = 0;
     QPointer<QOpenGLContext> context;
     std::thread::id thread;
 
@@ -55,7 +55,7 @@ private:
     std::vector<vr::EyeImage> m_images;
     std::vector<vr::EyeView> m_views;
     unsigned int m_framebuffer = 0;
-    vr::DrawClock m_clock;
+    vr::DrawCallTimer m_clock;
 };
 
 /// The scripted runtime behind Khronos' validation layer, with a folder for what they write. Words are written with ' in place of ".
@@ -87,7 +87,7 @@ private:
 class Visitor
 {
 public:
-    explicit Visitor(ScriptedHeadset& headset, std::chrono::milliseconds patience = vr::RuntimeThread::patience);
+    explicit Visitor(ScriptedHeadset& headset, std::chrono::milliseconds exitTimeout = vr::RuntimeThread::responseTimeout);
     ~Visitor(); ///< the runtime then gives frames freely and answers, so that a test that has failed comes to an end
 
     bool enter();
@@ -97,7 +97,7 @@ public:
     bool waitForEnd();
     bool waitFor(vr::HeadsetStage stage);
 
-    std::shared_ptr<NotingClient> client = std::make_shared<NotingClient>();
+    std::shared_ptr<RecordingClient> client = std::make_shared<RecordingClient>();
     QList<vr::HeadsetReport> reports;
     vr::HeadsetThread thread;
 

@@ -8,7 +8,7 @@
 
 namespace
 {
-constexpr int patience = 60'000; ///< milliseconds with a client that is stuck
+constexpr int exitTimeout = 60'000; ///< milliseconds with a client that is stuck
 
 template <class Function> Function function(const char* name)
 {
@@ -53,7 +53,7 @@ void ScriptedRuntime::set(const QByteArray& step)
 
 bool ScriptedRuntime::frames(int count)
 {
-    return function<int (*)(int, int)>("fettle_xr_frames")(count, patience) >= count;
+    return function<int (*)(int, int)>("fettle_xr_frames")(count, exitTimeout) >= count;
 }
 
 QJsonObject ScriptedRuntime::report() const

@@ -15,7 +15,7 @@ QByteArray fastWith(const QByteArray& steps)
 }
 } // namespace
 
-class TestScriptedActions : public QObject
+class TestActions : public QObject
 {
     Q_OBJECT
 
@@ -37,7 +37,7 @@ private Q_SLOTS:
     void refusesWrongUse();
 };
 
-void TestScriptedActions::readsInputs()
+void TestActions::readsInputs()
 {
     ScriptedRuntime runtime(fastWith(R"({"frame": 5, "over": 10, "right": {"trigger": 1, "pad": [0.5, -1]}},
         {"frame": 7, "left": {"menu": true, "pad_touch": true, "squeeze": 1}})"));
@@ -67,7 +67,7 @@ void TestScriptedActions::readsInputs()
     QCOMPARE(runtime.clientErrors() + runtime.clientWarnings(), QStringList());
 }
 
-void TestScriptedActions::convertsInputs()
+void TestActions::convertsInputs()
 {
     ScriptedRuntime runtime(fastWith(R"({"frame": 4, "right": {"trigger": 0.6, "menu": true}}, {"frame": 6, "right": {"trigger": 0.9}})"));
     RawPlayer player;
@@ -92,7 +92,7 @@ void TestScriptedActions::convertsInputs()
     QCOMPARE(player.boolean(clicked).currentState, XrBool32(XR_TRUE));
 }
 
-void TestScriptedActions::tellsChanges()
+void TestActions::tellsChanges()
 {
     ScriptedRuntime runtime(fastWith(R"({"frame": 5, "right": {"trigger": 1}})"));
     RawPlayer player;
@@ -114,7 +114,7 @@ void TestScriptedActions::tellsChanges()
     QCOMPARE(changes, QList<bool>({false, false, true, false, false}));
 }
 
-void TestScriptedActions::isSilentWithoutFocus()
+void TestActions::isSilentWithoutFocus()
 {
     ScriptedRuntime runtime(fastWith(R"({"frame": 0, "right": {"trigger": 1}})"));
     RawPlayer player;
@@ -138,7 +138,7 @@ void TestScriptedActions::isSilentWithoutFocus()
     QCOMPARE(state.lastChangeTime, XrTime(0));
 }
 
-void TestScriptedActions::switchesAWandOff()
+void TestActions::switchesAWandOff()
 {
     ScriptedRuntime runtime(fastWith({}));
     RawPlayer player;
@@ -160,7 +160,7 @@ void TestScriptedActions::switchesAWandOff()
     QCOMPARE(player.locate(left, player.local).locationFlags, locatedWholly);
 }
 
-void TestScriptedActions::changesTheProfile()
+void TestActions::changesTheProfile()
 {
     ScriptedRuntime runtime(fastWith({}));
     RawPlayer player;
@@ -187,7 +187,7 @@ void TestScriptedActions::changesTheProfile()
     QCOMPARE(player.otherEvents[1].type, XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED);
 }
 
-void TestScriptedActions::knowsOnlySuggestedProfiles()
+void TestActions::knowsOnlySuggestedProfiles()
 {
     ScriptedRuntime runtime(R"({"start": {"pace": "fast", "size": [16, 16], "profile": "/interaction_profiles/valve/index_controller"}})");
     RawPlayer player;
@@ -200,7 +200,7 @@ void TestScriptedActions::knowsOnlySuggestedProfiles()
     QVERIFY(player.otherEvents.empty());
 }
 
-void TestScriptedActions::takesThePriority()
+void TestActions::takesThePriority()
 {
     ScriptedRuntime runtime(fastWith(R"({"frame": 0, "right": {"trigger": 1}})"));
     RawPlayer player;
@@ -227,7 +227,7 @@ void TestScriptedActions::takesThePriority()
     QCOMPARE(player.boolean(above, player.hands[0]).isActive, XrBool32(XR_FALSE));
 }
 
-void TestScriptedActions::namesSources()
+void TestActions::namesSources()
 {
     ScriptedRuntime runtime(fastWith({}));
     RawPlayer player;
@@ -253,7 +253,7 @@ void TestScriptedActions::namesSources()
     QCOMPARE(name(7), QByteArray("Right Hand Vive Controller Trackpad"));
 }
 
-void TestScriptedActions::logsHaptics()
+void TestActions::logsHaptics()
 {
     ScriptedRuntime runtime(fastWith({}));
     RawPlayer player;
@@ -280,7 +280,7 @@ void TestScriptedActions::logsHaptics()
     QCOMPARE(runtime.clientErrors().size(), 1);
 }
 
-void TestScriptedActions::refusesBadBindings_data()
+void TestActions::refusesBadBindings_data()
 {
     QTest::addColumn<QByteArray>("profile");
     QTest::addColumn<QByteArray>("input");
@@ -305,7 +305,7 @@ void TestScriptedActions::refusesBadBindings_data()
     row("acme/stick", "/input/menu/click", false);
 }
 
-void TestScriptedActions::refusesBadBindings()
+void TestActions::refusesBadBindings()
 {
     QFETCH(QByteArray, profile);
     QFETCH(QByteArray, input);
@@ -317,7 +317,7 @@ void TestScriptedActions::refusesBadBindings()
     QCOMPARE(runtime.clientErrors().isEmpty(), isRight);
 }
 
-void TestScriptedActions::refusesWrongUse()
+void TestActions::refusesWrongUse()
 {
     ScriptedRuntime runtime(fastWith({}));
     RawPlayer player;
@@ -343,5 +343,5 @@ void TestScriptedActions::refusesWrongUse()
     QCOMPARE(runtime.clientErrors().size(), 9);
 }
 
-VR_TEST_MAIN(TestScriptedActions)
+VR_TEST_MAIN(TestActions)
 #include "tst_actions.moc"

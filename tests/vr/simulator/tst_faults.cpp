@@ -18,7 +18,7 @@ int lastFrame(const ScriptedRuntime& runtime)
 }
 } // namespace
 
-class TestScriptedFaults : public QObject
+class TestFaults : public QObject
 {
     Q_OBJECT
 
@@ -41,7 +41,7 @@ private Q_SLOTS:
     void freezes();
 };
 
-void TestScriptedFaults::losesAndRegainsFocus()
+void TestFaults::losesAndRegainsFocus()
 {
     ScriptedRuntime runtime(R"({"start": {"pace": "fast", "size": [64, 48]}, "steps": [
         {"frame": 10, "focus": false}, {"frame": 20, "visible": false}, {"frame": 30, "visible": true, "focus": true}]})");
@@ -54,7 +54,7 @@ void TestScriptedFaults::losesAndRegainsFocus()
     QVERIFY(client.states == expected);
 }
 
-void TestScriptedFaults::isTakenOffAndPutOnAgain()
+void TestFaults::isTakenOffAndPutOnAgain()
 {
     ScriptedRuntime runtime(fast);
     RawClient client;
@@ -67,7 +67,7 @@ void TestScriptedFaults::isTakenOffAndPutOnAgain()
     QCOMPARE(runtime.clientErrors(), QStringList());
 }
 
-void TestScriptedFaults::isAskedToStop()
+void TestFaults::isAskedToStop()
 {
     ScriptedRuntime runtime(fast);
     RawClient client;
@@ -76,7 +76,7 @@ void TestScriptedFaults::isAskedToStop()
     QSUCCEEDS(client.framesUntil(XR_SESSION_STATE_EXITING));
 }
 
-void TestScriptedFaults::losesTheSession()
+void TestFaults::losesTheSession()
 {
     ScriptedRuntime runtime(R"({"start": {"pace": "fast", "size": [64, 48]}, "steps": [{"frame": 10, "lose_session": 5}]})");
     RawClient client;
@@ -97,7 +97,7 @@ void TestScriptedFaults::losesTheSession()
     QSUCCEEDS(client.framesUntil(XR_SESSION_STATE_FOCUSED));
 }
 
-void TestScriptedFaults::losesTheInstance()
+void TestFaults::losesTheInstance()
 {
     ScriptedRuntime runtime(fast);
     RawClient client;
@@ -118,7 +118,7 @@ void TestScriptedFaults::losesTheInstance()
     QCOMPARE(runtime.clientErrors(), QStringList());
 }
 
-void TestScriptedFaults::isNotThere()
+void TestFaults::isNotThere()
 {
     ScriptedRuntime runtime(R"({"start": {"headset": false}})");
     RawClient client;
@@ -129,7 +129,7 @@ void TestScriptedFaults::isNotThere()
     QCOMPARE(client.createInstance(), XR_ERROR_EXTENSION_NOT_PRESENT);
 }
 
-void TestScriptedFaults::changesSize()
+void TestFaults::changesSize()
 {
     ScriptedRuntime runtime(fast);
     RawClient client;
@@ -144,7 +144,7 @@ void TestScriptedFaults::changesSize()
     QCOMPARE(client.eyes[0].size.height, 20);
 }
 
-void TestScriptedFaults::offersOneView()
+void TestFaults::offersOneView()
 {
     ScriptedRuntime runtime(R"({"start": {"pace": "fast", "size": [64, 48], "views": "mono"}})");
     RawClient client;
@@ -163,7 +163,7 @@ void TestScriptedFaults::offersOneView()
     QCOMPARE(runtime.clientWarnings(), QStringList());
 }
 
-void TestScriptedFaults::isLate()
+void TestFaults::isLate()
 {
     ScriptedRuntime runtime(fast);
     RawClient client;
@@ -177,7 +177,7 @@ void TestScriptedFaults::isLate()
     QCOMPARE(client.frameState.predictedDisplayTime, before + 4 * client.frameState.predictedDisplayPeriod);
 }
 
-void TestScriptedFaults::pacesFrames()
+void TestFaults::pacesFrames()
 {
     ScriptedRuntime runtime(R"({"start": {"size": [64, 48], "hz": 50}})");
     RawClient client;
@@ -195,7 +195,7 @@ void TestScriptedFaults::pacesFrames()
     QVERIFY(timer.elapsed() >= 199);
 }
 
-void TestScriptedFaults::stepsFrames()
+void TestFaults::stepsFrames()
 {
     ScriptedRuntime runtime(R"({"start": {"pace": "stepped", "size": [64, 48]}})");
     XrResult result = XR_ERROR_RUNTIME_FAILURE;
@@ -216,7 +216,7 @@ void TestScriptedFaults::stepsFrames()
     QCOMPARE(runtime.clientErrors(), QStringList());
 }
 
-void TestScriptedFaults::hidesFrames()
+void TestFaults::hidesFrames()
 {
     ScriptedRuntime runtime(R"({"start": {"pace": "fast", "size": [64, 48]}, "steps": [
         {"frame": 10, "should_render": false}, {"frame": 12, "should_render": true}]})");
@@ -230,7 +230,7 @@ void TestScriptedFaults::hidesFrames()
     QCOMPARE(seen, QList<bool>({true, true, true, true, true, true, true, false, false, true, true}));
 }
 
-void TestScriptedFaults::answersInACallsStead()
+void TestFaults::answersInACallsStead()
 {
     ScriptedRuntime runtime(fast);
     RawClient client;
@@ -243,7 +243,7 @@ void TestScriptedFaults::answersInACallsStead()
 }
 
 /// The call goes on where it was as soon as another is named; others are answered meanwhile.
-void TestScriptedFaults::freezes()
+void TestFaults::freezes()
 {
     ScriptedRuntime runtime(fast);
     RawClient client;
@@ -268,5 +268,5 @@ void TestScriptedFaults::freezes()
     QCOMPARE(runtime.clientErrors(), QStringList());
 }
 
-VR_TEST_MAIN(TestScriptedFaults)
+VR_TEST_MAIN(TestFaults)
 #include "tst_faults.moc"

@@ -30,7 +30,7 @@ QList<QJsonObject> lines(const QString& path)
 }
 } // namespace
 
-class TestScriptedRuntime : public QObject
+class TestRuntime : public QObject
 {
     Q_OBJECT
 
@@ -59,14 +59,14 @@ private Q_SLOTS:
     void refusesBadScripts();
 };
 
-void TestScriptedRuntime::init()
+void TestRuntime::init()
 {
     qunsetenv("FETTLE_XR_LOG");
     qunsetenv("FETTLE_XR_FRAMES");
     qunsetenv("XR_ENABLE_API_LAYERS");
 }
 
-void TestScriptedRuntime::followsTheEnvironment()
+void TestRuntime::followsTheEnvironment()
 {
     QTemporaryDir folder;
     QFile script(folder.filePath("script"));
@@ -81,7 +81,7 @@ void TestScriptedRuntime::followsTheEnvironment()
     QCOMPARE(client.eyes[1].size.height, 10);
 }
 
-void TestScriptedRuntime::livesThroughASession()
+void TestRuntime::livesThroughASession()
 {
     ScriptedRuntime runtime(fast);
     RawClient client;
@@ -102,7 +102,7 @@ void TestScriptedRuntime::livesThroughASession()
     QCOMPARE(runtime.clientWarnings(), QStringList());
 }
 
-void TestScriptedRuntime::keepsPictures()
+void TestRuntime::keepsPictures()
 {
     QTemporaryDir folder;
     qputenv("FETTLE_XR_FRAMES", folder.path().toUtf8());
@@ -123,7 +123,7 @@ void TestScriptedRuntime::keepsPictures()
 }
 
 /// Only pictures that are asked for are made, and each is shown once.
-void TestScriptedRuntime::showsPictures()
+void TestRuntime::showsPictures()
 {
     ScriptedRuntime runtime(R"({"start": {"pace": "fast", "size": [64, 48]}})");
     QVERIFY(runtime.picture().isNull());
@@ -145,7 +145,7 @@ void TestScriptedRuntime::showsPictures()
 }
 
 /// A client that is slower than the display: its time goes by the clock at pace "live", by its frames at pace "real".
-void TestScriptedRuntime::liveTime_isTheClocks()
+void TestRuntime::liveTime_isTheClocks()
 {
     constexpr int frames = 8;
     constexpr auto slowness = std::chrono::milliseconds(30);
@@ -167,7 +167,7 @@ void TestScriptedRuntime::liveTime_isTheClocks()
 }
 
 /// One with alpha in a linear format on an array's second layer, and one that covers.
-void TestScriptedRuntime::keepsQuads()
+void TestRuntime::keepsQuads()
 {
     constexpr std::int64_t linear = 0x8058, texture2DArray = 0x8C1A; // GL_RGBA8, GL_TEXTURE_2D_ARRAY
     QTemporaryDir folder;
@@ -206,7 +206,7 @@ void TestScriptedRuntime::keepsQuads()
     QCOMPARE(runtime.clientErrors(), QStringList());
 }
 
-void TestScriptedRuntime::writesALog()
+void TestRuntime::writesALog()
 {
     QTemporaryDir folder;
     qputenv("FETTLE_XR_LOG", folder.filePath("log").toUtf8());
@@ -236,7 +236,7 @@ void TestScriptedRuntime::writesALog()
     QCOMPARE(complaints, QStringList("xrBeginFrame: XR_ERROR_CALL_ORDER_INVALID, no frame was waited for"));
 }
 
-void TestScriptedRuntime::isTheSameEveryTime()
+void TestRuntime::isTheSameEveryTime()
 {
     QTemporaryDir folder;
     QList<QByteArray> logs;
@@ -257,7 +257,7 @@ void TestScriptedRuntime::isTheSameEveryTime()
     QVERIFY(logs[0] == logs[1]);
 }
 
-void TestScriptedRuntime::givesTheContextBack()
+void TestRuntime::givesTheContextBack()
 {
     ScriptedRuntime runtime(fast);
     RawClient client;
@@ -272,7 +272,7 @@ void TestScriptedRuntime::givesTheContextBack()
     QVERIFY(client.gl.makeCurrent(&client.surface));
 }
 
-void TestScriptedRuntime::passesTheValidationLayer()
+void TestRuntime::passesTheValidationLayer()
 {
     QTemporaryDir folder;
     qputenv("XR_ENABLE_API_LAYERS", "XR_APILAYER_LUNARG_core_validation");
@@ -298,7 +298,7 @@ void TestScriptedRuntime::passesTheValidationLayer()
     QVERIFY(QFile::exists(folder.filePath("said"))); // else it was deaf all the time
 }
 
-void TestScriptedRuntime::comesAgain()
+void TestRuntime::comesAgain()
 {
     ScriptedRuntime runtime(fast);
     for (int i = 0; i < 3; ++i) {
@@ -309,7 +309,7 @@ void TestScriptedRuntime::comesAgain()
     QCOMPARE(runtime.clientErrors(), QStringList());
 }
 
-void TestScriptedRuntime::refusesWrongOrder()
+void TestRuntime::refusesWrongOrder()
 {
     ScriptedRuntime runtime(fast);
     RawClient client;
@@ -353,7 +353,7 @@ void TestScriptedRuntime::refusesWrongOrder()
     QCOMPARE(xrDestroySwapchain(swapchain), XR_ERROR_HANDLE_INVALID);
 }
 
-void TestScriptedRuntime::refusesBadLayers_data()
+void TestRuntime::refusesBadLayers_data()
 {
     using Spoil = std::function<void(XrFrameEndInfo&, XrCompositionLayerProjection&, XrCompositionLayerProjectionView&)>;
     using End = XrFrameEndInfo;
@@ -378,7 +378,7 @@ void TestScriptedRuntime::refusesBadLayers_data()
     row("array layer", [](End&, Layer&, View& view) { view.subImage.imageArrayIndex = 1; }, XR_ERROR_VALIDATION_FAILURE);
 }
 
-void TestScriptedRuntime::refusesBadLayers()
+void TestRuntime::refusesBadLayers()
 {
     using Spoil = std::function<void(XrFrameEndInfo&, XrCompositionLayerProjection&, XrCompositionLayerProjectionView&)>;
     QFETCH(Spoil, spoil);
@@ -398,7 +398,7 @@ void TestScriptedRuntime::refusesBadLayers()
     QCOMPARE(runtime.clientErrors().isEmpty(), result == XR_SUCCESS);
 }
 
-void TestScriptedRuntime::warnsOfWhatSwims()
+void TestRuntime::warnsOfWhatSwims()
 {
     ScriptedRuntime runtime(R"({"start": {"pace": "fast", "size": [64, 48]}, "steps": [
         {"frame": 5, "over": 90, "head": {"position": [1, 1.6, 0]}}]})");
@@ -411,7 +411,7 @@ void TestScriptedRuntime::warnsOfWhatSwims()
     QCOMPARE(runtime.clientWarnings().size(), 3); // both views, and the time itself
 }
 
-void TestScriptedRuntime::refusesBadScripts_data()
+void TestRuntime::refusesBadScripts_data()
 {
     QTest::addColumn<QByteArray>("script");
     QTest::newRow("not JSON") << QByteArray("{");
@@ -424,12 +424,12 @@ void TestScriptedRuntime::refusesBadScripts_data()
     QTest::newRow("result") << QByteArray(R"({"start": {"fail": {"call": "xrWaitFrame", "result": "XR_OH_NO"}}})");
 }
 
-void TestScriptedRuntime::refusesBadScripts()
+void TestRuntime::refusesBadScripts()
 {
     QFETCH(QByteArray, script);
     ScriptedRuntime runtime(fast);
     QVERIFY(!ScriptedRuntime::load(script).isEmpty());
 }
 
-VR_TEST_MAIN(TestScriptedRuntime)
+VR_TEST_MAIN(TestRuntime)
 #include "tst_runtime.moc"

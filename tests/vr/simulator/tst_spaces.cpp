@@ -19,7 +19,7 @@ bool isNear(const XrVector3f& a, double x, double y, double z)
 }
 } // namespace
 
-class TestScriptedSpaces : public QObject
+class TestSpaces : public QObject
 {
     Q_OBJECT
 
@@ -34,7 +34,7 @@ private Q_SLOTS:
     void hasNoStage();
 };
 
-void TestScriptedSpaces::movesTheHead()
+void TestSpaces::movesTheHead()
 {
     ScriptedRuntime runtime(fastWith(R"({"frame": 0, "head": {"position": [0, 1.6, 0]}},
         {"frame": 10, "over": 90, "head": {"position": [0.9, 1.6, 0], "yaw_pitch_roll": [90, 0, 0]}})"));
@@ -58,7 +58,7 @@ void TestScriptedSpaces::movesTheHead()
     QVERIFY(isNear(player.locate(player.local, stage).pose.position, 0, 1.6, 0));
 }
 
-void TestScriptedSpaces::placesTheEyes()
+void TestSpaces::placesTheEyes()
 {
     ScriptedRuntime runtime(fastWith(R"({"frame": 0, "eye_distance": 0.06,
         "head": {"position": [1, 1.6, 2], "yaw_pitch_roll": [90, 0, 0]}})"));
@@ -77,7 +77,7 @@ void TestScriptedSpaces::placesTheEyes()
     QVERIFY(views[0].fov.angleUp != -views[0].fov.angleDown);
 }
 
-void TestScriptedSpaces::movesAWand()
+void TestSpaces::movesAWand()
 {
     ScriptedRuntime runtime(fastWith(R"({"frame": 0, "left": {"position": [-0.1, 1, -0.5]}, "right": {"position": [0.1, 1, -0.5]}},
         {"frame": 0, "aim": {"position": [0, 0, -0.1], "yaw_pitch_roll": [0, -45, 0]}},
@@ -105,7 +105,7 @@ void TestScriptedSpaces::movesAWand()
     QCOMPARE(runtime.clientErrors(), QStringList());
 }
 
-void TestScriptedSpaces::losesTracking()
+void TestSpaces::losesTracking()
 {
     ScriptedRuntime runtime(fastWith(R"({"frame": 6, "left": {"tracked": "rotation"}, "head": {"tracked": false}})"));
     RawPlayer player;
@@ -128,7 +128,7 @@ void TestScriptedSpaces::losesTracking()
     QVERIFY(isNear(turned.pose.position, 0, 0, 0) && turned.pose.orientation.w == 1);
 }
 
-void TestScriptedSpaces::recentres()
+void TestSpaces::recentres()
 {
     ScriptedRuntime runtime(fastWith(R"({"frame": 4,
         "recentre": {"space": "local", "position": [1, 1.5, 0], "yaw_pitch_roll": [90, 0, 0], "after": 3}})"));
@@ -152,7 +152,7 @@ void TestScriptedSpaces::recentres()
     QVERIFY(isNear(player.locate(player.local, stage).pose.position, 1, 1.5, 0));
 }
 
-void TestScriptedSpaces::hasNoStage()
+void TestSpaces::hasNoStage()
 {
     ScriptedRuntime runtime(R"({"start": {"stage": false}})");
     RawPlayer player;
@@ -170,5 +170,5 @@ void TestScriptedSpaces::hasNoStage()
     QCOMPARE(xrGetReferenceSpaceBoundsRect(player.session, XR_REFERENCE_SPACE_TYPE_STAGE, &bounds), XR_SPACE_BOUNDS_UNAVAILABLE);
 }
 
-VR_TEST_MAIN(TestScriptedSpaces)
+VR_TEST_MAIN(TestSpaces)
 #include "tst_spaces.moc"

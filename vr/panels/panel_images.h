@@ -11,7 +11,7 @@
 namespace vr
 {
 /// A panel as it was painted, and what is where on that picture.
-struct PanelPicture
+struct PanelImage
 {
     std::shared_ptr<const PanelLayout> layout;
     QImage image; ///< premultiplied
@@ -19,37 +19,37 @@ struct PanelPicture
 
 /// Paints panels on a thread of its own, each when what it shows has changed. show() and take() belong to one thread, which they never let
 /// wait: they cost a comparison and a copy of values.
-class PanelPictures
+class PanelImages
 {
 public:
-    PanelPictures();
-    ~PanelPictures();
+    PanelImages();
+    ~PanelImages();
 
     /// What the panel of that kind shows from now on. May be called each frame; if the painter is just taking what was asked, this is not
     /// heard, and the next call is.
     void show(const PanelContent& content, const PanelTouches& touches = {});
     /// The newest, once.
-    std::optional<PanelPicture> take(PanelKind kind);
+    std::optional<PanelImage> take(PanelKind kind);
 
 private:
-    struct Wish
+    struct PaintRequest
     {
         PanelContent content;
         PanelTouches touches;
-        bool operator==(const Wish&) const = default;
+        bool operator==(const PaintRequest&) const = default;
     };
-    using Wishes = std::array<std::optional<Wish>, panelKindCount>;
+    using PaintRequests = std::array<std::optional<PaintRequest>, panelKindCount>;
 
     void run();
-    bool isAwaited() const;
-    void paintAll(const Wishes& wishes);
+    bool hasWork() const;
+    void paintAll(const PaintRequests& requests);
 
-    Wishes m_asked;     ///< last; the caller's own
+    PaintRequests m_requested;     ///< last; the caller's own
     std::mutex m_mutex; ///< of the next three
-    Wishes m_waiting;
-    std::array<std::optional<PanelPicture>, panelKindCount> m_ready;
-    bool m_stops = false;
-    std::condition_variable m_news;
+    PaintRequests m_pending;
+    std::array<std::optional<PanelImage>, panelKindCount> m_ready;
+    bool m_isStopping = false;
+    std::condition_variable m_wake;
     std::thread m_thread; ///< last: it uses the others
 };
 } // namespace vr
